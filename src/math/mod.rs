@@ -1,0 +1,3 @@
+//! SIMD lanes and small dense solves.
+
+pub mod simd;

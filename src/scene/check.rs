@@ -1,0 +1,45 @@
+//! Range checks that name the key, its value and what is allowed.
+
+use super::error::ConfigError;
+
+/// Checks the values of one section.
+pub(super) struct Check {
+    section: &'static str,
+}
+
+impl Check {
+    pub(super) fn section(section: &'static str) -> Check {
+        Check { section }
+    }
+
+    pub(super) fn error(&self, key: &str, value: impl ToString, allowed: &str) -> ConfigError {
+        ConfigError::new(&format!("{}.{key}", self.section), value, allowed)
+    }
+
+    pub(super) fn positive(&self, key: &str, value: f64) -> Result<(), ConfigError> {
+        if value.is_finite() && value > 0.0 {
+            return Ok(());
+        }
+        Err(self.error(key, value, "must be a finite number above 0"))
+    }
+
+    pub(super) fn not_negative(&self, key: &str, value: f64) -> Result<(), ConfigError> {
+        if value.is_finite() && value >= 0.0 {
+            return Ok(());
+        }
+        Err(self.error(key, value, "must be a finite number, 0 or above"))
+    }
+
+    pub(super) fn range(
+        &self,
+        key: &str,
+        value: f64,
+        low: f64,
+        high: f64,
+    ) -> Result<(), ConfigError> {
+        if value >= low && value <= high {
+            return Ok(());
+        }
+        Err(self.error(key, value, &format!("must be a number from {low} to {high}")))
+    }
+}

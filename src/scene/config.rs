@@ -1,0 +1,226 @@
+//! One case, complete and validated.
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use toml::{Table, Value};
+
+use super::error::ConfigError;
+use super::numerics::{Numerics, PRESETS};
+use super::seawall::{SeawallScene, WallChoice};
+
+/// What is simulated.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum Scene {
+    /// A wave tank that ends in a seawall.
+    Seawall(SeawallScene),
+}
+
+/// Names that `scene.kind` may take.
+const KINDS: &[&str] = &["seawall"];
+
+/// One case: everything that decides its answer, and nothing else.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CaseConfig {
+    /// What is simulated.
+    pub scene: Scene,
+    /// How.
+    pub numerics: Numerics,
+}
+
+impl CaseConfig {
+    /// Reads a case from its `[scene]` and `[numerics]` tables.
+    ///
+    /// # Errors
+    /// The first unknown key, wrong type or value out of range.
+    pub fn from_tables(scene: &Table, numerics: &Table) -> Result<CaseConfig, ConfigError> {
+        let config = CaseConfig { scene: read_scene(scene)?, numerics: read_numerics(numerics)? };
+        config.validate()?;
+        Ok(config)
+    }
+
+    fn validate(&self) -> Result<(), ConfigError> {
+        self.numerics.validate()?;
+        let Scene::Seawall(scene) = &self.scene;
+        scene.validate()?;
+        let rows = scene.still_water_depth_m / self.numerics.particle_spacing_m;
+        if rows < 4.0 {
+            let allowed = format!(
+                "must be at most a quarter of the still water depth ({} m)",
+                scene.still_water_depth_m
+            );
+            let spacing = self.numerics.particle_spacing_m;
+            return Err(ConfigError::new("numerics.particle_spacing_m", spacing, allowed));
+        }
+        Ok(())
+    }
+
+    /// The stretch of this case that it shares with all others that differ only in what the wall
+    /// does once it moves: the same case with its wall held fixed. `None` for scenes that do not
+    /// branch.
+    pub fn trunk(&self) -> Option<CaseConfig> {
+        let Scene::Seawall(scene) = &self.scene;
+        let scene = SeawallScene {
+            wall: WallChoice::Fixed,
+            spring_stiffness_n_per_m: None,
+            seawall_mass_kg_per_m: None,
+            force_coupling: 1.0,
+            ..scene.clone()
+        };
+        Some(CaseConfig { scene: Scene::Seawall(scene), numerics: self.numerics.clone() })
+    }
+}
+
+fn read_scene(table: &Table) -> Result<Scene, ConfigError> {
+    let kind = match table.get("kind") {
+        None => "seawall",
+        Some(Value::String(kind)) if KINDS.contains(&kind.as_str()) => kind,
+        Some(other) => {
+            let allowed = format!("must be one of {}", KINDS.join(", "));
+            return Err(ConfigError::new("scene.kind", other, allowed));
+        }
+    };
+    let mut rest = table.clone();
+    rest.remove("kind");
+    match kind {
+        "seawall" => {
+            let known = serde_keys::<SeawallScene>();
+            Ok(Scene::Seawall(read_table("scene", rest, &known)?))
+        }
+        _ => unreachable!("the kind was checked above"),
+    }
+}
+
+fn read_numerics(table: &Table) -> Result<Numerics, ConfigError> {
+    let mut rest = table.clone();
+    let name = match rest.remove("preset") {
+        None => "default".to_owned(),
+        Some(Value::String(name)) => name,
+        Some(other) => {
+            return Err(ConfigError::new("numerics.preset", other, "must be the name of a preset"));
+        }
+    };
+    let Some(preset) = Numerics::preset(&name) else {
+        let allowed = format!("must be one of {}", PRESETS.join(", "));
+        return Err(ConfigError::new("numerics.preset", format!("{name:?}"), allowed));
+    };
+    let mut merged = Table::try_from(&preset).expect("a preset is a table");
+    merged.extend(rest);
+    read_table("numerics", merged, &serde_keys::<Numerics>())
+}
+
+/// Deserialises a table, naming the key and value that do not fit.
+fn read_table<T: DeserializeOwned>(
+    section: &str,
+    table: Table,
+    known: &[String],
+) -> Result<T, ConfigError> {
+    if let Some(key) = table.keys().find(|key| !known.contains(key)) {
+        return Err(ConfigError::unknown(&format!("{section}.{key}"), known));
+    }
+    let values = table.clone();
+    serde_path_to_error::deserialize(Value::Table(table)).map_err(|error| {
+        let key = error.path().to_string();
+        let value = values.get(&key).map(Value::to_string).unwrap_or_default();
+        let reason = error.inner().to_string();
+        ConfigError::new(&format!("{section}.{key}"), value, reason.trim().replace('\n', " "))
+    })
+}
+
+/// The field names of a struct, as its own deserialiser states them.
+fn serde_keys<T: DeserializeOwned>() -> Vec<String> {
+    struct Names(Vec<String>);
+    impl<'de> serde::Deserializer<'de> for &mut Names {
+        type Error = serde::de::value::Error;
+        fn deserialize_any<V: serde::de::Visitor<'de>>(
+            self,
+            _: V,
+        ) -> Result<V::Value, Self::Error> {
+            Err(serde::de::Error::custom("only field names are asked for"))
+        }
+        fn deserialize_struct<V: serde::de::Visitor<'de>>(
+            self,
+            _: &'static str,
+            fields: &'static [&'static str],
+            visitor: V,
+        ) -> Result<V::Value, Self::Error> {
+            self.0 = fields.iter().map(|name| (*name).to_owned()).collect();
+            self.deserialize_any(visitor)
+        }
+        serde::forward_to_deserialize_any! {
+            bool i8 i16 i32 i64 u8 u16 u32 u64 f32 f64 char str string bytes byte_buf option unit
+            unit_struct newtype_struct seq tuple tuple_struct map enum identifier ignored_any
+        }
+    }
+    let mut names = Names(Vec::new());
+    let _ = T::deserialize(&mut names);
+    names.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn case(scene: &str, numerics: &str) -> Result<CaseConfig, ConfigError> {
+        CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap())
+    }
+
+    #[test]
+    fn defaults_are_the_papers_tank() {
+        let config = case("", "").unwrap();
+        let Scene::Seawall(scene) = config.scene;
+        assert_eq!(scene.still_water_depth_m, 0.2);
+        assert_eq!(config.numerics.particle_spacing_m, 0.008);
+    }
+
+    #[test]
+    fn every_bad_value_is_told_with_its_key() {
+        let bad = [
+            (
+                "still_water_dept_m = 1.0",
+                "",
+                "scene.still_water_dept_m: unknown key; did you mean still_water_depth_m?",
+            ),
+            (
+                "",
+                "particle_spacing_m = -0.01",
+                "numerics.particle_spacing_m = -0.01: must be a finite number above 0",
+            ),
+            (
+                "",
+                "particle_spacing_m = nan",
+                "numerics.particle_spacing_m = NaN: must be a finite number above 0",
+            ),
+            ("", "kernel = 3", "numerics.kernel = 3: "),
+            (
+                "",
+                "preset = \"fast\"",
+                "numerics.preset = \"fast\": must be one of default, huang2019",
+            ),
+            ("kind = \"lake\"", "", "scene.kind = \"lake\": must be one of seawall"),
+            (
+                "wave_height_ratio = 0",
+                "",
+                "scene.end_time_s: is needed where wave_height_ratio = 0",
+            ),
+            (
+                "wall = \"movable\"\nspring_stiffness_n_per_m = 1\nseawall_mass_kg_per_m = 1\nwall_angle_deg = 120",
+                "",
+                "scene.wall_angle_deg = 120: a movable wall is vertical",
+            ),
+        ];
+        for (scene, numerics, message) in bad {
+            let told = case(scene, numerics).unwrap_err().to_string();
+            assert!(told.starts_with(message), "{told:?} should start with {message:?}");
+        }
+    }
+
+    #[test]
+    fn a_trunk_forgets_what_the_wall_does() {
+        let movable =
+            "wall = \"movable\"\nspring_stiffness_n_per_m = 10\nseawall_mass_kg_per_m = 50";
+        let a = case(movable, "").unwrap();
+        let b = case("wall = \"fixed\"", "").unwrap();
+        assert_eq!(a.trunk(), b.trunk());
+    }
+}

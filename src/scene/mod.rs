@@ -1,0 +1,19 @@
+//! Scene files: the one door through which values enter, with defaults, presets and validation.
+//!
+//! A case is a [`CaseConfig`]: a scene (what is simulated) and numerics (how). Both come from TOML
+//! tables through [`CaseConfig::from_tables`], which fills in presets and refuses what is unknown,
+//! of the wrong type, or out of range with a [`ConfigError`] that says so.
+
+mod check;
+mod config;
+mod error;
+mod numerics;
+mod seawall;
+
+pub use config::{CaseConfig, Scene};
+pub use error::ConfigError;
+pub use numerics::{
+    BoundaryChoice, DensityDiffusion, ErrorBars, GhostGravity, KernelChoice, Numerics, PRESETS,
+    Precision, Scheme, Shifting, Slip, StateEquationChoice,
+};
+pub use seawall::{SeawallScene, WallChoice};

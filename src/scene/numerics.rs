@@ -1,0 +1,215 @@
+//! Numerical choices of a run, every one of them a value that a scene file can set.
+
+use serde::{Deserialize, Serialize};
+
+use super::check::Check;
+use super::error::ConfigError;
+
+/// Which set of equations is stepped.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Scheme {
+    /// Weakly compressible δ-SPH, Huang et al. 2019.
+    Wcsph,
+}
+
+/// Smoothing kernel.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum KernelChoice {
+    /// Wendland C2.
+    WendlandC2,
+    /// Truncated Gaussian of Huang et al. 2019, Eq. 7.
+    Gaussian,
+}
+
+/// How ghost particles get their values.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum BoundaryChoice {
+    /// Improved Shepard interpolation, Huang et al. 2019, Eqs. 17-21.
+    ImprovedShepard,
+}
+
+/// Where gravity and the wall's acceleration enter a ghost's pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum GhostGravity {
+    /// Inside the sum, from each neighbour to the ghost: exact at rest.
+    InSum,
+    /// At the mirror point, as Huang et al. 2019 print it.
+    AtMirror,
+}
+
+/// Tangential condition at walls.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Slip {
+    /// The tangential velocity is continued through the wall.
+    Free,
+    /// The tangential velocity is reversed at the wall.
+    No,
+}
+
+/// State equation.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum StateEquationChoice {
+    /// p = c0² (ρ - ρ_s), Huang et al. 2019, Eq. 3.
+    Linear,
+    /// p = ρ_s c0²/7 ((ρ/ρ_s)⁷ - 1), Eq. 4.
+    Tait,
+}
+
+/// Density diffusion (the δ term).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DensityDiffusion {
+    /// With the renormalised density gradient, Huang et al. 2019, Eqs. 5-6.
+    Renormalised,
+    /// Molteni's form with the hydrostatic part subtracted.
+    Hydrostatic,
+    /// Molteni's plain form: drifts at rest.
+    Molteni,
+    /// Standard weakly compressible SPH.
+    None,
+}
+
+/// Particle shifting.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Shifting {
+    /// In the interior, fading out towards the free surface.
+    Interior,
+    /// Off.
+    None,
+}
+
+/// Precision of the pair terms; the state is always f64.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Precision {
+    /// Double precision throughout.
+    F64,
+}
+
+/// Resolution companions that yield the error bars.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ErrorBars {
+    /// No companions, no bars.
+    None,
+}
+
+/// The `[numerics]` table, complete: presets and defaults are already filled in.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Numerics {
+    /// Scheme.
+    pub scheme: Scheme,
+    /// Smoothing kernel.
+    pub kernel: KernelChoice,
+    /// Support radius of the kernel over the particle spacing.
+    pub support_radius_ratio: f64,
+    /// Boundary interpolator.
+    pub boundary: BoundaryChoice,
+    /// Exponent λ of the improved Shepard weight (Huang et al. 2019, Eq. 20).
+    pub shepard_lambda: f64,
+    /// Factor σ of its exponential; 0 is the formula as printed, in metres.
+    pub shepard_sigma: f64,
+    /// Placement of the ghosts' pressure correction.
+    pub ghost_gravity: GhostGravity,
+    /// Tangential condition at walls.
+    pub slip: Slip,
+    /// Particle spacing, metres; stretched slightly so that whole columns fill the tank.
+    pub particle_spacing_m: f64,
+    /// c0 / √(g h).
+    pub sound_speed_ratio: f64,
+    /// State equation.
+    pub state_equation: StateEquationChoice,
+    /// Density diffusion.
+    pub density_diffusion: DensityDiffusion,
+    /// δ of Huang et al. 2019, Eq. 5.
+    pub density_diffusion_coefficient: f64,
+    /// α of Huang et al. 2019, Eq. 5.
+    pub artificial_viscosity: f64,
+    /// Particle shifting.
+    pub shifting: Shifting,
+    /// Strength A of the shifting.
+    pub shifting_coefficient: f64,
+    /// c0 Δt / Δx.
+    pub courant_number: f64,
+    /// Upper bound on the time step, seconds; none by default.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub time_step_s: Option<f64>,
+    /// Precision of the pair terms.
+    pub precision: Precision,
+    /// Error bars.
+    pub error_bars: ErrorBars,
+}
+
+/// Names that `preset` may take.
+pub const PRESETS: &[&str] = &["default", "huang2019"];
+
+impl Numerics {
+    /// The values of a named preset, `None` for an unknown name.
+    pub fn preset(name: &str) -> Option<Numerics> {
+        let default = Numerics {
+            scheme: Scheme::Wcsph,
+            kernel: KernelChoice::WendlandC2,
+            support_radius_ratio: 4.0,
+            boundary: BoundaryChoice::ImprovedShepard,
+            shepard_lambda: 2.0,
+            shepard_sigma: 1.0,
+            ghost_gravity: GhostGravity::InSum,
+            slip: Slip::Free,
+            particle_spacing_m: 0.008,
+            sound_speed_ratio: 10.0,
+            state_equation: StateEquationChoice::Linear,
+            density_diffusion: DensityDiffusion::Renormalised,
+            density_diffusion_coefficient: 0.1,
+            artificial_viscosity: 0.02,
+            shifting: Shifting::Interior,
+            shifting_coefficient: 0.2,
+            courant_number: 1.5,
+            time_step_s: None,
+            precision: Precision::F64,
+            error_bars: ErrorBars::None,
+        };
+        match name {
+            "default" => Some(default),
+            "huang2019" => Some(Numerics {
+                kernel: KernelChoice::Gaussian,
+                support_radius_ratio: 3.9,
+                ghost_gravity: GhostGravity::AtMirror,
+                shifting: Shifting::None,
+                courant_number: 0.9,
+                time_step_s: Some(5e-4),
+                ..default
+            }),
+            _ => None,
+        }
+    }
+
+    pub(super) fn validate(&self) -> Result<(), ConfigError> {
+        let check = Check::section("numerics");
+        check.range("support_radius_ratio", self.support_radius_ratio, 2.0, 8.0)?;
+        check.range("shepard_lambda", self.shepard_lambda, 0.1, 32.0)?;
+        check.range("shepard_sigma", self.shepard_sigma, 0.0, 32.0)?;
+        check.positive("particle_spacing_m", self.particle_spacing_m)?;
+        check.range("sound_speed_ratio", self.sound_speed_ratio, 4.0, 200.0)?;
+        check.range(
+            "density_diffusion_coefficient",
+            self.density_diffusion_coefficient,
+            0.0,
+            1.0,
+        )?;
+        check.range("artificial_viscosity", self.artificial_viscosity, 0.0, 1.0)?;
+        check.range("shifting_coefficient", self.shifting_coefficient, 0.0, 10.0)?;
+        check.range("courant_number", self.courant_number, 1e-3, 2.5)?;
+        if let Some(step) = self.time_step_s {
+            check.positive("time_step_s", step)?;
+        }
+        Ok(())
+    }
+}

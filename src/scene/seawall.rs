@@ -1,0 +1,143 @@
+//! The tank of both papers: a Goring paddle at x = 0, a fixed or spring-mounted wall at the end.
+
+use serde::{Deserialize, Serialize};
+
+use super::check::Check;
+use super::error::ConfigError;
+
+/// What the seawall may do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum WallChoice {
+    /// It stands still.
+    Fixed,
+    /// It is mounted on a spring (Liang et al. 2017, Eqs. 16-18).
+    Movable,
+}
+
+/// The `[scene]` table with `kind = "seawall"`, complete.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct SeawallScene {
+    /// Still water depth h, metres.
+    pub still_water_depth_m: f64,
+    /// From the paddle at rest to the wall at rest, metres.
+    pub tank_length_m: f64,
+    /// Gravity g, m/s².
+    pub gravity_m_per_s2: f64,
+    /// Density of still water at zero pressure, kg/m³.
+    pub water_density_kg_per_m3: f64,
+    /// H/h of the solitary wave; 0 is still water with the paddle at rest.
+    pub wave_height_ratio: f64,
+    /// The run ends this long after the paddle passes the middle of its stroke, seconds.
+    pub end_after_stroke_centre_s: f64,
+    /// The run ends at this time, whatever the stroke; required where H/h = 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end_time_s: Option<f64>,
+    /// Share of the paddle's duration T over which its start is smoothed.
+    pub paddle_ramp_fraction: f64,
+    /// Fixed or spring-mounted wall.
+    pub wall: WallChoice,
+    /// Angle of a fixed wall from the bed, degrees; 90 is vertical.
+    pub wall_angle_deg: f64,
+    /// F_threshold over the hydrostatic force.
+    pub threshold_ratio: f64,
+    /// The factor s on the excess force, see [`crate::body`].
+    pub force_coupling: f64,
+    /// Spring stiffness k, N/m per metre of width; movable walls only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub spring_stiffness_n_per_m: Option<f64>,
+    /// Mass m of the wall, kg per metre of width; movable walls only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seawall_mass_kg_per_m: Option<f64>,
+    /// Where the wave height is measured, metres from the paddle at rest.
+    pub wave_gauge_m: f64,
+    /// Spacing of the history samples, seconds.
+    pub history_interval_s: f64,
+}
+
+impl Default for SeawallScene {
+    fn default() -> Self {
+        SeawallScene {
+            still_water_depth_m: 0.20,
+            tank_length_m: 2.5,
+            gravity_m_per_s2: 9.81,
+            water_density_kg_per_m3: 1000.0,
+            wave_height_ratio: 0.5,
+            end_after_stroke_centre_s: 3.0,
+            end_time_s: None,
+            paddle_ramp_fraction: 0.05,
+            wall: WallChoice::Fixed,
+            wall_angle_deg: 90.0,
+            threshold_ratio: 1.10,
+            force_coupling: 1.0,
+            spring_stiffness_n_per_m: None,
+            seawall_mass_kg_per_m: None,
+            wave_gauge_m: 1.5,
+            history_interval_s: 0.005,
+        }
+    }
+}
+
+impl SeawallScene {
+    pub(super) fn validate(&self) -> Result<(), ConfigError> {
+        let check = Check::section("scene");
+        check.positive("still_water_depth_m", self.still_water_depth_m)?;
+        check.positive("tank_length_m", self.tank_length_m)?;
+        check.positive("gravity_m_per_s2", self.gravity_m_per_s2)?;
+        check.positive("water_density_kg_per_m3", self.water_density_kg_per_m3)?;
+        check.range("wave_height_ratio", self.wave_height_ratio, 0.0, 0.8)?;
+        check.positive("end_after_stroke_centre_s", self.end_after_stroke_centre_s)?;
+        check.range("paddle_ramp_fraction", self.paddle_ramp_fraction, 0.0, 0.5)?;
+        check.positive("threshold_ratio", self.threshold_ratio)?;
+        check.range("force_coupling", self.force_coupling, 0.0, 10.0)?;
+        check.positive("history_interval_s", self.history_interval_s)?;
+        if !(self.wave_gauge_m > 0.0 && self.wave_gauge_m < self.tank_length_m) {
+            return Err(check.error("wave_gauge_m", self.wave_gauge_m, "must lie inside the tank"));
+        }
+        match self.end_time_s {
+            Some(end) => check.positive("end_time_s", end)?,
+            None if self.wave_height_ratio == 0.0 => {
+                return Err(check.error("end_time_s", "", "is needed where wave_height_ratio = 0"));
+            }
+            None => {}
+        }
+        match self.wall {
+            WallChoice::Fixed => self.validate_fixed(&check),
+            WallChoice::Movable => self.validate_movable(&check),
+        }
+    }
+
+    fn validate_fixed(&self, check: &Check) -> Result<(), ConfigError> {
+        let only_movable = "belongs to a movable wall (set scene.wall = \"movable\")";
+        if let Some(k) = self.spring_stiffness_n_per_m {
+            return Err(check.error("spring_stiffness_n_per_m", k, only_movable));
+        }
+        if let Some(m) = self.seawall_mass_kg_per_m {
+            return Err(check.error("seawall_mass_kg_per_m", m, only_movable));
+        }
+        if self.wall_angle_deg != 90.0 {
+            return Err(check.error("wall_angle_deg", self.wall_angle_deg, "only 90 is supported"));
+        }
+        Ok(())
+    }
+
+    fn validate_movable(&self, check: &Check) -> Result<(), ConfigError> {
+        if self.wall_angle_deg != 90.0 {
+            let allowed = "a movable wall is vertical: leave it out, or set scene.wall = \"fixed\"";
+            return Err(check.error("wall_angle_deg", self.wall_angle_deg, allowed));
+        }
+        let Some(stiffness) = self.spring_stiffness_n_per_m else {
+            return Err(check.error(
+                "spring_stiffness_n_per_m",
+                "",
+                "is needed for a movable wall",
+            ));
+        };
+        let Some(mass) = self.seawall_mass_kg_per_m else {
+            return Err(check.error("seawall_mass_kg_per_m", "", "is needed for a movable wall"));
+        };
+        check.not_negative("spring_stiffness_n_per_m", stiffness)?;
+        check.positive("seawall_mass_kg_per_m", mass)
+    }
+}

@@ -1,0 +1,65 @@
+//! Why a case could not be finished.
+
+use serde::{Deserialize, Serialize};
+
+/// The kind of a failure, stable text in `summary.csv` and the journal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+#[non_exhaustive]
+pub enum FailureKind {
+    /// A velocity, density or force is not a number.
+    NotANumber,
+    /// A particle is faster than any wave of the scene could make it.
+    RunawaySpeed,
+    /// The density left its bound.
+    DensityOutOfBounds,
+    /// Too many particles left the tank.
+    ParticlesLost,
+    /// The wall's motion diverged.
+    WallUnstable,
+    /// The scene cannot be built from its values.
+    InvalidScene,
+    /// A checkpoint could not be read back.
+    CheckpointUnreadable,
+    /// The program itself failed (a caught panic).
+    Internal,
+}
+
+impl FailureKind {
+    /// The name used in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            FailureKind::NotANumber => "not-a-number",
+            FailureKind::RunawaySpeed => "runaway-speed",
+            FailureKind::DensityOutOfBounds => "density-out-of-bounds",
+            FailureKind::ParticlesLost => "particles-lost",
+            FailureKind::WallUnstable => "wall-unstable",
+            FailureKind::InvalidScene => "invalid-scene",
+            FailureKind::CheckpointUnreadable => "checkpoint-unreadable",
+            FailureKind::Internal => "internal",
+        }
+    }
+}
+
+/// A case that failed: what happened, when, and where.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
+#[error("{} at t = {time_s:.4} s: {detail}", kind.name())]
+pub struct Failure {
+    /// What happened.
+    pub kind: FailureKind,
+    /// Simulated time, seconds.
+    pub time_s: f64,
+    /// One line for a human: the particle, the value, the bound.
+    pub detail: String,
+}
+
+/// Why a run ended without a result.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
+pub enum Stopped {
+    /// The case itself failed.
+    #[error(transparent)]
+    Failed(#[from] Failure),
+    /// The caller asked to stop; nothing is wrong with the case.
+    #[error("interrupted")]
+    Interrupted,
+}

@@ -1,0 +1,156 @@
+//! What one case yields: the scalars of `summary.csv` and the sampled histories.
+
+use serde::{Deserialize, Serialize};
+
+/// A maximum and the time at which it was reached.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Maximum {
+    /// The largest value, non-dimensional.
+    pub value: f64,
+    /// When, in seconds since the paddle's start.
+    pub time_s: f64,
+}
+
+/// Non-dimensional results of one finished case: F* = F/(ρ g h²/2), R* = runup/h, X* = X/h.
+///
+/// `None` where the scene has no such quantity (a fixed wall has no displacement; still water has
+/// no wave height; a wave that never loads the wall has no first impact).
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Outcome {
+    /// Crest height over still water passing the wave gauge, over h.
+    pub measured_wave_height_ratio: Option<f64>,
+    /// Largest F*, of the centred running mean over 0.07 √(h/g).
+    pub force_max: Maximum,
+    /// Largest R*.
+    pub runup_max: Maximum,
+    /// Largest X*.
+    pub displacement_max: Option<Maximum>,
+    /// Largest F* (running mean) over the first impact.
+    pub first_force_max: Option<Maximum>,
+    /// Largest R* over the first impact.
+    pub first_runup_max: Option<Maximum>,
+    /// Largest X* over the first impact.
+    pub first_displacement_max: Option<Maximum>,
+    /// F* of the first peak: the running maximum when F* - 1 has first dropped 10 % below it.
+    pub first_force_peak: Option<f64>,
+    /// R* of the first peak, likewise.
+    pub first_runup_peak: Option<f64>,
+    /// Largest F* of any single step.
+    pub force_max_raw: f64,
+    /// F* at the end of the run.
+    pub force_end: f64,
+    /// R* at the end of the run.
+    pub runup_end: f64,
+    /// X* at the end of the run.
+    pub displacement_end: Option<f64>,
+    /// First time that F > F_threshold lasted 0.02 s.
+    pub onset_time_s: Option<f64>,
+    /// Goring's T/2: the instant at which the paddle passes the middle of its stroke.
+    pub stroke_centre_s: Option<f64>,
+    /// The wall was still moving outwards at the end: its maximum is a lower bound.
+    pub displacement_truncated: Option<bool>,
+    /// How often the wall came back onto its stop.
+    pub stops: Option<u32>,
+    /// Largest gap between the momentum reaction and the face integral, percent of the force.
+    pub force_gap_percent: f64,
+    /// Residual of the energy budget, percent of the paddle's work (of the water's initial
+    /// energy scale where the paddle does none).
+    pub energy_gap_percent: f64,
+    /// Particles that left the tank.
+    pub particles_lost: u32,
+    /// Steps taken, the trunk's included.
+    pub steps: u64,
+    /// Fluid particles.
+    pub particles: u32,
+    /// Pair interactions evaluated, the trunk's included.
+    pub pair_evaluations: u64,
+}
+
+/// One line of `histories/<case_id>.csv`: the first step at or after a sampling time.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct HistoryRow {
+    /// The step's own time, seconds.
+    pub time_s: f64,
+    /// F*, unfiltered.
+    pub force: f64,
+    /// R*.
+    pub runup: f64,
+    /// X*.
+    pub displacement: f64,
+    /// Velocity of the wall, m/s, positive away from the water.
+    pub wall_velocity_m_per_s: f64,
+}
+
+/// The energy budget of a run, joules per metre of width, each term summed on its own.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct EnergyBudget {
+    /// Work done on the water by the paddle.
+    pub paddle_work: f64,
+    /// Change of the water's kinetic energy.
+    pub kinetic: f64,
+    /// Change of the water's potential energy.
+    pub potential: f64,
+    /// Change of the water's elastic (compression) energy.
+    pub elastic: f64,
+    /// ½ m V² of the wall at the end.
+    pub wall_kinetic: f64,
+    /// ½ k X² of the spring at the end.
+    pub spring: f64,
+    /// ∫ [F - s·max(F - F_th, 0)] V dt: what the threshold device (and a coupling s ≠ 1) absorbs.
+    pub threshold_device: f64,
+    /// Kinetic energy lost when the wall hits its stop.
+    pub stops: f64,
+    /// Dissipated by artificial viscosity.
+    pub viscous: f64,
+    /// Dissipated by density diffusion.
+    pub density_diffusion: f64,
+    /// Taken out by particle shifting.
+    pub shifting: f64,
+}
+
+/// Values of gauges over time: `probes/<case_id>.csv`.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct ProbeTable {
+    /// Column names without `time_s`.
+    pub names: Vec<String>,
+    /// Times, seconds.
+    pub time_s: Vec<f64>,
+    /// One row of values per time, in the order of `names`.
+    pub rows: Vec<Vec<f64>>,
+}
+
+/// Share of the run's time spent in a phase, for the human eye: never part of an identity.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct PhaseShare {
+    /// Name of the phase.
+    pub phase: String,
+    /// Seconds spent in it.
+    pub seconds: f64,
+}
+
+/// Everything that one finished case hands to the sweep.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CaseResult {
+    /// The scalars of the summary.
+    pub outcome: Outcome,
+    /// Histories, every 0.005 s by default.
+    pub history: Vec<HistoryRow>,
+    /// Gauges, where the scene has any.
+    pub probes: Option<ProbeTable>,
+    /// The energy budget.
+    pub energy: EnergyBudget,
+    /// Where the time went.
+    pub phases: Vec<PhaseShare>,
+}
+
+/// A finished trunk: the state at the last step before the force first exceeds the threshold (or
+/// at the end, where it never does), ready for [`super::run_case`] to branch from.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct TrunkResult {
+    /// Opaque bytes of the checkpoint.
+    pub checkpoint: Vec<u8>,
+    /// Simulated time reached, seconds.
+    pub time_s: f64,
+    /// Steps taken.
+    pub steps: u64,
+}
