@@ -1,1 +1,171 @@
-//! To come.
+//! Smoothing kernels, in coordinates scaled by the support radius R.
+//!
+//! W(r) = C/R² · w(q) with q = r/R, zero for q ≥ 1. A kernel is one file with one [`Kernel`]
+//! implementation, an arm of [`with_kernel!`](crate::with_kernel), and nothing else; the tests
+//! below run over all of them.
+
+mod gaussian;
+mod wendland_c2;
+
+pub use gaussian::Gaussian;
+pub use wendland_c2::WendlandC2;
+
+use crate::math::simd::Lanes;
+
+/// A radial kernel with compact support, by its dimensionless shape w(q).
+pub trait Kernel: Copy + Send + Sync + 'static {
+    /// Smoothing length h over the support radius R: the h of the terms α h c0 and δ h c0.
+    const SMOOTHING_LENGTH_RATIO: f64;
+
+    /// C, such that C ∫ w(q) 2π q dq = 1.
+    fn normalisation() -> f64;
+
+    /// w(q) from s = q² (above 0) and 1/q.
+    fn shape<L: Lanes>(s: L, inverse_q: L) -> L;
+
+    /// w'(q)/q from s = q² (above 0) and 1/q; zero where q ≥ 1.
+    fn slope_over_q<L: Lanes>(s: L, inverse_q: L) -> L;
+}
+
+/// Runs `$body` with `$K` bound to the kernel type of a kernel choice.
+#[macro_export]
+macro_rules! with_kernel {
+    ($choice:expr, $K:ident => $body:expr) => {
+        match $choice {
+            $crate::kernel::KernelChoice::WendlandC2 => {
+                type $K = $crate::kernel::WendlandC2;
+                $body
+            }
+            $crate::kernel::KernelChoice::Gaussian => {
+                type $K = $crate::kernel::Gaussian;
+                $body
+            }
+        }
+    };
+}
+
+/// Names of the kernels, as scene files spell them.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum KernelChoice {
+    /// Wendland C2.
+    WendlandC2,
+    /// Truncated Gaussian of Huang et al. 2019, Eq. 7.
+    Gaussian,
+}
+
+impl KernelChoice {
+    /// Every kernel.
+    pub const ALL: [KernelChoice; 2] = [KernelChoice::WendlandC2, KernelChoice::Gaussian];
+
+    /// h/R, see [`Kernel::SMOOTHING_LENGTH_RATIO`].
+    pub fn smoothing_length_ratio(self) -> f64 {
+        with_kernel!(self, K => K::SMOOTHING_LENGTH_RATIO)
+    }
+
+    /// C, see [`Kernel::normalisation`].
+    pub fn normalisation(self) -> f64 {
+        with_kernel!(self, K => K::normalisation())
+    }
+
+    /// w(q), one value at a time: for set-up and tests.
+    pub fn shape_at(self, q: f64) -> f64 {
+        if q >= 1.0 { 0.0 } else { self.probe(q).0 }
+    }
+
+    /// w'(q), one value at a time: for set-up and tests.
+    pub fn slope_at(self, q: f64) -> f64 {
+        if q >= 1.0 { 0.0 } else { q * self.probe(q).1 }
+    }
+
+    fn probe(self, q: f64) -> (f64, f64) {
+        struct Probe<K>(f64, std::marker::PhantomData<K>);
+        impl<K: Kernel> crate::math::simd::Task for Probe<K> {
+            type Output = (f64, f64);
+            #[inline(always)]
+            fn run<L: Lanes>(self) -> (f64, f64) {
+                let (s, inverse) = (L::splat(self.0 * self.0), L::splat(1.0 / self.0));
+                (K::shape(s, inverse).to_array()[0], K::slope_over_q(s, inverse).to_array()[0])
+            }
+        }
+        let q = q.max(1e-9);
+        let path = crate::math::simd::SimdPath::Portable;
+        with_kernel!(self, K => crate::math::simd::dispatch(
+            path, Probe::<K>(q, std::marker::PhantomData)))
+    }
+
+    /// Share of the kernel's integral on the near side of a straight line at the signed distance
+    /// `d` (in support radii) beyond the kernel's centre: 1/2 at d = 0, 1 for d ≥ 1.
+    pub fn half_plane_fraction(self, d: f64) -> f64 {
+        if d.abs() >= 1.0 {
+            return if d > 0.0 { 1.0 } else { 0.0 };
+        }
+        // The part beyond |d|: integrate arcs of half-angle acos(|d|/q), midpoint rule.
+        const STEPS: usize = 4000;
+        let (near, width) = (d.abs(), (1.0 - d.abs()) / STEPS as f64);
+        let beyond: f64 = (0..STEPS)
+            .map(|k| near + (k as f64 + 0.5) * width)
+            .map(|q| self.shape_at(q) * 2.0 * libm::acos(near / q) * q * width)
+            .sum::<f64>()
+            * self.normalisation();
+        if d > 0.0 { 1.0 - beyond } else { beyond }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_kernel_integrates_to_one() {
+        for kernel in KernelChoice::ALL {
+            let n = 20_000;
+            let integral: f64 = (0..n)
+                .map(|k| (k as f64 + 0.5) / f64::from(n))
+                .map(|q| kernel.shape_at(q) * std::f64::consts::TAU * q / f64::from(n))
+                .sum::<f64>()
+                * kernel.normalisation();
+            assert!((integral - 1.0).abs() < 1e-7, "{kernel:?}: {integral}");
+        }
+    }
+
+    #[test]
+    fn every_slope_is_the_derivative_of_its_shape() {
+        for kernel in KernelChoice::ALL {
+            for k in 1..100 {
+                let (q, step) = (f64::from(k) / 100.0, 1e-5);
+                let numeric =
+                    (kernel.shape_at(q + step) - kernel.shape_at(q - step)) / (2.0 * step);
+                let told = kernel.slope_at(q);
+                assert!((numeric - told).abs() < 2e-4, "{kernel:?} at {q}: {numeric} vs {told}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_kernel_ends_at_its_support() {
+        struct Beyond<K>(std::marker::PhantomData<K>);
+        impl<K: Kernel> crate::math::simd::Task for Beyond<K> {
+            type Output = [f64; 8];
+            fn run<L: Lanes>(self) -> [f64; 8] {
+                let s = L::load(&[1.0, 1.0001, 1.1, 1.5, 2.0, 4.0, 9.0, 100.0]);
+                K::slope_over_q(s, s.rsqrt()).to_array()
+            }
+        }
+        for kernel in KernelChoice::ALL {
+            let beyond = with_kernel!(kernel, K => crate::math::simd::dispatch(
+                crate::math::simd::SimdPath::widest(), Beyond::<K>(std::marker::PhantomData)));
+            assert!(beyond.iter().all(|v| v.abs() < 1e-30), "{kernel:?}: {beyond:?}");
+            assert!(kernel.shape_at(0.999_999).abs() < 1e-4, "{kernel:?}");
+        }
+    }
+
+    #[test]
+    fn half_plane_fractions_are_shares() {
+        for kernel in KernelChoice::ALL {
+            assert!((kernel.half_plane_fraction(0.0) - 0.5).abs() < 1e-4);
+            let (a, b) = (kernel.half_plane_fraction(0.3), kernel.half_plane_fraction(-0.3));
+            assert!((a + b - 1.0).abs() < 1e-12 && a > 0.7);
+        }
+    }
+}

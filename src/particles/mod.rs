@@ -1,1 +1,7 @@
-//! To come.
+//! Particle arrays: the fluid, the packed records that pair loops read, lattices.
+
+mod fluid;
+mod record;
+
+pub use fluid::Fluid;
+pub use record::{Record, Scaling};

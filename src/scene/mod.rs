@@ -9,11 +9,12 @@ mod config;
 mod error;
 mod numerics;
 mod seawall;
+mod tank;
 
 pub use config::{CaseConfig, Scene};
 pub use error::ConfigError;
 pub use numerics::{
-    BoundaryChoice, DensityDiffusion, ErrorBars, GhostGravity, KernelChoice, Numerics, PRESETS,
-    Precision, Scheme, Shifting, Slip, StateEquationChoice,
+    BoundaryChoice, ErrorBars, GhostGravity, Numerics, PRESETS, Precision, Scheme, Slip,
 };
 pub use seawall::{SeawallScene, WallChoice};
+pub use tank::{BED, PADDLE, Tank, WALL};

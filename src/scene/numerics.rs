@@ -4,6 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::check::Check;
 use super::error::ConfigError;
+use crate::kernel::KernelChoice;
+use crate::scheme::StateEquationChoice;
+use crate::scheme::wcsph::{DensityDiffusion, Shifting};
 
 /// Which set of equations is stepped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -11,16 +14,6 @@ use super::error::ConfigError;
 pub enum Scheme {
     /// Weakly compressible δ-SPH, Huang et al. 2019.
     Wcsph,
-}
-
-/// Smoothing kernel.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum KernelChoice {
-    /// Wendland C2.
-    WendlandC2,
-    /// Truncated Gaussian of Huang et al. 2019, Eq. 7.
-    Gaussian,
 }
 
 /// How ghost particles get their values.
@@ -49,40 +42,6 @@ pub enum Slip {
     Free,
     /// The tangential velocity is reversed at the wall.
     No,
-}
-
-/// State equation.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum StateEquationChoice {
-    /// p = c0² (ρ - ρ_s), Huang et al. 2019, Eq. 3.
-    Linear,
-    /// p = ρ_s c0²/7 ((ρ/ρ_s)⁷ - 1), Eq. 4.
-    Tait,
-}
-
-/// Density diffusion (the δ term).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum DensityDiffusion {
-    /// With the renormalised density gradient, Huang et al. 2019, Eqs. 5-6.
-    Renormalised,
-    /// Molteni's form with the hydrostatic part subtracted.
-    Hydrostatic,
-    /// Molteni's plain form: drifts at rest.
-    Molteni,
-    /// Standard weakly compressible SPH.
-    None,
-}
-
-/// Particle shifting.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Shifting {
-    /// In the interior, fading out towards the free surface.
-    Interior,
-    /// Off.
-    None,
 }
 
 /// Precision of the pair terms; the state is always f64.

@@ -1,7 +1,14 @@
 //! One case from start to end: [`run_case`], or its shared first stretch: [`run_trunk`].
 
+mod checkpoint;
+mod energy;
 mod failure;
+mod gauge;
+mod health;
+mod measures;
 mod outcome;
+mod run;
+mod window;
 
 pub use failure::{Failure, FailureKind, Stopped};
 pub use outcome::{
@@ -9,7 +16,8 @@ pub use outcome::{
 };
 
 use crate::math::simd::SimdPath;
-use crate::scene::CaseConfig;
+use crate::scene::{CaseConfig, Scene};
+use run::Run;
 
 /// Watches a run and may end it.
 pub trait Monitor: Sync {
@@ -40,26 +48,58 @@ pub struct Cost {
 }
 
 /// Estimates a case's cost.
-pub fn cost(_config: &CaseConfig) -> Cost {
-    todo!()
+pub fn cost(config: &CaseConfig) -> Cost {
+    let Scene::Seawall(scene) = &config.scene;
+    let particles = scene.particles(&config.numerics) as u64;
+    let end = scene.end_time();
+    let steps = (end / scene.time_step(&config.numerics)).ceil() as u64;
+    // The front of the wave reaches the wall about when its crest, made at the stroke's centre,
+    // is two depths per unit of H/h away; a guess that only has to rank cases.
+    let onset = scene.piston().map_or(0.0, |piston| {
+        let celerity = (scene.gravity_m_per_s2
+            * scene.still_water_depth_m
+            * (1.0 + scene.wave_height_ratio))
+            .sqrt();
+        piston.stroke_centre() + 0.6 * scene.tank_length_m / celerity
+    });
+    Cost {
+        particles,
+        steps,
+        trunk_share: (onset / end).clamp(0.0, 1.0),
+        memory_bytes: 8_000_000 + 1_500 * particles,
+    }
 }
 
 /// Runs a case to its end, from rest or from its trunk's checkpoint: the same bits either way.
+///
+/// # Errors
+/// The reason for which the case failed, or that it was interrupted.
 pub fn run_case(
-    _config: &CaseConfig,
-    _checkpoint: Option<&[u8]>,
-    _simd: SimdPath,
-    _monitor: &dyn Monitor,
+    config: &CaseConfig,
+    checkpoint: Option<&[u8]>,
+    simd: SimdPath,
+    monitor: &dyn Monitor,
 ) -> Result<CaseResult, Stopped> {
-    todo!()
+    let mut run = Run::start(config, simd);
+    if let Some(bytes) = checkpoint {
+        run.restore(checkpoint::decode(bytes, config)?);
+    }
+    run.advance(false, monitor)?;
+    Ok(run.result())
 }
 
 /// Runs a trunk ([`CaseConfig::trunk`]) to the last step before the force first exceeds the
 /// threshold.
+///
+/// # Errors
+/// The reason for which it failed, or that it was interrupted.
 pub fn run_trunk(
-    _config: &CaseConfig,
-    _simd: SimdPath,
-    _monitor: &dyn Monitor,
+    config: &CaseConfig,
+    simd: SimdPath,
+    monitor: &dyn Monitor,
 ) -> Result<TrunkResult, Stopped> {
-    todo!()
+    let mut run = Run::start(config, simd);
+    run.advance(true, monitor)?;
+    let (time_s, steps) = run.progress();
+    Ok(TrunkResult { checkpoint: checkpoint::encode(&run.state(), config), time_s, steps })
 }

@@ -1,1 +1,5 @@
-//! To come.
+//! Pure formulas: no state, no particles.
+
+pub mod goring;
+pub mod hydrostatics;
+pub mod oscillator;

@@ -1,0 +1,168 @@
+//! The spring-mounted seawall of Liang et al. 2017, Eqs. 16-18 (Huang et al. 2019, Eqs. 26-28).
+
+use serde::{Deserialize, Serialize};
+
+use crate::theory::oscillator::{Oscillator, OscillatorState};
+
+/// m a = s · max(F - F_th, 0) - k X, with X ≥ 0.
+///
+/// One continuous law in place of the papers' two branches. F is the full force of the water per
+/// metre of width, hydrostatics included; s is 1 in the law as printed. At the stop X = 0 and the
+/// velocity is zero too (a perfectly inelastic stop). The water's reaction to the wall's own
+/// acceleration, F = F0 - A a, is solved together with a, so that a wall lighter than the water
+/// it moves stays stable; spring and mass are advanced exactly over a step, so that a stiff
+/// spring does too.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SpringWall {
+    /// m, kg per metre of width.
+    pub mass: f64,
+    /// k, N/m per metre of width.
+    pub stiffness: f64,
+    /// F_th, N per metre of width.
+    pub threshold: f64,
+    /// s.
+    pub force_coupling: f64,
+    /// X, metres.
+    pub displacement: f64,
+    /// V, m/s.
+    pub velocity: f64,
+    /// How often the wall came back onto its stop.
+    pub stops: u32,
+}
+
+/// What a wall does over one step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WallStep {
+    /// Mean acceleration that the water feels, m/s²; 0 in a step that ends on the stop.
+    pub acceleration: f64,
+    /// Displacement over the step, metres.
+    pub travel: f64,
+    /// Kinetic energy lost on the stop, J per metre of width.
+    pub stop_loss: f64,
+}
+
+impl SpringWall {
+    /// A wall at rest on its stop.
+    pub fn at_rest(mass: f64, stiffness: f64, threshold: f64, force_coupling: f64) -> SpringWall {
+        SpringWall {
+            mass,
+            stiffness,
+            threshold,
+            force_coupling,
+            displacement: 0.0,
+            velocity: 0.0,
+            stops: 0,
+        }
+    }
+
+    /// Advances by `dt` seconds under the water's force F = `force` - `added_mass` · a.
+    pub fn advance(&mut self, force: f64, added_mass: f64, dt: f64) -> WallStep {
+        let system = self.system(force, added_mass);
+        let from = OscillatorState { position: self.displacement, velocity: self.velocity };
+        let at_rest_on_stop = from.position <= 0.0 && from.velocity <= 0.0;
+        if at_rest_on_stop && system.force <= 0.0 {
+            return WallStep { acceleration: 0.0, travel: 0.0, stop_loss: 0.0 };
+        }
+        if let Some(instant) = system.first_return(from, dt) {
+            let velocity = system.advance(from, instant).velocity;
+            self.displacement = 0.0;
+            self.velocity = 0.0;
+            self.stops += 1;
+            return WallStep {
+                acceleration: 0.0,
+                travel: -from.position,
+                stop_loss: 0.5 * self.mass * velocity * velocity,
+            };
+        }
+        let to = system.advance(from, dt);
+        self.displacement = to.position;
+        self.velocity = to.velocity;
+        WallStep {
+            acceleration: (to.velocity - from.velocity) / dt,
+            travel: to.position - from.position,
+            stop_loss: 0.0,
+        }
+    }
+
+    /// The free oscillator that holds over a step: driven with the water's added mass while the
+    /// force is above the threshold, alone otherwise. The law is monotone in a, so exactly one of
+    /// the two is consistent with the force it leads to.
+    fn system(&self, force: f64, added_mass: f64) -> Oscillator {
+        let s = self.force_coupling;
+        let driven = Oscillator {
+            mass: self.mass + s * added_mass,
+            stiffness: self.stiffness,
+            force: s * (force - self.threshold),
+        };
+        let acceleration = (driven.force - self.stiffness * self.displacement) / driven.mass;
+        if force - added_mass * acceleration > self.threshold {
+            driven
+        } else {
+            Oscillator { mass: self.mass, stiffness: self.stiffness, force: 0.0 }
+        }
+    }
+
+    /// ½ m V², J per metre of width.
+    pub fn kinetic_energy(&self) -> f64 {
+        0.5 * self.mass * self.velocity * self.velocity
+    }
+
+    /// ½ k X², J per metre of width.
+    pub fn spring_energy(&self) -> f64 {
+        0.5 * self.stiffness * self.displacement * self.displacement
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_constant_push_follows_the_exact_oscillator() {
+        // Steps far beyond the explicit limit ω dt = 2 must not matter.
+        for (mass, stiffness, dt) in [(50.0, 1e9, 9e-4), (1.0, 1e7, 9e-4), (250.0, 500.0, 1e-3)] {
+            let mut wall = SpringWall::at_rest(mass, stiffness, 200.0, 1.0);
+            let exact = Oscillator { mass, stiffness, force: 100.0 };
+            for step in 1..=50 {
+                wall.advance(300.0, 0.0, dt);
+                let from = OscillatorState { position: 0.0, velocity: 0.0 };
+                let expected = exact.advance(from, dt * f64::from(step));
+                assert!((wall.displacement - expected.position).abs() < 1e-9 * 100.0 / stiffness.min(1.0));
+            }
+            assert_eq!(wall.stops, 0);
+        }
+    }
+
+    #[test]
+    fn added_mass_slows_the_wall_and_keeps_the_balance() {
+        let mut wall = SpringWall::at_rest(1.0, 0.0, 200.0, 1.0);
+        let step = wall.advance(300.0, 9.0, 0.01);
+        assert!((step.acceleration - 10.0).abs() < 1e-12);
+        let felt = 300.0 - 9.0 * step.acceleration;
+        assert!((wall.mass * step.acceleration - (felt - 200.0)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn below_the_threshold_only_the_spring_acts() {
+        let mut wall = SpringWall { displacement: 0.1, ..SpringWall::at_rest(2.0, 8.0, 200.0, 1.0) };
+        let step = wall.advance(199.0, 5.0, 1e-6);
+        assert!((step.acceleration + 8.0 * 0.1 / 2.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn the_stop_takes_all_velocity_and_books_the_loss() {
+        let mut wall = SpringWall { displacement: 0.3, ..SpringWall::at_rest(2.0, 8.0, 200.0, 1.0) };
+        let mut loss = 0.0;
+        for _ in 0..200 {
+            loss += wall.advance(0.0, 0.0, 0.01).stop_loss;
+        }
+        assert_eq!((wall.displacement, wall.velocity, wall.stops), (0.0, 0.0, 1));
+        assert!((loss - 0.5 * 8.0 * 0.3 * 0.3).abs() < 1e-12); // all of the spring's energy
+    }
+
+    #[test]
+    fn force_coupling_scales_the_excess_only() {
+        let mut wall = SpringWall::at_rest(10.0, 0.0, 200.0, 0.4);
+        assert!((wall.advance(300.0, 0.0, 0.01).acceleration - 4.0).abs() < 1e-12);
+    }
+}

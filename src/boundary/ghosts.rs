@@ -1,0 +1,153 @@
+//! Ghost particles and the points in the water that they mirror.
+
+use std::ops::Range;
+
+use crate::math::simd::LANES;
+use crate::neighbours::Strips;
+
+/// How a ghost reflects the water.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Reflection {
+    /// At a straight wall with this unit normal, out of the water.
+    Plane {
+        /// Unit normal out of the water.
+        normal: [f64; 2],
+    },
+    /// At the corner between two walls: through the corner's vertex.
+    Corner,
+}
+
+/// One ghost before it is stored: all places in the frame of its body, metres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Site {
+    /// The ghost.
+    pub ghost: [f64; 2],
+    /// The point it mirrors.
+    pub mirror: [f64; 2],
+    /// How it reflects.
+    pub reflection: Reflection,
+    /// Its distance from the wall (from the vertex, in a corner).
+    pub distance: f64,
+    /// Number of the point on the face that tells whether it is wet.
+    pub face: u32,
+}
+
+/// The ghosts that move together, and where their points lie in the arrays of [`Ghosts`].
+#[derive(Debug, Clone)]
+pub struct GhostBody {
+    /// Ghosts (whole vectors; the last entries may be padding).
+    pub ghosts: Range<usize>,
+    /// Face points among the targets, in the order given to [`Ghosts::push`].
+    pub faces: Range<usize>,
+    /// Strips of the ghosts.
+    pub strips: Strips,
+    /// Box around the ghosts in the body's frame: x from, x to, y from, y to.
+    pub bounds: [f64; 4],
+}
+
+/// All ghosts, body by body, and the target points at which the water is interpolated: first the
+/// mirror point of each ghost under the same number, then every body's face points.
+#[derive(Debug, Clone, Default)]
+pub struct Ghosts {
+    /// x in the body's frame, metres.
+    pub x: Vec<f64>,
+    /// y.
+    pub y: Vec<f64>,
+    /// Reflection of each ghost.
+    pub reflection: Vec<Reflection>,
+    /// Distance of each ghost from its wall or vertex, metres.
+    pub distance: Vec<f64>,
+    /// Face point (a number among the targets) of each ghost.
+    pub face: Vec<u32>,
+    /// Full volume (an area, in two dimensions), m²; 0 for padding.
+    pub volume: Vec<f64>,
+    /// x of the targets in their body's frame.
+    pub target_x: Vec<f64>,
+    /// y of the targets.
+    pub target_y: Vec<f64>,
+    /// Body of each vector of eight targets.
+    pub target_body: Vec<u8>,
+    /// The bodies.
+    pub bodies: Vec<GhostBody>,
+}
+
+impl Ghosts {
+    /// Arranges the sites and face points of bodies; `volume` is that of every ghost and
+    /// `strip_width` that of the neighbour search.
+    pub fn new(bodies: &[(Vec<Site>, Vec<[f64; 2]>)], volume: f64, strip_width: f64) -> Ghosts {
+        let mut all = Ghosts::default();
+        for (sites, _) in bodies {
+            all.push_ghosts(sites, volume, strip_width);
+        }
+        for (number, (_, faces)) in bodies.iter().enumerate() {
+            all.push_faces(number, faces);
+        }
+        all
+    }
+
+    /// Number of ghosts, padding included.
+    pub fn len(&self) -> usize {
+        self.x.len()
+    }
+
+    /// True where there are no walls.
+    pub fn is_empty(&self) -> bool {
+        self.x.is_empty()
+    }
+
+    fn push_ghosts(&mut self, sites: &[Site], volume: f64, strip_width: f64) {
+        let xs: Vec<f64> = sites.iter().map(|site| site.ghost[0]).collect();
+        let ys: Vec<f64> = sites.iter().map(|site| site.ghost[1]).collect();
+        let ties: Vec<u32> = (0..sites.len() as u32).collect();
+        let (_, order) = Strips::sort(&xs, &ys, &ties, strip_width);
+        let start = self.x.len();
+        let body = self.bodies.len() as u8;
+        for &number in &order {
+            self.push_site(&sites[number as usize], volume);
+        }
+        if let Some(&last) = order.last() {
+            while !self.x.len().is_multiple_of(LANES) {
+                self.push_site(&sites[last as usize], 0.0);
+            }
+        }
+        self.target_body.resize(self.x.len() / LANES, body);
+        let range = start..self.x.len();
+        let (x, y) = (&self.x[range.clone()], &self.y[range.clone()]);
+        let low = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min);
+        let high = |values: &[f64]| values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        self.bodies.push(GhostBody {
+            strips: Strips::of_sorted(x, y, strip_width),
+            bounds: [low(x), high(x), low(y), high(y)],
+            ghosts: range,
+            faces: 0..0,
+        });
+    }
+
+    fn push_site(&mut self, site: &Site, volume: f64) {
+        self.x.push(site.ghost[0]);
+        self.y.push(site.ghost[1]);
+        self.reflection.push(site.reflection);
+        self.distance.push(site.distance);
+        self.face.push(site.face);
+        self.volume.push(volume);
+        self.target_x.push(site.mirror[0]);
+        self.target_y.push(site.mirror[1]);
+    }
+
+    fn push_faces(&mut self, number: usize, faces: &[[f64; 2]]) {
+        let start = self.target_x.len();
+        self.target_x.extend(faces.iter().map(|point| point[0]));
+        self.target_y.extend(faces.iter().map(|point| point[1]));
+        let end = self.target_x.len();
+        let body = &mut self.bodies[number];
+        body.faces = start..end;
+        for face in &mut self.face[body.ghosts.clone()] {
+            *face += start as u32;
+        }
+        while !self.target_x.len().is_multiple_of(LANES) {
+            self.target_x.push(self.target_x[end - 1]);
+            self.target_y.push(self.target_y[end - 1]);
+        }
+        self.target_body.resize(self.target_x.len() / LANES, number as u8);
+    }
+}

@@ -1,0 +1,32 @@
+//! Wendland C2: w(q) = (1 - q)⁴ (1 + 4 q).
+
+use super::Kernel;
+use crate::math::simd::Lanes;
+
+/// w(q) = (1 - q)⁴ (1 + 4 q), C = 7/π, h = R/2 (Wendland 1995; Dehnen & Aly 2012).
+///
+/// Does not clump particles at large support: the default.
+#[derive(Debug, Clone, Copy)]
+pub struct WendlandC2;
+
+impl Kernel for WendlandC2 {
+    const SMOOTHING_LENGTH_RATIO: f64 = 0.5;
+
+    fn normalisation() -> f64 {
+        7.0 / std::f64::consts::PI
+    }
+
+    #[inline(always)]
+    fn shape<L: Lanes>(s: L, inverse_q: L) -> L {
+        let q = s * inverse_q;
+        let t = (L::splat(1.0) - q).max(L::splat(0.0));
+        let t2 = t * t;
+        t2 * t2 * q.mul_add(L::splat(4.0), L::splat(1.0))
+    }
+
+    #[inline(always)]
+    fn slope_over_q<L: Lanes>(s: L, inverse_q: L) -> L {
+        let t = (L::splat(1.0) - s * inverse_q).max(L::splat(0.0));
+        t * t * (t * L::splat(-20.0))
+    }
+}

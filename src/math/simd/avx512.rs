@@ -1,0 +1,113 @@
+//! Lanes in one 512-bit register.
+
+use std::arch::x86_64::*;
+use std::ops::{Add, AddAssign, Mul, Sub};
+
+use super::{LANES, Lanes, Task};
+
+/// Eight values in a register.
+#[derive(Clone, Copy)]
+pub(super) struct Avx512(__m512d);
+
+/// Compiles and runs a task with AVX-512.
+///
+/// # Safety
+/// The processor must have the features named below.
+#[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
+pub(super) unsafe fn run<T: Task>(task: T) -> T::Output {
+    task.run::<Avx512>()
+}
+
+// SAFETY of every block below: `Avx512` only exists inside `run`, whose caller has checked the
+// processor's features; loads and stores go through references to whole arrays.
+
+impl Add for Avx512 {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Avx512(unsafe { _mm512_add_pd(self.0, other.0) })
+    }
+}
+
+impl Sub for Avx512 {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Avx512(unsafe { _mm512_sub_pd(self.0, other.0) })
+    }
+}
+
+impl Mul for Avx512 {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        Avx512(unsafe { _mm512_mul_pd(self.0, other.0) })
+    }
+}
+
+impl AddAssign for Avx512 {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl Lanes for Avx512 {
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        Avx512(unsafe { _mm512_set1_pd(value) })
+    }
+    #[inline(always)]
+    fn load(values: &[f64; LANES]) -> Self {
+        Avx512(unsafe { _mm512_loadu_pd(values.as_ptr()) })
+    }
+    #[inline(always)]
+    fn store(self, values: &mut [f64; LANES]) {
+        unsafe { _mm512_storeu_pd(values.as_mut_ptr(), self.0) }
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        Avx512(unsafe { _mm512_fmadd_pd(self.0, factor.0, addend.0) })
+    }
+    #[inline(always)]
+    fn div(self, divisor: Self) -> Self {
+        Avx512(unsafe { _mm512_div_pd(self.0, divisor.0) })
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Avx512(unsafe { _mm512_sqrt_pd(self.0) })
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Avx512(unsafe { _mm512_min_pd(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Avx512(unsafe { _mm512_max_pd(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn rsqrt_single(self) -> Self {
+        Avx512(unsafe {
+            let root = _mm256_sqrt_ps(_mm512_cvtpd_ps(self.0));
+            _mm512_cvtps_pd(_mm256_div_ps(_mm256_set1_ps(1.0), root))
+        })
+    }
+    #[inline(always)]
+    fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self {
+        Avx512(unsafe {
+            let less = _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, bound.0);
+            _mm512_mask_blend_pd(less, otherwise.0, if_less.0)
+        })
+    }
+    #[inline(always)]
+    fn any_less(self, bound: Self) -> bool {
+        unsafe { _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, bound.0) != 0 }
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        Avx512(unsafe {
+            let shifted = _mm512_slli_epi64::<52>(_mm512_castpd_si512(self.0));
+            _mm512_castsi512_pd(_mm512_add_epi64(shifted, _mm512_set1_epi64(1023 << 52)))
+        })
+    }
+}

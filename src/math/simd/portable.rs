@@ -1,0 +1,100 @@
+//! Lanes in plain Rust, for processors without AVX2.
+
+use std::ops::{Add, AddAssign, Mul, Sub};
+
+use super::{LANES, Lanes};
+
+/// Eight values in an array; products and sums are rounded separately.
+#[derive(Clone, Copy)]
+pub(super) struct Portable([f64; LANES]);
+
+impl Portable {
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
+        Portable(std::array::from_fn(|k| f(self.0[k], other.0[k])))
+    }
+}
+
+impl Add for Portable {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.zip(other, |a, b| a + b)
+    }
+}
+
+impl Sub for Portable {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.zip(other, |a, b| a - b)
+    }
+}
+
+impl Mul for Portable {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self.zip(other, |a, b| a * b)
+    }
+}
+
+impl AddAssign for Portable {
+    #[inline(always)]
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl Lanes for Portable {
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        Portable([value; LANES])
+    }
+    #[inline(always)]
+    fn load(values: &[f64; LANES]) -> Self {
+        Portable(*values)
+    }
+    #[inline(always)]
+    fn store(self, values: &mut [f64; LANES]) {
+        *values = self.0;
+    }
+    #[inline(always)]
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        self * factor + addend
+    }
+    #[inline(always)]
+    fn div(self, divisor: Self) -> Self {
+        self.zip(divisor, |a, b| a / b)
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Portable(self.0.map(f64::sqrt))
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        self.zip(other, |a, b| if a < b { a } else { b })
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        self.zip(other, |a, b| if a > b { a } else { b })
+    }
+    #[inline(always)]
+    fn rsqrt_single(self) -> Self {
+        Portable(self.0.map(|x| f64::from(1.0 / (x as f32).sqrt())))
+    }
+    #[inline(always)]
+    fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self {
+        Portable(std::array::from_fn(|k| {
+            if self.0[k] < bound.0[k] { if_less.0[k] } else { otherwise.0[k] }
+        }))
+    }
+    #[inline(always)]
+    fn any_less(self, bound: Self) -> bool {
+        (0..LANES).any(|k| self.0[k] < bound.0[k])
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        Portable(self.0.map(|x| f64::from_bits((x.to_bits() << 52).wrapping_add(1023 << 52))))
+    }
+}

@@ -1,0 +1,126 @@
+//! A sorted point set: vertical strips, by height within each.
+
+use std::ops::Range;
+
+/// Points sorted into strips of equal width, by y within a strip, upwards and downwards in turn,
+/// so that any eight consecutive points lie close together, even across a change of strip.
+#[derive(Debug, Clone, Default)]
+pub struct Strips {
+    origin: f64,
+    width: f64,
+    starts: Vec<u32>,
+    heights: Vec<f64>,
+}
+
+impl Strips {
+    /// Sorts points; returns the strips and the order (entry k is the point that comes k-th).
+    /// Equal heights keep the order of `tie_breakers`.
+    pub fn sort(x: &[f64], y: &[f64], tie_breakers: &[u32], width: f64) -> (Strips, Vec<u32>) {
+        let origin = x.iter().copied().fold(f64::INFINITY, f64::min);
+        let origin = if origin.is_finite() { origin } else { 0.0 };
+        let strip_of = |x: f64| ((x - origin) / width) as usize;
+        let count = x.iter().map(|&x| strip_of(x) + 1).max().unwrap_or(0);
+        let mut starts = vec![0_u32; count + 1];
+        for &x in x {
+            starts[strip_of(x) + 1] += 1;
+        }
+        for strip in 0..count {
+            starts[strip + 1] += starts[strip];
+        }
+        let mut order = vec![0_u32; x.len()];
+        let mut next = starts.clone();
+        for (point, &x) in x.iter().enumerate() {
+            let slot = &mut next[strip_of(x)];
+            order[*slot as usize] = point as u32;
+            *slot += 1;
+        }
+        for strip in 0..count {
+            let members = &mut order[starts[strip] as usize..starts[strip + 1] as usize];
+            let key = |&point: &u32| (y[point as usize], tie_breakers[point as usize]);
+            members.sort_unstable_by(|a, b| {
+                let ((ya, ta), (yb, tb)) = (key(a), key(b));
+                let upwards = ya.total_cmp(&yb).then(ta.cmp(&tb));
+                if strip % 2 == 0 { upwards } else { upwards.reverse() }
+            });
+        }
+        let heights = order.iter().map(|&point| y[point as usize]).collect();
+        (Strips { origin, width, starts, heights }, order)
+    }
+
+    /// The strips of points that are already in order (as after a restart).
+    pub fn of_sorted(x: &[f64], y: &[f64], width: f64) -> Strips {
+        let ties: Vec<u32> = (0..x.len() as u32).collect();
+        let (strips, _) = Strips::sort(x, y, &ties, width);
+        Strips { heights: y.to_vec(), ..strips }
+    }
+
+    /// Number of strips.
+    pub fn count(&self) -> usize {
+        self.starts.len().saturating_sub(1)
+    }
+
+    /// The points of a strip.
+    pub fn members(&self, strip: usize) -> Range<usize> {
+        self.starts[strip] as usize..self.starts[strip + 1] as usize
+    }
+
+    /// Calls `visit` with ranges of points that hold all those inside a box.
+    pub fn visit_box(
+        &self,
+        [left, right]: [f64; 2],
+        [bottom, top]: [f64; 2],
+        mut visit: impl FnMut(Range<usize>),
+    ) {
+        if self.count() == 0 || right < self.origin {
+            return;
+        }
+        let first = ((left - self.origin) / self.width).max(0.0) as usize;
+        let last = ((right - self.origin) / self.width) as usize;
+        for strip in first..=last.min(self.count() - 1) {
+            let members = self.members(strip);
+            let heights = &self.heights[members.clone()];
+            let (from, to) = if strip % 2 == 0 {
+                (heights.partition_point(|&y| y < bottom), heights.partition_point(|&y| y <= top))
+            } else {
+                (heights.partition_point(|&y| y > top), heights.partition_point(|&y| y >= bottom))
+            };
+            if from < to {
+                visit(members.start + from..members.start + to);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_box_holds_what_brute_force_finds() {
+        let points: Vec<[f64; 2]> = (0..500)
+            .map(|k| {
+                let k = f64::from(k);
+                [(k * 0.618_033_988).fract() * 3.0, (k * 0.754_877_666).fract()]
+            })
+            .collect();
+        let x: Vec<f64> = points.iter().map(|p| p[0]).collect();
+        let y: Vec<f64> = points.iter().map(|p| p[1]).collect();
+        let ties: Vec<u32> = (0..500).collect();
+        let (strips, order) = Strips::sort(&x, &y, &ties, 0.17);
+        let mut seen = order.clone();
+        seen.sort_unstable();
+        assert_eq!(seen, ties);
+        for k in 0..50 {
+            let [cx, cy] = points[k];
+            let mut found = Vec::new();
+            strips.visit_box([cx - 0.2, cx + 0.2], [cy - 0.1, cy + 0.1], |range| {
+                found.extend(range.map(|k| order[k]));
+            });
+            for (point, p) in points.iter().enumerate() {
+                if (p[0] - cx).abs() <= 0.2 && (p[1] - cy).abs() <= 0.1 {
+                    assert!(found.contains(&(point as u32)));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,56 @@
+//! What a pair loop reads of a neighbour: one cache line.
+
+use crate::kernel::KernelChoice;
+
+/// One neighbour, fluid or ghost, packed into a cache line and scaled for the pair loops.
+///
+/// Slots: see the associated constants. Between the momentum and the continuity pass of a step
+/// the slots `PRESSURE` and `RESPONSE` change hands: they then hold `GRADIENT_X`, `GRADIENT_Y`.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[repr(C, align(64))]
+pub struct Record(pub [f64; 8]);
+
+impl Record {
+    /// x over the support radius R.
+    pub const X: usize = 0;
+    /// y over R.
+    pub const Y: usize = 1;
+    /// Horizontal velocity, m/s.
+    pub const VX: usize = 2;
+    /// Vertical velocity, m/s.
+    pub const VY: usize = 3;
+    /// Volume times C/R³: turns w'(q)/q times a scaled distance into ∇W V.
+    pub const WEIGHT: usize = 4;
+    /// Density, kg/m³ (or the quantity that density diffusion smooths).
+    pub const DENSITY: usize = 5;
+    /// Pressure, Pa.
+    pub const PRESSURE: usize = 6;
+    /// Change of a wall ghost's pressure per acceleration of its wall, Pa/(m/s²).
+    pub const RESPONSE: usize = 7;
+    /// R ∂ρ/∂x, in the continuity pass.
+    pub const GRADIENT_X: usize = 6;
+    /// R ∂ρ/∂y, in the continuity pass.
+    pub const GRADIENT_Y: usize = 7;
+}
+
+/// Factors between physical and packed values for a kernel and its support radius.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Scaling {
+    /// R, metres.
+    pub support_radius: f64,
+    /// 1/R.
+    pub inverse_radius: f64,
+    /// C/R³: volume to [`Record::WEIGHT`].
+    pub weight_per_volume: f64,
+}
+
+impl Scaling {
+    /// For a kernel of the support radius R, metres.
+    pub fn new(kernel: KernelChoice, support_radius: f64) -> Scaling {
+        Scaling {
+            support_radius,
+            inverse_radius: 1.0 / support_radius,
+            weight_per_volume: kernel.normalisation() / support_radius.powi(3),
+        }
+    }
+}

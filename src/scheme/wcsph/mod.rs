@@ -1,0 +1,64 @@
+//! Weakly compressible δ-SPH (Huang et al. 2019, Eqs. 1-7).
+//!
+//! A step is symplectic Euler in two halves, so that the caller can settle the motion of walls in
+//! between: [`Wcsph::prepare`] finds forces at the old places; [`Wcsph::finish`] kicks the
+//! velocities, finds the density rates with the new velocities at the old places, and drifts.
+
+mod continuity;
+mod momentum;
+mod options;
+mod step;
+
+pub use options::{DensityDiffusion, Shifting, WcsphOptions};
+pub use step::{Dissipation, Load, StepWalls, Timings, Wcsph, WcsphState};
+
+use crate::math::simd::LANES;
+
+/// Arrays that a step fills and forgets, one entry per (padded) fluid particle.
+#[derive(Debug, Clone, Default)]
+struct Workspace {
+    /// x over R.
+    scaled_x: Vec<f64>,
+    /// y over R.
+    scaled_y: Vec<f64>,
+    pressure: Vec<f64>,
+    /// What density diffusion smooths: ρ, or ρ less its hydrostatic part.
+    diffused: Vec<f64>,
+    acceleration_x: Vec<f64>,
+    acceleration_y: Vec<f64>,
+    density_rate: Vec<f64>,
+    /// R ∇ρ.
+    gradient_x: Vec<f64>,
+    gradient_y: Vec<f64>,
+    /// Σ g Δ = ∇C.
+    concentration_x: Vec<f64>,
+    concentration_y: Vec<f64>,
+    /// Smallest eigenvalue of Σ V (x_j - x_i) ⊗ ∇W: 1 inside, less near the surface.
+    completeness: Vec<f64>,
+    /// Per body: force on it along x, N/m, and its added mass, kg/m.
+    loads: Vec<[f64; 2]>,
+    /// Clusters whose acceleration responds to the wall's, with the response per lane.
+    responding: Vec<(u32, [f64; LANES], [f64; LANES])>,
+}
+
+impl Workspace {
+    fn new(padded: usize, bodies: usize) -> Workspace {
+        let zeros = || vec![0.0; padded];
+        Workspace {
+            scaled_x: zeros(),
+            scaled_y: zeros(),
+            pressure: zeros(),
+            diffused: zeros(),
+            acceleration_x: zeros(),
+            acceleration_y: zeros(),
+            density_rate: zeros(),
+            gradient_x: zeros(),
+            gradient_y: zeros(),
+            concentration_x: zeros(),
+            concentration_y: zeros(),
+            completeness: vec![1.0; padded],
+            loads: vec![[0.0; 2]; bodies],
+            responding: Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,75 @@
+//! Physics decisions of the scheme, resolved once per run.
+
+use serde::{Deserialize, Serialize};
+
+use crate::kernel::KernelChoice;
+use crate::scheme::StateEquation;
+
+/// Density diffusion (the δ term).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DensityDiffusion {
+    /// With the renormalised density gradient, Huang et al. 2019, Eqs. 5-6.
+    Renormalised,
+    /// Molteni's form with the hydrostatic part subtracted: as quiet at rest, and cheaper.
+    Hydrostatic,
+    /// Molteni's plain form: drifts at rest.
+    Molteni,
+    /// Standard weakly compressible SPH.
+    None,
+}
+
+/// Particle shifting.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Shifting {
+    /// In the interior, fading out towards the free surface.
+    Interior,
+    /// Off.
+    None,
+}
+
+/// Everything the scheme needs to know besides the particles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct WcsphOptions {
+    /// Smoothing kernel.
+    pub kernel: KernelChoice,
+    /// Support radius R, metres.
+    pub support_radius: f64,
+    /// Particle spacing, metres.
+    pub spacing: f64,
+    /// State equation.
+    pub state: StateEquation,
+    /// ρ0, kg/m³.
+    pub density: f64,
+    /// Gravity, m/s².
+    pub gravity: f64,
+    /// Density diffusion.
+    pub density_diffusion: DensityDiffusion,
+    /// δ.
+    pub diffusion_coefficient: f64,
+    /// α.
+    pub artificial_viscosity: f64,
+    /// Shifting.
+    pub shifting: Shifting,
+    /// A, see [`super::Wcsph::finish`].
+    pub shifting_coefficient: f64,
+}
+
+impl WcsphOptions {
+    /// h of the terms α h c0 and δ h c0: R/2 for Wendland C2, R/3 for the Gaussian.
+    pub fn smoothing_length(&self) -> f64 {
+        self.kernel.smoothing_length_ratio() * self.support_radius
+    }
+
+    /// Minus the hydrostatic ∂ρ/∂y that density diffusion leaves alone, kg/m⁴.
+    pub(super) fn hydrostatic_slope(&self) -> f64 {
+        match self.density_diffusion {
+            DensityDiffusion::Hydrostatic => {
+                let c = self.state.sound_speed;
+                self.state.surface_density * self.gravity / (c * c)
+            }
+            _ => 0.0,
+        }
+    }
+}

@@ -1,0 +1,118 @@
+//! The energy budget: each term summed on its own, the residual an honest gap.
+
+use serde::{Deserialize, Serialize};
+
+use super::outcome::EnergyBudget;
+use crate::body::{SpringWall, WallStep};
+use crate::particles::Fluid;
+use crate::scheme::StateEquation;
+use crate::scheme::wcsph::Dissipation;
+
+/// Energy of the water at an instant, J per metre of width.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct WaterEnergy {
+    /// ½ Σ m u².
+    pub kinetic: f64,
+    /// Σ m g y.
+    pub potential: f64,
+    /// Σ m ∫ p/ρ² dρ.
+    pub elastic: f64,
+}
+
+impl WaterEnergy {
+    /// Sums over the particles.
+    pub fn of(fluid: &Fluid, state: &StateEquation, gravity: f64) -> WaterEnergy {
+        let mut energy = WaterEnergy::default();
+        for k in 0..fluid.len() {
+            let (vx, vy, mass) = (fluid.vx[k], fluid.vy[k], fluid.mass[k]);
+            energy.kinetic += 0.5 * mass * (vx * vx + vy * vy);
+            energy.potential += mass * gravity * fluid.y[k];
+            energy.elastic += mass * state.elastic_energy(fluid.density[k]);
+        }
+        energy
+    }
+}
+
+/// Works and losses so far.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Ledger {
+    /// At the start.
+    pub start: WaterEnergy,
+    paddle_work: f64,
+    threshold_device: f64,
+    stops: f64,
+    viscous: f64,
+    density_diffusion: f64,
+    shifting: f64,
+    last_sample: f64,
+    last_powers: [f64; 2],
+}
+
+impl Ledger {
+    /// Opens the books on water with this energy.
+    pub fn open(start: WaterEnergy) -> Ledger {
+        Ledger { start, ..Ledger::default() }
+    }
+
+    /// Books the work of the walls over one step: `paddle_force` is the water's force on the
+    /// paddle, along x.
+    pub fn book_walls(
+        &mut self,
+        (paddle_force, paddle_travel): (f64, f64),
+        wall: Option<(&SpringWall, f64, WallStep)>,
+    ) {
+        self.paddle_work -= paddle_force * paddle_travel;
+        if let Some((law, force, step)) = wall {
+            let driving = law.force_coupling * (force - law.threshold).max(0.0);
+            self.threshold_device += (force - driving) * step.travel;
+            self.stops += step.stop_loss;
+        }
+    }
+
+    /// Books the losses of a step; powers were summed only where `sampled`, and hold until the
+    /// next sample (trapezoid).
+    pub fn book_losses(&mut self, time: f64, sampled: bool, losses: Dissipation) {
+        self.shifting += losses.shifting_work;
+        if sampled {
+            let span = 0.5 * (time - self.last_sample);
+            self.viscous += span * (losses.viscous_power + self.last_powers[0]);
+            self.density_diffusion += span * (losses.diffusion_power + self.last_powers[1]);
+            self.last_sample = time;
+            self.last_powers = [losses.viscous_power, losses.diffusion_power];
+        }
+    }
+
+    /// The budget with the water's energy as it is now.
+    pub fn close(&self, now: WaterEnergy, wall: Option<&SpringWall>) -> EnergyBudget {
+        EnergyBudget {
+            paddle_work: self.paddle_work,
+            kinetic: now.kinetic - self.start.kinetic,
+            potential: now.potential - self.start.potential,
+            elastic: now.elastic - self.start.elastic,
+            wall_kinetic: wall.map_or(0.0, SpringWall::kinetic_energy),
+            spring: wall.map_or(0.0, SpringWall::spring_energy),
+            threshold_device: self.threshold_device,
+            stops: self.stops,
+            viscous: self.viscous,
+            density_diffusion: self.density_diffusion,
+            shifting: self.shifting,
+        }
+    }
+}
+
+impl EnergyBudget {
+    /// Paddle work less all that became of it, J per metre of width.
+    pub fn residual(&self) -> f64 {
+        self.paddle_work
+            - (self.kinetic
+                + self.potential
+                + self.elastic
+                + self.wall_kinetic
+                + self.spring
+                + self.threshold_device
+                + self.stops
+                + self.viscous
+                + self.density_diffusion
+                + self.shifting)
+    }
+}

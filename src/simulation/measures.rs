@@ -1,0 +1,256 @@
+//! Maxima of a run, of its first impact and of its first peak, gathered step by step.
+
+use serde::{Deserialize, Serialize};
+
+use super::outcome::Maximum;
+use super::window::RunningMean;
+
+/// F* must last this long above or below a bound to count, seconds.
+const PERSISTENCE_S: f64 = 0.02;
+/// The first impact is on once F* has passed this.
+const IMPACT_FORCE: f64 = 1.15;
+/// A stop ends the first impact only after X* has exceeded this.
+const IMPACT_TRAVEL: f64 = 0.01;
+/// A peak is over when it has dropped by this share.
+const PEAK_DROP: f64 = 0.10;
+/// Span of the force's running mean over √(h/g).
+const MEAN_SPAN: f64 = 0.07;
+
+/// One step's readings, non-dimensional: F*, R*, X*, and the wall's count of stops.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reading {
+    /// Seconds since the paddle's start.
+    pub time: f64,
+    /// F*.
+    pub force: f64,
+    /// R*.
+    pub runup: f64,
+    /// X*; `None` for a fixed wall.
+    pub displacement: Option<f64>,
+    /// Stops so far.
+    pub stops: u32,
+}
+
+/// Where the first impact stands.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+enum Impact {
+    Before,
+    On { stops: u32 },
+    Over,
+}
+
+/// Running maximum that is closed once the quantity has dropped 10 % of its height above `base`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+struct Peak {
+    base: f64,
+    highest: f64,
+    closed: bool,
+}
+
+impl Peak {
+    fn new(base: f64) -> Peak {
+        Peak { base, highest: f64::NEG_INFINITY, closed: false }
+    }
+
+    fn push(&mut self, value: f64) {
+        if self.closed {
+            return;
+        }
+        self.highest = self.highest.max(value);
+        let height = self.highest - self.base;
+        self.closed = height > 0.0 && value - self.base < (1.0 - PEAK_DROP) * height;
+    }
+
+    fn value(&self) -> Option<f64> {
+        self.highest.is_finite().then_some(self.highest)
+    }
+}
+
+/// Maxima so far.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Measures {
+    threshold: f64,
+    mean: RunningMean,
+    impact: Impact,
+    above_since: Option<f64>,
+    below_since: Option<f64>,
+    force_peak: Peak,
+    runup_peak: Peak,
+    /// Over the whole run: F* (running mean), R*, X*.
+    pub force: Option<Maximum>,
+    /// R*.
+    pub runup: Option<Maximum>,
+    /// X*.
+    pub displacement: Option<Maximum>,
+    /// Over the first impact.
+    pub first_force: Option<Maximum>,
+    /// R* over the first impact.
+    pub first_runup: Option<Maximum>,
+    /// X* over the first impact.
+    pub first_displacement: Option<Maximum>,
+    /// Largest F* of a single step.
+    pub force_raw: f64,
+    /// When F > F_th first lasted.
+    pub onset: Option<f64>,
+    /// The last reading's F*, R*, X*.
+    pub last: [f64; 3],
+}
+
+fn raise(maximum: &mut Option<Maximum>, value: f64, time_s: f64) {
+    if maximum.is_none_or(|m| value > m.value) {
+        *maximum = Some(Maximum { value, time_s });
+    }
+}
+
+impl Measures {
+    /// For F_threshold over the hydrostatic force, still water depth (m) and gravity (m/s²).
+    pub fn new(threshold_ratio: f64, depth: f64, gravity: f64) -> Measures {
+        Measures {
+            threshold: threshold_ratio,
+            mean: RunningMean::new(MEAN_SPAN * (depth / gravity).sqrt()),
+            impact: Impact::Before,
+            above_since: None,
+            below_since: None,
+            force_peak: Peak::new(1.0),
+            runup_peak: Peak::new(0.0),
+            force: None,
+            runup: None,
+            displacement: None,
+            first_force: None,
+            first_runup: None,
+            first_displacement: None,
+            force_raw: f64::NEG_INFINITY,
+            onset: None,
+            last: [0.0; 3],
+        }
+    }
+
+    /// Takes one step's readings.
+    pub fn push(&mut self, reading: Reading) {
+        let Reading { time, force, runup, displacement, stops } = reading;
+        self.last = [force, runup, displacement.unwrap_or(0.0)];
+        self.force_raw = self.force_raw.max(force);
+        raise(&mut self.runup, runup, time);
+        if let Some(x) = displacement {
+            raise(&mut self.displacement, x, time);
+        }
+        if let Some((at, mean)) = self.mean.push(time, force) {
+            raise(&mut self.force, mean, at);
+            self.follow_impact(at, mean, &reading);
+        }
+        if matches!(self.impact, Impact::On { .. }) {
+            raise(&mut self.first_runup, runup, time);
+            self.runup_peak.push(runup);
+            if let Some(x) = displacement {
+                raise(&mut self.first_displacement, x, time);
+            }
+            self.end_impact(stops);
+        }
+    }
+
+    /// Onset, start of the first impact, its force.
+    fn follow_impact(&mut self, at: f64, mean: f64, reading: &Reading) {
+        if mean > self.threshold {
+            self.below_since = None;
+            let since = *self.above_since.get_or_insert(at);
+            if self.onset.is_none() && at - since >= PERSISTENCE_S {
+                self.onset = Some(since);
+            }
+        } else {
+            self.above_since = None;
+            self.below_since.get_or_insert(at);
+        }
+        if self.impact == Impact::Before && mean > IMPACT_FORCE {
+            self.impact = Impact::On { stops: reading.stops };
+        }
+        if matches!(self.impact, Impact::On { .. }) {
+            raise(&mut self.first_force, mean, at);
+            self.force_peak.push(mean);
+            if self.below_since.is_some_and(|since| at - since >= PERSISTENCE_S) {
+                self.impact = Impact::Over;
+            }
+        }
+    }
+
+    fn end_impact(&mut self, stops: u32) {
+        if let Impact::On { stops: before } = &mut self.impact {
+            let travelled = self.first_displacement.is_some_and(|m| m.value > IMPACT_TRAVEL);
+            if !travelled {
+                *before = stops; // touches of a stiff wall that has hardly moved do not count
+            } else if stops > *before {
+                self.impact = Impact::Over;
+            }
+        }
+    }
+
+    /// F* of the first peak.
+    pub fn force_peak(&self) -> Option<f64> {
+        self.force_peak.value()
+    }
+
+    /// R* of the first peak.
+    pub fn runup_peak(&self) -> Option<f64> {
+        self.runup_peak.value()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Feeds F*(t), R*(t) = F* - 1, X*(t) every millisecond.
+    fn measure(force: impl Fn(f64) -> f64, x: impl Fn(f64) -> (f64, u32)) -> Measures {
+        let mut measures = Measures::new(1.1, 0.2, 9.81);
+        for k in 0..4000 {
+            let time = 0.001 * f64::from(k);
+            let (displacement, stops) = x(time);
+            let force = force(time);
+            measures.push(Reading {
+                time,
+                force,
+                runup: force - 1.0,
+                displacement: Some(displacement),
+                stops,
+            });
+        }
+        measures
+    }
+
+    fn bell(time: f64, centre: f64, height: f64) -> f64 {
+        height * (-((time - centre) / 0.2).powi(2)).exp()
+    }
+
+    #[test]
+    fn the_first_impact_ends_when_the_force_stays_low() {
+        let m = measure(|t| 1.0 + bell(t, 1.0, 1.0) + bell(t, 3.0, 1.5), |_| (0.0, 0));
+        assert!((m.first_force.unwrap().value - 2.0).abs() < 2e-3);
+        assert!((m.force.unwrap().value - 2.5).abs() < 2e-3);
+        assert!((m.first_runup.unwrap().value - 1.0).abs() < 1e-6);
+        let onset = 1.0 - 0.2 * (10.0_f64.ln()).sqrt();
+        assert!((m.onset.unwrap() - onset).abs() < 3e-3);
+    }
+
+    #[test]
+    fn a_stop_after_real_travel_ends_it_and_a_touch_does_not() {
+        let force = |t: f64| 1.0 + bell(t, 1.0, 1.0) + bell(t, 1.6, 1.5);
+        let touched = measure(force, |t| (1e-4, u32::from(t > 0.9)));
+        assert!(touched.first_force.unwrap().value > 2.4);
+        let stopped = measure(force, |t| (0.3, u32::from(t > 1.25)));
+        assert!(stopped.first_force.unwrap().value < 2.2);
+    }
+
+    #[test]
+    fn the_first_peak_is_closed_by_a_ten_percent_drop() {
+        let m = measure(|t| 1.0 + bell(t, 1.0, 1.0) + bell(t, 1.5, 1.5), |_| (0.0, 0));
+        assert!(m.first_force.unwrap().value > 2.4);
+        assert!(m.force_peak().unwrap() < 2.1);
+        assert!(m.runup_peak().unwrap() < 1.1);
+    }
+
+    #[test]
+    fn sound_is_not_water() {
+        let m = measure(|t| 1.0 + 0.3 * (t * 700.0).sin(), |_| (0.0, 0));
+        assert!(m.onset.is_none() && m.first_force.is_none());
+        assert!(m.force_raw > 1.29 && m.force.unwrap().value < 1.12);
+    }
+}

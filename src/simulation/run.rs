@@ -1,0 +1,367 @@
+//! The driver: one tank, step by step.
+
+use serde::{Deserialize, Serialize};
+
+use super::energy::{Ledger, WaterEnergy};
+use super::failure::{Failure, FailureKind, Stopped};
+use super::gauge::CrestGauge;
+use super::health::HealthBounds;
+use super::measures::{Measures, Reading};
+use super::outcome::{CaseResult, HistoryRow, Outcome, PhaseShare};
+use super::Monitor;
+use crate::body::{BodyMotion, SpringWall, WallStep};
+use crate::math::simd::SimdPath;
+use crate::scene::{CaseConfig, Numerics, PADDLE, Scene, SeawallScene, Tank, WALL};
+use crate::scheme::wcsph::{StepWalls, WcsphState};
+
+/// Samples of the history between two checks of health and of the monitor.
+const SAMPLES_PER_CHECK: u64 = 4;
+/// Share of m_eff/(ρ c0 d) that a light wall's time step may be.
+const WALL_COURANT: f64 = 1.0;
+
+/// Everything that changes during a run.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct RunState {
+    water: WcsphState,
+    clock: Clock,
+    wall: Option<SpringWall>,
+    measures: Measures,
+    gauge: CrestGauge,
+    ledger: Ledger,
+    history: Vec<HistoryRow>,
+    level_at_rest: Option<f64>,
+    gauge_at_rest: Option<f64>,
+    worst_gap: f64,
+    lost: u32,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+struct Clock {
+    time: f64,
+    steps: u64,
+    samples: u64,
+}
+
+/// Where a run came to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Reached {
+    /// The end of the run.
+    End,
+    /// The last step before the force first exceeds the threshold.
+    Onset,
+}
+
+/// A tank under way.
+pub(super) struct Run {
+    tank: Tank,
+    scene: SeawallScene,
+    time_step: f64,
+    bounds: HealthBounds,
+    clock: Clock,
+    measures: Measures,
+    gauge: CrestGauge,
+    ledger: Ledger,
+    history: Vec<HistoryRow>,
+    level_at_rest: Option<f64>,
+    gauge_at_rest: Option<f64>,
+    worst_gap: f64,
+    lost: u32,
+}
+
+impl Run {
+    /// A tank at rest.
+    pub fn start(config: &CaseConfig, path: SimdPath) -> Run {
+        let Scene::Seawall(scene) = &config.scene;
+        let tank = scene.build(&config.numerics, path);
+        let (depth, gravity) = (scene.still_water_depth_m, scene.gravity_m_per_s2);
+        let options = tank.water.options();
+        let start = WaterEnergy::of(&tank.water.fluid, &options.state, gravity);
+        // A drop from the highest conceivable runup, twice over; compression scales with g h/c0².
+        let speed = 2.0 * (2.0 * gravity * depth * (1.0 + 4.0 * scene.wave_height_ratio)).sqrt();
+        let bounds = HealthBounds {
+            speed,
+            density_change: 20.0 * gravity * depth / (tank.sound_speed * tank.sound_speed),
+            surface_density: options.state.surface_density,
+            lost_share: 0.02,
+        };
+        Run {
+            time_step: time_step(scene, &config.numerics),
+            bounds,
+            clock: Clock::default(),
+            measures: Measures::new(scene.threshold_ratio, depth, gravity),
+            gauge: CrestGauge::default(),
+            ledger: Ledger::open(start),
+            history: Vec::new(),
+            level_at_rest: None,
+            gauge_at_rest: None,
+            worst_gap: 0.0,
+            lost: 0,
+            scene: scene.clone(),
+            tank,
+        }
+    }
+
+    /// Goes back to a kept state. A wall that was held fixed until then keeps this case's law.
+    pub fn restore(&mut self, state: RunState) {
+        self.tank.water.restore(state.water);
+        self.clock = state.clock;
+        if state.wall.is_some() {
+            self.tank.wall = state.wall;
+        }
+        self.measures = state.measures;
+        self.gauge = state.gauge;
+        self.ledger = state.ledger;
+        self.history = state.history;
+        self.level_at_rest = state.level_at_rest;
+        self.gauge_at_rest = state.gauge_at_rest;
+        self.worst_gap = state.worst_gap;
+        self.lost = state.lost;
+    }
+
+    /// All that is needed to go on.
+    pub fn state(&self) -> RunState {
+        RunState {
+            water: self.tank.water.state(),
+            clock: self.clock,
+            wall: self.tank.wall,
+            measures: self.measures.clone(),
+            gauge: self.gauge.clone(),
+            ledger: self.ledger,
+            history: self.history.clone(),
+            level_at_rest: self.level_at_rest,
+            gauge_at_rest: self.gauge_at_rest,
+            worst_gap: self.worst_gap,
+            lost: self.lost,
+        }
+    }
+
+    /// Simulated seconds and steps so far.
+    pub fn progress(&self) -> (f64, u64) {
+        (self.clock.time, self.clock.steps)
+    }
+
+    /// Steps to the end, or with `until_onset` to the last state before the force first exceeds
+    /// the threshold.
+    pub fn advance(
+        &mut self,
+        until_onset: bool,
+        monitor: &dyn Monitor,
+    ) -> Result<Reached, Stopped> {
+        loop {
+            let time = self.clock.time;
+            let last = time >= self.tank.end_time * (1.0 - 1e-12);
+            let interval = self.scene.history_interval_s;
+            let sample = last || time >= interval * self.clock.samples as f64 * (1.0 - 1e-12);
+            let bodies = self.motions();
+            self.tank.water.prepare(&bodies, sample);
+            let load = self.tank.water.load(WALL);
+            if !load.force.is_finite() {
+                return Err(self.failure(FailureKind::NotANumber, "the wall's force".into()).into());
+            }
+            if until_onset && load.force > self.tank.threshold {
+                return Ok(Reached::Onset);
+            }
+            let dt = self.next_step();
+            let before = self.tank.wall;
+            let step = self.tank.wall.as_mut().map(|wall| wall.advance(load.force, load.added_mass, dt));
+            let acceleration = step.map_or(0.0, |step| step.acceleration);
+            let force = load.force - load.added_mass * acceleration;
+            self.read(force, before.as_ref(), sample, &bodies, acceleration)?;
+            if last {
+                return Ok(Reached::End);
+            }
+            if sample && self.clock.samples.is_multiple_of(SAMPLES_PER_CHECK) {
+                self.check_health(&bodies)?;
+                monitor.progress(time / self.tank.end_time);
+                if monitor.cancelled() {
+                    return Err(Stopped::Interrupted);
+                }
+            }
+            self.finish_step(dt, bodies, force, step, sample);
+        }
+    }
+
+    /// Motions of bed, paddle and wall at this instant.
+    fn motions(&self) -> [BodyMotion; 3] {
+        let mut bodies = [BodyMotion::default(); 3];
+        if let Some(piston) = &self.tank.piston {
+            let motion = piston.motion(self.clock.time);
+            bodies[PADDLE] = BodyMotion {
+                offset: motion.position,
+                velocity: motion.velocity,
+                acceleration: motion.acceleration,
+            };
+        }
+        if let Some(wall) = &self.tank.wall {
+            bodies[WALL].offset = wall.displacement;
+            bodies[WALL].velocity = wall.velocity;
+        }
+        bodies
+    }
+
+    /// The time step; shorter while a wall moves that is light against the sound it makes.
+    fn next_step(&self) -> f64 {
+        let Some(wall) = &self.tank.wall else { return self.time_step };
+        if wall.displacement == 0.0 {
+            return self.time_step;
+        }
+        let depth = self.scene.still_water_depth_m * (1.0 + self.measures.last[1].max(0.0));
+        let impedance = self.scene.water_density_kg_per_m3 * self.tank.sound_speed * depth;
+        self.time_step.min(WALL_COURANT * wall.mass / impedance)
+    }
+
+    /// Takes this step's readings.
+    fn read(
+        &mut self,
+        force: f64,
+        wall: Option<&SpringWall>,
+        sample: bool,
+        bodies: &[BodyMotion; 3],
+        acceleration: f64,
+    ) -> Result<(), Stopped> {
+        let depth = self.scene.still_water_depth_m;
+        let time = self.clock.time;
+        let level = self.tank.water.level_at(WALL);
+        let at_rest = *self.level_at_rest.get_or_insert(level);
+        let runup = (level - at_rest) / depth;
+        let force_ratio = force / self.tank.static_force;
+        let displacement = wall.map(|wall| wall.displacement / depth);
+        self.measures.push(Reading {
+            time,
+            force: force_ratio,
+            runup,
+            displacement,
+            stops: wall.map_or(0, |wall| wall.stops),
+        });
+        if !sample {
+            return Ok(());
+        }
+        self.clock.samples += 1;
+        while self.scene.history_interval_s * self.clock.samples as f64 <= time {
+            self.clock.samples += 1;
+        }
+        self.history.push(HistoryRow {
+            time_s: time,
+            force: force_ratio,
+            runup,
+            displacement: displacement.unwrap_or(0.0),
+            wall_velocity_m_per_s: wall.map_or(0.0, |wall| wall.velocity),
+        });
+        let crest = self.tank.water.level_in_water(self.scene.wave_gauge_m, 0.5 * depth);
+        let at_rest = *self.gauge_at_rest.get_or_insert(crest);
+        self.gauge.push((crest - at_rest) / depth);
+        let motion = BodyMotion { acceleration, ..bodies[WALL] };
+        let face = self.tank.water.face_force(WALL, &motion);
+        let gap = 100.0 * (face - force).abs() / force.abs().max(self.tank.static_force);
+        self.worst_gap = self.worst_gap.max(gap);
+        if displacement.is_some_and(|x| !x.is_finite() || x > 11.0) {
+            let detail = format!("the wall is at X = {:.3} h", displacement.unwrap_or(f64::NAN));
+            return Err(self.failure(FailureKind::WallUnstable, detail).into());
+        }
+        Ok(())
+    }
+
+    fn finish_step(
+        &mut self,
+        dt: f64,
+        mut bodies: [BodyMotion; 3],
+        force: f64,
+        wall_step: Option<WallStep>,
+        sample: bool,
+    ) {
+        let time = self.clock.time;
+        let paddle_travel = self
+            .tank
+            .piston
+            .as_ref()
+            .map_or(0.0, |piston| piston.motion(time + dt).position - bodies[PADDLE].offset);
+        bodies[PADDLE].velocity = paddle_travel / dt;
+        bodies[WALL].velocity = wall_step.map_or(0.0, |step| step.travel) / dt;
+        let paddle_force = self.tank.water.load(PADDLE).force;
+        let wall = self.tank.wall.as_ref().zip(wall_step).map(|(law, step)| (law, force, step));
+        self.ledger.book_walls((paddle_force, paddle_travel), wall);
+        let walls = StepWalls {
+            bodies: &bodies,
+            acceleration: wall_step.map_or(0.0, |step| step.acceleration),
+        };
+        let losses = self.tank.water.finish(dt, &walls, sample);
+        self.ledger.book_losses(time, sample, losses);
+        self.clock.time += dt;
+        self.clock.steps += 1;
+    }
+
+    fn check_health(&mut self, bodies: &[BodyMotion; 3]) -> Result<(), Failure> {
+        let room = self.tank.spacing;
+        let extent = [
+            bodies[PADDLE].offset - room,
+            self.scene.tank_length_m + bodies[WALL].offset + room,
+            4.0 * self.scene.still_water_depth_m,
+        ];
+        let fluid = &self.tank.water.fluid;
+        self.lost = self.lost.max(self.bounds.check(fluid, self.clock.time, extent)?);
+        Ok(())
+    }
+
+    fn failure(&self, kind: FailureKind, detail: String) -> Failure {
+        Failure { kind, time_s: self.clock.time, detail }
+    }
+
+    /// The results of a run that has reached its end.
+    pub fn result(self) -> CaseResult {
+        let water = &self.tank.water;
+        let gravity = self.scene.gravity_m_per_s2;
+        let now = WaterEnergy::of(&water.fluid, &water.options().state, gravity);
+        let energy = self.ledger.close(now, self.tank.wall.as_ref());
+        let scale = if self.tank.piston.is_some() {
+            energy.paddle_work.abs()
+        } else {
+            self.ledger.start.potential
+        };
+        let m = &self.measures;
+        let wall = self.tank.wall.as_ref();
+        let zero = super::outcome::Maximum { value: 0.0, time_s: 0.0 };
+        let outcome = Outcome {
+            measured_wave_height_ratio: self.gauge.crest(),
+            force_max: m.force.unwrap_or(zero),
+            runup_max: m.runup.unwrap_or(zero),
+            displacement_max: m.displacement,
+            first_force_max: m.first_force,
+            first_runup_max: m.first_runup,
+            first_displacement_max: m.first_displacement,
+            first_force_peak: m.force_peak(),
+            first_runup_peak: m.runup_peak(),
+            force_max_raw: m.force_raw,
+            force_end: m.last[0],
+            runup_end: m.last[1],
+            displacement_end: wall.map(|_| m.last[2]),
+            onset_time_s: m.onset,
+            stroke_centre_s: self.tank.piston.as_ref().map(|piston| piston.stroke_centre()),
+            displacement_truncated: wall.map(|_| {
+                m.displacement.is_some_and(|x| {
+                    x.value > 0.0 && x.time_s >= self.clock.time - self.time_step
+                })
+            }),
+            stops: wall.map(|wall| wall.stops),
+            force_gap_percent: self.worst_gap,
+            energy_gap_percent: 100.0 * energy.residual() / scale,
+            particles_lost: self.lost,
+            steps: self.clock.steps,
+            particles: water.fluid.len() as u32,
+            pair_evaluations: water.pair_evaluations(),
+        };
+        let t = &water.timings;
+        let phases = [
+            ("neighbours", t.neighbours),
+            ("ghosts", t.ghosts),
+            ("momentum", t.momentum),
+            ("continuity", t.continuity),
+            ("integration", t.integration),
+        ]
+        .map(|(phase, seconds)| PhaseShare { phase: phase.to_owned(), seconds });
+        CaseResult { outcome, history: self.history, probes: None, energy, phases: phases.into() }
+    }
+}
+
+fn time_step(scene: &SeawallScene, numerics: &Numerics) -> f64 {
+    scene.time_step(numerics)
+}
