@@ -114,7 +114,7 @@ impl Exchange {
         path: SimdPath,
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
-        records: &[Record],
+        (records, pressure): (&[Record], &[f64]),
     ) {
         let Exchange { rules, list, weights, scale, means, wetness, .. } = self;
         let rules = *rules;
@@ -125,6 +125,7 @@ impl Exchange {
                 ghosts,
                 bodies,
                 records,
+                pressure,
                 list,
                 weights,
                 scale,
@@ -324,7 +325,8 @@ impl Exchange {
         path: SimdPath,
         ghosts: &Ghosts,
         body: usize,
-        (motion, records): (&BodyMotion, &[Record]),
+        motion: &BodyMotion,
+        (records, pressure): (&[Record], &[f64]),
     ) -> f64 {
         let faces = ghosts.bodies[body].faces.clone();
         let rules = self.rules;
@@ -337,6 +339,7 @@ impl Exchange {
                 ghosts,
                 offset: motion.offset,
                 records,
+                pressure,
                 list,
                 weights,
                 scale,
@@ -379,6 +382,7 @@ struct Weigh<'a, K, I> {
     ghosts: &'a Ghosts,
     bodies: &'a [BodyMotion],
     records: &'a [Record],
+    pressure: &'a [f64],
     list: &'a PairList,
     weights: &'a mut [[f64; LANES]],
     scale: &'a mut [[f64; LANES]],
@@ -408,7 +412,7 @@ impl<K: Kernel, I: Interpolator> Task for Weigh<'_, K, I> {
                 let scale =
                     self.interpolator.weigh::<K, L>(x, y, neighbours, self.records, weights);
                 scale.store(&mut self.scale[block]);
-                self.means[block] = gather::<L>(neighbours, self.records, weights, scale, self.scaling);
+                self.means[block] = gather::<L>(neighbours, (self.records, self.pressure), weights, scale, self.scaling);
             } else {
                 let mut sum = L::splat(0.0);
                 for &j in neighbours {
@@ -430,6 +434,7 @@ struct Interpolate<'a, K, I> {
     ghosts: &'a Ghosts,
     offset: f64,
     records: &'a [Record],
+    pressure: &'a [f64],
     list: &'a PairList,
     weights: &'a mut [[f64; LANES]],
     scale: &'a mut [[f64; LANES]],
@@ -454,7 +459,7 @@ impl<K: Kernel, I: Interpolator> Task for Interpolate<'_, K, I> {
             let weights = &mut self.weights[start..start + neighbours.len()];
             let scale = self.interpolator.weigh::<K, L>(x, y, neighbours, self.records, weights);
             scale.store(&mut self.scale[block]);
-            self.means[block] = gather::<L>(neighbours, self.records, weights, scale, self.scaling);
+            self.means[block] = gather::<L>(neighbours, (self.records, self.pressure), weights, scale, self.scaling);
         }
     }
 }
@@ -462,7 +467,7 @@ impl<K: Kernel, I: Interpolator> Task for Interpolate<'_, K, I> {
 #[inline(always)]
 fn gather<L: Lanes>(
     neighbours: &[u32],
-    records: &[Record],
+    (records, pressure): (&[Record], &[f64]),
     weights: &[[f64; LANES]],
     scale: L,
     scaling: Scaling,
@@ -471,8 +476,9 @@ fn gather<L: Lanes>(
     for (&j, weight) in neighbours.iter().zip(weights) {
         let record = &records[j as usize].0;
         let weight = L::load(weight);
-        let slots = [Record::PRESSURE, Record::X, Record::Y, Record::VX, Record::VY];
-        for (sum, slot) in sums.iter_mut().zip(slots) {
+        sums[0] = weight.mul_add(L::splat(pressure[j as usize]), sums[0]);
+        let slots = [Record::X, Record::Y, Record::VX, Record::VY];
+        for (sum, slot) in sums[1..].iter_mut().zip(slots) {
             *sum = weight.mul_add(L::splat(record[slot]), *sum);
         }
     }

@@ -4,8 +4,8 @@ use crate::kernel::KernelChoice;
 
 /// One neighbour, fluid or ghost, packed into a cache line and scaled for the pair loops.
 ///
-/// Slots: see the associated constants. Between the momentum and the continuity pass of a step
-/// the slots `PRESSURE` and `RESPONSE` change hands: they then hold `GRADIENT_X`, `GRADIENT_Y`.
+/// Slots: see the associated constants. The last three mean different things in the two passes of
+/// a step and for ghosts.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[repr(C, align(64))]
 pub struct Record(pub [f64; 8]);
@@ -21,15 +21,19 @@ impl Record {
     pub const VY: usize = 3;
     /// Volume times C/R³: turns w'(q)/q times a scaled distance into ∇W V.
     pub const WEIGHT: usize = 4;
-    /// Density, kg/m³ (or the quantity that density diffusion smooths).
-    pub const DENSITY: usize = 5;
-    /// Pressure, Pa.
-    pub const PRESSURE: usize = 6;
-    /// Change of a wall ghost's pressure per acceleration of its wall, Pa/(m/s²).
-    pub const RESPONSE: usize = 7;
-    /// R ∂ρ/∂x, in the continuity pass.
+    /// Momentum pass: pressure, Pa (of a fluid particle: times its correction, xx component).
+    pub const PRESSURE: usize = 5;
+    /// Momentum pass, fluid: xy component of pressure times correction.
+    pub const PRESSURE_XY: usize = 6;
+    /// Momentum pass, fluid: yy component.
+    pub const PRESSURE_YY: usize = 7;
+    /// Ghosts: change of pressure per acceleration of their wall, Pa/(m/s²).
+    pub const RESPONSE: usize = 6;
+    /// Continuity pass: what density diffusion smooths, kg/m³.
+    pub const DIFFUSED: usize = 5;
+    /// Continuity pass: R ∂ρ/∂x.
     pub const GRADIENT_X: usize = 6;
-    /// R ∂ρ/∂y, in the continuity pass.
+    /// Continuity pass: R ∂ρ/∂y.
     pub const GRADIENT_Y: usize = 7;
 }
 

@@ -86,6 +86,9 @@ pub struct Numerics {
     pub sound_speed_ratio: f64,
     /// State equation.
     pub state_equation: StateEquationChoice,
+    /// Kernel gradients corrected to first order, in the pair of forms that conserves momentum
+    /// and energy; off in both papers.
+    pub corrected_gradients: bool,
     /// Density diffusion.
     pub density_diffusion: DensityDiffusion,
     /// δ of Huang et al. 2019, Eq. 5.
@@ -125,6 +128,7 @@ impl Numerics {
             particle_spacing_m: 0.008,
             sound_speed_ratio: 10.0,
             state_equation: StateEquationChoice::Linear,
+            corrected_gradients: true,
             density_diffusion: DensityDiffusion::Renormalised,
             density_diffusion_coefficient: 0.1,
             artificial_viscosity: 0.02,
@@ -141,6 +145,7 @@ impl Numerics {
                 kernel: KernelChoice::Gaussian,
                 support_radius_ratio: 3.9,
                 ghost_gravity: GhostGravity::AtMirror,
+                corrected_gradients: false,
                 shifting: Shifting::None,
                 courant_number: 0.9,
                 time_step_s: Some(5e-4),

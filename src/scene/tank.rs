@@ -111,6 +111,7 @@ impl SeawallScene {
             state,
             density: self.water_density_kg_per_m3,
             gravity,
+            corrected_gradients: numerics.corrected_gradients,
             density_diffusion: numerics.density_diffusion,
             diffusion_coefficient: numerics.density_diffusion_coefficient,
             artificial_viscosity: numerics.artificial_viscosity,

@@ -17,19 +17,25 @@ pub(super) const RENORMALISED: u8 = 2;
 /// Continuity equation of Huang et al. 2019, Eq. 5, with the new velocities at the old places.
 ///
 /// Ghosts take part in the divergence, not in the diffusion: no density flows through a wall.
-pub(super) struct Continuity<'a, K, const DIFFUSION: u8, const ENERGY: bool> {
+pub(super) struct Continuity<'a, K, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool> {
     pub fluid: &'a Fluid,
     pub records: &'a [Record],
+    /// What density diffusion smooths, kg/m³.
+    pub diffused: &'a [f64],
     pub pairs: &'a PairList,
+    pub strain: &'a mut [[f64; 2]],
     pub work: &'a mut Workspace,
+    pub support_radius: f64,
+    /// 1 where viscosity leaves out the linear part of the velocity field, 0 where it does not.
+    pub smooth_share: f64,
     pub bodies: usize,
     /// δ h c0 / R.
     pub diffusion: f64,
     pub kernel: std::marker::PhantomData<K>,
 }
 
-impl<K: Kernel, const DIFFUSION: u8, const ENERGY: bool> Task
-    for Continuity<'_, K, DIFFUSION, ENERGY>
+impl<K: Kernel, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool> Task
+    for Continuity<'_, K, DIFFUSION, CORRECTED, ENERGY>
 {
     /// The power that diffusion takes out of the elastic energy, W per metre of width (0 without
     /// `ENERGY`).
@@ -45,13 +51,14 @@ impl<K: Kernel, const DIFFUSION: u8, const ENERGY: bool> Task
             let (x, y) = (lanes(&work.scaled_x), lanes(&work.scaled_y));
             let (vx, vy) = (lanes(&self.fluid.vx), lanes(&self.fluid.vy));
             let density = lanes(&self.fluid.density);
-            let diffused = lanes(&work.diffused);
+            let diffused = lanes(self.diffused);
             let (own_gx, own_gy) = if DIFFUSION == RENORMALISED {
                 (lanes(&work.gradient_x), lanes(&work.gradient_y))
             } else {
                 (L::splat(0.0), L::splat(0.0))
             };
-            let mut divergence = L::splat(0.0);
+            // Σ g du Δ: without correction only its trace is summed, in the first entry.
+            let mut spread = [L::splat(0.0); 4];
             let mut diffusion = L::splat(0.0);
             for group in 0..=self.bodies {
                 for &j in self.pairs.group(cluster, group) {
@@ -62,9 +69,19 @@ impl<K: Kernel, const DIFFUSION: u8, const ENERGY: bool> Task
                     let g = K::slope_over_q(s, s.rsqrt()) * L::splat(record[Record::WEIGHT]);
                     let du = vx - L::splat(record[Record::VX]);
                     let dv = vy - L::splat(record[Record::VY]);
-                    divergence = g.mul_add(du.mul_add(dx, dv * dy), divergence);
+                    if CORRECTED {
+                        let (gx, gy) = (g * dx, g * dy);
+                        spread = [
+                            gx.mul_add(du, spread[0]),
+                            gy.mul_add(du, spread[1]),
+                            gx.mul_add(dv, spread[2]),
+                            gy.mul_add(dv, spread[3]),
+                        ];
+                    } else {
+                        spread[0] = g.mul_add(du.mul_add(dx, dv * dy), spread[0]);
+                    }
                     if group == 0 && DIFFUSION != OFF {
-                        let fall = diffused - L::splat(record[Record::DENSITY]);
+                        let fall = diffused - L::splat(record[Record::DIFFUSED]);
                         let mut psi = fall + fall;
                         if DIFFUSION == RENORMALISED {
                             let gx = own_gx + L::splat(record[Record::GRADIENT_X]);
@@ -75,6 +92,21 @@ impl<K: Kernel, const DIFFUSION: u8, const ENERGY: bool> Task
                     }
                 }
             }
+            let divergence = if CORRECTED {
+                let [xx, xy, yy] = [&work.correction_xx, &work.correction_xy, &work.correction_yy]
+                    .map(|component| lanes(component));
+                let [ux, uy, vx, vy] = spread;
+                let half = L::splat(-0.5 * self.support_radius * self.smooth_share);
+                let stretch = (xx.mul_add(ux, xy * uy) - xy.mul_add(vx, yy * vy)) * L::splat(0.5) * half;
+                let shear = (xy.mul_add(ux, yy * uy) + xx.mul_add(vx, xy * vy)) * half;
+                let (stretch, shear) = (stretch.to_array(), shear.to_array());
+                for lane in 0..LANES {
+                    self.strain[at + lane] = [stretch[lane], shear[lane]];
+                }
+                xx.mul_add(ux, yy * vy) + xy * (uy + vx)
+            } else {
+                spread[0]
+            };
             let diffusion = diffusion * L::splat(self.diffusion);
             let rate = density.mul_add(divergence, diffusion);
             rate.store(self.work.density_rate[at..at + LANES].first_chunk_mut().unwrap());

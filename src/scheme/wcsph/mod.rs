@@ -22,8 +22,6 @@ struct Workspace {
     /// y over R.
     scaled_y: Vec<f64>,
     pressure: Vec<f64>,
-    /// What density diffusion smooths: ρ, or ρ less its hydrostatic part.
-    diffused: Vec<f64>,
     acceleration_x: Vec<f64>,
     acceleration_y: Vec<f64>,
     density_rate: Vec<f64>,
@@ -35,6 +33,14 @@ struct Workspace {
     concentration_y: Vec<f64>,
     /// Smallest eigenvalue of Σ V (x_j - x_i) ⊗ ∇W: 1 inside, less near the surface.
     completeness: Vec<f64>,
+    /// The kernel gradient's correction of this step, xx, xy, yy ...
+    correction_xx: Vec<f64>,
+    correction_xy: Vec<f64>,
+    correction_yy: Vec<f64>,
+    /// ... and the next step's.
+    next_correction_xx: Vec<f64>,
+    next_correction_xy: Vec<f64>,
+    next_correction_yy: Vec<f64>,
     /// Per body: force on it along x, N/m, and its added mass, kg/m.
     loads: Vec<[f64; 2]>,
     /// Clusters whose acceleration responds to the wall's, with the response per lane.
@@ -48,7 +54,6 @@ impl Workspace {
             scaled_x: zeros(),
             scaled_y: zeros(),
             pressure: zeros(),
-            diffused: zeros(),
             acceleration_x: zeros(),
             acceleration_y: zeros(),
             density_rate: zeros(),
@@ -57,8 +62,22 @@ impl Workspace {
             concentration_x: zeros(),
             concentration_y: zeros(),
             completeness: vec![1.0; padded],
+            correction_xx: vec![1.0; padded],
+            correction_xy: zeros(),
+            correction_yy: vec![1.0; padded],
+            next_correction_xx: zeros(),
+            next_correction_xy: zeros(),
+            next_correction_yy: zeros(),
             loads: vec![[0.0; 2]; bodies],
             responding: Vec::new(),
         }
+    }
+
+    fn correction(&self) -> [&Vec<f64>; 3] {
+        [&self.correction_xx, &self.correction_xy, &self.correction_yy]
+    }
+
+    fn correction_mut(&mut self) -> [&mut Vec<f64>; 3] {
+        [&mut self.correction_xx, &mut self.correction_xy, &mut self.correction_yy]
     }
 }

@@ -13,9 +13,13 @@ use super::Workspace;
 ///
 /// Pairs are antisymmetric: m_i a_i holds V_i V_j (p_i + p_j) ∇W and, with the prefactor ρ0 in
 /// place of the paper's ρ_i, V_i V_j α h c0 ρ0 π_ij ∇W.
-pub(super) struct Momentum<'a, K, const GRADIENTS: bool, const ENERGY: bool> {
+pub(super) struct Momentum<'a, K, const GRADIENTS: bool, const CORRECTED: bool, const ENERGY: bool> {
     pub fluid: &'a Fluid,
     pub records: &'a [Record],
+    /// What density diffusion smooths, kg/m³.
+    pub diffused: &'a [f64],
+    /// R/2 (∂u/∂x - ∂v/∂y)/2 and R/2 (∂u/∂y + ∂v/∂x).
+    pub strain: &'a [[f64; 2]],
     pub pairs: &'a PairList,
     pub work: &'a mut Workspace,
     /// Number of bodies: groups 1.. of the list.
@@ -38,8 +42,10 @@ struct Own<L> {
     y: L,
     vx: L,
     vy: L,
-    pressure: L,
-    density: L,
+    /// Pressure times correction: xx, xy, yy (without correction all of it is in the first).
+    pressure: [L; 3],
+    diffused: L,
+    strain: [L; 2],
 }
 
 /// Sums over neighbours.
@@ -74,7 +80,7 @@ impl<L: Lanes> Sums<L> {
     }
 }
 
-impl<K: Kernel, const GRADIENTS: bool, const ENERGY: bool> Momentum<'_, K, GRADIENTS, ENERGY> {
+impl<K: Kernel, const GRADIENTS: bool, const CORRECTED: bool, const ENERGY: bool> Momentum<'_, K, GRADIENTS, CORRECTED, ENERGY> {
     /// Adds the neighbours of one group. `FLUID` neighbours also count in the density gradient,
     /// `RESPONSE` ones carry a response to their wall's acceleration.
     #[inline(always)]
@@ -100,24 +106,55 @@ impl<K: Kernel, const GRADIENTS: bool, const ENERGY: bool> Momentum<'_, K, GRADI
             let g = K::slope_over_q(s, inverse_q) * L::splat(record[Record::WEIGHT]);
             let du = own.vx - L::splat(record[Record::VX]);
             let dv = own.vy - L::splat(record[Record::VY]);
-            let approach = du.mul_add(dx, dv * dy) * (inverse_q * inverse_q);
-            let pressure = own.pressure + L::splat(record[Record::PRESSURE]);
-            let factor = g * approach.mul_add(viscosity, L::splat(0.0) - pressure);
-            force = [factor.mul_add(dx, force[0]), factor.mul_add(dy, force[1])];
+            let mut approach = du.mul_add(dx, dv * dy);
+            if CORRECTED {
+                // Less what a linear, divergence-free velocity field would give.
+                let (stretch, shear) = if FLUID {
+                    let [stretch, shear] = self.strain[j as usize];
+                    (own.strain[0] + L::splat(stretch), own.strain[1] + L::splat(shear))
+                } else {
+                    (own.strain[0] + own.strain[0], own.strain[1] + own.strain[1])
+                };
+                let smooth = stretch.mul_add(dx.mul_add(dx, L::splat(0.0) - dy * dy), shear * (dx * dy));
+                approach = approach - smooth;
+            }
+            let approach = approach * (inverse_q * inverse_q);
+            let factor = g * approach * viscosity;
+            let [own_xx, own_xy, own_yy] = own.pressure;
+            if CORRECTED {
+                let (xx, xy, yy) = if FLUID {
+                    (
+                        own_xx + L::splat(record[Record::PRESSURE]),
+                        own_xy + L::splat(record[Record::PRESSURE_XY]),
+                        own_yy + L::splat(record[Record::PRESSURE_YY]),
+                    )
+                } else {
+                    let pressure = L::splat(record[Record::PRESSURE]);
+                    (own_xx + pressure, own_xy, own_yy + pressure)
+                };
+                let (gx, gy) = (g * dx, g * dy);
+                force[0] = force[0] + factor.mul_add(dx, L::splat(0.0) - xx.mul_add(gx, xy * gy));
+                force[1] = force[1] + factor.mul_add(dy, L::splat(0.0) - xy.mul_add(gx, yy * gy));
+            } else {
+                let pressure = own_xx + L::splat(record[Record::PRESSURE]);
+                let factor = factor - g * pressure;
+                force = [factor.mul_add(dx, force[0]), factor.mul_add(dy, force[1])];
+            }
             if ENERGY {
-                let factor = g * approach * viscosity;
                 viscous = [factor.mul_add(dx, viscous[0]), factor.mul_add(dy, viscous[1])];
             }
-            if GRADIENTS {
+            if GRADIENTS || CORRECTED {
                 let (gx, gy) = (g * dx, g * dy);
                 moment = [
                     gx.mul_add(dx, moment[0]),
                     gx.mul_add(dy, moment[1]),
                     gy.mul_add(dy, moment[2]),
                 ];
-                concentration = [concentration[0] + gx, concentration[1] + gy];
-                if FLUID {
-                    let rise = L::splat(record[Record::DENSITY]) - own.density;
+                if GRADIENTS {
+                    concentration = [concentration[0] + gx, concentration[1] + gy];
+                }
+                if GRADIENTS && FLUID {
+                    let rise = L::splat(self.diffused[j as usize]) - own.diffused;
                     gradient = [rise.mul_add(gx, gradient[0]), rise.mul_add(gy, gradient[1])];
                 }
             }
@@ -130,8 +167,8 @@ impl<K: Kernel, const GRADIENTS: bool, const ENERGY: bool> Momentum<'_, K, GRADI
     }
 }
 
-impl<K: Kernel, const GRADIENTS: bool, const ENERGY: bool> Task
-    for Momentum<'_, K, GRADIENTS, ENERGY>
+impl<K: Kernel, const GRADIENTS: bool, const CORRECTED: bool, const ENERGY: bool> Task
+    for Momentum<'_, K, GRADIENTS, CORRECTED, ENERGY>
 {
     /// The viscous power, W per metre of width (0 without `ENERGY`).
     type Output = f64;
@@ -151,8 +188,20 @@ impl<K: Kernel, const GRADIENTS: bool, const ENERGY: bool> Task
                 y: lanes(&out.scaled_y),
                 vx: lanes(&self.fluid.vx),
                 vy: lanes(&self.fluid.vy),
-                pressure: lanes(&out.pressure),
-                density: lanes(&out.diffused),
+                pressure: if CORRECTED {
+                    let pressure = lanes(&out.pressure);
+                    [&out.correction_xx, &out.correction_xy, &out.correction_yy]
+                        .map(|component| pressure * lanes(component))
+                } else {
+                    [lanes(&out.pressure), L::splat(0.0), L::splat(0.0)]
+                },
+                diffused: lanes(self.diffused),
+                strain: if CORRECTED {
+                    let strain = &self.strain[at..at + LANES];
+                    [0, 1].map(|part| L::load(&std::array::from_fn(|lane| strain[lane][part])))
+                } else {
+                    [L::splat(0.0); 2]
+                },
             };
             let density = lanes(&self.fluid.density);
             let inverse_density = L::splat(1.0).div(density);
@@ -195,14 +244,23 @@ impl<K: Kernel, const GRADIENTS: bool, const ENERGY: bool> Task
                 viscous_power += (power * volume).sum();
             }
             if GRADIENTS {
-                let radius = L::splat(-self.support_radius);
                 let [gradient_x, gradient_y] = solve_symmetric(fluid_moment, sums.gradient);
                 store(&mut out.gradient_x, gradient_x);
                 store(&mut out.gradient_y, gradient_y);
                 store(&mut out.concentration_x, sums.concentration[0]);
                 store(&mut out.concentration_y, sums.concentration[1]);
+            }
+            if GRADIENTS || CORRECTED {
+                let radius = L::splat(-self.support_radius);
                 let scaled = sums.moment.map(|m| m * radius);
-                store(&mut out.completeness, smallest_eigenvalue(scaled));
+                let completeness = smallest_eigenvalue(scaled);
+                store(&mut out.completeness, completeness);
+                if CORRECTED {
+                    let [xx, xy, yy] = correction(scaled, completeness);
+                    store(&mut out.next_correction_xx, xx);
+                    store(&mut out.next_correction_xy, xy);
+                    store(&mut out.next_correction_yy, yy);
+                }
             }
         }
         *self.work = out;
@@ -233,4 +291,20 @@ fn smallest_eigenvalue<L: Lanes>([xx, xy, yy]: [L; 3]) -> L {
     let (mean, apart) = ((xx + yy) * half, (xx - yy) * half);
     let radius = apart.mul_add(apart, xy * xy).max(L::splat(1e-300)).sqrt();
     mean - radius
+}
+
+/// Inverse of Σ V (x_j - x_i) ⊗ ∇W, fading to the identity where the support is too incomplete
+/// for the inverse to be trusted.
+#[inline(always)]
+fn correction<L: Lanes>([xx, xy, yy]: [L; 3], completeness: L) -> [L; 3] {
+    const TRUSTED_FROM: f64 = 0.25;
+    const TRUSTED_FULL: f64 = 0.45;
+    let (zero, one) = (L::splat(0.0), L::splat(1.0));
+    let determinant = (xx * yy - xy * xy).max(L::splat(1e-3));
+    let trust = (completeness - L::splat(TRUSTED_FROM))
+        * L::splat(1.0 / (TRUSTED_FULL - TRUSTED_FROM));
+    let trust = trust.max(zero).min(one);
+    let share = trust.div(determinant);
+    let rest = one - trust;
+    [yy.mul_add(share, rest), zero - xy * share, xx.mul_add(share, rest)]
 }

@@ -44,6 +44,8 @@ pub struct WcsphOptions {
     pub density: f64,
     /// Gravity, m/s².
     pub gravity: f64,
+    /// Kernel gradients corrected to first order.
+    pub corrected_gradients: bool,
     /// Density diffusion.
     pub density_diffusion: DensityDiffusion,
     /// δ.

@@ -79,6 +79,8 @@ pub struct WcsphState {
     reference_x: Vec<f64>,
     reference_y: Vec<f64>,
     reference_offsets: Vec<f64>,
+    correction: [Vec<f64>; 3],
+    strain: Vec<[f64; 2]>,
     pair_evaluations: u64,
 }
 
@@ -102,6 +104,8 @@ pub struct Wcsph {
     reference_offsets: Vec<f64>,
     records: Vec<Record>,
     work: Workspace,
+    diffused: Vec<f64>,
+    strain: Vec<[f64; 2]>,
     scratch: Vec<f64>,
     pair_evaluations: u64,
     last_viscous_power: f64,
@@ -133,6 +137,8 @@ impl Wcsph {
             reference_offsets: Vec::new(),
             records: vec![Record::default(); padded + ghosts.len()],
             work: Workspace::new(padded, bodies),
+            diffused: vec![0.0; padded],
+            strain: vec![[0.0; 2]; padded],
             scratch: Vec::new(),
             pair_evaluations: 0,
             last_viscous_power: 0.0,
@@ -178,6 +184,8 @@ impl Wcsph {
             reference_x: self.reference_x.clone(),
             reference_y: self.reference_y.clone(),
             reference_offsets: self.reference_offsets.clone(),
+            correction: self.work.correction().map(Clone::clone),
+            strain: self.strain.clone(),
             pair_evaluations: self.pair_evaluations,
         }
     }
@@ -189,6 +197,10 @@ impl Wcsph {
         self.reference_x = state.reference_x;
         self.reference_y = state.reference_y;
         self.reference_offsets = state.reference_offsets;
+        for (field, kept) in self.work.correction_mut().into_iter().zip(state.correction) {
+            *field = kept;
+        }
+        self.strain = state.strain;
         self.pair_evaluations = state.pair_evaluations;
         if !self.reference_x.is_empty() {
             self.list_neighbours();
@@ -216,7 +228,8 @@ impl Wcsph {
         let packed = Instant::now();
         self.timings.integration += (packed - listed).as_secs_f64();
         let (fluid_records, ghost_records) = self.records.split_at_mut(self.fluid.padded_len());
-        self.exchange.weigh(self.path, &self.ghosts, bodies, fluid_records);
+        let fluid = (&*fluid_records, self.work.pressure.as_slice());
+        self.exchange.weigh(self.path, &self.ghosts, bodies, fluid);
         self.exchange.fill(&self.ghosts, bodies, self.responds, ghost_records);
         let filled = Instant::now();
         self.timings.ghosts += (filled - packed).as_secs_f64();
@@ -238,8 +251,8 @@ impl Wcsph {
 
     /// Force on a body by integrating the interpolated pressure over its face, N per metre.
     pub fn face_force(&mut self, body: usize, motion: &BodyMotion) -> f64 {
-        let records = &self.records[..self.fluid.padded_len()];
-        self.exchange.face_force(self.path, &self.ghosts, body, (motion, records))
+        let fluid = (&self.records[..self.fluid.padded_len()], self.work.pressure.as_slice());
+        self.exchange.face_force(self.path, &self.ghosts, body, motion, fluid)
     }
 
     /// Level of the free surface at x, metres above the bed: upwards from `from`, the first
@@ -279,6 +292,21 @@ impl Wcsph {
         }
     }
 
+    /// Scratch.
+    pub fn dump(&self, f: &mut std::fs::File) {
+        use std::io::Write;
+        for k in 0..self.fluid.len() {
+            writeln!(f, "{} {} {} {} {} {}", self.fluid.x[k], self.fluid.y[k], self.work.pressure[k], self.work.completeness[k], self.fluid.vx[k], self.fluid.vy[k]).unwrap();
+        }
+        writeln!(f).unwrap();
+        writeln!(f).unwrap();
+        for r in &self.records[self.fluid.padded_len()..] {
+            let r = r.0;
+            let s = self.scaling.support_radius;
+            writeln!(f, "{} {} {} {} {} {}", r[0] * s, r[1] * s, r[5], r[4]/self.scaling.weight_per_volume/self.options.spacing.powi(2), r[2], r[3]).unwrap();
+        }
+    }
+
     /// Second half: velocities with the forces of [`Wcsph::prepare`], densities with the new
     /// velocities, then places. With `sample` the power of density diffusion is summed.
     ///
@@ -298,10 +326,18 @@ impl Wcsph {
         let counted = Instant::now();
         self.timings.continuity += (counted - mirrored).as_secs_f64();
         let shifting_work = self.drift(dt, walls.bodies);
+        self.take_next_correction();
         self.timings.integration += counted.elapsed().as_secs_f64();
         self.pair_evaluations +=
             (LANES * (2 * self.pairs.len() + self.exchange.pairs())) as u64;
         Dissipation { viscous_power: -self.last_viscous_power, diffusion_power, shifting_work }
+    }
+
+    fn take_next_correction(&mut self) {
+        let work = &mut self.work;
+        std::mem::swap(&mut work.correction_xx, &mut work.next_correction_xx);
+        std::mem::swap(&mut work.correction_xy, &mut work.next_correction_xy);
+        std::mem::swap(&mut work.correction_yy, &mut work.next_correction_yy);
     }
 
     /// Makes new lists where a pair may have come into reach unseen.
@@ -331,6 +367,14 @@ impl Wcsph {
             let (_, order) =
                 Strips::sort(&self.fluid.x[..n], &self.fluid.y[..n], &self.fluid.id[..n], width);
             self.fluid.reorder(&order, &mut self.scratch);
+            for field in self.work.correction_mut() {
+                self.scratch.clear();
+                self.scratch.extend(order.iter().map(|&from| field[from as usize]));
+                field[..n].copy_from_slice(&self.scratch);
+            }
+            let strain: Vec<[f64; 2]> =
+                order.iter().map(|&from| self.strain[from as usize]).collect();
+            self.strain[..n].copy_from_slice(&strain);
             self.reference_x.clear();
             self.reference_x.extend_from_slice(&self.fluid.x[..n]);
             self.reference_y.clear();
@@ -393,20 +437,27 @@ impl Wcsph {
         let options = &self.options;
         let state = options.state;
         let hydrostatic = options.hydrostatic_slope();
+        let corrected = options.corrected_gradients;
         let fluid = &self.fluid;
         for k in 0..fluid.padded_len() {
             let density = fluid.density[k];
             let pressure = state.pressure(density);
             let diffused = density + hydrostatic * fluid.y[k];
             self.work.pressure[k] = pressure;
-            self.work.diffused[k] = diffused;
+            self.diffused[k] = diffused;
             let x = fluid.x[k] * self.scaling.inverse_radius;
             let y = fluid.y[k] * self.scaling.inverse_radius;
             self.work.scaled_x[k] = x;
             self.work.scaled_y[k] = y;
             let weight = fluid.mass[k] / density * self.scaling.weight_per_volume;
-            self.records[k] =
-                Record([x, y, fluid.vx[k], fluid.vy[k], weight, diffused, pressure, 0.0]);
+            let [xx, xy, yy] = if corrected {
+                let work = &self.work;
+                [work.correction_xx[k], work.correction_xy[k], work.correction_yy[k]]
+                    .map(|component| pressure * component)
+            } else {
+                [pressure, 0.0, pressure]
+            };
+            self.records[k] = Record([x, y, fluid.vx[k], fluid.vy[k], weight, xx, xy, yy]);
         }
     }
 
@@ -420,12 +471,14 @@ impl Wcsph {
             * options.density
             * self.scaling.inverse_radius;
         macro_rules! pass {
-            ($K:ty, $gradients:literal, $energy:literal) => {
+            ($K:ty, $gradients:literal, $corrected:literal, $energy:literal) => {
                 dispatch(
                     self.path,
-                    Momentum::<$K, $gradients, $energy> {
+                    Momentum::<$K, $gradients, $corrected, $energy> {
                         fluid: &self.fluid,
                         records: &self.records,
+                        diffused: &self.diffused,
+                        strain: &self.strain,
                         pairs: &self.pairs,
                         work: &mut self.work,
                         bodies: self.ghosts.bodies.len(),
@@ -438,11 +491,16 @@ impl Wcsph {
                 )
             };
         }
-        with_kernel!(options.kernel, K => match (gradients, sample) {
-            (false, false) => pass!(K, false, false),
-            (false, true) => pass!(K, false, true),
-            (true, false) => pass!(K, true, false),
-            (true, true) => pass!(K, true, true),
+        let corrected = options.corrected_gradients;
+        with_kernel!(options.kernel, K => match (gradients, corrected, sample) {
+            (false, false, false) => pass!(K, false, false, false),
+            (false, false, true) => pass!(K, false, false, true),
+            (false, true, false) => pass!(K, false, true, false),
+            (false, true, true) => pass!(K, false, true, true),
+            (true, false, false) => pass!(K, true, false, false),
+            (true, false, true) => pass!(K, true, false, true),
+            (true, true, false) => pass!(K, true, true, false),
+            (true, true, true) => pass!(K, true, true, true),
         })
     }
 
@@ -454,13 +512,24 @@ impl Wcsph {
             * self.scaling.inverse_radius;
         macro_rules! pass {
             ($K:ty, $diffusion:expr, $energy:literal) => {
+                if options.corrected_gradients {
+                    pass!($K, $diffusion, true, $energy)
+                } else {
+                    pass!($K, $diffusion, false, $energy)
+                }
+            };
+            ($K:ty, $diffusion:expr, $corrected:literal, $energy:literal) => {
                 dispatch(
                     self.path,
-                    Continuity::<$K, { $diffusion }, $energy> {
+                    Continuity::<$K, { $diffusion }, $corrected, $energy> {
                         fluid: &self.fluid,
                         records: &self.records,
+                        diffused: &self.diffused,
+                        strain: &mut self.strain,
                         pairs: &self.pairs,
                         work: &mut self.work,
+                        support_radius: self.scaling.support_radius,
+                        smooth_share: std::env::var("SM").ok().map_or(1.0, |s| s.parse().unwrap()),
                         bodies: self.ghosts.bodies.len(),
                         diffusion,
                         kernel: PhantomData,
@@ -495,6 +564,7 @@ impl Wcsph {
             let record = &mut self.records[k].0;
             record[Record::VX] = fluid.vx[k];
             record[Record::VY] = fluid.vy[k];
+            record[Record::DIFFUSED] = self.diffused[k];
             record[Record::GRADIENT_X] = work.gradient_x[k];
             record[Record::GRADIENT_Y] = work.gradient_y[k];
         }
@@ -508,6 +578,13 @@ impl Wcsph {
             fluid.density[k] += dt * work.density_rate[k];
             fluid.x[k] += dt * fluid.vx[k];
             fluid.y[k] += dt * fluid.vy[k];
+        }
+        if std::env::var("DBG").is_ok() {
+            for k in 0..n {
+                if fluid.x[k] > 2.5 || fluid.y[k] < 0.0 {
+                    println!("out id {} x {:.4} y {:.4} v {:.3} {:.3} p {:.0} compl {:.3} acc {:.1} {:.1}", fluid.id[k], fluid.x[k], fluid.y[k], fluid.vx[k], fluid.vy[k], work.pressure[k], work.completeness[k], work.acceleration_x[k], work.acceleration_y[k]);
+                }
+            }
         }
         if options.shifting == Shifting::None {
             return 0.0;
