@@ -65,6 +65,7 @@ impl Strips {
     }
 
     /// Calls `visit` with ranges of points that hold all those inside a box.
+    #[inline(always)]
     pub fn visit_box(
         &self,
         [left, right]: [f64; 2],

@@ -13,6 +13,7 @@ pub(super) struct Avx2(__m256d, __m256d);
 ///
 /// # Safety
 /// The processor must have the features named below.
+#[inline(never)]
 #[target_feature(enable = "avx2,fma")]
 pub(super) unsafe fn run<T: Task>(task: T) -> T::Output {
     task.run::<Avx2>()
@@ -81,6 +82,24 @@ impl Lanes for Avx2 {
         }
     }
     #[inline(always)]
+    fn mul_sub(self, factor: Self, subtrahend: Self) -> Self {
+        unsafe {
+            Avx2(
+                _mm256_fmsub_pd(self.0, factor.0, subtrahend.0),
+                _mm256_fmsub_pd(self.1, factor.1, subtrahend.1),
+            )
+        }
+    }
+    #[inline(always)]
+    fn negated_mul_add(self, factor: Self, addend: Self) -> Self {
+        unsafe {
+            Avx2(
+                _mm256_fnmadd_pd(self.0, factor.0, addend.0),
+                _mm256_fnmadd_pd(self.1, factor.1, addend.1),
+            )
+        }
+    }
+    #[inline(always)]
     fn div(self, divisor: Self) -> Self {
         unsafe { Avx2(_mm256_div_pd(self.0, divisor.0), _mm256_div_pd(self.1, divisor.1)) }
     }
@@ -119,6 +138,10 @@ impl Lanes for Avx2 {
                 _mm256_blendv_pd(otherwise.1, if_less.1, high),
             )
         }
+    }
+    #[inline(always)]
+    fn call<T: Task>(task: T) -> T::Output {
+        unsafe { run(task) }
     }
     #[inline(always)]
     fn any_less(self, bound: Self) -> bool {

@@ -13,6 +13,7 @@ pub(super) struct Avx512(__m512d);
 ///
 /// # Safety
 /// The processor must have the features named below.
+#[inline(never)]
 #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
 pub(super) unsafe fn run<T: Task>(task: T) -> T::Output {
     task.run::<Avx512>()
@@ -70,6 +71,14 @@ impl Lanes for Avx512 {
         Avx512(unsafe { _mm512_fmadd_pd(self.0, factor.0, addend.0) })
     }
     #[inline(always)]
+    fn mul_sub(self, factor: Self, subtrahend: Self) -> Self {
+        Avx512(unsafe { _mm512_fmsub_pd(self.0, factor.0, subtrahend.0) })
+    }
+    #[inline(always)]
+    fn negated_mul_add(self, factor: Self, addend: Self) -> Self {
+        Avx512(unsafe { _mm512_fnmadd_pd(self.0, factor.0, addend.0) })
+    }
+    #[inline(always)]
     fn div(self, divisor: Self) -> Self {
         Avx512(unsafe { _mm512_div_pd(self.0, divisor.0) })
     }
@@ -98,6 +107,10 @@ impl Lanes for Avx512 {
             let less = _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, bound.0);
             _mm512_mask_blend_pd(less, otherwise.0, if_less.0)
         })
+    }
+    #[inline(always)]
+    fn call<T: Task>(task: T) -> T::Output {
+        unsafe { run(task) }
     }
     #[inline(always)]
     fn any_less(self, bound: Self) -> bool {

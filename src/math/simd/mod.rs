@@ -78,6 +78,10 @@ pub trait Lanes:
     fn store(self, values: &mut [f64; LANES]);
     /// `self * factor + addend`, fused where the path has it.
     fn mul_add(self, factor: Self, addend: Self) -> Self;
+    /// `self * factor - subtrahend`, fused likewise.
+    fn mul_sub(self, factor: Self, subtrahend: Self) -> Self;
+    /// `addend - self * factor`, fused likewise.
+    fn negated_mul_add(self, factor: Self, addend: Self) -> Self;
     /// `self / divisor`.
     fn div(self, divisor: Self) -> Self;
     /// Square root.
@@ -90,6 +94,8 @@ pub trait Lanes:
     fn rsqrt_single(self) -> Self;
     /// `if_less` where `self < bound`, else `otherwise`.
     fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self;
+    /// Runs a task of the same path as a function of its own, so that its registers are its own.
+    fn call<T: Task>(task: T) -> T::Output;
     /// Whether `self < bound` in any lane.
     fn any_less(self, bound: Self) -> bool;
     /// 2^n, where `self` is n + 1.5·2^52 for an integer n in -1022..=1023.
@@ -171,7 +177,7 @@ pub fn dispatch<T: Task>(path: SimdPath, task: T) -> T::Output {
         }
     }
     let _ = path;
-    task.run::<portable::Portable>()
+    portable::run(task)
 }
 
 #[cfg(test)]

@@ -2,11 +2,17 @@
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 
-use super::{LANES, Lanes};
+use super::{LANES, Lanes, Task};
 
 /// Eight values in an array; products and sums are rounded separately.
 #[derive(Clone, Copy)]
 pub(super) struct Portable([f64; LANES]);
+
+/// Runs a task in plain Rust.
+#[inline(never)]
+pub(super) fn run<T: Task>(task: T) -> T::Output {
+    task.run::<Portable>()
+}
 
 impl Portable {
     #[inline(always)]
@@ -64,6 +70,14 @@ impl Lanes for Portable {
         self * factor + addend
     }
     #[inline(always)]
+    fn mul_sub(self, factor: Self, subtrahend: Self) -> Self {
+        self * factor - subtrahend
+    }
+    #[inline(always)]
+    fn negated_mul_add(self, factor: Self, addend: Self) -> Self {
+        addend - self * factor
+    }
+    #[inline(always)]
     fn div(self, divisor: Self) -> Self {
         self.zip(divisor, |a, b| a / b)
     }
@@ -88,6 +102,10 @@ impl Lanes for Portable {
         Portable(std::array::from_fn(|k| {
             if self.0[k] < bound.0[k] { if_less.0[k] } else { otherwise.0[k] }
         }))
+    }
+    #[inline(always)]
+    fn call<T: Task>(task: T) -> T::Output {
+        run(task)
     }
     #[inline(always)]
     fn any_less(self, bound: Self) -> bool {

@@ -46,78 +46,130 @@ impl<K: Kernel, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool> 
         let mut power = 0.0;
         for cluster in 0..self.pairs.clusters() {
             let at = cluster * LANES;
-            let lanes = |field: &[f64]| L::load(field[at..at + LANES].first_chunk().unwrap());
-            let work = &*self.work;
-            let (x, y) = (lanes(&work.scaled_x), lanes(&work.scaled_y));
-            let (vx, vy) = (lanes(&self.fluid.vx), lanes(&self.fluid.vy));
-            let density = lanes(&self.fluid.density);
-            let diffused = lanes(self.diffused);
-            let (own_gx, own_gy) = if DIFFUSION == RENORMALISED {
-                (lanes(&work.gradient_x), lanes(&work.gradient_y))
-            } else {
-                (L::splat(0.0), L::splat(0.0))
-            };
-            // Σ g du Δ: without correction only its trace is summed, in the first entry.
-            let mut spread = [L::splat(0.0); 4];
-            let mut diffusion = L::splat(0.0);
-            for group in 0..=self.bodies {
-                for &j in self.pairs.group(cluster, group) {
-                    let record = &self.records[j as usize].0;
-                    let dx = x - L::splat(record[Record::X]);
-                    let dy = y - L::splat(record[Record::Y]);
-                    let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
-                    let g = K::slope_over_q(s, s.rsqrt()) * L::splat(record[Record::WEIGHT]);
-                    let du = vx - L::splat(record[Record::VX]);
-                    let dv = vy - L::splat(record[Record::VY]);
-                    if CORRECTED {
-                        let (gx, gy) = (g * dx, g * dy);
-                        spread = [
-                            gx.mul_add(du, spread[0]),
-                            gy.mul_add(du, spread[1]),
-                            gx.mul_add(dv, spread[2]),
-                            gy.mul_add(dv, spread[3]),
-                        ];
-                    } else {
-                        spread[0] = g.mul_add(du.mul_add(dx, dv * dy), spread[0]);
-                    }
-                    if group == 0 && DIFFUSION != OFF {
-                        let fall = diffused - L::splat(record[Record::DIFFUSED]);
-                        let mut psi = fall + fall;
-                        if DIFFUSION == RENORMALISED {
-                            let gx = own_gx + L::splat(record[Record::GRADIENT_X]);
-                            let gy = own_gy + L::splat(record[Record::GRADIENT_Y]);
-                            psi = psi - gx.mul_add(dx, gy * dy);
-                        }
-                        diffusion = g.mul_add(psi, diffusion);
+            let mut sums = L::call(Group::<K, DIFFUSION, CORRECTED, ENERGY, true> {
+                pass: &self,
+                cluster,
+                group: 0,
+            });
+            for group in 1..=self.bodies {
+                if !self.pairs.group(cluster, group).is_empty() {
+                    let more = L::call(Group::<K, DIFFUSION, CORRECTED, ENERGY, false> {
+                        pass: &self,
+                        cluster,
+                        group,
+                    });
+                    for (sum, more) in sums.spread.as_flattened_mut().iter_mut().zip(more.spread.as_flattened()) {
+                        *sum += more;
                     }
                 }
             }
+            let spread = |part: usize| L::load(&sums.spread[part]);
             let divergence = if CORRECTED {
-                let [xx, xy, yy] = [&work.correction_xx, &work.correction_xy, &work.correction_yy]
-                    .map(|component| lanes(component));
-                let [ux, uy, vx, vy] = spread;
-                let half = L::splat(-0.5 * self.support_radius * self.smooth_share);
-                let stretch = (xx.mul_add(ux, xy * uy) - xy.mul_add(vx, yy * vy)) * L::splat(0.5) * half;
-                let shear = (xy.mul_add(ux, yy * uy) + xx.mul_add(vx, xy * vy)) * half;
-                let (stretch, shear) = (stretch.to_array(), shear.to_array());
+                let xx = lanes::<L>(&self.work.correction_xx, at);
+                let xy = lanes::<L>(&self.work.correction_xy, at);
+                let yy = lanes::<L>(&self.work.correction_yy, at);
+                let (ux, uy, vx, vy) = (spread(0), spread(1), spread(2), spread(3));
+                let minus_half = L::splat(-0.5 * self.support_radius * self.smooth_share);
+                let stretch = xx.mul_add(ux, xy * uy) - xy.mul_add(vx, yy * vy);
+                let stretch = (stretch * minus_half * L::splat(0.5)).to_array();
+                let shear = xy.mul_add(ux, yy * uy) + xx.mul_add(vx, xy * vy);
+                let shear = (shear * minus_half).to_array();
                 for lane in 0..LANES {
                     self.strain[at + lane] = [stretch[lane], shear[lane]];
                 }
                 xx.mul_add(ux, yy * vy) + xy * (uy + vx)
             } else {
-                spread[0]
+                spread(0)
             };
-            let diffusion = diffusion * L::splat(self.diffusion);
+            let diffusion = L::load(&sums.diffusion) * L::splat(self.diffusion);
+            let density = lanes::<L>(&self.fluid.density, at);
             let rate = density.mul_add(divergence, diffusion);
             rate.store(self.work.density_rate[at..at + LANES].first_chunk_mut().unwrap());
             if ENERGY {
-                let lanes = |field: &[f64]| L::load(field[at..at + LANES].first_chunk().unwrap());
                 // dE/dt = Σ m p/ρ² dρ/dt, by diffusion alone.
-                let mass = lanes(&self.fluid.mass);
-                let share = mass * lanes(&self.work.pressure);
+                let mass = lanes::<L>(&self.fluid.mass, at);
+                let share = mass * lanes(&self.work.pressure, at);
                 power += (share * diffusion).div(density * density).sum();
             }
         }
         power
     }
+}
+
+/// Sums over the neighbours of one cluster in one group, a value per lane.
+struct Sums {
+    /// Σ g du Δ: ux, uy, vx, vy; without correction the trace alone, in the first.
+    spread: [[f64; LANES]; 4],
+    /// Σ g ψ.
+    diffusion: [f64; LANES],
+}
+
+/// The pair loop over one group; only `FLUID` neighbours exchange density.
+struct Group<'a, 'b, K, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool, const FLUID: bool> {
+    pass: &'b Continuity<'a, K, DIFFUSION, CORRECTED, ENERGY>,
+    cluster: usize,
+    group: usize,
+}
+
+impl<K: Kernel, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool, const FLUID: bool> Task
+    for Group<'_, '_, K, DIFFUSION, CORRECTED, ENERGY, FLUID>
+{
+    type Output = Sums;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> Sums {
+        let Group { pass, cluster, group } = self;
+        let at = cluster * LANES;
+        let (zero, tiny) = (L::splat(0.0), L::splat(1e-12));
+        let x = lanes::<L>(&pass.work.scaled_x, at);
+        let y = lanes::<L>(&pass.work.scaled_y, at);
+        let vx = lanes::<L>(&pass.fluid.vx, at);
+        let vy = lanes::<L>(&pass.fluid.vy, at);
+        let diffused = lanes::<L>(pass.diffused, at);
+        let (mut own_gx, mut own_gy) = (zero, zero);
+        if DIFFUSION == RENORMALISED {
+            own_gx = lanes(&pass.work.gradient_x, at);
+            own_gy = lanes(&pass.work.gradient_y, at);
+        }
+        let (mut ux, mut uy, mut wx, mut wy) = (zero, zero, zero, zero);
+        let mut diffusion = zero;
+        for &j in pass.pairs.group(cluster, group) {
+            let record = &pass.records[j as usize].0;
+            let dx = x - L::splat(record[Record::X]);
+            let dy = y - L::splat(record[Record::Y]);
+            let s = dx.mul_add(dx, dy * dy).max(tiny);
+            let g = K::slope_over_q(s, s.rsqrt()) * L::splat(record[Record::WEIGHT]);
+            let du = vx - L::splat(record[Record::VX]);
+            let dv = vy - L::splat(record[Record::VY]);
+            if CORRECTED {
+                let (gx, gy) = (g * dx, g * dy);
+                ux = gx.mul_add(du, ux);
+                uy = gy.mul_add(du, uy);
+                wx = gx.mul_add(dv, wx);
+                wy = gy.mul_add(dv, wy);
+            } else {
+                ux = g.mul_add(du.mul_add(dx, dv * dy), ux);
+            }
+            if FLUID && DIFFUSION != OFF {
+                let fall = diffused - L::splat(record[Record::DIFFUSED]);
+                let mut psi = fall + fall;
+                if DIFFUSION == RENORMALISED {
+                    let gx = own_gx + L::splat(record[Record::GRADIENT_X]);
+                    let gy = own_gy + L::splat(record[Record::GRADIENT_Y]);
+                    psi = gx.negated_mul_add(dx, gy.negated_mul_add(dy, psi));
+                }
+                diffusion = g.mul_add(psi, diffusion);
+            }
+        }
+        Sums {
+            spread: [ux.to_array(), uy.to_array(), wx.to_array(), wy.to_array()],
+            diffusion: diffusion.to_array(),
+        }
+    }
+}
+
+/// Eight values of a field.
+#[inline(always)]
+fn lanes<L: Lanes>(field: &[f64], at: usize) -> L {
+    L::load(field[at..at + LANES].first_chunk().unwrap())
 }

@@ -35,136 +35,181 @@ pub(super) struct Momentum<'a, K, const GRADIENTS: bool, const CORRECTED: bool, 
     pub kernel: std::marker::PhantomData<K>,
 }
 
-/// What one particle's lane holds while its neighbours pass by.
+/// Sums over the neighbours of one cluster in one group, a value per lane.
 #[derive(Clone, Copy)]
-struct Own<L> {
-    x: L,
-    y: L,
-    vx: L,
-    vy: L,
-    /// Pressure times correction: xx, xy, yy (without correction all of it is in the first).
-    pressure: [L; 3],
-    diffused: L,
-    strain: [L; 2],
-}
-
-/// Sums over neighbours.
-#[derive(Clone, Copy)]
-struct Sums<L> {
-    /// Σ g (-(p_i + p_j) + viscous) Δ.
-    force: [L; 2],
-    /// The viscous part of it.
-    viscous: [L; 2],
+struct Sums {
+    /// Σ g (drag - (p_i + p_j)) Δ.
+    force: [[f64; LANES]; 2],
+    /// Its viscous part, with `ENERGY`.
+    viscous: [[f64; LANES]; 2],
     /// Σ g ΔΔᵀ: xx, xy, yy.
-    moment: [L; 3],
+    moment: [[f64; LANES]; 3],
     /// Σ g Δ.
-    concentration: [L; 2],
-    /// Σ g (ρ_j - ρ_i) Δ.
-    gradient: [L; 2],
+    concentration: [[f64; LANES]; 2],
+    /// Σ g (ρ_j - ρ_i) Δ, of fluid neighbours.
+    gradient: [[f64; LANES]; 2],
     /// Σ g b_j Δ, b the response of a wall ghost's pressure.
-    response: [L; 2],
+    response: [[f64; LANES]; 2],
 }
 
-impl<L: Lanes> Sums<L> {
-    #[inline(always)]
-    fn zero() -> Self {
-        let zero = L::splat(0.0);
-        Sums {
-            force: [zero; 2],
-            viscous: [zero; 2],
-            moment: [zero; 3],
-            concentration: [zero; 2],
-            gradient: [zero; 2],
-            response: [zero; 2],
-        }
+impl Sums {
+    fn add(&mut self, other: &Sums) {
+        let add = |into: &mut [[f64; LANES]], from: &[[f64; LANES]]| {
+            for (a, b) in into.as_flattened_mut().iter_mut().zip(from.as_flattened()) {
+                *a += b;
+            }
+        };
+        add(&mut self.force, &other.force);
+        add(&mut self.viscous, &other.viscous);
+        add(&mut self.moment, &other.moment);
+        add(&mut self.concentration, &other.concentration);
     }
 }
 
-impl<K: Kernel, const GRADIENTS: bool, const CORRECTED: bool, const ENERGY: bool> Momentum<'_, K, GRADIENTS, CORRECTED, ENERGY> {
-    /// Adds the neighbours of one group. `FLUID` neighbours also count in the density gradient,
-    /// `RESPONSE` ones carry a response to their wall's acceleration.
+/// The pair loop over one group of a cluster's neighbours: `FLUID` ones also count in the density
+/// gradient, `RESPONSE` ones carry a response to their wall's acceleration.
+struct Group<
+    'a,
+    'b,
+    K,
+    const GRADIENTS: bool,
+    const CORRECTED: bool,
+    const ENERGY: bool,
+    const FLUID: bool,
+    const RESPONSE: bool,
+> {
+    pass: &'b Momentum<'a, K, GRADIENTS, CORRECTED, ENERGY>,
+    work: &'b Workspace,
+    cluster: usize,
+    group: usize,
+}
+
+impl<
+    K: Kernel,
+    const GRADIENTS: bool,
+    const CORRECTED: bool,
+    const ENERGY: bool,
+    const FLUID: bool,
+    const RESPONSE: bool,
+> Task for Group<'_, '_, K, GRADIENTS, CORRECTED, ENERGY, FLUID, RESPONSE>
+{
+    type Output = Sums;
+
     #[inline(always)]
-    fn add<L: Lanes, const FLUID: bool, const RESPONSE: bool>(
-        &self,
-        own: Own<L>,
-        neighbours: &[u32],
-        sums: &mut Sums<L>,
-    ) {
-        let viscosity = L::splat(self.viscosity);
-        let mut force = sums.force;
-        let mut viscous = sums.viscous;
-        let mut moment = sums.moment;
-        let mut concentration = sums.concentration;
-        let mut gradient = sums.gradient;
-        let mut response = sums.response;
-        for &j in neighbours {
-            let record = &self.records[j as usize].0;
-            let dx = own.x - L::splat(record[Record::X]);
-            let dy = own.y - L::splat(record[Record::Y]);
-            let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
+    fn run<L: Lanes>(self) -> Sums {
+        let Group { pass, work, cluster, group } = self;
+        let at = cluster * LANES;
+        let zero = L::splat(0.0);
+        let tiny = L::splat(1e-12);
+        let viscosity = L::splat(pass.viscosity);
+        let x = lanes::<L>(&work.scaled_x, at);
+        let y = lanes::<L>(&work.scaled_y, at);
+        let vx = lanes::<L>(&pass.fluid.vx, at);
+        let vy = lanes::<L>(&pass.fluid.vy, at);
+        let pressure = lanes::<L>(&work.pressure, at);
+        let diffused = lanes::<L>(pass.diffused, at);
+        let (mut own_xx, mut own_xy, mut own_yy) = (pressure, zero, pressure);
+        let (mut own_stretch, mut own_shear) = (zero, zero);
+        if CORRECTED {
+            own_xx = pressure * lanes(&work.correction_xx, at);
+            own_xy = pressure * lanes(&work.correction_xy, at);
+            own_yy = pressure * lanes(&work.correction_yy, at);
+            let strain = pass.strain[at..at + LANES].first_chunk::<LANES>().unwrap();
+            own_stretch = L::load(&strain.map(|parts| parts[0]));
+            own_shear = L::load(&strain.map(|parts| parts[1]));
+        }
+        // Plain local variables throughout: they stay in registers, arrays of lanes may not.
+        let (mut force_x, mut force_y) = (zero, zero);
+        let (mut viscous_x, mut viscous_y) = (zero, zero);
+        let (mut moment_xx, mut moment_xy, mut moment_yy) = (zero, zero, zero);
+        let (mut concentration_x, mut concentration_y) = (zero, zero);
+        let (mut gradient_x, mut gradient_y) = (zero, zero);
+        let (mut response_x, mut response_y) = (zero, zero);
+        for &j in pass.pairs.group(cluster, group) {
+            let record = &pass.records[j as usize].0;
+            let dx = x - L::splat(record[Record::X]);
+            let dy = y - L::splat(record[Record::Y]);
+            let dy2 = dy * dy;
+            let s = dx.mul_add(dx, dy2).max(tiny);
             let inverse_q = s.rsqrt();
             let g = K::slope_over_q(s, inverse_q) * L::splat(record[Record::WEIGHT]);
-            let du = own.vx - L::splat(record[Record::VX]);
-            let dv = own.vy - L::splat(record[Record::VY]);
+            let du = vx - L::splat(record[Record::VX]);
+            let dv = vy - L::splat(record[Record::VY]);
             let mut approach = du.mul_add(dx, dv * dy);
             if CORRECTED {
                 // Less what a linear, divergence-free velocity field would give.
                 let (stretch, shear) = if FLUID {
-                    let [stretch, shear] = self.strain[j as usize];
-                    (own.strain[0] + L::splat(stretch), own.strain[1] + L::splat(shear))
+                    let strain = &pass.strain[j as usize];
+                    (own_stretch + L::splat(strain[0]), own_shear + L::splat(strain[1]))
                 } else {
-                    (own.strain[0] + own.strain[0], own.strain[1] + own.strain[1])
+                    (own_stretch + own_stretch, own_shear + own_shear)
                 };
-                let smooth = stretch.mul_add(dx.mul_add(dx, L::splat(0.0) - dy * dy), shear * (dx * dy));
-                approach = approach - smooth;
+                let apart = dx.mul_sub(dx, dy2);
+                approach = (dx * dy).negated_mul_add(shear, approach);
+                approach = apart.negated_mul_add(stretch, approach);
             }
-            let approach = approach * (inverse_q * inverse_q);
-            let factor = g * approach * viscosity;
-            let [own_xx, own_xy, own_yy] = own.pressure;
+            let gx = g * dx;
+            let gy = g * dy;
+            let drag = approach * (inverse_q * inverse_q) * viscosity;
             if CORRECTED {
+                let pressure = L::splat(record[Record::PRESSURE]);
                 let (xx, xy, yy) = if FLUID {
                     (
-                        own_xx + L::splat(record[Record::PRESSURE]),
+                        own_xx + pressure,
                         own_xy + L::splat(record[Record::PRESSURE_XY]),
                         own_yy + L::splat(record[Record::PRESSURE_YY]),
                     )
                 } else {
-                    let pressure = L::splat(record[Record::PRESSURE]);
                     (own_xx + pressure, own_xy, own_yy + pressure)
                 };
-                let (gx, gy) = (g * dx, g * dy);
-                force[0] = force[0] + factor.mul_add(dx, L::splat(0.0) - xx.mul_add(gx, xy * gy));
-                force[1] = force[1] + factor.mul_add(dy, L::splat(0.0) - xy.mul_add(gx, yy * gy));
+                force_x = (drag - xx).mul_add(gx, force_x);
+                force_x = xy.negated_mul_add(gy, force_x);
+                force_y = (drag - yy).mul_add(gy, force_y);
+                force_y = xy.negated_mul_add(gx, force_y);
             } else {
-                let pressure = own_xx + L::splat(record[Record::PRESSURE]);
-                let factor = factor - g * pressure;
-                force = [factor.mul_add(dx, force[0]), factor.mul_add(dy, force[1])];
+                let push = drag - (own_xx + L::splat(record[Record::PRESSURE]));
+                force_x = push.mul_add(gx, force_x);
+                force_y = push.mul_add(gy, force_y);
             }
             if ENERGY {
-                viscous = [factor.mul_add(dx, viscous[0]), factor.mul_add(dy, viscous[1])];
+                viscous_x = drag.mul_add(gx, viscous_x);
+                viscous_y = drag.mul_add(gy, viscous_y);
             }
             if GRADIENTS || CORRECTED {
-                let (gx, gy) = (g * dx, g * dy);
-                moment = [
-                    gx.mul_add(dx, moment[0]),
-                    gx.mul_add(dy, moment[1]),
-                    gy.mul_add(dy, moment[2]),
-                ];
-                if GRADIENTS {
-                    concentration = [concentration[0] + gx, concentration[1] + gy];
-                }
-                if GRADIENTS && FLUID {
-                    let rise = L::splat(self.diffused[j as usize]) - own.diffused;
-                    gradient = [rise.mul_add(gx, gradient[0]), rise.mul_add(gy, gradient[1])];
+                moment_xx = gx.mul_add(dx, moment_xx);
+                moment_xy = gx.mul_add(dy, moment_xy);
+                moment_yy = gy.mul_add(dy, moment_yy);
+            }
+            if GRADIENTS {
+                concentration_x = concentration_x + gx;
+                concentration_y = concentration_y + gy;
+                if FLUID {
+                    let rise = L::splat(pass.diffused[j as usize]) - diffused;
+                    gradient_x = rise.mul_add(gx, gradient_x);
+                    gradient_y = rise.mul_add(gy, gradient_y);
                 }
             }
             if RESPONSE {
-                let factor = g * L::splat(record[Record::RESPONSE]);
-                response = [factor.mul_add(dx, response[0]), factor.mul_add(dy, response[1])];
+                let response = L::splat(record[Record::RESPONSE]);
+                response_x = response.mul_add(gx, response_x);
+                response_y = response.mul_add(gy, response_y);
             }
         }
-        *sums = Sums { force, viscous, moment, concentration, gradient, response };
+        Sums {
+            force: [force_x.to_array(), force_y.to_array()],
+            viscous: [viscous_x.to_array(), viscous_y.to_array()],
+            moment: [moment_xx.to_array(), moment_xy.to_array(), moment_yy.to_array()],
+            concentration: [concentration_x.to_array(), concentration_y.to_array()],
+            gradient: [gradient_x.to_array(), gradient_y.to_array()],
+            response: [response_x.to_array(), response_y.to_array()],
+        }
     }
+}
+
+/// Eight values of a field.
+#[inline(always)]
+fn lanes<L: Lanes>(field: &[f64], at: usize) -> L {
+    L::load(field[at..at + LANES].first_chunk().unwrap())
 }
 
 impl<K: Kernel, const GRADIENTS: bool, const CORRECTED: bool, const ENERGY: bool> Task
@@ -175,97 +220,97 @@ impl<K: Kernel, const GRADIENTS: bool, const CORRECTED: bool, const ENERGY: bool
 
     #[inline(always)]
     fn run<L: Lanes>(self) -> f64 {
-        let work = std::mem::take(self.work);
-        let mut out = work;
+        let mut out = std::mem::take(self.work);
         out.loads.iter_mut().for_each(|load| *load = [0.0; 2]);
         out.responding.clear();
         let mut viscous_power = 0.0;
         for cluster in 0..self.pairs.clusters() {
             let at = cluster * LANES;
-            let lanes = |field: &[f64]| L::load(field[at..at + LANES].first_chunk().unwrap());
-            let own = Own {
-                x: lanes(&out.scaled_x),
-                y: lanes(&out.scaled_y),
-                vx: lanes(&self.fluid.vx),
-                vy: lanes(&self.fluid.vy),
-                pressure: if CORRECTED {
-                    let pressure = lanes(&out.pressure);
-                    [&out.correction_xx, &out.correction_xy, &out.correction_yy]
-                        .map(|component| pressure * lanes(component))
-                } else {
-                    [lanes(&out.pressure), L::splat(0.0), L::splat(0.0)]
-                },
-                diffused: lanes(self.diffused),
-                strain: if CORRECTED {
-                    let strain = &self.strain[at..at + LANES];
-                    [0, 1].map(|part| L::load(&std::array::from_fn(|lane| strain[lane][part])))
-                } else {
-                    [L::splat(0.0); 2]
-                },
-            };
-            let density = lanes(&self.fluid.density);
+            let density = lanes::<L>(&self.fluid.density, at);
             let inverse_density = L::splat(1.0).div(density);
-            let volume = lanes(&self.fluid.mass) * inverse_density;
-            let mut sums = Sums::zero();
-            self.add::<L, true, false>(own, self.pairs.group(cluster, 0), &mut sums);
+            let volume = lanes::<L>(&self.fluid.mass, at) * inverse_density;
+            let mut sums = L::call(Group::<_, GRADIENTS, CORRECTED, ENERGY, true, false> {
+                pass: &self,
+                work: &out,
+                cluster,
+                group: 0,
+            });
             let fluid_moment = sums.moment;
             for body in 0..self.bodies {
-                let neighbours = self.pairs.group(cluster, body + 1);
-                if neighbours.is_empty() {
+                let group = body + 1;
+                if self.pairs.group(cluster, group).is_empty() {
                     continue;
                 }
-                let before = sums.force[0];
-                sums.force[0] = L::splat(0.0);
-                if body == self.responds {
-                    self.add::<L, false, true>(own, neighbours, &mut sums);
-                    let response = [sums.response[0], sums.response[1]];
-                    let minus = L::splat(0.0) - inverse_density;
-                    out.responding.push((
-                        cluster as u32,
-                        (response[0] * minus).to_array(),
-                        (response[1] * minus).to_array(),
-                    ));
-                    out.loads[body][1] -= (response[0] * volume).sum();
+                let (pass, work) = (&self, &out);
+                let more = if body == self.responds {
+                    L::call(Group::<_, GRADIENTS, CORRECTED, ENERGY, false, true> {
+                        pass,
+                        work,
+                        cluster,
+                        group,
+                    })
                 } else {
-                    self.add::<L, false, false>(own, neighbours, &mut sums);
-                }
+                    L::call(Group::<_, GRADIENTS, CORRECTED, ENERGY, false, false> {
+                        pass,
+                        work,
+                        cluster,
+                        group,
+                    })
+                };
+                sums.add(&more);
                 // The body's reaction: minus the force of its ghosts on the water.
-                out.loads[body][0] -= (sums.force[0] * volume).sum();
-                sums.force[0] = before + sums.force[0];
+                out.loads[body][0] -= (L::load(&more.force[0]) * volume).sum();
+                if body == self.responds {
+                    let minus = L::splat(0.0) - inverse_density;
+                    let (x, y) = (L::load(&more.response[0]), L::load(&more.response[1]));
+                    out.loads[body][1] -= (x * volume).sum();
+                    let response = ((x * minus).to_array(), (y * minus).to_array());
+                    out.responding.push((cluster as u32, response.0, response.1));
+                }
             }
-            let store = |field: &mut [f64], value: L| {
-                value.store(field[at..at + LANES].first_chunk_mut().unwrap());
-            };
-            store(&mut out.acceleration_x, sums.force[0] * inverse_density);
+            let force = [L::load(&sums.force[0]), L::load(&sums.force[1])];
+            store(&mut out.acceleration_x, at, force[0] * inverse_density);
             let fall = L::splat(self.gravity);
-            store(&mut out.acceleration_y, sums.force[1] * inverse_density - fall);
+            store(&mut out.acceleration_y, at, force[1] * inverse_density - fall);
             if ENERGY {
-                let power = sums.viscous[0].mul_add(own.vx, sums.viscous[1] * own.vy);
+                let (vx, vy) = (lanes::<L>(&self.fluid.vx, at), lanes::<L>(&self.fluid.vy, at));
+                let viscous = [L::load(&sums.viscous[0]), L::load(&sums.viscous[1])];
+                let power = viscous[0].mul_add(vx, viscous[1] * vy);
                 viscous_power += (power * volume).sum();
             }
             if GRADIENTS {
-                let [gradient_x, gradient_y] = solve_symmetric(fluid_moment, sums.gradient);
-                store(&mut out.gradient_x, gradient_x);
-                store(&mut out.gradient_y, gradient_y);
-                store(&mut out.concentration_x, sums.concentration[0]);
-                store(&mut out.concentration_y, sums.concentration[1]);
+                let [xx, xy, yy] = &fluid_moment;
+                let moment = [L::load(xx), L::load(xy), L::load(yy)];
+                let sum = [L::load(&sums.gradient[0]), L::load(&sums.gradient[1])];
+                let [gradient_x, gradient_y] = solve_symmetric(moment, sum);
+                store(&mut out.gradient_x, at, gradient_x);
+                store(&mut out.gradient_y, at, gradient_y);
+                store(&mut out.concentration_x, at, L::load(&sums.concentration[0]));
+                store(&mut out.concentration_y, at, L::load(&sums.concentration[1]));
             }
             if GRADIENTS || CORRECTED {
                 let radius = L::splat(-self.support_radius);
-                let scaled = sums.moment.map(|m| m * radius);
-                let completeness = smallest_eigenvalue(scaled);
-                store(&mut out.completeness, completeness);
+                let [xx, xy, yy] = &sums.moment;
+                let moment =
+                    [L::load(xx) * radius, L::load(xy) * radius, L::load(yy) * radius];
+                let completeness = smallest_eigenvalue(moment);
+                store(&mut out.completeness, at, completeness);
                 if CORRECTED {
-                    let [xx, xy, yy] = correction(scaled, completeness);
-                    store(&mut out.next_correction_xx, xx);
-                    store(&mut out.next_correction_xy, xy);
-                    store(&mut out.next_correction_yy, yy);
+                    let [xx, xy, yy] = correction(moment, completeness);
+                    store(&mut out.next_correction_xx, at, xx);
+                    store(&mut out.next_correction_xy, at, xy);
+                    store(&mut out.next_correction_yy, at, yy);
                 }
             }
         }
         *self.work = out;
         viscous_power
     }
+}
+
+#[inline(always)]
+fn store<L: Lanes>(field: &mut [f64], at: usize, value: L) {
+    value.store(field[at..at + LANES].first_chunk_mut().unwrap());
 }
 
 /// R ∇ρ = A⁻¹ Σ g (ρ_j - ρ_i) Δ with A = -Σ g ΔΔᵀ taken positive: signs cancel. Where fewer than

@@ -363,6 +363,7 @@ impl Wcsph {
             !(relative < FLUID_MARGIN * spacing && farthest + moved < GHOST_MARGIN * spacing)
         };
         if worn {
+            if std::env::var("DBG").is_ok() { println!("rebuild"); }
             let width = Wcsph::strip_width(spacing);
             let (_, order) =
                 Strips::sort(&self.fluid.x[..n], &self.fluid.y[..n], &self.fluid.id[..n], width);
