@@ -47,7 +47,7 @@ pub use interrupt::Interrupt;
 pub use journal::{Header, Journal, read_journal};
 pub use lock::Lock;
 pub use manager::{Command, Event, Manager, Source};
-pub use manifest::Manifest;
+pub use manifest::{Manifest, SessionInfo};
 pub use overrides::Override;
 pub use plan::{Plan, PlannedCase, PlannedTrunk};
 pub use progress::{Progress, ProgressStyle};

@@ -1,5 +1,6 @@
 //! Telling how far a sweep is: a bar on a terminal, plain lines elsewhere.
 
+use std::io::Write;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle as BarStyle};
@@ -100,7 +101,9 @@ impl Progress {
             self.last_share = share;
             let spent = self.start.elapsed().as_secs_f64();
             let left = spent * (1.0 - share).max(0.0) / share;
-            eprintln!("{:3.0} %  {message}, {} to go", 100.0 * share, duration(left));
+            let line = format!("{:3.0} %  {message}, {} to go", 100.0 * share, duration(left));
+            // Progress that nobody reads must not end a sweep.
+            let _ = writeln!(std::io::stderr(), "{line}");
         }
     }
 }

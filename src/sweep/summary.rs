@@ -218,7 +218,7 @@ mod tests {
         let cell = |row: usize, name: &str| {
             rows[row][headers.iter().position(|header| header == name).unwrap()].to_owned()
         };
-        assert_eq!(headers.iter().last(), Some("wall"));
+        assert_eq!(headers.iter().next_back(), Some("wall"));
         assert_eq!(
             ["spring_stiffness_n_per_m", "m_star", "displacement_max", "wall"]
                 .map(|name| cell(0, name)),
