@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::atomic_file;
 use super::error::SweepError;
+use super::number;
 use super::record::CaseRecord;
 use crate::simulation::EnergyBudget;
 
@@ -17,9 +18,9 @@ pub(super) fn write(directory: &Path, records: &[Option<CaseRecord>]) -> Result<
         let (Some(energy), Some(outcome)) = (&record.energy, &record.outcome) else { continue };
         text.push_str(&record.id.to_string());
         for value in terms(energy) {
-            text.push_str(&format!(",{value}"));
+            text.push_str(&format!(",{}", number::text(value)));
         }
-        text.push_str(&format!(",{}\n", outcome.energy_gap_percent));
+        text.push_str(&format!(",{}\n", number::text(outcome.energy_gap_percent)));
     }
     atomic_file::write(&directory.join("energy.csv"), text.as_bytes())
 }

@@ -27,6 +27,7 @@ mod keys;
 mod lock;
 mod manager;
 mod manifest;
+mod number;
 mod overrides;
 mod plan;
 mod progress;

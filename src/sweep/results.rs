@@ -6,6 +6,7 @@ use std::path::Path;
 use super::atomic_file;
 use super::case::CaseId;
 use super::error::SweepError;
+use super::number;
 use crate::simulation::{CaseResult, HistoryRow, ProbeTable};
 
 const HISTORIES: &str = "histories";
@@ -82,7 +83,7 @@ fn push_row(text: &mut String, values: impl IntoIterator<Item = f64>) {
         if column > 0 {
             text.push(',');
         }
-        text.push_str(&value.to_string());
+        text.push_str(&number::text(value));
     }
     text.push('\n');
 }

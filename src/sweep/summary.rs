@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::atomic_file;
 use super::case::Case;
 use super::error::SweepError;
+use super::number;
 use super::record::CaseRecord;
 use super::study::Study;
 use crate::scene::{CaseConfig, Scene, SeawallScene, WallChoice};
@@ -29,25 +30,28 @@ impl Row<'_> {
     fn movable(&self, value: impl Fn(&SeawallScene) -> Option<f64>) -> String {
         let scene = self.scene();
         let value = if scene.wall == WallChoice::Movable { value(scene) } else { None };
-        optional(value)
+        value.map(number::text).unwrap_or_default()
     }
 
-    /// A scalar of a case that went well, empty otherwise.
-    fn of<T: ToString>(&self, value: impl Fn(&Outcome) -> Option<T>) -> String {
-        optional(self.record.outcome.as_ref().and_then(value))
+    /// A number of a case that went well, empty otherwise.
+    fn number(&self, value: impl Fn(&Outcome) -> Option<f64>) -> String {
+        let value = self.record.outcome.as_ref().and_then(value);
+        value.map(number::text).unwrap_or_default()
+    }
+
+    /// Likewise for counts and flags.
+    fn word<T: ToString>(&self, value: impl Fn(&Outcome) -> Option<T>) -> String {
+        let value = self.record.outcome.as_ref().and_then(value);
+        value.map(|value| value.to_string()).unwrap_or_default()
     }
 
     fn value(&self, maximum: impl Fn(&Outcome) -> Option<Maximum>) -> String {
-        self.of(|outcome| maximum(outcome).map(|maximum| maximum.value))
+        self.number(|outcome| maximum(outcome).map(|maximum| maximum.value))
     }
 
     fn time(&self, maximum: impl Fn(&Outcome) -> Option<Maximum>) -> String {
-        self.of(|outcome| maximum(outcome).map(|maximum| maximum.time_s))
+        self.number(|outcome| maximum(outcome).map(|maximum| maximum.time_s))
     }
-}
-
-fn optional<T: ToString>(value: Option<T>) -> String {
-    value.map(|value| value.to_string()).unwrap_or_default()
 }
 
 /// The name that a choice has in scene files.
@@ -78,12 +82,12 @@ const COLUMNS: &[Column] = &[
     ("case_id", |row| row.record.id.to_string()),
     ("status", |row| if row.record.is_ok() { "ok" } else { "failed" }.to_owned()),
     ("reason", |row| row.record.reason.clone()),
-    ("wave_height_ratio", |row| row.scene().wave_height_ratio.to_string()),
+    ("wave_height_ratio", |row| number::text(row.scene().wave_height_ratio)),
     ("spring_stiffness_n_per_m", |row| row.movable(|scene| scene.spring_stiffness_n_per_m)),
     ("seawall_mass_kg_per_m", |row| row.movable(|scene| scene.seawall_mass_kg_per_m)),
     ("log10_k_star", |row| row.movable(log10_k_star)),
     ("m_star", |row| row.movable(m_star)),
-    ("measured_wave_height_ratio", |row| row.of(|outcome| outcome.measured_wave_height_ratio)),
+    ("measured_wave_height_ratio", |row| row.number(|outcome| outcome.measured_wave_height_ratio)),
     ("force_max", |row| row.value(|outcome| Some(outcome.force_max))),
     ("force_max_time_s", |row| row.time(|outcome| Some(outcome.force_max))),
     ("runup_max", |row| row.value(|outcome| Some(outcome.runup_max))),
@@ -96,31 +100,31 @@ const COLUMNS: &[Column] = &[
     ("first_runup_max_time_s", |row| row.time(|outcome| outcome.first_runup_max)),
     ("first_displacement_max", |row| row.value(|outcome| outcome.first_displacement_max)),
     ("first_displacement_max_time_s", |row| row.time(|outcome| outcome.first_displacement_max)),
-    ("first_force_peak", |row| row.of(|outcome| outcome.first_force_peak)),
-    ("first_runup_peak", |row| row.of(|outcome| outcome.first_runup_peak)),
-    ("force_max_raw", |row| row.of(|outcome| Some(outcome.force_max_raw))),
-    ("force_end", |row| row.of(|outcome| Some(outcome.force_end))),
-    ("runup_end", |row| row.of(|outcome| Some(outcome.runup_end))),
-    ("displacement_end", |row| row.of(|outcome| outcome.displacement_end)),
-    ("onset_time_s", |row| row.of(|outcome| outcome.onset_time_s)),
-    ("stroke_centre_s", |row| row.of(|outcome| outcome.stroke_centre_s)),
-    ("displacement_truncated", |row| row.of(|outcome| outcome.displacement_truncated)),
-    ("stops", |row| row.of(|outcome| outcome.stops)),
-    ("force_gap_percent", |row| row.of(|outcome| Some(outcome.force_gap_percent))),
-    ("energy_gap_percent", |row| row.of(|outcome| Some(outcome.energy_gap_percent))),
-    ("particles_lost", |row| row.of(|outcome| Some(outcome.particles_lost))),
+    ("first_force_peak", |row| row.number(|outcome| outcome.first_force_peak)),
+    ("first_runup_peak", |row| row.number(|outcome| outcome.first_runup_peak)),
+    ("force_max_raw", |row| row.number(|outcome| Some(outcome.force_max_raw))),
+    ("force_end", |row| row.number(|outcome| Some(outcome.force_end))),
+    ("runup_end", |row| row.number(|outcome| Some(outcome.runup_end))),
+    ("displacement_end", |row| row.number(|outcome| outcome.displacement_end)),
+    ("onset_time_s", |row| row.number(|outcome| outcome.onset_time_s)),
+    ("stroke_centre_s", |row| row.number(|outcome| outcome.stroke_centre_s)),
+    ("displacement_truncated", |row| row.word(|outcome| outcome.displacement_truncated)),
+    ("stops", |row| row.word(|outcome| outcome.stops)),
+    ("force_gap_percent", |row| row.number(|outcome| Some(outcome.force_gap_percent))),
+    ("energy_gap_percent", |row| row.number(|outcome| Some(outcome.energy_gap_percent))),
+    ("particles_lost", |row| row.word(|outcome| Some(outcome.particles_lost))),
     ("force_error", |_| String::new()),
     ("runup_error", |_| String::new()),
     ("displacement_error", |_| String::new()),
-    ("steps", |row| row.of(|outcome| Some(outcome.steps))),
-    ("particles", |row| row.of(|outcome| Some(outcome.particles))),
-    ("pair_evaluations", |row| row.of(|outcome| Some(outcome.pair_evaluations))),
-    ("wall_time_s", |row| row.record.wall_time_s.to_string()),
+    ("steps", |row| row.word(|outcome| Some(outcome.steps))),
+    ("particles", |row| row.word(|outcome| Some(outcome.particles))),
+    ("pair_evaluations", |row| row.word(|outcome| Some(outcome.pair_evaluations))),
+    ("wall_time_s", |row| number::text(row.record.wall_time_s)),
     ("scheme", |row| name(row.config.numerics.scheme)),
     ("boundary", |row| name(row.config.numerics.boundary)),
     ("kernel", |row| name(row.config.numerics.kernel)),
-    ("particle_spacing_m", |row| row.config.numerics.particle_spacing_m.to_string()),
-    ("force_coupling", |row| row.scene().force_coupling.to_string()),
+    ("particle_spacing_m", |row| number::text(row.config.numerics.particle_spacing_m)),
+    ("force_coupling", |row| number::text(row.scene().force_coupling)),
 ];
 
 /// The columns that every summary has, in order.
@@ -163,7 +167,7 @@ fn swept(case: &Case, place: usize) -> String {
     match &case.assignments[place] {
         None => String::new(),
         Some(toml::Value::String(text)) => text.clone(),
-        Some(toml::Value::Float(number)) => number.to_string(),
+        Some(toml::Value::Float(value)) => number::text(*value),
         Some(other) => other.to_string(),
     }
 }
