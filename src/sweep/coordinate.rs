@@ -88,7 +88,6 @@ pub fn coordinate(
             loop_.tell(Event::Interrupted, link, session);
         }
     }
-    session.progress.finish();
     session.directory.sync(true)?;
     session.directory.write_tables(session.study)?;
     let finished = loop_.manager.unfinished() == 0;

@@ -10,12 +10,12 @@ pub enum SweepError {
     #[error("{0}")]
     Refused(String),
     /// The system failed to read or write a file.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {error}", path.display())]
     Io {
         /// The file.
         path: PathBuf,
         /// What the system said.
-        source: std::io::Error,
+        error: std::io::Error,
     },
     /// The machinery between ranks failed.
     #[error("{0}")]
@@ -30,7 +30,7 @@ impl SweepError {
 
     /// Wraps a system error with the file that it concerns.
     pub fn io(path: &Path) -> impl FnOnce(std::io::Error) -> SweepError + '_ {
-        move |source| SweepError::Io { path: path.to_owned(), source }
+        move |error| SweepError::Io { path: path.to_owned(), error }
     }
 
     /// Whether the user asked for something that cannot be (exit code 2) rather than the program

@@ -75,13 +75,6 @@ impl Progress {
         self.advance(work);
     }
 
-    /// Leaves the terminal as it was.
-    pub fn finish(&self) {
-        if let Some(bar) = &self.bar {
-            bar.finish_and_clear();
-        }
-    }
-
     fn advance(&mut self, work: u64) {
         self.work = self.work.saturating_add(work);
         let failed = match self.failed {
@@ -104,6 +97,15 @@ impl Progress {
             let line = format!("{:3.0} %  {message}, {} to go", 100.0 * share, duration(left));
             // Progress that nobody reads must not end a sweep.
             let _ = writeln!(std::io::stderr(), "{line}");
+        }
+    }
+}
+
+impl Drop for Progress {
+    /// Leaves the terminal as it was.
+    fn drop(&mut self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
         }
     }
 }
