@@ -251,3 +251,61 @@ fn a_million_cases_on_ten_thousand_ranks_are_scheduled_in_seconds() {
     assert_eq!(runs, 1_000_000);
     assert!(manager.finished());
 }
+
+/// The time that a plan takes on ranks that run one task after the other.
+fn makespan(plan: &Plan, ranks: usize) -> u64 {
+    let mut manager = Manager::new(plan, &vec![1; ranks]);
+    let mut commands = Vec::new();
+    for rank in 0..ranks {
+        manager.on(Event::Ready { rank }, &mut commands);
+    }
+    let mut free_at = vec![0; ranks];
+    let mut ends = BTreeSet::new();
+    let mut now = 0;
+    loop {
+        for command in commands.drain(..) {
+            let (rank, cost, task) = match command {
+                Command::RunTrunk { rank, trunk } => {
+                    (rank, plan.trunks[trunk].cost, Task::Trunk(trunk))
+                }
+                Command::RunCase { rank, case, from: Some(_) } => {
+                    (rank, plan.cases[case].branch_cost, Task::Case(case))
+                }
+                Command::RunCase { rank, case, from: None } => {
+                    (rank, plan.cases[case].cost, Task::Case(case))
+                }
+                _ => continue,
+            };
+            free_at[rank] = free_at[rank].max(now) + cost;
+            let (kind, place) = match task {
+                Task::Trunk(trunk) => (0, trunk),
+                Task::Case(case) => (1, case),
+            };
+            ends.insert((free_at[rank], rank, kind, place));
+        }
+        let Some((end, rank, kind, place)) = ends.pop_first() else { return now };
+        now = end;
+        let event = match kind {
+            0 => Event::TrunkDone { rank, trunk: place, ok: true },
+            _ => Event::CaseDone { rank, case: place },
+        };
+        manager.on(event, &mut commands);
+    }
+}
+
+#[test]
+fn nobody_idles_for_long() {
+    let mut dice = Dice(11);
+    let mut plan = plan(5, 60, 0, &mut dice);
+    for case in &mut plan.cases {
+        case.branch_cost = 90 + dice.below(20) as u64;
+    }
+    for trunk in &mut plan.trunks {
+        trunk.cost = 80;
+    }
+    for (ranks, slack) in [(1, 0), (2, 110), (4, 250), (16, 300), (64, 300)] {
+        let ideal = plan.total_cost() / ranks as u64;
+        let taken = makespan(&plan, ranks);
+        assert!(taken <= ideal + slack, "{ranks} ranks: {taken} instead of {ideal}");
+    }
+}
