@@ -8,6 +8,7 @@
 //! answers Bye once all that it sent has been received, and goes on receiving until Leave, so that
 //! nobody waits for a partner that has gone.
 
+mod hello;
 mod post;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -17,9 +18,10 @@ use mpi::Threading;
 use mpi::traits::Communicator;
 use serde::{Deserialize, Serialize};
 
+use self::hello::{Hello, share_cores};
 use self::post::Post;
 use super::worker::{Fetch, Worker, with_worker};
-use super::{Crew, Link, Order, RankInfo, Report, Setup, available_cores, host_name};
+use super::{Crew, Link, Order, RankInfo, Report, Setup};
 use crate::math::simd::SimdPath;
 use crate::sweep::error::SweepError;
 
@@ -41,32 +43,6 @@ enum Message {
     Finish,
     Bye,
     Leave,
-}
-
-/// What rank 0 has to know of a rank.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-struct Hello {
-    build: String,
-    host: String,
-    simd: SimdPath,
-    cores: usize,
-    /// The processors that it may run on, as the kernel lists them.
-    allowed: String,
-}
-
-impl Hello {
-    fn of_this_process() -> Hello {
-        let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
-        let allowed = status.lines().find_map(|line| line.strip_prefix("Cpus_allowed_list:"));
-        let commit = option_env!("SEAWALL_GIT_COMMIT").unwrap_or("unknown");
-        Hello {
-            build: format!("{} ({commit})", env!("CARGO_PKG_VERSION")),
-            host: host_name(),
-            simd: SimdPath::widest(),
-            cores: available_cores(),
-            allowed: allowed.unwrap_or_default().trim().to_owned(),
-        }
-    }
 }
 
 /// Joins the other ranks. `lead` runs on rank 0 only and yields its exit code; the other ranks
@@ -126,20 +102,6 @@ fn lead_crew(
     let code = lead(&mut crew);
     crew.dismiss()?;
     Ok(code)
-}
-
-/// Threads for each rank: by default the processors that it may use, shared with the ranks on the
-/// same node that may use the same ones.
-fn share_cores(hellos: &[Hello], threads: Option<usize>) -> Vec<RankInfo> {
-    let share = |hello: &Hello| {
-        let same = |other: &&Hello| other.host == hello.host && other.allowed == hello.allowed;
-        let sharing = hellos.iter().filter(same).count().max(1);
-        threads.unwrap_or(hello.cores / sharing).max(1)
-    };
-    hellos
-        .iter()
-        .map(|hello| RankInfo { host: hello.host.clone(), threads: share(hello) })
-        .collect()
 }
 
 struct MpiCrew<'a> {
@@ -350,23 +312,6 @@ fn out_of_turn(rank: usize, message: &Message) -> SweepError {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn hello(host: &str, cores: usize, allowed: &str) -> Hello {
-        let (host, allowed) = (host.to_owned(), allowed.to_owned());
-        Hello { build: String::new(), host, simd: SimdPath::Portable, cores, allowed }
-    }
-
-    fn threads(hellos: &[Hello]) -> Vec<usize> {
-        share_cores(hellos, None).iter().map(|rank| rank.threads).collect()
-    }
-
-    #[test]
-    fn ranks_share_the_cores_that_they_share() {
-        assert_eq!(threads(&[hello("a", 8, "0-7"), hello("a", 8, "0-7")]), [4, 4]);
-        assert_eq!(threads(&[hello("a", 1, "0"), hello("a", 1, "1")]), [1, 1]);
-        assert_eq!(threads(&[hello("a", 2, "0-1"), hello("b", 4, "0-1")]), [2, 4]);
-        assert_eq!(threads(&vec![hello("a", 2, "0-1"); 4]), [1; 4]);
-    }
 
     #[test]
     fn results_cross_the_wire_bit_for_bit() {

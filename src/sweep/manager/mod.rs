@@ -9,7 +9,9 @@
 //!
 //! Every event costs the logarithm of the number of tasks.
 
+mod protocol;
 mod queue;
+mod recovery;
 #[cfg(test)]
 mod tests;
 
@@ -17,95 +19,8 @@ use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
 use super::plan::Plan;
+pub use protocol::{Command, Event, Source, Task};
 use queue::{Entry, Queue};
-
-/// What happened.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Event {
-    /// A rank can take work.
-    Ready {
-        /// The rank.
-        rank: usize,
-    },
-    /// A trunk ended; its checkpoint, if any, stays on the rank.
-    TrunkDone {
-        /// The rank that ran it.
-        rank: usize,
-        /// Its place in the plan.
-        trunk: usize,
-        /// Whether there is a checkpoint.
-        ok: bool,
-    },
-    /// A case ended, well or not, and is recorded.
-    CaseDone {
-        /// The rank that ran it.
-        rank: usize,
-        /// Its place in the plan.
-        case: usize,
-    },
-    /// A rank gave a task back because it was told to stop.
-    GivenBack {
-        /// The rank.
-        rank: usize,
-        /// The task.
-        task: Task,
-    },
-    /// A rank is gone, with its tasks and checkpoints.
-    Lost {
-        /// The rank.
-        rank: usize,
-    },
-    /// The user wants to stop.
-    Interrupted,
-}
-
-/// Where a branch finds its checkpoint.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Source {
-    /// The trunk.
-    pub trunk: usize,
-    /// A rank that holds its checkpoint.
-    pub holder: usize,
-}
-
-/// What is to be done.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Command {
-    /// Run a trunk and keep its checkpoint.
-    RunTrunk {
-        /// Where.
-        rank: usize,
-        /// Which.
-        trunk: usize,
-    },
-    /// Run a case.
-    RunCase {
-        /// Where.
-        rank: usize,
-        /// Which.
-        case: usize,
-        /// From this checkpoint, or from rest.
-        from: Option<Source>,
-    },
-    /// Forget a checkpoint.
-    Drop {
-        /// Where.
-        rank: usize,
-        /// Which.
-        trunk: usize,
-    },
-    /// Stop all running tasks and give them back.
-    Cancel,
-}
-
-/// A piece of work.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Task {
-    /// A trunk, by its place in the plan.
-    Trunk(usize),
-    /// A case, by its place in the plan.
-    Case(usize),
-}
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Phase {
@@ -395,67 +310,6 @@ impl Manager {
         if !self.interrupted {
             self.interrupted = true;
             commands.push(Command::Cancel);
-        }
-    }
-
-    /// A rank is gone: its tasks wait again, and trunks that only it held are computed again.
-    fn lose(&mut self, rank: usize) {
-        self.forget_free(rank);
-        let state = &mut self.ranks[rank];
-        if !state.alive {
-            return;
-        }
-        state.alive = false;
-        self.capacity -= state.capacity;
-        let tasks = std::mem::take(&mut state.tasks);
-        state.local = Queue::default();
-        self.in_flight -= tasks.len();
-        for trunk in 0..self.trunks.len() {
-            let state = &mut self.trunks[trunk];
-            state.holders.remove(&rank);
-            if state.origin == rank {
-                state.origin = state.holders.first().copied().unwrap_or(rank);
-            }
-            if state.phase == Phase::Held && state.holders.is_empty() && !state.pending.is_empty() {
-                self.held_branches -= state.pending.len();
-                self.wait_again(trunk);
-            }
-        }
-        for task in tasks {
-            match task {
-                Task::Trunk(trunk) => self.wait_again(trunk),
-                Task::Case(case) => self.requeue(case),
-            }
-        }
-    }
-
-    fn wait_again(&mut self, trunk: usize) {
-        let state = &mut self.trunks[trunk];
-        state.phase = Phase::Waiting;
-        self.open -= 1;
-        self.waiting.push(Entry::new(state.chain(), trunk));
-    }
-
-    fn requeue(&mut self, case: usize) {
-        let planned = self.cases[case];
-        let Some(trunk) = planned.trunk else {
-            self.solo.push(Entry::new(planned.cost, case));
-            return;
-        };
-        let state = &mut self.trunks[trunk];
-        state.pending.push(Entry::new(planned.branch_cost, case));
-        if state.phase != Phase::Held {
-            return;
-        }
-        if state.holders.is_empty() {
-            self.wait_again(trunk);
-            return;
-        }
-        self.held_branches += 1;
-        let priority = state.pending.top().map_or(0, |branch| branch.priority);
-        self.held.push(Entry::new(priority, trunk));
-        for &holder in &state.holders {
-            self.ranks[holder].local.push(Entry::new(priority, trunk));
         }
     }
 }
