@@ -1,6 +1,116 @@
 //! The command line: one file per subcommand.
+//!
+//! Exit codes: 0 all well; 1 some case failed; 2 bad input or usage, nothing written;
+//! 3 interrupted, to be gone on with; 70 internal error. Under an MPI launcher rank 0 alone
+//! validates, prints and returns the code; the other ranks return 0.
+
+mod check;
+mod execute;
+mod failure;
+mod input;
+mod output;
+mod report;
+mod run;
+mod status;
+mod sweep;
+mod table;
+
+use std::ffi::OsString;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::process::ExitCode;
+
+use clap::{Args, ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
+
+use self::output::{Format, Output};
+use crate::sweep::executor::Launcher;
+
+/// Everything went well.
+const SUCCESS: u8 = 0;
+/// Some case failed; the others' results are complete.
+const CASES_FAILED: u8 = 1;
+/// Bad input or usage; nothing was written.
+const BAD_INPUT: u8 = 2;
+/// Stopped by a signal; the journal is whole.
+const INTERRUPTED: u8 = 3;
+/// The program or the machine failed.
+const INTERNAL: u8 = 70;
+
+/// Parameter sweeps of SPH simulations of solitary waves on fixed and spring-mounted seawalls.
+#[derive(Debug, Parser)]
+#[command(name = "seawall", version, propagate_version = true)]
+#[command(after_help = "Start with: seawall check sweeps/smoke.toml")]
+struct Cli {
+    #[command(flatten)]
+    global: Global,
+    #[command(subcommand)]
+    command: Command,
+}
+
+/// Options of every command.
+#[derive(Debug, Clone, Args)]
+struct Global {
+    /// Print nothing but errors.
+    #[arg(long, global = true)]
+    quiet: bool,
+    /// How results are printed.
+    #[arg(long, global = true, value_enum, default_value_t = Format::Human)]
+    format: Format,
+    /// Print more; for example every case rather than the first few.
+    #[arg(short, long, global = true)]
+    verbose: bool,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Sweep(sweep::SweepArgs),
+    Run(run::RunArgs),
+    Check(check::CheckArgs),
+    Status(status::StatusArgs),
+    Report(report::ReportArgs),
+}
 
 /// Runs the command line and returns the process's exit code.
-pub fn main() -> std::process::ExitCode {
-    std::process::ExitCode::from(70)
+pub fn main() -> ExitCode {
+    let launcher = Launcher::detect();
+    let code = catch_unwind(AssertUnwindSafe(|| main_with(std::env::args_os(), launcher)));
+    ExitCode::from(code.unwrap_or(INTERNAL))
+}
+
+fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) -> u8 {
+    let mut command = Cli::command();
+    if launcher.present {
+        // Under mpirun standard output is a pseudo-terminal even when it ends in a file.
+        command = command.color(ColorChoice::Never);
+    }
+    let parsed =
+        command.try_get_matches_from(arguments).and_then(|matches| Cli::from_arg_matches(&matches));
+    let cli = match parsed {
+        Ok(cli) => cli,
+        Err(_) if launcher.rank > 0 => return SUCCESS,
+        Err(error) => {
+            // Where nobody listens there is nobody to tell.
+            let _ = error.print();
+            return if error.use_stderr() { BAD_INPUT } else { SUCCESS };
+        }
+    };
+    let output = Output::new(&cli.global, launcher);
+    let result = match cli.command {
+        Command::Sweep(args) => sweep::main(&args, &output, launcher),
+        _ if launcher.rank > 0 => Ok(SUCCESS),
+        Command::Run(args) => run::main(&args, &output),
+        Command::Check(args) => check::main(&args, &output),
+        Command::Status(args) => status::main(&args, &output),
+        Command::Report(args) => report::main(&args, &output),
+    };
+    failure::exit_code(result, launcher)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_command_line_is_consistent() {
+        Cli::command().debug_assert();
+    }
 }

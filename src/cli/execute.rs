@@ -1,0 +1,166 @@
+//! Running a study in its output directory: what `sweep` and `run` have in common.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use serde_json::{Value, json};
+
+use super::output::Output;
+use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
+use crate::math::simd::SimdPath;
+use crate::simulation::cost;
+use crate::sweep::executor::Crew;
+use crate::sweep::{
+    CaseRecord, Directory, Ending, Interrupt, Manifest, OpenMode, Opened, Plan, Progress, Savings,
+    Session, SessionInfo, Study, SweepError, coordinate, timestamp,
+};
+
+/// What is to be done.
+pub(super) struct Job {
+    pub(super) study: Study,
+    pub(super) out: PathBuf,
+    pub(super) mode: OpenMode,
+    pub(super) retry_failed: bool,
+    pub(super) branching: bool,
+    pub(super) simd: Option<SimdPath>,
+    pub(super) overrides: Vec<String>,
+}
+
+/// What came of it.
+pub(super) struct Done {
+    pub(super) directory: Directory,
+    pub(super) ending: Ending,
+    pub(super) savings: Savings,
+    /// `None` where everything was there before.
+    pub(super) wall_time_s: Option<f64>,
+}
+
+impl Done {
+    /// The finished cases, in grid order.
+    pub(super) fn records(&self) -> impl Iterator<Item = &CaseRecord> {
+        self.directory.records().iter().flatten()
+    }
+
+    pub(super) fn failed(&self) -> usize {
+        self.records().filter(|record| !record.is_ok()).count()
+    }
+
+    pub(super) fn exit_code(&self) -> u8 {
+        match self.ending {
+            Ending::Interrupted => INTERRUPTED,
+            Ending::Finished if self.failed() > 0 => CASES_FAILED,
+            Ending::Finished => SUCCESS,
+        }
+    }
+
+    pub(super) fn json(&self, job: &Job, report: Option<&Path>) -> Value {
+        json!({
+            "name": job.study.name,
+            "out": self.directory.path(),
+            "report": report,
+            "cases": job.study.cases.len(),
+            "ok": self.records().count() - self.failed(),
+            "failed": self.failed(),
+            "wall_time_s": self.wall_time_s,
+            "savings": self.savings,
+            "records": self.records().collect::<Vec<_>>(),
+        })
+    }
+}
+
+/// Runs what of a study is missing in its output directory.
+pub(super) fn execute(
+    job: &Job,
+    crew: &mut dyn Crew,
+    interrupt: &Interrupt,
+    output: &Output,
+) -> Result<Done, SweepError> {
+    let study = &job.study;
+    let (mut directory, opened) =
+        Directory::open(&job.out, study, job.mode, job.simd, crew.widest_simd())?;
+    if job.retry_failed {
+        directory.retry_failed();
+    }
+    let missing = directory.records().iter().filter(|record| record.is_none()).count();
+    tell_opened(&opened, job, missing, output);
+    if missing == 0 {
+        directory.write_tables(study)?;
+        let savings = Savings::default();
+        return Ok(Done { directory, ending: Ending::Finished, savings, wall_time_s: None });
+    }
+    let plan = Plan::new(study, job.branching, cost, |index| directory.records()[index].is_none());
+    let start = Instant::now();
+    let mut manifest = Manifest::new(&job.out, study, &job.overrides, directory.simd());
+    manifest.sessions.push(SessionInfo {
+        executor: crew.executor().to_owned(),
+        ranks: crew.ranks().to_vec(),
+        started: timestamp(),
+        ended: None,
+        wall_time_s: None,
+        savings: None,
+        ending: None,
+    });
+    manifest.write(&job.out)?;
+    tell_start(crew, &directory, missing, output);
+    let ranks = crew.ranks().to_vec();
+    let simd = directory.simd();
+    let mut ended = None;
+    crew.work(simd, &mut |link| {
+        let progress = Progress::new(output.progress_style(), plan.cases.len(), plan.total_cost());
+        let mut session = Session {
+            study,
+            plan: &plan,
+            directory: &mut directory,
+            ranks: &ranks,
+            interrupt,
+            progress,
+        };
+        ended = Some(coordinate(link, &mut session)?);
+        Ok(())
+    })?;
+    let (ending, savings) = ended.unwrap_or((Ending::Interrupted, Savings::default()));
+    let wall_time_s = Some(start.elapsed().as_secs_f64());
+    if let Some(session) = manifest.sessions.last_mut() {
+        session.ended = Some(timestamp());
+        session.wall_time_s = wall_time_s;
+        session.savings = Some(savings);
+        let word = if ending == Ending::Finished { "finished" } else { "interrupted" };
+        session.ending = Some(word.to_owned());
+    }
+    manifest.write(&job.out)?;
+    Ok(Done { directory, ending, savings, wall_time_s })
+}
+
+fn tell_opened(opened: &Opened, job: &Job, missing: usize, output: &Output) {
+    let out = job.out.display();
+    match opened {
+        Opened::New => {}
+        Opened::Moved(aside) => output.note(format_args!("moved {out} to {}", aside.display())),
+        Opened::Resumed(_) if missing == 0 => {
+            output.note(format_args!("{out} is finished; --fresh would run it again"));
+        }
+        Opened::Resumed(_) => {
+            let done = job.study.cases.len() - missing;
+            output.note(format_args!("resuming {out}: {done} cases are done, {missing} are left"));
+        }
+    }
+}
+
+fn tell_start(crew: &dyn Crew, directory: &Directory, missing: usize, output: &Output) {
+    let ranks = crew.ranks();
+    let places: usize = ranks.iter().map(|rank| rank.threads).sum();
+    let who = match crew.executor() {
+        "mpi" => format!("{} MPI ranks, {places} cases at once", ranks.len()),
+        _ => format!("{places} threads"),
+    };
+    output.note(format_args!(
+        "{missing} cases on {who}, {}, into {}",
+        directory.simd().name(),
+        directory.path().display()
+    ));
+    if output.verbose {
+        for (rank, info) in ranks.iter().enumerate() {
+            output.note(format_args!("rank {rank}: {}, {} threads", info.host, info.threads));
+        }
+    }
+}

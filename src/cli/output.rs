@@ -1,0 +1,109 @@
+//! What goes to standard output (results) and to standard error (notes).
+
+use std::io::{IsTerminal, Write};
+
+use clap::ValueEnum;
+use serde::Serialize;
+
+use super::Global;
+use crate::sweep::ProgressStyle;
+use crate::sweep::executor::Launcher;
+
+/// How results are printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum Format {
+    /// Tables.
+    Human,
+    /// One JSON object.
+    Json,
+}
+
+/// Knows what the user wants to see.
+#[derive(Debug, Clone)]
+pub(super) struct Output {
+    quiet: bool,
+    format: Format,
+    pub(super) verbose: bool,
+    under_launcher: bool,
+}
+
+impl Output {
+    pub(super) fn new(global: &Global, launcher: Launcher) -> Output {
+        Output {
+            quiet: global.quiet,
+            format: global.format,
+            verbose: global.verbose,
+            under_launcher: launcher.present,
+        }
+    }
+
+    /// Prints a result: text for the human eye, or the value as JSON.
+    pub(super) fn result(&self, text: &str, value: &impl Serialize) -> anyhow::Result<()> {
+        if self.quiet {
+            return Ok(());
+        }
+        let mut out = std::io::stdout().lock();
+        match self.format {
+            Format::Human => out.write_all(text.as_bytes())?,
+            Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(value)?)?,
+        }
+        Ok(out.flush()?)
+    }
+
+    /// Tells something in passing.
+    pub(super) fn note(&self, text: impl std::fmt::Display) {
+        if !self.quiet {
+            // A note that nobody reads must not end a sweep.
+            let _ = writeln!(std::io::stderr(), "{text}");
+        }
+    }
+
+    pub(super) fn progress_style(&self) -> ProgressStyle {
+        if self.quiet {
+            ProgressStyle::Quiet
+        } else if std::io::stderr().is_terminal() && !self.under_launcher {
+            ProgressStyle::Bar
+        } else {
+            ProgressStyle::Lines
+        }
+    }
+}
+
+/// Seconds for the human eye: `4.2 s`, `42 s`, `3 min 20 s`, `2 h 05 min`.
+pub(super) fn duration(seconds: f64) -> String {
+    let whole = seconds.max(0.0).round() as u64;
+    match whole {
+        0..10 => format!("{:.1} s", seconds.max(0.0)),
+        10..60 => format!("{whole} s"),
+        60..3600 => format!("{} min {:02} s", whole / 60, whole % 60),
+        _ => format!("{} h {:02} min", whole / 3600, whole / 60 % 60),
+    }
+}
+
+/// Four significant digits.
+pub(super) fn short(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let magnitude = value.abs().log10().floor();
+    if (-4.0..7.0).contains(&magnitude) {
+        let digits = (3.0 - magnitude).max(0.0) as usize;
+        return format!("{value:.digits$}");
+    }
+    format!("{value:.3e}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_short() {
+        let told = [3.06171, 0.0012345, 123456.0, 1e-9, -0.5, 0.0].map(short);
+        assert_eq!(told, ["3.062", "0.001234", "123456", "1.000e-9", "-0.5000", "0"]);
+        assert_eq!(
+            [4.25, 59.0, 200.0, 7500.0].map(duration),
+            ["4.2 s", "59 s", "3 min 20 s", "2 h 05 min"]
+        );
+    }
+}

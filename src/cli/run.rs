@@ -1,0 +1,157 @@
+//! `seawall run`: one scene.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::execute::{Job, execute};
+use super::input::{Expect, Setting, SimdChoice, default_out, study};
+use super::output::{Output, duration, short};
+use super::table::Table;
+use crate::simulation::{EnergyBudget, Maximum, Outcome, PhaseShare};
+use crate::sweep::executor::{Setup, threads};
+use crate::sweep::{CaseRecord, Ending, Interrupt, OpenMode, SphRunner};
+
+/// Run one scene: histories, probes, outcome, energy budget, and where the time went.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  seawall run sweeps/scenes/fixed_wall.toml
+  seawall run sweeps/scenes/fixed_wall.toml --set scene.wave_height_ratio=0.3 --out results/runs/h03
+  seawall run sweeps/scenes/fixed_wall.toml --fresh --format json")]
+pub(super) struct RunArgs {
+    /// The scene file: name, [scene], [numerics], and no [grid].
+    file: PathBuf,
+    /// Where results go [default: results/runs/<name>].
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Move an earlier run aside and start over.
+    #[arg(long)]
+    fresh: bool,
+    /// Instruction set of the hot loops.
+    #[arg(long, value_enum, default_value_t = SimdChoice::Auto)]
+    simd: SimdChoice,
+    /// Set a value by its path, such as scene.wave_height_ratio=0.3; repeatable.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    settings: Vec<Setting>,
+}
+
+pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
+    let study = study(&args.file, &args.settings, Expect::SingleScene)?;
+    let job = Job {
+        out: args.out.clone().unwrap_or_else(|| default_out(&study)),
+        study,
+        mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
+        retry_failed: true,
+        branching: false,
+        simd: args.simd.path(),
+        overrides: args.settings.iter().map(|setting| setting.text.clone()).collect(),
+    };
+    let interrupt = Interrupt::listen()?;
+    let setup = Setup {
+        make_runner: &|simd| Box::new(SphRunner { simd }),
+        threads: Some(1),
+        interrupt: &interrupt,
+    };
+    let done = threads::with_crew(&setup, |crew| execute(&job, crew, &interrupt, output))?;
+    if done.ending == Ending::Interrupted {
+        output.note("interrupted: a single scene starts over");
+    }
+    for record in done.records() {
+        let text = format!("{}files: {}\n", told(record), done.directory.path().display());
+        output.result(&text, record)?;
+    }
+    Ok(done.exit_code())
+}
+
+fn told(record: &CaseRecord) -> String {
+    let mut text = format!("case {}", record.id);
+    let (Some(outcome), Some(energy)) = (&record.outcome, &record.energy) else {
+        text.push_str(&format!(" failed: {}\n", record.reason));
+        return text;
+    };
+    text.push_str(&format!(", {}\n\n", duration(record.wall_time_s)));
+    text.push_str(&outcome_table(outcome));
+    text.push_str("\nenergy budget            J/m  % of paddle work\n");
+    text.push_str(&energy_table(energy, outcome.energy_gap_percent));
+    text.push_str("\nwhere the time went\n");
+    text.push_str(&phase_table(&record.phases));
+    text
+}
+
+fn outcome_table(outcome: &Outcome) -> String {
+    let mut text = String::new();
+    let mut line = |name: &str, value: Option<String>| {
+        if let Some(value) = value {
+            text.push_str(&format!("{name:<32}{value}\n"));
+        }
+    };
+    let maximum = |maximum: Option<Maximum>| {
+        maximum.map(|maximum| format!("{} at {:.4} s", short(maximum.value), maximum.time_s))
+    };
+    line("measured H/h", outcome.measured_wave_height_ratio.map(short));
+    line("largest F*", maximum(Some(outcome.force_max)));
+    line("largest R*", maximum(Some(outcome.runup_max)));
+    line("largest X*", maximum(outcome.displacement_max));
+    line("first impact, largest F*", maximum(outcome.first_force_max));
+    line("first impact, largest R*", maximum(outcome.first_runup_max));
+    line("first impact, largest X*", maximum(outcome.first_displacement_max));
+    line("first peak, F*", outcome.first_force_peak.map(short));
+    line("first peak, R*", outcome.first_runup_peak.map(short));
+    line("largest F* of any step", Some(short(outcome.force_max_raw)));
+    line(
+        "F*, R* at the end",
+        Some(format!("{}, {}", short(outcome.force_end), short(outcome.runup_end))),
+    );
+    line("X* at the end", outcome.displacement_end.map(short));
+    line("onset", outcome.onset_time_s.map(|time| format!("{time:.4} s")));
+    line("stroke centre", outcome.stroke_centre_s.map(|time| format!("{time:.4} s")));
+    line("hits on the stop", outcome.stops.map(|stops| stops.to_string()));
+    line("force gap", Some(format!("{} %", short(outcome.force_gap_percent))));
+    line("particles, lost", Some(format!("{}, {}", outcome.particles, outcome.particles_lost)));
+    line("steps", Some(outcome.steps.to_string()));
+    line("pair evaluations", Some(outcome.pair_evaluations.to_string()));
+    text
+}
+
+/// Every term, its share of the paddle's work, and what is left over.
+fn energy_table(energy: &EnergyBudget, gap_percent: f64) -> String {
+    let spent = [
+        ("kinetic", energy.kinetic),
+        ("potential", energy.potential),
+        ("elastic", energy.elastic),
+        ("wall, kinetic", energy.wall_kinetic),
+        ("spring", energy.spring),
+        ("threshold device", energy.threshold_device),
+        ("stops", energy.stops),
+        ("viscous", energy.viscous),
+        ("density diffusion", energy.density_diffusion),
+        ("shifting", energy.shifting),
+    ];
+    let total: f64 = spent.iter().map(|(_, value)| value).sum();
+    let mut text = String::new();
+    let mut line = |name: &str, value: f64| {
+        let share = match energy.paddle_work {
+            0.0 => "-".to_owned(),
+            work => format!("{:.2}", 100.0 * value / work),
+        };
+        text.push_str(&format!("{name:<18}{:>10}  {share:>16}\n", short(value)));
+    };
+    line("paddle work", energy.paddle_work);
+    for (name, value) in spent {
+        line(name, value);
+    }
+    line("residual", energy.paddle_work - total);
+    text.push_str(&format!("reported gap {gap_percent:.2} %\n"));
+    text
+}
+
+fn phase_table(phases: &[PhaseShare]) -> String {
+    let total: f64 = phases.iter().map(|phase| phase.seconds).sum();
+    let mut table = Table::default();
+    for phase in phases {
+        let share = if total > 0.0 { 100.0 * phase.seconds / total } else { 0.0 };
+        let seconds = format!("{:.2} s", phase.seconds);
+        table.row([phase.phase.clone(), seconds, format!("{share:.1} %")]);
+    }
+    table.render()
+}

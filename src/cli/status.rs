@@ -1,0 +1,128 @@
+//! `seawall status`: how far a sweep is, from its files alone.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use clap::Args;
+use serde_json::json;
+
+use super::SUCCESS;
+use super::failure::BadInput;
+use super::output::{Output, duration};
+use super::table::Table;
+use crate::sweep::{CaseRecord, Lock, Manifest, read_journal};
+
+/// Show what is done, what failed and why, what is left, and the time to go.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  seawall status results/runs/nightly
+  seawall status results/runs/nightly --format json")]
+pub(super) struct StatusArgs {
+    /// The output directory of a sweep.
+    dir: PathBuf,
+}
+
+pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
+    let bad = |reason: &str| BadInput(format!("{}: {reason}", args.dir.display()));
+    if !args.dir.join("journal.jsonl").is_file() {
+        return Err(bad("holds no journal.jsonl: not the output directory of a sweep").into());
+    }
+    let Some((header, lines)) = read_journal(&args.dir)? else {
+        return Err(bad("the sweep was stopped before it began").into());
+    };
+    let mut latest = BTreeMap::new();
+    for record in lines {
+        latest.insert(record.index, record);
+    }
+    let records: Vec<_> = latest.into_values().collect();
+    let failed: Vec<_> = records.iter().filter(|record| !record.is_ok()).collect();
+    let left = header.cases.saturating_sub(records.len());
+    let running = Lock::is_held(&args.dir);
+    let to_go = time_to_go(&records, left, Manifest::read(&args.dir).as_ref());
+    let groups = group(&failed);
+
+    let state = match (left, running) {
+        (0, false) => "finished",
+        (_, true) => "running",
+        (_, false) => "stopped; the same command goes on",
+    };
+    let mut text = format!(
+        "{}: {state}\n{} of {} cases done, {} failed, {left} left",
+        header.name,
+        records.len(),
+        header.cases,
+        failed.len()
+    );
+    if let Some(seconds) = to_go.filter(|_| left > 0) {
+        text.push_str(&format!(", about {} to go", duration(seconds)));
+    }
+    text.push('\n');
+    for (reason, group) in &groups {
+        text.push_str(&format!(
+            "\n{reason}: {} cases, such as\n  {}\n",
+            group.cases, group.example
+        ));
+        let mut table = Table::default();
+        for (key, values) in &group.values {
+            let counts = values.iter().map(|(value, count)| format!("{value} ({count})"));
+            table.row([key.clone(), counts.collect::<Vec<_>>().join(", ")]);
+        }
+        text.push_str(&table.render());
+    }
+    let value = json!({
+        "name": header.name,
+        "cases": header.cases,
+        "done": records.len(),
+        "ok": records.len() - failed.len(),
+        "failed": failed.len(),
+        "left": left,
+        "running": running,
+        "time_to_go_s": to_go,
+        "simd": header.simd,
+        "failures": groups
+            .iter()
+            .map(|(reason, group)| json!({
+                "reason": reason,
+                "cases": group.cases,
+                "example": group.example,
+                "values": group.values,
+            }))
+            .collect::<Vec<_>>(),
+    });
+    output.result(&text, &value)?;
+    Ok(SUCCESS)
+}
+
+/// Failures of one kind: how many cases of each value of each swept key.
+#[derive(Default)]
+struct Group {
+    cases: usize,
+    example: String,
+    values: BTreeMap<String, BTreeMap<String, usize>>,
+}
+
+fn group(failed: &[&CaseRecord]) -> BTreeMap<&'static str, Group> {
+    let mut groups: BTreeMap<_, Group> = BTreeMap::new();
+    for record in failed {
+        let kind = record.failure.map_or("failed", |kind| kind.name());
+        let group = groups.entry(kind).or_default();
+        if group.cases == 0 {
+            group.example.clone_from(&record.reason);
+        }
+        group.cases += 1;
+        for (key, value) in &record.values {
+            let counts = group.values.entry(key.clone()).or_default();
+            *counts.entry(value.to_string()).or_default() += 1;
+        }
+    }
+    groups
+}
+
+/// The mean time of a finished case, times those left, over the places of the last session.
+fn time_to_go(records: &[CaseRecord], left: usize, manifest: Option<&Manifest>) -> Option<f64> {
+    let spent: f64 = records.iter().map(|record| record.wall_time_s).sum();
+    let session = manifest?.sessions.last()?;
+    let places: usize = session.ranks.iter().map(|rank| rank.threads).sum();
+    let mean = spent / (!records.is_empty()).then_some(records.len())? as f64;
+    Some(mean * left as f64 / places.max(1) as f64)
+}

@@ -1,0 +1,215 @@
+//! `seawall sweep`: runs all cases of a sweep file.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+
+use super::execute::{Done, Job, execute};
+use super::failure::{BadInput, exit_code};
+use super::input::{Expect, Setting, SimdChoice, default_out, study};
+use super::output::{Output, duration, short};
+use super::table::Table;
+use super::{SUCCESS, check};
+use crate::sweep::executor::{Crew, Launcher, Setup, mpi, threads};
+use crate::sweep::{Ending, Interrupt, OpenMode, SphRunner};
+
+/// Run all cases of a sweep file, on threads or under mpirun, and go on where an earlier run
+/// stopped.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  seawall sweep sweeps/smoke.toml
+  seawall sweep sweeps/nightly.toml --out results/runs/today --threads 4
+  seawall sweep sweeps/liang2017.toml --set numerics.particle_spacing_m=0.016
+  mpirun -n 4 --bind-to none seawall sweep sweeps/nightly.toml
+  seawall sweep sweeps/nightly.toml --retry-failed")]
+pub(super) struct SweepArgs {
+    /// The sweep file.
+    file: PathBuf,
+    /// Where results go [default: results/runs/<name>].
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Who does the work; auto takes MPI only when an MPI launcher started the process.
+    #[arg(long, value_enum, default_value_t = Executor::Auto)]
+    executor: Executor,
+    /// Cases at once, per rank [default: the node's cores shared among its ranks].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+    /// Go on with an earlier run, or start where there is none; this is the default.
+    #[arg(long, conflicts_with = "fresh")]
+    resume: bool,
+    /// Move an earlier run aside and start over.
+    #[arg(long)]
+    fresh: bool,
+    /// Run the cases again that failed earlier.
+    #[arg(long)]
+    retry_failed: bool,
+    /// Validate and show what would run; write nothing.
+    #[arg(long)]
+    dry_run: bool,
+    /// Run every case from rest, for checking: the same results, slower.
+    #[arg(long)]
+    no_branch: bool,
+    /// Instruction set of the hot loops.
+    #[arg(long, value_enum, default_value_t = SimdChoice::Auto)]
+    simd: SimdChoice,
+    /// Set a value by its path, such as numerics.boundary=improved-shepard; repeatable.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    settings: Vec<Setting>,
+}
+
+/// Who does the work.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Executor {
+    /// MPI under an MPI launcher, threads otherwise.
+    Auto,
+    /// One process.
+    Threads,
+    /// All processes of an MPI job.
+    Mpi,
+}
+
+pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> anyhow::Result<u8> {
+    if args.dry_run {
+        if launcher.rank > 0 {
+            return Ok(SUCCESS);
+        }
+        let study = study(&args.file, &args.settings, Expect::Grid)?;
+        return check::show(&study, !args.no_branch, output);
+    }
+    let use_mpi = choose(args.executor, launcher, mpi::AVAILABLE)?;
+    let interrupt = Interrupt::listen()?;
+    let setup = Setup {
+        make_runner: &|simd| Box::new(SphRunner { simd }),
+        threads: args.threads.map(usize::from),
+        interrupt: &interrupt,
+    };
+    let lead = |crew: &mut dyn Crew| {
+        exit_code(lead(args, output, crew, &interrupt), Launcher { rank: 0, ..launcher })
+    };
+    if use_mpi { Ok(mpi::with_crew(&setup, lead)?) } else { Ok(threads::with_crew(&setup, lead)) }
+}
+
+/// True for MPI.
+fn choose(executor: Executor, launcher: Launcher, available: bool) -> Result<bool, BadInput> {
+    let alone = "this build has no MPI: rebuild with `cargo build --release --features mpi`";
+    match executor {
+        Executor::Mpi if available => Ok(true),
+        Executor::Mpi => Err(BadInput(format!("--executor mpi: {alone}"))),
+        Executor::Auto if launcher.present && available => Ok(true),
+        Executor::Auto if launcher.is_parallel() => Err(BadInput(format!(
+            "an MPI launcher started several copies of this program, but {alone}"
+        ))),
+        Executor::Threads if launcher.is_parallel() => Err(BadInput(
+            "--executor threads: an MPI launcher started several copies of this program; \
+             start it without the launcher, or use --executor mpi"
+                .to_owned(),
+        )),
+        Executor::Auto | Executor::Threads => Ok(false),
+    }
+}
+
+/// Runs on rank 0 only.
+fn lead(
+    args: &SweepArgs,
+    output: &Output,
+    crew: &mut dyn Crew,
+    interrupt: &Interrupt,
+) -> anyhow::Result<u8> {
+    let study = study(&args.file, &args.settings, Expect::Grid)?;
+    let job = Job {
+        out: args.out.clone().unwrap_or_else(|| default_out(&study)),
+        study,
+        mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
+        retry_failed: args.retry_failed,
+        branching: !args.no_branch,
+        simd: args.simd.path(),
+        overrides: args.settings.iter().map(|setting| setting.text.clone()).collect(),
+    };
+    let done = execute(&job, crew, interrupt, output)?;
+    if done.ending == Ending::Interrupted {
+        let (finished, cases) = (done.records().count(), job.study.cases.len());
+        output.note(format_args!(
+            "interrupted: {finished} of {cases} cases are done; the same command goes on"
+        ));
+        return Ok(done.exit_code());
+    }
+    let report = crate::report::write(done.directory.path())?;
+    output.result(&told(&job, &done, &report, output.verbose), &done.json(&job, Some(&report)))?;
+    Ok(done.exit_code())
+}
+
+/// Rows shown without `-v`.
+const ROWS: usize = 30;
+
+fn told(job: &Job, done: &Done, report: &std::path::Path, all: bool) -> String {
+    let keys = &job.study.keys;
+    let heading = ["F* max", "R* max", "X* max", "first F*", "first R*", "energy gap %", "status"];
+    let mut table = Table::new(keys.iter().map(String::as_str).chain(heading));
+    let rows = if all { usize::MAX } else { ROWS };
+    for record in done.records().take(rows) {
+        let value = |key: &String| match record.values.get(key) {
+            Some(serde_json::Value::String(text)) => text.clone(),
+            Some(value) => value.to_string(),
+            None => "-".to_owned(),
+        };
+        let mut cells: Vec<String> = keys.iter().map(value).collect();
+        match &record.outcome {
+            Some(outcome) => {
+                let or_dash = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), short);
+                cells.push(short(outcome.force_max.value));
+                cells.push(short(outcome.runup_max.value));
+                cells.push(or_dash(outcome.displacement_max.map(|maximum| maximum.value)));
+                cells.push(or_dash(outcome.first_force_max.map(|maximum| maximum.value)));
+                cells.push(or_dash(outcome.first_runup_max.map(|maximum| maximum.value)));
+                cells.push(short(outcome.energy_gap_percent));
+                cells.push("ok".to_owned());
+            }
+            None => {
+                cells.extend(std::iter::repeat_n("-".to_owned(), 6));
+                cells.push(record.failure.map_or("failed", |kind| kind.name()).to_owned());
+            }
+        }
+        table.row(cells);
+    }
+    let mut text = table.render();
+    let total = done.records().count();
+    if total > rows {
+        text.push_str(&format!("... and {} more in summary.csv (-v shows all)\n", total - rows));
+    }
+    let failed = done.failed();
+    text.push_str(&format!("\n{} of {total} cases are well", total - failed));
+    if failed > 0 {
+        text.push_str(&format!(", {failed} failed (seawall status tells why)"));
+    }
+    if let Some(wall_time) = done.wall_time_s {
+        text.push_str(&format!("; {}", duration(wall_time)));
+    }
+    if done.savings.trunks > 0 && done.savings.steps_from_rest > 0 {
+        let computed = done.savings.steps_computed as f64;
+        let saved = 100.0 * (1.0 - computed / done.savings.steps_from_rest as f64);
+        text.push_str(&format!("; shared trunks saved {saved:.0} % of the steps"));
+    }
+    text.push_str(&format!("\nreport: {}\n", report.display()));
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn mpi_is_taken_only_where_a_launcher_is() {
+        let alone = Launcher::default();
+        let single = Launcher { present: true, size: Some(1), rank: 0 };
+        let four = Launcher { present: true, size: Some(4), rank: 0 };
+        let chosen = |executor, launcher, available| choose(executor, launcher, available).ok();
+        assert_eq!(chosen(Executor::Auto, alone, true), Some(false));
+        assert_eq!(chosen(Executor::Auto, four, true), Some(true));
+        assert_eq!(chosen(Executor::Auto, four, false), None);
+        assert_eq!(chosen(Executor::Auto, single, false), Some(false));
+        assert_eq!(chosen(Executor::Threads, four, true), None);
+        assert_eq!(chosen(Executor::Threads, single, true), Some(false));
+        assert_eq!(chosen(Executor::Mpi, alone, true), Some(true));
+        assert_eq!(chosen(Executor::Mpi, alone, false), None);
+    }
+}

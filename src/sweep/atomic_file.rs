@@ -1,0 +1,42 @@
+//! Files that are either whole or absent: written under a temporary name, synced, renamed.
+
+use std::fs::{self, File};
+use std::io::Write;
+use std::path::Path;
+
+use super::error::SweepError;
+
+/// What a temporary name ends in.
+pub(super) const TEMPORARY: &str = ".partial";
+
+/// Writes a file so that no reader, and no crash, ever sees a part of it.
+pub(super) fn write(path: &Path, content: &[u8]) -> Result<(), SweepError> {
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(TEMPORARY);
+    let temporary = path.with_file_name(name);
+    let mut file = File::create(&temporary).map_err(SweepError::io(&temporary))?;
+    file.write_all(content).map_err(SweepError::io(&temporary))?;
+    file.sync_all().map_err(SweepError::io(&temporary))?;
+    fs::rename(&temporary, path).map_err(SweepError::io(path))
+}
+
+/// Makes the renames inside a directory durable.
+pub(super) fn sync_directory(path: &Path) -> Result<(), SweepError> {
+    let directory = File::open(path).map_err(SweepError::io(path))?;
+    directory.sync_all().map_err(SweepError::io(path))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_replaced_whole() {
+        let directory = tempfile::tempdir().unwrap();
+        let path = directory.path().join("a.csv");
+        write(&path, b"one").unwrap();
+        write(&path, b"two").unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"two");
+        assert_eq!(fs::read_dir(directory.path()).unwrap().count(), 1);
+    }
+}

@@ -1,0 +1,329 @@
+//! Many processes under an MPI launcher; rank 0 coordinates and computes.
+//!
+//! On every rank the thread that entered here does all the talking and never blocks: it sends
+//! without waiting, looks for messages, and otherwise sleeps until a case on one of the other
+//! threads ends, for 1.5 ms at most. Checkpoints go from rank to rank when the receiver asks.
+//!
+//! A session: every rank says Hello; rank 0 sends Start, then orders; Finish ends it. A rank then
+//! answers Bye once all that it sent has been received, and goes on receiving until Leave, so that
+//! nobody waits for a partner that has gone.
+
+mod hello;
+mod post;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::{Duration, Instant};
+
+use mpi::Threading;
+use mpi::traits::Communicator;
+use serde::{Deserialize, Serialize};
+
+use self::hello::{Hello, share_cores};
+use self::post::Post;
+use super::worker::{Fetch, Worker, with_worker};
+use super::{Crew, Link, Order, RankInfo, Report, Setup};
+use crate::math::simd::SimdPath;
+use crate::sweep::error::SweepError;
+
+/// Whether this build can run under MPI.
+pub const AVAILABLE: bool = true;
+
+/// How long a talking thread sleeps at most.
+const NAP: Duration = Duration::from_micros(1500);
+
+/// Everything that ranks say to each other.
+#[derive(Debug, Serialize, Deserialize)]
+enum Message {
+    Hello(Hello),
+    Start { simd: SimdPath, threads: usize },
+    Order(Order),
+    Report(Report),
+    Pull { trunk: usize },
+    Checkpoint { trunk: usize, bytes: Option<Vec<u8>> },
+    Finish,
+    Bye,
+    Leave,
+}
+
+/// Joins the other ranks. `lead` runs on rank 0 only and yields its exit code; the other ranks
+/// serve it and return 0.
+///
+/// # Errors
+/// Where MPI cannot be started; any later error ends the whole job.
+pub fn with_crew(
+    setup: &Setup<'_>,
+    lead: impl FnOnce(&mut dyn Crew) -> u8,
+) -> Result<u8, SweepError> {
+    let Some((universe, level)) = mpi::initialize_with_threading(Threading::Funneled) else {
+        return Err(SweepError::Executor("MPI has been started before".to_owned()));
+    };
+    if level < Threading::Funneled {
+        return Err(SweepError::Executor("this MPI allows no second thread".to_owned()));
+    }
+    let world = universe.world();
+    let rank = world.rank();
+    // A rank that unwound out of here would leave the others waiting: it ends the job instead.
+    let ended = catch_unwind(AssertUnwindSafe(|| {
+        let post = Post::new(universe.world());
+        if rank == 0 { lead_crew(setup, post, lead) } else { serve(setup, post).map(|()| 0) }
+    }));
+    match ended {
+        Ok(Ok(code)) => Ok(code),
+        Ok(Err(error)) => {
+            eprintln!("error: rank {rank}: {error}");
+            world.abort(70)
+        }
+        Err(_) => world.abort(70),
+    }
+}
+
+fn lead_crew(
+    setup: &Setup<'_>,
+    mut post: Post,
+    lead: impl FnOnce(&mut dyn Crew) -> u8,
+) -> Result<u8, SweepError> {
+    let mut hellos = vec![None; post.size()];
+    hellos[0] = Some(Hello::of_this_process());
+    while hellos.iter().any(Option::is_none) {
+        match post.receive()? {
+            Some((rank, Message::Hello(hello))) => hellos[rank] = Some(hello),
+            Some((rank, message)) => return Err(out_of_turn(rank, &message)),
+            None => std::thread::sleep(NAP),
+        }
+    }
+    let hellos: Vec<_> = hellos.into_iter().flatten().collect();
+    if let Some(other) = hellos.iter().find(|hello| hello.build != hellos[0].build) {
+        let reason = format!("runs build {}, rank 0 {}", other.build, hellos[0].build);
+        return Err(SweepError::Executor(format!("{} {reason}", other.host)));
+    }
+    let ranks = share_cores(&hellos, setup.threads);
+    let widest = hellos.iter().map(|hello| hello.simd).min().unwrap_or(SimdPath::Portable);
+    let mut crew = MpiCrew { setup: *setup, post, ranks, widest };
+    let code = lead(&mut crew);
+    crew.dismiss()?;
+    Ok(code)
+}
+
+struct MpiCrew<'a> {
+    setup: Setup<'a>,
+    post: Post,
+    ranks: Vec<RankInfo>,
+    widest: SimdPath,
+}
+
+impl MpiCrew<'_> {
+    fn send_all(&mut self, message: impl Fn(&RankInfo) -> Message) {
+        for rank in 1..self.ranks.len() {
+            self.post.send(rank, &message(&self.ranks[rank]));
+        }
+    }
+
+    fn dismiss(&mut self) -> Result<(), SweepError> {
+        self.send_all(|_| Message::Finish);
+        let mut working = self.ranks.len() - 1;
+        while working > 0 {
+            match self.post.receive()? {
+                Some((_, Message::Bye)) => working -= 1,
+                Some(_) => {}
+                None => std::thread::sleep(NAP),
+            }
+        }
+        self.send_all(|_| Message::Leave);
+        while !self.post.is_delivered() {
+            std::thread::sleep(NAP);
+        }
+        Ok(())
+    }
+}
+
+impl Crew for MpiCrew<'_> {
+    fn executor(&self) -> &'static str {
+        "mpi"
+    }
+
+    fn ranks(&self) -> &[RankInfo] {
+        &self.ranks
+    }
+
+    fn widest_simd(&self) -> SimdPath {
+        self.widest
+    }
+
+    fn work(
+        &mut self,
+        simd: SimdPath,
+        lead: &mut dyn FnMut(&mut dyn Link) -> Result<(), SweepError>,
+    ) -> Result<(), SweepError> {
+        self.send_all(|rank| Message::Start { simd, threads: rank.threads });
+        let runner = (self.setup.make_runner)(simd);
+        let post = &mut self.post;
+        with_worker(0, self.ranks[0].threads, &*runner, |worker| {
+            lead(&mut RankZero { station: Station { post, worker } })
+        })?
+    }
+}
+
+/// A rank at work: its mail and its worker.
+struct Station<'a, 'run, 'scope> {
+    post: &'a mut Post,
+    worker: &'a mut Worker<'run, 'scope>,
+}
+
+impl Station<'_, '_, '_> {
+    fn obey(&mut self, order: Order) {
+        if let Some(Fetch { trunk, holder }) = self.worker.take(order) {
+            self.post.send(holder, &Message::Pull { trunk });
+        }
+    }
+
+    /// Deals with a message between equals; hands back what only some ranks understand.
+    fn handle(&mut self, from: usize, message: Message) -> Option<Message> {
+        match message {
+            Message::Pull { trunk } => {
+                let bytes = self.worker.checkpoint(trunk).map(|bytes| bytes.to_vec());
+                self.post.send_checkpoint(from, trunk, bytes);
+                None
+            }
+            Message::Checkpoint { trunk, bytes } => {
+                self.worker.arrive(trunk, bytes);
+                None
+            }
+            other => Some(other),
+        }
+    }
+}
+
+struct RankZero<'a, 'run, 'scope> {
+    station: Station<'a, 'run, 'scope>,
+}
+
+impl Link for RankZero<'_, '_, '_> {
+    fn send(&mut self, rank: usize, order: Order) {
+        match rank {
+            0 => self.station.obey(order),
+            _ => self.station.post.send(rank, &Message::Order(order)),
+        }
+    }
+
+    fn poll(&mut self, patience: Duration) -> Result<Option<(usize, Report)>, SweepError> {
+        let start = Instant::now();
+        let mut nap = Duration::ZERO;
+        loop {
+            if let Some(report) = self.station.worker.poll(nap) {
+                return Ok(Some((0, report)));
+            }
+            nap = NAP;
+            while let Some((rank, message)) = self.station.post.receive()? {
+                nap = Duration::ZERO;
+                match self.station.handle(rank, message) {
+                    None => {}
+                    Some(Message::Report(report)) => return Ok(Some((rank, report))),
+                    Some(other) => return Err(out_of_turn(rank, &other)),
+                }
+            }
+            if start.elapsed() >= patience {
+                return Ok(None);
+            }
+        }
+    }
+}
+
+/// Any rank but 0.
+fn serve(setup: &Setup<'_>, mut post: Post) -> Result<(), SweepError> {
+    post.send(0, &Message::Hello(Hello::of_this_process()));
+    loop {
+        match post.receive()? {
+            None => std::thread::sleep(NAP),
+            Some((0, Message::Finish)) => break,
+            Some((0, Message::Start { simd, threads })) => {
+                let rank = post.rank();
+                let runner = (setup.make_runner)(simd);
+                let post = &mut post;
+                with_worker(rank, threads, &*runner, |worker| {
+                    work(setup, Station { post, worker })
+                })??;
+                break;
+            }
+            Some((rank, message)) => return Err(out_of_turn(rank, &message)),
+        }
+    }
+    leave(&mut post)
+}
+
+fn work(setup: &Setup<'_>, mut station: Station<'_, '_, '_>) -> Result<(), SweepError> {
+    let mut told = false;
+    let mut nap = Duration::ZERO;
+    loop {
+        if let Some(report) = station.worker.poll(nap) {
+            station.post.send(0, &Message::Report(report));
+        }
+        if setup.interrupt.is_raised() && !told {
+            told = true;
+            station.post.send(0, &Message::Report(Report::Interrupted));
+        }
+        nap = NAP;
+        while let Some((rank, message)) = station.post.receive()? {
+            nap = Duration::ZERO;
+            match station.handle(rank, message) {
+                None => {}
+                Some(Message::Order(order)) => station.obey(order),
+                Some(Message::Finish) => return Ok(()),
+                Some(other) => return Err(out_of_turn(rank, &other)),
+            }
+        }
+    }
+}
+
+/// Waits until everything sent has been received, and until nobody sends any more.
+fn leave(post: &mut Post) -> Result<(), SweepError> {
+    let mut said_bye = false;
+    loop {
+        match post.receive()? {
+            Some((0, Message::Leave)) => break,
+            Some(_) => {}
+            None => std::thread::sleep(NAP),
+        }
+        if !said_bye && post.is_delivered() {
+            said_bye = true;
+            post.send(0, &Message::Bye);
+        }
+    }
+    while !post.is_delivered() {
+        std::thread::sleep(NAP);
+    }
+    Ok(())
+}
+
+fn out_of_turn(rank: usize, message: &Message) -> SweepError {
+    let name = match message {
+        Message::Hello(_) => "Hello",
+        Message::Start { .. } => "Start",
+        Message::Order(_) => "Order",
+        Message::Report(_) => "Report",
+        Message::Pull { .. } => "Pull",
+        Message::Checkpoint { .. } => "Checkpoint",
+        Message::Finish => "Finish",
+        Message::Bye => "Bye",
+        Message::Leave => "Leave",
+    };
+    SweepError::Executor(format!("rank {rank} sent {name} out of turn"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_cross_the_wire_bit_for_bit() {
+        use crate::sweep::{Runner, fake::FakeRunner};
+        let empty = toml::Table::new();
+        let config = crate::scene::CaseConfig::from_tables(&empty, &empty).unwrap();
+        let result =
+            FakeRunner::default().case(&config, None, &crate::simulation::Unwatched).unwrap();
+        let result = Ok(Box::new(result));
+        let report = Report::CaseDone { case: 3, result, wall_time_s: 0.1 };
+        let bytes = postcard::to_stdvec(&Message::Report(report.clone())).unwrap();
+        let Message::Report(read) = postcard::from_bytes(&bytes).unwrap() else { panic!() };
+        assert_eq!(read, report);
+    }
+}

@@ -1,0 +1,69 @@
+//! One process per output directory: an advisory lock that dies with its holder.
+
+use std::fs::{File, OpenOptions, TryLockError};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use super::error::SweepError;
+
+/// The file's name in its directory.
+pub(super) const FILE_NAME: &str = "lock";
+const PATIENCE: Duration = Duration::from_secs(5);
+
+/// A held lock; dropping it releases it.
+#[derive(Debug)]
+pub struct Lock {
+    _file: File,
+}
+
+impl Lock {
+    /// Locks a directory, waiting up to 5 s for another process to leave it.
+    ///
+    /// # Errors
+    /// Where the other process stays, or the file cannot be opened.
+    pub fn hold(directory: &Path) -> Result<Lock, SweepError> {
+        Lock::hold_within(directory, PATIENCE)
+    }
+
+    fn hold_within(directory: &Path, patience: Duration) -> Result<Lock, SweepError> {
+        let path = directory.join(FILE_NAME);
+        let open = OpenOptions::new().write(true).create(true).truncate(false).open(&path);
+        let file = open.map_err(SweepError::io(&path))?;
+        let start = Instant::now();
+        loop {
+            match file.try_lock() {
+                Ok(()) => return Ok(Lock { _file: file }),
+                Err(TryLockError::WouldBlock) if start.elapsed() < patience => {
+                    std::thread::sleep(Duration::from_millis(50));
+                }
+                Err(TryLockError::WouldBlock) => {
+                    return Err(SweepError::refused(directory, "another process is at work here"));
+                }
+                Err(TryLockError::Error(source)) => return Err(SweepError::io(&path)(source)),
+            }
+        }
+    }
+
+    /// Whether some process is at work in a directory.
+    pub fn is_held(directory: &Path) -> bool {
+        let file = File::open(directory.join(FILE_NAME));
+        file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_held_lock_is_refused_and_a_dropped_one_free() {
+        let directory = tempfile::tempdir().unwrap();
+        let lock = Lock::hold(directory.path()).unwrap();
+        assert!(Lock::is_held(directory.path()));
+        let wait = Duration::from_millis(60);
+        assert!(Lock::hold_within(directory.path(), wait).unwrap_err().is_refusal());
+        drop(lock);
+        assert!(!Lock::is_held(directory.path()));
+        Lock::hold(directory.path()).unwrap();
+    }
+}

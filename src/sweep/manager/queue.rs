@@ -1,0 +1,50 @@
+//! A priority queue of places in the plan, the dearest first, then in grid order.
+
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// A place and its priority.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Entry {
+    pub(super) priority: u64,
+    pub(super) place: usize,
+}
+
+impl Entry {
+    pub(super) fn new(priority: u64, place: usize) -> Entry {
+        Entry { priority, place }
+    }
+}
+
+/// Entries by priority, then by place.
+#[derive(Debug, Default)]
+pub(super) struct Queue(BinaryHeap<(u64, Reverse<usize>)>);
+
+impl Queue {
+    pub(super) fn push(&mut self, entry: Entry) {
+        self.0.push((entry.priority, Reverse(entry.place)));
+    }
+
+    pub(super) fn top(&self) -> Option<Entry> {
+        self.0.peek().map(|&(priority, Reverse(place))| Entry { priority, place })
+    }
+
+    pub(super) fn pop(&mut self) -> Option<Entry> {
+        self.0.pop().map(|(priority, Reverse(place))| Entry { priority, place })
+    }
+
+    pub(super) fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+impl FromIterator<Entry> for Queue {
+    fn from_iter<T: IntoIterator<Item = Entry>>(entries: T) -> Queue {
+        let pairs = entries.into_iter().map(|entry| (entry.priority, Reverse(entry.place)));
+        Queue(pairs.collect())
+    }
+}

@@ -1,0 +1,105 @@
+//! Values set from the command line: `--set numerics.boundary=sfdi`.
+
+use std::str::FromStr;
+
+use toml::{Table, Value};
+
+use crate::scene::ConfigError;
+
+/// One `KEY=VALUE`: a path into the file and the value that goes there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Override {
+    section: Option<String>,
+    key: String,
+    value: Value,
+}
+
+impl FromStr for Override {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Override, String> {
+        let Some((path, value)) = text.split_once('=') else {
+            return Err("must be KEY=VALUE, such as numerics.particle_spacing_m=0.01".to_owned());
+        };
+        let (section, key) = match path.trim().split_once('.') {
+            Some((section, key)) => (Some(section.to_owned()), key.to_owned()),
+            None => (None, path.trim().to_owned()),
+        };
+        if key.is_empty() || key.contains('.') || section.as_deref() == Some("") {
+            return Err("the key must be name or SECTION.KEY".to_owned());
+        }
+        Ok(Override { section, key, value: read_value(value.trim()) })
+    }
+}
+
+/// A TOML value, or a bare string where it is none.
+fn read_value(text: &str) -> Value {
+    let parsed = format!("value = {text}").parse::<Table>().ok();
+    match parsed {
+        Some(mut table) if table.len() == 1 => {
+            table.remove("value").unwrap_or_else(|| Value::String(text.to_owned()))
+        }
+        _ => Value::String(text.to_owned()),
+    }
+}
+
+impl Override {
+    /// The path as written, such as `numerics.boundary`.
+    pub fn path(&self) -> String {
+        match &self.section {
+            Some(section) => format!("{section}.{}", self.key),
+            None => self.key.clone(),
+        }
+    }
+
+    /// Puts the value into a parsed file.
+    ///
+    /// # Errors
+    /// Where the section is no table, or where `[grid]` sweeps the same key and would win.
+    pub fn apply(&self, file: &mut Table) -> Result<(), ConfigError> {
+        let Some(section) = &self.section else {
+            file.insert(self.key.clone(), self.value.clone());
+            return Ok(());
+        };
+        let swept = file.get("grid").and_then(|grid| grid.get(&self.key)).is_some();
+        if section != "grid" && swept {
+            let allowed = format!("[grid] sweeps this key: set grid.{} instead", self.key);
+            return Err(ConfigError::new(&self.path(), &self.value, allowed));
+        }
+        let table = file.entry(section.clone()).or_insert_with(|| Value::Table(Table::new()));
+        let Value::Table(table) = table else {
+            return Err(ConfigError::new(section, &*table, "must be a table"));
+        };
+        table.insert(self.key.clone(), self.value.clone());
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_are_toml_or_bare_strings() {
+        let value = |text: &str| text.parse::<Override>().unwrap().value;
+        assert_eq!(value("numerics.boundary=sfdi"), Value::String("sfdi".into()));
+        assert_eq!(value("numerics.courant_number=1e-1"), Value::Float(0.1));
+        assert_eq!(value("name=\"x\""), Value::String("x".into()));
+        assert!(value("grid.wave_height_ratio=[0.1, 0.2]").is_array());
+        assert_eq!(value("name=1\nother=2"), Value::String("1\nother=2".into()));
+    }
+
+    #[test]
+    fn paths_are_checked() {
+        for bad in ["name", "=1", ".x=1", "a.b.c=1", "scene.=1"] {
+            assert!(bad.parse::<Override>().is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn a_swept_key_is_not_silently_shadowed() {
+        let mut file: Table = "[grid]\nwave_height_ratio = [0.1]".parse().unwrap();
+        let set: Override = "scene.wave_height_ratio=0.3".parse().unwrap();
+        assert!(set.apply(&mut file).is_err());
+    }
+}
