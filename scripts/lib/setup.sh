@@ -48,7 +48,7 @@ install_packages() {
 have_libclang() {
   [ -n "${LIBCLANG_PATH:-}" ] && return 0
   command -v clang >/dev/null && return 0
-  { compgen -G '/usr/lib/llvm-*/lib/libclang[-.]*' || compgen -G '/usr/lib/*/libclang[-.]*so*'; } >/dev/null &&
+  { compgen -G '/usr/lib/llvm-*/lib/libclang.so*' || compgen -G '/usr/lib/*/libclang-[0-9]*.so*'; } >/dev/null &&
     { compgen -G '/usr/lib/llvm-*/lib/clang/*/include/stddef.h' || compgen -G '/usr/lib/clang/*/include/stddef.h'; } >/dev/null
 }
 
@@ -87,6 +87,8 @@ cores() {
 mpi_environment() {
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   export OMPI_MCA_btl_vader_single_copy_mechanism=none
+  # Without ssh, Open MPI refuses even local runs unless told to stay local.
+  command -v ssh >/dev/null || export OMPI_MCA_plm=isolated
 }
 
 # launcher RANKS: sets the array `launch`. Slots are stated, because the default counts physical
