@@ -58,13 +58,21 @@ need_compiler() {
     fail "a C compiler is missing: Rust needs one to link (Debian: apt-get install gcc libc6-dev)"
 }
 
-# need_mpi: installs what the mpi feature needs and this machine lacks.
+# need_mpi: installs what the mpi feature needs and this machine lacks, and tries the launcher.
 need_mpi() {
   local missing=()
   command -v mpirun >/dev/null || missing+=(openmpi-bin)
   command -v mpicc >/dev/null || missing+=(libopenmpi-dev)
   have_libclang || missing+=(libclang-dev)
-  [ ${#missing[@]} = 0 ] || install_packages "${missing[@]}"
+  if [ ${#missing[@]} != 0 ]; then
+    install_packages "${missing[@]}" || return 1
+  fi
+  mpi_environment
+  launcher "$(cores)"
+  timeout 60 "${launch[@]}" true >"$setup_log" 2>&1 </dev/null || {
+    say "mpirun cannot run here, see $setup_log"
+    return 1
+  }
 }
 
 # cores: what this process may use, no more than a container's quota allows.
@@ -113,8 +121,6 @@ build_mpi() {
     return 1
   }
   binary=$target/mpi/release/seawall
-  mpi_environment
-  launcher "$(cores)"
   local trial=("$binary" sweep "$root/sweeps/smoke.toml" --dry-run --executor mpi --out "$target/trial")
   timeout 60 "${launch[@]}" "${trial[@]}" >"$setup_log" 2>&1 </dev/null || {
     say "a trial run under mpirun failed, see $setup_log"

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use serde_json::Value;
 
 use super::curves::distinct;
+use super::grid::{LONG, escape, grid};
 use super::load::Loaded;
 use super::number;
 use super::plots::Figure;
@@ -12,12 +13,6 @@ use super::row::Row;
 use super::tables::Table;
 
 const STYLE: &str = include_str!("style.css");
-
-/// Above this the two force readings disagree so much that there are voids at the wall.
-const FORCE_GAP_LIMIT_PERCENT: f64 = 3.0;
-
-/// Tables longer than this are folded.
-const LONG: usize = 30;
 
 /// The whole page.
 pub fn page(data: &Loaded, figures: &[Figure], tables: &[Table]) -> String {
@@ -39,13 +34,13 @@ pub fn page(data: &Loaded, figures: &[Figure], tables: &[Table]) -> String {
         );
     }
     for table in tables.iter().filter(|table| ["summary", "energy"].contains(&&*table.name)) {
-        section(&mut body, &escape(&table.title), &grid(table, |_, _| false));
+        section(&mut body, &escape(&table.title), &grid(table));
     }
     if let Some(table) = tables.iter().find(|table| table.name == "health") {
         let text = format!(
             "<p>{} In the table, doubtful values stand out.</p>{}",
             health_line(data),
-            grid(table, doubtful)
+            grid(table)
         );
         section(&mut body, &escape(&table.title), &text);
     }
@@ -112,10 +107,17 @@ fn failures(body: &mut String, data: &Loaded) {
     if rows.is_empty() {
         return;
     }
-    let header = ["case_id", "H/h", "k, N/m", "m, kg/m", "reason"].map(str::to_owned).to_vec();
+    let header = [
+        "case_id",
+        "wave_height_ratio",
+        "spring_stiffness_n_per_m",
+        "seawall_mass_kg_per_m",
+        "reason",
+    ];
+    let header = header.map(str::to_owned).to_vec();
     let table = Table { name: String::new(), title: String::new(), header, rows };
     let said = "<p>These cases have no results; all others are complete.</p>";
-    section(body, "Failed cases", &format!("{said}{}", grid(&table, |_, _| false)));
+    section(body, "Failed cases", &format!("{said}{}", grid(&table)));
 }
 
 fn health_line(data: &Loaded) -> String {
@@ -129,47 +131,6 @@ fn health_line(data: &Loaded) -> String {
         largest(|row| row.force_gap_percent),
         largest(|row| row.energy_gap_percent)
     )
-}
-
-fn doubtful(column: &str, cell: &str) -> bool {
-    let value: f64 = cell.parse().unwrap_or(0.0);
-    match column {
-        "force_gap_percent" => value > FORCE_GAP_LIMIT_PERCENT,
-        "particles_lost" => value > 0.0,
-        _ => false,
-    }
-}
-
-/// A table as HTML, folded where it is long.
-fn grid(table: &Table, marked: impl Fn(&str, &str) -> bool) -> String {
-    let head: String = table
-        .header
-        .iter()
-        .map(|name| format!("<th>{}</th>", escape(name).replace('_', "_<wbr>")))
-        .collect();
-    let mut text =
-        format!("<div class=\"wide\"><table>\n<thead><tr>{head}</tr></thead>\n<tbody>\n");
-    for row in &table.rows {
-        text.push_str("<tr>");
-        for (name, cell) in table.header.iter().zip(row) {
-            let class = match (marked(name, cell), cell.parse::<f64>().is_ok()) {
-                (true, _) => " class=\"number doubtful\"",
-                (false, true) => " class=\"number\"",
-                (false, false) => "",
-            };
-            write!(text, "<td{class}>{}</td>", escape(cell)).expect("a string grows");
-        }
-        text.push_str("</tr>\n");
-    }
-    text.push_str("</tbody></table></div>");
-    if !table.name.is_empty() {
-        write!(text, "<p class=\"file\">tables/{}.csv</p>", table.name).expect("a string grows");
-    }
-    if table.rows.len() > LONG {
-        let count = table.rows.len();
-        text = format!("<details><summary>{count} rows</summary>{text}</details>");
-    }
-    text
 }
 
 /// The manifest's values by their paths.
@@ -212,10 +173,6 @@ fn word(value: &Value) -> String {
     value.as_str().map_or_else(|| value.to_string(), str::to_owned)
 }
 
-fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -240,13 +197,5 @@ mod tests {
         assert!(page.contains("particle 12, 31 m/s &lt;"));
         assert!(page.contains("a &lt;b&gt; &amp; c"), "the manifest is escaped, too");
         assert!(!page_of(&fixture::fixed()).contains("Failed cases"));
-    }
-
-    #[test]
-    fn doubtful_health_is_marked() {
-        assert!(doubtful("force_gap_percent", "3.1"));
-        assert!(!doubtful("force_gap_percent", "2.9"));
-        assert!(doubtful("particles_lost", "1"));
-        assert!(!doubtful("steps", "9000"));
     }
 }

@@ -8,6 +8,7 @@ pub mod curves;
 mod error;
 #[cfg(test)]
 mod fixture;
+mod grid;
 mod html;
 pub mod load;
 mod number;

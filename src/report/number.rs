@@ -17,6 +17,19 @@ pub fn rounded(value: Option<f64>, decimals: usize) -> String {
     value.map(|value| format!("{value:.decimals$}")).unwrap_or_default()
 }
 
+/// Whether a text is a number, written out or as [`plain`] writes it.
+pub fn is_number(text: &str) -> bool {
+    let mantissa =
+        text.split_once("10").filter(|(_, power)| power.starts_with(|c: char| !c.is_ascii()));
+    match mantissa {
+        Some((mantissa, _)) => {
+            let mantissa = mantissa.trim_end_matches('×');
+            mantissa.is_empty() || mantissa.parse::<f64>().is_ok()
+        }
+        None => text.parse::<f64>().is_ok(),
+    }
+}
+
 fn superscript(digit: char) -> char {
     match digit {
         '-' => '⁻',
@@ -35,6 +48,12 @@ mod tests {
     fn parameters_read_as_written_by_hand() {
         let written = [0.0, 0.01, 500.0, 9999.0, 1e7, 2.5e5, 1e-4].map(plain);
         assert_eq!(written, ["0", "0.01", "500", "9999", "10⁷", "2.5×10⁵", "10⁻⁴"]);
+    }
+
+    #[test]
+    fn what_is_written_is_recognised() {
+        assert!([0.0, 0.01, 10.0, 110.0, 1e7, 2.5e5, 1e-4].map(plain).iter().all(|t| is_number(t)));
+        assert!(!is_number("case-10") && !is_number("ok") && !is_number(""));
     }
 
     #[test]

@@ -48,7 +48,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
                 svg: sheet(&name, &lines)?,
                 caption: format!(
                     "Force (unfiltered), runup{} at the wall{common}, over the time since the \
-                     paddle's start.",
+                     paddle's start. Spikes of one or two samples may leave the panel.",
                     if moves(&lines) { " and displacement" } else { "" }
                 ),
                 title: format!("Histories, H/h = {wave}{}", of_variant(&variant)),
@@ -126,9 +126,8 @@ fn sheet(name: &str, lines: &[Line]) -> Result<String, ReportError> {
     draw(name, (LEFT + WIDTH + 16.0, height), |pen| {
         legend.draw(pen, 6.0)?;
         for (index, (title, read)) in quantities.iter().enumerate() {
-            let Some((x, y)) = x.clone().zip(Axis::around(samples().filter_map(read), 4.0)) else {
-                continue;
-            };
+            let lasting = lines.iter().flat_map(|line| lasting(&line.samples, *read));
+            let Some((x, y)) = x.clone().zip(Axis::around(lasting, 4.0)) else { continue };
             let top = top + index as f64 * (HEIGHT + GAP);
             let panel = Panel { left: LEFT, top, width: WIDTH, height: HEIGHT, x, y };
             let last = index + 1 == quantities.len();
@@ -149,6 +148,18 @@ fn sheet(name: &str, lines: &[Line]) -> Result<String, ReportError> {
         }
         Ok(())
     })
+}
+
+/// Medians of five samples each: the values that last. An axis made for these is not squashed by
+/// the pulse of a wall that comes back onto its stop.
+fn lasting(samples: &[Sample], read: fn(&Sample) -> Option<f64>) -> Vec<f64> {
+    let values: Vec<f64> = samples.iter().filter_map(read).collect();
+    let middle = |window: &[f64]| {
+        let mut window = window.to_vec();
+        window.sort_by(f64::total_cmp);
+        window[window.len() / 2]
+    };
+    if values.len() < 5 { values } else { values.windows(5).map(middle).collect() }
 }
 
 /// Fewer points with the same peaks: the lowest and the highest of every bucket, in their order.
@@ -176,6 +187,19 @@ mod tests {
         assert_eq!(spread(&ten), [0.0, 2.0, 4.0, 5.0, 7.0, 9.0]);
         assert_eq!(spread(&[3.0]), [3.0]);
         assert_eq!(spread(&[]), [0.0; 0]);
+    }
+
+    #[test]
+    fn a_spike_does_not_last() {
+        let sample = |index: u32| Sample {
+            time_s: f64::from(index),
+            force: if index == 50 { -20.0 } else { 1.0 },
+            runup: 0.0,
+            displacement: None,
+        };
+        let samples: Vec<_> = (0..100).map(sample).collect();
+        assert!(lasting(&samples, |s| Some(s.force)).iter().all(|force| *force == 1.0));
+        assert!(lasting(&samples, |s| s.displacement).is_empty());
     }
 
     #[test]
