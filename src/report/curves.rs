@@ -66,6 +66,8 @@ pub struct Point {
     pub error: Option<f64>,
     /// The wall was still moving outwards at the end: the value is a lower bound.
     pub truncated: bool,
+    /// The factor s of the wall's law of motion.
+    pub force_coupling: Option<f64>,
 }
 
 /// All cases of one wave height in a panel, by rising stiffness.
@@ -118,6 +120,7 @@ pub fn panels(rows: &[Row], variant: &str, response: Response) -> Vec<Panel> {
             error: finite(response.error(row)),
             truncated: response == Response::Displacement
                 && row.displacement_truncated == Some(true),
+            force_coupling: row.force_coupling,
         });
     }
     for curve in panels.iter_mut().flat_map(|panel| &mut panel.curves) {

@@ -94,6 +94,7 @@ pub fn health(data: &Loaded) -> Table {
         "wave_height_ratio",
         "spring_stiffness_n_per_m",
         "seawall_mass_kg_per_m",
+        "force_coupling",
         "force_gap_percent",
         "energy_gap_percent",
         "particles_lost",
@@ -106,6 +107,7 @@ pub fn health(data: &Loaded) -> Table {
             plain(row.wave_height_ratio),
             plain(row.spring_stiffness_n_per_m),
             plain(row.seawall_mass_kg_per_m),
+            plain(row.force_coupling),
             rounded(row.force_gap_percent, 3),
             rounded(row.energy_gap_percent, 3),
             plain(row.particles_lost),
@@ -126,6 +128,7 @@ fn responses(data: &Loaded) -> Vec<Table> {
             response.column(),
             "error",
             "truncated",
+            "force_coupling",
             "case_id",
         ]
     };
@@ -143,6 +146,7 @@ fn responses(data: &Loaded) -> Vec<Table> {
                             point.value.to_string(),
                             plain(point.error),
                             point.truncated.to_string(),
+                            plain(point.force_coupling),
                             point.case_id,
                         ]
                     }));
@@ -183,29 +187,37 @@ fn fixed(data: &Loaded) -> Vec<Table> {
     variants(&data.rows).into_iter().filter_map(table).collect()
 }
 
+/// A column and where its value stands in a row.
+type Place = (&'static str, fn(&Row) -> Option<f64>);
+
+/// What tells a case from the others, for tables that do not say so themselves.
+const PLACE: [Place; 4] = [
+    ("wave_height_ratio", |row| row.wave_height_ratio),
+    ("spring_stiffness_n_per_m", |row| row.spring_stiffness_n_per_m),
+    ("seawall_mass_kg_per_m", |row| row.seawall_mass_kg_per_m),
+    ("force_coupling", |row| row.force_coupling),
+];
+
 /// The energy budgets, each beside its case's place in the sweep.
 fn energy(data: &Loaded) -> Option<Table> {
     let raw = data.energy.as_ref()?;
     let id = raw.header.iter().position(|name| name == "case_id")?;
-    let places = ["wave_height_ratio", "spring_stiffness_n_per_m", "seawall_mass_kg_per_m"]
-        .map(str::to_owned);
-    let mut header = vec!["case_id".to_owned()];
-    header.extend(places.iter().filter(|place| !raw.header.contains(place)).cloned());
-    let added = header.len() - 1;
-    header.extend(raw.header.iter().filter(|name| *name != "case_id").cloned());
+    let place = PLACE.into_iter().filter(|(name, _)| !raw.header.iter().any(|known| known == name));
+    let others = |cells: &[String]| {
+        let kept = cells.iter().enumerate().filter(|(at, _)| *at != id);
+        kept.map(|(_, cell)| cell.clone()).collect::<Vec<_>>()
+    };
     let line = |cells: &Vec<String>| {
         let row = data.rows.iter().find(|row| row.case_id == cells[id]);
-        let place = row.map(|r| {
-            [r.wave_height_ratio, r.spring_stiffness_n_per_m, r.seawall_mass_kg_per_m].map(plain)
-        });
         let mut line = vec![cells[id].clone()];
-        let known = places.iter().zip(place.unwrap_or_default());
-        line.extend(known.filter(|(name, _)| !raw.header.contains(name)).map(|(_, cell)| cell));
-        line.extend(cells.iter().enumerate().filter(|(at, _)| *at != id).map(|(_, c)| c.clone()));
-        debug_assert_eq!(line.len(), cells.len() + added);
+        line.extend(place.clone().map(|(_, read)| plain(row.and_then(read))));
+        line.extend(others(cells));
         line
     };
     let rows = raw.rows.iter().map(line).collect();
+    let mut header = vec!["case_id".to_owned()];
+    header.extend(place.clone().map(|(name, _)| name.to_owned()));
+    header.extend(others(&raw.header));
     Some(Table { name: "energy".to_owned(), title: "Energy".to_owned(), header, rows })
 }
 
@@ -250,11 +262,10 @@ mod tests {
         let force = named(&tables, "response-force");
         assert_eq!(force.rows.len(), 11);
         assert_eq!(force.rows[0][..2], ["1.25", "0.3"]);
-        let energy = named(&tables, "energy").csv();
-        assert!(energy.starts_with(
-            "case_id,wave_height_ratio,spring_stiffness_n_per_m,seawall_mass_kg_per_m,paddle_work_j,"
-        ));
-        assert!(energy.contains("\ncase-0001,0.3,10,250,48.000,"), "{energy}");
+        let energy = named(&tables, "energy");
+        assert_eq!(energy.header[..2], ["case_id", "wave_height_ratio"]);
+        assert_eq!(energy.header[4..6], ["force_coupling", "paddle_work_j"]);
+        assert!(energy.csv().contains("\ncase-0001,0.3,10,250,1,48.000,"), "{}", energy.csv());
     }
 
     #[test]
