@@ -15,8 +15,6 @@ pub(super) const REQUIRED: &[&str] = &[
     "log10_k_star",
     "m_star",
     "measured_wave_height_ratio",
-    "force_max",
-    "runup_max",
     "displacement_max",
     "first_force_max",
     "first_runup_max",
@@ -27,7 +25,6 @@ pub(super) const REQUIRED: &[&str] = &[
     "particles_lost",
     "steps",
     "particles",
-    "wall_time_s",
     "scheme",
     "boundary",
     "kernel",
@@ -35,7 +32,7 @@ pub(super) const REQUIRED: &[&str] = &[
     "force_coupling",
 ];
 
-/// One case of the sweep: see `docs/files.md` for the columns. Empty cells are `None`.
+/// What the report reads of one case: see `docs/files.md` for the columns. Empty cells are `None`.
 #[derive(Debug, Clone, Default, PartialEq, Deserialize)]
 #[serde(default)]
 #[allow(missing_docs, reason = "the fields are the columns of summary.csv")]
@@ -49,15 +46,10 @@ pub struct Row {
     pub log10_k_star: Option<f64>,
     pub m_star: Option<f64>,
     pub measured_wave_height_ratio: Option<f64>,
-    pub force_max: Option<f64>,
-    pub runup_max: Option<f64>,
     pub displacement_max: Option<f64>,
     pub first_force_max: Option<f64>,
     pub first_runup_max: Option<f64>,
-    pub first_force_peak: Option<f64>,
     pub displacement_truncated: Option<bool>,
-    pub onset_time_s: Option<f64>,
-    pub stroke_centre_s: Option<f64>,
     pub stops: Option<u64>,
     pub force_gap_percent: Option<f64>,
     pub energy_gap_percent: Option<f64>,
@@ -67,7 +59,6 @@ pub struct Row {
     pub displacement_error: Option<f64>,
     pub steps: Option<u64>,
     pub particles: Option<u64>,
-    pub wall_time_s: Option<f64>,
     pub scheme: String,
     pub boundary: String,
     pub kernel: String,

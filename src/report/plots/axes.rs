@@ -1,8 +1,6 @@
 //! A rectangle with two axes: ranges, ticks, grid, labels.
 
-use super::pen::{Align, INK, Pen, faint};
-
-type Fault = Box<dyn std::error::Error>;
+use super::pen::{Align, Fault, INK, Pen, faint};
 
 /// Height of tick labels and of axis titles, CSS pixels.
 const TICK_SIZE: f64 = 11.0;

@@ -1,8 +1,6 @@
 //! A legend above the panels: entries side by side, wrapped to the sheet's width.
 
-use super::pen::{Align, Look, Pen};
-
-type Fault = Box<dyn std::error::Error>;
+use super::pen::{Align, Fault, Look, Pen};
 
 const SIZE: f64 = 12.0;
 const ROW: f64 = 20.0;

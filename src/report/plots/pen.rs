@@ -68,7 +68,9 @@ pub enum Align {
 }
 
 type Sheet<'a> = DrawingArea<SVGBackend<'a>, Shift>;
-type Fault = Box<dyn std::error::Error>;
+
+/// Whatever the drawing library complains of.
+pub type Fault = Box<dyn std::error::Error>;
 
 /// Draws on one sheet.
 pub struct Pen<'a> {

@@ -3,13 +3,11 @@
 
 use super::axes::{Axis, Panel};
 use super::legend::{Entry, Legend};
-use super::pen::{Look, Pen, draw};
+use super::pen::{Fault, Look, Pen, draw};
 use super::{Figure, file_name, of_variant};
 use crate::report::curves::{self, Curve, Response, distinct, panels, variants};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
-
-type Fault = Box<dyn std::error::Error>;
 
 const WIDTH: f64 = 250.0;
 const HEIGHT: f64 = 185.0;
