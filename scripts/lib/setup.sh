@@ -1,0 +1,129 @@
+# shellcheck shell=bash
+# What the scripts share: finding and installing what a build needs, building, and launching.
+# Everything said goes to stderr, one line each, so that a program's own output stays clean.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+target=${CARGO_TARGET_DIR:-$root/target}
+setup_log=$target/setup.log
+
+say() { printf '%s: %s\n' "$(basename "$0")" "$*" >&2; }
+
+fail() {
+  say "$*"
+  exit 70
+}
+
+need_cargo() {
+  command -v cargo >/dev/null || PATH=$HOME/.cargo/bin:$PATH
+  command -v cargo >/dev/null || fail "cargo is missing: install Rust first (rustup.rs)"
+  mkdir -p "$target"
+}
+
+as_root() {
+  if [ "$(id -u)" = 0 ]; then
+    "$@"
+  elif command -v sudo >/dev/null && sudo -n true 2>/dev/null; then
+    sudo -n "$@"
+  else
+    return 1
+  fi
+}
+
+# install_packages PACKAGE...: through apt, without questions; fails where it has no right to.
+install_packages() {
+  if ! command -v apt-get >/dev/null || ! as_root true; then
+    say "cannot install $*: no apt-get, or neither root nor sudo without a password"
+    return 1
+  fi
+  say "installing $* (apt-get)"
+  local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=120)
+  as_root "${apt[@]}" update >"$setup_log" 2>&1 || say "apt-get update failed, trying to install anyway"
+  as_root "${apt[@]}" install -y --no-install-recommends "$@" >>"$setup_log" 2>&1 </dev/null || {
+    say "installing failed, see $setup_log"
+    return 1
+  }
+}
+
+# The binding generator needs libclang itself and the compiler headers that come with it.
+have_libclang() {
+  [ -n "${LIBCLANG_PATH:-}" ] && return 0
+  command -v clang >/dev/null && return 0
+  { compgen -G '/usr/lib/llvm-*/lib/libclang.so*' || compgen -G '/usr/lib/*/libclang-[0-9]*.so*'; } >/dev/null &&
+    { compgen -G '/usr/lib/llvm-*/lib/clang/*/include/stddef.h' || compgen -G '/usr/lib/clang/*/include/stddef.h'; } >/dev/null
+}
+
+need_compiler() {
+  command -v cc >/dev/null || install_packages gcc libc6-dev || true
+  command -v cc >/dev/null ||
+    fail "a C compiler is missing: Rust needs one to link (Debian: apt-get install gcc libc6-dev)"
+}
+
+# need_mpi: installs what the mpi feature needs and this machine lacks, and tries the launcher.
+need_mpi() {
+  local missing=()
+  command -v mpirun >/dev/null || missing+=(openmpi-bin)
+  command -v mpicc >/dev/null || missing+=(libopenmpi-dev)
+  have_libclang || missing+=(libclang-dev)
+  if [ ${#missing[@]} != 0 ]; then
+    install_packages "${missing[@]}" || return 1
+  fi
+  mpi_environment
+  launcher "$(cores)"
+  timeout 60 "${launch[@]}" true >"$setup_log" 2>&1 </dev/null || {
+    say "mpirun cannot run here, see $setup_log"
+    return 1
+  }
+}
+
+# cores: what this process may use, no more than a container's quota allows.
+cores() {
+  local count quota period limit
+  count=$(nproc)
+  if read -r quota period 2>/dev/null </sys/fs/cgroup/cpu.max && [ "$quota" != max ]; then
+    limit=$(((quota + period - 1) / period))
+  elif read -r quota 2>/dev/null </sys/fs/cgroup/cpu/cpu.cfs_quota_us && [ "$quota" -gt 0 ]; then
+    read -r period </sys/fs/cgroup/cpu/cpu.cfs_period_us
+    limit=$(((quota + period - 1) / period))
+  else
+    limit=$count
+  fi
+  [ "$limit" -lt "$count" ] && count=$limit
+  echo $((count > 0 ? count : 1))
+}
+
+# What Open MPI needs as root, and in containers that forbid reading another process's memory.
+mpi_environment() {
+  export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+  export OMPI_MCA_btl_vader_single_copy_mechanism=none
+  # Without ssh, Open MPI refuses even local runs unless told to stay local.
+  command -v ssh >/dev/null || export OMPI_MCA_plm=isolated
+}
+
+# launcher RANKS: sets the array `launch`. Slots are stated, because the default counts physical
+# cores, and ranks are not bound, because a container's cores may not be the machine's.
+launcher() {
+  launch=(mpirun -q -n "$1" --host "localhost:$1" --bind-to none)
+}
+
+build_threads() {
+  say "building (threads)"
+  (cd "$root" && CARGO_TARGET_DIR=$target cargo build --release --quiet) || fail "the build failed"
+  binary=$target/release/seawall
+}
+
+# build_mpi: builds with MPI, in a target directory of its own so that neither build undoes the
+# other's, and tries it; fails with one line where MPI does not work here.
+build_mpi() {
+  need_mpi || return 1
+  say "building (MPI)"
+  (cd "$root" && CARGO_TARGET_DIR=$target/mpi cargo build --release --features mpi) >"$setup_log" 2>&1 || {
+    say "building with MPI failed, see $setup_log"
+    return 1
+  }
+  binary=$target/mpi/release/seawall
+  local trial=("$binary" sweep "$root/sweeps/smoke.toml" --dry-run --executor mpi --out "$target/trial")
+  timeout 60 "${launch[@]}" "${trial[@]}" >"$setup_log" 2>&1 </dev/null || {
+    say "a trial run under mpirun failed, see $setup_log"
+    return 1
+  }
+}

@@ -1,0 +1,102 @@
+//! Tables as HTML: headings in symbols, numbers to the right, doubtful values marked.
+
+use std::fmt::Write as _;
+
+use super::number;
+use super::tables::Table;
+
+/// Above this the two force readings disagree so much that there are voids at the wall.
+const FORCE_GAP_LIMIT_PERCENT: f64 = 3.0;
+
+/// Lists longer than this are folded.
+pub(super) const LONG: usize = 30;
+
+/// What a column is called on the page.
+fn heading(column: &str) -> String {
+    let words = match column {
+        "case_id" => "case",
+        "wave_height_ratio" => "H/h",
+        "measured_wave_height_ratio" => "H/h measured",
+        "spring_stiffness_n_per_m" => "k, N/m",
+        "seawall_mass_kg_per_m" => "m, kg/m",
+        "log10_k_star" => "log₁₀ k*",
+        "m_star" => "m*",
+        "first_force_max" => "first F*",
+        "first_runup_max" => "first R*",
+        "displacement_max" => "largest X*",
+        "displacement_truncated" => "still moving",
+        "force_coupling" => "s",
+        "force_gap_percent" => "force gap, %",
+        "energy_gap_percent" => "energy gap, %",
+        _ => match column.strip_suffix("_j") {
+            Some(energy) => return format!("{}, J", escape(&energy.replace('_', " "))),
+            None => return escape(&column.replace('_', " ")),
+        },
+    };
+    words.to_owned()
+}
+
+/// A table as HTML, folded where it is long.
+pub(super) fn grid(table: &Table) -> String {
+    let numeric: Vec<_> = (0..table.header.len()).map(|at| is_numeric(table, at)).collect();
+    let mut text = "<div class=\"wide\"><table>\n<thead><tr>".to_owned();
+    for (name, numeric) in table.header.iter().zip(&numeric) {
+        let class = if *numeric { " class=\"number\"" } else { "" };
+        write!(text, "<th{class}>{}</th>", heading(name)).expect("a string grows");
+    }
+    text.push_str("</tr></thead>\n<tbody>\n");
+    for row in &table.rows {
+        text.push_str("<tr>");
+        for ((name, cell), numeric) in table.header.iter().zip(row).zip(&numeric) {
+            let class = match (doubtful(name, cell), numeric) {
+                (true, _) => " class=\"number doubtful\"",
+                (false, true) => " class=\"number\"",
+                (false, false) => "",
+            };
+            write!(text, "<td{class}>{}</td>", escape(cell)).expect("a string grows");
+        }
+        text.push_str("</tr>\n");
+    }
+    text.push_str("</tbody></table></div>");
+    if !table.name.is_empty() {
+        write!(text, "<p class=\"file\">tables/{}.csv</p>", table.name).expect("a string grows");
+    }
+    if table.rows.len() > LONG {
+        let count = table.rows.len();
+        text = format!("<details><summary>{count} rows</summary>{text}</details>");
+    }
+    text
+}
+
+/// Whether a column holds numbers and nothing else, be they written out or as powers of ten.
+fn is_numeric(table: &Table, column: usize) -> bool {
+    let mut cells = table.rows.iter().map(|row| row[column].as_str()).filter(|c| !c.is_empty());
+    cells.clone().next().is_some() && cells.all(number::is_number)
+}
+
+fn doubtful(column: &str, cell: &str) -> bool {
+    let value: f64 = cell.parse().unwrap_or(0.0);
+    match column {
+        "force_gap_percent" => value > FORCE_GAP_LIMIT_PERCENT,
+        "particles_lost" => value > 0.0,
+        _ => false,
+    }
+}
+
+/// Text as it may stand between tags and in attributes.
+pub(super) fn escape(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn doubtful_health_is_marked() {
+        assert!(doubtful("force_gap_percent", "3.1"));
+        assert!(!doubtful("force_gap_percent", "2.9"));
+        assert!(doubtful("particles_lost", "1"));
+        assert!(!doubtful("steps", "9000"));
+    }
+}

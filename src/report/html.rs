@@ -1,0 +1,201 @@
+//! The page: one file that opens from disk, with figures, tables and style inside.
+
+use std::fmt::Write as _;
+
+use serde_json::Value;
+
+use super::curves::distinct;
+use super::grid::{LONG, escape, grid};
+use super::load::Loaded;
+use super::number;
+use super::plots::Figure;
+use super::row::Row;
+use super::tables::Table;
+
+const STYLE: &str = include_str!("style.css");
+
+/// The whole page.
+pub fn page(data: &Loaded, figures: &[Figure], tables: &[Table]) -> String {
+    let name = escape(data.name().unwrap_or("seawall sweep"));
+    let mut body = String::new();
+    head(&mut body, data, &name);
+    failures(&mut body, data);
+    for figure in figures {
+        let (title, caption) = (escape(&figure.title), escape(&figure.caption));
+        let svg = figure.inline();
+        let file = &figure.name;
+        section(
+            &mut body,
+            &title,
+            &format!(
+                "<figure><div class=\"wide\">{svg}</div><figcaption>{caption} \
+             <span class=\"file\">figures/{file}.svg</span></figcaption></figure>"
+            ),
+        );
+    }
+    for table in tables.iter().filter(|table| ["summary", "energy"].contains(&&*table.name)) {
+        section(&mut body, &escape(&table.title), &grid(table));
+    }
+    if let Some(table) = tables.iter().find(|table| table.name == "health") {
+        let text = format!(
+            "<p>{} In the table, doubtful values stand out.</p>{}",
+            health_line(data),
+            grid(table)
+        );
+        section(&mut body, &escape(&table.title), &text);
+    }
+    if let Some(manifest) = &data.manifest {
+        section(&mut body, "Provenance", &provenance(manifest));
+    }
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>{name}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n{body}</main>\n\
+         </body>\n</html>\n"
+    )
+}
+
+fn section(body: &mut String, title: &str, content: &str) {
+    writeln!(body, "<section>\n<h2>{title}</h2>\n{content}\n</section>").expect("a string grows");
+}
+
+fn head(body: &mut String, data: &Loaded, name: &str) {
+    let (done, failed) = (data.finished().count(), data.failed().count());
+    let mut facts = vec![("Cases", format!("{done} finished, {failed} failed"))];
+    let mut values = |title, read: fn(&Row) -> Option<f64>| {
+        let values = distinct(data.rows.iter(), read);
+        if !values.is_empty() {
+            facts.push((
+                title,
+                values.into_iter().map(number::plain).collect::<Vec<_>>().join(", "),
+            ));
+        }
+    };
+    values("H/h", |row| row.wave_height_ratio);
+    values("k, N/m", |row| row.spring_stiffness_n_per_m);
+    values("m, kg/m", |row| row.seawall_mass_kg_per_m);
+    values("Particle spacing, m", |row| row.particle_spacing_m);
+    values("Force coupling s", |row| row.force_coupling);
+    let mut words = |title, read: fn(&Row) -> &str| {
+        let mut words: Vec<_> =
+            data.rows.iter().map(read).filter(|word| !word.is_empty()).collect();
+        words.sort_unstable();
+        words.dedup();
+        facts.push((title, words.join(", ")));
+    };
+    words("Scheme", |row| &row.scheme);
+    words("Boundary", |row| &row.boundary);
+    words("Kernel", |row| &row.kernel);
+    let list: String = facts
+        .iter()
+        .map(|(title, value)| format!("<dt>{title}</dt><dd>{}</dd>", escape(value)))
+        .collect();
+    writeln!(body, "<h1>{name}</h1>\n<dl>{list}</dl>").expect("a string grows");
+}
+
+fn failures(body: &mut String, data: &Loaded) {
+    let row = |row: &Row| {
+        vec![
+            row.case_id.clone(),
+            row.wave_height_ratio.map(number::plain).unwrap_or_default(),
+            row.spring_stiffness_n_per_m.map(number::plain).unwrap_or_default(),
+            row.seawall_mass_kg_per_m.map(number::plain).unwrap_or_default(),
+            row.reason.clone(),
+        ]
+    };
+    let rows: Vec<_> = data.failed().map(row).collect();
+    if rows.is_empty() {
+        return;
+    }
+    let header = [
+        "case_id",
+        "wave_height_ratio",
+        "spring_stiffness_n_per_m",
+        "seawall_mass_kg_per_m",
+        "reason",
+    ];
+    let header = header.map(str::to_owned).to_vec();
+    let table = Table { name: String::new(), title: String::new(), header, rows };
+    let said = "<p>These cases have no results; all others are complete.</p>";
+    section(body, "Failed cases", &format!("{said}{}", grid(&table)));
+}
+
+fn health_line(data: &Loaded) -> String {
+    let largest = |read: fn(&Row) -> Option<f64>| {
+        data.finished().filter_map(read).map(f64::abs).fold(0.0, f64::max)
+    };
+    let lost: u64 = data.finished().filter_map(|row| row.particles_lost).sum();
+    format!(
+        "Largest gap between the two force readings {:.2} %, of the energy budget {:.2} %; \
+         {lost} particles lost.",
+        largest(|row| row.force_gap_percent),
+        largest(|row| row.energy_gap_percent)
+    )
+}
+
+/// The manifest's values by their paths.
+fn provenance(manifest: &Value) -> String {
+    let mut lines = Vec::new();
+    flatten("", manifest, &mut lines);
+    let rows: String = lines
+        .iter()
+        .map(|(path, value)| format!("<dt>{}</dt><dd>{}</dd>", escape(path), escape(value)))
+        .collect();
+    let text = format!("<dl>{rows}</dl>");
+    if lines.len() > LONG {
+        return format!("<details><summary>{} values</summary>{text}</details>", lines.len());
+    }
+    text
+}
+
+fn flatten(path: &str, value: &Value, lines: &mut Vec<(String, String)>) {
+    match value {
+        Value::Object(fields) => {
+            for (name, value) in fields {
+                let path = if path.is_empty() { name.clone() } else { format!("{path}.{name}") };
+                flatten(&path, value, lines);
+            }
+        }
+        Value::Array(items) if items.iter().any(|item| item.is_object() || item.is_array()) => {
+            for (index, item) in items.iter().enumerate() {
+                flatten(&format!("{path}[{index}]"), item, lines);
+            }
+        }
+        Value::Array(items) => {
+            let words: Vec<_> = items.iter().map(word).collect();
+            lines.push((path.to_owned(), words.join(", ")));
+        }
+        _ => lines.push((path.to_owned(), word(value))),
+    }
+}
+
+fn word(value: &Value) -> String {
+    value.as_str().map_or_else(|| value.to_string(), str::to_owned)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::{fixture, plots, tables};
+
+    fn page_of(directory: &tempfile::TempDir) -> String {
+        let data = Loaded::read(directory.path()).unwrap();
+        page(&data, &plots::all(&data).unwrap(), &tables::all(&data))
+    }
+
+    #[test]
+    fn nothing_is_fetched_and_nothing_runs() {
+        let page = page_of(&fixture::sweep());
+        for word in ["http:", "https:", "<script", "<link", "@import", "url(", "src="] {
+            assert!(!page.contains(word), "{word}");
+        }
+    }
+
+    #[test]
+    fn failed_cases_stand_with_their_reasons_escaped() {
+        let page = page_of(&fixture::sweep());
+        assert!(page.contains("particle 12, 31 m/s &lt;"));
+        assert!(page.contains("a &lt;b&gt; &amp; c"), "the manifest is escaped, too");
+        assert!(!page_of(&fixture::fixed()).contains("Failed cases"));
+    }
+}

@@ -1,0 +1,215 @@
+//! Reads an output directory: `summary.csv`, `histories/`, `energy.csv` and `manifest.json`.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use csv::{ErrorKind, StringRecord};
+use serde::Deserialize;
+use serde_json::Value;
+
+use super::error::ReportError;
+use super::row::{REQUIRED, Row, name_variants};
+
+/// One line of a history: see `docs/files.md`.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+pub struct Sample {
+    /// Seconds since the paddle's start.
+    pub time_s: f64,
+    /// F*.
+    pub force: f64,
+    /// R*.
+    pub runup: f64,
+    /// X*; empty for a fixed wall.
+    pub displacement: Option<f64>,
+}
+
+/// A table passed on as it stands.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct RawTable {
+    /// Column names.
+    pub header: Vec<String>,
+    /// Cells, row by row.
+    pub rows: Vec<Vec<String>>,
+}
+
+/// All that the report knows about a sweep.
+#[derive(Debug, Clone, Default)]
+pub struct Loaded {
+    /// Rows of `summary.csv`, in its order.
+    pub rows: Vec<Row>,
+    /// `energy.csv`, where there is one.
+    pub energy: Option<RawTable>,
+    /// `manifest.json`, where there is one.
+    pub manifest: Option<Value>,
+    histories: PathBuf,
+}
+
+impl Loaded {
+    /// Reads everything but the histories, which [`Loaded::history`] reads one at a time.
+    ///
+    /// # Errors
+    /// A file that is missing, lacks a column or holds something else than it should.
+    pub fn read(directory: &Path) -> Result<Loaded, ReportError> {
+        let energy = directory.join("energy.csv");
+        let manifest = directory.join("manifest.json");
+        Ok(Loaded {
+            rows: read_summary(&directory.join("summary.csv"))?,
+            energy: if energy.exists() { Some(read_raw(&energy)?) } else { None },
+            manifest: if manifest.exists() { Some(read_manifest(&manifest)?) } else { None },
+            histories: directory.join("histories"),
+        })
+    }
+
+    /// The history of a case; `None` where the directory holds none.
+    ///
+    /// # Errors
+    /// A history that lacks a column or holds something else than numbers.
+    pub fn history(&self, case_id: &str) -> Result<Option<Vec<Sample>>, ReportError> {
+        let path = self.histories.join(format!("{case_id}.csv"));
+        if !path.exists() {
+            return Ok(None);
+        }
+        let (header, records) = read_records(&path)?;
+        demand(&path, &header, &["time_s", "force", "runup", "displacement"])?;
+        deserialize(&path, &header, &records).map(Some)
+    }
+
+    /// Rows of cases that ran to their end.
+    pub fn finished(&self) -> impl Iterator<Item = &Row> {
+        self.rows.iter().filter(|row| row.is_ok())
+    }
+
+    /// Rows of cases that failed.
+    pub fn failed(&self) -> impl Iterator<Item = &Row> {
+        self.rows.iter().filter(|row| !row.is_ok())
+    }
+
+    /// The sweep's name, as its manifest states it.
+    pub fn name(&self) -> Option<&str> {
+        let manifest = self.manifest.as_ref()?;
+        manifest.get("name").or_else(|| manifest.get("sweep")?.get("name"))?.as_str()
+    }
+}
+
+fn read_summary(path: &Path) -> Result<Vec<Row>, ReportError> {
+    let (header, records) = read_records(path)?;
+    demand(path, &header, REQUIRED)?;
+    let mut rows: Vec<Row> = deserialize(path, &header, &records)?;
+    let known = header.iter().position(|name| name == "force_coupling").map_or(0, |at| at + 1);
+    let swept: BTreeMap<_, _> = (known..header.len())
+        .map(|column| {
+            let values = records.iter().map(|record| record[column].to_owned()).collect();
+            (header[column].to_owned(), values)
+        })
+        .collect();
+    name_variants(&mut rows, &swept);
+    Ok(rows)
+}
+
+fn read_raw(path: &Path) -> Result<RawTable, ReportError> {
+    let (header, records) = read_records(path)?;
+    demand(path, &header, &["case_id"])?;
+    let cells = |record: &StringRecord| record.iter().map(str::to_owned).collect();
+    Ok(RawTable { header: cells(&header), rows: records.iter().map(cells).collect() })
+}
+
+fn read_manifest(path: &Path) -> Result<Value, ReportError> {
+    let text = read(path)?;
+    serde_json::from_slice(&text)
+        .map_err(|source| ReportError::Manifest { path: path.to_owned(), source })
+}
+
+fn read(path: &Path) -> Result<Vec<u8>, ReportError> {
+    fs::read(path).map_err(|source| ReportError::Read { path: path.to_owned(), source })
+}
+
+fn read_records(path: &Path) -> Result<(StringRecord, Vec<StringRecord>), ReportError> {
+    let wrong = |source| ReportError::Table { path: path.to_owned(), source };
+    let text = read(path)?;
+    let mut reader = csv::Reader::from_reader(text.as_slice());
+    let header = reader.headers().map_err(wrong)?.clone();
+    let records = reader.records().collect::<Result<_, _>>().map_err(wrong)?;
+    Ok((header, records))
+}
+
+/// Names the first column that is wanted and not there.
+fn demand(path: &Path, header: &StringRecord, columns: &[&'static str]) -> Result<(), ReportError> {
+    match columns.iter().copied().find(|column| !header.iter().any(|name| name == *column)) {
+        Some(column) => Err(ReportError::MissingColumn { path: path.to_owned(), column }),
+        None => Ok(()),
+    }
+}
+
+fn deserialize<T: for<'de> Deserialize<'de>>(
+    path: &Path,
+    header: &StringRecord,
+    records: &[StringRecord],
+) -> Result<Vec<T>, ReportError> {
+    records
+        .iter()
+        .map(|record| record.deserialize(Some(header)).map_err(|e| narrate(path, header, e)))
+        .collect()
+}
+
+/// Names the cell that the reader could not take.
+fn narrate(path: &Path, header: &StringRecord, source: csv::Error) -> ReportError {
+    let path = path.to_owned();
+    if let ErrorKind::Deserialize { pos: Some(position), err } = source.kind()
+        && let Some(column) = err.field().and_then(|field| header.get(field as usize))
+    {
+        let (line, column) = (position.line(), column.to_owned());
+        return ReportError::Cell { path, line, column, reason: err.kind().to_string() };
+    }
+    ReportError::Table { path, source }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::fixture;
+
+    #[test]
+    fn reads_failed_rows_and_ignores_columns_it_does_not_know() {
+        let directory = fixture::sweep();
+        let loaded = Loaded::read(directory.path()).unwrap();
+        assert_eq!(loaded.failed().count(), 1);
+        let failed = loaded.failed().next().unwrap();
+        assert_eq!(failed.first_force_max, None);
+        assert!(failed.reason.starts_with("runaway-speed"));
+        assert_eq!(loaded.name(), Some("fixture"));
+        let first = &loaded.rows[0].case_id;
+        assert!(loaded.history(first).unwrap().unwrap().len() > 100);
+        assert_eq!(loaded.history("no-such-case").unwrap(), None);
+    }
+
+    #[test]
+    fn a_missing_column_is_named_with_its_file() {
+        let directory = fixture::sweep();
+        let path = directory.path().join("summary.csv");
+        let text = fs::read_to_string(&path).unwrap();
+        fs::write(&path, text.replace("first_runup_max,", "first_runup,")).unwrap();
+        let told = Loaded::read(directory.path()).unwrap_err().to_string();
+        assert!(told.ends_with("summary.csv: no column \"first_runup_max\""), "{told}");
+    }
+
+    #[test]
+    fn a_cell_that_is_no_number_is_named_with_file_and_line() {
+        let directory = fixture::sweep();
+        let path = directory.path().join("summary.csv");
+        let text = fs::read_to_string(&path).unwrap();
+        let broken = text.replacen(",ok,,0.3,", ",ok,,high,", 1);
+        assert_ne!(text, broken);
+        fs::write(&path, broken).unwrap();
+        let told = Loaded::read(directory.path()).unwrap_err().to_string();
+        assert!(told.contains("summary.csv, line "), "{told}");
+        assert!(told.contains(", column \"wave_height_ratio\": "), "{told}");
+    }
+
+    #[test]
+    fn an_absent_summary_is_named() {
+        let directory = tempfile::tempdir().unwrap();
+        let told = Loaded::read(directory.path()).unwrap_err().to_string();
+        assert!(told.starts_with("cannot read ") && told.contains("summary.csv"), "{told}");
+    }
+}

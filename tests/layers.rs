@@ -1,0 +1,174 @@
+//! The order of the layers, kept by a scan of the sources: a file imports only from its own layer
+//! or from below, MPI stays in one file, reports stay clear of solvers, and files stay short.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The layers from the ground up; modules of one layer may use each other.
+const LAYERS: &[&[&str]] = &[
+    &["math", "theory"],
+    &["kernel"],
+    &["particles", "neighbours"],
+    &["boundary", "body"],
+    &["scheme"],
+    &["scene"],
+    &["simulation"],
+    &["sweep"],
+    &["report"],
+    &["cli"],
+];
+
+/// What the report must never know, though it stands above it.
+const NOT_FOR_REPORTS: &[&str] = &["simulation", "scheme", "boundary", "particles", "sweep"];
+
+const LONGEST: usize = 400;
+
+#[test]
+fn files_import_from_their_own_layer_or_below() {
+    let mut wrong = Vec::new();
+    for (path, text) in sources("src") {
+        let Some(module) = module_of(&path) else { continue };
+        let layer = layer_of(&module);
+        for import in imports(&text) {
+            if layer_of(&import) > layer {
+                wrong.push(format!("{}: {module} uses {import}", path.display()));
+            }
+            if module == "report" && NOT_FOR_REPORTS.contains(&import.as_str()) {
+                wrong.push(format!("{}: reports read files only, not {import}", path.display()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "\n{}", wrong.join("\n"));
+}
+
+#[test]
+fn one_file_names_the_mpi_crate() {
+    let allowed = Path::new("src/sweep/executor/mpi.rs");
+    let wrong: Vec<_> = sources("src")
+        .into_iter()
+        .filter(|(path, text)| !path.ends_with(allowed) && names_mpi_crate(text))
+        .map(|(path, _)| path.display().to_string())
+        .collect();
+    assert!(wrong.is_empty(), "only {} may name it: {wrong:?}", allowed.display());
+}
+
+#[test]
+fn no_file_is_too_long() {
+    let wrong: Vec<_> = ["src", "tests", "examples"]
+        .into_iter()
+        .flat_map(sources)
+        .map(|(path, text)| (path, text.lines().count()))
+        .filter(|(_, lines)| *lines > LONGEST)
+        .collect();
+    assert!(wrong.is_empty(), "longer than {LONGEST} lines: {wrong:?}");
+}
+
+#[test]
+fn the_scan_sees_what_it_should() {
+    let text =
+        "use crate::{math::simd, scene::{Scene, x}};\n//! crate::cli\nlet a = crate::body::f();";
+    assert_eq!(imports(text), ["math", "scene", "body"]);
+    assert!(
+        names_mpi_crate("use mpi::traits::*;") && names_mpi_crate("let u = ::mpi::initialize();")
+    );
+    assert!(!names_mpi_crate("mod mpi;\nmpi::run()") && !names_mpi_crate("super::mpi::run()"));
+    assert!(layer_of("theory") < layer_of("kernel"));
+}
+
+fn sources(folder: &str) -> Vec<(PathBuf, String)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut found = Vec::new();
+    let mut open = vec![root.join(folder)];
+    while let Some(folder) = open.pop() {
+        let Ok(entries) = fs::read_dir(&folder) else { continue };
+        for path in entries.map(|entry| entry.unwrap().path()) {
+            if path.is_dir() {
+                open.push(path);
+            } else if path.extension().is_some_and(|ending| ending == "rs") {
+                let text = fs::read_to_string(&path).unwrap();
+                found.push((path.strip_prefix(root).unwrap().to_owned(), text));
+            }
+        }
+    }
+    assert!(folder != "src" || found.len() > 10, "the scan found no sources");
+    found.sort();
+    found
+}
+
+/// The top-level module that a file of `src` belongs to; none for `lib.rs` and `main.rs`.
+fn module_of(path: &Path) -> Option<String> {
+    let first = path.strip_prefix("src").ok()?.components().next()?.as_os_str().to_str()?;
+    let module = first.strip_suffix(".rs").unwrap_or(first);
+    (!["lib", "main"].contains(&module)).then(|| module.to_owned())
+}
+
+/// Unknown modules are an error, so that none escapes the scan.
+fn layer_of(module: &str) -> usize {
+    LAYERS
+        .iter()
+        .position(|layer| layer.contains(&module))
+        .unwrap_or_else(|| panic!("{module} has no layer: add it to tests/layers.rs"))
+}
+
+/// The text without comments.
+fn code(text: &str) -> String {
+    let lines = text.lines().map(|line| line.split("//").next().unwrap_or(""));
+    lines.collect::<Vec<_>>().join("\n")
+}
+
+/// Top-level modules after each `crate::`, in braces or not.
+fn imports(text: &str) -> Vec<String> {
+    let text = code(text);
+    let mut modules = Vec::new();
+    for rest in text.split("crate::").skip(1) {
+        match rest.strip_prefix('{') {
+            Some(group) => modules.extend(heads(group)),
+            None => modules.push(word(rest)),
+        }
+    }
+    modules.retain(|module| module.chars().next().is_some_and(char::is_lowercase));
+    modules
+}
+
+/// The first words of a brace group's items.
+fn heads(group: &str) -> Vec<String> {
+    let (mut depth, mut starts) = (1, vec![0]);
+    for (at, character) in group.char_indices() {
+        match character {
+            '{' => depth += 1,
+            '}' => depth -= 1,
+            ',' if depth == 1 => starts.push(at + 1),
+            _ => {}
+        }
+        if depth == 0 {
+            break;
+        }
+    }
+    starts.into_iter().map(|at| word(group[at..].trim_start())).collect()
+}
+
+fn word(text: &str) -> String {
+    text.chars().take_while(|c| c.is_ascii_alphanumeric() || *c == '_').collect()
+}
+
+/// True where a path starts at the crate `mpi`, and not at a module of that name.
+fn names_mpi_crate(text: &str) -> bool {
+    let text = code(text);
+    let is_word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let has_module = text.contains("mod mpi;");
+    text.match_indices("mpi").any(|(at, _)| {
+        let (before, after) = (&text[..at], &text[at + 3..]);
+        if before.ends_with(is_word) || after.starts_with(is_word) {
+            return false;
+        }
+        if before.ends_with("extern crate ") {
+            return true;
+        }
+        let in_use = before.ends_with("use ");
+        match before.strip_suffix("::") {
+            Some(path) => !path.ends_with(is_word) && after.starts_with("::"),
+            None if in_use => !has_module,
+            None => after.starts_with("::") && !has_module,
+        }
+    })
+}

@@ -1,0 +1,90 @@
+//! Every sweep and scene that is shipped passes the same door as a user's own.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use seawall::scene::CaseConfig;
+use toml::{Table, Value};
+
+#[test]
+fn every_scene_is_valid() {
+    let files = files("sweeps/scenes");
+    assert!(files.len() >= 6);
+    for path in files {
+        let file = read(&path);
+        assert!(!file.contains_key("grid"), "{}: a scene has no grid", path.display());
+        validate(&path, &file);
+    }
+}
+
+#[test]
+fn every_corner_of_every_sweep_is_valid() {
+    let files = files("sweeps");
+    assert!(files.len() >= 5);
+    for path in files {
+        let file = read(&path);
+        for last in [false, true] {
+            validate(&path, &corner(&file, last));
+        }
+    }
+}
+
+#[test]
+fn names_are_the_files_own_and_differ() {
+    let mut names: Vec<_> = ["sweeps", "sweeps/scenes"]
+        .into_iter()
+        .flat_map(files)
+        .map(|path| read(&path)["name"].as_str().unwrap().to_owned())
+        .collect();
+    let count = names.len();
+    names.sort();
+    names.dedup();
+    assert_eq!(names.len(), count, "two files of one name would share an output directory");
+}
+
+#[test]
+fn the_study_of_liang_has_its_300_cases() {
+    for name in ["liang2017", "liang2017_as_published"] {
+        let grid =
+            read(&root().join(format!("sweeps/{name}.toml")))["grid"].as_table().unwrap().clone();
+        let cases: usize = grid.values().map(|values| values.as_array().unwrap().len()).product();
+        assert_eq!(cases, 300, "{name}");
+    }
+}
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn files(folder: &str) -> Vec<PathBuf> {
+    let entries = fs::read_dir(root().join(folder)).unwrap().map(|entry| entry.unwrap().path());
+    let mut files: Vec<_> =
+        entries.filter(|path| path.extension().is_some_and(|ending| ending == "toml")).collect();
+    files.sort();
+    files
+}
+
+fn read(path: &Path) -> Table {
+    let text = fs::read_to_string(path).unwrap();
+    assert!(text.starts_with("# "), "{}: it opens with what it is", path.display());
+    text.parse().unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// The sweep's first or last case: the scene with one value of each swept key.
+fn corner(file: &Table, last: bool) -> Table {
+    let mut file = file.clone();
+    let grid = file.remove("grid").expect("a sweep has a grid");
+    let scene = file["scene"].as_table_mut().unwrap();
+    for (key, values) in grid.as_table().unwrap() {
+        let values = values.as_array().unwrap();
+        let value = if last { values.last() } else { values.first() };
+        scene.insert(key.clone(), value.unwrap().clone());
+    }
+    file
+}
+
+fn validate(path: &Path, file: &Table) {
+    let table = |name: &str| file.get(name).and_then(Value::as_table).cloned().unwrap_or_default();
+    CaseConfig::from_tables(&table("scene"), &table("numerics"))
+        .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+}
