@@ -127,7 +127,10 @@ mod tests {
                 wall.advance(300.0, 0.0, dt);
                 let from = OscillatorState { position: 0.0, velocity: 0.0 };
                 let expected = exact.advance(from, dt * f64::from(step));
-                assert!((wall.displacement - expected.position).abs() < 1e-9 * 100.0 / stiffness.min(1.0));
+                assert!(
+                    (wall.displacement - expected.position).abs()
+                        < 1e-9 * 100.0 / stiffness.min(1.0)
+                );
             }
             assert_eq!(wall.stops, 0);
         }
@@ -144,14 +147,16 @@ mod tests {
 
     #[test]
     fn below_the_threshold_only_the_spring_acts() {
-        let mut wall = SpringWall { displacement: 0.1, ..SpringWall::at_rest(2.0, 8.0, 200.0, 1.0) };
+        let mut wall =
+            SpringWall { displacement: 0.1, ..SpringWall::at_rest(2.0, 8.0, 200.0, 1.0) };
         let step = wall.advance(199.0, 5.0, 1e-6);
         assert!((step.acceleration + 8.0 * 0.1 / 2.0).abs() < 1e-6);
     }
 
     #[test]
     fn the_stop_takes_all_velocity_and_books_the_loss() {
-        let mut wall = SpringWall { displacement: 0.3, ..SpringWall::at_rest(2.0, 8.0, 200.0, 1.0) };
+        let mut wall =
+            SpringWall { displacement: 0.3, ..SpringWall::at_rest(2.0, 8.0, 200.0, 1.0) };
         let mut loss = 0.0;
         for _ in 0..200 {
             loss += wall.advance(0.0, 0.0, 0.01).stop_loss;

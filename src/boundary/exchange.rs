@@ -1,6 +1,6 @@
 //! From the water to the ghosts: one interpolation at every mirror point and its consequences.
 
-use super::ghosts::{Ghosts, Reflection};
+use super::ghosts::{Ghosts, Reflection, Site};
 use super::{Interpolator, InterpolatorChoice};
 use crate::body::BodyMotion;
 use crate::kernel::{Kernel, KernelChoice};
@@ -181,6 +181,12 @@ impl Exchange {
         if at > 0.0 { share } else { 1.0 - share }
     }
 
+    /// How much of a ghost counts: nothing half a spacing above the waterline, all of it half a
+    /// spacing below.
+    fn wet_share(&self, face: usize) -> f64 {
+        ((self.wetness[face] - self.dry_at) / (self.wet_at - self.dry_at)).clamp(0.0, 1.0)
+    }
+
     /// Writes the ghosts' records: place, volume, pressure and its response to their body's
     /// acceleration, velocity. `ghost_records` are those of the ghosts alone; bodies with
     /// `responds` leave their acceleration out of the pressure and into the response.
@@ -210,8 +216,10 @@ impl Exchange {
                     record[Record::VY] = 0.0;
                     continue;
                 }
-                let wetness = self.wetness[ghosts.face[g] as usize];
-                let wet = ((wetness - self.dry_at) / (self.wet_at - self.dry_at)).clamp(0.0, 1.0);
+                let wet = match ghosts.face[g] {
+                    Site::ALWAYS_WET => 1.0,
+                    face => self.wet_share(face as usize),
+                };
                 let mut volume = ghosts.volume[g] * wet;
                 if number == 0 && rules.bed_between_walls {
                     let half = 0.5 * rules.spacing;
@@ -221,8 +229,8 @@ impl Exchange {
                 record[Record::WEIGHT] = volume * rules.scaling.weight_per_volume;
                 let means = &self.means[block];
                 let mean_pressure = means.pressure[lane];
-                let density = rules.surface_density
-                    + mean_pressure / (rules.sound_speed * rules.sound_speed);
+                let density =
+                    rules.surface_density + mean_pressure / (rules.sound_speed * rules.sound_speed);
                 let anchor = if rules.gravity_in_sum {
                     [means.x[lane], means.y[lane]]
                 } else {
@@ -257,7 +265,10 @@ impl Exchange {
     ) {
         let Exchange { list, weights, scale, means, .. } = self;
         let blocks = ghosts.len() / LANES;
-        dispatch(path, GatherVelocity { list, weights, scale, means, blocks, records: fluid_records });
+        dispatch(
+            path,
+            GatherVelocity { list, weights, scale, means, blocks, records: fluid_records },
+        );
         for (number, body) in ghosts.bodies.iter().enumerate() {
             for g in body.ghosts.clone() {
                 let velocity = self.mirrored_velocity(ghosts, g, &bodies[number]);
@@ -351,8 +362,7 @@ impl Exchange {
         faces
             .map(|face| {
                 let (block, lane) = (face / LANES, face % LANES);
-                let wet = ((self.wetness[face] - self.dry_at) / (self.wet_at - self.dry_at))
-                    .clamp(0.0, 1.0);
+                let wet = self.wet_share(face);
                 if self.scale[block][lane] == 0.0 {
                     return 0.0;
                 }
@@ -412,7 +422,13 @@ impl<K: Kernel, I: Interpolator> Task for Weigh<'_, K, I> {
                 let scale =
                     self.interpolator.weigh::<K, L>(x, y, neighbours, self.records, weights);
                 scale.store(&mut self.scale[block]);
-                self.means[block] = gather::<L>(neighbours, (self.records, self.pressure), weights, scale, self.scaling);
+                self.means[block] = gather::<L>(
+                    neighbours,
+                    (self.records, self.pressure),
+                    weights,
+                    scale,
+                    self.scaling,
+                );
             } else {
                 let mut sum = L::splat(0.0);
                 for &j in neighbours {
@@ -459,7 +475,13 @@ impl<K: Kernel, I: Interpolator> Task for Interpolate<'_, K, I> {
             let weights = &mut self.weights[start..start + neighbours.len()];
             let scale = self.interpolator.weigh::<K, L>(x, y, neighbours, self.records, weights);
             scale.store(&mut self.scale[block]);
-            self.means[block] = gather::<L>(neighbours, (self.records, self.pressure), weights, scale, self.scaling);
+            self.means[block] = gather::<L>(
+                neighbours,
+                (self.records, self.pressure),
+                weights,
+                scale,
+                self.scaling,
+            );
         }
     }
 }

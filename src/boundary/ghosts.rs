@@ -32,6 +32,11 @@ pub struct Site {
     pub face: u32,
 }
 
+impl Site {
+    /// In place of a face point: a ghost behind a wall that never runs dry.
+    pub const ALWAYS_WET: u32 = u32::MAX;
+}
+
 /// The ghosts that move together, and where their points lie in the arrays of [`Ghosts`].
 #[derive(Debug, Clone)]
 pub struct GhostBody {
@@ -142,7 +147,9 @@ impl Ghosts {
         let body = &mut self.bodies[number];
         body.faces = start..end;
         for face in &mut self.face[body.ghosts.clone()] {
-            *face += start as u32;
+            if *face != Site::ALWAYS_WET {
+                *face += start as u32;
+            }
         }
         while !self.target_x.len().is_multiple_of(LANES) {
             self.target_x.push(self.target_x[end - 1]);

@@ -19,8 +19,8 @@ pub struct TankLayout {
     pub bed_beyond_wall: f64,
 }
 
-/// Ghosts of the bed (body 0), the paddle (1) and the seawall (2), each with its face points:
-/// one under every column of the bed, one for every row of the walls, upwards from the bed.
+/// Ghosts of the bed (body 0), the paddle (1) and the seawall (2), the latter two with
+/// a face point for every row, upwards from the bed.
 /// The corner blocks below the walls move with the walls. The seawall's frame has its face at
 /// x = `length` and the paddle's at x = 0 when they are at rest.
 pub fn tank_ghosts(layout: &TankLayout, strip_width: f64) -> Ghosts {
@@ -41,11 +41,12 @@ pub fn tank_ghosts(layout: &TankLayout, strip_width: f64) -> Ghosts {
                 mirror: [x, depth],
                 reflection: Reflection::Plane { normal: [0.0, -1.0] },
                 distance: depth,
-                face: column as u32,
+                face: Site::ALWAYS_WET,
             });
         }
     }
-    let bed_faces = (0..columns).map(|column| [at_x(column), 0.0]).collect();
+    // The bed of a tank never runs dry: it needs no face points.
+    let bed_faces = Vec::new();
 
     let upright = |face_x: f64, outwards: f64| {
         let mut sites = Vec::new();

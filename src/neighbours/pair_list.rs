@@ -121,9 +121,9 @@ impl Task for Build<'_> {
 
 #[inline(always)]
 fn extent(values: &[f64; LANES]) -> [f64; 2] {
-    values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &v| {
-        [low.min(v), high.max(v)]
-    })
+    values
+        .iter()
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &v| [low.min(v), high.max(v)])
 }
 
 #[cfg(test)]
@@ -154,8 +154,24 @@ mod tests {
         let (ghosts, gx, gy) = sorted(&gx, &gy);
         let all = [f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY];
         let sets = [
-            PointSet { strips: &fluid, x: &fx, y: &fy, offset: 0.0, first: 0, reach: 0.2, bounds: all },
-            PointSet { strips: &ghosts, x: &gx, y: &gy, offset: 0.5, first: 400, reach: 0.3, bounds: all },
+            PointSet {
+                strips: &fluid,
+                x: &fx,
+                y: &fy,
+                offset: 0.0,
+                first: 0,
+                reach: 0.2,
+                bounds: all,
+            },
+            PointSet {
+                strips: &ghosts,
+                x: &gx,
+                y: &gy,
+                offset: 0.5,
+                first: 400,
+                reach: 0.3,
+                bounds: all,
+            },
         ];
         for path in [SimdPath::Portable, SimdPath::Avx2, SimdPath::Avx512] {
             if !path.is_supported() {

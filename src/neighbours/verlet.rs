@@ -26,8 +26,7 @@ impl Drift {
         self.boxes.clear();
         let mut farthest: f64 = 0.0;
         for strip in 0..strips.count() {
-            let mut extent =
-                [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
+            let mut extent = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
             for k in strips.members(strip) {
                 let (dx, dy) = (x[k] - reference_x[k], y[k] - reference_y[k]);
                 extent = merge(extent, [dx, dx, dy, dy]);

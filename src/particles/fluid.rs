@@ -63,9 +63,14 @@ impl Fluid {
     /// Puts the particles into a new order: entry k becomes the old `order[k]`.
     pub fn reorder(&mut self, order: &[u32], scratch: &mut Vec<f64>) {
         debug_assert_eq!(order.len(), self.len);
-        for field in
-            [&mut self.x, &mut self.y, &mut self.vx, &mut self.vy, &mut self.density, &mut self.mass]
-        {
+        for field in [
+            &mut self.x,
+            &mut self.y,
+            &mut self.vx,
+            &mut self.vy,
+            &mut self.density,
+            &mut self.mass,
+        ] {
             scratch.clear();
             scratch.extend(order.iter().map(|&from| field[from as usize]));
             field[..self.len].copy_from_slice(scratch);
@@ -77,9 +82,7 @@ impl Fluid {
 
     fn pad(&mut self) {
         let (last, padded) = (self.len.saturating_sub(1), self.padded_len());
-        for field in
-            [&mut self.x, &mut self.y, &mut self.vx, &mut self.vy, &mut self.density]
-        {
+        for field in [&mut self.x, &mut self.y, &mut self.vx, &mut self.vy, &mut self.density] {
             let value = field.get(last).copied().unwrap_or(0.0);
             field.truncate(self.len);
             field.resize(padded, value);

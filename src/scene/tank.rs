@@ -72,9 +72,8 @@ impl SeawallScene {
 
     /// When the run ends, seconds.
     pub fn end_time(&self) -> f64 {
-        let after_stroke = |piston: GoringPiston| {
-            piston.stroke_centre() + self.end_after_stroke_centre_s
-        };
+        let after_stroke =
+            |piston: GoringPiston| piston.stroke_centre() + self.end_after_stroke_centre_s;
         self.end_time_s
             .or_else(|| self.piston().map(after_stroke))
             .unwrap_or(self.end_after_stroke_centre_s)
@@ -82,8 +81,8 @@ impl SeawallScene {
 
     /// Time step, seconds: bounded by c0 Δt/Δx and by `time_step_s`.
     pub fn time_step(&self, numerics: &Numerics) -> f64 {
-        let bound = numerics.courant_number * numerics.particle_spacing_m
-            / self.sound_speed(numerics);
+        let bound =
+            numerics.courant_number * numerics.particle_spacing_m / self.sound_speed(numerics);
         numerics.time_step_s.map_or(bound, |step| step.min(bound))
     }
 
@@ -122,8 +121,12 @@ impl SeawallScene {
             (0..rows).map(move |row| {
                 let (x, y) = ((column as f64 + 0.5) * dx, (row as f64 + 0.5) * dy);
                 let density = still.density(y);
-                [x, y, state.density(sound_speed * sound_speed * (density - still.surface_density)),
-                    density * dx * dy]
+                [
+                    x,
+                    y,
+                    state.density(sound_speed * sound_speed * (density - still.surface_density)),
+                    density * dx * dy,
+                ]
             })
         });
         let layout = TankLayout {

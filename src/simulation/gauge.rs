@@ -28,8 +28,7 @@ impl CrestGauge {
         }
         let mean = self.recent.iter().sum::<f64>() / 3.0;
         self.crest = self.crest.max(mean);
-        self.passed =
-            self.crest > SMALLEST_CREST && mean < (1.0 - PASSED_DROP) * self.crest;
+        self.passed = self.crest > SMALLEST_CREST && mean < (1.0 - PASSED_DROP) * self.crest;
     }
 
     /// Height of the first crest over h, once one has come.

@@ -68,12 +68,8 @@ impl HealthBounds {
 mod tests {
     use super::*;
 
-    const BOUNDS: HealthBounds = HealthBounds {
-        speed: 3.0,
-        density_change: 0.1,
-        surface_density: 1000.0,
-        lost_share: 0.3,
-    };
+    const BOUNDS: HealthBounds =
+        HealthBounds { speed: 3.0, density_change: 0.1, surface_density: 1000.0, lost_share: 0.3 };
 
     fn check(spoil: impl Fn(&mut Fluid)) -> Result<u32, FailureKind> {
         let points = (0..10).map(|k| [0.1 * f64::from(k) + 0.05, 0.1, 1000.0, 1.0]);

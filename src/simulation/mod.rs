@@ -56,10 +56,9 @@ pub fn cost(config: &CaseConfig) -> Cost {
     // The front of the wave reaches the wall about when its crest, made at the stroke's centre,
     // is two depths per unit of H/h away; a guess that only has to rank cases.
     let onset = scene.piston().map_or(0.0, |piston| {
-        let celerity = (scene.gravity_m_per_s2
-            * scene.still_water_depth_m
-            * (1.0 + scene.wave_height_ratio))
-            .sqrt();
+        let celerity =
+            (scene.gravity_m_per_s2 * scene.still_water_depth_m * (1.0 + scene.wave_height_ratio))
+                .sqrt();
         piston.stroke_centre() + 0.6 * scene.tank_length_m / celerity
     });
     Cost {

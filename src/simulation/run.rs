@@ -2,13 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Monitor;
 use super::energy::{Ledger, WaterEnergy};
 use super::failure::{Failure, FailureKind, Stopped};
 use super::gauge::CrestGauge;
 use super::health::HealthBounds;
 use super::measures::{Measures, Reading};
 use super::outcome::{CaseResult, HistoryRow, Outcome, PhaseShare};
-use super::Monitor;
 use crate::body::{BodyMotion, SpringWall, WallStep};
 use crate::math::simd::SimdPath;
 use crate::scene::{CaseConfig, Numerics, PADDLE, Scene, SeawallScene, Tank, WALL};
@@ -156,14 +156,17 @@ impl Run {
             self.tank.water.prepare(&bodies, sample);
             let load = self.tank.water.load(WALL);
             if !load.force.is_finite() {
-                return Err(self.failure(FailureKind::NotANumber, "the wall's force".into()).into());
+                return Err(self
+                    .failure(FailureKind::NotANumber, "the wall's force".into())
+                    .into());
             }
             if until_onset && load.force > self.tank.threshold {
                 return Ok(Reached::Onset);
             }
             let dt = self.next_step();
             let before = self.tank.wall;
-            let step = self.tank.wall.as_mut().map(|wall| wall.advance(load.force, load.added_mass, dt));
+            let step =
+                self.tank.wall.as_mut().map(|wall| wall.advance(load.force, load.added_mass, dt));
             let acceleration = step.map_or(0.0, |step| step.acceleration);
             let force = load.force - load.added_mass * acceleration;
             self.read(force, before.as_ref(), sample, &bodies, acceleration)?;
@@ -345,9 +348,8 @@ impl Run {
             onset_time_s: m.onset,
             stroke_centre_s: self.tank.piston.as_ref().map(|piston| piston.stroke_centre()),
             displacement_truncated: wall.map(|_| {
-                m.displacement.is_some_and(|x| {
-                    x.value > 0.0 && x.time_s >= self.clock.time - self.time_step
-                })
+                m.displacement
+                    .is_some_and(|x| x.value > 0.0 && x.time_s >= self.clock.time - self.time_step)
             }),
             stops: wall.map(|wall| wall.stops),
             force_gap_percent: self.worst_gap,

@@ -43,8 +43,7 @@ mod tests {
         let column = StillColumn::new(h, rho, g, c);
         let n = 20_000;
         let dy = h / f64::from(n);
-        let mass: f64 =
-            (0..n).map(|k| column.density((f64::from(k) + 0.5) * dy) * dy).sum();
+        let mass: f64 = (0..n).map(|k| column.density((f64::from(k) + 0.5) * dy) * dy).sum();
         assert!((mass - rho * h).abs() < 1e-8 * rho * h);
         assert!((column.density(h) - column.surface_density).abs() < 1e-9);
         let pressure = |y: f64| c * c * (column.density(y) - column.surface_density);

@@ -78,8 +78,7 @@ mod tests {
             let period = if stiffness > 1.0 { (mass / stiffness).sqrt() } else { 1.0 };
             for k in 0..20 {
                 let (t, step) = (period * f64::from(k) * 0.37, period * 1e-4);
-                let [a, b, c] =
-                    [t - step, t, t + step].map(|time| system.advance(from, time));
+                let [a, b, c] = [t - step, t, t + step].map(|time| system.advance(from, time));
                 let acceleration = (c.velocity - a.velocity) / (2.0 * step);
                 let expected = (system.force - stiffness * b.position) / mass;
                 let scale = 70.0 / mass + 0.2 / period + stiffness * 0.01 / mass;
@@ -98,6 +97,9 @@ mod tests {
         assert!((back - std::f64::consts::FRAC_PI_4).abs() < 1e-12); // ω = 2: a quarter period
         assert_eq!(system.first_return(from, 0.7), None);
         let pushed = Oscillator { force: 10.0, ..system };
-        assert_eq!(pushed.first_return(OscillatorState { position: 0.0, velocity: 0.0 }, 9.0), None);
+        assert_eq!(
+            pushed.first_return(OscillatorState { position: 0.0, velocity: 0.0 }, 9.0),
+            None
+        );
     }
 }

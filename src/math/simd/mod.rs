@@ -211,7 +211,10 @@ mod tests {
             for (k, x) in INPUT.into_iter().enumerate() {
                 let close = |a: f64, b: f64, tolerance: f64| (a - b).abs() <= tolerance * b.abs();
                 assert!(close(rsqrt[k], 1.0 / x.sqrt(), 3e-14), "{path:?} rsqrt({x})");
-                assert!(close(exp[k], (-3.0 * x).exp(), 4e-16 * (4.0 + 3.0 * x)), "{path:?} exp({x})");
+                assert!(
+                    close(exp[k], (-3.0 * x).exp(), 4e-16 * (4.0 + 3.0 * x)),
+                    "{path:?} exp({x})"
+                );
                 assert!(close(ratio[k], x.sqrt() / x, 3e-16), "{path:?} sqrt/x({x})");
             }
         }

@@ -6,6 +6,7 @@ use crate::neighbours::PairList;
 use crate::particles::{Fluid, Record};
 
 use super::Workspace;
+use super::separation::{CHUNK, Inverses, separation};
 
 /// No density diffusion.
 pub(super) const OFF: u8 = 0;
@@ -17,7 +18,8 @@ pub(super) const RENORMALISED: u8 = 2;
 /// Continuity equation of Huang et al. 2019, Eq. 5, with the new velocities at the old places.
 ///
 /// Ghosts take part in the divergence, not in the diffusion: no density flows through a wall.
-pub(super) struct Continuity<'a, K, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool> {
+pub(super) struct Continuity<'a, K, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool>
+{
     pub fluid: &'a Fluid,
     pub records: &'a [Record],
     /// What density diffusion smooths, kg/m³.
@@ -58,7 +60,9 @@ impl<K: Kernel, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool> 
                         cluster,
                         group,
                     });
-                    for (sum, more) in sums.spread.as_flattened_mut().iter_mut().zip(more.spread.as_flattened()) {
+                    for (sum, more) in
+                        sums.spread.as_flattened_mut().iter_mut().zip(more.spread.as_flattened())
+                    {
                         *sum += more;
                     }
                 }
@@ -105,14 +109,22 @@ struct Sums {
 }
 
 /// The pair loop over one group; only `FLUID` neighbours exchange density.
-struct Group<'a, 'b, K, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool, const FLUID: bool> {
+struct Group<
+    'a,
+    'b,
+    K,
+    const DIFFUSION: u8,
+    const CORRECTED: bool,
+    const ENERGY: bool,
+    const FLUID: bool,
+> {
     pass: &'b Continuity<'a, K, DIFFUSION, CORRECTED, ENERGY>,
     cluster: usize,
     group: usize,
 }
 
-impl<K: Kernel, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool, const FLUID: bool> Task
-    for Group<'_, '_, K, DIFFUSION, CORRECTED, ENERGY, FLUID>
+impl<K: Kernel, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool, const FLUID: bool>
+    Task for Group<'_, '_, K, DIFFUSION, CORRECTED, ENERGY, FLUID>
 {
     type Output = Sums;
 
@@ -120,7 +132,7 @@ impl<K: Kernel, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool, 
     fn run<L: Lanes>(self) -> Sums {
         let Group { pass, cluster, group } = self;
         let at = cluster * LANES;
-        let (zero, tiny) = (L::splat(0.0), L::splat(1e-12));
+        let zero = L::splat(0.0);
         let x = lanes::<L>(&pass.work.scaled_x, at);
         let y = lanes::<L>(&pass.work.scaled_y, at);
         let vx = lanes::<L>(&pass.fluid.vx, at);
@@ -133,32 +145,34 @@ impl<K: Kernel, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool, 
         }
         let (mut ux, mut uy, mut wx, mut wy) = (zero, zero, zero, zero);
         let mut diffusion = zero;
-        for &j in pass.pairs.group(cluster, group) {
-            let record = &pass.records[j as usize].0;
-            let dx = x - L::splat(record[Record::X]);
-            let dy = y - L::splat(record[Record::Y]);
-            let s = dx.mul_add(dx, dy * dy).max(tiny);
-            let g = K::slope_over_q(s, s.rsqrt()) * L::splat(record[Record::WEIGHT]);
-            let du = vx - L::splat(record[Record::VX]);
-            let dv = vy - L::splat(record[Record::VY]);
-            if CORRECTED {
-                let (gx, gy) = (g * dx, g * dy);
-                ux = gx.mul_add(du, ux);
-                uy = gy.mul_add(du, uy);
-                wx = gx.mul_add(dv, wx);
-                wy = gy.mul_add(dv, wy);
-            } else {
-                ux = g.mul_add(du.mul_add(dx, dv * dy), ux);
-            }
-            if FLUID && DIFFUSION != OFF {
-                let fall = diffused - L::splat(record[Record::DIFFUSED]);
-                let mut psi = fall + fall;
-                if DIFFUSION == RENORMALISED {
-                    let gx = own_gx + L::splat(record[Record::GRADIENT_X]);
-                    let gy = own_gy + L::splat(record[Record::GRADIENT_Y]);
-                    psi = gx.negated_mul_add(dx, gy.negated_mul_add(dy, psi));
+        let mut inverses = Inverses::new();
+        for chunk in pass.pairs.group(cluster, group).chunks(CHUNK) {
+            let inverses = inverses.fill(x, y, chunk, pass.records);
+            for (&j, inverse) in chunk.iter().zip(inverses) {
+                let record = &pass.records[j as usize].0;
+                let (dx, dy, _, s) = separation(x, y, record);
+                let g = K::slope_over_q(s, L::load(inverse)) * L::splat(record[Record::WEIGHT]);
+                let du = vx - L::splat(record[Record::VX]);
+                let dv = vy - L::splat(record[Record::VY]);
+                if CORRECTED {
+                    let (gx, gy) = (g * dx, g * dy);
+                    ux = gx.mul_add(du, ux);
+                    uy = gy.mul_add(du, uy);
+                    wx = gx.mul_add(dv, wx);
+                    wy = gy.mul_add(dv, wy);
+                } else {
+                    ux = g.mul_add(du.mul_add(dx, dv * dy), ux);
                 }
-                diffusion = g.mul_add(psi, diffusion);
+                if FLUID && DIFFUSION != OFF {
+                    let fall = diffused - L::splat(record[Record::DIFFUSED]);
+                    let mut psi = fall + fall;
+                    if DIFFUSION == RENORMALISED {
+                        let gx = own_gx + L::splat(record[Record::GRADIENT_X]);
+                        let gy = own_gy + L::splat(record[Record::GRADIENT_Y]);
+                        psi = gx.negated_mul_add(dx, gy.negated_mul_add(dy, psi));
+                    }
+                    diffusion = g.mul_add(psi, diffusion);
+                }
             }
         }
         Sums {

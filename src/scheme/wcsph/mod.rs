@@ -7,6 +7,7 @@
 mod continuity;
 mod momentum;
 mod options;
+mod separation;
 mod step;
 
 pub use options::{DensityDiffusion, Shifting, WcsphOptions};

@@ -6,14 +6,22 @@ use crate::neighbours::PairList;
 use crate::particles::{Fluid, Record};
 
 use super::Workspace;
+use super::separation::{CHUNK, Inverses, separation};
 
-/// Momentum equation of Huang et al. 2019, Eq. 5, and with `GRADIENTS` the renormalised density
-/// gradient of Eq. 6, the kernel sums that shifting uses, and a measure of how complete each
-/// particle's support is. With `ENERGY` the viscous power is summed on its own.
+/// Forces alone.
+pub(super) const FORCES: u8 = 0;
+/// Also the kernel sums that shifting uses.
+pub(super) const CONCENTRATION: u8 = 1;
+/// Also the renormalised density gradient.
+pub(super) const GRADIENTS: u8 = 2;
+
+/// Momentum equation of Huang et al. 2019, Eq. 5, and what else `SUMS` asks for: the
+/// kernel sums that shifting uses with a measure of how complete each particle's support is, and
+/// the renormalised density gradient of Eq. 6. With `ENERGY` the viscous power is summed on its own.
 ///
 /// Pairs are antisymmetric: m_i a_i holds V_i V_j (p_i + p_j) ∇W and, with the prefactor ρ0 in
 /// place of the paper's ρ_i, V_i V_j α h c0 ρ0 π_ij ∇W.
-pub(super) struct Momentum<'a, K, const GRADIENTS: bool, const CORRECTED: bool, const ENERGY: bool> {
+pub(super) struct Momentum<'a, K, const SUMS: u8, const CORRECTED: bool, const ENERGY: bool> {
     pub fluid: &'a Fluid,
     pub records: &'a [Record],
     /// What density diffusion smooths, kg/m³.
@@ -72,13 +80,13 @@ struct Group<
     'a,
     'b,
     K,
-    const GRADIENTS: bool,
+    const SUMS: u8,
     const CORRECTED: bool,
     const ENERGY: bool,
     const FLUID: bool,
     const RESPONSE: bool,
 > {
-    pass: &'b Momentum<'a, K, GRADIENTS, CORRECTED, ENERGY>,
+    pass: &'b Momentum<'a, K, SUMS, CORRECTED, ENERGY>,
     work: &'b Workspace,
     cluster: usize,
     group: usize,
@@ -86,12 +94,12 @@ struct Group<
 
 impl<
     K: Kernel,
-    const GRADIENTS: bool,
+    const SUMS: u8,
     const CORRECTED: bool,
     const ENERGY: bool,
     const FLUID: bool,
     const RESPONSE: bool,
-> Task for Group<'_, '_, K, GRADIENTS, CORRECTED, ENERGY, FLUID, RESPONSE>
+> Task for Group<'_, '_, K, SUMS, CORRECTED, ENERGY, FLUID, RESPONSE>
 {
     type Output = Sums;
 
@@ -100,7 +108,6 @@ impl<
         let Group { pass, work, cluster, group } = self;
         let at = cluster * LANES;
         let zero = L::splat(0.0);
-        let tiny = L::splat(1e-12);
         let viscosity = L::splat(pass.viscosity);
         let x = lanes::<L>(&work.scaled_x, at);
         let y = lanes::<L>(&work.scaled_y, at);
@@ -125,74 +132,75 @@ impl<
         let (mut concentration_x, mut concentration_y) = (zero, zero);
         let (mut gradient_x, mut gradient_y) = (zero, zero);
         let (mut response_x, mut response_y) = (zero, zero);
-        for &j in pass.pairs.group(cluster, group) {
-            let record = &pass.records[j as usize].0;
-            let dx = x - L::splat(record[Record::X]);
-            let dy = y - L::splat(record[Record::Y]);
-            let dy2 = dy * dy;
-            let s = dx.mul_add(dx, dy2).max(tiny);
-            let inverse_q = s.rsqrt();
-            let g = K::slope_over_q(s, inverse_q) * L::splat(record[Record::WEIGHT]);
-            let du = vx - L::splat(record[Record::VX]);
-            let dv = vy - L::splat(record[Record::VY]);
-            let mut approach = du.mul_add(dx, dv * dy);
-            if CORRECTED {
-                // Less what a linear, divergence-free velocity field would give.
-                let (stretch, shear) = if FLUID {
-                    let strain = &pass.strain[j as usize];
-                    (own_stretch + L::splat(strain[0]), own_shear + L::splat(strain[1]))
+        let mut inverses = Inverses::new();
+        for chunk in pass.pairs.group(cluster, group).chunks(CHUNK) {
+            let inverses = inverses.fill(x, y, chunk, pass.records);
+            for (&j, inverse) in chunk.iter().zip(inverses) {
+                let record = &pass.records[j as usize].0;
+                let (dx, dy, dy2, s) = separation(x, y, record);
+                let inverse_q = L::load(inverse);
+                let g = K::slope_over_q(s, inverse_q) * L::splat(record[Record::WEIGHT]);
+                let du = vx - L::splat(record[Record::VX]);
+                let dv = vy - L::splat(record[Record::VY]);
+                let mut approach = du.mul_add(dx, dv * dy);
+                if CORRECTED {
+                    // Less what a linear, divergence-free velocity field would give.
+                    let (stretch, shear) = if FLUID {
+                        let strain = &pass.strain[j as usize];
+                        (own_stretch + L::splat(strain[0]), own_shear + L::splat(strain[1]))
+                    } else {
+                        (own_stretch + own_stretch, own_shear + own_shear)
+                    };
+                    let apart = dx.mul_sub(dx, dy2);
+                    approach = (dx * dy).negated_mul_add(shear, approach);
+                    approach = apart.negated_mul_add(stretch, approach);
+                }
+                let gx = g * dx;
+                let gy = g * dy;
+                let drag = approach * (inverse_q * inverse_q) * viscosity;
+                if CORRECTED {
+                    let pressure = L::splat(record[Record::PRESSURE]);
+                    let (xx, xy, yy) = if FLUID {
+                        (
+                            own_xx + pressure,
+                            own_xy + L::splat(record[Record::PRESSURE_XY]),
+                            own_yy + L::splat(record[Record::PRESSURE_YY]),
+                        )
+                    } else {
+                        (own_xx + pressure, own_xy, own_yy + pressure)
+                    };
+                    force_x = (drag - xx).mul_add(gx, force_x);
+                    force_x = xy.negated_mul_add(gy, force_x);
+                    force_y = (drag - yy).mul_add(gy, force_y);
+                    force_y = xy.negated_mul_add(gx, force_y);
                 } else {
-                    (own_stretch + own_stretch, own_shear + own_shear)
-                };
-                let apart = dx.mul_sub(dx, dy2);
-                approach = (dx * dy).negated_mul_add(shear, approach);
-                approach = apart.negated_mul_add(stretch, approach);
-            }
-            let gx = g * dx;
-            let gy = g * dy;
-            let drag = approach * (inverse_q * inverse_q) * viscosity;
-            if CORRECTED {
-                let pressure = L::splat(record[Record::PRESSURE]);
-                let (xx, xy, yy) = if FLUID {
-                    (
-                        own_xx + pressure,
-                        own_xy + L::splat(record[Record::PRESSURE_XY]),
-                        own_yy + L::splat(record[Record::PRESSURE_YY]),
-                    )
-                } else {
-                    (own_xx + pressure, own_xy, own_yy + pressure)
-                };
-                force_x = (drag - xx).mul_add(gx, force_x);
-                force_x = xy.negated_mul_add(gy, force_x);
-                force_y = (drag - yy).mul_add(gy, force_y);
-                force_y = xy.negated_mul_add(gx, force_y);
-            } else {
-                let push = drag - (own_xx + L::splat(record[Record::PRESSURE]));
-                force_x = push.mul_add(gx, force_x);
-                force_y = push.mul_add(gy, force_y);
-            }
-            if ENERGY {
-                viscous_x = drag.mul_add(gx, viscous_x);
-                viscous_y = drag.mul_add(gy, viscous_y);
-            }
-            if GRADIENTS || CORRECTED {
-                moment_xx = gx.mul_add(dx, moment_xx);
-                moment_xy = gx.mul_add(dy, moment_xy);
-                moment_yy = gy.mul_add(dy, moment_yy);
-            }
-            if GRADIENTS {
-                concentration_x = concentration_x + gx;
-                concentration_y = concentration_y + gy;
-                if FLUID {
+                    let push = drag - (own_xx + L::splat(record[Record::PRESSURE]));
+                    force_x = push.mul_add(gx, force_x);
+                    force_y = push.mul_add(gy, force_y);
+                }
+                if ENERGY {
+                    viscous_x = drag.mul_add(gx, viscous_x);
+                    viscous_y = drag.mul_add(gy, viscous_y);
+                }
+                if SUMS > FORCES || CORRECTED {
+                    moment_xx = gx.mul_add(dx, moment_xx);
+                    moment_xy = gx.mul_add(dy, moment_xy);
+                    moment_yy = gy.mul_add(dy, moment_yy);
+                }
+                if SUMS > FORCES {
+                    concentration_x = concentration_x + gx;
+                    concentration_y = concentration_y + gy;
+                }
+                if SUMS == GRADIENTS && FLUID {
                     let rise = L::splat(pass.diffused[j as usize]) - diffused;
                     gradient_x = rise.mul_add(gx, gradient_x);
                     gradient_y = rise.mul_add(gy, gradient_y);
                 }
-            }
-            if RESPONSE {
-                let response = L::splat(record[Record::RESPONSE]);
-                response_x = response.mul_add(gx, response_x);
-                response_y = response.mul_add(gy, response_y);
+                if RESPONSE {
+                    let response = L::splat(record[Record::RESPONSE]);
+                    response_x = response.mul_add(gx, response_x);
+                    response_y = response.mul_add(gy, response_y);
+                }
             }
         }
         Sums {
@@ -212,8 +220,8 @@ fn lanes<L: Lanes>(field: &[f64], at: usize) -> L {
     L::load(field[at..at + LANES].first_chunk().unwrap())
 }
 
-impl<K: Kernel, const GRADIENTS: bool, const CORRECTED: bool, const ENERGY: bool> Task
-    for Momentum<'_, K, GRADIENTS, CORRECTED, ENERGY>
+impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const ENERGY: bool> Task
+    for Momentum<'_, K, SUMS, CORRECTED, ENERGY>
 {
     /// The viscous power, W per metre of width (0 without `ENERGY`).
     type Output = f64;
@@ -229,7 +237,7 @@ impl<K: Kernel, const GRADIENTS: bool, const CORRECTED: bool, const ENERGY: bool
             let density = lanes::<L>(&self.fluid.density, at);
             let inverse_density = L::splat(1.0).div(density);
             let volume = lanes::<L>(&self.fluid.mass, at) * inverse_density;
-            let mut sums = L::call(Group::<_, GRADIENTS, CORRECTED, ENERGY, true, false> {
+            let mut sums = L::call(Group::<_, SUMS, CORRECTED, ENERGY, true, false> {
                 pass: &self,
                 work: &out,
                 cluster,
@@ -243,14 +251,14 @@ impl<K: Kernel, const GRADIENTS: bool, const CORRECTED: bool, const ENERGY: bool
                 }
                 let (pass, work) = (&self, &out);
                 let more = if body == self.responds {
-                    L::call(Group::<_, GRADIENTS, CORRECTED, ENERGY, false, true> {
+                    L::call(Group::<_, SUMS, CORRECTED, ENERGY, false, true> {
                         pass,
                         work,
                         cluster,
                         group,
                     })
                 } else {
-                    L::call(Group::<_, GRADIENTS, CORRECTED, ENERGY, false, false> {
+                    L::call(Group::<_, SUMS, CORRECTED, ENERGY, false, false> {
                         pass,
                         work,
                         cluster,
@@ -278,21 +286,22 @@ impl<K: Kernel, const GRADIENTS: bool, const CORRECTED: bool, const ENERGY: bool
                 let power = viscous[0].mul_add(vx, viscous[1] * vy);
                 viscous_power += (power * volume).sum();
             }
-            if GRADIENTS {
+            if SUMS == GRADIENTS {
                 let [xx, xy, yy] = &fluid_moment;
                 let moment = [L::load(xx), L::load(xy), L::load(yy)];
                 let sum = [L::load(&sums.gradient[0]), L::load(&sums.gradient[1])];
                 let [gradient_x, gradient_y] = solve_symmetric(moment, sum);
                 store(&mut out.gradient_x, at, gradient_x);
                 store(&mut out.gradient_y, at, gradient_y);
+            }
+            if SUMS > FORCES {
                 store(&mut out.concentration_x, at, L::load(&sums.concentration[0]));
                 store(&mut out.concentration_y, at, L::load(&sums.concentration[1]));
             }
-            if GRADIENTS || CORRECTED {
+            if SUMS > FORCES || CORRECTED {
                 let radius = L::splat(-self.support_radius);
                 let [xx, xy, yy] = &sums.moment;
-                let moment =
-                    [L::load(xx) * radius, L::load(xy) * radius, L::load(yy) * radius];
+                let moment = [L::load(xx) * radius, L::load(xy) * radius, L::load(yy) * radius];
                 let completeness = smallest_eigenvalue(moment);
                 store(&mut out.completeness, at, completeness);
                 if CORRECTED {
@@ -346,8 +355,8 @@ fn correction<L: Lanes>([xx, xy, yy]: [L; 3], completeness: L) -> [L; 3] {
     const TRUSTED_FULL: f64 = 0.45;
     let (zero, one) = (L::splat(0.0), L::splat(1.0));
     let determinant = (xx * yy - xy * xy).max(L::splat(1e-3));
-    let trust = (completeness - L::splat(TRUSTED_FROM))
-        * L::splat(1.0 / (TRUSTED_FULL - TRUSTED_FROM));
+    let trust =
+        (completeness - L::splat(TRUSTED_FROM)) * L::splat(1.0 / (TRUSTED_FULL - TRUSTED_FROM));
     let trust = trust.max(zero).min(one);
     let share = trust.div(determinant);
     let rest = one - trust;

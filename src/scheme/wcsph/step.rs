@@ -6,7 +6,7 @@ use std::time::Instant;
 use serde::{Deserialize, Serialize};
 
 use super::continuity::{Continuity, OFF, PLAIN, RENORMALISED};
-use super::momentum::Momentum;
+use super::momentum::{CONCENTRATION, FORCES, GRADIENTS, Momentum};
 use super::{DensityDiffusion, Shifting, WcsphOptions, Workspace};
 use crate::body::BodyMotion;
 use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice};
@@ -25,6 +25,10 @@ const STRIP_COLUMNS: f64 = 2.83;
 const SHIFT_FROM: f64 = 0.85;
 /// ... to this one.
 const SHIFT_FULL: f64 = 0.97;
+/// A particle is spray from this completeness ...
+const SPRAY_FROM: f64 = 0.45;
+/// ... and wholly so from this.
+const SPRAY_FULL: f64 = 0.25;
 /// No shift is longer than this many particle spacings.
 const SHIFT_LIMIT: f64 = 0.05;
 
@@ -296,14 +300,34 @@ impl Wcsph {
     pub fn dump(&self, f: &mut std::fs::File) {
         use std::io::Write;
         for k in 0..self.fluid.len() {
-            writeln!(f, "{} {} {} {} {} {}", self.fluid.x[k], self.fluid.y[k], self.work.pressure[k], self.work.completeness[k], self.fluid.vx[k], self.fluid.vy[k]).unwrap();
+            writeln!(
+                f,
+                "{} {} {} {} {} {}",
+                self.fluid.x[k],
+                self.fluid.y[k],
+                self.work.pressure[k],
+                self.work.completeness[k],
+                self.fluid.vx[k],
+                self.fluid.vy[k]
+            )
+            .unwrap();
         }
         writeln!(f).unwrap();
         writeln!(f).unwrap();
         for r in &self.records[self.fluid.padded_len()..] {
             let r = r.0;
             let s = self.scaling.support_radius;
-            writeln!(f, "{} {} {} {} {} {}", r[0] * s, r[1] * s, r[5], r[4]/self.scaling.weight_per_volume/self.options.spacing.powi(2), r[2], r[3]).unwrap();
+            writeln!(
+                f,
+                "{} {} {} {} {} {}",
+                r[0] * s,
+                r[1] * s,
+                r[5],
+                r[4] / self.scaling.weight_per_volume / self.options.spacing.powi(2),
+                r[2],
+                r[3]
+            )
+            .unwrap();
         }
     }
 
@@ -328,8 +352,7 @@ impl Wcsph {
         let shifting_work = self.drift(dt, walls.bodies);
         self.take_next_correction();
         self.timings.integration += counted.elapsed().as_secs_f64();
-        self.pair_evaluations +=
-            (LANES * (2 * self.pairs.len() + self.exchange.pairs())) as u64;
+        self.pair_evaluations += (LANES * (2 * self.pairs.len() + self.exchange.pairs())) as u64;
         Dissipation { viscous_power: -self.last_viscous_power, diffusion_power, shifting_work }
     }
 
@@ -363,7 +386,6 @@ impl Wcsph {
             !(relative < FLUID_MARGIN * spacing && farthest + moved < GHOST_MARGIN * spacing)
         };
         if worn {
-            if std::env::var("DBG").is_ok() { println!("rebuild"); }
             let width = Wcsph::strip_width(spacing);
             let (_, order) =
                 Strips::sort(&self.fluid.x[..n], &self.fluid.y[..n], &self.fluid.id[..n], width);
@@ -464,18 +486,29 @@ impl Wcsph {
 
     fn momentum_pass(&mut self, sample: bool) -> f64 {
         let options = &self.options;
-        let gradients = options.density_diffusion == DensityDiffusion::Renormalised
-            || options.shifting == Shifting::Interior;
+        let sums = match (options.density_diffusion, options.shifting) {
+            (DensityDiffusion::Renormalised, _) => GRADIENTS,
+            (_, Shifting::Interior) => CONCENTRATION,
+            (_, Shifting::None) => FORCES,
+        };
         let viscosity = options.artificial_viscosity
             * options.smoothing_length()
             * options.state.sound_speed
             * options.density
             * self.scaling.inverse_radius;
         macro_rules! pass {
-            ($K:ty, $gradients:literal, $corrected:literal, $energy:literal) => {
+            ($K:ty, $sums:ident) => {
+                match (options.corrected_gradients, sample) {
+                    (false, false) => pass!($K, $sums, false, false),
+                    (false, true) => pass!($K, $sums, false, true),
+                    (true, false) => pass!($K, $sums, true, false),
+                    (true, true) => pass!($K, $sums, true, true),
+                }
+            };
+            ($K:ty, $sums:ident, $corrected:literal, $energy:literal) => {
                 dispatch(
                     self.path,
-                    Momentum::<$K, $gradients, $corrected, $energy> {
+                    Momentum::<$K, $sums, $corrected, $energy> {
                         fluid: &self.fluid,
                         records: &self.records,
                         diffused: &self.diffused,
@@ -492,16 +525,10 @@ impl Wcsph {
                 )
             };
         }
-        let corrected = options.corrected_gradients;
-        with_kernel!(options.kernel, K => match (gradients, corrected, sample) {
-            (false, false, false) => pass!(K, false, false, false),
-            (false, false, true) => pass!(K, false, false, true),
-            (false, true, false) => pass!(K, false, true, false),
-            (false, true, true) => pass!(K, false, true, true),
-            (true, false, false) => pass!(K, true, false, false),
-            (true, false, true) => pass!(K, true, false, true),
-            (true, true, false) => pass!(K, true, true, false),
-            (true, true, true) => pass!(K, true, true, true),
+        with_kernel!(options.kernel, K => match sums {
+            GRADIENTS => pass!(K, GRADIENTS),
+            CONCENTRATION => pass!(K, CONCENTRATION),
+            _ => pass!(K, FORCES),
         })
     }
 
@@ -580,34 +607,70 @@ impl Wcsph {
             fluid.x[k] += dt * fluid.vx[k];
             fluid.y[k] += dt * fluid.vy[k];
         }
-        if std::env::var("DBG").is_ok() {
-            for k in 0..n {
-                if fluid.x[k] > 2.5 || fluid.y[k] < 0.0 {
-                    println!("out id {} x {:.4} y {:.4} v {:.3} {:.3} p {:.0} compl {:.3} acc {:.1} {:.1}", fluid.id[k], fluid.x[k], fluid.y[k], fluid.vx[k], fluid.vy[k], work.pressure[k], work.completeness[k], work.acceleration_x[k], work.acceleration_y[k]);
-                }
+        let mut ends = [f64::NEG_INFINITY, f64::INFINITY];
+        for (end, (body, motion)) in ends.iter_mut().zip(self.ghosts.bodies.iter().zip(bodies).skip(1)) {
+            *end = self.ghosts.target_x[body.faces.start] + motion.offset + dt * motion.velocity;
+        }
+        let spray_loss = if options.corrected_gradients { self.settle_spray(dt) } else { 0.0 };
+        let shifting_loss = match self.options.shifting {
+            Shifting::Interior => self.shift(dt, ends),
+            Shifting::None => 0.0,
+        };
+        self.hold_inside(ends, bodies);
+        shifting_loss + spray_loss
+    }
+
+    /// Relaxes the pressure of particles with too few neighbours to feel one: spray is at the
+    /// pressure of the air. Returns the elastic energy that goes.
+    fn settle_spray(&mut self, dt: f64) -> f64 {
+        let state = self.options.state;
+        let rate = (dt * state.sound_speed / self.options.smoothing_length()).min(1.0);
+        let mut loss = 0.0;
+        for k in 0..self.fluid.len() {
+            let alone = (SPRAY_FROM - self.work.completeness[k]) / (SPRAY_FROM - SPRAY_FULL);
+            if alone > 0.0 {
+                let density = self.fluid.density[k];
+                let rise = rate * alone.min(1.0) * (state.surface_density - density);
+                loss -= self.fluid.mass[k] * state.pressure(density) / (density * density) * rise;
+                self.fluid.density[k] += rise;
             }
         }
-        if options.shifting == Shifting::None {
-            return 0.0;
+        loss
+    }
+
+    /// Puts particles that have slipped through a wall back onto its face, with its velocity.
+    fn hold_inside(&mut self, ends: [f64; 2], bodies: &[BodyMotion]) {
+        let fluid = &mut self.fluid;
+        let skin = 1e-3 * self.options.spacing;
+        for k in 0..fluid.len() {
+            if fluid.y[k] < 0.0 {
+                fluid.y[k] = skin;
+                fluid.vy[k] = fluid.vy[k].max(0.0);
+            }
+            if fluid.x[k] < ends[0] {
+                fluid.x[k] = ends[0] + skin;
+                fluid.vx[k] = fluid.vx[k].max(bodies[1].velocity);
+            } else if fluid.x[k] > ends[1] {
+                fluid.x[k] = ends[1] - skin;
+                fluid.vx[k] = fluid.vx[k].min(bodies[2].velocity);
+            }
         }
+    }
+
+    /// Shifts particles towards an even spread; returns the energy that goes.
+    fn shift(&mut self, dt: f64, ends: [f64; 2]) -> f64 {
+        let (fluid, work, options) = (&mut self.fluid, &self.work, &self.options);
+        let n = fluid.len();
         let strength = options.shifting_coefficient * options.smoothing_length() * dt;
         let limit = SHIFT_LIMIT * options.spacing;
         let inverse_radius = self.scaling.inverse_radius;
         let reach = options.spacing;
         let hydrostatic = options.hydrostatic_slope();
-        let faces = self.ghosts.bodies.iter().zip(bodies).skip(1);
-        let mut ends = [f64::NEG_INFINITY, f64::INFINITY];
-        for (end, (body, motion)) in ends.iter_mut().zip(faces) {
-            *end = self.ghosts.target_x[body.faces.start] + motion.offset;
-        }
         let mut work_done = 0.0;
         for k in 0..n {
             let inside = (work.completeness[k] - SHIFT_FROM) / (SHIFT_FULL - SHIFT_FROM);
-            if inside <= 0.0 {
-                continue;
-            }
-            let speed = fluid.vx[k].hypot(fluid.vy[k]);
-            let factor = -strength * speed * inside.min(1.0);
+            let speed = (fluid.vx[k] * fluid.vx[k] + fluid.vy[k] * fluid.vy[k]).sqrt();
+            let factor = -strength * speed * inside.clamp(0.0, 1.0);
             let fade = |distance: f64| (distance / reach - 0.5).clamp(0.0, 1.0);
             let to_end = (fluid.x[k] - ends[0]).min(ends[1] - fluid.x[k]);
             let dx = (factor * work.concentration_x[k]).clamp(-limit, limit) * fade(to_end);
