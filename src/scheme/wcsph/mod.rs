@@ -74,11 +74,17 @@ impl Workspace {
         }
     }
 
-    fn correction(&self) -> [&Vec<f64>; 3] {
-        [&self.correction_xx, &self.correction_xy, &self.correction_yy]
+    /// What one step hands to the next, besides the fluid itself.
+    fn carried(&self) -> [&Vec<f64>; 4] {
+        [&self.correction_xx, &self.correction_xy, &self.correction_yy, &self.completeness]
     }
 
-    fn correction_mut(&mut self) -> [&mut Vec<f64>; 3] {
-        [&mut self.correction_xx, &mut self.correction_xy, &mut self.correction_yy]
+    fn carried_mut(&mut self) -> [&mut Vec<f64>; 4] {
+        [
+            &mut self.correction_xx,
+            &mut self.correction_xy,
+            &mut self.correction_yy,
+            &mut self.completeness,
+        ]
     }
 }

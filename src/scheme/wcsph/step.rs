@@ -29,6 +29,10 @@ const SHIFT_FULL: f64 = 0.97;
 const SPRAY_FROM: f64 = 0.45;
 /// ... and wholly so from this.
 const SPRAY_FULL: f64 = 0.25;
+/// Water bears tension from this completeness: none at the surface ...
+const TENSION_FROM: f64 = 0.6;
+/// ... and all of it from this.
+const TENSION_FULL: f64 = 0.9;
 /// No shift is longer than this many particle spacings.
 const SHIFT_LIMIT: f64 = 0.05;
 
@@ -83,7 +87,7 @@ pub struct WcsphState {
     reference_x: Vec<f64>,
     reference_y: Vec<f64>,
     reference_offsets: Vec<f64>,
-    correction: [Vec<f64>; 3],
+    carried: [Vec<f64>; 4],
     strain: Vec<[f64; 2]>,
     pair_evaluations: u64,
 }
@@ -188,7 +192,7 @@ impl Wcsph {
             reference_x: self.reference_x.clone(),
             reference_y: self.reference_y.clone(),
             reference_offsets: self.reference_offsets.clone(),
-            correction: self.work.correction().map(Clone::clone),
+            carried: self.work.carried().map(Clone::clone),
             strain: self.strain.clone(),
             pair_evaluations: self.pair_evaluations,
         }
@@ -201,7 +205,7 @@ impl Wcsph {
         self.reference_x = state.reference_x;
         self.reference_y = state.reference_y;
         self.reference_offsets = state.reference_offsets;
-        for (field, kept) in self.work.correction_mut().into_iter().zip(state.correction) {
+        for (field, kept) in self.work.carried_mut().into_iter().zip(state.carried) {
             *field = kept;
         }
         self.strain = state.strain;
@@ -390,7 +394,7 @@ impl Wcsph {
             let (_, order) =
                 Strips::sort(&self.fluid.x[..n], &self.fluid.y[..n], &self.fluid.id[..n], width);
             self.fluid.reorder(&order, &mut self.scratch);
-            for field in self.work.correction_mut() {
+            for field in self.work.carried_mut() {
                 self.scratch.clear();
                 self.scratch.extend(order.iter().map(|&from| field[from as usize]));
                 field[..n].copy_from_slice(&self.scratch);
@@ -464,7 +468,12 @@ impl Wcsph {
         let fluid = &self.fluid;
         for k in 0..fluid.padded_len() {
             let density = fluid.density[k];
-            let pressure = state.pressure(density);
+            let mut pressure = state.pressure(density);
+            if corrected && pressure < 0.0 {
+                let inside = (self.work.completeness[k] - TENSION_FROM)
+                    / (TENSION_FULL - TENSION_FROM);
+                pressure *= inside.clamp(0.0, 1.0);
+            }
             let diffused = density + hydrostatic * fluid.y[k];
             self.work.pressure[k] = pressure;
             self.diffused[k] = diffused;
