@@ -1,16 +1,15 @@
 //! From the water to the ghosts: one interpolation at every mirror point and its consequences.
 
+use super::InterpolatorChoice;
+use super::faces::span;
 use super::ghosts::{Ghosts, Reflection, Site};
-use super::{Interpolator, InterpolatorChoice};
+use super::sums::{GatherVelocity, Means, Water, Weigh};
 use crate::body::BodyMotion;
-use crate::kernel::{Kernel, KernelChoice};
-use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
+use crate::kernel::KernelChoice;
+use crate::math::simd::{LANES, SimdPath, dispatch};
 use crate::neighbours::{PairList, PointSet, Strips, build_pair_list};
 use crate::particles::{Record, Scaling};
 use crate::{with_interpolator, with_kernel};
-
-/// A ghost's mirrored velocity is at most this many times the water's.
-const MIRROR_LIMIT: f64 = 3.0;
 
 /// What the ghosts of a scene obey.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,28 +36,21 @@ pub struct ExchangeRules {
     pub bed_between_walls: bool,
 }
 
-/// Weighted means of the water at one vector of targets.
-#[derive(Debug, Clone, Copy, Default)]
-struct Means {
-    pressure: [f64; LANES],
-    x: [f64; LANES],
-    y: [f64; LANES],
-    vx: [f64; LANES],
-    vy: [f64; LANES],
-}
-
 /// The ghosts' side of a step: neighbour lists of their targets, weights, means.
 #[derive(Debug, Clone)]
 pub struct Exchange {
-    rules: ExchangeRules,
-    wet_at: f64,
-    dry_at: f64,
-    half_plane: Vec<f64>,
-    list: PairList,
-    weights: Vec<[f64; LANES]>,
-    scale: Vec<[f64; LANES]>,
-    means: Vec<Means>,
-    wetness: Vec<f64>,
+    pub(super) rules: ExchangeRules,
+    pub(super) wet_at: f64,
+    pub(super) dry_at: f64,
+    pub(super) half_plane: Vec<f64>,
+    pub(super) list: PairList,
+    pub(super) weights: Vec<[f64; LANES]>,
+    pub(super) scale: Vec<[f64; LANES]>,
+    pub(super) means: Vec<Means>,
+    pub(super) wetness: Vec<f64>,
+    /// Change of each ghost's pressure per acceleration of its wall, Pa/(m/s²), times its
+    /// correction: xx, xy, yy.
+    pub(super) responses: Vec<[f64; 3]>,
 }
 
 impl Exchange {
@@ -78,7 +70,13 @@ impl Exchange {
             scale: vec![[0.0; LANES]; targets / LANES],
             means: vec![Means::default(); targets / LANES],
             wetness: vec![0.0; targets],
+            responses: vec![[0.0; 3]; ghosts.len()],
         }
+    }
+
+    /// Responses of the ghosts to their wall's acceleration, from the last [`Exchange::fill`].
+    pub fn responses(&self) -> &[[f64; 3]] {
+        &self.responses
     }
 
     /// Number of target-to-fluid pairs in the lists, eight lanes each.
@@ -114,7 +112,7 @@ impl Exchange {
         path: SimdPath,
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
-        (records, pressure): (&[Record], &[f64]),
+        water: Water<'_>,
     ) {
         let Exchange { rules, list, weights, scale, means, wetness, .. } = self;
         let rules = *rules;
@@ -124,8 +122,7 @@ impl Exchange {
                 scaling: rules.scaling,
                 ghosts,
                 bodies,
-                records,
-                pressure,
+                water,
                 list,
                 weights,
                 scale,
@@ -137,61 +134,11 @@ impl Exchange {
         self.wet_faces(ghosts, bodies);
     }
 
-    /// Turns the kernel coverage of the face points into a wetness: 2 Σ W V over what a full,
-    /// endless body of water would give there; 1/2 at the waterline.
-    fn wet_faces(&mut self, ghosts: &Ghosts, bodies: &[BodyMotion]) {
-        for (number, body) in ghosts.bodies.iter().enumerate() {
-            for face in body.faces.clone() {
-                let complete = if self.rules.bed_between_walls {
-                    self.completeness(ghosts, bodies, number, face)
-                } else {
-                    1.0
-                };
-                self.wetness[face] *= 2.0 / complete.max(0.1);
-            }
-        }
-    }
-
-    /// Share of a face point's half disc of water that other walls leave.
-    fn completeness(
-        &self,
-        ghosts: &Ghosts,
-        bodies: &[BodyMotion],
-        number: usize,
-        face: usize,
-    ) -> f64 {
-        if number > 0 {
-            return self.share(ghosts.target_y[face]);
-        }
-        let [left, right] = span(ghosts, bodies);
-        let x = ghosts.target_x[face];
-        self.share(x - left) + self.share(right - x) - 1.0
-    }
-
-    /// [`KernelChoice::half_plane_fraction`] at a distance in metres, from a table.
-    fn share(&self, distance: f64) -> f64 {
-        let at = distance * self.rules.scaling.inverse_radius;
-        if at.abs() >= 1.0 {
-            return if at > 0.0 { 1.0 } else { 0.0 };
-        }
-        let place = at.abs() * 256.0;
-        let k = (place as usize).min(255);
-        let part = place - k as f64;
-        let share = self.half_plane[k] * (1.0 - part) + self.half_plane[k + 1] * part;
-        if at > 0.0 { share } else { 1.0 - share }
-    }
-
-    /// How much of a ghost counts: nothing half a spacing above the waterline, all of it half a
-    /// spacing below.
-    fn wet_share(&self, face: usize) -> f64 {
-        ((self.wetness[face] - self.dry_at) / (self.wet_at - self.dry_at)).clamp(0.0, 1.0)
-    }
-
     /// Writes the ghosts' records: place, volume, pressure and its response to their body's
     /// acceleration, velocity. `ghost_records` are those of the ghosts alone; bodies with
     /// `responds` leave their acceleration out of the pressure and into the response.
     pub fn fill(
-        &self,
+        &mut self,
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
         responds: usize,
@@ -211,7 +158,9 @@ impl Exchange {
                 if self.scale[block][lane] == 0.0 {
                     record[Record::WEIGHT] = 0.0;
                     record[Record::PRESSURE] = 0.0;
-                    record[Record::RESPONSE] = 0.0;
+                    record[Record::PRESSURE_XY] = 0.0;
+                    record[Record::PRESSURE_YY] = 0.0;
+                    self.responses[g] = [0.0; 3];
                     record[Record::VX] = motion.velocity;
                     record[Record::VY] = 0.0;
                     continue;
@@ -246,8 +195,11 @@ impl Exchange {
                 } else {
                     (still + per_acceleration * motion.acceleration, 0.0)
                 };
-                record[Record::PRESSURE] = pressure;
-                record[Record::RESPONSE] = response;
+                let [xx, xy, yy] = mirrored_correction(means, lane, ghosts.reflection[g]);
+                record[Record::PRESSURE] = pressure * xx;
+                record[Record::PRESSURE_XY] = pressure * xy;
+                record[Record::PRESSURE_YY] = pressure * yy;
+                self.responses[g] = [response * xx, response * xy, response * yy];
                 let velocity = self.mirrored_velocity(ghosts, g, motion);
                 record[Record::VX] = velocity[0];
                 record[Record::VY] = velocity[1];
@@ -277,270 +229,20 @@ impl Exchange {
             }
         }
     }
-
-    /// u_w - (ū - u_w) d_ghost/d̄ across the wall; along it ū goes on (free slip) or is reversed
-    /// likewise (no slip). d̄ is the distance of the water that ū was taken from.
-    fn mirrored_velocity(&self, ghosts: &Ghosts, g: usize, motion: &BodyMotion) -> [f64; 2] {
-        let (block, lane) = (g / LANES, g % LANES);
-        if self.scale[block][lane] == 0.0 {
-            return [motion.velocity, 0.0];
-        }
-        let means = &self.means[block];
-        let relative = [means.vx[lane] - motion.velocity, means.vy[lane]];
-        let x = ghosts.x[g] + motion.offset;
-        let apart = [x - means.x[lane], ghosts.y[g] - means.y[lane]];
-        let distance = ghosts.distance[g];
-        let ratio = |across: f64| {
-            if across <= distance * (1.0 + 1.0 / MIRROR_LIMIT) {
-                MIRROR_LIMIT
-            } else {
-                distance / (across - distance)
-            }
-        };
-        let mirrored = match ghosts.reflection[g] {
-            Reflection::Corner => {
-                let factor = ratio(apart[0].hypot(apart[1]));
-                [-factor * relative[0], -factor * relative[1]]
-            }
-            Reflection::Plane { normal: [nx, ny] } => {
-                let factor = ratio(apart[0] * nx + apart[1] * ny);
-                let across = relative[0] * nx + relative[1] * ny;
-                let along = [relative[0] - across * nx, relative[1] - across * ny];
-                let kept = if self.rules.no_slip { -factor } else { 1.0 };
-                [kept * along[0] - factor * across * nx, kept * along[1] - factor * across * ny]
-            }
-        };
-        [mirrored[0] + motion.velocity, mirrored[1]]
-    }
-
-    /// Level of the water along an upright body, metres above the bed: the crossing of
-    /// wetness 1/2 that is connected to the water below.
-    pub fn level(&self, ghosts: &Ghosts, body: usize) -> f64 {
-        let faces = ghosts.bodies[body].faces.clone();
-        let wetness = &self.wetness[faces.clone()];
-        let heights = &ghosts.target_y[faces];
-        let Some(dry) = wetness.iter().position(|&wet| wet < 0.5) else {
-            return heights.last().copied().unwrap_or(0.0);
-        };
-        if dry == 0 {
-            return 0.0;
-        }
-        let part = (wetness[dry - 1] - 0.5) / (wetness[dry - 1] - wetness[dry]);
-        heights[dry - 1] + part * (heights[dry] - heights[dry - 1])
-    }
-
-    /// Integral of the interpolated pressure over the face of an upright body, N per metre of
-    /// width: a check on the momentum reaction that shares nothing with it but the particles.
-    pub fn face_force(
-        &mut self,
-        path: SimdPath,
-        ghosts: &Ghosts,
-        body: usize,
-        motion: &BodyMotion,
-        (records, pressure): (&[Record], &[f64]),
-    ) -> f64 {
-        let faces = ghosts.bodies[body].faces.clone();
-        let rules = self.rules;
-        let blocks = faces.start / LANES..faces.end.div_ceil(LANES);
-        let Exchange { list, weights, scale, means, .. } = self;
-        with_kernel!(rules.kernel, K => with_interpolator!(rules.interpolator, interpolator => {
-            dispatch(path, Interpolate::<K, _> {
-                interpolator,
-                scaling: rules.scaling,
-                ghosts,
-                offset: motion.offset,
-                records,
-                pressure,
-                list,
-                weights,
-                scale,
-                means,
-                blocks,
-                kernel: std::marker::PhantomData,
-            });
-        }));
-        faces
-            .map(|face| {
-                let (block, lane) = (face / LANES, face % LANES);
-                let wet = self.wet_share(face);
-                if self.scale[block][lane] == 0.0 {
-                    return 0.0;
-                }
-                let means = &self.means[block];
-                let mean = means.pressure[lane];
-                let density =
-                    rules.surface_density + mean / (rules.sound_speed * rules.sound_speed);
-                let reach_x = ghosts.target_x[face] + motion.offset - means.x[lane];
-                let reach_y = ghosts.target_y[face] - means.y[lane];
-                let pressure =
-                    mean - density * (rules.gravity * reach_y + motion.acceleration * reach_x);
-                wet * pressure * rules.spacing
-            })
-            .sum()
-    }
 }
 
-/// Faces of the bodies 1 and 2: the ends of the bed.
-fn span(ghosts: &Ghosts, bodies: &[BodyMotion]) -> [f64; 2] {
-    let face = |body: usize| ghosts.target_x[ghosts.bodies[body].faces.start] + bodies[body].offset;
-    [face(1), face(2)]
-}
-
-struct Weigh<'a, K, I> {
-    interpolator: I,
-    scaling: Scaling,
-    ghosts: &'a Ghosts,
-    bodies: &'a [BodyMotion],
-    records: &'a [Record],
-    pressure: &'a [f64],
-    list: &'a PairList,
-    weights: &'a mut [[f64; LANES]],
-    scale: &'a mut [[f64; LANES]],
-    means: &'a mut [Means],
-    coverage: &'a mut [f64],
-    kernel: std::marker::PhantomData<K>,
-}
-
-impl<K: Kernel, I: Interpolator> Task for Weigh<'_, K, I> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let (xs, _) = self.ghosts.target_x.as_chunks::<LANES>();
-        let (ys, _) = self.ghosts.target_y.as_chunks::<LANES>();
-        let (coverage, _) = self.coverage.as_chunks_mut::<LANES>();
-        let ghost_blocks = self.ghosts.len() / LANES;
-        let inverse = L::splat(self.scaling.inverse_radius);
-        for block in 0..xs.len() {
-            let offset = self.bodies[self.ghosts.target_body[block] as usize].offset;
-            let x = (L::load(&xs[block]) + L::splat(offset)) * inverse;
-            let y = L::load(&ys[block]) * inverse;
-            let neighbours = self.list.group(block, 0);
-            if block < ghost_blocks {
-                let start = self.list.start(block, 0);
-                let weights = &mut self.weights[start..start + neighbours.len()];
-                let scale =
-                    self.interpolator.weigh::<K, L>(x, y, neighbours, self.records, weights);
-                scale.store(&mut self.scale[block]);
-                self.means[block] = gather::<L>(
-                    neighbours,
-                    (self.records, self.pressure),
-                    weights,
-                    scale,
-                    self.scaling,
-                );
-            } else {
-                let mut sum = L::splat(0.0);
-                for &j in neighbours {
-                    let record = &self.records[j as usize].0;
-                    let dx = x - L::splat(record[Record::X]);
-                    let dy = y - L::splat(record[Record::Y]);
-                    let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
-                    sum = K::shape(s, s.rsqrt()).mul_add(L::splat(record[Record::WEIGHT]), sum);
-                }
-                (sum * L::splat(self.scaling.support_radius)).store(&mut coverage[block]);
-            }
-        }
-    }
-}
-
-struct Interpolate<'a, K, I> {
-    interpolator: I,
-    scaling: Scaling,
-    ghosts: &'a Ghosts,
-    offset: f64,
-    records: &'a [Record],
-    pressure: &'a [f64],
-    list: &'a PairList,
-    weights: &'a mut [[f64; LANES]],
-    scale: &'a mut [[f64; LANES]],
-    means: &'a mut [Means],
-    blocks: std::ops::Range<usize>,
-    kernel: std::marker::PhantomData<K>,
-}
-
-impl<K: Kernel, I: Interpolator> Task for Interpolate<'_, K, I> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let (xs, _) = self.ghosts.target_x.as_chunks::<LANES>();
-        let (ys, _) = self.ghosts.target_y.as_chunks::<LANES>();
-        let inverse = L::splat(self.scaling.inverse_radius);
-        for block in self.blocks {
-            let x = (L::load(&xs[block]) + L::splat(self.offset)) * inverse;
-            let y = L::load(&ys[block]) * inverse;
-            let neighbours = self.list.group(block, 0);
-            let start = self.list.start(block, 0);
-            let weights = &mut self.weights[start..start + neighbours.len()];
-            let scale = self.interpolator.weigh::<K, L>(x, y, neighbours, self.records, weights);
-            scale.store(&mut self.scale[block]);
-            self.means[block] = gather::<L>(
-                neighbours,
-                (self.records, self.pressure),
-                weights,
-                scale,
-                self.scaling,
-            );
-        }
-    }
-}
-
-#[inline(always)]
-fn gather<L: Lanes>(
-    neighbours: &[u32],
-    (records, pressure): (&[Record], &[f64]),
-    weights: &[[f64; LANES]],
-    scale: L,
-    scaling: Scaling,
-) -> Means {
-    let mut sums = [L::splat(0.0); 5];
-    for (&j, weight) in neighbours.iter().zip(weights) {
-        let record = &records[j as usize].0;
-        let weight = L::load(weight);
-        sums[0] = weight.mul_add(L::splat(pressure[j as usize]), sums[0]);
-        let slots = [Record::X, Record::Y, Record::VX, Record::VY];
-        for (sum, slot) in sums[1..].iter_mut().zip(slots) {
-            *sum = weight.mul_add(L::splat(record[slot]), *sum);
-        }
-    }
-    let to_metres = scale * L::splat(scaling.support_radius);
-    Means {
-        pressure: (sums[0] * scale).to_array(),
-        x: (sums[1] * to_metres).to_array(),
-        y: (sums[2] * to_metres).to_array(),
-        vx: (sums[3] * scale).to_array(),
-        vy: (sums[4] * scale).to_array(),
-    }
-}
-
-struct GatherVelocity<'a> {
-    list: &'a PairList,
-    weights: &'a [[f64; LANES]],
-    scale: &'a [[f64; LANES]],
-    means: &'a mut [Means],
-    blocks: usize,
-    records: &'a [Record],
-}
-
-impl Task for GatherVelocity<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        for block in 0..self.blocks {
-            let neighbours = self.list.group(block, 0);
-            let start = self.list.start(block, 0);
-            let (mut vx, mut vy) = (L::splat(0.0), L::splat(0.0));
-            for (&j, weight) in neighbours.iter().zip(&self.weights[start..]) {
-                let record = &self.records[j as usize].0;
-                let weight = L::load(weight);
-                vx = weight.mul_add(L::splat(record[Record::VX]), vx);
-                vy = weight.mul_add(L::splat(record[Record::VY]), vy);
-            }
-            let scale = L::load(&self.scale[block]);
-            (vx * scale).store(&mut self.means[block].vx);
-            (vy * scale).store(&mut self.means[block].vy);
+/// The correction beyond a wall is the mirror image of the water's: then both sides of the
+/// waterline press alike.
+fn mirrored_correction(means: &Means, lane: usize, reflection: Reflection) -> [f64; 3] {
+    let [xx, xy, yy] = [0, 1, 2].map(|part| means.correction[part][lane]);
+    match reflection {
+        Reflection::Corner => [xx, xy, yy],
+        Reflection::Plane { normal: [nx, ny] } => {
+            // H C H with H = I - 2 n nᵀ.
+            let (a, b, d) = (1.0 - 2.0 * nx * nx, -2.0 * nx * ny, 1.0 - 2.0 * ny * ny);
+            let (p, q) = (a * xx + b * xy, a * xy + b * yy);
+            let (r, s) = (b * xx + d * xy, b * xy + d * yy);
+            [p * a + q * b, p * b + q * d, r * b + s * d]
         }
     }
 }

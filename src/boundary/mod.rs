@@ -6,13 +6,17 @@
 //! A new interpolator is one file and one arm of [`with_interpolator!`](crate::with_interpolator).
 
 mod exchange;
+mod faces;
 mod ghosts;
 mod improved_shepard;
+mod mirror;
+mod sums;
 mod tank;
 
 pub use exchange::{Exchange, ExchangeRules};
 pub use ghosts::{GhostBody, Ghosts, Reflection, Site};
 pub use improved_shepard::ImprovedShepard;
+pub use sums::Water;
 pub use tank::{TankLayout, tank_ghosts};
 
 use serde::{Deserialize, Serialize};

@@ -5,7 +5,7 @@ use crate::kernel::KernelChoice;
 /// One neighbour, fluid or ghost, packed into a cache line and scaled for the pair loops.
 ///
 /// Slots: see the associated constants. The last three mean different things in the two passes of
-/// a step and for ghosts.
+/// a step.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[repr(C, align(64))]
 pub struct Record(pub [f64; 8]);
@@ -21,14 +21,13 @@ impl Record {
     pub const VY: usize = 3;
     /// Volume times C/R³: turns w'(q)/q times a scaled distance into ∇W V.
     pub const WEIGHT: usize = 4;
-    /// Momentum pass: pressure, Pa (of a fluid particle: times its correction, xx component).
+    /// Momentum pass: pressure times correction, Pa, xx component; the pressure itself where the
+    /// scheme has no corrections.
     pub const PRESSURE: usize = 5;
-    /// Momentum pass, fluid: xy component of pressure times correction.
+    /// Momentum pass: xy component.
     pub const PRESSURE_XY: usize = 6;
-    /// Momentum pass, fluid: yy component.
+    /// Momentum pass: yy component.
     pub const PRESSURE_YY: usize = 7;
-    /// Ghosts: change of pressure per acceleration of their wall, Pa/(m/s²).
-    pub const RESPONSE: usize = 6;
     /// Continuity pass: what density diffusion smooths, kg/m³.
     pub const DIFFUSED: usize = 5;
     /// Continuity pass: R ∂ρ/∂x.

@@ -239,14 +239,6 @@ impl Run {
         if !sample {
             return Ok(());
         }
-        if let Ok(t) = std::env::var("DUMP") {
-            if t.split(',').any(|t| (t.parse::<f64>().unwrap() - time).abs() < 0.0026) {
-                use std::io::Write;
-                let mut f = std::fs::File::create(format!("/tmp/dump_{:.3}.txt", time)).unwrap();
-                self.tank.water.dump(&mut f);
-                let _ = f.flush();
-            }
-        }
         self.clock.samples += 1;
         while self.scene.history_interval_s * self.clock.samples as f64 <= time {
             self.clock.samples += 1;

@@ -28,8 +28,6 @@ pub(super) struct Continuity<'a, K, const DIFFUSION: u8, const CORRECTED: bool, 
     pub strain: &'a mut [[f64; 2]],
     pub work: &'a mut Workspace,
     pub support_radius: f64,
-    /// 1 where viscosity leaves out the linear part of the velocity field, 0 where it does not.
-    pub smooth_share: f64,
     pub bodies: usize,
     /// δ h c0 / R.
     pub diffusion: f64,
@@ -73,7 +71,7 @@ impl<K: Kernel, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool> 
                 let xy = lanes::<L>(&self.work.correction_xy, at);
                 let yy = lanes::<L>(&self.work.correction_yy, at);
                 let (ux, uy, vx, vy) = (spread(0), spread(1), spread(2), spread(3));
-                let minus_half = L::splat(-0.5 * self.support_radius * self.smooth_share);
+                let minus_half = L::splat(-0.5 * self.support_radius);
                 let stretch = xx.mul_add(ux, xy * uy) - xy.mul_add(vx, yy * vy);
                 let stretch = (stretch * minus_half * L::splat(0.5)).to_array();
                 let shear = xy.mul_add(ux, yy * uy) + xx.mul_add(vx, xy * vy);

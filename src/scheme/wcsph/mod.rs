@@ -5,15 +5,24 @@
 //! velocities, finds the density rates with the new velocities at the old places, and drifts.
 
 mod continuity;
+mod lists;
 mod momentum;
+mod motion;
 mod options;
+mod passes;
+mod readings;
 mod separation;
+mod state;
 mod step;
 
 pub use options::{DensityDiffusion, Shifting, WcsphOptions};
-pub use step::{Dissipation, Load, StepWalls, Timings, Wcsph, WcsphState};
+pub use readings::Load;
+pub use state::{Timings, Wcsph, WcsphState};
+pub use step::{Dissipation, StepWalls};
 
+use crate::boundary::Water;
 use crate::math::simd::LANES;
+use crate::particles::Record;
 
 /// Arrays that a step fills and forgets, one entry per (padded) fluid particle.
 #[derive(Debug, Clone, Default)]
@@ -72,6 +81,13 @@ impl Workspace {
             loads: vec![[0.0; 2]; bodies],
             responding: Vec::new(),
         }
+    }
+
+    /// What the ghosts read of the water.
+    fn water<'a>(&'a self, records: &'a [Record], corrected: bool) -> Water<'a> {
+        let correction: [&[f64]; 3] =
+            [&self.correction_xx, &self.correction_xy, &self.correction_yy];
+        Water { records, pressure: &self.pressure, correction: corrected.then_some(correction) }
     }
 
     /// What one step hands to the next, besides the fluid itself.

@@ -28,6 +28,10 @@ pub(super) struct Momentum<'a, K, const SUMS: u8, const CORRECTED: bool, const E
     pub diffused: &'a [f64],
     /// R/2 (∂u/∂x - ∂v/∂y)/2 and R/2 (∂u/∂y + ∂v/∂x).
     pub strain: &'a [[f64; 2]],
+    /// Responses of the ghosts' pressures to their wall's acceleration: xx, xy, yy.
+    pub responses: &'a [[f64; 3]],
+    /// Number of the first ghost among the records.
+    pub first_ghost: usize,
     pub pairs: &'a PairList,
     pub work: &'a mut Workspace,
     /// Number of bodies: groups 1.. of the list.
@@ -152,23 +156,19 @@ impl<
                         (own_stretch + own_stretch, own_shear + own_shear)
                     };
                     let apart = dx.mul_sub(dx, dy2);
-                    approach = (dx * dy).negated_mul_add(shear, approach);
-                    approach = apart.negated_mul_add(stretch, approach);
+                    let rest = (dx * dy).negated_mul_add(shear, approach);
+                    let rest = apart.negated_mul_add(stretch, rest);
+                    // Between nothing and all of it: every pair then dissipates.
+                    let (low, high) = (approach.min(zero), approach.max(zero));
+                    approach = rest.min(high).max(low);
                 }
                 let gx = g * dx;
                 let gy = g * dy;
                 let drag = approach * (inverse_q * inverse_q) * viscosity;
                 if CORRECTED {
-                    let pressure = L::splat(record[Record::PRESSURE]);
-                    let (xx, xy, yy) = if FLUID {
-                        (
-                            own_xx + pressure,
-                            own_xy + L::splat(record[Record::PRESSURE_XY]),
-                            own_yy + L::splat(record[Record::PRESSURE_YY]),
-                        )
-                    } else {
-                        (own_xx + pressure, own_xy, own_yy + pressure)
-                    };
+                    let xx = own_xx + L::splat(record[Record::PRESSURE]);
+                    let xy = own_xy + L::splat(record[Record::PRESSURE_XY]);
+                    let yy = own_yy + L::splat(record[Record::PRESSURE_YY]);
                     force_x = (drag - xx).mul_add(gx, force_x);
                     force_x = xy.negated_mul_add(gy, force_x);
                     force_y = (drag - yy).mul_add(gy, force_y);
@@ -197,9 +197,10 @@ impl<
                     gradient_y = rise.mul_add(gy, gradient_y);
                 }
                 if RESPONSE {
-                    let response = L::splat(record[Record::RESPONSE]);
-                    response_x = response.mul_add(gx, response_x);
-                    response_y = response.mul_add(gy, response_y);
+                    let [xx, xy, yy] = pass.responses[j as usize - pass.first_ghost];
+                    let (xx, xy, yy) = (L::splat(xx), L::splat(xy), L::splat(yy));
+                    response_x = xy.mul_add(gy, xx.mul_add(gx, response_x));
+                    response_y = yy.mul_add(gy, xy.mul_add(gx, response_y));
                 }
             }
         }

@@ -1,0 +1,140 @@
+//! Velocities and places: kick, drift, and what keeps particles in good order.
+
+use super::{Shifting, Wcsph};
+use crate::body::BodyMotion;
+use crate::math::simd::LANES;
+use crate::particles::Record;
+
+/// Shifting fades in from this completeness of the support ...
+const SHIFT_FROM: f64 = 0.85;
+/// ... to this one.
+const SHIFT_FULL: f64 = 0.97;
+/// No shift is longer than this many particle spacings.
+const SHIFT_LIMIT: f64 = 0.05;
+/// A particle is spray from this completeness ...
+const SPRAY_FROM: f64 = 0.45;
+/// ... and wholly so from this.
+const SPRAY_FULL: f64 = 0.25;
+
+impl Wcsph {
+    pub(super) fn kick(&mut self, dt: f64, wall_acceleration: f64) {
+        let (fluid, work) = (&mut self.fluid, &mut self.work);
+        if wall_acceleration != 0.0 {
+            for (cluster, response_x, response_y) in &work.responding {
+                let at = *cluster as usize * LANES;
+                for lane in 0..LANES {
+                    work.acceleration_x[at + lane] += wall_acceleration * response_x[lane];
+                    work.acceleration_y[at + lane] += wall_acceleration * response_y[lane];
+                }
+            }
+        }
+        for k in 0..fluid.len() {
+            fluid.vx[k] += dt * work.acceleration_x[k];
+            fluid.vy[k] += dt * work.acceleration_y[k];
+            let record = &mut self.records[k].0;
+            record[Record::VX] = fluid.vx[k];
+            record[Record::VY] = fluid.vy[k];
+            record[Record::DIFFUSED] = self.diffused[k];
+            record[Record::GRADIENT_X] = work.gradient_x[k];
+            record[Record::GRADIENT_Y] = work.gradient_y[k];
+        }
+    }
+
+    /// Moves the particles; returns the energy that shifting takes out.
+    pub(super) fn drift(&mut self, dt: f64, bodies: &[BodyMotion]) -> f64 {
+        let (fluid, work, options) = (&mut self.fluid, &self.work, &self.options);
+        let n = fluid.len();
+        for k in 0..n {
+            fluid.density[k] += dt * work.density_rate[k];
+            fluid.x[k] += dt * fluid.vx[k];
+            fluid.y[k] += dt * fluid.vy[k];
+        }
+        let mut ends = [f64::NEG_INFINITY, f64::INFINITY];
+        for (end, (body, motion)) in
+            ends.iter_mut().zip(self.ghosts.bodies.iter().zip(bodies).skip(1))
+        {
+            *end = self.ghosts.target_x[body.faces.start] + motion.offset + dt * motion.velocity;
+        }
+        let spray_loss = if options.corrected_gradients { self.settle_spray(dt) } else { 0.0 };
+        let shifting_loss = match self.options.shifting {
+            Shifting::Interior => self.shift(dt, ends),
+            Shifting::None => 0.0,
+        };
+        self.hold_inside(ends, bodies);
+        shifting_loss + spray_loss
+    }
+
+    /// Relaxes the pressure of particles with too few neighbours to feel one: spray is at the
+    /// pressure of the air. Returns the elastic energy that goes.
+    fn settle_spray(&mut self, dt: f64) -> f64 {
+        let state = self.options.state;
+        let rate = (dt * state.sound_speed / self.options.smoothing_length()).min(1.0);
+        let mut loss = 0.0;
+        for k in 0..self.fluid.len() {
+            let alone = (SPRAY_FROM - self.work.completeness[k]) / (SPRAY_FROM - SPRAY_FULL);
+            if alone > 0.0 {
+                let density = self.fluid.density[k];
+                let rise = rate * alone.min(1.0) * (state.surface_density - density);
+                loss -= self.fluid.mass[k] * state.pressure(density) / (density * density) * rise;
+                self.fluid.density[k] += rise;
+            }
+        }
+        loss
+    }
+
+    /// Shifts particles towards an even spread; returns the energy that goes.
+    fn shift(&mut self, dt: f64, ends: [f64; 2]) -> f64 {
+        let (fluid, work, options) = (&mut self.fluid, &self.work, &self.options);
+        let n = fluid.len();
+        let strength = options.shifting_coefficient * options.smoothing_length() * dt;
+        let limit = SHIFT_LIMIT * options.spacing;
+        let inverse_radius = self.scaling.inverse_radius;
+        let reach = options.spacing;
+        let hydrostatic = options.hydrostatic_slope();
+        let mut work_done = 0.0;
+        for k in 0..n {
+            let inside = (work.completeness[k] - SHIFT_FROM) / (SHIFT_FULL - SHIFT_FROM);
+            let speed = (fluid.vx[k] * fluid.vx[k] + fluid.vy[k] * fluid.vy[k]).sqrt();
+            let factor = -strength * speed * inside.clamp(0.0, 1.0);
+            let fade = |distance: f64| (distance / reach - 0.5).clamp(0.0, 1.0);
+            let to_end = (fluid.x[k] - ends[0]).min(ends[1] - fluid.x[k]);
+            let dx = (factor * work.concentration_x[k]).clamp(-limit, limit) * fade(to_end);
+            let dy = (factor * work.concentration_y[k]).clamp(-limit, limit) * fade(fluid.y[k]);
+            let rise = (dx * work.gradient_x[k] + dy * work.gradient_y[k]) * inverse_radius
+                - hydrostatic * dy;
+            let density = fluid.density[k];
+            work_done += fluid.mass[k]
+                * (options.gravity * dy + work.pressure[k] / (density * density) * rise);
+            fluid.x[k] += dx;
+            fluid.y[k] += dy;
+            fluid.density[k] += rise;
+        }
+        -work_done
+    }
+
+    /// Puts particles that have slipped through a wall back onto its face, with its velocity.
+    fn hold_inside(&mut self, ends: [f64; 2], bodies: &[BodyMotion]) {
+        let fluid = &mut self.fluid;
+        let skin = 1e-3 * self.options.spacing;
+        for k in 0..fluid.len() {
+            if fluid.y[k] < 0.0 {
+                fluid.y[k] = skin;
+                fluid.vy[k] = fluid.vy[k].max(0.0);
+            }
+            if fluid.x[k] < ends[0] {
+                fluid.x[k] = ends[0] + skin;
+                fluid.vx[k] = fluid.vx[k].max(bodies[1].velocity);
+            } else if fluid.x[k] > ends[1] {
+                fluid.x[k] = ends[1] - skin;
+                fluid.vx[k] = fluid.vx[k].min(bodies[2].velocity);
+            }
+        }
+    }
+
+    pub(super) fn take_next_correction(&mut self) {
+        let work = &mut self.work;
+        std::mem::swap(&mut work.correction_xx, &mut work.next_correction_xx);
+        std::mem::swap(&mut work.correction_xy, &mut work.next_correction_xy);
+        std::mem::swap(&mut work.correction_yy, &mut work.next_correction_yy);
+    }
+}

@@ -1,0 +1,70 @@
+//! Readings of the water: loads on bodies, levels.
+
+use super::Wcsph;
+use super::lists::GHOST_MARGIN;
+use crate::body::BodyMotion;
+
+/// Force of the water on a body, at the current places.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Load {
+    /// Along x, N per metre of width; for the responding body with its acceleration left out.
+    pub force: f64,
+    /// What its own acceleration takes off that force: F = `force` - `added_mass` a.
+    pub added_mass: f64,
+}
+
+impl Wcsph {
+    /// Force on a body and its added mass, from the last [`Wcsph::prepare`].
+    pub fn load(&self, body: usize) -> Load {
+        let [force, added_mass] = self.work.loads[body];
+        Load { force, added_mass }
+    }
+
+    /// Level of the water at an upright body, metres above the bed.
+    pub fn level_at(&self, body: usize) -> f64 {
+        self.exchange.level(&self.ghosts, body)
+    }
+
+    /// Force on a body by integrating the interpolated pressure over its face, N per metre.
+    pub fn face_force(&mut self, body: usize, motion: &BodyMotion) -> f64 {
+        let fluid = self.work.water(&self.records[..self.fluid.padded_len()], false);
+        self.exchange.face_force(self.path, &self.ghosts, body, motion, fluid)
+    }
+
+    /// Level of the free surface at x, metres above the bed: upwards from `from`, the first
+    /// height at which the kernel's coverage Σ W V falls to 1/2.
+    pub fn level_in_water(&self, x: f64, from: f64) -> f64 {
+        let radius = self.options.support_radius;
+        let margin = GHOST_MARGIN * self.options.spacing;
+        let factor = self.options.kernel.normalisation() / (radius * radius);
+        let mut near = Vec::new();
+        let reach = radius + margin;
+        self.strips.visit_box([x - reach, x + reach], [f64::MIN, f64::MAX], |range| {
+            near.extend(range.filter(|&k| (self.fluid.x[k] - x).abs() < radius));
+        });
+        let coverage = |y: f64| -> f64 {
+            let terms = near.iter().map(|&k| {
+                let q = (self.fluid.x[k] - x).hypot(self.fluid.y[k] - y) / radius;
+                if q < 1.0 {
+                    let volume = self.fluid.mass[k] / self.fluid.density[k];
+                    volume * self.options.kernel.shape_at(q)
+                } else {
+                    0.0
+                }
+            });
+            terms.sum::<f64>() * factor
+        };
+        let step = 0.5 * self.options.spacing;
+        let (mut y, mut below) = (from, coverage(from));
+        if below < 0.5 {
+            return from;
+        }
+        loop {
+            let above = coverage(y + step);
+            if above < 0.5 {
+                return y + step * (below - 0.5) / (below - above);
+            }
+            (y, below) = (y + step, above);
+        }
+    }
+}

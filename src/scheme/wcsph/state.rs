@@ -1,0 +1,165 @@
+//! The particles with all that surrounds them, and what of it must be kept to go on later.
+
+use serde::{Deserialize, Serialize};
+
+use super::{WcsphOptions, Workspace};
+use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice};
+use crate::math::simd::SimdPath;
+use crate::neighbours::{Drift, PairList, Strips};
+use crate::particles::{Fluid, Record, Scaling};
+
+/// Seconds spent in each phase, and pairs evaluated.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Timings {
+    /// Sorting and listing.
+    pub neighbours: f64,
+    /// Interpolation to the ghosts.
+    pub ghosts: f64,
+    /// Momentum pass.
+    pub momentum: f64,
+    /// Continuity pass.
+    pub continuity: f64,
+    /// Kicks, drifts, packing.
+    pub integration: f64,
+}
+
+/// What must be kept to go on later, bit for bit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct WcsphState {
+    fluid: Fluid,
+    reference_x: Vec<f64>,
+    reference_y: Vec<f64>,
+    reference_offsets: Vec<f64>,
+    carried: [Vec<f64>; 4],
+    strain: Vec<[f64; 2]>,
+    pair_evaluations: u64,
+}
+
+/// δ-SPH particles with their neighbours and ghosts.
+#[derive(Debug, Clone)]
+pub struct Wcsph {
+    pub(super) options: WcsphOptions,
+    pub(super) path: SimdPath,
+    pub(super) scaling: Scaling,
+    pub(super) responds: usize,
+    /// The water.
+    pub fluid: Fluid,
+    /// The walls' ghosts.
+    pub ghosts: Ghosts,
+    pub(super) exchange: Exchange,
+    pub(super) strips: Strips,
+    pub(super) pairs: PairList,
+    pub(super) drift: Drift,
+    pub(super) reference_x: Vec<f64>,
+    pub(super) reference_y: Vec<f64>,
+    pub(super) reference_offsets: Vec<f64>,
+    pub(super) records: Vec<Record>,
+    pub(super) work: Workspace,
+    pub(super) diffused: Vec<f64>,
+    pub(super) strain: Vec<[f64; 2]>,
+    pub(super) scratch: Vec<f64>,
+    pub(super) pair_evaluations: u64,
+    pub(super) last_viscous_power: f64,
+    /// Where the time went; never part of the state.
+    pub timings: Timings,
+}
+
+impl Wcsph {
+    /// Particles at their start; the body number `responds` has its acceleration solved together
+    /// with its force.
+    pub fn new(
+        options: WcsphOptions,
+        rules: ExchangeRules,
+        fluid: Fluid,
+        ghosts: Ghosts,
+        responds: usize,
+        path: SimdPath,
+    ) -> Wcsph {
+        let padded = fluid.padded_len();
+        let bodies = ghosts.bodies.len();
+        Wcsph {
+            scaling: rules.scaling,
+            exchange: Exchange::new(rules, &ghosts),
+            strips: Strips::default(),
+            pairs: PairList::default(),
+            drift: Drift::default(),
+            reference_x: Vec::new(),
+            reference_y: Vec::new(),
+            reference_offsets: Vec::new(),
+            records: vec![Record::default(); padded + ghosts.len()],
+            work: Workspace::new(padded, bodies),
+            diffused: vec![0.0; padded],
+            strain: vec![[0.0; 2]; padded],
+            scratch: Vec::new(),
+            pair_evaluations: 0,
+            last_viscous_power: 0.0,
+            timings: Timings::default(),
+            options,
+            path,
+            responds,
+            fluid,
+            ghosts,
+        }
+    }
+
+    /// The rules for ghosts that fit the options.
+    pub fn exchange_rules(
+        options: &WcsphOptions,
+        interpolator: InterpolatorChoice,
+        gravity_in_sum: bool,
+        no_slip: bool,
+    ) -> ExchangeRules {
+        ExchangeRules {
+            kernel: options.kernel,
+            interpolator,
+            scaling: Scaling::new(options.kernel, options.support_radius),
+            spacing: options.spacing,
+            gravity: options.gravity,
+            surface_density: options.state.surface_density,
+            sound_speed: options.state.sound_speed,
+            gravity_in_sum,
+            no_slip,
+            bed_between_walls: true,
+        }
+    }
+
+    /// What must be kept.
+    pub fn state(&self) -> WcsphState {
+        WcsphState {
+            fluid: self.fluid.clone(),
+            reference_x: self.reference_x.clone(),
+            reference_y: self.reference_y.clone(),
+            reference_offsets: self.reference_offsets.clone(),
+            carried: self.work.carried().map(Clone::clone),
+            strain: self.strain.clone(),
+            pair_evaluations: self.pair_evaluations,
+        }
+    }
+
+    /// Goes back to a kept state: lists are built again from the places of their last rebuild,
+    /// so that they are the same lists.
+    pub fn restore(&mut self, state: WcsphState) {
+        self.fluid = state.fluid;
+        self.reference_x = state.reference_x;
+        self.reference_y = state.reference_y;
+        self.reference_offsets = state.reference_offsets;
+        for (field, kept) in self.work.carried_mut().into_iter().zip(state.carried) {
+            *field = kept;
+        }
+        self.strain = state.strain;
+        self.pair_evaluations = state.pair_evaluations;
+        if !self.reference_x.is_empty() {
+            self.list_neighbours();
+        }
+    }
+
+    /// Pair interactions evaluated so far.
+    pub fn pair_evaluations(&self) -> u64 {
+        self.pair_evaluations
+    }
+
+    /// The options.
+    pub fn options(&self) -> &WcsphOptions {
+        &self.options
+    }
+}
