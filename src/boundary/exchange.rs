@@ -56,7 +56,7 @@ pub struct Exchange {
 impl Exchange {
     /// Nothing is known of the water yet.
     pub fn new(rules: ExchangeRules, ghosts: &Ghosts) -> Exchange {
-        let half = 0.5 * rules.spacing / rules.scaling.support_radius;
+        let half = 0.4 * rules.spacing / rules.scaling.support_radius;
         let half_plane =
             (0..=256).map(|k| rules.kernel.half_plane_fraction(f64::from(k) / 256.0)).collect();
         let targets = ghosts.target_x.len();

@@ -30,6 +30,8 @@ impl Record {
     pub const PRESSURE_YY: usize = 7;
     /// Continuity pass: what density diffusion smooths, kg/m³.
     pub const DIFFUSED: usize = 5;
+    /// Continuity pass: how much of the density diffusion a particle takes part in.
+    pub const SHARE: usize = 6;
     /// Continuity pass: R ∂ρ/∂x.
     pub const GRADIENT_X: usize = 6;
     /// Continuity pass: R ∂ρ/∂y.

@@ -14,6 +14,8 @@ pub(super) const OFF: u8 = 0;
 pub(super) const PLAIN: u8 = 1;
 /// The same less the mean renormalised gradient.
 pub(super) const RENORMALISED: u8 = 2;
+/// Like `PLAIN`, faded out towards the free surface on both sides of a pair.
+pub(super) const FADED: u8 = 3;
 
 /// Continuity equation of Huang et al. 2019, Eq. 5, with the new velocities at the old places.
 ///
@@ -83,7 +85,10 @@ impl<K: Kernel, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool> 
             } else {
                 spread(0)
             };
-            let diffusion = L::load(&sums.diffusion) * L::splat(self.diffusion);
+            let mut diffusion = L::load(&sums.diffusion) * L::splat(self.diffusion);
+            if DIFFUSION == FADED {
+                diffusion = diffusion * lanes(&self.work.diffused_share, at);
+            }
             let density = lanes::<L>(&self.fluid.density, at);
             let rate = density.mul_add(divergence, diffusion);
             rate.store(self.work.density_rate[at..at + LANES].first_chunk_mut().unwrap());
@@ -164,6 +169,9 @@ impl<K: Kernel, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool, 
                 if FLUID && DIFFUSION != OFF {
                     let fall = diffused - L::splat(record[Record::DIFFUSED]);
                     let mut psi = fall + fall;
+                    if DIFFUSION == FADED {
+                        psi = psi * L::splat(record[Record::SHARE]);
+                    }
                     if DIFFUSION == RENORMALISED {
                         let gx = own_gx + L::splat(record[Record::GRADIENT_X]);
                         let gy = own_gy + L::splat(record[Record::GRADIENT_Y]);

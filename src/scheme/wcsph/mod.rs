@@ -35,6 +35,8 @@ struct Workspace {
     acceleration_x: Vec<f64>,
     acceleration_y: Vec<f64>,
     density_rate: Vec<f64>,
+    /// How much of the density diffusion each particle takes part in.
+    diffused_share: Vec<f64>,
     /// R ∇ρ.
     gradient_x: Vec<f64>,
     gradient_y: Vec<f64>,
@@ -67,6 +69,7 @@ impl Workspace {
             acceleration_x: zeros(),
             acceleration_y: zeros(),
             density_rate: zeros(),
+            diffused_share: zeros(),
             gradient_x: zeros(),
             gradient_y: zeros(),
             concentration_x: zeros(),

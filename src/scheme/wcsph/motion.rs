@@ -1,6 +1,6 @@
 //! Velocities and places: kick, drift, and what keeps particles in good order.
 
-use super::{Shifting, Wcsph};
+use super::{DensityDiffusion, Shifting, Wcsph};
 use crate::body::BodyMotion;
 use crate::math::simd::LANES;
 use crate::particles::Record;
@@ -9,6 +9,11 @@ use crate::particles::Record;
 const SHIFT_FROM: f64 = 0.85;
 /// ... to this one.
 const SHIFT_FULL: f64 = 0.97;
+/// Hydrostatic density diffusion fades in from this completeness: near the surface the discrete
+/// balance differs from the exact one, and diffusion would forever work against it ...
+const DIFFUSE_FROM: f64 = 0.9;
+/// ... to this one.
+const DIFFUSE_FULL: f64 = 0.99;
 /// No shift is longer than this many particle spacings.
 const SHIFT_LIMIT: f64 = 0.05;
 /// A particle is spray from this completeness ...
@@ -28,6 +33,7 @@ impl Wcsph {
                 }
             }
         }
+        let faded = self.options.density_diffusion == DensityDiffusion::Hydrostatic;
         for k in 0..fluid.len() {
             fluid.vx[k] += dt * work.acceleration_x[k];
             fluid.vy[k] += dt * work.acceleration_y[k];
@@ -37,6 +43,11 @@ impl Wcsph {
             record[Record::DIFFUSED] = self.diffused[k];
             record[Record::GRADIENT_X] = work.gradient_x[k];
             record[Record::GRADIENT_Y] = work.gradient_y[k];
+            if faded {
+                let inside = (work.completeness[k] - DIFFUSE_FROM) / (DIFFUSE_FULL - DIFFUSE_FROM);
+                work.diffused_share[k] = inside.clamp(0.0, 1.0);
+                record[Record::SHARE] = work.diffused_share[k];
+            }
         }
     }
 

@@ -2,7 +2,7 @@
 
 use std::marker::PhantomData;
 
-use super::continuity::{Continuity, OFF, PLAIN, RENORMALISED};
+use super::continuity::{Continuity, FADED, OFF, PLAIN, RENORMALISED};
 use super::momentum::{CONCENTRATION, FORCES, GRADIENTS, Momentum};
 use super::{DensityDiffusion, Shifting, Wcsph};
 use crate::math::simd::dispatch;
@@ -140,8 +140,10 @@ impl Wcsph {
         use DensityDiffusion::{Hydrostatic, Molteni, None, Renormalised};
         with_kernel!(options.kernel, K => match (options.density_diffusion, sample) {
             (None, _) => pass!(K, OFF, false),
-            (Molteni | Hydrostatic, false) => pass!(K, PLAIN, false),
-            (Molteni | Hydrostatic, true) => pass!(K, PLAIN, true),
+            (Molteni, false) => pass!(K, PLAIN, false),
+            (Molteni, true) => pass!(K, PLAIN, true),
+            (Hydrostatic, false) => pass!(K, FADED, false),
+            (Hydrostatic, true) => pass!(K, FADED, true),
             (Renormalised, false) => pass!(K, RENORMALISED, false),
             (Renormalised, true) => pass!(K, RENORMALISED, true),
         })
