@@ -77,7 +77,7 @@ impl<K: Kernel, I: Interpolator> Task for Weigh<'_, K, I> {
                     let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
                     sum = K::shape(s, s.rsqrt()).mul_add(L::splat(record[Record::WEIGHT]), sum);
                 }
-                (sum * L::splat(self.scaling.support_radius)).store(&mut coverage[block]);
+                (sum * L::splat(self.scaling.shape_per_weight)).store(&mut coverage[block]);
             }
         }
     }

@@ -12,6 +12,7 @@ const CUTOFF_OVER_H_SQUARED: f64 = 9.0;
 
 impl Kernel for Gaussian {
     const SMOOTHING_LENGTH_RATIO: f64 = 1.0 / 3.0;
+    const SLOPE_FACTOR: f64 = -2.0 * CUTOFF_OVER_H_SQUARED;
 
     fn normalisation() -> f64 {
         // 2π ∫ q (e^{-9 q²} - e^{-9}) dq = π ((1 - e^{-9})/9 - e^{-9})
@@ -30,7 +31,6 @@ impl Kernel for Gaussian {
     fn slope_over_q<L: Lanes>(s: L, _inverse_q: L) -> L {
         let inside = s.min(L::splat(1.0));
         let bell = (inside * L::splat(-CUTOFF_OVER_H_SQUARED)).exp();
-        let slope = bell * L::splat(-2.0 * CUTOFF_OVER_H_SQUARED);
-        s.select_less(L::splat(1.0), slope, L::splat(0.0))
+        s.select_less(L::splat(1.0), bell, L::splat(0.0))
     }
 }

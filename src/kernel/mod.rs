@@ -23,7 +23,10 @@ pub trait Kernel: Copy + Send + Sync + 'static {
     /// w(q) from s = q² (above 0) and 1/q.
     fn shape<L: Lanes>(s: L, inverse_q: L) -> L;
 
-    /// w'(q)/q from s = q² (above 0) and 1/q; zero where q ≥ 1.
+    /// A constant factor of w'(q)/q that is multiplied in elsewhere, once per particle.
+    const SLOPE_FACTOR: f64;
+
+    /// w'(q)/q over [`Kernel::SLOPE_FACTOR`] from s = q² (above 0) and 1/q; zero where q ≥ 1.
     fn slope_over_q<L: Lanes>(s: L, inverse_q: L) -> L;
 }
 
@@ -63,6 +66,11 @@ impl KernelChoice {
         with_kernel!(self, K => K::SMOOTHING_LENGTH_RATIO)
     }
 
+    /// See [`Kernel::SLOPE_FACTOR`].
+    pub fn slope_factor(self) -> f64 {
+        with_kernel!(self, K => K::SLOPE_FACTOR)
+    }
+
     /// C, see [`Kernel::normalisation`].
     pub fn normalisation(self) -> f64 {
         with_kernel!(self, K => K::normalisation())
@@ -85,7 +93,8 @@ impl KernelChoice {
             #[inline(always)]
             fn run<L: Lanes>(self) -> (f64, f64) {
                 let (s, inverse) = (L::splat(self.0 * self.0), L::splat(1.0 / self.0));
-                (K::shape(s, inverse).to_array()[0], K::slope_over_q(s, inverse).to_array()[0])
+                let slope = K::slope_over_q(s, inverse).to_array()[0] * K::SLOPE_FACTOR;
+                (K::shape(s, inverse).to_array()[0], slope)
             }
         }
         let q = q.max(1e-9);

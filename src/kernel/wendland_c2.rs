@@ -11,6 +11,7 @@ pub struct WendlandC2;
 
 impl Kernel for WendlandC2 {
     const SMOOTHING_LENGTH_RATIO: f64 = 0.5;
+    const SLOPE_FACTOR: f64 = -20.0;
 
     fn normalisation() -> f64 {
         7.0 / std::f64::consts::PI
@@ -27,6 +28,6 @@ impl Kernel for WendlandC2 {
     #[inline(always)]
     fn slope_over_q<L: Lanes>(s: L, inverse_q: L) -> L {
         let t = (L::splat(1.0) - s * inverse_q).max(L::splat(0.0));
-        t * t * (t * L::splat(-20.0))
+        t * t * t
     }
 }

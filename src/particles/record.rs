@@ -19,7 +19,8 @@ impl Record {
     pub const VX: usize = 2;
     /// Vertical velocity, m/s.
     pub const VY: usize = 3;
-    /// Volume times C/R³: turns w'(q)/q times a scaled distance into ∇W V.
+    /// Volume times C/R³ and the kernel's slope factor: turns what the kernel gives for w'(q)/q
+    /// times a scaled distance into ∇W V.
     pub const WEIGHT: usize = 4;
     /// Momentum pass: pressure times correction, Pa, xx component; the pressure itself where the
     /// scheme has no corrections.
@@ -45,8 +46,10 @@ pub struct Scaling {
     pub support_radius: f64,
     /// 1/R.
     pub inverse_radius: f64,
-    /// C/R³: volume to [`Record::WEIGHT`].
+    /// C/R³ times the kernel's slope factor: volume to [`Record::WEIGHT`].
     pub weight_per_volume: f64,
+    /// [`Record::WEIGHT`] to volume times C/R², the factor of w(q) in W V.
+    pub shape_per_weight: f64,
 }
 
 impl Scaling {
@@ -55,7 +58,9 @@ impl Scaling {
         Scaling {
             support_radius,
             inverse_radius: 1.0 / support_radius,
-            weight_per_volume: kernel.normalisation() / support_radius.powi(3),
+            weight_per_volume: kernel.normalisation() * kernel.slope_factor()
+                / support_radius.powi(3),
+            shape_per_weight: support_radius / kernel.slope_factor(),
         }
     }
 }
