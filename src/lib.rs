@@ -5,9 +5,9 @@
 //!
 //! | layer | modules | what lives there |
 //! |---|---|---|
-//! | 1 | [`math`], [`theory`] | SIMD lanes, small solves; pure formulas |
+//! | 1 | [`math`], [`theory`] | SIMD lanes; pure formulas |
 //! | 2 | [`kernel`] | smoothing kernels behind one contract |
-//! | 3 | [`particles`], [`neighbours`] | particle arrays, lattices, neighbour lists |
+//! | 3 | [`particles`], [`neighbours`] | particle arrays, neighbour lists |
 //! | 4 | [`boundary`], [`body`] | ghost particle interpolators; paddle and walls |
 //! | 5 | [`scheme`] | δ-SPH time stepping |
 //! | 6 | [`scene`] | scene files: parsing, validation, construction |

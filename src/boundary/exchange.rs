@@ -135,8 +135,8 @@ impl Exchange {
     }
 
     /// Writes the ghosts' records: place, volume, pressure and its response to their body's
-    /// acceleration, velocity. `ghost_records` are those of the ghosts alone; bodies with
-    /// `responds` leave their acceleration out of the pressure and into the response.
+    /// acceleration, velocity. `ghost_records` are those of the ghosts alone; the body number
+    /// `responds` has its acceleration left out of the pressure and put into the response.
     pub fn fill(
         &mut self,
         ghosts: &Ghosts,

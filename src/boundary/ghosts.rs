@@ -42,7 +42,7 @@ impl Site {
 pub struct GhostBody {
     /// Ghosts (whole vectors; the last entries may be padding).
     pub ghosts: Range<usize>,
-    /// Face points among the targets, in the order given to [`Ghosts::push`].
+    /// Face points among the targets, in the order given to [`Ghosts::new`].
     pub faces: Range<usize>,
     /// Strips of the ghosts.
     pub strips: Strips,

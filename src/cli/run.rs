@@ -12,7 +12,7 @@ use crate::simulation::{EnergyBudget, Maximum, Outcome, PhaseShare};
 use crate::sweep::executor::{Setup, threads};
 use crate::sweep::{CaseRecord, Ending, Interrupt, OpenMode, SphRunner};
 
-/// Run one scene: histories, probes, outcome, energy budget, and where the time went.
+/// Run one scene: its history, outcome, energy budget, and where the time went.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall run sweeps/scenes/fixed_wall.toml

@@ -16,7 +16,7 @@ use crate::scheme::wcsph::{StepWalls, WcsphState};
 
 /// Samples of the history between two checks of health and of the monitor.
 const SAMPLES_PER_CHECK: u64 = 4;
-/// Share of m_eff/(ρ c0 d) that a light wall's time step may be.
+/// Share of m/(ρ c0 d) that a light wall's time step may be.
 const WALL_COURANT: f64 = 1.0;
 
 /// Everything that changes during a run.

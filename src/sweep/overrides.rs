@@ -1,4 +1,4 @@
-//! Values set from the command line: `--set numerics.boundary=sfdi`.
+//! Values set from the command line: `--set numerics.kernel=gaussian`.
 
 use std::str::FromStr;
 

@@ -10,7 +10,7 @@ use super::separation::{CHUNK, Inverses, separation};
 
 /// No density diffusion.
 pub(super) const OFF: u8 = 0;
-/// ψ_ij = 2 (ψ_j - ψ_i) x_ji/|x_ji|², of ψ = ρ or of ρ less its hydrostatic part.
+/// ψ_ij = 2 (ψ_j - ψ_i) x_ji/|x_ji|², of ψ = ρ or of ψ = ρ_s (ln(ρ/ρ_s) + g y/c0²).
 pub(super) const PLAIN: u8 = 1;
 /// The same less the mean renormalised gradient.
 pub(super) const RENORMALISED: u8 = 2;
@@ -19,7 +19,9 @@ pub(super) const FADED: u8 = 3;
 
 /// Continuity equation of Huang et al. 2019, Eq. 5, with the new velocities at the old places.
 ///
-/// Ghosts take part in the divergence, not in the diffusion: no density flows through a wall.
+/// With `CORRECTED` the divergence is Σ V_j (u_i - u_j)·L_i ∇W, the adjoint of the momentum
+/// equation's form, with the same L. Ghosts take part in it, not in the diffusion: no density flows
+/// through a wall.
 pub(super) struct Continuity<'a, K, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool>
 {
     pub fluid: &'a Fluid,

@@ -19,8 +19,10 @@ pub(super) const GRADIENTS: u8 = 2;
 /// kernel sums that shifting uses with a measure of how complete each particle's support is, and
 /// the renormalised density gradient of Eq. 6. With `ENERGY` the viscous power is summed on its own.
 ///
-/// Pairs are antisymmetric: m_i a_i holds V_i V_j (p_i + p_j) ∇W and, with the prefactor ρ0 in
-/// place of the paper's ρ_i, V_i V_j α h c0 ρ0 π_ij ∇W.
+/// Pairs are antisymmetric: m_i a_i holds -V_i V_j (p_i L_i + p_j L_j) ∇W, L the correction of one
+/// step before (the identity without `CORRECTED`), and, with the prefactor ρ0 in place of the
+/// paper's ρ_i, V_i V_j α h c0 ρ0 π_ij ∇W. With `CORRECTED` π_ij holds only what a linear,
+/// divergence-free velocity field leaves, limited so that every pair dissipates.
 pub(super) struct Momentum<'a, K, const SUMS: u8, const CORRECTED: bool, const ENERGY: bool> {
     pub fluid: &'a Fluid,
     pub records: &'a [Record],

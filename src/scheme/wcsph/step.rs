@@ -52,7 +52,8 @@ impl Wcsph {
     /// velocities, then places. With `sample` the power of density diffusion is summed.
     ///
     /// Shifting moves a particle by δr = -A h |u| Δt ∇C, ∇C = Σ V_j ∇W, faded out where the
-    /// support is incomplete and across walls, and takes its density along: δρ = δr·∇ρ.
+    /// support is incomplete and across walls, and takes its density along: δρ = δr·∇ρ, with the
+    /// gradient that density diffusion uses (hydrostatic or renormalised, zero for the others).
     pub fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation {
         let start = Instant::now();
         self.kick(dt, walls.acceleration);
