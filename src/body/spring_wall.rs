@@ -149,8 +149,18 @@ mod tests {
     fn below_the_threshold_only_the_spring_acts() {
         let mut wall =
             SpringWall { displacement: 0.1, ..SpringWall::at_rest(2.0, 8.0, 200.0, 1.0) };
-        let step = wall.advance(199.0, 5.0, 1e-6);
+        let step = wall.advance(195.0, 5.0, 1e-6);
         assert!((step.acceleration + 8.0 * 0.1 / 2.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn a_returning_wall_may_lift_the_force_above_the_threshold() {
+        let mut wall =
+            SpringWall { displacement: 0.1, ..SpringWall::at_rest(2.0, 8.0, 200.0, 1.0) };
+        let step = wall.advance(199.0, 5.0, 1e-6);
+        let felt = 199.0 - 5.0 * step.acceleration;
+        assert!(felt > 200.0);
+        assert!((2.0 * step.acceleration - (felt - 200.0) + 8.0 * 0.1).abs() < 1e-6);
     }
 
     #[test]

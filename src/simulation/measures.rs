@@ -5,8 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::outcome::Maximum;
 use super::window::RunningMean;
 
-/// F* must last this long above or below a bound to count, seconds.
-const PERSISTENCE_S: f64 = 0.02;
+/// F* must last this long above or below a bound to count, over √(h/g): 0.02 s at h = 0.2 m.
+const PERSISTENCE: f64 = 0.14;
 /// The first impact is on once F* has passed this.
 const IMPACT_FORCE: f64 = 1.15;
 /// A stop ends the first impact only after X* has exceeded this.
@@ -70,6 +70,7 @@ impl Peak {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Measures {
     threshold: f64,
+    persistence: f64,
     mean: RunningMean,
     impact: Impact,
     above_since: Option<f64>,
@@ -107,6 +108,7 @@ impl Measures {
     pub fn new(threshold_ratio: f64, depth: f64, gravity: f64) -> Measures {
         Measures {
             threshold: threshold_ratio,
+            persistence: PERSISTENCE * (depth / gravity).sqrt(),
             mean: RunningMean::new(MEAN_SPAN * (depth / gravity).sqrt()),
             impact: Impact::Before,
             above_since: None,
@@ -153,7 +155,7 @@ impl Measures {
         if mean > self.threshold {
             self.below_since = None;
             let since = *self.above_since.get_or_insert(at);
-            if self.onset.is_none() && at - since >= PERSISTENCE_S {
+            if self.onset.is_none() && at - since >= self.persistence {
                 self.onset = Some(since);
             }
         } else {
@@ -166,7 +168,7 @@ impl Measures {
         if matches!(self.impact, Impact::On { .. }) {
             raise(&mut self.first_force, mean, at);
             self.force_peak.push(mean);
-            if self.below_since.is_some_and(|since| at - since >= PERSISTENCE_S) {
+            if self.below_since.is_some_and(|since| at - since >= self.persistence) {
                 self.impact = Impact::Over;
             }
         }

@@ -1,0 +1,258 @@
+//! Whole cases on coarse particles: the same bits however they are run, books that balance, limits
+//! that are known beforehand.
+
+use seawall::math::simd::SimdPath;
+use seawall::scene::CaseConfig;
+use seawall::simulation::{CaseResult, FailureKind, Stopped, Unwatched, run_case, run_trunk};
+use toml::Table;
+
+/// Ten rows of particles.
+const COARSE: &str = "particle_spacing_m = 0.02\n";
+/// The paddle's wave reaches the wall of this shorter tank after about a second.
+const SHORT: &str = "tank_length_m = 1.6\nwave_gauge_m = 0.8\nend_after_stroke_centre_s = 1.6\n";
+
+fn config(scene: &str, numerics: &str) -> CaseConfig {
+    let table = |text: &str| text.parse::<Table>().unwrap();
+    CaseConfig::from_tables(&table(scene), &table(numerics)).unwrap()
+}
+
+fn movable(stiffness: f64, mass: f64) -> String {
+    format!(
+        "{SHORT}wall = \"movable\"\nspring_stiffness_n_per_m = {stiffness:e}\n\
+         seawall_mass_kg_per_m = {mass:e}\n"
+    )
+}
+
+fn try_run(config: &CaseConfig, path: SimdPath) -> Result<CaseResult, Stopped> {
+    run_case(config, None, path, &Unwatched)
+}
+
+/// A run on the widest instruction set, with what took how long left out.
+fn run(config: &CaseConfig) -> CaseResult {
+    timeless(try_run(config, SimdPath::widest()).unwrap())
+}
+
+fn timeless(result: CaseResult) -> CaseResult {
+    CaseResult { phases: Vec::new(), ..result }
+}
+
+/// All numbers of a result, so that equality is that of bits and not of values.
+fn bits(result: &CaseResult) -> Vec<u8> {
+    postcard::to_stdvec(result).unwrap()
+}
+
+/// The largest difference of F*, R* and X* at equal samples.
+fn apart(a: &CaseResult, b: &CaseResult) -> f64 {
+    assert_eq!(a.history.len(), b.history.len());
+    let rows = a.history.iter().zip(&b.history);
+    rows.map(|(a, b)| {
+        let x = (a.displacement - b.displacement).abs();
+        (a.force - b.force).abs().max((a.runup - b.runup).abs()).max(x)
+    })
+    .fold(0.0, f64::max)
+}
+
+fn first_force(result: &CaseResult) -> f64 {
+    result.outcome.first_force_max.unwrap().value
+}
+
+#[test]
+fn a_branch_equals_a_run_from_rest_bit_for_bit() {
+    let path = SimdPath::widest();
+    let cases = [(10.0, 50.0), (1e7, 5.0)].map(|(k, m)| config(&movable(k, m), COARSE));
+    let fixed = config(SHORT, COARSE);
+    let trunk = cases[0].trunk().unwrap();
+    let kept = run_trunk(&trunk, path, &Unwatched).unwrap();
+    for case in [&cases[0], &cases[1], &fixed] {
+        assert_eq!(case.trunk().as_ref(), Some(&trunk));
+        let whole = run(case);
+        let branch = timeless(run_case(case, Some(&kept.checkpoint), path, &Unwatched).unwrap());
+        assert!(kept.steps > 100 && kept.steps < whole.outcome.steps);
+        assert_eq!(bits(&whole), bits(&branch));
+    }
+    let again = run_trunk(&trunk, path, &Unwatched).unwrap();
+    assert_eq!(kept, again);
+}
+
+#[test]
+fn a_checkpoint_of_another_trunk_is_refused() {
+    let path = SimdPath::widest();
+    let short = "tank_length_m = 1.0\nwave_gauge_m = 0.5\nend_time_s = 0.1\n";
+    let case = config(short, COARSE);
+    let kept = run_trunk(&case.trunk().unwrap(), path, &Unwatched).unwrap();
+    let other = config(&format!("{short}wave_height_ratio = 0.3\n"), COARSE);
+    let cut = &kept.checkpoint[..kept.checkpoint.len() / 2];
+    for (config, bytes) in [(&other, &kept.checkpoint[..]), (&case, cut), (&case, b"")] {
+        match run_case(config, Some(bytes), path, &Unwatched) {
+            Err(Stopped::Failed(failure)) => {
+                assert_eq!(failure.kind, FailureKind::CheckpointUnreadable);
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+#[test]
+fn vector_paths_give_the_same_bits_and_the_portable_path_nearly() {
+    let case = config(&movable(50.0, 100.0), COARSE);
+    let result = |path: SimdPath| timeless(try_run(&case, path).unwrap());
+    let portable = result(SimdPath::Portable);
+    if SimdPath::Avx2.is_supported() {
+        let avx2 = result(SimdPath::Avx2);
+        assert!(first_force(&avx2) > 1.5);
+        // Rounding differs: without fused multiply-add and with it.
+        let difference = apart(&avx2, &portable);
+        assert!(difference < 1e-8, "{difference:e}");
+        if SimdPath::Avx512.is_supported() {
+            assert_eq!(bits(&avx2), bits(&result(SimdPath::Avx512)));
+        }
+    }
+}
+
+/// Sixteen rows; with ten the bed and the surface are too close for this bound.
+#[test]
+fn still_water_stays_still() {
+    let scene =
+        "wave_height_ratio = 0.0\nend_time_s = 3.0\ntank_length_m = 1.6\nwave_gauge_m = 0.8\n";
+    for wall in
+        ["", "wall = \"movable\"\nspring_stiffness_n_per_m = 10\nseawall_mass_kg_per_m = 50\n"]
+    {
+        let still = run(&config(&format!("{scene}{wall}"), "particle_spacing_m = 0.0125"));
+        for row in &still.history {
+            assert!((row.force - 1.0).abs() < 0.007, "F* = {} at {}", row.force, row.time_s);
+            assert!(row.runup.abs() < 0.02, "R* = {} at {}", row.runup, row.time_s);
+            assert_eq!(row.displacement, 0.0);
+        }
+        assert_eq!(still.outcome.particles_lost, 0);
+        assert_eq!((still.outcome.onset_time_s, still.energy.paddle_work), (None, 0.0));
+        // Against the energy that the water would set free by running out over the floor.
+        let potential = 0.5 * 1000.0 * 9.81 * 0.2 * 0.2 * 1.6;
+        let kinetic = still.energy.kinetic / potential;
+        assert!(kinetic < 1e-5, "{kinetic:e}");
+        assert!(still.outcome.energy_gap_percent.abs() < 0.1, "{:?}", still.outcome);
+    }
+}
+
+#[test]
+fn the_books_balance() {
+    for scene in [SHORT.to_owned(), movable(10.0, 50.0), movable(1e5, 250.0)] {
+        let result = run(&config(&scene, COARSE));
+        let (energy, gap) = (result.energy, result.outcome.energy_gap_percent);
+        assert!(energy.paddle_work > 10.0, "{energy:?}");
+        assert!((100.0 * energy.residual() / energy.paddle_work - gap).abs() < 1e-9);
+        assert!(gap.abs() < 2.0, "{gap} % of {energy:?}");
+        assert!(energy.viscous >= 0.0 && energy.density_diffusion >= 0.0 && energy.stops >= 0.0);
+        assert_eq!(result.outcome.particles_lost, 0);
+        assert!(result.outcome.force_gap_percent.is_finite());
+    }
+}
+
+#[test]
+fn light_walls_run_to_their_end() {
+    let stiff = run(&config(&movable(1e7, 5.0), COARSE));
+    let travel = stiff.outcome.displacement_max.unwrap().value;
+    assert!(travel > 0.0 && travel < 2e-3, "{travel}");
+    let soft = run(&config(&movable(10.0, 1.0), COARSE));
+    let travel = soft.outcome.displacement_max.unwrap().value;
+    assert!(travel > 0.05 && travel < 10.0, "{travel}");
+}
+
+#[test]
+fn stiff_and_heavy_walls_approach_the_fixed_wall() {
+    let fixed = run(&config(SHORT, COARSE));
+    for (stiffness, mass) in [(1e9, 500.0), (10.0, 1e8)] {
+        let result = run(&config(&movable(stiffness, mass), COARSE));
+        let ratio = first_force(&result) / first_force(&fixed);
+        assert!((ratio - 1.0).abs() < 0.03, "k = {stiffness:e}, m = {mass:e}: {ratio}");
+        assert!(result.outcome.displacement_max.unwrap().value < 1e-3);
+    }
+}
+
+#[test]
+fn a_sick_run_is_a_failure_with_its_kind() {
+    // Density diffusion far beyond what an explicit step bears.
+    let numerics = format!("{COARSE}courant_number = 2.5\ndensity_diffusion_coefficient = 1.0\n");
+    let sick = config(SHORT, &numerics);
+    match try_run(&sick, SimdPath::widest()) {
+        Err(Stopped::Failed(failure)) => {
+            use FailureKind::{DensityOutOfBounds, NotANumber, ParticlesLost, RunawaySpeed};
+            let kinds = [DensityOutOfBounds, NotANumber, ParticlesLost, RunawaySpeed];
+            assert!(kinds.contains(&failure.kind), "{failure}");
+            assert!(!failure.detail.is_empty() && failure.time_s >= 0.0);
+        }
+        other => panic!("{:?}", other.map(|result| result.outcome)),
+    }
+}
+
+/// The same case with all lengths `scale` times as large.
+fn scaled(scale: f64) -> CaseResult {
+    let root = scale.sqrt();
+    // k over ρ g h and m over ρ h² stay, times grow with √h.
+    let scene = format!(
+        "still_water_depth_m = {}\ntank_length_m = {}\nwave_gauge_m = {}\n\
+         end_after_stroke_centre_s = {}\nhistory_interval_s = {}\nwall = \"movable\"\n\
+         spring_stiffness_n_per_m = {}\nseawall_mass_kg_per_m = {}\n",
+        0.2 * scale,
+        1.6 * scale,
+        0.8 * scale,
+        1.6 * root,
+        0.005 * root,
+        100.0 * scale,
+        100.0 * scale * scale,
+    );
+    run(&config(&scene, &format!("particle_spacing_m = {}\n", 0.02 * scale)))
+}
+
+#[test]
+fn the_answer_does_not_depend_on_the_scale() {
+    let small = scaled(1.0);
+    // Every length times four and every time times two is exact in binary: so is the answer.
+    let large = scaled(4.0);
+    assert_eq!(apart(&small, &large), 0.0);
+    assert_eq!(small.outcome.steps, large.outcome.steps);
+    assert_eq!(small.outcome.first_force_max.unwrap().value, first_force(&large));
+    assert_eq!(small.outcome.stops, large.outcome.stops);
+    let large = scaled(10.0);
+    let difference = apart(&small, &large);
+    assert!(difference < 1e-8, "{difference:e}");
+}
+
+#[test]
+fn every_choice_of_numerics_runs() {
+    let scene =
+        "wave_height_ratio = 0.4\ntank_length_m = 1.0\nwave_gauge_m = 0.5\nend_time_s = 1.0\n";
+    let mut choices = vec![
+        "preset = \"huang2019\"".to_owned(),
+        "ghost_gravity = \"at-mirror\"".to_owned(),
+        "slip = \"no\"".to_owned(),
+        "shepard_lambda = 1.0".to_owned(),
+        "shepard_lambda = 3.0\nshepard_sigma = 0.0".to_owned(),
+        "sound_speed_ratio = 7.0".to_owned(),
+        "time_step_s = 5e-4".to_owned(),
+        "artificial_viscosity = 0.02".to_owned(),
+    ];
+    for kernel in ["wendland-c2", "gaussian"] {
+        for diffusion in ["renormalised", "hydrostatic", "molteni", "none"] {
+            choices.push(format!("kernel = \"{kernel}\"\ndensity_diffusion = \"{diffusion}\""));
+        }
+        for shifting in ["interior", "none"] {
+            for corrected in [true, false] {
+                choices.push(format!(
+                    "kernel = \"{kernel}\"\nshifting = \"{shifting}\"\n\
+                     corrected_gradients = {corrected}"
+                ));
+            }
+        }
+        choices.push(format!("kernel = \"{kernel}\"\nstate_equation = \"tait\""));
+    }
+    for choice in choices {
+        let case = config(scene, &format!("{COARSE}{choice}\n"));
+        match try_run(&case, SimdPath::widest()) {
+            Ok(result) => {
+                assert!(result.outcome.force_max.value > 1.0, "{choice}");
+                assert_eq!(result.outcome.particles_lost, 0, "{choice}");
+            }
+            Err(stopped) => panic!("{choice}: {stopped}"),
+        }
+    }
+}
