@@ -14,7 +14,7 @@ pub struct PairList {
 impl PairList {
     /// Number of clusters.
     pub fn clusters(&self) -> usize {
-        if self.groups == 0 { 0 } else { (self.offsets.len() - 1) / self.groups }
+        self.offsets.len().saturating_sub(1).checked_div(self.groups).unwrap_or(0)
     }
 
     /// Neighbours of a cluster within a group.

@@ -53,8 +53,8 @@ pub fn cost(config: &CaseConfig) -> Cost {
     let particles = scene.particles(&config.numerics) as u64;
     let end = scene.end_time();
     let steps = (end / scene.time_step(&config.numerics)).ceil() as u64;
-    // The front of the wave reaches the wall about when its crest, made at the stroke's centre,
-    // is two depths per unit of H/h away; a guess that only has to rank cases.
+    // The front reaches the wall when the crest, made at the stroke's centre, has come about 0.6 of
+    // the way; a guess that only has to rank cases.
     let onset = scene.piston().map_or(0.0, |piston| {
         let celerity =
             (scene.gravity_m_per_s2 * scene.still_water_depth_m * (1.0 + scene.wave_height_ratio))

@@ -190,8 +190,8 @@ impl<
                     moment_yy = gy.mul_add(dy, moment_yy);
                 }
                 if SUMS > FORCES {
-                    concentration_x = concentration_x + gx;
-                    concentration_y = concentration_y + gy;
+                    concentration_x += gx;
+                    concentration_y += gy;
                 }
                 if SUMS == GRADIENTS && FLUID {
                     let rise = L::splat(pass.diffused[j as usize]) - diffused;
