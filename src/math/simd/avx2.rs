@@ -3,7 +3,7 @@
 use std::arch::x86_64::*;
 use std::ops::{Add, AddAssign, Mul, Sub};
 
-use super::{LANES, Lanes, Task};
+use super::{LANES, Lanes, RSQRT_MAGIC, Task};
 
 /// Eight values in two registers.
 #[derive(Clone, Copy)]
@@ -116,15 +116,14 @@ impl Lanes for Avx2 {
         unsafe { Avx2(_mm256_max_pd(self.0, other.0), _mm256_max_pd(self.1, other.1)) }
     }
     #[inline(always)]
-    fn rsqrt_single(self) -> Self {
+    fn rsqrt_guess(self) -> Self {
         unsafe {
-            let low = _mm256_cvtpd_ps(self.0);
-            let high = _mm256_cvtpd_ps(self.1);
-            let root = _mm256_sqrt_ps(_mm256_set_m128(high, low));
-            let inverse = _mm256_div_ps(_mm256_set1_ps(1.0), root);
+            let magic = _mm256_set1_epi64x(RSQRT_MAGIC);
+            let low = _mm256_srli_epi64::<1>(_mm256_castpd_si256(self.0));
+            let high = _mm256_srli_epi64::<1>(_mm256_castpd_si256(self.1));
             Avx2(
-                _mm256_cvtps_pd(_mm256_castps256_ps128(inverse)),
-                _mm256_cvtps_pd(_mm256_extractf128_ps::<1>(inverse)),
+                _mm256_castsi256_pd(_mm256_sub_epi64(magic, low)),
+                _mm256_castsi256_pd(_mm256_sub_epi64(magic, high)),
             )
         }
     }

@@ -3,7 +3,7 @@
 use std::arch::x86_64::*;
 use std::ops::{Add, AddAssign, Mul, Sub};
 
-use super::{LANES, Lanes, Task};
+use super::{LANES, Lanes, RSQRT_MAGIC, Task};
 
 /// Eight values in a register.
 #[derive(Clone, Copy)]
@@ -95,10 +95,10 @@ impl Lanes for Avx512 {
         Avx512(unsafe { _mm512_max_pd(self.0, other.0) })
     }
     #[inline(always)]
-    fn rsqrt_single(self) -> Self {
+    fn rsqrt_guess(self) -> Self {
         Avx512(unsafe {
-            let root = _mm256_sqrt_ps(_mm512_cvtpd_ps(self.0));
-            _mm512_cvtps_pd(_mm256_div_ps(_mm256_set1_ps(1.0), root))
+            let half = _mm512_srli_epi64::<1>(_mm512_castpd_si512(self.0));
+            _mm512_castsi512_pd(_mm512_sub_epi64(_mm512_set1_epi64(RSQRT_MAGIC), half))
         })
     }
     #[inline(always)]

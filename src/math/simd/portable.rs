@@ -2,7 +2,7 @@
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 
-use super::{LANES, Lanes, Task};
+use super::{LANES, Lanes, RSQRT_MAGIC, Task};
 
 /// Eight values in an array; products and sums are rounded separately.
 #[derive(Clone, Copy)]
@@ -94,8 +94,8 @@ impl Lanes for Portable {
         self.zip(other, |a, b| if a > b { a } else { b })
     }
     #[inline(always)]
-    fn rsqrt_single(self) -> Self {
-        Portable(self.0.map(|x| f64::from(1.0 / (x as f32).sqrt())))
+    fn rsqrt_guess(self) -> Self {
+        Portable(self.0.map(|x| f64::from_bits((RSQRT_MAGIC - (x.to_bits() >> 1) as i64) as u64)))
     }
     #[inline(always)]
     fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self {

@@ -5,7 +5,7 @@ use crate::body::BodyMotion;
 use crate::neighbours::{PointSet, Strips, build_pair_list};
 
 /// Margin of the fluid's lists, in particle spacings.
-const FLUID_MARGIN: f64 = 0.3;
+const FLUID_MARGIN: f64 = 0.4;
 /// Margin of the lists that involve ghosts, in particle spacings.
 pub(super) const GHOST_MARGIN: f64 = 1.0;
 /// A strip holds this many columns of particles: eight particles then form a square.
