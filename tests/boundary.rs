@@ -153,7 +153,7 @@ impl Basin {
             body.ghosts.clone().filter_map(move |g| {
                 let record = &filled.records[g].0;
                 let place = [self.ghosts.x[g] + self.bodies[number].offset, self.ghosts.y[g]];
-                (record[Record::WEIGHT] > 0.0).then_some((g, number, place, record))
+                (record[Record::WEIGHT] != 0.0).then_some((g, number, place, record))
             })
         })
     }
@@ -302,8 +302,11 @@ fn one_particle_is_enough_and_none_is_no_water() {
                     assert_eq!(record[Record::WEIGHT], 0.0);
                     assert_eq!([record[Record::VX], record[Record::VY]], velocity);
                 } else if apart < 0.9 * RADIUS {
-                    let expected =
-                        if record[Record::WEIGHT] > 0.0 || expected > 0.0 { expected } else { 0.0 };
+                    let expected = if record[Record::WEIGHT] != 0.0 || expected > 0.0 {
+                        expected
+                    } else {
+                        0.0
+                    };
                     assert_close(record[Record::PRESSURE], expected, 1e-8, "one particle");
                     reached += 1;
                 }

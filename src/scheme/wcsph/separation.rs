@@ -1,8 +1,7 @@
 //! Inverse distances, ahead of the sums that need them.
 //!
-//! A square root and a division take so long that a processor cannot see past them to the next
-//! neighbour's: a loop that finds them first, many at a time, and sums afterwards runs half as
-//! long again as fast.
+//! 1/q takes a long chain of dependent products: a loop that finds it for many neighbours first
+//! keeps more of them under way at once than one that goes on to the sums of each.
 
 use std::mem::MaybeUninit;
 
