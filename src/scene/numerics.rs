@@ -126,7 +126,7 @@ impl Numerics {
             ghost_gravity: GhostGravity::InSum,
             slip: Slip::Free,
             particle_spacing_m: 0.008,
-            sound_speed_ratio: 7.5,
+            sound_speed_ratio: 8.0,
             state_equation: StateEquationChoice::Linear,
             corrected_gradients: true,
             density_diffusion: DensityDiffusion::Hydrostatic,
