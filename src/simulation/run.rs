@@ -11,7 +11,7 @@ use super::measures::{Measures, Reading};
 use super::outcome::{CaseResult, HistoryRow, Outcome, PhaseShare};
 use crate::body::{BodyMotion, SpringWall, WallStep};
 use crate::math::simd::SimdPath;
-use crate::scene::{CaseConfig, Numerics, PADDLE, Scene, SeawallScene, Tank, WALL};
+use crate::scene::{CaseConfig, PADDLE, Scene, SeawallScene, Tank, WALL};
 use crate::scheme::wcsph::{StepWalls, WcsphState};
 
 /// Samples of the history between two checks of health and of the monitor.
@@ -85,7 +85,7 @@ impl Run {
             lost_share: 0.02,
         };
         Run {
-            time_step: time_step(scene, &config.numerics),
+            time_step: scene.time_step(&config.numerics),
             bounds,
             clock: Clock::default(),
             measures: Measures::new(scene.threshold_ratio, depth, gravity),
@@ -362,8 +362,4 @@ impl Run {
         .map(|(phase, seconds)| PhaseShare { phase: phase.to_owned(), seconds });
         CaseResult { outcome, history: self.history, probes: None, energy, phases: phases.into() }
     }
-}
-
-fn time_step(scene: &SeawallScene, numerics: &Numerics) -> f64 {
-    scene.time_step(numerics)
 }

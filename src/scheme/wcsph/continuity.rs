@@ -6,7 +6,7 @@ use crate::neighbours::PairList;
 use crate::particles::{Fluid, Record};
 
 use super::Workspace;
-use super::separation::{CHUNK, Inverses, separation};
+use super::separation::{CHUNK, Inverses, lanes, separation};
 
 /// No density diffusion.
 pub(super) const OFF: u8 = 0;
@@ -188,10 +188,4 @@ impl<K: Kernel, const DIFFUSION: u8, const CORRECTED: bool, const ENERGY: bool, 
             diffusion: diffusion.to_array(),
         }
     }
-}
-
-/// Eight values of a field.
-#[inline(always)]
-fn lanes<L: Lanes>(field: &[f64], at: usize) -> L {
-    L::load(field[at..at + LANES].first_chunk().unwrap())
 }

@@ -6,7 +6,7 @@ use crate::neighbours::PairList;
 use crate::particles::{Fluid, Record};
 
 use super::Workspace;
-use super::separation::{CHUNK, Inverses, separation};
+use super::separation::{CHUNK, Inverses, lanes, separation};
 
 /// Forces alone.
 pub(super) const FORCES: u8 = 0;
@@ -215,12 +215,6 @@ impl<
             response: [response_x.to_array(), response_y.to_array()],
         }
     }
-}
-
-/// Eight values of a field.
-#[inline(always)]
-fn lanes<L: Lanes>(field: &[f64], at: usize) -> L {
-    L::load(field[at..at + LANES].first_chunk().unwrap())
 }
 
 impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const ENERGY: bool> Task

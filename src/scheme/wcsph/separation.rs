@@ -51,3 +51,9 @@ impl Inverses {
         unsafe { std::slice::from_raw_parts(self.0.as_ptr().cast(), count) }
     }
 }
+
+/// Eight values of a field.
+#[inline(always)]
+pub(super) fn lanes<L: Lanes>(field: &[f64], at: usize) -> L {
+    L::load(field[at..at + LANES].first_chunk().unwrap())
+}
