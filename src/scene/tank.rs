@@ -6,8 +6,8 @@ use crate::body::SpringWall;
 use crate::boundary::{ImprovedShepard, InterpolatorChoice, TankLayout, tank_ghosts};
 use crate::math::simd::SimdPath;
 use crate::particles::Fluid;
-use crate::scheme::StateEquation;
 use crate::scheme::wcsph::{Wcsph, WcsphOptions};
+use crate::scheme::{Scheme, StateEquation};
 use crate::theory::goring::GoringPiston;
 use crate::theory::hydrostatics::{StillColumn, wall_force};
 
@@ -24,10 +24,10 @@ const WALL_HEIGHT: f64 = 4.0;
 const BED_BEYOND: f64 = 12.0;
 
 /// A wave tank, ready to run.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Tank {
     /// The water and its walls, at rest.
-    pub water: Wcsph,
+    pub water: Box<dyn Scheme>,
     /// The paddle's law; none for still water.
     pub piston: Option<GoringPiston>,
     /// The wall's law; none for a fixed wall.
@@ -159,7 +159,7 @@ impl SeawallScene {
             _ => None,
         };
         Tank {
-            water: Wcsph::new(options, rules, Fluid::at_rest(points), ghosts, WALL, path),
+            water: Box::new(Wcsph::new(options, rules, Fluid::at_rest(points), ghosts, WALL, path)),
             piston: self.piston(),
             wall,
             static_force,

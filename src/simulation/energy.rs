@@ -4,9 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::outcome::EnergyBudget;
 use crate::body::{SpringWall, WallStep};
-use crate::particles::Fluid;
-use crate::scheme::StateEquation;
-use crate::scheme::wcsph::Dissipation;
+use crate::scheme::{Dissipation, Scheme};
 
 /// Energy of the water at an instant, J per metre of width.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -21,13 +19,16 @@ pub struct WaterEnergy {
 
 impl WaterEnergy {
     /// Sums over the particles.
-    pub fn of(fluid: &Fluid, state: &StateEquation, gravity: f64) -> WaterEnergy {
+    pub fn of(water: &dyn Scheme, gravity: f64) -> WaterEnergy {
+        let (fluid, state) = (water.fluid(), water.state_equation());
         let mut energy = WaterEnergy::default();
         for k in 0..fluid.len() {
             let (vx, vy, mass) = (fluid.vx[k], fluid.vy[k], fluid.mass[k]);
             energy.kinetic += 0.5 * mass * (vx * vx + vy * vy);
             energy.potential += mass * gravity * fluid.y[k];
-            energy.elastic += mass * state.elastic_energy(fluid.density[k]);
+            if let Some(state) = state {
+                energy.elastic += mass * state.elastic_energy(fluid.density[k]);
+            }
         }
         energy
     }

@@ -17,6 +17,8 @@ pub enum FailureKind {
     ParticlesLost,
     /// The wall's motion diverged.
     WallUnstable,
+    /// The pressure equation was not solved.
+    SolverDiverged,
     /// The scene cannot be built from its values.
     InvalidScene,
     /// A checkpoint could not be read back.
@@ -34,6 +36,7 @@ impl FailureKind {
             FailureKind::DensityOutOfBounds => "density-out-of-bounds",
             FailureKind::ParticlesLost => "particles-lost",
             FailureKind::WallUnstable => "wall-unstable",
+            FailureKind::SolverDiverged => "solver-diverged",
             FailureKind::InvalidScene => "invalid-scene",
             FailureKind::CheckpointUnreadable => "checkpoint-unreadable",
             FailureKind::Internal => "internal",

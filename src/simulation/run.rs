@@ -12,7 +12,7 @@ use super::outcome::{CaseResult, HistoryRow, Outcome, PhaseShare};
 use crate::body::{BodyMotion, SpringWall, WallStep};
 use crate::math::simd::SimdPath;
 use crate::scene::{CaseConfig, PADDLE, Scene, SeawallScene, Tank, WALL};
-use crate::scheme::wcsph::{StepWalls, WcsphState};
+use crate::scheme::{SchemeState, StepError, StepWalls};
 
 /// Samples of the history between two checks of health and of the monitor.
 const SAMPLES_PER_CHECK: u64 = 4;
@@ -22,7 +22,7 @@ const WALL_COURANT: f64 = 1.0;
 /// Everything that changes during a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct RunState {
-    water: WcsphState,
+    water: SchemeState,
     clock: Clock,
     wall: Option<SpringWall>,
     measures: Measures,
@@ -74,14 +74,16 @@ impl Run {
         let Scene::Seawall(scene) = &config.scene;
         let tank = scene.build(&config.numerics, path);
         let (depth, gravity) = (scene.still_water_depth_m, scene.gravity_m_per_s2);
-        let options = tank.water.options();
-        let start = WaterEnergy::of(&tank.water.fluid, &options.state, gravity);
+        let start = WaterEnergy::of(tank.water.as_ref(), gravity);
         // A drop from the highest conceivable runup, twice over; compression scales with g h/c0².
         let speed = 2.0 * (2.0 * gravity * depth * (1.0 + 4.0 * scene.wave_height_ratio)).sqrt();
         let bounds = HealthBounds {
             speed,
             density_change: 20.0 * gravity * depth / (tank.sound_speed * tank.sound_speed),
-            surface_density: options.state.surface_density,
+            surface_density: tank
+                .water
+                .state_equation()
+                .map_or(scene.water_density_kg_per_m3, |state| state.surface_density),
             lost_share: 0.02,
         };
         Run {
@@ -153,7 +155,11 @@ impl Run {
             let interval = self.scene.history_interval_s;
             let sample = last || time >= interval * self.clock.samples as f64 * (1.0 - 1e-12);
             let bodies = self.motions();
-            self.tank.water.prepare(&bodies, sample);
+            let dt = self.next_step();
+            self.tank
+                .water
+                .prepare(&bodies, dt, sample)
+                .map_err(|error| self.step_failure(&error))?;
             let load = self.tank.water.load(WALL);
             if !load.force.is_finite() {
                 return Err(self
@@ -163,7 +169,6 @@ impl Run {
             if until_onset && load.force > self.tank.threshold {
                 return Ok(Reached::Onset);
             }
-            let dt = self.next_step();
             let before = self.tank.wall;
             let step =
                 self.tank.wall.as_mut().map(|wall| wall.advance(load.force, load.added_mass, dt));
@@ -300,7 +305,7 @@ impl Run {
             self.scene.tank_length_m + bodies[WALL].offset + room,
             4.0 * self.scene.still_water_depth_m,
         ];
-        let fluid = &self.tank.water.fluid;
+        let fluid = self.tank.water.fluid();
         self.lost = self.lost.max(self.bounds.check(fluid, self.clock.time, extent)?);
         Ok(())
     }
@@ -309,11 +314,18 @@ impl Run {
         Failure { kind, time_s: self.clock.time, detail }
     }
 
+    fn step_failure(&self, error: &StepError) -> Failure {
+        let kind = match error {
+            StepError::SolverDiverged { .. } => FailureKind::SolverDiverged,
+        };
+        self.failure(kind, error.to_string())
+    }
+
     /// The results of a run that has reached its end.
     pub fn result(self) -> CaseResult {
         let water = &self.tank.water;
         let gravity = self.scene.gravity_m_per_s2;
-        let now = WaterEnergy::of(&water.fluid, &water.options().state, gravity);
+        let now = WaterEnergy::of(water.as_ref(), gravity);
         let energy = self.ledger.close(now, self.tank.wall.as_ref());
         let scale = if self.tank.piston.is_some() {
             energy.paddle_work.abs()
@@ -348,18 +360,14 @@ impl Run {
             energy_gap_percent: 100.0 * energy.residual() / scale,
             particles_lost: self.lost,
             steps: self.clock.steps,
-            particles: water.fluid.len() as u32,
+            particles: water.fluid().len() as u32,
             pair_evaluations: water.pair_evaluations(),
         };
-        let t = &water.timings;
-        let phases = [
-            ("neighbours", t.neighbours),
-            ("ghosts", t.ghosts),
-            ("momentum", t.momentum),
-            ("continuity", t.continuity),
-            ("integration", t.integration),
-        ]
-        .map(|(phase, seconds)| PhaseShare { phase: phase.to_owned(), seconds });
-        CaseResult { outcome, history: self.history, probes: None, energy, phases: phases.into() }
+        let phases = water
+            .phases()
+            .into_iter()
+            .map(|(phase, seconds)| PhaseShare { phase: phase.to_owned(), seconds })
+            .collect();
+        CaseResult { outcome, history: self.history, probes: None, energy, phases }
     }
 }

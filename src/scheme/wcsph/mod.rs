@@ -5,6 +5,7 @@
 //! velocities, finds the density rates with the new velocities at the old places, and drifts.
 
 mod continuity;
+mod contract;
 mod lists;
 mod momentum;
 mod motion;
@@ -16,9 +17,7 @@ mod state;
 mod step;
 
 pub use options::{DensityDiffusion, Shifting, WcsphOptions};
-pub use readings::Load;
 pub use state::{Timings, Wcsph, WcsphState};
-pub use step::{Dissipation, StepWalls};
 
 use crate::boundary::Water;
 use crate::math::simd::LANES;

@@ -3,15 +3,7 @@
 use super::Wcsph;
 use super::lists::GHOST_MARGIN;
 use crate::body::BodyMotion;
-
-/// Force of the water on a body, at the current places.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Load {
-    /// Along x, N per metre of width; for the responding body with its acceleration left out.
-    pub force: f64,
-    /// What its own acceleration takes off that force: F = `force` - `added_mass` a.
-    pub added_mass: f64,
-}
+use crate::scheme::Load;
 
 impl Wcsph {
     /// Force on a body and its added mass, from the last [`Wcsph::prepare`].

@@ -5,26 +5,7 @@ use std::time::Instant;
 use super::Wcsph;
 use crate::body::BodyMotion;
 use crate::math::simd::LANES;
-
-/// Motion of the bodies over the second half of a step.
-#[derive(Debug, Clone, Copy)]
-pub struct StepWalls<'a> {
-    /// Offset at the start of the step and mean velocity over it.
-    pub bodies: &'a [BodyMotion],
-    /// Acceleration of the responding body.
-    pub acceleration: f64,
-}
-
-/// Powers (W) and works (J), per metre of width.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Dissipation {
-    /// Power lost to artificial viscosity, where it was asked for.
-    pub viscous_power: f64,
-    /// Power lost to density diffusion, where it was asked for.
-    pub diffusion_power: f64,
-    /// Energy taken out by shifting over the step.
-    pub shifting_work: f64,
-}
+use crate::scheme::{Dissipation, StepWalls};
 
 impl Wcsph {
     /// First half: forces at the current places. `bodies` are the motions at this instant; the

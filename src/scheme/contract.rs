@@ -1,0 +1,108 @@
+//! What a run asks of a scheme, and what it hands over.
+
+use std::fmt::Debug;
+
+use serde::{Deserialize, Serialize};
+
+use super::StateEquation;
+use super::wcsph::WcsphState;
+use crate::body::BodyMotion;
+use crate::particles::Fluid;
+
+/// Force of the water on a body, at the current places.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Load {
+    /// Along x, N per metre of width; for the responding body with its acceleration left out.
+    pub force: f64,
+    /// What its own acceleration takes off that force: F = `force` - `added_mass` a.
+    pub added_mass: f64,
+}
+
+/// Motion of the bodies over the second half of a step.
+#[derive(Debug, Clone, Copy)]
+pub struct StepWalls<'a> {
+    /// Offset at the start of the step and mean velocity over it.
+    pub bodies: &'a [BodyMotion],
+    /// Acceleration of the responding body.
+    pub acceleration: f64,
+}
+
+/// Powers (W) and works (J), per metre of width.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Dissipation {
+    /// Power lost to artificial viscosity, where it was asked for.
+    pub viscous_power: f64,
+    /// Power lost to density diffusion, where it was asked for.
+    pub diffusion_power: f64,
+    /// Energy taken out by shifting over the step.
+    pub shifting_work: f64,
+}
+
+/// Why a scheme cannot take the step.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum StepError {
+    /// The pressure equation was not solved.
+    #[error(
+        "the pressure equation stands at a residual of {residual:.1e} after {iterations} iterations, bound {bound:.1e}"
+    )]
+    SolverDiverged {
+        /// Iterations done.
+        iterations: u32,
+        /// Residual over the right-hand side.
+        residual: f64,
+        /// What it should have come down to.
+        bound: f64,
+    },
+}
+
+/// What a scheme must keep to go on later, bit for bit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub enum SchemeState {
+    /// δ-SPH.
+    Wcsph(Box<WcsphState>),
+}
+
+/// Equations of motion of the water between bodies, a step cut in two: [`Scheme::prepare`] finds
+/// the forces at the old places, the caller settles the motion of walls, [`Scheme::finish`] moves
+/// the water.
+pub trait Scheme: Debug + Send {
+    /// The water.
+    fn fluid(&self) -> &Fluid;
+
+    /// The state equation; none where the water is incompressible.
+    fn state_equation(&self) -> Option<&StateEquation>;
+
+    /// First half of a step of `dt` seconds. `bodies` are the motions at this instant; the
+    /// acceleration of the responding body is not used. With `sample` viscous power is summed.
+    ///
+    /// # Errors
+    /// The step cannot be taken.
+    fn prepare(&mut self, bodies: &[BodyMotion], dt: f64, sample: bool) -> Result<(), StepError>;
+
+    /// Force on a body and its added mass, from the last [`Scheme::prepare`].
+    fn load(&self, body: usize) -> Load;
+
+    /// Second half of the step; with `sample` all powers are summed.
+    fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation;
+
+    /// Level of the water at an upright body, metres above the bed.
+    fn level_at(&self, body: usize) -> f64;
+
+    /// Level of the free surface at x, metres above the bed, looked for upwards from `from`.
+    fn level_in_water(&self, x: f64, from: f64) -> f64;
+
+    /// Force on a body by integrating the interpolated pressure over its face, N per metre.
+    fn face_force(&mut self, body: usize, motion: &BodyMotion) -> f64;
+
+    /// What must be kept.
+    fn state(&self) -> SchemeState;
+
+    /// Goes back to a state of the same scheme.
+    fn restore(&mut self, state: SchemeState);
+
+    /// Pair interactions evaluated so far.
+    fn pair_evaluations(&self) -> u64;
+
+    /// Phases of a step with the seconds spent in each.
+    fn phases(&self) -> Vec<(&'static str, f64)>;
+}

@@ -1,0 +1,65 @@
+//! δ-SPH behind the contract of all schemes.
+
+use super::Wcsph;
+use crate::body::BodyMotion;
+use crate::particles::Fluid;
+use crate::scheme::{Dissipation, Load, Scheme, SchemeState, StateEquation, StepError, StepWalls};
+
+impl Scheme for Wcsph {
+    fn fluid(&self) -> &Fluid {
+        &self.fluid
+    }
+
+    fn state_equation(&self) -> Option<&StateEquation> {
+        Some(&self.options.state)
+    }
+
+    fn prepare(&mut self, bodies: &[BodyMotion], _dt: f64, sample: bool) -> Result<(), StepError> {
+        Wcsph::prepare(self, bodies, sample);
+        Ok(())
+    }
+
+    fn load(&self, body: usize) -> Load {
+        Wcsph::load(self, body)
+    }
+
+    fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation {
+        Wcsph::finish(self, dt, walls, sample)
+    }
+
+    fn level_at(&self, body: usize) -> f64 {
+        Wcsph::level_at(self, body)
+    }
+
+    fn level_in_water(&self, x: f64, from: f64) -> f64 {
+        Wcsph::level_in_water(self, x, from)
+    }
+
+    fn face_force(&mut self, body: usize, motion: &BodyMotion) -> f64 {
+        Wcsph::face_force(self, body, motion)
+    }
+
+    fn state(&self) -> SchemeState {
+        SchemeState::Wcsph(Box::new(Wcsph::state(self)))
+    }
+
+    fn restore(&mut self, state: SchemeState) {
+        let SchemeState::Wcsph(state) = state;
+        Wcsph::restore(self, *state);
+    }
+
+    fn pair_evaluations(&self) -> u64 {
+        Wcsph::pair_evaluations(self)
+    }
+
+    fn phases(&self) -> Vec<(&'static str, f64)> {
+        let t = &self.timings;
+        vec![
+            ("neighbours", t.neighbours),
+            ("ghosts", t.ghosts),
+            ("momentum", t.momentum),
+            ("continuity", t.continuity),
+            ("integration", t.integration),
+        ]
+    }
+}
