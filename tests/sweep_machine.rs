@@ -58,8 +58,7 @@ fn sweep(out: &Path, study: &Study, run: &Run) -> (Ending, Savings) {
         let simd = SimdPath::Portable;
         let (mut directory, _) =
             Directory::open(out, study, OpenMode::Resume, Some(simd), simd).unwrap();
-        let plan =
-            Plan::new(study, run.branching, cost, |index| directory.records()[index].is_none());
+        let plan = Plan::new(study, run.branching, cost, |index| directory.runs()[index].is_none());
         let ranks = crew.ranks().to_vec();
         let mut ended = None;
         crew.work(simd, &mut |link| {
@@ -134,8 +133,9 @@ fn failures_and_panics_are_rows_like_any_other() {
 #[test]
 fn an_interrupted_sweep_goes_on_to_the_same_bits() {
     let root = tempfile::tempdir().unwrap();
+    let text = GRID.replace("[grid]", "[numerics]\nerror_bars = \"triple\"\n[grid]");
     let (reference, out, study) =
-        (root.path().join("reference"), root.path().join("out"), study(GRID));
+        (root.path().join("reference"), root.path().join("out"), study(&text));
     sweep(&reference, &study, &Run::default());
     let runner = FakeRunner { delay: Duration::from_millis(15), ..FakeRunner::default() };
     let mut sessions = 0;
@@ -156,4 +156,38 @@ fn an_interrupted_sweep_goes_on_to_the_same_bits() {
     }
     assert!(sessions > 1);
     common::assert_same(&reference, &out);
+}
+
+#[test]
+fn companions_fill_the_error_bars_and_nothing_else() {
+    let root = tempfile::tempdir().unwrap();
+    let (plain, barred) = (root.path().join("plain"), root.path().join("barred"));
+    let paired = study(&GRID.replace("[grid]", "[numerics]\nerror_bars = \"pair\"\n[grid]"));
+    sweep(&plain, &study(GRID), &Run::default());
+    let (ending, savings) = sweep(&barred, &paired, &Run::default());
+    assert_eq!(ending, Ending::Finished);
+    assert_eq!((savings.trunks, savings.branches), (6, 36), "companions have trunks of their own");
+    let (cells, bars) = (summary(&plain), summary(&barred));
+    assert_eq!((cells.len(), bars.len()), (18, 18));
+    for (without, with) in cells.iter().zip(&bars) {
+        for (name, cell) in with {
+            let is_bar = ["force_error", "displacement_error"].contains(&name.as_str());
+            if is_bar {
+                assert!(cell.parse::<f64>().unwrap() > 0.0 && without[name].is_empty(), "{name}");
+            } else if name != "wall_time_s" {
+                assert_eq!(cell, &without[name], "{name}");
+            }
+        }
+    }
+    let files = |out: &Path| std::fs::read_dir(out.join("histories")).unwrap().count();
+    assert_eq!(files(&barred), files(&plain));
+    // A finished directory takes its companions later, and ends up the same.
+    let (ending, savings) = sweep(&plain, &paired, &Run::default());
+    assert_eq!((ending, savings.branches), (Ending::Finished, 18));
+    common::assert_same(&plain, &barred);
+}
+
+fn summary(out: &Path) -> Vec<std::collections::BTreeMap<String, String>> {
+    let mut reader = csv::Reader::from_path(out.join("summary.csv")).unwrap();
+    reader.deserialize().map(Result::unwrap).collect()
 }

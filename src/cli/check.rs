@@ -49,7 +49,7 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
     let particles = range(|cost| cost.particles);
     let steps = range(|cost| cost.steps);
     let memory = range(|cost| cost.memory_bytes).1;
-    let at_once = cores.min(study.cases.len());
+    let at_once = cores.min(study.run_count());
     let seconds = plan.total_cost() as f64 / PARTICLE_STEPS_PER_SECOND / at_once.max(1) as f64;
     let (computed, from_rest) = (plan.total_cost(), plan.unbranched_cost());
     let saved = 100.0 * (1.0 - computed as f64 / from_rest.max(1) as f64);
@@ -76,6 +76,10 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
         text.push_str(&line(name, values.join(", ")));
     }
     text.push_str(&line("cases", study.cases.len().to_string()));
+    if !study.companions.is_empty() {
+        let value = format!("{} coarser companions", study.companions.len());
+        text.push_str(&line("error bars", value));
+    }
     text.push_str(&line("particles", between(particles)));
     text.push_str(&line("steps per case", between(steps)));
     let mebibytes = |bytes: u64| format!("{:.1} MiB", bytes as f64 / f64::from(1 << 20));
@@ -95,6 +99,7 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
         "name": study.name,
         "physics": physics.iter().cloned().collect::<std::collections::BTreeMap<_, _>>(),
         "cases": cases,
+        "companions": study.companions.len(),
         "particles": particles,
         "steps": steps,
         "memory_bytes_per_case": memory,

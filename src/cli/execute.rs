@@ -81,14 +81,14 @@ pub(super) fn execute(
     if job.retry_failed {
         directory.retry_failed();
     }
-    let missing = directory.records().iter().filter(|record| record.is_none()).count();
+    let missing = directory.runs().iter().filter(|record| record.is_none()).count();
     tell_opened(&opened, job, missing, output);
     if missing == 0 {
         directory.write_tables(study)?;
         let savings = Savings::default();
         return Ok(Done { directory, ending: Ending::Finished, savings, wall_time_s: None });
     }
-    let plan = Plan::new(study, job.branching, cost, |index| directory.records()[index].is_none());
+    let plan = Plan::new(study, job.branching, cost, |index| directory.runs()[index].is_none());
     let start = Instant::now();
     let mut manifest = Manifest::new(&job.out, study, &job.overrides, directory.simd());
     manifest.sessions.push(SessionInfo {
@@ -140,8 +140,8 @@ fn tell_opened(opened: &Opened, job: &Job, missing: usize, output: &Output) {
             output.note(format_args!("{out} is finished; --fresh would run it again"));
         }
         Opened::Resumed(_) => {
-            let done = job.study.cases.len() - missing;
-            output.note(format_args!("resuming {out}: {done} cases are done, {missing} are left"));
+            let done = job.study.run_count() - missing;
+            output.note(format_args!("resuming {out}: {done} runs are done, {missing} are left"));
         }
     }
 }
@@ -154,7 +154,7 @@ fn tell_start(crew: &dyn Crew, directory: &Directory, missing: usize, output: &O
         _ => format!("{places} threads"),
     };
     output.note(format_args!(
-        "{missing} cases on {who}, {}, into {}",
+        "{missing} runs on {who}, {}, into {}",
         directory.simd().name(),
         directory.path().display()
     ));

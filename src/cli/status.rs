@@ -34,14 +34,19 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
     for record in lines {
         latest.insert(record.index, record);
     }
+    // Lines beyond the cases are resolution companions.
+    let manifest = Manifest::read(&args.dir);
+    let companions = manifest.as_ref().map_or(0, |manifest| manifest.companions);
+    let companions_done = latest.split_off(&header.cases).len().min(companions);
     let records: Vec<_> = latest.into_values().collect();
     let failed: Vec<_> = records.iter().filter(|record| !record.is_ok()).collect();
     let left = header.cases.saturating_sub(records.len());
     let running = Lock::is_held(&args.dir);
-    let to_go = time_to_go(&records, left, Manifest::read(&args.dir).as_ref());
+    let to_go = time_to_go(&records, left, manifest.as_ref());
+    let companions_left = companions - companions_done;
     let groups = group(&failed);
 
-    let state = match (left, running) {
+    let state = match (left + companions_left, running) {
         (0, false) => "finished",
         (_, true) => "running",
         (_, false) => "stopped; the same command goes on",
@@ -55,6 +60,11 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
     );
     if let Some(seconds) = to_go.filter(|_| left > 0) {
         text.push_str(&format!(", about {} to go", duration(seconds)));
+    }
+    if companions > 0 {
+        text.push_str(&format!(
+            "\n{companions_done} of {companions} companions for error bars done"
+        ));
     }
     text.push('\n');
     for (reason, group) in &groups {
@@ -76,6 +86,8 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
         "ok": records.len() - failed.len(),
         "failed": failed.len(),
         "left": left,
+        "companions": companions,
+        "companions_left": companions_left,
         "running": running,
         "time_to_go_s": to_go,
         "simd": header.simd,

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
 use super::error::ConfigError;
-use super::numerics::{Numerics, PRESETS};
+use super::numerics::{ErrorBars, Numerics, PRESETS};
 use super::seawall::{SeawallScene, WallChoice};
 
 /// What is simulated.
@@ -67,7 +67,24 @@ impl CaseConfig {
             force_coupling: 1.0,
             ..scene.clone()
         };
-        Some(CaseConfig { scene: Scene::Seawall(scene), numerics: self.numerics.clone() })
+        let numerics = self.without_error_bars().numerics;
+        Some(CaseConfig { scene: Scene::Seawall(scene), numerics })
+    }
+
+    /// What decides this case's answer.
+    pub fn without_error_bars(&self) -> CaseConfig {
+        let mut config = self.clone();
+        config.numerics.error_bars = ErrorBars::None;
+        config
+    }
+
+    /// The same case with particles `ratio` times as far apart, time steps in proportion; `None`
+    /// where that is too coarse for the scene.
+    pub fn coarsened(&self, ratio: f64) -> Option<CaseConfig> {
+        let mut config = self.without_error_bars();
+        config.numerics.particle_spacing_m *= ratio;
+        config.numerics.time_step_s = config.numerics.time_step_s.map(|step| step * ratio);
+        config.validate().ok().map(|()| config)
     }
 }
 

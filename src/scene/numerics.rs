@@ -58,6 +58,10 @@ pub enum Precision {
 pub enum ErrorBars {
     /// No companions, no bars.
     None,
+    /// The same case at twice the particle spacing: about an eighth more work.
+    Pair,
+    /// At √2 times the spacing, too: about half as much work again.
+    Triple,
 }
 
 /// The `[numerics]` table, complete: presets and defaults are already filled in.
@@ -106,7 +110,7 @@ pub struct Numerics {
     pub time_step_s: Option<f64>,
     /// Precision of the pair terms.
     pub precision: Precision,
-    /// Error bars.
+    /// Error bars; they decide no answer and are no part of a case's identity.
     pub error_bars: ErrorBars,
 }
 

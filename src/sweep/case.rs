@@ -21,7 +21,8 @@ pub struct CaseId(u64);
 impl CaseId {
     /// The id of a case: SHA-256 over its JSON with sorted keys and the physics version.
     pub fn of(config: &CaseConfig) -> CaseId {
-        let config = serde_json::to_value(config).expect("a configuration has a JSON form");
+        let config = serde_json::to_value(config.without_error_bars())
+            .expect("a configuration has a JSON form");
         let mut text = format!("seawall physics {PHYSICS_VERSION}\n");
         write_canonical(&config, &mut text);
         let digest = Sha256::digest(text.as_bytes());

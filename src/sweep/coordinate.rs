@@ -116,7 +116,7 @@ impl Loop {
                 Command::RunCase { rank, case, from } => {
                     self.trunk_of_case[case] = from.map(|source| source.trunk);
                     let index = session.plan.cases[case].index;
-                    let config = json(&session.study.cases[index].config);
+                    let config = json(&session.study.run(index).config);
                     link.send(rank, Order::run_case(case, config, from));
                 }
                 Command::Drop { rank, trunk } => link.send(rank, Order::Drop { trunk }),
@@ -184,7 +184,7 @@ impl Loop {
             self.savings.steps_from_rest += steps;
         }
         let host = &session.ranks[rank].host;
-        let whole = &session.study.cases[planned.index];
+        let whole = session.study.run(planned.index);
         let record = CaseRecord::new(session.study, whole, &result, wall_time_s, host);
         let work = if trunk.is_some() { planned.branch_cost } else { planned.cost };
         let ok = record.is_ok();

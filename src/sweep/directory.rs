@@ -1,5 +1,6 @@
 //! The output directory: whose it is, who may write, and what it already holds.
 
+use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -40,6 +41,8 @@ pub struct Directory {
     journal: Journal,
     simd: SimdPath,
     records: Vec<Option<CaseRecord>>,
+    /// Records before this are cases, the others companions.
+    cases: usize,
 }
 
 impl Directory {
@@ -77,7 +80,7 @@ impl Directory {
             lock = Lock::hold(path)?;
             opened = Opened::Moved(aside);
         }
-        let mut records = vec![None; study.cases.len()];
+        let mut records = vec![None; study.run_count()];
         if look(path)? == Found::Journal
             && let Some((journal, header, lines)) = Journal::resume(path)?
         {
@@ -87,13 +90,15 @@ impl Directory {
             let done = records.iter().flatten().count();
             let simd = header.simd;
             let path = path.to_owned();
-            let directory = Directory { path, _lock: lock, journal, simd, records };
+            let cases = study.cases.len();
+            let directory = Directory { path, _lock: lock, journal, simd, records, cases };
             return Ok((directory, Opened::Resumed(done)));
         }
         let simd = requested.unwrap_or(widest);
         let header = Header::new(&study.name, &study.identity, study.cases.len(), simd);
         let journal = Journal::create(path, &header)?;
-        Ok((Directory { path: path.to_owned(), _lock: lock, journal, simd, records }, opened))
+        let (path, cases) = (path.to_owned(), study.cases.len());
+        Ok((Directory { path, _lock: lock, journal, simd, records, cases }, opened))
     }
 
     /// Where it is.
@@ -108,6 +113,11 @@ impl Directory {
 
     /// The finished cases, in grid order.
     pub fn records(&self) -> &[Option<CaseRecord>] {
+        &self.records[..self.cases]
+    }
+
+    /// The finished cases and companions, in the order of [`Study::runs`].
+    pub fn runs(&self) -> &[Option<CaseRecord>] {
         &self.records
     }
 
@@ -129,7 +139,7 @@ impl Directory {
         record: CaseRecord,
         result: Option<&CaseResult>,
     ) -> Result<(), SweepError> {
-        if let Some(result) = result.filter(|_| record.is_ok()) {
+        if let Some(result) = result.filter(|_| record.is_ok() && record.index < self.cases) {
             results::write(&self.path, record.id, result)?;
         }
         self.journal.record(&record)?;
@@ -156,7 +166,7 @@ impl Directory {
     /// Where a file cannot be written.
     pub fn write_tables(&self, study: &Study) -> Result<(), SweepError> {
         summary::write(&self.path, study, &self.records)?;
-        energy::write(&self.path, &self.records)
+        energy::write(&self.path, self.records())
     }
 }
 
@@ -217,16 +227,16 @@ fn check_header(
     Ok(())
 }
 
-/// Sorts journal lines into grid order; a later line of the same case wins.
+/// Sorts journal lines into the order of the runs; a later line of the same run wins. Companions
+/// are known by their id: asking for other error bars renumbers them.
 fn fill(path: &Path, study: &Study, records: &mut [Option<CaseRecord>], lines: Vec<CaseRecord>) {
+    let places: HashMap<_, _> = study.runs().map(|case| (case.id, case.index)).collect();
     for record in lines {
-        let index = record.index;
-        let known = study.cases.get(index).is_some_and(|case| case.id == record.id);
-        if known {
-            records[index] = Some(record);
+        if let Some(&index) = places.get(&record.id) {
+            records[index] = Some(CaseRecord { index, ..record });
         }
     }
-    for record in records {
+    for record in &mut records[..study.cases.len()] {
         let lacks_history = record
             .as_ref()
             .is_some_and(|record| record.is_ok() && !results::is_there(path, record.id));

@@ -30,6 +30,9 @@ pub struct Manifest {
     pub sweep: String,
     /// Number of its cases.
     pub cases: usize,
+    /// Number of their resolution companions.
+    #[serde(default)]
+    pub companions: usize,
     /// The swept keys, in the order of the file.
     pub keys: Vec<String>,
     /// The sweep file as written.
@@ -72,6 +75,7 @@ impl Manifest {
             name: study.name.clone(),
             sweep: study.identity.clone(),
             cases: study.cases.len(),
+            companions: study.companions.len(),
             keys: study.keys.clone(),
             sweep_file: study.file_text.clone(),
             overrides: overrides.to_vec(),

@@ -21,7 +21,7 @@ pub struct PlannedTrunk {
 /// A case that has still to run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct PlannedCase {
-    /// Its place in the study.
+    /// Its place among the study's cases and companions.
     pub index: usize,
     /// Its trunk (a place in [`Plan::trunks`]), where it shares one.
     pub trunk: Option<usize>,
@@ -36,12 +36,12 @@ pub struct PlannedCase {
 pub struct Plan {
     /// Shared stretches.
     pub trunks: Vec<PlannedTrunk>,
-    /// Cases, in grid order.
+    /// Cases in grid order, then companions.
     pub cases: Vec<PlannedCase>,
 }
 
 impl Plan {
-    /// Plans the cases of a study for which `wanted` holds, with costs as
+    /// Plans the cases and companions of a study for which `wanted` holds, with costs as
     /// [`crate::simulation::cost`] estimates them. Trunks are made only where at least two of the
     /// cases share one and `branching` is on.
     pub fn new(
@@ -53,7 +53,7 @@ impl Plan {
         let mut plan = Plan::default();
         let mut groups: HashMap<CaseId, Vec<usize>> = HashMap::new();
         let mut order = Vec::new();
-        for case in study.cases.iter().filter(|case| wanted(case.index)) {
+        for case in study.runs().filter(|case| wanted(case.index)) {
             let estimate = cost(&case.config);
             let whole = estimate.particles.saturating_mul(estimate.steps).max(1);
             let shared = (whole as f64 * estimate.trunk_share.clamp(0.0, 1.0)) as u64;
@@ -81,7 +81,7 @@ impl Plan {
                 continue;
             }
             let first = plan.cases[branches[0]];
-            let Some(config) = study.cases[first.index].config.trunk() else { continue };
+            let Some(config) = study.run(first.index).config.trunk() else { continue };
             for &place in &branches {
                 plan.cases[place].trunk = Some(plan.trunks.len());
             }

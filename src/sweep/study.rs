@@ -3,9 +3,12 @@
 use sha2::{Digest, Sha256};
 
 use super::case::Case;
+use super::companions;
+use super::error_bars;
 use super::file::SweepFile;
 use super::grid;
-use crate::scene::ConfigError;
+use super::record::CaseRecord;
+use crate::scene::{ConfigError, ErrorBars};
 
 /// A validated sweep, ready to be planned.
 #[derive(Debug, Clone)]
@@ -16,7 +19,12 @@ pub struct Study {
     pub keys: Vec<String>,
     /// The cases, in grid order.
     pub cases: Vec<Case>,
-    /// Hash over the cases and their order: two files with the same identity are the same sweep.
+    /// Their resolution companions, counted on after them.
+    pub companions: Vec<Case>,
+    /// For every case its companions, by [`Study::run`]'s index, the finest first.
+    pub companions_of: Vec<Vec<usize>>,
+    /// Hash over the cases and their order, with or without error bars: two files with the same
+    /// identity are the same sweep.
     pub identity: String,
     /// The file as written.
     pub file_text: String,
@@ -28,7 +36,12 @@ impl Study {
     /// # Errors
     /// The first bad value of the first bad case.
     pub fn new(file: &SweepFile) -> Result<Study, ConfigError> {
-        let cases = grid::expand(file)?;
+        let mut cases = grid::expand(file)?;
+        let mut take_bars = |case: &mut Case| {
+            std::mem::replace(&mut case.config.numerics.error_bars, ErrorBars::None)
+        };
+        let bars: Vec<_> = cases.iter_mut().map(&mut take_bars).collect();
+        let (companions, companions_of) = companions::plan(&cases, &bars);
         let keys: Vec<String> = file.grid.iter().map(|axis| axis.key.clone()).collect();
         let mut hash = Sha256::new();
         hash.update(keys.join(","));
@@ -36,7 +49,46 @@ impl Study {
             hash.update(case.id.to_string());
         }
         let identity = hash.finalize()[..8].iter().map(|byte| format!("{byte:02x}")).collect();
-        Ok(Study { name: file.name.clone(), keys, cases, identity, file_text: file.text.clone() })
+        Ok(Study {
+            name: file.name.clone(),
+            keys,
+            cases,
+            companions,
+            companions_of,
+            identity,
+            file_text: file.text.clone(),
+        })
+    }
+
+    /// Cases and companions, in the order of their indices.
+    pub fn runs(&self) -> impl Iterator<Item = &Case> {
+        self.cases.iter().chain(&self.companions)
+    }
+
+    /// A case, or a companion.
+    ///
+    /// # Panics
+    /// Where there is none of this index.
+    pub fn run(&self, index: usize) -> &Case {
+        self.cases.get(index).unwrap_or_else(|| &self.companions[index - self.cases.len()])
+    }
+
+    /// The number of cases and companions.
+    pub fn run_count(&self) -> usize {
+        self.cases.len() + self.companions.len()
+    }
+
+    /// The error bars of a case, none where it or its companions have not ended well; `records`
+    /// are in the order of [`Study::runs`].
+    pub fn error_bars(&self, case: usize, records: &[Option<CaseRecord>]) -> error_bars::ErrorBars {
+        let outcome = |run: usize| records.get(run)?.as_ref()?.outcome.as_ref();
+        let companions: Vec<_> = self.companions_of[case]
+            .iter()
+            .filter_map(|&run| Some((&self.run(run).config, outcome(run)?)))
+            .collect();
+        outcome(case).map_or_else(Default::default, |own| {
+            error_bars::ErrorBars::new(&self.cases[case].config, own, &companions)
+        })
     }
 
     /// A case's swept keys and values, for files: `None` where a key means nothing to the case.

@@ -7,6 +7,7 @@ use serde::Serialize;
 use super::atomic_file;
 use super::case::Case;
 use super::error::SweepError;
+use super::error_bars::ErrorBars;
 use super::number;
 use super::record::CaseRecord;
 use super::study::Study;
@@ -19,6 +20,7 @@ type Column = (&'static str, fn(&Row<'_>) -> String);
 struct Row<'a> {
     config: &'a CaseConfig,
     record: &'a CaseRecord,
+    bars: ErrorBars,
 }
 
 impl Row<'_> {
@@ -37,6 +39,10 @@ impl Row<'_> {
     fn number(&self, value: impl Fn(&Outcome) -> Option<f64>) -> String {
         let value = self.record.outcome.as_ref().and_then(value);
         value.map(number::text).unwrap_or_default()
+    }
+
+    fn bar(&self, bar: Option<f64>) -> String {
+        bar.map(number::text).unwrap_or_default()
     }
 
     /// Likewise for counts and flags.
@@ -113,9 +119,9 @@ const COLUMNS: &[Column] = &[
     ("force_gap_percent", |row| row.number(|outcome| Some(outcome.force_gap_percent))),
     ("energy_gap_percent", |row| row.number(|outcome| Some(outcome.energy_gap_percent))),
     ("particles_lost", |row| row.word(|outcome| Some(outcome.particles_lost))),
-    ("force_error", |_| String::new()),
-    ("runup_error", |_| String::new()),
-    ("displacement_error", |_| String::new()),
+    ("force_error", |row| row.bar(row.bars.force)),
+    ("runup_error", |row| row.bar(row.bars.runup)),
+    ("displacement_error", |row| row.bar(row.bars.displacement)),
     ("steps", |row| row.word(|outcome| Some(outcome.steps))),
     ("particles", |row| row.word(|outcome| Some(outcome.particles))),
     ("pair_evaluations", |row| row.word(|outcome| Some(outcome.pair_evaluations))),
@@ -132,7 +138,7 @@ pub fn fixed_columns() -> impl Iterator<Item = &'static str> {
     COLUMNS.iter().map(|(name, _)| *name)
 }
 
-/// Writes the summary of the finished cases.
+/// Writes the summary of the finished cases; `records` holds the companions, too.
 pub(super) fn write(
     directory: &Path,
     study: &Study,
@@ -156,7 +162,7 @@ fn table(study: &Study, records: &[Option<CaseRecord>]) -> csv::Result<Vec<u8>> 
     writer.write_record(names)?;
     for (case, record) in study.cases.iter().zip(records) {
         let Some(record) = record else { continue };
-        let row = Row { config: &case.config, record };
+        let row = Row { config: &case.config, record, bars: study.error_bars(case.index, records) };
         let fixed = COLUMNS.iter().map(|(_, text)| text(&row));
         writer.write_record(fixed.chain(further.iter().map(|&(place, _)| swept(case, place))))?;
     }
