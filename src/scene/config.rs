@@ -67,7 +67,7 @@ impl CaseConfig {
             force_coupling: 1.0,
             ..scene.clone()
         };
-        let numerics = self.without_error_bars().numerics;
+        let numerics = Numerics { retries: 0, ..self.without_error_bars().numerics };
         Some(CaseConfig { scene: Scene::Seawall(scene), numerics })
     }
 
@@ -75,6 +75,15 @@ impl CaseConfig {
     pub fn without_error_bars(&self) -> CaseConfig {
         let mut config = self.clone();
         config.numerics.error_bars = ErrorBars::None;
+        config
+    }
+
+    /// The same case, without retries, with its time steps scaled.
+    pub fn with_time_step_scaled(&self, scale: f64) -> CaseConfig {
+        let mut config = self.clone();
+        config.numerics.courant_number *= scale;
+        config.numerics.time_step_s = config.numerics.time_step_s.map(|step| step * scale);
+        config.numerics.retries = 0;
         config
     }
 

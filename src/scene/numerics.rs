@@ -108,10 +108,18 @@ pub struct Numerics {
     /// Upper bound on the time step, seconds; none by default.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub time_step_s: Option<f64>,
+    /// Further attempts, each with half the time step, where a run becomes unstable.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub retries: u32,
     /// Precision of the pair terms.
     pub precision: Precision,
     /// Error bars; they decide no answer and are no part of a case's identity.
     pub error_bars: ErrorBars,
+}
+
+/// A case without retries keeps the identity that it had before there were any.
+fn is_zero(retries: &u32) -> bool {
+    *retries == 0
 }
 
 /// Names that `preset` may take.
@@ -140,6 +148,7 @@ impl Numerics {
             shifting_coefficient: 0.5,
             courant_number: 1.6,
             time_step_s: None,
+            retries: 0,
             precision: Precision::F64,
             error_bars: ErrorBars::None,
         };
@@ -178,6 +187,9 @@ impl Numerics {
         check.range("artificial_viscosity", self.artificial_viscosity, 0.0, 1.0)?;
         check.range("shifting_coefficient", self.shifting_coefficient, 0.0, 10.0)?;
         check.range("courant_number", self.courant_number, 1e-3, 2.5)?;
+        if self.retries > 6 {
+            return Err(check.error("retries", self.retries, "must be a whole number from 0 to 6"));
+        }
         if let Some(step) = self.time_step_s {
             check.positive("time_step_s", step)?;
         }

@@ -15,6 +15,12 @@ pub enum FailureKind {
     DensityOutOfBounds,
     /// Too many particles left the tank.
     ParticlesLost,
+    /// Energy came from nowhere.
+    EnergyGrowth,
+    /// Force and pressure on the wall's face disagreed for long: voids at the wall.
+    ForceGap,
+    /// Particles have drawn together in clusters.
+    Clustering,
     /// The wall's motion diverged.
     WallUnstable,
     /// The pressure equation was not solved.
@@ -35,12 +41,25 @@ impl FailureKind {
             FailureKind::RunawaySpeed => "runaway-speed",
             FailureKind::DensityOutOfBounds => "density-out-of-bounds",
             FailureKind::ParticlesLost => "particles-lost",
+            FailureKind::EnergyGrowth => "energy-growth",
+            FailureKind::ForceGap => "force-gap",
+            FailureKind::Clustering => "clustering",
             FailureKind::WallUnstable => "wall-unstable",
             FailureKind::SolverDiverged => "solver-diverged",
             FailureKind::InvalidScene => "invalid-scene",
             FailureKind::CheckpointUnreadable => "checkpoint-unreadable",
             FailureKind::Internal => "internal",
         }
+    }
+}
+
+impl FailureKind {
+    /// Whether smaller time steps may help: the numbers ran away, rather than the program failing.
+    pub fn is_instability(self) -> bool {
+        !matches!(
+            self,
+            FailureKind::InvalidScene | FailureKind::CheckpointUnreadable | FailureKind::Internal
+        )
     }
 }
 

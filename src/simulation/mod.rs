@@ -11,6 +11,7 @@ mod run;
 mod window;
 
 pub use failure::{Failure, FailureKind, Stopped};
+pub use health::HealthMargins;
 pub use outcome::{
     CaseResult, EnergyBudget, HistoryRow, Maximum, Outcome, PhaseShare, ProbeTable, TrunkResult,
 };
@@ -70,10 +71,35 @@ pub fn cost(config: &CaseConfig) -> Cost {
 }
 
 /// Runs a case to its end, from rest or from its trunk's checkpoint: the same bits either way.
+/// Where it becomes unstable, up to `retries` further attempts from rest follow, each with half
+/// the time step of the last; the outcome says so.
 ///
 /// # Errors
-/// The reason for which the case failed, or that it was interrupted.
+/// The reason for which the last attempt failed, or that it was interrupted.
 pub fn run_case(
+    config: &CaseConfig,
+    checkpoint: Option<&[u8]>,
+    simd: SimdPath,
+    monitor: &dyn Monitor,
+) -> Result<CaseResult, Stopped> {
+    let mut result = attempt(config, checkpoint, simd, monitor);
+    for retry in 1..=config.numerics.retries {
+        let Err(Stopped::Failed(failure)) = &result else { break };
+        if !failure.kind.is_instability() {
+            break;
+        }
+        let smaller = config.with_time_step_scaled(0.5_f64.powi(retry as i32));
+        let courant = smaller.numerics.courant_number;
+        let told = format!("recovered with courant_number = {courant} after {failure}");
+        result = attempt(&smaller, None, simd, monitor).map(|mut result| {
+            result.outcome.recovered = Some(told);
+            result
+        });
+    }
+    result
+}
+
+fn attempt(
     config: &CaseConfig,
     checkpoint: Option<&[u8]>,
     simd: SimdPath,

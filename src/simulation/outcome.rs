@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::health::HealthMargins;
+
 /// A maximum and the time at which it was reached.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Maximum {
@@ -58,6 +60,12 @@ pub struct Outcome {
     pub energy_gap_percent: f64,
     /// Particles that left the tank.
     pub particles_lost: u32,
+    /// How close the run came to the bounds of health.
+    #[serde(default)]
+    pub health: HealthMargins,
+    /// Where a first attempt failed and smaller time steps helped: what happened.
+    #[serde(default)]
+    pub recovered: Option<String>,
     /// Steps taken, the trunk's included.
     pub steps: u64,
     /// Fluid particles.

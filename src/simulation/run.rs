@@ -6,7 +6,7 @@ use super::Monitor;
 use super::energy::{Ledger, WaterEnergy};
 use super::failure::{Failure, FailureKind, Stopped};
 use super::gauge::CrestGauge;
-use super::health::HealthBounds;
+use super::health::{HealthBounds, HealthState, Vitals};
 use super::measures::{Measures, Reading};
 use super::outcome::{CaseResult, HistoryRow, Outcome, PhaseShare};
 use crate::body::{BodyMotion, SpringWall, WallStep};
@@ -16,6 +16,8 @@ use crate::scheme::{SchemeState, StepError, StepWalls};
 
 /// Samples of the history between two checks of health and of the monitor.
 const SAMPLES_PER_CHECK: u64 = 4;
+/// Samples between two looks for clusters.
+const SAMPLES_PER_CLUSTER_CHECK: u64 = 20;
 /// Share of m/(ρ c0 d) that a light wall's time step may be.
 const WALL_COURANT: f64 = 1.0;
 
@@ -32,7 +34,7 @@ pub(super) struct RunState {
     level_at_rest: Option<f64>,
     gauge_at_rest: Option<f64>,
     worst_gap: f64,
-    lost: u32,
+    health: HealthState,
 }
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -65,7 +67,7 @@ pub(super) struct Run {
     level_at_rest: Option<f64>,
     gauge_at_rest: Option<f64>,
     worst_gap: f64,
-    lost: u32,
+    health: HealthState,
 }
 
 impl Run {
@@ -85,6 +87,10 @@ impl Run {
                 .state_equation()
                 .map_or(scene.water_density_kg_per_m3, |state| state.surface_density),
             lost_share: 0.02,
+            clustered_share: 0.25,
+            force_gap: 0.5,
+            energy_growth: 0.25,
+            energy_floor: 0.01 * start.potential.abs(),
         };
         Run {
             time_step: scene.time_step(&config.numerics),
@@ -97,7 +103,7 @@ impl Run {
             level_at_rest: None,
             gauge_at_rest: None,
             worst_gap: 0.0,
-            lost: 0,
+            health: HealthState::default(),
             scene: scene.clone(),
             tank,
         }
@@ -117,7 +123,7 @@ impl Run {
         self.level_at_rest = state.level_at_rest;
         self.gauge_at_rest = state.gauge_at_rest;
         self.worst_gap = state.worst_gap;
-        self.lost = state.lost;
+        self.health = state.health;
     }
 
     /// All that is needed to go on.
@@ -133,7 +139,7 @@ impl Run {
             level_at_rest: self.level_at_rest,
             gauge_at_rest: self.gauge_at_rest,
             worst_gap: self.worst_gap,
-            lost: self.lost,
+            health: self.health,
         }
     }
 
@@ -262,6 +268,7 @@ impl Run {
         let face = self.tank.water.face_force(WALL, &motion);
         let gap = 100.0 * (face - force).abs() / force.abs().max(self.tank.static_force);
         self.worst_gap = self.worst_gap.max(gap);
+        self.health.see_gap(gap / 100.0);
         if displacement.is_some_and(|x| !x.is_finite() || x > 11.0) {
             let detail = format!("the wall is at X = {:.3} h", displacement.unwrap_or(f64::NAN));
             return Err(self.failure(FailureKind::WallUnstable, detail).into());
@@ -300,14 +307,21 @@ impl Run {
 
     fn check_health(&mut self, bodies: &[BodyMotion; 3]) -> Result<(), Failure> {
         let room = self.tank.spacing;
-        let extent = [
-            bodies[PADDLE].offset - room,
-            self.scene.tank_length_m + bodies[WALL].offset + room,
-            4.0 * self.scene.still_water_depth_m,
-        ];
-        let fluid = self.tank.water.fluid();
-        self.lost = self.lost.max(self.bounds.check(fluid, self.clock.time, extent)?);
-        Ok(())
+        let now = WaterEnergy::of(self.tank.water.as_ref(), self.scene.gravity_m_per_s2);
+        let energy = self.ledger.close(now, self.tank.wall.as_ref());
+        let vitals = Vitals {
+            time_s: self.clock.time,
+            extent: [
+                bodies[PADDLE].offset - room,
+                self.scene.tank_length_m + bodies[WALL].offset + room,
+                4.0 * self.scene.still_water_depth_m,
+            ],
+            spacing: self.tank.spacing,
+            energy_residual: energy.residual(),
+            work: energy.paddle_work,
+            clusters: self.clock.samples.is_multiple_of(SAMPLES_PER_CLUSTER_CHECK),
+        };
+        self.health.check(&self.bounds, self.tank.water.fluid(), &vitals)
     }
 
     fn failure(&self, kind: FailureKind, detail: String) -> Failure {
@@ -358,7 +372,9 @@ impl Run {
             stops: wall.map(|wall| wall.stops),
             force_gap_percent: self.worst_gap,
             energy_gap_percent: 100.0 * energy.residual() / scale,
-            particles_lost: self.lost,
+            particles_lost: self.health.lost,
+            health: self.health.margins,
+            recovered: None,
             steps: self.clock.steps,
             particles: water.fluid().len() as u32,
             pair_evaluations: water.pair_evaluations(),

@@ -6,8 +6,8 @@ use super::case::CaseId;
 use super::runner::Runner;
 use crate::scene::{CaseConfig, Scene, WallChoice};
 use crate::simulation::{
-    CaseResult, Cost, EnergyBudget, Failure, FailureKind, HistoryRow, Maximum, Monitor, Outcome,
-    PhaseShare, Stopped, TrunkResult,
+    CaseResult, Cost, EnergyBudget, Failure, FailureKind, HealthMargins, HistoryRow, Maximum,
+    Monitor, Outcome, PhaseShare, Stopped, TrunkResult,
 };
 
 /// A made-up cost: trunks take half of a case.
@@ -117,6 +117,8 @@ fn made_up(config: &CaseConfig) -> CaseResult {
         force_gap_percent: 0.3,
         energy_gap_percent: -0.1,
         particles_lost: 0,
+        health: HealthMargins::default(),
+        recovered: None,
         steps: 1000,
         particles: 100,
         pair_evaluations: 12_345,

@@ -19,7 +19,7 @@ pub struct CaseRecord {
     pub values: BTreeMap<String, serde_json::Value>,
     /// `None` where the case is well.
     pub failure: Option<FailureKind>,
-    /// Why it failed, in one line; empty where it is well.
+    /// Why it failed, in one line; where it is well, what it recovered from, mostly nothing.
     pub reason: String,
     /// The scalars, where the case is well.
     pub outcome: Option<Outcome>,
@@ -58,6 +58,7 @@ impl CaseRecord {
         match result {
             Ok(result) => {
                 record.outcome = Some(result.outcome.clone());
+                record.reason = one_line(result.outcome.recovered.as_deref().unwrap_or_default());
                 record.energy = Some(result.energy);
                 record.phases.clone_from(&result.phases);
                 if let Err(detail) = record.round_trips() {

@@ -1,0 +1,296 @@
+//! Stops a sick run early, with the reason, the time and the particle, and remembers how close a
+//! healthy one came to each bound.
+
+mod crowding;
+
+use serde::{Deserialize, Serialize};
+
+use super::failure::{Failure, FailureKind};
+use crate::particles::Fluid;
+
+/// Particles closer than this, over the spacing, count as clustered.
+const CLUSTERED: f64 = 0.25;
+/// Looks at the force gap go on counting for about so many more.
+const GAP_MEMORY: f64 = 10.0;
+
+/// Bounds that a healthy run keeps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HealthBounds {
+    /// m/s: what Bernoulli's law allows a drop from the highest conceivable runup, twice over.
+    pub speed: f64,
+    /// Largest |ρ/ρ_s - 1|; scales with g h/c0².
+    pub density_change: f64,
+    /// ρ_s, kg/m³; zero where the water is incompressible.
+    pub surface_density: f64,
+    /// Share of particles that may leave the tank.
+    pub lost_share: f64,
+    /// Share of particles that may be clustered.
+    pub clustered_share: f64,
+    /// Mean gap between the momentum reaction and the face integral, over the larger of the force
+    /// and the hydrostatic one.
+    pub force_gap: f64,
+    /// Energy that may come from nowhere, as a share of the work done on the water ...
+    pub energy_growth: f64,
+    /// ... and besides it, J per metre of width.
+    pub energy_floor: f64,
+}
+
+/// The largest share of each bound that a run has reached: 1 is the edge.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct HealthMargins {
+    /// Of the speed.
+    pub speed: f64,
+    /// Of the change of density.
+    pub density: f64,
+    /// Of the particles outside.
+    pub lost: f64,
+    /// Of the particles clustered.
+    pub clustered: f64,
+    /// Of the mean force gap.
+    pub force_gap: f64,
+    /// Of the energy from nowhere.
+    pub energy: f64,
+}
+
+impl HealthMargins {
+    /// The share of the bound that came closest, and its name.
+    pub fn closest(&self) -> (f64, &'static str) {
+        let all = [
+            (self.speed, "speed"),
+            (self.density, "density"),
+            (self.lost, "particles lost"),
+            (self.clustered, "clustering"),
+            (self.force_gap, "force gap"),
+            (self.energy, "energy growth"),
+        ];
+        all.into_iter().fold((0.0, "none"), |best, one| if one.0 > best.0 { one } else { best })
+    }
+}
+
+/// What a run keeps of its health, from rest to the end.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct HealthState {
+    /// How close to each bound.
+    pub margins: HealthMargins,
+    /// Largest number of particles seen outside.
+    pub lost: u32,
+    mean_gap: f64,
+}
+
+/// What one check looks at, besides the particles.
+#[derive(Debug, Clone, Copy)]
+pub struct Vitals {
+    /// Simulated time, seconds.
+    pub time_s: f64,
+    /// Faces of paddle and wall, top of the walls, metres.
+    pub extent: [f64; 3],
+    /// Particle spacing, metres.
+    pub spacing: f64,
+    /// Work done on the water less all that became of it, J per metre of width.
+    pub energy_residual: f64,
+    /// That work.
+    pub work: f64,
+    /// Whether to look for clusters, too: the dearest look.
+    pub clusters: bool,
+}
+
+impl HealthState {
+    /// Takes a reading of the force gap, over the larger of the force and the hydrostatic one.
+    pub fn see_gap(&mut self, gap: f64) {
+        self.mean_gap += (gap - self.mean_gap) / GAP_MEMORY;
+    }
+
+    /// Checks the water.
+    ///
+    /// # Errors
+    /// The first bound that is broken.
+    pub fn check(
+        &mut self,
+        bounds: &HealthBounds,
+        fluid: &Fluid,
+        vitals: &Vitals,
+    ) -> Result<(), Failure> {
+        let time_s = vitals.time_s;
+        let fail = |kind, detail| Err(Failure { kind, time_s, detail });
+        self.check_particles(bounds, fluid, vitals)?;
+        if vitals.clusters {
+            let (share, particle) = crowding::clustered(fluid, CLUSTERED * vitals.spacing);
+            raise(&mut self.margins.clustered, share / bounds.clustered_share);
+            if share > bounds.clustered_share {
+                let detail = format!(
+                    "{:.0} % of the particles are closer than {CLUSTERED} of the spacing, bound \
+                     {:.0} %, the closest {}",
+                    100.0 * share,
+                    100.0 * bounds.clustered_share,
+                    place(fluid, particle)
+                );
+                return fail(FailureKind::Clustering, detail);
+            }
+        }
+        raise(&mut self.margins.force_gap, self.mean_gap / bounds.force_gap);
+        if self.mean_gap > bounds.force_gap {
+            let detail = format!(
+                "the pressure on the wall's face is {:.0} % off the force, bound {:.0} %",
+                100.0 * self.mean_gap,
+                100.0 * bounds.force_gap
+            );
+            return fail(FailureKind::ForceGap, detail);
+        }
+        let allowed = bounds.energy_floor + bounds.energy_growth * vitals.work.abs();
+        raise(&mut self.margins.energy, -vitals.energy_residual / allowed);
+        if -vitals.energy_residual > allowed {
+            let fastest =
+                (0..fluid.len()).max_by(|&a, &b| speed(fluid, a).total_cmp(&speed(fluid, b)));
+            let detail = format!(
+                "{:.2} J/m have come from nowhere, bound {allowed:.2} J/m, the fastest {}",
+                -vitals.energy_residual,
+                place(fluid, fastest.unwrap_or(0))
+            );
+            return fail(FailureKind::EnergyGrowth, detail);
+        }
+        Ok(())
+    }
+
+    /// Speed, density and place of every particle.
+    fn check_particles(
+        &mut self,
+        bounds: &HealthBounds,
+        fluid: &Fluid,
+        vitals: &Vitals,
+    ) -> Result<(), Failure> {
+        let fail = |kind, detail| Err(Failure { kind, time_s: vitals.time_s, detail });
+        let [left, right, top] = vitals.extent;
+        let mut outside = 0_u32;
+        for k in 0..fluid.len() {
+            let (x, y, density) = (fluid.x[k], fluid.y[k], fluid.density[k]);
+            let speed = speed(fluid, k);
+            if !(speed.is_finite() && density.is_finite() && x.is_finite() && y.is_finite()) {
+                return fail(FailureKind::NotANumber, place(fluid, k));
+            }
+            raise(&mut self.margins.speed, speed / bounds.speed);
+            if speed > bounds.speed {
+                let (at, bound) = (place(fluid, k), bounds.speed);
+                let detail = format!("{at} moves at {speed:.2} m/s, bound {bound:.2} m/s");
+                return fail(FailureKind::RunawaySpeed, detail);
+            }
+            let change = match bounds.surface_density {
+                0.0 => 0.0,
+                surface => density / surface - 1.0,
+            };
+            raise(&mut self.margins.density, change.abs() / bounds.density_change);
+            if change.abs() > bounds.density_change {
+                let detail = format!(
+                    "{} is compressed by {:.2} %, bound {:.2} %",
+                    place(fluid, k),
+                    100.0 * change,
+                    100.0 * bounds.density_change
+                );
+                return fail(FailureKind::DensityOutOfBounds, detail);
+            }
+            outside += u32::from(x < left || x > right || y < 0.0 || y > top);
+        }
+        self.lost = self.lost.max(outside);
+        let allowed = bounds.lost_share * fluid.len() as f64;
+        raise(&mut self.margins.lost, f64::from(outside) / allowed);
+        if f64::from(outside) > allowed {
+            let detail = format!("{outside} of {} particles have left the tank", fluid.len());
+            return fail(FailureKind::ParticlesLost, detail);
+        }
+        Ok(())
+    }
+}
+
+fn raise(margin: &mut f64, share: f64) {
+    *margin = margin.max(share);
+}
+
+fn speed(fluid: &Fluid, k: usize) -> f64 {
+    fluid.vx[k].hypot(fluid.vy[k])
+}
+
+fn place(fluid: &Fluid, k: usize) -> String {
+    format!("particle {} at x = {:.4} m, y = {:.4} m", fluid.id[k], fluid.x[k], fluid.y[k])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const BOUNDS: HealthBounds = HealthBounds {
+        speed: 3.0,
+        density_change: 0.1,
+        surface_density: 1000.0,
+        lost_share: 0.3,
+        clustered_share: 0.25,
+        force_gap: 0.5,
+        energy_growth: 0.25,
+        energy_floor: 1.0,
+    };
+    const VITALS: Vitals = Vitals {
+        time_s: 1.0,
+        extent: [0.0, 1.0, 1.0],
+        spacing: 0.1,
+        energy_residual: 0.0,
+        work: 4.0,
+        clusters: true,
+    };
+
+    fn water() -> Fluid {
+        Fluid::at_rest((0..10).map(|k| [0.1 * f64::from(k) + 0.05, 0.1, 1000.0, 1.0]))
+    }
+
+    fn check(spoil: impl Fn(&mut Fluid)) -> Result<u32, FailureKind> {
+        let (mut fluid, mut health) = (water(), HealthState::default());
+        spoil(&mut fluid);
+        let result = health.check(&BOUNDS, &fluid, &VITALS);
+        result.map(|()| health.lost).map_err(|failure| failure.kind)
+    }
+
+    #[test]
+    fn each_bound_has_its_reason() {
+        assert_eq!(check(|_| ()), Ok(0));
+        assert_eq!(check(|f| f.x[3] = -0.1), Ok(1));
+        assert_eq!(check(|f| f.vx[3] = f64::NAN), Err(FailureKind::NotANumber));
+        assert_eq!(check(|f| f.vy[3] = -4.0), Err(FailureKind::RunawaySpeed));
+        assert_eq!(check(|f| f.density[3] = 1200.0), Err(FailureKind::DensityOutOfBounds));
+        assert_eq!(check(|f| f.y[..5].fill(-1.0)), Err(FailureKind::ParticlesLost));
+        assert_eq!(check(|f| f.x[1] = f.x[0] + 0.02), Ok(0), "one pair is no cluster");
+        let pairs = |f: &mut Fluid| (0..5).for_each(|k| f.x[2 * k + 1] = f.x[2 * k] + 0.02);
+        assert_eq!(check(pairs), Err(FailureKind::Clustering));
+    }
+
+    #[test]
+    fn energy_may_be_lost_but_not_found() {
+        let with = |energy_residual| {
+            let vitals = Vitals { energy_residual, ..VITALS };
+            let mut health = HealthState::default();
+            let result = health.check(&BOUNDS, &water(), &vitals).map_err(|failure| failure.kind);
+            (result, health.margins.closest())
+        };
+        assert_eq!(with(100.0), (Ok(()), (0.0, "none")));
+        assert_eq!(with(-1.0), (Ok(()), (0.5, "energy growth")));
+        assert_eq!(with(-2.1).0, Err(FailureKind::EnergyGrowth));
+    }
+
+    #[test]
+    fn a_gap_must_last() {
+        let mut health = HealthState::default();
+        health.see_gap(3.0);
+        assert!(health.check(&BOUNDS, &water(), &VITALS).is_ok());
+        for _ in 0..20 {
+            health.see_gap(0.7);
+        }
+        let told = health.check(&BOUNDS, &water(), &VITALS).unwrap_err();
+        assert_eq!(told.kind, FailureKind::ForceGap);
+    }
+
+    #[test]
+    fn a_failure_names_time_and_particle() {
+        let mut fluid = water();
+        fluid.vx[7] = 9.0;
+        let told = HealthState::default().check(&BOUNDS, &fluid, &VITALS).unwrap_err().to_string();
+        let expected = "runaway-speed at t = 1.0000 s: particle 7 at x = 0.7500 m, y = 0.1000 m \
+                        moves at 9.00 m/s, bound 3.00 m/s";
+        assert_eq!(told, expected);
+    }
+}

@@ -1,0 +1,45 @@
+//! Runs driven over the edge end with a typed reason, and smaller steps bring them back.
+
+use seawall::math::simd::SimdPath;
+use seawall::scene::CaseConfig;
+use seawall::simulation::{CaseResult, FailureKind, Stopped, Unwatched, run_case};
+
+/// A short, coarse tank; a second of work.
+fn config(numerics: &str) -> CaseConfig {
+    let scene = "tank_length_m = 1.0\nwave_gauge_m = 0.5\nend_after_stroke_centre_s = 0.8";
+    let numerics = format!("particle_spacing_m = 0.025\n{numerics}");
+    CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap()).unwrap()
+}
+
+fn run(numerics: &str) -> Result<CaseResult, Stopped> {
+    run_case(&config(numerics), None, SimdPath::widest(), &Unwatched)
+}
+
+/// Strong viscosity at the largest step that the door lets in: unstable within a few steps.
+const UNSTABLE: &str = "courant_number = 2.5\nartificial_viscosity = 1";
+
+#[test]
+fn energy_from_nowhere_ends_a_run_early() {
+    let Err(Stopped::Failed(failure)) = run(UNSTABLE) else { panic!("this cannot be stable") };
+    assert_eq!(failure.kind, FailureKind::EnergyGrowth);
+    assert!(failure.time_s < 0.2, "{failure}");
+    assert!(failure.detail.contains("particle"), "{failure}");
+}
+
+#[test]
+fn a_retry_takes_half_the_step_and_says_so() {
+    let mut retried = run(&format!("{UNSTABLE}\nretries = 2")).unwrap();
+    let told = retried.outcome.recovered.take().unwrap();
+    assert!(told.starts_with("recovered with courant_number = 1.25 after energy-growth"), "{told}");
+    let halved = run("courant_number = 1.25\nartificial_viscosity = 1").unwrap();
+    assert_eq!(retried.outcome, halved.outcome);
+    assert_eq!(retried.history, halved.history);
+}
+
+#[test]
+fn a_healthy_run_stays_far_from_every_bound() {
+    let outcome = run("retries = 2").unwrap().outcome;
+    let (share, bound) = outcome.health.closest();
+    assert!(share > 0.0 && share < 0.5, "{bound}: {share}");
+    assert_eq!(outcome.recovered, None);
+}
