@@ -1,5 +1,6 @@
 //! Velocities and places: kick, drift, and what keeps particles in good order.
 
+use super::passes::{TENSION_FROM, TENSION_FULL};
 use super::{DensityDiffusion, Shifting, Wcsph};
 use crate::body::BodyMotion;
 use crate::math::simd::LANES;
@@ -66,7 +67,7 @@ impl Wcsph {
         {
             *end = self.ghosts.target_x[body.faces.start] + motion.offset + dt * motion.velocity;
         }
-        let spray_loss = if options.corrected_gradients { self.settle_spray(dt) } else { 0.0 };
+        let spray_loss = if options.corrected_gradients { self.settle_surface(dt) } else { 0.0 };
         let shifting_loss = match self.options.shifting {
             Shifting::Interior => self.shift(dt, ends),
             Shifting::None => 0.0,
@@ -75,17 +76,25 @@ impl Wcsph {
         shifting_loss + spray_loss
     }
 
-    /// Relaxes the pressure of particles with too few neighbours to feel one: spray is at the
-    /// pressure of the air. Returns the elastic energy that goes.
-    fn settle_spray(&mut self, dt: f64) -> f64 {
+    /// Relaxes the density of particles that feel no pressure: spray with too few neighbours, and
+    /// water near the surface that would be under tension. Both are at the pressure of the air.
+    /// Returns the elastic energy that goes.
+    fn settle_surface(&mut self, dt: f64) -> f64 {
         let state = self.options.state;
         let rate = (dt * state.sound_speed / self.options.smoothing_length()).min(1.0);
         let mut loss = 0.0;
         for k in 0..self.fluid.len() {
-            let alone = (SPRAY_FROM - self.work.completeness[k]) / (SPRAY_FROM - SPRAY_FULL);
-            if alone > 0.0 {
-                let density = self.fluid.density[k];
-                let rise = rate * alone.min(1.0) * (state.surface_density - density);
+            let density = self.fluid.density[k];
+            let completeness = self.work.completeness[k];
+            let alone = (SPRAY_FROM - completeness) / (SPRAY_FROM - SPRAY_FULL);
+            let slack = if density < state.surface_density {
+                (TENSION_FULL - completeness) / (TENSION_FULL - TENSION_FROM)
+            } else {
+                0.0
+            };
+            let share = alone.max(slack).min(1.0);
+            if share > 0.0 {
+                let rise = rate * share * (state.surface_density - density);
                 loss -= self.fluid.mass[k] * state.pressure(density) / (density * density) * rise;
                 self.fluid.density[k] += rise;
             }

@@ -10,9 +10,9 @@ use crate::particles::Record;
 use crate::with_kernel;
 
 /// Water bears tension from this completeness: none at the surface ...
-const TENSION_FROM: f64 = 0.6;
+pub(super) const TENSION_FROM: f64 = 0.6;
 /// ... and all of it from this.
-const TENSION_FULL: f64 = 0.9;
+pub(super) const TENSION_FULL: f64 = 0.9;
 
 impl Wcsph {
     /// Pressures, and everything about the fluid that the pair loops read.
