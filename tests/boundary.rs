@@ -72,6 +72,8 @@ impl Basin {
             support_radius: RADIUS,
             wall_height: 3.0 * DEPTH,
             bed_beyond_wall: 4.0 * DEPTH,
+            wall_angle_deg: 90.0,
+            dry_bed: false,
         };
         let kernel = KernelChoice::WendlandC2;
         let volume = SPACING * SPACING;

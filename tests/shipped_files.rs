@@ -85,6 +85,8 @@ fn corner(file: &Table, last: bool) -> Table {
 
 fn validate(path: &Path, file: &Table) {
     let table = |name: &str| file.get(name).and_then(Value::as_table).cloned().unwrap_or_default();
-    CaseConfig::from_tables(&table("scene"), &table("numerics"))
+    let probes = file.get("probe").and_then(Value::as_array).cloned().unwrap_or_default();
+    let probes: Vec<_> = probes.iter().map(|probe| probe.as_table().unwrap().clone()).collect();
+    CaseConfig::with_probes(&table("scene"), &table("numerics"), &probes)
         .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
 }

@@ -113,7 +113,7 @@ fn failures_and_panics_are_rows_like_any_other() {
     let text = GRID.replace("[grid]", "[grid]\nforce_coupling = [0.5, 1.0, 2.0]");
     let study = study(&text);
     let fate = |config: &seawall::scene::CaseConfig| {
-        let seawall::scene::Scene::Seawall(scene) = &config.scene;
+        let scene = config.scene.seawall().unwrap();
         match scene.force_coupling {
             0.5 => Fate::Fails,
             2.0 => Fate::Panics,

@@ -4,6 +4,7 @@ use super::InterpolatorChoice;
 use super::faces::span;
 use super::ghosts::{Ghosts, Reflection, Site};
 use super::sums::{GatherVelocity, Means, Water, Weigh};
+use super::waterline::Waterline;
 use crate::body::BodyMotion;
 use crate::kernel::KernelChoice;
 use crate::math::simd::{LANES, SimdPath, dispatch};
@@ -40,8 +41,9 @@ pub struct ExchangeRules {
 #[derive(Debug, Clone)]
 pub struct Exchange {
     pub(super) rules: ExchangeRules,
-    pub(super) wet_at: f64,
-    pub(super) dry_at: f64,
+    pub(super) waterlines: Vec<Waterline>,
+    /// Share of each face point's half disc that other walls leave; of the bed, 1.
+    pub(super) complete: Vec<f64>,
     pub(super) half_plane: Vec<f64>,
     pub(super) list: PairList,
     pub(super) weights: Vec<[f64; LANES]>,
@@ -56,14 +58,14 @@ pub struct Exchange {
 impl Exchange {
     /// Nothing is known of the water yet.
     pub fn new(rules: ExchangeRules, ghosts: &Ghosts) -> Exchange {
-        let half = 0.4 * rules.spacing / rules.scaling.support_radius;
         let half_plane =
             (0..=256).map(|k| rules.kernel.half_plane_fraction(f64::from(k) / 256.0)).collect();
         let targets = ghosts.target_x.len();
-        Exchange {
+        let waterlines = ghosts.bodies.iter().map(|body| Waterline::of(&rules, body)).collect();
+        let mut exchange = Exchange {
             rules,
-            wet_at: rules.kernel.half_plane_fraction(half),
-            dry_at: rules.kernel.half_plane_fraction(-half),
+            waterlines,
+            complete: vec![1.0; targets],
             half_plane,
             list: PairList::default(),
             weights: Vec::new(),
@@ -71,7 +73,11 @@ impl Exchange {
             means: vec![Means::default(); targets / LANES],
             wetness: vec![0.0; targets],
             responses: vec![[0.0; 3]; ghosts.len()],
+        };
+        if rules.bed_between_walls {
+            exchange.complete_walls(ghosts);
         }
+        exchange
     }
 
     /// Responses of the ghosts to their wall's acceleration, from the last [`Exchange::fill`].
@@ -167,7 +173,7 @@ impl Exchange {
                 }
                 let wet = match ghosts.face[g] {
                     Site::ALWAYS_WET => 1.0,
-                    face => self.wet_share(face as usize),
+                    face => self.wet_share(number, face as usize),
                 };
                 let mut volume = ghosts.volume[g] * wet;
                 if number == 0 && rules.bed_between_walls {

@@ -1,42 +1,46 @@
 //! The waterline at the walls: how wet a face is, how high the water stands, how hard it presses.
 
 use super::exchange::Exchange;
-use super::ghosts::Ghosts;
+use super::ghosts::{Ghosts, Plane};
 use super::sums::{Interpolate, Water};
+use super::waterline::{corner_angle, wedge_fraction};
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, SimdPath, dispatch};
 use crate::{with_interpolator, with_kernel};
 
 impl Exchange {
     /// Turns the kernel coverage of the face points into a wetness: 2 Σ W V over what a full,
-    /// endless body of water would give there; 1/2 at the waterline.
+    /// endless body of water would give there; 1/2 at the waterline of a vertical wall.
     pub(super) fn wet_faces(&mut self, ghosts: &Ghosts, bodies: &[BodyMotion]) {
         for (number, body) in ghosts.bodies.iter().enumerate() {
             for face in body.faces.clone() {
-                let complete = if self.rules.bed_between_walls {
-                    self.completeness(ghosts, bodies, number, face)
+                let complete = if number == 0 && self.rules.bed_between_walls {
+                    let [left, right] = span(ghosts, bodies);
+                    let x = ghosts.target_x[face];
+                    self.share(x - left) + self.share(right - x) - 1.0
                 } else {
-                    1.0
+                    self.complete[face]
                 };
                 self.wetness[face] *= 2.0 / complete.max(0.1);
             }
         }
     }
 
-    /// Share of a face point's half disc of water that other walls leave.
-    fn completeness(
-        &self,
-        ghosts: &Ghosts,
-        bodies: &[BodyMotion],
-        number: usize,
-        face: usize,
-    ) -> f64 {
-        if number > 0 {
-            return self.share(ghosts.target_y[face]);
+    /// What the bed leaves of the half discs around the points of the walls that rise from it.
+    pub(super) fn complete_walls(&mut self, ghosts: &Ghosts) {
+        for body in ghosts.bodies.iter().skip(1) {
+            let Plane { point, normal } = body.plane;
+            for face in body.faces.clone() {
+                let [x, y] = [ghosts.target_x[face], ghosts.target_y[face]];
+                self.complete[face] = if normal[1] == 0.0 {
+                    self.share(y)
+                } else {
+                    let along = (x - point[0]).hypot(y - point[1]);
+                    let at = along * self.rules.scaling.inverse_radius;
+                    wedge_fraction(self.rules.kernel, at, corner_angle(body.plane))
+                };
+            }
         }
-        let [left, right] = span(ghosts, bodies);
-        let x = ghosts.target_x[face];
-        self.share(x - left) + self.share(right - x) - 1.0
     }
 
     /// [`KernelChoice::half_plane_fraction`] at a distance in metres, from a table.
@@ -54,27 +58,29 @@ impl Exchange {
 
     /// How much of a ghost counts: nothing half a spacing above the waterline, all of it half a
     /// spacing below.
-    pub(super) fn wet_share(&self, face: usize) -> f64 {
-        ((self.wetness[face] - self.dry_at) / (self.wet_at - self.dry_at)).clamp(0.0, 1.0)
+    pub(super) fn wet_share(&self, body: usize, face: usize) -> f64 {
+        self.waterlines[body].wet_share(self.wetness[face])
     }
 
-    /// Level of the water along an upright body, metres above the bed: the crossing of
-    /// wetness 1/2 that is connected to the water below.
+    /// Level of the water along a wall, metres above the bed: the first crossing of the wetness
+    /// that a level surface has at its contact with the wall (1/2 for a vertical one), so connected
+    /// to the water below.
     pub fn level(&self, ghosts: &Ghosts, body: usize) -> f64 {
         let faces = ghosts.bodies[body].faces.clone();
         let wetness = &self.wetness[faces.clone()];
         let heights = &ghosts.target_y[faces];
-        let Some(dry) = wetness.iter().position(|&wet| wet < 0.5) else {
+        let contact = self.waterlines[body].contact;
+        let Some(dry) = wetness.iter().position(|&wet| wet < contact) else {
             return heights.last().copied().unwrap_or(0.0);
         };
         if dry == 0 {
             return 0.0;
         }
-        let part = (wetness[dry - 1] - 0.5) / (wetness[dry - 1] - wetness[dry]);
+        let part = (wetness[dry - 1] - contact) / (wetness[dry - 1] - wetness[dry]);
         heights[dry - 1] + part * (heights[dry] - heights[dry - 1])
     }
 
-    /// Integral of the interpolated pressure over the face of an upright body, N per metre of
+    /// Integral of the interpolated pressure over the face of a wall, along x, N per metre of
     /// width: a check on the momentum reaction that shares nothing with it but the particles.
     pub fn face_force(
         &mut self,
@@ -85,7 +91,15 @@ impl Exchange {
         water: Water<'_>,
     ) -> f64 {
         let faces = ghosts.bodies[body].faces.clone();
+        let [across, lean] = ghosts.bodies[body].plane.normal;
         let rules = self.rules;
+        let spacing = if lean == 0.0 {
+            rules.spacing
+        } else {
+            let [a, b] = [faces.start, faces.start + 1];
+            let apart = ghosts.target_x[b] - ghosts.target_x[a];
+            apart.hypot(ghosts.target_y[b] - ghosts.target_y[a])
+        };
         let blocks = faces.start / LANES..faces.end.div_ceil(LANES);
         let Exchange { list, weights, scale, means, .. } = self;
         with_kernel!(rules.kernel, K => with_interpolator!(rules.interpolator, interpolator => {
@@ -106,7 +120,7 @@ impl Exchange {
         faces
             .map(|face| {
                 let (block, lane) = (face / LANES, face % LANES);
-                let wet = self.wet_share(face);
+                let wet = self.wet_share(body, face);
                 if self.scale[block][lane] == 0.0 {
                     return 0.0;
                 }
@@ -118,14 +132,14 @@ impl Exchange {
                 let reach_y = ghosts.target_y[face] - means.y[lane];
                 let pressure =
                     mean - density * (rules.gravity * reach_y + motion.acceleration * reach_x);
-                wet * pressure * rules.spacing
+                wet * pressure * spacing * across.abs()
             })
             .sum()
     }
 }
 
-/// Faces of the bodies 1 and 2: the ends of the bed.
+/// Toes of the bodies 1 and 2: the ends of the bed.
 pub(super) fn span(ghosts: &Ghosts, bodies: &[BodyMotion]) -> [f64; 2] {
-    let face = |body: usize| ghosts.target_x[ghosts.bodies[body].faces.start] + bodies[body].offset;
+    let face = |body: usize| ghosts.bodies[body].plane.point[0] + bodies[body].offset;
     [face(1), face(2)]
 }

@@ -17,6 +17,44 @@ pub enum Reflection {
     Corner,
 }
 
+/// A straight wall: everything beyond it is solid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Plane {
+    /// A point on its face, at the bed where it rises from it.
+    pub point: [f64; 2],
+    /// Unit normal out of the water.
+    pub normal: [f64; 2],
+}
+
+impl Plane {
+    /// How far a place lies behind the face; negative in the water.
+    #[inline(always)]
+    pub fn beyond(&self, [x, y]: [f64; 2]) -> f64 {
+        (x - self.point[0]) * self.normal[0] + (y - self.point[1]) * self.normal[1]
+    }
+
+    /// The same wall, moved along x.
+    pub fn moved(&self, offset: f64) -> Plane {
+        Plane { point: [self.point[0] + offset, self.point[1]], ..*self }
+    }
+
+    /// The point at `depth` in front of the face, at the foot of a place.
+    #[inline(always)]
+    pub fn in_front(&self, [x, y]: [f64; 2], depth: f64) -> [f64; 2] {
+        let [nx, ny] = self.normal;
+        let along = (y - self.point[1]) * nx - (x - self.point[0]) * ny;
+        [self.point[0] - ny * along - depth * nx, self.point[1] + nx * along - depth * ny]
+    }
+
+    /// A vector with its part across the wall changed by `across`.
+    #[inline(always)]
+    pub fn with_across(&self, [x, y]: [f64; 2], across: impl Fn(f64) -> f64) -> [f64; 2] {
+        let [nx, ny] = self.normal;
+        let (along, out) = (y * nx - x * ny, across(x * nx + y * ny));
+        [out * nx - along * ny, along * nx + out * ny]
+    }
+}
+
 /// One ghost before it is stored: all places in the frame of its body, metres.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Site {
@@ -30,11 +68,24 @@ pub struct Site {
     pub distance: f64,
     /// Number of the point on the face that tells whether it is wet.
     pub face: u32,
+    /// Volume that it stands for (an area, in two dimensions), m².
+    pub volume: f64,
 }
 
 impl Site {
     /// In place of a face point: a ghost behind a wall that never runs dry.
     pub const ALWAYS_WET: u32 = u32::MAX;
+}
+
+/// A body before its ghosts are stored.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BodySites {
+    /// Its ghosts.
+    pub sites: Vec<Site>,
+    /// Points on its face that tell whether it is wet.
+    pub faces: Vec<[f64; 2]>,
+    /// Its face.
+    pub plane: Plane,
 }
 
 /// The ghosts that move together, and where their points lie in the arrays of [`Ghosts`].
@@ -44,6 +95,8 @@ pub struct GhostBody {
     pub ghosts: Range<usize>,
     /// Face points among the targets, in the order given to [`Ghosts::new`].
     pub faces: Range<usize>,
+    /// Its face.
+    pub plane: Plane,
     /// Strips of the ghosts.
     pub strips: Strips,
     /// Box around the ghosts in the body's frame: x from, x to, y from, y to.
@@ -77,15 +130,15 @@ pub struct Ghosts {
 }
 
 impl Ghosts {
-    /// Arranges the sites and face points of bodies; `volume` is that of every ghost and
-    /// `strip_width` that of the neighbour search.
-    pub fn new(bodies: &[(Vec<Site>, Vec<[f64; 2]>)], volume: f64, strip_width: f64) -> Ghosts {
+    /// Arranges the sites, face points and planes of bodies; `strip_width` is that of the neighbour
+    /// search.
+    pub fn new(bodies: &[BodySites], strip_width: f64) -> Ghosts {
         let mut all = Ghosts::default();
-        for (sites, _) in bodies {
-            all.push_ghosts(sites, volume, strip_width);
+        for body in bodies {
+            all.push_ghosts(&body.sites, body.plane, strip_width);
         }
-        for (number, (_, faces)) in bodies.iter().enumerate() {
-            all.push_faces(number, faces);
+        for (number, body) in bodies.iter().enumerate() {
+            all.push_faces(number, &body.faces);
         }
         all
     }
@@ -100,7 +153,7 @@ impl Ghosts {
         self.x.is_empty()
     }
 
-    fn push_ghosts(&mut self, sites: &[Site], volume: f64, strip_width: f64) {
+    fn push_ghosts(&mut self, sites: &[Site], plane: Plane, strip_width: f64) {
         let xs: Vec<f64> = sites.iter().map(|site| site.ghost[0]).collect();
         let ys: Vec<f64> = sites.iter().map(|site| site.ghost[1]).collect();
         let ties: Vec<u32> = (0..sites.len() as u32).collect();
@@ -108,7 +161,8 @@ impl Ghosts {
         let start = self.x.len();
         let body = self.bodies.len() as u8;
         for &number in &order {
-            self.push_site(&sites[number as usize], volume);
+            let site = &sites[number as usize];
+            self.push_site(site, site.volume);
         }
         if let Some(&last) = order.last() {
             while !self.x.len().is_multiple_of(LANES) {
@@ -121,6 +175,7 @@ impl Ghosts {
         let low = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min);
         let high = |values: &[f64]| values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         self.bodies.push(GhostBody {
+            plane,
             strips: Strips::of_sorted(x, y, strip_width),
             bounds: [low(x), high(x), low(y), high(y)],
             ghosts: range,

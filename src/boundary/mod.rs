@@ -12,9 +12,10 @@ mod improved_shepard;
 mod mirror;
 mod sums;
 mod tank;
+mod waterline;
 
 pub use exchange::{Exchange, ExchangeRules};
-pub use ghosts::{GhostBody, Ghosts, Reflection, Site};
+pub use ghosts::{BodySites, GhostBody, Ghosts, Plane, Reflection, Site};
 pub use improved_shepard::ImprovedShepard;
 pub use sums::Water;
 pub use tank::{TankLayout, tank_ghosts};

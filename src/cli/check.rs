@@ -9,7 +9,7 @@ use super::SUCCESS;
 use super::input::{Expect, Setting, study};
 use super::output::{Output, duration};
 use super::table::Table;
-use crate::scene::{CaseConfig, Scene, WallChoice};
+use crate::scene::{CaseConfig, WallChoice};
 use crate::simulation::cost;
 use crate::sweep::{Plan, Study};
 
@@ -127,8 +127,9 @@ fn physics(study: &Study) -> Vec<(&'static str, Vec<String>)> {
             .unwrap_or_default()
     }
     const CHOICES: &[Choice] = &[
+        ("scene", |config| config.scene.kind().to_owned()),
         ("wall", |config| {
-            let Scene::Seawall(scene) = &config.scene;
+            let Some(scene) = config.scene.seawall() else { return "fixed".to_owned() };
             match scene.wall {
                 WallChoice::Fixed => format!("fixed, {}°", scene.wall_angle_deg),
                 WallChoice::Movable => format!(

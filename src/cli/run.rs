@@ -8,7 +8,7 @@ use super::execute::{Job, execute};
 use super::input::{Expect, Setting, SimdChoice, default_out, study};
 use super::output::{Output, duration, short};
 use super::table::Table;
-use crate::simulation::{EnergyBudget, Maximum, Outcome, PhaseShare};
+use crate::simulation::{EnergyBudget, Maximum, NamedReading, Outcome, PhaseShare};
 use crate::sweep::executor::{Setup, threads};
 use crate::sweep::{CaseRecord, Ending, Interrupt, OpenMode, SphRunner};
 
@@ -71,6 +71,10 @@ fn told(record: &CaseRecord) -> String {
     };
     text.push_str(&format!(", {}\n\n", duration(record.wall_time_s)));
     text.push_str(&outcome_table(outcome));
+    if !record.readings.is_empty() {
+        text.push_str("\nreadings\n");
+        text.push_str(&readings_table(&record.readings));
+    }
     text.push_str("\nenergy budget            J/m  % of paddle work\n");
     text.push_str(&energy_table(energy, outcome.energy_gap_percent));
     text.push_str("\nwhere the time went\n");
@@ -111,6 +115,14 @@ fn outcome_table(outcome: &Outcome) -> String {
     line("steps", Some(outcome.steps.to_string()));
     line("pair evaluations", Some(outcome.pair_evaluations.to_string()));
     text
+}
+
+fn readings_table(readings: &[NamedReading]) -> String {
+    let mut table = Table::default();
+    for reading in readings {
+        table.row([reading.name.clone(), short(reading.value), reading.unit.clone()]);
+    }
+    table.render()
 }
 
 /// Every term, its share of the paddle's work, and what is left over.

@@ -1,6 +1,7 @@
 //! Range checks that name the key, its value and what is allowed.
 
 use super::error::ConfigError;
+use super::filling::WALL_HEIGHT;
 
 /// Checks the values of one section.
 pub(super) struct Check {
@@ -41,5 +42,24 @@ impl Check {
             return Ok(());
         }
         Err(self.error(key, value, &format!("must be a number from {low} to {high}")))
+    }
+
+    /// An inclined wall must stay clear of the other end as far up as it goes.
+    pub(super) fn wall_angle(
+        &self,
+        angle_deg: f64,
+        depth: f64,
+        length: f64,
+    ) -> Result<(), ConfigError> {
+        self.range("wall_angle_deg", angle_deg, 30.0, 150.0)?;
+        let reach = WALL_HEIGHT * depth / libm::tan(angle_deg.to_radians());
+        if angle_deg < 90.0 && reach > 0.9 * length {
+            let allowed = format!(
+                "leans over the whole tank: {WALL_HEIGHT} depths up it has come {reach:.2} m of \
+                 {length} m"
+            );
+            return Err(self.error("wall_angle_deg", angle_deg, &allowed));
+        }
+        Ok(())
     }
 }

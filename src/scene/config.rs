@@ -4,9 +4,15 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
+use super::dam_break::DamBreakScene;
 use super::error::ConfigError;
+use super::frame::Frame;
+use super::hydrostatic::HydrostaticScene;
 use super::numerics::{ErrorBars, Numerics, PRESETS};
+use super::probe::Probe;
 use super::seawall::{SeawallScene, WallChoice};
+use super::tank::Tank;
+use crate::math::simd::SimdPath;
 
 /// What is simulated.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -14,10 +20,59 @@ use super::seawall::{SeawallScene, WallChoice};
 pub enum Scene {
     /// A wave tank that ends in a seawall.
     Seawall(SeawallScene),
+    /// Still water in a box.
+    Hydrostatic(HydrostaticScene),
+    /// A column of water that collapses.
+    DamBreak(DamBreakScene),
 }
 
 /// Names that `scene.kind` may take.
-const KINDS: &[&str] = &["seawall"];
+const KINDS: &[&str] = &["hydrostatic", "dam-break", "seawall"];
+
+/// `$body` with `$scene` bound to the scene of whatever kind.
+macro_rules! each {
+    ($scene:expr, $bound:ident => $body:expr) => {
+        match $scene {
+            Scene::Seawall($bound) => $body,
+            Scene::Hydrostatic($bound) => $body,
+            Scene::DamBreak($bound) => $body,
+        }
+    };
+}
+
+impl Scene {
+    /// The seawall's values, where the scene has one.
+    pub fn seawall(&self) -> Option<&SeawallScene> {
+        match self {
+            Scene::Seawall(scene) => Some(scene),
+            _ => None,
+        }
+    }
+
+    /// The name that `scene.kind` gives it.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Scene::Seawall(_) => "seawall",
+            Scene::Hydrostatic(_) => "hydrostatic",
+            Scene::DamBreak(_) => "dam-break",
+        }
+    }
+
+    /// Its scales.
+    pub fn frame(&self) -> Frame {
+        each!(self, scene => scene.frame())
+    }
+
+    /// Fluid particles.
+    pub fn particles(&self, numerics: &Numerics) -> usize {
+        each!(self, scene => scene.lattice(numerics).particles())
+    }
+
+    /// Builds the tank.
+    pub fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
+        each!(self, scene => scene.build(numerics, path))
+    }
+}
 
 /// One case: everything that decides its answer, and nothing else.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -26,6 +81,9 @@ pub struct CaseConfig {
     pub scene: Scene,
     /// How.
     pub numerics: Numerics,
+    /// Gauges, from the file's `[[probe]]` tables.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub probes: Vec<Probe>,
 }
 
 impl CaseConfig {
@@ -34,41 +92,58 @@ impl CaseConfig {
     /// # Errors
     /// The first unknown key, wrong type or value out of range.
     pub fn from_tables(scene: &Table, numerics: &Table) -> Result<CaseConfig, ConfigError> {
-        let config = CaseConfig { scene: read_scene(scene)?, numerics: read_numerics(numerics)? };
+        CaseConfig::with_probes(scene, numerics, &[])
+    }
+
+    /// Reads a case with its `[[probe]]` tables.
+    ///
+    /// # Errors
+    /// The first unknown key, wrong type or value out of range.
+    pub fn with_probes(
+        scene: &Table,
+        numerics: &Table,
+        probes: &[Table],
+    ) -> Result<CaseConfig, ConfigError> {
+        let probes = probes
+            .iter()
+            .map(|table| read_table("probe", table.clone(), &serde_keys::<Probe>()))
+            .collect::<Result<_, _>>()?;
+        let config =
+            CaseConfig { scene: read_scene(scene)?, numerics: read_numerics(numerics)?, probes };
         config.validate()?;
         Ok(config)
     }
 
     fn validate(&self) -> Result<(), ConfigError> {
         self.numerics.validate()?;
-        let Scene::Seawall(scene) = &self.scene;
-        scene.validate()?;
-        let rows = scene.still_water_depth_m / self.numerics.particle_spacing_m;
+        each!(&self.scene, scene => scene.validate())?;
+        let frame = self.scene.frame();
+        let rows = frame.depth / self.numerics.particle_spacing_m;
         if rows < 4.0 {
-            let allowed = format!(
-                "must be at most a quarter of the still water depth ({} m)",
-                scene.still_water_depth_m
-            );
+            let water = match self.scene {
+                Scene::DamBreak(_) => "column height",
+                _ => "still water depth",
+            };
+            let allowed = format!("must be at most a quarter of the {water} ({} m)", frame.depth);
             let spacing = self.numerics.particle_spacing_m;
             return Err(ConfigError::new("numerics.particle_spacing_m", spacing, allowed));
         }
-        Ok(())
+        Probe::validate_all(&self.probes, &frame)
     }
 
     /// The stretch of this case that it shares with all others that differ only in what the wall
     /// does once it moves: the same case with its wall held fixed. `None` for scenes that do not
     /// branch.
     pub fn trunk(&self) -> Option<CaseConfig> {
-        let Scene::Seawall(scene) = &self.scene;
         let scene = SeawallScene {
             wall: WallChoice::Fixed,
             spring_stiffness_n_per_m: None,
             seawall_mass_kg_per_m: None,
             force_coupling: 1.0,
-            ..scene.clone()
+            ..self.scene.seawall()?.clone()
         };
         let numerics = Numerics { retries: 0, ..self.without_error_bars().numerics };
-        Some(CaseConfig { scene: Scene::Seawall(scene), numerics })
+        Some(CaseConfig { scene: Scene::Seawall(scene), numerics, probes: self.probes.clone() })
     }
 
     /// What decides this case's answer.
@@ -108,13 +183,15 @@ fn read_scene(table: &Table) -> Result<Scene, ConfigError> {
     };
     let mut rest = table.clone();
     rest.remove("kind");
-    match kind {
-        "seawall" => {
-            let known = serde_keys::<SeawallScene>();
-            Ok(Scene::Seawall(read_table("scene", rest, &known)?))
-        }
-        _ => unreachable!("the kind was checked above"),
-    }
+    Ok(match kind {
+        "hydrostatic" => Scene::Hydrostatic(read_section(rest)?),
+        "dam-break" => Scene::DamBreak(read_section(rest)?),
+        _ => Scene::Seawall(read_section(rest)?),
+    })
+}
+
+fn read_section<T: DeserializeOwned>(table: Table) -> Result<T, ConfigError> {
+    read_table("scene", table, &serde_keys::<T>())
 }
 
 fn read_numerics(table: &Table) -> Result<Numerics, ConfigError> {
@@ -194,7 +271,7 @@ mod tests {
     #[test]
     fn defaults_are_the_papers_tank() {
         let config = case("", "").unwrap();
-        let Scene::Seawall(scene) = config.scene;
+        let scene = config.scene.seawall().unwrap();
         assert_eq!(scene.still_water_depth_m, 0.2);
         assert_eq!(config.numerics.particle_spacing_m, 0.008);
     }
@@ -223,7 +300,11 @@ mod tests {
                 "preset = \"fast\"",
                 "numerics.preset = \"fast\": must be one of default, huang2019",
             ),
-            ("kind = \"lake\"", "", "scene.kind = \"lake\": must be one of seawall"),
+            (
+                "kind = \"lake\"",
+                "",
+                "scene.kind = \"lake\": must be one of hydrostatic, dam-break, seawall",
+            ),
             (
                 "wave_height_ratio = 0",
                 "",

@@ -6,15 +6,24 @@
 
 mod check;
 mod config;
+mod dam_break;
 mod error;
+mod filling;
+mod frame;
+mod hydrostatic;
 mod numerics;
+mod probe;
 mod seawall;
 mod tank;
 
 pub use config::{CaseConfig, Scene};
+pub use dam_break::{DamBreakScene, InitialDensity};
 pub use error::ConfigError;
+pub use frame::Frame;
+pub use hydrostatic::HydrostaticScene;
 pub use numerics::{
     BoundaryChoice, ErrorBars, GhostGravity, Numerics, PRESETS, Precision, Scheme, Slip,
 };
+pub use probe::{Probe, ProbeKind, Side};
 pub use seawall::{SeawallScene, WallChoice};
 pub use tank::{BED, PADDLE, Tank, WALL};

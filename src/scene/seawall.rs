@@ -38,7 +38,7 @@ pub struct SeawallScene {
     pub paddle_ramp_fraction: f64,
     /// Fixed or spring-mounted wall.
     pub wall: WallChoice,
-    /// Angle of a fixed wall from the bed, degrees; 90 is vertical.
+    /// Angle of a fixed wall from the bed, degrees; 90 is vertical, 120 leans away from the water.
     pub wall_angle_deg: f64,
     /// F_threshold over the hydrostatic force.
     pub threshold_ratio: f64,
@@ -116,10 +116,7 @@ impl SeawallScene {
         if let Some(m) = self.seawall_mass_kg_per_m {
             return Err(check.error("seawall_mass_kg_per_m", m, only_movable));
         }
-        if self.wall_angle_deg != 90.0 {
-            return Err(check.error("wall_angle_deg", self.wall_angle_deg, "only 90 is supported"));
-        }
-        Ok(())
+        check.wall_angle(self.wall_angle_deg, self.still_water_depth_m, self.tank_length_m)
     }
 
     fn validate_movable(&self, check: &Check) -> Result<(), ConfigError> {

@@ -1,29 +1,26 @@
-//! From a seawall scene to particles at rest in a tank.
+//! A tank ready to run, and how a seawall scene becomes one.
 
-use super::numerics::{BoundaryChoice, GhostGravity, Numerics, Slip};
+use super::filling::{Filling, Lattice, still_water};
+use super::frame::Frame;
+use super::numerics::Numerics;
 use super::seawall::{SeawallScene, WallChoice};
 use crate::body::SpringWall;
-use crate::boundary::{ImprovedShepard, InterpolatorChoice, TankLayout, tank_ghosts};
 use crate::math::simd::SimdPath;
-use crate::particles::Fluid;
-use crate::scheme::wcsph::{Wcsph, WcsphOptions};
-use crate::scheme::{Scheme, StateEquation};
+use crate::scheme::Scheme;
 use crate::theory::goring::GoringPiston;
-use crate::theory::hydrostatics::{StillColumn, wall_force};
+use crate::theory::hydrostatics::wall_force;
 
 /// Number of the bed among the bodies.
 pub const BED: usize = 0;
-/// Number of the paddle.
+/// Number of the left wall: the paddle, where there is one.
 pub const PADDLE: usize = 1;
-/// Number of the seawall.
+/// Number of the right wall: the seawall.
 pub const WALL: usize = 2;
 
-/// Walls rise to this many still water depths above the bed.
-const WALL_HEIGHT: f64 = 4.0;
-/// The bed reaches this many still water depths beyond the wall.
+/// The bed reaches this many still water depths beyond a wall that may move.
 const BED_BEYOND: f64 = 12.0;
 
-/// A wave tank, ready to run.
+/// A tank, ready to run.
 #[derive(Debug)]
 pub struct Tank {
     /// The water and its walls, at rest.
@@ -32,32 +29,25 @@ pub struct Tank {
     pub piston: Option<GoringPiston>,
     /// The wall's law; none for a fixed wall.
     pub wall: Option<SpringWall>,
-    /// Hydrostatic force on the wall, N per metre of width.
+    /// Hydrostatic force on the right wall along x, N per metre of width.
     pub static_force: f64,
-    /// F_th, N per metre of width.
-    pub threshold: f64,
-    /// When the run ends, seconds.
-    pub end_time: f64,
+    /// F_th over the hydrostatic force; infinite where there is no threshold.
+    pub threshold_ratio: f64,
+    /// H/h of the wave; 0 for none.
+    pub wave_height_ratio: f64,
+    /// Where the wave height is measured, metres from the left wall; none for no wave.
+    pub wave_gauge: Option<f64>,
+    /// Speed of a front that may hit a wall at once, m/s; 0 for none.
+    pub front_speed: f64,
     /// c0, m/s.
     pub sound_speed: f64,
     /// Particle spacing along the bed, metres.
     pub spacing: f64,
-}
-
-/// Whole columns and rows, and the spacings that make them fill the water exactly.
-fn lattice(scene: &SeawallScene, numerics: &Numerics) -> (usize, usize, f64, f64) {
-    let columns = (scene.tank_length_m / numerics.particle_spacing_m).round().max(1.0);
-    let rows = (scene.still_water_depth_m / numerics.particle_spacing_m).round().max(1.0);
-    let (dx, dy) = (scene.tank_length_m / columns, scene.still_water_depth_m / rows);
-    (columns as usize, rows as usize, dx, dy)
+    /// Scales of the scene.
+    pub frame: Frame,
 }
 
 impl SeawallScene {
-    /// c0, m/s.
-    pub fn sound_speed(&self, numerics: &Numerics) -> f64 {
-        numerics.sound_speed_ratio * (self.gravity_m_per_s2 * self.still_water_depth_m).sqrt()
-    }
-
     /// The paddle's law; none for still water.
     pub fn piston(&self) -> Option<GoringPiston> {
         (self.wave_height_ratio > 0.0).then(|| {
@@ -71,7 +61,7 @@ impl SeawallScene {
     }
 
     /// When the run ends, seconds.
-    pub fn end_time(&self) -> f64 {
+    fn end_time(&self) -> f64 {
         let after_stroke =
             |piston: GoringPiston| piston.stroke_centre() + self.end_after_stroke_centre_s;
         self.end_time_s
@@ -79,78 +69,39 @@ impl SeawallScene {
             .unwrap_or(self.end_after_stroke_centre_s)
     }
 
-    /// Time step, seconds: bounded by c0 Δt/Δx and by `time_step_s`.
-    pub fn time_step(&self, numerics: &Numerics) -> f64 {
-        let bound =
-            numerics.courant_number * numerics.particle_spacing_m / self.sound_speed(numerics);
-        numerics.time_step_s.map_or(bound, |step| step.min(bound))
+    pub(super) fn frame(&self) -> Frame {
+        Frame {
+            length: self.tank_length_m,
+            depth: self.still_water_depth_m,
+            gravity: self.gravity_m_per_s2,
+            density: self.water_density_kg_per_m3,
+            end_time: self.end_time(),
+            history_interval: self.history_interval_s,
+        }
     }
 
-    /// Fluid particles.
-    pub fn particles(&self, numerics: &Numerics) -> usize {
-        let (columns, rows, ..) = lattice(self, numerics);
-        columns * rows
+    pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {
+        Lattice::new(
+            [self.tank_length_m, self.still_water_depth_m],
+            numerics.particle_spacing_m,
+            self.wall_angle_deg,
+        )
     }
 
     /// Builds the tank: a lattice of particles in hydrostatic balance between ghost walls.
-    pub fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
-        let (columns, rows, dx, dy) = lattice(self, numerics);
-        let (depth, gravity) = (self.still_water_depth_m, self.gravity_m_per_s2);
-        let sound_speed = self.sound_speed(numerics);
-        let still = StillColumn::new(depth, self.water_density_kg_per_m3, gravity, sound_speed);
-        let state = StateEquation {
-            choice: numerics.state_equation,
-            surface_density: still.surface_density,
-            sound_speed,
-        };
-        let options = WcsphOptions {
-            kernel: numerics.kernel,
-            support_radius: numerics.support_radius_ratio * dx,
-            spacing: dx,
-            state,
-            density: self.water_density_kg_per_m3,
-            gravity,
-            corrected_gradients: numerics.corrected_gradients,
-            density_diffusion: numerics.density_diffusion,
-            diffusion_coefficient: numerics.density_diffusion_coefficient,
-            artificial_viscosity: numerics.artificial_viscosity,
-            shifting: numerics.shifting,
-            shifting_coefficient: numerics.shifting_coefficient,
-        };
-        let points = (0..columns).flat_map(|column| {
-            (0..rows).map(move |row| {
-                let (x, y) = ((column as f64 + 0.5) * dx, (row as f64 + 0.5) * dy);
-                let density = still.density(y);
-                [
-                    x,
-                    y,
-                    state.density(sound_speed * sound_speed * (density - still.surface_density)),
-                    density * dx * dy,
-                ]
-            })
-        });
-        let layout = TankLayout {
-            length: self.tank_length_m,
-            spacing_x: dx,
-            spacing_y: dy,
-            support_radius: options.support_radius,
-            wall_height: WALL_HEIGHT * depth,
+    pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
+        let frame = self.frame();
+        let filling = Filling {
+            wall_angle_deg: self.wall_angle_deg,
             // The same for a fixed wall, so that both share a trunk to the bit.
-            bed_beyond_wall: BED_BEYOND * depth,
+            bed_beyond_wall: if self.wall_angle_deg == 90.0 {
+                BED_BEYOND * frame.depth
+            } else {
+                0.0
+            },
+            ..still_water(&frame, self.lattice(numerics), numerics)
         };
-        let ghosts = tank_ghosts(&layout, Wcsph::strip_width(dx));
-        let BoundaryChoice::ImprovedShepard = numerics.boundary;
-        let interpolator = InterpolatorChoice::ImprovedShepard(ImprovedShepard {
-            lambda: numerics.shepard_lambda,
-            sigma: numerics.shepard_sigma,
-        });
-        let rules = Wcsph::exchange_rules(
-            &options,
-            interpolator,
-            numerics.ghost_gravity == GhostGravity::InSum,
-            numerics.slip == Slip::No,
-        );
-        let static_force = wall_force(depth, self.water_density_kg_per_m3, gravity);
+        let static_force = wall_force(frame.depth, frame.density, frame.gravity);
         let threshold = self.threshold_ratio * static_force;
         let wall = match (self.wall, self.seawall_mass_kg_per_m, self.spring_stiffness_n_per_m) {
             (WallChoice::Movable, Some(mass), Some(stiffness)) => {
@@ -159,14 +110,17 @@ impl SeawallScene {
             _ => None,
         };
         Tank {
-            water: Box::new(Wcsph::new(options, rules, Fluid::at_rest(points), ghosts, WALL, path)),
+            water: filling.water(&frame, numerics, path),
             piston: self.piston(),
             wall,
             static_force,
-            threshold,
-            end_time: self.end_time(),
-            sound_speed,
-            spacing: dx,
+            threshold_ratio: self.threshold_ratio,
+            wave_height_ratio: self.wave_height_ratio,
+            wave_gauge: Some(self.wave_gauge_m),
+            front_speed: 0.0,
+            sound_speed: frame.sound_speed(numerics),
+            spacing: filling.lattice.spacing[0],
+            frame,
         }
     }
 }

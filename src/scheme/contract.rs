@@ -7,6 +7,8 @@ use serde::{Deserialize, Serialize};
 use super::StateEquation;
 use super::wcsph::WcsphState;
 use crate::body::BodyMotion;
+use crate::boundary::Ghosts;
+use crate::kernel::KernelChoice;
 use crate::particles::Fluid;
 
 /// Force of the water on a body, at the current places.
@@ -68,6 +70,15 @@ pub enum SchemeState {
 pub trait Scheme: Debug + Send {
     /// The water.
     fn fluid(&self) -> &Fluid;
+
+    /// The bodies' faces and ghosts.
+    fn walls(&self) -> &Ghosts;
+
+    /// Smoothing kernel and its support radius, metres.
+    fn kernel(&self) -> (KernelChoice, f64);
+
+    /// Pressures of the particles at the last [`Scheme::prepare`], Pa.
+    fn pressures(&self) -> &[f64];
 
     /// The state equation; none where the water is incompressible.
     fn state_equation(&self) -> Option<&StateEquation>;

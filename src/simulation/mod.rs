@@ -1,23 +1,31 @@
 //! One case from start to end: [`run_case`], or its shared first stretch: [`run_trunk`].
 
+mod cavity;
 mod checkpoint;
+mod collapse;
+mod ending;
 mod energy;
 mod failure;
 mod gauge;
 mod health;
 mod measures;
 mod outcome;
+mod probes;
+mod readings;
 mod run;
+mod sounding;
 mod window;
 
 pub use failure::{Failure, FailureKind, Stopped};
 pub use health::HealthMargins;
 pub use outcome::{
-    CaseResult, EnergyBudget, HistoryRow, Maximum, Outcome, PhaseShare, ProbeTable, TrunkResult,
+    CaseResult, EnergyBudget, HistoryRow, Maximum, NamedReading, Outcome, PhaseShare, ProbeColumn,
+    ProbeTable, TrunkResult,
 };
 
 use crate::math::simd::SimdPath;
-use crate::scene::{CaseConfig, Scene};
+use crate::scene::CaseConfig;
+use crate::theory::goring::GoringPiston;
 use run::Run;
 
 /// Watches a run and may end it.
@@ -50,17 +58,16 @@ pub struct Cost {
 
 /// Estimates a case's cost.
 pub fn cost(config: &CaseConfig) -> Cost {
-    let Scene::Seawall(scene) = &config.scene;
+    let (scene, frame) = (&config.scene, config.scene.frame());
     let particles = scene.particles(&config.numerics) as u64;
-    let end = scene.end_time();
-    let steps = (end / scene.time_step(&config.numerics)).ceil() as u64;
+    let end = frame.end_time;
+    let steps = (end / frame.time_step(&config.numerics)).ceil() as u64;
     // The front reaches the wall when the crest, made at the stroke's centre, has come about 0.6 of
     // the way; a guess that only has to rank cases.
-    let onset = scene.piston().map_or(0.0, |piston| {
-        let celerity =
-            (scene.gravity_m_per_s2 * scene.still_water_depth_m * (1.0 + scene.wave_height_ratio))
-                .sqrt();
-        piston.stroke_centre() + 0.6 * scene.tank_length_m / celerity
+    let onset = scene.seawall().map_or(0.0, |scene| {
+        let celerity = (frame.gravity * frame.depth * (1.0 + scene.wave_height_ratio)).sqrt();
+        let arrival = |piston: GoringPiston| piston.stroke_centre() + 0.6 * frame.length / celerity;
+        scene.piston().map_or(0.0, arrival)
     });
     Cost {
         particles,

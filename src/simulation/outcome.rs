@@ -119,12 +119,41 @@ pub struct EnergyBudget {
 /// Values of gauges over time: `probes/<case_id>.csv`.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct ProbeTable {
-    /// Column names without `time_s`.
-    pub names: Vec<String>,
+    /// Columns without `time_s`.
+    pub columns: Vec<ProbeColumn>,
     /// Times, seconds.
     pub time_s: Vec<f64>,
-    /// One row of values per time, in the order of `names`.
+    /// One row of values per time, in the order of `columns`.
     pub rows: Vec<Vec<f64>>,
+}
+
+/// One gauge's column.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct ProbeColumn {
+    /// Its name.
+    pub name: String,
+    /// Unit of its values.
+    pub unit: String,
+    /// How and where it measures.
+    pub method: String,
+}
+
+/// A number of a finished case that has no column in the summary: `readings/<case_id>.csv`.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct NamedReading {
+    /// What it is.
+    pub name: String,
+    /// Its value.
+    pub value: f64,
+    /// Its unit.
+    pub unit: String,
+}
+
+impl NamedReading {
+    /// A reading.
+    pub fn new(name: &str, value: f64, unit: &str) -> NamedReading {
+        NamedReading { name: name.to_owned(), value, unit: unit.to_owned() }
+    }
 }
 
 /// Share of the run's time spent in a phase, for the human eye: never part of an identity.
@@ -145,6 +174,8 @@ pub struct CaseResult {
     pub history: Vec<HistoryRow>,
     /// Gauges, where the scene has any.
     pub probes: Option<ProbeTable>,
+    /// What else the scene tells: of its probes, of a collapsing column.
+    pub readings: Vec<NamedReading>,
     /// The energy budget.
     pub energy: EnergyBudget,
     /// Where the time went.

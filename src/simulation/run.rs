@@ -3,15 +3,18 @@
 use serde::{Deserialize, Serialize};
 
 use super::Monitor;
+use super::collapse::Collapse;
 use super::energy::{Ledger, WaterEnergy};
 use super::failure::{Failure, FailureKind, Stopped};
 use super::gauge::CrestGauge;
 use super::health::{HealthBounds, HealthState, Vitals};
 use super::measures::{Measures, Reading};
-use super::outcome::{CaseResult, HistoryRow, Outcome, PhaseShare};
+use super::outcome::{HistoryRow, ProbeTable};
+use super::probes;
+use super::sounding::Sounding;
 use crate::body::{BodyMotion, SpringWall, WallStep};
 use crate::math::simd::SimdPath;
-use crate::scene::{CaseConfig, PADDLE, Scene, SeawallScene, Tank, WALL};
+use crate::scene::{CaseConfig, PADDLE, Scene, Tank, WALL};
 use crate::scheme::{SchemeState, StepError, StepWalls};
 
 /// Samples of the history between two checks of health and of the monitor.
@@ -35,12 +38,13 @@ pub(super) struct RunState {
     gauge_at_rest: Option<f64>,
     worst_gap: f64,
     health: HealthState,
+    probes: Option<ProbeTable>,
 }
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-struct Clock {
-    time: f64,
-    steps: u64,
+pub(super) struct Clock {
+    pub(super) time: f64,
+    pub(super) steps: u64,
     samples: u64,
 }
 
@@ -55,48 +59,59 @@ pub(super) enum Reached {
 
 /// A tank under way.
 pub(super) struct Run {
-    tank: Tank,
-    scene: SeawallScene,
-    time_step: f64,
-    bounds: HealthBounds,
-    clock: Clock,
-    measures: Measures,
-    gauge: CrestGauge,
-    ledger: Ledger,
-    history: Vec<HistoryRow>,
-    level_at_rest: Option<f64>,
-    gauge_at_rest: Option<f64>,
-    worst_gap: f64,
-    health: HealthState,
+    pub(super) tank: Tank,
+    pub(super) config: CaseConfig,
+    pub(super) collapse: Option<Collapse>,
+    pub(super) time_step: f64,
+    pub(super) bounds: HealthBounds,
+    pub(super) clock: Clock,
+    pub(super) measures: Measures,
+    pub(super) gauge: CrestGauge,
+    pub(super) ledger: Ledger,
+    pub(super) history: Vec<HistoryRow>,
+    pub(super) level_at_rest: Option<f64>,
+    pub(super) gauge_at_rest: Option<f64>,
+    pub(super) worst_gap: f64,
+    pub(super) health: HealthState,
+    pub(super) probes: Option<ProbeTable>,
 }
 
 impl Run {
     /// A tank at rest.
     pub fn start(config: &CaseConfig, path: SimdPath) -> Run {
-        let Scene::Seawall(scene) = &config.scene;
-        let tank = scene.build(&config.numerics, path);
-        let (depth, gravity) = (scene.still_water_depth_m, scene.gravity_m_per_s2);
+        let tank = config.scene.build(&config.numerics, path);
+        let frame = tank.frame;
+        let (depth, gravity) = (frame.depth, frame.gravity);
         let start = WaterEnergy::of(tank.water.as_ref(), gravity);
-        // A drop from the highest conceivable runup, twice over; compression scales with g h/c0².
-        let speed = 2.0 * (2.0 * gravity * depth * (1.0 + 4.0 * scene.wave_height_ratio)).sqrt();
+        // A drop from the highest conceivable runup, twice over; compression scales with g h/c0²
+        // and, where a front hits a wall, with its speed over c0.
+        let speed = 2.0 * (2.0 * gravity * depth * (1.0 + 4.0 * tank.wave_height_ratio)).sqrt();
         let bounds = HealthBounds {
             speed,
-            density_change: 20.0 * gravity * depth / (tank.sound_speed * tank.sound_speed),
+            density_change: 20.0 * gravity * depth / (tank.sound_speed * tank.sound_speed)
+                + 2.0 * tank.front_speed / tank.sound_speed,
             surface_density: tank
                 .water
                 .state_equation()
-                .map_or(scene.water_density_kg_per_m3, |state| state.surface_density),
+                .map_or(frame.density, |state| state.surface_density),
             lost_share: 0.02,
             clustered_share: 0.25,
             force_gap: 0.5,
             energy_growth: 0.25,
             energy_floor: 0.01 * start.potential.abs(),
         };
+        let collapse = match &config.scene {
+            Scene::DamBreak(scene) => {
+                let length = scene.column_length_m;
+                Some(Collapse::new(frame, length, tank.spacing, tank.water.fluid()))
+            }
+            _ => None,
+        };
         Run {
-            time_step: scene.time_step(&config.numerics),
+            time_step: frame.time_step(&config.numerics),
             bounds,
             clock: Clock::default(),
-            measures: Measures::new(scene.threshold_ratio, depth, gravity),
+            measures: Measures::new(tank.threshold_ratio, depth, gravity),
             gauge: CrestGauge::default(),
             ledger: Ledger::open(start),
             history: Vec::new(),
@@ -104,7 +119,9 @@ impl Run {
             gauge_at_rest: None,
             worst_gap: 0.0,
             health: HealthState::default(),
-            scene: scene.clone(),
+            probes: probes::table(&config.probes),
+            collapse,
+            config: config.clone(),
             tank,
         }
     }
@@ -124,6 +141,7 @@ impl Run {
         self.gauge_at_rest = state.gauge_at_rest;
         self.worst_gap = state.worst_gap;
         self.health = state.health;
+        self.probes = state.probes;
     }
 
     /// All that is needed to go on.
@@ -140,6 +158,7 @@ impl Run {
             gauge_at_rest: self.gauge_at_rest,
             worst_gap: self.worst_gap,
             health: self.health,
+            probes: self.probes.clone(),
         }
     }
 
@@ -157,8 +176,8 @@ impl Run {
     ) -> Result<Reached, Stopped> {
         loop {
             let time = self.clock.time;
-            let last = time >= self.tank.end_time * (1.0 - 1e-12);
-            let interval = self.scene.history_interval_s;
+            let last = time >= self.tank.frame.end_time * (1.0 - 1e-12);
+            let interval = self.tank.frame.history_interval;
             let sample = last || time >= interval * self.clock.samples as f64 * (1.0 - 1e-12);
             let bodies = self.motions();
             let dt = self.next_step();
@@ -172,7 +191,7 @@ impl Run {
                     .failure(FailureKind::NotANumber, "the wall's force".into())
                     .into());
             }
-            if until_onset && load.force > self.tank.threshold {
+            if until_onset && load.force > self.tank.threshold_ratio * self.tank.static_force {
                 return Ok(Reached::Onset);
             }
             let before = self.tank.wall;
@@ -186,7 +205,7 @@ impl Run {
             }
             if sample && self.clock.samples.is_multiple_of(SAMPLES_PER_CHECK) {
                 self.check_health(&bodies)?;
-                monitor.progress(time / self.tank.end_time);
+                monitor.progress(time / self.tank.frame.end_time);
                 if monitor.cancelled() {
                     return Err(Stopped::Interrupted);
                 }
@@ -219,8 +238,8 @@ impl Run {
         if wall.displacement == 0.0 {
             return self.time_step;
         }
-        let depth = self.scene.still_water_depth_m * (1.0 + self.measures.last[1].max(0.0));
-        let impedance = self.scene.water_density_kg_per_m3 * self.tank.sound_speed * depth;
+        let depth = self.tank.frame.depth * (1.0 + self.measures.last[1].max(0.0));
+        let impedance = self.tank.frame.density * self.tank.sound_speed * depth;
         self.time_step.min(WALL_COURANT * wall.mass / impedance)
     }
 
@@ -233,7 +252,7 @@ impl Run {
         bodies: &[BodyMotion; 3],
         acceleration: f64,
     ) -> Result<(), Stopped> {
-        let depth = self.scene.still_water_depth_m;
+        let depth = self.tank.frame.depth;
         let time = self.clock.time;
         let level = self.tank.water.level_at(WALL);
         let at_rest = *self.level_at_rest.get_or_insert(level);
@@ -251,7 +270,7 @@ impl Run {
             return Ok(());
         }
         self.clock.samples += 1;
-        while self.scene.history_interval_s * self.clock.samples as f64 <= time {
+        while self.tank.frame.history_interval * self.clock.samples as f64 <= time {
             self.clock.samples += 1;
         }
         self.history.push(HistoryRow {
@@ -261,9 +280,20 @@ impl Run {
             displacement: displacement.unwrap_or(0.0),
             wall_velocity_m_per_s: wall.map_or(0.0, |wall| wall.velocity),
         });
-        let crest = self.tank.water.level_in_water(self.scene.wave_gauge_m, 0.5 * depth);
-        let at_rest = *self.gauge_at_rest.get_or_insert(crest);
-        self.gauge.push((crest - at_rest) / depth);
+        if let Some(gauge) = self.tank.wave_gauge {
+            let crest = self.tank.water.level_in_water(gauge, 0.5 * depth);
+            let at_rest = *self.gauge_at_rest.get_or_insert(crest);
+            self.gauge.push((crest - at_rest) / depth);
+        }
+        if let Some(table) = &mut self.probes {
+            let scales = (self.tank.frame.gravity, self.tank.spacing, self.tank.frame.density);
+            let water = Sounding::new(self.tank.water.as_ref(), bodies, scales);
+            table.time_s.push(time);
+            table.rows.push(probes::read(&self.config.probes, &water, 4.0 * depth));
+        }
+        if let Some(collapse) = &mut self.collapse {
+            collapse.sample(time, self.tank.water.fluid());
+        }
         let motion = BodyMotion { acceleration, ..bodies[WALL] };
         let face = self.tank.water.face_force(WALL, &motion);
         let gap = 100.0 * (face - force).abs() / force.abs().max(self.tank.static_force);
@@ -293,6 +323,10 @@ impl Run {
         bodies[PADDLE].velocity = paddle_travel / dt;
         bodies[WALL].velocity = wall_step.map_or(0.0, |step| step.travel) / dt;
         let paddle_force = self.tank.water.load(PADDLE).force;
+        if let Some(collapse) = &mut self.collapse {
+            let on_walls = (0..bodies.len()).map(|body| self.tank.water.load(body).force);
+            collapse.push(on_walls.sum(), dt);
+        }
         let wall = self.tank.wall.as_ref().zip(wall_step).map(|(law, step)| (law, force, step));
         self.ledger.book_walls((paddle_force, paddle_travel), wall);
         let walls = StepWalls {
@@ -307,14 +341,14 @@ impl Run {
 
     fn check_health(&mut self, bodies: &[BodyMotion; 3]) -> Result<(), Failure> {
         let room = self.tank.spacing;
-        let now = WaterEnergy::of(self.tank.water.as_ref(), self.scene.gravity_m_per_s2);
+        let now = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
         let energy = self.ledger.close(now, self.tank.wall.as_ref());
         let vitals = Vitals {
             time_s: self.clock.time,
             extent: [
                 bodies[PADDLE].offset - room,
-                self.scene.tank_length_m + bodies[WALL].offset + room,
-                4.0 * self.scene.still_water_depth_m,
+                self.tank.frame.length + bodies[WALL].offset + room,
+                4.0 * self.tank.frame.depth,
             ],
             spacing: self.tank.spacing,
             energy_residual: energy.residual(),
@@ -333,57 +367,5 @@ impl Run {
             StepError::SolverDiverged { .. } => FailureKind::SolverDiverged,
         };
         self.failure(kind, error.to_string())
-    }
-
-    /// The results of a run that has reached its end.
-    pub fn result(self) -> CaseResult {
-        let water = &self.tank.water;
-        let gravity = self.scene.gravity_m_per_s2;
-        let now = WaterEnergy::of(water.as_ref(), gravity);
-        let energy = self.ledger.close(now, self.tank.wall.as_ref());
-        let scale = if self.tank.piston.is_some() {
-            energy.paddle_work.abs()
-        } else {
-            self.ledger.start.potential
-        };
-        let m = &self.measures;
-        let wall = self.tank.wall.as_ref();
-        let zero = super::outcome::Maximum { value: 0.0, time_s: 0.0 };
-        let outcome = Outcome {
-            measured_wave_height_ratio: self.gauge.crest(),
-            force_max: m.force.unwrap_or(zero),
-            runup_max: m.runup.unwrap_or(zero),
-            displacement_max: m.displacement,
-            first_force_max: m.first_force,
-            first_runup_max: m.first_runup,
-            first_displacement_max: m.first_displacement,
-            first_force_peak: m.force_peak(),
-            first_runup_peak: m.runup_peak(),
-            force_max_raw: m.force_raw,
-            force_end: m.last[0],
-            runup_end: m.last[1],
-            displacement_end: wall.map(|_| m.last[2]),
-            onset_time_s: m.onset,
-            stroke_centre_s: self.tank.piston.as_ref().map(|piston| piston.stroke_centre()),
-            displacement_truncated: wall.map(|_| {
-                m.displacement
-                    .is_some_and(|x| x.value > 0.0 && x.time_s >= self.clock.time - self.time_step)
-            }),
-            stops: wall.map(|wall| wall.stops),
-            force_gap_percent: self.worst_gap,
-            energy_gap_percent: 100.0 * energy.residual() / scale,
-            particles_lost: self.health.lost,
-            health: self.health.margins,
-            recovered: None,
-            steps: self.clock.steps,
-            particles: water.fluid().len() as u32,
-            pair_evaluations: water.pair_evaluations(),
-        };
-        let phases = water
-            .phases()
-            .into_iter()
-            .map(|(phase, seconds)| PhaseShare { phase: phase.to_owned(), seconds })
-            .collect();
-        CaseResult { outcome, history: self.history, probes: None, energy, phases }
     }
 }

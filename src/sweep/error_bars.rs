@@ -17,7 +17,7 @@
 //! A bar is absolute, in the reading's own unit, and holds for about nine cases in ten:
 //! `results/accuracy/coverage.md` has what was measured.
 
-use crate::scene::{CaseConfig, Scene};
+use crate::scene::CaseConfig;
 use crate::simulation::{Maximum, Outcome};
 
 /// Order p of force and displacement: measured 1.2 and more on fixed walls, less under breaking.
@@ -50,7 +50,8 @@ impl ErrorBars {
         outcome: &Outcome,
         companions: &[(&CaseConfig, &Outcome)],
     ) -> ErrorBars {
-        let Scene::Seawall(scene) = &config.scene;
+        // Other scenes have none of these readings.
+        let Some(scene) = config.scene.seawall() else { return ErrorBars::default() };
         let depth = scene.still_water_depth_m;
         let spacing = config.numerics.particle_spacing_m;
         let ratio = |other: &CaseConfig| other.numerics.particle_spacing_m / spacing;

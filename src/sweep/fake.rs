@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use super::case::CaseId;
 use super::runner::Runner;
-use crate::scene::{CaseConfig, Scene, WallChoice};
+use crate::scene::{CaseConfig, WallChoice};
 use crate::simulation::{
     CaseResult, Cost, EnergyBudget, Failure, FailureKind, HealthMargins, HistoryRow, Maximum,
     Monitor, Outcome, PhaseShare, Stopped, TrunkResult,
@@ -93,8 +93,7 @@ impl Runner for FakeRunner {
 fn made_up(config: &CaseConfig) -> CaseResult {
     let id = CaseId::of(config).to_string();
     let number = u64::from_str_radix(&id, 16).unwrap_or(1) as f64 / u64::MAX as f64;
-    let Scene::Seawall(scene) = &config.scene;
-    let movable = scene.wall == WallChoice::Movable;
+    let movable = config.scene.seawall().is_some_and(|scene| scene.wall == WallChoice::Movable);
     let maximum = |value| Maximum { value, time_s: number };
     let outcome = Outcome {
         measured_wave_height_ratio: Some(number),
@@ -134,6 +133,7 @@ fn made_up(config: &CaseConfig) -> CaseResult {
         outcome,
         history: (0..20).map(row).collect(),
         probes: None,
+        readings: Vec::new(),
         energy: EnergyBudget { paddle_work: 43.0, kinetic: 43.0 * number, ..Default::default() },
         phases: vec![PhaseShare { phase: "made up".to_owned(), seconds: 0.0 }],
     }

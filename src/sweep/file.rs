@@ -16,13 +16,15 @@ pub struct SweepFile {
     pub scene: Table,
     /// `[numerics]`.
     pub numerics: Table,
+    /// The `[[probe]]` tables.
+    pub probes: Vec<Table>,
     /// `[grid]`, in the order of the file; empty for a file that describes a single scene.
     pub grid: Vec<Axis>,
     /// The file as written.
     pub text: String,
 }
 
-const KEYS: [&str; 4] = ["name", "scene", "numerics", "grid"];
+const KEYS: [&str; 5] = ["name", "scene", "numerics", "probe", "grid"];
 
 impl SweepFile {
     /// Reads a file's text and puts the command line's values into it.
@@ -44,6 +46,7 @@ impl SweepFile {
             name,
             scene: table(&file, "scene")?,
             numerics: table(&file, "numerics")?,
+            probes: tables(&file, "probe")?,
             grid: grid?,
             text: text.to_owned(),
         })
@@ -97,6 +100,19 @@ fn table(file: &Table, key: &str) -> Result<Table, ConfigError> {
     }
 }
 
+fn tables(file: &Table, key: &str) -> Result<Vec<Table>, ConfigError> {
+    let wrong = |value: &Value| {
+        ConfigError::new(key, value, format!("must be an array of tables: [[{key}]]"))
+    };
+    match file.get(key) {
+        None => Ok(Vec::new()),
+        Some(Value::Array(values)) => {
+            values.iter().map(|value| value.as_table().cloned().ok_or(wrong(value))).collect()
+        }
+        Some(other) => Err(wrong(other)),
+    }
+}
+
 fn syntax_error(text: &str, error: &toml::de::Error) -> ConfigError {
     let before = error.span().and_then(|span| text.get(..span.start)).unwrap_or_default();
     let line = before.matches('\n').count() + 1;
@@ -122,6 +138,7 @@ mod tests {
             ("[grid]\nx = [1]", "name: is required"),
             ("name = \"a b\"", "name = \"a b\": must be a word"),
             ("name = \"..\"", "name = \"..\": must be a word"),
+            ("name = \"a\"\n[probe]\nname = \"P\"", "probe = "),
             ("name = \"a\"\nscene = 3", "scene = 3: must be a table"),
             ("name = \"a\"\n[grid\n", "line 2: "),
             ("name = \"a\"\nname = \"b\"", "line 2: duplicate key"),

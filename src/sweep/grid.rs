@@ -71,8 +71,8 @@ fn point(
         assignments[place] = Some(value.clone());
     }
     let collapsed = drop_meaningless(file, &mut scene, &mut assignments);
-    let config =
-        CaseConfig::from_tables(&scene, &numerics).map_err(|error| blame_axis(file, error))?;
+    let config = CaseConfig::with_probes(&scene, &numerics, &file.probes)
+        .map_err(|error| blame_axis(file, error))?;
     Ok((Case { index, id: CaseId::of(&config), config, assignments }, collapsed))
 }
 

@@ -6,7 +6,9 @@ use serde::{Deserialize, Serialize};
 
 use super::case::{Case, CaseId};
 use super::study::Study;
-use crate::simulation::{CaseResult, EnergyBudget, Failure, FailureKind, Outcome, PhaseShare};
+use crate::simulation::{
+    CaseResult, EnergyBudget, Failure, FailureKind, NamedReading, Outcome, PhaseShare,
+};
 
 /// One finished case: a journal line.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -25,6 +27,9 @@ pub struct CaseRecord {
     pub outcome: Option<Outcome>,
     /// The energy budget, where the case is well.
     pub energy: Option<EnergyBudget>,
+    /// What else the scene told, where the case is well.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub readings: Vec<NamedReading>,
     /// Where the time went; a trunk's time is not included.
     pub phases: Vec<PhaseShare>,
     /// Wall time, seconds; a trunk's is not included.
@@ -51,6 +56,7 @@ impl CaseRecord {
             reason: String::new(),
             outcome: None,
             energy: None,
+            readings: Vec::new(),
             phases: Vec::new(),
             wall_time_s,
             host: host.to_owned(),
@@ -60,6 +66,7 @@ impl CaseRecord {
                 record.outcome = Some(result.outcome.clone());
                 record.reason = one_line(result.outcome.recovered.as_deref().unwrap_or_default());
                 record.energy = Some(result.energy);
+                record.readings.clone_from(&result.readings);
                 record.phases.clone_from(&result.phases);
                 if let Err(detail) = record.round_trips() {
                     record.fail(FailureKind::NotANumber, detail);
@@ -80,6 +87,7 @@ impl CaseRecord {
         self.reason = one_line(&reason);
         self.outcome = None;
         self.energy = None;
+        self.readings = Vec::new();
         self.phases = Vec::new();
     }
 

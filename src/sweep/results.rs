@@ -7,16 +7,23 @@ use super::atomic_file;
 use super::case::CaseId;
 use super::error::SweepError;
 use super::number;
-use crate::simulation::{CaseResult, HistoryRow, ProbeTable};
+use crate::simulation::{CaseResult, HistoryRow, NamedReading, ProbeColumn, ProbeTable};
 
 const HISTORIES: &str = "histories";
 const PROBES: &str = "probes";
+const READINGS: &str = "readings";
 
 /// Writes what a case leaves besides its journal line.
 pub(super) fn write(directory: &Path, id: CaseId, result: &CaseResult) -> Result<(), SweepError> {
     write_one(&directory.join(HISTORIES), id, &history(&result.history))?;
     if let Some(probes) = &result.probes {
-        write_one(&directory.join(PROBES), id, &probe_table(probes))?;
+        let folder = directory.join(PROBES);
+        write_one(&folder, id, &probe_table(probes))?;
+        // The same for all cases of a file.
+        atomic_file::write(&folder.join("columns.csv"), probe_columns(probes).as_bytes())?;
+    }
+    if !result.readings.is_empty() {
+        write_one(&directory.join(READINGS), id, &reading_table(&result.readings))?;
     }
     Ok(())
 }
@@ -28,7 +35,7 @@ pub(super) fn is_there(directory: &Path, id: CaseId) -> bool {
 
 /// Makes the files of all cases durable.
 pub(super) fn sync(directory: &Path) -> Result<(), SweepError> {
-    for folder in [HISTORIES, PROBES] {
+    for folder in [HISTORIES, PROBES, READINGS] {
         let path = directory.join(folder);
         if path.is_dir() {
             atomic_file::sync_directory(&path)?;
@@ -39,7 +46,8 @@ pub(super) fn sync(directory: &Path) -> Result<(), SweepError> {
 
 /// Removes what a killed process left half written.
 pub(super) fn clean(directory: &Path) -> Result<(), SweepError> {
-    for path in [directory.to_owned(), directory.join(HISTORIES), directory.join(PROBES)] {
+    let folders = [HISTORIES, PROBES, READINGS].map(|name| directory.join(name));
+    for path in std::iter::once(directory.to_owned()).chain(folders) {
         let Ok(entries) = fs::read_dir(&path) else { continue };
         for entry in entries.flatten() {
             if entry.file_name().to_string_lossy().ends_with(atomic_file::TEMPORARY) {
@@ -67,13 +75,31 @@ fn history(rows: &[HistoryRow]) -> String {
 
 fn probe_table(probes: &ProbeTable) -> String {
     let mut text = "time_s".to_owned();
-    for name in &probes.names {
+    for column in &probes.columns {
         text.push(',');
-        text.push_str(name);
+        text.push_str(&column.name);
     }
     text.push('\n');
     for (time, row) in probes.time_s.iter().zip(&probes.rows) {
         push_row(&mut text, std::iter::once(*time).chain(row.iter().copied()));
+    }
+    text
+}
+
+/// What a column of the probes' tables holds.
+fn probe_columns(probes: &ProbeTable) -> String {
+    let mut text = "name,unit,method\n".to_owned();
+    for ProbeColumn { name, unit, method } in &probes.columns {
+        text.push_str(&format!("{name},{unit},{method}\n"));
+    }
+    text
+}
+
+fn reading_table(readings: &[NamedReading]) -> String {
+    let mut text = "name,value,unit\n".to_owned();
+    for reading in readings {
+        let value = number::text(reading.value);
+        text.push_str(&format!("{},{value},{}\n", reading.name, reading.unit));
     }
     text
 }
@@ -95,11 +121,15 @@ mod tests {
     #[test]
     fn probes_have_a_column_each() {
         let probes = ProbeTable {
-            names: vec!["p1".into(), "level".into()],
+            columns: vec![
+                ProbeColumn { name: "p1".into(), unit: "Pa".into(), method: "here".into() },
+                ProbeColumn { name: "level".into(), unit: "m".into(), method: "there".into() },
+            ],
             time_s: vec![0.0, 0.005],
             rows: vec![vec![1.5, 0.1], vec![2.0, 0.30000000000000004]],
         };
         let text = probe_table(&probes);
+        assert_eq!(probe_columns(&probes), "name,unit,method\np1,Pa,here\nlevel,m,there\n");
         assert_eq!(text, "time_s,p1,level\n0,1.5,0.1\n0.005,2,0.30000000000000004\n");
     }
 }

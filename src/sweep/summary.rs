@@ -11,7 +11,7 @@ use super::error_bars::ErrorBars;
 use super::number;
 use super::record::CaseRecord;
 use super::study::Study;
-use crate::scene::{CaseConfig, Scene, SeawallScene, WallChoice};
+use crate::scene::{CaseConfig, SeawallScene, WallChoice};
 use crate::simulation::{Maximum, Outcome};
 
 /// One column: its name and its text for a case.
@@ -24,14 +24,14 @@ struct Row<'a> {
 }
 
 impl Row<'_> {
-    fn scene(&self) -> &SeawallScene {
-        let Scene::Seawall(scene) = &self.config.scene;
-        scene
+    /// A value of the seawall's scene, empty for other scenes.
+    fn scene(&self, value: impl Fn(&SeawallScene) -> f64) -> String {
+        self.config.scene.seawall().map(|scene| number::text(value(scene))).unwrap_or_default()
     }
 
     fn movable(&self, value: impl Fn(&SeawallScene) -> Option<f64>) -> String {
-        let scene = self.scene();
-        let value = if scene.wall == WallChoice::Movable { value(scene) } else { None };
+        let scene = self.config.scene.seawall();
+        let value = scene.filter(|scene| scene.wall == WallChoice::Movable).and_then(value);
         value.map(number::text).unwrap_or_default()
     }
 
@@ -88,7 +88,7 @@ const COLUMNS: &[Column] = &[
     ("case_id", |row| row.record.id.to_string()),
     ("status", |row| if row.record.is_ok() { "ok" } else { "failed" }.to_owned()),
     ("reason", |row| row.record.reason.clone()),
-    ("wave_height_ratio", |row| number::text(row.scene().wave_height_ratio)),
+    ("wave_height_ratio", |row| row.scene(|scene| scene.wave_height_ratio)),
     ("spring_stiffness_n_per_m", |row| row.movable(|scene| scene.spring_stiffness_n_per_m)),
     ("seawall_mass_kg_per_m", |row| row.movable(|scene| scene.seawall_mass_kg_per_m)),
     ("log10_k_star", |row| row.movable(log10_k_star)),
@@ -130,7 +130,7 @@ const COLUMNS: &[Column] = &[
     ("boundary", |row| name(row.config.numerics.boundary)),
     ("kernel", |row| name(row.config.numerics.kernel)),
     ("particle_spacing_m", |row| number::text(row.config.numerics.particle_spacing_m)),
-    ("force_coupling", |row| number::text(row.scene().force_coupling)),
+    ("force_coupling", |row| row.scene(|scene| scene.force_coupling)),
 ];
 
 /// The columns that every summary has, in order.

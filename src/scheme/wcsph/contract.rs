@@ -2,12 +2,26 @@
 
 use super::Wcsph;
 use crate::body::BodyMotion;
+use crate::boundary::Ghosts;
+use crate::kernel::KernelChoice;
 use crate::particles::Fluid;
 use crate::scheme::{Dissipation, Load, Scheme, SchemeState, StateEquation, StepError, StepWalls};
 
 impl Scheme for Wcsph {
     fn fluid(&self) -> &Fluid {
         &self.fluid
+    }
+
+    fn walls(&self) -> &Ghosts {
+        &self.ghosts
+    }
+
+    fn kernel(&self) -> (KernelChoice, f64) {
+        (self.options.kernel, self.options.support_radius)
+    }
+
+    fn pressures(&self) -> &[f64] {
+        &self.work.pressure
     }
 
     fn state_equation(&self) -> Option<&StateEquation> {

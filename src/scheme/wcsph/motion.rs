@@ -3,6 +3,7 @@
 use super::passes::{TENSION_FROM, TENSION_FULL};
 use super::{DensityDiffusion, Shifting, Wcsph};
 use crate::body::BodyMotion;
+use crate::boundary::Plane;
 use crate::math::simd::LANES;
 use crate::particles::Record;
 
@@ -61,18 +62,19 @@ impl Wcsph {
             fluid.x[k] += dt * fluid.vx[k];
             fluid.y[k] += dt * fluid.vy[k];
         }
-        let mut ends = [f64::NEG_INFINITY, f64::INFINITY];
-        for (end, (body, motion)) in
-            ends.iter_mut().zip(self.ghosts.bodies.iter().zip(bodies).skip(1))
-        {
-            *end = self.ghosts.target_x[body.faces.start] + motion.offset + dt * motion.velocity;
-        }
+        let planes: Vec<Plane> = self
+            .ghosts
+            .bodies
+            .iter()
+            .zip(bodies)
+            .map(|(body, motion)| body.plane.moved(motion.offset).moved(dt * motion.velocity))
+            .collect();
         let spray_loss = if options.corrected_gradients { self.settle_surface(dt) } else { 0.0 };
         let shifting_loss = match self.options.shifting {
-            Shifting::Interior => self.shift(dt, ends),
+            Shifting::Interior => self.shift(dt, &planes),
             Shifting::None => 0.0,
         };
-        self.hold_inside(ends, bodies);
+        self.hold_inside(&planes, bodies);
         shifting_loss + spray_loss
     }
 
@@ -103,7 +105,7 @@ impl Wcsph {
     }
 
     /// Shifts particles towards an even spread; returns the energy that goes.
-    fn shift(&mut self, dt: f64, ends: [f64; 2]) -> f64 {
+    fn shift(&mut self, dt: f64, planes: &[Plane]) -> f64 {
         let (fluid, work, options) = (&mut self.fluid, &self.work, &self.options);
         let n = fluid.len();
         let strength = options.shifting_coefficient * options.smoothing_length() * dt;
@@ -117,9 +119,17 @@ impl Wcsph {
             let speed = (fluid.vx[k] * fluid.vx[k] + fluid.vy[k] * fluid.vy[k]).sqrt();
             let factor = -strength * speed * inside.clamp(0.0, 1.0);
             let fade = |distance: f64| (distance / reach - 0.5).clamp(0.0, 1.0);
-            let to_end = (fluid.x[k] - ends[0]).min(ends[1] - fluid.x[k]);
-            let dx = (factor * work.concentration_x[k]).clamp(-limit, limit) * fade(to_end);
-            let dy = (factor * work.concentration_y[k]).clamp(-limit, limit) * fade(fluid.y[k]);
+            let mut shift = [
+                (factor * work.concentration_x[k]).clamp(-limit, limit),
+                (factor * work.concentration_y[k]).clamp(-limit, limit),
+            ];
+            for plane in planes {
+                let distance = -plane.beyond([fluid.x[k], fluid.y[k]]);
+                if distance < 1.5 * reach {
+                    shift = plane.with_across(shift, |across| across * fade(distance));
+                }
+            }
+            let [dx, dy] = shift;
             let rise = (dx * work.gradient_x[k] + dy * work.gradient_y[k]) * inverse_radius
                 - hydrostatic * dy;
             let density = fluid.density[k];
@@ -133,20 +143,22 @@ impl Wcsph {
     }
 
     /// Puts particles that have slipped through a wall back onto its face, with its velocity.
-    fn hold_inside(&mut self, ends: [f64; 2], bodies: &[BodyMotion]) {
+    fn hold_inside(&mut self, planes: &[Plane], bodies: &[BodyMotion]) {
         let fluid = &mut self.fluid;
         let skin = 1e-3 * self.options.spacing;
         for k in 0..fluid.len() {
-            if fluid.y[k] < 0.0 {
-                fluid.y[k] = skin;
-                fluid.vy[k] = fluid.vy[k].max(0.0);
-            }
-            if fluid.x[k] < ends[0] {
-                fluid.x[k] = ends[0] + skin;
-                fluid.vx[k] = fluid.vx[k].max(bodies[1].velocity);
-            } else if fluid.x[k] > ends[1] {
-                fluid.x[k] = ends[1] - skin;
-                fluid.vx[k] = fluid.vx[k].min(bodies[2].velocity);
+            // In an acute corner one wall may push behind the other.
+            for _ in 0..4 {
+                let place = [fluid.x[k], fluid.y[k]];
+                let crossed =
+                    planes.iter().zip(bodies).find(|(plane, _)| plane.beyond(place) > 0.0);
+                let Some((plane, motion)) = crossed else { break };
+                [fluid.x[k], fluid.y[k]] = plane.in_front(place, skin);
+                let wall = motion.velocity * plane.normal[0];
+                if fluid.vx[k] * plane.normal[0] + fluid.vy[k] * plane.normal[1] > wall {
+                    let velocity = [fluid.vx[k], fluid.vy[k]];
+                    [fluid.vx[k], fluid.vy[k]] = plane.with_across(velocity, |_| wall);
+                }
             }
         }
     }

@@ -1,0 +1,180 @@
+//! From a scene's water and walls to particles at rest between ghosts.
+
+use super::frame::Frame;
+use super::numerics::{BoundaryChoice, GhostGravity, Numerics, Slip};
+use super::tank::WALL;
+use crate::boundary::{ImprovedShepard, InterpolatorChoice, TankLayout, tank_ghosts};
+use crate::math::simd::SimdPath;
+use crate::particles::Fluid;
+use crate::scheme::wcsph::{Wcsph, WcsphOptions};
+use crate::scheme::{Scheme, StateEquation};
+use crate::theory::hydrostatics::StillColumn;
+
+/// Walls rise to this many depths above the bed.
+pub(super) const WALL_HEIGHT: f64 = 4.0;
+
+/// Whole columns and rows, and the spacings that make them fill the water exactly.
+///
+/// In front of an inclined wall every row holds as many particles as fit best and is stretched to
+/// end at the wall: no void, no particle inside the wall, and the mass of a row is its length's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Lattice {
+    pub columns: usize,
+    pub rows: usize,
+    pub spacing: [f64; 2],
+    length: f64,
+    /// What a wall gains in x per height: 0 for a vertical one.
+    overhang: f64,
+}
+
+impl Lattice {
+    /// For water of this length at the bed and this height that ends at a wall of this angle.
+    pub(super) fn new([length, height]: [f64; 2], spacing: f64, angle_deg: f64) -> Lattice {
+        let columns = (length / spacing).round().max(1.0);
+        let rows = (height / spacing).round().max(1.0);
+        let overhang =
+            if angle_deg == 90.0 { 0.0 } else { -1.0 / libm::tan(angle_deg.to_radians()) };
+        Lattice {
+            columns: columns as usize,
+            rows: rows as usize,
+            spacing: [length / columns, height / rows],
+            length,
+            overhang,
+        }
+    }
+
+    /// Particles of a row and their spacing.
+    fn row(&self, row: usize) -> (usize, f64) {
+        let width = self.length + self.overhang * (row as f64 + 0.5) * self.spacing[1];
+        let count = (width / self.spacing[0]).round().max(1.0);
+        (count as usize, width / count)
+    }
+
+    /// Number of particles.
+    pub(super) fn particles(&self) -> usize {
+        if self.overhang == 0.0 {
+            return self.columns * self.rows;
+        }
+        (0..self.rows).map(|row| self.row(row).0).sum()
+    }
+
+    /// (x, y, density, mass) of every particle, the densities for the state and for the mass being
+    /// given by height and number.
+    pub(super) fn points(&self, density: impl Fn(f64, usize) -> [f64; 2]) -> Vec<[f64; 4]> {
+        let [dx, dy] = self.spacing;
+        let mut points = Vec::with_capacity(self.particles());
+        let mut push = |x: f64, y: f64, dx: f64| {
+            let [of_state, of_mass] = density(y, points.len());
+            points.push([x, y, of_state, of_mass * dx * dy]);
+        };
+        if self.overhang == 0.0 {
+            for column in 0..self.columns {
+                for row in 0..self.rows {
+                    push((column as f64 + 0.5) * dx, (row as f64 + 0.5) * dy, dx);
+                }
+            }
+        } else {
+            for row in 0..self.rows {
+                let (count, dx) = self.row(row);
+                for column in 0..count {
+                    push((column as f64 + 0.5) * dx, (row as f64 + 0.5) * dy, dx);
+                }
+            }
+        }
+        points
+    }
+}
+
+/// Water and what holds it.
+pub(super) struct Filling {
+    pub lattice: Lattice,
+    /// (x, y, density, mass).
+    pub points: Vec<[f64; 4]>,
+    /// Density at zero pressure, kg/m³.
+    pub surface_density: f64,
+    pub wall_angle_deg: f64,
+    /// The bed may run dry.
+    pub dry_bed: bool,
+    /// How far the bed goes on behind the right wall, metres.
+    pub bed_beyond_wall: f64,
+}
+
+/// Still water up to the wall: a compressible column whose pressure, level and weight are those of
+/// the incompressible one.
+pub(super) fn still_water(frame: &Frame, lattice: Lattice, numerics: &Numerics) -> Filling {
+    let sound_speed = frame.sound_speed(numerics);
+    let still = StillColumn::new(frame.depth, frame.density, frame.gravity, sound_speed);
+    let state = StateEquation {
+        choice: numerics.state_equation,
+        surface_density: still.surface_density,
+        sound_speed,
+    };
+    let points = lattice.points(|y, _| {
+        let density = still.density(y);
+        let pressure = sound_speed * sound_speed * (density - still.surface_density);
+        [state.density(pressure), density]
+    });
+    Filling {
+        lattice,
+        points,
+        surface_density: still.surface_density,
+        wall_angle_deg: 90.0,
+        dry_bed: false,
+        bed_beyond_wall: 0.0,
+    }
+}
+
+impl Filling {
+    /// The water between its walls, ready to be stepped.
+    pub(super) fn water(
+        &self,
+        frame: &Frame,
+        numerics: &Numerics,
+        path: SimdPath,
+    ) -> Box<dyn Scheme> {
+        let [dx, dy] = self.lattice.spacing;
+        let state = StateEquation {
+            choice: numerics.state_equation,
+            surface_density: self.surface_density,
+            sound_speed: frame.sound_speed(numerics),
+        };
+        let options = WcsphOptions {
+            kernel: numerics.kernel,
+            support_radius: numerics.support_radius_ratio * dx,
+            spacing: dx,
+            state,
+            density: frame.density,
+            gravity: frame.gravity,
+            corrected_gradients: numerics.corrected_gradients,
+            density_diffusion: numerics.density_diffusion,
+            diffusion_coefficient: numerics.density_diffusion_coefficient,
+            artificial_viscosity: numerics.artificial_viscosity,
+            shifting: numerics.shifting,
+            shifting_coefficient: numerics.shifting_coefficient,
+        };
+        let layout = TankLayout {
+            length: frame.length,
+            spacing_x: dx,
+            spacing_y: dy,
+            support_radius: options.support_radius,
+            wall_height: WALL_HEIGHT * frame.depth,
+            bed_beyond_wall: self.bed_beyond_wall,
+            wall_angle_deg: self.wall_angle_deg,
+            dry_bed: self.dry_bed,
+        };
+        let ghosts = tank_ghosts(&layout, Wcsph::strip_width(dx));
+        let BoundaryChoice::ImprovedShepard = numerics.boundary;
+        let interpolator = InterpolatorChoice::ImprovedShepard(ImprovedShepard {
+            lambda: numerics.shepard_lambda,
+            sigma: numerics.shepard_sigma,
+        });
+        let rules = Wcsph::exchange_rules(
+            &options,
+            interpolator,
+            numerics.ghost_gravity == GhostGravity::InSum,
+            numerics.slip == Slip::No,
+        );
+        let fluid = Fluid::at_rest(self.points.iter().copied());
+        Box::new(Wcsph::new(options, rules, fluid, ghosts, WALL, path))
+    }
+}

@@ -1,0 +1,34 @@
+//! What every scene has: a tank's length, a depth, gravity, water, an end.
+
+use super::numerics::Numerics;
+
+/// The scales of a scene.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frame {
+    /// Between the faces of both end walls at rest, along the bed, metres.
+    pub length: f64,
+    /// Depth that scales the results: of the still water, or of the column that collapses, metres.
+    pub depth: f64,
+    /// Gravity g, m/s².
+    pub gravity: f64,
+    /// ρ0, kg/m³.
+    pub density: f64,
+    /// When the run ends, seconds.
+    pub end_time: f64,
+    /// Spacing of the history samples, seconds.
+    pub history_interval: f64,
+}
+
+impl Frame {
+    /// c0, m/s: `sound_speed_ratio` times √(g depth).
+    pub fn sound_speed(&self, numerics: &Numerics) -> f64 {
+        numerics.sound_speed_ratio * (self.gravity * self.depth).sqrt()
+    }
+
+    /// Time step, seconds: bounded by c0 Δt/Δx and by `time_step_s`.
+    pub fn time_step(&self, numerics: &Numerics) -> f64 {
+        let bound =
+            numerics.courant_number * numerics.particle_spacing_m / self.sound_speed(numerics);
+        numerics.time_step_s.map_or(bound, |step| step.min(bound))
+    }
+}

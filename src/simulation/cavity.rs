@@ -1,0 +1,101 @@
+//! Air that water has closed in: found on a raster, by flooding the air from above.
+
+/// A raster over the tank that knows which cells are wet.
+pub(super) struct Raster {
+    cell: f64,
+    columns: usize,
+    rows: usize,
+}
+
+impl Raster {
+    /// Cells as wide as a particle over a tank of this length and height, metres.
+    pub(super) fn new(length: f64, height: f64, spacing: f64) -> Raster {
+        Raster {
+            cell: spacing,
+            columns: (length / spacing).ceil() as usize,
+            rows: (height / spacing).ceil() as usize,
+        }
+    }
+
+    /// Area of the largest body of air that no path leads to from above, m². A particle wets all
+    /// cells whose centre is within 1.2 spacings of it; walls and bed end the raster.
+    pub(super) fn largest_cavity(&self, x: &[f64], y: &[f64]) -> f64 {
+        let Raster { cell, columns, rows } = *self;
+        let mut taken = vec![false; columns * rows];
+        let reach = 1.2 * cell;
+        for (&x, &y) in x.iter().zip(y) {
+            let span = |at: f64, count: usize| {
+                let low = ((at - reach) / cell).floor().max(0.0) as usize;
+                let high = ((at + reach) / cell).floor().max(0.0) as usize;
+                low.min(count)..(high + 1).min(count)
+            };
+            for row in span(y, rows) {
+                for column in span(x, columns) {
+                    let dx = (column as f64 + 0.5) * cell - x;
+                    let dy = (row as f64 + 0.5) * cell - y;
+                    if dx * dx + dy * dy <= reach * reach {
+                        taken[row * columns + column] = true;
+                    }
+                }
+            }
+        }
+        let top: Vec<usize> = ((rows - 1) * columns..rows * columns).collect();
+        self.flood(&mut taken, top);
+        let mut largest = 0;
+        for start in 0..taken.len() {
+            if !taken[start] {
+                largest = largest.max(self.flood(&mut taken, vec![start]));
+            }
+        }
+        largest as f64 * cell * cell
+    }
+
+    /// Takes all free cells that are connected to these; returns how many.
+    fn flood(&self, taken: &mut [bool], mut open: Vec<usize>) -> usize {
+        let mut count = 0;
+        while let Some(at) = open.pop() {
+            if taken[at] {
+                continue;
+            }
+            taken[at] = true;
+            count += 1;
+            let (row, column) = (at / self.columns, at % self.columns);
+            if column > 0 {
+                open.push(at - 1);
+            }
+            if column + 1 < self.columns {
+                open.push(at + 1);
+            }
+            if row > 0 {
+                open.push(at - self.columns);
+            }
+            if row + 1 < self.rows {
+                open.push(at + self.columns);
+            }
+        }
+        count
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_air_that_is_closed_in_counts() {
+        let raster = Raster::new(1.0, 0.8, 0.02);
+        let ring = |gap: f64| -> (Vec<f64>, Vec<f64>) {
+            (0..400)
+                .map(|k| f64::from(k) / 400.0 * std::f64::consts::TAU)
+                .filter(|angle| *angle > gap)
+                .map(|angle| (0.5 + 0.2 * angle.cos(), 0.4 + 0.2 * angle.sin()))
+                .unzip()
+        };
+        let (x, y) = ring(0.0);
+        let inside = std::f64::consts::PI * (0.2_f64 - 0.024).powi(2);
+        assert!((raster.largest_cavity(&x, &y) - inside).abs() < 0.1 * inside);
+        let (x, y) = ring(0.7);
+        assert_eq!(raster.largest_cavity(&x, &y), 0.0);
+        assert_eq!(raster.largest_cavity(&[], &[]), 0.0);
+    }
+}

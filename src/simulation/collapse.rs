@@ -1,0 +1,127 @@
+//! What a dam break shows besides its probes: the front, the cavity, the balances.
+
+use super::cavity::Raster;
+use super::outcome::NamedReading;
+use crate::particles::Fluid;
+use crate::scene::Frame;
+use crate::theory::dam_break::ritter_front;
+
+/// Air counts as closed in from this area on, over H².
+const SMALLEST_CAVITY: f64 = 0.002;
+/// ... and once it has lasted this long, over √(H/g).
+const CAVITY_LASTS: f64 = 0.1;
+
+/// Follows a collapsing column.
+pub(super) struct Collapse {
+    frame: Frame,
+    column: f64,
+    spacing: f64,
+    raster: Raster,
+    mass_at_start: f64,
+    front_at_wall: Option<f64>,
+    fronts: Vec<(f64, f64)>,
+    cavity_since: Option<f64>,
+    closure: Option<f64>,
+    impulse: f64,
+    largest_momentum: f64,
+}
+
+impl Collapse {
+    /// For a column of this length, metres, at rest.
+    pub(super) fn new(frame: Frame, column: f64, spacing: f64, fluid: &Fluid) -> Collapse {
+        Collapse {
+            frame,
+            column,
+            spacing,
+            raster: Raster::new(frame.length, 4.0 * frame.depth, spacing),
+            mass_at_start: fluid.mass.iter().sum(),
+            front_at_wall: None,
+            fronts: Vec::new(),
+            cavity_since: None,
+            closure: None,
+            impulse: 0.0,
+            largest_momentum: 0.0,
+        }
+    }
+
+    fn unit(&self) -> f64 {
+        (self.frame.depth / self.frame.gravity).sqrt()
+    }
+
+    /// Books the force of the water on all walls along x over one step.
+    pub(super) fn push(&mut self, force: f64, dt: f64) {
+        self.impulse += force * dt;
+    }
+
+    /// Takes a sample at the history's times.
+    pub(super) fn sample(&mut self, time: f64, fluid: &Fluid) {
+        let n = fluid.len();
+        self.largest_momentum = self.largest_momentum.max(momentum(fluid).abs());
+        if self.front_at_wall.is_none() {
+            let front = self.front(fluid);
+            self.fronts.push((time, front));
+            if front >= self.frame.length - self.spacing {
+                self.front_at_wall = Some(time);
+            }
+        } else if self.closure.is_none() {
+            let area = self.raster.largest_cavity(&fluid.x[..n], &fluid.y[..n]);
+            if area > SMALLEST_CAVITY * self.frame.depth * self.frame.depth {
+                let since = *self.cavity_since.get_or_insert(time);
+                if time - since >= CAVITY_LASTS * self.unit() {
+                    self.closure = Some(since);
+                }
+            } else {
+                self.cavity_since = None;
+            }
+        }
+    }
+
+    /// The foremost particle that is no lone drop (two others within two spacings), plus half a
+    /// spacing.
+    fn front(&self, fluid: &Fluid) -> f64 {
+        let reach = 2.0 * self.spacing;
+        let mut order: Vec<usize> = (0..fluid.len()).collect();
+        order.sort_unstable_by(|&a, &b| {
+            fluid.x[b].total_cmp(&fluid.x[a]).then(fluid.id[a].cmp(&fluid.id[b]))
+        });
+        let close = |j: usize, k: usize| {
+            j != k && (fluid.x[j] - fluid.x[k]).hypot(fluid.y[j] - fluid.y[k]) < reach
+        };
+        let foremost = order.iter().copied().find(|&k| {
+            let ahead = order.iter().take_while(|&&j| fluid.x[j] > fluid.x[k] - reach);
+            ahead.filter(|&&j| close(j, k)).take(2).count() == 2
+        });
+        foremost.map_or(0.0, |k| fluid.x[k] + 0.5 * self.spacing)
+    }
+
+    /// Times over √(H/g), lengths over H, balances in percent.
+    pub(super) fn readings(&self, fluid: &Fluid) -> Vec<NamedReading> {
+        let unit = self.unit();
+        let mut all = Vec::new();
+        let mut push = |name: &str, value: Option<f64>, unit: &str| {
+            if let Some(value) = value {
+                all.push(NamedReading::new(name, value, unit));
+            }
+        };
+        push("front_at_wall", self.front_at_wall.map(|time| time / unit), "sqrt(H/g)");
+        for at in [1.0, 1.5, 2.0] {
+            let passed = self.fronts.iter().find(|(time, _)| *time >= at * unit);
+            let name = |what: &str| format!("{what}_at_{at}");
+            push(&name("front"), passed.map(|(_, x)| x / self.frame.depth), "H");
+            let Frame { depth, gravity, .. } = self.frame;
+            let ritter = passed.map(|(time, _)| ritter_front(self.column, depth, gravity, *time));
+            push(&name("ritter_front"), ritter.map(|x| x / depth), "H");
+        }
+        push("cavity_closure", self.closure.map(|time| time / unit), "sqrt(H/g)");
+        let mass: f64 = fluid.mass.iter().sum();
+        push("mass_gap", Some(100.0 * (mass / self.mass_at_start - 1.0)), "%");
+        let gap = (momentum(fluid) + self.impulse) / self.largest_momentum.max(f64::MIN_POSITIVE);
+        push("horizontal_momentum_gap", Some(100.0 * gap), "% of the largest momentum");
+        all
+    }
+}
+
+/// Σ m u, N s per metre of width.
+fn momentum(fluid: &Fluid) -> f64 {
+    fluid.mass.iter().zip(&fluid.vx).map(|(mass, velocity)| mass * velocity).sum()
+}

@@ -1,0 +1,70 @@
+//! What a run that has reached its end hands over.
+
+use super::energy::WaterEnergy;
+use super::outcome::{CaseResult, Maximum, NamedReading, Outcome, PhaseShare};
+use super::readings;
+use super::run::Run;
+
+impl Run {
+    /// The results of a run that has reached its end.
+    pub fn result(self) -> CaseResult {
+        let water = &self.tank.water;
+        let gravity = self.tank.frame.gravity;
+        let now = WaterEnergy::of(water.as_ref(), gravity);
+        let energy = self.ledger.close(now, self.tank.wall.as_ref());
+        let scale = if self.tank.piston.is_some() {
+            energy.paddle_work.abs()
+        } else {
+            self.ledger.start.potential
+        };
+        let m = &self.measures;
+        // The first impact of a wave has no meaning in other scenes.
+        let has_wave = self.tank.wave_gauge.is_some();
+        let wall = self.tank.wall.as_ref();
+        let zero = Maximum { value: 0.0, time_s: 0.0 };
+        let outcome = Outcome {
+            measured_wave_height_ratio: self.gauge.crest(),
+            force_max: m.force.unwrap_or(zero),
+            runup_max: m.runup.unwrap_or(zero),
+            displacement_max: m.displacement,
+            first_force_max: m.first_force.filter(|_| has_wave),
+            first_runup_max: m.first_runup.filter(|_| has_wave),
+            first_displacement_max: m.first_displacement,
+            first_force_peak: m.force_peak().filter(|_| has_wave),
+            first_runup_peak: m.runup_peak().filter(|_| has_wave),
+            force_max_raw: m.force_raw,
+            force_end: m.last[0],
+            runup_end: m.last[1],
+            displacement_end: wall.map(|_| m.last[2]),
+            onset_time_s: m.onset,
+            stroke_centre_s: self.tank.piston.as_ref().map(|piston| piston.stroke_centre()),
+            displacement_truncated: wall.map(|_| {
+                m.displacement
+                    .is_some_and(|x| x.value > 0.0 && x.time_s >= self.clock.time - self.time_step)
+            }),
+            stops: wall.map(|wall| wall.stops),
+            force_gap_percent: self.worst_gap,
+            energy_gap_percent: 100.0 * energy.residual() / scale,
+            particles_lost: self.health.lost,
+            health: self.health.margins,
+            recovered: None,
+            steps: self.clock.steps,
+            particles: water.fluid().len() as u32,
+            pair_evaluations: water.pair_evaluations(),
+        };
+        let phases = water
+            .phases()
+            .into_iter()
+            .map(|(phase, seconds)| PhaseShare { phase: phase.to_owned(), seconds })
+            .collect();
+        let mut readings: Vec<NamedReading> = Vec::new();
+        if let Some(collapse) = &self.collapse {
+            readings.extend(collapse.readings(water.fluid()));
+        }
+        if let Some(table) = &self.probes {
+            readings.extend(readings::of_probes(&self.config.scene, &self.config.probes, table));
+        }
+        let (history, probes) = (self.history, self.probes);
+        CaseResult { outcome, history, probes, readings, energy, phases }
+    }
+}

@@ -1,0 +1,47 @@
+//! Gauges of a scene, read at the history's times.
+
+use super::outcome::{ProbeColumn, ProbeTable};
+use super::sounding::Sounding;
+use crate::scene::{PADDLE, Probe, ProbeKind, Side, WALL};
+
+/// An empty table with a column for every probe; none where there is no probe.
+pub(super) fn table(probes: &[Probe]) -> Option<ProbeTable> {
+    (!probes.is_empty()).then(|| ProbeTable {
+        columns: probes
+            .iter()
+            .map(|probe| ProbeColumn {
+                name: probe.name.clone(),
+                unit: probe.unit().to_owned(),
+                method: probe.method(),
+            })
+            .collect(),
+        ..ProbeTable::default()
+    })
+}
+
+/// One row of readings; levels are looked for up to `highest` metres.
+pub(super) fn read(probes: &[Probe], water: &Sounding<'_>, highest: f64) -> Vec<f64> {
+    probes
+        .iter()
+        .map(|probe| match probe.kind {
+            ProbeKind::Level => water.level(probe.x_m.unwrap_or(0.0), highest),
+            ProbeKind::Pressure => {
+                let (place, along) = place(probe, water);
+                water.pressure(place, along, probe.diameter_m.unwrap_or(0.0))
+            }
+        })
+        .collect()
+}
+
+/// Where a pressure probe is now, and the direction in which its disc lies.
+fn place(probe: &Probe, water: &Sounding<'_>) -> ([f64; 2], [f64; 2]) {
+    let y = probe.y_m.unwrap_or(0.0);
+    let Some(side) = probe.wall else { return ([probe.x_m.unwrap_or(0.0), y], [0.0, 1.0]) };
+    let face = water.face(match side {
+        Side::Left => PADDLE,
+        Side::Right => WALL,
+    });
+    let [nx, ny] = face.normal;
+    let up = [-ny * nx.signum(), nx.abs()];
+    ([face.point[0] + up[0] * y / up[1], y], up)
+}

@@ -1,0 +1,136 @@
+//! Pressure and level of the water at a place, whatever the scheme.
+
+use crate::body::BodyMotion;
+use crate::boundary::Plane;
+use crate::scheme::Scheme;
+
+/// A gauge counts as wet from this far below the surface, in particle spacings, and as dry from
+/// as far above it.
+const WATERLINE: f64 = 0.4;
+
+/// The water around a place, at an instant.
+pub(super) struct Sounding<'a> {
+    water: &'a dyn Scheme,
+    bodies: &'a [BodyMotion],
+    gravity: f64,
+    spacing: f64,
+    density: f64,
+}
+
+/// Fluid particles and ghosts in reach of a box: (x, y, volume, pressure, density).
+struct Near {
+    water: Vec<[f64; 5]>,
+    solid: Vec<[f64; 3]>,
+}
+
+impl<'a> Sounding<'a> {
+    /// `spacing` is that of the particles, metres, `density` the water's, kg/m³.
+    pub(super) fn new(
+        water: &'a dyn Scheme,
+        bodies: &'a [BodyMotion],
+        (gravity, spacing, density): (f64, f64, f64),
+    ) -> Sounding<'a> {
+        Sounding { water, bodies, gravity, spacing, density }
+    }
+
+    /// The face of a body as it stands now.
+    pub(super) fn face(&self, body: usize) -> Plane {
+        self.water.walls().bodies[body].plane.moved(self.bodies[body].offset)
+    }
+
+    /// What is in reach of the points of a box.
+    fn near(&self, [left, right]: [f64; 2], [bottom, top]: [f64; 2]) -> Near {
+        let (_, radius) = self.water.kernel();
+        let close = |x: f64, y: f64| {
+            x > left - radius && x < right + radius && y > bottom - radius && y < top + radius
+        };
+        let fluid = self.water.fluid();
+        let pressure = self.water.pressures();
+        let water = (0..fluid.len())
+            .filter(|&k| close(fluid.x[k], fluid.y[k]))
+            .map(|k| {
+                let volume = fluid.mass[k] / fluid.density[k];
+                [fluid.x[k], fluid.y[k], volume, pressure[k], self.density]
+            })
+            .collect();
+        let ghosts = self.water.walls();
+        let ends = [1, 2].map(|body| self.face(body).point[0]);
+        let mut solid = Vec::new();
+        for (number, (body, motion)) in ghosts.bodies.iter().zip(self.bodies).enumerate() {
+            for g in body.ghosts.clone() {
+                let (x, y) = (ghosts.x[g] + motion.offset, ghosts.y[g]);
+                // A bed that goes on beneath a wall counts once: as the wall's corner block.
+                let doubled = number == 0 && !(x > ends[0] && x < ends[1]);
+                if close(x, y) && !doubled {
+                    solid.push([x, y, ghosts.volume[g]]);
+                }
+            }
+        }
+        Near { water, solid }
+    }
+
+    /// Share of the kernel that is water, of what the walls leave of it, and the pressure of the
+    /// water there: Σ W V [p + ρg(y_j - y)] / Σ W V.
+    fn at(&self, near: &Near, x: f64, y: f64) -> (f64, f64) {
+        let (kernel, radius) = self.water.kernel();
+        let weight = |x_j: f64, y_j: f64, volume: f64| {
+            let q = (x_j - x).hypot(y_j - y) / radius;
+            if q < 1.0 { volume * kernel.shape_at(q) } else { 0.0 }
+        };
+        let (mut wet, mut sum) = (0.0, 0.0);
+        for &[x_j, y_j, volume, pressure, density] in &near.water {
+            let w = weight(x_j, y_j, volume);
+            wet += w;
+            sum += w * (pressure + density * self.gravity * (y_j - y));
+        }
+        let solid: f64 = near.solid.iter().map(|&[x, y, volume]| weight(x, y, volume)).sum();
+        let factor = kernel.normalisation() / (radius * radius);
+        let share = wet * factor / (1.0 - solid * factor).max(0.05);
+        (share, if wet > 0.0 { sum / wet } else { 0.0 })
+    }
+
+    /// Pressure at a place, averaged over a disc of this diameter that lies in the direction
+    /// `along`; 0 where it is dry.
+    pub(super) fn pressure(&self, [x, y]: [f64; 2], along: [f64; 2], diameter: f64) -> f64 {
+        let radius = 0.5 * diameter;
+        let near = self.near([x - radius, x + radius], [y - radius, y + radius]);
+        if near.water.is_empty() {
+            return 0.0;
+        }
+        let (kernel, support) = self.water.kernel();
+        let half = WATERLINE * self.spacing / support;
+        let (wet_at, dry_at) =
+            (kernel.half_plane_fraction(half), kernel.half_plane_fraction(-half));
+        let count = (2.0 * diameter / self.spacing).ceil().max(1.0) as u32;
+        let (mut sum, mut weights) = (0.0, 0.0);
+        for k in 0..count {
+            let t = (2.0 * f64::from(k) + 1.0) / f64::from(count) - 1.0;
+            // The disc's width at this height.
+            let chord = (1.0 - t * t).sqrt();
+            let place = [x + along[0] * t * radius, y + along[1] * t * radius];
+            let (share, pressure) = self.at(&near, place[0], place[1]);
+            sum += chord * pressure * ((share - dry_at) / (wet_at - dry_at)).clamp(0.0, 1.0);
+            weights += chord;
+        }
+        sum / weights
+    }
+
+    /// Level of the water at x, metres over the bed: upwards from the bed, where its share falls
+    /// to 1/2; 0 where the bed is dry.
+    pub(super) fn level(&self, x: f64, highest: f64) -> f64 {
+        let near = self.near([x, x], [0.0, highest]);
+        let step = 0.5 * self.spacing;
+        let (mut y, mut below) = (0.0, self.at(&near, x, 0.0).0);
+        if below < 0.5 {
+            return 0.0;
+        }
+        while y < highest {
+            let above = self.at(&near, x, y + step).0;
+            if above < 0.5 {
+                return y + step * (below - 0.5) / (below - above);
+            }
+            (y, below) = (y + step, above);
+        }
+        highest
+    }
+}
