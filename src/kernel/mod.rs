@@ -4,10 +4,14 @@
 //! implementation, an arm of [`with_kernel!`](crate::with_kernel), and nothing else; the tests
 //! below run over all of them.
 
+mod cubic_spline;
 mod gaussian;
+mod quintic_spline;
 mod wendland_c2;
 
+pub use cubic_spline::CubicSpline;
 pub use gaussian::Gaussian;
+pub use quintic_spline::QuinticSpline;
 pub use wendland_c2::WendlandC2;
 
 use crate::math::simd::Lanes;
@@ -43,6 +47,14 @@ macro_rules! with_kernel {
                 type $K = $crate::kernel::Gaussian;
                 $body
             }
+            $crate::kernel::KernelChoice::CubicSpline => {
+                type $K = $crate::kernel::CubicSpline;
+                $body
+            }
+            $crate::kernel::KernelChoice::QuinticSpline => {
+                type $K = $crate::kernel::QuinticSpline;
+                $body
+            }
         }
     };
 }
@@ -55,11 +67,20 @@ pub enum KernelChoice {
     WendlandC2,
     /// Truncated Gaussian of Huang et al. 2019, Eq. 7.
     Gaussian,
+    /// Cubic B-spline.
+    CubicSpline,
+    /// Quintic B-spline.
+    QuinticSpline,
 }
 
 impl KernelChoice {
     /// Every kernel.
-    pub const ALL: [KernelChoice; 2] = [KernelChoice::WendlandC2, KernelChoice::Gaussian];
+    pub const ALL: [KernelChoice; 4] = [
+        KernelChoice::WendlandC2,
+        KernelChoice::Gaussian,
+        KernelChoice::CubicSpline,
+        KernelChoice::QuinticSpline,
+    ];
 
     /// h/R, see [`Kernel::SMOOTHING_LENGTH_RATIO`].
     pub fn smoothing_length_ratio(self) -> f64 {
@@ -168,6 +189,24 @@ mod tests {
                 crate::math::simd::SimdPath::widest(), Beyond::<K>(std::marker::PhantomData)));
             assert!(beyond.iter().all(|v| v.abs() < 1e-30), "{kernel:?}: {beyond:?}");
             assert!(kernel.shape_at(0.999_999).abs() < 1e-4, "{kernel:?}");
+        }
+    }
+
+    #[test]
+    fn splines_hold_their_textbook_values() {
+        // 10/(7π h²) at r = 0 and a quarter of it at r = h; 7·66/(478π h²) at 0, 7·26/(478π h²) at h.
+        let pi = std::f64::consts::PI;
+        let over_h = |kernel: KernelChoice, r: f64| {
+            let h = kernel.smoothing_length_ratio();
+            h * h * kernel.normalisation() * kernel.shape_at(r * h)
+        };
+        for (kernel, r, exact) in [
+            (KernelChoice::CubicSpline, 0.0, 10.0 / (7.0 * pi)),
+            (KernelChoice::CubicSpline, 1.0, 2.5 / (7.0 * pi)),
+            (KernelChoice::QuinticSpline, 0.0, 7.0 * 66.0 / (478.0 * pi)),
+            (KernelChoice::QuinticSpline, 1.0, 7.0 * 26.0 / (478.0 * pi)),
+        ] {
+            assert!((over_h(kernel, r) - exact).abs() < 1e-7, "{kernel:?} at {r} h");
         }
     }
 
