@@ -1,188 +1,11 @@
 //! The contract of boundary interpolators: what every ghost must hold, on every instruction set.
 
+mod basin;
+
+use basin::*;
 use seawall::body::BodyMotion;
-use seawall::boundary::{
-    Exchange, ExchangeRules, Ghosts, ImprovedShepard, InterpolatorChoice, Reflection, TankLayout,
-    Water, tank_ghosts,
-};
-use seawall::kernel::KernelChoice;
-use seawall::math::simd::SimdPath;
-use seawall::neighbours::Strips;
-use seawall::particles::{Fluid, Record, Scaling};
-
-const LENGTH: f64 = 0.6;
-const DEPTH: f64 = 0.2;
-const SPACING: f64 = 0.02;
-const RADIUS: f64 = 0.08;
-const STRIP: f64 = 0.06;
-const DENSITY: f64 = 1000.0;
-const GRAVITY: f64 = 9.81;
-/// Water so stiff that its density is the same everywhere.
-const RIGID: f64 = 1e9;
-/// None of the bodies leaves its acceleration out of the ghosts' pressure.
-const NOBODY: usize = usize::MAX;
-const PADDLE: usize = 1;
-const WALL: usize = 2;
-
-const INTERPOLATORS: &[InterpolatorChoice] = &[
-    InterpolatorChoice::ImprovedShepard(ImprovedShepard { lambda: 2.0, sigma: 1.0 }),
-    InterpolatorChoice::ImprovedShepard(ImprovedShepard { lambda: 1.0, sigma: 1.0 }),
-    InterpolatorChoice::ImprovedShepard(ImprovedShepard { lambda: 4.0, sigma: 2.0 }),
-    InterpolatorChoice::ImprovedShepard(ImprovedShepard { lambda: 3.0, sigma: 0.0 }),
-];
-
-/// Runs a check with every interpolator on every instruction set, and with every kernel.
-fn everywhere(check: impl Fn(&dyn Fn(&mut Basin))) {
-    let paths = [SimdPath::Portable, SimdPath::Avx2, SimdPath::Avx512];
-    for path in paths.into_iter().filter(|path| path.is_supported()) {
-        for &interpolator in INTERPOLATORS {
-            let kernel = KernelChoice::WendlandC2;
-            check(&|basin: &mut Basin| basin.choose(path, interpolator, kernel));
-        }
-    }
-    for kernel in KernelChoice::ALL {
-        let path = SimdPath::widest();
-        check(&|basin: &mut Basin| basin.choose(path, INTERPOLATORS[0], kernel));
-    }
-}
-
-/// Water with a pressure and a velocity given by its place, between the walls of a tank.
-struct Basin {
-    path: SimdPath,
-    rules: ExchangeRules,
-    ghosts: Ghosts,
-    bodies: [BodyMotion; 3],
-    fluid: Fluid,
-    strips: Strips,
-    responds: usize,
-}
-
-/// What an exchange wrote.
-struct Filled {
-    records: Vec<Record>,
-    responses: Vec<[f64; 3]>,
-}
-
-impl Basin {
-    fn new(points: &[[f64; 2]], bodies: [BodyMotion; 3]) -> Basin {
-        let layout = TankLayout {
-            length: LENGTH,
-            spacing_x: SPACING,
-            spacing_y: SPACING,
-            support_radius: RADIUS,
-            wall_height: 3.0 * DEPTH,
-            bed_beyond_wall: 4.0 * DEPTH,
-            wall_angle_deg: 90.0,
-            dry_bed: false,
-        };
-        let kernel = KernelChoice::WendlandC2;
-        let volume = SPACING * SPACING;
-        let mut fluid =
-            Fluid::at_rest(points.iter().map(|&[x, y]| [x, y, DENSITY, DENSITY * volume]));
-        let len = fluid.len();
-        let (strips, order) = Strips::sort(&fluid.x[..len], &fluid.y[..len], &fluid.id, STRIP);
-        fluid.reorder(&order, &mut Vec::new());
-        Basin {
-            path: SimdPath::Portable,
-            rules: ExchangeRules {
-                kernel,
-                interpolator: INTERPOLATORS[0],
-                scaling: Scaling::new(kernel, RADIUS),
-                spacing: SPACING,
-                gravity: GRAVITY,
-                surface_density: DENSITY,
-                sound_speed: RIGID,
-                gravity_in_sum: true,
-                no_slip: false,
-                bed_between_walls: true,
-            },
-            ghosts: tank_ghosts(&layout, STRIP),
-            bodies,
-            fluid,
-            strips,
-            responds: NOBODY,
-        }
-    }
-
-    fn choose(&mut self, path: SimdPath, interpolator: InterpolatorChoice, kernel: KernelChoice) {
-        self.path = path;
-        self.rules.interpolator = interpolator;
-        self.rules.kernel = kernel;
-        self.rules.scaling = Scaling::new(kernel, RADIUS);
-    }
-
-    /// The ghosts, given the water's pressure and velocity at a place.
-    fn fill(
-        &mut self,
-        pressure: impl Fn(f64, f64) -> f64,
-        velocity: impl Fn(f64, f64) -> [f64; 2],
-    ) -> Filled {
-        let Basin { path, rules, ghosts, bodies, fluid, strips, responds } = self;
-        let places = || fluid.x.iter().zip(&fluid.y);
-        let pressures: Vec<f64> = places().map(|(&x, &y)| pressure(x, y)).collect();
-        let scaling = rules.scaling;
-        let water: Vec<Record> = (0..fluid.padded_len())
-            .map(|k| {
-                let (x, y) = (fluid.x[k], fluid.y[k]);
-                let [vx, vy] = velocity(x, y);
-                let weight = fluid.mass[k] / fluid.density[k] * scaling.weight_per_volume;
-                let (x, y) = (x * scaling.inverse_radius, y * scaling.inverse_radius);
-                Record([x, y, vx, vy, weight, pressures[k], 0.0, pressures[k]])
-            })
-            .collect();
-        let mut exchange = Exchange::new(*rules, ghosts);
-        let len = fluid.len();
-        let places = (&*strips, &fluid.x[..len], &fluid.y[..len]);
-        exchange.rebuild(*path, ghosts, bodies, places, 1.2 * RADIUS);
-        let read = Water { records: &water, pressure: &pressures, correction: None };
-        exchange.weigh(*path, ghosts, bodies, read);
-        let mut records = vec![Record::default(); ghosts.len()];
-        exchange.fill(ghosts, bodies, *responds, &mut records);
-        // Velocities may be interpolated anew with the weights at hand: nothing changed, the same.
-        let mut refreshed = records.clone();
-        exchange.refresh_velocities(*path, ghosts, bodies, (&water, &mut refreshed));
-        assert_eq!(records, refreshed);
-        Filled { records, responses: exchange.responses().to_vec() }
-    }
-
-    /// Number, body, place and record of the ghosts that count.
-    fn wet<'a>(
-        &'a self,
-        filled: &'a Filled,
-    ) -> impl Iterator<Item = (usize, usize, [f64; 2], &'a [f64; 8])> {
-        let bodies = self.ghosts.bodies.iter().enumerate();
-        bodies.flat_map(move |(number, body)| {
-            body.ghosts.clone().filter_map(move |g| {
-                let record = &filled.records[g].0;
-                let place = [self.ghosts.x[g] + self.bodies[number].offset, self.ghosts.y[g]];
-                (record[Record::WEIGHT] != 0.0).then_some((g, number, place, record))
-            })
-        })
-    }
-}
-
-/// A lattice of water, each point moved by up to `jitter` spacings.
-fn lattice(jitter: f64) -> Vec<[f64; 2]> {
-    let (columns, rows) = ((LENGTH / SPACING).round() as u32, (DEPTH / SPACING).round() as u32);
-    let number = |k: u32, factor: f64| 2.0 * (f64::from(k + 1) * factor).fract() - 1.0;
-    (0..columns)
-        .flat_map(|column| (0..rows).map(move |row| (column, row)))
-        .map(|(column, row)| {
-            let k = column * rows + row;
-            let shift = [number(k, 0.618_033_988), number(k, 0.754_877_666)];
-            let at = |index: u32, shift: f64| (f64::from(index) + 0.5 + jitter * shift) * SPACING;
-            [at(column, shift[0]), at(row, shift[1])]
-        })
-        .collect()
-}
-
-fn still() -> [BodyMotion; 3] {
-    [BodyMotion::default(); 3]
-}
-
-fn assert_close(a: f64, b: f64, tolerance: f64, what: &str) {
-    assert!((a - b).abs() <= tolerance, "{what}: {a} instead of {b}");
-}
+use seawall::boundary::Reflection;
+use seawall::particles::Record;
 
 #[test]
 fn a_uniform_field_is_reproduced() {
@@ -264,7 +87,7 @@ fn water_between_accelerating_walls_is_continued_exactly() {
 
 #[test]
 fn a_coincident_particle_gives_its_own_values() {
-    everywhere(|with| {
+    with_each(SHEPARD, |with| {
         let mut basin = Basin::new(&lattice(0.0), still());
         with(&mut basin);
         basin.rules.gravity = 0.0;
@@ -295,7 +118,11 @@ fn one_particle_is_enough_and_none_is_no_water() {
         for (number, body) in basin.ghosts.bodies.iter().enumerate() {
             for g in body.ghosts.clone() {
                 let record = &filled.records[g].0;
-                let target = [basin.ghosts.target_x[g], basin.ghosts.target_y[g]];
+                let target = if basin.rules.interpolator.at_ghost() {
+                    [basin.ghosts.x[g], basin.ghosts.y[g]]
+                } else {
+                    [basin.ghosts.target_x[g], basin.ghosts.target_y[g]]
+                };
                 let apart = (target[0] - place[0]).hypot(target[1] - place[1]);
                 let expected = 900.0 - DENSITY * GRAVITY * (basin.ghosts.y[g] - place[1]);
                 if apart >= RADIUS {
@@ -321,7 +148,7 @@ fn one_particle_is_enough_and_none_is_no_water() {
 
 #[test]
 fn velocities_are_mirrored() {
-    everywhere(|with| {
+    with_each(SHEPARD, |with| {
         for no_slip in [false, true] {
             let at = |velocity| BodyMotion { velocity, ..BodyMotion::default() };
             let mut basin = Basin::new(&lattice(0.0), [at(0.0), at(0.3), at(-0.2)]);
@@ -375,20 +202,26 @@ fn a_particle_at_the_face_is_not_thrown_about() {
 /// Across the wall a linear flow goes on beyond it, wherever the particles happen to be.
 #[test]
 fn a_linear_flow_goes_on_through_the_wall() {
-    let (wall, slope) = (0.25, 7.0);
-    let moving = BodyMotion { velocity: wall, ..BodyMotion::default() };
-    let mut basin =
-        Basin::new(&lattice(0.4), [BodyMotion::default(), BodyMotion::default(), moving]);
-    let flow = |x: f64, _: f64| [wall + slope * (x - LENGTH), 0.0];
-    let filled = basin.fill(|_, _| 0.0, flow);
-    let mut seen = 0;
-    for (g, number, [x, y], record) in basin.wet(&filled) {
-        let plane = matches!(basin.ghosts.reflection[g], Reflection::Plane { .. });
-        if number != WALL || !plane || basin.ghosts.distance[g] > 0.5 * RADIUS {
-            continue;
+    everywhere(|with| {
+        let (wall, slope) = (0.25, 7.0);
+        let moving = BodyMotion { velocity: wall, ..BodyMotion::default() };
+        let mut basin =
+            Basin::new(&lattice(0.4), [BodyMotion::default(), BodyMotion::default(), moving]);
+        with(&mut basin);
+        // Around a ghost farther out the water is so near that the mirror's limit sets in.
+        let at_ghost = basin.rules.interpolator.at_ghost();
+        let farthest = if at_ghost { SPACING } else { 0.5 * RADIUS };
+        let flow = |x: f64, _: f64| [wall + slope * (x - LENGTH), 0.0];
+        let filled = basin.fill(|_, _| 0.0, flow);
+        let mut seen = 0;
+        for (g, number, [x, y], record) in basin.wet(&filled) {
+            let plane = matches!(basin.ghosts.reflection[g], Reflection::Plane { .. });
+            if number != WALL || !plane || basin.ghosts.distance[g] > farthest {
+                continue;
+            }
+            assert_close(record[Record::VX], flow(x, y)[0], 1e-9, &format!("ghost {g}"));
+            seen += 1;
         }
-        assert_close(record[Record::VX], flow(x, y)[0], 1e-9, &format!("ghost {g}"));
-        seen += 1;
-    }
-    assert!(seen > 15, "{seen}");
+        assert!(seen > if at_ghost { 8 } else { 15 }, "{seen}");
+    });
 }

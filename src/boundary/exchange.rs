@@ -3,7 +3,7 @@
 use super::InterpolatorChoice;
 use super::faces::span;
 use super::ghosts::{Ghosts, Reflection, Site};
-use super::sums::{GatherVelocity, Means, Water, Weigh};
+use super::sums::{Cover, GatherVelocity, KernelWeights, Means, Targets, Water, Weigh};
 use super::waterline::Waterline;
 use crate::body::BodyMotion;
 use crate::kernel::KernelChoice;
@@ -48,6 +48,10 @@ pub struct Exchange {
     pub(super) list: PairList,
     pub(super) weights: Vec<[f64; LANES]>,
     pub(super) scale: Vec<[f64; LANES]>,
+    /// Above one half where a simpler method had to stand in.
+    pub(super) fallen: Vec<[f64; LANES]>,
+    /// How many of the filled ghosts hold what a simpler method gave.
+    pub(super) fallbacks: u64,
     pub(super) means: Vec<Means>,
     pub(super) wetness: Vec<f64>,
     /// Change of each ghost's pressure per acceleration of its wall, Pa/(m/s²), times its
@@ -70,6 +74,8 @@ impl Exchange {
             list: PairList::default(),
             weights: Vec::new(),
             scale: vec![[0.0; LANES]; targets / LANES],
+            fallen: vec![[0.0; LANES]; targets / LANES],
+            fallbacks: 0,
             means: vec![Means::default(); targets / LANES],
             wetness: vec![0.0; targets],
             responses: vec![[0.0; 3]; ghosts.len()],
@@ -83,6 +89,12 @@ impl Exchange {
     /// Responses of the ghosts to their wall's acceleration, from the last [`Exchange::fill`].
     pub fn responses(&self) -> &[[f64; 3]] {
         &self.responses
+    }
+
+    /// How many of the ghosts that count hold what a simpler method gave, at the last
+    /// [`Exchange::fill`].
+    pub fn fallbacks(&self) -> u64 {
+        self.fallbacks
     }
 
     /// Number of target-to-fluid pairs in the lists, eight lanes each.
@@ -100,15 +112,18 @@ impl Exchange {
         reach: f64,
     ) {
         let (strips, x, y) = fluid;
-        let target_x: Vec<f64> = ghosts
-            .target_x
-            .iter()
-            .enumerate()
-            .map(|(k, x)| x + bodies[ghosts.target_body[k / LANES] as usize].offset)
-            .collect();
+        let mut target_x = ghosts.target_x.clone();
+        let mut target_y = std::borrow::Cow::Borrowed(&ghosts.target_y);
+        if self.rules.interpolator.at_ghost() {
+            target_x[..ghosts.len()].copy_from_slice(&ghosts.x);
+            target_y.to_mut()[..ghosts.len()].copy_from_slice(&ghosts.y);
+        }
+        for (k, x) in target_x.iter_mut().enumerate() {
+            *x += bodies[ghosts.target_body[k / LANES] as usize].offset;
+        }
         let everywhere = [f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY];
         let set = PointSet { strips, x, y, offset: 0.0, first: 0, reach, bounds: everywhere };
-        build_pair_list(path, &target_x, &ghosts.target_y, &[set], &mut self.list);
+        build_pair_list(path, &target_x, &target_y, &[set], &mut self.list);
         self.weights.resize(self.list.len(), [0.0; LANES]);
     }
 
@@ -120,24 +135,53 @@ impl Exchange {
         bodies: &[BodyMotion],
         water: Water<'_>,
     ) {
-        let Exchange { rules, list, weights, scale, means, wetness, .. } = self;
-        let rules = *rules;
-        with_kernel!(rules.kernel, K => with_interpolator!(rules.interpolator, interpolator => {
-            dispatch(path, Weigh::<K, _> {
-                interpolator,
-                scaling: rules.scaling,
-                ghosts,
-                bodies,
-                water,
-                list,
-                weights,
-                scale,
-                means,
-                coverage: wetness,
-                kernel: std::marker::PhantomData,
-            });
+        let blocks = 0..ghosts.len() / LANES;
+        self.weigh_blocks(path, ghosts, bodies, water, blocks);
+        let Exchange { rules, list, wetness, .. } = self;
+        with_kernel!(rules.kernel, K => dispatch(path, Cover::<K> {
+            scaling: rules.scaling,
+            ghosts,
+            bodies,
+            records: water.records,
+            list,
+            coverage: wetness,
+            kernel: std::marker::PhantomData,
         }));
         self.wet_faces(ghosts, bodies);
+    }
+
+    /// Weights and means at some blocks of targets.
+    pub(super) fn weigh_blocks(
+        &mut self,
+        path: SimdPath,
+        ghosts: &Ghosts,
+        bodies: &[BodyMotion],
+        water: Water<'_>,
+        blocks: std::ops::Range<usize>,
+    ) {
+        let Exchange { rules, list, weights, scale, fallen, means, .. } = self;
+        let interpolator = rules.interpolator;
+        let targets = Targets {
+            kernel: rules.kernel,
+            scaling: rules.scaling,
+            ghosts,
+            bodies,
+            water,
+            list,
+            blocks,
+            at_ghost: interpolator.at_ghost(),
+        };
+        if interpolator.from_kernel() {
+            let targets = targets.clone();
+            with_kernel!(rules.kernel, K => dispatch(path, KernelWeights::<K> {
+                targets,
+                weights,
+                kernel: std::marker::PhantomData,
+            }));
+        }
+        with_interpolator!(interpolator, interpolator => {
+            dispatch(path, Weigh { interpolator, targets, weights, scale, fallen, means });
+        });
     }
 
     /// Writes the ghosts' records: place, volume, pressure and its response to their body's
@@ -150,6 +194,7 @@ impl Exchange {
         responds: usize,
         ghost_records: &mut [Record],
     ) {
+        self.fallbacks = 0;
         let rules = &self.rules;
         let [left, right] =
             if rules.bed_between_walls { span(ghosts, bodies) } else { [f64::MIN, f64::MAX] };
@@ -182,6 +227,7 @@ impl Exchange {
                     volume *= inside.clamp(0.0, 1.0);
                 }
                 record[Record::WEIGHT] = volume * rules.scaling.weight_per_volume;
+                self.fallbacks += u64::from(volume != 0.0 && self.fallen[block][lane] > 0.5);
                 let means = &self.means[block];
                 let mean_pressure = means.pressure[lane];
                 let density =

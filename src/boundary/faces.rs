@@ -2,11 +2,10 @@
 
 use super::exchange::Exchange;
 use super::ghosts::{Ghosts, Plane};
-use super::sums::{Interpolate, Water};
+use super::sums::Water;
 use super::waterline::{corner_angle, wedge_fraction};
 use crate::body::BodyMotion;
-use crate::math::simd::{LANES, SimdPath, dispatch};
-use crate::{with_interpolator, with_kernel};
+use crate::math::simd::{LANES, SimdPath};
 
 impl Exchange {
     /// Turns the kernel coverage of the face points into a wetness: 2 Σ W V over what a full,
@@ -101,22 +100,9 @@ impl Exchange {
             apart.hypot(ghosts.target_y[b] - ghosts.target_y[a])
         };
         let blocks = faces.start / LANES..faces.end.div_ceil(LANES);
-        let Exchange { list, weights, scale, means, .. } = self;
-        with_kernel!(rules.kernel, K => with_interpolator!(rules.interpolator, interpolator => {
-            dispatch(path, Interpolate::<K, _> {
-                interpolator,
-                scaling: rules.scaling,
-                ghosts,
-                offset: motion.offset,
-                water,
-                list,
-                weights,
-                scale,
-                means,
-                blocks,
-                kernel: std::marker::PhantomData,
-            });
-        }));
+        let mut bodies = vec![BodyMotion::default(); ghosts.bodies.len()];
+        bodies[body] = *motion;
+        self.weigh_blocks(path, ghosts, &bodies, water, blocks);
         faces
             .map(|face| {
                 let (block, lane) = (face / LANES, face % LANES);

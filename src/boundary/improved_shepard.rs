@@ -3,9 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::Interpolator;
-use crate::kernel::Kernel;
+use super::weighing::{Stencil, Weighing};
 use crate::math::simd::{LANES, Lanes};
-use crate::particles::Record;
 
 /// w_j ∝ φ(r_j)⁴, φ = β(r)/r, β = exp(-σ q²/(1 - q^λ)), q = r/R (Huang et al. 2019, Eqs. 17-20).
 ///
@@ -42,20 +41,15 @@ impl ImprovedShepard {
 
 impl Interpolator for ImprovedShepard {
     #[inline(always)]
-    fn weigh<K: Kernel, L: Lanes>(
+    fn weigh<L: Lanes>(
         &self,
-        x: L,
-        y: L,
-        neighbours: &[u32],
-        records: &[Record],
+        stencil: &Stencil<'_, L>,
         weights: &mut [[f64; LANES]],
-    ) -> L {
+    ) -> Weighing<L> {
         let one = L::splat(1.0);
         let mut sum = L::splat(0.0);
-        for (&j, weight) in neighbours.iter().zip(weights) {
-            let record = &records[j as usize].0;
-            let dx = x - L::splat(record[Record::X]);
-            let dy = y - L::splat(record[Record::Y]);
+        for (k, weight) in weights.iter_mut().enumerate() {
+            let (dx, dy) = stencil.apart(k);
             // Nearer than 1e-6 R is coincident: the weight then outshines all others by 1e20.
             let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
             let inverse_q = s.rsqrt();
@@ -67,6 +61,6 @@ impl Interpolator for ImprovedShepard {
             value.store(weight);
             sum += value;
         }
-        sum.select_less(L::splat(1e-200), L::splat(0.0), one.div(sum.max(L::splat(1e-200))))
+        Weighing::of_sum(sum, L::splat(0.0))
     }
 }

@@ -5,46 +5,53 @@
 //! weighted sums into the ghost's pressure and velocity, the same way for every interpolator.
 //! A new interpolator is one file and one arm of [`with_interpolator!`](crate::with_interpolator).
 
+mod dummy;
 mod exchange;
 mod faces;
 mod ghosts;
 mod improved_shepard;
 mod mirror;
+mod mls_linear;
+mod mls_quadratic;
+mod normalized;
+mod sfdi;
 mod sums;
 mod tank;
 mod waterline;
+mod weighing;
 
+pub use dummy::Dummy;
 pub use exchange::{Exchange, ExchangeRules};
 pub use ghosts::{BodySites, GhostBody, Ghosts, Plane, Reflection, Site};
 pub use improved_shepard::ImprovedShepard;
+pub use mls_linear::MlsLinear;
+pub use mls_quadratic::MlsQuadratic;
+pub use normalized::Normalized;
+pub use sfdi::{Sfdi, SfdiMatrix};
 pub use sums::Water;
 pub use tank::{TankLayout, tank_ghosts};
+pub use weighing::{Stencil, Weighing};
 
 use serde::{Deserialize, Serialize};
 
-use crate::kernel::Kernel;
 use crate::math::simd::{LANES, Lanes};
-use crate::particles::Record;
 
 /// Gives fluid particles their weights in the interpolation at a point.
 pub trait Interpolator: Copy + Send + Sync + 'static {
-    /// Weights of `neighbours` at eight points (`x`, `y`, in support radii), written to `weights`;
-    /// returns the factor that makes each lane's weights sum to one, 0 where nothing is in reach.
-    fn weigh<K: Kernel, L: Lanes>(
-        &self,
-        x: L,
-        y: L,
-        neighbours: &[u32],
-        records: &[Record],
-        weights: &mut [[f64; LANES]],
-    ) -> L;
-}
+    /// The water around the ghost itself is taken, rather than around the point that it mirrors.
+    const AT_GHOST: bool = false;
+    /// Weights may be negative, and a simpler method may have to stand in.
+    const SIGNED: bool = false;
+    /// The weights handed in are the kernel's, w(|r_j - r|) V_j; else they are left-overs.
+    const FROM_KERNEL: bool = false;
 
-/// An interpolator with its parameters.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub enum InterpolatorChoice {
-    /// Improved Shepard, Huang et al. 2019, Eqs. 17-21.
-    ImprovedShepard(ImprovedShepard),
+    /// Weights of the stencil's neighbours at its eight points, written to `weights`, and the
+    /// factor that makes each lane's weights sum to one.
+    fn weigh<L: Lanes>(
+        &self,
+        stencil: &Stencil<'_, L>,
+        weights: &mut [[f64; LANES]],
+    ) -> Weighing<L>;
 }
 
 /// Runs `$body` with `$interpolator` bound to the interpolator of a choice.
@@ -53,6 +60,66 @@ macro_rules! with_interpolator {
     ($choice:expr, $interpolator:ident => $body:expr) => {
         match $choice {
             $crate::boundary::InterpolatorChoice::ImprovedShepard($interpolator) => $body,
+            $crate::boundary::InterpolatorChoice::Normalized($interpolator) => $body,
+            $crate::boundary::InterpolatorChoice::Sfdi($interpolator) => $body,
+            $crate::boundary::InterpolatorChoice::MlsLinear($interpolator) => $body,
+            $crate::boundary::InterpolatorChoice::MlsQuadratic($interpolator) => $body,
+            $crate::boundary::InterpolatorChoice::Dummy($interpolator) => $body,
         }
     };
+}
+
+/// An interpolator with its parameters.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub enum InterpolatorChoice {
+    /// Improved Shepard, Huang et al. 2019, Eqs. 17-21.
+    ImprovedShepard(ImprovedShepard),
+    /// The normalized kernel, Eqs. 14-16.
+    Normalized(Normalized),
+    /// Simplified finite difference interpolation, Eqs. 10-13.
+    Sfdi(Sfdi),
+    /// Moving least squares with a linear basis, Eqs. 8-9.
+    MlsLinear(MlsLinear),
+    /// Moving least squares with a quadratic basis.
+    MlsQuadratic(MlsQuadratic),
+    /// The normalized kernel around the ghost itself, Adami et al. 2012.
+    Dummy(Dummy),
+}
+
+/// Bound on Σ|w_j| with which weights count as fit, by default.
+pub const AMPLIFICATION_LIMIT: f64 = 4.0;
+
+impl InterpolatorChoice {
+    /// Every interpolator, with its default parameters (and the source's matrix for SFDI, too).
+    pub const EVERY: [InterpolatorChoice; 7] = [
+        InterpolatorChoice::ImprovedShepard(ImprovedShepard { lambda: 2.0, sigma: 1.0 }),
+        InterpolatorChoice::Normalized(Normalized),
+        InterpolatorChoice::Sfdi(Sfdi {
+            matrix: SfdiMatrix::Full,
+            amplification_limit: AMPLIFICATION_LIMIT,
+        }),
+        InterpolatorChoice::Sfdi(Sfdi {
+            matrix: SfdiMatrix::Diagonal,
+            amplification_limit: AMPLIFICATION_LIMIT,
+        }),
+        InterpolatorChoice::MlsLinear(MlsLinear { amplification_limit: AMPLIFICATION_LIMIT }),
+        InterpolatorChoice::MlsQuadratic(MlsQuadratic { amplification_limit: AMPLIFICATION_LIMIT }),
+        InterpolatorChoice::Dummy(Dummy),
+    ];
+
+    /// See [`Interpolator::FROM_KERNEL`].
+    pub fn from_kernel(&self) -> bool {
+        fn told<I: Interpolator>(_: &I) -> bool {
+            I::FROM_KERNEL
+        }
+        with_interpolator!(self, interpolator => told(interpolator))
+    }
+
+    /// See [`Interpolator::AT_GHOST`].
+    pub fn at_ghost(&self) -> bool {
+        fn told<I: Interpolator>(_: &I) -> bool {
+            I::AT_GHOST
+        }
+        with_interpolator!(self, interpolator => told(interpolator))
+    }
 }

@@ -2,8 +2,9 @@
 
 use super::Interpolator;
 use super::ghosts::Ghosts;
+use super::weighing::{Stencil, Weighing};
 use crate::body::BodyMotion;
-use crate::kernel::Kernel;
+use crate::kernel::{Kernel, KernelChoice};
 use crate::math::simd::{LANES, Lanes, Task};
 use crate::neighbours::PairList;
 use crate::particles::{Record, Scaling};
@@ -31,21 +32,102 @@ pub struct Water<'a> {
     pub correction: Option<[&'a [f64]; 3]>,
 }
 
-pub(super) struct Weigh<'a, K, I> {
-    pub interpolator: I,
+/// Some blocks of targets with what is around them.
+#[derive(Clone)]
+pub(super) struct Targets<'a> {
+    pub kernel: KernelChoice,
     pub scaling: Scaling,
     pub ghosts: &'a Ghosts,
     pub bodies: &'a [BodyMotion],
     pub water: Water<'a>,
     pub list: &'a PairList,
+    pub blocks: std::ops::Range<usize>,
+    /// The ghosts themselves rather than their mirror points.
+    pub at_ghost: bool,
+}
+
+impl<'a> Targets<'a> {
+    /// The targets of a block with their neighbours, and where the weights of these are.
+    #[inline(always)]
+    fn stencil<L: Lanes>(&self, block: usize) -> (Stencil<'a, L>, std::ops::Range<usize>) {
+        let ghosts = self.ghosts;
+        let (xs, ys) = if self.at_ghost && block < ghosts.len() / LANES {
+            (&ghosts.x, &ghosts.y)
+        } else {
+            (&ghosts.target_x, &ghosts.target_y)
+        };
+        let offset = self.bodies[ghosts.target_body[block] as usize].offset;
+        let inverse = L::splat(self.scaling.inverse_radius);
+        let x = (L::load(&xs.as_chunks::<LANES>().0[block]) + L::splat(offset)) * inverse;
+        let y = L::load(&ys.as_chunks::<LANES>().0[block]) * inverse;
+        let neighbours = self.list.group(block, 0);
+        let start = self.list.start(block, 0);
+        let stencil =
+            Stencil { x, y, neighbours, records: self.water.records, kernel: self.kernel };
+        (stencil, start..start + neighbours.len())
+    }
+}
+
+/// Kernel weights of the water at targets.
+pub(super) struct KernelWeights<'a, K> {
+    pub targets: Targets<'a>,
+    pub weights: &'a mut [[f64; LANES]],
+    pub kernel: std::marker::PhantomData<K>,
+}
+
+impl<K: Kernel> Task for KernelWeights<'_, K> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        for block in self.targets.blocks.clone() {
+            let (stencil, range) = self.targets.stencil::<L>(block);
+            stencil.kernel_weights::<K>(&mut self.weights[range]);
+        }
+    }
+}
+
+/// Weights and means at targets.
+pub(super) struct Weigh<'a, I> {
+    pub interpolator: I,
+    pub targets: Targets<'a>,
     pub weights: &'a mut [[f64; LANES]],
     pub scale: &'a mut [[f64; LANES]],
+    pub fallen: &'a mut [[f64; LANES]],
     pub means: &'a mut [Means],
+}
+
+impl<I: Interpolator> Task for Weigh<'_, I> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let Targets { water, scaling, .. } = self.targets;
+        for block in self.targets.blocks.clone() {
+            let (stencil, range) = self.targets.stencil::<L>(block);
+            let weights = &mut self.weights[range];
+            let Weighing { scale, fallback } = self.interpolator.weigh::<L>(&stencil, weights);
+            scale.store(&mut self.scale[block]);
+            if I::SIGNED {
+                fallback.store(&mut self.fallen[block]);
+            }
+            self.means[block] = gather::<L, I>(stencil.neighbours, water, weights, scale, scaling);
+        }
+    }
+}
+
+/// Σ W V of the water at the face points.
+pub(super) struct Cover<'a, K> {
+    pub scaling: Scaling,
+    pub ghosts: &'a Ghosts,
+    pub bodies: &'a [BodyMotion],
+    pub records: &'a [Record],
+    pub list: &'a PairList,
     pub coverage: &'a mut [f64],
     pub kernel: std::marker::PhantomData<K>,
 }
 
-impl<K: Kernel, I: Interpolator> Task for Weigh<'_, K, I> {
+impl<K: Kernel> Task for Cover<'_, K> {
     type Output = ();
 
     #[inline(always)]
@@ -53,74 +135,26 @@ impl<K: Kernel, I: Interpolator> Task for Weigh<'_, K, I> {
         let (xs, _) = self.ghosts.target_x.as_chunks::<LANES>();
         let (ys, _) = self.ghosts.target_y.as_chunks::<LANES>();
         let (coverage, _) = self.coverage.as_chunks_mut::<LANES>();
-        let ghost_blocks = self.ghosts.len() / LANES;
         let inverse = L::splat(self.scaling.inverse_radius);
-        for block in 0..xs.len() {
+        for block in self.ghosts.len() / LANES..xs.len() {
             let offset = self.bodies[self.ghosts.target_body[block] as usize].offset;
             let x = (L::load(&xs[block]) + L::splat(offset)) * inverse;
             let y = L::load(&ys[block]) * inverse;
-            let neighbours = self.list.group(block, 0);
-            if block < ghost_blocks {
-                let start = self.list.start(block, 0);
-                let weights = &mut self.weights[start..start + neighbours.len()];
-                let scale =
-                    self.interpolator.weigh::<K, L>(x, y, neighbours, self.water.records, weights);
-                scale.store(&mut self.scale[block]);
-                self.means[block] =
-                    gather::<L>(neighbours, self.water, weights, scale, self.scaling);
-            } else {
-                let mut sum = L::splat(0.0);
-                for &j in neighbours {
-                    let record = &self.water.records[j as usize].0;
-                    let dx = x - L::splat(record[Record::X]);
-                    let dy = y - L::splat(record[Record::Y]);
-                    let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
-                    sum = K::shape(s, s.rsqrt()).mul_add(L::splat(record[Record::WEIGHT]), sum);
-                }
-                (sum * L::splat(self.scaling.shape_per_weight)).store(&mut coverage[block]);
+            let mut sum = L::splat(0.0);
+            for &j in self.list.group(block, 0) {
+                let record = &self.records[j as usize].0;
+                let dx = x - L::splat(record[Record::X]);
+                let dy = y - L::splat(record[Record::Y]);
+                let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
+                sum = K::shape(s, s.rsqrt()).mul_add(L::splat(record[Record::WEIGHT]), sum);
             }
-        }
-    }
-}
-
-pub(super) struct Interpolate<'a, K, I> {
-    pub interpolator: I,
-    pub scaling: Scaling,
-    pub ghosts: &'a Ghosts,
-    pub offset: f64,
-    pub water: Water<'a>,
-    pub list: &'a PairList,
-    pub weights: &'a mut [[f64; LANES]],
-    pub scale: &'a mut [[f64; LANES]],
-    pub means: &'a mut [Means],
-    pub blocks: std::ops::Range<usize>,
-    pub kernel: std::marker::PhantomData<K>,
-}
-
-impl<K: Kernel, I: Interpolator> Task for Interpolate<'_, K, I> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let (xs, _) = self.ghosts.target_x.as_chunks::<LANES>();
-        let (ys, _) = self.ghosts.target_y.as_chunks::<LANES>();
-        let inverse = L::splat(self.scaling.inverse_radius);
-        for block in self.blocks {
-            let x = (L::load(&xs[block]) + L::splat(self.offset)) * inverse;
-            let y = L::load(&ys[block]) * inverse;
-            let neighbours = self.list.group(block, 0);
-            let start = self.list.start(block, 0);
-            let weights = &mut self.weights[start..start + neighbours.len()];
-            let scale =
-                self.interpolator.weigh::<K, L>(x, y, neighbours, self.water.records, weights);
-            scale.store(&mut self.scale[block]);
-            self.means[block] = gather::<L>(neighbours, self.water, weights, scale, self.scaling);
+            (sum * L::splat(self.scaling.shape_per_weight)).store(&mut coverage[block]);
         }
     }
 }
 
 #[inline(always)]
-fn gather<L: Lanes>(
+fn gather<L: Lanes, I: Interpolator>(
     neighbours: &[u32],
     water: Water<'_>,
     weights: &[[f64; LANES]],
@@ -141,12 +175,19 @@ fn gather<L: Lanes>(
     let mut correction = [[1.0; LANES], [0.0; LANES], [1.0; LANES]];
     if let Some([all_xx, all_xy, all_yy]) = water.correction {
         let (mut xx, mut xy, mut yy) = (zero, zero, zero);
+        let mut positive = zero;
         for (&j, weight) in neighbours.iter().zip(weights) {
-            let weight = L::load(weight);
+            let mut weight = L::load(weight);
+            if I::SIGNED {
+                // A correction must stay between those of the water: only positive shares count.
+                weight = weight.max(zero);
+                positive += weight;
+            }
             xx = weight.mul_add(L::splat(all_xx[j as usize]), xx);
             xy = weight.mul_add(L::splat(all_xy[j as usize]), xy);
             yy = weight.mul_add(L::splat(all_yy[j as usize]), yy);
         }
+        let scale = if I::SIGNED { Weighing::of_sum(positive, zero).scale } else { scale };
         correction = [(xx * scale).to_array(), (xy * scale).to_array(), (yy * scale).to_array()];
     }
     let to_metres = scale * L::splat(scaling.support_radius);

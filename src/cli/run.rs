@@ -114,6 +114,7 @@ fn outcome_table(outcome: &Outcome) -> String {
     line("particles, lost", Some(format!("{}, {}", outcome.particles, outcome.particles_lost)));
     line("steps", Some(outcome.steps.to_string()));
     line("pair evaluations", Some(outcome.pair_evaluations.to_string()));
+    line("boundary fallbacks", Some(outcome.boundary_fallbacks.to_string()));
     text
 }
 

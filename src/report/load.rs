@@ -96,7 +96,8 @@ fn read_summary(path: &Path) -> Result<Vec<Row>, ReportError> {
     let (header, records) = read_records(path)?;
     demand(path, &header, REQUIRED)?;
     let mut rows: Vec<Row> = deserialize(path, &header, &records)?;
-    let known = header.iter().position(|name| name == "force_coupling").map_or(0, |at| at + 1);
+    let last = |name: &str| header.iter().position(|other| other == name).map_or(0, |at| at + 1);
+    let known = last("force_coupling").max(last("boundary_fallbacks"));
     let swept: BTreeMap<_, _> = (known..header.len())
         .map(|column| {
             let values = records.iter().map(|record| record[column].to_owned()).collect();

@@ -1,9 +1,9 @@
 //! From a scene's water and walls to particles at rest between ghosts.
 
 use super::frame::Frame;
-use super::numerics::{BoundaryChoice, GhostGravity, Numerics, Slip};
+use super::numerics::{GhostGravity, Numerics, Slip};
 use super::tank::WALL;
-use crate::boundary::{ImprovedShepard, InterpolatorChoice, TankLayout, tank_ghosts};
+use crate::boundary::{TankLayout, tank_ghosts};
 use crate::math::simd::SimdPath;
 use crate::particles::Fluid;
 use crate::scheme::wcsph::{Wcsph, WcsphOptions};
@@ -163,14 +163,9 @@ impl Filling {
             dry_bed: self.dry_bed,
         };
         let ghosts = tank_ghosts(&layout, Wcsph::strip_width(dx));
-        let BoundaryChoice::ImprovedShepard = numerics.boundary;
-        let interpolator = InterpolatorChoice::ImprovedShepard(ImprovedShepard {
-            lambda: numerics.shepard_lambda,
-            sigma: numerics.shepard_sigma,
-        });
         let rules = Wcsph::exchange_rules(
             &options,
-            interpolator,
+            numerics.interpolator(),
             numerics.ghost_gravity == GhostGravity::InSum,
             numerics.slip == Slip::No,
         );

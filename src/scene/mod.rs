@@ -11,6 +11,7 @@ mod error;
 mod filling;
 mod frame;
 mod hydrostatic;
+mod interpolation;
 mod numerics;
 mod probe;
 mod seawall;

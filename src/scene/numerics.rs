@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::check::Check;
 use super::error::ConfigError;
+use crate::boundary::{AMPLIFICATION_LIMIT, SfdiMatrix};
 use crate::kernel::KernelChoice;
 use crate::scheme::StateEquationChoice;
 use crate::scheme::wcsph::{DensityDiffusion, Shifting};
@@ -22,6 +23,16 @@ pub enum Scheme {
 pub enum BoundaryChoice {
     /// Improved Shepard interpolation, Huang et al. 2019, Eqs. 17-21.
     ImprovedShepard,
+    /// Normalized kernel, Huang et al. 2019, Eqs. 14-16.
+    Normalized,
+    /// Simplified finite difference interpolation, Eqs. 10-13.
+    Sfdi,
+    /// Moving least squares, linear basis, Eqs. 8-9.
+    MlsLinear,
+    /// Moving least squares, quadratic basis.
+    MlsQuadratic,
+    /// Dummy particles: the normalized kernel around the ghost itself, Adami et al. 2012.
+    Dummy,
 }
 
 /// Where gravity and the wall's acceleration enter a ghost's pressure.
@@ -80,6 +91,11 @@ pub struct Numerics {
     pub shepard_lambda: f64,
     /// Factor σ of its exponential; 0 is the formula as printed, in metres.
     pub shepard_sigma: f64,
+    /// Matrix of `sfdi`: the full one, or the diagonal of the source.
+    pub sfdi_matrix: SfdiMatrix,
+    /// Largest Σ|w_j| of the weights that `sfdi` and the `mls` methods may use, before a simpler
+    /// method stands in.
+    pub amplification_limit: f64,
     /// Placement of the ghosts' pressure correction.
     pub ghost_gravity: GhostGravity,
     /// Tangential condition at walls.
@@ -135,6 +151,8 @@ impl Numerics {
             boundary: BoundaryChoice::ImprovedShepard,
             shepard_lambda: 2.0,
             shepard_sigma: 1.0,
+            sfdi_matrix: SfdiMatrix::Full,
+            amplification_limit: AMPLIFICATION_LIMIT,
             ghost_gravity: GhostGravity::InSum,
             slip: Slip::Free,
             particle_spacing_m: 0.008,
@@ -176,6 +194,7 @@ impl Numerics {
         check.range("support_radius_ratio", self.support_radius_ratio, 2.0, 8.0)?;
         check.range("shepard_lambda", self.shepard_lambda, 0.1, 32.0)?;
         check.range("shepard_sigma", self.shepard_sigma, 0.0, 32.0)?;
+        check.range("amplification_limit", self.amplification_limit, 1.0, 1e6)?;
         check.positive("particle_spacing_m", self.particle_spacing_m)?;
         check.range("sound_speed_ratio", self.sound_speed_ratio, 4.0, 200.0)?;
         check.range(

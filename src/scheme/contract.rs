@@ -114,6 +114,12 @@ pub trait Scheme: Debug + Send {
     /// Pair interactions evaluated so far.
     fn pair_evaluations(&self) -> u64;
 
+    /// How many times a ghost was filled with what a simpler interpolation than the chosen one
+    /// gave; none where the scheme's walls take no interpolation.
+    fn boundary_fallbacks(&self) -> u64 {
+        0
+    }
+
     /// Phases of a step with the seconds spent in each.
     fn phases(&self) -> Vec<(&'static str, f64)>;
 }

@@ -51,6 +51,7 @@ impl Run {
             steps: self.clock.steps,
             particles: water.fluid().len() as u32,
             pair_evaluations: water.pair_evaluations(),
+            boundary_fallbacks: water.boundary_fallbacks(),
         };
         let phases = water
             .phases()

@@ -72,6 +72,10 @@ pub struct Outcome {
     pub particles: u32,
     /// Pair interactions evaluated, the trunk's included.
     pub pair_evaluations: u64,
+    /// How many times a ghost was filled with what a simpler interpolation than the chosen one
+    /// gave, the trunk's included.
+    #[serde(default)]
+    pub boundary_fallbacks: u64,
 }
 
 /// One line of `histories/<case_id>.csv`: the first step at or after a sampling time.

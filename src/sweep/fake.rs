@@ -121,6 +121,7 @@ fn made_up(config: &CaseConfig) -> CaseResult {
         steps: 1000,
         particles: 100,
         pair_evaluations: 12_345,
+        boundary_fallbacks: 0,
     };
     let row = |step: u32| HistoryRow {
         time_s: f64::from(step) * 0.005,

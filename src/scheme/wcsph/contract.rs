@@ -66,6 +66,10 @@ impl Scheme for Wcsph {
         Wcsph::pair_evaluations(self)
     }
 
+    fn boundary_fallbacks(&self) -> u64 {
+        Wcsph::boundary_fallbacks(self)
+    }
+
     fn phases(&self) -> Vec<(&'static str, f64)> {
         let t = &self.timings;
         vec![

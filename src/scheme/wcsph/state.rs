@@ -33,6 +33,7 @@ pub struct WcsphState {
     carried: [Vec<f64>; 4],
     strain: Vec<[f64; 2]>,
     pair_evaluations: u64,
+    boundary_fallbacks: u64,
 }
 
 /// δ-SPH particles with their neighbours and ghosts.
@@ -59,6 +60,7 @@ pub struct Wcsph {
     pub(super) strain: Vec<[f64; 2]>,
     pub(super) scratch: Vec<f64>,
     pub(super) pair_evaluations: u64,
+    pub(super) boundary_fallbacks: u64,
     pub(super) last_viscous_power: f64,
     /// Where the time went; never part of the state.
     pub timings: Timings,
@@ -92,6 +94,7 @@ impl Wcsph {
             strain: vec![[0.0; 2]; padded],
             scratch: Vec::new(),
             pair_evaluations: 0,
+            boundary_fallbacks: 0,
             last_viscous_power: 0.0,
             timings: Timings::default(),
             options,
@@ -133,6 +136,7 @@ impl Wcsph {
             carried: self.work.carried().map(Clone::clone),
             strain: self.strain.clone(),
             pair_evaluations: self.pair_evaluations,
+            boundary_fallbacks: self.boundary_fallbacks,
         }
     }
 
@@ -148,6 +152,7 @@ impl Wcsph {
         }
         self.strain = state.strain;
         self.pair_evaluations = state.pair_evaluations;
+        self.boundary_fallbacks = state.boundary_fallbacks;
         if !self.reference_x.is_empty() {
             self.list_neighbours();
         }
@@ -156,6 +161,11 @@ impl Wcsph {
     /// Pair interactions evaluated so far.
     pub fn pair_evaluations(&self) -> u64 {
         self.pair_evaluations
+    }
+
+    /// How many times a ghost was filled with what a simpler interpolation gave.
+    pub fn boundary_fallbacks(&self) -> u64 {
+        self.boundary_fallbacks
     }
 
     /// The options.

@@ -51,6 +51,7 @@ impl Wcsph {
         let shifting_work = self.drift(dt, walls.bodies);
         self.take_next_correction();
         self.timings.integration += counted.elapsed().as_secs_f64();
+        self.boundary_fallbacks += self.exchange.fallbacks();
         self.pair_evaluations += (LANES * (2 * self.pairs.len() + self.exchange.pairs())) as u64;
         Dissipation { viscous_power: -self.last_viscous_power, diffusion_power, shifting_work }
     }

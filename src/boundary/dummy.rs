@@ -1,0 +1,30 @@
+//! Dummy particles after Adami, Hu & Adams 2012.
+
+use serde::{Deserialize, Serialize};
+
+use super::Interpolator;
+use super::weighing::{Stencil, Weighing, sum};
+use crate::math::simd::{LANES, Lanes};
+
+/// w_j = W(r_j - r) V_j / Σ W V around the ghost itself, no point being mirrored (Adami, Hu & Adams
+/// 2012, *Journal of Computational Physics* 231, Eqs. 22-27).
+///
+/// With gravity in the sum this is their p_w = [Σ p_f W + (g - a_w)·Σ ρ r_wf W] / Σ W. Their
+/// velocity u = 2 u_w - ū takes the distance of the water that ū came from into account here, as it
+/// does for every interpolator. A ghost that no water can feel sees none either: it cannot fail.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Dummy;
+
+impl Interpolator for Dummy {
+    const AT_GHOST: bool = true;
+    const FROM_KERNEL: bool = true;
+
+    #[inline(always)]
+    fn weigh<L: Lanes>(
+        &self,
+        _stencil: &Stencil<'_, L>,
+        weights: &mut [[f64; LANES]],
+    ) -> Weighing<L> {
+        Weighing::of_sum(sum(weights), L::splat(0.0))
+    }
+}
