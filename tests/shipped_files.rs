@@ -4,6 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use seawall::scene::CaseConfig;
+use seawall::sweep::matrix::{Matrix, Pair};
 use toml::{Table, Value};
 
 #[test]
@@ -20,9 +21,20 @@ fn every_scene_is_valid() {
 #[test]
 fn every_corner_of_every_sweep_is_valid() {
     let files = files("sweeps");
-    assert!(files.len() >= 5);
+    assert!(files.len() >= 6);
     for path in files {
         let file = read(&path);
+        if file.contains_key("case") {
+            let matrix = Matrix::read(&fs::read_to_string(&path).unwrap());
+            let matrix = matrix.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+            let (_, pairs) = matrix.study(false, "");
+            let default = |pair: &&Pair| matrix.methods[pair.method].numerics.is_empty();
+            for pair in pairs.iter().filter(default) {
+                let (name, run) = (&matrix.cases[pair.case].name, &pair.run);
+                assert!(run.is_ok(), "{}: {name}: {run:?}", path.display());
+            }
+            continue;
+        }
         for last in [false, true] {
             validate(&path, &corner(&file, last));
         }

@@ -4,14 +4,17 @@
 //! 3 interrupted, to be gone on with; 70 internal error. Under an MPI launcher rank 0 alone
 //! validates, prints and returns the code; the other ranks return 0.
 
+mod accuracy;
 mod check;
 mod execute;
 mod failure;
 mod input;
+mod matrix;
 mod output;
 mod report;
 mod run;
 mod status;
+mod stress;
 mod sweep;
 mod table;
 
@@ -67,6 +70,8 @@ enum Command {
     Check(check::CheckArgs),
     Status(status::StatusArgs),
     Report(report::ReportArgs),
+    Accuracy(accuracy::AccuracyArgs),
+    Stress(stress::StressArgs),
 }
 
 /// Runs the command line and returns the process's exit code.
@@ -101,6 +106,8 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         Command::Check(args) => check::main(&args, &output),
         Command::Status(args) => status::main(&args, &output),
         Command::Report(args) => report::main(&args, &output),
+        Command::Accuracy(args) => accuracy::main(&args, &output),
+        Command::Stress(args) => stress::main(&args, &output),
     };
     failure::exit_code(result, launcher)
 }

@@ -55,7 +55,7 @@ impl Loaded {
         let manifest = directory.join("manifest.json");
         Ok(Loaded {
             rows: read_summary(&directory.join("summary.csv"))?,
-            energy: if energy.exists() { Some(read_raw(&energy)?) } else { None },
+            energy: if energy.exists() { Some(read_raw(&energy, &["case_id"])?) } else { None },
             manifest: if manifest.exists() { Some(read_manifest(&manifest)?) } else { None },
             histories: directory.join("histories"),
         })
@@ -108,9 +108,9 @@ fn read_summary(path: &Path) -> Result<Vec<Row>, ReportError> {
     Ok(rows)
 }
 
-fn read_raw(path: &Path) -> Result<RawTable, ReportError> {
+pub(super) fn read_raw(path: &Path, needed: &[&'static str]) -> Result<RawTable, ReportError> {
     let (header, records) = read_records(path)?;
-    demand(path, &header, &["case_id"])?;
+    demand(path, &header, needed)?;
     let cells = |record: &StringRecord| record.iter().map(str::to_owned).collect();
     Ok(RawTable { header: cells(&header), rows: records.iter().map(cells).collect() })
 }

@@ -4,6 +4,7 @@
 //! [`write()`] does it all. [`load`] reads, [`curves`] sorts, [`tables`] and [`plots`] present, and
 //! a page joins them. The same files give the same bytes.
 
+pub mod accuracy;
 pub mod curves;
 mod error;
 #[cfg(test)]

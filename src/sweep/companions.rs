@@ -27,7 +27,8 @@ pub(super) fn plan(cases: &[Case], bars: &[ErrorBars]) -> (Vec<Case>, Vec<Vec<us
         cases.iter().map(|case| (case.id, case.index)).collect();
     let mut companions: Vec<Case> = Vec::new();
     let mut of = Vec::with_capacity(cases.len());
-    for (case, &bars) in cases.iter().zip(bars) {
+    let bars = bars.iter().copied().chain(std::iter::repeat(ErrorBars::None));
+    for (case, bars) in cases.iter().zip(bars) {
         let mut own = Vec::new();
         for &ratio in ratios(bars) {
             let Some(config) = case.config.coarsened(ratio) else { continue };

@@ -152,12 +152,17 @@ impl Loop {
                 session.progress.trunk(session.plan.trunks[trunk].cost);
                 Event::TrunkDone { rank, trunk, ok: result.is_ok() }
             }
-            Report::CaseDone { case, result: Ok(result), wall_time_s } => {
-                self.record(rank, case, Ok(*result), wall_time_s, session)?;
+            Report::CaseDone { case, result: Ok(result), wall_time_s, cpu_time_s } => {
+                self.record(rank, case, Ok(*result), (wall_time_s, cpu_time_s), session)?;
                 Event::CaseDone { rank, case }
             }
-            Report::CaseDone { case, result: Err(Stopped::Failed(failure)), wall_time_s } => {
-                self.record(rank, case, Err(failure), wall_time_s, session)?;
+            Report::CaseDone {
+                case,
+                result: Err(Stopped::Failed(failure)),
+                wall_time_s,
+                cpu_time_s,
+            } => {
+                self.record(rank, case, Err(failure), (wall_time_s, cpu_time_s), session)?;
                 Event::CaseDone { rank, case }
             }
             Report::Interrupted => Event::Interrupted,
@@ -171,7 +176,7 @@ impl Loop {
         rank: usize,
         case: usize,
         result: Result<CaseResult, Failure>,
-        wall_time_s: f64,
+        (wall_time_s, cpu_time_s): (f64, Option<f64>),
         session: &mut Session<'_>,
     ) -> Result<(), SweepError> {
         let planned = session.plan.cases[case];
@@ -185,7 +190,8 @@ impl Loop {
         }
         let host = &session.ranks[rank].host;
         let whole = session.study.run(planned.index);
-        let record = CaseRecord::new(session.study, whole, &result, wall_time_s, host);
+        let mut record = CaseRecord::new(session.study, whole, &result, wall_time_s, host);
+        record.cpu_time_s = cpu_time_s;
         let work = if trunk.is_some() { planned.branch_cost } else { planned.cost };
         let ok = record.is_ok();
         session.directory.record(record, result.as_ref().ok())?;

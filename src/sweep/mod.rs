@@ -29,6 +29,7 @@ mod keys;
 mod lock;
 mod manager;
 mod manifest;
+pub mod matrix;
 mod number;
 mod overrides;
 mod plan;

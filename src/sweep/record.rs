@@ -34,6 +34,9 @@ pub struct CaseRecord {
     pub phases: Vec<PhaseShare>,
     /// Wall time, seconds; a trunk's is not included.
     pub wall_time_s: f64,
+    /// Processor time, seconds, where the system tells it; a trunk's is not included.
+    #[serde(default)]
+    pub cpu_time_s: Option<f64>,
     /// Where it ran.
     pub host: String,
 }
@@ -59,6 +62,7 @@ impl CaseRecord {
             readings: Vec::new(),
             phases: Vec::new(),
             wall_time_s,
+            cpu_time_s: None,
             host: host.to_owned(),
         };
         match result {

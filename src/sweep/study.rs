@@ -41,23 +41,27 @@ impl Study {
             std::mem::replace(&mut case.config.numerics.error_bars, ErrorBars::None)
         };
         let bars: Vec<_> = cases.iter_mut().map(&mut take_bars).collect();
-        let (companions, companions_of) = companions::plan(&cases, &bars);
         let keys: Vec<String> = file.grid.iter().map(|axis| axis.key.clone()).collect();
+        Ok(Study::of(file.name.clone(), keys, cases, &bars, &file.text))
+    }
+
+    /// A study of the given cases; where `bars` has fewer entries, there are no further bars.
+    pub(super) fn of(
+        name: String,
+        keys: Vec<String>,
+        cases: Vec<Case>,
+        bars: &[ErrorBars],
+        file_text: &str,
+    ) -> Study {
+        let (companions, companions_of) = companions::plan(&cases, bars);
         let mut hash = Sha256::new();
         hash.update(keys.join(","));
         for case in &cases {
             hash.update(case.id.to_string());
         }
         let identity = hash.finalize()[..8].iter().map(|byte| format!("{byte:02x}")).collect();
-        Ok(Study {
-            name: file.name.clone(),
-            keys,
-            cases,
-            companions,
-            companions_of,
-            identity,
-            file_text: file.text.clone(),
-        })
+        let file_text = file_text.to_owned();
+        Study { name, keys, cases, companions, companions_of, identity, file_text }
     }
 
     /// Cases and companions, in the order of their indices.

@@ -2,6 +2,7 @@
 //!
 //! A new family is a new file with a function `figures` and one line in [`all`].
 
+mod accuracy;
 mod axes;
 mod fixed_wall;
 mod history;
@@ -9,6 +10,7 @@ mod legend;
 mod pen;
 mod response;
 
+pub use accuracy::{Dot, error_against_time};
 pub(super) use fixed_wall::walls as fixed_walls;
 
 use super::error::ReportError;

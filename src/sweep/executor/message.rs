@@ -58,6 +58,8 @@ pub enum Report {
         result: Result<Box<CaseResult>, Stopped>,
         /// Wall time, seconds.
         wall_time_s: f64,
+        /// Processor time, seconds, where the system tells it.
+        cpu_time_s: Option<f64>,
     },
     /// This rank received a signal to stop.
     Interrupted,

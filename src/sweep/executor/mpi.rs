@@ -321,7 +321,7 @@ mod tests {
         let result =
             FakeRunner::default().case(&config, None, &crate::simulation::Unwatched).unwrap();
         let result = Ok(Box::new(result));
-        let report = Report::CaseDone { case: 3, result, wall_time_s: 0.1 };
+        let report = Report::CaseDone { case: 3, result, wall_time_s: 0.1, cpu_time_s: Some(0.1) };
         let bytes = postcard::to_stdvec(&Message::Report(report.clone())).unwrap();
         let Message::Report(read) = postcard::from_bytes(&bytes).unwrap() else { panic!() };
         assert_eq!(read, report);

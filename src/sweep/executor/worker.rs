@@ -27,7 +27,17 @@ impl Monitor for Cancel {
 /// A thread's result, on its way to the thread that talks.
 enum Finished {
     Trunk { trunk: usize, result: Result<TrunkResult, Stopped> },
-    Case { case: usize, result: Result<Box<CaseResult>, Stopped>, wall_time_s: f64 },
+    Case { case: usize, result: Result<Box<CaseResult>, Stopped>, times: Times },
+}
+
+/// Wall time and processor time, seconds.
+type Times = (f64, Option<f64>);
+
+/// Processor time of the calling thread so far, seconds; `None` where the system does not tell.
+fn thread_cpu_time() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    let nanoseconds: u64 = text.split_whitespace().next()?.parse().ok()?;
+    Some(nanoseconds as f64 * 1e-9)
 }
 
 /// A case that waits for its checkpoint.
@@ -141,8 +151,8 @@ impl Worker<'_, '_> {
                 });
                 Report::TrunkDone { trunk, result }
             }
-            Finished::Case { case, result, wall_time_s } => {
-                Report::CaseDone { case, result, wall_time_s }
+            Finished::Case { case, result, times: (wall_time_s, cpu_time_s) } => {
+                Report::CaseDone { case, result, wall_time_s, cpu_time_s }
             }
         })
     }
@@ -173,7 +183,7 @@ impl Worker<'_, '_> {
     fn start_case(&self, case: usize, config: String, checkpoint: Option<Arc<[u8]>>) {
         let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
         self.scope.spawn(move |_| {
-            let start = Instant::now();
+            let (start, cpu_start) = (Instant::now(), thread_cpu_time());
             let run = |checkpoint: Option<&[u8]>| {
                 attempt(cancel, &config, |config| runner.case(config, checkpoint, cancel))
             };
@@ -185,9 +195,10 @@ impl Worker<'_, '_> {
             if checkpoint.is_some() && result.as_ref().is_err_and(unreadable) {
                 result = run(None);
             }
-            let wall_time_s = start.elapsed().as_secs_f64();
+            let cpu_time_s = thread_cpu_time().zip(cpu_start).map(|(end, start)| end - start);
+            let times = (start.elapsed().as_secs_f64(), cpu_time_s);
             let result = result.map(Box::new);
-            let _ = sender.send(Finished::Case { case, result, wall_time_s });
+            let _ = sender.send(Finished::Case { case, result, times });
         });
     }
 }

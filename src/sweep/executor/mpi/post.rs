@@ -10,7 +10,7 @@ use super::Message;
 use crate::sweep::error::SweepError;
 
 /// Raised with every change of the messages; leads every message.
-const PROTOCOL: u16 = 1;
+const PROTOCOL: u16 = 2;
 /// MPI counts bytes in a C int; a checkpoint larger than this is not sent, and the case that
 /// wants it runs from rest.
 const LARGEST: usize = 1 << 30;

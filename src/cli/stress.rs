@@ -1,0 +1,157 @@
+//! `seawall stress`: numerical stability on hard cases.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use serde_json::json;
+
+use super::matrix::{Request, run};
+use super::output::Output;
+use super::table::Table;
+use super::{CASES_FAILED, SUCCESS};
+use crate::sweep::matrix::Matrix;
+use crate::sweep::matrix::stress::{Judged, Verdict, judge};
+
+/// Run hard cases, each with its criterion stated beforehand, and tell what survives where.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  seawall stress
+  seawall stress --quick
+  seawall stress sweeps/stress.toml --out results/runs/stress --threads 2
+  seawall stress --quick --format json
+
+The cases, their criteria and the methods are those of sweeps/stress.toml. Exit code 1: some case
+failed or missed its criterion.")]
+pub(super) struct StressArgs {
+    /// A matrix of cases and methods [default: sweeps/stress.toml, built in].
+    file: Option<PathBuf>,
+    /// Where results go [default: results/runs/stress].
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Only the cases and methods marked quick: seconds.
+    #[arg(long)]
+    quick: bool,
+    /// Move an earlier run aside and start over.
+    #[arg(long)]
+    fresh: bool,
+    /// Cases at once [default: one per core].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+}
+
+/// The hard cases.
+pub(super) const BUILT_IN: &str = include_str!("../../sweeps/stress.toml");
+
+pub(super) fn main(args: &StressArgs, output: &Output) -> anyhow::Result<u8> {
+    let ran = run(
+        &Request {
+            file: args.file.as_deref(),
+            built_in: BUILT_IN,
+            out: args.out.as_deref(),
+            quick: args.quick,
+            fresh: args.fresh,
+            threads: args.threads,
+            branching: true,
+        },
+        output,
+    )?;
+    if let Some(code) = ran.interrupted {
+        return Ok(code);
+    }
+    let judged = judge(&ran.matrix, &ran.pairs, &ran.records);
+    let page = ran.out.join("stress.md");
+    std::fs::write(ran.out.join("stress.csv"), csv(&judged)?)?;
+    std::fs::write(&page, markdown(&ran.matrix, &judged))?;
+    let survived = |row: &&Judged| matches!(row.verdict, Verdict::Passed | Verdict::NotThere);
+    let all_well = judged.iter().all(|row| survived(&row));
+    let mut table = Table::new(["case", "method", "verdict", "edge", "closest bound, or reason"]);
+    for row in &judged {
+        table.row([&row.case, &row.method, word(&row.verdict), &edge(row), &row.reason]);
+    }
+    let text = format!("{}\nreport: {}\n", table.render(), page.display());
+    output.result(&text, &json!({ "out": ran.out, "report": page, "rows": judged }))?;
+    Ok(if all_well { SUCCESS } else { CASES_FAILED })
+}
+
+fn word(verdict: &Verdict) -> &'static str {
+    match verdict {
+        Verdict::Passed => "passed",
+        Verdict::Missed => "missed",
+        Verdict::Failed => "failed",
+        Verdict::NotThere => "not there",
+    }
+}
+
+fn edge(row: &Judged) -> String {
+    row.edge.map_or_else(|| "-".to_owned(), |edge| format!("{edge:.2}"))
+}
+
+fn csv(judged: &[Judged]) -> anyhow::Result<Vec<u8>> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(["case", "method", "verdict", "edge", "reason", "wall_time_s"])?;
+    for row in judged {
+        let time = row.wall_time_s.map(|time| format!("{time:.1}")).unwrap_or_default();
+        let edge = row.edge.map(|edge| format!("{edge:.3}")).unwrap_or_default();
+        let verdict = word(&row.verdict);
+        writer.write_record([&*row.case, &row.method, verdict, &edge, &row.reason, &time])?;
+    }
+    Ok(writer.into_inner()?)
+}
+
+/// The matrix of what survives where, then every case with its criterion.
+fn markdown(matrix: &Matrix, judged: &[Judged]) -> String {
+    let mut methods: Vec<&str> = Vec::new();
+    for row in judged {
+        if !methods.contains(&row.method.as_str()) {
+            methods.push(&row.method);
+        }
+    }
+    let mut text = format!(
+        "# Hard cases\n\nWritten by `seawall stress` (physics version {}). A number is the largest \
+         share of a bound that the run reached,\ncriteria and health alike: below 1 it passed, \
+         above 1 it ran to its end and missed the criterion. A word is the\nkind of failure. `-`: \
+         not run with this method, or not in this build.\n\n| case | {} |\n|---|{}\n",
+        crate::sweep::PHYSICS_VERSION,
+        methods.join(" | "),
+        "---|".repeat(methods.len())
+    );
+    for case in &matrix.cases {
+        let cells: Vec<_> = methods
+            .iter()
+            .map(|&method| {
+                let row = judged.iter().find(|row| row.case == case.name && row.method == method);
+                row.map_or_else(|| "-".to_owned(), cell)
+            })
+            .collect();
+        if cells.iter().any(|cell| cell != "-") {
+            text.push_str(&format!("| {} | {} |\n", case.name, cells.join(" | ")));
+        }
+    }
+    text.push_str("\n## Cases and criteria\n\n");
+    for case in &matrix.cases {
+        let ranges =
+            case.pass.iter().map(|(name, [low, high])| format!("{name} in [{low}, {high}]"));
+        let same = case.same.iter().map(|same| {
+            let percent = 100.0 * same.tolerance;
+            format!("{} within {percent} % of {}", same.quantities.join(", "), same.case)
+        });
+        let criteria: Vec<_> = ranges.chain(same).collect();
+        let criteria =
+            if criteria.is_empty() { "runs to its end".to_owned() } else { criteria.join("; ") };
+        text.push_str(&format!("- **{}**: {}. Criterion: {criteria}.\n", case.name, case.about));
+    }
+    text.push_str("\n## Failures and misses\n\n");
+    let bad = |row: &&Judged| matches!(row.verdict, Verdict::Missed | Verdict::Failed);
+    for row in judged.iter().filter(bad) {
+        text.push_str(&format!("- {}, {}: {}\n", row.case, row.method, row.reason));
+    }
+    text
+}
+
+fn cell(row: &Judged) -> String {
+    match row.verdict {
+        Verdict::NotThere => "-".to_owned(),
+        Verdict::Failed => row.reason.split(' ').next().unwrap_or("failed").to_owned(),
+        Verdict::Passed | Verdict::Missed => edge(row),
+    }
+}
