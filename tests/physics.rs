@@ -103,9 +103,10 @@ fn vector_paths_give_the_same_bits_and_the_portable_path_nearly() {
     if SimdPath::Avx2.is_supported() {
         let avx2 = result(SimdPath::Avx2);
         assert!(first_force(&avx2) > 1.5);
-        // Rounding differs: without fused multiply-add and with it.
+        // Rounding differs, without fused multiply-add and with it, and single precision in the
+        // slopes that acoustic steps read makes it differ by more.
         let difference = apart(&avx2, &portable);
-        assert!(difference < 1e-8, "{difference:e}");
+        assert!(difference < 1e-4, "{difference:e}");
         if SimdPath::Avx512.is_supported() {
             assert_eq!(bits(&avx2), bits(&result(SimdPath::Avx512)));
         }
@@ -182,8 +183,8 @@ fn a_sick_run_is_a_failure_with_its_kind() {
     let sick = config(SHORT, &numerics);
     match try_run(&sick, SimdPath::widest()) {
         Err(Stopped::Failed(failure)) => {
-            use FailureKind::{DensityOutOfBounds, NotANumber, ParticlesLost, RunawaySpeed};
-            let kinds = [DensityOutOfBounds, NotANumber, ParticlesLost, RunawaySpeed];
+            use FailureKind::{DensityOutOfBounds, EnergyGrowth, NotANumber, RunawaySpeed};
+            let kinds = [DensityOutOfBounds, EnergyGrowth, NotANumber, RunawaySpeed];
             assert!(kinds.contains(&failure.kind), "{failure}");
             assert!(!failure.detail.is_empty() && failure.time_s >= 0.0);
         }
@@ -221,7 +222,7 @@ fn the_answer_does_not_depend_on_the_scale() {
     assert_eq!(small.outcome.stops, large.outcome.stops);
     let large = scaled(10.0);
     let difference = apart(&small, &large);
-    assert!(difference < 1e-8, "{difference:e}");
+    assert!(difference < 1e-4, "{difference:e}");
 }
 
 #[test]

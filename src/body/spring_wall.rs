@@ -55,6 +55,11 @@ impl SpringWall {
         }
     }
 
+    /// Whether it has ever left its stop.
+    pub fn has_moved(&self) -> bool {
+        self.displacement > 0.0 || self.velocity != 0.0 || self.stops > 0
+    }
+
     /// Advances by `dt` seconds under the water's force F = `force` - `added_mass` · a.
     pub fn advance(&mut self, force: f64, added_mass: f64, dt: f64) -> WallStep {
         let system = self.system(force, added_mass);

@@ -2,7 +2,8 @@
 
 use super::InterpolatorChoice;
 use super::faces::span;
-use super::ghosts::{Ghosts, Reflection, Site};
+use super::ghosts::{Ghosts, Reflection};
+use super::pressure::press;
 use super::sums::{Cover, GatherVelocity, KernelWeights, Means, Targets, Water, Weigh};
 use super::waterline::Waterline;
 use crate::body::BodyMotion;
@@ -54,6 +55,8 @@ pub struct Exchange {
     pub(super) fallbacks: u64,
     pub(super) means: Vec<Means>,
     pub(super) wetness: Vec<f64>,
+    /// Mirrored correction of each ghost: xx, xy, yy.
+    pub(super) correction: Vec<[f64; 3]>,
     /// Change of each ghost's pressure per acceleration of its wall, Pa/(m/s²), times its
     /// correction: xx, xy, yy.
     pub(super) responses: Vec<[f64; 3]>,
@@ -78,6 +81,7 @@ impl Exchange {
             fallbacks: 0,
             means: vec![Means::default(); targets / LANES],
             wetness: vec![0.0; targets],
+            correction: vec![[0.0; 3]; ghosts.len()],
             responses: vec![[0.0; 3]; ghosts.len()],
         };
         if rules.bed_between_walls {
@@ -216,10 +220,7 @@ impl Exchange {
                     record[Record::VY] = 0.0;
                     continue;
                 }
-                let wet = match ghosts.face[g] {
-                    Site::ALWAYS_WET => 1.0,
-                    face => self.wet_share(number, face as usize),
-                };
+                let wet = self.wet_share_of(ghosts, number, g);
                 let mut volume = ghosts.volume[g] * wet;
                 if number == 0 && rules.bed_between_walls {
                     let half = 0.5 * rules.spacing;
@@ -228,30 +229,13 @@ impl Exchange {
                 }
                 record[Record::WEIGHT] = volume * rules.scaling.weight_per_volume;
                 self.fallbacks += u64::from(volume != 0.0 && self.fallen[block][lane] > 0.5);
-                let means = &self.means[block];
-                let mean_pressure = means.pressure[lane];
-                let density =
-                    rules.surface_density + mean_pressure / (rules.sound_speed * rules.sound_speed);
-                let anchor = if rules.gravity_in_sum {
-                    [means.x[lane], means.y[lane]]
-                } else {
-                    [ghosts.target_x[g] + motion.offset, ghosts.target_y[g]]
-                };
-                let (reach_x, reach_y) = (x - anchor[0], y - anchor[1]);
-                let still = mean_pressure - density * rules.gravity * reach_y;
-                let per_acceleration = -density * reach_x;
-                let (pressure, response) = if wet < 1.0 {
-                    (still.max(0.0), 0.0)
-                } else if number == responds {
-                    (still, per_acceleration)
-                } else {
-                    (still + per_acceleration * motion.acceleration, 0.0)
-                };
-                let [xx, xy, yy] = mirrored_correction(means, lane, ghosts.reflection[g]);
-                record[Record::PRESSURE] = pressure * xx;
-                record[Record::PRESSURE_XY] = pressure * xy;
-                record[Record::PRESSURE_YY] = pressure * yy;
-                self.responses[g] = [response * xx, response * xy, response * yy];
+                let correction =
+                    mirrored_correction(&self.means[block], lane, ghosts.reflection[g]);
+                self.correction[g] = correction;
+                let (pressure, response) =
+                    self.pressure(ghosts, g, wet, motion, number == responds);
+                press(record, pressure, correction);
+                self.responses[g] = correction.map(|part| response * part);
                 let velocity = self.mirrored_velocity(ghosts, g, motion);
                 record[Record::VX] = velocity[0];
                 record[Record::VY] = velocity[1];

@@ -14,6 +14,7 @@ mod mirror;
 mod mls_linear;
 mod mls_quadratic;
 mod normalized;
+mod pressure;
 mod sfdi;
 mod sums;
 mod tank;

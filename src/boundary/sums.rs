@@ -231,3 +231,31 @@ impl Task for GatherVelocity<'_> {
         }
     }
 }
+
+/// The pressures alone, with the weights at hand.
+pub(super) struct GatherPressure<'a> {
+    pub list: &'a PairList,
+    pub weights: &'a [[f64; LANES]],
+    pub scale: &'a [[f64; LANES]],
+    pub means: &'a mut [Means],
+    pub blocks: usize,
+    pub pressure: &'a [f64],
+}
+
+impl Task for GatherPressure<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        for block in 0..self.blocks {
+            let neighbours = self.list.group(block, 0);
+            let start = self.list.start(block, 0);
+            let mut pressure = L::splat(0.0);
+            for (&j, weight) in neighbours.iter().zip(&self.weights[start..]) {
+                pressure = L::load(weight).mul_add(L::splat(self.pressure[j as usize]), pressure);
+            }
+            let scale = L::load(&self.scale[block]);
+            (pressure * scale).store(&mut self.means[block].pressure);
+        }
+    }
+}

@@ -151,6 +151,8 @@ impl Filling {
             artificial_viscosity: numerics.artificial_viscosity,
             shifting: numerics.shifting,
             shifting_coefficient: numerics.shifting_coefficient,
+            bulk_damping: numerics.bulk_damping,
+            acoustic_substeps: numerics.acoustic_substeps,
         };
         let layout = TankLayout {
             length: frame.length,

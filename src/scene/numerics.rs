@@ -121,6 +121,10 @@ pub struct Numerics {
     pub shifting_coefficient: f64,
     /// c0 Δt / Δx.
     pub courant_number: f64,
+    /// γ: pressures are taken γ Δt ahead of the densities, which damps sound.
+    pub bulk_damping: f64,
+    /// Steps per full step: the others follow the sound alone and hold the pairs' geometry.
+    pub acoustic_substeps: u32,
     /// Upper bound on the time step, seconds; none by default.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub time_step_s: Option<f64>,
@@ -165,6 +169,8 @@ impl Numerics {
             shifting: Shifting::Interior,
             shifting_coefficient: 0.5,
             courant_number: 1.6,
+            bulk_damping: 0.1,
+            acoustic_substeps: 3,
             time_step_s: None,
             retries: 0,
             precision: Precision::F64,
@@ -182,6 +188,8 @@ impl Numerics {
                 shifting: Shifting::None,
                 sound_speed_ratio: 10.0,
                 courant_number: 0.9,
+                bulk_damping: 0.0,
+                acoustic_substeps: 1,
                 time_step_s: Some(5e-4),
                 ..default
             }),
@@ -209,6 +217,8 @@ impl Numerics {
         if self.retries > 6 {
             return Err(check.error("retries", self.retries, "must be a whole number from 0 to 6"));
         }
+        check.range("bulk_damping", self.bulk_damping, 0.0, 1.0)?;
+        check.range("acoustic_substeps", f64::from(self.acoustic_substeps), 1.0, 8.0)?;
         if let Some(step) = self.time_step_s {
             check.positive("time_step_s", step)?;
         }

@@ -191,12 +191,19 @@ impl Run {
                     .failure(FailureKind::NotANumber, "the wall's force".into())
                     .into());
             }
-            if until_onset && load.force > self.tank.threshold_ratio * self.tank.static_force {
+            let full = self.tank.water.can_be_kept();
+            let threshold = self.tank.threshold_ratio * self.tank.static_force;
+            if until_onset && full && load.force > threshold {
                 return Ok(Reached::Onset);
             }
             let before = self.tank.wall;
-            let step =
-                self.tank.wall.as_mut().map(|wall| wall.advance(load.force, load.added_mass, dt));
+            // A wall first leaves its stop in a full step: only there can a trunk end.
+            let step = self
+                .tank
+                .wall
+                .as_mut()
+                .filter(|wall| full || wall.has_moved())
+                .map(|wall| wall.advance(load.force, load.added_mass, dt));
             let acceleration = step.map_or(0.0, |step| step.acceleration);
             let force = load.force - load.added_mass * acceleration;
             self.read(force, before.as_ref(), sample, &bodies, acceleration)?;

@@ -73,6 +73,19 @@ impl Lanes for Avx2 {
         }
     }
     #[inline(always)]
+    fn load_single(values: &[f32; LANES]) -> Self {
+        let at = values.as_ptr();
+        unsafe { Avx2(_mm256_cvtps_pd(_mm_loadu_ps(at)), _mm256_cvtps_pd(_mm_loadu_ps(at.add(4)))) }
+    }
+    #[inline(always)]
+    fn store_single(self, values: &mut [f32; LANES]) {
+        let at = values.as_mut_ptr();
+        unsafe {
+            _mm_storeu_ps(at, _mm256_cvtpd_ps(self.0));
+            _mm_storeu_ps(at.add(4), _mm256_cvtpd_ps(self.1));
+        }
+    }
+    #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         unsafe {
             Avx2(

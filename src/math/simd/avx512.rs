@@ -67,6 +67,14 @@ impl Lanes for Avx512 {
         unsafe { _mm512_storeu_pd(values.as_mut_ptr(), self.0) }
     }
     #[inline(always)]
+    fn load_single(values: &[f32; LANES]) -> Self {
+        Avx512(unsafe { _mm512_cvtps_pd(_mm256_loadu_ps(values.as_ptr())) })
+    }
+    #[inline(always)]
+    fn store_single(self, values: &mut [f32; LANES]) {
+        unsafe { _mm256_storeu_ps(values.as_mut_ptr(), _mm512_cvtpd_ps(self.0)) }
+    }
+    #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         Avx512(unsafe { _mm512_fmadd_pd(self.0, factor.0, addend.0) })
     }

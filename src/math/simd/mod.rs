@@ -79,6 +79,10 @@ pub trait Lanes:
     fn load(values: &[f64; LANES]) -> Self;
     /// Writes eight values.
     fn store(self, values: &mut [f64; LANES]);
+    /// Reads eight values in single precision.
+    fn load_single(values: &[f32; LANES]) -> Self;
+    /// Writes eight values, rounded to single precision.
+    fn store_single(self, values: &mut [f32; LANES]);
     /// `self * factor + addend`, fused where the path has it.
     fn mul_add(self, factor: Self, addend: Self) -> Self;
     /// `self * factor - subtrahend`, fused likewise.

@@ -66,6 +66,14 @@ impl Lanes for Portable {
         *values = self.0;
     }
     #[inline(always)]
+    fn load_single(values: &[f32; LANES]) -> Self {
+        Portable(values.map(f64::from))
+    }
+    #[inline(always)]
+    fn store_single(self, values: &mut [f32; LANES]) {
+        *values = self.0.map(|value| value as f32);
+    }
+    #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
         self * factor + addend
     }

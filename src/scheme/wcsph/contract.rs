@@ -28,8 +28,8 @@ impl Scheme for Wcsph {
         Some(&self.options.state)
     }
 
-    fn prepare(&mut self, bodies: &[BodyMotion], _dt: f64, sample: bool) -> Result<(), StepError> {
-        Wcsph::prepare(self, bodies, sample);
+    fn prepare(&mut self, bodies: &[BodyMotion], dt: f64, _sample: bool) -> Result<(), StepError> {
+        Wcsph::prepare(self, bodies, dt);
         Ok(())
     }
 
@@ -51,6 +51,10 @@ impl Scheme for Wcsph {
 
     fn face_force(&mut self, body: usize, motion: &BodyMotion) -> f64 {
         Wcsph::face_force(self, body, motion)
+    }
+
+    fn can_be_kept(&self) -> bool {
+        self.at_full_step()
     }
 
     fn state(&self) -> SchemeState {

@@ -1,6 +1,7 @@
 //! Neighbour lists: when they are worn, and how they are made.
 
 use super::Wcsph;
+use super::separation::Slopes;
 use crate::body::BodyMotion;
 use crate::neighbours::{PointSet, Strips, build_pair_list};
 
@@ -21,13 +22,14 @@ impl Wcsph {
     pub(super) fn refresh_lists(&mut self, bodies: &[BodyMotion]) {
         let spacing = self.options.spacing;
         let n = self.fluid.len();
+        self.look_ahead();
         let worn = self.reference_x.is_empty() || {
             let reach = ((self.options.support_radius + FLUID_MARGIN * spacing)
                 / Wcsph::strip_width(spacing))
             .ceil() as usize;
             let (relative, farthest) = self.drift.measure(
                 &self.strips,
-                [&self.fluid.x[..n], &self.fluid.y[..n]],
+                [&self.ahead[0][..n], &self.ahead[1][..n]],
                 [&self.reference_x, &self.reference_y],
                 reach,
             );
@@ -58,7 +60,28 @@ impl Wcsph {
             self.reference_y.extend_from_slice(&self.fluid.y[..n]);
             self.reference_offsets.clear();
             self.reference_offsets.extend(bodies.iter().map(|body| body.offset));
+            self.look_ahead();
             self.list_neighbours();
+        }
+    }
+
+    /// Where the particles will be in the middle of the stretch that the coming full step stands
+    /// for: the geometry that it holds is then as much ahead of time as it will lag.
+    fn look_ahead(&mut self) {
+        let (fluid, work, lead) = (&self.fluid, &self.work, self.lead);
+        // Velocities are those of half a step ago.
+        let substeps = f64::from(self.options.acoustic_substeps);
+        let half_square = if substeps > 1.0 {
+            0.5 * lead * lead * (substeps + 1.0) / (substeps - 1.0)
+        } else {
+            0.0
+        };
+        let [ahead_x, ahead_y] = &mut self.ahead;
+        for k in 0..fluid.padded_len() {
+            ahead_x[k] =
+                fluid.x[k] + lead * fluid.vx[k] + half_square * work.last_acceleration_x[k];
+            ahead_y[k] =
+                fluid.y[k] + lead * fluid.vy[k] + half_square * work.last_acceleration_y[k];
         }
     }
 
@@ -95,6 +118,7 @@ impl Wcsph {
         lanes_x.resize(padded, lanes_x[n - 1]);
         lanes_y.resize(padded, lanes_y[n - 1]);
         build_pair_list(self.path, &lanes_x, &lanes_y, &sets, &mut self.pairs);
+        self.slopes.resize(self.pairs.len(), Slopes::default());
         let bodies: Vec<BodyMotion> = self
             .reference_offsets
             .iter()

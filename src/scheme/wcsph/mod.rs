@@ -3,7 +3,11 @@
 //! A step is symplectic Euler in two halves, so that the caller can settle the motion of walls in
 //! between: [`Wcsph::prepare`] finds forces at the old places; [`Wcsph::finish`] kicks the
 //! velocities, finds the density rates with the new velocities at the old places, and drifts.
+//!
+//! Of every `acoustic_substeps` steps only the first is full. The others follow the sound alone:
+//! new pressures and velocities over pairs whose geometry and corrections are held.
 
+mod acoustic;
 mod continuity;
 mod contract;
 mod lists;
@@ -31,9 +35,16 @@ struct Workspace {
     /// y over R.
     scaled_y: Vec<f64>,
     pressure: Vec<f64>,
+    /// How much of a negative pressure counts.
+    tension: Vec<f64>,
     acceleration_x: Vec<f64>,
     acceleration_y: Vec<f64>,
+    /// 1/ρ of the last full step.
+    inverse_density: Vec<f64>,
     density_rate: Vec<f64>,
+    /// Accelerations of the step before a full one.
+    last_acceleration_x: Vec<f64>,
+    last_acceleration_y: Vec<f64>,
     /// How much of the density diffusion each particle takes part in.
     diffused_share: Vec<f64>,
     /// R ∇ρ.
@@ -54,6 +65,8 @@ struct Workspace {
     next_correction_yy: Vec<f64>,
     /// Per body: force on it along x, N/m, and its added mass, kg/m.
     loads: Vec<[f64; 2]>,
+    /// The viscous part of the force, which acoustic steps hold.
+    held_loads: Vec<f64>,
     /// Clusters whose acceleration responds to the wall's, with the response per lane.
     responding: Vec<(u32, [f64; LANES], [f64; LANES])>,
 }
@@ -65,9 +78,13 @@ impl Workspace {
             scaled_x: zeros(),
             scaled_y: zeros(),
             pressure: zeros(),
+            tension: vec![1.0; padded],
             acceleration_x: zeros(),
             acceleration_y: zeros(),
+            inverse_density: zeros(),
             density_rate: zeros(),
+            last_acceleration_x: zeros(),
+            last_acceleration_y: zeros(),
             diffused_share: zeros(),
             gradient_x: zeros(),
             gradient_y: zeros(),
@@ -81,6 +98,7 @@ impl Workspace {
             next_correction_xy: zeros(),
             next_correction_yy: zeros(),
             loads: vec![[0.0; 2]; bodies],
+            held_loads: vec![0.0; bodies],
             responding: Vec::new(),
         }
     }
@@ -93,16 +111,27 @@ impl Workspace {
     }
 
     /// What one step hands to the next, besides the fluid itself.
-    fn carried(&self) -> [&Vec<f64>; 4] {
-        [&self.correction_xx, &self.correction_xy, &self.correction_yy, &self.completeness]
+    fn carried(&self) -> [&Vec<f64>; 7] {
+        [
+            &self.correction_xx,
+            &self.correction_xy,
+            &self.correction_yy,
+            &self.tension,
+            &self.last_acceleration_x,
+            &self.last_acceleration_y,
+            &self.density_rate,
+        ]
     }
 
-    fn carried_mut(&mut self) -> [&mut Vec<f64>; 4] {
+    fn carried_mut(&mut self) -> [&mut Vec<f64>; 7] {
         [
             &mut self.correction_xx,
             &mut self.correction_xy,
             &mut self.correction_yy,
-            &mut self.completeness,
+            &mut self.tension,
+            &mut self.last_acceleration_x,
+            &mut self.last_acceleration_y,
+            &mut self.density_rate,
         ]
     }
 }

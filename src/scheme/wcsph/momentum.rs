@@ -6,7 +6,7 @@ use crate::neighbours::PairList;
 use crate::particles::{Fluid, Record};
 
 use super::Workspace;
-use super::separation::{CHUNK, Inverses, lanes, separation};
+use super::separation::{CHUNK, Geometry, Slopes, lanes};
 
 /// Forces alone.
 pub(super) const FORCES: u8 = 0;
@@ -17,13 +17,14 @@ pub(super) const GRADIENTS: u8 = 2;
 
 /// Momentum equation of Huang et al. 2019, Eq. 5, and what else `SUMS` asks for: the
 /// kernel sums that shifting uses with a measure of how complete each particle's support is, and
-/// the renormalised density gradient of Eq. 6. With `ENERGY` the viscous power is summed on its own.
+/// the renormalised density gradient of Eq. 6. What the other passes over the same pairs need of
+/// their geometry is left in `slopes`.
 ///
 /// Pairs are antisymmetric: m_i a_i holds -V_i V_j (p_i L_i + p_j L_j) ∇W, L the correction of one
 /// step before (the identity without `CORRECTED`), and, with the prefactor ρ0 in place of the
 /// paper's ρ_i, V_i V_j α h c0 ρ0 π_ij ∇W. With `CORRECTED` π_ij holds only what a linear,
 /// divergence-free velocity field leaves, limited so that every pair dissipates.
-pub(super) struct Momentum<'a, K, const SUMS: u8, const CORRECTED: bool, const ENERGY: bool> {
+pub(super) struct Momentum<'a, K, const SUMS: u8, const CORRECTED: bool> {
     pub fluid: &'a Fluid,
     pub records: &'a [Record],
     /// What density diffusion smooths, kg/m³.
@@ -35,6 +36,8 @@ pub(super) struct Momentum<'a, K, const SUMS: u8, const CORRECTED: bool, const E
     /// Number of the first ghost among the records.
     pub first_ghost: usize,
     pub pairs: &'a PairList,
+    /// Per entry of the list: g, the kernel's slope over q times the neighbour's weight.
+    pub slopes: &'a mut [Slopes],
     pub work: &'a mut Workspace,
     /// Number of bodies: groups 1.. of the list.
     pub bodies: usize,
@@ -46,15 +49,17 @@ pub(super) struct Momentum<'a, K, const SUMS: u8, const CORRECTED: bool, const E
     pub support_radius: f64,
     /// Gravity, m/s².
     pub gravity: f64,
+    /// Steps until the next full one, this one included.
+    pub steps: f64,
     pub kernel: std::marker::PhantomData<K>,
 }
 
 /// Sums over the neighbours of one cluster in one group, a value per lane.
 #[derive(Clone, Copy)]
 struct Sums {
-    /// Σ g (drag - (p_i + p_j)) Δ.
-    force: [[f64; LANES]; 2],
-    /// Its viscous part, with `ENERGY`.
+    /// -Σ g (p_i + p_j) Δ.
+    push: [[f64; LANES]; 2],
+    /// Σ g drag Δ.
     viscous: [[f64; LANES]; 2],
     /// Σ g ΔΔᵀ: xx, xy, yy.
     moment: [[f64; LANES]; 3],
@@ -73,7 +78,7 @@ impl Sums {
                 *a += b;
             }
         };
-        add(&mut self.force, &other.force);
+        add(&mut self.push, &other.push);
         add(&mut self.viscous, &other.viscous);
         add(&mut self.moment, &other.moment);
         add(&mut self.concentration, &other.concentration);
@@ -88,64 +93,53 @@ struct Group<
     K,
     const SUMS: u8,
     const CORRECTED: bool,
-    const ENERGY: bool,
     const FLUID: bool,
     const RESPONSE: bool,
 > {
-    pass: &'b Momentum<'a, K, SUMS, CORRECTED, ENERGY>,
+    pass: &'b Momentum<'a, K, SUMS, CORRECTED>,
     work: &'b Workspace,
+    slopes: &'b mut [Slopes],
     cluster: usize,
     group: usize,
 }
 
-impl<
-    K: Kernel,
-    const SUMS: u8,
-    const CORRECTED: bool,
-    const ENERGY: bool,
-    const FLUID: bool,
-    const RESPONSE: bool,
-> Task for Group<'_, '_, K, SUMS, CORRECTED, ENERGY, FLUID, RESPONSE>
+impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const FLUID: bool, const RESPONSE: bool> Task
+    for Group<'_, '_, K, SUMS, CORRECTED, FLUID, RESPONSE>
 {
     type Output = Sums;
 
     #[inline(always)]
     fn run<L: Lanes>(self) -> Sums {
-        let Group { pass, work, cluster, group } = self;
+        let Group { pass, work, slopes, cluster, group } = self;
         let at = cluster * LANES;
         let zero = L::splat(0.0);
-        let viscosity = L::splat(pass.viscosity);
         let x = lanes::<L>(&work.scaled_x, at);
         let y = lanes::<L>(&work.scaled_y, at);
         let vx = lanes::<L>(&pass.fluid.vx, at);
         let vy = lanes::<L>(&pass.fluid.vy, at);
-        let pressure = lanes::<L>(&work.pressure, at);
         let diffused = lanes::<L>(pass.diffused, at);
-        let (mut own_xx, mut own_xy, mut own_yy) = (pressure, zero, pressure);
         let (mut own_stretch, mut own_shear) = (zero, zero);
         if CORRECTED {
-            own_xx = pressure * lanes(&work.correction_xx, at);
-            own_xy = pressure * lanes(&work.correction_xy, at);
-            own_yy = pressure * lanes(&work.correction_yy, at);
             let strain = pass.strain[at..at + LANES].first_chunk::<LANES>().unwrap();
             own_stretch = L::load(&strain.map(|parts| parts[0]));
             own_shear = L::load(&strain.map(|parts| parts[1]));
         }
         // Plain local variables throughout: they stay in registers, arrays of lanes may not.
-        let (mut force_x, mut force_y) = (zero, zero);
+        let (mut push_x, mut push_y) = (zero, zero);
         let (mut viscous_x, mut viscous_y) = (zero, zero);
         let (mut moment_xx, mut moment_xy, mut moment_yy) = (zero, zero, zero);
         let (mut concentration_x, mut concentration_y) = (zero, zero);
         let (mut gradient_x, mut gradient_y) = (zero, zero);
         let (mut response_x, mut response_y) = (zero, zero);
-        let mut inverses = Inverses::new();
-        for chunk in pass.pairs.group(cluster, group).chunks(CHUNK) {
-            let inverses = inverses.fill(x, y, chunk, pass.records);
-            for (&j, inverse) in chunk.iter().zip(inverses) {
+        let mut geometry = Geometry::new();
+        let entries = pass.pairs.group(cluster, group);
+        for (chunk, slopes) in entries.chunks(CHUNK).zip(slopes.chunks_mut(CHUNK)) {
+            let geometry = geometry.fill::<K, L>(x, y, chunk, pass.records, slopes);
+            for (&j, pair) in chunk.iter().zip(geometry) {
                 let record = &pass.records[j as usize].0;
-                let (dx, dy, dy2, s) = separation(x, y, record);
-                let inverse_q = L::load(inverse);
-                let g = K::slope_over_q(s, inverse_q) * L::splat(record[Record::WEIGHT]);
+                let dx = x - L::splat(record[Record::X]);
+                let dy = y - L::splat(record[Record::Y]);
+                let (inverse_s, g) = (L::load(&pair.inverse_s), L::load(&pair.slope));
                 let du = vx - L::splat(record[Record::VX]);
                 let dv = vy - L::splat(record[Record::VY]);
                 let mut approach = du.mul_add(dx, dv * dy);
@@ -157,7 +151,7 @@ impl<
                     } else {
                         (own_stretch + own_stretch, own_shear + own_shear)
                     };
-                    let apart = dx.mul_sub(dx, dy2);
+                    let apart = dx.mul_sub(dx, dy * dy);
                     let rest = (dx * dy).negated_mul_add(shear, approach);
                     let rest = apart.negated_mul_add(stretch, rest);
                     // Between nothing and all of it: every pair then dissipates.
@@ -166,32 +160,25 @@ impl<
                 }
                 let gx = g * dx;
                 let gy = g * dy;
-                let drag = approach * (inverse_q * inverse_q) * viscosity;
+                let drag = approach * inverse_s;
+                viscous_x = drag.mul_add(gx, viscous_x);
+                viscous_y = drag.mul_add(gy, viscous_y);
+                let pressure = L::splat(record[Record::PRESSURE]);
+                push_x = pressure.mul_add(gx, push_x);
                 if CORRECTED {
-                    let xx = own_xx + L::splat(record[Record::PRESSURE]);
-                    let xy = own_xy + L::splat(record[Record::PRESSURE_XY]);
-                    let yy = own_yy + L::splat(record[Record::PRESSURE_YY]);
-                    force_x = (drag - xx).mul_add(gx, force_x);
-                    force_x = xy.negated_mul_add(gy, force_x);
-                    force_y = (drag - yy).mul_add(gy, force_y);
-                    force_y = xy.negated_mul_add(gx, force_y);
+                    let xy = L::splat(record[Record::PRESSURE_XY]);
+                    push_x = xy.mul_add(gy, push_x);
+                    push_y = xy.mul_add(gx, push_y);
+                    push_y = L::splat(record[Record::PRESSURE_YY]).mul_add(gy, push_y);
                 } else {
-                    let push = drag - (own_xx + L::splat(record[Record::PRESSURE]));
-                    force_x = push.mul_add(gx, force_x);
-                    force_y = push.mul_add(gy, force_y);
+                    push_y = pressure.mul_add(gy, push_y);
                 }
-                if ENERGY {
-                    viscous_x = drag.mul_add(gx, viscous_x);
-                    viscous_y = drag.mul_add(gy, viscous_y);
-                }
+                concentration_x += gx;
+                concentration_y += gy;
                 if SUMS > FORCES || CORRECTED {
                     moment_xx = gx.mul_add(dx, moment_xx);
                     moment_xy = gx.mul_add(dy, moment_xy);
                     moment_yy = gy.mul_add(dy, moment_yy);
-                }
-                if SUMS > FORCES {
-                    concentration_x += gx;
-                    concentration_y += gy;
                 }
                 if SUMS == GRADIENTS && FLUID {
                     let rise = L::splat(pass.diffused[j as usize]) - diffused;
@@ -206,65 +193,75 @@ impl<
                 }
             }
         }
+        let concentration = [concentration_x, concentration_y];
+        let own = own_push::<L, CORRECTED>(work, at, concentration);
+        let viscosity = L::splat(pass.viscosity);
         Sums {
-            force: [force_x.to_array(), force_y.to_array()],
-            viscous: [viscous_x.to_array(), viscous_y.to_array()],
+            push: [(zero - push_x - own[0]).to_array(), (zero - push_y - own[1]).to_array()],
+            viscous: [(viscous_x * viscosity).to_array(), (viscous_y * viscosity).to_array()],
             moment: [moment_xx.to_array(), moment_xy.to_array(), moment_yy.to_array()],
-            concentration: [concentration_x.to_array(), concentration_y.to_array()],
+            concentration: concentration.map(Lanes::to_array),
             gradient: [gradient_x.to_array(), gradient_y.to_array()],
             response: [response_x.to_array(), response_y.to_array()],
         }
     }
 }
 
-impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const ENERGY: bool> Task
-    for Momentum<'_, K, SUMS, CORRECTED, ENERGY>
-{
-    /// The viscous power, W per metre of width (0 without `ENERGY`).
+impl<K: Kernel, const SUMS: u8, const CORRECTED: bool> Task for Momentum<'_, K, SUMS, CORRECTED> {
+    /// The viscous power, W per metre of width.
     type Output = f64;
 
     #[inline(always)]
-    fn run<L: Lanes>(self) -> f64 {
+    fn run<L: Lanes>(mut self) -> f64 {
         let mut out = std::mem::take(self.work);
+        let slopes = std::mem::take(&mut self.slopes);
         out.loads.iter_mut().for_each(|load| *load = [0.0; 2]);
+        out.held_loads.iter_mut().for_each(|load| *load = 0.0);
         out.responding.clear();
         let mut viscous_power = 0.0;
         for cluster in 0..self.pairs.clusters() {
             let at = cluster * LANES;
             let density = lanes::<L>(&self.fluid.density, at);
             let inverse_density = L::splat(1.0).div(density);
+            store(&mut out.inverse_density, at, inverse_density);
             let volume = lanes::<L>(&self.fluid.mass, at) * inverse_density;
-            let mut sums = L::call(Group::<_, SUMS, CORRECTED, ENERGY, true, false> {
+            let mut sums = L::call(Group::<_, SUMS, CORRECTED, true, false> {
                 pass: &self,
                 work: &out,
+                slopes: &mut slopes[self.pairs.range(cluster, 0)],
                 cluster,
                 group: 0,
             });
             let fluid_moment = sums.moment;
             for body in 0..self.bodies {
                 let group = body + 1;
-                if self.pairs.group(cluster, group).is_empty() {
+                let range = self.pairs.range(cluster, group);
+                if range.is_empty() {
                     continue;
                 }
-                let (pass, work) = (&self, &out);
+                let (pass, work, slopes) = (&self, &out, &mut slopes[range]);
                 let more = if body == self.responds {
-                    L::call(Group::<_, SUMS, CORRECTED, ENERGY, false, true> {
+                    L::call(Group::<_, SUMS, CORRECTED, false, true> {
                         pass,
                         work,
+                        slopes,
                         cluster,
                         group,
                     })
                 } else {
-                    L::call(Group::<_, SUMS, CORRECTED, ENERGY, false, false> {
+                    L::call(Group::<_, SUMS, CORRECTED, false, false> {
                         pass,
                         work,
+                        slopes,
                         cluster,
                         group,
                     })
                 };
                 sums.add(&more);
                 // The body's reaction: minus the force of its ghosts on the water.
-                out.loads[body][0] -= (L::load(&more.force[0]) * volume).sum();
+                let held = (L::load(&more.viscous[0]) * volume).sum();
+                out.held_loads[body] -= held;
+                out.loads[body][0] -= held + (L::load(&more.push[0]) * volume).sum();
                 if body == self.responds {
                     let minus = L::splat(0.0) - inverse_density;
                     let (x, y) = (L::load(&more.response[0]), L::load(&more.response[1]));
@@ -273,16 +270,17 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const ENERGY: bool> Task
                     out.responding.push((cluster as u32, response.0, response.1));
                 }
             }
-            let force = [L::load(&sums.force[0]), L::load(&sums.force[1])];
-            store(&mut out.acceleration_x, at, force[0] * inverse_density);
+            let viscous = [L::load(&sums.viscous[0]), L::load(&sums.viscous[1])];
+            // All that viscosity does until the next full step, it does now.
+            let steps = L::splat(self.steps);
+            let force_x = viscous[0].mul_add(steps, L::load(&sums.push[0]));
+            let force_y = viscous[1].mul_add(steps, L::load(&sums.push[1]));
             let fall = L::splat(self.gravity);
-            store(&mut out.acceleration_y, at, force[1] * inverse_density - fall);
-            if ENERGY {
-                let (vx, vy) = (lanes::<L>(&self.fluid.vx, at), lanes::<L>(&self.fluid.vy, at));
-                let viscous = [L::load(&sums.viscous[0]), L::load(&sums.viscous[1])];
-                let power = viscous[0].mul_add(vx, viscous[1] * vy);
-                viscous_power += (power * volume).sum();
-            }
+            store(&mut out.acceleration_x, at, force_x * inverse_density);
+            store(&mut out.acceleration_y, at, force_y.mul_sub(inverse_density, fall));
+            let (vx, vy) = (lanes::<L>(&self.fluid.vx, at), lanes::<L>(&self.fluid.vy, at));
+            let power = viscous[0].mul_add(vx, viscous[1] * vy);
+            viscous_power += (power * volume).sum();
             if SUMS == GRADIENTS {
                 let [xx, xy, yy] = &fluid_moment;
                 let moment = [L::load(xx), L::load(xy), L::load(yy)];
@@ -291,10 +289,8 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const ENERGY: bool> Task
                 store(&mut out.gradient_x, at, gradient_x);
                 store(&mut out.gradient_y, at, gradient_y);
             }
-            if SUMS > FORCES {
-                store(&mut out.concentration_x, at, L::load(&sums.concentration[0]));
-                store(&mut out.concentration_y, at, L::load(&sums.concentration[1]));
-            }
+            store(&mut out.concentration_x, at, L::load(&sums.concentration[0]));
+            store(&mut out.concentration_y, at, L::load(&sums.concentration[1]));
             if SUMS > FORCES || CORRECTED {
                 let radius = L::splat(-self.support_radius);
                 let [xx, xy, yy] = &sums.moment;
@@ -314,8 +310,25 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const ENERGY: bool> Task
     }
 }
 
+/// p_i L_i Σ g Δ: a particle's own part of the pressure sum.
 #[inline(always)]
-fn store<L: Lanes>(field: &mut [f64], at: usize, value: L) {
+pub(super) fn own_push<L: Lanes, const CORRECTED: bool>(
+    work: &Workspace,
+    at: usize,
+    [x, y]: [L; 2],
+) -> [L; 2] {
+    let pressure = lanes::<L>(&work.pressure, at);
+    if !CORRECTED {
+        return [pressure * x, pressure * y];
+    }
+    let xx = lanes::<L>(&work.correction_xx, at);
+    let xy = lanes::<L>(&work.correction_xy, at);
+    let yy = lanes::<L>(&work.correction_yy, at);
+    [pressure * xx.mul_add(x, xy * y), pressure * xy.mul_add(x, yy * y)]
+}
+
+#[inline(always)]
+pub(super) fn store<L: Lanes>(field: &mut [f64], at: usize, value: L) {
     value.store(field[at..at + LANES].first_chunk_mut().unwrap());
 }
 

@@ -71,8 +71,8 @@ impl Wcsph {
             .collect();
         let spray_loss = if options.corrected_gradients { self.settle_surface(dt) } else { 0.0 };
         let shifting_loss = match self.options.shifting {
-            Shifting::Interior => self.shift(dt, &planes),
-            Shifting::None => 0.0,
+            Shifting::Interior if self.at_full_step() => self.shift(self.since_full, &planes),
+            _ => 0.0,
         };
         self.hold_inside(&planes, bodies);
         shifting_loss + spray_loss
@@ -168,5 +168,8 @@ impl Wcsph {
         std::mem::swap(&mut work.correction_xx, &mut work.next_correction_xx);
         std::mem::swap(&mut work.correction_xy, &mut work.next_correction_xy);
         std::mem::swap(&mut work.correction_yy, &mut work.next_correction_yy);
+        std::mem::swap(&mut work.acceleration_x, &mut work.last_acceleration_x);
+        std::mem::swap(&mut work.acceleration_y, &mut work.last_acceleration_y);
+        self.set_tension();
     }
 }

@@ -56,6 +56,10 @@ pub struct WcsphOptions {
     pub shifting: Shifting,
     /// A, see [`super::Wcsph::finish`].
     pub shifting_coefficient: f64,
+    /// γ of the pressure's lead, in time steps.
+    pub bulk_damping: f64,
+    /// Steps per full step, at least 1.
+    pub acoustic_substeps: u32,
 }
 
 impl WcsphOptions {

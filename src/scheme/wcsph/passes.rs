@@ -2,6 +2,7 @@
 
 use std::marker::PhantomData;
 
+use super::acoustic::Acoustic;
 use super::continuity::{Continuity, FADED, OFF, PLAIN, RENORMALISED};
 use super::momentum::{CONCENTRATION, FORCES, GRADIENTS, Momentum};
 use super::{DensityDiffusion, Shifting, Wcsph};
@@ -18,28 +19,15 @@ impl Wcsph {
     /// Pressures, and everything about the fluid that the pair loops read.
     pub(super) fn pack(&mut self) {
         let options = &self.options;
-        let state = options.state;
-        let hydrostatic = options.hydrostatic_slope();
-        let surface = state.surface_density;
         let corrected = options.corrected_gradients;
         let fluid = &self.fluid;
         for k in 0..fluid.padded_len() {
             let density = fluid.density[k];
-            let mut pressure = state.pressure(density);
-            if corrected && pressure < 0.0 {
-                let inside =
-                    (self.work.completeness[k] - TENSION_FROM) / (TENSION_FULL - TENSION_FROM);
-                pressure *= inside.clamp(0.0, 1.0);
-            }
-            let diffused = if hydrostatic > 0.0 {
-                surface * small_log(density / surface - 1.0) + hydrostatic * fluid.y[k]
-            } else {
-                density
-            };
+            let pressure = self.pressure_of(density, k);
             self.work.pressure[k] = pressure;
-            self.diffused[k] = diffused;
-            let x = fluid.x[k] * self.scaling.inverse_radius;
-            let y = fluid.y[k] * self.scaling.inverse_radius;
+            self.diffused[k] = self.diffused_of(density, k);
+            let x = self.ahead[0][k] * self.scaling.inverse_radius;
+            let y = self.ahead[1][k] * self.scaling.inverse_radius;
             self.work.scaled_x[k] = x;
             self.work.scaled_y[k] = y;
             let weight = fluid.mass[k] / density * self.scaling.weight_per_volume;
@@ -54,7 +42,78 @@ impl Wcsph {
         }
     }
 
-    pub(super) fn momentum_pass(&mut self, sample: bool) -> f64 {
+    /// New pressures alone, for an acoustic step.
+    pub(super) fn pack_pressures(&mut self) {
+        let options = &self.options;
+        let corrected = options.corrected_gradients;
+        for k in 0..self.fluid.padded_len() {
+            let density = self.fluid.density[k];
+            let pressure = self.pressure_of(density, k);
+            self.diffused[k] = self.diffused_of(density, k);
+            self.work.pressure[k] = pressure;
+            let work = &self.work;
+            let parts = if corrected {
+                [work.correction_xx[k], work.correction_xy[k], work.correction_yy[k]]
+                    .map(|component| pressure * component)
+            } else {
+                [pressure, 0.0, pressure]
+            };
+            self.records[k].0[Record::PRESSURE..].copy_from_slice(&parts);
+        }
+    }
+
+    /// What density diffusion smooths: ρ, or ρ less what it is in still water.
+    #[inline(always)]
+    fn diffused_of(&self, density: f64, k: usize) -> f64 {
+        let hydrostatic = self.options.hydrostatic_slope();
+        if hydrostatic > 0.0 {
+            let surface = self.options.state.surface_density;
+            surface * small_log(density / surface - 1.0) + hydrostatic * self.fluid.y[k]
+        } else {
+            density
+        }
+    }
+
+    /// A pressure, with tension left out near the free surface.
+    #[inline(always)]
+    fn pressure_of(&self, density: f64, k: usize) -> f64 {
+        let ahead = density + self.bulk_time * self.work.density_rate[k];
+        let pressure = self.options.state.pressure(ahead);
+        if pressure < 0.0 { pressure * self.work.tension[k] } else { pressure }
+    }
+
+    pub(super) fn acoustic_pass(&mut self) {
+        macro_rules! pass {
+            ($corrected:literal) => {
+                dispatch(
+                    self.path,
+                    Acoustic::<$corrected> {
+                        fluid: &self.fluid,
+                        records: &self.records,
+                        pairs: &self.pairs,
+                        slopes: &self.slopes,
+                        work: &mut self.work,
+                        bodies: self.ghosts.bodies.len(),
+                        gravity: self.options.gravity,
+                    },
+                )
+            };
+        }
+        if self.options.corrected_gradients { pass!(true) } else { pass!(false) }
+    }
+
+    /// How much tension the water bears in the steps to come.
+    pub(super) fn set_tension(&mut self) {
+        if self.options.corrected_gradients {
+            for (tension, completeness) in self.work.tension.iter_mut().zip(&self.work.completeness)
+            {
+                let inside = (completeness - TENSION_FROM) / (TENSION_FULL - TENSION_FROM);
+                *tension = inside.clamp(0.0, 1.0);
+            }
+        }
+    }
+
+    pub(super) fn momentum_pass(&mut self) -> f64 {
         let options = &self.options;
         let sums = match (options.density_diffusion, options.shifting) {
             (DensityDiffusion::Renormalised, _) => GRADIENTS,
@@ -68,17 +127,16 @@ impl Wcsph {
             * self.scaling.inverse_radius;
         macro_rules! pass {
             ($K:ty, $sums:ident) => {
-                match (options.corrected_gradients, sample) {
-                    (false, false) => pass!($K, $sums, false, false),
-                    (false, true) => pass!($K, $sums, false, true),
-                    (true, false) => pass!($K, $sums, true, false),
-                    (true, true) => pass!($K, $sums, true, true),
+                if options.corrected_gradients {
+                    pass!($K, $sums, true)
+                } else {
+                    pass!($K, $sums, false)
                 }
             };
-            ($K:ty, $sums:ident, $corrected:literal, $energy:literal) => {
+            ($K:ty, $sums:ident, $corrected:literal) => {
                 dispatch(
                     self.path,
-                    Momentum::<$K, $sums, $corrected, $energy> {
+                    Momentum::<$K, $sums, $corrected> {
                         fluid: &self.fluid,
                         records: &self.records,
                         diffused: &self.diffused,
@@ -86,12 +144,14 @@ impl Wcsph {
                         responses: self.exchange.responses(),
                         first_ghost: self.fluid.padded_len(),
                         pairs: &self.pairs,
+                        slopes: &mut self.slopes,
                         work: &mut self.work,
                         bodies: self.ghosts.bodies.len(),
                         responds: self.responds,
                         viscosity,
                         support_radius: self.scaling.support_radius,
                         gravity: options.gravity,
+                        steps: f64::from(options.acoustic_substeps),
                         kernel: PhantomData,
                     },
                 )
@@ -111,42 +171,38 @@ impl Wcsph {
             * options.state.sound_speed
             * self.scaling.inverse_radius;
         macro_rules! pass {
-            ($K:ty, $diffusion:expr, $energy:literal) => {
+            ($diffusion:ident) => {
                 if options.corrected_gradients {
-                    pass!($K, $diffusion, true, $energy)
+                    pass!($diffusion, true)
                 } else {
-                    pass!($K, $diffusion, false, $energy)
+                    pass!($diffusion, false)
                 }
             };
-            ($K:ty, $diffusion:expr, $corrected:literal, $energy:literal) => {
+            ($diffusion:ident, $corrected:literal) => {
                 dispatch(
                     self.path,
-                    Continuity::<$K, { $diffusion }, $corrected, $energy> {
+                    Continuity::<$diffusion, $corrected> {
                         fluid: &self.fluid,
                         records: &self.records,
                         diffused: &self.diffused,
+                        slopes: &self.slopes,
                         strain: &mut self.strain,
                         pairs: &self.pairs,
                         work: &mut self.work,
                         support_radius: self.scaling.support_radius,
-
                         bodies: self.ghosts.bodies.len(),
                         diffusion,
-                        kernel: PhantomData,
+                        sample,
                     },
                 )
             };
         }
-        use DensityDiffusion::{Hydrostatic, Molteni, None, Renormalised};
-        with_kernel!(options.kernel, K => match (options.density_diffusion, sample) {
-            (None, _) => pass!(K, OFF, false),
-            (Molteni, false) => pass!(K, PLAIN, false),
-            (Molteni, true) => pass!(K, PLAIN, true),
-            (Hydrostatic, false) => pass!(K, FADED, false),
-            (Hydrostatic, true) => pass!(K, FADED, true),
-            (Renormalised, false) => pass!(K, RENORMALISED, false),
-            (Renormalised, true) => pass!(K, RENORMALISED, true),
-        })
+        match options.density_diffusion {
+            DensityDiffusion::None => pass!(OFF),
+            DensityDiffusion::Molteni => pass!(PLAIN),
+            DensityDiffusion::Hydrostatic => pass!(FADED),
+            DensityDiffusion::Renormalised => pass!(RENORMALISED),
+        }
     }
 }
 

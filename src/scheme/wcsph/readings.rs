@@ -20,7 +20,8 @@ impl Wcsph {
     /// Force on a body by integrating the interpolated pressure over its face, N per metre.
     pub fn face_force(&mut self, body: usize, motion: &BodyMotion) -> f64 {
         let fluid = self.work.water(&self.records[..self.fluid.padded_len()], false);
-        self.exchange.face_force(self.path, &self.ghosts, body, motion, fluid)
+        let motion = BodyMotion { offset: self.held_bodies[body].offset, ..*motion };
+        self.exchange.face_force(self.path, &self.ghosts, body, &motion, fluid)
     }
 
     /// Level of the free surface at x, metres above the bed: upwards from `from`, the first

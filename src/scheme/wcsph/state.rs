@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::separation::Slopes;
 use super::{WcsphOptions, Workspace};
+use crate::body::BodyMotion;
 use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice};
 use crate::math::simd::SimdPath;
 use crate::neighbours::{Drift, PairList, Strips};
@@ -30,7 +32,7 @@ pub struct WcsphState {
     reference_x: Vec<f64>,
     reference_y: Vec<f64>,
     reference_offsets: Vec<f64>,
-    carried: [Vec<f64>; 4],
+    carried: [Vec<f64>; 7],
     strain: Vec<[f64; 2]>,
     pair_evaluations: u64,
     boundary_fallbacks: u64,
@@ -59,6 +61,20 @@ pub struct Wcsph {
     pub(super) diffused: Vec<f64>,
     pub(super) strain: Vec<[f64; 2]>,
     pub(super) scratch: Vec<f64>,
+    /// Per entry of `pairs`, from the last full step.
+    pub(super) slopes: Vec<Slopes>,
+    /// Place of the coming step between two full ones; 0 is a full step.
+    pub(super) substep: u32,
+    /// From a full step to the middle of the stretch until the next, seconds.
+    pub(super) lead: f64,
+    /// Where the particles will be then.
+    pub(super) ahead: [Vec<f64>; 2],
+    /// Pressures are ahead of the densities by this time, seconds.
+    pub(super) bulk_time: f64,
+    /// Time since the last full step, seconds.
+    pub(super) since_full: f64,
+    /// Motions of the bodies, with the offsets of the last full step.
+    pub(super) held_bodies: Vec<BodyMotion>,
     pub(super) pair_evaluations: u64,
     pub(super) boundary_fallbacks: u64,
     pub(super) last_viscous_power: f64,
@@ -93,6 +109,13 @@ impl Wcsph {
             diffused: vec![0.0; padded],
             strain: vec![[0.0; 2]; padded],
             scratch: Vec::new(),
+            slopes: Vec::new(),
+            substep: 0,
+            lead: 0.0,
+            bulk_time: 0.0,
+            ahead: [vec![0.0; padded], vec![0.0; padded]],
+            since_full: 0.0,
+            held_bodies: vec![BodyMotion::default(); bodies],
             pair_evaluations: 0,
             boundary_fallbacks: 0,
             last_viscous_power: 0.0,
@@ -126,8 +149,14 @@ impl Wcsph {
         }
     }
 
-    /// What must be kept.
+    /// Whether the coming step is a full one: only then is there a state to keep.
+    pub fn at_full_step(&self) -> bool {
+        self.substep == 0
+    }
+
+    /// What must be kept, ahead of a full step.
     pub fn state(&self) -> WcsphState {
+        assert!(self.at_full_step(), "an acoustic step holds more than is kept");
         WcsphState {
             fluid: self.fluid.clone(),
             reference_x: self.reference_x.clone(),
@@ -153,6 +182,7 @@ impl Wcsph {
         self.strain = state.strain;
         self.pair_evaluations = state.pair_evaluations;
         self.boundary_fallbacks = state.boundary_fallbacks;
+        self.substep = 0;
         if !self.reference_x.is_empty() {
             self.list_neighbours();
         }

@@ -9,30 +9,81 @@ use crate::scheme::{Dissipation, StepWalls};
 
 impl Wcsph {
     /// First half: forces at the current places. `bodies` are the motions at this instant; the
-    /// acceleration of the responding body is not used. With `sample` the viscous power is summed.
-    pub fn prepare(&mut self, bodies: &[BodyMotion], sample: bool) -> &[[f64; 2]] {
+    /// acceleration of the responding body is not used.
+    pub fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> &[[f64; 2]] {
+        self.bulk_time = self.options.bulk_damping * dt;
+        if self.substep > 0 {
+            self.prepare_acoustic(bodies);
+            return &self.work.loads;
+        }
+        self.lead = 0.5 * dt * f64::from(self.options.acoustic_substeps - 1);
         let start = Instant::now();
+        let at_start = self.reference_x.is_empty();
         self.refresh_lists(bodies);
-        let listed = Instant::now();
-        self.timings.neighbours += (listed - start).as_secs_f64();
+        self.timings.neighbours += start.elapsed().as_secs_f64();
+        for (held, body) in self.held_bodies.iter_mut().zip(bodies) {
+            *held = BodyMotion { offset: body.offset + self.lead * body.velocity, ..*body };
+        }
+        self.find_forces();
+        if at_start {
+            // The first step has no correction from one before it: it takes its own.
+            self.take_next_correction();
+            self.find_forces();
+        }
+        &self.work.loads
+    }
+
+    /// The pass of a full step, and all that it reads.
+    fn find_forces(&mut self) {
+        let start = Instant::now();
         self.pack();
         let packed = Instant::now();
-        self.timings.integration += (packed - listed).as_secs_f64();
+        self.timings.integration += (packed - start).as_secs_f64();
         let (fluid_records, ghost_records) = self.records.split_at_mut(self.fluid.padded_len());
         let fluid = self.work.water(fluid_records, self.options.corrected_gradients);
+        let bodies = &self.held_bodies;
         self.exchange.weigh(self.path, &self.ghosts, bodies, fluid);
         self.exchange.fill(&self.ghosts, bodies, self.responds, ghost_records);
         let filled = Instant::now();
         self.timings.ghosts += (filled - packed).as_secs_f64();
-        self.last_viscous_power = self.momentum_pass(sample);
+        self.last_viscous_power = self.momentum_pass();
         self.timings.momentum += filled.elapsed().as_secs_f64();
-        &self.work.loads
+    }
+
+    /// Forces of new pressures alone, everything else as the last full step has left it.
+    fn prepare_acoustic(&mut self, bodies: &[BodyMotion]) {
+        let start = Instant::now();
+        self.pack_pressures();
+        let packed = Instant::now();
+        self.timings.integration += (packed - start).as_secs_f64();
+        self.hold_offsets(bodies);
+        let ghost_records = &mut self.records[self.fluid.padded_len()..];
+        self.exchange.refresh_pressures(
+            self.path,
+            &self.ghosts,
+            &self.held_bodies,
+            self.responds,
+            &self.work.pressure,
+            ghost_records,
+        );
+        let filled = Instant::now();
+        self.timings.ghosts += (filled - packed).as_secs_f64();
+        self.acoustic_pass();
+        self.timings.momentum += filled.elapsed().as_secs_f64();
+    }
+
+    /// Takes the bodies' motions, except for where they are: ghosts stay where the last full step
+    /// has put them, like the pairs.
+    fn hold_offsets(&mut self, bodies: &[BodyMotion]) {
+        for (held, body) in self.held_bodies.iter_mut().zip(bodies) {
+            *held = BodyMotion { offset: held.offset, ..*body };
+        }
     }
 
     /// Second half: velocities with the forces of [`Wcsph::prepare`], densities with the new
     /// velocities, then places. With `sample` the power of density diffusion is summed.
     ///
-    /// Shifting moves a particle by δr = -A h |u| Δt ∇C, ∇C = Σ V_j ∇W, faded out where the
+    /// Shifting, at the end of a full step and its acoustic steps, moves a particle by δr = -A h |u| Δt ∇C, ∇C = Σ V_j ∇W, faded out where the
     /// support is incomplete and across walls, and takes its density along: δρ = δr·∇ρ, with the
     /// gradient that density diffusion uses (hydrostatic or renormalised, zero for the others).
     pub fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation {
@@ -40,16 +91,22 @@ impl Wcsph {
         self.kick(dt, walls.acceleration);
         let kicked = Instant::now();
         self.timings.integration += (kicked - start).as_secs_f64();
+        self.hold_offsets(walls.bodies);
         let records = self.records.split_at_mut(self.fluid.padded_len());
         let records = (&*records.0, records.1);
-        self.exchange.refresh_velocities(self.path, &self.ghosts, walls.bodies, records);
+        self.exchange.refresh_velocities(self.path, &self.ghosts, &self.held_bodies, records);
         let mirrored = Instant::now();
         self.timings.ghosts += (mirrored - kicked).as_secs_f64();
         let diffusion_power = -self.continuity_pass(sample);
         let counted = Instant::now();
         self.timings.continuity += (counted - mirrored).as_secs_f64();
+        self.since_full += dt;
+        self.substep = (self.substep + 1) % self.options.acoustic_substeps;
         let shifting_work = self.drift(dt, walls.bodies);
-        self.take_next_correction();
+        if self.substep == 0 {
+            self.since_full = 0.0;
+            self.take_next_correction();
+        }
         self.timings.integration += counted.elapsed().as_secs_f64();
         self.boundary_fallbacks += self.exchange.fallbacks();
         self.pair_evaluations += (LANES * (2 * self.pairs.len() + self.exchange.pairs())) as u64;
