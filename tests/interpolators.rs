@@ -1,8 +1,8 @@
 //! What each interpolator promises of fields: degree, order, and what it does with few neighbours.
 
 use seawall::boundary::{
-    AMPLIFICATION_LIMIT, Interpolator, InterpolatorChoice, MlsLinear, MlsQuadratic, Sfdi,
-    SfdiMatrix, Stencil,
+    AMPLIFICATION_LIMIT, ImprovedShepard, Interpolator, InterpolatorChoice, MlsLinear,
+    MlsQuadratic, Sfdi, SfdiMatrix, Stencil,
 };
 use seawall::kernel::{KernelChoice, WendlandC2};
 use seawall::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
@@ -195,5 +195,19 @@ fn errors_at_walls_fall_with_the_promised_order() {
     // an interpolator at the same points: the normalized one).
     for (order, expected) in orders.into_iter().zip([1.0, 1.0, 2.0, 1.0, 2.0, 3.0, 1.0]) {
         assert!((order - expected).abs() < 0.25, "{order} instead of {expected}");
+    }
+}
+
+/// Prints the sensitivity table of results/boundary_comparison/README.md.
+#[test]
+fn the_weights_of_improved_shepard_change_the_error_and_not_the_order() {
+    for lambda in [1.0, 2.0, 4.0] {
+        for sigma in [0.0, 0.5, 1.0, 2.0, 4.0] {
+            let choice = InterpolatorChoice::ImprovedShepard(ImprovedShepard { lambda, sigma });
+            let (coarse, fine) = (wall_error(choice, 0.4), wall_error(choice, 0.1));
+            let order = (coarse / fine).log2() / 2.0;
+            println!("| {lambda} | {sigma} | {coarse:.2e} | {fine:.2e} | {order:.2} |");
+            assert!((order - 1.0).abs() < 0.2, "lambda {lambda}, sigma {sigma}: {order}");
+        }
     }
 }

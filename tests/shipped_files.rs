@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use seawall::scene::CaseConfig;
+use seawall::scene::{CaseConfig, Numerics};
 use seawall::sweep::matrix::{Matrix, Pair};
 use toml::{Table, Value};
 
@@ -20,9 +20,10 @@ fn every_scene_is_valid() {
 
 #[test]
 fn every_corner_of_every_sweep_is_valid() {
-    let files = files("sweeps");
-    assert!(files.len() >= 6);
-    for path in files {
+    let mut shipped = files("sweeps");
+    assert!(shipped.len() >= 6);
+    shipped.extend(files("sweeps/boundary_comparison"));
+    for path in shipped {
         let file = read(&path);
         if file.contains_key("case") {
             let matrix = Matrix::read(&fs::read_to_string(&path).unwrap());
@@ -43,7 +44,7 @@ fn every_corner_of_every_sweep_is_valid() {
 
 #[test]
 fn names_are_the_files_own_and_differ() {
-    let mut names: Vec<_> = ["sweeps", "sweeps/scenes"]
+    let mut names: Vec<_> = ["sweeps", "sweeps/scenes", "sweeps/boundary_comparison"]
         .into_iter()
         .flat_map(files)
         .map(|path| read(&path)["name"].as_str().unwrap().to_owned())
@@ -86,11 +87,13 @@ fn read(path: &Path) -> Table {
 fn corner(file: &Table, last: bool) -> Table {
     let mut file = file.clone();
     let grid = file.remove("grid").expect("a sweep has a grid");
-    let scene = file["scene"].as_table_mut().unwrap();
+    let numerics = serde_json::to_value(Numerics::preset("default").unwrap()).unwrap();
     for (key, values) in grid.as_table().unwrap() {
         let values = values.as_array().unwrap();
         let value = if last { values.last() } else { values.first() };
-        scene.insert(key.clone(), value.unwrap().clone());
+        let section = if numerics.get(key).is_some() { "numerics" } else { "scene" };
+        let section = file[section].as_table_mut().unwrap();
+        section.insert(key.clone(), value.unwrap().clone());
     }
     file
 }
