@@ -101,6 +101,10 @@ impl Wcsph {
         let counted = Instant::now();
         self.timings.continuity += (counted - mirrored).as_secs_f64();
         self.since_full += dt;
+        if self.substep == 0 {
+            // Weights are found in full steps alone.
+            self.boundary_fallbacks += self.exchange.fallbacks();
+        }
         self.substep = (self.substep + 1) % self.options.acoustic_substeps;
         let shifting_work = self.drift(dt, walls.bodies);
         if self.substep == 0 {
@@ -108,7 +112,6 @@ impl Wcsph {
             self.take_next_correction();
         }
         self.timings.integration += counted.elapsed().as_secs_f64();
-        self.boundary_fallbacks += self.exchange.fallbacks();
         self.pair_evaluations += (LANES * (2 * self.pairs.len() + self.exchange.pairs())) as u64;
         Dissipation { viscous_power: -self.last_viscous_power, diffusion_power, shifting_work }
     }
