@@ -1,3 +1,4 @@
-//! SIMD lanes and small dense solves.
+//! SIMD lanes and sparse systems.
 
 pub mod simd;
+pub mod sparse;

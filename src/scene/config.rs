@@ -156,7 +156,10 @@ impl CaseConfig {
     /// The same case, without retries, with its time steps scaled.
     pub fn with_time_step_scaled(&self, scale: f64) -> CaseConfig {
         let mut config = self.clone();
-        config.numerics.courant_number *= scale;
+        let numerics = &mut config.numerics;
+        numerics.courant_number *= scale;
+        numerics.gravity_courant_number = numerics.gravity_courant_number.map(|c| c * scale);
+        numerics.flow_courant_number = numerics.flow_courant_number.map(|c| c * scale);
         config.numerics.time_step_s = config.numerics.time_step_s.map(|step| step * scale);
         config.numerics.retries = 0;
         config
@@ -203,7 +206,9 @@ fn read_numerics(table: &Table) -> Result<Numerics, ConfigError> {
             return Err(ConfigError::new("numerics.preset", other, "must be the name of a preset"));
         }
     };
-    let Some(preset) = Numerics::preset(&name) else {
+    let isph = rest.get("scheme").and_then(Value::as_str) == Some("isph");
+    let base = if name == "default" && isph { "isph" } else { &name };
+    let Some(preset) = Numerics::preset(base) else {
         let allowed = format!("must be one of {}", PRESETS.join(", "));
         return Err(ConfigError::new("numerics.preset", format!("{name:?}"), allowed));
     };

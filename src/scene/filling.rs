@@ -1,12 +1,14 @@
 //! From a scene's water and walls to particles at rest between ghosts.
 
 use super::frame::Frame;
-use super::numerics::{GhostGravity, Numerics, Slip};
+use super::numerics::{GhostGravity, Numerics, Scheme as SchemeChoice, Slip};
 use super::tank::WALL;
-use crate::boundary::{TankLayout, tank_ghosts};
+use crate::boundary::{Ghosts, TankLayout, tank_ghosts};
 use crate::math::simd::SimdPath;
+use crate::math::sparse::PreconditionerChoice;
 use crate::particles::Fluid;
-use crate::scheme::wcsph::{Wcsph, WcsphOptions};
+use crate::scheme::isph::{Isph, IsphOptions, Laplacian};
+use crate::scheme::wcsph::{Shifting, Wcsph, WcsphOptions};
 use crate::scheme::{Scheme, StateEquation};
 use crate::theory::hydrostatics::StillColumn;
 
@@ -132,7 +134,11 @@ impl Filling {
         numerics: &Numerics,
         path: SimdPath,
     ) -> Box<dyn Scheme> {
-        let [dx, dy] = self.lattice.spacing;
+        let ghosts = self.ghosts(frame, numerics);
+        if numerics.scheme == SchemeChoice::Isph {
+            return self.incompressible(frame, numerics, ghosts, path);
+        }
+        let [dx, _] = self.lattice.spacing;
         let state = StateEquation {
             choice: numerics.state_equation,
             surface_density: self.surface_density,
@@ -154,17 +160,6 @@ impl Filling {
             bulk_damping: numerics.bulk_damping,
             acoustic_substeps: numerics.acoustic_substeps,
         };
-        let layout = TankLayout {
-            length: frame.length,
-            spacing_x: dx,
-            spacing_y: dy,
-            support_radius: options.support_radius,
-            wall_height: WALL_HEIGHT * frame.depth,
-            bed_beyond_wall: self.bed_beyond_wall,
-            wall_angle_deg: self.wall_angle_deg,
-            dry_bed: self.dry_bed,
-        };
-        let ghosts = tank_ghosts(&layout, Wcsph::strip_width(dx));
         let rules = Wcsph::exchange_rules(
             &options,
             numerics.interpolator(),
@@ -173,5 +168,51 @@ impl Filling {
         );
         let fluid = Fluid::at_rest(self.points.iter().copied());
         Box::new(Wcsph::new(options, rules, fluid, ghosts, WALL, path))
+    }
+
+    fn ghosts(&self, frame: &Frame, numerics: &Numerics) -> Ghosts {
+        let [dx, dy] = self.lattice.spacing;
+        let layout = TankLayout {
+            length: frame.length,
+            spacing_x: dx,
+            spacing_y: dy,
+            support_radius: numerics.support_radius_ratio * dx,
+            wall_height: WALL_HEIGHT * frame.depth,
+            bed_beyond_wall: self.bed_beyond_wall,
+            wall_angle_deg: self.wall_angle_deg,
+            dry_bed: self.dry_bed,
+        };
+        tank_ghosts(&layout, Wcsph::strip_width(dx))
+    }
+
+    /// The same water and walls for incompressible SPH: ρ0 everywhere.
+    fn incompressible(
+        &self,
+        frame: &Frame,
+        numerics: &Numerics,
+        ghosts: Ghosts,
+        path: SimdPath,
+    ) -> Box<dyn Scheme> {
+        let [dx, _] = self.lattice.spacing;
+        let options = IsphOptions {
+            kernel: numerics.kernel,
+            support_radius: numerics.support_radius_ratio * dx,
+            spacing: dx,
+            density: frame.density,
+            gravity: frame.gravity,
+            still_level: frame.depth,
+            viscosity: numerics.kinematic_viscosity_m2_per_s.unwrap_or(0.0),
+            shifting_coefficient: match numerics.shifting {
+                Shifting::Interior => numerics.shifting_coefficient,
+                Shifting::None => 0.0,
+            },
+            volume_relaxation: numerics.volume_relaxation.unwrap_or(0.0),
+            laplacian: numerics.laplacian.unwrap_or(Laplacian::Symmetric),
+            preconditioner: numerics.preconditioner.unwrap_or(PreconditionerChoice::Incomplete),
+            solver_tolerance: numerics.solver_tolerance.unwrap_or(1e-4),
+            courant_number: numerics.flow_courant_number.unwrap_or(0.2),
+        };
+        let points = self.lattice.points(|_, _| [frame.density; 2]);
+        Box::new(Isph::new(options, ghosts, Fluid::at_rest(points), WALL, path))
     }
 }

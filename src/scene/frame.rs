@@ -1,6 +1,6 @@
 //! What every scene has: a tank's length, a depth, gravity, water, an end.
 
-use super::numerics::Numerics;
+use super::numerics::{GRAVITY_COURANT_NUMBER, Numerics, Scheme};
 
 /// The scales of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,10 +25,17 @@ impl Frame {
         numerics.sound_speed_ratio * (self.gravity * self.depth).sqrt()
     }
 
-    /// Time step, seconds: bounded by c0 Δt/Δx and by `time_step_s`.
+    /// Time step, seconds: bounded by c0 Δt/Δx, or Δt/√(Δx/g) where the water is incompressible,
+    /// and by `time_step_s`.
     pub fn time_step(&self, numerics: &Numerics) -> f64 {
-        let bound =
-            numerics.courant_number * numerics.particle_spacing_m / self.sound_speed(numerics);
+        let spacing = numerics.particle_spacing_m;
+        let bound = match numerics.scheme {
+            Scheme::Wcsph => numerics.courant_number * spacing / self.sound_speed(numerics),
+            Scheme::Isph => {
+                let number = numerics.gravity_courant_number.unwrap_or(GRAVITY_COURANT_NUMBER);
+                number * (spacing / self.gravity).sqrt()
+            }
+        };
         numerics.time_step_s.map_or(bound, |step| step.min(bound))
     }
 }

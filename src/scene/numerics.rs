@@ -6,7 +6,9 @@ use super::check::Check;
 use super::error::ConfigError;
 use crate::boundary::{AMPLIFICATION_LIMIT, SfdiMatrix};
 use crate::kernel::KernelChoice;
+use crate::math::sparse::PreconditionerChoice;
 use crate::scheme::StateEquationChoice;
+use crate::scheme::isph::Laplacian;
 use crate::scheme::wcsph::{DensityDiffusion, Shifting};
 
 /// Which set of equations is stepped.
@@ -15,6 +17,8 @@ use crate::scheme::wcsph::{DensityDiffusion, Shifting};
 pub enum Scheme {
     /// Weakly compressible δ-SPH, Huang et al. 2019.
     Wcsph,
+    /// Incompressible SPH, Liang et al. 2017.
+    Isph,
 }
 
 /// How ghost particles get their values.
@@ -131,6 +135,27 @@ pub struct Numerics {
     /// Further attempts, each with half the time step, where a run becomes unstable.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub retries: u32,
+    /// Laplacian of the pressure; `isph` only, like the keys below down to `precision`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub laplacian: Option<Laplacian>,
+    /// Preconditioner of the pressure equation.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub preconditioner: Option<PreconditionerChoice>,
+    /// Tolerance of the pressure equation's residual, relative to its right-hand side.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub solver_tolerance: Option<f64>,
+    /// Share of the volume error that a step's source term takes back.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub volume_relaxation: Option<f64>,
+    /// Kinematic viscosity, m²/s.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub kinematic_viscosity_m2_per_s: Option<f64>,
+    /// Δt / √(Δx/g).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gravity_courant_number: Option<f64>,
+    /// u Δt / Δx of the fastest particle.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub flow_courant_number: Option<f64>,
     /// Precision of the pair terms.
     pub precision: Precision,
     /// Error bars; they decide no answer and are no part of a case's identity.
@@ -142,8 +167,11 @@ fn is_zero(retries: &u32) -> bool {
     *retries == 0
 }
 
+/// Δt / √(Δx/g) of incompressible SPH by default.
+pub(super) const GRAVITY_COURANT_NUMBER: f64 = 0.035;
+
 /// Names that `preset` may take.
-pub const PRESETS: &[&str] = &["default", "huang2019"];
+pub const PRESETS: &[&str] = &["default", "huang2019", "isph"];
 
 impl Numerics {
     /// The values of a named preset, `None` for an unknown name.
@@ -173,6 +201,13 @@ impl Numerics {
             acoustic_substeps: 3,
             time_step_s: None,
             retries: 0,
+            laplacian: None,
+            preconditioner: None,
+            solver_tolerance: None,
+            volume_relaxation: None,
+            kinematic_viscosity_m2_per_s: None,
+            gravity_courant_number: None,
+            flow_courant_number: None,
             precision: Precision::F64,
             error_bars: ErrorBars::None,
         };
@@ -191,6 +226,18 @@ impl Numerics {
                 bulk_damping: 0.0,
                 acoustic_substeps: 1,
                 time_step_s: Some(5e-4),
+                ..default
+            }),
+            "isph" => Some(Numerics {
+                scheme: Scheme::Isph,
+                support_radius_ratio: 3.0,
+                laplacian: Some(Laplacian::Symmetric),
+                preconditioner: Some(PreconditionerChoice::Incomplete),
+                solver_tolerance: Some(1e-4),
+                volume_relaxation: Some(0.0),
+                kinematic_viscosity_m2_per_s: Some(0.0),
+                gravity_courant_number: Some(GRAVITY_COURANT_NUMBER),
+                flow_courant_number: Some(0.2),
                 ..default
             }),
             _ => None,

@@ -5,6 +5,7 @@ use std::fmt::Debug;
 use serde::{Deserialize, Serialize};
 
 use super::StateEquation;
+use super::isph::IsphState;
 use super::wcsph::WcsphState;
 use crate::body::BodyMotion;
 use crate::boundary::Ghosts;
@@ -40,6 +41,19 @@ pub struct Dissipation {
     pub shifting_work: f64,
 }
 
+/// How the pressure equation was solved over a run, and how incompressible the water stayed.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SolverSummary {
+    /// Iterations, of all solves of a step together.
+    pub iterations_per_step: f64,
+    /// Largest residual that a solve was left with, over its right-hand side.
+    pub worst_residual: f64,
+    /// Largest root mean square, over the interior, of Δt ∇·u.
+    pub worst_divergence: f64,
+    /// Largest |mean, over the interior, of Σ V W over its value on the lattice, less one|.
+    pub worst_volume_drift: f64,
+}
+
 /// Why a scheme cannot take the step.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StepError {
@@ -62,6 +76,8 @@ pub enum StepError {
 pub enum SchemeState {
     /// δ-SPH.
     Wcsph(Box<WcsphState>),
+    /// Incompressible SPH.
+    Isph(Box<IsphState>),
 }
 
 /// Equations of motion of the water between bodies, a step cut in two: [`Scheme::prepare`] finds
@@ -83,12 +99,26 @@ pub trait Scheme: Debug + Send {
     /// The state equation; none where the water is incompressible.
     fn state_equation(&self) -> Option<&StateEquation>;
 
+    /// Longest step that the water as it is allows, seconds.
+    fn step_limit(&self) -> f64 {
+        f64::INFINITY
+    }
+
     /// First half of a step of `dt` seconds. `bodies` are the motions at this instant; the
     /// acceleration of the responding body is not used. With `sample` viscous power is summed.
     ///
     /// # Errors
     /// The step cannot be taken.
     fn prepare(&mut self, bodies: &[BodyMotion], dt: f64, sample: bool) -> Result<(), StepError>;
+
+    /// Finds how force and water respond to the responding body's acceleration; asked for after
+    /// [`Scheme::prepare`] in those steps in which that body may move.
+    ///
+    /// # Errors
+    /// The response cannot be found.
+    fn respond(&mut self, _dt: f64) -> Result<(), StepError> {
+        Ok(())
+    }
 
     /// Force on a body and its added mass, from the last [`Scheme::prepare`].
     fn load(&self, body: usize) -> Load;
@@ -127,4 +157,9 @@ pub trait Scheme: Debug + Send {
 
     /// Phases of a step with the seconds spent in each.
     fn phases(&self) -> Vec<(&'static str, f64)>;
+
+    /// How the pressure equation was solved; none where there is no such equation.
+    fn solver(&self) -> Option<SolverSummary> {
+        None
+    }
 }

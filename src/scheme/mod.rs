@@ -1,8 +1,9 @@
-//! Equations of motion behind one contract: weakly compressible δ-SPH.
+//! Equations of motion behind one contract: weakly compressible δ-SPH and incompressible SPH.
 
 mod contract;
+pub mod isph;
 mod state_equation;
 pub mod wcsph;
 
-pub use contract::{Dissipation, Load, Scheme, SchemeState, StepError, StepWalls};
+pub use contract::{Dissipation, Load, Scheme, SchemeState, SolverSummary, StepError, StepWalls};
 pub use state_equation::{StateEquation, StateEquationChoice};

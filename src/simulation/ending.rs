@@ -59,6 +59,9 @@ impl Run {
             .map(|(phase, seconds)| PhaseShare { phase: phase.to_owned(), seconds })
             .collect();
         let mut readings: Vec<NamedReading> = Vec::new();
+        if let Some(solver) = water.solver() {
+            readings.extend(readings::of_solver(&solver));
+        }
         if let Some(collapse) = &self.collapse {
             readings.extend(collapse.readings(water.fluid()));
         }

@@ -2,6 +2,7 @@
 
 use super::outcome::{NamedReading, ProbeTable};
 use crate::scene::{Probe, ProbeKind, Scene};
+use crate::scheme::SolverSummary;
 
 /// A pressure wave has arrived when it passes this share of ρgH.
 const ARRIVAL: f64 = 0.1;
@@ -93,6 +94,18 @@ fn noise(series: &[(f64, f64)], [from, to]: [f64; 2], span: f64) -> Option<f64> 
     }
     let count = squares.len() as f64;
     (count > 0.0).then(|| (squares.iter().sum::<f64>() / count).sqrt())
+}
+
+/// How the pressure equation was solved, and how incompressible the water stayed.
+pub(super) fn of_solver(solver: &SolverSummary) -> Vec<NamedReading> {
+    [
+        ("solver_iterations_per_step", solver.iterations_per_step),
+        ("solver_residual_max", solver.worst_residual),
+        ("velocity_divergence_rms_max", solver.worst_divergence),
+        ("volume_drift_max", solver.worst_volume_drift),
+    ]
+    .map(|(name, value)| NamedReading::new(name, value, "1"))
+    .into()
 }
 
 #[cfg(test)]

@@ -180,12 +180,12 @@ impl Run {
             let interval = self.tank.frame.history_interval;
             let sample = last || time >= interval * self.clock.samples as f64 * (1.0 - 1e-12);
             let bodies = self.motions();
-            let dt = self.next_step();
+            let dt = self.next_step().min(self.tank.water.step_limit());
             self.tank
                 .water
                 .prepare(&bodies, dt, sample)
                 .map_err(|error| self.step_failure(&error))?;
-            let load = self.tank.water.load(WALL);
+            let mut load = self.tank.water.load(WALL);
             if !load.force.is_finite() {
                 return Err(self
                     .failure(FailureKind::NotANumber, "the wall's force".into())
@@ -195,6 +195,12 @@ impl Run {
             let threshold = self.tank.threshold_ratio * self.tank.static_force;
             if until_onset && full && load.force > threshold {
                 return Ok(Reached::Onset);
+            }
+            if self.tank.wall.is_some_and(|wall| {
+                wall.displacement > 0.0 || wall.velocity != 0.0 || load.force > wall.threshold
+            }) {
+                self.tank.water.respond(dt).map_err(|error| self.step_failure(&error))?;
+                load = self.tank.water.load(WALL);
             }
             let before = self.tank.wall;
             // A wall first leaves its stop in a full step: only there can a trunk end.
@@ -242,6 +248,9 @@ impl Run {
     /// The time step; shorter while a wall moves that is light against the sound it makes.
     fn next_step(&self) -> f64 {
         let Some(wall) = &self.tank.wall else { return self.time_step };
+        if self.tank.water.state_equation().is_none() {
+            return self.time_step;
+        }
         if wall.displacement == 0.0 {
             return self.time_step;
         }

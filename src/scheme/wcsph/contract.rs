@@ -62,7 +62,9 @@ impl Scheme for Wcsph {
     }
 
     fn restore(&mut self, state: SchemeState) {
-        let SchemeState::Wcsph(state) = state;
+        let SchemeState::Wcsph(state) = state else {
+            unreachable!("a checkpoint is bound to its scheme")
+        };
         Wcsph::restore(self, *state);
     }
 

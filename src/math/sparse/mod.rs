@@ -1,0 +1,9 @@
+//! Sparse symmetric systems: storage, Krylov solvers, preconditioners.
+
+mod csr;
+mod krylov;
+mod preconditioner;
+
+pub use csr::Csr;
+pub use krylov::{Krylov, SolveReport, StopRule};
+pub use preconditioner::{Preconditioner, PreconditionerChoice};

@@ -1,0 +1,142 @@
+//! Dummies: mirror images of the water behind straight walls.
+//!
+//! A dummy (Koshizuka & Oka 1996) is here the image of a fluid particle, found anew every step. Its
+//! velocity is the mirrored one, 2 u_w - u across the wall, and its pressure is its original's plus
+//! what the wall's Neumann condition ∂p/∂n = ρ (g - a_w)·n adds over their distance. Every row of
+//! the pressure equation then has its full support at a wall, and the matrix stays symmetric: the
+//! image of j is as far from i as the image of i from j.
+
+use super::Isph;
+use crate::body::BodyMotion;
+use crate::boundary::Plane;
+
+/// The water and its images, in the order of the grid's cells.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Points {
+    pub x: Vec<f64>,
+    pub y: Vec<f64>,
+    /// m².
+    pub volume: Vec<f64>,
+    /// The fluid particle itself, or the original of an image.
+    pub original: Vec<u32>,
+    /// Body of an image; `NO_BODY` for the fluid.
+    pub body: Vec<u8>,
+    /// Reflection of the original, by rows; the identity for the fluid.
+    pub turn: Vec<[f64; 4]>,
+    /// What an image takes from its walls.
+    pub walls: Vec<WallTerms>,
+}
+
+/// What the walls add to an image, at known accelerations or per unit of an unknown one.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct WallTerms {
+    /// Velocity at the end of the step over the reflected original's, m/s ...
+    pub velocity: [f64; 2],
+    /// ... and per unit acceleration of the responding body, s.
+    pub velocity_response: [f64; 2],
+    /// Dynamic pressure over the original's, Pa ...
+    pub pressure: f64,
+    /// ... and per unit acceleration, Pa/(m/s²).
+    pub pressure_response: f64,
+}
+
+pub(super) const NO_BODY: u8 = u8::MAX;
+
+/// One point, before it is sorted in.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Point {
+    pub place: [f64; 2],
+    pub volume: f64,
+    pub original: u32,
+    pub body: u8,
+    pub turn: [f64; 4],
+    pub walls: WallTerms,
+}
+
+/// H T with H = I - 2 n nᵀ.
+fn reflected([nx, ny]: [f64; 2], [a, b, c, d]: [f64; 4]) -> [f64; 4] {
+    let (p, q) = (2.0 * (nx * a + ny * c), 2.0 * (nx * b + ny * d));
+    [a - nx * p, b - nx * q, c - ny * p, d - ny * q]
+}
+
+/// H u + 2 n n·w: a velocity as a wall that moves at w along x mirrors it.
+fn mirrored([nx, ny]: [f64; 2], [u, v]: [f64; 2], w: f64) -> [f64; 2] {
+    let across = 2.0 * ((w - u) * nx - v * ny);
+    [u + across * nx, v + across * ny]
+}
+
+/// T C Tᵀ for a symmetric C, both by components xx, xy, yy.
+pub(super) fn turned([a, b, c, d]: [f64; 4], [xx, xy, yy]: [f64; 3]) -> [f64; 3] {
+    let (p, q) = (a * xx + b * xy, a * xy + b * yy);
+    let (r, s) = (c * xx + d * xy, c * xy + d * yy);
+    [p * a + q * b, p * c + q * d, r * c + s * d]
+}
+
+impl Isph {
+    /// The fluid at r* = r + u Δt and its images in the walls where they will then be. Gravity's
+    /// own g Δt² is left out of Eq. 8, so that still water stays exactly where it is.
+    pub(super) fn list_points(&mut self, bodies: &[BodyMotion], dt: f64) {
+        let options = &self.options;
+        let fluid = &self.fluid;
+        let density = options.density;
+        self.loose.clear();
+        for k in 0..fluid.len() {
+            self.loose.push(Point {
+                place: [fluid.x[k] + dt * fluid.vx[k], fluid.y[k] + dt * fluid.vy[k]],
+                volume: fluid.mass[k] / density,
+                original: k as u32,
+                body: NO_BODY,
+                turn: [1.0, 0.0, 0.0, 1.0],
+                walls: WallTerms::default(),
+            });
+        }
+        let reach = options.support_radius;
+        let planes: Vec<Plane> = (self.ghosts.bodies.iter().zip(&self.face_offsets))
+            .map(|(body, &offset)| body.plane.moved(offset))
+            .collect();
+        for (number, plane) in planes.iter().enumerate() {
+            let motion = &bodies[number];
+            let responds = number == self.responds;
+            let known = if responds { 0.0 } else { motion.acceleration };
+            let [nx, ny] = plane.normal;
+            // Images of images fill the corners of right and acute angles. At an obtuse one each
+            // wall's images end half-way round the corner.
+            let obtuse = |other: usize| {
+                let [mx, my] = planes[other].normal;
+                other != number && mx * nx + my * ny > 1e-9
+            };
+            for k in 0..self.loose.len() {
+                let point = self.loose[k];
+                let distance = -plane.beyond(point.place);
+                if distance >= reach
+                    || distance <= -reach
+                    || (point.body != NO_BODY && obtuse(point.body as usize))
+                {
+                    continue;
+                }
+                let place =
+                    [point.place[0] + 2.0 * distance * nx, point.place[1] + 2.0 * distance * ny];
+                let beyond = plane.beyond(place);
+                if (0..planes.len()).any(|q| obtuse(q) && planes[q].beyond(place) > beyond) {
+                    continue;
+                }
+                let (speed, gain) = (motion.velocity + dt * known, if responds { dt } else { 0.0 });
+                let spring = -2.0 * density * distance * nx;
+                let old = point.walls;
+                self.loose.push(Point {
+                    place,
+                    body: number as u8,
+                    turn: reflected(plane.normal, point.turn),
+                    walls: WallTerms {
+                        velocity: mirrored(plane.normal, old.velocity, speed),
+                        velocity_response: mirrored(plane.normal, old.velocity_response, gain),
+                        pressure: old.pressure + spring * known,
+                        pressure_response: old.pressure_response
+                            + if responds { spring } else { 0.0 },
+                    },
+                    ..point
+                });
+            }
+        }
+    }
+}

@@ -1,0 +1,22 @@
+//! Incompressible SPH by a divergence-free projection (Liang et al. 2017, Eqs. 5-14).
+//!
+//! A step predicts places r* (Eq. 8), gathers all operators there ([`gather`]), finds the surface
+//! ([`surface`]), assembles and solves the pressure equation (Eq. 11, [`assembly`], [`solve`]) and,
+//! once the walls' motion is settled, corrects velocities (Eq. 9) and places (Eq. 10, [`motion`]).
+//! Walls are dummies that mirror the water itself ([`images`]).
+
+mod assembly;
+mod contract;
+mod gather;
+mod grid;
+mod images;
+mod motion;
+mod options;
+mod project;
+mod readings;
+mod solve;
+mod state;
+mod surface;
+
+pub use options::{IsphOptions, Laplacian};
+pub use state::{Isph, IsphState};

@@ -1,0 +1,115 @@
+//! Velocities, places, shifting: the second half of a step.
+
+use super::Isph;
+use super::project::Source;
+use crate::body::BodyMotion;
+use crate::boundary::Plane;
+use crate::scheme::{Dissipation, StepWalls};
+
+/// Shifting fades in from this completeness of the support ...
+const SHIFT_FROM: f64 = 0.85;
+/// ... to this one.
+const SHIFT_FULL: f64 = 0.97;
+/// No shift is longer than this many particle spacings.
+const SHIFT_LIMIT: f64 = 0.05;
+
+impl Isph {
+    /// Corrects velocities by the pressure gradient (Liang et al. 2017, Eq. 9), moves the particles
+    /// with the mean of old and new velocity (Eq. 10) and shifts them.
+    ///
+    /// The gradient is L Σ F Δ (p_j - p_i), exact on linear fields; viscosity is 2 ν Σ F (u_j - u_i)
+    /// (Eq. 3), with images that slip freely.
+    pub(super) fn advance(&mut self, dt: f64, walls: &StepWalls<'_>) -> Dissipation {
+        let n = self.fluid.len();
+        let options = self.options;
+        if self.responded && walls.acceleration != 0.0 {
+            let response = &self.carried.response;
+            for (pressure, response) in self.pressure.iter_mut().zip(response) {
+                *pressure += walls.acceleration * response;
+            }
+        }
+        let acceleration = if self.responded { walls.acceleration } else { 0.0 };
+        self.accelerate(Source::Pressure { acceleration });
+        let ends = self.ends(dt, walls.bodies);
+        let old: Vec<[f64; 2]> = (0..n).map(|i| [self.fluid.vx[i], self.fluid.vy[i]]).collect();
+        let mut viscous_power = 0.0;
+        let mut shifting_work = 0.0;
+        for i in 0..n {
+            let velocity = old[i];
+            let mut change = self.accelerations[i];
+            change[1] -= options.gravity;
+            if options.viscosity > 0.0 {
+                let drag = self.drag(i, &old);
+                viscous_power -=
+                    self.fluid.mass[i] * (drag[0] * velocity[0] + drag[1] * velocity[1]);
+                change = [change[0] + drag[0], change[1] + drag[1]];
+            }
+            let new = [velocity[0] + dt * change[0], velocity[1] + dt * change[1]];
+            self.fluid.vx[i] = new[0];
+            self.fluid.vy[i] = new[1];
+            self.fluid.x[i] += 0.5 * dt * (velocity[0] + new[0]);
+            self.fluid.y[i] += 0.5 * dt * (velocity[1] + new[1]);
+            shifting_work -= self.fluid.mass[i] * options.gravity * self.shift(i, dt);
+        }
+        self.hold_inside(&ends, walls.bodies);
+        Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }
+    }
+
+    /// Viscous acceleration 2 ν Σ F (u_j - u_i), Liang et al. 2017, Eq. 3; walls slip freely.
+    fn drag(&self, i: usize, velocities: &[[f64; 2]]) -> [f64; 2] {
+        let mut sum = [0.0; 2];
+        for neighbour in self.neighbours(i) {
+            let e = neighbour.point as usize;
+            let [u, v] = velocities[self.points.original[e] as usize];
+            let [a, b, c, d] = self.points.turn[e];
+            let [wx, wy] = self.points.walls[e].velocity;
+            sum[0] += neighbour.weight * (a * u + b * v + wx - velocities[i][0]);
+            sum[1] += neighbour.weight * (c * u + d * v + wy - velocities[i][1]);
+        }
+        sum.map(|sum| 2.0 * self.options.viscosity * sum)
+    }
+
+    /// δr = -A h |u| Δt ∇C, ∇C = Σ V ∇W, away from the surface only; returns how far it lifts.
+    fn shift(&mut self, i: usize, dt: f64) -> f64 {
+        let options = &self.options;
+        if options.shifting_coefficient == 0.0 || self.operators.grip[i] > 0.0 {
+            return 0.0;
+        }
+        let inside = (self.operators.completeness[i] - SHIFT_FROM) / (SHIFT_FULL - SHIFT_FROM);
+        let smoothing = options.kernel.smoothing_length_ratio() * options.support_radius;
+        let speed = self.fluid.vx[i].hypot(self.fluid.vy[i]);
+        let factor = options.shifting_coefficient * smoothing * speed * dt * inside.clamp(0.0, 1.0);
+        let limit = SHIFT_LIMIT * options.spacing;
+        let [sx, sy] = self.operators.sway[i];
+        // s = Σ F Δ points to where neighbours crowd.
+        let [dx, dy] = [-factor * sx, -factor * sy].map(|shift| shift.clamp(-limit, limit));
+        self.fluid.x[i] += dx;
+        self.fluid.y[i] += dy;
+        dy
+    }
+
+    /// Where the faces stand after the step.
+    fn ends(&self, dt: f64, bodies: &[BodyMotion]) -> Vec<Plane> {
+        (self.ghosts.bodies.iter().zip(bodies))
+            .map(|(body, motion)| body.plane.moved(motion.offset + dt * motion.velocity))
+            .collect()
+    }
+
+    /// Puts particles that have slipped through a wall back onto its face, with its velocity.
+    fn hold_inside(&mut self, ends: &[Plane], bodies: &[BodyMotion]) {
+        let skin = 1e-3 * self.options.spacing;
+        for (plane, motion) in ends.iter().zip(bodies) {
+            let [nx, ny] = plane.normal;
+            for k in 0..self.fluid.len() {
+                let beyond = plane.beyond([self.fluid.x[k], self.fluid.y[k]]);
+                if beyond > 0.0 {
+                    self.fluid.x[k] -= (beyond + skin) * nx;
+                    self.fluid.y[k] -= (beyond + skin) * ny;
+                    let speed = (self.fluid.vx[k] - motion.velocity) * nx + self.fluid.vy[k] * ny;
+                    self.fluid.vx[k] -= speed.max(0.0) * nx;
+                    self.fluid.vy[k] -= speed.max(0.0) * ny;
+                }
+            }
+        }
+    }
+}

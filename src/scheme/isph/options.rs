@@ -1,0 +1,48 @@
+//! Physics decisions of the scheme, resolved once per run.
+
+use serde::{Deserialize, Serialize};
+
+use crate::kernel::KernelChoice;
+use crate::math::sparse::PreconditionerChoice;
+
+/// Discrete Laplacian of the pressure.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Laplacian {
+    /// 2 Σ V_j F_ij (p_j - p_i), Liang et al. 2017, Eq. 4: a symmetric matrix.
+    Symmetric,
+    /// The same less 2 s·∇p, after Schwaiger (2008): zero on every linear field, not symmetric.
+    Schwaiger,
+}
+
+/// Everything the scheme needs to know besides the particles.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct IsphOptions {
+    /// Smoothing kernel.
+    pub kernel: KernelChoice,
+    /// Support radius R, metres.
+    pub support_radius: f64,
+    /// Particle spacing, metres.
+    pub spacing: f64,
+    /// ρ0, kg/m³.
+    pub density: f64,
+    /// Gravity, m/s².
+    pub gravity: f64,
+    /// Height at which the still water's pressure is zero, metres: the level that the unknown,
+    /// the dynamic pressure p + ρ g (y - level), is counted from.
+    pub still_level: f64,
+    /// Kinematic viscosity, m²/s.
+    pub viscosity: f64,
+    /// Strength A of the shifting; 0 is off.
+    pub shifting_coefficient: f64,
+    /// Share of the volume error that a step's source term takes back.
+    pub volume_relaxation: f64,
+    /// Laplacian.
+    pub laplacian: Laplacian,
+    /// Preconditioner of the pressure equation.
+    pub preconditioner: PreconditionerChoice,
+    /// Tolerance of the solve, relative to the right-hand side.
+    pub solver_tolerance: f64,
+    /// u Δt/Δx of the fastest particle.
+    pub courant_number: f64,
+}

@@ -1,0 +1,237 @@
+//! The particles with all that surrounds them, and what of it must be kept to go on later.
+
+use serde::{Deserialize, Serialize};
+
+use super::grid::Grid;
+use super::images::{Point, Points};
+use super::options::IsphOptions;
+use crate::boundary::Ghosts;
+use crate::math::simd::SimdPath;
+use crate::math::sparse::{Csr, Krylov, Preconditioner};
+use crate::neighbours::Strips;
+use crate::particles::Fluid;
+use crate::scheme::Load;
+
+/// A step sorts the particles afresh when this many have gone by.
+const STEPS_PER_SORT: u64 = 20;
+
+/// Seconds spent in each phase.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Timings {
+    pub neighbours: f64,
+    pub operators: f64,
+    pub assembly: f64,
+    pub solver: f64,
+    pub integration: f64,
+}
+
+/// What the solver has done so far.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Tally {
+    pub steps: u64,
+    pub solves: u64,
+    pub iterations: u64,
+    pub worst_residual: f64,
+    pub pair_evaluations: u64,
+    /// Largest root mean square of Δt ∇·u over a step's interior particles.
+    pub worst_divergence: f64,
+    /// Largest mean of |Σ V W - 1| over a step's interior particles.
+    pub worst_volume_drift: f64,
+}
+
+/// Fields that one step hands to the next, besides the fluid itself.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Carried {
+    /// Dynamic pressure of the last step, Pa, and of the one before.
+    pub pressure: Vec<f64>,
+    pub older_pressure: Vec<f64>,
+    /// Response of the pressure to the wall's acceleration; empty until it was asked for.
+    pub response: Vec<f64>,
+}
+
+/// What must be kept to go on later, bit for bit.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct IsphState {
+    fluid: Fluid,
+    carried: Carried,
+    tally: Tally,
+}
+
+/// Operators at r*, one entry per fluid particle.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Operators {
+    /// Σ V W, itself included.
+    pub coverage: Vec<f64>,
+    /// Σ F.
+    pub weight: Vec<f64>,
+    /// s = Σ F Δ.
+    pub sway: Vec<[f64; 2]>,
+    /// Σ F ΔΔᵀ: xx, xy, yy.
+    pub moment: Vec<[f64; 3]>,
+    /// Its inverse, faded to the identity where it is near singular.
+    pub correction: Vec<[f64; 3]>,
+    /// Its smallest eigenvalue: 1 inside the water, 1/2 at a flat surface.
+    pub completeness: Vec<f64>,
+    /// ∇·u.
+    pub divergence: Vec<f64>,
+    /// Its surface: whether ∇·r < 1.5, and for those near it what the zero pressure adds to the
+    /// diagonal.
+    pub at_surface: Vec<bool>,
+    pub grip: Vec<f64>,
+}
+
+/// One entry of a particle's neighbour list.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Neighbour {
+    /// Number among the points.
+    pub point: u32,
+    /// F = V_j |∇W|/|Δ|: V_j ∇_iW = -F (r_j - r_i) taken the other way, F > 0.
+    pub weight: f64,
+}
+
+/// ISPH particles with their walls.
+#[derive(Debug)]
+pub struct Isph {
+    pub(super) options: IsphOptions,
+    pub(super) path: SimdPath,
+    /// The bodies' faces; their ghosts only serve readings.
+    pub(super) ghosts: Ghosts,
+    /// Pressures of the fluid, Pa.
+    pub(super) total: Vec<f64>,
+    pub(super) responds: usize,
+    pub(super) bodies: usize,
+    pub(super) fluid: Fluid,
+    pub(super) carried: Carried,
+    pub(super) tally: Tally,
+    /// The tally with the step under way.
+    pub(super) pending: Tally,
+    /// Dynamic pressure of the step under way, Pa.
+    pub(super) pressure: Vec<f64>,
+    pub(super) loose: Vec<Point>,
+    pub(super) grid: Grid,
+    pub(super) points: Points,
+    pub(super) list_starts: Vec<u32>,
+    pub(super) list: Vec<Neighbour>,
+    pub(super) operators: Operators,
+    /// Σ F of a particle with full support.
+    pub(super) full_weight: f64,
+    /// Σ V W of such a particle.
+    pub(super) full_coverage: f64,
+    /// Offsets of the bodies at r*.
+    pub(super) face_offsets: Vec<f64>,
+    pub(super) matrix: Csr,
+    pub(super) right: Vec<f64>,
+    pub(super) preconditioner: Preconditioner,
+    pub(super) krylov: Krylov,
+    pub(super) loads: Vec<Load>,
+    pub(super) responded: bool,
+    pub(super) timings: Timings,
+    pub(super) slot: Vec<u32>,
+    /// p L of every point ...
+    pub(super) stress: Vec<[f64; 3]>,
+    /// ... and of the fluid, in its own order.
+    pub(super) own_stress: Vec<[f64; 3]>,
+    pub(super) accelerations: Vec<[f64; 2]>,
+    /// Velocity of every point.
+    pub(super) moving: Vec<[f64; 2]>,
+}
+
+impl Isph {
+    /// Particles at their start between walls; the body number `responds` has its acceleration
+    /// solved together with its force.
+    pub fn new(
+        options: IsphOptions,
+        ghosts: Ghosts,
+        fluid: Fluid,
+        responds: usize,
+        path: SimdPath,
+    ) -> Isph {
+        let bodies = ghosts.bodies.len();
+        let n = fluid.len();
+        Isph {
+            full_weight: lattice_sums(&options)[0],
+            full_coverage: lattice_sums(&options)[1],
+            face_offsets: Vec::new(),
+            preconditioner: Preconditioner::new(options.preconditioner),
+            carried: Carried {
+                pressure: vec![0.0; n],
+                older_pressure: vec![0.0; n],
+                response: Vec::new(),
+            },
+            tally: Tally::default(),
+            pending: Tally::default(),
+            pressure: vec![0.0; n],
+            loose: Vec::new(),
+            grid: Grid::default(),
+            points: Points::default(),
+            list_starts: Vec::new(),
+            list: Vec::new(),
+            operators: Operators::default(),
+            matrix: Csr::default(),
+            right: Vec::new(),
+            krylov: Krylov::default(),
+            loads: vec![Load::default(); bodies],
+            responded: false,
+            timings: Timings::default(),
+            slot: Vec::new(),
+            stress: Vec::new(),
+            own_stress: Vec::new(),
+            accelerations: Vec::new(),
+            moving: Vec::new(),
+            bodies,
+            options,
+            path,
+            ghosts,
+            total: vec![0.0; n],
+            responds,
+            fluid,
+        }
+    }
+
+    pub(super) fn kept(&self) -> IsphState {
+        IsphState { fluid: self.fluid.clone(), carried: self.carried.clone(), tally: self.tally }
+    }
+
+    pub(super) fn go_back(&mut self, state: IsphState) {
+        self.fluid = state.fluid;
+        self.carried = state.carried;
+        self.tally = state.tally;
+    }
+
+    /// Sorts the particles now and then, so that neighbours lie close in memory.
+    pub(super) fn sort(&mut self) {
+        if !self.tally.steps.is_multiple_of(STEPS_PER_SORT) {
+            return;
+        }
+        let n = self.fluid.len();
+        let width = 2.83 * self.options.spacing;
+        let (x, y) = (&self.fluid.x[..n], &self.fluid.y[..n]);
+        let (_, order) = Strips::sort(x, y, &self.fluid.id[..n], width);
+        let mut scratch = Vec::new();
+        self.fluid.reorder(&order, &mut scratch);
+        let carried = &mut self.carried;
+        for field in [&mut carried.pressure, &mut carried.older_pressure, &mut carried.response] {
+            if !field.is_empty() {
+                *field = order.iter().map(|&from| field[from as usize]).collect();
+            }
+        }
+    }
+}
+
+/// Σ F and Σ V W of a particle inside a square lattice of the options' spacing.
+fn lattice_sums(options: &IsphOptions) -> [f64; 2] {
+    let (dx, radius) = (options.spacing, options.support_radius);
+    let rings = (radius / dx).ceil() as i64;
+    let (mut weight, mut coverage) = (0.0, options.kernel.shape_at(0.0));
+    for i in -rings..=rings {
+        for j in -rings..=rings {
+            let q = (i as f64).hypot(j as f64) * dx / radius;
+            if q > 0.0 && q < 1.0 {
+                weight -= options.kernel.slope_at(q) / q;
+                coverage += options.kernel.shape_at(q);
+            }
+        }
+    }
+    let factor = dx * dx * options.kernel.normalisation() / (radius * radius);
+    [weight * factor / (radius * radius), coverage * factor]
+}
