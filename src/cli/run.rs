@@ -10,13 +10,14 @@ use super::output::{Output, duration, short};
 use super::table::Table;
 use crate::simulation::{EnergyBudget, Maximum, NamedReading, Outcome, PhaseShare};
 use crate::sweep::executor::{Setup, threads};
-use crate::sweep::{CaseRecord, Ending, Interrupt, OpenMode, SphRunner};
+use crate::sweep::{CaseRecord, Ending, FilmingRunner, Interrupt, OpenMode, SphRunner};
 
 /// Run one scene: its history, outcome, energy budget, and where the time went.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall run sweeps/scenes/fixed_wall.toml
   seawall run sweeps/scenes/fixed_wall.toml --set scene.wave_height_ratio=0.3 --out results/runs/h03
+  seawall run sweeps/scenes/dam_break.toml --vtk 0.02
   seawall run sweeps/scenes/fixed_wall.toml --fresh --format json")]
 pub(super) struct RunArgs {
     /// The scene file: name, [scene], [numerics], and no [grid].
@@ -27,12 +28,28 @@ pub(super) struct RunArgs {
     /// Move an earlier run aside and start over.
     #[arg(long)]
     fresh: bool,
+    /// Write the particles for ParaView into vtk/, every SECONDS of simulated time.
+    #[arg(long, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "0.05")]
+    vtk: Option<Seconds>,
     /// Instruction set of the hot loops.
     #[arg(long, value_enum, default_value_t = SimdChoice::Auto)]
     simd: SimdChoice,
     /// Set a value by its path, such as scene.wave_height_ratio=0.3; repeatable.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<Setting>,
+}
+
+/// A time above 0.
+#[derive(Debug, Clone, Copy)]
+struct Seconds(f64);
+
+impl std::str::FromStr for Seconds {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Seconds, String> {
+        let value = text.parse::<f64>().ok().filter(|value| value.is_finite() && *value > 0.0);
+        value.map(Seconds).ok_or_else(|| "must be a finite number of seconds above 0".to_owned())
+    }
 }
 
 pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
@@ -48,7 +65,12 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
     };
     let interrupt = Interrupt::listen()?;
     let setup = Setup {
-        make_runner: &|simd| Box::new(SphRunner { simd }),
+        make_runner: &|simd| match args.vtk {
+            None => Box::new(SphRunner { simd }),
+            Some(Seconds(interval_s)) => {
+                Box::new(FilmingRunner { simd, interval_s, folder: job.out.join("vtk") })
+            }
+        },
         threads: Some(1),
         interrupt: &interrupt,
     };

@@ -1,11 +1,25 @@
-//! What a run that has reached its end hands over.
+//! What a run shows on its way, and hands over at its end.
 
 use super::energy::WaterEnergy;
 use super::outcome::{CaseResult, Maximum, NamedReading, Outcome, PhaseShare};
 use super::readings;
 use super::run::Run;
+use super::{Film, Monitor};
 
 impl Run {
+    /// Shows the water to a monitor that films, at its times and at the end.
+    pub(super) fn film(&mut self, monitor: &dyn Monitor, time: f64, last: bool) {
+        let Some(interval) = monitor.film_interval() else { return };
+        if last || time >= interval * self.films as f64 * (1.0 - 1e-12) {
+            self.films = (time / interval * (1.0 + 1e-9)) as u64 + 1;
+            monitor.film(&Film {
+                time_s: time,
+                fluid: self.tank.water.fluid(),
+                pressure: self.tank.water.pressures(),
+            });
+        }
+    }
+
     /// The results of a run that has reached its end.
     pub fn result(self) -> CaseResult {
         let water = &self.tank.water;

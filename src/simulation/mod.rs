@@ -24,6 +24,7 @@ pub use outcome::{
 };
 
 use crate::math::simd::SimdPath;
+use crate::particles::Fluid;
 use crate::scene::CaseConfig;
 use crate::theory::goring::GoringPiston;
 use run::Run;
@@ -32,10 +33,27 @@ use run::Run;
 pub trait Monitor: Sync {
     /// Called every few steps with the share of the simulated time done, 0 to 1.
     fn progress(&self, _share: f64) {}
+    /// How often [`Monitor::film`] is called, seconds of simulated time; never by default.
+    fn film_interval(&self) -> Option<f64> {
+        None
+    }
+    /// Called at the first step at or after every such time, and at the end.
+    fn film(&self, _film: &Film<'_>) {}
     /// True when the run should stop at the next step.
     fn cancelled(&self) -> bool {
         false
     }
+}
+
+/// The water at an instant, for whoever wants to look at it.
+#[derive(Debug, Clone, Copy)]
+pub struct Film<'a> {
+    /// Simulated time, seconds.
+    pub time_s: f64,
+    /// The particles.
+    pub fluid: &'a Fluid,
+    /// Their pressures, Pa.
+    pub pressure: &'a [f64],
 }
 
 /// A monitor that never interferes.

@@ -41,6 +41,7 @@ pub(super) fn of_probes(scene: &Scene, probes: &[Probe], table: &ProbeTable) -> 
                     mean(&series, [from * frame.end_time, to * frame.end_time]).map(gap)
                 };
                 push("worst_gap", Some(worst), "% of rho g depth");
+                push("worst_gap_full", Some(worst * exact / full), "% of rho g h");
                 push("mean_gap", part(0.0, 1.0), "% of rho g depth");
                 let drift = part(0.8, 1.0).zip(part(0.2, 0.4)).map(|(late, early)| late - early);
                 push("drift", drift, "% of rho g depth");

@@ -62,6 +62,7 @@ pub(super) struct Run {
     pub(super) tank: Tank,
     pub(super) config: CaseConfig,
     pub(super) collapse: Option<Collapse>,
+    pub(super) films: u64,
     pub(super) time_step: f64,
     pub(super) bounds: HealthBounds,
     pub(super) clock: Clock,
@@ -121,6 +122,7 @@ impl Run {
             health: HealthState::default(),
             probes: probes::table(&config.probes),
             collapse,
+            films: 0,
             config: config.clone(),
             tank,
         }
@@ -183,8 +185,9 @@ impl Run {
             let dt = self.next_step().min(self.tank.water.step_limit());
             self.tank
                 .water
-                .prepare(&bodies, dt, sample)
+                .prepare(&bodies, dt, sample || self.collapse.is_some())
                 .map_err(|error| self.step_failure(&error))?;
+            self.film(monitor, time, last);
             let mut load = self.tank.water.load(WALL);
             if !load.force.is_finite() {
                 return Err(self
@@ -349,6 +352,8 @@ impl Run {
             bodies: &bodies,
             acceleration: wall_step.map_or(0.0, |step| step.acceleration),
         };
+        // Splashes dissipate in bursts: their losses are summed at every step.
+        let sample = sample || self.collapse.is_some();
         let losses = self.tank.water.finish(dt, &walls, sample);
         self.ledger.book_losses(time, sample, losses);
         self.clock.time += dt;
@@ -359,6 +364,7 @@ impl Run {
         let room = self.tank.spacing;
         let now = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
         let energy = self.ledger.close(now, self.tank.wall.as_ref());
+        let across = self.tank.water.walls().bodies[WALL].plane.normal;
         let vitals = Vitals {
             time_s: self.clock.time,
             extent: [
@@ -366,6 +372,7 @@ impl Run {
                 self.tank.frame.length + bodies[WALL].offset + room,
                 4.0 * self.tank.frame.depth,
             ],
+            lean: -across[1] / across[0],
             spacing: self.tank.spacing,
             energy_residual: energy.residual(),
             work: energy.paddle_work,

@@ -90,7 +90,8 @@ impl<'a> Sounding<'a> {
     }
 
     /// Pressure at a place, averaged over a disc of this diameter that lies in the direction
-    /// `along`; 0 where it is dry.
+    /// `along`; 0 where it is dry. `along` runs up a wall: a level surface meets it at an angle, and
+    /// the share of water at their contact is that of the angle.
     pub(super) fn pressure(&self, [x, y]: [f64; 2], along: [f64; 2], diameter: f64) -> f64 {
         let radius = 0.5 * diameter;
         let near = self.near([x - radius, x + radius], [y - radius, y + radius]);
@@ -99,8 +100,9 @@ impl<'a> Sounding<'a> {
         }
         let (kernel, support) = self.water.kernel();
         let half = WATERLINE * self.spacing / support;
-        let (wet_at, dry_at) =
-            (kernel.half_plane_fraction(half), kernel.half_plane_fraction(-half));
+        let contact = libm::acos(along[0]) / std::f64::consts::PI;
+        let fade = kernel.half_plane_fraction(half) - 0.5;
+        let (wet_at, dry_at) = (contact + fade, (contact - fade).max(0.0));
         let count = (2.0 * diameter / self.spacing).ceil().max(1.0) as u32;
         let (mut sum, mut weights) = (0.0, 0.0);
         for k in 0..count {

@@ -39,6 +39,7 @@ mod results;
 mod runner;
 mod study;
 mod summary;
+mod vtk;
 
 pub use axis::Axis;
 pub use case::{Case, CaseId, PHYSICS_VERSION, trunk_key};
@@ -60,3 +61,4 @@ pub use record::CaseRecord;
 pub use runner::{Runner, SphRunner, guarded};
 pub use study::Study;
 pub use summary::fixed_columns;
+pub use vtk::FilmingRunner;

@@ -82,8 +82,10 @@ pub struct HealthState {
 pub struct Vitals {
     /// Simulated time, seconds.
     pub time_s: f64,
-    /// Faces of paddle and wall, top of the walls, metres.
+    /// Toes of paddle and wall, top of the walls, metres.
     pub extent: [f64; 3],
+    /// What the right wall gains in x per height; 0 for a vertical one.
+    pub lean: f64,
     /// Particle spacing, metres.
     pub spacing: f64,
     /// Work done on the water less all that became of it, J per metre of width.
@@ -187,7 +189,7 @@ impl HealthState {
                 );
                 return fail(FailureKind::DensityOutOfBounds, detail);
             }
-            outside += u32::from(x < left || x > right || y < 0.0 || y > top);
+            outside += u32::from(x < left || x > right + vitals.lean * y || y < 0.0 || y > top);
         }
         self.lost = self.lost.max(outside);
         let allowed = bounds.lost_share * fluid.len() as f64;
@@ -229,6 +231,7 @@ mod tests {
     const VITALS: Vitals = Vitals {
         time_s: 1.0,
         extent: [0.0, 1.0, 1.0],
+        lean: 0.0,
         spacing: 0.1,
         energy_residual: 0.0,
         work: 4.0,
