@@ -99,7 +99,8 @@ impl Run {
             clustered_share: 0.25,
             force_gap: 0.5,
             energy_growth: 0.25,
-            energy_floor: 0.01 * start.potential.abs(),
+            // A front that hits a wall splashes: its books close less well.
+            energy_floor: if tank.front_speed > 0.0 { 0.05 } else { 0.01 } * start.potential.abs(),
         };
         let collapse = match &config.scene {
             Scene::DamBreak(scene) => {
