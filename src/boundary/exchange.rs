@@ -47,6 +47,8 @@ pub struct Exchange {
     pub(super) complete: Vec<f64>,
     pub(super) half_plane: Vec<f64>,
     pub(super) list: PairList,
+    /// The targets where the list was made.
+    places: [Vec<f64>; 2],
     pub(super) weights: Vec<[f64; LANES]>,
     pub(super) scale: Vec<[f64; LANES]>,
     /// Above one half where a simpler method had to stand in.
@@ -75,6 +77,7 @@ impl Exchange {
             complete: vec![1.0; targets],
             half_plane,
             list: PairList::default(),
+            places: Default::default(),
             weights: Vec::new(),
             scale: vec![[0.0; LANES]; targets / LANES],
             fallen: vec![[0.0; LANES]; targets / LANES],
@@ -116,19 +119,21 @@ impl Exchange {
         reach: f64,
     ) {
         let (strips, x, y) = fluid;
-        let mut target_x = ghosts.target_x.clone();
-        let mut target_y = std::borrow::Cow::Borrowed(&ghosts.target_y);
-        if self.rules.interpolator.at_ghost() {
+        let Exchange { rules, list, places, weights, .. } = self;
+        let [target_x, target_y] = places;
+        target_x.clone_from(&ghosts.target_x);
+        target_y.clone_from(&ghosts.target_y);
+        if rules.interpolator.at_ghost() {
             target_x[..ghosts.len()].copy_from_slice(&ghosts.x);
-            target_y.to_mut()[..ghosts.len()].copy_from_slice(&ghosts.y);
+            target_y[..ghosts.len()].copy_from_slice(&ghosts.y);
         }
         for (k, x) in target_x.iter_mut().enumerate() {
             *x += bodies[ghosts.target_body[k / LANES] as usize].offset;
         }
         let everywhere = [f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY];
         let set = PointSet { strips, x, y, offset: 0.0, first: 0, reach, bounds: everywhere };
-        build_pair_list(path, &target_x, &target_y, &[set], &mut self.list);
-        self.weights.resize(self.list.len(), [0.0; LANES]);
+        build_pair_list(path, target_x, target_y, &[set], list);
+        weights.resize(list.len(), [0.0; LANES]);
     }
 
     /// Finds the weights at all mirror points and the wetness of all face points.

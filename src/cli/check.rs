@@ -144,6 +144,13 @@ fn physics(study: &Study) -> Vec<(&'static str, Vec<String>)> {
         ("ghost gravity", |config| name(config.numerics.ghost_gravity)),
         ("density diffusion", |config| name(config.numerics.density_diffusion)),
         ("shifting", |config| name(config.numerics.shifting)),
+        ("gradients", |config| {
+            let corrected = config.numerics.corrected_gradients;
+            if corrected { "corrected" } else { "as they are" }.to_owned()
+        }),
+        ("viscosity", |config| config.numerics.artificial_viscosity.to_string()),
+        ("steps per full step", |config| config.numerics.acoustic_substeps.to_string()),
+        ("bulk damping", |config| config.numerics.bulk_damping.to_string()),
         ("state equation", |config| name(config.numerics.state_equation)),
         ("sound speed ratio", |config| config.numerics.sound_speed_ratio.to_string()),
         ("particle spacing, m", |config| config.numerics.particle_spacing_m.to_string()),

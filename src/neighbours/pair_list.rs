@@ -49,6 +49,7 @@ impl PairList {
 }
 
 /// Points that may be neighbours: a body's ghosts or the fluid.
+#[derive(Debug, Clone, Copy)]
 pub struct PointSet<'a> {
     /// Where they lie.
     pub strips: &'a Strips,

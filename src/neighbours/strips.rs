@@ -16,24 +16,43 @@ impl Strips {
     /// Sorts points; returns the strips and the order (entry k is the point that comes k-th).
     /// Equal heights keep the order of `tie_breakers`.
     pub fn sort(x: &[f64], y: &[f64], tie_breakers: &[u32], width: f64) -> (Strips, Vec<u32>) {
+        let (mut strips, mut order) = (Strips::default(), Vec::new());
+        strips.renew(x, y, tie_breakers, width, &mut order);
+        (strips, order)
+    }
+
+    /// [`Strips::sort`] in place of what was there before, without new memory.
+    pub fn renew(
+        &mut self,
+        x: &[f64],
+        y: &[f64],
+        tie_breakers: &[u32],
+        width: f64,
+        order: &mut Vec<u32>,
+    ) {
         let origin = x.iter().copied().fold(f64::INFINITY, f64::min);
         let origin = if origin.is_finite() { origin } else { 0.0 };
         let strip_of = |x: f64| ((x - origin) / width) as usize;
         let count = x.iter().map(|&x| strip_of(x) + 1).max().unwrap_or(0);
-        let mut starts = vec![0_u32; count + 1];
+        let starts = &mut self.starts;
+        starts.clear();
+        starts.resize(count + 1, 0);
         for &x in x {
             starts[strip_of(x) + 1] += 1;
         }
         for strip in 0..count {
             starts[strip + 1] += starts[strip];
         }
-        let mut order = vec![0_u32; x.len()];
-        let mut next = starts.clone();
+        order.clear();
+        order.resize(x.len(), 0);
         for (point, &x) in x.iter().enumerate() {
-            let slot = &mut next[strip_of(x)];
+            let slot = &mut starts[strip_of(x)];
             order[*slot as usize] = point as u32;
             *slot += 1;
         }
+        // Every start has moved on to the next one's place.
+        starts.copy_within(..count, 1);
+        starts[0] = 0;
         for strip in 0..count {
             let members = &mut order[starts[strip] as usize..starts[strip + 1] as usize];
             let key = |&point: &u32| (y[point as usize], tie_breakers[point as usize]);
@@ -43,8 +62,9 @@ impl Strips {
                 if strip % 2 == 0 { upwards } else { upwards.reverse() }
             });
         }
-        let heights = order.iter().map(|&point| y[point as usize]).collect();
-        (Strips { origin, width, starts, heights }, order)
+        self.heights.clear();
+        self.heights.extend(order.iter().map(|&point| y[point as usize]));
+        (self.origin, self.width) = (origin, width);
     }
 
     /// The strips of points that are already in order (as after a restart).

@@ -75,8 +75,12 @@ impl Fluid {
             scratch.extend(order.iter().map(|&from| field[from as usize]));
             field[..self.len].copy_from_slice(scratch);
         }
-        let ids: Vec<u32> = order.iter().map(|&from| self.id[from as usize]).collect();
-        self.id[..self.len].copy_from_slice(&ids);
+        // A number of 32 bits passes through a float unharmed.
+        scratch.clear();
+        scratch.extend(order.iter().map(|&from| f64::from(self.id[from as usize])));
+        for (id, number) in self.id.iter_mut().zip(scratch) {
+            *id = *number as u32;
+        }
         self.pad();
     }
 

@@ -17,7 +17,11 @@ pub(super) fn run<T: Task>(task: T) -> T::Output {
 impl Portable {
     #[inline(always)]
     fn zip(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
-        Portable(std::array::from_fn(|k| f(self.0[k], other.0[k])))
+        let mut values = self.0;
+        for (value, other) in values.iter_mut().zip(&other.0) {
+            *value = f(*value, *other);
+        }
+        Portable(values)
     }
 }
 
@@ -107,9 +111,11 @@ impl Lanes for Portable {
     }
     #[inline(always)]
     fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self {
-        Portable(std::array::from_fn(|k| {
-            if self.0[k] < bound.0[k] { if_less.0[k] } else { otherwise.0[k] }
-        }))
+        let mut values = otherwise.0;
+        for (k, value) in values.iter_mut().enumerate() {
+            *value = if self.0[k] < bound.0[k] { if_less.0[k] } else { *value };
+        }
+        Portable(values)
     }
     #[inline(always)]
     fn call<T: Task>(task: T) -> T::Output {

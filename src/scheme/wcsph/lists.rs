@@ -3,12 +3,14 @@
 use super::Wcsph;
 use super::separation::Slopes;
 use crate::body::BodyMotion;
-use crate::neighbours::{PointSet, Strips, build_pair_list};
+use crate::neighbours::{PointSet, build_pair_list};
 
 /// Margin of the fluid's lists, in particle spacings.
 const FLUID_MARGIN: f64 = 0.4;
 /// Margin of the lists that involve ghosts, in particle spacings.
 pub(super) const GHOST_MARGIN: f64 = 1.0;
+/// A scene has at most so many bodies.
+const MOST_BODIES: usize = 7;
 /// A strip holds this many columns of particles: eight particles then form a square.
 const STRIP_COLUMNS: f64 = 2.83;
 
@@ -43,17 +45,23 @@ impl Wcsph {
         };
         if worn {
             let width = Wcsph::strip_width(spacing);
-            let (_, order) =
-                Strips::sort(&self.fluid.x[..n], &self.fluid.y[..n], &self.fluid.id[..n], width);
+            let mut order = std::mem::take(&mut self.order);
+            let (x, y, id) = (&self.fluid.x[..n], &self.fluid.y[..n], &self.fluid.id[..n]);
+            self.strips.renew(x, y, id, width, &mut order);
             self.fluid.reorder(&order, &mut self.scratch);
             for field in self.work.carried_mut() {
                 self.scratch.clear();
                 self.scratch.extend(order.iter().map(|&from| field[from as usize]));
                 field[..n].copy_from_slice(&self.scratch);
             }
-            let strain: Vec<[f64; 2]> =
-                order.iter().map(|&from| self.strain[from as usize]).collect();
-            self.strain[..n].copy_from_slice(&strain);
+            for part in 0..2 {
+                self.scratch.clear();
+                self.scratch.extend(order.iter().map(|&from| self.strain[from as usize][part]));
+                for (strain, value) in self.strain.iter_mut().zip(&self.scratch) {
+                    strain[part] = *value;
+                }
+            }
+            self.order = order;
             self.reference_x.clear();
             self.reference_x.extend_from_slice(&self.fluid.x[..n]);
             self.reference_y.clear();
@@ -77,12 +85,14 @@ impl Wcsph {
             0.0
         };
         let [ahead_x, ahead_y] = &mut self.ahead;
-        for k in 0..fluid.padded_len() {
-            ahead_x[k] =
-                fluid.x[k] + lead * fluid.vx[k] + half_square * work.last_acceleration_x[k];
-            ahead_y[k] =
-                fluid.y[k] + lead * fluid.vy[k] + half_square * work.last_acceleration_y[k];
-        }
+        let extrapolate = |ahead: &mut [f64], fields: [&[f64]; 3]| {
+            let [places, velocities, accelerations] = fields.map(|field| &field[..ahead.len()]);
+            for (k, ahead) in ahead.iter_mut().enumerate() {
+                *ahead = places[k] + lead * velocities[k] + half_square * accelerations[k];
+            }
+        };
+        extrapolate(ahead_x, [&fluid.x, &fluid.vx, &work.last_acceleration_x]);
+        extrapolate(ahead_y, [&fluid.y, &fluid.vy, &work.last_acceleration_y]);
     }
 
     /// Lists neighbours at the reference places, in the present order.
@@ -90,10 +100,8 @@ impl Wcsph {
         let (spacing, radius) = (self.options.spacing, self.options.support_radius);
         let n = self.fluid.len();
         let padded = self.fluid.padded_len();
-        let width = Wcsph::strip_width(spacing);
-        self.strips = Strips::of_sorted(&self.reference_x, &self.reference_y, width);
         let everywhere = [f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY];
-        let mut sets = vec![PointSet {
+        let water = PointSet {
             strips: &self.strips,
             x: &self.reference_x,
             y: &self.reference_y,
@@ -101,9 +109,11 @@ impl Wcsph {
             first: 0,
             reach: radius + FLUID_MARGIN * spacing,
             bounds: everywhere,
-        }];
-        for (body, offset) in self.ghosts.bodies.iter().zip(&self.reference_offsets) {
-            sets.push(PointSet {
+        };
+        let bodies = &self.ghosts.bodies;
+        let mut sets = [water; MOST_BODIES + 1];
+        for ((set, body), offset) in sets[1..].iter_mut().zip(bodies).zip(&self.reference_offsets) {
+            *set = PointSet {
                 strips: &body.strips,
                 x: &self.ghosts.x[body.ghosts.clone()],
                 y: &self.ghosts.y[body.ghosts.clone()],
@@ -111,23 +121,26 @@ impl Wcsph {
                 first: (padded + body.ghosts.start) as u32,
                 reach: radius + GHOST_MARGIN * spacing,
                 bounds: body.bounds,
-            });
+            };
         }
-        let mut lanes_x = self.reference_x.clone();
-        let mut lanes_y = self.reference_y.clone();
-        lanes_x.resize(padded, lanes_x[n - 1]);
-        lanes_y.resize(padded, lanes_y[n - 1]);
-        build_pair_list(self.path, &lanes_x, &lanes_y, &sets, &mut self.pairs);
+        let sets = &sets[..=bodies.len()];
+        let [lanes_x, lanes_y] = &mut self.lanes;
+        for (lanes, places) in
+            [(&mut *lanes_x, &self.reference_x), (&mut *lanes_y, &self.reference_y)]
+        {
+            lanes.clear();
+            lanes.extend_from_slice(places);
+            lanes.resize(padded, places[n - 1]);
+        }
+        build_pair_list(self.path, lanes_x, lanes_y, sets, &mut self.pairs);
         self.slopes.resize(self.pairs.len(), Slopes::default());
-        let bodies: Vec<BodyMotion> = self
-            .reference_offsets
-            .iter()
-            .map(|&offset| BodyMotion { offset, ..BodyMotion::default() })
-            .collect();
+        for (body, offset) in self.reference_bodies.iter_mut().zip(&self.reference_offsets) {
+            body.offset = *offset;
+        }
         self.exchange.rebuild(
             self.path,
             &self.ghosts,
-            &bodies,
+            &self.reference_bodies,
             (&self.strips, &self.reference_x, &self.reference_y),
             radius + GHOST_MARGIN * spacing,
         );

@@ -35,6 +35,7 @@ impl Wcsph {
                 }
             }
         }
+        let full = self.substep == 0;
         let faded = self.options.density_diffusion == DensityDiffusion::Hydrostatic;
         for k in 0..fluid.len() {
             fluid.vx[k] += dt * work.acceleration_x[k];
@@ -46,8 +47,11 @@ impl Wcsph {
             record[Record::GRADIENT_X] = work.gradient_x[k];
             record[Record::GRADIENT_Y] = work.gradient_y[k];
             if faded {
-                let inside = (work.completeness[k] - DIFFUSE_FROM) / (DIFFUSE_FULL - DIFFUSE_FROM);
-                work.diffused_share[k] = inside.clamp(0.0, 1.0);
+                if full {
+                    let inside =
+                        (work.completeness[k] - DIFFUSE_FROM) / (DIFFUSE_FULL - DIFFUSE_FROM);
+                    work.diffused_share[k] = inside.clamp(0.0, 1.0);
+                }
                 record[Record::SHARE] = work.diffused_share[k];
             }
         }
@@ -57,24 +61,28 @@ impl Wcsph {
     pub(super) fn drift(&mut self, dt: f64, bodies: &[BodyMotion]) -> f64 {
         let (fluid, work, options) = (&mut self.fluid, &self.work, &self.options);
         let n = fluid.len();
-        for k in 0..n {
-            fluid.density[k] += dt * work.density_rate[k];
-            fluid.x[k] += dt * fluid.vx[k];
-            fluid.y[k] += dt * fluid.vy[k];
-        }
-        let planes: Vec<Plane> = self
-            .ghosts
-            .bodies
-            .iter()
-            .zip(bodies)
-            .map(|(body, motion)| body.plane.moved(motion.offset).moved(dt * motion.velocity))
-            .collect();
+        let advance = |values: &mut [f64], rates: &[f64]| {
+            values.iter_mut().zip(rates).for_each(|(value, rate)| *value += dt * rate);
+        };
+        advance(&mut fluid.density[..n], &work.density_rate);
+        advance(&mut fluid.x[..n], &fluid.vx);
+        advance(&mut fluid.y[..n], &fluid.vy);
+        let mut planes = std::mem::take(&mut self.planes);
+        planes.clear();
+        planes.extend(
+            self.ghosts
+                .bodies
+                .iter()
+                .zip(bodies)
+                .map(|(body, motion)| body.plane.moved(motion.offset).moved(dt * motion.velocity)),
+        );
         let spray_loss = if options.corrected_gradients { self.settle_surface(dt) } else { 0.0 };
         let shifting_loss = match self.options.shifting {
             Shifting::Interior if self.at_full_step() => self.shift(self.since_full, &planes),
             _ => 0.0,
         };
         self.hold_inside(&planes, bodies);
+        self.planes = planes;
         shifting_loss + spray_loss
     }
 
@@ -86,8 +94,11 @@ impl Wcsph {
         let rate = (dt * state.sound_speed / self.options.smoothing_length()).min(1.0);
         let mut loss = 0.0;
         for k in 0..self.fluid.len() {
-            let density = self.fluid.density[k];
             let completeness = self.work.completeness[k];
+            if completeness >= TENSION_FULL {
+                continue; // As nearly all are.
+            }
+            let density = self.fluid.density[k];
             let alone = (SPRAY_FROM - completeness) / (SPRAY_FROM - SPRAY_FULL);
             let slack = if density < state.surface_density {
                 (TENSION_FULL - completeness) / (TENSION_FULL - TENSION_FROM)

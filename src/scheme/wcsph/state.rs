@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::separation::Slopes;
 use super::{WcsphOptions, Workspace};
 use crate::body::BodyMotion;
-use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice};
+use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane};
 use crate::math::simd::SimdPath;
 use crate::neighbours::{Drift, PairList, Strips};
 use crate::particles::{Fluid, Record, Scaling};
@@ -61,6 +61,11 @@ pub struct Wcsph {
     pub(super) diffused: Vec<f64>,
     pub(super) strain: Vec<[f64; 2]>,
     pub(super) scratch: Vec<f64>,
+    pub(super) order: Vec<u32>,
+    pub(super) lanes: [Vec<f64>; 2],
+    pub(super) planes: Vec<Plane>,
+    /// The bodies where the lists were made.
+    pub(super) reference_bodies: Vec<BodyMotion>,
     /// Per entry of `pairs`, from the last full step.
     pub(super) slopes: Vec<Slopes>,
     /// Place of the coming step between two full ones; 0 is a full step.
@@ -109,6 +114,10 @@ impl Wcsph {
             diffused: vec![0.0; padded],
             strain: vec![[0.0; 2]; padded],
             scratch: Vec::new(),
+            order: Vec::new(),
+            lanes: Default::default(),
+            planes: Vec::new(),
+            reference_bodies: vec![BodyMotion::default(); bodies],
             slopes: Vec::new(),
             substep: 0,
             lead: 0.0,
@@ -184,6 +193,8 @@ impl Wcsph {
         self.boundary_fallbacks = state.boundary_fallbacks;
         self.substep = 0;
         if !self.reference_x.is_empty() {
+            let width = Wcsph::strip_width(self.options.spacing);
+            self.strips = Strips::of_sorted(&self.reference_x, &self.reference_y, width);
             self.list_neighbours();
         }
     }
