@@ -1,0 +1,160 @@
+//! Every kind of scene through the command line: short, coarse, with its files and its refusals.
+
+mod common;
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use common::{assert_same, expect_code, run, write_file};
+
+fn shipped(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("sweeps/scenes").join(format!("{name}.toml"))
+}
+
+/// Runs a scene with values changed; the output directory and what was printed.
+fn scene(file: &Path, settings: &[&str], further: &[&str]) -> (tempfile::TempDir, String) {
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().join("out");
+    let mut arguments = vec!["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    for setting in settings {
+        arguments.extend(["--set", setting]);
+    }
+    arguments.extend(further);
+    let output = run(&arguments);
+    expect_code(&output, 0);
+    (root, String::from_utf8(output.stdout).unwrap())
+}
+
+/// The only file of a folder whose name is a case's.
+fn of_case(root: &Path, folder: &str) -> String {
+    let entries = fs::read_dir(root.join("out").join(folder)).unwrap();
+    let mut files: Vec<_> = entries.map(|entry| entry.unwrap().path()).collect();
+    files.retain(|path| path.is_file() && !path.ends_with("columns.csv"));
+    assert_eq!(files.len(), 1, "{files:?}");
+    fs::read_to_string(&files[0]).unwrap()
+}
+
+fn reading(readings: &str, name: &str) -> f64 {
+    let line = readings.lines().find(|line| line.starts_with(&format!("{name},")));
+    let line = line.unwrap_or_else(|| panic!("{name} is not in {readings}"));
+    line.split(',').nth(1).unwrap().parse().unwrap()
+}
+
+#[test]
+fn a_still_tank_reports_its_probes() {
+    let settings = ["numerics.particle_spacing_m=0.025", "scene.end_time_s=0.5"];
+    let (root, told) = scene(&shipped("hydrostatic"), &settings, &[]);
+    assert!(told.contains("P3_worst_gap"), "{told}");
+    let readings = of_case(root.path(), "readings");
+    assert!(reading(&readings, "P1_worst_gap") < 1.5, "{readings}");
+    let table = of_case(root.path(), "probes");
+    let rows: Vec<_> = table.lines().collect();
+    assert_eq!(rows[0], "time_s,P0,P1,P2,P3");
+    assert_eq!(rows.len(), 1 + 11);
+    let columns = fs::read_to_string(root.path().join("out/probes/columns.csv")).unwrap();
+    assert!(columns.starts_with("name,unit,method\nP0,Pa,"), "{columns}");
+    let summary = fs::read_to_string(root.path().join("out/summary.csv")).unwrap();
+    let mut reader = csv::Reader::from_reader(summary.as_bytes());
+    let headers = reader.headers().unwrap().clone();
+    let row = reader.records().next().unwrap().unwrap();
+    for name in ["wave_height_ratio", "force_coupling", "first_force_max", "onset_time_s"] {
+        let place = headers.iter().position(|header| header == name).unwrap();
+        assert_eq!(&row[place], "", "{name}");
+    }
+}
+
+#[test]
+fn a_dam_breaks_and_is_filmed() {
+    let settings = ["numerics.particle_spacing_m=0.03", "scene.tank_length_m=2.4"];
+    let (root, told) = scene(&shipped("dam_break"), &settings, &["--vtk", "0.5"]);
+    assert!(told.contains("horizontal_momentum_gap"), "{told}");
+    let readings = of_case(root.path(), "readings");
+    let front = reading(&readings, "front_at_1");
+    assert!(front > 2.4 && front < reading(&readings, "ritter_front_at_1"), "{front}");
+    let arrival = reading(&readings, "front_at_wall");
+    assert!(arrival > 1.0 && arrival < 2.2, "{arrival}");
+    assert_eq!(reading(&readings, "mass_gap").abs().max(1e-9), 1e-9);
+    assert!(reading(&readings, "horizontal_momentum_gap").abs() < 2.0, "{readings}");
+    let list = fs::read_dir(root.path().join("out/vtk")).unwrap();
+    let list: Vec<_> = list.map(|entry| entry.unwrap().path()).collect();
+    let pvd = list.iter().find(|path| path.extension().is_some_and(|e| e == "pvd")).unwrap();
+    assert_eq!(fs::read_to_string(pvd).unwrap().matches("<DataSet").count(), 5);
+}
+
+#[test]
+fn a_wave_runs_up_an_incline() {
+    let settings = [
+        "numerics.particle_spacing_m=0.03125",
+        "scene.tank_length_m=2.0",
+        "scene.wave_gauge_m=1.0",
+        "scene.end_after_stroke_centre_s=1.8",
+    ];
+    for name in ["inclined_wall", "vertical_wall_10m"] {
+        let (root, _) = scene(&shipped(name), &settings, &[]);
+        let readings = of_case(root.path(), "readings");
+        let still = 1000.0 * 9.81 * 0.2;
+        let (low, high) = (reading(&readings, "P0_max"), reading(&readings, "P1_max"));
+        assert!(low > 1.3 * still && low < 8.0 * still, "{readings}");
+        assert!(high > 0.1 * still && high < low, "{readings}");
+    }
+}
+
+#[test]
+fn angles_are_swept_and_probes_take_part_in_the_identity() {
+    let root = tempfile::tempdir().unwrap();
+    let text = "name = \"angles\"\n[scene]\nkind = \"hydrostatic\"\nend_time_s = 0.1\n\
+        [numerics]\nparticle_spacing_m = 0.05\n[[probe]]\nname = \"W\"\nkind = \"level\"\n\
+        x_m = 0.5\n[grid]\nwall_angle_deg = [60, 90, 120]\n";
+    let file = write_file(root.path(), text);
+    let outs = ["a", "b"].map(|name| root.path().join(name));
+    for (out, threads) in outs.iter().zip(["1", "2"]) {
+        let out = out.to_str().unwrap();
+        let file = file.to_str().unwrap();
+        expect_code(&run(&["sweep", file, "--out", out, "--threads", threads]), 0);
+    }
+    assert_same(&outs[0], &outs[1]);
+    let moved = write_file(root.path(), &text.replace("x_m = 0.5", "x_m = 0.4"));
+    let refused = run(&["sweep", moved.to_str().unwrap(), "--out", outs[0].to_str().unwrap()]);
+    expect_code(&refused, 2);
+}
+
+#[test]
+fn bad_scenes_are_refused_with_their_key() {
+    let dam = "kind = \"dam-break\"\n";
+    let bad = [
+        ("kind = \"lake\"", "", "scene.kind = \"lake\": must be one of hydrostatic, dam-break"),
+        ("wall_angle_deg = 20", "", "scene.wall_angle_deg = 20: must be a number from 30 to 150"),
+        ("wall_angle_deg = 30\ntank_length_m = 1.52", "", "scene.wall_angle_deg = 30: leans over"),
+        ("kind = \"hydrostatic\"\nwall = \"fixed\"", "", "scene.wall: unknown key"),
+        ("kind = \"hydrostatic\"\nend_time_s = 0", "", "scene.end_time_s = 0"),
+        (&format!("{dam}tank_length_m = 1"), "", "scene.tank_length_m = 1: must be at least"),
+        (&format!("{dam}initial_density = \"x\""), "", "scene.initial_density = \"x\""),
+        (&format!("{dam}column_height_m = nan"), "", "scene.column_height_m = NaN"),
+        ("", "name = \"a b\"\nkind = \"level\"\nx_m = 1", "probe.name = \"a b\": must be a word"),
+        ("", "name = \"a\"\nkind = \"level\"", "probe.x_m: a needs a place"),
+        ("", "name = \"a\"\nkind = \"level\"\nx_m = 9", "probe.x_m = 9: a must stand in the tank"),
+        (
+            "",
+            "name = \"a\"\nkind = \"pressure\"\nwall = \"left\"",
+            "probe.y_m: a measures pressure",
+        ),
+        (
+            "",
+            "name = \"a\"\nkind = \"level\"\nx_m = 1\ny_m = 1",
+            "probe.y_m = 1: a measures a level",
+        ),
+        ("", "name = \"a\"\nkind = \"heat\"\nx_m = 1", "probe.kind = \"heat\""),
+        ("", "name = \"a\"\nplace = 1", "probe.place: unknown key"),
+    ];
+    let root = tempfile::tempdir().unwrap();
+    for (scene, probe, message) in bad {
+        let probe = if probe.is_empty() { String::new() } else { format!("[[probe]]\n{probe}\n") };
+        let file = write_file(root.path(), &format!("name = \"bad\"\n[scene]\n{scene}\n{probe}"));
+        let out = root.path().join("out");
+        let output = run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
+        expect_code(&output, 2);
+        let told = String::from_utf8_lossy(&output.stderr);
+        assert!(told.contains(message), "{told:?} should contain {message:?}");
+        assert!(!out.exists());
+    }
+}

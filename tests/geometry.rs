@@ -1,0 +1,197 @@
+//! Walls at any angle: mirrors, ghosts around corners, water up to the wall, water at rest there.
+
+use seawall::boundary::{Ghosts, Reflection, TankLayout, tank_ghosts};
+use seawall::math::simd::SimdPath;
+use seawall::scene::{CaseConfig, Scene, WALL};
+use seawall::scheme::Scheme;
+use seawall::simulation::{Unwatched, run_case};
+
+const SPACING: f64 = 0.02;
+const RADIUS: f64 = 0.08;
+const LENGTH: f64 = 1.6;
+const DEPTH: f64 = 0.24;
+
+fn ghosts(angle_deg: f64) -> Ghosts {
+    let layout = TankLayout {
+        length: LENGTH,
+        spacing_x: SPACING,
+        spacing_y: SPACING,
+        support_radius: RADIUS,
+        wall_height: 3.0 * DEPTH,
+        bed_beyond_wall: if angle_deg == 90.0 { 4.0 * RADIUS } else { 0.0 },
+        wall_angle_deg: angle_deg,
+        dry_bed: false,
+    };
+    tank_ghosts(&layout, 0.06)
+}
+
+fn case(angle_deg: f64, more: &str) -> CaseConfig {
+    let text = format!(
+        "kind = \"hydrostatic\"\nstill_water_depth_m = {DEPTH}\ntank_length_m = {LENGTH}\n\
+         wall_angle_deg = {angle_deg}\n{more}"
+    );
+    let numerics = format!("particle_spacing_m = {SPACING}\nsound_speed_ratio = 15");
+    CaseConfig::from_tables(&text.parse().unwrap(), &numerics.parse().unwrap()).unwrap()
+}
+
+fn water(angle_deg: f64) -> Box<dyn Scheme> {
+    let config = case(angle_deg, "");
+    config.scene.build(&config.numerics, SimdPath::Portable).water
+}
+
+#[test]
+fn the_mirror_of_a_mirror_is_the_ghost() {
+    for angle in [90.0, 120.0, 150.0] {
+        let ghosts = ghosts(angle);
+        for body in &ghosts.bodies {
+            for g in body.ghosts.clone() {
+                let ghost = [ghosts.x[g], ghosts.y[g]];
+                let mirror = [ghosts.target_x[g], ghosts.target_y[g]];
+                let [toe_x, toe_y] = body.plane.point;
+                let twice = match ghosts.reflection[g] {
+                    Reflection::Corner => [2.0 * toe_x - mirror[0], 2.0 * toe_y - mirror[1]],
+                    Reflection::Plane { normal: [nx, ny] } => {
+                        assert!((nx.hypot(ny) - 1.0).abs() < 1e-15);
+                        let beyond = 2.0 * body.plane.beyond(mirror);
+                        [mirror[0] - beyond * nx, mirror[1] - beyond * ny]
+                    }
+                };
+                let apart = (twice[0] - ghost[0]).hypot(twice[1] - ghost[1]);
+                assert!(apart < 1e-12, "{ghost:?} of {mirror:?} at {angle}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_ghost_is_solid_and_mirrors_water() {
+    for angle in [30.0, 60.0, 90.0, 120.0, 150.0] {
+        let ghosts = ghosts(angle);
+        let planes = [0, 1, 2].map(|body| ghosts.bodies[body].plane);
+        for (number, body) in ghosts.bodies.iter().enumerate() {
+            for g in body.ghosts.clone().filter(|&g| ghosts.volume[g] > 0.0) {
+                let solid =
+                    planes.iter().any(|plane| plane.beyond([ghosts.x[g], ghosts.y[g]]) > 0.0);
+                assert!(solid, "ghost {g} of {number} at {angle}");
+                let mirror = [ghosts.target_x[g], ghosts.target_y[g]];
+                // The bed of a wall that may move goes on behind it.
+                if number == 0 && ghosts.x[g] > LENGTH {
+                    continue;
+                }
+                let wet = planes.iter().all(|plane| plane.beyond(mirror) < 1e-12);
+                assert!(wet, "mirror {mirror:?} of ghost {g} of {number} at {angle}");
+            }
+        }
+    }
+}
+
+/// Water and ghosts together fill the support of every particle that is deep enough.
+#[test]
+fn the_support_is_full_around_corners_of_any_angle() {
+    for angle in [60.0, 75.0, 90.0, 120.0, 150.0] {
+        let water = water(angle);
+        let (kernel, radius) = water.kernel();
+        let (fluid, ghosts) = (water.fluid(), water.walls());
+        let ends = [ghosts.bodies[1].plane.point[0], ghosts.bodies[2].plane.point[0]];
+        let factor = kernel.normalisation() / (radius * radius);
+        let mut seen = 0;
+        for k in (0..fluid.len()).filter(|&k| fluid.y[k] < DEPTH - radius) {
+            let near_wall = ghosts.bodies[WALL].plane.beyond([fluid.x[k], fluid.y[k]]) > -radius;
+            if !near_wall {
+                continue;
+            }
+            let weight = |x: f64, y: f64| {
+                let q = (x - fluid.x[k]).hypot(y - fluid.y[k]) / radius;
+                if q < 1.0 { factor * kernel.shape_at(q) } else { 0.0 }
+            };
+            let of_water: f64 = (0..fluid.len())
+                .map(|j| weight(fluid.x[j], fluid.y[j]) * fluid.mass[j] / fluid.density[j])
+                .sum();
+            let of_walls: f64 = ghosts
+                .bodies
+                .iter()
+                .enumerate()
+                .flat_map(|(number, body)| body.ghosts.clone().map(move |g| (number, g)))
+                .filter(|&(number, g)| {
+                    number > 0 || (ghosts.x[g] > ends[0] && ghosts.x[g] < ends[1])
+                })
+                .map(|(_, g)| weight(ghosts.x[g], ghosts.y[g]) * ghosts.volume[g])
+                .sum();
+            let full = of_water + of_walls;
+            let place = [fluid.x[k], fluid.y[k]];
+            assert!((full - 1.0).abs() < 0.05, "{full} at {place:?} before {angle} degrees");
+            seen += 1;
+        }
+        assert!(seen > 15, "{seen} at {angle}");
+    }
+}
+
+#[test]
+fn water_fills_the_tank_up_to_the_wall() {
+    for angle in [45.0_f64, 60.0, 90.0, 120.0, 150.0] {
+        let water = water(angle);
+        let (fluid, wall) = (water.fluid(), water.walls().bodies[WALL].plane);
+        let overhang = if angle == 90.0 { 0.0 } else { -1.0 / angle.to_radians().tan() };
+        let area = DEPTH * (LENGTH + 0.5 * overhang * DEPTH);
+        let mass: f64 = fluid.mass.iter().sum();
+        assert!((mass / (1000.0 * area) - 1.0).abs() < 2e-3, "{mass} at {angle}");
+        // No particle in the wall, none too close to it, no row that ends short of it.
+        for row in 0..(DEPTH / SPACING).round() as usize {
+            let y = (row as f64 + 0.5) * SPACING;
+            let in_row = (0..fluid.len()).filter(|&k| (fluid.y[k] - y).abs() < 1e-9);
+            let gap = in_row
+                .map(|k| -wall.beyond([fluid.x[k], fluid.y[k]]) / wall.normal[0])
+                .fold(f64::INFINITY, f64::min);
+            assert!((gap / SPACING - 0.5).abs() < 0.02, "{gap} in row {row} at {angle}");
+        }
+    }
+}
+
+/// Twelve rows: the bounds are those of so coarse a lattice (25 rows stay within 0.5 %).
+#[test]
+fn still_water_rests_at_an_incline() {
+    for angle in [60.0, 120.0] {
+        let config = case(angle, "end_time_s = 0.6\nhistory_interval_s = 0.02");
+        let probes: Vec<toml::Table> = [0.0, 0.05, 0.1, 0.15, 0.19]
+            .iter()
+            .map(|y| {
+                let text =
+                    format!("name = \"P{y}\"\nkind = \"pressure\"\nwall = \"right\"\ny_m = {y}");
+                text.parse().unwrap()
+            })
+            .collect();
+        let Scene::Hydrostatic(scene) = &config.scene else { panic!() };
+        let scene = toml::Table::try_from(scene).unwrap();
+        let numerics = toml::Table::try_from(&config.numerics).unwrap();
+        let mut scene = scene;
+        scene.insert("kind".into(), "hydrostatic".into());
+        let config = CaseConfig::with_probes(&scene, &numerics, &probes).unwrap();
+        let result = run_case(&config, None, SimdPath::widest(), &Unwatched).unwrap();
+        assert_eq!(result.outcome.particles_lost, 0);
+        for row in &result.history {
+            assert!((row.force - 1.0).abs() < 0.05, "F* = {} at {angle}", row.force);
+            assert!(row.runup.abs() < 0.04, "R* = {} at {angle}", row.runup);
+        }
+        let worst = |name: &str| {
+            let found = result.readings.iter().find(|reading| reading.name == name);
+            found.unwrap_or_else(|| panic!("{name}")).value
+        };
+        for y in [0.05, 0.1, 0.15] {
+            let gap = worst(&format!("P{y}_worst_gap"));
+            assert!(gap < 2.5, "{gap} % at {y} m up a wall of {angle} degrees");
+        }
+        let potential = 0.5 * 1000.0 * 9.81 * DEPTH * DEPTH * LENGTH;
+        assert!(result.energy.kinetic < 1e-4 * potential, "{:?}", result.energy);
+    }
+}
+
+#[test]
+fn planes_push_back_along_their_normal() {
+    let wall = ghosts(120.0).bodies[WALL].plane.moved(0.3);
+    let inside = wall.in_front([LENGTH + 0.6, 0.1], 0.01);
+    assert!((wall.beyond(inside) + 0.01).abs() < 1e-12);
+    let turned = wall.with_across([0.4, -0.7], |across| -across);
+    let back = wall.with_across(turned, |across| -across);
+    assert!((back[0] - 0.4).abs() < 1e-15 && (back[1] + 0.7).abs() < 1e-15);
+    assert!((turned[0].hypot(turned[1]) - 0.65_f64.sqrt()).abs() < 1e-15);
+}
