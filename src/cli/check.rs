@@ -9,7 +9,7 @@ use super::SUCCESS;
 use super::input::{Expect, Setting, study};
 use super::output::{Output, duration};
 use super::table::Table;
-use crate::scene::{CaseConfig, WallChoice};
+use crate::scene::{CaseConfig, WallChoice, limits};
 use crate::simulation::cost;
 use crate::sweep::{Plan, Study};
 
@@ -87,6 +87,10 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
     text.push_str(&line("shared trunks", plan.trunks.len().to_string()));
     text.push_str(&line("saved by trunks", format!("{saved:.0} % of the steps")));
     text.push_str(&line("estimated time", format!("{} on {cores} cores", duration(seconds))));
+    let warnings = warnings(study);
+    for (warning, cases) in &warnings {
+        text.push_str(&format!("\nknown limit, {cases} cases: {warning}\n"));
+    }
     let cases: Vec<_> = study
         .cases
         .iter()
@@ -98,6 +102,7 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
     let value = json!({
         "name": study.name,
         "physics": physics.iter().cloned().collect::<std::collections::BTreeMap<_, _>>(),
+        "warnings": warnings.keys().collect::<Vec<_>>(),
         "cases": cases,
         "companions": study.companions.len(),
         "particles": particles,
@@ -111,6 +116,15 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
     });
     output.result(&text, &value)?;
     Ok(SUCCESS)
+}
+
+/// The known limits that the study runs into, with the number of cases.
+fn warnings(study: &Study) -> std::collections::BTreeMap<&'static str, usize> {
+    let mut found = std::collections::BTreeMap::new();
+    for limit in study.cases.iter().flat_map(|case| limits(&case.config)) {
+        *found.entry(limit).or_default() += 1;
+    }
+    found
 }
 
 fn between((low, high): (u64, u64)) -> String {

@@ -10,6 +10,7 @@ mod execute;
 mod failure;
 mod input;
 mod matrix;
+mod max_error;
 mod output;
 mod report;
 mod run;

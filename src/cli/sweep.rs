@@ -7,6 +7,7 @@ use clap::{Args, ValueEnum};
 use super::execute::{Done, Job, execute};
 use super::failure::{BadInput, exit_code};
 use super::input::{Expect, Setting, SimdChoice, default_out, study};
+use super::max_error::Aim;
 use super::output::{Output, duration, short};
 use super::table::Table;
 use super::{SUCCESS, check};
@@ -21,6 +22,7 @@ use crate::sweep::{Ending, Interrupt, OpenMode, SphRunner};
   seawall sweep sweeps/nightly.toml --out results/runs/today --threads 4
   seawall sweep sweeps/liang2017.toml --set numerics.particle_spacing_m=0.016
   mpirun -n 4 --bind-to none seawall sweep sweeps/nightly.toml
+  seawall sweep sweeps/nightly.toml --max-error 2 --out results/runs/within-2-percent
   seawall sweep sweeps/nightly.toml --retry-failed")]
 pub(super) struct SweepArgs {
     /// The sweep file.
@@ -49,6 +51,11 @@ pub(super) struct SweepArgs {
     /// Run every case from rest, for checking: the same results, slower.
     #[arg(long)]
     no_branch: bool,
+    /// Choose the particle spacing case by case so that force and displacement are this accurate,
+    /// percent; verify with error bars, and run again finer what misses. Also `[accuracy]
+    /// max_error_percent` in the file.
+    #[arg(long, value_name = "PERCENT")]
+    max_error: Option<f64>,
     /// Instruction set of the hot loops.
     #[arg(long, value_enum, default_value_t = SimdChoice::Auto)]
     simd: SimdChoice,
@@ -116,16 +123,30 @@ fn lead(
     interrupt: &Interrupt,
 ) -> anyhow::Result<u8> {
     let study = study(&args.file, &args.settings, Expect::Grid)?;
-    let job = Job {
+    let aim = args.max_error.or(study.max_error_percent);
+    let aim = aim.map(|percent| Aim::new(percent, &study)).transpose()?;
+    let mut job = Job {
         out: args.out.clone().unwrap_or_else(|| default_out(&study)),
-        study,
+        study: aim.as_ref().map_or_else(|| study.clone(), |aim| aim.first(&study, output)),
         mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
         retry_failed: args.retry_failed,
         branching: !args.no_branch,
         simd: args.simd.path(),
         overrides: args.settings.iter().map(|setting| setting.text.clone()).collect(),
     };
-    let done = execute(&job, crew, interrupt, output)?;
+    let mut done = execute(&job, crew, interrupt, output)?;
+    while let Some(aim) = aim.as_ref().filter(|_| done.ending == Ending::Finished) {
+        let Some(finer) = aim.refine(&job.study, &done, output) else { break };
+        if crew.executor() == "mpi" && done.wall_time_s.is_some() {
+            output.note(
+                "under MPI a session is one round: the same command goes on with the finer one",
+            );
+            break;
+        }
+        drop(done); // its lock
+        job = Job { study: finer, mode: OpenMode::Resume, retry_failed: false, ..job };
+        done = execute(&job, crew, interrupt, output)?;
+    }
     if done.ending == Ending::Interrupted {
         let (finished, cases) = (done.records().count(), job.study.cases.len());
         output.note(format_args!(
@@ -134,7 +155,14 @@ fn lead(
         return Ok(done.exit_code());
     }
     let report = crate::report::write(done.directory.path())?;
-    output.result(&told(&job, &done, &report, output.verbose), &done.json(&job, Some(&report)))?;
+    let mut text = told(&job, &done, &report, output.verbose);
+    let mut value = done.json(&job, Some(&report));
+    if let Some(aim) = &aim {
+        let (told, accuracy) = aim.report(&job.study, &done)?;
+        text.push_str(&told);
+        value["accuracy"] = accuracy;
+    }
+    output.result(&text, &value)?;
     Ok(done.exit_code())
 }
 

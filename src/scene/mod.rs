@@ -12,6 +12,7 @@ mod filling;
 mod frame;
 mod hydrostatic;
 mod interpolation;
+mod limits;
 mod numerics;
 mod probe;
 mod seawall;
@@ -22,6 +23,7 @@ pub use dam_break::{DamBreakScene, InitialDensity};
 pub use error::ConfigError;
 pub use frame::Frame;
 pub use hydrostatic::HydrostaticScene;
+pub use limits::limits;
 pub use numerics::{
     BoundaryChoice, ErrorBars, GhostGravity, Numerics, PRESETS, Precision, Scheme, Slip,
 };

@@ -18,13 +18,15 @@ pub struct SweepFile {
     pub numerics: Table,
     /// The `[[probe]]` tables.
     pub probes: Vec<Table>,
+    /// `[accuracy] max_error_percent`.
+    pub max_error_percent: Option<f64>,
     /// `[grid]`, in the order of the file; empty for a file that describes a single scene.
     pub grid: Vec<Axis>,
     /// The file as written.
     pub text: String,
 }
 
-const KEYS: [&str; 5] = ["name", "scene", "numerics", "probe", "grid"];
+const KEYS: [&str; 6] = ["name", "scene", "numerics", "probe", "accuracy", "grid"];
 
 impl SweepFile {
     /// Reads a file's text and puts the command line's values into it.
@@ -47,6 +49,7 @@ impl SweepFile {
             scene: table(&file, "scene")?,
             numerics: table(&file, "numerics")?,
             probes: tables(&file, "probe")?,
+            max_error_percent: read_max_error(&table(&file, "accuracy")?)?,
             grid: grid?,
             text: text.to_owned(),
         })
@@ -74,6 +77,21 @@ impl SweepFile {
             return Err(ConfigError::new(&format!("grid.{}", axis.key), "", allowed));
         }
         Ok(())
+    }
+}
+
+fn read_max_error(table: &Table) -> Result<Option<f64>, ConfigError> {
+    const KEY: &str = "max_error_percent";
+    if let Some(key) = table.keys().find(|key| *key != KEY) {
+        return Err(ConfigError::unknown(&format!("accuracy.{key}"), &[KEY.to_owned()]));
+    }
+    let Some(value) = table.get(KEY) else { return Ok(None) };
+    let number = value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64));
+    match number.filter(|number| number.is_finite() && *number > 0.0) {
+        Some(number) => Ok(Some(number)),
+        None => {
+            Err(ConfigError::new(&format!("accuracy.{KEY}"), value, "must be a number above 0"))
+        }
     }
 }
 
@@ -139,6 +157,11 @@ mod tests {
             ("name = \"a b\"", "name = \"a b\": must be a word"),
             ("name = \"..\"", "name = \"..\": must be a word"),
             ("name = \"a\"\n[probe]\nname = \"P\"", "probe = "),
+            ("name = \"a\"\n[accuracy]\nmax_error = 2", "accuracy.max_error: unknown key"),
+            (
+                "name = \"a\"\n[accuracy]\nmax_error_percent = 0",
+                "accuracy.max_error_percent = 0: must be a number above 0",
+            ),
             ("name = \"a\"\nscene = 3", "scene = 3: must be a table"),
             ("name = \"a\"\n[grid\n", "line 2: "),
             ("name = \"a\"\nname = \"b\"", "line 2: duplicate key"),

@@ -39,6 +39,7 @@ mod results;
 mod runner;
 mod study;
 mod summary;
+pub mod tuning;
 mod vtk;
 
 pub use axis::Axis;

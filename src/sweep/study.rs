@@ -26,6 +26,8 @@ pub struct Study {
     /// Hash over the cases and their order, with or without error bars: two files with the same
     /// identity are the same sweep.
     pub identity: String,
+    /// The error that the file aims at, percent.
+    pub max_error_percent: Option<f64>,
     /// The file as written.
     pub file_text: String,
 }
@@ -42,7 +44,8 @@ impl Study {
         };
         let bars: Vec<_> = cases.iter_mut().map(&mut take_bars).collect();
         let keys: Vec<String> = file.grid.iter().map(|axis| axis.key.clone()).collect();
-        Ok(Study::of(file.name.clone(), keys, cases, &bars, &file.text))
+        let study = Study::of(file.name.clone(), keys, cases, &bars, &file.text);
+        Ok(Study { max_error_percent: file.max_error_percent, ..study })
     }
 
     /// A study of the given cases; where `bars` has fewer entries, there are no further bars.
@@ -61,7 +64,17 @@ impl Study {
         }
         let identity = hash.finalize()[..8].iter().map(|byte| format!("{byte:02x}")).collect();
         let file_text = file_text.to_owned();
-        Study { name, keys, cases, companions, companions_of, identity, file_text }
+        let max_error_percent = None;
+        Study {
+            name,
+            keys,
+            cases,
+            companions,
+            companions_of,
+            identity,
+            max_error_percent,
+            file_text,
+        }
     }
 
     /// Cases and companions, in the order of their indices.

@@ -1,0 +1,130 @@
+//! `sweep --max-error`: numerics chosen case by case, verified with error bars, refined where they
+//! miss.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use serde_json::json;
+
+use super::execute::Done;
+use super::failure::BadInput;
+use super::output::{Output, short};
+use crate::sweep::Study;
+use crate::sweep::tuning::{AccuracyTable, bar_percent};
+
+/// A wanted error and what is known about meeting it.
+pub(super) struct Aim {
+    percent: f64,
+    table: AccuracyTable,
+}
+
+/// Whether a case came out as accurate as wanted.
+struct Verified {
+    index: usize,
+    spacing: f64,
+    /// The larger of the bars of force and displacement, percent; `None` without bars.
+    bar: Option<f64>,
+}
+
+impl Aim {
+    /// An aim in percent.
+    pub(super) fn new(percent: f64, study: &Study) -> Result<Aim, BadInput> {
+        if !(percent.is_finite() && percent > 0.0) {
+            let told = format!("accuracy.max_error_percent = {percent}: must be a number above 0");
+            return Err(BadInput(told));
+        }
+        if study.keys.iter().any(|key| key == "particle_spacing_m") {
+            let told =
+                "--max-error chooses the particle spacing, but [grid] sweeps it: leave one out";
+            return Err(BadInput(told.to_owned()));
+        }
+        Ok(Aim { percent, table: AccuracyTable::stored() })
+    }
+
+    /// The study with the spacings that are expected to do, and why, told.
+    pub(super) fn first(&self, study: &Study, output: &Output) -> Study {
+        let mut told: BTreeMap<String, usize> = BTreeMap::new();
+        for case in &study.cases {
+            let Some(choice) = self.table.choose(&case.config, self.percent, 0.25) else {
+                continue;
+            };
+            let doubt = if choice.meets { "" } else { ", the finest of the table" };
+            let line = format!(
+                "{} m: {} % of force and displacement measured in {}{doubt}",
+                short(choice.particle_spacing_m),
+                short(choice.expected_percent),
+                choice.because
+            );
+            *told.entry(line).or_default() += 1;
+        }
+        for (line, cases) in told {
+            output.note(format_args!("{cases} cases at {line}"));
+        }
+        let chosen = study.with_spacings(|_, config| {
+            Some(self.table.choose(config, self.percent, 0.25)?.particle_spacing_m)
+        });
+        chosen.aiming_at(self.percent)
+    }
+
+    /// The study with finer spacings where the bars are too wide and the table has any.
+    pub(super) fn refine(&self, study: &Study, done: &Done, output: &Output) -> Option<Study> {
+        let mut finer = BTreeMap::new();
+        for case in self.verify(study, done) {
+            if case.bar.is_none_or(|bar| bar <= self.percent) {
+                continue;
+            }
+            let config = &study.cases[case.index].config;
+            let depth = config.scene.seawall()?.still_water_depth_m;
+            let at_most = 0.99 * case.spacing / depth;
+            if let Some(choice) = self.table.choose(config, self.percent, at_most) {
+                finer.insert(case.index, choice.particle_spacing_m);
+            }
+        }
+        if finer.is_empty() {
+            return None;
+        }
+        output.note(format_args!(
+            "{} cases have bars wider than {} %: once more, finer",
+            finer.len(),
+            self.percent
+        ));
+        Some(study.with_spacings(|index, _| finer.get(&index).copied()))
+    }
+
+    /// Writes `max_error.csv`: which case got which spacing and whether its bars keep to the aim.
+    pub(super) fn report(
+        &self,
+        study: &Study,
+        done: &Done,
+    ) -> anyhow::Result<(String, serde_json::Value)> {
+        let verified = self.verify(study, done);
+        let mut csv =
+            "case_id,particle_spacing_m,error_bar_percent,max_error_percent,met\n".to_owned();
+        let met = |case: &Verified| case.bar.is_some_and(|bar| bar <= self.percent);
+        for case in &verified {
+            let bar = case.bar.map(|bar| bar.to_string()).unwrap_or_default();
+            let (id, spacing) = (study.cases[case.index].id, case.spacing);
+            writeln!(csv, "{id},{spacing},{bar},{},{}", self.percent, met(case))?;
+        }
+        std::fs::write(done.directory.path().join("max_error.csv"), csv)?;
+        let count = verified.iter().filter(|case| met(case)).count();
+        let told = format!(
+            "{count} of {} cases keep their bars of force and displacement within {} % (max_error.csv)\n",
+            study.cases.len(),
+            self.percent
+        );
+        let value = json!({ "max_error_percent": self.percent, "met": count });
+        Ok((told, value))
+    }
+
+    fn verify(&self, study: &Study, done: &Done) -> Vec<Verified> {
+        let records = done.directory.runs();
+        let of = |case: &crate::sweep::Case| {
+            let record = records[case.index].as_ref().filter(|record| record.is_ok())?;
+            let bars = study.error_bars(case.index, records);
+            let spacing = case.config.numerics.particle_spacing_m;
+            Some(Verified { index: case.index, spacing, bar: bar_percent(record, &bars) })
+        };
+        study.cases.iter().filter_map(of).collect()
+    }
+}

@@ -1,0 +1,74 @@
+//! Known limits: what `seawall check` warns of before a run. Measured by `seawall stress` and
+//! `seawall accuracy`; see `results/stability` and `results/accuracy`.
+
+use super::config::CaseConfig;
+use super::numerics::Scheme;
+use super::seawall::WallChoice;
+
+/// Walls this stiff, N/m per metre of width, stand as good as still under the highest waves.
+const STIFF: f64 = 1e4;
+
+/// What is known to go wrong, or to be inaccurate, with a case; a line each, the same line for the
+/// same limit.
+pub fn limits(config: &CaseConfig) -> Vec<&'static str> {
+    let mut found = Vec::new();
+    let numerics = &config.numerics;
+    if numerics.scheme == Scheme::Wcsph && numerics.courant_number > 2.0 {
+        found.push(
+            "courant_number above 2: energy comes from nowhere, 11 % of the paddle's work at 2.3, \
+             and at 2.5 the run ends; retries = 1 would start it again with half the step",
+        );
+    }
+    let full_steps = f64::from(numerics.acoustic_substeps) * numerics.courant_number;
+    if numerics.scheme == Scheme::Wcsph && full_steps * numerics.artificial_viscosity > 1.5 {
+        found.push(
+            "courant_number x acoustic_substeps x artificial_viscosity above 1.5: viscosity is \
+             explicit over the full step and unstable from about 2.4; 1 is safe",
+        );
+    }
+    let Some(scene) = config.scene.seawall() else { return found };
+    let rows = scene.still_water_depth_m / numerics.particle_spacing_m;
+    if rows < 10.0 {
+        found.push(
+            "fewer than 10 particles over the depth: the wave loses height, forces are 1 to 3 % \
+             and runups up to 20 % low",
+        );
+    }
+    let stands = match scene.wall {
+        WallChoice::Fixed => true,
+        WallChoice::Movable => scene.spring_stiffness_n_per_m.is_some_and(|k| k >= STIFF),
+    };
+    if scene.wave_height_ratio >= 0.6 && stands {
+        found.push(
+            "H/h of 0.6 and more on a wall that hardly moves: the tip of the water is thinner than \
+             a particle, and the runup is read low, by about 0.1 h at the default spacing",
+        );
+    }
+    if scene.wave_height_ratio > 0.75 {
+        found.push("H/h above 0.75: such a wave breaks on its way, and no reference covers it");
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_limit_is_told_and_the_default_is_clear_of_them() {
+        let count = |scene: &str, numerics: &str| {
+            let config =
+                CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap());
+            limits(&config.unwrap()).len()
+        };
+        assert_eq!(count("", ""), 0);
+        assert_eq!(count("", "courant_number = 2.3"), 1);
+        assert_eq!(count("", "artificial_viscosity = 0.5"), 1);
+        assert_eq!(count("", "particle_spacing_m = 0.025"), 1);
+        assert_eq!(count("wave_height_ratio = 0.6", ""), 1);
+        assert_eq!(count("wave_height_ratio = 0.8", ""), 2);
+        let soft = "wave_height_ratio = 0.6\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n\
+                    spring_stiffness_n_per_m = 10";
+        assert_eq!(count(soft, ""), 0);
+    }
+}
