@@ -176,6 +176,26 @@ fn stiff_and_heavy_walls_approach_the_fixed_wall() {
     }
 }
 
+/// Steps that follow sound alone are the same steps with their geometry held: the wave, the force
+/// and the wall's travel stay.
+#[test]
+fn acoustic_steps_agree_with_full_ones() {
+    let case = |substeps: u32| {
+        run(&config(&movable(500.0, 100.0), &format!("{COARSE}acoustic_substeps = {substeps}\n")))
+    };
+    let full = case(1);
+    for substeps in [2, 3, 4] {
+        let split = case(substeps);
+        assert_eq!(split.outcome.steps, full.outcome.steps);
+        let ratio = first_force(&split) / first_force(&full);
+        assert!((ratio - 1.0).abs() < 0.03, "{substeps}: force {ratio}");
+        let travel = |result: &CaseResult| result.outcome.displacement_max.unwrap().value;
+        let ratio = travel(&split) / travel(&full);
+        assert!((ratio - 1.0).abs() < 0.02, "{substeps}: travel {ratio}");
+        assert!(split.outcome.energy_gap_percent.abs() < 2.0, "{substeps}");
+    }
+}
+
 #[test]
 fn a_sick_run_is_a_failure_with_its_kind() {
     // Density diffusion far beyond what an explicit step bears.

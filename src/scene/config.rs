@@ -108,8 +108,8 @@ impl CaseConfig {
             .iter()
             .map(|table| read_table("probe", table.clone(), &serde_keys::<Probe>()))
             .collect::<Result<_, _>>()?;
-        let config =
-            CaseConfig { scene: read_scene(scene)?, numerics: read_numerics(numerics)?, probes };
+        let scene = read_scene(scene)?;
+        let config = CaseConfig { numerics: read_numerics(&scene, numerics)?, scene, probes };
         config.validate()?;
         Ok(config)
     }
@@ -197,7 +197,7 @@ fn read_section<T: DeserializeOwned>(table: Table) -> Result<T, ConfigError> {
     read_table("scene", table, &serde_keys::<T>())
 }
 
-fn read_numerics(table: &Table) -> Result<Numerics, ConfigError> {
+fn read_numerics(scene: &Scene, table: &Table) -> Result<Numerics, ConfigError> {
     let mut rest = table.clone();
     let name = match rest.remove("preset") {
         None => "default".to_owned(),
@@ -208,10 +208,14 @@ fn read_numerics(table: &Table) -> Result<Numerics, ConfigError> {
     };
     let isph = rest.get("scheme").and_then(Value::as_str) == Some("isph");
     let base = if name == "default" && isph { "isph" } else { &name };
-    let Some(preset) = Numerics::preset(base) else {
+    let Some(mut preset) = Numerics::preset(base) else {
         let allowed = format!("must be one of {}", PRESETS.join(", "));
         return Err(ConfigError::new("numerics.preset", format!("{name:?}"), allowed));
     };
+    if matches!(scene, Scene::DamBreak(_)) {
+        // A front that hits a wall leaves no time in which pairs could hold their geometry.
+        preset.acoustic_substeps = 1;
+    }
     let mut merged = Table::try_from(&preset).expect("a preset is a table");
     merged.extend(rest);
     read_table("numerics", merged, &serde_keys::<Numerics>())
