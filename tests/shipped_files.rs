@@ -23,6 +23,7 @@ fn every_corner_of_every_sweep_is_valid() {
     let mut shipped = files("sweeps");
     assert!(shipped.len() >= 6);
     shipped.extend(files("sweeps/boundary_comparison"));
+    shipped.extend(files("sweeps/liang2017"));
     for path in shipped {
         let file = read(&path);
         if file.contains_key("case") {

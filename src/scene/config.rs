@@ -8,7 +8,7 @@ use super::dam_break::DamBreakScene;
 use super::error::ConfigError;
 use super::frame::Frame;
 use super::hydrostatic::HydrostaticScene;
-use super::numerics::{ErrorBars, Numerics, PRESETS};
+use super::numerics::{ErrorBars, Numerics, PRESETS, Scheme as SchemeChoice, WEAKLY_COMPRESSIBLE};
 use super::probe::Probe;
 use super::seawall::{SeawallScene, WallChoice};
 use super::tank::Tank;
@@ -215,6 +215,15 @@ fn read_numerics(scene: &Scene, table: &Table) -> Result<Numerics, ConfigError> 
     if matches!(scene, Scene::DamBreak(_)) {
         // A front that hits a wall leaves no time in which pairs could hold their geometry.
         preset.acoustic_substeps = 1;
+    }
+    let weakly_compressible = |key: &str| WEAKLY_COMPRESSIBLE.contains(&key);
+    let stays = rest.get("scheme").is_none_or(|scheme| scheme.as_str() == Some("isph"));
+    if preset.scheme == SchemeChoice::Isph
+        && stays
+        && let Some((key, value)) = rest.iter().find(|(key, _)| weakly_compressible(key))
+    {
+        let allowed = "belongs to scheme = \"wcsph\"";
+        return Err(ConfigError::new(&format!("numerics.{key}"), value, allowed));
     }
     let mut merged = Table::try_from(&preset).expect("a preset is a table");
     merged.extend(rest);

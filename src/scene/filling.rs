@@ -208,7 +208,7 @@ impl Filling {
             },
             volume_relaxation: numerics.volume_relaxation.unwrap_or(0.0),
             laplacian: numerics.laplacian.unwrap_or(Laplacian::Symmetric),
-            preconditioner: numerics.preconditioner.unwrap_or(PreconditionerChoice::Incomplete),
+            preconditioner: numerics.preconditioner.unwrap_or(PreconditionerChoice::Jacobi),
             solver_tolerance: numerics.solver_tolerance.unwrap_or(1e-4),
             courant_number: numerics.flow_courant_number.unwrap_or(0.2),
         };

@@ -170,6 +170,24 @@ fn is_zero(retries: &u32) -> bool {
 /// Δt / √(Δx/g) of incompressible SPH by default.
 pub(super) const GRAVITY_COURANT_NUMBER: f64 = 0.035;
 
+/// Keys that only δ-SPH reads.
+pub(super) const WEAKLY_COMPRESSIBLE: &[&str] = &[
+    "boundary",
+    "shepard_lambda",
+    "shepard_sigma",
+    "ghost_gravity",
+    "slip",
+    "sound_speed_ratio",
+    "state_equation",
+    "corrected_gradients",
+    "density_diffusion",
+    "density_diffusion_coefficient",
+    "artificial_viscosity",
+    "courant_number",
+    "bulk_damping",
+    "acoustic_substeps",
+];
+
 /// Names that `preset` may take.
 pub const PRESETS: &[&str] = &["default", "huang2019", "isph"];
 
@@ -232,7 +250,7 @@ impl Numerics {
                 scheme: Scheme::Isph,
                 support_radius_ratio: 3.0,
                 laplacian: Some(Laplacian::Symmetric),
-                preconditioner: Some(PreconditionerChoice::Incomplete),
+                preconditioner: Some(PreconditionerChoice::Jacobi),
                 solver_tolerance: Some(1e-4),
                 volume_relaxation: Some(0.0),
                 kinematic_viscosity_m2_per_s: Some(0.0),
@@ -241,6 +259,33 @@ impl Numerics {
                 ..default
             }),
             _ => None,
+        }
+    }
+
+    /// The keys that only incompressible SPH reads: their ranges, and that nobody else sets them.
+    fn validate_incompressible(&self, check: &Check) -> Result<(), ConfigError> {
+        let numbers = [
+            ("solver_tolerance", self.solver_tolerance, 1e-15, 0.1),
+            ("volume_relaxation", self.volume_relaxation, 0.0, 1.0),
+            ("kinematic_viscosity_m2_per_s", self.kinematic_viscosity_m2_per_s, 0.0, 1.0),
+            ("gravity_courant_number", self.gravity_courant_number, 1e-4, 0.2),
+            ("flow_courant_number", self.flow_courant_number, 1e-3, 1.0),
+        ];
+        for (key, value, low, high) in numbers {
+            if let Some(value) = value {
+                check.range(key, value, low, high)?;
+            }
+        }
+        if self.scheme == Scheme::Isph {
+            return Ok(());
+        }
+        let set = numbers.iter().find(|(_, value, ..)| value.is_some()).map(|(key, ..)| *key);
+        let set = set
+            .or(self.laplacian.map(|_| "laplacian"))
+            .or(self.preconditioner.map(|_| "preconditioner"));
+        match set {
+            Some(key) => Err(check.error(key, "", "belongs to scheme = \"isph\"")),
+            None => Ok(()),
         }
     }
 
@@ -266,6 +311,7 @@ impl Numerics {
         }
         check.range("bulk_damping", self.bulk_damping, 0.0, 1.0)?;
         check.range("acoustic_substeps", f64::from(self.acoustic_substeps), 1.0, 8.0)?;
+        self.validate_incompressible(&check)?;
         if let Some(step) = self.time_step_s {
             check.positive("time_step_s", step)?;
         }

@@ -1,6 +1,7 @@
 //! The pressure equation as a matrix.
 
 use super::Isph;
+use super::images::NO_BODY;
 use super::options::Laplacian;
 
 /// Volume errors count only where the support is at least this complete.
@@ -20,6 +21,7 @@ impl Isph {
         let n = self.fluid.len();
         let options = self.options;
         self.matrix.clear();
+        self.at_walls.clear();
         self.slot.clear();
         self.slot.resize(n, u32::MAX);
         for i in 0..n {
@@ -31,11 +33,12 @@ impl Isph {
             let [cx, cxy, cy] = operators.correction[i];
             let tilt = if corrected { [sx * cx + sy * cxy, sx * cxy + sy * cy] } else { [0.0; 2] };
             let place = self.loose[i].place;
-            let mut diagonal = 0.0;
+            let (mut diagonal, mut at_wall) = (0.0, false);
             let range = self.list_starts[i] as usize..self.list_starts[i + 1] as usize;
             for neighbour in &self.list[range] {
                 let point = neighbour.point as usize;
                 let j = self.points.original[point] as usize;
+                at_wall |= self.points.body[point] != NO_BODY;
                 let mut weight = 2.0 * volume * neighbour.weight;
                 if corrected {
                     let dx = self.points.x[point] - place[0];
@@ -54,6 +57,9 @@ impl Isph {
                     self.matrix.columns.push(j as u32);
                     self.matrix.values.push(-weight);
                 }
+            }
+            if at_wall {
+                self.at_walls.push(i as u32);
             }
             self.matrix.starts.push(self.matrix.columns.len() as u32);
             self.matrix.diagonal.push(diagonal + volume * operators.grip[i]);

@@ -58,7 +58,8 @@ impl Scheme for Isph {
         self.responded = false;
         self.solve_pressure(dt)?;
         let solved = Instant::now();
-        self.accelerate(Source::Pressure { acceleration: 0.0 });
+        self.accelerate(Source::Pressure);
+        self.settled.clone_from(&self.accelerations);
         let forces = self.reaction();
         for (load, force) in self.loads.iter_mut().zip(forces) {
             *load = Load { force, added_mass: 0.0 };

@@ -1,7 +1,6 @@
 //! Velocities, places, shifting: the second half of a step.
 
 use super::Isph;
-use super::project::Source;
 use crate::body::BodyMotion;
 use crate::boundary::Plane;
 use crate::scheme::{Dissipation, StepWalls};
@@ -17,8 +16,8 @@ impl Isph {
     /// Corrects velocities by the pressure gradient (Liang et al. 2017, Eq. 9), moves the particles
     /// with the mean of old and new velocity (Eq. 10) and shifts them.
     ///
-    /// The gradient is L Σ F Δ (p_j - p_i), exact on linear fields; viscosity is 2 ν Σ F (u_j - u_i)
-    /// (Eq. 3), with images that slip freely.
+    /// Pressure and accelerations are affine in the responding wall's acceleration, so that its
+    /// settled value is put in without another solve.
     pub(super) fn advance(&mut self, dt: f64, walls: &StepWalls<'_>) -> Dissipation {
         let n = self.fluid.len();
         let options = self.options;
@@ -28,15 +27,19 @@ impl Isph {
                 *pressure += walls.acceleration * response;
             }
         }
-        let acceleration = if self.responded { walls.acceleration } else { 0.0 };
-        self.accelerate(Source::Pressure { acceleration });
+        if self.responded {
+            let a = walls.acceleration;
+            for (own, response) in self.settled.iter_mut().zip(&self.accelerations) {
+                *own = [own[0] + a * response[0], own[1] + a * response[1]];
+            }
+        }
         let ends = self.ends(dt, walls.bodies);
         let old: Vec<[f64; 2]> = (0..n).map(|i| [self.fluid.vx[i], self.fluid.vy[i]]).collect();
         let mut viscous_power = 0.0;
         let mut shifting_work = 0.0;
         for i in 0..n {
             let velocity = old[i];
-            let mut change = self.accelerations[i];
+            let mut change = self.settled[i];
             change[1] -= options.gravity;
             if options.viscosity > 0.0 {
                 let drag = self.drag(i, &old);
@@ -77,7 +80,8 @@ impl Isph {
         }
         let inside = (self.operators.completeness[i] - SHIFT_FROM) / (SHIFT_FULL - SHIFT_FROM);
         let smoothing = options.kernel.smoothing_length_ratio() * options.support_radius;
-        let speed = self.fluid.vx[i].hypot(self.fluid.vy[i]);
+        let (vx, vy) = (self.fluid.vx[i], self.fluid.vy[i]);
+        let speed = (vx * vx + vy * vy).sqrt();
         let factor = options.shifting_coefficient * smoothing * speed * dt * inside.clamp(0.0, 1.0);
         let limit = SHIFT_LIMIT * options.spacing;
         let [sx, sy] = self.operators.sway[i];

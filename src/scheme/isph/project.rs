@@ -7,8 +7,8 @@ use super::state::Neighbour;
 /// Which pressure a gradient is taken of.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Source {
-    /// The pressure itself, with the responding wall accelerating like this.
-    Pressure { acceleration: f64 },
+    /// The pressure itself, the responding wall's acceleration left out.
+    Pressure,
     /// What the walls alone add per unit acceleration of the responding one.
     Walls,
     /// The response of the pressure to that acceleration, walls included.
@@ -27,10 +27,9 @@ impl Isph {
             let j = points.original[e] as usize;
             let walls = &points.walls[e];
             let p = match source {
-                Source::Pressure { acceleration } => {
+                Source::Pressure => {
                     self.pressure[j]
                         + walls.pressure
-                        + acceleration * walls.pressure_response
                         + gravity * (options.still_level - points.y[e])
                 }
                 Source::Walls => walls.pressure_response,

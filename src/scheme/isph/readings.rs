@@ -12,7 +12,8 @@ impl Isph {
         let (mut coverage, mut mean) = (0.0, 0.0);
         for range in self.grid.near(place) {
             for k in range {
-                let q = (self.points.x[k] - place[0]).hypot(self.points.y[k] - place[1]) / radius;
+                let (dx, dy) = (self.points.x[k] - place[0], self.points.y[k] - place[1]);
+                let q = (dx * dx + dy * dy).sqrt() / radius;
                 if q < 1.0 {
                     let weight = self.points.volume[k] * factor * kernel.shape_at(q);
                     coverage += weight;

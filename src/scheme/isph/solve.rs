@@ -13,6 +13,10 @@ const MOST_ITERATIONS: u32 = 500;
 /// surface of every particle, count as zero.
 const FLOOR: f64 = 1e-3;
 
+/// The response is solved to this many times the pressure's tolerance: what it leaves of the
+/// divergence is small by the wall's acceleration and taken up by the next step.
+const RESPONSE_TOLERANCE: f64 = 10.0;
+
 impl Isph {
     fn rule(&self) -> StopRule {
         let options = &self.options;
@@ -59,7 +63,7 @@ impl Isph {
         let n = self.fluid.len();
         self.preconditioner.prepare(&self.matrix);
         self.pressure.clone_from(&self.carried.pressure);
-        self.accelerate(Source::Pressure { acceleration: 0.0 });
+        self.accelerate(Source::Pressure);
         let gravity = self.options.gravity;
         let star: Vec<[f64; 2]> = (0..n)
             .map(|i| {
@@ -92,7 +96,11 @@ impl Isph {
         self.right_hand_side(dt, false);
         let mut response = std::mem::take(&mut self.carried.response);
         response.resize(self.fluid.len(), 0.0);
-        let rule = StopRule { floor: 0.0, ..self.rule() };
+        let rule = StopRule {
+            tolerance: (RESPONSE_TOLERANCE * self.options.solver_tolerance).min(0.1),
+            floor: 0.0,
+            ..self.rule()
+        };
         let right = std::mem::take(&mut self.right);
         let solved = self.solve(&right, &mut response, rule);
         self.right = right;
@@ -106,7 +114,8 @@ impl Isph {
     /// [`Isph::accelerate`].
     pub(super) fn reaction(&self) -> Vec<f64> {
         let mut forces = vec![0.0; self.bodies];
-        for i in 0..self.fluid.len() {
+        for &i in &self.at_walls {
+            let i = i as usize;
             let [px, py] = self.loose[i].place;
             let volume = self.fluid.mass[i] / self.options.density;
             let [own_xx, own_xy, _] = self.own_stress[i];

@@ -132,6 +132,10 @@ pub struct Isph {
     /// ... and of the fluid, in its own order.
     pub(super) own_stress: Vec<[f64; 3]>,
     pub(super) accelerations: Vec<[f64; 2]>,
+    /// Accelerations by the pressure of the step under way.
+    pub(super) settled: Vec<[f64; 2]>,
+    /// Particles that have images among their neighbours.
+    pub(super) at_walls: Vec<u32>,
     /// Velocity of every point.
     pub(super) moving: Vec<[f64; 2]>,
 }
@@ -177,6 +181,8 @@ impl Isph {
             stress: Vec::new(),
             own_stress: Vec::new(),
             accelerations: Vec::new(),
+            settled: Vec::new(),
+            at_walls: Vec::new(),
             moving: Vec::new(),
             bodies,
             options,

@@ -28,18 +28,18 @@ impl Isph {
             .at_surface
             .extend(operators.moment.iter().map(|[xx, _, yy]| xx + yy < SURFACE_DIVERGENCE));
         let normal = |sway: [f64; 2]| {
-            let length = sway[0].hypot(sway[1]);
+            let length = (sway[0] * sway[0] + sway[1] * sway[1]).sqrt();
             if length > 0.0 { [-sway[0] / length, -sway[1] / length] } else { [0.0, 1.0] }
         };
-        for i in 0..n {
-            let neighbours =
-                &self.list[self.list_starts[i] as usize..self.list_starts[i + 1] as usize];
-            let near = neighbours.iter().any(|neighbour| {
-                operators.at_surface[self.points.original[neighbour.point as usize] as usize]
-            });
-            if !near {
-                continue;
+        let of = |i: usize| self.list_starts[i] as usize..self.list_starts[i + 1] as usize;
+        let mut near = vec![false; n];
+        for i in (0..n).filter(|&i| operators.at_surface[i]) {
+            for neighbour in &self.list[of(i)] {
+                near[self.points.original[neighbour.point as usize] as usize] = true;
             }
+        }
+        for i in (0..n).filter(|&i| near[i]) {
+            let neighbours = &self.list[of(i)];
             // Mean height of the surface particles in reach over this one, and mean normal.
             let place = self.loose[i].place;
             let (mut sum, mut height, mut up) = (0.0, 0.0, [0.0; 2]);
@@ -60,7 +60,7 @@ impl Isph {
                 up[1] += weight * to[1];
             }
             let distance = (SKIN * spacing + height / sum).max(CLOSEST * spacing);
-            let length = up[0].hypot(up[1]).max(1e-300);
+            let length = (up[0] * up[0] + up[1] * up[1]).sqrt().max(1e-300);
             let sway = operators.sway[i];
             let outwards = -(sway[0] * up[0] + sway[1] * up[1]) / length;
             let missing = (self.full_weight - operators.weight[i]).max(0.0);

@@ -1,0 +1,102 @@
+//! Incompressible SPH on coarse particles: still water stays, branches keep their bits, light walls
+//! run at the full time step, and a solve that fails says so.
+
+use seawall::math::simd::SimdPath;
+use seawall::scene::CaseConfig;
+use seawall::simulation::{CaseResult, FailureKind, Stopped, Unwatched, run_case, run_trunk};
+use toml::Table;
+
+const NUMERICS: &str = "scheme = \"isph\"\nparticle_spacing_m = 0.04\n";
+const SHORT: &str = "tank_length_m = 1.6\nwave_gauge_m = 0.8\nend_after_stroke_centre_s = 0.9\n";
+
+fn config(scene: &str, numerics: &str) -> CaseConfig {
+    let table = |text: &str| text.parse::<Table>().unwrap();
+    CaseConfig::from_tables(&table(scene), &table(&format!("{NUMERICS}{numerics}"))).unwrap()
+}
+
+fn movable(stiffness: f64, mass: f64) -> String {
+    format!(
+        "{SHORT}wall = \"movable\"\nspring_stiffness_n_per_m = {stiffness:e}\n\
+         seawall_mass_kg_per_m = {mass:e}\n"
+    )
+}
+
+fn try_run(config: &CaseConfig) -> Result<CaseResult, Stopped> {
+    run_case(config, None, SimdPath::widest(), &Unwatched)
+}
+
+fn bits(result: CaseResult) -> Vec<u8> {
+    postcard::to_stdvec(&CaseResult { phases: Vec::new(), ..result }).unwrap()
+}
+
+#[test]
+fn still_water_stays_still_and_presses_by_its_weight() {
+    let scene = "tank_length_m = 1.0\nwave_gauge_m = 0.5\nwave_height_ratio = 0\nend_time_s = 1.0";
+    let result = try_run(&config(scene, "")).unwrap();
+    assert!((result.outcome.force_end - 1.0).abs() < 0.02, "{}", result.outcome.force_end);
+    assert!(result.outcome.runup_end.abs() < 1e-3, "{}", result.outcome.runup_end);
+    assert!(result.energy.kinetic < 1e-4, "{}", result.energy.kinetic);
+}
+
+#[test]
+fn a_branch_equals_a_run_from_rest_bit_for_bit() {
+    let case = config(&movable(500.0, 50.0), "");
+    let trunk = run_trunk(&case.trunk().unwrap(), SimdPath::widest(), &Unwatched).unwrap();
+    let branched =
+        run_case(&case, Some(&trunk.checkpoint), SimdPath::widest(), &Unwatched).unwrap();
+    assert!(branched.outcome.displacement_max.unwrap().value > 0.01);
+    assert_eq!(bits(branched), bits(try_run(&case).unwrap()));
+}
+
+#[test]
+fn both_vector_paths_give_the_same_bits() {
+    if SimdPath::Avx512.is_supported() {
+        let case = config(&movable(500.0, 50.0), "");
+        let run = |path| bits(run_case(&case, None, path, &Unwatched).unwrap());
+        assert_eq!(run(SimdPath::Avx512), run(SimdPath::Avx2));
+    }
+}
+
+#[test]
+fn light_and_stiff_walls_run_at_the_full_time_step() {
+    let steps = |result: &CaseResult| result.outcome.steps;
+    let heavy = try_run(&config(&movable(10.0, 500.0), "")).unwrap();
+    let light = try_run(&config(&movable(10.0, 1.0), "")).unwrap();
+    // A wall without weight is carried along at the threshold.
+    assert!(light.outcome.force_max.value < 1.3, "{}", light.outcome.force_max.value);
+    let moved = |result: &CaseResult| result.outcome.displacement_max.unwrap().value;
+    assert!(moved(&light) > moved(&heavy));
+    assert_eq!(steps(&light), steps(&heavy));
+    let stiff = try_run(&config(&movable(1e7, 5.0), "")).unwrap();
+    assert!(moved(&stiff) < 1e-3 && moved(&stiff) > 0.0);
+}
+
+#[test]
+fn preconditioners_lead_to_the_same_water() {
+    let runup = |name: &str| {
+        let numerics = format!("preconditioner = \"{name}\"\nsolver_tolerance = 1e-8\n");
+        try_run(&config(SHORT, &numerics)).unwrap().outcome.runup_max.value
+    };
+    let jacobi = runup("jacobi");
+    assert!((jacobi - runup("incomplete")).abs() < 0.01 * jacobi);
+    assert!((jacobi - runup("multigrid")).abs() < 0.01 * jacobi);
+}
+
+#[test]
+fn a_solve_that_cannot_converge_is_a_typed_failure() {
+    match try_run(&config(SHORT, "solver_tolerance = 1e-15\n")) {
+        Err(Stopped::Failed(failure)) => assert_eq!(failure.kind, FailureKind::SolverDiverged),
+        other => panic!("{:?}", other.map(|result| result.outcome)),
+    }
+}
+
+#[test]
+fn keys_of_the_other_scheme_are_refused() {
+    let told = |numerics: &str| {
+        let numerics = numerics.parse::<Table>().unwrap();
+        CaseConfig::from_tables(&Table::new(), &numerics).unwrap_err().to_string()
+    };
+    assert!(told("solver_tolerance = 1e-3").contains("scheme = \"isph\""));
+    assert!(told("scheme = \"isph\"\nsound_speed_ratio = 10.0").contains("scheme = \"wcsph\""));
+    assert!(told("scheme = \"isph\"\nsolver_tolerance = 2.0").contains("solver_tolerance"));
+}
