@@ -207,8 +207,9 @@ impl Filling {
                 Shifting::None => 0.0,
             },
             volume_relaxation: numerics.volume_relaxation.unwrap_or(0.0),
+            pressure_memory: numerics.pressure_memory.unwrap_or(0.98),
             laplacian: numerics.laplacian.unwrap_or(Laplacian::Symmetric),
-            preconditioner: numerics.preconditioner.unwrap_or(PreconditionerChoice::Jacobi),
+            preconditioner: numerics.preconditioner.unwrap_or(PreconditionerChoice::Multigrid),
             solver_tolerance: numerics.solver_tolerance.unwrap_or(1e-4),
             courant_number: numerics.flow_courant_number.unwrap_or(0.2),
         };

@@ -147,6 +147,9 @@ pub struct Numerics {
     /// Share of the volume error that a step's source term takes back.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub volume_relaxation: Option<f64>,
+    /// Share of the last step's dynamic pressure that the next one starts from.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressure_memory: Option<f64>,
     /// Kinematic viscosity, m²/s.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub kinematic_viscosity_m2_per_s: Option<f64>,
@@ -223,6 +226,7 @@ impl Numerics {
             preconditioner: None,
             solver_tolerance: None,
             volume_relaxation: None,
+            pressure_memory: None,
             kinematic_viscosity_m2_per_s: None,
             gravity_courant_number: None,
             flow_courant_number: None,
@@ -250,9 +254,10 @@ impl Numerics {
                 scheme: Scheme::Isph,
                 support_radius_ratio: 3.0,
                 laplacian: Some(Laplacian::Symmetric),
-                preconditioner: Some(PreconditionerChoice::Jacobi),
+                preconditioner: Some(PreconditionerChoice::Multigrid),
                 solver_tolerance: Some(1e-4),
                 volume_relaxation: Some(0.0),
+                pressure_memory: Some(0.98),
                 kinematic_viscosity_m2_per_s: Some(0.0),
                 gravity_courant_number: Some(GRAVITY_COURANT_NUMBER),
                 flow_courant_number: Some(0.2),
@@ -267,6 +272,7 @@ impl Numerics {
         let numbers = [
             ("solver_tolerance", self.solver_tolerance, 1e-15, 0.1),
             ("volume_relaxation", self.volume_relaxation, 0.0, 1.0),
+            ("pressure_memory", self.pressure_memory, 0.0, 1.0),
             ("kinematic_viscosity_m2_per_s", self.kinematic_viscosity_m2_per_s, 0.0, 1.0),
             ("gravity_courant_number", self.gravity_courant_number, 1e-4, 0.2),
             ("flow_courant_number", self.flow_courant_number, 1e-3, 1.0),

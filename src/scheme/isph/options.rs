@@ -37,6 +37,8 @@ pub struct IsphOptions {
     pub shifting_coefficient: f64,
     /// Share of the volume error that a step's source term takes back.
     pub volume_relaxation: f64,
+    /// Share of the last step's dynamic pressure that the next one starts from.
+    pub pressure_memory: f64,
     /// Laplacian.
     pub laplacian: Laplacian,
     /// Preconditioner of the pressure equation.

@@ -62,7 +62,10 @@ impl Isph {
     pub(super) fn solve_pressure(&mut self, dt: f64) -> Result<(), StepError> {
         let n = self.fluid.len();
         self.preconditioner.prepare(&self.matrix);
-        self.pressure.clone_from(&self.carried.pressure);
+        // What is forgotten keeps modes from adding up that the gradient hardly feels.
+        let memory = self.options.pressure_memory;
+        self.pressure.clear();
+        self.pressure.extend(self.carried.pressure.iter().map(|p| memory * p));
         self.accelerate(Source::Pressure);
         let gravity = self.options.gravity;
         let star: Vec<[f64; 2]> = (0..n)
@@ -75,8 +78,9 @@ impl Isph {
         self.check(dt);
         self.right_hand_side(dt, true);
         let carried = &self.carried;
-        let mut change: Vec<f64> =
-            carried.pressure.iter().zip(&carried.older_pressure).map(|(p, old)| p - old).collect();
+        let mut change: Vec<f64> = (carried.pressure.iter().zip(&carried.older_pressure))
+            .map(|(p, old)| (2.0 - memory) * p - old)
+            .collect();
         let right = std::mem::take(&mut self.right);
         let rule = self.rule();
         let solved = self.solve(&right, &mut change, rule);
