@@ -87,6 +87,7 @@ impl Run {
         // A drop from the highest conceivable runup, twice over; compression scales with g h/c0²
         // and, where a front hits a wall, with its speed over c0.
         let speed = 2.0 * (2.0 * gravity * depth * (1.0 + 4.0 * tank.wave_height_ratio)).sqrt();
+        let splashes = tank.front_speed > 0.0;
         let bounds = HealthBounds {
             speed,
             density_change: 20.0 * gravity * depth / (tank.sound_speed * tank.sound_speed)
@@ -97,10 +98,11 @@ impl Run {
                 .map_or(frame.density, |state| state.surface_density),
             lost_share: 0.02,
             clustered_share: 0.25,
-            force_gap: 0.5,
+            // A front that hits a wall splashes: what is at its face and what presses on it differ
+            // for a while, and its books close less well.
+            force_gap: if splashes { 2.0 } else { 0.5 },
             energy_growth: 0.25,
-            // A front that hits a wall splashes: its books close less well.
-            energy_floor: if tank.front_speed > 0.0 { 0.05 } else { 0.01 } * start.potential.abs(),
+            energy_floor: if splashes { 0.05 } else { 0.01 } * start.potential.abs(),
         };
         let collapse = match &config.scene {
             Scene::DamBreak(scene) => {
