@@ -105,11 +105,11 @@ pub trait Scheme: Debug + Send {
     }
 
     /// First half of a step of `dt` seconds. `bodies` are the motions at this instant; the
-    /// acceleration of the responding body is not used. With `sample` viscous power is summed.
+    /// acceleration of the responding body is not used.
     ///
     /// # Errors
     /// The step cannot be taken.
-    fn prepare(&mut self, bodies: &[BodyMotion], dt: f64, sample: bool) -> Result<(), StepError>;
+    fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> Result<(), StepError>;
 
     /// Finds how force and water respond to the responding body's acceleration; asked for after
     /// [`Scheme::prepare`] in those steps in which that body may move.

@@ -186,10 +186,7 @@ impl Run {
             let sample = last || time >= interval * self.clock.samples as f64 * (1.0 - 1e-12);
             let bodies = self.motions();
             let dt = self.next_step().min(self.tank.water.step_limit());
-            self.tank
-                .water
-                .prepare(&bodies, dt, sample || self.collapse.is_some())
-                .map_err(|error| self.step_failure(&error))?;
+            self.tank.water.prepare(&bodies, dt).map_err(|error| self.step_failure(&error))?;
             self.film(monitor, time, last);
             let mut load = self.tank.water.load(WALL);
             if !load.force.is_finite() {

@@ -38,7 +38,7 @@ impl Scheme for Isph {
         self.options.courant_number * self.options.spacing / fastest
     }
 
-    fn prepare(&mut self, bodies: &[BodyMotion], dt: f64, _sample: bool) -> Result<(), StepError> {
+    fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> Result<(), StepError> {
         let start = Instant::now();
         self.pending = self.tally;
         self.sort();

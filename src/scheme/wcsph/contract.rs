@@ -28,7 +28,7 @@ impl Scheme for Wcsph {
         Some(&self.options.state)
     }
 
-    fn prepare(&mut self, bodies: &[BodyMotion], dt: f64, _sample: bool) -> Result<(), StepError> {
+    fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> Result<(), StepError> {
         Wcsph::prepare(self, bodies, dt);
         Ok(())
     }
