@@ -5,6 +5,7 @@
 //! weighted sums into the ghost's pressure and velocity, the same way for every interpolator.
 //! A new interpolator is one file and one arm of [`with_interpolator!`](crate::with_interpolator).
 
+mod closed_box;
 mod dummy;
 mod exchange;
 mod faces;
@@ -21,6 +22,7 @@ mod tank;
 mod waterline;
 mod weighing;
 
+pub use closed_box::{box_ghosts, no_ghosts};
 pub use dummy::Dummy;
 pub use exchange::{Exchange, ExchangeRules};
 pub use ghosts::{BodySites, GhostBody, Ghosts, Plane, Reflection, Site};

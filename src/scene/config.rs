@@ -4,75 +4,11 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
-use super::dam_break::DamBreakScene;
 use super::error::ConfigError;
-use super::frame::Frame;
-use super::hydrostatic::HydrostaticScene;
+use super::kind::Scene;
 use super::numerics::{ErrorBars, Numerics, PRESETS, Scheme as SchemeChoice, WEAKLY_COMPRESSIBLE};
 use super::probe::Probe;
 use super::seawall::{SeawallScene, WallChoice};
-use super::tank::Tank;
-use crate::math::simd::SimdPath;
-
-/// What is simulated.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "kebab-case")]
-pub enum Scene {
-    /// A wave tank that ends in a seawall.
-    Seawall(SeawallScene),
-    /// Still water in a box.
-    Hydrostatic(HydrostaticScene),
-    /// A column of water that collapses.
-    DamBreak(DamBreakScene),
-}
-
-/// Names that `scene.kind` may take.
-const KINDS: &[&str] = &["hydrostatic", "dam-break", "seawall"];
-
-/// `$body` with `$scene` bound to the scene of whatever kind.
-macro_rules! each {
-    ($scene:expr, $bound:ident => $body:expr) => {
-        match $scene {
-            Scene::Seawall($bound) => $body,
-            Scene::Hydrostatic($bound) => $body,
-            Scene::DamBreak($bound) => $body,
-        }
-    };
-}
-
-impl Scene {
-    /// The seawall's values, where the scene has one.
-    pub fn seawall(&self) -> Option<&SeawallScene> {
-        match self {
-            Scene::Seawall(scene) => Some(scene),
-            _ => None,
-        }
-    }
-
-    /// The name that `scene.kind` gives it.
-    pub fn kind(&self) -> &'static str {
-        match self {
-            Scene::Seawall(_) => "seawall",
-            Scene::Hydrostatic(_) => "hydrostatic",
-            Scene::DamBreak(_) => "dam-break",
-        }
-    }
-
-    /// Its scales.
-    pub fn frame(&self) -> Frame {
-        each!(self, scene => scene.frame())
-    }
-
-    /// Fluid particles.
-    pub fn particles(&self, numerics: &Numerics) -> usize {
-        each!(self, scene => scene.lattice(numerics).particles())
-    }
-
-    /// Builds the tank.
-    pub fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
-        each!(self, scene => scene.build(numerics, path))
-    }
-}
 
 /// One case: everything that decides its answer, and nothing else.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -108,7 +44,7 @@ impl CaseConfig {
             .iter()
             .map(|table| read_table("probe", table.clone(), &serde_keys::<Probe>()))
             .collect::<Result<_, _>>()?;
-        let scene = read_scene(scene)?;
+        let scene = Scene::read(scene)?;
         let config = CaseConfig { numerics: read_numerics(&scene, numerics)?, scene, probes };
         config.validate()?;
         Ok(config)
@@ -116,14 +52,11 @@ impl CaseConfig {
 
     fn validate(&self) -> Result<(), ConfigError> {
         self.numerics.validate()?;
-        each!(&self.scene, scene => scene.validate())?;
+        self.scene.validate(&self.numerics)?;
         let frame = self.scene.frame();
         let rows = frame.depth / self.numerics.particle_spacing_m;
         if rows < 4.0 {
-            let water = match self.scene {
-                Scene::DamBreak(_) => "column height",
-                _ => "still water depth",
-            };
+            let water = self.scene.depth_name();
             let allowed = format!("must be at most a quarter of the {water} ({} m)", frame.depth);
             let spacing = self.numerics.particle_spacing_m;
             return Err(ConfigError::new("numerics.particle_spacing_m", spacing, allowed));
@@ -175,25 +108,7 @@ impl CaseConfig {
     }
 }
 
-fn read_scene(table: &Table) -> Result<Scene, ConfigError> {
-    let kind = match table.get("kind") {
-        None => "seawall",
-        Some(Value::String(kind)) if KINDS.contains(&kind.as_str()) => kind,
-        Some(other) => {
-            let allowed = format!("must be one of {}", KINDS.join(", "));
-            return Err(ConfigError::new("scene.kind", other, allowed));
-        }
-    };
-    let mut rest = table.clone();
-    rest.remove("kind");
-    Ok(match kind {
-        "hydrostatic" => Scene::Hydrostatic(read_section(rest)?),
-        "dam-break" => Scene::DamBreak(read_section(rest)?),
-        _ => Scene::Seawall(read_section(rest)?),
-    })
-}
-
-fn read_section<T: DeserializeOwned>(table: Table) -> Result<T, ConfigError> {
+pub(super) fn read_section<T: DeserializeOwned>(table: Table) -> Result<T, ConfigError> {
     read_table("scene", table, &serde_keys::<T>())
 }
 
@@ -321,7 +236,7 @@ mod tests {
             (
                 "kind = \"lake\"",
                 "",
-                "scene.kind = \"lake\": must be one of hydrostatic, dam-break, seawall",
+                "scene.kind = \"lake\": must be one of hydrostatic, dam-break, seawall, standing-wave,",
             ),
             (
                 "wave_height_ratio = 0",

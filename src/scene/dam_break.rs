@@ -11,7 +11,6 @@ use super::tank::Tank;
 use crate::math::simd::SimdPath;
 use crate::scheme::StateEquation;
 use crate::theory::dam_break::ReleasedColumn;
-use crate::theory::hydrostatics::wall_force;
 
 /// Density, and with it pressure, at the instant of release.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -88,6 +87,7 @@ impl DamBreakScene {
             length: self.tank_length_m,
             depth: self.column_height_m,
             gravity: self.gravity_m_per_s2,
+            speed: None,
             density: self.water_density_kg_per_m3,
             end_time: self.end_time_s.unwrap_or(END * unit),
             history_interval: self.history_interval_s,
@@ -131,25 +131,14 @@ impl DamBreakScene {
         };
         let points = lattice.points(|_, number| [state.density(pressures[number]); 2]);
         let filling = Filling {
-            points,
-            lattice,
-            surface_density: frame.density,
-            wall_angle_deg: 90.0,
             dry_bed: true,
             bed_beyond_wall: numerics.support_radius_ratio * numerics.particle_spacing_m,
+            ..Filling::of(lattice, points, frame.density)
         };
+        let water = filling.water(&frame, numerics, path);
         Tank {
-            water: filling.water(&frame, numerics, path),
-            piston: None,
-            wall: None,
-            static_force: wall_force(frame.depth, frame.density, frame.gravity),
-            threshold_ratio: f64::INFINITY,
-            wave_height_ratio: 0.0,
-            wave_gauge: None,
             front_speed: 2.0 * (frame.gravity * frame.depth).sqrt(),
-            sound_speed,
-            spacing: filling.lattice.spacing[0],
-            frame,
+            ..Tank::of(water, frame, numerics, filling.lattice.spacing[0])
         }
     }
 }

@@ -3,13 +3,14 @@
 use super::frame::Frame;
 use super::numerics::{GhostGravity, Numerics, Scheme as SchemeChoice, Slip};
 use super::tank::WALL;
-use crate::boundary::{Ghosts, TankLayout, tank_ghosts};
+use crate::boundary::{Ghosts, TankLayout, box_ghosts, no_ghosts, tank_ghosts};
 use crate::math::simd::SimdPath;
 use crate::math::sparse::PreconditionerChoice;
 use crate::particles::Fluid;
 use crate::scheme::isph::{Isph, IsphOptions, Laplacian};
 use crate::scheme::wcsph::{Shifting, Wcsph, WcsphOptions};
 use crate::scheme::{Scheme, StateEquation};
+use crate::theory::central_field::CentralField;
 use crate::theory::hydrostatics::StillColumn;
 
 /// Walls rise to this many depths above the bed.
@@ -87,6 +88,17 @@ impl Lattice {
     }
 }
 
+/// What holds the water.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Walls {
+    /// A bed and two walls that rise from it.
+    Tank,
+    /// A box, lid included, that the water fills.
+    Closed,
+    /// Nothing.
+    None,
+}
+
 /// Water and what holds it.
 pub(super) struct Filling {
     pub lattice: Lattice,
@@ -99,6 +111,10 @@ pub(super) struct Filling {
     pub dry_bed: bool,
     /// How far the bed goes on behind the right wall, metres.
     pub bed_beyond_wall: f64,
+    pub walls: Walls,
+    /// Velocities at the start, in the order of the points; none for water at rest.
+    pub velocities: Vec<[f64; 2]>,
+    pub field: Option<CentralField>,
 }
 
 /// Still water up to the wall: a compressible column whose pressure, level and weight are those of
@@ -116,17 +132,40 @@ pub(super) fn still_water(frame: &Frame, lattice: Lattice, numerics: &Numerics) 
         let pressure = sound_speed * sound_speed * (density - still.surface_density);
         [state.density(pressure), density]
     });
-    Filling {
-        lattice,
-        points,
-        surface_density: still.surface_density,
-        wall_angle_deg: 90.0,
-        dry_bed: false,
-        bed_beyond_wall: 0.0,
-    }
+    Filling::of(lattice, points, still.surface_density)
 }
 
 impl Filling {
+    /// Water at rest between upright walls, from (x, y, density, mass).
+    pub(super) fn of(lattice: Lattice, points: Vec<[f64; 4]>, surface_density: f64) -> Filling {
+        Filling {
+            lattice,
+            points,
+            surface_density,
+            wall_angle_deg: 90.0,
+            dry_bed: false,
+            bed_beyond_wall: 0.0,
+            walls: Walls::Tank,
+            velocities: Vec::new(),
+            field: None,
+        }
+    }
+
+    /// The same, moving: a velocity at every place.
+    pub(super) fn moving(self, velocity: impl Fn([f64; 2]) -> [f64; 2]) -> Filling {
+        let velocities = self.points.iter().map(|&[x, y, ..]| velocity([x, y])).collect();
+        Filling { velocities, ..self }
+    }
+
+    /// The water as particles, from points that are the filling's or have its places.
+    fn fluid(&self, points: impl IntoIterator<Item = [f64; 4]>) -> Fluid {
+        let mut fluid = Fluid::at_rest(points);
+        for (k, &[vx, vy]) in self.velocities.iter().enumerate() {
+            (fluid.vx[k], fluid.vy[k]) = (vx, vy);
+        }
+        fluid
+    }
+
     /// The water between its walls, ready to be stepped.
     pub(super) fn water(
         &self,
@@ -159,6 +198,8 @@ impl Filling {
             shifting_coefficient: numerics.shifting_coefficient,
             bulk_damping: numerics.bulk_damping,
             acoustic_substeps: numerics.acoustic_substeps,
+            kinematic_viscosity: numerics.kinematic_viscosity_m2_per_s.unwrap_or(0.0),
+            field: self.field,
         };
         let rules = Wcsph::exchange_rules(
             &options,
@@ -166,7 +207,7 @@ impl Filling {
             numerics.ghost_gravity == GhostGravity::InSum,
             numerics.slip == Slip::No,
         );
-        let fluid = Fluid::at_rest(self.points.iter().copied());
+        let fluid = self.fluid(self.points.iter().copied());
         Box::new(Wcsph::new(options, rules, fluid, ghosts, WALL, path))
     }
 
@@ -182,7 +223,12 @@ impl Filling {
             wall_angle_deg: self.wall_angle_deg,
             dry_bed: self.dry_bed,
         };
-        tank_ghosts(&layout, Wcsph::strip_width(dx))
+        let strip_width = Wcsph::strip_width(dx);
+        match self.walls {
+            Walls::Tank => tank_ghosts(&layout, strip_width),
+            Walls::Closed => box_ghosts(&layout, frame.depth, strip_width),
+            Walls::None => no_ghosts(strip_width),
+        }
     }
 
     /// The same water and walls for incompressible SPH: ρ0 everywhere.
@@ -213,7 +259,14 @@ impl Filling {
             solver_tolerance: numerics.solver_tolerance.unwrap_or(1e-4),
             courant_number: numerics.flow_courant_number.unwrap_or(0.2),
         };
-        let points = self.lattice.points(|_, _| [frame.density; 2]);
-        Box::new(Isph::new(options, ghosts, Fluid::at_rest(points), WALL, path))
+        let fluid = if self.walls == Walls::Tank {
+            self.fluid(self.lattice.points(|_, _| [frame.density; 2]))
+        } else {
+            let even = |&[x, y, density, mass]: &[f64; 4]| {
+                [x, y, frame.density, mass * frame.density / density]
+            };
+            self.fluid(self.points.iter().map(even))
+        };
+        Box::new(Isph::new(options, ghosts, fluid, WALL, path))
     }
 }

@@ -2,6 +2,9 @@
 
 use super::numerics::{GRAVITY_COURANT_NUMBER, Numerics, Scheme};
 
+/// ν n Δt/Δx² of explicit viscosity: an eighth of where the smallest swirl turns unstable.
+const VISCOUS_NUMBER: f64 = 0.25;
+
 /// The scales of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
@@ -9,8 +12,10 @@ pub struct Frame {
     pub length: f64,
     /// Depth that scales the results: of the still water, or of the column that collapses, metres.
     pub depth: f64,
-    /// Gravity g, m/s².
+    /// Gravity g, m/s²; 0 for none.
     pub gravity: f64,
+    /// What sound is faster than, m/s; √(g depth) where it is not given.
+    pub speed: Option<f64>,
     /// ρ0, kg/m³.
     pub density: f64,
     /// When the run ends, seconds.
@@ -20,22 +25,37 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// c0, m/s: `sound_speed_ratio` times √(g depth).
+    /// The square of what sound is faster than, m²/s²: g depth, or that of the scene's own speed.
+    pub fn speed_squared(&self) -> f64 {
+        self.speed.map_or(self.gravity * self.depth, |speed| speed * speed)
+    }
+
+    /// g, or where the scene has a speed of its own, its square over the depth, m/s².
+    pub fn acceleration(&self) -> f64 {
+        self.speed.map_or(self.gravity, |speed| speed * speed / self.depth)
+    }
+
+    /// c0, m/s: `sound_speed_ratio` times √(g depth), or times the scene's own speed.
     pub fn sound_speed(&self, numerics: &Numerics) -> f64 {
-        numerics.sound_speed_ratio * (self.gravity * self.depth).sqrt()
+        numerics.sound_speed_ratio * self.speed_squared().sqrt()
     }
 
     /// Time step, seconds: bounded by c0 Δt/Δx, or Δt/√(Δx/g) where the water is incompressible,
-    /// and by `time_step_s`.
+    /// by ν n Δt/Δx² over the n steps for which viscosity is explicit, and by `time_step_s`.
     pub fn time_step(&self, numerics: &Numerics) -> f64 {
         let spacing = numerics.particle_spacing_m;
-        let bound = match numerics.scheme {
+        let mut bound = match numerics.scheme {
             Scheme::Wcsph => numerics.courant_number * spacing / self.sound_speed(numerics),
             Scheme::Isph => {
                 let number = numerics.gravity_courant_number.unwrap_or(GRAVITY_COURANT_NUMBER);
-                number * (spacing / self.gravity).sqrt()
+                number * (spacing / self.acceleration()).sqrt()
             }
         };
+        let viscosity = numerics.kinematic_viscosity_m2_per_s.unwrap_or(0.0);
+        if numerics.scheme == Scheme::Wcsph && viscosity > 0.0 {
+            let explicit = viscosity * f64::from(numerics.acoustic_substeps);
+            bound = bound.min(VISCOUS_NUMBER * spacing * spacing / explicit);
+        }
         numerics.time_step_s.map_or(bound, |step| step.min(bound))
     }
 }

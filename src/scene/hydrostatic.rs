@@ -9,7 +9,6 @@ use super::frame::Frame;
 use super::numerics::Numerics;
 use super::tank::Tank;
 use crate::math::simd::SimdPath;
-use crate::theory::hydrostatics::wall_force;
 
 /// The `[scene]` table with `kind = "hydrostatic"`, complete.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -62,6 +61,7 @@ impl HydrostaticScene {
             length: self.tank_length_m,
             depth: self.still_water_depth_m,
             gravity: self.gravity_m_per_s2,
+            speed: None,
             density: self.water_density_kg_per_m3,
             end_time: self.end_time_s,
             history_interval: self.history_interval_s,
@@ -84,18 +84,7 @@ impl HydrostaticScene {
             bed_beyond_wall: 0.0,
             ..still_water(&frame, self.lattice(numerics), numerics)
         };
-        Tank {
-            water: filling.water(&frame, numerics, path),
-            piston: None,
-            wall: None,
-            static_force: wall_force(frame.depth, frame.density, frame.gravity),
-            threshold_ratio: f64::INFINITY,
-            wave_height_ratio: 0.0,
-            wave_gauge: None,
-            front_speed: 0.0,
-            sound_speed: frame.sound_speed(numerics),
-            spacing: filling.lattice.spacing[0],
-            frame,
-        }
+        let water = filling.water(&frame, numerics, path);
+        Tank::of(water, frame, numerics, filling.lattice.spacing[0])
     }
 }

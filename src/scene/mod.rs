@@ -12,21 +12,31 @@ mod filling;
 mod frame;
 mod hydrostatic;
 mod interpolation;
+mod kind;
 mod limits;
 mod numerics;
+mod oscillating_drop;
 mod probe;
+mod rotating_patch;
 mod seawall;
+mod standing_wave;
 mod tank;
+mod taylor_green;
 
-pub use config::{CaseConfig, Scene};
+pub use config::CaseConfig;
 pub use dam_break::{DamBreakScene, InitialDensity};
 pub use error::ConfigError;
 pub use frame::Frame;
 pub use hydrostatic::HydrostaticScene;
+pub use kind::Scene;
 pub use limits::limits;
 pub use numerics::{
     BoundaryChoice, ErrorBars, GhostGravity, Numerics, PRESETS, Precision, Scheme, Slip,
 };
+pub use oscillating_drop::OscillatingDropScene;
 pub use probe::{Probe, ProbeKind, Side};
+pub use rotating_patch::RotatingPatchScene;
 pub use seawall::{SeawallScene, WallChoice};
+pub use standing_wave::StandingWaveScene;
 pub use tank::{BED, PADDLE, Tank, WALL};
+pub use taylor_green::TaylorGreenScene;

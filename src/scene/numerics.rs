@@ -150,7 +150,7 @@ pub struct Numerics {
     /// Share of the last step's dynamic pressure that the next one starts from.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pressure_memory: Option<f64>,
-    /// Kinematic viscosity, m²/s.
+    /// Kinematic viscosity, m²/s, of either scheme.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub kinematic_viscosity_m2_per_s: Option<f64>,
     /// Δt / √(Δx/g).
@@ -267,7 +267,7 @@ impl Numerics {
         }
     }
 
-    /// The keys that only incompressible SPH reads: their ranges, and that nobody else sets them.
+    /// The keys of incompressible SPH: their ranges, and that nobody else sets those it alone reads.
     fn validate_incompressible(&self, check: &Check) -> Result<(), ConfigError> {
         let numbers = [
             ("solver_tolerance", self.solver_tolerance, 1e-15, 0.1),
@@ -285,7 +285,9 @@ impl Numerics {
         if self.scheme == Scheme::Isph {
             return Ok(());
         }
-        let set = numbers.iter().find(|(_, value, ..)| value.is_some()).map(|(key, ..)| *key);
+        let of_both = |key: &str| key == "kinematic_viscosity_m2_per_s";
+        let set = numbers.iter().filter(|(key, ..)| !of_both(key));
+        let set = set.clone().find(|(_, value, ..)| value.is_some()).map(|(key, ..)| *key);
         let set = set
             .or(self.laplacian.map(|_| "laplacian"))
             .or(self.preconditioner.map(|_| "preconditioner"));

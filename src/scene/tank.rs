@@ -47,6 +47,35 @@ pub struct Tank {
     pub frame: Frame,
 }
 
+impl Tank {
+    /// A tank without paddle, moving wall, wave or front; `spacing` is along the bed, metres.
+    pub(super) fn of(
+        water: Box<dyn Scheme>,
+        frame: Frame,
+        numerics: &Numerics,
+        spacing: f64,
+    ) -> Tank {
+        let head = frame.speed_squared() * frame.depth;
+        Tank {
+            water,
+            piston: None,
+            wall: None,
+            static_force: if frame.gravity > 0.0 {
+                wall_force(frame.depth, frame.density, frame.gravity)
+            } else {
+                frame.density * head
+            },
+            threshold_ratio: f64::INFINITY,
+            wave_height_ratio: 0.0,
+            wave_gauge: None,
+            front_speed: 0.0,
+            sound_speed: frame.sound_speed(numerics),
+            spacing,
+            frame,
+        }
+    }
+}
+
 impl SeawallScene {
     /// The paddle's law; none for still water.
     pub fn piston(&self) -> Option<GoringPiston> {
@@ -74,6 +103,7 @@ impl SeawallScene {
             length: self.tank_length_m,
             depth: self.still_water_depth_m,
             gravity: self.gravity_m_per_s2,
+            speed: None,
             density: self.water_density_kg_per_m3,
             end_time: self.end_time(),
             history_interval: self.history_interval_s,
@@ -109,18 +139,14 @@ impl SeawallScene {
             }
             _ => None,
         };
+        let water = filling.water(&frame, numerics, path);
         Tank {
-            water: filling.water(&frame, numerics, path),
             piston: self.piston(),
             wall,
-            static_force,
             threshold_ratio: self.threshold_ratio,
             wave_height_ratio: self.wave_height_ratio,
             wave_gauge: Some(self.wave_gauge_m),
-            front_speed: 0.0,
-            sound_speed: frame.sound_speed(numerics),
-            spacing: filling.lattice.spacing[0],
-            frame,
+            ..Tank::of(water, frame, numerics, filling.lattice.spacing[0])
         }
     }
 }

@@ -11,6 +11,7 @@ use crate::body::BodyMotion;
 use crate::boundary::Ghosts;
 use crate::kernel::KernelChoice;
 use crate::particles::Fluid;
+use crate::theory::central_field::CentralField;
 
 /// Force of the water on a body, at the current places.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -98,6 +99,11 @@ pub trait Scheme: Debug + Send {
 
     /// The state equation; none where the water is incompressible.
     fn state_equation(&self) -> Option<&StateEquation>;
+
+    /// The force towards a centre that it lies in, if any.
+    fn field(&self) -> Option<CentralField> {
+        None
+    }
 
     /// Longest step that the water as it is allows, seconds.
     fn step_limit(&self) -> f64 {

@@ -29,7 +29,7 @@ impl Run {
         let scale = if self.tank.piston.is_some() {
             energy.paddle_work.abs()
         } else {
-            self.ledger.start.potential
+            self.ledger.start.given()
         };
         let m = &self.measures;
         // The first impact of a wave has no meaning in other scenes.
@@ -76,8 +76,8 @@ impl Run {
         if let Some(solver) = water.solver() {
             readings.extend(readings::of_solver(&solver));
         }
-        if let Some(collapse) = &self.collapse {
-            readings.extend(collapse.readings(water.fluid()));
+        if let Some(watch) = &self.watch {
+            readings.extend(watch.readings(water.fluid()));
         }
         if let Some(table) = &self.probes {
             readings.extend(readings::of_probes(&self.config.scene, &self.config.probes, table));

@@ -11,7 +11,7 @@ use crate::scheme::{Dissipation, Scheme};
 pub struct WaterEnergy {
     /// ½ Σ m u².
     pub kinetic: f64,
-    /// Σ m g y.
+    /// Σ m g y, and that of a central field.
     pub potential: f64,
     /// Σ m ∫ p/ρ² dρ.
     pub elastic: f64,
@@ -20,17 +20,26 @@ pub struct WaterEnergy {
 impl WaterEnergy {
     /// Sums over the particles.
     pub fn of(water: &dyn Scheme, gravity: f64) -> WaterEnergy {
-        let (fluid, state) = (water.fluid(), water.state_equation());
+        let (fluid, state, field) = (water.fluid(), water.state_equation(), water.field());
         let mut energy = WaterEnergy::default();
         for k in 0..fluid.len() {
             let (vx, vy, mass) = (fluid.vx[k], fluid.vy[k], fluid.mass[k]);
             energy.kinetic += 0.5 * mass * (vx * vx + vy * vy);
             energy.potential += mass * gravity * fluid.y[k];
+            if let Some(field) = field {
+                energy.potential += mass * field.potential([fluid.x[k], fluid.y[k]]);
+            }
             if let Some(state) = state {
                 energy.elastic += mass * state.elastic_energy(fluid.density[k]);
             }
         }
         energy
+    }
+
+    /// What the water has of its own to turn into other forms: its motion, where it moves, else its
+    /// height.
+    pub fn given(&self) -> f64 {
+        if self.kinetic > 0.0 { self.kinetic } else { self.potential }
     }
 }
 

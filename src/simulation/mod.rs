@@ -1,8 +1,6 @@
 //! One case from start to end: [`run_case`], or its shared first stretch: [`run_trunk`].
 
-mod cavity;
 mod checkpoint;
-mod collapse;
 mod ending;
 mod energy;
 mod failure;
@@ -14,6 +12,7 @@ mod probes;
 mod readings;
 mod run;
 mod sounding;
+mod watch;
 mod window;
 
 pub use failure::{Failure, FailureKind, Stopped};

@@ -3,7 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::Monitor;
-use super::collapse::Collapse;
 use super::energy::{Ledger, WaterEnergy};
 use super::failure::{Failure, FailureKind, Stopped};
 use super::gauge::CrestGauge;
@@ -12,15 +11,18 @@ use super::measures::{Measures, Reading};
 use super::outcome::{HistoryRow, ProbeTable};
 use super::probes;
 use super::sounding::Sounding;
+use super::watch::{self, Watch};
 use crate::body::{BodyMotion, SpringWall, WallStep};
 use crate::math::simd::SimdPath;
-use crate::scene::{CaseConfig, PADDLE, Scene, Tank, WALL};
+use crate::scene::{CaseConfig, PADDLE, Tank, WALL};
 use crate::scheme::{SchemeState, StepError, StepWalls};
 
 /// Samples of the history between two checks of health and of the monitor.
 const SAMPLES_PER_CHECK: u64 = 4;
 /// Samples between two looks for clusters.
 const SAMPLES_PER_CLUSTER_CHECK: u64 = 20;
+/// A scene has at most so many bodies.
+const MOST_BODIES: usize = 4;
 /// Share of m/(ρ c0 d) that a light wall's time step may be.
 const WALL_COURANT: f64 = 1.0;
 
@@ -61,7 +63,7 @@ pub(super) enum Reached {
 pub(super) struct Run {
     pub(super) tank: Tank,
     pub(super) config: CaseConfig,
-    pub(super) collapse: Option<Collapse>,
+    pub(super) watch: Option<Box<dyn Watch>>,
     pub(super) films: u64,
     pub(super) time_step: f64,
     pub(super) bounds: HealthBounds,
@@ -82,40 +84,12 @@ impl Run {
     pub fn start(config: &CaseConfig, path: SimdPath) -> Run {
         let tank = config.scene.build(&config.numerics, path);
         let frame = tank.frame;
-        let (depth, gravity) = (frame.depth, frame.gravity);
-        let start = WaterEnergy::of(tank.water.as_ref(), gravity);
-        // A drop from the highest conceivable runup, twice over; compression scales with g h/c0²
-        // and, where a front hits a wall, with its speed over c0.
-        let speed = 2.0 * (2.0 * gravity * depth * (1.0 + 4.0 * tank.wave_height_ratio)).sqrt();
-        let splashes = tank.front_speed > 0.0;
-        let bounds = HealthBounds {
-            speed,
-            density_change: 20.0 * gravity * depth / (tank.sound_speed * tank.sound_speed)
-                + 2.0 * tank.front_speed / tank.sound_speed,
-            surface_density: tank
-                .water
-                .state_equation()
-                .map_or(frame.density, |state| state.surface_density),
-            lost_share: 0.02,
-            clustered_share: 0.25,
-            // A front that hits a wall splashes: what is at its face and what presses on it differ
-            // for a while, and its books close less well.
-            force_gap: if splashes { 2.0 } else { 0.5 },
-            energy_growth: 0.25,
-            energy_floor: if splashes { 0.05 } else { 0.01 } * start.potential.abs(),
-        };
-        let collapse = match &config.scene {
-            Scene::DamBreak(scene) => {
-                let length = scene.column_length_m;
-                Some(Collapse::new(frame, length, tank.spacing, tank.water.fluid()))
-            }
-            _ => None,
-        };
+        let start = WaterEnergy::of(tank.water.as_ref(), frame.gravity);
         Run {
             time_step: frame.time_step(&config.numerics),
-            bounds,
+            bounds: HealthBounds::of(&tank, &start),
             clock: Clock::default(),
-            measures: Measures::new(tank.threshold_ratio, depth, gravity),
+            measures: Measures::new(tank.threshold_ratio, frame.depth, frame.acceleration()),
             gauge: CrestGauge::default(),
             ledger: Ledger::open(start),
             history: Vec::new(),
@@ -124,7 +98,7 @@ impl Run {
             worst_gap: 0.0,
             health: HealthState::default(),
             probes: probes::table(&config.probes),
-            collapse,
+            watch: watch::of(config, &tank),
             films: 0,
             config: config.clone(),
             tank,
@@ -184,9 +158,10 @@ impl Run {
             let last = time >= self.tank.frame.end_time * (1.0 - 1e-12);
             let interval = self.tank.frame.history_interval;
             let sample = last || time >= interval * self.clock.samples as f64 * (1.0 - 1e-12);
-            let bodies = self.motions();
+            let motions = self.motions();
+            let bodies = &motions[..self.tank.water.walls().bodies.len()];
             let dt = self.next_step().min(self.tank.water.step_limit());
-            self.tank.water.prepare(&bodies, dt).map_err(|error| self.step_failure(&error))?;
+            self.tank.water.prepare(bodies, dt).map_err(|error| self.step_failure(&error))?;
             self.film(monitor, time, last);
             let mut load = self.tank.water.load(WALL);
             if !load.force.is_finite() {
@@ -215,24 +190,24 @@ impl Run {
                 .map(|wall| wall.advance(load.force, load.added_mass, dt));
             let acceleration = step.map_or(0.0, |step| step.acceleration);
             let force = load.force - load.added_mass * acceleration;
-            self.read(force, before.as_ref(), sample, &bodies, acceleration)?;
+            self.read(force, before.as_ref(), sample, bodies, acceleration)?;
             if last {
                 return Ok(Reached::End);
             }
             if sample && self.clock.samples.is_multiple_of(SAMPLES_PER_CHECK) {
-                self.check_health(&bodies)?;
+                self.check_health(bodies)?;
                 monitor.progress(time / self.tank.frame.end_time);
                 if monitor.cancelled() {
                     return Err(Stopped::Interrupted);
                 }
             }
-            self.finish_step(dt, bodies, force, step, sample);
+            self.finish_step(dt, motions, force, step, sample);
         }
     }
 
-    /// Motions of bed, paddle and wall at this instant.
-    fn motions(&self) -> [BodyMotion; 3] {
-        let mut bodies = [BodyMotion::default(); 3];
+    /// Motions of bed, paddle, wall and lid at this instant.
+    fn motions(&self) -> [BodyMotion; MOST_BODIES] {
+        let mut bodies = [BodyMotion::default(); MOST_BODIES];
         if let Some(piston) = &self.tank.piston {
             let motion = piston.motion(self.clock.time);
             bodies[PADDLE] = BodyMotion {
@@ -268,7 +243,7 @@ impl Run {
         force: f64,
         wall: Option<&SpringWall>,
         sample: bool,
-        bodies: &[BodyMotion; 3],
+        bodies: &[BodyMotion],
         acceleration: f64,
     ) -> Result<(), Stopped> {
         let depth = self.tank.frame.depth;
@@ -310,8 +285,8 @@ impl Run {
             table.time_s.push(time);
             table.rows.push(probes::read(&self.config.probes, &water, 4.0 * depth));
         }
-        if let Some(collapse) = &mut self.collapse {
-            collapse.sample(time, self.tank.water.fluid());
+        if let Some(watch) = &mut self.watch {
+            watch.sample(time, self.tank.water.fluid());
         }
         let motion = BodyMotion { acceleration, ..bodies[WALL] };
         let face = self.tank.water.face_force(WALL, &motion);
@@ -328,12 +303,13 @@ impl Run {
     fn finish_step(
         &mut self,
         dt: f64,
-        mut bodies: [BodyMotion; 3],
+        mut motions: [BodyMotion; MOST_BODIES],
         force: f64,
         wall_step: Option<WallStep>,
         sample: bool,
     ) {
         let time = self.clock.time;
+        let bodies = &mut motions[..self.tank.water.walls().bodies.len()];
         let paddle_travel = self
             .tank
             .piston
@@ -342,36 +318,29 @@ impl Run {
         bodies[PADDLE].velocity = paddle_travel / dt;
         bodies[WALL].velocity = wall_step.map_or(0.0, |step| step.travel) / dt;
         let paddle_force = self.tank.water.load(PADDLE).force;
-        if let Some(collapse) = &mut self.collapse {
+        if let Some(watch) = &mut self.watch {
             let on_walls = (0..bodies.len()).map(|body| self.tank.water.load(body).force);
-            collapse.push(on_walls.sum(), dt);
+            watch.push(on_walls.sum(), dt);
         }
         let wall = self.tank.wall.as_ref().zip(wall_step).map(|(law, step)| (law, force, step));
         self.ledger.book_walls((paddle_force, paddle_travel), wall);
-        let walls = StepWalls {
-            bodies: &bodies,
-            acceleration: wall_step.map_or(0.0, |step| step.acceleration),
-        };
-        // Splashes dissipate in bursts: their losses are summed at every step.
-        let sample = sample || self.collapse.is_some();
+        let walls =
+            StepWalls { bodies, acceleration: wall_step.map_or(0.0, |step| step.acceleration) };
+        // Splashes dissipate in bursts, and swirls from the start: summed at every step.
+        let sample = sample || self.watch.is_some();
         let losses = self.tank.water.finish(dt, &walls, sample);
         self.ledger.book_losses(time, sample, losses);
         self.clock.time += dt;
         self.clock.steps += 1;
     }
 
-    fn check_health(&mut self, bodies: &[BodyMotion; 3]) -> Result<(), Failure> {
-        let room = self.tank.spacing;
+    fn check_health(&mut self, bodies: &[BodyMotion]) -> Result<(), Failure> {
         let now = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
         let energy = self.ledger.close(now, self.tank.wall.as_ref());
         let across = self.tank.water.walls().bodies[WALL].plane.normal;
         let vitals = Vitals {
             time_s: self.clock.time,
-            extent: [
-                bodies[PADDLE].offset - room,
-                self.tank.frame.length + bodies[WALL].offset + room,
-                4.0 * self.tank.frame.depth,
-            ],
+            extent: self.extent(bodies),
             lean: -across[1] / across[0],
             spacing: self.tank.spacing,
             energy_residual: energy.residual(),
@@ -379,6 +348,17 @@ impl Run {
             clusters: self.clock.samples.is_multiple_of(SAMPLES_PER_CLUSTER_CHECK),
         };
         self.health.check(&self.bounds, self.tank.water.fluid(), &vitals)
+    }
+
+    /// Where water may be, metres: left, right at the bed, bottom, top. Anywhere without walls.
+    fn extent(&self, bodies: &[BodyMotion]) -> [f64; 4] {
+        if self.tank.water.walls().is_empty() {
+            let anywhere = f64::INFINITY;
+            return [-anywhere, anywhere, -anywhere, anywhere];
+        }
+        let (frame, room) = (self.tank.frame, self.tank.spacing);
+        let right = frame.length + bodies[WALL].offset + room;
+        [bodies[PADDLE].offset - room, right, 0.0, 4.0 * frame.depth]
     }
 
     fn failure(&self, kind: FailureKind, detail: String) -> Failure {

@@ -1,6 +1,11 @@
 //! Pure formulas: no state, no particles.
 
+pub mod central_field;
 pub mod dam_break;
+pub mod elliptic_drop;
 pub mod goring;
 pub mod hydrostatics;
 pub mod oscillator;
+pub mod rotating_patch;
+pub mod standing_wave;
+pub mod taylor_green;

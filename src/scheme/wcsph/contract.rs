@@ -6,6 +6,7 @@ use crate::boundary::Ghosts;
 use crate::kernel::KernelChoice;
 use crate::particles::Fluid;
 use crate::scheme::{Dissipation, Load, Scheme, SchemeState, StateEquation, StepError, StepWalls};
+use crate::theory::central_field::CentralField;
 
 impl Scheme for Wcsph {
     fn fluid(&self) -> &Fluid {
@@ -26,6 +27,10 @@ impl Scheme for Wcsph {
 
     fn state_equation(&self) -> Option<&StateEquation> {
         Some(&self.options.state)
+    }
+
+    fn field(&self) -> Option<CentralField> {
+        self.options.field
     }
 
     fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> Result<(), StepError> {

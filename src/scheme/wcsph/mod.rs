@@ -10,6 +10,7 @@
 mod acoustic;
 mod continuity;
 mod contract;
+mod laminar;
 mod lists;
 mod momentum;
 mod motion;

@@ -35,6 +35,13 @@ impl Wcsph {
                 }
             }
         }
+        if let Some(field) = self.options.field {
+            for k in 0..fluid.len() {
+                let [x, y] = field.acceleration([fluid.x[k], fluid.y[k]]);
+                work.acceleration_x[k] += x;
+                work.acceleration_y[k] += y;
+            }
+        }
         let full = self.substep == 0;
         let faded = self.options.density_diffusion == DensityDiffusion::Hydrostatic;
         for k in 0..fluid.len() {

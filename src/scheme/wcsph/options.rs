@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::kernel::KernelChoice;
 use crate::scheme::StateEquation;
+use crate::theory::central_field::CentralField;
 
 /// Density diffusion (the δ term).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -60,6 +61,10 @@ pub struct WcsphOptions {
     pub bulk_damping: f64,
     /// Steps per full step, at least 1.
     pub acoustic_substeps: u32,
+    /// ν, m²/s: physical viscosity, besides the artificial one; 0 for none.
+    pub kinematic_viscosity: f64,
+    /// A force towards a centre.
+    pub field: Option<CentralField>,
 }
 
 impl WcsphOptions {

@@ -4,6 +4,7 @@ use std::marker::PhantomData;
 
 use super::acoustic::Acoustic;
 use super::continuity::{Continuity, FADED, OFF, PLAIN, RENORMALISED};
+use super::laminar::Laminar;
 use super::momentum::{CONCENTRATION, FORCES, GRADIENTS, Momentum};
 use super::{DensityDiffusion, Shifting, Wcsph};
 use crate::math::simd::dispatch;
@@ -162,6 +163,28 @@ impl Wcsph {
             CONCENTRATION => pass!(K, CONCENTRATION),
             _ => pass!(K, FORCES),
         })
+    }
+
+    /// Physical viscosity, where there is any; returns its power.
+    pub(super) fn laminar_pass(&mut self) -> f64 {
+        let options = &self.options;
+        if options.kinematic_viscosity == 0.0 {
+            return 0.0;
+        }
+        let pass = Laminar {
+            fluid: &self.fluid,
+            records: &self.records,
+            pairs: &self.pairs,
+            slopes: &self.slopes,
+            work: &mut self.work,
+            bodies: self.ghosts.bodies.len(),
+            viscosity: 8.0
+                * options.kinematic_viscosity
+                * options.density
+                * self.scaling.inverse_radius,
+            steps: f64::from(options.acoustic_substeps),
+        };
+        dispatch(self.path, pass)
     }
 
     pub(super) fn continuity_pass(&mut self, sample: bool) -> f64 {

@@ -13,7 +13,7 @@ use crate::particles::Record;
 pub(super) const CHUNK: usize = 32;
 
 /// Squared distances below this (in support radii) count as this: a particle and itself.
-const COINCIDENT: f64 = 1e-12;
+pub(super) const COINCIDENT: f64 = 1e-12;
 
 /// What the passes after the first read of a pair's geometry: g, the kernel's slope over q times
 /// the neighbour's weight, a value per lane. Single precision halves the traffic; its rounding,

@@ -47,6 +47,7 @@ impl Wcsph {
         let filled = Instant::now();
         self.timings.ghosts += (filled - packed).as_secs_f64();
         self.last_viscous_power = self.momentum_pass();
+        self.last_viscous_power += self.laminar_pass();
         self.timings.momentum += filled.elapsed().as_secs_f64();
     }
 

@@ -1,7 +1,10 @@
 //! Stops a sick run early, with the reason, the time and the particle, and remembers how close a
 //! healthy one came to each bound.
 
+mod bounds;
 mod crowding;
+
+pub use bounds::HealthBounds;
 
 use serde::{Deserialize, Serialize};
 
@@ -12,28 +15,6 @@ use crate::particles::Fluid;
 const CLUSTERED: f64 = 0.25;
 /// Looks at the force gap go on counting for about so many more.
 const GAP_MEMORY: f64 = 10.0;
-
-/// Bounds that a healthy run keeps.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct HealthBounds {
-    /// m/s: what Bernoulli's law allows a drop from the highest conceivable runup, twice over.
-    pub speed: f64,
-    /// Largest |ρ/ρ_s - 1|; scales with g h/c0².
-    pub density_change: f64,
-    /// ρ_s, kg/m³; zero where the water is incompressible.
-    pub surface_density: f64,
-    /// Share of particles that may leave the tank.
-    pub lost_share: f64,
-    /// Share of particles that may be clustered.
-    pub clustered_share: f64,
-    /// Mean gap between the momentum reaction and the face integral, over the larger of the force
-    /// and the hydrostatic one.
-    pub force_gap: f64,
-    /// Energy that may come from nowhere, as a share of the work done on the water ...
-    pub energy_growth: f64,
-    /// ... and besides it, J per metre of width.
-    pub energy_floor: f64,
-}
 
 /// The largest share of each bound that a run has reached: 1 is the edge.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -82,8 +63,8 @@ pub struct HealthState {
 pub struct Vitals {
     /// Simulated time, seconds.
     pub time_s: f64,
-    /// Toes of paddle and wall, top of the walls, metres.
-    pub extent: [f64; 3],
+    /// Toes of paddle and wall, bed, top of the walls, metres.
+    pub extent: [f64; 4],
     /// What the right wall gains in x per height; 0 for a vertical one.
     pub lean: f64,
     /// Particle spacing, metres.
@@ -161,7 +142,7 @@ impl HealthState {
         vitals: &Vitals,
     ) -> Result<(), Failure> {
         let fail = |kind, detail| Err(Failure { kind, time_s: vitals.time_s, detail });
-        let [left, right, top] = vitals.extent;
+        let [left, right, bottom, top] = vitals.extent;
         let mut outside = 0_u32;
         for k in 0..fluid.len() {
             let (x, y, density) = (fluid.x[k], fluid.y[k], fluid.density[k]);
@@ -189,7 +170,7 @@ impl HealthState {
                 );
                 return fail(FailureKind::DensityOutOfBounds, detail);
             }
-            outside += u32::from(x < left || x > right + vitals.lean * y || y < 0.0 || y > top);
+            outside += u32::from(x < left || x > right + vitals.lean * y || y < bottom || y > top);
         }
         self.lost = self.lost.max(outside);
         let allowed = bounds.lost_share * fluid.len() as f64;
@@ -230,7 +211,7 @@ mod tests {
     };
     const VITALS: Vitals = Vitals {
         time_s: 1.0,
-        extent: [0.0, 1.0, 1.0],
+        extent: [0.0, 1.0, 0.0, 1.0],
         lean: 0.0,
         spacing: 0.1,
         energy_residual: 0.0,

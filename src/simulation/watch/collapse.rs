@@ -1,9 +1,10 @@
 //! What a dam break shows besides its probes: the front, the cavity, the balances.
 
+use super::Watch;
 use super::cavity::Raster;
-use super::outcome::NamedReading;
 use crate::particles::Fluid;
 use crate::scene::Frame;
+use crate::simulation::outcome::NamedReading;
 use crate::theory::dam_break::ritter_front;
 
 /// Air counts as closed in from this area on, over H².
@@ -48,13 +49,33 @@ impl Collapse {
         (self.frame.depth / self.frame.gravity).sqrt()
     }
 
+    /// The foremost particle that is no lone drop (two others within two spacings), plus half a
+    /// spacing.
+    fn front(&self, fluid: &Fluid) -> f64 {
+        let reach = 2.0 * self.spacing;
+        let mut order: Vec<usize> = (0..fluid.len()).collect();
+        order.sort_unstable_by(|&a, &b| {
+            fluid.x[b].total_cmp(&fluid.x[a]).then(fluid.id[a].cmp(&fluid.id[b]))
+        });
+        let close = |j: usize, k: usize| {
+            j != k && (fluid.x[j] - fluid.x[k]).hypot(fluid.y[j] - fluid.y[k]) < reach
+        };
+        let foremost = order.iter().copied().find(|&k| {
+            let ahead = order.iter().take_while(|&&j| fluid.x[j] > fluid.x[k] - reach);
+            ahead.filter(|&&j| close(j, k)).take(2).count() == 2
+        });
+        foremost.map_or(0.0, |k| fluid.x[k] + 0.5 * self.spacing)
+    }
+}
+
+impl Watch for Collapse {
     /// Books the force of the water on all walls along x over one step.
-    pub(super) fn push(&mut self, force: f64, dt: f64) {
+    fn push(&mut self, force: f64, dt: f64) {
         self.impulse += force * dt;
     }
 
     /// Takes a sample at the history's times.
-    pub(super) fn sample(&mut self, time: f64, fluid: &Fluid) {
+    fn sample(&mut self, time: f64, fluid: &Fluid) {
         let n = fluid.len();
         self.largest_momentum = self.largest_momentum.max(momentum(fluid).abs());
         if self.front_at_wall.is_none() {
@@ -76,26 +97,8 @@ impl Collapse {
         }
     }
 
-    /// The foremost particle that is no lone drop (two others within two spacings), plus half a
-    /// spacing.
-    fn front(&self, fluid: &Fluid) -> f64 {
-        let reach = 2.0 * self.spacing;
-        let mut order: Vec<usize> = (0..fluid.len()).collect();
-        order.sort_unstable_by(|&a, &b| {
-            fluid.x[b].total_cmp(&fluid.x[a]).then(fluid.id[a].cmp(&fluid.id[b]))
-        });
-        let close = |j: usize, k: usize| {
-            j != k && (fluid.x[j] - fluid.x[k]).hypot(fluid.y[j] - fluid.y[k]) < reach
-        };
-        let foremost = order.iter().copied().find(|&k| {
-            let ahead = order.iter().take_while(|&&j| fluid.x[j] > fluid.x[k] - reach);
-            ahead.filter(|&&j| close(j, k)).take(2).count() == 2
-        });
-        foremost.map_or(0.0, |k| fluid.x[k] + 0.5 * self.spacing)
-    }
-
     /// Times over √(H/g), lengths over H, balances in percent.
-    pub(super) fn readings(&self, fluid: &Fluid) -> Vec<NamedReading> {
+    fn readings(&self, fluid: &Fluid) -> Vec<NamedReading> {
         let unit = self.unit();
         let mut all = Vec::new();
         let mut push = |name: &str, value: Option<f64>, unit: &str| {

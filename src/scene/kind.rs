@@ -1,0 +1,153 @@
+//! The kinds of scenes, and what all of them can do.
+
+use serde::{Deserialize, Serialize};
+use toml::{Table, Value};
+
+use super::config::read_section;
+use super::dam_break::DamBreakScene;
+use super::error::ConfigError;
+use super::frame::Frame;
+use super::hydrostatic::HydrostaticScene;
+use super::numerics::{Numerics, Scheme};
+use super::oscillating_drop::OscillatingDropScene;
+use super::rotating_patch::RotatingPatchScene;
+use super::seawall::SeawallScene;
+use super::standing_wave::StandingWaveScene;
+use super::tank::Tank;
+use super::taylor_green::TaylorGreenScene;
+use crate::math::simd::SimdPath;
+
+/// What is simulated.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(tag = "kind", rename_all = "kebab-case")]
+pub enum Scene {
+    /// A wave tank that ends in a seawall.
+    Seawall(SeawallScene),
+    /// Still water in a box.
+    Hydrostatic(HydrostaticScene),
+    /// A column of water that collapses.
+    DamBreak(DamBreakScene),
+    /// A small standing wave in a box.
+    StandingWave(StandingWaveScene),
+    /// Taylor-Green vortices in a closed box.
+    TaylorGreen(TaylorGreenScene),
+    /// A square in free rotation.
+    RotatingPatch(RotatingPatchScene),
+    /// A drop in a central field.
+    OscillatingDrop(OscillatingDropScene),
+}
+
+/// Names that `scene.kind` may take.
+const KINDS: &[&str] = &[
+    "hydrostatic",
+    "dam-break",
+    "seawall",
+    "standing-wave",
+    "taylor-green",
+    "rotating-patch",
+    "oscillating-drop",
+];
+
+/// `$body` with `$scene` bound to the scene of whatever kind.
+macro_rules! each {
+    ($scene:expr, $bound:ident => $body:expr) => {
+        match $scene {
+            Scene::Seawall($bound) => $body,
+            Scene::Hydrostatic($bound) => $body,
+            Scene::DamBreak($bound) => $body,
+            Scene::StandingWave($bound) => $body,
+            Scene::TaylorGreen($bound) => $body,
+            Scene::RotatingPatch($bound) => $body,
+            Scene::OscillatingDrop($bound) => $body,
+        }
+    };
+}
+
+impl Scene {
+    /// The seawall's values, where the scene has one.
+    pub fn seawall(&self) -> Option<&SeawallScene> {
+        match self {
+            Scene::Seawall(scene) => Some(scene),
+            _ => None,
+        }
+    }
+
+    /// The name that `scene.kind` gives it.
+    pub fn kind(&self) -> &'static str {
+        match self {
+            Scene::Seawall(_) => "seawall",
+            Scene::Hydrostatic(_) => "hydrostatic",
+            Scene::DamBreak(_) => "dam-break",
+            Scene::StandingWave(_) => "standing-wave",
+            Scene::TaylorGreen(_) => "taylor-green",
+            Scene::RotatingPatch(_) => "rotating-patch",
+            Scene::OscillatingDrop(_) => "oscillating-drop",
+        }
+    }
+
+    /// Its scales.
+    pub fn frame(&self) -> Frame {
+        each!(self, scene => scene.frame())
+    }
+
+    /// Fluid particles.
+    pub fn particles(&self, numerics: &Numerics) -> usize {
+        each!(self, scene => scene.lattice(numerics).particles())
+    }
+
+    /// Builds the tank.
+    pub fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
+        each!(self, scene => scene.build(numerics, path))
+    }
+
+    /// What the scene's depth is, in words.
+    pub(super) fn depth_name(&self) -> &'static str {
+        match self {
+            Scene::Seawall(_) | Scene::Hydrostatic(_) | Scene::StandingWave(_) => {
+                "still water depth"
+            }
+            Scene::DamBreak(_) => "column height",
+            Scene::TaylorGreen(_) => "box's side",
+            Scene::RotatingPatch(_) => "patch's side",
+            Scene::OscillatingDrop(_) => "drop's diameter",
+        }
+    }
+
+    /// Checks its values, and that the scheme can take it.
+    pub(super) fn validate(&self, numerics: &Numerics) -> Result<(), ConfigError> {
+        each!(self, scene => scene.validate())?;
+        let why = match self {
+            Scene::TaylorGreen(_) => "has no surface, which isph takes its pressure from",
+            Scene::OscillatingDrop(_) => "lies in a central field, which isph does not know",
+            _ => return Ok(()),
+        };
+        if numerics.scheme == Scheme::Isph {
+            let allowed = format!("{} {why}", self.kind());
+            return Err(ConfigError::new("numerics.scheme", "\"isph\"", allowed));
+        }
+        Ok(())
+    }
+
+    /// Reads a `[scene]` table by its `kind`; a seawall where there is none.
+    pub(super) fn read(table: &Table) -> Result<Scene, ConfigError> {
+        let kind = match table.get("kind") {
+            None => "seawall",
+            Some(Value::String(kind)) if KINDS.contains(&kind.as_str()) => kind,
+            Some(other) => {
+                let allowed = format!("must be one of {}", KINDS.join(", "));
+                return Err(ConfigError::new("scene.kind", other, allowed));
+            }
+        };
+        let mut rest = table.clone();
+        rest.remove("kind");
+        Ok(match kind {
+            "hydrostatic" => Scene::Hydrostatic(read_section(rest)?),
+            "dam-break" => Scene::DamBreak(read_section(rest)?),
+            "standing-wave" => Scene::StandingWave(read_section(rest)?),
+            "taylor-green" => Scene::TaylorGreen(read_section(rest)?),
+            "rotating-patch" => Scene::RotatingPatch(read_section(rest)?),
+            "oscillating-drop" => Scene::OscillatingDrop(read_section(rest)?),
+            _ => Scene::Seawall(read_section(rest)?),
+        })
+    }
+}

@@ -1,0 +1,134 @@
+//! A drop in a central field that swings between ellipses for long: no walls, an exact answer.
+
+use std::f64::consts::TAU;
+
+use serde::{Deserialize, Serialize};
+
+use super::check::Check;
+use super::error::ConfigError;
+use super::filling::{Filling, Lattice, Walls};
+use super::frame::Frame;
+use super::numerics::Numerics;
+use super::tank::Tank;
+use crate::math::simd::SimdPath;
+use crate::scheme::StateEquation;
+use crate::theory::central_field::CentralField;
+use crate::theory::elliptic_drop::EllipticDrop;
+
+/// The `[scene]` table with `kind = "oscillating-drop"`, complete: the drop's centre is the origin.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(default, deny_unknown_fields)]
+pub struct OscillatingDropScene {
+    /// R of the circle that it starts as, metres.
+    pub radius_m: f64,
+    /// Ω of the central acceleration -Ω² r, 1/s; `sound_speed_ratio` is over Ω R.
+    pub field_rate_per_s: f64,
+    /// A at the start, 1/s: u = A x, v = -A y.
+    pub stretching_rate_per_s: f64,
+    /// ρ0, kg/m³.
+    pub water_density_kg_per_m3: f64,
+    /// The run ends after this many exact periods.
+    pub end_after_periods: f64,
+    /// Spacing of the history samples, seconds; a 100th of a period by default.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub history_interval_s: Option<f64>,
+}
+
+impl Default for OscillatingDropScene {
+    fn default() -> Self {
+        OscillatingDropScene {
+            radius_m: 1.0,
+            field_rate_per_s: 1.0,
+            stretching_rate_per_s: 0.4,
+            water_density_kg_per_m3: 1000.0,
+            end_after_periods: 3.0,
+            history_interval_s: None,
+        }
+    }
+}
+
+/// Places on rings about the origin: (x, y, area).
+pub(super) struct Rings(Vec<[f64; 3]>);
+
+impl Rings {
+    fn new(radius: f64, spacing: f64) -> Rings {
+        let count = (radius / spacing).round().max(1.0);
+        let width = radius / count;
+        let mut points = Vec::new();
+        for ring in 0..count as u32 {
+            let radius = (f64::from(ring) + 0.5) * width;
+            let members = (TAU * radius / width).round();
+            let area = TAU * radius * width / members;
+            for k in 0..members as u32 {
+                // Every other ring is turned by half a place.
+                let angle = TAU * (f64::from(k) + 0.5 * f64::from(ring % 2)) / members;
+                points.push([radius * libm::cos(angle), radius * libm::sin(angle), area]);
+            }
+        }
+        Rings(points)
+    }
+
+    /// Number of particles.
+    pub(super) fn particles(&self) -> usize {
+        self.0.len()
+    }
+}
+
+impl OscillatingDropScene {
+    /// The drop at its start.
+    pub fn drop_at_start(&self) -> EllipticDrop {
+        EllipticDrop::circle(self.radius_m, self.field_rate_per_s, self.stretching_rate_per_s)
+    }
+
+    pub(super) fn validate(&self) -> Result<(), ConfigError> {
+        let check = Check::section("scene");
+        check.positive("radius_m", self.radius_m)?;
+        check.positive("field_rate_per_s", self.field_rate_per_s)?;
+        let most = 3.0 * self.field_rate_per_s;
+        check.range("stretching_rate_per_s", self.stretching_rate_per_s, 1e-6 * most, most)?;
+        check.positive("water_density_kg_per_m3", self.water_density_kg_per_m3)?;
+        check.positive("end_after_periods", self.end_after_periods)?;
+        self.history_interval_s.map_or(Ok(()), |span| check.positive("history_interval_s", span))
+    }
+
+    pub(super) fn frame(&self) -> Frame {
+        let period = self.drop_at_start().period();
+        Frame {
+            length: 2.0 * self.radius_m,
+            depth: 2.0 * self.radius_m,
+            gravity: 0.0,
+            speed: Some(self.field_rate_per_s * self.radius_m),
+            density: self.water_density_kg_per_m3,
+            end_time: self.end_after_periods * period,
+            history_interval: self.history_interval_s.unwrap_or(period / 100.0),
+        }
+    }
+
+    pub(super) fn lattice(&self, numerics: &Numerics) -> Rings {
+        Rings::new(self.radius_m, numerics.particle_spacing_m)
+    }
+
+    pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
+        let (frame, start) = (self.frame(), self.drop_at_start());
+        let state = StateEquation {
+            choice: numerics.state_equation,
+            surface_density: frame.density,
+            sound_speed: frame.sound_speed(numerics),
+        };
+        let points = self.lattice(numerics).0.into_iter().map(|[x, y, area]| {
+            let pressure = frame.density * start.pressure_over_density([x, y]);
+            let density = state.density(pressure);
+            [x, y, density, density * area]
+        });
+        let size = [frame.length; 2];
+        let lattice = Lattice::new(size, numerics.particle_spacing_m, 90.0);
+        let filling = Filling {
+            walls: Walls::None,
+            field: Some(CentralField { centre: [0.0; 2], rate: self.field_rate_per_s }),
+            ..Filling::of(lattice, points.collect(), frame.density)
+        };
+        let filling = filling.moving(|place| start.velocity(place));
+        let water = filling.water(&frame, numerics, path);
+        Tank::of(water, frame, numerics, filling.lattice.spacing[0])
+    }
+}

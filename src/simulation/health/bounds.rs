@@ -1,0 +1,58 @@
+//! Bounds that a healthy run keeps, by the scales of its scene.
+
+use crate::scene::Tank;
+use crate::simulation::energy::WaterEnergy;
+
+/// Bounds that a healthy run keeps.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HealthBounds {
+    /// m/s: what Bernoulli's law allows a drop from the highest conceivable runup, twice over.
+    pub speed: f64,
+    /// Largest |ρ/ρ_s - 1|; scales with g h/c0².
+    pub density_change: f64,
+    /// ρ_s, kg/m³; zero where the water is incompressible.
+    pub surface_density: f64,
+    /// Share of particles that may leave the tank.
+    pub lost_share: f64,
+    /// Share of particles that may be clustered.
+    pub clustered_share: f64,
+    /// Mean gap between the momentum reaction and the face integral, over the larger of the force
+    /// and the hydrostatic one.
+    pub force_gap: f64,
+    /// Energy that may come from nowhere, as a share of the work done on the water ...
+    pub energy_growth: f64,
+    /// ... and besides it, J per metre of width.
+    pub energy_floor: f64,
+}
+
+impl HealthBounds {
+    /// For a tank that starts with this energy.
+    pub fn of(tank: &Tank, start: &WaterEnergy) -> HealthBounds {
+        let (frame, head) = (tank.frame, tank.frame.speed_squared());
+        // A drop from the highest conceivable runup, twice over; compression scales with g h/c0²
+        // and, where a front hits a wall, with its speed over c0.
+        let speed = 2.0 * (2.0 * head * (1.0 + 4.0 * tank.wave_height_ratio)).sqrt();
+        let splashes = tank.front_speed > 0.0;
+        HealthBounds {
+            speed,
+            density_change: 20.0 * head / (tank.sound_speed * tank.sound_speed)
+                + 2.0 * tank.front_speed / tank.sound_speed,
+            surface_density: tank
+                .water
+                .state_equation()
+                .map_or(frame.density, |state| state.surface_density),
+            lost_share: 0.02,
+            clustered_share: 0.25,
+            // A front that hits a wall splashes: what is at its face and what presses on it differ
+            // for a while, and its books close less well.
+            force_gap: if splashes { 2.0 } else { 0.5 },
+            energy_growth: 0.25,
+            energy_floor: if start.kinetic > 0.0 {
+                0.25 * start.kinetic
+            } else {
+                let share = if splashes { 0.05 } else { 0.01 };
+                share * start.potential.abs()
+            },
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! Decay of Taylor-Green vortices.
+
+use super::{Watch, kinetic_energy, share_of};
+use crate::particles::Fluid;
+use crate::simulation::outcome::NamedReading;
+use crate::theory::taylor_green::TaylorGreen;
+
+/// Follows how much of the vortices is left.
+pub(super) struct Vortices {
+    flow: TaylorGreen,
+    viscosity: f64,
+    energy_at_start: f64,
+    last: (f64, f64),
+}
+
+impl Vortices {
+    pub(super) fn new(flow: TaylorGreen, viscosity: f64, fluid: &Fluid) -> Vortices {
+        Vortices { flow, viscosity, energy_at_start: kinetic_energy(fluid), last: (0.0, 1.0) }
+    }
+}
+
+impl Watch for Vortices {
+    fn sample(&mut self, time: f64, fluid: &Fluid) {
+        self.last = (time, share_of(fluid, |place| self.flow.velocity(place)));
+    }
+
+    fn readings(&self, fluid: &Fluid) -> Vec<NamedReading> {
+        let (time, kept) = self.last;
+        let should = libm::exp(-self.flow.damping(self.viscosity) * time);
+        let energy = kinetic_energy(fluid) / self.energy_at_start;
+        let mut all = vec![
+            NamedReading::new("velocity_kept", kept, "over U"),
+            NamedReading::new("velocity_kept_exact", should, "over U"),
+            NamedReading::new("decay_gap", 100.0 * (kept - should), "% of U"),
+            NamedReading::new("kinetic_energy_kept", energy, "over the start's"),
+            NamedReading::new(
+                "kinetic_energy_gap",
+                100.0 * (energy - should * should),
+                "% of the start's",
+            ),
+        ];
+        if kept > 0.0 && time > 0.0 {
+            let rate = -libm::log(kept) / time;
+            let numerical = rate / self.flow.damping(1.0) - self.viscosity;
+            all.push(NamedReading::new("numerical_viscosity", numerical, "m2/s"));
+        }
+        all
+    }
+}
