@@ -2,7 +2,7 @@
 
 use seawall::boundary::{Ghosts, Reflection, TankLayout, tank_ghosts};
 use seawall::math::simd::SimdPath;
-use seawall::scene::{CaseConfig, Scene, WALL};
+use seawall::scene::{CaseConfig, WALL};
 use seawall::scheme::Scheme;
 use seawall::simulation::{Unwatched, run_case};
 
@@ -135,52 +135,89 @@ fn water_fills_the_tank_up_to_the_wall() {
         let area = DEPTH * (LENGTH + 0.5 * overhang * DEPTH);
         let mass: f64 = fluid.mass.iter().sum();
         assert!((mass / (1000.0 * area) - 1.0).abs() < 2e-3, "{mass} at {angle}");
-        // No particle in the wall, none too close to it, no row that ends short of it.
-        for row in 0..(DEPTH / SPACING).round() as usize {
-            let y = (row as f64 + 0.5) * SPACING;
-            let in_row = (0..fluid.len()).filter(|&k| (fluid.y[k] - y).abs() < 1e-9);
-            let gap = in_row
-                .map(|k| -wall.beyond([fluid.x[k], fluid.y[k]]) / wall.normal[0])
-                .fold(f64::INFINITY, f64::min);
-            assert!((gap / SPACING - 0.5).abs() < 0.02, "{gap} in row {row} at {angle}");
+        // No particle in the wall or too close to it, no place on its face without one.
+        let (low, high) = if angle == 90.0 { (0.499, 0.72) } else { (0.3, 0.9) };
+        let apart =
+            |x: f64, y: f64| (0..fluid.len()).map(move |k| (fluid.x[k] - x, fluid.y[k] - y));
+        let nearest = (0..fluid.len()).map(|k| -wall.beyond([fluid.x[k], fluid.y[k]]));
+        let nearest = nearest.fold(f64::INFINITY, f64::min) / SPACING;
+        assert!(nearest > low, "{nearest} at {angle}");
+        for step in 0..(2.0 * (DEPTH / SPACING - 1.0)) as usize {
+            let y = 0.5 * SPACING * (step as f64 + 1.0);
+            let x = LENGTH + overhang * y;
+            let gap = apart(x, y).map(|(dx, dy)| dx.hypot(dy)).fold(f64::INFINITY, f64::min);
+            assert!(gap / SPACING < high, "{gap} at {y} up a wall of {angle}");
         }
     }
 }
 
-/// Twelve rows: the bounds are those of so coarse a lattice (25 rows stay within 0.5 %).
+/// The story: rows and the ghosts of a leaning wall are lattices of different directions. Where
+/// they meet, most of all in the toe, they overfilled space by 1 %; the water crept away from there
+/// for seconds, and the pressure was 2 % low meanwhile.
+#[test]
+fn water_and_ghosts_press_evenly_on_each_other() {
+    for angle in [40.0, 60.0, 75.0, 120.0, 135.0, 150.0] {
+        let water = water(angle);
+        let (kernel, radius) = water.kernel();
+        let (fluid, ghosts) = (water.fluid(), water.walls());
+        let factor = kernel.normalisation() / (radius * radius * radius);
+        for k in (0..fluid.len()).filter(|&k| fluid.y[k] < DEPTH - radius) {
+            let here = [fluid.x[k], fluid.y[k]];
+            if ghosts.bodies[WALL].plane.beyond(here) < -radius {
+                continue;
+            }
+            let mut sum = [0.0; 2];
+            let mut add = |x: f64, y: f64, volume: f64| {
+                let (dx, dy) = (here[0] - x, here[1] - y);
+                let distance = dx.hypot(dy);
+                if distance > 0.0 && distance < radius {
+                    let slope = factor * volume * kernel.slope_at(distance / radius) / distance;
+                    sum = [sum[0] + slope * dx, sum[1] + slope * dy];
+                }
+            };
+            for j in 0..fluid.len() {
+                add(fluid.x[j], fluid.y[j], fluid.mass[j] / fluid.density[j]);
+            }
+            for g in 0..ghosts.len() {
+                add(ghosts.x[g], ghosts.y[g], ghosts.volume[g]);
+            }
+            let push = sum[0].hypot(sum[1]) * SPACING;
+            assert!(push < 1.5e-3, "{push} at {here:?} before {angle} degrees");
+        }
+    }
+}
+
+/// 25 rows as in the source's wave tank: pressure within 1 % of ρgh from the toe to five spacings
+/// below the surface, from the first instant on.
 #[test]
 fn still_water_rests_at_an_incline() {
-    for angle in [60.0, 120.0] {
-        let config = case(angle, "end_time_s = 0.6\nhistory_interval_s = 0.02");
-        let probes: Vec<toml::Table> = [0.0, 0.05, 0.1, 0.15, 0.19]
-            .iter()
-            .map(|y| {
-                let text =
-                    format!("name = \"P{y}\"\nkind = \"pressure\"\nwall = \"right\"\ny_m = {y}");
-                text.parse().unwrap()
-            })
-            .collect();
-        let Scene::Hydrostatic(scene) = &config.scene else { panic!() };
-        let scene = toml::Table::try_from(scene).unwrap();
-        let numerics = toml::Table::try_from(&config.numerics).unwrap();
-        let mut scene = scene;
-        scene.insert("kind".into(), "hydrostatic".into());
-        let config = CaseConfig::with_probes(&scene, &numerics, &probes).unwrap();
+    for angle in [60.0, 120.0, 150.0] {
+        let scene = format!(
+            "kind = \"hydrostatic\"\nstill_water_depth_m = 0.25\ntank_length_m = 0.75\n\
+             wall_angle_deg = {angle}\nend_time_s = 0.4\nhistory_interval_s = 0.01"
+        );
+        let numerics = "particle_spacing_m = 0.01\nsound_speed_ratio = 15";
+        let heights = [0.0, 0.02, 0.05, 0.1, 0.15, 0.2];
+        let probes = heights.map(|y| {
+            let text = format!("name = \"P{y}\"\nkind = \"pressure\"\nwall = \"right\"\ny_m = {y}");
+            text.parse().unwrap()
+        });
+        let config =
+            CaseConfig::with_probes(&scene.parse().unwrap(), &numerics.parse().unwrap(), &probes);
+        let config = config.unwrap();
         let result = run_case(&config, None, SimdPath::widest(), &Unwatched).unwrap();
         assert_eq!(result.outcome.particles_lost, 0);
         for row in &result.history {
-            assert!((row.force - 1.0).abs() < 0.05, "F* = {} at {angle}", row.force);
+            assert!((row.force - 1.0).abs() < 0.04, "F* = {} at {angle}", row.force);
             assert!(row.runup.abs() < 0.04, "R* = {} at {angle}", row.runup);
         }
-        let worst = |name: &str| {
+        for y in heights {
+            let name = format!("P{y}_worst_gap_full");
             let found = result.readings.iter().find(|reading| reading.name == name);
-            found.unwrap_or_else(|| panic!("{name}")).value
-        };
-        for y in [0.05, 0.1, 0.15] {
-            let gap = worst(&format!("P{y}_worst_gap"));
-            assert!(gap < 2.5, "{gap} % at {y} m up a wall of {angle} degrees");
+            let gap = found.unwrap_or_else(|| panic!("{name}")).value;
+            assert!(gap < 1.0, "{gap} % of rho g h at {y} m up a wall of {angle} degrees");
         }
-        let potential = 0.5 * 1000.0 * 9.81 * DEPTH * DEPTH * LENGTH;
+        let potential = 0.5 * 1000.0 * 9.81 * 0.25 * 0.25 * 0.75;
         assert!(result.energy.kinetic < 1e-4 * potential, "{:?}", result.energy);
     }
 }

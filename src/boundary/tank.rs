@@ -143,9 +143,10 @@ fn block_column(layout: &TankLayout, face: Plane, distance: f64) -> impl Iterato
     })
 }
 
-/// Rings between the bed's normal and the wall's, around the toe. In an obtuse corner they mirror
-/// through the vertex, in an acute one the water is narrower than the wedge and directions are
-/// drawn together to fit.
+/// Rings between the bed's normal and the wall's, around the toe, cut into cells with a ghost at
+/// the centroid of each: farther out than the middle of its ring, most so in the innermost. In an
+/// obtuse corner they mirror through the vertex, in an acute one the water is narrower than the
+/// wedge and directions are drawn together to fit.
 fn wedge(layout: &TankLayout, face: Plane) -> Vec<Site> {
     use std::f64::consts::PI;
     let [nx, ny] = face.normal;
@@ -155,8 +156,9 @@ fn wedge(layout: &TankLayout, face: Plane) -> Vec<Site> {
     let rings = (layout.support_radius / layout.spacing_x).ceil() as i64;
     let mut sites = Vec::new();
     for ring in 0..rings {
-        let radius = at(ring, layout.spacing_x);
-        let count = (width * radius / layout.spacing_y).round().max(1.0);
+        let middle_radius = at(ring, layout.spacing_x);
+        let count = (width * middle_radius / layout.spacing_y).round().max(1.0);
+        let radius = centroid(ring, layout.spacing_x, 0.5 * width / count);
         for k in 0..count as i64 {
             let off = ((k as f64 + 0.5) / count - 0.5) * width;
             let towards = |angle: f64, radius: f64| {
@@ -169,9 +171,16 @@ fn wedge(layout: &TankLayout, face: Plane) -> Vec<Site> {
                 reflection: Reflection::Corner,
                 distance: radius,
                 face: 0,
-                volume: width * radius * layout.spacing_x / count,
+                volume: width * middle_radius * layout.spacing_x / count,
             });
         }
     }
     sites
+}
+
+/// Distance from the vertex of the centroid of a ring's piece that spans twice the angle `half`.
+fn centroid(ring: i64, thickness: f64, half: f64) -> f64 {
+    let (inner, outer) = (ring as f64 * thickness, (ring + 1) as f64 * thickness);
+    let mean = (outer * outer + outer * inner + inner * inner) / (1.5 * (outer + inner));
+    mean * libm::sin(half) / half
 }

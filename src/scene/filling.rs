@@ -2,6 +2,7 @@
 
 use super::frame::Frame;
 use super::numerics::{GhostGravity, Numerics, Scheme as SchemeChoice, Slip};
+use super::packing::Packing;
 use super::tank::WALL;
 use crate::boundary::{Ghosts, TankLayout, box_ghosts, no_ghosts, tank_ghosts};
 use crate::math::simd::SimdPath;
@@ -207,8 +208,45 @@ impl Filling {
             numerics.ghost_gravity == GhostGravity::InSum,
             numerics.slip == Slip::No,
         );
-        let fluid = self.fluid(self.points.iter().copied());
+        let points = if self.lattice.overhang == 0.0 {
+            self.points.clone()
+        } else {
+            self.packed(frame, numerics, &ghosts, &state)
+        };
+        let fluid = self.fluid(points);
         Box::new(Wcsph::new(options, rules, fluid, ghosts, WALL, path))
+    }
+
+    /// The points moved to where they sit evenly in front of a leaning wall, each at the density of
+    /// its new height. Rows above the surface, left out again, stand in for what would push the
+    /// uppermost ones up.
+    fn packed(
+        &self,
+        frame: &Frame,
+        numerics: &Numerics,
+        ghosts: &Ghosts,
+        state: &StateEquation,
+    ) -> Vec<[f64; 4]> {
+        let [dx, dy] = self.lattice.spacing;
+        let support_radius = numerics.support_radius_ratio * dx;
+        let layers = (support_radius / dy).ceil() as usize;
+        let taller = Lattice { rows: self.lattice.rows + 2 * layers, ..self.lattice };
+        let mut particles: Vec<[f64; 3]> =
+            taller.points(|_, _| [1.0; 2]).iter().map(|&[x, y, _, area]| [x, y, area]).collect();
+        let packing = Packing {
+            kernel: numerics.kernel,
+            support_radius,
+            spacing: dx,
+            wall: ghosts.bodies[WALL].plane,
+            ghosts,
+            held_above: frame.depth + layers as f64 * dy,
+        };
+        packing.pack(&mut particles);
+        let moved = |(&[_, y, density, mass], &[new_x, new_y, _]): (&[f64; 4], &[f64; 3])| {
+            let pressure = state.pressure(density) - density * frame.gravity * (new_y - y);
+            [new_x, new_y, state.density(pressure), mass]
+        };
+        self.points.iter().zip(&particles).map(moved).collect()
     }
 
     fn ghosts(&self, frame: &Frame, numerics: &Numerics) -> Ghosts {

@@ -16,6 +16,7 @@ mod kind;
 mod limits;
 mod numerics;
 mod oscillating_drop;
+mod packing;
 mod probe;
 mod rotating_patch;
 mod seawall;

@@ -1,0 +1,120 @@
+//! Particles in front of a leaning wall, moved to where they and the ghosts fill space evenly.
+
+use crate::boundary::{Ghosts, Plane};
+use crate::kernel::KernelChoice;
+
+/// Rounds of moving; each takes about a tenth off the longest unevenness within reach.
+const ROUNDS: usize = 200;
+/// τ of a round: stable below 2 over the largest eigenvalue of R² Σ V ∇∇W, about 17.
+const STEP: f64 = 0.05;
+/// Particles move up to this many support radii away from the wall.
+const REACH: f64 = 2.0;
+/// Entries of the table of slopes.
+const ENTRIES: usize = 1024;
+
+/// What is packed, and between what.
+pub(super) struct Packing<'a> {
+    pub kernel: KernelChoice,
+    /// Support radius, metres.
+    pub support_radius: f64,
+    /// Particle spacing, metres.
+    pub spacing: f64,
+    /// The leaning wall.
+    pub wall: Plane,
+    pub ghosts: &'a Ghosts,
+    /// Particles above this height stay: they stand for the water that goes on.
+    pub held_above: f64,
+}
+
+/// A particle that moves, and what is or may come in reach of it.
+struct Mover {
+    number: usize,
+    water: Vec<u32>,
+    solid: Vec<u32>,
+}
+
+impl Packing<'_> {
+    /// Moves particles (x, y, volume) by δr = -τ R² Σ V_j ∇_iW_ij, round after round: the packing
+    /// of Colagrossi et al. 2012. Level rows and the ghosts of a leaning wall are lattices of
+    /// different directions; left as they are, they press unevenly on the water between them until
+    /// it has crept to where they do not.
+    pub(super) fn pack(&self, particles: &mut [[f64; 3]]) {
+        let movers = self.movers(particles);
+        let slopes: Vec<f64> =
+            (0..=ENTRIES).map(|k| self.kernel.slope_at(k as f64 / ENTRIES as f64)).collect();
+        // C/R³ of the gradient times τ R², per place over R.
+        let factor = STEP * self.kernel.normalisation() / self.support_radius;
+        let mut moves = vec![[0.0; 2]; movers.len()];
+        for _ in 0..ROUNDS {
+            for (mover, step) in movers.iter().zip(&mut moves) {
+                let place = particles[mover.number];
+                let mut sum = [0.0; 2];
+                for &j in &mover.water {
+                    self.add(&slopes, place, particles[j as usize], &mut sum);
+                }
+                for &g in &mover.solid {
+                    let g = g as usize;
+                    let ghost = [self.ghosts.x[g], self.ghosts.y[g], self.ghosts.volume[g]];
+                    self.add(&slopes, place, ghost, &mut sum);
+                }
+                *step = sum.map(|part| -factor * part);
+            }
+            for (mover, [x, y]) in movers.iter().zip(&moves) {
+                let place = &mut particles[mover.number];
+                place[0] += x;
+                place[1] += y;
+            }
+        }
+    }
+
+    /// Adds V_j w'(q) (r_i - r_j)/|r_i - r_j|.
+    fn add(&self, slopes: &[f64], here: [f64; 3], other: [f64; 3], sum: &mut [f64; 2]) {
+        let apart = [here[0] - other[0], here[1] - other[1]];
+        let distance = (apart[0] * apart[0] + apart[1] * apart[1]).sqrt();
+        let at = distance / self.support_radius * ENTRIES as f64;
+        if at < ENTRIES as f64 && distance > 0.0 {
+            let (k, part) = (at as usize, at.fract());
+            let slope = slopes[k] + part * (slopes[k + 1] - slopes[k]);
+            let weight = other[2] * slope / distance;
+            sum[0] += weight * apart[0];
+            sum[1] += weight * apart[1];
+        }
+    }
+
+    fn movers(&self, particles: &[[f64; 3]]) -> Vec<Mover> {
+        let (reach, slack) = (self.support_radius + self.spacing, REACH * self.support_radius);
+        let near = |place: &[f64; 3], room: f64| self.wall.beyond([place[0], place[1]]) > -room;
+        let around: Vec<u32> = (0..particles.len() as u32)
+            .filter(|&j| near(&particles[j as usize], slack + reach))
+            .collect();
+        let ghosts = self.ghosts;
+        let solid: Vec<u32> = (0..ghosts.len() as u32)
+            .filter(|&g| {
+                let g = g as usize;
+                ghosts.volume[g] > 0.0 && near(&[ghosts.x[g], ghosts.y[g], 0.0], slack + reach)
+            })
+            .collect();
+        let close = |here: &[f64; 3], x: f64, y: f64| {
+            let (dx, dy) = (x - here[0], y - here[1]);
+            dx * dx + dy * dy < reach * reach
+        };
+        around
+            .iter()
+            .map(|&number| number as usize)
+            .filter(|&number| near(&particles[number], slack))
+            .filter(|&number| particles[number][1] < self.held_above)
+            .map(|number| {
+                let here = particles[number];
+                let water = around.iter().copied().filter(|&j| {
+                    let [x, y, _] = particles[j as usize];
+                    j as usize != number && close(&here, x, y)
+                });
+                let solid = solid
+                    .iter()
+                    .copied()
+                    .filter(|&g| close(&here, ghosts.x[g as usize], ghosts.y[g as usize]));
+                Mover { number, water: water.collect(), solid: solid.collect() }
+            })
+            .collect()
+    }
+}
