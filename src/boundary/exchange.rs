@@ -4,7 +4,9 @@ use super::InterpolatorChoice;
 use super::faces::span;
 use super::ghosts::{Ghosts, Reflection};
 use super::pressure::press;
-use super::sums::{Cover, GatherVelocity, KernelWeights, Means, Targets, Water, Weigh};
+use super::sums::{
+    Cover, GatherVelocity, HeldWeights, KernelWeights, Means, Targets, Water, Weigh,
+};
 use super::waterline::Waterline;
 use crate::body::BodyMotion;
 use crate::kernel::KernelChoice;
@@ -49,7 +51,9 @@ pub struct Exchange {
     pub(super) list: PairList,
     /// The targets where the list was made.
     places: [Vec<f64>; 2],
-    pub(super) weights: Vec<[f64; LANES]>,
+    pub(super) held: HeldWeights,
+    /// The ghosts that count: those with a volume, at the last [`Exchange::fill`].
+    counting: Vec<u32>,
     pub(super) scale: Vec<[f64; LANES]>,
     /// Above one half where a simpler method had to stand in.
     pub(super) fallen: Vec<[f64; LANES]>,
@@ -78,7 +82,8 @@ impl Exchange {
             half_plane,
             list: PairList::default(),
             places: Default::default(),
-            weights: Vec::new(),
+            held: HeldWeights::default(),
+            counting: Vec::with_capacity(ghosts.len()),
             scale: vec![[0.0; LANES]; targets / LANES],
             fallen: vec![[0.0; LANES]; targets / LANES],
             fallbacks: 0,
@@ -104,6 +109,11 @@ impl Exchange {
         self.fallbacks
     }
 
+    /// The ghosts with a volume at the last [`Exchange::fill`]: nothing else is seen by the water.
+    pub fn counting(&self) -> &[u32] {
+        &self.counting
+    }
+
     /// Number of target-to-fluid pairs in the lists, eight lanes each.
     pub fn pairs(&self) -> usize {
         self.list.len()
@@ -119,7 +129,7 @@ impl Exchange {
         reach: f64,
     ) {
         let (strips, x, y) = fluid;
-        let Exchange { rules, list, places, weights, .. } = self;
+        let Exchange { rules, list, places, held, .. } = self;
         let [target_x, target_y] = places;
         target_x.clone_from(&ghosts.target_x);
         target_y.clone_from(&ghosts.target_y);
@@ -133,7 +143,7 @@ impl Exchange {
         let everywhere = [f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY];
         let set = PointSet { strips, x, y, offset: 0.0, first: 0, reach, bounds: everywhere };
         build_pair_list(path, target_x, target_y, &[set], list);
-        weights.resize(list.len(), [0.0; LANES]);
+        held.make_room(list);
     }
 
     /// Finds the weights at all mirror points and the wetness of all face points.
@@ -168,7 +178,7 @@ impl Exchange {
         water: Water<'_>,
         blocks: std::ops::Range<usize>,
     ) {
-        let Exchange { rules, list, weights, scale, fallen, means, .. } = self;
+        let Exchange { rules, list, held, scale, fallen, means, .. } = self;
         let interpolator = rules.interpolator;
         let targets = Targets {
             kernel: rules.kernel,
@@ -184,12 +194,12 @@ impl Exchange {
             let targets = targets.clone();
             with_kernel!(rules.kernel, K => dispatch(path, KernelWeights::<K> {
                 targets,
-                weights,
+                weights: &mut held.weights,
                 kernel: std::marker::PhantomData,
             }));
         }
         with_interpolator!(interpolator, interpolator => {
-            dispatch(path, Weigh { interpolator, targets, weights, scale, fallen, means });
+            dispatch(path, Weigh { interpolator, targets, held, scale, fallen, means });
         });
     }
 
@@ -204,6 +214,7 @@ impl Exchange {
         ghost_records: &mut [Record],
     ) {
         self.fallbacks = 0;
+        self.counting.clear();
         let rules = &self.rules;
         let [left, right] =
             if rules.bed_between_walls { span(ghosts, bodies) } else { [f64::MIN, f64::MAX] };
@@ -233,6 +244,9 @@ impl Exchange {
                     volume *= inside.clamp(0.0, 1.0);
                 }
                 record[Record::WEIGHT] = volume * rules.scaling.weight_per_volume;
+                if volume != 0.0 {
+                    self.counting.push(g as u32);
+                }
                 self.fallbacks += u64::from(volume != 0.0 && self.fallen[block][lane] > 0.5);
                 let correction =
                     mirrored_correction(&self.means[block], lane, ghosts.reflection[g]);
@@ -240,7 +254,8 @@ impl Exchange {
                 let (pressure, response) =
                     self.pressure(ghosts, g, wet, motion, number == responds);
                 press(record, pressure, correction);
-                self.responses[g] = correction.map(|part| response * part);
+                let [xx, xy, yy] = correction;
+                self.responses[g] = [response * xx, response * xy, response * yy];
                 let velocity = self.mirrored_velocity(ghosts, g, motion);
                 record[Record::VX] = velocity[0];
                 record[Record::VY] = velocity[1];
@@ -248,26 +263,25 @@ impl Exchange {
         }
     }
 
-    /// Interpolates the velocities anew, with the weights at hand, and gives them to the ghosts.
+    /// Interpolates the velocities anew, with the weights at hand, and gives them to the ghosts
+    /// that count. `water` holds the fluid's velocities along x and y.
     pub fn refresh_velocities(
         &mut self,
         path: SimdPath,
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
-        (fluid_records, ghost_records): (&[Record], &mut [Record]),
+        water: [&[f64]; 2],
+        ghost_records: &mut [Record],
     ) {
-        let Exchange { list, weights, scale, means, .. } = self;
+        let Exchange { held, scale, means, .. } = self;
         let blocks = ghosts.len() / LANES;
-        dispatch(
-            path,
-            GatherVelocity { list, weights, scale, means, blocks, records: fluid_records },
-        );
-        for (number, body) in ghosts.bodies.iter().enumerate() {
-            for g in body.ghosts.clone() {
-                let velocity = self.mirrored_velocity(ghosts, g, &bodies[number]);
-                ghost_records[g].0[Record::VX] = velocity[0];
-                ghost_records[g].0[Record::VY] = velocity[1];
-            }
+        dispatch(path, GatherVelocity { held, scale, means, blocks, water });
+        for &g in &self.counting {
+            let g = g as usize;
+            let motion = &bodies[ghosts.target_body[g / LANES] as usize];
+            let velocity = self.mirrored_velocity(ghosts, g, motion);
+            ghost_records[g].0[Record::VX] = velocity[0];
+            ghost_records[g].0[Record::VY] = velocity[1];
         }
     }
 }
@@ -275,7 +289,8 @@ impl Exchange {
 /// The correction beyond a wall is the mirror image of the water's: then both sides of the
 /// waterline press alike.
 fn mirrored_correction(means: &Means, lane: usize, reflection: Reflection) -> [f64; 3] {
-    let [xx, xy, yy] = [0, 1, 2].map(|part| means.correction[part][lane]);
+    let [xx, xy, yy] = &means.correction;
+    let [xx, xy, yy] = [xx[lane], xy[lane], yy[lane]];
     match reflection {
         Reflection::Corner => [xx, xy, yy],
         Reflection::Plane { normal: [nx, ny] } => {

@@ -39,7 +39,7 @@ impl Exchange {
         }
     }
 
-    /// Gives the ghosts the water's new pressures, with the weights, wetness and corrections at
+    /// Gives the ghosts that count the water's new pressures, with the weights, wetness and corrections at
     /// hand and the ghosts where they were.
     pub fn refresh_pressures(
         &mut self,
@@ -50,18 +50,16 @@ impl Exchange {
         pressure: &[f64],
         ghost_records: &mut [Record],
     ) {
-        let Exchange { list, weights, scale, means, .. } = self;
+        let Exchange { held, scale, means, .. } = self;
         let blocks = ghosts.len() / LANES;
-        dispatch(path, GatherPressure { list, weights, scale, means, blocks, pressure });
-        for (number, body) in ghosts.bodies.iter().enumerate() {
-            for g in body.ghosts.clone() {
-                if self.scale[g / LANES][g % LANES] != 0.0 {
-                    let wet = self.wet_share_of(ghosts, number, g);
-                    let motion = &bodies[number];
-                    let (pressure, _) = self.pressure(ghosts, g, wet, motion, number == responds);
-                    press(&mut ghost_records[g].0, pressure, self.correction[g]);
-                }
-            }
+        dispatch(path, GatherPressure { held, scale, means, blocks, pressure });
+        for &g in self.counting() {
+            let g = g as usize;
+            let number = ghosts.target_body[g / LANES] as usize;
+            let wet = self.wet_share_of(ghosts, number, g);
+            let motion = &bodies[number];
+            let (pressure, _) = self.pressure(ghosts, g, wet, motion, number == responds);
+            press(&mut ghost_records[g].0, pressure, self.correction[g]);
         }
     }
 

@@ -1,5 +1,7 @@
 //! Pair loops of the exchange: weights at targets, and weighted means of the water there.
 
+use std::ops::Range;
+
 use super::Interpolator;
 use super::ghosts::Ghosts;
 use super::weighing::{Stencil, Weighing};
@@ -41,7 +43,7 @@ pub(super) struct Targets<'a> {
     pub bodies: &'a [BodyMotion],
     pub water: Water<'a>,
     pub list: &'a PairList,
-    pub blocks: std::ops::Range<usize>,
+    pub blocks: Range<usize>,
     /// The ghosts themselves rather than their mirror points.
     pub at_ghost: bool,
 }
@@ -49,7 +51,7 @@ pub(super) struct Targets<'a> {
 impl<'a> Targets<'a> {
     /// The targets of a block with their neighbours, and where the weights of these are.
     #[inline(always)]
-    fn stencil<L: Lanes>(&self, block: usize) -> (Stencil<'a, L>, std::ops::Range<usize>) {
+    fn stencil<L: Lanes>(&self, block: usize) -> (Stencil<'a, L>, Range<usize>) {
         let ghosts = self.ghosts;
         let (xs, ys) = if self.at_ghost && block < ghosts.len() / LANES {
             (&ghosts.x, &ghosts.y)
@@ -87,11 +89,54 @@ impl<K: Kernel> Task for KernelWeights<'_, K> {
     }
 }
 
+/// The weights that are not zero, with the particles that they belong to.
+#[derive(Debug, Clone, Default)]
+pub(super) struct HeldWeights {
+    /// Room for all of the list; those of a block come first in its part.
+    pub weights: Vec<[f64; LANES]>,
+    entries: Vec<u32>,
+    /// Where each block's lie.
+    ranges: Vec<(u32, u32)>,
+}
+
+impl HeldWeights {
+    /// Room for all pairs of a list.
+    pub fn make_room(&mut self, list: &PairList) {
+        self.weights.resize(list.len(), [0.0; LANES]);
+        self.entries.resize(list.len(), 0);
+        self.ranges.resize(list.clusters(), (0, 0));
+    }
+
+    /// Keeps what counts of a block's weights, which stand in `range`.
+    #[inline(always)]
+    fn keep<L: Lanes>(&mut self, block: usize, neighbours: &[u32], range: Range<usize>) {
+        let zero = L::splat(0.0);
+        let weights = &mut self.weights[range.clone()];
+        let entries = &mut self.entries[range.clone()];
+        let mut count = 0;
+        for (k, &j) in neighbours.iter().enumerate() {
+            let weight = L::load(&weights[k]);
+            weight.store(&mut weights[count]);
+            entries[count] = j;
+            count += usize::from((zero - weight * weight).any_less(zero));
+        }
+        self.ranges[block] = (range.start as u32, (range.start + count) as u32);
+    }
+
+    /// The particles that count for a block of targets, and their weights.
+    #[inline(always)]
+    fn of(&self, block: usize) -> (&[u32], &[[f64; LANES]]) {
+        let (start, end) = self.ranges[block];
+        let range = start as usize..end as usize;
+        (&self.entries[range.clone()], &self.weights[range])
+    }
+}
+
 /// Weights and means at targets.
 pub(super) struct Weigh<'a, I> {
     pub interpolator: I,
     pub targets: Targets<'a>,
-    pub weights: &'a mut [[f64; LANES]],
+    pub held: &'a mut HeldWeights,
     pub scale: &'a mut [[f64; LANES]],
     pub fallen: &'a mut [[f64; LANES]],
     pub means: &'a mut [Means],
@@ -105,13 +150,14 @@ impl<I: Interpolator> Task for Weigh<'_, I> {
         let Targets { water, scaling, .. } = self.targets;
         for block in self.targets.blocks.clone() {
             let (stencil, range) = self.targets.stencil::<L>(block);
-            let weights = &mut self.weights[range];
+            let weights = &mut self.held.weights[range.clone()];
             let Weighing { scale, fallback } = self.interpolator.weigh::<L>(&stencil, weights);
+            self.held.keep::<L>(block, stencil.neighbours, range);
             scale.store(&mut self.scale[block]);
             if I::SIGNED {
                 fallback.store(&mut self.fallen[block]);
             }
-            self.means[block] = gather::<L, I>(stencil.neighbours, water, weights, scale, scaling);
+            self.means[block] = gather::<L, I>(self.held.of(block), water, scale, scaling);
         }
     }
 }
@@ -155,9 +201,8 @@ impl<K: Kernel> Task for Cover<'_, K> {
 
 #[inline(always)]
 fn gather<L: Lanes, I: Interpolator>(
-    neighbours: &[u32],
+    (neighbours, weights): (&[u32], &[[f64; LANES]]),
     water: Water<'_>,
-    weights: &[[f64; LANES]],
     scale: L,
     scaling: Scaling,
 ) -> Means {
@@ -201,13 +246,13 @@ fn gather<L: Lanes, I: Interpolator>(
     }
 }
 
+/// The velocities alone, with the weights at hand.
 pub(super) struct GatherVelocity<'a> {
-    pub list: &'a PairList,
-    pub weights: &'a [[f64; LANES]],
+    pub held: &'a HeldWeights,
     pub scale: &'a [[f64; LANES]],
     pub means: &'a mut [Means],
     pub blocks: usize,
-    pub records: &'a [Record],
+    pub water: [&'a [f64]; 2],
 }
 
 impl Task for GatherVelocity<'_> {
@@ -216,14 +261,12 @@ impl Task for GatherVelocity<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self) {
         for block in 0..self.blocks {
-            let neighbours = self.list.group(block, 0);
-            let start = self.list.start(block, 0);
+            let (neighbours, weights) = self.held.of(block);
             let (mut vx, mut vy) = (L::splat(0.0), L::splat(0.0));
-            for (&j, weight) in neighbours.iter().zip(&self.weights[start..]) {
-                let record = &self.records[j as usize].0;
+            for (&j, weight) in neighbours.iter().zip(weights) {
                 let weight = L::load(weight);
-                vx = weight.mul_add(L::splat(record[Record::VX]), vx);
-                vy = weight.mul_add(L::splat(record[Record::VY]), vy);
+                vx = weight.mul_add(L::splat(self.water[0][j as usize]), vx);
+                vy = weight.mul_add(L::splat(self.water[1][j as usize]), vy);
             }
             let scale = L::load(&self.scale[block]);
             (vx * scale).store(&mut self.means[block].vx);
@@ -234,8 +277,7 @@ impl Task for GatherVelocity<'_> {
 
 /// The pressures alone, with the weights at hand.
 pub(super) struct GatherPressure<'a> {
-    pub list: &'a PairList,
-    pub weights: &'a [[f64; LANES]],
+    pub held: &'a HeldWeights,
     pub scale: &'a [[f64; LANES]],
     pub means: &'a mut [Means],
     pub blocks: usize,
@@ -248,10 +290,9 @@ impl Task for GatherPressure<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self) {
         for block in 0..self.blocks {
-            let neighbours = self.list.group(block, 0);
-            let start = self.list.start(block, 0);
+            let (neighbours, weights) = self.held.of(block);
             let mut pressure = L::splat(0.0);
-            for (&j, weight) in neighbours.iter().zip(&self.weights[start..]) {
+            for (&j, weight) in neighbours.iter().zip(weights) {
                 pressure = L::load(weight).mul_add(L::splat(self.pressure[j as usize]), pressure);
             }
             let scale = L::load(&self.scale[block]);

@@ -30,11 +30,9 @@ impl PairList {
         self.offsets[cluster * self.groups + group] as usize
     }
 
-    /// Where the entries of a cluster's group lie, for arrays that run parallel to them.
-    #[inline(always)]
-    pub fn range(&self, cluster: usize, group: usize) -> std::ops::Range<usize> {
-        let at = cluster * self.groups + group;
-        self.offsets[at] as usize..self.offsets[at + 1] as usize
+    /// Number of groups of a cluster.
+    pub fn groups(&self) -> usize {
+        self.groups
     }
 
     /// All entries.

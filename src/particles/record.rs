@@ -4,8 +4,7 @@ use crate::kernel::KernelChoice;
 
 /// One neighbour, fluid or ghost, packed into a cache line and scaled for the pair loops.
 ///
-/// Slots: see the associated constants. The last three mean different things in the two passes of
-/// a step.
+/// Slots: see the associated constants.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[repr(C, align(64))]
 pub struct Record(pub [f64; 8]);
@@ -22,21 +21,13 @@ impl Record {
     /// Volume times C/R³ and the kernel's slope factor: turns what the kernel gives for w'(q)/q
     /// times a scaled distance into ∇W V.
     pub const WEIGHT: usize = 4;
-    /// Momentum pass: pressure times correction, Pa, xx component; the pressure itself where the
+    /// Pressure times correction, Pa, xx component; the pressure itself where the
     /// scheme has no corrections.
     pub const PRESSURE: usize = 5;
-    /// Momentum pass: xy component.
+    /// Its xy component.
     pub const PRESSURE_XY: usize = 6;
-    /// Momentum pass: yy component.
+    /// Its yy component.
     pub const PRESSURE_YY: usize = 7;
-    /// Continuity pass: what density diffusion smooths, kg/m³.
-    pub const DIFFUSED: usize = 5;
-    /// Continuity pass: how much of the density diffusion a particle takes part in.
-    pub const SHARE: usize = 6;
-    /// Continuity pass: R ∂ρ/∂x.
-    pub const GRADIENT_X: usize = 6;
-    /// Continuity pass: R ∂ρ/∂y.
-    pub const GRADIENT_Y: usize = 7;
 }
 
 /// Factors between physical and packed values for a kernel and its support radius.

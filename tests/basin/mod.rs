@@ -150,7 +150,9 @@ impl Basin {
         exchange.fill(ghosts, bodies, *responds, &mut records);
         // Velocities may be interpolated anew with the weights at hand: nothing changed, the same.
         let mut refreshed = records.clone();
-        exchange.refresh_velocities(*path, ghosts, bodies, (&water, &mut refreshed));
+        let part = |slot: usize| water.iter().map(|record| record.0[slot]).collect::<Vec<_>>();
+        let (vx, vy) = (part(Record::VX), part(Record::VY));
+        exchange.refresh_velocities(*path, ghosts, bodies, [&vx, &vy], &mut refreshed);
         assert_eq!(records, refreshed);
         Filled { records, responses: exchange.responses().to_vec() }
     }

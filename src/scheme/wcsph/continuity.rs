@@ -1,12 +1,12 @@
 //! Second pair pass of a step: rates of change of density.
 
 use crate::math::simd::{LANES, Lanes, Task};
-use crate::neighbours::PairList;
-use crate::particles::{Fluid, Record};
+use crate::particles::Fluid;
 
 use super::Workspace;
+use super::held::{Factors, HeldPairs, Product};
 use super::momentum::store;
-use super::separation::{Slopes, lanes};
+use super::separation::lanes;
 
 /// No density diffusion.
 pub(super) const OFF: u8 = 0;
@@ -22,14 +22,17 @@ pub(super) const FADED: u8 = 3;
 /// With `CORRECTED` the divergence is Σ V_j (u_i - u_j)·L_i ∇W, the adjoint of the momentum
 /// equation's form, with the same L. Ghosts take part in it, not in the diffusion: no density flows
 /// through a wall.
+///
+/// Factors of a neighbour: u, v, u x, u y, v x, v y; of fluid also its share in the diffusion (1
+/// but for `FADED`) and the share times ψ; for `RENORMALISED` 2 ψ - r·∇ψ in place of ψ.
 pub(super) struct Continuity<'a, const DIFFUSION: u8, const CORRECTED: bool> {
     pub fluid: &'a Fluid,
-    pub records: &'a [Record],
+    pub factors: &'a [Factors],
+    /// R ∇ψ, x and y, of the fluid: for `RENORMALISED` alone.
+    pub slants: &'a [Factors],
     /// What density diffusion smooths, kg/m³.
     pub diffused: &'a [f64],
-    pub pairs: &'a PairList,
-    /// What the momentum pass has left of the pairs' geometry.
-    pub slopes: &'a [Slopes],
+    pub pairs: &'a HeldPairs,
     pub strain: &'a mut [[f64; 2]],
     pub work: &'a mut Workspace,
     pub support_radius: f64,
@@ -48,20 +51,42 @@ impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSI
     #[inline(always)]
     fn run<L: Lanes>(self) -> f64 {
         let mut power = 0.0;
-        for cluster in 0..self.pairs.clusters() {
+        let (pairs, factors) = (self.pairs, self.factors);
+        for cluster in 0..self.fluid.padded_len() / LANES {
             let at = cluster * LANES;
-            let mut sums =
-                L::call(Group::<DIFFUSION, CORRECTED, true> { pass: &self, cluster, group: 0 });
+            let x = lanes::<L>(&self.work.scaled_x, at);
+            let y = lanes::<L>(&self.work.scaled_y, at);
+            let mut diffusion = L::splat(0.0);
+            let mut flow = [[0.0; LANES]; 6];
+            if DIFFUSION == OFF {
+                flow = L::call(Product::<6> { pairs, factors, cluster, group: 0 });
+            } else {
+                let sums = L::call(Product::<8> { pairs, factors, cluster, group: 0 });
+                flow.copy_from_slice(&sums[..6]);
+                // Σ g (ψ_i - ψ_j), shares of the neighbours included.
+                let share = L::load(&sums[6]);
+                let own = lanes::<L>(self.diffused, at);
+                let two = L::splat(2.0);
+                diffusion = if DIFFUSION == RENORMALISED {
+                    let plain = (own * two).mul_sub(share, L::load(&sums[7]));
+                    let slants = self.slants;
+                    let sums = L::call(Product::<4> { pairs, factors: slants, cluster, group: 0 });
+                    let own_x = lanes::<L>(&self.work.gradient_x, at);
+                    let own_y = lanes::<L>(&self.work.gradient_y, at);
+                    // Less (∇_i + ∇_j)·(r_i - r_j).
+                    let near_x = x.mul_sub(share, L::load(&sums[2]));
+                    let near_y = y.mul_sub(share, L::load(&sums[3]));
+                    let slant = own_x.mul_add(near_x, own_y * near_y);
+                    let slant = x.mul_add(L::load(&sums[0]), slant);
+                    plain - y.mul_add(L::load(&sums[1]), slant)
+                } else {
+                    own.mul_sub(share, L::load(&sums[7])) * two
+                };
+            }
             for group in 1..=self.bodies {
-                if !self.pairs.group(cluster, group).is_empty() {
-                    let more = L::call(Group::<DIFFUSION, CORRECTED, false> {
-                        pass: &self,
-                        cluster,
-                        group,
-                    });
-                    for (sum, more) in
-                        sums.spread.as_flattened_mut().iter_mut().zip(more.spread.as_flattened())
-                    {
+                if !pairs.group(cluster, group).0.is_empty() {
+                    let more = L::call(Product::<6> { pairs, factors, cluster, group });
+                    for (sum, more) in flow.as_flattened_mut().iter_mut().zip(more.as_flattened()) {
                         *sum += more;
                     }
                 }
@@ -70,16 +95,16 @@ impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSI
             let near_y = lanes::<L>(&self.work.concentration_y, at);
             let vx = lanes::<L>(&self.fluid.vx, at);
             let vy = lanes::<L>(&self.fluid.vy, at);
-            let spread = |part: usize| L::load(&sums.spread[part]);
+            let (u, v) = (L::load(&flow[0]), L::load(&flow[1]));
+            // Σ g (u_i - u_j) Δ
+            let ux = vx.mul_sub(near_x, x.mul_sub(u, L::load(&flow[2])));
+            let wy = vy.mul_sub(near_y, y.mul_sub(v, L::load(&flow[5])));
             let divergence = if CORRECTED {
+                let uy = vx.mul_sub(near_y, y.mul_sub(u, L::load(&flow[3])));
+                let wx = vy.mul_sub(near_x, x.mul_sub(v, L::load(&flow[4])));
                 let xx = lanes::<L>(&self.work.correction_xx, at);
                 let xy = lanes::<L>(&self.work.correction_xy, at);
                 let yy = lanes::<L>(&self.work.correction_yy, at);
-                // Σ g (u_i - u_j) Δ
-                let ux = vx.mul_sub(near_x, spread(0));
-                let uy = vx.mul_sub(near_y, spread(1));
-                let wx = vy.mul_sub(near_x, spread(2));
-                let wy = vy.mul_sub(near_y, spread(3));
                 let minus_half = L::splat(-0.5 * self.support_radius);
                 let stretch = xx.mul_add(ux, xy * uy) - xy.mul_add(wx, yy * wy);
                 let stretch = (stretch * minus_half * L::splat(0.5)).to_array();
@@ -90,9 +115,9 @@ impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSI
                 }
                 xx.mul_add(ux, yy * wy) + xy * (uy + wx)
             } else {
-                vx.mul_add(near_x, vy * near_y) - spread(0)
+                ux + wy
             };
-            let mut diffusion = L::load(&sums.diffusion) * L::splat(self.diffusion);
+            let mut diffusion = diffusion * L::splat(self.diffusion);
             if DIFFUSION == FADED {
                 diffusion = diffusion * lanes(&self.work.diffused_share, at);
             }
@@ -106,81 +131,5 @@ impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSI
             }
         }
         power
-    }
-}
-
-/// Sums over the neighbours of one cluster in one group, a value per lane.
-struct Sums {
-    /// Σ g u_j Δ: ux, uy, vx, vy; without correction the trace alone, in the first.
-    spread: [[f64; LANES]; 4],
-    /// Σ g ψ.
-    diffusion: [f64; LANES],
-}
-
-/// The pair loop over one group; only `FLUID` neighbours exchange density.
-struct Group<'a, 'b, const DIFFUSION: u8, const CORRECTED: bool, const FLUID: bool> {
-    pass: &'b Continuity<'a, DIFFUSION, CORRECTED>,
-    cluster: usize,
-    group: usize,
-}
-
-impl<const DIFFUSION: u8, const CORRECTED: bool, const FLUID: bool> Task
-    for Group<'_, '_, DIFFUSION, CORRECTED, FLUID>
-{
-    type Output = Sums;
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) -> Sums {
-        let Group { pass, cluster, group } = self;
-        let at = cluster * LANES;
-        let zero = L::splat(0.0);
-        let x = lanes::<L>(&pass.work.scaled_x, at);
-        let y = lanes::<L>(&pass.work.scaled_y, at);
-        let diffused = lanes::<L>(pass.diffused, at);
-        let (mut own_gx, mut own_gy) = (zero, zero);
-        if DIFFUSION == RENORMALISED {
-            own_gx = lanes(&pass.work.gradient_x, at);
-            own_gy = lanes(&pass.work.gradient_y, at);
-        }
-        let (mut ux, mut uy, mut wx, mut wy) = (zero, zero, zero, zero);
-        let mut diffusion = zero;
-        let entries = pass.pairs.group(cluster, group);
-        let slopes = &pass.slopes[pass.pairs.range(cluster, group)];
-        for (&j, slope) in entries.iter().zip(slopes) {
-            let record = &pass.records[j as usize].0;
-            let g = L::load_single(&slope.0);
-            let dx = x - L::splat(record[Record::X]);
-            let dy = y - L::splat(record[Record::Y]);
-            let (vx, vy) = (L::splat(record[Record::VX]), L::splat(record[Record::VY]));
-            let (gx, gy) = (g * dx, g * dy);
-            ux = gx.mul_add(vx, ux);
-            if CORRECTED {
-                uy = gy.mul_add(vx, uy);
-                wx = gx.mul_add(vy, wx);
-                wy = gy.mul_add(vy, wy);
-            } else {
-                uy = gy.mul_add(vy, uy);
-            }
-            if FLUID && DIFFUSION != OFF {
-                let mut fall = diffused - L::splat(record[Record::DIFFUSED]);
-                if DIFFUSION == FADED {
-                    fall = fall * L::splat(record[Record::SHARE]);
-                }
-                let mut psi = fall + fall;
-                if DIFFUSION == RENORMALISED {
-                    let gradient_x = own_gx + L::splat(record[Record::GRADIENT_X]);
-                    let gradient_y = own_gy + L::splat(record[Record::GRADIENT_Y]);
-                    psi = gradient_x.negated_mul_add(dx, gradient_y.negated_mul_add(dy, psi));
-                }
-                diffusion = g.mul_add(psi, diffusion);
-            }
-        }
-        if !CORRECTED {
-            ux += uy;
-        }
-        Sums {
-            spread: [ux.to_array(), uy.to_array(), wx.to_array(), wy.to_array()],
-            diffusion: diffusion.to_array(),
-        }
     }
 }

@@ -1,12 +1,12 @@
 //! The pair pass of physical viscosity, for water that has any.
 
 use crate::math::simd::{LANES, Lanes, Task};
-use crate::neighbours::PairList;
 use crate::particles::{Fluid, Record};
 
 use super::Workspace;
+use super::held::HeldPairs;
 use super::momentum::store;
-use super::separation::{COINCIDENT, Slopes, lanes};
+use super::separation::{COINCIDENT, lanes};
 
 /// Adds ν∇²u in the form of Monaghan & Gingold 1983, which keeps linear and angular momentum:
 /// ```text
@@ -17,8 +17,7 @@ use super::separation::{COINCIDENT, Slopes, lanes};
 pub(super) struct Laminar<'a> {
     pub fluid: &'a Fluid,
     pub records: &'a [Record],
-    pub pairs: &'a PairList,
-    pub slopes: &'a [Slopes],
+    pub pairs: &'a HeldPairs,
     pub work: &'a mut Workspace,
     /// Number of bodies: groups 1.. of the list.
     pub bodies: usize,
@@ -36,13 +35,13 @@ impl Task for Laminar<'_> {
     fn run<L: Lanes>(self) -> f64 {
         let mut out = std::mem::take(self.work);
         let mut power = 0.0;
-        for cluster in 0..self.pairs.clusters() {
+        for cluster in 0..self.fluid.padded_len() / LANES {
             let at = cluster * LANES;
             let inverse_density = lanes::<L>(&out.inverse_density, at);
             let volume = lanes::<L>(&self.fluid.mass, at) * inverse_density;
             let (mut sum_x, mut sum_y) = (L::splat(0.0), L::splat(0.0));
             for group in 0..=self.bodies {
-                if self.pairs.group(cluster, group).is_empty() {
+                if self.pairs.group(cluster, group).0.is_empty() {
                     continue;
                 }
                 let [x, y] = L::call(Group { pass: &self, work: &out, cluster, group });
@@ -88,8 +87,7 @@ impl Task for Group<'_, '_> {
         let vx = lanes::<L>(&pass.fluid.vx, at);
         let vy = lanes::<L>(&pass.fluid.vy, at);
         let (mut sum_x, mut sum_y) = (L::splat(0.0), L::splat(0.0));
-        let entries = pass.pairs.group(cluster, group);
-        let slopes = &pass.slopes[pass.pairs.range(cluster, group)];
+        let (entries, slopes) = pass.pairs.group(cluster, group);
         for (&j, slope) in entries.iter().zip(slopes) {
             let record = &pass.records[j as usize].0;
             let g = L::load_single(&slope.0);

@@ -1,7 +1,6 @@
 //! Neighbour lists: when they are worn, and how they are made.
 
 use super::Wcsph;
-use super::separation::Slopes;
 use crate::body::BodyMotion;
 use crate::neighbours::{PointSet, build_pair_list};
 
@@ -133,7 +132,7 @@ impl Wcsph {
             lanes.resize(padded, places[n - 1]);
         }
         build_pair_list(self.path, lanes_x, lanes_y, sets, &mut self.pairs);
-        self.slopes.resize(self.pairs.len(), Slopes::default());
+        self.held.make_room(&self.pairs);
         for (body, offset) in self.reference_bodies.iter_mut().zip(&self.reference_offsets) {
             body.offset = *offset;
         }

@@ -10,6 +10,7 @@
 mod acoustic;
 mod continuity;
 mod contract;
+mod held;
 mod laminar;
 mod lists;
 mod momentum;
@@ -95,9 +96,9 @@ impl Workspace {
             correction_xx: vec![1.0; padded],
             correction_xy: zeros(),
             correction_yy: vec![1.0; padded],
-            next_correction_xx: zeros(),
+            next_correction_xx: vec![1.0; padded],
             next_correction_xy: zeros(),
-            next_correction_yy: zeros(),
+            next_correction_yy: vec![1.0; padded],
             loads: vec![[0.0; 2]; bodies],
             held_loads: vec![0.0; bodies],
             responding: Vec::new(),

@@ -6,7 +6,8 @@ use crate::neighbours::PairList;
 use crate::particles::{Fluid, Record};
 
 use super::Workspace;
-use super::separation::{CHUNK, Geometry, Slopes, lanes};
+use super::held::{HeldPairs, Slopes};
+use super::separation::{CHUNK, Geometry, lanes};
 
 /// Forces alone.
 pub(super) const FORCES: u8 = 0;
@@ -18,7 +19,7 @@ pub(super) const GRADIENTS: u8 = 2;
 /// Momentum equation of Huang et al. 2019, Eq. 5, and what else `SUMS` asks for: the
 /// kernel sums that shifting uses with a measure of how complete each particle's support is, and
 /// the renormalised density gradient of Eq. 6. What the other passes over the same pairs need of
-/// their geometry is left in `slopes`.
+/// their geometry is left in `held`.
 ///
 /// Pairs are antisymmetric: m_i a_i holds -V_i V_j (p_i L_i + p_j L_j) ∇W, L the correction of one
 /// step before (the identity without `CORRECTED`), and, with the prefactor ρ0 in place of the
@@ -36,8 +37,8 @@ pub(super) struct Momentum<'a, K, const SUMS: u8, const CORRECTED: bool> {
     /// Number of the first ghost among the records.
     pub first_ghost: usize,
     pub pairs: &'a PairList,
-    /// Per entry of the list: g, the kernel's slope over q times the neighbour's weight.
-    pub slopes: &'a mut [Slopes],
+    /// The pairs in reach, found here.
+    pub held: &'a mut HeldPairs,
     pub work: &'a mut Workspace,
     /// Number of bodies: groups 1.. of the list.
     pub bodies: usize,
@@ -69,6 +70,8 @@ struct Sums {
     gradient: [[f64; LANES]; 2],
     /// Σ g b_j Δ, b the response of a wall ghost's pressure.
     response: [[f64; LANES]; 2],
+    /// Pairs in reach.
+    count: usize,
 }
 
 impl Sums {
@@ -98,7 +101,7 @@ struct Group<
 > {
     pass: &'b Momentum<'a, K, SUMS, CORRECTED>,
     work: &'b Workspace,
-    slopes: &'b mut [Slopes],
+    room: (&'b mut [u32], &'b mut [Slopes]),
     cluster: usize,
     group: usize,
 }
@@ -110,7 +113,7 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const FLUID: bool, const 
 
     #[inline(always)]
     fn run<L: Lanes>(self) -> Sums {
-        let Group { pass, work, slopes, cluster, group } = self;
+        let Group { pass, work, room, cluster, group } = self;
         let at = cluster * LANES;
         let zero = L::splat(0.0);
         let x = lanes::<L>(&work.scaled_x, at);
@@ -121,8 +124,11 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const FLUID: bool, const 
         let (mut own_stretch, mut own_shear) = (zero, zero);
         if CORRECTED {
             let strain = pass.strain[at..at + LANES].first_chunk::<LANES>().unwrap();
-            own_stretch = L::load(&strain.map(|parts| parts[0]));
-            own_shear = L::load(&strain.map(|parts| parts[1]));
+            let (mut stretch, mut shear) = ([0.0; LANES], [0.0; LANES]);
+            for lane in 0..LANES {
+                [stretch[lane], shear[lane]] = strain[lane];
+            }
+            (own_stretch, own_shear) = (L::load(&stretch), L::load(&shear));
         }
         // Plain local variables throughout: they stay in registers, arrays of lanes may not.
         let (mut push_x, mut push_y) = (zero, zero);
@@ -133,12 +139,16 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const FLUID: bool, const 
         let (mut response_x, mut response_y) = (zero, zero);
         let mut geometry = Geometry::new();
         let entries = pass.pairs.group(cluster, group);
-        for (chunk, slopes) in entries.chunks(CHUNK).zip(slopes.chunks_mut(CHUNK)) {
-            let geometry = geometry.fill::<K, L>(x, y, chunk, pass.records, slopes);
-            for (&j, pair) in chunk.iter().zip(geometry) {
+        let (held, slopes) = room;
+        let mut count = 0;
+        for chunk in entries.chunks(CHUNK) {
+            let room = (&mut held[count..], &mut slopes[count..]);
+            let geometry = geometry.fill::<K, L, FLUID>(x, y, chunk, pass.records, room);
+            let in_reach = &held[count..];
+            count += geometry.len();
+            for (&j, pair) in in_reach.iter().zip(geometry) {
                 let record = &pass.records[j as usize].0;
-                let dx = x - L::splat(record[Record::X]);
-                let dy = y - L::splat(record[Record::Y]);
+                let (dx, dy) = (L::load(&pair.dx), L::load(&pair.dy));
                 let (inverse_s, g) = (L::load(&pair.inverse_s), L::load(&pair.slope));
                 let du = vx - L::splat(record[Record::VX]);
                 let dv = vy - L::splat(record[Record::VY]);
@@ -200,9 +210,10 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const FLUID: bool, const 
             push: [(zero - push_x - own[0]).to_array(), (zero - push_y - own[1]).to_array()],
             viscous: [(viscous_x * viscosity).to_array(), (viscous_y * viscosity).to_array()],
             moment: [moment_xx.to_array(), moment_xy.to_array(), moment_yy.to_array()],
-            concentration: concentration.map(Lanes::to_array),
+            concentration: [concentration_x.to_array(), concentration_y.to_array()],
             gradient: [gradient_x.to_array(), gradient_y.to_array()],
             response: [response_x.to_array(), response_y.to_array()],
+            count,
         }
     }
 }
@@ -212,9 +223,10 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool> Task for Momentum<'_, K, 
     type Output = f64;
 
     #[inline(always)]
-    fn run<L: Lanes>(mut self) -> f64 {
+    fn run<L: Lanes>(self) -> f64 {
         let mut out = std::mem::take(self.work);
-        let slopes = std::mem::take(&mut self.slopes);
+        let mut held = std::mem::take(self.held);
+        held.restart(self.bodies + 1);
         out.loads.iter_mut().for_each(|load| *load = [0.0; 2]);
         out.held_loads.iter_mut().for_each(|load| *load = 0.0);
         out.responding.clear();
@@ -228,23 +240,25 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool> Task for Momentum<'_, K, 
             let mut sums = L::call(Group::<_, SUMS, CORRECTED, true, false> {
                 pass: &self,
                 work: &out,
-                slopes: &mut slopes[self.pairs.range(cluster, 0)],
+                room: held.room(self.pairs.group(cluster, 0).len()),
                 cluster,
                 group: 0,
             });
+            held.close(sums.count);
             let fluid_moment = sums.moment;
             for body in 0..self.bodies {
                 let group = body + 1;
-                let range = self.pairs.range(cluster, group);
-                if range.is_empty() {
+                let listed = self.pairs.group(cluster, group).len();
+                if listed == 0 {
+                    held.close(0);
                     continue;
                 }
-                let (pass, work, slopes) = (&self, &out, &mut slopes[range]);
+                let (pass, work, room) = (&self, &out, held.room(listed));
                 let more = if body == self.responds {
                     L::call(Group::<_, SUMS, CORRECTED, false, true> {
                         pass,
                         work,
-                        slopes,
+                        room,
                         cluster,
                         group,
                     })
@@ -252,11 +266,12 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool> Task for Momentum<'_, K, 
                     L::call(Group::<_, SUMS, CORRECTED, false, false> {
                         pass,
                         work,
-                        slopes,
+                        room,
                         cluster,
                         group,
                     })
                 };
+                held.close(more.count);
                 sums.add(&more);
                 // The body's reaction: minus the force of its ghosts on the water.
                 let held = (L::load(&more.viscous[0]) * volume).sum();
@@ -306,6 +321,7 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool> Task for Momentum<'_, K, 
             }
         }
         *self.work = out;
+        *self.held = held;
         viscous_power
     }
 }

@@ -5,7 +5,7 @@ use super::{DensityDiffusion, Shifting, Wcsph};
 use crate::body::BodyMotion;
 use crate::boundary::Plane;
 use crate::math::simd::LANES;
-use crate::particles::Record;
+use crate::particles::Fluid;
 
 /// Shifting fades in from this completeness of the support ...
 const SHIFT_FROM: f64 = 0.85;
@@ -42,24 +42,16 @@ impl Wcsph {
                 work.acceleration_y[k] += y;
             }
         }
-        let full = self.substep == 0;
-        let faded = self.options.density_diffusion == DensityDiffusion::Hydrostatic;
-        for k in 0..fluid.len() {
-            fluid.vx[k] += dt * work.acceleration_x[k];
-            fluid.vy[k] += dt * work.acceleration_y[k];
-            let record = &mut self.records[k].0;
-            record[Record::VX] = fluid.vx[k];
-            record[Record::VY] = fluid.vy[k];
-            record[Record::DIFFUSED] = self.diffused[k];
-            record[Record::GRADIENT_X] = work.gradient_x[k];
-            record[Record::GRADIENT_Y] = work.gradient_y[k];
-            if faded {
-                if full {
-                    let inside =
-                        (work.completeness[k] - DIFFUSE_FROM) / (DIFFUSE_FULL - DIFFUSE_FROM);
-                    work.diffused_share[k] = inside.clamp(0.0, 1.0);
-                }
-                record[Record::SHARE] = work.diffused_share[k];
+        let n = fluid.len();
+        let accelerate = |velocities: &mut [f64], rates: &[f64]| {
+            velocities.iter_mut().zip(rates).for_each(|(velocity, rate)| *velocity += dt * rate);
+        };
+        accelerate(&mut fluid.vx[..n], &work.acceleration_x);
+        accelerate(&mut fluid.vy[..n], &work.acceleration_y);
+        if self.substep == 0 && self.options.density_diffusion == DensityDiffusion::Hydrostatic {
+            for (share, completeness) in work.diffused_share.iter_mut().zip(&work.completeness) {
+                let inside = (completeness - DIFFUSE_FROM) / (DIFFUSE_FULL - DIFFUSE_FROM);
+                *share = inside.clamp(0.0, 1.0);
             }
         }
     }
@@ -132,30 +124,35 @@ impl Wcsph {
         let reach = options.spacing;
         let hydrostatic = options.hydrostatic_slope();
         let mut work_done = 0.0;
-        for k in 0..n {
-            let inside = (work.completeness[k] - SHIFT_FROM) / (SHIFT_FULL - SHIFT_FROM);
-            let speed = (fluid.vx[k] * fluid.vx[k] + fluid.vy[k] * fluid.vy[k]).sqrt();
-            let factor = -strength * speed * inside.clamp(0.0, 1.0);
-            let fade = |distance: f64| (distance / reach - 0.5).clamp(0.0, 1.0);
-            let mut shift = [
-                (factor * work.concentration_x[k]).clamp(-limit, limit),
-                (factor * work.concentration_y[k]).clamp(-limit, limit),
-            ];
-            for plane in planes {
-                let distance = -plane.beyond([fluid.x[k], fluid.y[k]]);
-                if distance < 1.5 * reach {
-                    shift = plane.with_across(shift, |across| across * fade(distance));
+        for block in 0..fluid.padded_len() / LANES {
+            let near = any_nearer(planes, fluid, block, 1.5 * reach);
+            for k in block * LANES..n.min((block + 1) * LANES) {
+                let inside = (work.completeness[k] - SHIFT_FROM) / (SHIFT_FULL - SHIFT_FROM);
+                let speed = (fluid.vx[k] * fluid.vx[k] + fluid.vy[k] * fluid.vy[k]).sqrt();
+                let factor = -strength * speed * inside.clamp(0.0, 1.0);
+                let fade = |distance: f64| (distance / reach - 0.5).clamp(0.0, 1.0);
+                let mut shift = [
+                    (factor * work.concentration_x[k]).clamp(-limit, limit),
+                    (factor * work.concentration_y[k]).clamp(-limit, limit),
+                ];
+                if near {
+                    for plane in planes {
+                        let distance = -plane.beyond([fluid.x[k], fluid.y[k]]);
+                        if distance < 1.5 * reach {
+                            shift = plane.with_across(shift, |across| across * fade(distance));
+                        }
+                    }
                 }
+                let [dx, dy] = shift;
+                let rise = (dx * work.gradient_x[k] + dy * work.gradient_y[k]) * inverse_radius
+                    - hydrostatic * dy;
+                let density = fluid.density[k];
+                work_done += fluid.mass[k]
+                    * (options.gravity * dy + work.pressure[k] / (density * density) * rise);
+                fluid.x[k] += dx;
+                fluid.y[k] += dy;
+                fluid.density[k] += rise;
             }
-            let [dx, dy] = shift;
-            let rise = (dx * work.gradient_x[k] + dy * work.gradient_y[k]) * inverse_radius
-                - hydrostatic * dy;
-            let density = fluid.density[k];
-            work_done += fluid.mass[k]
-                * (options.gravity * dy + work.pressure[k] / (density * density) * rise);
-            fluid.x[k] += dx;
-            fluid.y[k] += dy;
-            fluid.density[k] += rise;
         }
         -work_done
     }
@@ -164,18 +161,23 @@ impl Wcsph {
     fn hold_inside(&mut self, planes: &[Plane], bodies: &[BodyMotion]) {
         let fluid = &mut self.fluid;
         let skin = 1e-3 * self.options.spacing;
-        for k in 0..fluid.len() {
-            // In an acute corner one wall may push behind the other.
-            for _ in 0..4 {
-                let place = [fluid.x[k], fluid.y[k]];
-                let crossed =
-                    planes.iter().zip(bodies).find(|(plane, _)| plane.beyond(place) > 0.0);
-                let Some((plane, motion)) = crossed else { break };
-                [fluid.x[k], fluid.y[k]] = plane.in_front(place, skin);
-                let wall = motion.velocity * plane.normal[0];
-                if fluid.vx[k] * plane.normal[0] + fluid.vy[k] * plane.normal[1] > wall {
-                    let velocity = [fluid.vx[k], fluid.vy[k]];
-                    [fluid.vx[k], fluid.vy[k]] = plane.with_across(velocity, |_| wall);
+        for block in 0..fluid.padded_len() / LANES {
+            if !any_nearer(planes, fluid, block, 0.0) {
+                continue;
+            }
+            for k in block * LANES..fluid.len().min((block + 1) * LANES) {
+                // In an acute corner one wall may push behind the other.
+                for _ in 0..4 {
+                    let place = [fluid.x[k], fluid.y[k]];
+                    let crossed =
+                        planes.iter().zip(bodies).find(|(plane, _)| plane.beyond(place) > 0.0);
+                    let Some((plane, motion)) = crossed else { break };
+                    [fluid.x[k], fluid.y[k]] = plane.in_front(place, skin);
+                    let wall = motion.velocity * plane.normal[0];
+                    if fluid.vx[k] * plane.normal[0] + fluid.vy[k] * plane.normal[1] > wall {
+                        let velocity = [fluid.vx[k], fluid.vy[k]];
+                        [fluid.vx[k], fluid.vy[k]] = plane.with_across(velocity, |_| wall);
+                    }
                 }
             }
         }
@@ -190,4 +192,18 @@ impl Wcsph {
         std::mem::swap(&mut work.acceleration_y, &mut work.last_acceleration_y);
         self.set_tension();
     }
+}
+
+/// Whether one of eight particles is nearer than `distance` to a wall's face, or behind it.
+#[inline(always)]
+fn any_nearer(planes: &[Plane], fluid: &Fluid, block: usize, distance: f64) -> bool {
+    let (x, y) = (&fluid.x.as_chunks::<LANES>().0[block], &fluid.y.as_chunks::<LANES>().0[block]);
+    let mut nearest = f64::NEG_INFINITY;
+    for plane in planes {
+        for lane in 0..LANES {
+            let beyond = plane.beyond([x[lane], y[lane]]);
+            nearest = if beyond > nearest { beyond } else { nearest };
+        }
+    }
+    nearest > -distance
 }

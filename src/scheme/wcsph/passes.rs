@@ -4,6 +4,7 @@ use std::marker::PhantomData;
 
 use super::acoustic::Acoustic;
 use super::continuity::{Continuity, FADED, OFF, PLAIN, RENORMALISED};
+use super::held::Factors;
 use super::laminar::Laminar;
 use super::momentum::{CONCENTRATION, FORCES, GRADIENTS, Momentum};
 use super::{DensityDiffusion, Shifting, Wcsph};
@@ -17,70 +18,126 @@ pub(super) const TENSION_FROM: f64 = 0.6;
 pub(super) const TENSION_FULL: f64 = 0.9;
 
 impl Wcsph {
-    /// Pressures, and everything about the fluid that the pair loops read.
-    pub(super) fn pack(&mut self) {
-        let options = &self.options;
-        let corrected = options.corrected_gradients;
-        let fluid = &self.fluid;
-        for k in 0..fluid.padded_len() {
-            let density = fluid.density[k];
-            let pressure = self.pressure_of(density, k);
-            self.work.pressure[k] = pressure;
-            self.diffused[k] = self.diffused_of(density, k);
-            let x = self.ahead[0][k] * self.scaling.inverse_radius;
-            let y = self.ahead[1][k] * self.scaling.inverse_radius;
-            self.work.scaled_x[k] = x;
-            self.work.scaled_y[k] = y;
-            let weight = fluid.mass[k] / density * self.scaling.weight_per_volume;
-            let [xx, xy, yy] = if corrected {
-                let work = &self.work;
-                [work.correction_xx[k], work.correction_xy[k], work.correction_yy[k]]
-                    .map(|component| pressure * component)
-            } else {
-                [pressure, 0.0, pressure]
-            };
-            self.records[k] = Record([x, y, fluid.vx[k], fluid.vy[k], weight, xx, xy, yy]);
-        }
-    }
-
-    /// New pressures alone, for an acoustic step.
-    pub(super) fn pack_pressures(&mut self) {
-        let options = &self.options;
-        let corrected = options.corrected_gradients;
-        for k in 0..self.fluid.padded_len() {
-            let density = self.fluid.density[k];
-            let pressure = self.pressure_of(density, k);
-            self.diffused[k] = self.diffused_of(density, k);
-            self.work.pressure[k] = pressure;
-            let work = &self.work;
-            let parts = if corrected {
-                [work.correction_xx[k], work.correction_xy[k], work.correction_yy[k]]
-                    .map(|component| pressure * component)
-            } else {
-                [pressure, 0.0, pressure]
-            };
-            self.records[k].0[Record::PRESSURE..].copy_from_slice(&parts);
-        }
-    }
-
-    /// What density diffusion smooths: ρ, or ρ less what it is in still water.
-    #[inline(always)]
-    fn diffused_of(&self, density: f64, k: usize) -> f64 {
+    /// Pressures, with tension left out near the free surface, and what density diffusion smooths:
+    /// ρ, or ρ less what it is in still water.
+    fn find_pressures(&mut self) {
+        let n = self.fluid.padded_len();
+        let (state, bulk_time) = (self.options.state, self.bulk_time);
         let hydrostatic = self.options.hydrostatic_slope();
+        let (density, y) = (&self.fluid.density[..n], &self.fluid.y[..n]);
+        let (rate, tension) = (&self.work.density_rate[..n], &self.work.tension[..n]);
+        let pressures = &mut self.work.pressure[..n];
+        for k in 0..n {
+            let pressure = state.pressure(density[k] + bulk_time * rate[k]);
+            pressures[k] = if pressure < 0.0 { pressure * tension[k] } else { pressure };
+        }
+        let diffused = &mut self.diffused[..n];
         if hydrostatic > 0.0 {
-            let surface = self.options.state.surface_density;
-            surface * small_log(density / surface - 1.0) + hydrostatic * self.fluid.y[k]
+            let surface = state.surface_density;
+            for k in 0..n {
+                diffused[k] = surface * small_log(density[k] / surface - 1.0) + hydrostatic * y[k];
+            }
         } else {
-            density
+            diffused.copy_from_slice(density);
         }
     }
 
-    /// A pressure, with tension left out near the free surface.
-    #[inline(always)]
-    fn pressure_of(&self, density: f64, k: usize) -> f64 {
-        let ahead = density + self.bulk_time * self.work.density_rate[k];
-        let pressure = self.options.state.pressure(ahead);
-        if pressure < 0.0 { pressure * self.work.tension[k] } else { pressure }
+    /// Pressures, and everything about the fluid that the pass of a full step reads.
+    pub(super) fn pack(&mut self) {
+        self.find_pressures();
+        let n = self.fluid.padded_len();
+        let (fluid, work, scaling) = (&self.fluid, &mut self.work, self.scaling);
+        let [x, y] = [&self.ahead[0][..n], &self.ahead[1][..n]];
+        let (vx, vy) = (&fluid.vx[..n], &fluid.vy[..n]);
+        let (mass, density) = (&fluid.mass[..n], &fluid.density[..n]);
+        let (scaled_x, scaled_y) = (&mut work.scaled_x[..n], &mut work.scaled_y[..n]);
+        let pressure = &work.pressure[..n];
+        let [xx, xy, yy] =
+            [&work.correction_xx[..n], &work.correction_xy[..n], &work.correction_yy[..n]];
+        let records = &mut self.records[..n];
+        for k in 0..n {
+            let (x, y) = (x[k] * scaling.inverse_radius, y[k] * scaling.inverse_radius);
+            (scaled_x[k], scaled_y[k]) = (x, y);
+            let weight = mass[k] / density[k] * scaling.weight_per_volume;
+            // Without corrections these are the identity.
+            let p = pressure[k];
+            records[k] = Record([x, y, vx[k], vy[k], weight, p * xx[k], p * xy[k], p * yy[k]]);
+        }
+    }
+
+    /// New pressures alone, for an acoustic step: see [`Acoustic`] for what a neighbour's are.
+    pub(super) fn pack_pressures(&mut self) {
+        self.find_pressures();
+        let n = self.fluid.padded_len();
+        let work = &self.work;
+        let (pressure, x, y) = (&work.pressure[..n], &work.scaled_x[..n], &work.scaled_y[..n]);
+        let [xx, xy, yy] =
+            [&work.correction_xx[..n], &work.correction_xy[..n], &work.correction_yy[..n]];
+        let factors = &mut self.factors[..n];
+        for k in 0..n {
+            let p = pressure[k];
+            let pressed = [p * xx[k], p * xy[k], p * yy[k]];
+            factors[k] = pressure_factors(pressed, [x[k], y[k]]);
+        }
+    }
+
+    /// The ghosts' new pressures, likewise.
+    pub(super) fn pack_ghost_pressures(&mut self) {
+        let first = self.fluid.padded_len();
+        for &g in self.exchange.counting() {
+            let record = &self.records[first + g as usize].0;
+            let pressed = [
+                record[Record::PRESSURE],
+                record[Record::PRESSURE_XY],
+                record[Record::PRESSURE_YY],
+            ];
+            self.factors[first + g as usize] =
+                pressure_factors(pressed, [record[Record::X], record[Record::Y]]);
+        }
+    }
+
+    /// New velocities, for the continuity pass: see [`Continuity`] for what a neighbour's are.
+    pub(super) fn pack_velocities(&mut self) {
+        let n = self.fluid.padded_len();
+        let (fluid, work) = (&self.fluid, &self.work);
+        let (vx, vy) = (&fluid.vx[..n], &fluid.vy[..n]);
+        let (x, y) = (&work.scaled_x[..n], &work.scaled_y[..n]);
+        let (share, diffused) = (&work.diffused_share[..n], &self.diffused[..n]);
+        let factors = &mut self.factors[..n];
+        match self.options.density_diffusion {
+            DensityDiffusion::None | DensityDiffusion::Hydrostatic => {
+                for k in 0..n {
+                    let smoothed = [share[k], share[k] * diffused[k]];
+                    factors[k] = velocity_factors([vx[k], vy[k]], [x[k], y[k]], smoothed);
+                }
+            }
+            DensityDiffusion::Molteni => {
+                for k in 0..n {
+                    let smoothed = [1.0, diffused[k]];
+                    factors[k] = velocity_factors([vx[k], vy[k]], [x[k], y[k]], smoothed);
+                }
+            }
+            DensityDiffusion::Renormalised => {
+                let (slope_x, slope_y) = (&work.gradient_x[..n], &work.gradient_y[..n]);
+                for k in 0..n {
+                    let slant = slope_x[k] * x[k] + slope_y[k] * y[k];
+                    let smoothed = [1.0, 2.0 * diffused[k] - slant];
+                    factors[k] = velocity_factors([vx[k], vy[k]], [x[k], y[k]], smoothed);
+                    self.slants[k].0[..4].copy_from_slice(&[slope_x[k], slope_y[k], x[k], y[k]]);
+                }
+            }
+        }
+    }
+
+    /// The ghosts' new velocities, likewise.
+    pub(super) fn pack_ghost_velocities(&mut self) {
+        let first = self.fluid.padded_len();
+        for &g in self.exchange.counting() {
+            let record = &self.records[first + g as usize].0;
+            let velocity = [record[Record::VX], record[Record::VY]];
+            let place = [record[Record::X], record[Record::Y]];
+            self.factors[first + g as usize] = velocity_factors(velocity, place, [0.0; 2]);
+        }
     }
 
     pub(super) fn acoustic_pass(&mut self) {
@@ -90,9 +147,8 @@ impl Wcsph {
                     self.path,
                     Acoustic::<$corrected> {
                         fluid: &self.fluid,
-                        records: &self.records,
-                        pairs: &self.pairs,
-                        slopes: &self.slopes,
+                        factors: &self.factors,
+                        pairs: &self.held,
                         work: &mut self.work,
                         bodies: self.ghosts.bodies.len(),
                         gravity: self.options.gravity,
@@ -145,7 +201,7 @@ impl Wcsph {
                         responses: self.exchange.responses(),
                         first_ghost: self.fluid.padded_len(),
                         pairs: &self.pairs,
-                        slopes: &mut self.slopes,
+                        held: &mut self.held,
                         work: &mut self.work,
                         bodies: self.ghosts.bodies.len(),
                         responds: self.responds,
@@ -174,8 +230,7 @@ impl Wcsph {
         let pass = Laminar {
             fluid: &self.fluid,
             records: &self.records,
-            pairs: &self.pairs,
-            slopes: &self.slopes,
+            pairs: &self.held,
             work: &mut self.work,
             bodies: self.ghosts.bodies.len(),
             viscosity: 8.0
@@ -206,11 +261,11 @@ impl Wcsph {
                     self.path,
                     Continuity::<$diffusion, $corrected> {
                         fluid: &self.fluid,
-                        records: &self.records,
+                        factors: &self.factors,
+                        slants: &self.slants,
                         diffused: &self.diffused,
-                        slopes: &self.slopes,
                         strain: &mut self.strain,
-                        pairs: &self.pairs,
+                        pairs: &self.held,
                         work: &mut self.work,
                         support_radius: self.scaling.support_radius,
                         bodies: self.ghosts.bodies.len(),
@@ -227,6 +282,18 @@ impl Wcsph {
             DensityDiffusion::Renormalised => pass!(RENORMALISED),
         }
     }
+}
+
+/// P_xx, P_xy, P_yy, (P r)_x, (P r)_y, 1, x, y.
+#[inline(always)]
+fn pressure_factors([xx, xy, yy]: [f64; 3], [x, y]: [f64; 2]) -> Factors {
+    Factors([xx, xy, yy, xx * x + xy * y, xy * x + yy * y, 1.0, x, y])
+}
+
+/// u, v, u x, u y, v x, v y, and two more.
+#[inline(always)]
+fn velocity_factors([u, v]: [f64; 2], [x, y]: [f64; 2], [a, b]: [f64; 2]) -> Factors {
+    Factors([u, v, u * x, u * y, v * x, v * y, a, b])
 }
 
 /// ln(1 + u) for |u| far below one, to u⁵: still water is exactly uniform in ln ρ + g y/c0².

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::separation::Slopes;
-use super::{WcsphOptions, Workspace};
+use super::held::{Factors, HeldPairs};
+use super::{DensityDiffusion, WcsphOptions, Workspace};
 use crate::body::BodyMotion;
 use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane};
 use crate::math::simd::SimdPath;
@@ -66,8 +66,12 @@ pub struct Wcsph {
     pub(super) planes: Vec<Plane>,
     /// The bodies where the lists were made.
     pub(super) reference_bodies: Vec<BodyMotion>,
-    /// Per entry of `pairs`, from the last full step.
-    pub(super) slopes: Vec<Slopes>,
+    /// The pairs in reach, from the last full step ...
+    pub(super) held: HeldPairs,
+    /// ... and what the passes over them read of each neighbour.
+    pub(super) factors: Vec<Factors>,
+    /// See [`super::continuity::Continuity::slants`]; empty where not needed.
+    pub(super) slants: Vec<Factors>,
     /// Place of the coming step between two full ones; 0 is a full step.
     pub(super) substep: u32,
     /// From a full step to the middle of the stretch until the next, seconds.
@@ -118,7 +122,12 @@ impl Wcsph {
             lanes: Default::default(),
             planes: Vec::new(),
             reference_bodies: vec![BodyMotion::default(); bodies],
-            slopes: Vec::new(),
+            held: HeldPairs::default(),
+            factors: vec![Factors::default(); padded + ghosts.len()],
+            slants: match options.density_diffusion {
+                DensityDiffusion::Renormalised => vec![Factors::default(); padded],
+                _ => Vec::new(),
+            },
             substep: 0,
             lead: 0.0,
             bulk_time: 0.0,

@@ -67,6 +67,7 @@ impl Wcsph {
             &self.work.pressure,
             ghost_records,
         );
+        self.pack_ghost_pressures();
         let filled = Instant::now();
         self.timings.ghosts += (filled - packed).as_secs_f64();
         self.acoustic_pass();
@@ -90,22 +91,28 @@ impl Wcsph {
     pub fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation {
         let start = Instant::now();
         self.kick(dt, walls.acceleration);
+        self.pack_velocities();
         let kicked = Instant::now();
         self.timings.integration += (kicked - start).as_secs_f64();
         self.hold_offsets(walls.bodies);
-        let records = self.records.split_at_mut(self.fluid.padded_len());
-        let records = (&*records.0, records.1);
-        self.exchange.refresh_velocities(self.path, &self.ghosts, &self.held_bodies, records);
+        let water = [&*self.fluid.vx, &*self.fluid.vy];
+        let ghost_records = &mut self.records[self.fluid.padded_len()..];
+        let (ghosts, bodies) = (&self.ghosts, &self.held_bodies);
+        self.exchange.refresh_velocities(self.path, ghosts, bodies, water, ghost_records);
+        self.pack_ghost_velocities();
         let mirrored = Instant::now();
         self.timings.ghosts += (mirrored - kicked).as_secs_f64();
         let diffusion_power = -self.continuity_pass(sample);
         let counted = Instant::now();
         self.timings.continuity += (counted - mirrored).as_secs_f64();
         self.since_full += dt;
+        let mut pairs = 2 * self.held.len() + self.exchange.pairs();
         if self.substep == 0 {
-            // Weights are found in full steps alone.
+            // Weights are found, and lists gone through, in full steps alone.
             self.boundary_fallbacks += self.exchange.fallbacks();
+            pairs += self.pairs.len() - self.held.len();
         }
+        self.pair_evaluations += (LANES * pairs) as u64;
         self.substep = (self.substep + 1) % self.options.acoustic_substeps;
         let shifting_work = self.drift(dt, walls.bodies);
         if self.substep == 0 {
@@ -113,7 +120,6 @@ impl Wcsph {
             self.take_next_correction();
         }
         self.timings.integration += counted.elapsed().as_secs_f64();
-        self.pair_evaluations += (LANES * (2 * self.pairs.len() + self.exchange.pairs())) as u64;
         Dissipation { viscous_power: -self.last_viscous_power, diffusion_power, shifting_work }
     }
 }
