@@ -34,7 +34,7 @@ pub struct ExchangeRules {
     pub sound_speed: f64,
     /// Pressure correction inside the sum (exact at rest) rather than at the mirror point.
     pub gravity_in_sum: bool,
-    /// Reverse the tangential velocity too.
+    /// Reverse the tangential velocity, too, for the viscous terms.
     pub no_slip: bool,
     /// Body 0 only counts between the bodies 1 and 2: the bed of a tank with moving ends.
     pub bed_between_walls: bool,
@@ -256,7 +256,7 @@ impl Exchange {
                 press(record, pressure, correction);
                 let [xx, xy, yy] = correction;
                 self.responses[g] = [response * xx, response * xy, response * yy];
-                let velocity = self.mirrored_velocity(ghosts, g, motion);
+                let velocity = self.mirrored_velocity(ghosts, g, motion, rules.no_slip);
                 record[Record::VX] = velocity[0];
                 record[Record::VY] = velocity[1];
             }
@@ -264,7 +264,9 @@ impl Exchange {
     }
 
     /// Interpolates the velocities anew, with the weights at hand, and gives them to the ghosts
-    /// that count. `water` holds the fluid's velocities along x and y.
+    /// that count, for the continuity equation. There walls are smooth whatever the slip (De Leffe
+    /// et al. 2011): a tangential velocity turned round at the wall would be compression that no
+    /// force does work on. `water` holds the fluid's velocities along x and y.
     pub fn refresh_velocities(
         &mut self,
         path: SimdPath,
@@ -279,7 +281,7 @@ impl Exchange {
         for &g in &self.counting {
             let g = g as usize;
             let motion = &bodies[ghosts.target_body[g / LANES] as usize];
-            let velocity = self.mirrored_velocity(ghosts, g, motion);
+            let velocity = self.mirrored_velocity(ghosts, g, motion, false);
             ghost_records[g].0[Record::VX] = velocity[0];
             ghost_records[g].0[Record::VY] = velocity[1];
         }

@@ -9,13 +9,14 @@ use crate::math::simd::LANES;
 const MIRROR_LIMIT: f64 = 3.0;
 
 impl Exchange {
-    /// u_w - (ū - u_w) d_ghost/d̄ across the wall; along it ū goes on (free slip) or is reversed
-    /// likewise (no slip). d̄ is the distance of the water that ū was taken from.
+    /// u_w - (ū - u_w) d_ghost/d̄ across the wall; along it ū goes on (free slip) or, where `stuck`,
+    /// is reversed likewise (no slip). d̄ is the distance of the water that ū was taken from.
     pub(super) fn mirrored_velocity(
         &self,
         ghosts: &Ghosts,
         g: usize,
         motion: &BodyMotion,
+        stuck: bool,
     ) -> [f64; 2] {
         let (block, lane) = (g / LANES, g % LANES);
         if self.scale[block][lane] == 0.0 {
@@ -42,7 +43,7 @@ impl Exchange {
                 let factor = ratio(apart[0] * nx + apart[1] * ny);
                 let across = relative[0] * nx + relative[1] * ny;
                 let along = [relative[0] - across * nx, relative[1] - across * ny];
-                let kept = if self.rules.no_slip { -factor } else { 1.0 };
+                let kept = if stuck { -factor } else { 1.0 };
                 [kept * along[0] - factor * across * nx, kept * along[1] - factor * across * ny]
             }
         };

@@ -89,8 +89,9 @@ pub enum InterpolatorChoice {
     Dummy(Dummy),
 }
 
-/// Bound on Σ|w_j| with which weights count as fit, by default.
-pub const AMPLIFICATION_LIMIT: f64 = 4.0;
+/// Bound on Σ|w_j| with which weights count as fit, by default: that of linear extrapolation by half
+/// a spacing, the farthest that a mirror point of a well-filled wall lies outside its water.
+pub const AMPLIFICATION_LIMIT: f64 = 2.0;
 
 impl InterpolatorChoice {
     /// Every interpolator, with its default parameters (and the source's matrix for SFDI, too).

@@ -105,6 +105,11 @@ pub trait Scheme: Debug + Send {
         None
     }
 
+    /// Elastic energy of the water, J per metre of width, as far as it can do work.
+    fn elastic_energy(&self) -> f64 {
+        0.0
+    }
+
     /// Longest step that the water as it is allows, seconds.
     fn step_limit(&self) -> f64 {
         f64::INFINITY

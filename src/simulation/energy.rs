@@ -13,24 +13,22 @@ pub struct WaterEnergy {
     pub kinetic: f64,
     /// Σ m g y, and that of a central field.
     pub potential: f64,
-    /// Σ m ∫ p/ρ² dρ.
+    /// Σ m ∫ p/ρ² dρ, of tension only the share that the scheme lets act.
     pub elastic: f64,
 }
 
 impl WaterEnergy {
     /// Sums over the particles.
     pub fn of(water: &dyn Scheme, gravity: f64) -> WaterEnergy {
-        let (fluid, state, field) = (water.fluid(), water.state_equation(), water.field());
-        let mut energy = WaterEnergy::default();
+        let (fluid, field) = (water.fluid(), water.field());
+        let elastic = water.elastic_energy();
+        let mut energy = WaterEnergy { elastic, ..WaterEnergy::default() };
         for k in 0..fluid.len() {
             let (vx, vy, mass) = (fluid.vx[k], fluid.vy[k], fluid.mass[k]);
             energy.kinetic += 0.5 * mass * (vx * vx + vy * vy);
             energy.potential += mass * gravity * fluid.y[k];
             if let Some(field) = field {
                 energy.potential += mass * field.potential([fluid.x[k], fluid.y[k]]);
-            }
-            if let Some(state) = state {
-                energy.elastic += mass * state.elastic_energy(fluid.density[k]);
             }
         }
         energy

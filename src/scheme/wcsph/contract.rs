@@ -29,6 +29,10 @@ impl Scheme for Wcsph {
         Some(&self.options.state)
     }
 
+    fn elastic_energy(&self) -> f64 {
+        Wcsph::elastic_energy(self)
+    }
+
     fn field(&self) -> Option<CentralField> {
         self.options.field
     }

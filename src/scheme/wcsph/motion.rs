@@ -107,7 +107,10 @@ impl Wcsph {
             let share = alone.max(slack).min(1.0);
             if share > 0.0 {
                 let rise = rate * share * (state.surface_density - density);
-                loss -= self.fluid.mass[k] * state.pressure(density) / (density * density) * rise;
+                // Tension that did no work as it grew takes none away.
+                let acting = if rise > 0.0 { self.work.tension[k] } else { 1.0 };
+                let pressure = state.pressure(density) * acting;
+                loss -= self.fluid.mass[k] * pressure / (density * density) * rise;
                 self.fluid.density[k] += rise;
             }
         }

@@ -12,6 +12,18 @@ impl Wcsph {
         Load { force, added_mass }
     }
 
+    /// Σ m ∫ p/ρ² dρ. Tension counts as far as it acts: what the surface does not feel does no work,
+    /// as it grows or as it goes.
+    pub fn elastic_energy(&self) -> f64 {
+        let (fluid, state) = (&self.fluid, &self.options.state);
+        let one = |k: usize| {
+            let density = fluid.density[k];
+            let acting = if density < state.surface_density { self.work.tension[k] } else { 1.0 };
+            fluid.mass[k] * state.elastic_energy(density) * acting
+        };
+        (0..fluid.len()).map(one).sum()
+    }
+
     /// Level of the water at an upright body, metres above the bed.
     pub fn level_at(&self, body: usize) -> f64 {
         self.exchange.level(&self.ghosts, body)
