@@ -33,7 +33,7 @@ fn bits(result: CaseResult) -> Vec<u8> {
 fn still_water_stays_still_and_presses_by_its_weight() {
     let scene = "tank_length_m = 1.0\nwave_gauge_m = 0.5\nwave_height_ratio = 0\nend_time_s = 1.0";
     let result = try_run(&config(scene, "")).unwrap();
-    assert!((result.outcome.force_end - 1.0).abs() < 0.02, "{}", result.outcome.force_end);
+    X
     assert!(result.outcome.runup_end.abs() < 1e-3, "{}", result.outcome.runup_end);
     assert!(result.energy.kinetic < 1e-4, "{}", result.energy.kinetic);
 }

@@ -1,7 +1,7 @@
 //! From a scene's water and walls to particles at rest between ghosts.
 
 use super::frame::Frame;
-use super::numerics::{GhostGravity, Numerics, Scheme as SchemeChoice, Slip};
+use super::numerics::{COMPACT_SHARE, GhostGravity, Numerics, Scheme as SchemeChoice, Slip};
 use super::packing::Packing;
 use super::tank::WALL;
 use crate::boundary::{Ghosts, TankLayout, box_ghosts, no_ghosts, tank_ghosts};
@@ -13,6 +13,9 @@ use crate::scheme::wcsph::{Shifting, Wcsph, WcsphOptions};
 use crate::scheme::{Scheme, StateEquation};
 use crate::theory::central_field::CentralField;
 use crate::theory::hydrostatics::StillColumn;
+
+/// The speed that scales the viscosity of incompressible SPH, over √(g d): what sound does in δ-SPH.
+const VISCOUS_SPEED: f64 = 8.0;
 
 /// Walls rise to this many depths above the bed.
 pub(super) const WALL_HEIGHT: f64 = 4.0;
@@ -286,15 +289,19 @@ impl Filling {
             gravity: frame.gravity,
             still_level: frame.depth,
             viscosity: numerics.kinematic_viscosity_m2_per_s.unwrap_or(0.0),
+            compact_share: numerics.compact_share.unwrap_or(COMPACT_SHARE),
+            acceleration: frame.acceleration(),
+            viscous_speed: VISCOUS_SPEED * frame.speed_squared().sqrt(),
+            artificial_viscosity: numerics.artificial_viscosity,
             shifting_coefficient: match numerics.shifting {
                 Shifting::Interior => numerics.shifting_coefficient,
                 Shifting::None => 0.0,
             },
             volume_relaxation: numerics.volume_relaxation.unwrap_or(0.0),
             pressure_memory: numerics.pressure_memory.unwrap_or(0.98),
-            laplacian: numerics.laplacian.unwrap_or(Laplacian::Symmetric),
+            laplacian: numerics.laplacian.unwrap_or(Laplacian::Exact),
             preconditioner: numerics.preconditioner.unwrap_or(PreconditionerChoice::Multigrid),
-            solver_tolerance: numerics.solver_tolerance.unwrap_or(1e-4),
+            solver_tolerance: numerics.solver_tolerance.unwrap_or(1e-3),
             courant_number: numerics.flow_courant_number.unwrap_or(0.2),
         };
         let fluid = if self.walls == Walls::Tank {

@@ -150,6 +150,9 @@ pub struct Numerics {
     /// Share of the last step's dynamic pressure that the next one starts from.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pressure_memory: Option<f64>,
+    /// Share of the compact Laplacian that is added to the exact one, `laplacian = "exact"` only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub compact_share: Option<f64>,
     /// Kinematic viscosity, m²/s, of either scheme.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub kinematic_viscosity_m2_per_s: Option<f64>,
@@ -171,7 +174,9 @@ fn is_zero(retries: &u32) -> bool {
 }
 
 /// Δt / √(Δx/g) of incompressible SPH by default.
-pub(super) const GRAVITY_COURANT_NUMBER: f64 = 0.035;
+pub(super) const GRAVITY_COURANT_NUMBER: f64 = 0.14;
+/// Share of the compact Laplacian that is added to the exact one by default.
+pub(super) const COMPACT_SHARE: f64 = 0.05;
 
 /// Keys that only δ-SPH reads.
 pub(super) const WEAKLY_COMPRESSIBLE: &[&str] = &[
@@ -185,7 +190,6 @@ pub(super) const WEAKLY_COMPRESSIBLE: &[&str] = &[
     "corrected_gradients",
     "density_diffusion",
     "density_diffusion_coefficient",
-    "artificial_viscosity",
     "courant_number",
     "bulk_damping",
     "acoustic_substeps",
@@ -227,6 +231,7 @@ impl Numerics {
             solver_tolerance: None,
             volume_relaxation: None,
             pressure_memory: None,
+            compact_share: None,
             kinematic_viscosity_m2_per_s: None,
             gravity_courant_number: None,
             flow_courant_number: None,
@@ -252,12 +257,12 @@ impl Numerics {
             }),
             "isph" => Some(Numerics {
                 scheme: Scheme::Isph,
-                support_radius_ratio: 3.0,
-                laplacian: Some(Laplacian::Symmetric),
+                laplacian: Some(Laplacian::Exact),
                 preconditioner: Some(PreconditionerChoice::Multigrid),
-                solver_tolerance: Some(1e-4),
+                solver_tolerance: Some(1e-3),
                 volume_relaxation: Some(0.0),
                 pressure_memory: Some(0.98),
+                compact_share: Some(COMPACT_SHARE),
                 kinematic_viscosity_m2_per_s: Some(0.0),
                 gravity_courant_number: Some(GRAVITY_COURANT_NUMBER),
                 flow_courant_number: Some(0.2),
@@ -273,6 +278,7 @@ impl Numerics {
             ("solver_tolerance", self.solver_tolerance, 1e-15, 0.1),
             ("volume_relaxation", self.volume_relaxation, 0.0, 1.0),
             ("pressure_memory", self.pressure_memory, 0.0, 1.0),
+            ("compact_share", self.compact_share, 1e-3, 1.0),
             ("kinematic_viscosity_m2_per_s", self.kinematic_viscosity_m2_per_s, 0.0, 1.0),
             ("gravity_courant_number", self.gravity_courant_number, 1e-4, 0.2),
             ("flow_courant_number", self.flow_courant_number, 1e-3, 1.0),

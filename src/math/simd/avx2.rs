@@ -65,6 +65,20 @@ impl Lanes for Avx2 {
         unsafe { Avx2(_mm256_loadu_pd(at), _mm256_loadu_pd(at.add(4))) }
     }
     #[inline(always)]
+    fn gather(values: &[f64], at: &[u32; LANES]) -> Self {
+        let last = at.iter().fold(0, |last, &at| last.max(at));
+        assert!((last as usize) < values.len());
+        // SAFETY: all places lie inside, below 2^31 as no larger array is made.
+        unsafe {
+            let low = _mm_loadu_si128(at.as_ptr().cast());
+            let high = _mm_loadu_si128(at.as_ptr().add(4).cast());
+            Avx2(
+                _mm256_i32gather_pd::<8>(values.as_ptr(), low),
+                _mm256_i32gather_pd::<8>(values.as_ptr(), high),
+            )
+        }
+    }
+    #[inline(always)]
     fn store(self, values: &mut [f64; LANES]) {
         let at = values.as_mut_ptr();
         unsafe {

@@ -63,6 +63,16 @@ impl Lanes for Avx512 {
         Avx512(unsafe { _mm512_loadu_pd(values.as_ptr()) })
     }
     #[inline(always)]
+    fn gather(values: &[f64], at: &[u32; LANES]) -> Self {
+        let last = at.iter().fold(0, |last, &at| last.max(at));
+        assert!((last as usize) < values.len());
+        // SAFETY: all places lie inside, below 2^31 as no larger array is made.
+        unsafe {
+            let at = _mm256_loadu_si256(at.as_ptr().cast());
+            Avx512(_mm512_i32gather_pd::<8>(at, values.as_ptr()))
+        }
+    }
+    #[inline(always)]
     fn store(self, values: &mut [f64; LANES]) {
         unsafe { _mm512_storeu_pd(values.as_mut_ptr(), self.0) }
     }

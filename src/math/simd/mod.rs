@@ -77,6 +77,11 @@ pub trait Lanes:
     fn splat(value: f64) -> Self;
     /// Reads eight values.
     fn load(values: &[f64; LANES]) -> Self;
+    /// The values at eight places.
+    ///
+    /// # Panics
+    /// One of them lies outside.
+    fn gather(values: &[f64], at: &[u32; LANES]) -> Self;
     /// Writes eight values.
     fn store(self, values: &mut [f64; LANES]);
     /// Reads eight values in single precision.

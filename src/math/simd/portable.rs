@@ -66,6 +66,10 @@ impl Lanes for Portable {
         Portable(*values)
     }
     #[inline(always)]
+    fn gather(values: &[f64], at: &[u32; LANES]) -> Self {
+        Portable(at.map(|at| values[at as usize]))
+    }
+    #[inline(always)]
     fn store(self, values: &mut [f64; LANES]) {
         *values = self.0;
     }

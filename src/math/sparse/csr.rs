@@ -66,11 +66,7 @@ impl Task for Multiply<'_> {
             let (values, last_values) = values.as_chunks::<LANES>();
             let mut sum = L::splat(0.0);
             for (c, v) in columns.iter().zip(values) {
-                let mut gathered = [0.0; LANES];
-                for k in 0..LANES {
-                    gathered[k] = x[c[k] as usize];
-                }
-                sum = L::load(v).mul_add(L::load(&gathered), sum);
+                sum = L::load(v).mul_add(L::gather(x, c), sum);
             }
             let mut rest = matrix.diagonal[row] * x[row];
             for (&c, &v) in last_columns.iter().zip(last_values) {

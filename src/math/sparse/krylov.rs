@@ -3,11 +3,37 @@
 use super::{Csr, Preconditioner};
 use crate::math::simd::SimdPath;
 
+/// A square matrix that is known by its products alone.
+pub trait Product {
+    /// `y = A x`.
+    fn multiply(&mut self, path: SimdPath, x: &[f64], y: &mut [f64]);
+    /// `z` ≈ A⁻¹ `r`.
+    fn precondition(&mut self, path: SimdPath, r: &[f64], z: &mut [f64]);
+}
+
+/// A stored matrix with its preconditioner.
+struct Stored<'a> {
+    matrix: &'a Csr,
+    preconditioner: &'a mut Preconditioner,
+}
+
+impl Product for Stored<'_> {
+    fn multiply(&mut self, path: SimdPath, x: &[f64], y: &mut [f64]) {
+        self.matrix.multiply(path, x, y);
+    }
+
+    fn precondition(&mut self, path: SimdPath, r: &[f64], z: &mut [f64]) {
+        self.preconditioner.apply(path, self.matrix, r, z);
+    }
+}
+
 /// When a solve ends.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StopRule {
     /// Solved when |b - A x| has come down to this share of the larger of |b| and `floor`.
     pub tolerance: f64,
+    /// |b|, where b holds terms that are not to count.
+    pub size: Option<f64>,
     /// A norm below which a right-hand side counts as zero.
     pub floor: f64,
     /// Given up after this many iterations.
@@ -57,7 +83,14 @@ fn add_scaled(y: &mut [f64], factor: f64, x: &[f64]) {
 }
 
 impl Krylov {
-    fn start(&mut self, path: SimdPath, a: &Csr, b: &[f64], x: &[f64], rule: &StopRule) -> f64 {
+    fn start(
+        &mut self,
+        path: SimdPath,
+        a: &mut impl Product,
+        b: &[f64],
+        x: &[f64],
+        rule: &StopRule,
+    ) -> f64 {
         for field in [
             &mut self.residual,
             &mut self.shadow,
@@ -66,13 +99,23 @@ impl Krylov {
             &mut self.ready,
             &mut self.other,
         ] {
-            field.resize(a.len(), 0.0);
+            field.resize(b.len(), 0.0);
         }
-        a.multiply(path, x, &mut self.image);
-        for ((r, b), image) in self.residual.iter_mut().zip(b).zip(&self.image) {
-            *r = b - image;
+        if x.iter().all(|&x| x == 0.0) {
+            self.residual.copy_from_slice(b);
+            self.image.fill(0.0);
+        } else {
+            a.multiply(path, x, &mut self.image);
+            for ((r, b), image) in self.residual.iter_mut().zip(b).zip(&self.image) {
+                *r = b - image;
+            }
         }
-        dot(b, b).sqrt().max(rule.floor)
+        rule.size.unwrap_or_else(|| dot(b, b).sqrt()).max(rule.floor)
+    }
+
+    /// What the last solve left of the right-hand side.
+    pub fn residual(&self) -> &[f64] {
+        &self.residual
     }
 
     /// Conjugate gradients from the guess `x`, for a symmetric positive definite matrix.
@@ -81,6 +124,18 @@ impl Krylov {
         path: SimdPath,
         a: &Csr,
         m: &mut Preconditioner,
+        (b, x): (&[f64], &mut [f64]),
+        rule: &StopRule,
+    ) -> SolveReport {
+        self.conjugate(path, &mut Stored { matrix: a, preconditioner: m }, (b, x), rule)
+    }
+
+    /// The same for a matrix that is known by its products alone; it may be singular where `b` has
+    /// no part in its null space.
+    pub fn conjugate(
+        &mut self,
+        path: SimdPath,
+        a: &mut impl Product,
         (b, x): (&[f64], &mut [f64]),
         rule: &StopRule,
     ) -> SolveReport {
@@ -93,7 +148,7 @@ impl Krylov {
             if converged || iterations >= rule.most_iterations || !residual.is_finite() {
                 return SolveReport { iterations, residual, converged };
             }
-            m.apply(path, a, &self.residual, &mut self.ready);
+            a.precondition(path, &self.residual, &mut self.ready);
             let next = dot(&self.residual, &self.ready);
             let kept = if iterations == 0 { 0.0 } else { next / product };
             product = next;
@@ -117,7 +172,8 @@ impl Krylov {
         (b, x): (&[f64], &mut [f64]),
         rule: &StopRule,
     ) -> SolveReport {
-        let scale = self.start(path, a, b, x, rule);
+        let mut stored = Stored { matrix: a, preconditioner: &mut *m };
+        let scale = self.start(path, &mut stored, b, x, rule);
         self.shadow.copy_from_slice(&self.residual);
         let mut second = vec![0.0; a.len()];
         let (mut rho, mut alpha, mut omega) = (1.0, 1.0, 1.0);
@@ -218,7 +274,8 @@ mod tests {
         x
     }
 
-    const RULE: StopRule = StopRule { tolerance: 1e-12, floor: 0.0, most_iterations: 500 };
+    const RULE: StopRule =
+        StopRule { size: None, tolerance: 1e-12, floor: 0.0, most_iterations: 500 };
 
     #[test]
     fn every_preconditioner_leads_to_the_dense_solution() {

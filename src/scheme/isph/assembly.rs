@@ -4,6 +4,8 @@ use super::Isph;
 use super::images::NO_BODY;
 use super::options::Laplacian;
 
+/// Share of the diagonal that is added so that no part of the water is without hold.
+const HOLD: f64 = 1e-8;
 /// Volume errors count only where the support is at least this complete.
 const INSIDE: f64 = 0.9;
 /// Largest part of a right-hand side's weight that a poor support may take off.
@@ -24,6 +26,8 @@ impl Isph {
         self.at_walls.clear();
         self.slot.clear();
         self.slot.resize(n, u32::MAX);
+        let exact = options.laplacian == Laplacian::Exact;
+        let (least, narrow) = self.narrow;
         for i in 0..n {
             let operators = &self.operators;
             let start = self.matrix.columns.len();
@@ -40,6 +44,12 @@ impl Isph {
                 let j = self.points.original[point] as usize;
                 at_wall |= self.points.body[point] != NO_BODY;
                 let mut weight = 2.0 * volume * neighbour.weight;
+                if exact {
+                    if volume * neighbour.weight < least {
+                        continue;
+                    }
+                    weight *= narrow;
+                }
                 if corrected {
                     let dx = self.points.x[point] - place[0];
                     let dy = self.points.y[point] - place[1];
@@ -64,7 +74,12 @@ impl Isph {
             self.matrix.starts.push(self.matrix.columns.len() as u32);
             self.matrix.diagonal.push(diagonal + volume * operators.grip[i]);
         }
-        self.hold_components();
+        if exact {
+            // Parts that nothing holds stay solvable.
+            self.matrix.diagonal.iter_mut().for_each(|diagonal| *diagonal *= 1.0 + HOLD);
+        } else {
+            self.hold_components();
+        }
     }
 
     /// The right-hand side -V (ρ/Δt) ∇·u / κ for the divergence at hand; with `relax` volume errors

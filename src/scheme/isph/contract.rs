@@ -10,6 +10,9 @@ use crate::kernel::KernelChoice;
 use crate::particles::Fluid;
 use crate::scheme::{Dissipation, Load, Scheme, SchemeState, StateEquation, StepError, StepWalls};
 
+/// Divergence and volume are looked at once in this many steps.
+const STEPS_PER_CHECK: u64 = 10;
+
 impl Scheme for Isph {
     fn fluid(&self) -> &Fluid {
         &self.fluid
@@ -43,14 +46,16 @@ impl Scheme for Isph {
         self.pending = self.tally;
         self.sort();
         self.face_offsets.clear();
+        let ahead = 0.5 * dt;
         self.face_offsets.extend(bodies.iter().enumerate().map(|(body, motion)| {
             let known = if body == self.responds { 0.0 } else { motion.acceleration };
-            motion.offset + dt * (motion.velocity + 0.5 * dt * known)
+            motion.offset + ahead * (motion.velocity + 0.5 * ahead * known)
         }));
         self.list_points(bodies, dt);
         self.grid.sort(&self.loose, self.options.support_radius, &mut self.points);
         let listed = Instant::now();
         self.gather();
+        self.turn_corrections();
         self.find_surface();
         let gathered = Instant::now();
         self.assemble();
@@ -60,9 +65,16 @@ impl Scheme for Isph {
         let solved = Instant::now();
         self.accelerate(Source::Pressure);
         self.settled.clone_from(&self.accelerations);
-        let forces = self.reaction();
-        for (load, force) in self.loads.iter_mut().zip(forces) {
-            *load = Load { force, added_mass: 0.0 };
+        if self.tally.steps.is_multiple_of(STEPS_PER_CHECK) {
+            self.set_velocities_after(dt);
+            self.diverge(|walls| walls.velocity);
+            self.check(dt);
+        }
+        self.reaction();
+        for ((load, force), drag) in
+            self.loads.iter_mut().zip(&self.forces).zip(&self.drag_on_bodies)
+        {
+            *load = Load { force: force + drag, added_mass: 0.0 };
         }
         let (gravity, level) =
             (self.options.density * self.options.gravity, self.options.still_level);
@@ -86,8 +98,8 @@ impl Scheme for Isph {
         self.responded = true;
         self.timings.solver += start.elapsed().as_secs_f64();
         self.accelerate(Source::Response);
-        let forces = self.reaction();
-        for (load, force) in self.loads.iter_mut().zip(forces) {
+        self.reaction();
+        for (load, force) in self.loads.iter_mut().zip(&self.forces) {
             load.added_mass = -force;
         }
         Ok(())
@@ -102,6 +114,7 @@ impl Scheme for Isph {
         let losses = self.advance(dt, walls);
         self.pending.steps += 1;
         self.tally = self.pending;
+        std::mem::swap(&mut self.carried.aim, &mut self.exact.aim);
         std::mem::swap(&mut self.carried.pressure, &mut self.carried.older_pressure);
         std::mem::swap(&mut self.carried.pressure, &mut self.pressure);
         self.timings.integration += start.elapsed().as_secs_f64();

@@ -9,9 +9,9 @@ use crate::math::simd::{LANES, Lanes, Task, dispatch};
 use crate::with_kernel;
 
 /// The correction of gradients fades from the moment's inverse, above this eigenvalue, ...
-const CORRECT_FULL: f64 = 0.40;
+const CORRECT_FULL: f64 = 0.30;
 /// ... to the identity, below this one.
-const CORRECT_FROM: f64 = 0.25;
+const CORRECT_FROM: f64 = 0.20;
 
 struct Gather<'a, K> {
     points: &'a Points,
@@ -19,6 +19,8 @@ struct Gather<'a, K> {
     places: &'a [super::images::Point],
     starts: &'a mut Vec<u32>,
     list: &'a mut Vec<Neighbour>,
+    near: &'a mut Vec<u32>,
+    pull: [&'a mut Vec<f64>; 2],
     operators: &'a mut Operators,
     inverse_radius: f64,
     /// Turns w'(q)/q into F over the volume.
@@ -39,7 +41,8 @@ impl<K: Kernel> Task for Gather<'_, K> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Gather { points, operators, list, starts, .. } = self;
+        let Gather { points, operators, list, starts, near, pull, .. } = self;
+        let [pull_x, pull_y] = pull;
         let lane = L::load(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
         let mut end = 0;
         let zero = L::splat(0.0);
@@ -49,7 +52,11 @@ impl<K: Kernel> Task for Gather<'_, K> {
             let mut sums = [zero; 7];
             for range in self.grid.near(point.place) {
                 if list.len() < end + range.len() + LANES {
-                    list.resize(2 * list.len() + range.len() + LANES, Neighbour::default());
+                    let length = 2 * list.len() + range.len() + LANES;
+                    list.resize(length, Neighbour::default());
+                    near.resize(length, 0);
+                    pull_x.resize(length, 0.0);
+                    pull_y.resize(length, 0.0);
                 }
                 let mut at = range.start;
                 while at < range.end {
@@ -74,7 +81,11 @@ impl<K: Kernel> Task for Gather<'_, K> {
                     sums[6] = fy.mul_add(dy, sums[6]);
                     // Every lane is written, only those in reach are kept.
                     let weights = f.to_array();
+                    let (pulls_x, pulls_y) = (fx.to_array(), fy.to_array());
                     for (k, &weight) in weights.iter().enumerate() {
+                        near[end] = (at + k) as u32;
+                        pull_x[end] = pulls_x[k];
+                        pull_y[end] = pulls_y[k];
                         list[end] = Neighbour { point: (at + k) as u32, weight };
                         end += usize::from(weight > 0.0);
                     }
@@ -138,6 +149,8 @@ impl Isph {
             places: &self.loose[..n],
             starts: &mut self.list_starts,
             list: &mut self.list,
+            near: &mut self.near,
+            pull: [&mut self.pull_x, &mut self.pull_y],
             operators,
             inverse_radius: 1.0 / radius,
             weight: -per_volume * kernel.slope_factor() / (radius * radius),

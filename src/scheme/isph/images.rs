@@ -30,7 +30,9 @@ pub(super) struct Points {
 /// What the walls add to an image, at known accelerations or per unit of an unknown one.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct WallTerms {
-    /// Velocity at the end of the step over the reflected original's, m/s ...
+    /// Velocity at the start of the step over the reflected original's, m/s.
+    pub start_velocity: [f64; 2],
+    /// The same at its end ...
     pub velocity: [f64; 2],
     /// ... and per unit acceleration of the responding body, s.
     pub velocity_response: [f64; 2],
@@ -73,16 +75,17 @@ pub(super) fn turned([a, b, c, d]: [f64; 4], [xx, xy, yy]: [f64; 3]) -> [f64; 3]
 }
 
 impl Isph {
-    /// The fluid at r* = r + u Δt and its images in the walls where they will then be. Gravity's
+    /// The fluid at r* = r + ½ u Δt and its images in the walls where they will then be. Gravity's
     /// own g Δt² is left out of Eq. 8, so that still water stays exactly where it is.
     pub(super) fn list_points(&mut self, bodies: &[BodyMotion], dt: f64) {
         let options = &self.options;
         let fluid = &self.fluid;
         let density = options.density;
         self.loose.clear();
+        let ahead = 0.5 * dt;
         for k in 0..fluid.len() {
             self.loose.push(Point {
-                place: [fluid.x[k] + dt * fluid.vx[k], fluid.y[k] + dt * fluid.vy[k]],
+                place: [fluid.x[k] + ahead * fluid.vx[k], fluid.y[k] + ahead * fluid.vy[k]],
                 volume: fluid.mass[k] / density,
                 original: k as u32,
                 body: NO_BODY,
@@ -128,6 +131,7 @@ impl Isph {
                     body: number as u8,
                     turn: reflected(plane.normal, point.turn),
                     walls: WallTerms {
+                        start_velocity: mirrored(plane.normal, old.start_velocity, motion.velocity),
                         velocity: mirrored(plane.normal, old.velocity, speed),
                         velocity_response: mirrored(plane.normal, old.velocity_response, gain),
                         pressure: old.pressure + spring * known,

@@ -7,6 +7,7 @@
 
 mod assembly;
 mod contract;
+mod exact;
 mod gather;
 mod grid;
 mod images;
@@ -16,7 +17,9 @@ mod project;
 mod readings;
 mod solve;
 mod state;
+mod sums;
 mod surface;
+mod viscosity;
 
 pub use options::{IsphOptions, Laplacian};
 pub use state::{Isph, IsphState};

@@ -34,19 +34,15 @@ impl Isph {
             }
         }
         let ends = self.ends(dt, walls.bodies);
-        let old: Vec<[f64; 2]> = (0..n).map(|i| [self.fluid.vx[i], self.fluid.vy[i]]).collect();
         let mut viscous_power = 0.0;
         let mut shifting_work = 0.0;
         for i in 0..n {
-            let velocity = old[i];
+            let velocity = [self.fluid.vx[i], self.fluid.vy[i]];
             let mut change = self.settled[i];
             change[1] -= options.gravity;
-            if options.viscosity > 0.0 {
-                let drag = self.drag(i, &old);
-                viscous_power -=
-                    self.fluid.mass[i] * (drag[0] * velocity[0] + drag[1] * velocity[1]);
-                change = [change[0] + drag[0], change[1] + drag[1]];
-            }
+            let drag = self.drag[i];
+            viscous_power -= self.fluid.mass[i] * (drag[0] * velocity[0] + drag[1] * velocity[1]);
+            change = [change[0] + drag[0], change[1] + drag[1]];
             let new = [velocity[0] + dt * change[0], velocity[1] + dt * change[1]];
             self.fluid.vx[i] = new[0];
             self.fluid.vy[i] = new[1];
@@ -56,20 +52,6 @@ impl Isph {
         }
         self.hold_inside(&ends, walls.bodies);
         Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }
-    }
-
-    /// Viscous acceleration 2 ν Σ F (u_j - u_i), Liang et al. 2017, Eq. 3; walls slip freely.
-    fn drag(&self, i: usize, velocities: &[[f64; 2]]) -> [f64; 2] {
-        let mut sum = [0.0; 2];
-        for neighbour in self.neighbours(i) {
-            let e = neighbour.point as usize;
-            let [u, v] = velocities[self.points.original[e] as usize];
-            let [a, b, c, d] = self.points.turn[e];
-            let [wx, wy] = self.points.walls[e].velocity;
-            sum[0] += neighbour.weight * (a * u + b * v + wx - velocities[i][0]);
-            sum[1] += neighbour.weight * (c * u + d * v + wy - velocities[i][1]);
-        }
-        sum.map(|sum| 2.0 * self.options.viscosity * sum)
     }
 
     /// δr = -A h |u| Δt ∇C, ∇C = Σ V ∇W, away from the surface only; returns how far it lifts.

@@ -9,6 +9,9 @@ use crate::math::sparse::PreconditionerChoice;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Laplacian {
+    /// The divergence of the gradient that moves the water: velocities are divergence-free to the
+    /// solver's tolerance.
+    Exact,
     /// 2 Σ V_j F_ij (p_j - p_i), Liang et al. 2017, Eq. 4: a symmetric matrix.
     Symmetric,
     /// The same less 2 s·∇p, after Schwaiger (2008): zero on every linear field, not symmetric.
@@ -33,6 +36,14 @@ pub struct IsphOptions {
     pub still_level: f64,
     /// Kinematic viscosity, m²/s.
     pub viscosity: f64,
+    /// ε: share of the compact Laplacian that is added to the exact one.
+    pub compact_share: f64,
+    /// Acceleration that scales the flow, m/s²: gravity, where there is any.
+    pub acceleration: f64,
+    /// Speed that scales the scheme's own viscosity, m/s.
+    pub viscous_speed: f64,
+    /// α of the viscosity on what linear velocities leave.
+    pub artificial_viscosity: f64,
     /// Strength A of the shifting; 0 is off.
     pub shifting_coefficient: f64,
     /// Share of the volume error that a step's source term takes back.

@@ -1,8 +1,9 @@
 //! Divergence and gradient: two operators, each minus the transpose of the other.
 
 use super::Isph;
-use super::images::{WallTerms, turned};
-use super::state::Neighbour;
+use super::images::{NO_BODY, WallTerms, turned};
+use super::sums::{Divergence, Gradient, Lists};
+use crate::math::simd::dispatch;
 
 /// Which pressure a gradient is taken of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,13 +17,34 @@ pub(super) enum Source {
 }
 
 impl Isph {
-    /// p L of every point, turned as its image is: what the gradient sums.
+    /// The lists with what belongs to them.
+    pub(super) fn lists(&self) -> Lists<'_> {
+        Lists {
+            starts: &self.list_starts,
+            near: &self.near,
+            pull: [&self.pull_x, &self.pull_y],
+            sway: &self.operators.sway,
+            correction: &self.operators.correction,
+        }
+    }
+
+    /// L of every point, turned as its image is.
+    pub(super) fn turn_corrections(&mut self) {
+        let (points, correction) = (&self.points, &self.operators.correction);
+        self.turned.clear();
+        self.turned.extend(
+            (points.turn.iter().zip(&points.original).take(self.loose.len()))
+                .map(|(&turn, &j)| turned(turn, correction[j as usize])),
+        );
+    }
+
+    /// p of the water and p L of every point: what the gradient sums.
     fn stresses(&mut self, source: Source) {
         let options = &self.options;
         let gravity = options.density * options.gravity;
         let carried = &self.carried;
         let points = &self.points;
-        self.stress.clear();
+        self.stress.iter_mut().for_each(Vec::clear);
         for e in 0..self.loose.len() {
             let j = points.original[e] as usize;
             let walls = &points.walls[e];
@@ -35,74 +57,62 @@ impl Isph {
                 Source::Walls => walls.pressure_response,
                 Source::Response => carried.response[j] + walls.pressure_response,
             };
-            let correction = self.operators.correction[j];
-            self.stress.push(turned(points.turn[e], correction).map(|c| c * p));
+            if points.body[e] == NO_BODY {
+                self.own_pressure[j] = p;
+            }
+            for (stress, correction) in self.stress.iter_mut().zip(self.turned[e]) {
+                stress.push(correction * p);
+            }
         }
     }
 
     /// Accelerations by a pressure, -(1/ρ) Σ F (p_i L_i + p_j L_j) Δ: equal and opposite between
     /// pairs, and repelling where particles crowd.
     pub(super) fn accelerate(&mut self, source: Source) {
+        self.own_pressure.resize(self.fluid.len(), 0.0);
         self.stresses(source);
+        let mut slope = std::mem::take(&mut self.accelerations);
+        slope.resize(self.fluid.len(), [0.0; 2]);
+        dispatch(
+            self.path,
+            Gradient {
+                lists: self.lists(),
+                pressure: &self.own_pressure,
+                stress: [0, 1, 2].map(|k| &self.stress[k][..]),
+                slope: &mut slope,
+            },
+        );
         let per_density = -1.0 / self.options.density;
-        let mut own = std::mem::take(&mut self.own_stress);
-        own.resize(self.fluid.len(), [0.0; 3]);
-        for e in 0..self.loose.len() {
-            if self.points.body[e] == super::images::NO_BODY {
-                own[self.points.original[e] as usize] = self.stress[e];
-            }
-        }
-        self.own_stress = own;
-        let mut accelerations = std::mem::take(&mut self.accelerations);
-        accelerations.clear();
-        for i in 0..self.fluid.len() {
-            let [own_xx, own_xy, own_yy] = self.own_stress[i];
-            let [px, py] = self.loose[i].place;
-            let (mut x, mut y) = (0.0, 0.0);
-            for &Neighbour { point, weight } in self.neighbours(i) {
-                let e = point as usize;
-                let [xx, xy, yy] = self.stress[e];
-                let dx = weight * (self.points.x[e] - px);
-                let dy = weight * (self.points.y[e] - py);
-                x += (xx + own_xx) * dx + (xy + own_xy) * dy;
-                y += (xy + own_xy) * dx + (yy + own_yy) * dy;
-            }
-            accelerations.push([per_density * x, per_density * y]);
-        }
-        self.accelerations = accelerations;
+        slope.iter_mut().for_each(|slope| *slope = slope.map(|s| per_density * s));
+        self.accelerations = slope;
     }
 
-    /// ∇·u = Σ F (u_j - u_i)·L_i Δ of a velocity field, images moving as `walls` says.
-    pub(super) fn diverge(
-        &mut self,
-        velocities: &[[f64; 2]],
-        walls: impl Fn(&WallTerms) -> [f64; 2],
-    ) {
-        self.moving.clear();
+    /// The velocities at hand as the walls mirror them.
+    pub(super) fn mirror(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2]) {
+        self.moving.iter_mut().for_each(Vec::clear);
         for e in 0..self.loose.len() {
-            let [u, v] = velocities[self.points.original[e] as usize];
+            let [u, v] = self.velocities[self.points.original[e] as usize];
             let [a, b, c, d] = self.points.turn[e];
             let [wx, wy] = walls(&self.points.walls[e]);
-            self.moving.push([a * u + b * v + wx, c * u + d * v + wy]);
+            self.moving[0].push(a * u + b * v + wx);
+            self.moving[1].push(c * u + d * v + wy);
         }
+    }
+
+    /// ∇·u = Σ F (u_j - u_i)·L_i Δ of the velocities at hand, images moving as `walls` says.
+    pub(super) fn diverge(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2]) {
+        self.mirror(walls);
         let mut divergence = std::mem::take(&mut self.operators.divergence);
-        divergence.clear();
-        for (i, &[u, v]) in velocities.iter().enumerate() {
-            let [px, py] = self.loose[i].place;
-            let (mut ux, mut uy, mut vx, mut vy) = (0.0, 0.0, 0.0, 0.0);
-            for &Neighbour { point, weight } in self.neighbours(i) {
-                let e = point as usize;
-                let [ue, ve] = self.moving[e];
-                let dx = weight * (self.points.x[e] - px);
-                let dy = weight * (self.points.y[e] - py);
-                ux += dx * (ue - u);
-                uy += dy * (ue - u);
-                vx += dx * (ve - v);
-                vy += dy * (ve - v);
-            }
-            let [xx, xy, yy] = self.operators.correction[i];
-            divergence.push(xx * ux + xy * (uy + vx) + yy * vy);
-        }
+        divergence.resize(self.fluid.len(), 0.0);
+        dispatch(
+            self.path,
+            Divergence {
+                lists: self.lists(),
+                own: &self.velocities,
+                moving: [&self.moving[0], &self.moving[1]],
+                divergence: &mut divergence,
+            },
+        );
         self.operators.divergence = divergence;
     }
 }

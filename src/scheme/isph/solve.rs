@@ -1,9 +1,11 @@
 //! The pressure, and how it and the walls' loads respond to the wall's acceleration.
 
 use super::Isph;
+use super::exact::ExactLaplacian;
 use super::images::NO_BODY;
 use super::options::Laplacian;
 use super::project::Source;
+use super::sums::Lists;
 use crate::math::sparse::StopRule;
 use crate::scheme::StepError;
 
@@ -18,20 +20,48 @@ const FLOOR: f64 = 1e-3;
 const RESPONSE_TOLERANCE: f64 = 10.0;
 
 impl Isph {
-    fn rule(&self) -> StopRule {
+    pub(super) fn rule(&self) -> StopRule {
         let options = &self.options;
-        let height = options.density * options.gravity * options.spacing;
+        let height = options.density * options.acceleration * options.spacing;
         let entry = 2.0 * options.spacing * options.spacing * self.full_weight;
         StopRule {
             tolerance: options.solver_tolerance,
+            size: None,
             floor: FLOOR * height * entry * (self.fluid.len() as f64).sqrt(),
             most_iterations: MOST_ITERATIONS,
         }
     }
 
-    fn solve(&mut self, right: &[f64], x: &mut [f64], rule: StopRule) -> Result<(), StepError> {
+    pub(super) fn solve(
+        &mut self,
+        right: &[f64],
+        x: &mut [f64],
+        rule: StopRule,
+    ) -> Result<(), StepError> {
         let (path, matrix, preconditioner) = (self.path, &self.matrix, &mut self.preconditioner);
         let report = match self.options.laplacian {
+            Laplacian::Exact => {
+                let operators = &self.operators;
+                let lists = Lists {
+                    starts: &self.list_starts,
+                    near: &self.near,
+                    pull: [&self.pull_x, &self.pull_y],
+                    sway: &operators.sway,
+                    correction: &operators.correction,
+                };
+                let mut product = ExactLaplacian {
+                    points: &self.points,
+                    count: self.loose.len(),
+                    lists,
+                    turned: &self.turned,
+                    volume: &self.volumes,
+                    compact: self.options.compact_share,
+                    exact: &mut self.exact,
+                    matrix,
+                    preconditioner,
+                };
+                self.krylov.conjugate(path, &mut product, (right, x), &rule)
+            }
             Laplacian::Symmetric => {
                 self.krylov.conjugate_gradients(path, matrix, preconditioner, (right, x), &rule)
             }
@@ -60,27 +90,26 @@ impl Isph {
     /// the gradient differ; their difference is then made up for from step to step, instead of
     /// pushing the water the same way for ever.
     pub(super) fn solve_pressure(&mut self, dt: f64) -> Result<(), StepError> {
-        let n = self.fluid.len();
+        self.find_drag();
+        if self.options.laplacian == Laplacian::Exact {
+            return self.solve_exact(dt);
+        }
         self.preconditioner.prepare(&self.matrix);
         // What is forgotten keeps modes from adding up that the gradient hardly feels.
         let memory = self.options.pressure_memory;
         self.pressure.clear();
         self.pressure.extend(self.carried.pressure.iter().map(|p| memory * p));
         self.accelerate(Source::Pressure);
-        let gravity = self.options.gravity;
-        let star: Vec<[f64; 2]> = (0..n)
-            .map(|i| {
-                let [ax, ay] = self.accelerations[i];
-                [self.fluid.vx[i] + dt * ax, self.fluid.vy[i] + dt * (ay - gravity)]
-            })
-            .collect();
-        self.diverge(&star, |walls| walls.velocity);
-        self.check(dt);
+        self.set_velocities_after(dt);
+        self.diverge(|walls| walls.velocity);
         self.right_hand_side(dt, true);
         let carried = &self.carried;
-        let mut change: Vec<f64> = (carried.pressure.iter().zip(&carried.older_pressure))
-            .map(|(p, old)| (2.0 - memory) * p - old)
-            .collect();
+        let mut change = std::mem::take(&mut self.change);
+        change.clear();
+        change.extend(
+            (carried.pressure.iter().zip(&carried.older_pressure))
+                .map(|(p, old)| (2.0 - memory) * p - old),
+        );
         let right = std::mem::take(&mut self.right);
         let rule = self.rule();
         let solved = self.solve(&right, &mut change, rule);
@@ -88,16 +117,36 @@ impl Isph {
         for (pressure, change) in self.pressure.iter_mut().zip(&change) {
             *pressure += change;
         }
+        self.change = change;
         solved
+    }
+
+    /// u + Δt (g + drag + the accelerations at hand).
+    pub(super) fn set_velocities_after(&mut self, dt: f64) {
+        let gravity = self.options.gravity;
+        let (fluid, accelerations, drag) = (&self.fluid, &self.accelerations, &self.drag);
+        self.velocities.clear();
+        self.velocities.extend((0..fluid.len()).map(|i| {
+            let [ax, ay] = [0, 1].map(|k| accelerations[i][k] + drag[i][k]);
+            [fluid.vx[i] + dt * ax, fluid.vy[i] + dt * (ay - gravity)]
+        }));
     }
 
     /// Solves for the pressure per unit acceleration of the responding wall, so that force and
     /// acceleration can be settled together: p = p0 + a p1.
     pub(super) fn solve_response(&mut self, dt: f64) -> Result<(), StepError> {
         self.accelerate(Source::Walls);
-        let star: Vec<[f64; 2]> = self.accelerations.iter().map(|a| a.map(|a| dt * a)).collect();
-        self.diverge(&star, |walls| walls.velocity_response);
-        self.right_hand_side(dt, false);
+        self.velocities.clear();
+        self.velocities.extend(self.accelerations.iter().map(|a| a.map(|a| dt * a)));
+        self.diverge(|walls| walls.velocity_response);
+        if self.options.laplacian == Laplacian::Exact {
+            let factor = -self.options.density / dt;
+            self.right.clear();
+            let divergence = &self.operators.divergence;
+            self.right.extend(divergence.iter().zip(&self.volumes).map(|(d, v)| factor * v * d));
+        } else {
+            self.right_hand_side(dt, false);
+        }
         let mut response = std::mem::take(&mut self.carried.response);
         response.resize(self.fluid.len(), 0.0);
         let rule = StopRule {
@@ -116,24 +165,26 @@ impl Isph {
     /// Eq. 14 with the corrected gradients of the momentum equation, over fluid i and images j:
     /// the force that the water itself feels, with the opposite sign. Needs the stresses of
     /// [`Isph::accelerate`].
-    pub(super) fn reaction(&self) -> Vec<f64> {
-        let mut forces = vec![0.0; self.bodies];
+    pub(super) fn reaction(&mut self) {
+        let mut forces = std::mem::take(&mut self.forces);
+        forces.fill(0.0);
         for &i in &self.at_walls {
             let i = i as usize;
             let [px, py] = self.loose[i].place;
             let volume = self.fluid.mass[i] / self.options.density;
-            let [own_xx, own_xy, _] = self.own_stress[i];
+            let [own_xx, own_xy, _] =
+                self.operators.correction[i].map(|c| c * self.own_pressure[i]);
             for neighbour in self.neighbours(i) {
                 let e = neighbour.point as usize;
                 let body = self.points.body[e];
                 if body != NO_BODY {
-                    let [xx, xy, _] = self.stress[e];
+                    let (xx, xy) = (self.stress[0][e], self.stress[1][e]);
                     let (dx, dy) = (self.points.x[e] - px, self.points.y[e] - py);
                     forces[body as usize] +=
                         volume * neighbour.weight * ((xx + own_xx) * dx + (xy + own_xy) * dy);
                 }
             }
         }
-        forces
+        self.forces = forces;
     }
 }

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::exact::Exact;
 use super::grid::Grid;
 use super::images::{Point, Points};
 use super::options::IsphOptions;
@@ -14,6 +15,9 @@ use crate::scheme::Load;
 
 /// A step sorts the particles afresh when this many have gone by.
 const STEPS_PER_SORT: u64 = 20;
+
+/// The Laplacian that preconditions the exact one takes neighbours within this many spacings.
+const NARROW: f64 = 2.1;
 
 /// Seconds spent in each phase.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -45,6 +49,8 @@ pub(super) struct Carried {
     /// Dynamic pressure of the last step, Pa, and of the one before.
     pub pressure: Vec<f64>,
     pub older_pressure: Vec<f64>,
+    /// Divergence at mid-step that the last step aimed at, 1/s.
+    pub aim: Vec<f64>,
     /// Response of the pressure to the wall's acceleration; empty until it was asked for.
     pub response: Vec<f64>,
 }
@@ -99,7 +105,10 @@ pub struct Isph {
     /// Pressures of the fluid, Pa.
     pub(super) total: Vec<f64>,
     pub(super) responds: usize,
-    pub(super) bodies: usize,
+    pub(super) forces: Vec<f64>,
+    /// Velocities whose divergence is taken.
+    pub(super) velocities: Vec<[f64; 2]>,
+    pub(super) change: Vec<f64>,
     pub(super) fluid: Fluid,
     pub(super) carried: Carried,
     pub(super) tally: Tally,
@@ -112,11 +121,24 @@ pub struct Isph {
     pub(super) points: Points,
     pub(super) list_starts: Vec<u32>,
     pub(super) list: Vec<Neighbour>,
+    pub(super) near: Vec<u32>,
+    /// F Δ of the same entries.
+    pub(super) pull_x: Vec<f64>,
+    pub(super) pull_y: Vec<f64>,
+    pub(super) exact: Exact,
+    /// m/ρ.
+    pub(super) volumes: Vec<f64>,
+    /// Viscous accelerations, their power and what they do to the bodies.
+    pub(super) drag: Vec<[f64; 2]>,
+    pub(super) strain: Vec<[f64; 2]>,
+    pub(super) drag_on_bodies: Vec<f64>,
     pub(super) operators: Operators,
     /// Σ F of a particle with full support.
     pub(super) full_weight: f64,
     /// Σ V W of such a particle.
     pub(super) full_coverage: f64,
+    /// Least V_i V_j F of a pair that the narrow Laplacian takes, and what it is scaled by.
+    pub(super) narrow: (f64, f64),
     /// Offsets of the bodies at r*.
     pub(super) face_offsets: Vec<f64>,
     pub(super) matrix: Csr,
@@ -127,17 +149,20 @@ pub struct Isph {
     pub(super) responded: bool,
     pub(super) timings: Timings,
     pub(super) slot: Vec<u32>,
-    /// p L of every point ...
-    pub(super) stress: Vec<[f64; 3]>,
-    /// ... and of the fluid, in its own order.
-    pub(super) own_stress: Vec<[f64; 3]>,
+    /// p L of every point.
+    pub(super) stress: [Vec<f64>; 3],
+    /// p of the fluid.
+    pub(super) own_pressure: Vec<f64>,
+    /// L of every point, turned as its image is.
+    pub(super) turned: Vec<[f64; 3]>,
+    pub(super) turned_strain: [Vec<f64>; 2],
     pub(super) accelerations: Vec<[f64; 2]>,
     /// Accelerations by the pressure of the step under way.
     pub(super) settled: Vec<[f64; 2]>,
     /// Particles that have images among their neighbours.
     pub(super) at_walls: Vec<u32>,
     /// Velocity of every point.
-    pub(super) moving: Vec<[f64; 2]>,
+    pub(super) moving: [Vec<f64>; 2],
 }
 
 impl Isph {
@@ -152,14 +177,17 @@ impl Isph {
     ) -> Isph {
         let bodies = ghosts.bodies.len();
         let n = fluid.len();
+        let sums = lattice_sums(&options);
         Isph {
-            full_weight: lattice_sums(&options)[0],
-            full_coverage: lattice_sums(&options)[1],
+            full_weight: sums.weight,
+            full_coverage: sums.coverage,
+            narrow: sums.narrow,
             face_offsets: Vec::new(),
             preconditioner: Preconditioner::new(options.preconditioner),
             carried: Carried {
                 pressure: vec![0.0; n],
                 older_pressure: vec![0.0; n],
+                aim: vec![0.0; n],
                 response: Vec::new(),
             },
             tally: Tally::default(),
@@ -170,6 +198,14 @@ impl Isph {
             points: Points::default(),
             list_starts: Vec::new(),
             list: Vec::new(),
+            near: Vec::new(),
+            pull_x: Vec::new(),
+            pull_y: Vec::new(),
+            exact: Exact::default(),
+            volumes: Vec::new(),
+            drag: Vec::new(),
+            strain: Vec::new(),
+            drag_on_bodies: vec![0.0; bodies],
             operators: Operators::default(),
             matrix: Csr::default(),
             right: Vec::new(),
@@ -178,13 +214,17 @@ impl Isph {
             responded: false,
             timings: Timings::default(),
             slot: Vec::new(),
-            stress: Vec::new(),
-            own_stress: Vec::new(),
+            stress: Default::default(),
+            own_pressure: Vec::new(),
+            turned: Vec::new(),
+            turned_strain: Default::default(),
             accelerations: Vec::new(),
             settled: Vec::new(),
             at_walls: Vec::new(),
-            moving: Vec::new(),
-            bodies,
+            moving: Default::default(),
+            forces: vec![0.0; bodies],
+            velocities: Vec::new(),
+            change: Vec::new(),
             options,
             path,
             ghosts,
@@ -216,7 +256,12 @@ impl Isph {
         let mut scratch = Vec::new();
         self.fluid.reorder(&order, &mut scratch);
         let carried = &mut self.carried;
-        for field in [&mut carried.pressure, &mut carried.older_pressure, &mut carried.response] {
+        for field in [
+            &mut carried.pressure,
+            &mut carried.older_pressure,
+            &mut carried.aim,
+            &mut carried.response,
+        ] {
             if !field.is_empty() {
                 *field = order.iter().map(|&from| field[from as usize]).collect();
             }
@@ -224,20 +269,38 @@ impl Isph {
     }
 }
 
-/// Σ F and Σ V W of a particle inside a square lattice of the options' spacing.
-fn lattice_sums(options: &IsphOptions) -> [f64; 2] {
+/// Sums over a square lattice of the options' spacing, for a particle inside it.
+struct LatticeSums {
+    /// Σ F.
+    weight: f64,
+    /// Σ V W.
+    coverage: f64,
+    /// V² F at the edge of the narrow Laplacian, and Σ F Δ² over that within.
+    narrow: (f64, f64),
+}
+
+fn lattice_sums(options: &IsphOptions) -> LatticeSums {
     let (dx, radius) = (options.spacing, options.support_radius);
     let rings = (radius / dx).ceil() as i64;
-    let (mut weight, mut coverage) = (0.0, options.kernel.shape_at(0.0));
+    let factor = dx * dx * options.kernel.normalisation() / (radius * radius);
+    let weight_at = |q: f64| -factor * options.kernel.slope_at(q) / (q * radius * radius);
+    let (mut weight, mut coverage) = (0.0, factor * options.kernel.shape_at(0.0));
+    let (mut moment, mut narrow_moment) = (0.0, 0.0);
     for i in -rings..=rings {
         for j in -rings..=rings {
-            let q = (i as f64).hypot(j as f64) * dx / radius;
+            let distance = (i as f64).hypot(j as f64);
+            let q = distance * dx / radius;
             if q > 0.0 && q < 1.0 {
-                weight -= options.kernel.slope_at(q) / q;
-                coverage += options.kernel.shape_at(q);
+                weight += weight_at(q);
+                coverage += factor * options.kernel.shape_at(q);
+                moment += distance * distance * weight_at(q);
+                if distance < NARROW {
+                    narrow_moment += distance * distance * weight_at(q);
+                }
             }
         }
     }
-    let factor = dx * dx * options.kernel.normalisation() / (radius * radius);
-    [weight * factor / (radius * radius), coverage * factor]
+    let edge = (NARROW * dx / radius).min(1.0);
+    let narrow = (dx * dx * weight_at(edge), moment / narrow_moment);
+    LatticeSums { weight, coverage, narrow }
 }
