@@ -11,7 +11,9 @@ const SHORT: &str = "tank_length_m = 1.6\nwave_gauge_m = 0.8\nend_after_stroke_c
 
 fn config(scene: &str, numerics: &str) -> CaseConfig {
     let table = |text: &str| text.parse::<Table>().unwrap();
-    CaseConfig::from_tables(&table(scene), &table(&format!("{NUMERICS}{numerics}"))).unwrap()
+    let mut all = table(NUMERICS);
+    all.extend(table(numerics));
+    CaseConfig::from_tables(&table(scene), &all).unwrap()
 }
 
 fn movable(stiffness: f64, mass: f64) -> String {
@@ -32,10 +34,16 @@ fn bits(result: CaseResult) -> Vec<u8> {
 #[test]
 fn still_water_stays_still_and_presses_by_its_weight() {
     let scene = "tank_length_m = 1.0\nwave_gauge_m = 0.5\nwave_height_ratio = 0\nend_time_s = 1.0";
-    let result = try_run(&config(scene, "")).unwrap();
-    X
-    assert!(result.outcome.runup_end.abs() < 1e-3, "{}", result.outcome.runup_end);
-    assert!(result.energy.kinetic < 1e-4, "{}", result.energy.kinetic);
+    let error = |spacing: &str| {
+        let result = try_run(&config(scene, spacing)).unwrap();
+        assert!(result.outcome.runup_end.abs() < 1e-3, "{}", result.outcome.runup_end);
+        assert!(result.energy.kinetic < 1e-4, "{}", result.energy.kinetic);
+        1.0 - result.outcome.force_end
+    };
+    let (coarse, fine) = (error(""), error("particle_spacing_m = 0.02\n"));
+    assert!(fine.abs() < 0.01, "{fine}");
+    let order = (coarse / fine).log2();
+    assert!(order > 1.7, "five rows {coarse}, ten {fine}: order {order}");
 }
 
 #[test]
@@ -91,4 +99,34 @@ fn keys_of_the_other_scheme_are_refused() {
     assert!(told("solver_tolerance = 1e-3").contains("scheme = \"isph\""));
     assert!(told("scheme = \"isph\"\nsound_speed_ratio = 10.0").contains("scheme = \"wcsph\""));
     assert!(told("scheme = \"isph\"\nsolver_tolerance = 2.0").contains("solver_tolerance"));
+}
+
+#[test]
+fn other_kernels_and_laplacians_run() {
+    let still = "tank_length_m = 1.0\nwave_gauge_m = 0.5\nwave_height_ratio = 0\nend_time_s = 0.3";
+    let force = |numerics: &str| try_run(&config(still, numerics)).unwrap().outcome.force_end;
+    for numerics in [
+        "kernel = \"cubic-spline\"\n",
+        "kernel = \"quintic-spline\"\nsupport_radius_ratio = 3.9\n",
+        "laplacian = \"symmetric\"\ngravity_courant_number = 0.035\n",
+        "laplacian = \"schwaiger\"\ngravity_courant_number = 0.035\nkernel = \"cubic-spline\"\n",
+    ] {
+        let error = force(numerics) - 1.0;
+        assert!(error.abs() < 0.05, "{numerics}: {error}");
+    }
+}
+
+#[test]
+fn a_basin_and_a_dam_break_run_too() {
+    let basin = config("kind = \"hydrostatic\"\nend_time_s = 0.5", "");
+    assert!((try_run(&basin).unwrap().outcome.force_end - 1.0).abs() < 0.05);
+    let dam = "kind = \"dam-break\"\nend_time_s = 1.2";
+    let fallen = try_run(&config(dam, "")).unwrap();
+    let energy = fallen.energy;
+    assert!(energy.kinetic > 0.0 && fallen.outcome.particles_lost == 0);
+    assert!(
+        fallen.outcome.energy_gap_percent.abs() < 10.0,
+        "{}",
+        fallen.outcome.energy_gap_percent
+    );
 }

@@ -60,6 +60,7 @@ pub struct Krylov {
     image: Vec<f64>,
     ready: Vec<f64>,
     other: Vec<f64>,
+    second: Vec<f64>,
 }
 
 /// Sum of products in eight running sums, always in the same order.
@@ -175,13 +176,15 @@ impl Krylov {
         let mut stored = Stored { matrix: a, preconditioner: &mut *m };
         let scale = self.start(path, &mut stored, b, x, rule);
         self.shadow.copy_from_slice(&self.residual);
-        let mut second = vec![0.0; a.len()];
+        let mut second = std::mem::take(&mut self.second);
+        second.resize(a.len(), 0.0);
         let (mut rho, mut alpha, mut omega) = (1.0, 1.0, 1.0);
         let mut iterations = 0;
         loop {
             let residual = dot(&self.residual, &self.residual).sqrt() / scale;
             let converged = residual <= rule.tolerance;
             if converged || iterations >= rule.most_iterations || !residual.is_finite() {
+                self.second = second;
                 return SolveReport { iterations, residual, converged };
             }
             let next = dot(&self.shadow, &self.residual);

@@ -10,6 +10,7 @@ pub(super) struct Grid {
     inverse_width: f64,
     columns: usize,
     starts: Vec<u32>,
+    next: Vec<u32>,
 }
 
 impl Grid {
@@ -37,12 +38,14 @@ impl Grid {
             self.starts[cell + 1] += self.starts[cell];
         }
         points.resize(loose.len() + LANES);
-        let mut next = self.starts.clone();
+        let mut next = std::mem::take(&mut self.next);
+        next.clone_from(&self.starts);
         for point in loose {
             let cell = self.cell(point.place);
             points.set(next[cell] as usize, point);
             next[cell] += 1;
         }
+        self.next = next;
     }
 
     fn cell(&self, [x, y]: [f64; 2]) -> usize {

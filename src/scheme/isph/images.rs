@@ -8,7 +8,6 @@
 
 use super::Isph;
 use crate::body::BodyMotion;
-use crate::boundary::Plane;
 
 /// The water and its images, in the order of the grid's cells.
 #[derive(Debug, Clone, Default)]
@@ -94,9 +93,10 @@ impl Isph {
             });
         }
         let reach = options.support_radius;
-        let planes: Vec<Plane> = (self.ghosts.bodies.iter().zip(&self.face_offsets))
-            .map(|(body, &offset)| body.plane.moved(offset))
-            .collect();
+        let mut planes = std::mem::take(&mut self.planes);
+        planes.clear();
+        let faces = self.ghosts.bodies.iter().zip(&self.face_offsets);
+        planes.extend(faces.map(|(body, &offset)| body.plane.moved(offset)));
         for (number, plane) in planes.iter().enumerate() {
             let motion = &bodies[number];
             let responds = number == self.responds;
@@ -142,5 +142,6 @@ impl Isph {
                 });
             }
         }
+        self.planes = planes;
     }
 }

@@ -19,6 +19,8 @@ mod solve;
 mod state;
 mod sums;
 mod surface;
+#[cfg(test)]
+mod tests;
 mod viscosity;
 
 pub use options::{IsphOptions, Laplacian};

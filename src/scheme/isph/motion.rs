@@ -33,7 +33,12 @@ impl Isph {
                 *own = [own[0] + a * response[0], own[1] + a * response[1]];
             }
         }
-        let ends = self.ends(dt, walls.bodies);
+        let mut ends = std::mem::take(&mut self.planes);
+        ends.clear();
+        ends.extend(
+            (self.ghosts.bodies.iter().zip(walls.bodies))
+                .map(|(body, motion)| body.plane.moved(motion.offset + dt * motion.velocity)),
+        );
         let mut viscous_power = 0.0;
         let mut shifting_work = 0.0;
         for i in 0..n {
@@ -51,6 +56,7 @@ impl Isph {
             shifting_work -= self.fluid.mass[i] * options.gravity * self.shift(i, dt);
         }
         self.hold_inside(&ends, walls.bodies);
+        self.planes = ends;
         Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }
     }
 
@@ -72,13 +78,6 @@ impl Isph {
         self.fluid.x[i] += dx;
         self.fluid.y[i] += dy;
         dy
-    }
-
-    /// Where the faces stand after the step.
-    fn ends(&self, dt: f64, bodies: &[BodyMotion]) -> Vec<Plane> {
-        (self.ghosts.bodies.iter().zip(bodies))
-            .map(|(body, motion)| body.plane.moved(motion.offset + dt * motion.velocity))
-            .collect()
     }
 
     /// Puts particles that have slipped through a wall back onto its face, with its velocity.

@@ -6,7 +6,7 @@ use super::exact::Exact;
 use super::grid::Grid;
 use super::images::{Point, Points};
 use super::options::IsphOptions;
-use crate::boundary::Ghosts;
+use crate::boundary::{Ghosts, Plane};
 use crate::math::simd::SimdPath;
 use crate::math::sparse::{Csr, Krylov, Preconditioner};
 use crate::neighbours::Strips;
@@ -109,6 +109,12 @@ pub struct Isph {
     /// Velocities whose divergence is taken.
     pub(super) velocities: Vec<[f64; 2]>,
     pub(super) change: Vec<f64>,
+    strips: Strips,
+    order: Vec<u32>,
+    scratch: Vec<f64>,
+    pub(super) planes: Vec<Plane>,
+    /// Particles in reach of the surface.
+    pub(super) near_surface: Vec<bool>,
     pub(super) fluid: Fluid,
     pub(super) carried: Carried,
     pub(super) tally: Tally,
@@ -225,6 +231,11 @@ impl Isph {
             forces: vec![0.0; bodies],
             velocities: Vec::new(),
             change: Vec::new(),
+            strips: Strips::default(),
+            order: Vec::new(),
+            scratch: Vec::new(),
+            planes: Vec::new(),
+            near_surface: Vec::new(),
             options,
             path,
             ghosts,
@@ -252,9 +263,9 @@ impl Isph {
         let n = self.fluid.len();
         let width = 2.83 * self.options.spacing;
         let (x, y) = (&self.fluid.x[..n], &self.fluid.y[..n]);
-        let (_, order) = Strips::sort(x, y, &self.fluid.id[..n], width);
-        let mut scratch = Vec::new();
-        self.fluid.reorder(&order, &mut scratch);
+        let mut order = std::mem::take(&mut self.order);
+        self.strips.renew(x, y, &self.fluid.id[..n], width, &mut order);
+        self.fluid.reorder(&order, &mut self.scratch);
         let carried = &mut self.carried;
         for field in [
             &mut carried.pressure,
@@ -263,9 +274,12 @@ impl Isph {
             &mut carried.response,
         ] {
             if !field.is_empty() {
-                *field = order.iter().map(|&from| field[from as usize]).collect();
+                self.scratch.clear();
+                self.scratch.extend(order.iter().map(|&from| field[from as usize]));
+                field.copy_from_slice(&self.scratch);
             }
         }
+        self.order = order;
     }
 }
 

@@ -32,7 +32,9 @@ impl Isph {
             if length > 0.0 { [-sway[0] / length, -sway[1] / length] } else { [0.0, 1.0] }
         };
         let of = |i: usize| self.list_starts[i] as usize..self.list_starts[i + 1] as usize;
-        let mut near = vec![false; n];
+        let near = &mut self.near_surface;
+        near.clear();
+        near.resize(n, false);
         for i in (0..n).filter(|&i| operators.at_surface[i]) {
             for neighbour in &self.list[of(i)] {
                 near[self.points.original[neighbour.point as usize] as usize] = true;

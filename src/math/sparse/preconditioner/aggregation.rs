@@ -16,6 +16,8 @@ const STRETCH: f64 = 1.6;
 #[derive(Debug, Clone, Default)]
 pub struct Hierarchy {
     levels: Vec<Level>,
+    /// How many of them are in use; the others keep their memory.
+    depth: usize,
     dense: Vec<f64>,
     dense_size: usize,
 }
@@ -28,6 +30,12 @@ struct Level {
     matrix: Csr,
     right: Vec<f64>,
     solution: Vec<f64>,
+    /// Scratch of the coarsening.
+    seeded: Vec<u32>,
+    starts: Vec<u32>,
+    members: Vec<u32>,
+    next: Vec<u32>,
+    slot: Vec<u32>,
 }
 
 impl Hierarchy {
@@ -54,15 +62,15 @@ impl Hierarchy {
                 break;
             }
         }
-        self.levels.truncate(depth);
-        let last = self.levels.last().map_or(a, |level| &level.matrix);
+        self.depth = depth;
+        let last = self.levels[..depth].last().map_or(a, |level| &level.matrix);
         self.dense_size = if last.len() <= 4 * COARSEST { last.len() } else { 0 };
         factorise(last, &mut self.dense, self.dense_size);
     }
 
     /// One V-cycle from zero.
     pub fn apply(&mut self, _path: SimdPath, a: &Csr, r: &[f64], z: &mut [f64]) {
-        cycle(a, &mut self.levels, (&self.dense, self.dense_size), r, z);
+        cycle(a, &mut self.levels[..self.depth], (&self.dense, self.dense_size), r, z);
     }
 }
 
@@ -147,7 +155,8 @@ impl Level {
             count += 1;
         }
         // The rest join the neighbour they hang on to most.
-        let seeded = self.aggregate.clone();
+        let mut seeded = std::mem::take(&mut self.seeded);
+        seeded.clone_from(&self.aggregate);
         for row in 0..n {
             if seeded[row] != NONE {
                 continue;
@@ -166,27 +175,32 @@ impl Level {
                 }
             };
         }
+        self.seeded = seeded;
         self.gather(fine, count as usize);
     }
 
     /// The coarse matrix: sums of entries between aggregates.
     fn gather(&mut self, fine: &Csr, count: usize) {
-        let mut starts = vec![0_u32; count + 1];
+        let Level { starts, members, next, slot, .. } = self;
+        starts.clear();
+        starts.resize(count + 1, 0);
         for &to in &self.aggregate {
             starts[to as usize + 1] += 1;
         }
         for k in 0..count {
             starts[k + 1] += starts[k];
         }
-        let mut members = vec![0_u32; fine.len()];
-        let mut next = starts.clone();
+        members.clear();
+        members.resize(fine.len(), 0);
+        next.clone_from(starts);
         for (row, &to) in self.aggregate.iter().enumerate() {
             members[next[to as usize] as usize] = row as u32;
             next[to as usize] += 1;
         }
         let coarse = &mut self.matrix;
         coarse.clear();
-        let mut slot = vec![u32::MAX; count];
+        slot.clear();
+        slot.resize(count, u32::MAX);
         for aggregate in 0..count {
             let start = coarse.columns.len();
             let mut diagonal = 0.0;

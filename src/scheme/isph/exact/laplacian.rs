@@ -71,9 +71,37 @@ impl Product for ExactLaplacian<'_> {
     }
 }
 
+#[cfg(test)]
+impl Isph {
+    /// The product with a pressure.
+    pub(in super::super) fn exact_product(&mut self, x: &[f64]) -> Vec<f64> {
+        let operators = &self.operators;
+        let mut product = ExactLaplacian {
+            points: &self.points,
+            count: self.loose.len(),
+            lists: Lists {
+                starts: &self.list_starts,
+                near: &self.near,
+                pull: [&self.pull_x, &self.pull_y],
+                sway: &operators.sway,
+                correction: &operators.correction,
+            },
+            turned: &self.turned,
+            volume: &self.volumes,
+            compact: self.options.compact_share,
+            exact: &mut self.exact,
+            matrix: &self.matrix,
+            preconditioner: &mut self.preconditioner,
+        };
+        let mut y = vec![0.0; x.len()];
+        product.multiply(self.path, x, &mut y);
+        y
+    }
+}
+
 impl Isph {
     /// What the products need besides the lists.
-    pub(super) fn prepare_exact(&mut self) {
+    pub(in super::super) fn prepare_exact(&mut self) {
         let (n, count) = (self.fluid.len(), self.loose.len());
         self.volumes.clear();
         self.volumes.extend(self.fluid.mass[..n].iter().map(|mass| mass / self.options.density));

@@ -22,7 +22,7 @@ impl Isph {
     ///
     /// κ = ½ tr (Σ F ΔΔᵀ)⁻¹, Schwaiger's (2008) normalisation of a support that is cut off, takes the
     /// compact Laplacian to the size of the exact one.
-    pub(super) fn soften(&mut self) {
+    pub(in super::super) fn soften(&mut self) {
         let options = &self.options;
         let gravity = options.density * options.gravity;
         let exact = &mut self.exact;

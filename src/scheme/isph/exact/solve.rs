@@ -74,6 +74,10 @@ impl Isph {
         let aim = &mut self.exact.aim;
         aim.clear();
         aim.extend(now.iter().zip(&self.carried.aim).map(|(now, old)| -0.5 * (now - old)));
+        if self.tally.steps == 0 {
+            // Nothing has moved yet: all of the divergence is to go.
+            aim.fill(0.0);
+        }
         let asked = now.iter().zip(&*aim).zip(&self.volumes);
         let square: f64 = asked.map(|((now, aim), volume)| (volume * (now - aim)).powi(2)).sum();
         self.options.density * square.sqrt()
