@@ -6,13 +6,15 @@
 //! 0 where every case is well, 1 where one failed, 2 on bad input. Whether a difference is small
 //! enough is for the reader to say: it depends on the particle spacing that was asked for.
 
-use std::collections::HashMap;
+mod common;
+
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result, ensure};
+use common::{KEYS, Row, number, read, same_case};
 
 /// What is compared: our column, the reference's column, the heading.
 const COMPARED: [[&str; 3]; 4] = [
@@ -21,28 +23,6 @@ const COMPARED: [[&str; 3]; 4] = [
     ["first_runup_max", "first_runup_max", "first R*"],
     ["displacement_max", "displacement_max", "largest X*"],
 ];
-
-/// What tells which case of the reference a row is.
-const KEYS: [&str; 3] = ["wave_height_ratio", "spring_stiffness_n_per_m", "seawall_mass_kg_per_m"];
-
-type Row = HashMap<String, String>;
-
-fn number(row: &Row, column: &str) -> Option<f64> {
-    row.get(column)?.parse().ok()
-}
-
-fn same_case(row: &Row, reference: &Row) -> bool {
-    KEYS.iter().all(|key| number(row, key) == number(reference, key))
-}
-
-fn read(path: &Path) -> Result<Vec<Row>> {
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .from_path(path)
-        .with_context(|| format!("cannot read {}", path.display()))?;
-    let rows = reader.deserialize().collect::<Result<Vec<Row>, _>>();
-    rows.with_context(|| format!("cannot read {}", path.display()))
-}
 
 /// A value beside its reference.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

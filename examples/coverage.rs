@@ -6,12 +6,15 @@
 //! at half the particle spacing, where the run has it. Writes a table to `OUT.md` and prints it.
 //! Exit code 0, or 2 on bad input.
 
-use std::collections::{BTreeMap, HashMap};
+mod common;
+
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result, ensure};
+use common::{KEYS, Row, number, read, same_case};
 
 /// Our column, the bar's, the heading.
 const READINGS: [[&str; 3]; 3] = [
@@ -19,26 +22,6 @@ const READINGS: [[&str; 3]; 3] = [
     ["first_runup_max", "runup_error", "first R*"],
     ["displacement_max", "displacement_error", "largest X*"],
 ];
-const KEYS: [&str; 3] = ["wave_height_ratio", "spring_stiffness_n_per_m", "seawall_mass_kg_per_m"];
-
-type Row = HashMap<String, String>;
-
-fn number(row: &Row, column: &str) -> Option<f64> {
-    row.get(column)?.parse().ok()
-}
-
-fn read(path: &Path) -> Result<Vec<Row>> {
-    let mut reader = csv::ReaderBuilder::new()
-        .comment(Some(b'#'))
-        .from_path(path)
-        .with_context(|| format!("cannot read {}", path.display()))?;
-    let rows = reader.deserialize().collect::<Result<Vec<Row>, _>>();
-    rows.with_context(|| format!("cannot read {}", path.display()))
-}
-
-fn same_case(a: &Row, b: &Row) -> bool {
-    KEYS.iter().all(|key| number(a, key) == number(b, key))
-}
 
 /// One bar: its size over the value, the error over the bar, and the case.
 struct Bar {

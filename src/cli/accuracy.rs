@@ -1,68 +1,49 @@
 //! `seawall accuracy`: speed against error.
 
-use std::path::PathBuf;
-
 use clap::Args;
 use serde_json::json;
 
-use super::matrix::{Request, run};
+use super::matrix::{MatrixArgs, Request, run};
 use super::output::{Output, short};
 use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
 use crate::report::accuracy::{HEADER, write};
-use crate::sweep::matrix::accuracy::{MethodScore, Scored, cheapest_within, methods, score};
+use crate::sweep::matrix::accuracy::{Group, MethodScore, Scored, cheapest_within, methods, score};
 
 /// Run many methods on cases with known answers, and tell error against processor time.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall accuracy --quick
   seawall accuracy --threads 2
+  seawall accuracy --case standing_wave --method 'dx 0.02,R 3'
   seawall accuracy sweeps/accuracy.toml --out results/runs/accuracy --format json
 
 The cases, their truths and the methods are those of sweeps/accuracy.toml. Errors are percent of
 the truth, of the still water depth for levels; a method's error is their root mean square over all
 cases. Interrupted, the same command goes on.")]
 pub(super) struct AccuracyArgs {
-    /// A matrix of cases and methods [default: sweeps/accuracy.toml, built in].
-    file: Option<PathBuf>,
-    /// Where results go [default: results/runs/accuracy].
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Only the cases and methods marked quick: under 3 minutes.
-    #[arg(long)]
-    quick: bool,
-    /// Move an earlier run aside and start over.
-    #[arg(long)]
-    fresh: bool,
-    /// Cases at once [default: one per core]; fewer give steadier times.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
-    threads: Option<u16>,
+    #[command(flatten)]
+    matrix: MatrixArgs,
 }
 
 /// The cases and methods.
 const BUILT_IN: &str = include_str!("../../sweeps/accuracy.toml");
 
 pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
-    let ran = run(
-        &Request {
-            file: args.file.as_deref(),
-            built_in: BUILT_IN,
-            out: args.out.as_deref(),
-            quick: args.quick,
-            fresh: args.fresh,
-            threads: args.threads,
-            branching: false,
-        },
-        output,
-    )?;
+    let request = Request { built_in: BUILT_IN, branching: false };
+    let ran = run(&args.matrix, &request, output)?;
     if let Some(code) = ran.interrupted {
         return Ok(code);
     }
     let scored = score(&ran.matrix, &ran.pairs, &ran.records);
-    let scores = methods(&ran.matrix, &scored);
+    let [scores, loads] =
+        [Group::All, Group::Loads].map(|group| methods(&ran.matrix, &scored, group));
     let about: Vec<_> =
         ran.matrix.cases.iter().map(|case| (case.name.clone(), case.about.clone())).collect();
-    std::fs::write(ran.out.join("accuracy.csv"), csv(&scored, &scores)?)?;
+    std::fs::write(
+        ran.out.join("accuracy.csv"),
+        csv(&scored, &[(Group::All, &scores), (Group::Loads, &loads)])?,
+    )?;
     let page = write(&ran.out, &about)?;
     let mut table =
         Table::new(["method", "error, %", "worst, %", "cpu, s", "failed", "on the front"]);
@@ -78,21 +59,23 @@ pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
         ]);
     }
     let mut text = format!("{}\n", table.render());
-    for target in [1.0, 3.0, 10.0] {
-        let best = match cheapest_within(&scores, target) {
-            Some(best) => format!("{}, {} s", best.method, short(best.cpu_time_s)),
-            None => "none of these".to_owned(),
-        };
-        text.push_str(&format!("best at {target} %: {best}\n"));
+    for (what, scores) in [("all quantities", &scores), ("force and displacement", &loads)] {
+        for target in [1.0, 3.0, 10.0] {
+            let best = match cheapest_within(scores, target) {
+                Some(best) => format!("{}, {} s", best.method, short(best.cpu_time_s)),
+                None => "none of these".to_owned(),
+            };
+            text.push_str(&format!("best at {target} %, {what}: {best}\n"));
+        }
     }
     text.push_str(&format!("report: {}\n", page.display()));
-    let value = json!({ "out": ran.out, "report": page, "methods": scores, "rows": scored });
+    let value = json!({ "out": ran.out, "report": page, "methods": scores, "loads": loads, "rows": scored });
     output.result(&text, &value)?;
     Ok(if scored.iter().any(|row| row.errors().next().is_none()) { CASES_FAILED } else { SUCCESS })
 }
 
-/// Every pair, then every method over all cases under the name of `all`.
-fn csv(scored: &[Scored], scores: &[MethodScore]) -> anyhow::Result<Vec<u8>> {
+/// Every pair, then every method over all cases under the name of the group.
+fn csv(scored: &[Scored], groups: &[(Group, &Vec<MethodScore>)]) -> anyhow::Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(HEADER)?;
     let number = |value: Option<f64>| value.map(|value| format!("{value:.4}")).unwrap_or_default();
@@ -106,16 +89,21 @@ fn csv(scored: &[Scored], scores: &[MethodScore]) -> anyhow::Result<Vec<u8>> {
             &number(row.force_error_percent),
             &number(row.runup_error_percent),
             &number(row.displacement_error_percent),
+            &number(row.flow_error_percent),
             &number(mean),
             &number(row.cpu_time_s),
             "",
             &row.reason,
         ])?;
     }
-    for score in scores {
-        let pareto = if score.pareto { "yes" } else { "no" };
-        let (mean, time) = (number(score.error_percent), number(Some(score.cpu_time_s)));
-        writer.write_record(["all", &score.method, "", "", "", &mean, &time, pareto, ""])?;
+    for (group, scores) in groups {
+        for score in *scores {
+            let pareto = if score.pareto { "yes" } else { "no" };
+            let (mean, time) = (number(score.error_percent), number(Some(score.cpu_time_s)));
+            let name = group.name();
+            let row = [name, &score.method, "", "", "", "", &mean, &time, pareto, ""];
+            writer.write_record(row)?;
+        }
     }
     Ok(writer.into_inner()?)
 }

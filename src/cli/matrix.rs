@@ -1,6 +1,8 @@
 //! What `accuracy` and `stress` have in common: running a matrix in its output directory.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
+
+use clap::Args;
 
 use super::execute::{Done, Job, execute};
 use super::failure::BadInput;
@@ -10,16 +12,35 @@ use crate::sweep::executor::{Setup, threads};
 use crate::sweep::matrix::{Matrix, Pair};
 use crate::sweep::{CaseRecord, Ending, Interrupt, OpenMode, SphRunner};
 
-/// What the user asked for.
-pub(super) struct Request<'a> {
-    /// The user's own matrix.
-    pub(super) file: Option<&'a Path>,
-    /// The one that is built in.
+/// What both commands take.
+#[derive(Debug, Args)]
+pub(super) struct MatrixArgs {
+    /// A matrix of cases and methods [default: built in, the one of the command's name in sweeps/].
+    file: Option<PathBuf>,
+    /// Where results go [default: results/runs/<name of the matrix>].
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Only the cases and methods marked quick: under 3 minutes.
+    #[arg(long)]
+    quick: bool,
+    /// Only these cases, by name.
+    #[arg(long = "case", value_name = "NAME,...", value_delimiter = ',')]
+    cases: Vec<String>,
+    /// Only these methods, by name.
+    #[arg(long = "method", value_name = "NAME,...", value_delimiter = ',')]
+    methods: Vec<String>,
+    /// Move an earlier run aside and start over.
+    #[arg(long)]
+    fresh: bool,
+    /// Cases at once [default: one per core]; fewer give steadier times.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+}
+
+/// What a command adds.
+pub(super) struct Request {
+    /// The matrix that is built in.
     pub(super) built_in: &'static str,
-    pub(super) out: Option<&'a Path>,
-    pub(super) quick: bool,
-    pub(super) fresh: bool,
-    pub(super) threads: Option<u16>,
     /// Whether cases may share trunks; not where each one's time is measured.
     pub(super) branching: bool,
 }
@@ -35,22 +56,25 @@ pub(super) struct Ran {
 }
 
 /// Runs what of a matrix is missing in its directory.
-pub(super) fn run(request: &Request<'_>, output: &Output) -> anyhow::Result<Ran> {
-    let text = match request.file {
+pub(super) fn run(args: &MatrixArgs, request: &Request, output: &Output) -> anyhow::Result<Ran> {
+    let text = match &args.file {
         None => request.built_in.to_owned(),
         Some(path) => std::fs::read_to_string(path)
             .map_err(|error| BadInput(format!("{}: {error}", path.display())))?,
     };
-    let name = request.file.map_or("the built-in matrix".into(), |path| path.display().to_string());
-    let matrix = Matrix::read(&text).map_err(|error| BadInput(format!("{name}: {error}")))?;
-    let (study, pairs) = matrix.study(request.quick, &text);
+    let built_in = || "the built-in matrix".to_owned();
+    let name = args.file.as_ref().map_or_else(built_in, |path| path.display().to_string());
+    let told = |error| BadInput(format!("{name}: {error}"));
+    let whole = Matrix::read(&text).map_err(told)?;
+    let matrix = whole.only(&args.cases, &args.methods).map_err(told)?;
+    let (study, pairs) = matrix.study(args.quick, &text);
     if study.cases.is_empty() {
         return Err(BadInput(format!("{name}: no case that this program can run")).into());
     }
     let job = Job {
-        out: request.out.map_or_else(|| default_out(&study), Path::to_owned),
+        out: args.out.clone().unwrap_or_else(|| default_out(&study)),
         study,
-        mode: if request.fresh { OpenMode::Fresh } else { OpenMode::Resume },
+        mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
         retry_failed: false,
         branching: request.branching,
         simd: SimdChoice::Auto.path(),
@@ -59,7 +83,7 @@ pub(super) fn run(request: &Request<'_>, output: &Output) -> anyhow::Result<Ran>
     let interrupt = Interrupt::listen()?;
     let setup = Setup {
         make_runner: &|simd| Box::new(SphRunner { simd }),
-        threads: request.threads.map(usize::from),
+        threads: args.threads.map(usize::from),
         interrupt: &interrupt,
     };
     let done: Done = threads::with_crew(&setup, |crew| execute(&job, crew, &interrupt, output))?;

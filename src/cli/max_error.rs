@@ -9,8 +9,9 @@ use serde_json::json;
 use super::execute::Done;
 use super::failure::BadInput;
 use super::output::{Output, short};
+use crate::scene::CaseConfig;
 use crate::sweep::Study;
-use crate::sweep::tuning::{AccuracyTable, bar_percent};
+use crate::sweep::tuning::{AccuracyTable, Choice, bar_percent, differences};
 
 /// A wanted error and what is known about meeting it.
 pub(super) struct Aim {
@@ -41,28 +42,30 @@ impl Aim {
         Ok(Aim { percent, table: AccuracyTable::stored() })
     }
 
-    /// The study with the spacings that are expected to do, and why, told.
+    fn choose(&self, config: &CaseConfig, at_most: f64, swept: &[String]) -> Option<Choice> {
+        self.table.choose(config, self.percent, at_most, swept)
+    }
+
+    /// The study with the numerics that are expected to do, and why, told.
     pub(super) fn first(&self, study: &Study, output: &Output) -> Study {
         let mut told: BTreeMap<String, usize> = BTreeMap::new();
         for case in &study.cases {
-            let Some(choice) = self.table.choose(&case.config, self.percent, 0.25) else {
-                continue;
-            };
-            let doubt = if choice.meets { "" } else { ", the finest of the table" };
+            let Some(choice) = self.choose(&case.config, 0.25, &study.keys) else { continue };
+            let doubt = if choice.meets { "the cheapest expected to do" } else { "the best known" };
             let line = format!(
-                "{} m: {} % of force and displacement measured in {}{doubt}",
-                short(choice.particle_spacing_m),
+                "{}: {doubt}, {} % of force and displacement in {} s of {}",
+                choice.method,
                 short(choice.expected_percent),
+                short(choice.cost_s),
                 choice.because
             );
             *told.entry(line).or_default() += 1;
         }
         for (line, cases) in told {
-            output.note(format_args!("{cases} cases at {line}"));
+            output.note(format_args!("{cases} cases with {line}"));
         }
-        let chosen = study.with_spacings(|_, config| {
-            Some(self.table.choose(config, self.percent, 0.25)?.particle_spacing_m)
-        });
+        let chosen =
+            study.with_choices(|_, config| Some(self.choose(config, 0.25, &study.keys)?.config));
         chosen.aiming_at(self.percent)
     }
 
@@ -76,8 +79,8 @@ impl Aim {
             let config = &study.cases[case.index].config;
             let depth = config.scene.seawall()?.still_water_depth_m;
             let at_most = 0.99 * case.spacing / depth;
-            if let Some(choice) = self.table.choose(config, self.percent, at_most) {
-                finer.insert(case.index, choice.particle_spacing_m);
+            if let Some(choice) = self.choose(config, at_most, &study.keys) {
+                finer.insert(case.index, choice.config);
             }
         }
         if finer.is_empty() {
@@ -88,23 +91,23 @@ impl Aim {
             finer.len(),
             self.percent
         ));
-        Some(study.with_spacings(|index, _| finer.get(&index).copied()))
+        Some(study.with_choices(|index, _| finer.get(&index).cloned()))
     }
 
-    /// Writes `max_error.csv`: which case got which spacing and whether its bars keep to the aim.
+    /// Writes `max_error.csv`: which case got which numerics and whether its bars keep to the aim.
     pub(super) fn report(
         &self,
         study: &Study,
         done: &Done,
     ) -> anyhow::Result<(String, serde_json::Value)> {
         let verified = self.verify(study, done);
-        let mut csv =
-            "case_id,particle_spacing_m,error_bar_percent,max_error_percent,met\n".to_owned();
+        let mut csv = "case_id,numerics,error_bar_percent,max_error_percent,met\n".to_owned();
         let met = |case: &Verified| case.bar.is_some_and(|bar| bar <= self.percent);
         for case in &verified {
             let bar = case.bar.map(|bar| bar.to_string()).unwrap_or_default();
-            let (id, spacing) = (study.cases[case.index].id, case.spacing);
-            writeln!(csv, "{id},{spacing},{bar},{},{}", self.percent, met(case))?;
+            let own = &study.cases[case.index];
+            let (id, numerics) = (own.id, differences(&own.config.numerics));
+            writeln!(csv, "{id},\"{numerics}\",{bar},{},{}", self.percent, met(case))?;
         }
         std::fs::write(done.directory.path().join("max_error.csv"), csv)?;
         let count = verified.iter().filter(|case| met(case)).count();

@@ -1,11 +1,9 @@
 //! `seawall stress`: numerical stability on hard cases.
 
-use std::path::PathBuf;
-
 use clap::Args;
 use serde_json::json;
 
-use super::matrix::{Request, run};
+use super::matrix::{MatrixArgs, Request, run};
 use super::output::Output;
 use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
@@ -19,42 +17,21 @@ use crate::sweep::matrix::stress::{Judged, Verdict, judge};
   seawall stress --quick
   seawall stress sweeps/stress.toml --out results/runs/stress --threads 2
   seawall stress --quick --format json
+  seawall stress --case rest_35s,wave_0.7 --method default
 
 The cases, their criteria and the methods are those of sweeps/stress.toml. Exit code 1: some case
 failed or missed its criterion.")]
 pub(super) struct StressArgs {
-    /// A matrix of cases and methods [default: sweeps/stress.toml, built in].
-    file: Option<PathBuf>,
-    /// Where results go [default: results/runs/stress].
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Only the cases and methods marked quick: seconds.
-    #[arg(long)]
-    quick: bool,
-    /// Move an earlier run aside and start over.
-    #[arg(long)]
-    fresh: bool,
-    /// Cases at once [default: one per core].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
-    threads: Option<u16>,
+    #[command(flatten)]
+    matrix: MatrixArgs,
 }
 
 /// The hard cases.
 pub(super) const BUILT_IN: &str = include_str!("../../sweeps/stress.toml");
 
 pub(super) fn main(args: &StressArgs, output: &Output) -> anyhow::Result<u8> {
-    let ran = run(
-        &Request {
-            file: args.file.as_deref(),
-            built_in: BUILT_IN,
-            out: args.out.as_deref(),
-            quick: args.quick,
-            fresh: args.fresh,
-            threads: args.threads,
-            branching: true,
-        },
-        output,
-    )?;
+    let request = Request { built_in: BUILT_IN, branching: true };
+    let ran = run(&args.matrix, &request, output)?;
     if let Some(code) = ran.interrupted {
         return Ok(code);
     }

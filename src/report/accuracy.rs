@@ -7,18 +7,22 @@ use super::load::read_raw;
 use super::plots::{self, Dot};
 use super::{make, save};
 
-/// The columns of `accuracy.csv`. Rows of the case `all` are a method's sums.
-pub const HEADER: [&str; 9] = [
+/// The columns of `accuracy.csv`. Rows of the cases `all` and `loads` are a method's sums.
+pub const HEADER: [&str; 10] = [
     "case",
     "method",
     "force_error_percent",
     "runup_error_percent",
     "displacement_error_percent",
+    "flow_error_percent",
     "error_percent",
     "cpu_time_s",
     "pareto",
     "reason",
 ];
+
+/// What stands in place of a case for sums.
+const GROUPS: [&str; 2] = ["all", "loads"];
 
 /// Error bounds of the tables, percent.
 const TARGETS: [f64; 3] = [1.0, 3.0, 10.0];
@@ -26,7 +30,7 @@ const TARGETS: [f64; 3] = [1.0, 3.0, 10.0];
 struct Line<'a> {
     case: &'a str,
     method: &'a str,
-    errors: [&'a str; 3],
+    errors: [&'a str; 4],
     error: Option<f64>,
     time: Option<f64>,
     pareto: bool,
@@ -45,16 +49,16 @@ pub fn write(directory: &Path, about: &[(String, String)]) -> Result<PathBuf, Re
         .map(|row| Line {
             case: cell(row, 0),
             method: cell(row, 1),
-            errors: [cell(row, 2), cell(row, 3), cell(row, 4)],
-            error: cell(row, 5).parse().ok(),
-            time: cell(row, 6).parse().ok(),
-            pareto: cell(row, 7) == "yes",
-            reason: cell(row, 8),
+            errors: [cell(row, 2), cell(row, 3), cell(row, 4), cell(row, 5)],
+            error: cell(row, 6).parse().ok(),
+            time: cell(row, 7).parse().ok(),
+            pareto: cell(row, 8) == "yes",
+            reason: cell(row, 9),
         })
         .collect();
-    let methods: Vec<&Line<'_>> = lines.iter().filter(|line| line.case == "all").collect();
-    let dots: Vec<Dot<'_>> = methods
+    let dots: Vec<Dot<'_>> = lines
         .iter()
+        .filter(|line| line.case == "all")
         .filter_map(|line| {
             let (name, pareto) = (line.method, line.pareto);
             Some(Dot { name, x: line.time?, y: line.error?, filled: pareto })
@@ -66,24 +70,32 @@ pub fn write(directory: &Path, about: &[(String, String)]) -> Result<PathBuf, Re
         save(&figures.join(format!("{}.svg", figure.name)), &figure.standalone())?;
     }
     let path = directory.join("accuracy.md");
-    save(&path, &page(&lines, &methods, about))?;
+    save(&path, &page(&lines, about))?;
     Ok(path)
 }
 
-fn page(lines: &[Line<'_>], methods: &[&Line<'_>], about: &[(String, String)]) -> String {
+fn page(lines: &[Line<'_>], about: &[(String, String)]) -> String {
     let mut text = "# Speed against error\n\nWritten by `seawall accuracy` from `accuracy.csv`. \
         Errors are percent of the truth, of the still water depth for runups;\na method's error is \
         the root mean square over all cases and quantities. Times are processor seconds.\n\n\
-        ![error against processor time](figures/error-against-time.svg)\n\n## Methods\n\n\
-        | method | error, % | processor time, s | on the Pareto front |\n|---|---|---|---|\n"
+        ![error against processor time](figures/error-against-time.svg)\n"
         .to_owned();
-    let mut sorted = methods.to_vec();
-    let key = |line: &Line<'_>| line.error.unwrap_or(f64::INFINITY);
-    sorted.sort_by(|a, b| key(a).total_cmp(&key(b)));
-    for line in &sorted {
-        let mark = if line.pareto { "yes" } else { "" };
-        let (error, time) = (number(line.error), number(line.time));
-        text.push_str(&format!("| {} | {error} | {time} | {mark} |\n", line.method));
+    for (group, title) in
+        [("all", "Methods, all quantities"), ("loads", "Methods, force and displacement alone")]
+    {
+        let mut sorted: Vec<_> = lines.iter().filter(|line| line.case == group).collect();
+        let key = |line: &Line<'_>| line.error.unwrap_or(f64::INFINITY);
+        sorted.sort_by(|a, b| key(a).total_cmp(&key(b)));
+        text.push_str(&format!(
+            "\n## {title}\n\n| method | error, % | processor time, s | on the Pareto front |\n\
+             |---|---|---|---|\n"
+        ));
+        for line in &sorted {
+            let mark = if line.pareto { "yes" } else { "" };
+            let error = line.error.map_or("a case failed".to_owned(), |e| format!("{e:.2}"));
+            let time = number(line.time);
+            text.push_str(&format!("| {} | {error} | {time} | {mark} |\n", line.method));
+        }
     }
     text.push_str(
         "\n## Cheapest within an error\n\n| case | 1 % | 3 % | 10 % |\n|---|---|---|---|\n",
@@ -104,13 +116,13 @@ fn page(lines: &[Line<'_>], methods: &[&Line<'_>], about: &[(String, String)]) -
         });
         text.push_str(&format!("| {case} | {} |\n", best.join(" | ")));
     }
-    text.push_str("\n## Every pair\n\n| case | method | F, % | R, % of h | X, % | time, s |\n|---|---|---|---|---|---|\n");
-    for line in lines.iter().filter(|line| line.case != "all") {
+    text.push_str("\n## Every pair\n\n| case | method | F, % | R, % of h | X, % | flow, % | time, s |\n|---|---|---|---|---|---|---|\n");
+    for line in lines.iter().filter(|line| !GROUPS.contains(&line.case)) {
         let errors = line.errors.map(|e| number(e.parse().ok()));
         let note = if line.reason.is_empty() {
             errors.join(" | ")
         } else {
-            format!("{} | | ", line.reason)
+            format!("{} | | | ", line.reason)
         };
         text.push_str(&format!(
             "| {} | {} | {note} | {} |\n",
@@ -137,8 +149,8 @@ mod tests {
     #[test]
     fn a_table_becomes_a_page_and_a_figure() {
         let root = tempfile::tempdir().unwrap();
-        let rows = "a,fast,2.0,,,2.0,1.0,,\na,slow,0.5,,,0.5,8.0,,\na,sick,,,,,0.1,,energy-growth\n\
-            all,fast,,,,2.0,1.0,yes,\nall,slow,,,,0.5,8.0,yes,\nall,sick,,,,,0.1,no,\n";
+        let rows = "a,fast,2.0,,,,2.0,1.0,,\na,slow,0.5,,,,0.5,8.0,,\na,sick,,,,,,0.1,,energy-growth\n\
+            all,fast,,,,,2.0,1.0,yes,\nall,slow,,,,,0.5,8.0,yes,\nall,sick,,,,,,0.1,no,\n";
         let text = format!("{}\n{rows}", HEADER.join(","));
         std::fs::write(root.path().join("accuracy.csv"), text).unwrap();
         let about = [("a".to_owned(), "a case".to_owned())];

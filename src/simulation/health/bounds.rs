@@ -47,12 +47,8 @@ impl HealthBounds {
             // for a while, and its books close less well.
             force_gap: if splashes { 2.0 } else { 0.5 },
             energy_growth: 0.25,
-            energy_floor: if start.kinetic > 0.0 {
-                0.25 * start.kinetic
-            } else {
-                let share = if splashes { 0.05 } else { 0.01 };
-                share * start.potential.abs()
-            },
+            energy_floor: if splashes { 0.05 } else { 0.01 } * start.potential.abs()
+                + 0.25 * start.kinetic,
         }
     }
 }

@@ -1,8 +1,9 @@
 //! Errors against known answers and what they cost.
 
+use std::collections::BTreeMap;
+
 use super::super::record::CaseRecord;
 use super::{Matrix, Pair, quantity};
-use crate::simulation::Outcome;
 
 /// The errors of one pair.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
@@ -17,6 +18,8 @@ pub struct Scored {
     pub runup_error_percent: Option<f64>,
     /// Likewise.
     pub displacement_error_percent: Option<f64>,
+    /// Of all other quantities, the scene's readings: periods, decay, axes, fronts.
+    pub flow_error_percent: Option<f64>,
     /// Processor time, seconds.
     pub cpu_time_s: Option<f64>,
     /// Why there are no errors.
@@ -26,9 +29,12 @@ pub struct Scored {
 impl Scored {
     /// The errors there are.
     pub fn errors(&self) -> impl Iterator<Item = f64> {
-        let all =
-            [self.force_error_percent, self.runup_error_percent, self.displacement_error_percent];
-        all.into_iter().flatten()
+        self.loads().chain(self.runup_error_percent).chain(self.flow_error_percent)
+    }
+
+    /// Those of force and displacement.
+    pub fn loads(&self) -> impl Iterator<Item = f64> {
+        [self.force_error_percent, self.displacement_error_percent].into_iter().flatten()
     }
 }
 
@@ -49,19 +55,32 @@ pub struct MethodScore {
     pub pareto: bool,
 }
 
-/// Scores all pairs that this build can run.
+/// Scores all pairs that this build can run, but for those that are taken for the truth.
 pub fn score(matrix: &Matrix, pairs: &[Pair], records: &[Option<CaseRecord>]) -> Vec<Scored> {
+    let record = |pair: &Pair| records.get(*pair.run.as_ref().ok()?)?.as_ref();
     let scored = |pair: &Pair| {
-        let record = records.get(*pair.run.as_ref().ok()?)?.as_ref()?;
-        let case = &matrix.cases[pair.case];
-        let outcome = record.outcome.as_ref();
-        let worst = |stem: &str| outcome.and_then(|outcome| worst(outcome, &case.truth, stem));
+        let (case, method) = (&matrix.cases[pair.case], &matrix.methods[pair.method]);
+        let mut truth = case.truth.clone();
+        if let Some(reference) = &case.reference {
+            if reference.method == method.name {
+                return None;
+            }
+            let is_it = |other: &&Pair| {
+                other.case == pair.case && matrix.methods[other.method].name == reference.method
+            };
+            let finest = pairs.iter().find(is_it).and_then(record);
+            let value = |name: &String| Some((name.clone(), quantity(finest?, name)?));
+            truth.extend(reference.quantities.iter().filter_map(value));
+        }
+        let record = record(pair)?;
+        let worst = |kind: Kind| worst(record, &truth, kind);
         Some(Scored {
             case: case.name.clone(),
-            method: matrix.methods[pair.method].name.clone(),
-            force_error_percent: worst("force"),
-            runup_error_percent: worst("runup"),
-            displacement_error_percent: worst("displacement"),
+            method: method.name.clone(),
+            force_error_percent: worst(Kind::Force),
+            runup_error_percent: worst(Kind::Runup),
+            displacement_error_percent: worst(Kind::Displacement),
+            flow_error_percent: worst(Kind::Flow),
             cpu_time_s: record.cpu_time_s.or(Some(record.wall_time_s)),
             reason: record.reason.clone(),
         })
@@ -69,30 +88,79 @@ pub fn score(matrix: &Matrix, pairs: &[Pair], records: &[Option<CaseRecord>]) ->
     pairs.iter().filter_map(scored).collect()
 }
 
+/// What a quantity's error is measured by.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Kind {
+    /// Its true value.
+    Force,
+    /// The still water depth.
+    Runup,
+    /// Its true value.
+    Displacement,
+    /// Its true value; a gap is in percent already.
+    Flow,
+}
+
+impl Kind {
+    fn of(name: &str) -> Kind {
+        let named = [("force", Kind::Force), ("runup", Kind::Runup)];
+        let named = named.into_iter().chain([("displacement", Kind::Displacement)]);
+        named.into_iter().find(|(stem, _)| name.contains(stem)).map_or(Kind::Flow, |(_, kind)| kind)
+    }
+}
+
 /// The largest error among the quantities of one kind, signed, percent.
-fn worst(
-    outcome: &Outcome,
-    truth: &std::collections::BTreeMap<String, f64>,
-    stem: &str,
-) -> Option<f64> {
-    let of_kind = truth.iter().filter(|(name, _)| name.contains(stem));
+fn worst(record: &CaseRecord, truth: &BTreeMap<String, f64>, kind: Kind) -> Option<f64> {
+    let of_kind = truth.iter().filter(|(name, _)| Kind::of(name) == kind);
     let error = |(name, &exact): (&String, &f64)| {
-        let scale = if stem == "runup" { 1.0 } else { exact.abs() };
-        Some(100.0 * (quantity(outcome, name)? - exact) / scale)
+        let off = quantity(record, name)? - exact;
+        Some(match kind {
+            Kind::Runup => 100.0 * off,
+            Kind::Flow if name.ends_with("_gap") => off,
+            _ => 100.0 * off / exact.abs(),
+        })
     };
     of_kind.filter_map(error).max_by(|a, b| a.abs().total_cmp(&b.abs()))
 }
 
-/// Sums up each method, in the order of the matrix, and marks the Pareto front.
-pub fn methods(matrix: &Matrix, scored: &[Scored]) -> Vec<MethodScore> {
+/// Which errors count for a method.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Group {
+    /// All of them.
+    All,
+    /// Those of force and displacement, in the cases that have any.
+    Loads,
+}
+
+impl Group {
+    /// What stands in the place of a case for the sums of the group.
+    pub fn name(self) -> &'static str {
+        match self {
+            Group::All => "all",
+            Group::Loads => "loads",
+        }
+    }
+}
+
+/// Sums up each method that runs on every case, in the order of the matrix, and marks the Pareto
+/// front.
+pub fn methods(matrix: &Matrix, scored: &[Scored], group: Group) -> Vec<MethodScore> {
     let mut scores: Vec<MethodScore> = Vec::new();
-    for method in &matrix.methods {
-        let rows: Vec<_> = scored.iter().filter(|row| row.method == method.name).collect();
+    let has_loads =
+        |case: &str| scored.iter().any(|row| row.case == case && row.loads().next().is_some());
+    for method in matrix.methods.iter().filter(|method| method.cases.is_none()) {
+        let counts = |row: &&Scored| group == Group::All || has_loads(&row.case);
+        let rows = scored.iter().filter(|row| row.method == method.name);
+        let rows: Vec<_> = rows.filter(counts).collect();
         if rows.is_empty() {
             continue;
         }
-        let errors: Vec<f64> = rows.iter().flat_map(|row| row.errors()).collect();
-        let failed = rows.iter().filter(|row| row.errors().next().is_none()).count();
+        let errors = |row: &Scored| match group {
+            Group::All => row.errors().collect::<Vec<f64>>(),
+            Group::Loads => row.loads().collect(),
+        };
+        let failed = rows.iter().filter(|row| errors(row).is_empty()).count();
+        let errors: Vec<f64> = rows.iter().flat_map(|row| errors(row)).collect();
         let whole = failed == 0 && !errors.is_empty();
         let mean = errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64;
         scores.push(MethodScore {
@@ -129,6 +197,8 @@ pub fn cheapest_within(scores: &[MethodScore], percent: f64) -> Option<&MethodSc
 mod tests {
     use super::super::tests::TEXT;
     use super::*;
+    use crate::simulation::{NamedReading, Unwatched};
+    use crate::sweep::{Runner, fake::FakeRunner};
 
     fn row(method: &str, error: Option<f64>, cpu: f64) -> Scored {
         Scored {
@@ -137,9 +207,35 @@ mod tests {
             force_error_percent: error,
             runup_error_percent: None,
             displacement_error_percent: None,
+            flow_error_percent: None,
             cpu_time_s: Some(cpu),
             reason: String::new(),
         }
+    }
+
+    #[test]
+    fn a_gap_is_an_error_as_it_stands_and_others_are_relative() {
+        assert_eq!(Kind::of("period_gap"), Kind::Flow);
+        assert_eq!(Kind::of("first_runup_max"), Kind::Runup);
+        assert_eq!(Kind::of("force_end"), Kind::Force);
+        let matrix = Matrix::read(TEXT).unwrap();
+        let (study, pairs) = matrix.study(false, TEXT);
+        let still = &study.cases[0];
+        let mut result = FakeRunner::default().case(&still.config, None, &Unwatched).unwrap();
+        result.outcome.force_end = 1.02;
+        result.readings = vec![
+            NamedReading::new("period_gap", -0.4, "%"),
+            NamedReading::new("front_at_1.5", 2.2, "H"),
+        ];
+        let record = CaseRecord::new(&study, still, &Ok(result), 1.0, "here");
+        let truth = [("force_end", 1.0), ("period_gap", 0.0), ("front_at_1.5", 2.0)];
+        let truth = truth.map(|(name, value)| (name.to_owned(), value)).into();
+        let off = |kind| worst(&record, &truth, kind).unwrap();
+        assert!((off(Kind::Force) - 2.0).abs() < 1e-9);
+        assert!((off(Kind::Flow) - 10.0).abs() < 1e-9);
+        assert_eq!(worst(&record, &truth, Kind::Runup), None);
+        let rows = score(&matrix, &pairs, &[Some(record), None]);
+        assert_eq!(rows.len(), 2, "two methods of the same numerics share a run");
     }
 
     #[test]
@@ -150,12 +246,12 @@ mod tests {
             row("odd", Some(3.0), 2.0),
             row("plain-again", Some(0.5), 9.0),
         ];
-        let scores = methods(&matrix, &rows);
+        let scores = methods(&matrix, &rows, Group::All);
         let pareto: Vec<_> = scores.iter().map(|score| score.pareto).collect();
         assert_eq!(pareto, [true, false, true]);
         let best = |percent| cheapest_within(&scores, percent).map(|score| score.method.as_str());
         assert_eq!([best(10.0), best(1.0), best(0.1)], [Some("plain"), Some("plain-again"), None]);
-        let failed = methods(&matrix, &[row("plain", None, 1.0)]);
+        let failed = methods(&matrix, &[row("plain", None, 1.0)], Group::All);
         assert_eq!((failed[0].failed, failed[0].pareto), (1, false));
     }
 }

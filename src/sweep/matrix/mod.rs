@@ -13,9 +13,9 @@ use serde::Deserialize;
 use toml::{Table, Value};
 
 use super::case::{Case, CaseId};
+use super::record::CaseRecord;
 use super::study::Study;
 use crate::scene::{CaseConfig, ConfigError};
-use crate::simulation::Outcome;
 
 /// A file of cases and methods.
 #[derive(Debug, Clone, Deserialize)]
@@ -31,7 +31,8 @@ pub struct Matrix {
     pub methods: Vec<Method>,
 }
 
-/// A scene and what is known of its answer. Quantities have the names of [`Outcome`]'s fields.
+/// A scene and what is known of its answer. Quantities have the names of the outcome's fields
+/// or of the scene's readings.
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct MatrixCase {
@@ -50,14 +51,26 @@ pub struct MatrixCase {
     pub quick: bool,
     /// The methods it runs with; all where absent.
     pub methods: Option<Vec<String>>,
-    /// The exact values of quantities.
+    /// The exact values of quantities: fields of the outcome, or readings of the scene.
     #[serde(default)]
     pub truth: BTreeMap<String, f64>,
+    /// Where no exact value is known: what the finest method of all says.
+    pub reference: Option<Reference>,
     /// The range that a quantity must end in.
     #[serde(default)]
     pub pass: BTreeMap<String, [f64; 2]>,
     /// Another case whose values, with the same method, these must equal.
     pub same: Option<Same>,
+}
+
+/// The same case with a method that is taken for the truth.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Reference {
+    /// Name of the method; its own errors are not told.
+    pub method: String,
+    /// Which quantities.
+    pub quantities: Vec<String>,
 }
 
 /// Equality with another case.
@@ -87,6 +100,8 @@ pub struct Method {
     /// Part of the quick form.
     #[serde(default)]
     pub quick: bool,
+    /// The cases it runs on; all where absent.
+    pub cases: Option<Vec<String>>,
 }
 
 /// One pair of the matrix.
@@ -125,8 +140,43 @@ impl Matrix {
             for method in case.methods.iter().flatten() {
                 known(methods(), &format!("case.{}.methods", case.name), method)?;
             }
+            if let Some(reference) = &case.reference {
+                known(methods(), &format!("case.{}.reference", case.name), &reference.method)?;
+            }
+        }
+        for method in &matrix.methods {
+            for case in method.cases.iter().flatten() {
+                let cases = matrix.cases.iter().map(|case| case.name.as_str()).collect();
+                known(cases, &format!("method.{}.cases", method.name), case)?;
+            }
         }
         Ok(matrix)
+    }
+
+    /// The part with these cases and these methods, each all where none is named. A part has a name
+    /// of its own, so that it gets a directory of its own.
+    ///
+    /// # Errors
+    /// A name that is not there.
+    pub fn only(&self, cases: &[String], methods: &[String]) -> Result<Matrix, ConfigError> {
+        let mut part = self.clone();
+        let told = |key: &str, name: &String, names: Vec<&str>| {
+            Err(ConfigError::new(key, name, format!("must be one of {}", names.join(", "))))
+        };
+        let names = || self.cases.iter().map(|case| case.name.as_str()).collect::<Vec<_>>();
+        if let Some(name) = cases.iter().find(|name| !names().contains(&name.as_str())) {
+            return told("--case", name, names());
+        }
+        let names = || self.methods.iter().map(|one| one.name.as_str()).collect::<Vec<_>>();
+        if let Some(name) = methods.iter().find(|name| !names().contains(&name.as_str())) {
+            return told("--method", name, names());
+        }
+        part.cases.retain(|case| cases.is_empty() || cases.contains(&case.name));
+        part.methods.retain(|method| methods.is_empty() || methods.contains(&method.name));
+        if !(cases.is_empty() && methods.is_empty()) {
+            part.name.push_str("-part");
+        }
+        Ok(part)
     }
 
     /// The study of all its pairs, or of those of its quick form.
@@ -136,7 +186,8 @@ impl Matrix {
         let mut seen: HashMap<CaseId, usize> = HashMap::new();
         for (place, case) in self.cases.iter().enumerate() {
             for (column, method) in self.methods.iter().enumerate() {
-                let named = case.methods.as_ref().is_none_or(|names| names.contains(&method.name));
+                let named = case.methods.as_ref().is_none_or(|names| names.contains(&method.name))
+                    && method.cases.as_ref().is_none_or(|names| names.contains(&case.name));
                 if !named || (quick && !(case.quick && method.quick)) {
                     continue;
                 }
@@ -165,9 +216,13 @@ impl Matrix {
     }
 }
 
-/// A quantity of an outcome by its field's name; a maximum's value.
-pub fn quantity(outcome: &Outcome, name: &str) -> Option<f64> {
-    let outcome = serde_json::to_value(outcome).ok()?;
+/// A quantity of a record by its name: a field of its outcome (a maximum's value), or a reading.
+pub fn quantity(record: &CaseRecord, name: &str) -> Option<f64> {
+    let reading = record.readings.iter().find(|reading| reading.name == name);
+    if let Some(reading) = reading {
+        return Some(reading.value);
+    }
+    let outcome = serde_json::to_value(record.outcome.as_ref()?).ok()?;
     let field = outcome.get(name)?;
     field.as_f64().or_else(|| field.get("value")?.as_f64())
 }

@@ -68,16 +68,15 @@ fn one<'a>(
     let (share, bound) = outcome.health.closest();
     let mut shares = vec![(share, bound.to_owned())];
     for (name, &[low, high]) in &case.pass {
-        let share = quantity(outcome, name).map_or(f64::INFINITY, |value| used(value, low, high));
+        let share = quantity(record, name).map_or(f64::INFINITY, |value| used(value, low, high));
         let value =
-            quantity(outcome, name).map_or("absent".to_owned(), |value| format!("{value:.4}"));
+            quantity(record, name).map_or("absent".to_owned(), |value| format!("{value:.4}"));
         shares.push((share, format!("{name} = {value} in [{low}, {high}]")));
     }
     if let Some(same) = &case.same {
         for name in &same.quantities {
-            let other =
-                of(&same.case, pair.method).and_then(|r| quantity(r.outcome.as_ref()?, name));
-            let gap = quantity(outcome, name).zip(other).map(|(a, b)| (a - b).abs() / b.abs());
+            let other = of(&same.case, pair.method).and_then(|other| quantity(other, name));
+            let gap = quantity(record, name).zip(other).map(|(a, b)| (a - b).abs() / b.abs());
             let share = gap.map_or(f64::INFINITY, |gap| gap / same.tolerance);
             let told = gap.map_or("absent".to_owned(), |gap| format!("{:.2} %", 100.0 * gap));
             shares.push((share, format!("{name} off {} by {told}", same.case)));

@@ -1,0 +1,93 @@
+//! Flows with exact answers, coarse: periods, decay, axes, conserved quantities.
+
+use seawall::math::simd::SimdPath;
+use seawall::scene::CaseConfig;
+use seawall::simulation::{CaseResult, Unwatched, run_case};
+use toml::Table;
+
+fn run_on(scene: &str, numerics: &str, path: SimdPath) -> CaseResult {
+    let table = |text: &str| text.parse::<Table>().unwrap();
+    let config = CaseConfig::from_tables(&table(scene), &table(numerics)).unwrap();
+    let result = run_case(&config, None, path, &Unwatched).unwrap();
+    CaseResult { phases: Vec::new(), ..result }
+}
+
+fn run(scene: &str, numerics: &str) -> CaseResult {
+    run_on(scene, numerics, SimdPath::widest())
+}
+
+fn reading(result: &CaseResult, name: &str) -> f64 {
+    let found = result.readings.iter().find(|reading| reading.name == name);
+    found.unwrap_or_else(|| panic!("no {name} among {:?}", result.readings)).value
+}
+
+#[test]
+fn a_standing_wave_has_its_period() {
+    let scene = "kind = \"standing-wave\"\nend_after_periods = 2.25";
+    for numerics in ["", "scheme = \"isph\""] {
+        let result = run(scene, &format!("particle_spacing_m = 0.02\n{numerics}"));
+        let gap = reading(&result, "period_gap");
+        assert!(gap.abs() < 1.5, "{numerics}: {gap} %");
+        let kept = reading(&result, "amplitude_kept");
+        assert!(kept > 0.8 && kept < 1.02, "{numerics}: {kept}");
+    }
+}
+
+/// Twice the viscosity, twice the rate: the difference of two rates is the viscosity's own, without
+/// what the scheme adds.
+#[test]
+fn vortices_decay_at_the_rate_of_their_viscosity() {
+    let scene = "kind = \"taylor-green\"\nend_time_s = 0.3";
+    let rate = |viscosity: f64| {
+        let numerics =
+            format!("particle_spacing_m = 0.04\nkinematic_viscosity_m2_per_s = {viscosity}");
+        -reading(&run(scene, &numerics), "velocity_kept").ln() / 0.3
+    };
+    let wavenumber = 2.0 * std::f64::consts::PI;
+    let added = (rate(0.02) - rate(0.01)) / (2.0 * 0.01 * wavenumber * wavenumber);
+    assert!((added - 1.0).abs() < 0.1, "{added}");
+    assert!(rate(0.0) > 0.0, "nothing is gained");
+}
+
+#[test]
+fn vortices_have_the_same_bits_on_both_vector_paths() {
+    if SimdPath::Avx512.is_supported() {
+        let numerics = "particle_spacing_m = 0.05\nkinematic_viscosity_m2_per_s = 0.01";
+        let scene = "kind = \"taylor-green\"\nend_time_s = 0.1";
+        let bits = |path| postcard::to_stdvec(&run_on(scene, numerics, path)).unwrap();
+        assert_eq!(bits(SimdPath::Avx512), bits(SimdPath::Avx2));
+    }
+}
+
+#[test]
+fn a_drop_swings_like_the_exact_one() {
+    let scene = "kind = \"oscillating-drop\"\nend_after_periods = 1.5";
+    let result = run(scene, "particle_spacing_m = 0.08");
+    assert!(reading(&result, "period_gap").abs() < 1.0, "{:?}", result.readings);
+    assert!(reading(&result, "axis_gap") < 3.0, "{:?}", result.readings);
+    assert_eq!(result.outcome.particles_lost, 0);
+}
+
+#[test]
+fn a_patch_keeps_its_spin_and_grows_arms() {
+    let scene = "kind = \"rotating-patch\"\nend_time_s = 1.5";
+    let result = run(scene, "particle_spacing_m = 0.04");
+    let arm = reading(&result, "arm");
+    let free = reading(&result, "arm_without_pressure");
+    assert!(arm > 0.85 * free && arm < 1.01 * free, "{arm} of {free}");
+    assert!(reading(&result, "angular_momentum_gap").abs() < 1.0, "{:?}", result.readings);
+    assert!(reading(&result, "kinetic_energy_gap").abs() < 4.0, "{:?}", result.readings);
+    // Every pair pushes both ways alike: the centre stays to rounding.
+    assert!(reading(&result, "centre_drift") < 1e-6);
+}
+
+#[test]
+fn scenes_that_a_scheme_cannot_take_are_refused() {
+    let told = |kind: &str| {
+        let scene = format!("kind = \"{kind}\"").parse::<Table>().unwrap();
+        let numerics = "scheme = \"isph\"\nparticle_spacing_m = 0.05".parse::<Table>().unwrap();
+        CaseConfig::from_tables(&scene, &numerics).unwrap_err().to_string()
+    };
+    assert!(told("taylor-green").contains("has no surface"));
+    assert!(told("oscillating-drop").contains("central field"));
+}
