@@ -101,13 +101,16 @@ impl Aim {
         done: &Done,
     ) -> anyhow::Result<(String, serde_json::Value)> {
         let verified = self.verify(study, done);
-        let mut csv = "case_id,numerics,error_bar_percent,max_error_percent,met\n".to_owned();
+        let mut csv =
+            "case_id,particle_spacing_m,numerics,error_bar_percent,max_error_percent,met\n"
+                .to_owned();
         let met = |case: &Verified| case.bar.is_some_and(|bar| bar <= self.percent);
         for case in &verified {
             let bar = case.bar.map(|bar| bar.to_string()).unwrap_or_default();
             let own = &study.cases[case.index];
-            let (id, numerics) = (own.id, differences(&own.config.numerics));
-            writeln!(csv, "{id},\"{numerics}\",{bar},{},{}", self.percent, met(case))?;
+            let (id, spacing) = (own.id, case.spacing);
+            let numerics = differences(&own.config.numerics);
+            writeln!(csv, "{id},{spacing},\"{numerics}\",{bar},{},{}", self.percent, met(case))?;
         }
         std::fs::write(done.directory.path().join("max_error.csv"), csv)?;
         let count = verified.iter().filter(|case| met(case)).count();

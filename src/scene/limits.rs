@@ -31,6 +31,12 @@ pub fn limits(config: &CaseConfig) -> Vec<&'static str> {
     if numerics.scheme == Scheme::Wcsph {
         at_walls(config, &mut found);
     }
+    if matches!(config.scene, Scene::TaylorGreen(_)) && !numerics.corrected_gradients {
+        found.push(
+            "vortices without corrected_gradients and shifting decay too fast: by 14 % of their \
+             speed at 20 particles across each, against 4.5 % with them",
+        );
+    }
     let Some(scene) = config.scene.seawall() else { return found };
     let rows = scene.still_water_depth_m / numerics.particle_spacing_m;
     if rows < 10.0 {
@@ -118,6 +124,9 @@ mod tests {
         assert_eq!(count("", "particle_spacing_m = 0.025"), 1);
         assert_eq!(count("wave_height_ratio = 0.6", ""), 1);
         assert_eq!(count("wave_height_ratio = 0.8", ""), 2);
+        let vortices = "kind = \"taylor-green\"";
+        assert_eq!(count(vortices, ""), 0);
+        assert_eq!(count(vortices, "preset = \"huang2019\""), 1);
         let soft = "wave_height_ratio = 0.6\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n\
                     spring_stiffness_n_per_m = 10";
         assert_eq!(count(soft, ""), 0);

@@ -17,14 +17,18 @@
 //! A bar is absolute, in the reading's own unit, and holds for about nine cases in ten:
 //! `results/accuracy/coverage.md` has what was measured.
 
-use crate::scene::CaseConfig;
+use crate::scene::{CaseConfig, SeawallScene};
 use crate::simulation::{Maximum, Outcome};
 
 /// Order p of force and displacement: measured 1.2 and more on fixed walls, less under breaking.
 const ORDER: f64 = 1.0;
-/// Order p of the runup: 0.65, measured where the tip of the water is thinner than a particle
-/// (H/h = 0.6 on a fixed wall); more elsewhere.
-const RUNUP_ORDER: f64 = 0.65;
+/// Order p of the runup where the tip of the water is thinner than a particle: 0.65, measured at
+/// H/h = 0.6 on a fixed wall ...
+const TIP_ORDER: f64 = 0.65;
+/// ... which is from this H/h on, on walls ...
+const TIP_WAVE: f64 = 0.55;
+/// ... at least as stiff as this, N/m.
+const TIP_STIFFNESS: f64 = 1e4;
 /// Scatter of a force maximum, as a share of F* - 1: what covers fixed walls at 0.0125 and 0.016 m.
 const FORCE_SCATTER: f64 = 0.016;
 /// Scatter of a level, as a share of the spacing.
@@ -76,14 +80,19 @@ impl ErrorBars {
                 let dynamic = (own - 1.0).abs();
                 bar(&[resolution, wave * dynamic, compression, FORCE_SCATTER * dynamic])
             }),
-            runup: refined(RUNUP_ORDER, &|o| value(o.first_runup_max)).map(|(own, resolution)| {
-                bar(&[resolution, wave * own, LEVEL_SCATTER * spacing / depth])
-            }),
+            runup: refined(runup_order(scene), &|o| value(o.first_runup_max)).map(
+                |(own, resolution)| bar(&[resolution, wave * own, LEVEL_SCATTER * spacing / depth]),
+            ),
             displacement: refined(ORDER, &|o| value(o.displacement_max)).map(
                 |(own, resolution)| bar(&[resolution, wave * own, DISPLACEMENT_SCATTER * own]),
             ),
         }
     }
+}
+
+fn runup_order(scene: &SeawallScene) -> f64 {
+    let stands = scene.spring_stiffness_n_per_m.is_none_or(|stiffness| stiffness >= TIP_STIFFNESS);
+    if stands && scene.wave_height_ratio >= TIP_WAVE { TIP_ORDER } else { ORDER }
 }
 
 /// Richardson's estimate of the error of `fine`, from the same quantity on a spacing `ratio` times
