@@ -48,9 +48,7 @@ impl HealthBounds {
             force_gap: if splashes { 2.0 } else { 0.5 },
             energy_growth: 0.25,
             energy_floor: if splashes { 0.05 } else { 0.01 } * start.potential.abs()
-                // Water under tension at a free surface has elastic energy in the books that no
-                // work was done for, until it is relaxed.
-                + start.kinetic,
+                + 0.25 * start.kinetic,
         }
     }
 }
