@@ -35,6 +35,11 @@ pub(super) struct Lattice {
 }
 
 impl Lattice {
+    /// For water that fills a scene's length and depth up to a wall of this angle.
+    pub(super) fn whole(frame: &Frame, numerics: &Numerics, angle_deg: f64) -> Lattice {
+        Lattice::new([frame.length, frame.depth], numerics.particle_spacing_m, angle_deg)
+    }
+
     /// For water of this length at the bed and this height that ends at a wall of this angle.
     pub(super) fn new([length, height]: [f64; 2], spacing: f64, angle_deg: f64) -> Lattice {
         let columns = (length / spacing).round().max(1.0);

@@ -69,11 +69,7 @@ impl HydrostaticScene {
     }
 
     pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {
-        Lattice::new(
-            [self.tank_length_m, self.still_water_depth_m],
-            numerics.particle_spacing_m,
-            self.wall_angle_deg,
-        )
+        Lattice::whole(&self.frame(), numerics, self.wall_angle_deg)
     }
 
     pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {

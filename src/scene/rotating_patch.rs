@@ -69,7 +69,7 @@ impl RotatingPatchScene {
     }
 
     pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {
-        Lattice::new([self.side_m; 2], numerics.particle_spacing_m, 90.0)
+        Lattice::whole(&self.frame(), numerics, 90.0)
     }
 
     pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {

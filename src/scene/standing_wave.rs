@@ -94,8 +94,7 @@ impl StandingWaveScene {
     }
 
     pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {
-        let size = [self.tank_length_m, self.still_water_depth_m];
-        Lattice::new(size, numerics.particle_spacing_m, 90.0)
+        Lattice::whole(&self.frame(), numerics, 90.0)
     }
 
     pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {

@@ -111,11 +111,7 @@ impl SeawallScene {
     }
 
     pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {
-        Lattice::new(
-            [self.tank_length_m, self.still_water_depth_m],
-            numerics.particle_spacing_m,
-            self.wall_angle_deg,
-        )
+        Lattice::whole(&self.frame(), numerics, self.wall_angle_deg)
     }
 
     /// Builds the tank: a lattice of particles in hydrostatic balance between ghost walls.
