@@ -4,4 +4,4 @@ mod fluid;
 mod record;
 
 pub use fluid::Fluid;
-pub use record::{Record, Scaling};
+pub use record::{Record, Scaling, SingleRecord, split};

@@ -30,6 +30,52 @@ impl Record {
     pub const PRESSURE_YY: usize = 7;
 }
 
+/// A neighbour as [`Record`] has it, in single precision: one cache line, too.
+///
+/// A place is a multiple of 2^-6 R and a rest, so that differences of places lose nothing: those of
+/// the multiples are exact.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+#[repr(C, align(64))]
+pub struct SingleRecord {
+    /// x over R: multiple and rest.
+    pub x: [f32; 2],
+    /// y over R.
+    pub y: [f32; 2],
+    /// Velocity, m/s.
+    pub velocity: [f32; 2],
+    /// See [`Record::WEIGHT`].
+    pub weight: f32,
+    /// Pressure times correction, Pa: xx, xy, yy.
+    pub pressure: [f32; 3],
+    /// Half the differences of the velocity gradient, of fluid.
+    pub strain: [f32; 2],
+}
+
+impl SingleRecord {
+    /// A record and a strain, rounded.
+    #[inline(always)]
+    pub fn new(record: &Record, strain: [f64; 2]) -> SingleRecord {
+        let [x, y, vx, vy, weight, xx, xy, yy] = record.0;
+        SingleRecord {
+            x: split(x),
+            y: split(y),
+            velocity: [vx as f32, vy as f32],
+            weight: weight as f32,
+            pressure: [xx as f32, xy as f32, yy as f32],
+            strain: [strain[0] as f32, strain[1] as f32],
+        }
+    }
+}
+
+/// A place as a multiple of 2^-6 and the rest of it.
+#[inline(always)]
+pub fn split(place: f64) -> [f32; 2] {
+    // Adding 1.5·2^46 rounds to multiples of 2^-6.
+    const ROUNDING: f64 = 1.5 * (1_u64 << 46) as f64;
+    let multiple = (place + ROUNDING) - ROUNDING;
+    [multiple as f32, (place - multiple) as f32]
+}
+
 /// Factors between physical and packed values for a kernel and its support radius.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scaling {

@@ -207,6 +207,7 @@ impl Filling {
             shifting_coefficient: numerics.shifting_coefficient,
             bulk_damping: numerics.bulk_damping,
             acoustic_substeps: numerics.acoustic_substeps,
+            precision: numerics.precision,
             kinematic_viscosity: numerics.kinematic_viscosity_m2_per_s.unwrap_or(0.0),
             field: self.field,
         };

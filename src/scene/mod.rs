@@ -31,9 +31,7 @@ pub use frame::Frame;
 pub use hydrostatic::HydrostaticScene;
 pub use kind::Scene;
 pub use limits::limits;
-pub use numerics::{
-    BoundaryChoice, ErrorBars, GhostGravity, Numerics, PRESETS, Precision, Scheme, Slip,
-};
+pub use numerics::{BoundaryChoice, ErrorBars, GhostGravity, Numerics, PRESETS, Scheme, Slip};
 pub use oscillating_drop::OscillatingDropScene;
 pub use probe::{Probe, ProbeKind, Side};
 pub use rotating_patch::RotatingPatchScene;

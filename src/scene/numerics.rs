@@ -9,7 +9,7 @@ use crate::kernel::KernelChoice;
 use crate::math::sparse::PreconditionerChoice;
 use crate::scheme::StateEquationChoice;
 use crate::scheme::isph::Laplacian;
-use crate::scheme::wcsph::{DensityDiffusion, Shifting};
+use crate::scheme::wcsph::{DensityDiffusion, Precision, Shifting};
 
 /// Which set of equations is stepped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -57,14 +57,6 @@ pub enum Slip {
     Free,
     /// The tangential velocity is reversed at the wall.
     No,
-}
-
-/// Precision of the pair terms; the state is always f64.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Precision {
-    /// Double precision throughout.
-    F64,
 }
 
 /// Resolution companions that yield the error bars.
@@ -193,6 +185,7 @@ pub(super) const WEAKLY_COMPRESSIBLE: &[&str] = &[
     "courant_number",
     "bulk_damping",
     "acoustic_substeps",
+    "precision",
 ];
 
 /// Names that `preset` may take.

@@ -146,6 +146,11 @@ pub trait Scheme: Debug + Send {
     /// Force on a body by integrating the interpolated pressure over its face, N per metre.
     fn face_force(&mut self, body: usize, motion: &BodyMotion) -> f64;
 
+    /// How many times neighbours have been listed anew, where lists outlast a step.
+    fn list_rebuilds(&self) -> u64 {
+        0
+    }
+
     /// Whether the state ahead of the coming step can be kept; within a few steps it can.
     fn can_be_kept(&self) -> bool {
         true

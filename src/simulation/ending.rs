@@ -67,6 +67,7 @@ impl Run {
             pair_evaluations: water.pair_evaluations(),
             boundary_fallbacks: water.boundary_fallbacks(),
         };
+        let list_rebuilds = water.list_rebuilds();
         let phases = water
             .phases()
             .into_iter()
@@ -83,6 +84,6 @@ impl Run {
             readings.extend(readings::of_probes(&self.config.scene, &self.config.probes, table));
         }
         let (history, probes) = (self.history, self.probes);
-        CaseResult { outcome, history, probes, readings, energy, phases }
+        CaseResult { outcome, history, probes, readings, energy, phases, list_rebuilds }
     }
 }

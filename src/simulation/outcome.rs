@@ -184,6 +184,8 @@ pub struct CaseResult {
     pub energy: EnergyBudget,
     /// Where the time went.
     pub phases: Vec<PhaseShare>,
+    /// How many times neighbours were listed.
+    pub list_rebuilds: u64,
 }
 
 /// A finished trunk: the state at the last step before the force first exceeds the threshold (or

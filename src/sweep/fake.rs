@@ -137,5 +137,6 @@ fn made_up(config: &CaseConfig) -> CaseResult {
         readings: Vec::new(),
         energy: EnergyBudget { paddle_work: 43.0, kinetic: 43.0 * number, ..Default::default() },
         phases: vec![PhaseShare { phase: "made up".to_owned(), seconds: 0.0 }],
+        list_rebuilds: 0,
     }
 }

@@ -3,6 +3,7 @@
 use std::arch::x86_64::*;
 use std::ops::{Add, AddAssign, Mul, Sub};
 
+use super::single::Single;
 use super::{LANES, Lanes, RSQRT_MAGIC, Task};
 
 /// Eight values in two registers.
@@ -17,6 +18,16 @@ pub(super) struct Avx2(__m256d, __m256d);
 #[target_feature(enable = "avx2,fma")]
 pub(super) unsafe fn run<T: Task>(task: T) -> T::Output {
     task.run::<Avx2>()
+}
+
+/// The same in single precision.
+///
+/// # Safety
+/// The processor must have the features named below.
+#[inline(never)]
+#[target_feature(enable = "avx2,fma")]
+pub(super) unsafe fn run_single<T: Task>(task: T) -> T::Output {
+    task.run::<Single<false>>()
 }
 
 // SAFETY of every block below: `Avx2` only exists inside `run`, whose caller has checked the
@@ -54,10 +65,16 @@ impl AddAssign for Avx2 {
 }
 
 impl Lanes for Avx2 {
+    type Single = Single<false>;
+
     #[inline(always)]
     fn splat(value: f64) -> Self {
         let lanes = unsafe { _mm256_set1_pd(value) };
         Avx2(lanes, lanes)
+    }
+    #[inline(always)]
+    fn splat_single(value: f32) -> Self {
+        Self::splat(f64::from(value))
     }
     #[inline(always)]
     fn load(values: &[f64; LANES]) -> Self {

@@ -3,6 +3,7 @@
 use std::arch::x86_64::*;
 use std::ops::{Add, AddAssign, Mul, Sub};
 
+use super::single::Single;
 use super::{LANES, Lanes, RSQRT_MAGIC, Task};
 
 /// Eight values in a register.
@@ -17,6 +18,16 @@ pub(super) struct Avx512(__m512d);
 #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
 pub(super) unsafe fn run<T: Task>(task: T) -> T::Output {
     task.run::<Avx512>()
+}
+
+/// The same in single precision.
+///
+/// # Safety
+/// The processor must have the features named below.
+#[inline(never)]
+#[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
+pub(super) unsafe fn run_single<T: Task>(task: T) -> T::Output {
+    task.run::<Single<true>>()
 }
 
 // SAFETY of every block below: `Avx512` only exists inside `run`, whose caller has checked the
@@ -54,9 +65,15 @@ impl AddAssign for Avx512 {
 }
 
 impl Lanes for Avx512 {
+    type Single = Single<true>;
+
     #[inline(always)]
     fn splat(value: f64) -> Self {
         Avx512(unsafe { _mm512_set1_pd(value) })
+    }
+    #[inline(always)]
+    fn splat_single(value: f32) -> Self {
+        Self::splat(f64::from(value))
     }
     #[inline(always)]
     fn load(values: &[f64; LANES]) -> Self {

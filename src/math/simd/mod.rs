@@ -9,6 +9,8 @@ mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
 mod portable;
+#[cfg(target_arch = "x86_64")]
+mod single;
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 
@@ -19,6 +21,18 @@ pub const LANES: usize = 8;
 
 /// Start of 1/√x: the bits of x, halved and taken from this, have about the right exponent.
 const RSQRT_MAGIC: i64 = 0x5FE6_EB50_C7B5_37A9;
+
+/// Adding and taking away 1.5·2^52 rounds to an integer.
+const DOUBLE_ROUNDING: f64 = 6_755_399_441_055_744.0;
+/// ln 2 in two parts, the first of few enough digits for exact products.
+const DOUBLE_LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
+
+/// The start of 1/√x in single precision ...
+const SINGLE_RSQRT_MAGIC: i32 = 0x5F37_59DF;
+/// ... where 1.5·2^23 rounds to integers ...
+const SINGLE_ROUNDING: f64 = 12_582_912.0;
+/// ... and ln 2 has a part of a few digits, to be multiplied without rounding.
+const SINGLE_LN_2: [f64; 2] = [0.693_359_375, -2.121_944_400_546_9e-4];
 
 /// An instruction set for the hot loops. AVX-512 and AVX2 give the same bits; the portable path
 /// has no fused multiply-add and differs in rounding.
@@ -69,12 +83,22 @@ impl SimdPath {
     }
 }
 
-/// Eight `f64` values that are computed together.
+/// Eight values that are computed together, of double precision or, as [`Lanes::Single`], of single
+/// precision; arrays of `f64` are then rounded on loading.
 pub trait Lanes:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + AddAssign
 {
+    /// Lanes of single precision on the same path.
+    type Single: Lanes;
+    /// Adding and taking this away rounds to an integer.
+    const ROUNDING: f64 = DOUBLE_ROUNDING;
+    /// ln 2 in two parts, the first of few enough digits for exact products.
+    const LN_2: [f64; 2] = DOUBLE_LN_2;
+
     /// The same value in every lane.
     fn splat(value: f64) -> Self;
+    /// The same value of single precision in every lane.
+    fn splat_single(value: f32) -> Self;
     /// Reads eight values.
     fn load(values: &[f64; LANES]) -> Self;
     /// The values at eight places.
@@ -110,7 +134,7 @@ pub trait Lanes:
     fn call<T: Task>(task: T) -> T::Output;
     /// Whether `self < bound` in any lane.
     fn any_less(self, bound: Self) -> bool;
-    /// 2^n, where `self` is n + 1.5·2^52 for an integer n in -1022..=1023.
+    /// 2^n, where `self` is n + [`Lanes::ROUNDING`] for an integer n that 2^n allows.
     fn power_of_two(self) -> Self;
 
     /// `1 / sqrt(self)` to about 1e-15, for any positive normal number. Products and sums alone:
@@ -128,16 +152,16 @@ pub trait Lanes:
         (y * e).mul_add(slope, y)
     }
 
-    /// e^self to a few units in the last place, for arguments from -700 to 700.
+    /// e^self to a few units in the last place, for arguments from -700 to 700 (-80 to 80 in single
+    /// precision).
     #[inline(always)]
     fn exp(self) -> Self {
-        const MAGIC: f64 = 6_755_399_441_055_744.0; // 1.5 * 2^52
-        const LN_2_HIGH: f64 = 6.931_471_803_691_238e-1;
-        const LN_2_LOW: f64 = 1.908_214_929_270_587_7e-10;
-        let shifted = self.mul_add(Self::splat(std::f64::consts::LOG2_E), Self::splat(MAGIC));
-        let n = shifted - Self::splat(MAGIC);
-        let rest = n.mul_add(Self::splat(-LN_2_HIGH), self);
-        let rest = n.mul_add(Self::splat(-LN_2_LOW), rest);
+        let [high, low] = Self::LN_2;
+        let rounding = Self::splat(Self::ROUNDING);
+        let shifted = self.mul_add(Self::splat(std::f64::consts::LOG2_E), rounding);
+        let n = shifted - rounding;
+        let rest = n.mul_add(Self::splat(-high), self);
+        let rest = n.mul_add(Self::splat(-low), rest);
         // Taylor to x^12 on |x| < 0.35: remainder below 2e-16.
         let mut sum = Self::splat(1.0 / 479_001_600.0);
         for factorial in [
@@ -173,6 +197,17 @@ pub trait Lanes:
         let v = self.to_array();
         ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]))
     }
+}
+
+/// `1 / sqrt(x)` in single precision: to 1e-5, then to a unit or two in the last place.
+#[inline(always)]
+fn single_rsqrt<L: Lanes>(x: L) -> L {
+    let y = x.rsqrt_guess();
+    let e = (x * y).negated_mul_add(y, L::splat(1.0));
+    let slope = e.mul_add(L::splat(0.375), L::splat(0.5));
+    let y = (y * e).mul_add(slope, y);
+    let e = (x * y).negated_mul_add(y, L::splat(1.0));
+    (y * e).mul_add(L::splat(0.5), y)
 }
 
 /// A loop that is compiled once per instruction set.
@@ -236,6 +271,36 @@ mod tests {
                 );
                 assert!(close(ratio[k], x.sqrt() / x, 3e-16), "{path:?} sqrt/x({x})");
             }
+        }
+    }
+
+    struct SingleProbe([f64; LANES]);
+
+    impl Task for SingleProbe {
+        type Output = [[f64; LANES]; 3];
+        #[inline(always)]
+        fn run<L: Lanes>(self) -> Self::Output {
+            L::Single::call(Probe(self.0))
+        }
+    }
+
+    #[test]
+    fn single_precision_is_good_to_its_last_digits_on_every_path() {
+        for path in paths() {
+            let [rsqrt, exp, ratio] = dispatch(path, SingleProbe(INPUT));
+            for (k, x) in INPUT.map(|x| f64::from(x as f32)).into_iter().enumerate() {
+                let close = |a: f64, b: f64, tolerance: f64| (a - b).abs() <= tolerance * b.abs();
+                assert!(close(rsqrt[k], 1.0 / x.sqrt(), 3e-7), "{path:?} rsqrt({x})");
+                if x < 25.0 {
+                    let wrong = 1.2e-7 * (4.0 + 3.0 * x);
+                    assert!(close(exp[k], (-3.0 * x).exp(), wrong), "{path:?} exp({x})");
+                }
+                assert!(close(ratio[k], 1.0 / x.sqrt(), 2e-7), "{path:?} sqrt/x({x})");
+            }
+        }
+        if SimdPath::Avx512.is_supported() {
+            let bits = |path| dispatch(path, SingleProbe(INPUT)).map(|row| row.map(f64::to_bits));
+            assert_eq!(bits(SimdPath::Avx512), bits(SimdPath::Avx2));
         }
     }
 

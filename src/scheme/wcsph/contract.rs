@@ -81,6 +81,10 @@ impl Scheme for Wcsph {
         Wcsph::pair_evaluations(self)
     }
 
+    fn list_rebuilds(&self) -> u64 {
+        self.list_rebuilds
+    }
+
     fn boundary_fallbacks(&self) -> u64 {
         Wcsph::boundary_fallbacks(self)
     }

@@ -8,6 +8,9 @@
 use crate::math::simd::{LANES, Lanes, Task};
 use crate::neighbours::PairList;
 
+use super::momentum::store;
+use super::separation::lanes;
+
 /// What the passes after the first read of a pair's geometry: g, the kernel's slope over q times
 /// the neighbour's weight, a value per lane. Single precision halves the traffic; its rounding,
 /// 6e-8 of each term, is far below what the sums are accurate to.
@@ -111,6 +114,40 @@ impl<const N: usize> Task for Product<'_, N> {
             (even[n] + odd[n]).store(&mut sums[n]);
         }
         sums
+    }
+}
+
+/// Σ g (r_i - r_j) over all groups, of the slopes that are held: where the pass that found them has
+/// summed in single precision, its own sum is not theirs, and water that moves along as a whole
+/// would seem to diverge. Factors: 1, x, y.
+pub(super) struct Concentration<'a> {
+    pub pairs: &'a HeldPairs,
+    pub factors: &'a [Factors],
+    pub places: [&'a [f64]; 2],
+    pub sums: [&'a mut [f64]; 2],
+    /// Groups of the pairs.
+    pub groups: usize,
+}
+
+impl Task for Concentration<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let Concentration { pairs, factors, places: [x, y], sums: [sum_x, sum_y], groups } = self;
+        for cluster in 0..x.len() / LANES {
+            let zero = L::splat(0.0);
+            let (mut near, mut at_x, mut at_y) = (zero, zero, zero);
+            for group in 0..groups {
+                let sums = L::call(Product::<3> { pairs, factors, cluster, group });
+                near += L::load(&sums[0]);
+                at_x += L::load(&sums[1]);
+                at_y += L::load(&sums[2]);
+            }
+            let at = cluster * LANES;
+            store(sum_x, at, lanes::<L>(x, at).mul_sub(near, at_x));
+            store(sum_y, at, lanes::<L>(y, at).mul_sub(near, at_y));
+        }
     }
 }
 

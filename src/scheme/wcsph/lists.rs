@@ -43,6 +43,7 @@ impl Wcsph {
             !(relative < FLUID_MARGIN * spacing && farthest + moved < GHOST_MARGIN * spacing)
         };
         if worn {
+            self.list_rebuilds += 1;
             let width = Wcsph::strip_width(spacing);
             let mut order = std::mem::take(&mut self.order);
             let (x, y, id) = (&self.fluid.x[..n], &self.fluid.y[..n], &self.fluid.id[..n]);

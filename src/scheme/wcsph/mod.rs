@@ -17,12 +17,14 @@ mod momentum;
 mod motion;
 mod options;
 mod passes;
+mod precision;
 mod readings;
 mod separation;
 mod state;
 mod step;
 
 pub use options::{DensityDiffusion, Shifting, WcsphOptions};
+pub use precision::Precision;
 pub use state::{Timings, Wcsph, WcsphState};
 
 use crate::boundary::Water;

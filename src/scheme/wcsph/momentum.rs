@@ -3,11 +3,12 @@
 use crate::kernel::Kernel;
 use crate::math::simd::{LANES, Lanes, Task};
 use crate::neighbours::PairList;
-use crate::particles::{Fluid, Record};
+use crate::particles::Fluid;
 
 use super::Workspace;
 use super::held::{HeldPairs, Slopes};
-use super::separation::{CHUNK, Geometry, lanes};
+use super::precision::{Neighbour, Pairing};
+use super::separation::{CHUNK, Geometry, Pair, lanes};
 
 /// Forces alone.
 pub(super) const FORCES: u8 = 0;
@@ -25,9 +26,9 @@ pub(super) const GRADIENTS: u8 = 2;
 /// step before (the identity without `CORRECTED`), and, with the prefactor ρ0 in place of the
 /// paper's ρ_i, V_i V_j α h c0 ρ0 π_ij ∇W. With `CORRECTED` π_ij holds only what a linear,
 /// divergence-free velocity field leaves, limited so that every pair dissipates.
-pub(super) struct Momentum<'a, K, const SUMS: u8, const CORRECTED: bool> {
+pub(super) struct Momentum<'a, K, P: Pairing, const SUMS: u8, const CORRECTED: bool> {
     pub fluid: &'a Fluid,
-    pub records: &'a [Record],
+    pub records: &'a [P::Neighbour],
     /// What density diffusion smooths, kg/m³.
     pub diffused: &'a [f64],
     /// R/2 (∂u/∂x - ∂v/∂y)/2 and R/2 (∂u/∂y + ∂v/∂x).
@@ -94,20 +95,27 @@ struct Group<
     'a,
     'b,
     K,
+    P: Pairing,
     const SUMS: u8,
     const CORRECTED: bool,
     const FLUID: bool,
     const RESPONSE: bool,
 > {
-    pass: &'b Momentum<'a, K, SUMS, CORRECTED>,
+    pass: &'b Momentum<'a, K, P, SUMS, CORRECTED>,
     work: &'b Workspace,
     room: (&'b mut [u32], &'b mut [Slopes]),
     cluster: usize,
     group: usize,
 }
 
-impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const FLUID: bool, const RESPONSE: bool> Task
-    for Group<'_, '_, K, SUMS, CORRECTED, FLUID, RESPONSE>
+impl<
+    K: Kernel,
+    P: Pairing,
+    const SUMS: u8,
+    const CORRECTED: bool,
+    const FLUID: bool,
+    const RESPONSE: bool,
+> Task for Group<'_, '_, K, P, SUMS, CORRECTED, FLUID, RESPONSE>
 {
     type Output = Sums;
 
@@ -116,8 +124,9 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const FLUID: bool, const 
         let Group { pass, work, room, cluster, group } = self;
         let at = cluster * LANES;
         let zero = L::splat(0.0);
-        let x = lanes::<L>(&work.scaled_x, at);
-        let y = lanes::<L>(&work.scaled_y, at);
+        let x = work.scaled_x[at..at + LANES].first_chunk().unwrap();
+        let y = work.scaled_y[at..at + LANES].first_chunk().unwrap();
+        let places = P::Neighbour::places::<L>(x, y);
         let vx = lanes::<L>(&pass.fluid.vx, at);
         let vy = lanes::<L>(&pass.fluid.vy, at);
         let diffused = lanes::<L>(pass.diffused, at);
@@ -143,21 +152,21 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const FLUID: bool, const 
         let mut count = 0;
         for chunk in entries.chunks(CHUNK) {
             let room = (&mut held[count..], &mut slopes[count..]);
-            let geometry = geometry.fill::<K, L, FLUID>(x, y, chunk, pass.records, room);
+            let geometry =
+                geometry.fill::<K, P::Neighbour, FLUID>(places, chunk, pass.records, room);
             let in_reach = &held[count..];
             count += geometry.len();
             for (&j, pair) in in_reach.iter().zip(geometry) {
-                let record = &pass.records[j as usize].0;
-                let (dx, dy) = (L::load(&pair.dx), L::load(&pair.dy));
-                let (inverse_s, g) = (L::load(&pair.inverse_s), L::load(&pair.slope));
-                let du = vx - L::splat(record[Record::VX]);
-                let dv = vy - L::splat(record[Record::VY]);
+                let record = &pass.records[j as usize];
+                let Pair { dx, dy, inverse_s, slope: g } = *pair;
+                let [record_vx, record_vy] = record.velocity::<L>();
+                let (du, dv) = (vx - record_vx, vy - record_vy);
                 let mut approach = du.mul_add(dx, dv * dy);
                 if CORRECTED {
                     // Less what a linear, divergence-free velocity field would give.
                     let (stretch, shear) = if FLUID {
-                        let strain = &pass.strain[j as usize];
-                        (own_stretch + L::splat(strain[0]), own_shear + L::splat(strain[1]))
+                        let [stretch, shear] = record.strain(&pass.strain[j as usize]);
+                        (own_stretch + stretch, own_shear + shear)
                     } else {
                         (own_stretch + own_stretch, own_shear + own_shear)
                     };
@@ -173,16 +182,13 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const FLUID: bool, const 
                 let drag = approach * inverse_s;
                 viscous_x = drag.mul_add(gx, viscous_x);
                 viscous_y = drag.mul_add(gy, viscous_y);
-                let pressure = L::splat(record[Record::PRESSURE]);
-                push_x = pressure.mul_add(gx, push_x);
+                let [xx, xy, yy] = record.pressure::<L>();
+                push_x = xx.mul_add(gx, push_x);
                 if CORRECTED {
-                    let xy = L::splat(record[Record::PRESSURE_XY]);
                     push_x = xy.mul_add(gy, push_x);
                     push_y = xy.mul_add(gx, push_y);
-                    push_y = L::splat(record[Record::PRESSURE_YY]).mul_add(gy, push_y);
-                } else {
-                    push_y = pressure.mul_add(gy, push_y);
                 }
+                push_y = yy.mul_add(gy, push_y);
                 concentration_x += gx;
                 concentration_y += gy;
                 if SUMS > FORCES || CORRECTED {
@@ -218,7 +224,9 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool, const FLUID: bool, const 
     }
 }
 
-impl<K: Kernel, const SUMS: u8, const CORRECTED: bool> Task for Momentum<'_, K, SUMS, CORRECTED> {
+impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
+    for Momentum<'_, K, P, SUMS, CORRECTED>
+{
     /// The viscous power, W per metre of width.
     type Output = f64;
 
@@ -237,7 +245,7 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool> Task for Momentum<'_, K, 
             let inverse_density = L::splat(1.0).div(density);
             store(&mut out.inverse_density, at, inverse_density);
             let volume = lanes::<L>(&self.fluid.mass, at) * inverse_density;
-            let mut sums = L::call(Group::<_, SUMS, CORRECTED, true, false> {
+            let mut sums = P::In::<L>::call(Group::<_, P, SUMS, CORRECTED, true, false> {
                 pass: &self,
                 work: &out,
                 room: held.room(self.pairs.group(cluster, 0).len()),
@@ -255,7 +263,7 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool> Task for Momentum<'_, K, 
                 }
                 let (pass, work, room) = (&self, &out, held.room(listed));
                 let more = if body == self.responds {
-                    L::call(Group::<_, SUMS, CORRECTED, false, true> {
+                    P::In::<L>::call(Group::<_, P, SUMS, CORRECTED, false, true> {
                         pass,
                         work,
                         room,
@@ -263,7 +271,7 @@ impl<K: Kernel, const SUMS: u8, const CORRECTED: bool> Task for Momentum<'_, K, 
                         group,
                     })
                 } else {
-                    L::call(Group::<_, SUMS, CORRECTED, false, false> {
+                    P::In::<L>::call(Group::<_, P, SUMS, CORRECTED, false, false> {
                         pass,
                         work,
                         room,

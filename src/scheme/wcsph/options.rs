@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::Precision;
 use crate::kernel::KernelChoice;
 use crate::scheme::StateEquation;
 use crate::theory::central_field::CentralField;
@@ -61,6 +62,8 @@ pub struct WcsphOptions {
     pub bulk_damping: f64,
     /// Steps per full step, at least 1.
     pub acoustic_substeps: u32,
+    /// Precision of the pair terms.
+    pub precision: Precision,
     /// ν, m²/s: physical viscosity, besides the artificial one; 0 for none.
     pub kinematic_viscosity: f64,
     /// A force towards a centre.

@@ -4,12 +4,13 @@ use std::marker::PhantomData;
 
 use super::acoustic::Acoustic;
 use super::continuity::{Continuity, FADED, OFF, PLAIN, RENORMALISED};
-use super::held::Factors;
+use super::held::{Concentration, Factors};
 use super::laminar::Laminar;
 use super::momentum::{CONCENTRATION, FORCES, GRADIENTS, Momentum};
+use super::precision::{Double, Precision, Single};
 use super::{DensityDiffusion, Shifting, Wcsph};
 use crate::math::simd::dispatch;
-use crate::particles::Record;
+use crate::particles::{Record, SingleRecord};
 use crate::with_kernel;
 
 /// Water bears tension from this completeness: none at the surface ...
@@ -184,18 +185,19 @@ impl Wcsph {
             * self.scaling.inverse_radius;
         macro_rules! pass {
             ($K:ty, $sums:ident) => {
-                if options.corrected_gradients {
-                    pass!($K, $sums, true)
-                } else {
-                    pass!($K, $sums, false)
+                match (options.precision, options.corrected_gradients) {
+                    (Precision::F64, true) => pass!($K, Double, $sums, true, records),
+                    (Precision::F64, false) => pass!($K, Double, $sums, false, records),
+                    (Precision::F32, true) => pass!($K, Single, $sums, true, singles),
+                    (Precision::F32, false) => pass!($K, Single, $sums, false, singles),
                 }
             };
-            ($K:ty, $sums:ident, $corrected:literal) => {
+            ($K:ty, $P:ty, $sums:ident, $corrected:literal, $records:ident) => {
                 dispatch(
                     self.path,
-                    Momentum::<$K, $sums, $corrected> {
+                    Momentum::<$K, $P, $sums, $corrected> {
                         fluid: &self.fluid,
-                        records: &self.records,
+                        records: &self.$records,
                         diffused: &self.diffused,
                         strain: &self.strain,
                         responses: self.exchange.responses(),
@@ -214,11 +216,36 @@ impl Wcsph {
                 )
             };
         }
+        if options.precision == Precision::F32 {
+            self.singles.clear();
+            let strain = self.strain.iter().copied().chain(std::iter::repeat([0.0; 2]));
+            let rounded = self.records.iter().zip(strain);
+            self.singles.extend(rounded.map(|(record, strain)| SingleRecord::new(record, strain)));
+        }
         with_kernel!(options.kernel, K => match sums {
             GRADIENTS => pass!(K, GRADIENTS),
             CONCENTRATION => pass!(K, CONCENTRATION),
             _ => pass!(K, FORCES),
         })
+    }
+
+    /// Where the momentum pass was in single precision, renews the sum that held passes share with it.
+    pub(super) fn renew_concentration(&mut self) {
+        if self.options.precision == Precision::F64 {
+            return;
+        }
+        for (factors, record) in self.factors.iter_mut().zip(&self.records) {
+            factors.0[..3].copy_from_slice(&[1.0, record.0[Record::X], record.0[Record::Y]]);
+        }
+        let work = &mut self.work;
+        let pass = Concentration {
+            pairs: &self.held,
+            factors: &self.factors,
+            places: [&work.scaled_x, &work.scaled_y],
+            sums: [&mut work.concentration_x, &mut work.concentration_y],
+            groups: self.ghosts.bodies.len() + 1,
+        };
+        dispatch(self.path, pass);
     }
 
     /// Physical viscosity, where there is any; returns its power.

@@ -7,9 +7,9 @@ use std::mem::MaybeUninit;
 
 use crate::kernel::Kernel;
 use crate::math::simd::{LANES, Lanes};
-use crate::particles::Record;
 
 use super::held::Slopes;
+use super::precision::Neighbour;
 
 /// Neighbours that are taken at a time.
 pub(super) const CHUNK: usize = 32;
@@ -19,64 +19,54 @@ pub(super) const COINCIDENT: f64 = 1e-12;
 
 /// A neighbour as seen from eight particles.
 #[derive(Debug, Clone, Copy)]
-#[repr(C, align(64))]
-pub(super) struct Pair {
+pub(super) struct Pair<V> {
     /// Δ = r_i - r_j over R.
-    pub dx: [f64; LANES],
+    pub dx: V,
     /// Its y.
-    pub dy: [f64; LANES],
+    pub dy: V,
     /// 1/q².
-    pub inverse_s: [f64; LANES],
+    pub inverse_s: V,
     /// g, the kernel's slope over q times the neighbour's weight.
-    pub slope: [f64; LANES],
+    pub slope: V,
 }
 
 /// The geometry of a chunk of pairs.
-pub(super) struct Geometry([MaybeUninit<Pair>; CHUNK]);
+pub(super) struct Geometry<V>([MaybeUninit<Pair<V>>; CHUNK]);
 
-impl Geometry {
+impl<V: Lanes> Geometry<V> {
     /// Room for a chunk.
     #[inline(always)]
-    pub(super) fn new() -> Geometry {
+    pub(super) fn new() -> Geometry<V> {
         Geometry([const { MaybeUninit::uninit() }; CHUNK])
     }
 
-    /// The geometry of those of up to [`CHUNK`] neighbours of the points (x, y) that are in reach
-    /// of one of them; their numbers and slopes go to `entries` and `slopes`. Ghosts without a
-    /// weight do not count.
+    /// The geometry of those of up to [`CHUNK`] neighbours of eight places that are in reach of one
+    /// of them; their numbers and slopes go to `entries` and `slopes`. Ghosts without a weight do
+    /// not count.
     #[inline(always)]
-    pub(super) fn fill<K: Kernel, L: Lanes, const FLUID: bool>(
+    pub(super) fn fill<K: Kernel, N: Neighbour, const FLUID: bool>(
         &mut self,
-        x: L,
-        y: L,
+        places: [[V; 2]; 2],
         neighbours: &[u32],
-        records: &[Record],
+        records: &[N],
         (entries, slopes): (&mut [u32], &mut [Slopes]),
-    ) -> &[Pair] {
+    ) -> &[Pair<V>] {
         let limit = CHUNK.min(entries.len()).min(slopes.len());
         let mut count = 0;
         for &j in neighbours {
             if count >= limit {
                 break; // Never: it tells the compiler where `count` may lie.
             }
-            let record = &records[j as usize].0;
-            let dx = x - L::splat(record[Record::X]);
-            let dy = y - L::splat(record[Record::Y]);
-            let s = dx.mul_add(dx, dy.mul_add(dy, L::splat(COINCIDENT)));
+            let record = &records[j as usize];
+            let [dx, dy] = record.apart(places);
+            let s = dx.mul_add(dx, dy.mul_add(dy, V::splat(COINCIDENT)));
             let inverse_q = s.rsqrt();
-            let g = K::slope_over_q(s, inverse_q) * L::splat(record[Record::WEIGHT]);
+            let slope = K::slope_over_q(s, inverse_q) * record.weight();
             entries[count] = j;
-            g.store_single(&mut slopes[count].0);
-            let pair = self.0[count].as_mut_ptr();
-            // SAFETY: the pointer is to a whole `Pair`, whose fields are written one by one; any
-            // bits are a valid array of numbers.
-            unsafe {
-                dx.store(&mut (*pair).dx);
-                dy.store(&mut (*pair).dy);
-                (inverse_q * inverse_q).store(&mut (*pair).inverse_s);
-                g.store(&mut (*pair).slope);
-            }
-            let counts = s.any_less(L::splat(1.0)) & (FLUID || record[Record::WEIGHT] != 0.0);
+            slope.store_single(&mut slopes[count].0);
+            let inverse_s = inverse_q * inverse_q;
+            self.0[count].write(Pair { dx, dy, inverse_s, slope });
+            let counts = s.any_less(V::splat(1.0)) & (FLUID || record.counts());
             count += usize::from(counts);
         }
         // SAFETY: the loop above has written the first `count` entries.

@@ -8,7 +8,7 @@ use crate::body::BodyMotion;
 use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane};
 use crate::math::simd::SimdPath;
 use crate::neighbours::{Drift, PairList, Strips};
-use crate::particles::{Fluid, Record, Scaling};
+use crate::particles::{Fluid, Record, Scaling, SingleRecord};
 
 /// Seconds spent in each phase, and pairs evaluated.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -35,6 +35,7 @@ pub struct WcsphState {
     carried: [Vec<f64>; 7],
     strain: Vec<[f64; 2]>,
     pair_evaluations: u64,
+    list_rebuilds: u64,
     boundary_fallbacks: u64,
 }
 
@@ -57,6 +58,8 @@ pub struct Wcsph {
     pub(super) reference_y: Vec<f64>,
     pub(super) reference_offsets: Vec<f64>,
     pub(super) records: Vec<Record>,
+    /// The records in single precision, where the pair terms are.
+    pub(super) singles: Vec<SingleRecord>,
     pub(super) work: Workspace,
     pub(super) diffused: Vec<f64>,
     pub(super) strain: Vec<[f64; 2]>,
@@ -85,6 +88,7 @@ pub struct Wcsph {
     /// Motions of the bodies, with the offsets of the last full step.
     pub(super) held_bodies: Vec<BodyMotion>,
     pub(super) pair_evaluations: u64,
+    pub(super) list_rebuilds: u64,
     pub(super) boundary_fallbacks: u64,
     pub(super) last_viscous_power: f64,
     /// Where the time went; never part of the state.
@@ -114,6 +118,7 @@ impl Wcsph {
             reference_y: Vec::new(),
             reference_offsets: Vec::new(),
             records: vec![Record::default(); padded + ghosts.len()],
+            singles: Vec::new(),
             work: Workspace::new(padded, bodies),
             diffused: vec![0.0; padded],
             strain: vec![[0.0; 2]; padded],
@@ -135,6 +140,7 @@ impl Wcsph {
             since_full: 0.0,
             held_bodies: vec![BodyMotion::default(); bodies],
             pair_evaluations: 0,
+            list_rebuilds: 0,
             boundary_fallbacks: 0,
             last_viscous_power: 0.0,
             timings: Timings::default(),
@@ -183,6 +189,7 @@ impl Wcsph {
             carried: self.work.carried().map(Clone::clone),
             strain: self.strain.clone(),
             pair_evaluations: self.pair_evaluations,
+            list_rebuilds: self.list_rebuilds,
             boundary_fallbacks: self.boundary_fallbacks,
         }
     }
@@ -199,6 +206,7 @@ impl Wcsph {
         }
         self.strain = state.strain;
         self.pair_evaluations = state.pair_evaluations;
+        self.list_rebuilds = state.list_rebuilds;
         self.boundary_fallbacks = state.boundary_fallbacks;
         self.substep = 0;
         if !self.reference_x.is_empty() {

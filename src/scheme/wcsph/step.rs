@@ -48,6 +48,7 @@ impl Wcsph {
         self.timings.ghosts += (filled - packed).as_secs_f64();
         self.last_viscous_power = self.momentum_pass();
         self.last_viscous_power += self.laminar_pass();
+        self.renew_concentration();
         self.timings.momentum += filled.elapsed().as_secs_f64();
     }
 
