@@ -1,57 +1,123 @@
 //! What a particle costs per step: pair loops, neighbour search, ghosts, the whole step, at four
-//! sizes and on every instruction set; and one default case with the memory that it takes.
+//! sizes, on every instruction set and in both precisions of pair terms; one default case with the
+//! memory that it takes; allocations per step.
 //!
 //! `cargo bench --bench case` prints medians in processor time, as CSV; `scripts/bench` makes
 //! tables of them. Compare numbers within one run only.
 
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::process::Command;
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
 use seawall::simulation::{CaseResult, Unwatched, run_case};
 
-/// Spacings, metres, of a tank of 2.5 m by 0.2 m: about 2,000, 8,000, 32,000, 128,000 particles.
-const SPACINGS: [f64; 4] = [0.016, 0.008, 0.004, 0.002];
-/// Runs of each, of which the median counts.
-const RUNS: usize = 5;
+/// Spacings, metres, of a tank of 2.5 m by 0.2 m (about 2,000, 8,000, 32,000, 128,000 particles),
+/// and how many runs of each: the median counts.
+const SIZES: [(f64, usize); 4] = [(0.016, 5), (0.008, 5), (0.004, 3), (0.002, 3)];
+const MOVABLE: &str =
+    "wall = \"movable\"\nspring_stiffness_n_per_m = 500\nseawall_mass_kg_per_m = 250\n";
+const PRECISIONS: [&str; 2] = ["f64", "f32"];
+/// Asks this program to run one default case in a precision and to tell its time and memory.
+const ALONE: &str = "--default-case=";
+
+static ALLOCATIONS: AtomicU64 = AtomicU64::new(0);
+
+struct Counting;
+
+// SAFETY: all work is the system's.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
+        unsafe { System.alloc(layout) }
+    }
+    unsafe fn dealloc(&self, place: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(place, layout) }
+    }
+    unsafe fn realloc(&self, place: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
+        unsafe { System.realloc(place, layout, size) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
 
 fn main() {
     // Cargo passes --bench, and --test where it only wants to see the program start.
     if std::env::args().any(|word| word == "--test") {
         return;
     }
-    println!("simd,particles,quantity,value,unit");
+    let widest = SimdPath::widest();
+    let alone = std::env::args().find_map(|word| word.strip_prefix(ALONE).map(str::to_owned));
+    if let Some(precision) = alone {
+        let run = Run::of(&case(MOVABLE, 0.008, None, &precision), widest);
+        println!("{},{}", run.seconds, peak_memory().unwrap_or(f64::NAN));
+        return;
+    }
+    println!("simd,precision,particles,quantity,value,unit");
     for path in [SimdPath::Avx512, SimdPath::Avx2, SimdPath::Portable] {
         if !path.is_supported() {
             continue;
         }
-        for spacing in SPACINGS {
+        for (spacing, count) in SIZES {
             if path == SimdPath::Portable && spacing < 0.008 {
                 continue; // It would take minutes.
             }
-            // A hundred steps or so; the paddle has started by then.
-            let case = case("", spacing, Some(12.5 * spacing));
-            let runs: Vec<Run> = (0..RUNS).map(|_| Run::of(&case, path)).collect();
-            runs[0].print(path, &runs);
+            // A hundred steps or so; the paddle has started by then. Precisions in turns, so that
+            // what else the machine does meets both.
+            let cases = PRECISIONS.map(|p| case("", spacing, Some(12.5 * spacing), p));
+            let mut runs: [Vec<Run>; 2] = Default::default();
+            for _ in 0..count {
+                for (case, runs) in cases.iter().zip(&mut runs) {
+                    runs.push(Run::of(case, path));
+                }
+            }
+            for (precision, runs) in PRECISIONS.iter().zip(&runs) {
+                runs[0].print(path, precision, runs);
+            }
         }
     }
-    let path = SimdPath::widest();
-    let movable =
-        "wall = \"movable\"\nspring_stiffness_n_per_m = 500\nseawall_mass_kg_per_m = 250\n";
-    let whole = case(movable, 0.008, None);
-    let mut seconds: Vec<f64> = (0..3).map(|_| Run::of(&whole, path).seconds).collect();
-    seconds.sort_by(f64::total_cmp);
-    let particles = 7825;
-    println!("{},{particles},default case,{:.2},s", path.name(), seconds[1]);
-    if let Some(mebibytes) = peak_memory() {
-        println!("{},{particles},peak memory of this program,{mebibytes:.1},MiB", path.name());
+    let path = widest.name();
+    let mut told: [Vec<[f64; 2]>; 2] = Default::default();
+    for _ in 0..3 {
+        for (precision, told) in PRECISIONS.iter().zip(&mut told) {
+            told.push(alone_in_a_process(precision));
+        }
     }
+    for (precision, told) in PRECISIONS.iter().zip(&mut told) {
+        told.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let [seconds, mebibytes] = told[1];
+        println!("{path},{precision},7825,default case,{seconds:.2},s");
+        println!("{path},{precision},7825,peak memory,{mebibytes:.1},MiB");
+    }
+    let allocations = |end: f64| {
+        let before = ALLOCATIONS.load(Ordering::Relaxed);
+        let scene = format!("{MOVABLE}history_interval_s = 10\n");
+        let run = Run::of(&case(&scene, 0.016, Some(end), "f64"), widest);
+        (ALLOCATIONS.load(Ordering::Relaxed) - before, run.result.outcome.steps)
+    };
+    let ((few, fewer), (more, steps)) = (allocations(1.0), allocations(2.0));
+    let per_step = more.saturating_sub(few) as f64 / (steps - fewer) as f64;
+    println!("{path},f64,2028,allocations per step,{per_step:.4},");
 }
 
-fn case(scene: &str, spacing: f64, end_time: Option<f64>) -> CaseConfig {
+/// Seconds and MiB of one default case in a process of its own.
+fn alone_in_a_process(precision: &str) -> [f64; 2] {
+    let program = std::env::current_exe().unwrap();
+    let output = Command::new(program).arg(format!("{ALONE}{precision}")).output().unwrap();
+    let text = String::from_utf8(output.stdout).unwrap();
+    let (seconds, mebibytes) = text.trim().split_once(',').expect("a time and a size");
+    [seconds.parse().unwrap(), mebibytes.parse().unwrap()]
+}
+
+fn case(scene: &str, spacing: f64, end_time: Option<f64>, precision: &str) -> CaseConfig {
     let end = end_time.map_or(String::new(), |end| format!("end_time_s = {end:e}\n"));
     let scene = format!("wave_height_ratio = 0.5\n{scene}{end}").parse().unwrap();
-    let numerics = format!("particle_spacing_m = {spacing}").parse().unwrap();
+    let numerics =
+        format!("particle_spacing_m = {spacing}\nprecision = \"{precision}\"").parse().unwrap();
     CaseConfig::from_tables(&scene, &numerics).unwrap()
 }
 
@@ -77,13 +143,13 @@ impl Run {
         seconds * 1e9 / (outcome.steps as f64 * f64::from(outcome.particles))
     }
 
-    fn print(&self, path: SimdPath, runs: &[Run]) {
+    fn print(&self, path: SimdPath, precision: &str, runs: &[Run]) {
         let particles = self.result.outcome.particles;
         let line = |quantity: &str, value: fn(&Run, usize) -> f64, place: usize| {
             let mut values: Vec<f64> = runs.iter().map(|run| value(run, place)).collect();
             values.sort_by(f64::total_cmp);
             let median = values[values.len() / 2];
-            println!("{},{particles},{quantity},{median:.1},ns", path.name());
+            println!("{},{precision},{particles},{quantity},{median:.1},ns", path.name());
         };
         for (place, phase) in self.result.phases.iter().enumerate() {
             // Phases are told in wall time: their shares of the processor time count.

@@ -1,6 +1,6 @@
 //! Cost of every boundary interpolator: the ghost pass alone, and as a part of whole steps.
 //!
-//! `cargo bench --bench ghost_pass` prints comma-separated tables; compare numbers within one run
+//! `cargo bench --bench ghost_pass` (with `-- --brief` at 8,000 particles alone) prints comma-separated tables; compare numbers within one run
 //! only. The pass alone is lists at hand, water at rest: weights, filling and new velocities, per
 //! ghost that has water in reach. In whole cases it comes with wetness and moving water.
 
@@ -28,10 +28,12 @@ fn main() {
     if std::env::args().any(|word| word == "--test") {
         return;
     }
+    let brief = std::env::args().any(|word| word == "--brief");
+    let spacings = if brief { &SPACINGS[1..2] } else { &SPACINGS[..] };
     println!(
         "table,boundary,particles,ns_per_ghost,us_per_step_ghosts,us_per_step_total,ghosts_percent"
     );
-    for spacing in SPACINGS {
+    for &spacing in spacings {
         // In turns, so that what else the machine does meets all of them.
         let mut alone = [const { Vec::new() }; BOUNDARIES.len()];
         for _ in 0..ROUNDS {
@@ -44,7 +46,7 @@ fn main() {
             println!("ghost_pass,{boundary},{particles},{:.1},,,", median(times));
         }
     }
-    for spacing in SPACINGS {
+    for &spacing in spacings {
         let mut whole = [const { (Vec::new(), Vec::new()) }; BOUNDARIES.len()];
         let mut particles = 0;
         for _ in 0..3 {

@@ -1,51 +1,86 @@
 //! Scaling by simulation: the real scheduler, driven with measured case times through a link that
 //! only keeps books, for ten to ten thousand ranks and up to a million cases.
 //!
-//! `cargo run --release --example scaling -- [NS_PER_PARTICLE_STEP]` writes
-//! `results/performance/scaling.md`. Times of the scheduler's own decisions are measured while it
+//! `cargo run --release --example scaling` reads the wall times of the cases in
+//! `results/liang2017_study/summary.csv` and writes `results/performance/scaling.md`, of which it
+//! keeps what stands under "Notes". Times of the scheduler's own decisions are measured while it
 //! makes them; recording a case is measured by writing and renaming a file of a history's size.
 
 use std::cmp::Reverse;
-use std::collections::{BinaryHeap, VecDeque};
+use std::collections::{BTreeMap, BinaryHeap, VecDeque};
 use std::fmt::Write as _;
 use std::time::Instant;
 
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
-use seawall::simulation::{Unwatched, run_case, run_trunk};
+use seawall::simulation::{Cost, Unwatched, cost, run_case, run_trunk};
 use seawall::sweep::{Command, Event, Manager, Plan, PlannedCase, PlannedTrunk};
 
 /// What one message costs on its way, seconds and seconds per byte: a slow network of a cluster.
 const LATENCY: f64 = 20e-6;
 const PER_BYTE: f64 = 1e-9;
-/// A default case: particles, steps, and the share of them before the wall first moves.
-const PARTICLES: u64 = 7_825;
-const STEPS: u64 = 3_400;
-const TRUNK_SHARE: f64 = 0.45;
-/// Branches of a trunk: stiffnesses times masses.
-const BRANCHES: usize = 100;
-/// Durations differ from their estimate by up to this share, whatever the reason.
-const JITTER: f64 = 0.1;
+const SUMMARY: &str = "results/liang2017_study/summary.csv";
+const MOVABLE: &str =
+    "wall = \"movable\"\nspring_stiffness_n_per_m = 500\nseawall_mass_kg_per_m = 250\n";
+const TABLE: &str = "results/performance/scaling.md";
+
+/// The cases of one wave height in the measured study: they share a trunk.
+struct Wave {
+    config: CaseConfig,
+    estimate: Cost,
+    /// What each took from the trunk's end, seconds.
+    branches: Vec<f64>,
+    /// What their trunk must have taken, at the same speed.
+    trunk: f64,
+}
 
 /// What messages weigh and what it takes to record a case, from real ones.
 struct Measured {
+    waves: Vec<Wave>,
     order_bytes: f64,
     result_bytes: f64,
     checkpoint_bytes: f64,
     record_s: f64,
-    seconds_per_cost: f64,
 }
 
-fn measure(seconds_per_cost: f64) -> Measured {
-    let table = |text: &str| text.parse::<toml::Table>().unwrap();
-    let scene =
-        table("wall = \"movable\"\nspring_stiffness_n_per_m = 500\nseawall_mass_kg_per_m = 250\n");
-    let case = CaseConfig::from_tables(&scene, &table("particle_spacing_m = 0.025")).unwrap();
+fn table(text: &str) -> toml::Table {
+    text.parse().unwrap()
+}
+
+/// The cases of a summary that ended well.
+fn waves(path: &str) -> Vec<Wave> {
+    let mut reader = csv::Reader::from_path(path).unwrap_or_else(|e| panic!("{path}: {e}"));
+    let mut times: BTreeMap<u64, Vec<[f64; 2]>> = BTreeMap::new();
+    for row in reader.deserialize::<BTreeMap<String, String>>() {
+        let row = row.unwrap();
+        if row["status"] == "ok" {
+            let number = |key: &str| row[key].parse::<f64>().unwrap();
+            let height = (1e6 * number("wave_height_ratio")).round() as u64;
+            times.entry(height).or_default().push([number("wall_time_s"), number("steps")]);
+        }
+    }
+    let wave = |(height, times): (u64, Vec<[f64; 2]>)| {
+        let scene = format!("wave_height_ratio = {:?}\n{MOVABLE}", height as f64 * 1e-6);
+        let config = CaseConfig::from_tables(&table(&scene), &toml::Table::new()).unwrap();
+        let estimate = cost(&config);
+        let trunk_steps = estimate.steps as f64 * estimate.trunk_share;
+        let branches: Vec<f64> = times.iter().map(|[seconds, _]| *seconds).collect();
+        let steps: f64 = times.iter().map(|[_, steps]| steps - trunk_steps).sum();
+        let trunk = branches.iter().sum::<f64>() / steps * trunk_steps;
+        Wave { config, estimate, branches, trunk }
+    };
+    times.into_iter().map(wave).collect()
+}
+
+fn measure() -> Measured {
+    let waves = waves(SUMMARY);
+    let numerics = table("particle_spacing_m = 0.025");
+    let case = CaseConfig::from_tables(&table(MOVABLE), &numerics).unwrap();
     let path = SimdPath::widest();
     let trunk = run_trunk(&case.trunk().unwrap(), path, &Unwatched).unwrap();
     let result = run_case(&case, Some(&trunk.checkpoint), path, &Unwatched).unwrap();
     let result_bytes = postcard::to_stdvec(&result).unwrap();
-    let grown = PARTICLES as f64 / f64::from(result.outcome.particles);
+    let grown = waves[0].estimate.particles as f64 / f64::from(result.outcome.particles);
     let directory = std::env::temp_dir();
     let (from, to) = (directory.join("seawall_scaling.tmp"), directory.join("seawall_scaling"));
     let mut times: Vec<f64> = (0..101)
@@ -59,34 +94,44 @@ fn measure(seconds_per_cost: f64) -> Measured {
     std::fs::remove_file(&to).ok();
     times.sort_by(f64::total_cmp);
     Measured {
+        waves,
         order_bytes: serde_json::to_string(&case).unwrap().len() as f64,
         result_bytes: result_bytes.len() as f64,
         checkpoint_bytes: trunk.checkpoint.len() as f64 * grown,
         record_s: times[50],
-        seconds_per_cost,
     }
 }
 
-fn plan(cases: usize) -> Plan {
-    let empty = toml::Table::new();
-    let config = CaseConfig::from_tables(&empty, &empty).unwrap();
-    let mut plan = Plan::default();
-    let trunks = cases.div_ceil(BRANCHES);
-    for trunk in 0..trunks {
+/// What the scheduler plans with, and what its tasks take in truth, seconds.
+struct Study {
+    plan: Plan,
+    trunk_seconds: Vec<f64>,
+    case_seconds: Vec<f64>,
+}
+
+/// So many cases: the measured ones over and over.
+fn study(cases: usize, waves: &[Wave]) -> Study {
+    let mut study =
+        Study { plan: Plan::default(), trunk_seconds: Vec::new(), case_seconds: Vec::new() };
+    let plan = &mut study.plan;
+    for (trunk, wave) in waves.iter().cycle().enumerate() {
         let first = plan.cases.len();
-        let count = BRANCHES.min(cases - first);
-        // Low waves are slower than high ones and take up to a third more steps.
-        let steps = STEPS as f64 * (1.0 + 0.3 * (trunk % 7) as f64 / 7.0);
-        let whole = (PARTICLES as f64 * steps) as u64;
-        let cost = (whole as f64 * TRUNK_SHARE) as u64;
+        let count = wave.branches.len().min(cases - first);
+        if count == 0 {
+            break;
+        }
+        let whole = wave.estimate.particles * wave.estimate.steps;
+        let cost = (whole as f64 * wave.estimate.trunk_share) as u64;
         for index in first..first + count {
             let branch_cost = whole - cost;
             plan.cases.push(PlannedCase { index, trunk: Some(trunk), cost: whole, branch_cost });
         }
+        study.case_seconds.extend(&wave.branches[..count]);
+        study.trunk_seconds.push(wave.trunk);
         let branches = (first..first + count).collect();
-        plan.trunks.push(PlannedTrunk { config: config.clone(), cost, branches });
+        plan.trunks.push(PlannedTrunk { config: wave.config.clone(), cost, branches });
     }
-    plan
+    study
 }
 
 #[derive(Clone, Copy)]
@@ -126,9 +171,12 @@ struct Outcome {
     bound: f64,
     busy: f64,
     bytes: f64,
+    /// Of the scheduler, per message that it takes in, seconds.
+    decision: f64,
 }
 
-fn simulate(plan: &Plan, count: usize, measured: &Measured) -> Outcome {
+fn simulate(study: &Study, count: usize, measured: &Measured) -> Outcome {
+    let plan = &study.plan;
     let mut manager = Manager::new(plan, &vec![1; count]);
     let mut ranks = Ranks {
         queues: vec![VecDeque::new(); count],
@@ -139,37 +187,33 @@ fn simulate(plan: &Plan, count: usize, measured: &Measured) -> Outcome {
         number: 0,
     };
     let (mut commands, mut coordinator, mut busy, mut bytes) = (Vec::new(), 0.0, 0.0, 0.0);
-    let mut dice = 0x9E37_79B9_7F4A_7C15_u64;
-    let mut jitter = move || {
-        dice ^= dice << 13;
-        dice ^= dice >> 7;
-        dice ^= dice << 17;
-        1.0 + JITTER * (2.0 * (dice >> 11) as f64 / (1_u64 << 53) as f64 - 1.0)
-    };
+    let (mut deciding, mut taken_in) = (0.0, 0_u64);
     let mut handle = |event: Event, at: f64, extra: f64, ranks: &mut Ranks| {
         let start = Instant::now();
         manager.on(event, &mut commands);
-        let spent = start.elapsed().as_secs_f64() + extra;
+        let decision = start.elapsed().as_secs_f64();
+        deciding += decision;
+        taken_in += 1;
+        let spent = decision + extra;
         coordinator = f64::max(coordinator, at) + spent;
         busy += spent;
         for command in commands.drain(..) {
             let order = LATENCY + PER_BYTE * measured.order_bytes;
             let arrival = coordinator + order;
-            let (rank, work, ready, cost) = match command {
+            let (rank, work, ready, duration) = match command {
                 Command::RunTrunk { rank, trunk } => {
-                    (rank, Work::Trunk(trunk), arrival, plan.trunks[trunk].cost)
+                    (rank, Work::Trunk(trunk), arrival, study.trunk_seconds[trunk])
                 }
                 Command::RunCase { rank, case, from } => {
                     let fetch = from.filter(|source| source.holder != rank).map_or(0.0, |_| {
                         bytes += measured.checkpoint_bytes;
                         2.0 * LATENCY + PER_BYTE * measured.checkpoint_bytes
                     });
-                    (rank, Work::Case(case), arrival + fetch, plan.cases[case].branch_cost)
+                    (rank, Work::Case(case), arrival + fetch, study.case_seconds[case])
                 }
                 Command::Drop { .. } | Command::Cancel => continue,
             };
             bytes += measured.order_bytes;
-            let duration = cost as f64 * measured.seconds_per_cost * jitter();
             ranks.queues[rank].push_back((work, ready, duration));
             ranks.start(rank, coordinator);
         }
@@ -196,37 +240,45 @@ fn simulate(plan: &Plan, count: usize, measured: &Measured) -> Outcome {
         }
     }
     let _ = handle;
-    let longest = plan.trunks.iter().map(|trunk| {
-        let branch = trunk.branches.iter().map(|&case| plan.cases[case].branch_cost).max();
-        trunk.cost + branch.unwrap_or(0)
+    let chains = plan.trunks.iter().zip(&study.trunk_seconds).map(|(trunk, seconds)| {
+        let branches = trunk.branches.iter().map(|&case| study.case_seconds[case]);
+        seconds + branches.fold(0.0, f64::max)
     });
-    let chain = longest.max().unwrap_or(0) as f64 * measured.seconds_per_cost;
+    let chain = chains.fold(0.0, f64::max);
     let bytes = bytes + plan.cases.len() as f64 * measured.result_bytes;
     Outcome {
         makespan: end,
         bound: chain.max(ranks.working_s / count as f64),
         busy: busy / end,
         bytes,
+        decision: deciding / taken_in as f64,
     }
 }
 
 fn main() {
-    let nanoseconds = std::env::args().nth(1).map_or(150.0, |word| word.parse().unwrap());
-    let measured = measure(nanoseconds * 1e-9);
+    let measured = measure();
+    let all = || measured.waves.iter().flat_map(|wave| &wave.branches);
+    let mut sorted: Vec<f64> = all().copied().collect();
+    sorted.sort_by(f64::total_cmp);
     let mut text = format!(
         "# Scaling, by simulation\n\n\
-         The real scheduler (`sweep::Manager`), driven with case times of {nanoseconds} ns per \
-         particle and step\n({PARTICLES} particles, {STEPS} steps and more, durations off their \
-         estimate by up to {:.0} %), {BRANCHES} branches per\ntrunk, one task at a time per rank, \
-         messages of {:.0} µs and 1 GB/s. Measured and counted in: the\nscheduler's decisions, \
-         {:.0} µs to record a case, orders of {:.1} kB, results of {:.0} kB, checkpoints of\n{:.2} \
-         MB where a branch runs on another rank than its trunk. Made by \
-         `examples/scaling.rs`.\n\nThe bound is the larger of all work over all ranks and the \
-         longest trunk with its longest branch. With\nmore ranks than cases only the latter \
-         counts.\n\n\
+         The real scheduler (`sweep::Manager`), driven with the wall times of the {} cases in\n\
+         `{SUMMARY}` over and over: {:.2} s in the median, {:.2} to {:.2} s,\n{} branches per \
+         trunk, a trunk in {:.2} s. The scheduler plans with its own estimates. One task at a \
+         time per\nrank, messages of {:.0} µs and 1 GB/s (taken, not measured). Measured and \
+         counted in: the scheduler's decisions,\n{:.0} µs to record a case, orders of {:.1} kB, \
+         results of {:.0} kB, checkpoints of {:.2} MB where a branch runs\non another rank than \
+         its trunk. Made by `examples/scaling.rs`.\n\nThe bound is the larger of all work over \
+         all ranks and the longest trunk with its longest branch. With\nmore ranks than cases \
+         only the latter counts.\n\n\
          | ranks | cases | makespan, s | bound, s | makespan over bound | coordinator busy | \
-         messages, MB |\n|---|---|---|---|---|---|---|\n",
-        100.0 * JITTER,
+         scheduler, µs per message | messages, MB |\n|---|---|---|---|---|---|---|---|\n",
+        sorted.len(),
+        sorted[sorted.len() / 2],
+        sorted[0],
+        sorted[sorted.len() - 1],
+        measured.waves[0].branches.len(),
+        measured.waves[0].trunk,
         1e6 * LATENCY,
         1e6 * measured.record_s,
         1e-3 * measured.order_bytes,
@@ -235,20 +287,26 @@ fn main() {
     );
     for ranks in [10, 100, 1_000, 10_000] {
         for cases in [300, 10_000, 100_000, 1_000_000] {
-            let o = simulate(&plan(cases), ranks, &measured);
+            let o = simulate(&study(cases, &measured.waves), ranks, &measured);
             writeln!(
                 text,
-                "| {ranks} | {cases} | {:.1} | {:.1} | {:.3} | {:.2} % | {:.0} |",
+                "| {ranks} | {cases} | {:.1} | {:.1} | {:.3} | {:.2} % | {:.2} | {:.0} |",
                 o.makespan,
                 o.bound,
                 o.makespan / o.bound,
                 100.0 * o.busy,
+                1e6 * o.decision,
                 1e-6 * o.bytes
             )
             .unwrap();
         }
     }
+    // What a reader has added stays.
+    let old = std::fs::read_to_string(TABLE).unwrap_or_default();
+    if let Some((_, notes)) = old.split_once("\n## Notes") {
+        text += &format!("\n## Notes{notes}");
+    }
     std::fs::create_dir_all("results/performance").unwrap();
-    std::fs::write("results/performance/scaling.md", &text).unwrap();
+    std::fs::write(TABLE, &text).unwrap();
     print!("{text}");
 }
