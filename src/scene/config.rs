@@ -61,6 +61,11 @@ impl CaseConfig {
             let spacing = self.numerics.particle_spacing_m;
             return Err(ConfigError::new("numerics.particle_spacing_m", spacing, allowed));
         }
+        let upright = self.scene.seawall().is_some_and(|scene| scene.wall_angle_deg == 90.0);
+        if self.numerics.stop_when_settled && !upright {
+            let allowed = "belongs to a wave on a vertical seawall";
+            return Err(ConfigError::new("numerics.stop_when_settled", true, allowed));
+        }
         Probe::validate_all(&self.probes, &frame)
     }
 

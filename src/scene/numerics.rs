@@ -127,6 +127,9 @@ pub struct Numerics {
     /// Further attempts, each with half the time step, where a run becomes unstable.
     #[serde(default, skip_serializing_if = "is_zero")]
     pub retries: u32,
+    /// End a run once no reported maximum is likely to be passed any more.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub stop_when_settled: bool,
     /// Laplacian of the pressure; `isph` only, like the keys below down to `precision`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub laplacian: Option<Laplacian>,
@@ -219,6 +222,7 @@ impl Numerics {
             acoustic_substeps: 3,
             time_step_s: None,
             retries: 0,
+            stop_when_settled: false,
             laplacian: None,
             preconditioner: None,
             solver_tolerance: None,

@@ -1,10 +1,12 @@
 //! What a run shows on its way, and hands over at its end.
 
 use super::energy::WaterEnergy;
-use super::outcome::{CaseResult, Maximum, NamedReading, Outcome, PhaseShare};
+use super::outcome::{CaseResult, EnergyBudget, Maximum, NamedReading, Outcome, PhaseShare};
 use super::readings;
 use super::run::Run;
 use super::{Film, Monitor};
+use crate::body::{BodyMotion, SpringWall};
+use crate::scene::{PADDLE, WALL};
 
 impl Run {
     /// Shows the water to a monitor that films, at its times and at the end.
@@ -18,6 +20,27 @@ impl Run {
                 pressure: self.tank.water.pressures(),
             });
         }
+    }
+
+    /// Whether no reported maximum can be passed any more: paddle and wall stand, and too little is left
+    /// of the energy above that of still water between paddle and wall. All of the spring's counts.
+    pub(super) fn has_settled(&mut self, bodies: &[BodyMotion], energy: &EnergyBudget) -> bool {
+        let Some(piston) = &self.tank.piston else { return false };
+        if !self.config.numerics.stop_when_settled {
+            return false;
+        }
+        // A wall on its way back may hit its stop harder than any wave has hit the wall.
+        let under_way = |wall: &SpringWall| wall.displacement != 0.0 || wall.velocity != 0.0;
+        if self.tank.wall.as_ref().is_some_and(under_way) {
+            return false;
+        }
+        let length = self.tank.frame.length;
+        let now = length + bodies[WALL].offset - bodies[PADDLE].offset;
+        // Still water has ρ g V²/(2 L) between walls that are L apart.
+        let raised = self.ledger.start.potential * (length / now - 1.0);
+        let left = energy.kinetic + (energy.potential - raised).max(0.0);
+        let left = left + energy.wall_kinetic + energy.spring;
+        self.settling.settled(&self.measures, left) && self.clock.time > piston.duration()
     }
 
     /// The results of a run that has reached its end.

@@ -11,6 +11,7 @@ mod outcome;
 mod probes;
 mod readings;
 mod run;
+mod settling;
 mod sounding;
 mod watch;
 mod window;

@@ -8,8 +8,9 @@ use super::failure::{Failure, FailureKind, Stopped};
 use super::gauge::CrestGauge;
 use super::health::{HealthBounds, HealthState, Vitals};
 use super::measures::{Measures, Reading};
-use super::outcome::{HistoryRow, ProbeTable};
+use super::outcome::{EnergyBudget, HistoryRow, ProbeTable};
 use super::probes;
+use super::settling::Settling;
 use super::sounding::Sounding;
 use super::watch::{self, Watch};
 use crate::body::{BodyMotion, SpringWall, WallStep};
@@ -40,6 +41,7 @@ pub(super) struct RunState {
     gauge_at_rest: Option<f64>,
     worst_gap: f64,
     health: HealthState,
+    settling: Settling,
     probes: Option<ProbeTable>,
 }
 
@@ -76,6 +78,7 @@ pub(super) struct Run {
     pub(super) gauge_at_rest: Option<f64>,
     pub(super) worst_gap: f64,
     pub(super) health: HealthState,
+    pub(super) settling: Settling,
     pub(super) probes: Option<ProbeTable>,
 }
 
@@ -97,6 +100,7 @@ impl Run {
             gauge_at_rest: None,
             worst_gap: 0.0,
             health: HealthState::default(),
+            settling: Settling::default(),
             probes: probes::table(&config.probes),
             watch: watch::of(config, &tank),
             films: 0,
@@ -120,6 +124,7 @@ impl Run {
         self.gauge_at_rest = state.gauge_at_rest;
         self.worst_gap = state.worst_gap;
         self.health = state.health;
+        self.settling = state.settling;
         self.probes = state.probes;
     }
 
@@ -137,6 +142,7 @@ impl Run {
             gauge_at_rest: self.gauge_at_rest,
             worst_gap: self.worst_gap,
             health: self.health,
+            settling: self.settling,
             probes: self.probes.clone(),
         }
     }
@@ -195,7 +201,11 @@ impl Run {
                 return Ok(Reached::End);
             }
             if sample && self.clock.samples.is_multiple_of(SAMPLES_PER_CHECK) {
-                self.check_health(bodies)?;
+                let energy = self.check_health(bodies)?;
+                if !until_onset && self.has_settled(bodies, &energy) {
+                    self.film(monitor, time, true);
+                    return Ok(Reached::End);
+                }
                 monitor.progress(time / self.tank.frame.end_time);
                 if monitor.cancelled() {
                     return Err(Stopped::Interrupted);
@@ -334,7 +344,7 @@ impl Run {
         self.clock.steps += 1;
     }
 
-    fn check_health(&mut self, bodies: &[BodyMotion]) -> Result<(), Failure> {
+    fn check_health(&mut self, bodies: &[BodyMotion]) -> Result<EnergyBudget, Failure> {
         let now = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
         let energy = self.ledger.close(now, self.tank.wall.as_ref());
         let across = self.tank.water.walls().bodies[WALL].plane.normal;
@@ -347,7 +357,8 @@ impl Run {
             work: energy.paddle_work,
             clusters: self.clock.samples.is_multiple_of(SAMPLES_PER_CLUSTER_CHECK),
         };
-        self.health.check(&self.bounds, self.tank.water.fluid(), &vitals)
+        self.health.check(&self.bounds, self.tank.water.fluid(), &vitals)?;
+        Ok(energy)
     }
 
     /// Where water may be, metres: left, right at the bed, bottom, top. Anywhere without walls.
