@@ -307,7 +307,7 @@ impl Filling {
             pressure_memory: numerics.pressure_memory.unwrap_or(0.98),
             laplacian: numerics.laplacian.unwrap_or(Laplacian::Exact),
             preconditioner: numerics.preconditioner.unwrap_or(PreconditionerChoice::Multigrid),
-            solver_tolerance: numerics.solver_tolerance.unwrap_or(1e-3),
+            solver_tolerance: numerics.solver_tolerance.unwrap_or(1e-2),
             courant_number: numerics.flow_courant_number.unwrap_or(0.2),
         };
         let fluid = if self.walls == Walls::Tank {

@@ -256,7 +256,7 @@ impl Numerics {
                 scheme: Scheme::Isph,
                 laplacian: Some(Laplacian::Exact),
                 preconditioner: Some(PreconditionerChoice::Multigrid),
-                solver_tolerance: Some(1e-3),
+                solver_tolerance: Some(1e-2),
                 volume_relaxation: Some(0.0),
                 pressure_memory: Some(0.98),
                 compact_share: Some(COMPACT_SHARE),
