@@ -385,8 +385,8 @@ fn smallest_eigenvalue<L: Lanes>([xx, xy, yy]: [L; 3]) -> L {
 /// for the inverse to be trusted.
 #[inline(always)]
 fn correction<L: Lanes>([xx, xy, yy]: [L; 3], completeness: L) -> [L; 3] {
-    const TRUSTED_FROM: f64 = 0.2;
-    const TRUSTED_FULL: f64 = 0.3;
+    const TRUSTED_FROM: f64 = 0.35;
+    const TRUSTED_FULL: f64 = 0.48;
     let (zero, one) = (L::splat(0.0), L::splat(1.0));
     let determinant = (xx * yy - xy * xy).max(L::splat(1e-3));
     let trust =
