@@ -96,6 +96,8 @@ fn a_wave_runs_up_an_incline() {
         let (low, high) = (reading(&readings, "P0_max"), reading(&readings, "P1_max"));
         assert!(low > 1.3 * still && low < 8.0 * still, "{readings}");
         assert!(high > 0.1 * still && high < low, "{readings}");
+        let void = reading(&readings, "void_max");
+        assert!(void > 0.0 && void < 0.5, "{readings}");
     }
 }
 
@@ -143,6 +145,7 @@ fn bad_scenes_are_refused_with_their_key() {
             "name = \"a\"\nkind = \"level\"\nx_m = 1\ny_m = 1",
             "probe.y_m = 1: a measures a level",
         ),
+        ("", "name = \"a\"\nkind = \"void\"\nx_m = 1", "probe.wall: a looks for voids"),
         ("", "name = \"a\"\nkind = \"heat\"\nx_m = 1", "probe.kind = \"heat\""),
         ("", "name = \"a\"\nplace = 1", "probe.place: unknown key"),
     ];

@@ -9,7 +9,6 @@ use super::frame::Frame;
 use super::numerics::Numerics;
 use super::tank::Tank;
 use crate::math::simd::SimdPath;
-use crate::scheme::StateEquation;
 use crate::theory::dam_break::ReleasedColumn;
 
 /// Density, and with it pressure, at the instant of release.
@@ -124,21 +123,16 @@ impl DamBreakScene {
                     .collect()
             }
         };
-        let state = StateEquation {
-            choice: numerics.state_equation,
-            surface_density: frame.density,
-            sound_speed,
-        };
+        let state = frame.state_equation(numerics, frame.density);
         let points = lattice.points(|_, number| [state.density(pressures[number]); 2]);
         let filling = Filling {
             dry_bed: true,
             bed_beyond_wall: numerics.support_radius_ratio * numerics.particle_spacing_m,
             ..Filling::of(lattice, points, frame.density)
         };
-        let water = filling.water(&frame, numerics, path);
         Tank {
             front_speed: 2.0 * (frame.gravity * frame.depth).sqrt(),
-            ..Tank::of(water, frame, numerics, filling.lattice.spacing[0])
+            ..filling.tank(frame, numerics, path)
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::frame::Frame;
 use super::numerics::{COMPACT_SHARE, GhostGravity, Numerics, Scheme as SchemeChoice, Slip};
 use super::packing::Packing;
-use super::tank::WALL;
+use super::tank::{Tank, WALL};
 use crate::boundary::{Ghosts, TankLayout, box_ghosts, no_ghosts, tank_ghosts};
 use crate::math::simd::SimdPath;
 use crate::math::sparse::PreconditionerChoice;
@@ -131,11 +131,7 @@ pub(super) struct Filling {
 pub(super) fn still_water(frame: &Frame, lattice: Lattice, numerics: &Numerics) -> Filling {
     let sound_speed = frame.sound_speed(numerics);
     let still = StillColumn::new(frame.depth, frame.density, frame.gravity, sound_speed);
-    let state = StateEquation {
-        choice: numerics.state_equation,
-        surface_density: still.surface_density,
-        sound_speed,
-    };
+    let state = frame.state_equation(numerics, still.surface_density);
     let points = lattice.points(|y, _| {
         let density = still.density(y);
         let pressure = sound_speed * sound_speed * (density - still.surface_density);
@@ -160,6 +156,22 @@ impl Filling {
         }
     }
 
+    /// The same water under a pressure (Pa) at every place, and as dense as that makes it.
+    pub(super) fn under(
+        mut self,
+        frame: &Frame,
+        numerics: &Numerics,
+        pressure: impl Fn([f64; 2]) -> f64,
+    ) -> Filling {
+        let state = frame.state_equation(numerics, self.surface_density);
+        for [x, y, density, mass] in &mut self.points {
+            let pressed = state.density(pressure([*x, *y]));
+            *mass = *mass * pressed / *density;
+            *density = pressed;
+        }
+        self
+    }
+
     /// The same, moving: a velocity at every place.
     pub(super) fn moving(self, velocity: impl Fn([f64; 2]) -> [f64; 2]) -> Filling {
         let velocities = self.points.iter().map(|&[x, y, ..]| velocity([x, y])).collect();
@@ -175,23 +187,19 @@ impl Filling {
         fluid
     }
 
+    /// A tank that is no more than this water between its walls.
+    pub(super) fn tank(&self, frame: Frame, numerics: &Numerics, path: SimdPath) -> Tank {
+        Tank::of(self.water(&frame, numerics, path), frame, numerics, self.lattice.spacing[0])
+    }
+
     /// The water between its walls, ready to be stepped.
-    pub(super) fn water(
-        &self,
-        frame: &Frame,
-        numerics: &Numerics,
-        path: SimdPath,
-    ) -> Box<dyn Scheme> {
+    fn water(&self, frame: &Frame, numerics: &Numerics, path: SimdPath) -> Box<dyn Scheme> {
         let ghosts = self.ghosts(frame, numerics);
         if numerics.scheme == SchemeChoice::Isph {
             return self.incompressible(frame, numerics, ghosts, path);
         }
         let [dx, _] = self.lattice.spacing;
-        let state = StateEquation {
-            choice: numerics.state_equation,
-            surface_density: self.surface_density,
-            sound_speed: frame.sound_speed(numerics),
-        };
+        let state = frame.state_equation(numerics, self.surface_density);
         let options = WcsphOptions {
             kernel: numerics.kernel,
             support_radius: numerics.support_radius_ratio * dx,

@@ -1,6 +1,7 @@
 //! What every scene has: a tank's length, a depth, gravity, water, an end.
 
 use super::numerics::{GRAVITY_COURANT_NUMBER, Numerics, Scheme};
+use crate::scheme::StateEquation;
 
 /// ν n Δt/Δx² of explicit viscosity: an eighth of where the smallest swirl turns unstable.
 const VISCOUS_NUMBER: f64 = 0.25;
@@ -38,6 +39,19 @@ impl Frame {
     /// c0, m/s: `sound_speed_ratio` times √(g depth), or times the scene's own speed.
     pub fn sound_speed(&self, numerics: &Numerics) -> f64 {
         numerics.sound_speed_ratio * self.speed_squared().sqrt()
+    }
+
+    /// Of water with this density at zero pressure, kg/m³.
+    pub(super) fn state_equation(
+        &self,
+        numerics: &Numerics,
+        surface_density: f64,
+    ) -> StateEquation {
+        StateEquation {
+            choice: numerics.state_equation,
+            surface_density,
+            sound_speed: self.sound_speed(numerics),
+        }
     }
 
     /// Time step, seconds: bounded by c0 Δt/Δx, or Δt/√(Δx/g) where the water is incompressible,

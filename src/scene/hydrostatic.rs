@@ -80,7 +80,6 @@ impl HydrostaticScene {
             bed_beyond_wall: 0.0,
             ..still_water(&frame, self.lattice(numerics), numerics)
         };
-        let water = filling.water(&frame, numerics, path);
-        Tank::of(water, frame, numerics, filling.lattice.spacing[0])
+        filling.tank(frame, numerics, path)
     }
 }

@@ -11,7 +11,6 @@ use super::frame::Frame;
 use super::numerics::Numerics;
 use super::tank::Tank;
 use crate::math::simd::SimdPath;
-use crate::scheme::StateEquation;
 use crate::theory::central_field::CentralField;
 use crate::theory::elliptic_drop::EllipticDrop;
 
@@ -110,11 +109,7 @@ impl OscillatingDropScene {
 
     pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let (frame, start) = (self.frame(), self.drop_at_start());
-        let state = StateEquation {
-            choice: numerics.state_equation,
-            surface_density: frame.density,
-            sound_speed: frame.sound_speed(numerics),
-        };
+        let state = frame.state_equation(numerics, frame.density);
         let points = self.lattice(numerics).0.into_iter().map(|[x, y, area]| {
             let pressure = frame.density * start.pressure_over_density([x, y]);
             let density = state.density(pressure);
@@ -128,7 +123,6 @@ impl OscillatingDropScene {
             ..Filling::of(lattice, points.collect(), frame.density)
         };
         let filling = filling.moving(|place| start.velocity(place));
-        let water = filling.water(&frame, numerics, path);
-        Tank::of(water, frame, numerics, filling.lattice.spacing[0])
+        filling.tank(frame, numerics, path)
     }
 }

@@ -1,4 +1,4 @@
-//! Gauges: pressure at a point of the wall or in the water, level of the surface.
+//! Gauges: pressure at a point of the wall or in the water, level of the surface, voids at a wall.
 
 use serde::{Deserialize, Serialize};
 
@@ -14,6 +14,9 @@ pub enum ProbeKind {
     Pressure,
     /// Level of the free surface over the bed, m.
     Level,
+    /// The largest void at a wall: what the water leaves empty of the kernel's support around the
+    /// emptiest point of the wetted face, as a share of what the walls leave of it.
+    Void,
 }
 
 /// The wall that a probe sits in.
@@ -32,7 +35,7 @@ pub enum Side {
 pub struct Probe {
     /// Column of the output.
     pub name: String,
-    /// Pressure or level.
+    /// Pressure, level or void.
     pub kind: ProbeKind,
     /// The wall that it sits in and moves with; without one it stands at `x_m`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -54,6 +57,7 @@ impl Probe {
         match self.kind {
             ProbeKind::Pressure => "Pa",
             ProbeKind::Level => "m",
+            ProbeKind::Void => "1",
         }
     }
 
@@ -66,6 +70,11 @@ impl Probe {
                 return format!(
                     "surface over the bed where kernel coverage falls to 1/2; x = {x} m"
                 );
+            }
+            (ProbeKind::Void, ..) => {
+                return "largest empty share of the kernel at the wall, from its toe to a support \
+                        radius below the highest contact"
+                    .to_owned();
             }
             (_, Some(Side::Left), _) => format!("left wall; y = {y} m"),
             (_, Some(Side::Right), _) => format!("right wall; y = {y} m"),
@@ -111,6 +120,12 @@ impl Probe {
             _ => {}
         }
         match (self.kind, self.wall, self.y_m, self.diameter_m) {
+            (ProbeKind::Void, None, ..) => {
+                missing("wall", "looks for voids at a wall and needs it")
+            }
+            (ProbeKind::Void, _, Some(y), _) => surplus("y_m", y, "looks at the whole wall"),
+            (ProbeKind::Void, _, _, Some(d)) => surplus("diameter_m", d, "looks at the whole wall"),
+            (ProbeKind::Void, ..) => Ok(()),
             (ProbeKind::Level, Some(_), ..) => {
                 let allowed = format!("{name} measures a level: give x_m instead");
                 Err(check.error("wall", "", &allowed))

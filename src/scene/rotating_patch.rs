@@ -9,7 +9,6 @@ use super::frame::Frame;
 use super::numerics::Numerics;
 use super::tank::Tank;
 use crate::math::simd::SimdPath;
-use crate::scheme::StateEquation;
 use crate::theory::rotating_patch::RotatingPatch;
 
 /// The `[scene]` table with `kind = "rotating-patch"`, complete: no walls, no gravity, the patch's
@@ -74,22 +73,17 @@ impl RotatingPatchScene {
 
     pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let (frame, patch, lattice) = (self.frame(), self.patch(), self.lattice(numerics));
-        let state = StateEquation {
-            choice: numerics.state_equation,
-            surface_density: frame.density,
-            sound_speed: frame.sound_speed(numerics),
-        };
         let half = 0.5 * self.side_m;
-        let places = lattice.points(|_, _| [frame.density; 2]);
-        let points = places.into_iter().map(|[x, y, density, mass]| {
-            let place = [x - half, y - half];
-            let stretched = state.density(density * patch.pressure_over_density(place));
-            [place[0], place[1], stretched, mass * stretched / density]
-        });
-        let filling =
-            Filling { walls: Walls::None, ..Filling::of(lattice, points.collect(), frame.density) };
-        let filling = filling.moving(|place| patch.velocity(place));
-        let water = filling.water(&frame, numerics, path);
-        Tank::of(water, frame, numerics, filling.lattice.spacing[0])
+        let points = lattice.points(|_, _| [frame.density; 2]);
+        let centred =
+            points.into_iter().map(|[x, y, of_state, mass]| [x - half, y - half, of_state, mass]);
+        let filling = Filling {
+            walls: Walls::None,
+            ..Filling::of(lattice, centred.collect(), frame.density)
+        };
+        let filling = filling
+            .under(&frame, numerics, |place| frame.density * patch.pressure_over_density(place))
+            .moving(|place| patch.velocity(place));
+        filling.tank(frame, numerics, path)
     }
 }

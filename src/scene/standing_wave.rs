@@ -101,7 +101,6 @@ impl StandingWaveScene {
         let (frame, wave, speed) = (self.frame(), self.wave(), self.surface_speed());
         let still = still_water(&frame, self.lattice(numerics), numerics);
         let filling = still.moving(|place| wave.velocity(place).map(|part| speed * part));
-        let water = filling.water(&frame, numerics, path);
-        Tank::of(water, frame, numerics, filling.lattice.spacing[0])
+        filling.tank(frame, numerics, path)
     }
 }

@@ -135,14 +135,13 @@ impl SeawallScene {
             }
             _ => None,
         };
-        let water = filling.water(&frame, numerics, path);
         Tank {
             piston: self.piston(),
             wall,
             threshold_ratio: self.threshold_ratio,
             wave_height_ratio: self.wave_height_ratio,
             wave_gauge: Some(self.wave_gauge_m),
-            ..Tank::of(water, frame, numerics, filling.lattice.spacing[0])
+            ..filling.tank(frame, numerics, path)
         }
     }
 }

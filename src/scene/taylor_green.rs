@@ -9,7 +9,6 @@ use super::frame::Frame;
 use super::numerics::Numerics;
 use super::tank::Tank;
 use crate::math::simd::SimdPath;
-use crate::scheme::StateEquation;
 use crate::theory::taylor_green::TaylorGreen;
 
 /// The `[scene]` table with `kind = "taylor-green"`, complete. Walls let the water slip unless
@@ -85,24 +84,13 @@ impl TaylorGreenScene {
 
     pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let (frame, flow, lattice) = (self.frame(), self.flow(), self.lattice(numerics));
-        let state = StateEquation {
-            choice: numerics.state_equation,
-            surface_density: frame.density,
-            sound_speed: frame.sound_speed(numerics),
-        };
         let mean = self.background_pressure_ratio * flow.speed * flow.speed;
-        let places = lattice.points(|_, _| [frame.density; 2]);
-        let points = places.into_iter().map(|[x, y, density, mass]| {
-            let pressure = density * (mean + flow.pressure_over_density([x, y]));
-            let squeezed = state.density(pressure);
-            [x, y, squeezed, mass * squeezed / density]
-        });
-        let filling = Filling {
-            walls: Walls::Closed,
-            ..Filling::of(lattice, points.collect(), frame.density)
-        };
-        let filling = filling.moving(|place| flow.velocity(place));
-        let water = filling.water(&frame, numerics, path);
-        Tank::of(water, frame, numerics, filling.lattice.spacing[0])
+        let points = lattice.points(|_, _| [frame.density; 2]);
+        let filling =
+            Filling { walls: Walls::Closed, ..Filling::of(lattice, points, frame.density) };
+        let pressure = |place| frame.density * (mean + flow.pressure_over_density(place));
+        let filling =
+            filling.under(&frame, numerics, pressure).moving(|place| flow.velocity(place));
+        filling.tank(frame, numerics, path)
     }
 }

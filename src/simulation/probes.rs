@@ -19,12 +19,14 @@ pub(super) fn table(probes: &[Probe]) -> Option<ProbeTable> {
     })
 }
 
-/// One row of readings; levels are looked for up to `highest` metres.
+/// One row of readings; levels and voids are looked for up to
+/// `highest` metres.
 pub(super) fn read(probes: &[Probe], water: &Sounding<'_>, highest: f64) -> Vec<f64> {
     probes
         .iter()
         .map(|probe| match probe.kind {
             ProbeKind::Level => water.level(probe.x_m.unwrap_or(0.0), highest),
+            ProbeKind::Void => water.void(face(probe, water), highest),
             ProbeKind::Pressure => {
                 let (place, along) = place(probe, water);
                 water.pressure(place, along, probe.diameter_m.unwrap_or(0.0))
@@ -36,12 +38,20 @@ pub(super) fn read(probes: &[Probe], water: &Sounding<'_>, highest: f64) -> Vec<
 /// Where a pressure probe is now, and the direction in which its disc lies.
 fn place(probe: &Probe, water: &Sounding<'_>) -> ([f64; 2], [f64; 2]) {
     let y = probe.y_m.unwrap_or(0.0);
-    let Some(side) = probe.wall else { return ([probe.x_m.unwrap_or(0.0), y], [0.0, 1.0]) };
-    let face = water.face(match side {
-        Side::Left => PADDLE,
-        Side::Right => WALL,
+    if probe.wall.is_none() {
+        return ([probe.x_m.unwrap_or(0.0), y], [0.0, 1.0]);
+    }
+    let (toe, up) = face(probe, water);
+    ([toe + up[0] * y / up[1], y], up)
+}
+
+/// The wall that a probe sits in: where its face meets the bed, metres, and the direction up the
+/// face.
+fn face(probe: &Probe, water: &Sounding<'_>) -> (f64, [f64; 2]) {
+    let face = water.face(match probe.wall {
+        Some(Side::Left) => PADDLE,
+        Some(Side::Right) | None => WALL,
     });
     let [nx, ny] = face.normal;
-    let up = [-ny * nx.signum(), nx.abs()];
-    ([face.point[0] + up[0] * y / up[1], y], up)
+    (face.point[0], [-ny * nx.signum(), nx.abs()])
 }

@@ -1,4 +1,4 @@
-//! Pressure and level of the water at a place, whatever the scheme.
+//! Pressure and level of the water at a place, voids at a wall, whatever the scheme.
 
 use crate::body::BodyMotion;
 use crate::boundary::Plane;
@@ -134,5 +134,48 @@ impl<'a> Sounding<'a> {
             (y, below) = (y + step, above);
         }
         highest
+    }
+
+    /// The largest share of the kernel that is empty at a wall, of what the walls leave of it: from
+    /// the toe to a support radius below the highest contact of water, where less than half is.
+    pub(super) fn void(&self, (toe, up): (f64, [f64; 2]), highest: f64) -> f64 {
+        let (_, support) = self.water.kernel();
+        let top = toe + up[0] * highest / up[1];
+        let near = self.near([toe.min(top), toe.max(top)], [0.0, highest]);
+        let step = 0.5 * self.spacing;
+        let shares: Vec<f64> = (0..(highest / (step * up[1])) as u32)
+            .map(|k| f64::from(k) * step)
+            .map(|way| self.at(&near, toe + up[0] * way, up[1] * way).0)
+            .collect();
+        let wet = shares.iter().rposition(|share| *share >= 0.5).unwrap_or(0);
+        let covered = wet.saturating_sub((support / step).ceil() as usize);
+        shares[..covered].iter().map(|share| 1.0 - share).fold(0.0, f64::max)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::simd::SimdPath;
+    use crate::scene::{CaseConfig, WALL};
+
+    #[test]
+    fn a_void_is_the_share_that_water_leaves_empty() {
+        let scene = "kind = \"hydrostatic\"".parse().unwrap();
+        let numerics = "particle_spacing_m = 0.02".parse().unwrap();
+        let config = CaseConfig::from_tables(&scene, &numerics).unwrap();
+        let mut tank = config.scene.build(&config.numerics, SimdPath::Portable);
+        let mut bodies = vec![BodyMotion::default(); tank.water.walls().bodies.len()];
+        tank.water.prepare(&bodies, 1e-4).unwrap();
+        let (kernel, radius) = tank.water.kernel();
+        for apart in [0.0, 0.2, 0.4] {
+            bodies[WALL].offset = apart * tank.spacing;
+            let water = Sounding::new(tank.water.as_ref(), &bodies, (9.81, 0.02, 1000.0));
+            let void = water.void((water.face(WALL).point[0], [0.0, 1.0]), 0.6);
+            // In the toe's corner, where the empty strip goes on through the bed.
+            let filled = kernel.half_plane_fraction(-apart * tank.spacing / radius);
+            let exact = 1.0 - filled / (1.0 - filled);
+            assert!((void - exact).abs() < 0.02, "{void}, and {exact} by the kernel alone");
+        }
     }
 }
