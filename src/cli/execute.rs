@@ -9,7 +9,7 @@ use super::output::Output;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::math::simd::SimdPath;
 use crate::simulation::cost;
-use crate::sweep::executor::Crew;
+use crate::sweep::executor::{Crew, RankInfo};
 use crate::sweep::{
     CaseRecord, Directory, Ending, Interrupt, Manifest, OpenMode, Opened, Plan, Progress, Savings,
     Session, SessionInfo, Study, SweepError, coordinate, timestamp,
@@ -22,6 +22,8 @@ pub(super) struct Job {
     pub(super) mode: OpenMode,
     pub(super) retry_failed: bool,
     pub(super) branching: bool,
+    /// Whether threads that the runs would leave idle work within them.
+    pub(super) shares_threads: bool,
     pub(super) simd: Option<SimdPath>,
     pub(super) overrides: Vec<String>,
 }
@@ -88,6 +90,9 @@ pub(super) fn execute(
         let savings = Savings::default();
         return Ok(Done { directory, ending: Ending::Finished, savings, wall_time_s: None });
     }
+    if job.shares_threads {
+        crew.share_threads(missing);
+    }
     let plan = Plan::new(study, job.branching, cost, |index| directory.runs()[index].is_none());
     let start = Instant::now();
     let mut manifest = Manifest::new(&job.out, study, &job.overrides, directory.simd());
@@ -148,10 +153,13 @@ fn tell_opened(opened: &Opened, job: &Job, missing: usize, output: &Output) {
 
 fn tell_start(crew: &dyn Crew, directory: &Directory, missing: usize, output: &Output) {
     let ranks = crew.ranks();
-    let places: usize = ranks.iter().map(|rank| rank.threads).sum();
+    let places: usize = ranks.iter().map(RankInfo::places).sum();
+    let threads: usize = ranks.iter().map(|rank| rank.threads).sum();
+    let within = ranks.iter().map(|rank| rank.threads_per_case).max().unwrap_or(1);
+    let within = if within > 1 { format!(", up to {within} in a case") } else { String::new() };
     let who = match crew.executor() {
-        "mpi" => format!("{} MPI ranks, {places} cases at once", ranks.len()),
-        _ => format!("{places} threads"),
+        "mpi" => format!("{} MPI ranks, {places} cases at once{within}", ranks.len()),
+        _ => format!("{threads} threads{within}"),
     };
     output.note(format_args!(
         "{missing} runs on {who}, {}, into {}",

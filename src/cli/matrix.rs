@@ -77,12 +77,13 @@ pub(super) fn run(args: &MatrixArgs, request: &Request, output: &Output) -> anyh
         mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
         retry_failed: false,
         branching: request.branching,
+        shares_threads: false, // What a method costs is told.
         simd: SimdChoice::Auto.path(),
         overrides: Vec::new(),
     };
     let interrupt = Interrupt::listen()?;
     let setup = Setup {
-        make_runner: &|simd| Box::new(SphRunner { simd }),
+        make_runner: &|resources| Box::new(SphRunner { resources }),
         threads: args.threads.map(usize::from),
         interrupt: &interrupt,
     };

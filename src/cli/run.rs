@@ -31,6 +31,10 @@ pub(super) struct RunArgs {
     /// Write the particles for ParaView into vtk/, every SECONDS of simulated time.
     #[arg(long, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "0.05")]
     vtk: Option<Seconds>,
+    /// Threads that share the work, as far as there are 2,000 particles for each; the results are
+    /// the same for any number [default: the processors that it may use].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
     /// Instruction set of the hot loops.
     #[arg(long, value_enum, default_value_t = SimdChoice::Auto)]
     simd: SimdChoice,
@@ -60,18 +64,19 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
         retry_failed: true,
         branching: false,
+        shares_threads: true,
         simd: args.simd.path(),
         overrides: args.settings.iter().map(|setting| setting.text.clone()).collect(),
     };
     let interrupt = Interrupt::listen()?;
     let setup = Setup {
-        make_runner: &|simd| match args.vtk {
-            None => Box::new(SphRunner { simd }),
+        make_runner: &|resources| match args.vtk {
+            None => Box::new(SphRunner { resources }),
             Some(Seconds(interval_s)) => {
-                Box::new(FilmingRunner { simd, interval_s, folder: job.out.join("vtk") })
+                Box::new(FilmingRunner { resources, interval_s, folder: job.out.join("vtk") })
             }
         },
-        threads: Some(1),
+        threads: args.threads.map(usize::from),
         interrupt: &interrupt,
     };
     let done = threads::with_crew(&setup, |crew| execute(&job, crew, &interrupt, output))?;

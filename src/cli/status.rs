@@ -134,7 +134,7 @@ fn group(failed: &[&CaseRecord]) -> BTreeMap<&'static str, Group> {
 fn time_to_go(records: &[CaseRecord], left: usize, manifest: Option<&Manifest>) -> Option<f64> {
     let spent: f64 = records.iter().map(|record| record.wall_time_s).sum();
     let session = manifest?.sessions.last()?;
-    let places: usize = session.ranks.iter().map(|rank| rank.threads).sum();
+    let places: usize = session.ranks.iter().map(|rank| rank.places()).sum();
     let mean = spent / (!records.is_empty()).then_some(records.len())? as f64;
     Some(mean * left as f64 / places.max(1) as f64)
 }

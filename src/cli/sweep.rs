@@ -33,7 +33,8 @@ pub(super) struct SweepArgs {
     /// Who does the work; auto takes MPI only when an MPI launcher started the process.
     #[arg(long, value_enum, default_value_t = Executor::Auto)]
     executor: Executor,
-    /// Cases at once, per rank [default: the node's cores shared among its ranks].
+    /// Threads per rank, one for each case at once, or more where there are fewer cases
+    /// [default: the node's cores shared among its ranks].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
     /// Go on with an earlier run, or start where there is none; this is the default.
@@ -86,7 +87,7 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
     let use_mpi = choose(args.executor, launcher, mpi::AVAILABLE)?;
     let interrupt = Interrupt::listen()?;
     let setup = Setup {
-        make_runner: &|simd| Box::new(SphRunner { simd }),
+        make_runner: &|resources| Box::new(SphRunner { resources }),
         threads: args.threads.map(usize::from),
         interrupt: &interrupt,
     };
@@ -131,6 +132,7 @@ fn lead(
         mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
         retry_failed: args.retry_failed,
         branching: !args.no_branch,
+        shares_threads: true,
         simd: args.simd.path(),
         overrides: args.settings.iter().map(|setting| setting.text.clone()).collect(),
     };

@@ -1,4 +1,5 @@
-//! SIMD lanes and sparse systems.
+//! SIMD lanes, sparse systems, and threads that share the work of one case.
 
 pub mod simd;
 pub mod sparse;
+pub mod team;

@@ -10,6 +10,7 @@ use super::wcsph::WcsphState;
 use crate::body::BodyMotion;
 use crate::boundary::Ghosts;
 use crate::kernel::KernelChoice;
+use crate::math::team::Team;
 use crate::particles::Fluid;
 use crate::theory::central_field::CentralField;
 
@@ -114,6 +115,10 @@ pub trait Scheme: Debug + Send {
     fn step_limit(&self) -> f64 {
         f64::INFINITY
     }
+
+    /// Takes on threads to share each step's work from the first step on. The answer is the same,
+    /// bit for bit; a scheme that cannot share its work leaves them alone.
+    fn take_on(&mut self, _team: &Team) {}
 
     /// First half of a step of `dt` seconds. `bodies` are the motions at this instant; the
     /// acceleration of the responding body is not used.

@@ -24,8 +24,9 @@ pub use outcome::{
 };
 
 use crate::math::simd::SimdPath;
+use crate::math::team::Team;
 use crate::particles::Fluid;
-use crate::scene::CaseConfig;
+use crate::scene::{CaseConfig, Scheme};
 use crate::theory::goring::GoringPiston;
 use run::Run;
 
@@ -60,6 +61,35 @@ pub struct Film<'a> {
 pub struct Unwatched;
 
 impl Monitor for Unwatched {}
+
+/// What a run may use.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Resources {
+    /// Instruction set of the hot loops.
+    pub simd: SimdPath,
+    /// Threads that may share the work of a step; a small case takes fewer. The answer is the same,
+    /// bit for bit, for any number.
+    pub threads: usize,
+}
+
+impl From<SimdPath> for Resources {
+    /// A single thread.
+    fn from(simd: SimdPath) -> Resources {
+        Resources { simd, threads: 1 }
+    }
+}
+
+impl Resources {
+    /// The threads that a case has work for.
+    fn team(self, config: &CaseConfig) -> Team {
+        let shares = config.numerics.scheme == Scheme::Wcsph;
+        let most = cost(config).particles / PARTICLES_PER_THREAD;
+        Team::of(if shares { self.threads.min(most as usize) } else { 1 })
+    }
+}
+
+/// With fewer particles each, threads would wait for one another more than they gain.
+const PARTICLES_PER_THREAD: u64 = 2000;
 
 /// What a case will take, estimated before it runs.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -104,10 +134,15 @@ pub fn cost(config: &CaseConfig) -> Cost {
 pub fn run_case(
     config: &CaseConfig,
     checkpoint: Option<&[u8]>,
-    simd: SimdPath,
+    resources: impl Into<Resources>,
     monitor: &dyn Monitor,
 ) -> Result<CaseResult, Stopped> {
-    let mut result = attempt(config, checkpoint, simd, monitor);
+    let resources = resources.into();
+    let team = resources.team(config);
+    let attempt = |config: &CaseConfig, checkpoint: Option<&[u8]>| {
+        team.lead(|| attempt(config, checkpoint, resources.simd, &team, monitor))
+    };
+    let mut result = attempt(config, checkpoint);
     for retry in 1..=config.numerics.retries {
         let Err(Stopped::Failed(failure)) = &result else { break };
         if !failure.kind.is_instability() {
@@ -116,7 +151,7 @@ pub fn run_case(
         let smaller = config.with_time_step_scaled(0.5_f64.powi(retry as i32));
         let courant = smaller.numerics.courant_number;
         let told = format!("recovered with courant_number = {courant} after {failure}");
-        result = attempt(&smaller, None, simd, monitor).map(|mut result| {
+        result = attempt(&smaller, None).map(|mut result| {
             result.outcome.recovered = Some(told);
             result
         });
@@ -128,9 +163,10 @@ fn attempt(
     config: &CaseConfig,
     checkpoint: Option<&[u8]>,
     simd: SimdPath,
+    team: &Team,
     monitor: &dyn Monitor,
 ) -> Result<CaseResult, Stopped> {
-    let mut run = Run::start(config, simd);
+    let mut run = Run::start(config, simd, team);
     if let Some(bytes) = checkpoint {
         run.restore(checkpoint::decode(bytes, config)?);
     }
@@ -145,11 +181,15 @@ fn attempt(
 /// The reason for which it failed, or that it was interrupted.
 pub fn run_trunk(
     config: &CaseConfig,
-    simd: SimdPath,
+    resources: impl Into<Resources>,
     monitor: &dyn Monitor,
 ) -> Result<TrunkResult, Stopped> {
-    let mut run = Run::start(config, simd);
-    run.advance(true, monitor)?;
-    let (time_s, steps) = run.progress();
-    Ok(TrunkResult { checkpoint: checkpoint::encode(&run.state(), config), time_s, steps })
+    let resources = resources.into();
+    let team = resources.team(config);
+    team.lead(|| {
+        let mut run = Run::start(config, resources.simd, &team);
+        run.advance(true, monitor)?;
+        let (time_s, steps) = run.progress();
+        Ok(TrunkResult { checkpoint: checkpoint::encode(&run.state(), config), time_s, steps })
+    })
 }

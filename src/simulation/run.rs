@@ -15,6 +15,7 @@ use super::sounding::Sounding;
 use super::watch::{self, Watch};
 use crate::body::{BodyMotion, SpringWall, WallStep};
 use crate::math::simd::SimdPath;
+use crate::math::team::Team;
 use crate::scene::{CaseConfig, PADDLE, Tank, WALL};
 use crate::scheme::{SchemeState, StepError, StepWalls};
 
@@ -84,8 +85,9 @@ pub(super) struct Run {
 
 impl Run {
     /// A tank at rest.
-    pub fn start(config: &CaseConfig, path: SimdPath) -> Run {
-        let tank = config.scene.build(&config.numerics, path);
+    pub fn start(config: &CaseConfig, path: SimdPath, team: &Team) -> Run {
+        let mut tank = config.scene.build(&config.numerics, path);
+        tank.water.take_on(team);
         let frame = tank.frame;
         let start = WaterEnergy::of(tank.water.as_ref(), frame.gravity);
         Run {

@@ -65,7 +65,7 @@ pub fn coordinate(
     link: &mut dyn Link,
     session: &mut Session<'_>,
 ) -> Result<(Ending, Savings), SweepError> {
-    let capacities: Vec<_> = session.ranks.iter().map(|rank| rank.threads).collect();
+    let capacities: Vec<_> = session.ranks.iter().map(RankInfo::places).collect();
     let mut loop_ = Loop {
         manager: Manager::new(session.plan, &capacities),
         commands: Vec::new(),

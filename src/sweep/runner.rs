@@ -5,10 +5,9 @@ use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Once;
 
-use crate::math::simd::SimdPath;
 use crate::scene::CaseConfig;
 use crate::simulation::{
-    CaseResult, Failure, FailureKind, Monitor, Stopped, TrunkResult, run_case, run_trunk,
+    CaseResult, Failure, FailureKind, Monitor, Resources, Stopped, TrunkResult, run_case, run_trunk,
 };
 
 /// Runs trunks and cases; the same answer for the same configuration, whoever asks and from
@@ -35,13 +34,13 @@ pub trait Runner: Sync {
 /// The physics.
 #[derive(Debug, Clone, Copy)]
 pub struct SphRunner {
-    /// The instruction set agreed on by all ranks.
-    pub simd: SimdPath,
+    /// The instruction set agreed on by all ranks, and a case's threads.
+    pub resources: Resources,
 }
 
 impl Runner for SphRunner {
     fn trunk(&self, config: &CaseConfig, monitor: &dyn Monitor) -> Result<TrunkResult, Stopped> {
-        run_trunk(config, self.simd, monitor)
+        run_trunk(config, self.resources, monitor)
     }
 
     fn case(
@@ -50,7 +49,7 @@ impl Runner for SphRunner {
         checkpoint: Option<&[u8]>,
         monitor: &dyn Monitor,
     ) -> Result<CaseResult, Stopped> {
-        run_case(config, checkpoint, self.simd, monitor)
+        run_case(config, checkpoint, self.resources, monitor)
     }
 }
 

@@ -8,17 +8,17 @@ use std::path::{Path, PathBuf};
 
 use super::case::CaseId;
 use super::runner::Runner;
-use crate::math::simd::SimdPath;
 use crate::scene::CaseConfig;
 use crate::simulation::{
-    CaseResult, Failure, FailureKind, Film, Monitor, Stopped, TrunkResult, run_case, run_trunk,
+    CaseResult, Failure, FailureKind, Film, Monitor, Resources, Stopped, TrunkResult, run_case,
+    run_trunk,
 };
 
 /// The physics, filmed: `<folder>/<case_id>.pvd` and `<folder>/<case_id>/<number>.vtu`.
 #[derive(Debug, Clone)]
 pub struct FilmingRunner {
-    /// The instruction set.
-    pub simd: SimdPath,
+    /// Instruction set and threads.
+    pub resources: Resources,
     /// Between two instants, seconds of simulated time.
     pub interval_s: f64,
     /// Where the files go.
@@ -27,7 +27,7 @@ pub struct FilmingRunner {
 
 impl Runner for FilmingRunner {
     fn trunk(&self, config: &CaseConfig, monitor: &dyn Monitor) -> Result<TrunkResult, Stopped> {
-        run_trunk(config, self.simd, monitor)
+        run_trunk(config, self.resources, monitor)
     }
 
     fn case(
@@ -39,7 +39,7 @@ impl Runner for FilmingRunner {
         let id = CaseId::of(config).to_string();
         let camera = Camera::new(&self.folder, &id, self.interval_s).map_err(unwritable)?;
         let camera = Filming { inner: monitor, camera: std::sync::Mutex::new(camera) };
-        let result = run_case(config, checkpoint, self.simd, &camera)?;
+        let result = run_case(config, checkpoint, self.resources, &camera)?;
         let camera = camera.camera.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner());
         camera.finish().map_err(unwritable)?;
         Ok(result)

@@ -4,8 +4,9 @@ use crate::math::simd::{LANES, Lanes, Task};
 use crate::particles::Fluid;
 
 use super::Workspace;
-use super::held::{Factors, HeldPairs, Product};
+use super::held::{Factors, Product};
 use super::momentum::{own_push, store};
+use super::parts::Part;
 use super::separation::lanes;
 
 /// The pressure part of the momentum equation with new pressures, at the places, volumes and
@@ -17,8 +18,10 @@ use super::separation::lanes;
 pub(super) struct Acoustic<'a, const CORRECTED: bool> {
     pub fluid: &'a Fluid,
     pub factors: &'a [Factors],
-    pub pairs: &'a HeldPairs,
-    pub work: &'a mut Workspace,
+    pub part: &'a mut Part,
+    pub work: &'a Workspace,
+    /// The part's rows: accelerations along x and y.
+    pub acceleration: [&'a mut [f64]; 2],
     /// Number of bodies: groups 1.. of the pairs.
     pub bodies: usize,
     /// Gravity, m/s².
@@ -30,23 +33,23 @@ impl<const CORRECTED: bool> Task for Acoustic<'_, CORRECTED> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Acoustic { fluid, factors, pairs, work, bodies, gravity } = self;
-        for body in 0..bodies {
-            work.loads[body][0] = work.held_loads[body];
-        }
-        for cluster in 0..fluid.padded_len() / LANES {
-            let at = cluster * LANES;
+        let Acoustic { fluid, factors, part, work, acceleration, bodies, gravity } = self;
+        let Part { clusters, held: pairs, tally, .. } = part;
+        let [acceleration_x, acceleration_y] = acceleration;
+        tally.clear();
+        for (here, cluster) in clusters.clone().enumerate() {
+            let (at, to) = (cluster * LANES, here * LANES);
             let x = lanes::<L>(&work.scaled_x, at);
             let y = lanes::<L>(&work.scaled_y, at);
             let inverse_density = lanes::<L>(&work.inverse_density, at);
-            let sums = L::call(Product::<5> { pairs, factors, cluster, group: 0 });
+            let sums = L::call(Product::<5> { pairs, factors, cluster: here, group: 0 });
             let [mut push_x, mut push_y] = pressed([x, y], sums.first_chunk().unwrap());
             for body in 0..bodies {
                 let group = body + 1;
-                if pairs.group(cluster, group).0.is_empty() {
+                if pairs.group(here, group).0.is_empty() {
                     continue;
                 }
-                let sums = L::call(Product::<8> { pairs, factors, cluster, group });
+                let sums = L::call(Product::<8> { pairs, factors, cluster: here, group });
                 let [more_x, more_y] = pressed([x, y], sums.first_chunk().unwrap());
                 push_x += more_x;
                 push_y += more_y;
@@ -55,15 +58,16 @@ impl<const CORRECTED: bool> Task for Acoustic<'_, CORRECTED> {
                 let near = [x.mul_sub(near, side[0]), y.mul_sub(near, side[1])];
                 let [own_x, _] = own_push::<L, CORRECTED>(work, at, near);
                 let volume = lanes::<L>(&fluid.mass, at) * inverse_density;
-                work.loads[body][0] += ((more_x + own_x) * volume).sum();
+                let force = ((more_x + own_x) * volume).sum();
+                tally.loads.push((body, [force, 0.0, 0.0]));
             }
             let near = [lanes(&work.concentration_x, at), lanes(&work.concentration_y, at)];
             let [own_x, own_y] = own_push::<L, CORRECTED>(work, at, near);
             let (still, fall) = (L::splat(0.0), L::splat(-gravity));
             let push_x = (push_x + own_x).negated_mul_add(inverse_density, still);
             let push_y = (push_y + own_y).negated_mul_add(inverse_density, fall);
-            store(&mut work.acceleration_x, at, push_x);
-            store(&mut work.acceleration_y, at, push_y);
+            store(acceleration_x, to, push_x);
+            store(acceleration_y, to, push_y);
         }
     }
 }

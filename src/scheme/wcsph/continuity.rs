@@ -4,8 +4,9 @@ use crate::math::simd::{LANES, Lanes, Task};
 use crate::particles::Fluid;
 
 use super::Workspace;
-use super::held::{Factors, HeldPairs, Product};
+use super::held::{Factors, Product};
 use super::momentum::store;
+use super::parts::Part;
 use super::separation::lanes;
 
 /// No density diffusion.
@@ -32,9 +33,12 @@ pub(super) struct Continuity<'a, const DIFFUSION: u8, const CORRECTED: bool> {
     pub slants: &'a [Factors],
     /// What density diffusion smooths, kg/m³.
     pub diffused: &'a [f64],
-    pub pairs: &'a HeldPairs,
+    pub part: &'a mut Part,
+    /// The part's rows of the strain ...
     pub strain: &'a mut [[f64; 2]],
-    pub work: &'a mut Workspace,
+    /// ... and of the rates of change of density.
+    pub rate: &'a mut [f64],
+    pub work: &'a Workspace,
     pub support_radius: f64,
     pub bodies: usize,
     /// δ h c0 / R.
@@ -44,24 +48,24 @@ pub(super) struct Continuity<'a, const DIFFUSION: u8, const CORRECTED: bool> {
 }
 
 impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSION, CORRECTED> {
-    /// The power that diffusion takes out of the elastic energy, W per metre of width (0 without
-    /// `sample`).
-    type Output = f64;
+    /// With `sample` the tally has the power that diffusion takes out of the elastic energy.
+    type Output = ();
 
     #[inline(always)]
-    fn run<L: Lanes>(self) -> f64 {
-        let mut power = 0.0;
-        let (pairs, factors) = (self.pairs, self.factors);
-        for cluster in 0..self.fluid.padded_len() / LANES {
-            let at = cluster * LANES;
+    fn run<L: Lanes>(self) {
+        let factors = self.factors;
+        let Part { clusters, held: pairs, tally, .. } = self.part;
+        tally.clear();
+        for (here, cluster) in clusters.clone().enumerate() {
+            let (at, to) = (cluster * LANES, here * LANES);
             let x = lanes::<L>(&self.work.scaled_x, at);
             let y = lanes::<L>(&self.work.scaled_y, at);
             let mut diffusion = L::splat(0.0);
             let mut flow = [[0.0; LANES]; 6];
             if DIFFUSION == OFF {
-                flow = L::call(Product::<6> { pairs, factors, cluster, group: 0 });
+                flow = L::call(Product::<6> { pairs, factors, cluster: here, group: 0 });
             } else {
-                let sums = L::call(Product::<8> { pairs, factors, cluster, group: 0 });
+                let sums = L::call(Product::<8> { pairs, factors, cluster: here, group: 0 });
                 flow.copy_from_slice(&sums[..6]);
                 // Σ g (ψ_i - ψ_j), shares of the neighbours included.
                 let share = L::load(&sums[6]);
@@ -70,7 +74,8 @@ impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSI
                 diffusion = if DIFFUSION == RENORMALISED {
                     let plain = (own * two).mul_sub(share, L::load(&sums[7]));
                     let slants = self.slants;
-                    let sums = L::call(Product::<4> { pairs, factors: slants, cluster, group: 0 });
+                    let sums =
+                        L::call(Product::<4> { pairs, factors: slants, cluster: here, group: 0 });
                     let own_x = lanes::<L>(&self.work.gradient_x, at);
                     let own_y = lanes::<L>(&self.work.gradient_y, at);
                     // Less (∇_i + ∇_j)·(r_i - r_j).
@@ -84,8 +89,8 @@ impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSI
                 };
             }
             for group in 1..=self.bodies {
-                if !pairs.group(cluster, group).0.is_empty() {
-                    let more = L::call(Product::<6> { pairs, factors, cluster, group });
+                if !pairs.group(here, group).0.is_empty() {
+                    let more = L::call(Product::<6> { pairs, factors, cluster: here, group });
                     for (sum, more) in flow.as_flattened_mut().iter_mut().zip(more.as_flattened()) {
                         *sum += more;
                     }
@@ -111,7 +116,7 @@ impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSI
                 let shear = xy.mul_add(ux, yy * uy) + xx.mul_add(wx, xy * wy);
                 let shear = (shear * minus_half).to_array();
                 for lane in 0..LANES {
-                    self.strain[at + lane] = [stretch[lane], shear[lane]];
+                    self.strain[to + lane] = [stretch[lane], shear[lane]];
                 }
                 xx.mul_add(ux, yy * wy) + xy * (uy + wx)
             } else {
@@ -122,14 +127,13 @@ impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSI
                 diffusion = diffusion * lanes(&self.work.diffused_share, at);
             }
             let density = lanes::<L>(&self.fluid.density, at);
-            store(&mut self.work.density_rate, at, density.mul_add(divergence, diffusion));
+            store(self.rate, to, density.mul_add(divergence, diffusion));
             if self.sample {
                 // dE/dt = Σ m p/ρ² dρ/dt, by diffusion alone.
                 let mass = lanes::<L>(&self.fluid.mass, at);
                 let share = mass * lanes(&self.work.pressure, at);
-                power += (share * diffusion).div(density * density).sum();
+                tally.powers.push((share * diffusion).div(density * density).sum());
             }
         }
-        power
     }
 }

@@ -4,6 +4,7 @@ use super::Wcsph;
 use crate::body::BodyMotion;
 use crate::boundary::Ghosts;
 use crate::kernel::KernelChoice;
+use crate::math::team::Team;
 use crate::particles::Fluid;
 use crate::scheme::{Dissipation, Load, Scheme, SchemeState, StateEquation, StepError, StepWalls};
 use crate::theory::central_field::CentralField;
@@ -35,6 +36,10 @@ impl Scheme for Wcsph {
 
     fn field(&self) -> Option<CentralField> {
         self.options.field
+    }
+
+    fn take_on(&mut self, team: &Team) {
+        Wcsph::take_on(self, team);
     }
 
     fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> Result<(), StepError> {

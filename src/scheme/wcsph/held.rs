@@ -9,6 +9,7 @@ use crate::math::simd::{LANES, Lanes, Task};
 use crate::neighbours::PairList;
 
 use super::momentum::store;
+use super::parts::Part;
 use super::separation::lanes;
 
 /// What the passes after the first read of a pair's geometry: g, the kernel's slope over q times
@@ -121,9 +122,10 @@ impl<const N: usize> Task for Product<'_, N> {
 /// summed in single precision, its own sum is not theirs, and water that moves along as a whole
 /// would seem to diverge. Factors: 1, x, y.
 pub(super) struct Concentration<'a> {
-    pub pairs: &'a HeldPairs,
+    pub part: &'a Part,
     pub factors: &'a [Factors],
     pub places: [&'a [f64]; 2],
+    /// The part's rows of the sums along x and y.
     pub sums: [&'a mut [f64]; 2],
     /// Groups of the pairs.
     pub groups: usize,
@@ -134,19 +136,20 @@ impl Task for Concentration<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Concentration { pairs, factors, places: [x, y], sums: [sum_x, sum_y], groups } = self;
-        for cluster in 0..x.len() / LANES {
+        let Concentration { part, factors, places: [x, y], sums: [sum_x, sum_y], groups } = self;
+        let pairs = &part.held;
+        for (here, cluster) in part.clusters.clone().enumerate() {
             let zero = L::splat(0.0);
             let (mut near, mut at_x, mut at_y) = (zero, zero, zero);
             for group in 0..groups {
-                let sums = L::call(Product::<3> { pairs, factors, cluster, group });
+                let sums = L::call(Product::<3> { pairs, factors, cluster: here, group });
                 near += L::load(&sums[0]);
                 at_x += L::load(&sums[1]);
                 at_y += L::load(&sums[2]);
             }
-            let at = cluster * LANES;
-            store(sum_x, at, lanes::<L>(x, at).mul_sub(near, at_x));
-            store(sum_y, at, lanes::<L>(y, at).mul_sub(near, at_y));
+            let (at, to) = (cluster * LANES, here * LANES);
+            store(sum_x, to, lanes::<L>(x, at).mul_sub(near, at_x));
+            store(sum_y, to, lanes::<L>(y, at).mul_sub(near, at_y));
         }
     }
 }

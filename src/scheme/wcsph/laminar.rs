@@ -4,8 +4,9 @@ use crate::math::simd::{LANES, Lanes, Task};
 use crate::particles::{Fluid, Record};
 
 use super::Workspace;
-use super::held::HeldPairs;
+use super::held::Slopes;
 use super::momentum::store;
+use super::parts::Part;
 use super::separation::{COINCIDENT, lanes};
 
 /// Adds ν∇²u in the form of Monaghan & Gingold 1983, which keeps linear and angular momentum:
@@ -17,8 +18,10 @@ use super::separation::{COINCIDENT, lanes};
 pub(super) struct Laminar<'a> {
     pub fluid: &'a Fluid,
     pub records: &'a [Record],
-    pub pairs: &'a HeldPairs,
-    pub work: &'a mut Workspace,
+    pub part: &'a mut Part,
+    pub work: &'a Workspace,
+    /// The part's rows: accelerations along x and y, added to.
+    pub acceleration: [&'a mut [f64]; 2],
     /// Number of bodies: groups 1.. of the list.
     pub bodies: usize,
     /// 8 ν ρ0 / R.
@@ -28,68 +31,71 @@ pub(super) struct Laminar<'a> {
 }
 
 impl Task for Laminar<'_> {
-    /// The viscous power, W per metre of width.
-    type Output = f64;
+    type Output = ();
 
     #[inline(always)]
-    fn run<L: Lanes>(self) -> f64 {
-        let mut out = std::mem::take(self.work);
-        let mut power = 0.0;
-        for cluster in 0..self.fluid.padded_len() / LANES {
-            let at = cluster * LANES;
-            let inverse_density = lanes::<L>(&out.inverse_density, at);
-            let volume = lanes::<L>(&self.fluid.mass, at) * inverse_density;
+    fn run<L: Lanes>(self) {
+        let Laminar { fluid, records, part, work, acceleration, bodies, .. } = self;
+        let Part { clusters, held, tally, .. } = part;
+        let [acceleration_x, acceleration_y] = acceleration;
+        tally.clear();
+        for (here, cluster) in clusters.clone().enumerate() {
+            let (at, to) = (cluster * LANES, here * LANES);
+            let inverse_density = lanes::<L>(&work.inverse_density, at);
+            let volume = lanes::<L>(&fluid.mass, at) * inverse_density;
             let (mut sum_x, mut sum_y) = (L::splat(0.0), L::splat(0.0));
-            for group in 0..=self.bodies {
-                if self.pairs.group(cluster, group).0.is_empty() {
+            for group in 0..=bodies {
+                let (entries, slopes) = held.group(here, group);
+                if entries.is_empty() {
                     continue;
                 }
-                let [x, y] = L::call(Group { pass: &self, work: &out, cluster, group });
+                let viscosity = self.viscosity;
+                let [x, y] =
+                    L::call(Group { fluid, records, work, viscosity, cluster, entries, slopes });
                 let (x, y) = (L::load(&x), L::load(&y));
                 if group > 0 {
-                    let held = (x * volume).sum();
-                    out.held_loads[group - 1] -= held;
-                    out.loads[group - 1][0] -= held;
+                    let viscous = (x * volume).sum();
+                    tally.loads.push((group - 1, [-viscous, -viscous, 0.0]));
                 }
                 sum_x += x;
                 sum_y += y;
             }
-            let (vx, vy) = (lanes::<L>(&self.fluid.vx, at), lanes::<L>(&self.fluid.vy, at));
-            power += (sum_x.mul_add(vx, sum_y * vy) * volume).sum();
+            let (vx, vy) = (lanes::<L>(&fluid.vx, at), lanes::<L>(&fluid.vy, at));
+            tally.powers.push((sum_x.mul_add(vx, sum_y * vy) * volume).sum());
             let share = inverse_density * L::splat(self.steps);
-            let push = lanes::<L>(&out.acceleration_x, at);
-            store(&mut out.acceleration_x, at, sum_x.mul_add(share, push));
-            let push = lanes::<L>(&out.acceleration_y, at);
-            store(&mut out.acceleration_y, at, sum_y.mul_add(share, push));
+            let push = lanes::<L>(acceleration_x, to);
+            store(acceleration_x, to, sum_x.mul_add(share, push));
+            let push = lanes::<L>(acceleration_y, to);
+            store(acceleration_y, to, sum_y.mul_add(share, push));
         }
-        *self.work = out;
-        power
     }
 }
 
 /// The pair loop over one group: force per volume of water, along x and y, by lanes.
-struct Group<'a, 'b> {
-    pass: &'b Laminar<'a>,
-    work: &'b Workspace,
+struct Group<'a> {
+    fluid: &'a Fluid,
+    records: &'a [Record],
+    work: &'a Workspace,
+    viscosity: f64,
     cluster: usize,
-    group: usize,
+    entries: &'a [u32],
+    slopes: &'a [Slopes],
 }
 
-impl Task for Group<'_, '_> {
+impl Task for Group<'_> {
     type Output = [[f64; LANES]; 2];
 
     #[inline(always)]
     fn run<L: Lanes>(self) -> [[f64; LANES]; 2] {
-        let Group { pass, work, cluster, group } = self;
+        let Group { fluid, records, work, viscosity, cluster, entries, slopes } = self;
         let at = cluster * LANES;
         let x = lanes::<L>(&work.scaled_x, at);
         let y = lanes::<L>(&work.scaled_y, at);
-        let vx = lanes::<L>(&pass.fluid.vx, at);
-        let vy = lanes::<L>(&pass.fluid.vy, at);
+        let vx = lanes::<L>(&fluid.vx, at);
+        let vy = lanes::<L>(&fluid.vy, at);
         let (mut sum_x, mut sum_y) = (L::splat(0.0), L::splat(0.0));
-        let (entries, slopes) = pass.pairs.group(cluster, group);
         for (&j, slope) in entries.iter().zip(slopes) {
-            let record = &pass.records[j as usize].0;
+            let record = &records[j as usize].0;
             let g = L::load_single(&slope.0);
             let dx = x - L::splat(record[Record::X]);
             let dy = y - L::splat(record[Record::Y]);
@@ -100,7 +106,7 @@ impl Task for Group<'_, '_> {
             sum_x = drag.mul_add(dx, sum_x);
             sum_y = drag.mul_add(dy, sum_y);
         }
-        let viscosity = L::splat(pass.viscosity);
+        let viscosity = L::splat(viscosity);
         [(sum_x * viscosity).to_array(), (sum_y * viscosity).to_array()]
     }
 }

@@ -1,7 +1,9 @@
 //! Neighbour lists: when they are worn, and how they are made.
 
 use super::Wcsph;
+use super::parts::cut;
 use crate::body::BodyMotion;
+use crate::math::simd::LANES;
 use crate::neighbours::{PointSet, build_pair_list};
 
 /// Margin of the fluid's lists, in particle spacings.
@@ -132,8 +134,14 @@ impl Wcsph {
             lanes.extend_from_slice(places);
             lanes.resize(padded, places[n - 1]);
         }
-        build_pair_list(self.path, lanes_x, lanes_y, sets, &mut self.pairs);
-        self.held.make_room(&self.pairs);
+        cut(&mut self.parts, padded / LANES);
+        let (path, places) = (self.path, [&*lanes_x, &*lanes_y]);
+        self.team.share(&mut self.parts, (), &|part, ()| {
+            let lanes = part.clusters.start * LANES..part.clusters.end * LANES;
+            let [x, y] = places.map(|places| &places[lanes.clone()]);
+            build_pair_list(path, x, y, sets, &mut part.pairs);
+            part.held.make_room(&part.pairs);
+        });
         for (body, offset) in self.reference_bodies.iter_mut().zip(&self.reference_offsets) {
             body.offset = *offset;
         }

@@ -10,12 +10,14 @@
 mod acoustic;
 mod continuity;
 mod contract;
+mod correction;
 mod held;
 mod laminar;
 mod lists;
 mod momentum;
 mod motion;
 mod options;
+mod parts;
 mod passes;
 mod precision;
 mod readings;
@@ -28,8 +30,9 @@ pub use precision::Precision;
 pub use state::{Timings, Wcsph, WcsphState};
 
 use crate::boundary::Water;
-use crate::math::simd::LANES;
 use crate::particles::Record;
+use momentum::FOUND;
+use parts::Part;
 
 /// Arrays that a step fills and forgets, one entry per (padded) fluid particle.
 #[derive(Debug, Clone, Default)]
@@ -71,8 +74,6 @@ struct Workspace {
     loads: Vec<[f64; 2]>,
     /// The viscous part of the force, which acoustic steps hold.
     held_loads: Vec<f64>,
-    /// Clusters whose acceleration responds to the wall's, with the response per lane.
-    responding: Vec<(u32, [f64; LANES], [f64; LANES])>,
 }
 
 impl Workspace {
@@ -103,7 +104,6 @@ impl Workspace {
             next_correction_yy: vec![1.0; padded],
             loads: vec![[0.0; 2]; bodies],
             held_loads: vec![0.0; bodies],
-            responding: Vec::new(),
         }
     }
 
@@ -112,6 +112,36 @@ impl Workspace {
         let correction: [&[f64]; 3] =
             [&self.correction_xx, &self.correction_xy, &self.correction_yy];
         Water { records, pressure: &self.pressure, correction: corrected.then_some(correction) }
+    }
+
+    /// What the pass of a full step writes, and does not read.
+    fn found_mut(&mut self) -> [&mut Vec<f64>; FOUND] {
+        [
+            &mut self.inverse_density,
+            &mut self.acceleration_x,
+            &mut self.acceleration_y,
+            &mut self.gradient_x,
+            &mut self.gradient_y,
+            &mut self.concentration_x,
+            &mut self.concentration_y,
+            &mut self.completeness,
+            &mut self.next_correction_xx,
+            &mut self.next_correction_xy,
+            &mut self.next_correction_yy,
+        ]
+    }
+
+    fn acceleration_mut(&mut self) -> [&mut Vec<f64>; 2] {
+        [&mut self.acceleration_x, &mut self.acceleration_y]
+    }
+
+    /// Adds the parts' loads.
+    fn add_loads(&mut self, parts: &[Part]) {
+        for &(body, [force, viscous, added_mass]) in parts.iter().flat_map(|p| &p.tally.loads) {
+            self.loads[body][0] += force;
+            self.loads[body][1] += added_mass;
+            self.held_loads[body] += viscous;
+        }
     }
 
     /// What one step hands to the next, besides the fluid itself.

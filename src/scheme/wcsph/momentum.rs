@@ -2,14 +2,17 @@
 
 use crate::kernel::Kernel;
 use crate::math::simd::{LANES, Lanes, Task};
-use crate::neighbours::PairList;
 use crate::particles::Fluid;
 
 use super::Workspace;
-use super::held::{HeldPairs, Slopes};
+use super::correction::{correction, smallest_eigenvalue, solve_symmetric};
+use super::held::Slopes;
+use super::parts::Part;
 use super::precision::{Neighbour, Pairing};
 use super::separation::{CHUNK, Geometry, Pair, lanes};
 
+/// How many fields the pass writes.
+pub(super) const FOUND: usize = 11;
 /// Forces alone.
 pub(super) const FORCES: u8 = 0;
 /// Also the kernel sums that shifting uses.
@@ -20,7 +23,7 @@ pub(super) const GRADIENTS: u8 = 2;
 /// Momentum equation of Huang et al. 2019, Eq. 5, and what else `SUMS` asks for: the
 /// kernel sums that shifting uses with a measure of how complete each particle's support is, and
 /// the renormalised density gradient of Eq. 6. What the other passes over the same pairs need of
-/// their geometry is left in `held`.
+/// their geometry is left in each part's held pairs.
 ///
 /// Pairs are antisymmetric: m_i a_i holds -V_i V_j (p_i L_i + p_j L_j) ∇W, L the correction of one
 /// step before (the identity without `CORRECTED`), and, with the prefactor ρ0 in place of the
@@ -37,10 +40,8 @@ pub(super) struct Momentum<'a, K, P: Pairing, const SUMS: u8, const CORRECTED: b
     pub responses: &'a [[f64; 3]],
     /// Number of the first ghost among the records.
     pub first_ghost: usize,
-    pub pairs: &'a PairList,
-    /// The pairs in reach, found here.
-    pub held: &'a mut HeldPairs,
-    pub work: &'a mut Workspace,
+    /// What is not written: see [`Workspace::found_mut`].
+    pub work: &'a Workspace,
     /// Number of bodies: groups 1.. of the list.
     pub bodies: usize,
     /// Body whose ghosts respond to its acceleration.
@@ -102,10 +103,10 @@ struct Group<
     const RESPONSE: bool,
 > {
     pass: &'b Momentum<'a, K, P, SUMS, CORRECTED>,
-    work: &'b Workspace,
+    /// The listed neighbours, and room for those in reach.
+    entries: &'b [u32],
     room: (&'b mut [u32], &'b mut [Slopes]),
     cluster: usize,
-    group: usize,
 }
 
 impl<
@@ -121,7 +122,8 @@ impl<
 
     #[inline(always)]
     fn run<L: Lanes>(self) -> Sums {
-        let Group { pass, work, room, cluster, group } = self;
+        let Group { pass, entries, room, cluster } = self;
+        let work = pass.work;
         let at = cluster * LANES;
         let zero = L::splat(0.0);
         let x = work.scaled_x[at..at + LANES].first_chunk().unwrap();
@@ -147,7 +149,6 @@ impl<
         let (mut gradient_x, mut gradient_y) = (zero, zero);
         let (mut response_x, mut response_y) = (zero, zero);
         let mut geometry = Geometry::new();
-        let entries = pass.pairs.group(cluster, group);
         let (held, slopes) = room;
         let mut count = 0;
         for chunk in entries.chunks(CHUNK) {
@@ -224,113 +225,127 @@ impl<
     }
 }
 
+/// The pass over one part.
+pub(super) struct OnPart<'a, 'b, K, P: Pairing, const SUMS: u8, const CORRECTED: bool> {
+    pub pass: &'b Momentum<'a, K, P, SUMS, CORRECTED>,
+    pub part: &'b mut Part,
+    /// The part's rows of [`Workspace::found_mut`].
+    pub found: [&'b mut [f64]; FOUND],
+}
+
 impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
-    for Momentum<'_, K, P, SUMS, CORRECTED>
+    for OnPart<'_, '_, K, P, SUMS, CORRECTED>
 {
-    /// The viscous power, W per metre of width.
-    type Output = f64;
+    type Output = ();
 
     #[inline(always)]
-    fn run<L: Lanes>(self) -> f64 {
-        let mut out = std::mem::take(self.work);
-        let mut held = std::mem::take(self.held);
-        held.restart(self.bodies + 1);
-        out.loads.iter_mut().for_each(|load| *load = [0.0; 2]);
-        out.held_loads.iter_mut().for_each(|load| *load = 0.0);
-        out.responding.clear();
-        let mut viscous_power = 0.0;
-        for cluster in 0..self.pairs.clusters() {
-            let at = cluster * LANES;
-            let density = lanes::<L>(&self.fluid.density, at);
+    fn run<L: Lanes>(self) {
+        let OnPart { pass, part, found } = self;
+        let Part { clusters, pairs, held, responding, tally } = part;
+        let [
+            found_inverse_density,
+            acceleration_x,
+            acceleration_y,
+            found_gradient_x,
+            found_gradient_y,
+            concentration_x,
+            concentration_y,
+            found_completeness,
+            next_xx,
+            next_xy,
+            next_yy,
+        ] = found;
+        held.restart(pass.bodies + 1);
+        tally.clear();
+        responding.clear();
+        for (here, cluster) in clusters.clone().enumerate() {
+            // Of the water, and of the part's rows.
+            let (at, to) = (cluster * LANES, here * LANES);
+            let density = lanes::<L>(&pass.fluid.density, at);
             let inverse_density = L::splat(1.0).div(density);
-            store(&mut out.inverse_density, at, inverse_density);
-            let volume = lanes::<L>(&self.fluid.mass, at) * inverse_density;
+            store(found_inverse_density, to, inverse_density);
+            let volume = lanes::<L>(&pass.fluid.mass, at) * inverse_density;
+            let entries = pairs.group(here, 0);
             let mut sums = P::In::<L>::call(Group::<_, P, SUMS, CORRECTED, true, false> {
-                pass: &self,
-                work: &out,
-                room: held.room(self.pairs.group(cluster, 0).len()),
+                pass,
+                entries,
+                room: held.room(entries.len()),
                 cluster,
-                group: 0,
             });
             held.close(sums.count);
             let fluid_moment = sums.moment;
-            for body in 0..self.bodies {
-                let group = body + 1;
-                let listed = self.pairs.group(cluster, group).len();
-                if listed == 0 {
+            for body in 0..pass.bodies {
+                let entries = pairs.group(here, body + 1);
+                if entries.is_empty() {
                     held.close(0);
                     continue;
                 }
-                let (pass, work, room) = (&self, &out, held.room(listed));
-                let more = if body == self.responds {
+                let room = held.room(entries.len());
+                let more = if body == pass.responds {
                     P::In::<L>::call(Group::<_, P, SUMS, CORRECTED, false, true> {
                         pass,
-                        work,
+                        entries,
                         room,
                         cluster,
-                        group,
                     })
                 } else {
                     P::In::<L>::call(Group::<_, P, SUMS, CORRECTED, false, false> {
                         pass,
-                        work,
+                        entries,
                         room,
                         cluster,
-                        group,
                     })
                 };
                 held.close(more.count);
                 sums.add(&more);
                 // The body's reaction: minus the force of its ghosts on the water.
-                let held = (L::load(&more.viscous[0]) * volume).sum();
-                out.held_loads[body] -= held;
-                out.loads[body][0] -= held + (L::load(&more.push[0]) * volume).sum();
-                if body == self.responds {
+                let viscous = (L::load(&more.viscous[0]) * volume).sum();
+                let force = viscous + (L::load(&more.push[0]) * volume).sum();
+                let mut added_mass = 0.0;
+                if body == pass.responds {
                     let minus = L::splat(0.0) - inverse_density;
                     let (x, y) = (L::load(&more.response[0]), L::load(&more.response[1]));
-                    out.loads[body][1] -= (x * volume).sum();
+                    added_mass = (x * volume).sum();
                     let response = ((x * minus).to_array(), (y * minus).to_array());
-                    out.responding.push((cluster as u32, response.0, response.1));
+                    responding.push((cluster as u32, response.0, response.1));
                 }
+                tally.loads.push((body, [-force, -viscous, -added_mass]));
             }
             let viscous = [L::load(&sums.viscous[0]), L::load(&sums.viscous[1])];
             // All that viscosity does until the next full step, it does now.
-            let steps = L::splat(self.steps);
+            let steps = L::splat(pass.steps);
             let force_x = viscous[0].mul_add(steps, L::load(&sums.push[0]));
             let force_y = viscous[1].mul_add(steps, L::load(&sums.push[1]));
-            let fall = L::splat(self.gravity);
-            store(&mut out.acceleration_x, at, force_x * inverse_density);
-            store(&mut out.acceleration_y, at, force_y.mul_sub(inverse_density, fall));
-            let (vx, vy) = (lanes::<L>(&self.fluid.vx, at), lanes::<L>(&self.fluid.vy, at));
+            let fall = L::splat(pass.gravity);
+            store(acceleration_x, to, force_x * inverse_density);
+            store(acceleration_y, to, force_y.mul_sub(inverse_density, fall));
+            let (vx, vy) = (lanes::<L>(&pass.fluid.vx, at), lanes::<L>(&pass.fluid.vy, at));
             let power = viscous[0].mul_add(vx, viscous[1] * vy);
-            viscous_power += (power * volume).sum();
+            tally.powers.push((power * volume).sum());
             if SUMS == GRADIENTS {
                 let [xx, xy, yy] = &fluid_moment;
                 let moment = [L::load(xx), L::load(xy), L::load(yy)];
                 let sum = [L::load(&sums.gradient[0]), L::load(&sums.gradient[1])];
                 let [gradient_x, gradient_y] = solve_symmetric(moment, sum);
-                store(&mut out.gradient_x, at, gradient_x);
-                store(&mut out.gradient_y, at, gradient_y);
+                store(found_gradient_x, to, gradient_x);
+                store(found_gradient_y, to, gradient_y);
             }
-            store(&mut out.concentration_x, at, L::load(&sums.concentration[0]));
-            store(&mut out.concentration_y, at, L::load(&sums.concentration[1]));
+            store(concentration_x, to, L::load(&sums.concentration[0]));
+            store(concentration_y, to, L::load(&sums.concentration[1]));
             if SUMS > FORCES || CORRECTED {
-                let radius = L::splat(-self.support_radius);
+                let radius = L::splat(-pass.support_radius);
                 let [xx, xy, yy] = &sums.moment;
                 let moment = [L::load(xx) * radius, L::load(xy) * radius, L::load(yy) * radius];
                 let completeness = smallest_eigenvalue(moment);
-                store(&mut out.completeness, at, completeness);
+                store(found_completeness, to, completeness);
                 if CORRECTED {
                     let [xx, xy, yy] = correction(moment, completeness);
-                    store(&mut out.next_correction_xx, at, xx);
-                    store(&mut out.next_correction_xy, at, xy);
-                    store(&mut out.next_correction_yy, at, yy);
+                    store(next_xx, to, xx);
+                    store(next_xy, to, xy);
+                    store(next_yy, to, yy);
                 }
             }
         }
-        *self.work = out;
-        *self.held = held;
-        viscous_power
     }
 }
 
@@ -354,45 +369,4 @@ pub(super) fn own_push<L: Lanes, const CORRECTED: bool>(
 #[inline(always)]
 pub(super) fn store<L: Lanes>(field: &mut [f64], at: usize, value: L) {
     value.store(field[at..at + LANES].first_chunk_mut().unwrap());
-}
-
-/// R ∇ρ = A⁻¹ Σ g (ρ_j - ρ_i) Δ with A = -Σ g ΔΔᵀ taken positive: signs cancel. Where fewer than
-/// three particles span the plane A is singular and the gradient is left at zero.
-#[inline(always)]
-fn solve_symmetric<L: Lanes>([xx, xy, yy]: [L; 3], [bx, by]: [L; 2]) -> [L; 2] {
-    let zero = L::splat(0.0);
-    let determinant = xx * yy - xy * xy;
-    let trace = xx + yy;
-    let floor = trace * trace * L::splat(1e-4);
-    let safe = determinant.max(floor.max(L::splat(1e-300)));
-    let usable = |value: L| floor.select_less(determinant, value, zero);
-    // A Δ-sum of the same sign convention on both sides: minus signs cancel except one.
-    let x = (yy * bx - xy * by).div(safe);
-    let y = (xx * by - xy * bx).div(safe);
-    [usable(zero - x), usable(zero - y)]
-}
-
-/// Smallest eigenvalue of a symmetric matrix: 1 inside the water, 0 for a lone particle.
-#[inline(always)]
-fn smallest_eigenvalue<L: Lanes>([xx, xy, yy]: [L; 3]) -> L {
-    let half = L::splat(0.5);
-    let (mean, apart) = ((xx + yy) * half, (xx - yy) * half);
-    let radius = apart.mul_add(apart, xy * xy).max(L::splat(1e-300)).sqrt();
-    mean - radius
-}
-
-/// Inverse of Σ V (x_j - x_i) ⊗ ∇W, fading to the identity where the support is too incomplete
-/// for the inverse to be trusted.
-#[inline(always)]
-fn correction<L: Lanes>([xx, xy, yy]: [L; 3], completeness: L) -> [L; 3] {
-    const TRUSTED_FROM: f64 = 0.35;
-    const TRUSTED_FULL: f64 = 0.48;
-    let (zero, one) = (L::splat(0.0), L::splat(1.0));
-    let determinant = (xx * yy - xy * xy).max(L::splat(1e-3));
-    let trust =
-        (completeness - L::splat(TRUSTED_FROM)) * L::splat(1.0 / (TRUSTED_FULL - TRUSTED_FROM));
-    let trust = trust.max(zero).min(one);
-    let share = trust.div(determinant);
-    let rest = one - trust;
-    [yy.mul_add(share, rest), zero - xy * share, xx.mul_add(share, rest)]
 }

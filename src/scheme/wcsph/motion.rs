@@ -27,7 +27,8 @@ impl Wcsph {
     pub(super) fn kick(&mut self, dt: f64, wall_acceleration: f64) {
         let (fluid, work) = (&mut self.fluid, &mut self.work);
         if wall_acceleration != 0.0 {
-            for (cluster, response_x, response_y) in &work.responding {
+            let responding = self.parts.iter().flat_map(|part| &part.responding);
+            for (cluster, response_x, response_y) in responding {
                 let at = *cluster as usize * LANES;
                 for lane in 0..LANES {
                     work.acceleration_x[at + lane] += wall_acceleration * response_x[lane];

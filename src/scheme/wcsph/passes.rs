@@ -6,7 +6,8 @@ use super::acoustic::Acoustic;
 use super::continuity::{Continuity, FADED, OFF, PLAIN, RENORMALISED};
 use super::held::{Concentration, Factors};
 use super::laminar::Laminar;
-use super::momentum::{CONCENTRATION, FORCES, GRADIENTS, Momentum};
+use super::momentum::{CONCENTRATION, FORCES, GRADIENTS, Momentum, OnPart};
+use super::parts::power;
 use super::precision::{Double, Precision, Single};
 use super::{DensityDiffusion, Shifting, Wcsph};
 use crate::math::simd::dispatch;
@@ -142,22 +143,36 @@ impl Wcsph {
     }
 
     pub(super) fn acoustic_pass(&mut self) {
+        for (load, held) in self.work.loads.iter_mut().zip(&self.work.held_loads) {
+            load[0] = *held;
+        }
+        let mut found = self.work.acceleration_mut().map(std::mem::take);
+        let rows = found.each_mut().map(Vec::as_mut_slice);
+        let (path, fluid, factors, work) = (self.path, &self.fluid, &*self.factors, &self.work);
+        let (bodies, gravity) = (self.ghosts.bodies.len(), self.options.gravity);
         macro_rules! pass {
             ($corrected:literal) => {
-                dispatch(
-                    self.path,
-                    Acoustic::<$corrected> {
-                        fluid: &self.fluid,
-                        factors: &self.factors,
-                        pairs: &self.held,
-                        work: &mut self.work,
-                        bodies: self.ghosts.bodies.len(),
-                        gravity: self.options.gravity,
-                    },
-                )
+                self.team.share(&mut self.parts, rows, &|part, acceleration| {
+                    let pass = Acoustic::<$corrected> {
+                        fluid,
+                        factors,
+                        part,
+                        work,
+                        acceleration,
+                        bodies,
+                        gravity,
+                    };
+                    dispatch(path, pass);
+                })
             };
         }
-        if self.options.corrected_gradients { pass!(true) } else { pass!(false) }
+        if self.options.corrected_gradients {
+            pass!(true)
+        } else {
+            pass!(false)
+        }
+        put_back(self.work.acceleration_mut(), found);
+        self.work.add_loads(&self.parts);
     }
 
     /// How much tension the water bears in the steps to come.
@@ -172,6 +187,11 @@ impl Wcsph {
     }
 
     pub(super) fn momentum_pass(&mut self) -> f64 {
+        self.work.loads.fill([0.0; 2]);
+        self.work.held_loads.fill(0.0);
+        self.round();
+        let mut found = self.work.found_mut().map(std::mem::take);
+        let rows = found.each_mut().map(Vec::as_mut_slice);
         let options = &self.options;
         let sums = match (options.density_diffusion, options.shifting) {
             (DensityDiffusion::Renormalised, _) => GRADIENTS,
@@ -192,41 +212,47 @@ impl Wcsph {
                     (Precision::F32, false) => pass!($K, Single, $sums, false, singles),
                 }
             };
-            ($K:ty, $P:ty, $sums:ident, $corrected:literal, $records:ident) => {
-                dispatch(
-                    self.path,
-                    Momentum::<$K, $P, $sums, $corrected> {
-                        fluid: &self.fluid,
-                        records: &self.$records,
-                        diffused: &self.diffused,
-                        strain: &self.strain,
-                        responses: self.exchange.responses(),
-                        first_ghost: self.fluid.padded_len(),
-                        pairs: &self.pairs,
-                        held: &mut self.held,
-                        work: &mut self.work,
-                        bodies: self.ghosts.bodies.len(),
-                        responds: self.responds,
-                        viscosity,
-                        support_radius: self.scaling.support_radius,
-                        gravity: options.gravity,
-                        steps: f64::from(options.acoustic_substeps),
-                        kernel: PhantomData,
-                    },
-                )
-            };
-        }
-        if options.precision == Precision::F32 {
-            self.singles.clear();
-            let strain = self.strain.iter().copied().chain(std::iter::repeat([0.0; 2]));
-            let rounded = self.records.iter().zip(strain);
-            self.singles.extend(rounded.map(|(record, strain)| SingleRecord::new(record, strain)));
+            ($K:ty, $P:ty, $sums:ident, $corrected:literal, $records:ident) => {{
+                let pass = &Momentum::<$K, $P, $sums, $corrected> {
+                    fluid: &self.fluid,
+                    records: &self.$records,
+                    diffused: &self.diffused,
+                    strain: &self.strain,
+                    responses: self.exchange.responses(),
+                    first_ghost: self.fluid.padded_len(),
+                    work: &self.work,
+                    bodies: self.ghosts.bodies.len(),
+                    responds: self.responds,
+                    viscosity,
+                    support_radius: self.scaling.support_radius,
+                    gravity: options.gravity,
+                    steps: f64::from(options.acoustic_substeps),
+                    kernel: PhantomData,
+                };
+                let path = self.path;
+                self.team.share(&mut self.parts, rows, &|part, found| {
+                    dispatch(path, OnPart { pass, part, found });
+                });
+            }};
         }
         with_kernel!(options.kernel, K => match sums {
             GRADIENTS => pass!(K, GRADIENTS),
             CONCENTRATION => pass!(K, CONCENTRATION),
             _ => pass!(K, FORCES),
-        })
+        });
+        put_back(self.work.found_mut(), found);
+        self.work.add_loads(&self.parts);
+        power(&self.parts)
+    }
+
+    /// The records in single precision, where pair terms are.
+    fn round(&mut self) {
+        if self.options.precision == Precision::F32 {
+            self.singles.clear();
+            let strain = self.strain.iter().copied().chain(std::iter::repeat([0.0; 2]));
+            let rounded = self.records.iter().zip(strain);
+            self.singles.extend(rounded.map(|(record, strain)| SingleRecord::new(record, strain)));
+        }
     }
 
     /// Where the momentum pass was in single precision, renews the sum that held passes share with it.
@@ -238,14 +264,13 @@ impl Wcsph {
             factors.0[..3].copy_from_slice(&[1.0, record.0[Record::X], record.0[Record::Y]]);
         }
         let work = &mut self.work;
-        let pass = Concentration {
-            pairs: &self.held,
-            factors: &self.factors,
-            places: [&work.scaled_x, &work.scaled_y],
-            sums: [&mut work.concentration_x, &mut work.concentration_y],
-            groups: self.ghosts.bodies.len() + 1,
-        };
-        dispatch(self.path, pass);
+        let (path, factors) = (self.path, &*self.factors);
+        let places = [&*work.scaled_x, &*work.scaled_y];
+        let rows = [&mut *work.concentration_x, &mut *work.concentration_y];
+        let groups = self.ghosts.bodies.len() + 1;
+        self.team.share(&mut self.parts, rows, &|part, sums| {
+            dispatch(path, Concentration { part, factors, places, sums, groups });
+        });
     }
 
     /// Physical viscosity, where there is any; returns its power.
@@ -254,19 +279,21 @@ impl Wcsph {
         if options.kinematic_viscosity == 0.0 {
             return 0.0;
         }
-        let pass = Laminar {
-            fluid: &self.fluid,
-            records: &self.records,
-            pairs: &self.held,
-            work: &mut self.work,
-            bodies: self.ghosts.bodies.len(),
-            viscosity: 8.0
-                * options.kinematic_viscosity
-                * options.density
-                * self.scaling.inverse_radius,
-            steps: f64::from(options.acoustic_substeps),
-        };
-        dispatch(self.path, pass)
+        let mut found = self.work.acceleration_mut().map(std::mem::take);
+        let rows = found.each_mut().map(Vec::as_mut_slice);
+        let (path, fluid, records, work) = (self.path, &self.fluid, &*self.records, &self.work);
+        let bodies = self.ghosts.bodies.len();
+        let steps = f64::from(options.acoustic_substeps);
+        let viscosity =
+            8.0 * options.kinematic_viscosity * options.density * self.scaling.inverse_radius;
+        self.team.share(&mut self.parts, rows, &|part, acceleration| {
+            let pass =
+                Laminar { fluid, records, part, work, acceleration, bodies, viscosity, steps };
+            dispatch(path, pass);
+        });
+        put_back(self.work.acceleration_mut(), found);
+        self.work.add_loads(&self.parts);
+        power(&self.parts)
     }
 
     pub(super) fn continuity_pass(&mut self, sample: bool) -> f64 {
@@ -275,6 +302,11 @@ impl Wcsph {
             * options.smoothing_length()
             * options.state.sound_speed
             * self.scaling.inverse_radius;
+        let mut rate = std::mem::take(&mut self.work.density_rate);
+        let rows = (&mut *self.strain, &mut *rate);
+        let (path, fluid, work) = (self.path, &self.fluid, &self.work);
+        let (factors, slants, diffused) = (&*self.factors, &*self.slants, &*self.diffused);
+        let (support_radius, bodies) = (self.scaling.support_radius, self.ghosts.bodies.len());
         macro_rules! pass {
             ($diffusion:ident) => {
                 if options.corrected_gradients {
@@ -284,22 +316,23 @@ impl Wcsph {
                 }
             };
             ($diffusion:ident, $corrected:literal) => {
-                dispatch(
-                    self.path,
-                    Continuity::<$diffusion, $corrected> {
-                        fluid: &self.fluid,
-                        factors: &self.factors,
-                        slants: &self.slants,
-                        diffused: &self.diffused,
-                        strain: &mut self.strain,
-                        pairs: &self.held,
-                        work: &mut self.work,
-                        support_radius: self.scaling.support_radius,
-                        bodies: self.ghosts.bodies.len(),
+                self.team.share(&mut self.parts, rows, &|part, (strain, rate)| {
+                    let pass = Continuity::<$diffusion, $corrected> {
+                        fluid,
+                        factors,
+                        slants,
+                        diffused,
+                        part,
+                        strain,
+                        rate,
+                        work,
+                        support_radius,
+                        bodies,
                         diffusion,
                         sample,
-                    },
-                )
+                    };
+                    dispatch(path, pass);
+                })
             };
         }
         match options.density_diffusion {
@@ -308,6 +341,15 @@ impl Wcsph {
             DensityDiffusion::Hydrostatic => pass!(FADED),
             DensityDiffusion::Renormalised => pass!(RENORMALISED),
         }
+        self.work.density_rate = rate;
+        power(&self.parts)
+    }
+}
+
+/// Fields go back to where they were taken from.
+fn put_back<const N: usize>(fields: [&mut Vec<f64>; N], found: [Vec<f64>; N]) {
+    for (field, found) in fields.into_iter().zip(found) {
+        *field = found;
     }
 }
 

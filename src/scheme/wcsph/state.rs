@@ -2,12 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::held::{Factors, HeldPairs};
+use super::held::Factors;
+use super::parts::Part;
 use super::{DensityDiffusion, WcsphOptions, Workspace};
 use crate::body::BodyMotion;
 use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane};
 use crate::math::simd::SimdPath;
-use crate::neighbours::{Drift, PairList, Strips};
+use crate::math::team::Team;
+use crate::neighbours::{Drift, Strips};
 use crate::particles::{Fluid, Record, Scaling, SingleRecord};
 
 /// Seconds spent in each phase, and pairs evaluated.
@@ -52,7 +54,9 @@ pub struct Wcsph {
     pub ghosts: Ghosts,
     pub(super) exchange: Exchange,
     pub(super) strips: Strips,
-    pub(super) pairs: PairList,
+    pub(super) team: Team,
+    /// The clusters, cut for the team.
+    pub(super) parts: Vec<Part>,
     pub(super) drift: Drift,
     pub(super) reference_x: Vec<f64>,
     pub(super) reference_y: Vec<f64>,
@@ -69,9 +73,7 @@ pub struct Wcsph {
     pub(super) planes: Vec<Plane>,
     /// The bodies where the lists were made.
     pub(super) reference_bodies: Vec<BodyMotion>,
-    /// The pairs in reach, from the last full step ...
-    pub(super) held: HeldPairs,
-    /// ... and what the passes over them read of each neighbour.
+    /// What passes over held pairs read of each neighbour.
     pub(super) factors: Vec<Factors>,
     /// See [`super::continuity::Continuity::slants`]; empty where not needed.
     pub(super) slants: Vec<Factors>,
@@ -112,7 +114,8 @@ impl Wcsph {
             scaling: rules.scaling,
             exchange: Exchange::new(rules, &ghosts),
             strips: Strips::default(),
-            pairs: PairList::default(),
+            team: Team::default(),
+            parts: vec![Part::default()],
             drift: Drift::default(),
             reference_x: Vec::new(),
             reference_y: Vec::new(),
@@ -127,7 +130,6 @@ impl Wcsph {
             lanes: Default::default(),
             planes: Vec::new(),
             reference_bodies: vec![BodyMotion::default(); bodies],
-            held: HeldPairs::default(),
             factors: vec![Factors::default(); padded + ghosts.len()],
             slants: match options.density_diffusion {
                 DensityDiffusion::Renormalised => vec![Factors::default(); padded],
@@ -171,6 +173,13 @@ impl Wcsph {
             no_slip,
             bed_between_walls: true,
         }
+    }
+
+    /// Takes on a team for what follows; lists must not have been made yet.
+    pub fn take_on(&mut self, team: &Team) {
+        assert!(self.reference_x.is_empty(), "lists are in the parts of another team");
+        self.parts = vec![Part::default(); team.parts()];
+        self.team = team.clone();
     }
 
     /// Whether the coming step is a full one: only then is there a state to keep.

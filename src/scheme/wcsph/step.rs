@@ -107,11 +107,12 @@ impl Wcsph {
         let counted = Instant::now();
         self.timings.continuity += (counted - mirrored).as_secs_f64();
         self.since_full += dt;
-        let mut pairs = 2 * self.held.len() + self.exchange.pairs();
+        let held = self.parts.iter().map(|part| part.held.len()).sum::<usize>();
+        let mut pairs = 2 * held + self.exchange.pairs();
         if self.substep == 0 {
             // Weights are found, and lists gone through, in full steps alone.
             self.boundary_fallbacks += self.exchange.fallbacks();
-            pairs += self.pairs.len() - self.held.len();
+            pairs += self.parts.iter().map(|part| part.pairs.len()).sum::<usize>() - held;
         }
         self.pair_evaluations += (LANES * pairs) as u64;
         self.substep = (self.substep + 1) % self.options.acoustic_substeps;

@@ -25,20 +25,54 @@ use super::error::SweepError;
 use super::interrupt::Interrupt;
 use super::runner::Runner;
 use crate::math::simd::SimdPath;
+use crate::simulation::Resources;
 
 pub use launcher::Launcher;
 pub use message::{Order, Report};
 
-/// Makes the runner once the instruction set is known.
-pub type MakeRunner<'a> = &'a (dyn Fn(SimdPath) -> Box<dyn Runner> + Sync);
+/// Makes the runner once the instruction set and a case's threads are known.
+pub type MakeRunner<'a> = &'a (dyn Fn(Resources) -> Box<dyn Runner> + Sync);
 
 /// One process of a crew.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct RankInfo {
     /// The machine.
     pub host: String,
-    /// Cases that it runs at once.
+    /// Its threads.
     pub threads: usize,
+    /// How many of them share one case.
+    #[serde(default = "one")]
+    pub threads_per_case: usize,
+}
+
+fn one() -> usize {
+    1
+}
+
+impl RankInfo {
+    fn new(host: String, threads: usize) -> RankInfo {
+        RankInfo { host, threads, threads_per_case: 1 }
+    }
+
+    /// Cases that it runs at once.
+    pub fn places(&self) -> usize {
+        (self.threads / self.threads_per_case).max(1)
+    }
+
+    fn resources(&self, simd: SimdPath) -> Resources {
+        Resources { simd, threads: self.threads_per_case }
+    }
+}
+
+/// Where there are fewer runs than threads, each takes as many threads as are left for it once the
+/// runs are spread over the ranks.
+fn share_threads(ranks: &mut [RankInfo], runs: usize) {
+    let all: usize = ranks.iter().map(|rank| rank.threads).sum();
+    let runs_per_rank = runs.div_ceil(ranks.len().max(1)).max(1);
+    for rank in ranks {
+        let alone = rank.threads / runs_per_rank;
+        rank.threads_per_case = if runs < all { alone.max(1) } else { 1 };
+    }
 }
 
 /// Workers that have gathered and wait for the start.
@@ -48,6 +82,9 @@ pub trait Crew {
 
     /// The ranks.
     fn ranks(&self) -> &[RankInfo];
+
+    /// Lets the threads that so few runs would leave idle share the work of each.
+    fn share_threads(&mut self, runs: usize);
 
     /// The widest instruction set that every rank has.
     fn widest_simd(&self) -> SimdPath;
@@ -80,7 +117,7 @@ pub trait Link {
 pub struct Setup<'a> {
     /// Makes each rank's runner.
     pub make_runner: MakeRunner<'a>,
-    /// Cases at once per rank; by default the node's cores shared among its ranks.
+    /// Threads per rank; by default the node's cores shared among its ranks.
     pub threads: Option<usize>,
     /// The signals of this process.
     pub interrupt: &'a Interrupt,
@@ -96,4 +133,28 @@ pub fn host_name() -> String {
 /// The processors that this process may use.
 fn available_cores() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn threads_that_cases_leave_idle_work_within_them() {
+        let shared = |threads: &[usize], runs: usize| {
+            let rank = |&threads: &usize| RankInfo::new(String::new(), threads);
+            let mut ranks: Vec<_> = threads.iter().map(rank).collect();
+            share_threads(&mut ranks, runs);
+            let places: usize = ranks.iter().map(RankInfo::places).sum();
+            assert!(places >= runs.min(threads.iter().sum()), "{threads:?} {runs}");
+            ranks.iter().map(|rank| rank.threads_per_case).collect::<Vec<_>>()
+        };
+        assert_eq!(shared(&[8], 3), [2]);
+        assert_eq!(shared(&[8], 1), [8]);
+        assert_eq!(shared(&[8], 8), [1]);
+        assert_eq!(shared(&[2], 300), [1]);
+        assert_eq!(shared(&[4, 4], 3), [2, 2]);
+        assert_eq!(shared(&[4, 1], 2), [4, 1]);
+        assert_eq!(shared(&[1, 1, 1], 2), [1, 1, 1]);
+    }
 }

@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 use self::hello::{Hello, share_cores};
 use self::post::Post;
 use super::worker::{Fetch, Worker, with_worker};
-use super::{Crew, Link, Order, RankInfo, Report, Setup};
+use super::{Crew, Link, Order, RankInfo, Report, Setup, share_threads};
 use crate::math::simd::SimdPath;
 use crate::sweep::error::SweepError;
 
@@ -35,7 +35,7 @@ const NAP: Duration = Duration::from_micros(1500);
 #[derive(Debug, Serialize, Deserialize)]
 enum Message {
     Hello(Hello),
-    Start { simd: SimdPath, threads: usize },
+    Start { simd: SimdPath, rank: RankInfo },
     Order(Order),
     Report(Report),
     Pull { trunk: usize },
@@ -145,6 +145,10 @@ impl Crew for MpiCrew<'_> {
         &self.ranks
     }
 
+    fn share_threads(&mut self, runs: usize) {
+        share_threads(&mut self.ranks, runs);
+    }
+
     fn widest_simd(&self) -> SimdPath {
         self.widest
     }
@@ -154,10 +158,10 @@ impl Crew for MpiCrew<'_> {
         simd: SimdPath,
         lead: &mut dyn FnMut(&mut dyn Link) -> Result<(), SweepError>,
     ) -> Result<(), SweepError> {
-        self.send_all(|rank| Message::Start { simd, threads: rank.threads });
-        let runner = (self.setup.make_runner)(simd);
+        self.send_all(|rank| Message::Start { simd, rank: rank.clone() });
+        let runner = (self.setup.make_runner)(self.ranks[0].resources(simd));
         let post = &mut self.post;
-        with_worker(0, self.ranks[0].threads, &*runner, |worker| {
+        with_worker(0, self.ranks[0].places(), &*runner, |worker| {
             lead(&mut RankZero { station: Station { post, worker } })
         })?
     }
@@ -235,11 +239,11 @@ fn serve(setup: &Setup<'_>, mut post: Post) -> Result<(), SweepError> {
         match post.receive()? {
             None => std::thread::sleep(NAP),
             Some((0, Message::Finish)) => break,
-            Some((0, Message::Start { simd, threads })) => {
+            Some((0, Message::Start { simd, rank: info })) => {
                 let rank = post.rank();
-                let runner = (setup.make_runner)(simd);
+                let runner = (setup.make_runner)(info.resources(simd));
                 let post = &mut post;
-                with_worker(rank, threads, &*runner, |worker| {
+                with_worker(rank, info.places(), &*runner, |worker| {
                     work(setup, Station { post, worker })
                 })??;
                 break;

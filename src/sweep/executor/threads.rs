@@ -3,14 +3,16 @@
 use std::time::Duration;
 
 use super::worker::{Worker, with_worker};
-use super::{Crew, Link, Order, RankInfo, Report, Setup, available_cores, host_name};
+use super::{
+    Crew, Link, Order, RankInfo, Report, Setup, available_cores, host_name, share_threads,
+};
 use crate::math::simd::SimdPath;
 use crate::sweep::error::SweepError;
 
 /// Gathers this process's threads and lets `lead` use them.
 pub fn with_crew<T>(setup: &Setup<'_>, lead: impl FnOnce(&mut dyn Crew) -> T) -> T {
     let threads = setup.threads.unwrap_or_else(available_cores).max(1);
-    let ranks = [RankInfo { host: host_name(), threads }];
+    let ranks = [RankInfo::new(host_name(), threads)];
     lead(&mut Threads { setup: *setup, ranks })
 }
 
@@ -28,6 +30,10 @@ impl Crew for Threads<'_> {
         &self.ranks
     }
 
+    fn share_threads(&mut self, runs: usize) {
+        share_threads(&mut self.ranks, runs);
+    }
+
     fn widest_simd(&self) -> SimdPath {
         SimdPath::widest()
     }
@@ -37,8 +43,9 @@ impl Crew for Threads<'_> {
         simd: SimdPath,
         lead: &mut dyn FnMut(&mut dyn Link) -> Result<(), SweepError>,
     ) -> Result<(), SweepError> {
-        let runner = (self.setup.make_runner)(simd);
-        with_worker(0, self.ranks[0].threads, &*runner, |worker| lead(&mut Local(worker)))?
+        let [rank] = &self.ranks;
+        let runner = (self.setup.make_runner)(rank.resources(simd));
+        with_worker(0, rank.places(), &*runner, |worker| lead(&mut Local(worker)))?
     }
 }
 

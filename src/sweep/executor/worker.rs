@@ -9,6 +9,7 @@ use std::time::{Duration, Instant};
 use rayon::Scope;
 
 use super::message::{Order, Report};
+use crate::math::team::thread_processor_time;
 use crate::scene::CaseConfig;
 use crate::simulation::{CaseResult, Failure, FailureKind, Monitor, Stopped, TrunkResult};
 use crate::sweep::error::SweepError;
@@ -32,13 +33,6 @@ enum Finished {
 
 /// Wall time and processor time, seconds.
 type Times = (f64, Option<f64>);
-
-/// Processor time of the calling thread so far, seconds; `None` where the system does not tell.
-fn thread_cpu_time() -> Option<f64> {
-    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
-    let nanoseconds: u64 = text.split_whitespace().next()?.parse().ok()?;
-    Some(nanoseconds as f64 * 1e-9)
-}
 
 /// A case that waits for its checkpoint.
 struct Parked {
@@ -183,7 +177,7 @@ impl Worker<'_, '_> {
     fn start_case(&self, case: usize, config: String, checkpoint: Option<Arc<[u8]>>) {
         let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
         self.scope.spawn(move |_| {
-            let (start, cpu_start) = (Instant::now(), thread_cpu_time());
+            let (start, cpu_start) = (Instant::now(), thread_processor_time());
             let run = |checkpoint: Option<&[u8]>| {
                 attempt(cancel, &config, |config| runner.case(config, checkpoint, cancel))
             };
@@ -195,7 +189,7 @@ impl Worker<'_, '_> {
             if checkpoint.is_some() && result.as_ref().is_err_and(unreadable) {
                 result = run(None);
             }
-            let cpu_time_s = thread_cpu_time().zip(cpu_start).map(|(end, start)| end - start);
+            let cpu_time_s = thread_processor_time().zip(cpu_start).map(|(end, start)| end - start);
             let times = (start.elapsed().as_secs_f64(), cpu_time_s);
             let result = result.map(Box::new);
             let _ = sender.send(Finished::Case { case, result, times });

@@ -39,10 +39,7 @@ pub(super) fn share_cores(hellos: &[Hello], threads: Option<usize>) -> Vec<RankI
         let sharing = hellos.iter().filter(same).count().max(1);
         threads.unwrap_or(hello.cores / sharing).max(1)
     };
-    hellos
-        .iter()
-        .map(|hello| RankInfo { host: hello.host.clone(), threads: share(hello) })
-        .collect()
+    hellos.iter().map(|hello| RankInfo::new(hello.host.clone(), share(hello))).collect()
 }
 
 #[cfg(test)]

@@ -1,0 +1,194 @@
+//! Threads that work on one case together.
+//!
+//! What they share is cut into parts that are written by one thread each and read by all; sums over
+//! parts are taken afterwards in a fixed order, so that the answer does not depend on how many
+//! threads there are, nor on which of them is the first.
+
+use std::cell::Cell;
+use std::sync::Arc;
+
+use rayon::{ThreadPool, ThreadPoolBuilder, join};
+
+/// Parts for each thread: one that is late leaves the rest of its parts to the others.
+const PARTS_PER_THREAD: usize = 4;
+
+/// A case's own threads; none by default, then all is done by whoever asks.
+#[derive(Debug, Clone, Default)]
+pub struct Team(Option<Arc<ThreadPool>>);
+
+impl Team {
+    /// So many threads; none for a single one, nor where the system starts no more of them.
+    pub fn of(threads: usize) -> Team {
+        if threads <= 1 {
+            return Team(None);
+        }
+        let pool = ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .thread_name(|number| format!("team-{number}"))
+            .stack_size(8 << 20)
+            .build();
+        Team(pool.ok().map(Arc::new))
+    }
+
+    /// Into how many parts the work is best cut.
+    pub fn parts(&self) -> usize {
+        self.0.as_ref().map_or(1, |pool| PARTS_PER_THREAD * pool.current_num_threads())
+    }
+
+    /// Does a piece of work on one of the threads, where the others are at hand; the calling thread
+    /// waits, and does nothing else meanwhile.
+    pub fn lead<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        let Some(pool) = &self.0 else { return work() };
+        // From a thread of its own: a thread of another pool would take up that pool's work.
+        let before = processor_time(pool);
+        let done = std::thread::scope(|scope| scope.spawn(|| pool.install(work)).join());
+        if let (Some(before), Some(after)) = (before, processor_time(pool)) {
+            LED.set(LED.get() + after - before);
+        }
+        done.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
+    }
+
+    /// Does the work on every part and its rows.
+    pub fn share<P: Part, R: Rows>(
+        &self,
+        parts: &mut [P],
+        rows: R,
+        work: &(impl Fn(&mut P, R) + Sync),
+    ) {
+        match (&self.0, &mut *parts) {
+            (_, []) => {}
+            (_, [part]) => work(part, rows),
+            (Some(pool), parts) => pool.install(|| divide(parts, rows, work)),
+            (None, parts) => divide(parts, rows, work),
+        }
+    }
+}
+
+fn divide<P: Part, R: Rows>(parts: &mut [P], rows: R, work: &(impl Fn(&mut P, R) + Sync)) {
+    if let [part] = parts {
+        return work(part, rows);
+    }
+    let (left, right) = parts.split_at_mut(parts.len() / 2);
+    let items = |parts: &[P]| parts.iter().map(Part::items).sum::<usize>();
+    let before = items(left);
+    let (rows_left, rows_right) = rows.split(before, before + items(right));
+    join(|| divide(left, rows_left, work), || divide(right, rows_right, work));
+}
+
+thread_local! {
+    /// Processor time of the teams that this thread has let work, seconds.
+    static LED: Cell<f64> = const { Cell::new(0.0) };
+}
+
+/// Processor time of the calling thread so far, and of the teams whose work it has waited for,
+/// seconds; `None` where the system does not tell.
+pub fn thread_processor_time() -> Option<f64> {
+    own_processor_time().map(|own| own + LED.get())
+}
+
+fn processor_time(pool: &ThreadPool) -> Option<f64> {
+    pool.broadcast(|_| own_processor_time()).into_iter().sum()
+}
+
+fn own_processor_time() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    let nanoseconds: u64 = text.split_whitespace().next()?.parse().ok()?;
+    Some(nanoseconds as f64 * 1e-9)
+}
+
+/// A part of the work.
+pub trait Part: Send {
+    /// How many of all items it has.
+    fn items(&self) -> usize;
+}
+
+/// What is written: so many values for each item, in the order of the parts.
+pub trait Rows: Send + Sized {
+    /// The rows of the first `first` items, and those of the others of `all`.
+    fn split(self, first: usize, all: usize) -> (Self, Self);
+}
+
+impl Rows for () {
+    fn split(self, _: usize, _: usize) -> ((), ()) {
+        ((), ())
+    }
+}
+
+impl<T: Send> Rows for &mut [T] {
+    fn split(self, first: usize, all: usize) -> (Self, Self) {
+        let each = self.len() / all.max(1);
+        self.split_at_mut(first * each)
+    }
+}
+
+impl<R: Rows, const N: usize> Rows for [R; N] {
+    fn split(self, first: usize, all: usize) -> (Self, Self) {
+        let mut rest = [const { None }; N];
+        let mut rests = rest.iter_mut();
+        let front = self.map(|rows| {
+            let (front, back) = rows.split(first, all);
+            if let Some(rest) = rests.next() {
+                *rest = Some(back);
+            }
+            front
+        });
+        (front, rest.map(|rows| rows.expect("as many as there are in front")))
+    }
+}
+
+impl<A: Rows, B: Rows> Rows for (A, B) {
+    fn split(self, first: usize, all: usize) -> (Self, Self) {
+        let ((a, more_a), (b, more_b)) = (self.0.split(first, all), self.1.split(first, all));
+        ((a, b), (more_a, more_b))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Stretch(std::ops::Range<usize>);
+
+    impl Part for Stretch {
+        fn items(&self) -> usize {
+            self.0.len()
+        }
+    }
+
+    #[test]
+    fn every_item_is_written_once_and_by_its_own_part() {
+        for threads in [1, 2, 3] {
+            let team = Team::of(threads);
+            let count = 10;
+            for cuts in [vec![0, 10], vec![0, 1, 1, 7, 10], vec![0, 3, 4, 5, 9, 10]] {
+                let mut parts: Vec<_> =
+                    cuts.windows(2).map(|ends| Stretch(ends[0]..ends[1])).collect();
+                let (mut single, mut double) = (vec![0; count], vec![[0; 2]; count]);
+                let (rows, pairs) = (&mut single[..], double.as_flattened_mut());
+                team.lead(|| {
+                    team.share(&mut parts, ([rows], pairs), &|part, ([rows], pairs)| {
+                        assert_eq!((rows.len(), pairs.len()), (part.0.len(), 2 * part.0.len()));
+                        for (place, item) in part.0.clone().enumerate() {
+                            rows[place] += item;
+                            pairs[2 * place] += item;
+                            pairs[2 * place + 1] += 100 + item;
+                        }
+                    });
+                });
+                assert!(single.iter().copied().eq(0..count), "{threads} {cuts:?} {single:?}");
+                assert!((0..count).all(|k| double[k] == [k, 100 + k]), "{double:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_time_of_a_team_counts() {
+        let work = || (0..20_000_000_u64).fold(1, |a, b| std::hint::black_box(a ^ b));
+        let before = thread_processor_time();
+        Team::of(2).lead(work);
+        let after = (own_processor_time(), thread_processor_time());
+        if let (Some(before), (Some(own), Some(all))) = (before, after) {
+            assert!(all - before > 0.005 && own - before < 0.5 * (all - before), "{own} {all}");
+        }
+    }
+}

@@ -1,0 +1,59 @@
+//! The clusters in parts, one or more for each thread that works on the case.
+
+use std::ops::Range;
+
+use super::held::HeldPairs;
+use crate::math::simd::LANES;
+use crate::math::team;
+use crate::neighbours::PairList;
+
+/// Consecutive clusters with their neighbours: one thread's share of a pass. Lists count clusters
+/// from the first of the part.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Part {
+    pub clusters: Range<usize>,
+    /// Neighbours in reach or soon to be.
+    pub pairs: PairList,
+    /// The pairs in reach, from the last full step.
+    pub held: HeldPairs,
+    /// Clusters whose acceleration responds to the wall's, with the response per lane.
+    pub responding: Vec<(u32, [f64; LANES], [f64; LANES])>,
+    pub tally: Tally,
+}
+
+impl team::Part for Part {
+    fn items(&self) -> usize {
+        self.clusters.len()
+    }
+}
+
+/// What a part's clusters add to sums over all of them. One sum after the other is added, in the
+/// order of the clusters, so that the whole does not depend on where the parts end.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Tally {
+    /// W per metre of width.
+    pub powers: Vec<f64>,
+    /// A body, its force, N/m, the viscous part of that, and its added mass, kg/m.
+    pub loads: Vec<(usize, [f64; 3])>,
+}
+
+impl Tally {
+    pub fn clear(&mut self) {
+        self.powers.clear();
+        self.loads.clear();
+    }
+}
+
+/// The sum of all powers.
+pub(super) fn power(parts: &[Part]) -> f64 {
+    parts.iter().flat_map(|part| &part.tally.powers).fold(0.0, |sum, power| sum + power)
+}
+
+/// Cuts so many clusters into the parts.
+pub(super) fn cut(parts: &mut [Part], clusters: usize) {
+    let count = parts.len();
+    for (k, part) in parts.iter_mut().enumerate() {
+        part.clusters = k * clusters / count..(k + 1) * clusters / count;
+        part.tally.powers.reserve(part.clusters.len());
+    }
+}

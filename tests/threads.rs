@@ -1,0 +1,155 @@
+//! Threads within a case change nothing but the time it takes.
+
+mod common;
+
+use std::fs;
+
+use common::{expect_code, results, run, write_file};
+use seawall::body::BodyMotion;
+use seawall::math::simd::SimdPath;
+use seawall::math::team::Team;
+use seawall::scene::CaseConfig;
+use seawall::scheme::StepWalls;
+use seawall::simulation::{CaseResult, Resources, Unwatched, run_case, run_trunk};
+
+fn case(scene: &str, numerics: &str) -> CaseConfig {
+    let scene = format!("wave_height_ratio = 0.5\nwave_gauge_m = 0.6\n{scene}").parse().unwrap();
+    CaseConfig::from_tables(&scene, &numerics.parse().unwrap()).unwrap()
+}
+
+/// The bits of all fields, loads and losses after some steps of a small tank whose right wall is on
+/// its way.
+fn bits_after_steps(numerics: &str, threads: usize) -> Vec<u64> {
+    let scene = "tank_length_m = 0.9\nwall = \"movable\"\nspring_stiffness_n_per_m = 100\n\
+                 seawall_mass_kg_per_m = 50\nend_time_s = 1\n";
+    let config = case(scene, &format!("particle_spacing_m = 0.02\n{numerics}"));
+    let team = Team::of(threads);
+    let tank = config.scene.build(&config.numerics, SimdPath::widest());
+    let (mut water, dt) = (tank.water, tank.frame.time_step(&config.numerics));
+    let mut told = Vec::new();
+    team.lead(|| {
+        water.take_on(&team);
+        let mut bodies = [BodyMotion::default(); 3];
+        for step in 0..200 {
+            bodies[2] =
+                BodyMotion { velocity: 0.3, offset: 0.3 * dt * f64::from(step), ..bodies[2] };
+            water.prepare(&bodies, dt).unwrap();
+            water.respond(dt).unwrap();
+            let walls = StepWalls { bodies: &bodies, acceleration: -0.2 };
+            let lost = water.finish(dt, &walls, step % 7 == 0);
+            let load = water.load(2);
+            told.extend([load.force, load.added_mass, lost.viscous_power, lost.diffusion_power]);
+        }
+    });
+    let fluid = water.fluid();
+    let fields = [&fluid.x, &fluid.y, &fluid.vx, &fluid.vy, &fluid.density];
+    told.extend(fields.into_iter().flatten());
+    assert!(told.iter().all(|value| value.is_finite()));
+    told.push(water.pair_evaluations() as f64);
+    told.into_iter().map(f64::to_bits).collect()
+}
+
+#[test]
+fn every_pass_gives_the_same_bits_on_any_number_of_threads() {
+    for numerics in [
+        "",
+        "precision = \"f32\"",
+        "density_diffusion = \"renormalised\"\nkinematic_viscosity_m2_per_s = 1e-4",
+        "preset = \"huang2019\"",
+        "boundary = \"mls-linear\"",
+        "boundary = \"dummy\"",
+        "scheme = \"isph\"",
+    ] {
+        let alone = bits_after_steps(numerics, 1);
+        for threads in [2, 3] {
+            assert!(bits_after_steps(numerics, threads) == alone, "{numerics}, {threads} threads");
+        }
+    }
+}
+
+/// A wall that yields to what the paddle sends ahead of the wave, within a quarter of a second. There
+/// are enough particles for three threads.
+fn movable() -> CaseConfig {
+    let scene = "tank_length_m = 1.4\nwall = \"movable\"\nspring_stiffness_n_per_m = 100\n\
+                 seawall_mass_kg_per_m = 50\nthreshold_ratio = 1.002\nend_time_s = 0.26\n";
+    case(scene, "particle_spacing_m = 0.0065")
+}
+
+fn timeless(result: CaseResult) -> CaseResult {
+    CaseResult { phases: Vec::new(), ..result }
+}
+
+#[test]
+fn a_case_and_its_branch_end_alike_on_any_number_of_threads() {
+    let (case, simd) = (movable(), SimdPath::widest());
+    let alone = timeless(run_case(&case, None, simd, &Unwatched).unwrap());
+    assert!(alone.outcome.displacement_max.unwrap().value > 0.0, "{:?}", alone.outcome);
+    assert!(alone.outcome.particles > 6000);
+    for threads in [2, 3] {
+        let resources = Resources { simd, threads };
+        let whole = run_case(&case, None, resources, &Unwatched).unwrap();
+        assert!(timeless(whole) == alone, "{threads} threads");
+        // A trunk of one number of threads serves a branch of another.
+        let trunk = run_trunk(&case.trunk().unwrap(), resources, &Unwatched).unwrap();
+        for resources in [resources, simd.into()] {
+            let kept = Some(&*trunk.checkpoint);
+            let branch = run_case(&case, kept, resources, &Unwatched).unwrap();
+            assert!(timeless(branch) == alone, "{threads} threads, then {}", resources.threads);
+        }
+    }
+}
+
+/// Two cases with particles for three threads each.
+const TWO: &str = r#"
+name = "two"
+[scene]
+tank_length_m = 1.4
+wave_gauge_m = 0.6
+end_time_s = 0.06
+[numerics]
+particle_spacing_m = 0.0065
+[grid]
+wave_height_ratio = [0.3, 0.5]
+"#;
+
+#[test]
+fn a_sweep_of_few_cases_gives_the_same_files_on_any_number_of_threads_and_resumed() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TWO);
+    let file = file.to_str().unwrap();
+    let path = |name: &str| root.path().join(name).to_str().unwrap().to_owned();
+    let sweep = |out: &str, threads: &str| {
+        let output = run(&["sweep", file, "--out", out, "--threads", threads]);
+        expect_code(&output, 0);
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    };
+    let (alone, four, resumed) = (path("alone"), path("four"), path("resumed"));
+    assert!(sweep(&alone, "1").contains("2 runs on 1 threads,"));
+    let told = sweep(&four, "4");
+    assert!(told.contains("2 runs on 4 threads, up to 2 in a case,"), "{told}");
+    assert!(results(four.as_ref()) == results(alone.as_ref()), "four threads");
+    // The case that came last runs again, on three threads.
+    sweep(&resumed, "1");
+    let journal = root.path().join("resumed/journal.jsonl");
+    let text = fs::read_to_string(&journal).unwrap();
+    let last = text.trim_end().rfind('\n').unwrap() + 1;
+    fs::write(&journal, &text[..last]).unwrap();
+    let told = sweep(&resumed, "3");
+    assert!(told.contains("1 runs on 3 threads, up to 3 in a case,"), "{told}");
+    assert!(results(resumed.as_ref()) == results(alone.as_ref()), "resumed");
+}
+
+#[test]
+fn a_single_scene_gives_the_same_files_on_any_number_of_threads() {
+    let root = tempfile::tempdir().unwrap();
+    let text = TWO.replace("[grid]\nwave_height_ratio = [0.3, 0.5]\n", "");
+    let text = text.replace("[scene]", "[scene]\nwave_height_ratio = 0.5");
+    let file = write_file(root.path(), &text);
+    let outs = ["1", "2", "3"].map(|threads| {
+        let out = root.path().join(threads);
+        let words = ["run", file.to_str().unwrap(), "--threads", threads, "--out"];
+        expect_code(&run(&[&words[..], &[out.to_str().unwrap()]].concat()), 0);
+        results(&out)
+    });
+    assert!(outs[1] == outs[0] && outs[2] == outs[0]);
+}
