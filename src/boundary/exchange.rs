@@ -4,14 +4,14 @@ use super::InterpolatorChoice;
 use super::faces::span;
 use super::ghosts::{Ghosts, Reflection};
 use super::pressure::press;
-use super::sums::{
-    Cover, GatherVelocity, HeldWeights, KernelWeights, Means, Targets, Water, Weigh,
-};
+use super::stretch::Stretch;
+use super::sums::{Cover, GatherVelocity, KernelWeights, Means, Targets, Water, Weigh};
 use super::waterline::Waterline;
 use crate::body::BodyMotion;
 use crate::kernel::KernelChoice;
 use crate::math::simd::{LANES, SimdPath, dispatch};
-use crate::neighbours::{PairList, PointSet, Strips, build_pair_list};
+use crate::math::team::Team;
+use crate::neighbours::{PointSet, Strips, build_pair_list};
 use crate::particles::{Record, Scaling};
 use crate::{with_interpolator, with_kernel};
 
@@ -48,10 +48,11 @@ pub struct Exchange {
     /// Share of each face point's half disc that other walls leave; of the bed, 1.
     pub(super) complete: Vec<f64>,
     pub(super) half_plane: Vec<f64>,
-    pub(super) list: PairList,
+    pub(super) team: Team,
+    /// Lists and weights, cut for the team.
+    pub(super) parts: Vec<Stretch>,
     /// The targets where the list was made.
     places: [Vec<f64>; 2],
-    pub(super) held: HeldWeights,
     /// The ghosts that count: those with a volume, at the last [`Exchange::fill`].
     counting: Vec<u32>,
     pub(super) scale: Vec<[f64; LANES]>,
@@ -80,9 +81,9 @@ impl Exchange {
             waterlines,
             complete: vec![1.0; targets],
             half_plane,
-            list: PairList::default(),
+            team: Team::default(),
+            parts: vec![Stretch::default()],
             places: Default::default(),
-            held: HeldWeights::default(),
             counting: Vec::with_capacity(ghosts.len()),
             scale: vec![[0.0; LANES]; targets / LANES],
             fallen: vec![[0.0; LANES]; targets / LANES],
@@ -96,6 +97,12 @@ impl Exchange {
             exchange.complete_walls(ghosts);
         }
         exchange
+    }
+
+    /// Takes on a team for what follows the next [`Exchange::rebuild`].
+    pub fn take_on(&mut self, team: &Team) {
+        self.parts = vec![Stretch::default(); team.parts()];
+        self.team = team.clone();
     }
 
     /// Responses of the ghosts to their wall's acceleration, from the last [`Exchange::fill`].
@@ -116,7 +123,7 @@ impl Exchange {
 
     /// Number of target-to-fluid pairs in the lists, eight lanes each.
     pub fn pairs(&self) -> usize {
-        self.list.len()
+        self.parts.iter().map(|part| part.list.len()).sum()
     }
 
     /// Lists the fluid around every target; `reach` in metres.
@@ -129,7 +136,7 @@ impl Exchange {
         reach: f64,
     ) {
         let (strips, x, y) = fluid;
-        let Exchange { rules, list, places, held, .. } = self;
+        let Exchange { rules, team, parts, places, .. } = self;
         let [target_x, target_y] = places;
         target_x.clone_from(&ghosts.target_x);
         target_y.clone_from(&ghosts.target_y);
@@ -142,8 +149,17 @@ impl Exchange {
         }
         let everywhere = [f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY];
         let set = PointSet { strips, x, y, offset: 0.0, first: 0, reach, bounds: everywhere };
-        build_pair_list(path, target_x, target_y, &[set], list);
-        held.make_room(list);
+        let (count, targets) = (parts.len(), [&*target_x, &*target_y]);
+        let blocks = target_x.len() / LANES;
+        for (k, part) in parts.iter_mut().enumerate() {
+            part.blocks = k * blocks / count..(k + 1) * blocks / count;
+        }
+        team.share(parts, (), &|part, ()| {
+            let lanes = part.blocks.start * LANES..part.blocks.end * LANES;
+            let [x, y] = targets.map(|places| &places[lanes.clone()]);
+            build_pair_list(path, x, y, &[set], &mut part.list);
+            part.held.make_room(&part.list);
+        });
     }
 
     /// Finds the weights at all mirror points and the wetness of all face points.
@@ -156,16 +172,21 @@ impl Exchange {
     ) {
         let blocks = 0..ghosts.len() / LANES;
         self.weigh_blocks(path, ghosts, bodies, water, blocks);
-        let Exchange { rules, list, wetness, .. } = self;
-        with_kernel!(rules.kernel, K => dispatch(path, Cover::<K> {
-            scaling: rules.scaling,
-            ghosts,
-            bodies,
-            records: water.records,
-            list,
-            coverage: wetness,
-            kernel: std::marker::PhantomData,
-        }));
+        let Exchange { rules, team, parts, wetness, .. } = self;
+        let (rules, faces) = (*rules, ghosts.len() / LANES..ghosts.target_x.len() / LANES);
+        team.share(parts, &mut wetness[..], &|part, coverage| {
+            with_kernel!(rules.kernel, K => dispatch(path, Cover::<K> {
+                blocks: part.within(&faces),
+                first: part.blocks.start,
+                scaling: rules.scaling,
+                ghosts,
+                bodies,
+                records: water.records,
+                list: &part.list,
+                coverage,
+                kernel: std::marker::PhantomData,
+            }));
+        });
         self.wet_faces(ghosts, bodies);
     }
 
@@ -178,28 +199,33 @@ impl Exchange {
         water: Water<'_>,
         blocks: std::ops::Range<usize>,
     ) {
-        let Exchange { rules, list, held, scale, fallen, means, .. } = self;
-        let interpolator = rules.interpolator;
-        let targets = Targets {
-            kernel: rules.kernel,
-            scaling: rules.scaling,
-            ghosts,
-            bodies,
-            water,
-            list,
-            blocks,
-            at_ghost: interpolator.at_ghost(),
-        };
-        if interpolator.from_kernel() {
-            let targets = targets.clone();
-            with_kernel!(rules.kernel, K => dispatch(path, KernelWeights::<K> {
-                targets,
-                weights: &mut held.weights,
-                kernel: std::marker::PhantomData,
-            }));
-        }
-        with_interpolator!(interpolator, interpolator => {
-            dispatch(path, Weigh { interpolator, targets, held, scale, fallen, means });
+        let Exchange { rules, team, parts, scale, fallen, means, .. } = self;
+        let (rules, interpolator) = (*rules, rules.interpolator);
+        let rows = ([&mut scale[..], &mut fallen[..]], &mut means[..]);
+        team.share(parts, rows, &|part, ([scale, fallen], means)| {
+            let targets = Targets {
+                kernel: rules.kernel,
+                scaling: rules.scaling,
+                ghosts,
+                bodies,
+                water,
+                list: &part.list,
+                first: part.blocks.start,
+                blocks: part.within(&blocks),
+                at_ghost: interpolator.at_ghost(),
+            };
+            let held = &mut part.held;
+            if interpolator.from_kernel() {
+                let targets = targets.clone();
+                with_kernel!(rules.kernel, K => dispatch(path, KernelWeights::<K> {
+                    targets,
+                    weights: &mut held.weights,
+                    kernel: std::marker::PhantomData,
+                }));
+            }
+            with_interpolator!(interpolator, interpolator => {
+                dispatch(path, Weigh { interpolator, targets, held, scale, fallen, means });
+            });
         });
     }
 
@@ -275,9 +301,11 @@ impl Exchange {
         water: [&[f64]; 2],
         ghost_records: &mut [Record],
     ) {
-        let Exchange { held, scale, means, .. } = self;
-        let blocks = ghosts.len() / LANES;
-        dispatch(path, GatherVelocity { held, scale, means, blocks, water });
+        let Exchange { team, parts, scale, means, .. } = self;
+        let (scale, blocks) = (&scale[..], ghosts.len() / LANES);
+        team.share(parts, &mut means[..], &|part, means| {
+            dispatch(path, GatherVelocity { part, scale, means, blocks, water });
+        });
         for &g in &self.counting {
             let g = g as usize;
             let motion = &bodies[ghosts.target_body[g / LANES] as usize];

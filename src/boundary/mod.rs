@@ -17,6 +17,7 @@ mod mls_quadratic;
 mod normalized;
 mod pressure;
 mod sfdi;
+mod stretch;
 mod sums;
 mod tank;
 mod waterline;

@@ -50,9 +50,11 @@ impl Exchange {
         pressure: &[f64],
         ghost_records: &mut [Record],
     ) {
-        let Exchange { held, scale, means, .. } = self;
-        let blocks = ghosts.len() / LANES;
-        dispatch(path, GatherPressure { held, scale, means, blocks, pressure });
+        let Exchange { team, parts, scale, means, .. } = self;
+        let (scale, blocks) = (&scale[..], ghosts.len() / LANES);
+        team.share(parts, &mut means[..], &|part, means| {
+            dispatch(path, GatherPressure { part, scale, means, blocks, pressure });
+        });
         for &g in self.counting() {
             let g = g as usize;
             let number = ghosts.target_body[g / LANES] as usize;

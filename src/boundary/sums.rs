@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::Interpolator;
 use super::ghosts::Ghosts;
+use super::stretch::Stretch;
 use super::weighing::{Stencil, Weighing};
 use crate::body::BodyMotion;
 use crate::kernel::{Kernel, KernelChoice};
@@ -43,6 +44,8 @@ pub(super) struct Targets<'a> {
     pub bodies: &'a [BodyMotion],
     pub water: Water<'a>,
     pub list: &'a PairList,
+    /// The block that the list begins with.
+    pub first: usize,
     pub blocks: Range<usize>,
     /// The ghosts themselves rather than their mirror points.
     pub at_ghost: bool,
@@ -62,8 +65,8 @@ impl<'a> Targets<'a> {
         let inverse = L::splat(self.scaling.inverse_radius);
         let x = (L::load(&xs.as_chunks::<LANES>().0[block]) + L::splat(offset)) * inverse;
         let y = L::load(&ys.as_chunks::<LANES>().0[block]) * inverse;
-        let neighbours = self.list.group(block, 0);
-        let start = self.list.start(block, 0);
+        let neighbours = self.list.group(block - self.first, 0);
+        let start = self.list.start(block - self.first, 0);
         let stencil =
             Stencil { x, y, neighbours, records: self.water.records, kernel: self.kernel };
         (stencil, start..start + neighbours.len())
@@ -132,7 +135,7 @@ impl HeldWeights {
     }
 }
 
-/// Weights and means at targets.
+/// Weights and means at targets; rows and what is held begin with the list.
 pub(super) struct Weigh<'a, I> {
     pub interpolator: I,
     pub targets: Targets<'a>,
@@ -147,23 +150,27 @@ impl<I: Interpolator> Task for Weigh<'_, I> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Targets { water, scaling, .. } = self.targets;
+        let Targets { water, scaling, first, .. } = self.targets;
         for block in self.targets.blocks.clone() {
             let (stencil, range) = self.targets.stencil::<L>(block);
             let weights = &mut self.held.weights[range.clone()];
             let Weighing { scale, fallback } = self.interpolator.weigh::<L>(&stencil, weights);
-            self.held.keep::<L>(block, stencil.neighbours, range);
-            scale.store(&mut self.scale[block]);
+            let row = block - first;
+            self.held.keep::<L>(row, stencil.neighbours, range);
+            scale.store(&mut self.scale[row]);
             if I::SIGNED {
-                fallback.store(&mut self.fallen[block]);
+                fallback.store(&mut self.fallen[row]);
             }
-            self.means[block] = gather::<L, I>(self.held.of(block), water, scale, scaling);
+            self.means[row] = gather::<L, I>(self.held.of(row), water, scale, scaling);
         }
     }
 }
 
 /// Σ W V of the water at the face points.
 pub(super) struct Cover<'a, K> {
+    /// Blocks of face points; list and coverage begin with the first of the part.
+    pub blocks: Range<usize>,
+    pub first: usize,
     pub scaling: Scaling,
     pub ghosts: &'a Ghosts,
     pub bodies: &'a [BodyMotion],
@@ -182,19 +189,20 @@ impl<K: Kernel> Task for Cover<'_, K> {
         let (ys, _) = self.ghosts.target_y.as_chunks::<LANES>();
         let (coverage, _) = self.coverage.as_chunks_mut::<LANES>();
         let inverse = L::splat(self.scaling.inverse_radius);
-        for block in self.ghosts.len() / LANES..xs.len() {
+        for block in self.blocks {
             let offset = self.bodies[self.ghosts.target_body[block] as usize].offset;
             let x = (L::load(&xs[block]) + L::splat(offset)) * inverse;
             let y = L::load(&ys[block]) * inverse;
             let mut sum = L::splat(0.0);
-            for &j in self.list.group(block, 0) {
+            for &j in self.list.group(block - self.first, 0) {
                 let record = &self.records[j as usize].0;
                 let dx = x - L::splat(record[Record::X]);
                 let dy = y - L::splat(record[Record::Y]);
                 let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
                 sum = K::shape(s, s.rsqrt()).mul_add(L::splat(record[Record::WEIGHT]), sum);
             }
-            (sum * L::splat(self.scaling.shape_per_weight)).store(&mut coverage[block]);
+            (sum * L::splat(self.scaling.shape_per_weight))
+                .store(&mut coverage[block - self.first]);
         }
     }
 }
@@ -248,9 +256,11 @@ fn gather<L: Lanes, I: Interpolator>(
 
 /// The velocities alone, with the weights at hand.
 pub(super) struct GatherVelocity<'a> {
-    pub held: &'a HeldWeights,
+    pub part: &'a Stretch,
     pub scale: &'a [[f64; LANES]],
+    /// The part's.
     pub means: &'a mut [Means],
+    /// How many blocks, of all targets, are of ghosts.
     pub blocks: usize,
     pub water: [&'a [f64]; 2],
 }
@@ -260,8 +270,8 @@ impl Task for GatherVelocity<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        for block in 0..self.blocks {
-            let (neighbours, weights) = self.held.of(block);
+        for (row, block) in self.part.until(self.blocks).enumerate() {
+            let (neighbours, weights) = self.part.held.of(row);
             let (mut vx, mut vy) = (L::splat(0.0), L::splat(0.0));
             for (&j, weight) in neighbours.iter().zip(weights) {
                 let weight = L::load(weight);
@@ -269,17 +279,19 @@ impl Task for GatherVelocity<'_> {
                 vy = weight.mul_add(L::splat(self.water[1][j as usize]), vy);
             }
             let scale = L::load(&self.scale[block]);
-            (vx * scale).store(&mut self.means[block].vx);
-            (vy * scale).store(&mut self.means[block].vy);
+            (vx * scale).store(&mut self.means[row].vx);
+            (vy * scale).store(&mut self.means[row].vy);
         }
     }
 }
 
 /// The pressures alone, with the weights at hand.
 pub(super) struct GatherPressure<'a> {
-    pub held: &'a HeldWeights,
+    pub part: &'a Stretch,
     pub scale: &'a [[f64; LANES]],
+    /// The part's.
     pub means: &'a mut [Means],
+    /// How many blocks, of all targets, are of ghosts.
     pub blocks: usize,
     pub pressure: &'a [f64],
 }
@@ -289,14 +301,14 @@ impl Task for GatherPressure<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        for block in 0..self.blocks {
-            let (neighbours, weights) = self.held.of(block);
+        for (row, block) in self.part.until(self.blocks).enumerate() {
+            let (neighbours, weights) = self.part.held.of(row);
             let mut pressure = L::splat(0.0);
             for (&j, weight) in neighbours.iter().zip(weights) {
                 pressure = L::load(weight).mul_add(L::splat(self.pressure[j as usize]), pressure);
             }
             let scale = L::load(&self.scale[block]);
-            (pressure * scale).store(&mut self.means[block].pressure);
+            (pressure * scale).store(&mut self.means[row].pressure);
         }
     }
 }

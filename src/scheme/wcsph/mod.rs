@@ -17,6 +17,7 @@ mod lists;
 mod momentum;
 mod motion;
 mod options;
+mod pack;
 mod parts;
 mod passes;
 mod precision;

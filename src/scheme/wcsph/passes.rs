@@ -1,10 +1,10 @@
-//! What the pair loops read, and which of their variants a run needs.
+//! The pair loops, in the variant that a run needs.
 
 use std::marker::PhantomData;
 
 use super::acoustic::Acoustic;
 use super::continuity::{Continuity, FADED, OFF, PLAIN, RENORMALISED};
-use super::held::{Concentration, Factors};
+use super::held::Concentration;
 use super::laminar::Laminar;
 use super::momentum::{CONCENTRATION, FORCES, GRADIENTS, Momentum, OnPart};
 use super::parts::power;
@@ -20,128 +20,6 @@ pub(super) const TENSION_FROM: f64 = 0.6;
 pub(super) const TENSION_FULL: f64 = 0.9;
 
 impl Wcsph {
-    /// Pressures, with tension left out near the free surface, and what density diffusion smooths:
-    /// ρ, or ρ less what it is in still water.
-    fn find_pressures(&mut self) {
-        let n = self.fluid.padded_len();
-        let (state, bulk_time) = (self.options.state, self.bulk_time);
-        let hydrostatic = self.options.hydrostatic_slope();
-        let (density, y) = (&self.fluid.density[..n], &self.fluid.y[..n]);
-        let (rate, tension) = (&self.work.density_rate[..n], &self.work.tension[..n]);
-        let pressures = &mut self.work.pressure[..n];
-        for k in 0..n {
-            let pressure = state.pressure(density[k] + bulk_time * rate[k]);
-            pressures[k] = if pressure < 0.0 { pressure * tension[k] } else { pressure };
-        }
-        let diffused = &mut self.diffused[..n];
-        if hydrostatic > 0.0 {
-            let surface = state.surface_density;
-            for k in 0..n {
-                diffused[k] = surface * small_log(density[k] / surface - 1.0) + hydrostatic * y[k];
-            }
-        } else {
-            diffused.copy_from_slice(density);
-        }
-    }
-
-    /// Pressures, and everything about the fluid that the pass of a full step reads.
-    pub(super) fn pack(&mut self) {
-        self.find_pressures();
-        let n = self.fluid.padded_len();
-        let (fluid, work, scaling) = (&self.fluid, &mut self.work, self.scaling);
-        let [x, y] = [&self.ahead[0][..n], &self.ahead[1][..n]];
-        let (vx, vy) = (&fluid.vx[..n], &fluid.vy[..n]);
-        let (mass, density) = (&fluid.mass[..n], &fluid.density[..n]);
-        let (scaled_x, scaled_y) = (&mut work.scaled_x[..n], &mut work.scaled_y[..n]);
-        let pressure = &work.pressure[..n];
-        let [xx, xy, yy] =
-            [&work.correction_xx[..n], &work.correction_xy[..n], &work.correction_yy[..n]];
-        let records = &mut self.records[..n];
-        for k in 0..n {
-            let (x, y) = (x[k] * scaling.inverse_radius, y[k] * scaling.inverse_radius);
-            (scaled_x[k], scaled_y[k]) = (x, y);
-            let weight = mass[k] / density[k] * scaling.weight_per_volume;
-            // Without corrections these are the identity.
-            let p = pressure[k];
-            records[k] = Record([x, y, vx[k], vy[k], weight, p * xx[k], p * xy[k], p * yy[k]]);
-        }
-    }
-
-    /// New pressures alone, for an acoustic step: see [`Acoustic`] for what a neighbour's are.
-    pub(super) fn pack_pressures(&mut self) {
-        self.find_pressures();
-        let n = self.fluid.padded_len();
-        let work = &self.work;
-        let (pressure, x, y) = (&work.pressure[..n], &work.scaled_x[..n], &work.scaled_y[..n]);
-        let [xx, xy, yy] =
-            [&work.correction_xx[..n], &work.correction_xy[..n], &work.correction_yy[..n]];
-        let factors = &mut self.factors[..n];
-        for k in 0..n {
-            let p = pressure[k];
-            let pressed = [p * xx[k], p * xy[k], p * yy[k]];
-            factors[k] = pressure_factors(pressed, [x[k], y[k]]);
-        }
-    }
-
-    /// The ghosts' new pressures, likewise.
-    pub(super) fn pack_ghost_pressures(&mut self) {
-        let first = self.fluid.padded_len();
-        for &g in self.exchange.counting() {
-            let record = &self.records[first + g as usize].0;
-            let pressed = [
-                record[Record::PRESSURE],
-                record[Record::PRESSURE_XY],
-                record[Record::PRESSURE_YY],
-            ];
-            self.factors[first + g as usize] =
-                pressure_factors(pressed, [record[Record::X], record[Record::Y]]);
-        }
-    }
-
-    /// New velocities, for the continuity pass: see [`Continuity`] for what a neighbour's are.
-    pub(super) fn pack_velocities(&mut self) {
-        let n = self.fluid.padded_len();
-        let (fluid, work) = (&self.fluid, &self.work);
-        let (vx, vy) = (&fluid.vx[..n], &fluid.vy[..n]);
-        let (x, y) = (&work.scaled_x[..n], &work.scaled_y[..n]);
-        let (share, diffused) = (&work.diffused_share[..n], &self.diffused[..n]);
-        let factors = &mut self.factors[..n];
-        match self.options.density_diffusion {
-            DensityDiffusion::None | DensityDiffusion::Hydrostatic => {
-                for k in 0..n {
-                    let smoothed = [share[k], share[k] * diffused[k]];
-                    factors[k] = velocity_factors([vx[k], vy[k]], [x[k], y[k]], smoothed);
-                }
-            }
-            DensityDiffusion::Molteni => {
-                for k in 0..n {
-                    let smoothed = [1.0, diffused[k]];
-                    factors[k] = velocity_factors([vx[k], vy[k]], [x[k], y[k]], smoothed);
-                }
-            }
-            DensityDiffusion::Renormalised => {
-                let (slope_x, slope_y) = (&work.gradient_x[..n], &work.gradient_y[..n]);
-                for k in 0..n {
-                    let slant = slope_x[k] * x[k] + slope_y[k] * y[k];
-                    let smoothed = [1.0, 2.0 * diffused[k] - slant];
-                    factors[k] = velocity_factors([vx[k], vy[k]], [x[k], y[k]], smoothed);
-                    self.slants[k].0[..4].copy_from_slice(&[slope_x[k], slope_y[k], x[k], y[k]]);
-                }
-            }
-        }
-    }
-
-    /// The ghosts' new velocities, likewise.
-    pub(super) fn pack_ghost_velocities(&mut self) {
-        let first = self.fluid.padded_len();
-        for &g in self.exchange.counting() {
-            let record = &self.records[first + g as usize].0;
-            let velocity = [record[Record::VX], record[Record::VY]];
-            let place = [record[Record::X], record[Record::Y]];
-            self.factors[first + g as usize] = velocity_factors(velocity, place, [0.0; 2]);
-        }
-    }
-
     pub(super) fn acoustic_pass(&mut self) {
         for (load, held) in self.work.loads.iter_mut().zip(&self.work.held_loads) {
             load[0] = *held;
@@ -351,22 +229,4 @@ fn put_back<const N: usize>(fields: [&mut Vec<f64>; N], found: [Vec<f64>; N]) {
     for (field, found) in fields.into_iter().zip(found) {
         *field = found;
     }
-}
-
-/// P_xx, P_xy, P_yy, (P r)_x, (P r)_y, 1, x, y.
-#[inline(always)]
-fn pressure_factors([xx, xy, yy]: [f64; 3], [x, y]: [f64; 2]) -> Factors {
-    Factors([xx, xy, yy, xx * x + xy * y, xy * x + yy * y, 1.0, x, y])
-}
-
-/// u, v, u x, u y, v x, v y, and two more.
-#[inline(always)]
-fn velocity_factors([u, v]: [f64; 2], [x, y]: [f64; 2], [a, b]: [f64; 2]) -> Factors {
-    Factors([u, v, u * x, u * y, v * x, v * y, a, b])
-}
-
-/// ln(1 + u) for |u| far below one, to u⁵: still water is exactly uniform in ln ρ + g y/c0².
-#[inline(always)]
-fn small_log(u: f64) -> f64 {
-    u * (1.0 - u * (0.5 - u * (1.0 / 3.0 - u * (0.25 - 0.2 * u))))
 }

@@ -178,6 +178,7 @@ impl Wcsph {
     /// Takes on a team for what follows; lists must not have been made yet.
     pub fn take_on(&mut self, team: &Team) {
         assert!(self.reference_x.is_empty(), "lists are in the parts of another team");
+        self.exchange.take_on(team);
         self.parts = vec![Part::default(); team.parts()];
         self.team = team.clone();
     }
