@@ -32,20 +32,17 @@ fn threads_and_branches_do_not_change_a_bit() {
     }
 }
 
-#[test]
-fn a_killed_sweep_resumes_to_the_same_bits() {
-    let (root, file) = directory();
-    let (reference, out) = (root.path().join("reference"), root.path().join("killed"));
-    expect_code(&sweep(&file, &reference, &[]), 0);
+/// Kills a sweep three times, each time after another case, resumes it and compares.
+fn kill_and_resume(file: &Path, reference: &Path, out: &Path) {
     for _ in 0..3 {
-        let before = journal_lines(&out);
+        let before = journal_lines(out);
         let mut child = seawall()
             .args(["sweep", "--quiet", "--threads", "1", "--out"])
-            .args([&out, &file])
+            .args([out, file])
             .spawn()
             .unwrap();
         let start = Instant::now();
-        while journal_lines(&out) < before.max(1) + 1
+        while journal_lines(out) < before.max(1) + 1
             && child.try_wait().unwrap().is_none()
             && start.elapsed() < Duration::from_secs(120)
         {
@@ -54,9 +51,35 @@ fn a_killed_sweep_resumes_to_the_same_bits() {
         child.kill().unwrap();
         child.wait().unwrap();
     }
-    assert!(journal_lines(&out) > 1);
-    expect_code(&sweep(&file, &out, &["--resume"]), 0);
-    assert_same(&reference, &out);
+    assert!(journal_lines(out) > 1);
+    expect_code(&sweep(file, out, &["--resume"]), 0);
+    assert_same(reference, out);
+}
+
+#[test]
+fn a_killed_sweep_resumes_to_the_same_bits() {
+    let (root, file) = directory();
+    let reference = root.path().join("reference");
+    expect_code(&sweep(&file, &reference, &[]), 0);
+    kill_and_resume(&file, &reference, &root.path().join("killed"));
+}
+
+#[test]
+fn incompressible_water_has_the_same_bits_every_way() {
+    let (root, file) = directory();
+    let text = TINY
+        .replace("particle_spacing_m = 0.025", "particle_spacing_m = 0.04\nscheme = \"isph\"")
+        .replace("seawall_mass_kg_per_m = [50, 250]", "seawall_mass_kg_per_m = [5, 250]");
+    std::fs::write(&file, text).unwrap();
+    let reference = root.path().join("one");
+    expect_code(&sweep(&file, &reference, &["--threads", "1"]), 0);
+    assert_eq!(journal_lines(&reference), 1 + TINY_CASES);
+    for further in [&["--threads", "2"][..], &["--no-branch"]] {
+        let out = root.path().join(further.concat());
+        expect_code(&sweep(&file, &out, further), 0);
+        assert_same(&reference, &out);
+    }
+    kill_and_resume(&file, &reference, &root.path().join("killed"));
 }
 
 #[test]
