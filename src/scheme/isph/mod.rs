@@ -13,6 +13,7 @@ mod grid;
 mod images;
 mod motion;
 mod options;
+mod parting;
 mod project;
 mod readings;
 mod solve;

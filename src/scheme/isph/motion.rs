@@ -12,6 +12,11 @@ const SHIFT_FULL: f64 = 0.97;
 /// No shift is longer than this many particle spacings.
 const SHIFT_LIMIT: f64 = 0.05;
 
+/// How far a support of this completeness lets shifting act.
+pub(super) fn spread(completeness: f64) -> f64 {
+    ((completeness - SHIFT_FROM) / (SHIFT_FULL - SHIFT_FROM)).clamp(0.0, 1.0)
+}
+
 impl Isph {
     /// Corrects velocities by the pressure gradient (Liang et al. 2017, Eq. 9), moves the particles
     /// with the mean of old and new velocity (Eq. 10) and shifts them.
@@ -55,6 +60,9 @@ impl Isph {
             self.fluid.y[i] += 0.5 * dt * (velocity[1] + new[1]);
             shifting_work -= self.fluid.mass[i] * options.gravity * self.shift(i, dt);
         }
+        if options.shifting_coefficient > 0.0 {
+            shifting_work -= self.part(dt);
+        }
         self.hold_inside(&ends, walls.bodies);
         self.planes = ends;
         Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }
@@ -66,11 +74,11 @@ impl Isph {
         if options.shifting_coefficient == 0.0 || self.operators.grip[i] > 0.0 {
             return 0.0;
         }
-        let inside = (self.operators.completeness[i] - SHIFT_FROM) / (SHIFT_FULL - SHIFT_FROM);
+        let inside = spread(self.operators.completeness[i]);
         let smoothing = options.kernel.smoothing_length_ratio() * options.support_radius;
         let (vx, vy) = (self.fluid.vx[i], self.fluid.vy[i]);
         let speed = (vx * vx + vy * vy).sqrt();
-        let factor = options.shifting_coefficient * smoothing * speed * dt * inside.clamp(0.0, 1.0);
+        let factor = options.shifting_coefficient * smoothing * speed * dt * inside;
         let limit = SHIFT_LIMIT * options.spacing;
         let [sx, sy] = self.operators.sway[i];
         // s = Σ F Δ points to where neighbours crowd.

@@ -98,6 +98,29 @@ fn field(water: &Isph, value: impl Fn(f64, f64) -> f64) -> Vec<f64> {
 }
 
 #[test]
+fn parting_spreads_crowded_water_and_keeps_its_centre_of_mass() {
+    let mut water = square(10, 0.35, false, Laplacian::Exact);
+    water.options.shifting_coefficient = 0.5;
+    water.fluid.vx[..100].fill(1.0);
+    let state = |water: &Isph| {
+        let places: Vec<_> = (0..100).map(|k| [water.fluid.x[k], water.fluid.y[k]]).collect();
+        let apart = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
+        let pairs = (0..100).flat_map(|i| (0..i).map(move |j| (i, j)));
+        let closest = pairs.map(|(i, j)| apart(places[i], places[j])).fold(1.0, f64::min);
+        let mean = |axis: usize| places.iter().map(|place| place[axis]).sum::<f64>() / 100.0;
+        (closest, [mean(0), mean(1)])
+    };
+    let (closest, centre) = state(&water);
+    for _ in 0..40 {
+        lists(&mut water);
+        water.part(0.01);
+    }
+    let (parted, moved) = state(&water);
+    assert!(closest < 0.05 && parted > 0.07, "{closest} to {parted}, spacing 0.1");
+    assert!((moved[0] - centre[0]).abs() + (moved[1] - centre[1]).abs() < 1e-12);
+}
+
+#[test]
 fn divergence_is_exact_on_linear_velocities_however_particles_lie() {
     let mut water = square(16, 0.2, false, Laplacian::Exact);
     let (x, y) = (field(&water, |x, _| x), field(&water, |_, y| y));

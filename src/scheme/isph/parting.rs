@@ -1,0 +1,73 @@
+//! Parting: keeps particles near the surface evenly spread.
+//!
+//! Water that climbs a wall is stretched upwards and pressed together across, and particles follow:
+//! the row at the tip drew itself out to a line, four particles to a spacing, two and a half spacings
+//! above the next row. Such a line has too poor a support to bear the pressure that lifts it. An
+//! exactly divergence-free flow has no noise that would break it up, and shifting along ∇C stops
+//! short of the surface, which it would push outwards.
+
+use super::Isph;
+use super::motion::spread;
+
+/// Pairs closer than this many particle spacings are parted ...
+const CLOSE: f64 = 0.8;
+/// ... by at most this many in a step.
+const LIMIT: f64 = 0.1;
+
+impl Isph {
+    /// Moves pairs near the surface that are closer than r0 = 0.8 Δx apart, each by
+    ///
+    /// δr = -λ (1 - r/r0) Δ/r, λ = min(2A |u| Δt, 0.1 Δx),
+    ///
+    /// |u| being the pair's mean speed and A the strength of shifting, as far as the surface keeps
+    /// that from acting. Equal and opposite, it leaves the centre of mass of the water where it is,
+    /// but for pairs with a wall's images. Returns its work against gravity, J per metre.
+    pub(super) fn part(&mut self, dt: f64) -> f64 {
+        let options = self.options;
+        let per_speed = 2.0 * options.shifting_coefficient * dt;
+        let (reach, limit) = (CLOSE * options.spacing, LIMIT * options.spacing);
+        let mut lifted = 0.0;
+        for i in 0..self.fluid.len() {
+            let own = self.near_surface_share(i);
+            let [x, y] = self.loose[i].place;
+            let range = self.list_starts[i] as usize..self.list_starts[i + 1] as usize;
+            for at in if own > 0.0 { range } else { 0..0 } {
+                let e = self.list[at].point as usize;
+                let (dx, dy) = (self.points.x[e] - x, self.points.y[e] - y);
+                let square = dx * dx + dy * dy;
+                if square >= reach * reach || square < 1e-12 * reach * reach {
+                    continue;
+                }
+                let j = self.points.original[e] as usize;
+                let other = self.near_surface_share(j);
+                let length = (0.5 * per_speed * (self.speed(i) + self.speed(j))).min(limit);
+                let factor = 0.5 * (own + other) * length * (1.0 / square.sqrt() - 1.0 / reach);
+                let (dx, dy) = (factor * dx, factor * dy);
+                lifted += self.shove(i, [-dx, -dy]);
+                if other == 0.0 {
+                    // Its own turn passes it by.
+                    let [a, b, c, d] = self.points.turn[e];
+                    lifted += self.shove(j, [a * dx + c * dy, b * dx + d * dy]);
+                }
+            }
+        }
+        options.gravity * lifted
+    }
+
+    /// Moves a particle; returns its mass times how far it rises.
+    fn shove(&mut self, i: usize, [dx, dy]: [f64; 2]) -> f64 {
+        self.fluid.x[i] += dx;
+        self.fluid.y[i] += dy;
+        self.fluid.mass[i] * dy
+    }
+
+    /// 1 where shifting is off for the surface's sake, 0 where it acts in full.
+    fn near_surface_share(&self, i: usize) -> f64 {
+        1.0 - spread(self.operators.completeness[i])
+    }
+
+    fn speed(&self, i: usize) -> f64 {
+        let (vx, vy) = (self.fluid.vx[i], self.fluid.vy[i]);
+        (vx * vx + vy * vy).sqrt()
+    }
+}
