@@ -29,15 +29,19 @@ pub(super) fn smallest_eigenvalue<L: Lanes>([xx, xy, yy]: [L; 3]) -> L {
 }
 
 /// Inverse of Σ V (x_j - x_i) ⊗ ∇W, fading to the identity where the support is too incomplete
-/// for the inverse to be trusted.
+/// for the inverse to be trusted: later beside walls (`of_walls`: their part of the sum's trace),
+/// whose ghosts move with the water.
 #[inline(always)]
-pub(super) fn correction<L: Lanes>([xx, xy, yy]: [L; 3], completeness: L) -> [L; 3] {
+pub(super) fn correction<L: Lanes>([xx, xy, yy]: [L; 3], completeness: L, of_walls: L) -> [L; 3] {
     const TRUSTED_FROM: f64 = 0.35;
     const TRUSTED_FULL: f64 = 0.48;
+    const LOWER_AT_WALLS: f64 = 0.16;
+    const AT_WALLS: f64 = 1.0 / 3.0;
     let (zero, one) = (L::splat(0.0), L::splat(1.0));
     let determinant = (xx * yy - xy * xy).max(L::splat(1e-3));
-    let trust =
-        (completeness - L::splat(TRUSTED_FROM)) * L::splat(1.0 / (TRUSTED_FULL - TRUSTED_FROM));
+    let at_walls = (of_walls * L::splat(1.0 / AT_WALLS)).min(one);
+    let raised = at_walls.mul_add(L::splat(LOWER_AT_WALLS), completeness);
+    let trust = (raised - L::splat(TRUSTED_FROM)) * L::splat(1.0 / (TRUSTED_FULL - TRUSTED_FROM));
     let trust = trust.max(zero).min(one);
     let share = trust.div(determinant);
     let rest = one - trust;

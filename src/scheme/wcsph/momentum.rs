@@ -273,7 +273,7 @@ impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
                 cluster,
             });
             held.close(sums.count);
-            let fluid_moment = sums.moment;
+            let water_moment = sums.moment;
             for body in 0..pass.bodies {
                 let entries = pairs.group(here, body + 1);
                 if entries.is_empty() {
@@ -323,7 +323,7 @@ impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
             let power = viscous[0].mul_add(vx, viscous[1] * vy);
             tally.powers.push((power * volume).sum());
             if SUMS == GRADIENTS {
-                let [xx, xy, yy] = &fluid_moment;
+                let [xx, xy, yy] = &water_moment;
                 let moment = [L::load(xx), L::load(xy), L::load(yy)];
                 let sum = [L::load(&sums.gradient[0]), L::load(&sums.gradient[1])];
                 let [gradient_x, gradient_y] = solve_symmetric(moment, sum);
@@ -339,7 +339,10 @@ impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
                 let completeness = smallest_eigenvalue(moment);
                 store(found_completeness, to, completeness);
                 if CORRECTED {
-                    let [xx, xy, yy] = correction(moment, completeness);
+                    let [of_water_xx, _, of_water_yy] = &water_moment;
+                    let of_water = (L::load(of_water_xx) + L::load(of_water_yy)) * radius;
+                    let of_walls = moment[0] + moment[2] - of_water;
+                    let [xx, xy, yy] = correction(moment, completeness, of_walls);
                     store(next_xx, to, xx);
                     store(next_xy, to, xy);
                     store(next_yy, to, yy);
