@@ -4,6 +4,7 @@ use super::energy::WaterEnergy;
 use super::outcome::{CaseResult, EnergyBudget, Maximum, NamedReading, Outcome, PhaseShare};
 use super::readings;
 use super::run::Run;
+use super::settling::Prospect;
 use super::{Film, Monitor};
 use crate::body::{BodyMotion, SpringWall};
 use crate::scene::{PADDLE, WALL};
@@ -23,24 +24,31 @@ impl Run {
     }
 
     /// Whether no reported maximum can be passed any more: paddle and wall stand, and too little is left
-    /// of the energy above that of still water between paddle and wall. All of the spring's counts.
-    pub(super) fn has_settled(&mut self, bodies: &[BodyMotion], energy: &EnergyBudget) -> bool {
+    /// of the energy above that of still water between paddle and wall. See [`Prospect`].
+    pub(super) fn has_settled(&self, bodies: &[BodyMotion], energy: &EnergyBudget) -> bool {
         let Some(piston) = &self.tank.piston else { return false };
-        if !self.config.numerics.stop_when_settled {
+        if !self.config.numerics.stop_when_settled || self.clock.time <= piston.duration() {
             return false;
         }
-        // A wall on its way back may hit its stop harder than any wave has hit the wall.
-        let under_way = |wall: &SpringWall| wall.displacement != 0.0 || wall.velocity != 0.0;
+        let farthest = self.measures.displacement.map_or(0.0, |maximum| maximum.value);
+        let under_way = |wall: &SpringWall| {
+            (wall.displacement != 0.0 || wall.velocity != 0.0) && !Prospect::stood(farthest)
+        };
         if self.tank.wall.as_ref().is_some_and(under_way) {
             return false;
         }
-        let length = self.tank.frame.length;
-        let now = length + bodies[WALL].offset - bodies[PADDLE].offset;
+        let (frame, static_force) = (self.tank.frame, self.tank.static_force);
+        let now = frame.length + bodies[WALL].offset - bodies[PADDLE].offset;
         // Still water has ρ g V²/(2 L) between walls that are L apart.
-        let raised = self.ledger.start.potential * (length / now - 1.0);
+        let raised = self.ledger.start.potential * (frame.length / now - 1.0);
         let left = energy.kinetic + (energy.potential - raised).max(0.0);
         let left = left + energy.wall_kinetic + energy.spring;
-        self.settling.settled(&self.measures, left) && self.clock.time > piston.duration()
+        let unit = frame.density * frame.gravity * frame.depth.powi(3);
+        let law = |wall: &SpringWall| {
+            let pull = wall.stiffness / wall.force_coupling * frame.depth;
+            [wall.threshold / static_force, pull / static_force]
+        };
+        Prospect::of(left / unit, self.tank.wall.as_ref().map(law)).leaves(&self.measures)
     }
 
     /// The results of a run that has reached its end.

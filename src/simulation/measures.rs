@@ -185,6 +185,11 @@ impl Measures {
         }
     }
 
+    /// Whether the first impact is on.
+    pub fn in_first_impact(&self) -> bool {
+        matches!(self.impact, Impact::On { .. })
+    }
+
     /// F* of the first peak.
     pub fn force_peak(&self) -> Option<f64> {
         self.force_peak.value()

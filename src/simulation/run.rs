@@ -10,7 +10,6 @@ use super::health::{HealthBounds, HealthState, Vitals};
 use super::measures::{Measures, Reading};
 use super::outcome::{EnergyBudget, HistoryRow, ProbeTable};
 use super::probes;
-use super::settling::Settling;
 use super::sounding::Sounding;
 use super::watch::{self, Watch};
 use crate::body::{BodyMotion, SpringWall, WallStep};
@@ -42,7 +41,6 @@ pub(super) struct RunState {
     gauge_at_rest: Option<f64>,
     worst_gap: f64,
     health: HealthState,
-    settling: Settling,
     probes: Option<ProbeTable>,
 }
 
@@ -79,7 +77,6 @@ pub(super) struct Run {
     pub(super) gauge_at_rest: Option<f64>,
     pub(super) worst_gap: f64,
     pub(super) health: HealthState,
-    pub(super) settling: Settling,
     pub(super) probes: Option<ProbeTable>,
 }
 
@@ -102,7 +99,6 @@ impl Run {
             gauge_at_rest: None,
             worst_gap: 0.0,
             health: HealthState::default(),
-            settling: Settling::default(),
             probes: probes::table(&config.probes),
             watch: watch::of(config, &tank),
             films: 0,
@@ -126,7 +122,6 @@ impl Run {
         self.gauge_at_rest = state.gauge_at_rest;
         self.worst_gap = state.worst_gap;
         self.health = state.health;
-        self.settling = state.settling;
         self.probes = state.probes;
     }
 
@@ -144,7 +139,6 @@ impl Run {
             gauge_at_rest: self.gauge_at_rest,
             worst_gap: self.worst_gap,
             health: self.health,
-            settling: self.settling,
             probes: self.probes.clone(),
         }
     }

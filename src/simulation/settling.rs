@@ -1,45 +1,64 @@
 //! When a run has no more to tell: `stop_when_settled`.
 
-use serde::{Deserialize, Serialize};
-
 use super::measures::Measures;
-use super::outcome::Maximum;
 
-/// A maximum stands once the energy left is this share of what it was raised with: waves grow with
-/// the root of their energy, so what is to come would be below half of it.
-const SHARE: f64 = 0.2;
+/// A wall that cannot move farther than this, over the still water's depth, counts as one that
+/// stands: whatever holds it adds next to no energy to the water by letting it go and taking it back.
+const STANDS_WITHIN: f64 = 1e-3;
+/// Largest 4 tanh(u)/√(π u), at sinh 2u = 4u: of half standing waves of an energy, that of three depths
+/// presses hardest.
+const PRESSING: f64 = 1.7225;
 
-/// A recorded maximum, and the energy that was there when it was last raised.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-struct Raised {
-    value: f64,
-    energy: f64,
+/// What can still happen, at most.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Prospect {
+    /// R*.
+    runup: f64,
+    /// F*.
+    force: f64,
+    /// X*; infinite for a wall that may move in earnest.
+    displacement: f64,
 }
 
-/// Follows the maxima of force, runup and displacement, from one check to the next.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub struct Settling {
-    raised: [Raised; 3],
-    last_energy: f64,
-}
-
-impl Settling {
-    /// Takes up the maxima so far, and the energy that can still be turned into a wave, J/m. True
-    /// once none of them can be passed: each was reached with five times the energy.
-    pub fn settled(&mut self, measures: &Measures, energy: f64) -> bool {
-        let value = |maximum: Option<Maximum>| maximum.map_or(0.0, |maximum| maximum.value);
-        let values = [measures.force, measures.runup, measures.displacement].map(value);
-        // The maximum may be older than this check by one.
-        let with = energy.max(self.last_energy);
-        self.last_energy = energy;
-        for (raised, value) in self.raised.iter_mut().zip(values) {
-            if value > raised.value {
-                *raised = Raised { value, energy: with };
+impl Prospect {
+    /// Of water with an energy E above that of still water, `energy` = E/(ρ g h³), at a wall that
+    /// stands on its stop. `wall` is F_th over the hydrostatic force and k h over it, if it can move.
+    ///
+    /// All the energy is taken to meet in one crest at the wall, half a standing wave of any length w
+    /// from the water's depth on, E = ¼ ρ g A² w with force ρ g A tanh(π h/w) w/π. The shortest rises
+    /// highest, R* = 2 √(E/(ρ g h³)), the one of three depths presses hardest; with a still column for
+    /// the crest of the first F* = 1 + 1.72 √(E/(ρ g h³)) + R*². Below the threshold that moves
+    /// nothing; above it a stiff wall goes no farther than twice to where it would rest. Any other wall
+    /// may move in earnest, and what holds it against the water until it is back puts energy into the
+    /// water, so that nothing bounds what follows.
+    pub fn of(energy: f64, wall: Option<[f64; 2]>) -> Prospect {
+        let root = energy.max(0.0).sqrt();
+        let runup = 2.0 * root;
+        let force = 1.0 + PRESSING * root + runup * runup;
+        let displacement = match wall {
+            Some([threshold, stiffness]) if force > threshold => {
+                let far = 2.0 * (force - threshold) / stiffness;
+                if far < STANDS_WITHIN { far } else { f64::INFINITY }
             }
-        }
-        let moved = self.raised.iter().filter(|raised| raised.value > 0.0);
-        let mut stands = moved.map(|raised| energy < SHARE * raised.energy);
-        self.raised[0].value > 0.0 && stands.all(|stands| stands)
+            _ => 0.0,
+        };
+        Prospect { runup, force, displacement }
+    }
+
+    /// Whether a wall that has come so far at most, `displacement` = X*, counts as one that stands.
+    pub fn stood(displacement: f64) -> bool {
+        displacement < STANDS_WITHIN
+    }
+
+    /// Whether all maxima so far stay what they are, those of the first impact included.
+    pub fn leaves(&self, measures: &Measures) -> bool {
+        let stays = |maximum: Option<super::Maximum>, most: f64| {
+            most == 0.0 || maximum.is_some_and(|maximum| most < maximum.value)
+        };
+        !measures.in_first_impact()
+            && stays(measures.force, self.force)
+            && stays(measures.runup, self.runup)
+            && stays(measures.displacement, self.displacement)
     }
 }
 
@@ -48,33 +67,64 @@ mod tests {
     use super::super::measures::Reading;
     use super::*;
 
-    /// When a decaying oscillation of force and runup, with the energy of its envelope, is settled.
-    fn settled_at(decay: f64, end: f64) -> Option<f64> {
+    /// A wave of F* = 2, R* = 0.5, X* = `x` that has come and gone.
+    fn after_a_wave(x: f64) -> Measures {
         let mut measures = Measures::new(1.1, 0.2, 9.81);
-        let mut settling = Settling::default();
-        (0..(1000.0 * end) as u32).map(|k| 0.001 * f64::from(k)).find(|&time| {
-            let envelope = (-decay * time).exp();
-            let wave = envelope * (5.0 * time).sin();
-            let reading =
-                Reading { time, force: 1.0 + wave, runup: wave, displacement: None, stops: 0 };
-            measures.push(reading);
-            settling.settled(&measures, 40.0 * envelope * envelope)
-        })
+        for k in 0..2000 {
+            let bell = (-(f64::from(k) * 0.005 - 3.0).powi(2)).exp();
+            measures.push(Reading {
+                time: f64::from(k) * 0.005,
+                force: 1.0 + bell,
+                runup: 0.5 * bell,
+                displacement: Some(x * bell),
+                stops: 0,
+            });
+        }
+        measures
     }
 
     #[test]
-    fn a_decaying_wave_settles_when_its_energy_is_down_to_the_share() {
-        // The highest crest is the first, at t = 0.31; e^(-2 d (t - 0.31)) is the share then.
-        for decay in [0.2, 0.5] {
-            let expected = 0.31 - 0.5 * f64::ln(SHARE) / decay;
-            let time = settled_at(decay, 20.0).unwrap();
-            assert!((time - expected).abs() < 0.06, "{time} {expected}");
+    fn a_standing_wave_of_any_length_stays_below_the_bound() {
+        // E = ¼ ρ g A² L of half a wave in a basin of length L, in depths.
+        for length in [1.0, 2.0, 12.5] {
+            for amplitude in [0.01, 0.1, 0.5] {
+                let energy = 0.25 * amplitude * amplitude * length;
+                let prospect = Prospect::of(energy, None);
+                assert!(prospect.runup >= amplitude * (1.0 - 1e-12), "{length} {amplitude}");
+                let wave = std::f64::consts::PI / length;
+                let linear = 1.0 + 2.0 * amplitude * wave.tanh() / wave;
+                assert!(prospect.force >= linear, "{length} {amplitude}");
+            }
         }
     }
 
     #[test]
-    fn a_wave_that_does_not_decay_never_settles() {
-        assert_eq!(settled_at(0.0, 20.0), None);
-        assert_eq!(settled_at(0.01, 20.0), None);
+    fn a_fixed_wall_is_done_once_a_crest_of_all_that_is_left_stays_below_the_maxima() {
+        let measures = after_a_wave(0.0);
+        // R* < 0.5, where F* < 1.7.
+        let edge = 0.25 * 0.5 * 0.5;
+        assert!(Prospect::of(0.99 * edge, None).leaves(&measures));
+        assert!(!Prospect::of(1.02 * edge, None).leaves(&measures));
+    }
+
+    #[test]
+    fn a_soft_wall_is_done_only_once_it_cannot_be_moved() {
+        let (measures, soft, stiff) = (after_a_wave(0.5), [1.1, 0.3], [1.1, 1e4]);
+        // F* = 1.1.
+        let edge = (((PRESSING * PRESSING + 1.6).sqrt() - PRESSING) / 8.0).powi(2);
+        assert!(Prospect::of(0.99 * edge, Some(soft)).leaves(&measures));
+        assert!(!Prospect::of(1.01 * edge, Some(soft)).leaves(&measures));
+        assert!(Prospect::of(10.0 * edge, Some(stiff)).leaves(&measures));
+        assert!(!Prospect::of(10.0 * edge, Some(stiff)).leaves(&after_a_wave(1e-5)));
+    }
+
+    #[test]
+    fn nothing_ends_within_the_first_impact() {
+        let mut measures = Measures::new(1.1, 0.2, 9.81);
+        for k in 0..200 {
+            let time = 0.005 * f64::from(k);
+            measures.push(Reading { time, force: 1.6, runup: 0.3, displacement: None, stops: 0 });
+        }
+        assert!(!Prospect::of(0.0, None).leaves(&measures));
     }
 }
