@@ -13,6 +13,10 @@ use crate::scene::CaseConfig;
 use crate::sweep::Study;
 use crate::sweep::tuning::{AccuracyTable, Choice, bar_percent, differences};
 
+/// Largest spacing over the depth whose choice can be verified: its companion for the error bars has
+/// twice that, and no case may have more than a quarter.
+const COARSEST: f64 = 0.125;
+
 /// A wanted error and what is known about meeting it.
 pub(super) struct Aim {
     percent: f64,
@@ -50,7 +54,7 @@ impl Aim {
     pub(super) fn first(&self, study: &Study, output: &Output) -> Study {
         let mut told: BTreeMap<String, usize> = BTreeMap::new();
         for case in &study.cases {
-            let Some(choice) = self.choose(&case.config, 0.25, &study.keys) else { continue };
+            let Some(choice) = self.choose(&case.config, COARSEST, &study.keys) else { continue };
             let doubt = if choice.meets { "the cheapest expected to do" } else { "the best known" };
             let line = format!(
                 "{}: {doubt}, {} % of force and displacement in {} s of {}",
@@ -64,8 +68,8 @@ impl Aim {
         for (line, cases) in told {
             output.note(format_args!("{cases} cases with {line}"));
         }
-        let chosen =
-            study.with_choices(|_, config| Some(self.choose(config, 0.25, &study.keys)?.config));
+        let chosen = study
+            .with_choices(|_, config| Some(self.choose(config, COARSEST, &study.keys)?.config));
         chosen.aiming_at(self.percent)
     }
 
