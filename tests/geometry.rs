@@ -187,17 +187,19 @@ fn water_and_ghosts_press_evenly_on_each_other() {
     }
 }
 
-/// 25 rows as in the source's wave tank: pressure within 1 % of ρgh from the toe to five spacings
-/// below the surface, from the first instant on.
+/// 25 rows as in the source's wave tank: pressure within 1 % of ρgh, at an upright wall within 0.2 %,
+/// up to one spacing below the surface there, three at a leaning wall, from the first instant on.
 #[test]
 fn still_water_rests_at_an_incline() {
-    for angle in [60.0, 120.0, 150.0] {
+    for (angle, highest, most) in
+        [(60.0, 0.24, 1.0), (90.0, 0.24, 0.2), (120.0, 0.22, 1.0), (150.0, 0.22, 1.0)]
+    {
         let scene = format!(
             "kind = \"hydrostatic\"\nstill_water_depth_m = 0.25\ntank_length_m = 0.75\n\
              wall_angle_deg = {angle}\nend_time_s = 0.4\nhistory_interval_s = 0.01"
         );
         let numerics = "particle_spacing_m = 0.01\nsound_speed_ratio = 15";
-        let heights = [0.0, 0.02, 0.05, 0.1, 0.15, 0.2];
+        let heights = [0.0, 0.02, 0.05, 0.1, 0.15, 0.2, highest];
         let probes = heights.map(|y| {
             let text = format!("name = \"P{y}\"\nkind = \"pressure\"\nwall = \"right\"\ny_m = {y}");
             text.parse().unwrap()
@@ -215,7 +217,7 @@ fn still_water_rests_at_an_incline() {
             let name = format!("P{y}_worst_gap_full");
             let found = result.readings.iter().find(|reading| reading.name == name);
             let gap = found.unwrap_or_else(|| panic!("{name}")).value;
-            assert!(gap < 1.0, "{gap} % of rho g h at {y} m up a wall of {angle} degrees");
+            assert!(gap < most, "{gap} % of rho g h at {y} m up a wall of {angle} degrees");
         }
         let potential = 0.5 * 1000.0 * 9.81 * 0.25 * 0.25 * 0.75;
         assert!(result.energy.kinetic < 1e-4 * potential, "{:?}", result.energy);

@@ -45,3 +45,23 @@ fn a_healthy_run_stays_far_from_every_bound() {
     assert!(share > 0.0 && share < 0.5, "{bound}: {share}");
     assert_eq!(outcome.recovered, None);
 }
+
+/// Every interpolator holds still water: none lets it creep along the walls.
+#[test]
+fn still_water_stays_still() {
+    let scene =
+        "kind = \"hydrostatic\"\nstill_water_depth_m = 0.3\ntank_length_m = 0.6\nend_time_s = 4";
+    let potential = 0.5 * 1000.0 * 9.81 * 0.3 * 0.3 * 0.6;
+    for boundary in
+        ["improved-shepard", "normalized", "sfdi", "mls-linear", "mls-quadratic", "dummy"]
+    {
+        let numerics = format!("particle_spacing_m = 0.02\nboundary = \"{boundary}\"");
+        let config =
+            CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap()).unwrap();
+        let result = run_case(&config, None, SimdPath::widest(), &Unwatched).unwrap();
+        let kinetic = result.energy.kinetic / potential;
+        println!("{boundary}: {kinetic:.1e} of the potential energy");
+        assert!(kinetic < 1e-7, "{boundary}: {kinetic:.1e} of the potential energy");
+        assert_eq!(result.outcome.boundary_fallbacks, 0, "{boundary}");
+    }
+}

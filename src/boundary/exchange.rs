@@ -10,7 +10,7 @@ use super::waterline::Waterline;
 use crate::body::BodyMotion;
 use crate::kernel::KernelChoice;
 use crate::math::simd::{LANES, SimdPath, dispatch};
-use crate::math::team::Team;
+use crate::math::team::{self, Team};
 use crate::neighbours::{PointSet, Strips, build_pair_list};
 use crate::particles::{Record, Scaling};
 use crate::{with_interpolator, with_kernel};
@@ -149,10 +149,10 @@ impl Exchange {
         }
         let everywhere = [f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY];
         let set = PointSet { strips, x, y, offset: 0.0, first: 0, reach, bounds: everywhere };
-        let (count, targets) = (parts.len(), [&*target_x, &*target_y]);
-        let blocks = target_x.len() / LANES;
-        for (k, part) in parts.iter_mut().enumerate() {
-            part.blocks = k * blocks / count..(k + 1) * blocks / count;
+        let targets = [&*target_x, &*target_y];
+        let ranges = team::cut(target_x.len() / LANES, parts.len());
+        for (part, range) in parts.iter_mut().zip(ranges) {
+            part.blocks = range;
         }
         team.share(parts, (), &|part, ()| {
             let lanes = part.blocks.start * LANES..part.blocks.end * LANES;

@@ -40,6 +40,8 @@ impl ImprovedShepard {
 }
 
 impl Interpolator for ImprovedShepard {
+    const PEAKED: bool = true;
+
     #[inline(always)]
     fn weigh<L: Lanes>(
         &self,
@@ -52,6 +54,10 @@ impl Interpolator for ImprovedShepard {
             let (dx, dy) = stencil.apart(k);
             // Nearer than 1e-6 R is coincident: the weight then outshines all others by 1e20.
             let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
+            if !s.any_less(one) {
+                *weight = [0.0; LANES];
+                continue;
+            }
             let inverse_q = s.rsqrt();
             let inverse_s = inverse_q * inverse_q;
             let room = (one - self.power(s, inverse_q)).max(L::splat(1e-3));

@@ -46,6 +46,8 @@ pub trait Interpolator: Copy + Send + Sync + 'static {
     const AT_GHOST: bool = false;
     /// Weights may be negative, and a simpler method may have to stand in.
     const SIGNED: bool = false;
+    /// The nearest particle outweighs all others wherever it is near.
+    const PEAKED: bool = false;
     /// The weights handed in are the kernel's, w(|r_j - r|) V_j; else they are left-overs.
     const FROM_KERNEL: bool = false;
 

@@ -228,19 +228,24 @@ fn gather<L: Lanes, I: Interpolator>(
     let mut correction = [[1.0; LANES], [0.0; LANES], [1.0; LANES]];
     if let Some([all_xx, all_xy, all_yy]) = water.correction {
         let (mut xx, mut xy, mut yy) = (zero, zero, zero);
-        let mut positive = zero;
+        let mut nearest = zero;
         for (&j, weight) in neighbours.iter().zip(weights) {
             let mut weight = L::load(weight);
-            if I::SIGNED {
-                // A correction must stay between those of the water: only positive shares count.
-                weight = weight.max(zero);
-                positive += weight;
+            if !I::PEAKED {
+                // Corrections differ from row to row under the surface: that of the nearest water
+                // counts, not a mean over the support, which would push where the water's own does
+                // not. And only positive shares: it must stay between those of the water.
+                let share = weight.max(zero) * scale;
+                let square = share * share;
+                weight = square * square;
+                weight = weight * weight;
+                nearest += weight;
             }
             xx = weight.mul_add(L::splat(all_xx[j as usize]), xx);
             xy = weight.mul_add(L::splat(all_xy[j as usize]), xy);
             yy = weight.mul_add(L::splat(all_yy[j as usize]), yy);
         }
-        let scale = if I::SIGNED { Weighing::of_sum(positive, zero).scale } else { scale };
+        let scale = if I::PEAKED { scale } else { Weighing::of_sum(nearest, zero).scale };
         correction = [(xx * scale).to_array(), (xy * scale).to_array(), (yy * scale).to_array()];
     }
     let to_metres = scale * L::splat(scaling.support_radius);

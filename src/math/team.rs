@@ -5,6 +5,7 @@
 //! threads there are, nor on which of them is the first.
 
 use std::cell::Cell;
+use std::ops::Range;
 use std::sync::Arc;
 
 use rayon::{ThreadPool, ThreadPoolBuilder, join};
@@ -73,6 +74,11 @@ fn divide<P: Part, R: Rows>(parts: &mut [P], rows: R, work: &(impl Fn(&mut P, R)
     let before = items(left);
     let (rows_left, rows_right) = rows.split(before, before + items(right));
     join(|| divide(left, rows_left, work), || divide(right, rows_right, work));
+}
+
+/// So many items in so many ranges as even as can be.
+pub fn cut(items: usize, parts: usize) -> impl Iterator<Item = Range<usize>> {
+    (0..parts).map(move |k| k * items / parts..(k + 1) * items / parts)
 }
 
 thread_local! {
@@ -147,7 +153,7 @@ impl<A: Rows, B: Rows> Rows for (A, B) {
 mod tests {
     use super::*;
 
-    struct Stretch(std::ops::Range<usize>);
+    struct Stretch(Range<usize>);
 
     impl Part for Stretch {
         fn items(&self) -> usize {

@@ -76,9 +76,7 @@ impl Isph {
         }
         let inside = spread(self.operators.completeness[i]);
         let smoothing = options.kernel.smoothing_length_ratio() * options.support_radius;
-        let (vx, vy) = (self.fluid.vx[i], self.fluid.vy[i]);
-        let speed = (vx * vx + vy * vy).sqrt();
-        let factor = options.shifting_coefficient * smoothing * speed * dt * inside;
+        let factor = options.shifting_coefficient * smoothing * self.speed(i) * dt * inside;
         let limit = SHIFT_LIMIT * options.spacing;
         let [sx, sy] = self.operators.sway[i];
         // s = Σ F Δ points to where neighbours crowd.
@@ -86,6 +84,12 @@ impl Isph {
         self.fluid.x[i] += dx;
         self.fluid.y[i] += dy;
         dy
+    }
+
+    /// |u| of a particle, m/s.
+    pub(super) fn speed(&self, i: usize) -> f64 {
+        let (vx, vy) = (self.fluid.vx[i], self.fluid.vy[i]);
+        (vx * vx + vy * vy).sqrt()
     }
 
     /// Puts particles that have slipped through a wall back onto its face, with its velocity.

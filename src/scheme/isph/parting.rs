@@ -65,9 +65,4 @@ impl Isph {
     fn near_surface_share(&self, i: usize) -> f64 {
         1.0 - spread(self.operators.completeness[i])
     }
-
-    fn speed(&self, i: usize) -> f64 {
-        let (vx, vy) = (self.fluid.vx[i], self.fluid.vy[i]);
-        (vx * vx + vy * vy).sqrt()
-    }
 }

@@ -4,6 +4,7 @@ use crate::math::simd::{LANES, Lanes, Task};
 use crate::particles::Fluid;
 
 use super::Workspace;
+use super::correction::surface_share;
 use super::held::{Factors, Product};
 use super::momentum::store;
 use super::parts::Part;
@@ -110,7 +111,9 @@ impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSI
                 let xx = lanes::<L>(&self.work.correction_xx, at);
                 let xy = lanes::<L>(&self.work.correction_xy, at);
                 let yy = lanes::<L>(&self.work.correction_yy, at);
-                let minus_half = L::splat(-0.5 * self.support_radius);
+                // Of the gradient itself, not of the share of it that the balance takes.
+                let share = surface_share(lanes::<L>(&self.work.completeness, at));
+                let minus_half = L::splat(-0.5 * self.support_radius).div(share);
                 let stretch = xx.mul_add(ux, xy * uy) - xy.mul_add(wx, yy * wy);
                 let stretch = (stretch * minus_half * L::splat(0.5)).to_array();
                 let shear = xy.mul_add(ux, yy * uy) + xx.mul_add(wx, xy * wy);

@@ -30,7 +30,8 @@ pub(super) fn smallest_eigenvalue<L: Lanes>([xx, xy, yy]: [L; 3]) -> L {
 
 /// Inverse of Σ V (x_j - x_i) ⊗ ∇W, fading to the identity where the support is too incomplete
 /// for the inverse to be trusted: later beside walls (`of_walls`: their part of the sum's trace),
-/// whose ghosts move with the water.
+/// whose ghosts move with the water. Under the surface only a share of it is taken: see
+/// [`surface_share`].
 #[inline(always)]
 pub(super) fn correction<L: Lanes>([xx, xy, yy]: [L; 3], completeness: L, of_walls: L) -> [L; 3] {
     const TRUSTED_FROM: f64 = 0.35;
@@ -43,7 +44,147 @@ pub(super) fn correction<L: Lanes>([xx, xy, yy]: [L; 3], completeness: L, of_wal
     let raised = at_walls.mul_add(L::splat(LOWER_AT_WALLS), completeness);
     let trust = (raised - L::splat(TRUSTED_FROM)) * L::splat(1.0 / (TRUSTED_FULL - TRUSTED_FROM));
     let trust = trust.max(zero).min(one);
-    let share = trust.div(determinant);
+    let share = (trust * surface_share(completeness)).div(determinant);
     let rest = one - trust;
     [yy.mul_add(share, rest), zero - xy * share, xx.mul_add(share, rest)]
+}
+
+/// Share of the inverse that makes linear pressure the balance of still water under a flat surface.
+///
+/// Pairs push with V_i V_j (p_i L_i + p_j L_j), and with L the inverse whole, the second row of
+/// particles must bear half a spacing of water less than lies on it. Asked for the share at which
+/// ρ g d balances, row by row, square and hexagonal lattices that lie level or askew all answer
+/// alike as a function of their rows' completeness, which this follows: 1 up to 0.5, where the first
+/// row is, some 0.65 from 0.6 to 0.75, 1 inside the water. The divergence has the same L, so
+/// energy is conserved as before; and water that keeps its volume keeps it whatever the share.
+#[inline(always)]
+pub(super) fn surface_share<L: Lanes>(completeness: L) -> L {
+    const FROM: f64 = 0.5;
+    const FULL: f64 = 0.6;
+    const FADES_FROM: f64 = 0.72;
+    const LEFT_OUT: f64 = 0.36;
+    let (zero, one) = (L::splat(0.0), L::splat(1.0));
+    let rise = (completeness - L::splat(FROM)) * L::splat(1.0 / (FULL - FROM));
+    let fall = (one - completeness) * L::splat(1.0 / (1.0 - FADES_FROM));
+    let (rise, fall) = (rise.max(zero).min(one), fall.max(zero).min(one));
+    let fall = fall * fall * (L::splat(3.0) - fall - fall);
+    (rise * fall).negated_mul_add(L::splat(LEFT_OUT), one)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::KernelChoice;
+    use crate::math::simd::{SimdPath, Task, dispatch};
+
+    /// L of [`correction`], away from walls, and the share in it.
+    struct Corrected([f64; 3]);
+
+    impl Task for Corrected {
+        type Output = ([f64; 3], f64);
+
+        fn run<L: Lanes>(self) -> Self::Output {
+            let moment = self.0.map(L::splat);
+            let completeness = smallest_eigenvalue(moment);
+            let first = |lanes: L| -> f64 { lanes.to_array()[0] };
+            let found = correction(moment, completeness, L::splat(0.0));
+            (found.map(first), first(surface_share(completeness)))
+        }
+    }
+
+    /// Points of a lattice with a point to the unit of area, turned by an angle and moved so that
+    /// the surface, y = 0, lies half a row's distance above the first row.
+    fn half_plane(steps: [[f64; 2]; 2], angle: f64, row: f64) -> Vec<[f64; 2]> {
+        let (sine, cosine) = angle.sin_cos();
+        let range = -30..=30;
+        range
+            .clone()
+            .flat_map(|i| range.clone().map(move |j| [f64::from(i), f64::from(j)]))
+            .map(|[i, j]| [0, 1].map(|axis| i * steps[0][axis] + j * steps[1][axis]))
+            .map(|[x, y]| [cosine * x - sine * y, sine * x + cosine * y - 0.5 * row])
+            .filter(|&[x, y]| x.abs() < 9.0 && y < -1e-9 && y > -18.0)
+            .collect()
+    }
+
+    /// The imbalance of still water under linear pressure, in units of g: root mean square over the
+    /// rows of the first five spacings, with the share and with the whole of L.
+    fn imbalance(points: &[[f64; 2]]) -> [f64; 2] {
+        const RADIUS: f64 = 4.0;
+        let kernel = KernelChoice::WendlandC2;
+        let slope = kernel.normalisation() / RADIUS.powi(3);
+        // ∇_iW_ij
+        let gradient = |i: usize, j: usize| {
+            let [x, y] = [0, 1].map(|axis| points[i][axis] - points[j][axis]);
+            let distance = x.hypot(y);
+            let near = distance > 0.0 && distance < RADIUS;
+            let g = if near { slope * kernel.slope_at(distance / RADIUS) / distance } else { 0.0 };
+            [g * x, g * y]
+        };
+        let all = 0..points.len();
+        let stress: Vec<([f64; 3], f64)> = all
+            .clone()
+            .map(|i| {
+                let mut moment = [0.0; 3];
+                for j in all.clone() {
+                    let ([gx, gy], [x, y]) = (gradient(i, j), points[i]);
+                    let (dx, dy) = (points[j][0] - x, points[j][1] - y);
+                    moment[0] += gx * dx;
+                    moment[1] += gx * dy;
+                    moment[2] += gy * dy;
+                }
+                let (found, share) = dispatch(SimdPath::Portable, Corrected(moment));
+                (found.map(|part| -points[i][1] * part), share)
+            })
+            .collect();
+        let mut rows: Vec<usize> = all.clone().filter(|&i| points[i][1] > -5.0).collect();
+        rows.retain(|&i| points[i][0].abs() < 1.2);
+        [true, false].map(|shared| {
+            let of = |i: usize| {
+                let ([_, xy, yy], share) = stress[i];
+                let part = if shared { 1.0 } else { 1.0 / share };
+                [xy * part, yy * part]
+            };
+            let squares = rows.iter().map(|&i| {
+                let push: f64 = all
+                    .clone()
+                    .map(|j| {
+                        let ([gx, gy], [own, other]) = (gradient(i, j), [of(i), of(j)]);
+                        -(own[0] + other[0]) * gx - (own[1] + other[1]) * gy
+                    })
+                    .sum();
+                (push - 1.0).powi(2)
+            });
+            (squares.sum::<f64>() / rows.len() as f64).sqrt()
+        })
+    }
+
+    #[test]
+    fn linear_pressure_balances_still_water_up_to_its_surface() {
+        let side = (4.0_f64 / 3.0).powf(0.25);
+        let square = [[1.0, 0.0], [0.0, 1.0]];
+        let hexagonal = [[side, 0.0], [0.5 * side, 0.75_f64.sqrt() * side]];
+        let (right, half) = (std::f64::consts::FRAC_PI_2, 0.5_f64.atan());
+        let diagonal = 0.5_f64.sqrt();
+        for (steps, angle, row, bound) in [
+            (square, 0.0, 1.0, 0.01),
+            (square, 0.5 * right, diagonal, 0.07),
+            (square, half, 0.2_f64.sqrt(), 0.1),
+            (hexagonal, 0.0, 0.75_f64.sqrt() * side, 0.03),
+            (hexagonal, right, 0.5 * side, 0.1),
+        ] {
+            let [shared, whole] = imbalance(&half_plane(steps, angle, row));
+            println!("{angle:.2}: {shared:.3} g, with the whole of L {whole:.3} g");
+            assert!(shared < bound, "{shared} at {angle}");
+            assert!(whole > 0.12, "{whole} at {angle}");
+        }
+    }
+
+    #[test]
+    fn inside_the_water_the_inverse_is_whole() {
+        let (found, share) = dispatch(SimdPath::Portable, Corrected([1.25, 0.25, 1.25]));
+        assert_eq!(share, 1.0);
+        for (found, exact) in found.into_iter().zip([5.0 / 6.0, -1.0 / 6.0, 5.0 / 6.0]) {
+            assert!((found - exact).abs() < 1e-15, "{found}");
+        }
+    }
 }

@@ -137,7 +137,7 @@ impl Wcsph {
         cut(&mut self.parts, padded / LANES);
         let (path, places) = (self.path, [&*lanes_x, &*lanes_y]);
         self.team.share(&mut self.parts, (), &|part, ()| {
-            let lanes = part.clusters.start * LANES..part.clusters.end * LANES;
+            let lanes = part.lanes();
             let [x, y] = places.map(|places| &places[lanes.clone()]);
             build_pair_list(path, x, y, sets, &mut part.pairs);
             part.held.make_room(&part.pairs);

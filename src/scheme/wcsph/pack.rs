@@ -3,9 +3,8 @@
 use std::ops::Range;
 
 use super::held::Factors;
-use super::{DensityDiffusion, Wcsph};
-use crate::math::simd::LANES;
-use crate::particles::Record;
+use super::{DensityDiffusion, Wcsph, WcsphOptions};
+use crate::particles::{Fluid, Record};
 use crate::scheme::StateEquation;
 
 /// From densities to pressures.
@@ -22,7 +21,25 @@ struct Pressing<'a> {
     tension: &'a [f64],
 }
 
-impl Pressing<'_> {
+impl<'a> Pressing<'a> {
+    /// With the rates of change of density and the shares of tension that the water bears.
+    fn of(
+        options: &WcsphOptions,
+        bulk_time: f64,
+        fluid: &'a Fluid,
+        [rate, tension]: [&'a [f64]; 2],
+    ) -> Pressing<'a> {
+        Pressing {
+            state: options.state,
+            bulk_time,
+            hydrostatic: options.hydrostatic_slope(),
+            density: &fluid.density,
+            y: &fluid.y,
+            rate,
+            tension,
+        }
+    }
+
     /// Pressures, with tension left out near the free surface, and what density diffusion smooths:
     /// ρ, or ρ less what it is in still water.
     #[inline(always)]
@@ -54,15 +71,8 @@ impl Wcsph {
         let (fluid, scaling) = (&self.fluid, self.scaling);
         let ahead = [&*self.ahead[0], &*self.ahead[1]];
         let work = &mut self.work;
-        let pressing = Pressing {
-            state: self.options.state,
-            bulk_time: self.bulk_time,
-            hydrostatic: self.options.hydrostatic_slope(),
-            density: &fluid.density,
-            y: &fluid.y,
-            rate: &work.density_rate,
-            tension: &work.tension,
-        };
+        let pressing =
+            Pressing::of(&self.options, self.bulk_time, fluid, [&work.density_rate, &work.tension]);
         let correction = [&*work.correction_xx, &*work.correction_xy, &*work.correction_yy];
         let fields = [
             &mut work.pressure[..n],
@@ -73,7 +83,7 @@ impl Wcsph {
         let rows = (fields, &mut self.records[..n]);
         self.team.share(&mut self.parts, rows, &|part, (fields, records)| {
             let [pressure, diffused, scaled_x, scaled_y] = fields;
-            let lanes = part.clusters.start * LANES..part.clusters.end * LANES;
+            let lanes = part.lanes();
             pressing.find(lanes.clone(), pressure, diffused);
             let [x, y] = ahead.map(|field| &field[lanes.clone()]);
             let [xx, xy, yy] = correction.map(|field| &field[lanes.clone()]);
@@ -98,15 +108,8 @@ impl Wcsph {
     pub(super) fn pack_pressures(&mut self) {
         let n = self.fluid.padded_len();
         let (fluid, work) = (&self.fluid, &mut self.work);
-        let pressing = Pressing {
-            state: self.options.state,
-            bulk_time: self.bulk_time,
-            hydrostatic: self.options.hydrostatic_slope(),
-            density: &fluid.density,
-            y: &fluid.y,
-            rate: &work.density_rate,
-            tension: &work.tension,
-        };
+        let pressing =
+            Pressing::of(&self.options, self.bulk_time, fluid, [&work.density_rate, &work.tension]);
         let fields = [
             &*work.scaled_x,
             &*work.scaled_y,
@@ -116,7 +119,7 @@ impl Wcsph {
         ];
         let rows = ([&mut work.pressure[..n], &mut self.diffused[..n]], &mut self.factors[..n]);
         self.team.share(&mut self.parts, rows, &|part, ([pressure, diffused], factors)| {
-            let lanes = part.clusters.start * LANES..part.clusters.end * LANES;
+            let lanes = part.lanes();
             pressing.find(lanes.clone(), pressure, diffused);
             let [x, y, xx, xy, yy] = fields.map(|field| &field[lanes.clone()]);
             for (k, factors) in factors.iter_mut().enumerate() {
@@ -152,7 +155,7 @@ impl Wcsph {
         let (share, slopes) = (&*work.diffused_share, [&*work.gradient_x, &*work.gradient_y]);
         let rows = (&mut self.factors[..n], &mut self.slants[..]);
         self.team.share(&mut self.parts, rows, &|part, (factors, slants)| {
-            let lanes = part.clusters.start * LANES..part.clusters.end * LANES;
+            let lanes = part.lanes();
             let [vx, vy, x, y, diffused] = fields.map(|field| &field[lanes.clone()]);
             match diffusion {
                 DensityDiffusion::None | DensityDiffusion::Hydrostatic => {

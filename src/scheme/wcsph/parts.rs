@@ -21,6 +21,13 @@ pub(super) struct Part {
     pub tally: Tally,
 }
 
+impl Part {
+    /// Its particles, padding included.
+    pub fn lanes(&self) -> Range<usize> {
+        self.clusters.start * LANES..self.clusters.end * LANES
+    }
+}
+
 impl team::Part for Part {
     fn items(&self) -> usize {
         self.clusters.len()
@@ -51,9 +58,9 @@ pub(super) fn power(parts: &[Part]) -> f64 {
 
 /// Cuts so many clusters into the parts.
 pub(super) fn cut(parts: &mut [Part], clusters: usize) {
-    let count = parts.len();
-    for (k, part) in parts.iter_mut().enumerate() {
-        part.clusters = k * clusters / count..(k + 1) * clusters / count;
+    let ranges = team::cut(clusters, parts.len());
+    for (part, range) in parts.iter_mut().zip(ranges) {
+        part.clusters = range;
         part.tally.powers.reserve(part.clusters.len());
     }
 }

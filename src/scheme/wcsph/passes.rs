@@ -4,13 +4,14 @@ use std::marker::PhantomData;
 
 use super::acoustic::Acoustic;
 use super::continuity::{Continuity, FADED, OFF, PLAIN, RENORMALISED};
+use super::correction::surface_share;
 use super::held::Concentration;
 use super::laminar::Laminar;
 use super::momentum::{CONCENTRATION, FORCES, GRADIENTS, Momentum, OnPart};
 use super::parts::power;
 use super::precision::{Double, Precision, Single};
 use super::{DensityDiffusion, Shifting, Wcsph};
-use crate::math::simd::dispatch;
+use crate::math::simd::{LANES, Lanes, Task, dispatch};
 use crate::particles::{Record, SingleRecord};
 use crate::with_kernel;
 
@@ -18,6 +19,29 @@ use crate::with_kernel;
 pub(super) const TENSION_FROM: f64 = 0.6;
 /// ... and all of it from this.
 pub(super) const TENSION_FULL: f64 = 0.9;
+
+/// The share of tension that water bears under the surface: what is left out of its correction
+/// there, for the balance under gravity, is not left out of its tension.
+struct Bearing<'a> {
+    tension: &'a mut [f64],
+    completeness: &'a [f64],
+}
+
+impl Task for Bearing<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let (tensions, _) = self.tension.as_chunks_mut::<LANES>();
+        for (tension, completeness) in tensions.iter_mut().zip(self.completeness.as_chunks().0) {
+            let completeness = L::load(completeness);
+            let inside = (completeness - L::splat(TENSION_FROM))
+                * L::splat(1.0 / (TENSION_FULL - TENSION_FROM));
+            inside.max(zero).div(surface_share(completeness)).min(one).store(tension);
+        }
+    }
+}
 
 impl Wcsph {
     pub(super) fn acoustic_pass(&mut self) {
@@ -56,11 +80,8 @@ impl Wcsph {
     /// How much tension the water bears in the steps to come.
     pub(super) fn set_tension(&mut self) {
         if self.options.corrected_gradients {
-            for (tension, completeness) in self.work.tension.iter_mut().zip(&self.work.completeness)
-            {
-                let inside = (completeness - TENSION_FROM) / (TENSION_FULL - TENSION_FROM);
-                *tension = inside.clamp(0.0, 1.0);
-            }
+            let (tension, completeness) = (&mut *self.work.tension, &*self.work.completeness);
+            dispatch(self.path, Bearing { tension, completeness });
         }
     }
 
