@@ -164,30 +164,6 @@ fn what_stands_in_is_the_simpler_method() {
     near(of(sfdi(SfdiMatrix::Full, limit), &triangle[..1]), vec![1.0]);
 }
 
-/// As a point leaves the water the simpler method takes over by degrees: weights do not jump.
-#[test]
-fn weights_are_continuous_where_the_limit_begins_to_act() {
-    let water = half_plane(0.3, 0.0);
-    let limit = AMPLIFICATION_LIMIT;
-    for choice in [
-        InterpolatorChoice::MlsLinear(MlsLinear { amplification_limit: limit }),
-        InterpolatorChoice::MlsQuadratic(MlsQuadratic { amplification_limit: limit }),
-    ] {
-        let (mut before, mut fell, mut steps) = (None, false, 0);
-        for k in 0..9000 {
-            let (weights, falls) = weights(choice, [0.013, 0.3 - 1e-4 * f64::from(k)], &water);
-            if let Some(before) = before.replace(weights.clone()) {
-                let jump = weights.iter().zip(&before).map(|(a, b): (&f64, &f64)| (a - b).abs());
-                let jump = jump.fold(0.0, f64::max);
-                assert!(jump < 0.01, "{choice:?}: {jump} at step {k}");
-            }
-            steps += usize::from(falls != fell);
-            fell = falls;
-        }
-        assert!(steps > 0, "{choice:?} never fell back");
-    }
-}
-
 /// Root mean square errors for a smooth field at mirror points half a spacing to a whole support
 /// away from a wall; `scale` is R, the spacing a quarter of it.
 fn wall_error(choice: InterpolatorChoice, scale: f64) -> f64 {

@@ -75,6 +75,21 @@ fn a_branch_equals_a_run_from_rest_bit_for_bit() {
 }
 
 #[test]
+fn a_wall_that_leaves_its_stop_at_once_branches_alike() {
+    let path = SimdPath::widest();
+    let scene = format!("{}threshold_ratio = 0.9\n", movable(100.0, 50.0));
+    for scheme in ["", "scheme = \"isph\"\n"] {
+        let case = config(&scene.replace("1.6\nwall", "0.2\nwall"), &format!("{COARSE}{scheme}"));
+        let kept = run_trunk(&case.trunk().unwrap(), path, &Unwatched).unwrap();
+        let whole = run(&case);
+        let branch = timeless(run_case(&case, Some(&kept.checkpoint), path, &Unwatched).unwrap());
+        assert_eq!(kept.steps, 0, "{scheme}");
+        assert!(whole.outcome.displacement_max.unwrap().value > 0.01, "{scheme}");
+        assert_eq!(bits(&whole), bits(&branch), "{scheme}");
+    }
+}
+
+#[test]
 fn a_checkpoint_of_another_trunk_is_refused() {
     let path = SimdPath::widest();
     let short = "tank_length_m = 1.0\nwave_gauge_m = 0.5\nend_time_s = 0.1\n";

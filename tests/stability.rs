@@ -15,12 +15,12 @@ fn run(numerics: &str) -> Result<CaseResult, Stopped> {
     run_case(&config(numerics), None, SimdPath::widest(), &Unwatched)
 }
 
-/// Strong viscosity in full steps; at the largest that the door lets in unstable within a few.
-const VISCOUS: &str = "artificial_viscosity = 1\nacoustic_substeps = 1\nbulk_damping = 0";
+/// Strong damping of sound; in the longest steps that the door lets in unstable within a few.
+const DAMPED: &str = "bulk_damping = 1";
 
 #[test]
 fn energy_from_nowhere_ends_a_run_early() {
-    let Err(Stopped::Failed(failure)) = run(&format!("{VISCOUS}\ncourant_number = 2.5")) else {
+    let Err(Stopped::Failed(failure)) = run(&format!("{DAMPED}\ncourant_number = 2.5")) else {
         panic!("this cannot be stable")
     };
     assert_eq!(failure.kind, FailureKind::EnergyGrowth);
@@ -30,12 +30,22 @@ fn energy_from_nowhere_ends_a_run_early() {
 
 #[test]
 fn a_retry_takes_half_the_step_and_says_so() {
-    let mut retried = run(&format!("{VISCOUS}\ncourant_number = 2.5\nretries = 2")).unwrap();
+    let mut retried = run(&format!("{DAMPED}\ncourant_number = 2.5\nretries = 2")).unwrap();
     let told = retried.outcome.recovered.take().unwrap();
     assert!(told.starts_with("recovered with courant_number = 1.25 after energy-growth"), "{told}");
-    let halved = run(&format!("{VISCOUS}\ncourant_number = 1.25")).unwrap();
+    let halved = run(&format!("{DAMPED}\ncourant_number = 1.25")).unwrap();
     assert_eq!(retried.outcome, halved.outcome);
     assert_eq!(retried.history, halved.history);
+}
+
+/// Viscosity is explicit: where it is strong, steps get shorter by themselves.
+#[test]
+fn strong_viscosity_takes_shorter_steps() {
+    let mild = run("").unwrap().outcome;
+    let strong = run("artificial_viscosity = 0.5").unwrap().outcome;
+    assert_eq!(strong.health.closest().0.max(0.5), 0.5, "{:?}", strong.health);
+    let ratio = strong.steps as f64 / mild.steps as f64;
+    assert!((ratio - 1.6).abs() < 0.02, "{ratio}");
 }
 
 #[test]

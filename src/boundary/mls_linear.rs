@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Interpolator;
-use super::weighing::{Stencil, Totals, Weighing, choose, reduced};
+use super::weighing::{Stencil, Totals, Weighing, choose};
 use crate::math::simd::{LANES, Lanes};
 
 /// w_j = e₁ᵀM⁻¹ b_j W_j V_j, M = Σ b_j ⊗ b_j W_j V_j, b = (1, x_j - x, y_j - y) (Huang et al. 2019,
@@ -11,8 +11,8 @@ use crate::math::simd::{LANES, Lanes};
 ///
 /// With the weighted centre r̄ and scatter C of the neighbours this is
 /// w_j ∝ W_j V_j [1 - (r_j - r̄)·g], g = C⁻¹(r̄ - r) Σ W V. Where C is singular (fewer than three
-/// particles, or all on a line) the normalized interpolation stands in, g = 0; where Σ|w_j| exceeds
-/// `amplification_limit`, g is reduced until it does not. Either way the ghost counts as a fallback.
+/// particles, or all on a line), or Σ|w_j| exceeds `amplification_limit`, the normalized
+/// interpolation stands in, g = 0, and the ghost counts as a fallback.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct MlsLinear {
     /// Largest Σ|w_j|: how much the weights may amplify noise.
@@ -49,12 +49,12 @@ impl<L: Lanes> Plane<L> {
         (Plane([x.mul_add(gx, y.mul_add(gy, one)), zero - gx, zero - gy]), unsolved)
     }
 
-    /// Some share of the slope, from 0 to 1.
+    /// No slope in the lanes above one half.
     #[inline(always)]
-    pub fn flattened(self, share: L) -> Plane<L> {
+    pub fn flattened(self, lanes: L) -> Plane<L> {
         let Plane([a, b, c]) = self;
-        let one = L::splat(1.0);
-        Plane([(a - one).mul_add(share, one), b * share, c * share])
+        let zero = L::splat(0.0);
+        Plane([choose(lanes, L::splat(1.0), a), choose(lanes, zero, b), choose(lanes, zero, c)])
     }
 
     /// The factor of a neighbour's kernel weight.
@@ -64,14 +64,20 @@ impl<L: Lanes> Plane<L> {
         x.mul_add(b, y.mul_add(c, a))
     }
 
-    /// The sums of what it makes of kernel weights.
+    /// 1 in lanes whose weights amplify too much.
     #[inline(always)]
-    pub fn totals(&self, stencil: &Stencil<'_, L>, weights: &[[f64; LANES]]) -> Totals<L> {
+    pub fn unfit(
+        &self,
+        stencil: &Stencil<'_, L>,
+        weights: &[[f64; LANES]],
+        limit: f64,
+        unsolved: L,
+    ) -> L {
         let mut totals = Totals::zero();
         for (k, weight) in weights.iter().enumerate() {
             totals.add(L::load(weight) * self.at(stencil.apart(k)));
         }
-        totals
+        totals.unfit(limit, unsolved)
     }
 }
 
@@ -98,15 +104,14 @@ impl Interpolator for MlsLinear {
             myy = wy.mul_add(y, myy);
         }
         let (plane, unsolved) = Plane::solve([m, mx, my, mxx, mxy, myy]);
-        let totals = plane.totals(stencil, weights);
-        let share = totals.share(self.amplification_limit, L::splat(1.0), unsolved);
-        let plane = plane.flattened(share);
+        let unfit = plane.unfit(stencil, weights, self.amplification_limit, unsolved);
+        let plane = plane.flattened(unfit);
         let mut sum = zero;
         for (k, weight) in weights.iter_mut().enumerate() {
             let value = L::load(weight) * plane.at(stencil.apart(k));
             value.store(weight);
             sum += value;
         }
-        Weighing::of_sum(sum, reduced(share))
+        Weighing::of_sum(sum, unfit)
     }
 }

@@ -4,16 +4,15 @@ use serde::{Deserialize, Serialize};
 
 use super::Interpolator;
 use super::mls_linear::Plane;
-use super::weighing::{Stencil, Totals, Weighing, choose, reduced};
+use super::weighing::{Stencil, Totals, Weighing, choose};
 use crate::math::simd::{LANES, Lanes};
 
 /// Huang et al. 2019, Eqs. 8-9, with b = (1, ξ, η, ξ², ξη, η²), (ξ, η) = (r_j - r)/R: exact for
 /// quadratic fields.
 ///
-/// M is factored as L D Lᵀ. Where a pivot vanishes (fewer than six particles, or all on a conic)
-/// the linear basis stands in, and for that, likewise, the normalized interpolation; where Σ|w_j|
-/// exceeds `amplification_limit`, by the share that brings it down to that. The ghost counts as a
-/// fallback, once.
+/// M is factored as L D Lᵀ. Where a pivot vanishes (fewer than six particles, or all on a conic),
+/// or Σ|w_j| exceeds `amplification_limit`, the linear basis stands in, and where that is unfit the
+/// normalized interpolation: the ghost counts as a fallback, once.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct MlsQuadratic {
     /// Largest Σ|w_j|: how much the weights may amplify noise.
@@ -109,20 +108,14 @@ impl Interpolator for MlsQuadratic {
             totals.add(L::load(weight) * polynomial(&c, stencil.apart(k)));
         }
         let limit = self.amplification_limit;
-        let one = L::splat(1.0);
-        let unfit = reduced(totals.share(limit, one, unsolved));
+        let unfit = totals.unfit(limit, unsolved);
         if L::splat(0.5).any_less(unfit) {
             let [row, along_x, along_xx, ..] = moments;
-            let (plane, flat) =
+            let (plane, unsolved) =
                 Plane::solve([row[0], along_x[0], row[1], along_xx[0], along_x[1], row[2]]);
-            let plane = plane.flattened(plane.totals(stencil, weights).share(limit, one, flat));
-            let other = plane.totals(stencil, weights).amplification();
-            let share = totals.share(limit, other, unsolved);
-            let Plane([a, b, d]) = plane;
-            let (kept, rest) = (share * totals.over(row[0]), one - share);
+            let Plane([a, b, d]) = plane.flattened(plane.unfit(stencil, weights, limit, unsolved));
             for (old, new) in c.iter_mut().zip([zero, zero, zero, b, d, a]) {
-                let own = zero.select_less(share, *old * kept, zero);
-                *old = choose(unfit, new.mul_add(rest, own), *old);
+                *old = choose(unfit, new, *old);
             }
         }
         let mut sum = zero;

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Interpolator;
-use super::weighing::{Stencil, Totals, Weighing, choose, reduced};
+use super::weighing::{Stencil, Totals, Weighing, choose};
 use crate::math::simd::{LANES, Lanes};
 
 /// Which part of N = Σ w ΔΔᵀ/Δ² is kept.
@@ -21,9 +21,9 @@ pub enum SfdiMatrix {
 /// B_j = R0ᵀ N⁻¹ Δ_j w(|Δ_j|)/Δ_j², Δ_j = r_j - r_i, R0 = Σ w_j (r_j - r)/Σ w_j.
 ///
 /// Eq. 12 is printed with r_i - r_i in a denominator and an undefined n; N is taken in full by
-/// default, the paper keeps its diagonal. Where N is singular B is dropped, which leaves the
-/// normalized interpolation without its V_j; where Σ|w_j| exceeds `amplification_limit`, B is reduced
-/// until it does not. Either way the ghost counts as a fallback.
+/// default, the paper keeps its diagonal. Where N is singular, or Σ|w_j| exceeds
+/// `amplification_limit`, B is dropped, which leaves the normalized interpolation without its V_j,
+/// and the ghost counts as a fallback.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Sfdi {
     /// Full N or the paper's.
@@ -111,8 +111,9 @@ impl Interpolator for Sfdi {
         }
         // The nearest one's two parts are counted apart: Σ|w_j| is bounded from above.
         totals.add(given);
-        let share = totals.share(self.amplification_limit, one, unsolved);
-        let (bx, by, given) = (bx * share, by * share, given * share);
+        let unfit = totals.unfit(self.amplification_limit, unsolved);
+        let (bx, by) = (choose(unfit, zero, bx), choose(unfit, zero, by));
+        let given = choose(unfit, zero, given);
         let mut sum = given;
         for (k, weight) in weights.iter_mut().enumerate() {
             let near = L::load(weight);
@@ -127,6 +128,6 @@ impl Interpolator for Sfdi {
                 weight[lane] += given;
             }
         }
-        Weighing::of_sum(sum, reduced(share))
+        Weighing::of_sum(sum, unfit)
     }
 }

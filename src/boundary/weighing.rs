@@ -25,7 +25,7 @@ pub struct Stencil<'a, L> {
 pub struct Weighing<L> {
     /// Makes each lane's weights sum to one; 0 where nothing is in reach.
     pub scale: L,
-    /// 1 where a simpler method had to stand in, if only in part; else 0.
+    /// 1 where a simpler method had to stand in, else 0.
     pub fallback: L,
 }
 
@@ -103,41 +103,17 @@ impl<L: Lanes> Totals<L> {
         self.magnitude += weight.max(L::splat(0.0) - weight);
     }
 
-    /// The largest share (0 to 1) of these weights that can be mixed with others of
-    /// Σ|w_j| = `other` Σ w_j, so that Σ|w_j| of the mixture is at most `limit`, which is above
-    /// `other`. Nothing where the weights are not finite, their sum is not positive, or `unsolved`
-    /// is above one half.
+    /// 1 where Σ|w_j| over Σ w_j exceeds `limit` (or the sum is not positive) or where `unsolved`
+    /// is above one half; else 0.
     #[inline(always)]
-    pub fn share(&self, limit: f64, other: L, unsolved: L) -> L {
+    pub fn unfit(&self, limit: f64, unsolved: L) -> L {
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        let spare = (L::splat(limit) - other) * self.sum;
-        let excess = other.negated_mul_add(self.sum, self.magnitude);
-        let part = spare.div(excess.max(L::splat(1e-200))).min(one).max(zero);
-        let share = spare.select_less(excess, part, one);
-        let positive = zero.select_less(self.sum, share, zero);
+        let allowed = self.sum * L::splat(limit);
+        let wild = allowed.select_less(self.magnitude, one, zero);
         // What is not a number is not below anything.
-        let finite = self.magnitude.select_less(L::splat(f64::MAX), positive, zero);
-        L::splat(0.5).select_less(unsolved, zero, finite)
+        let finite = self.magnitude.select_less(L::splat(f64::MAX), wild, one);
+        L::splat(0.5).select_less(unsolved, one, finite)
     }
-
-    /// `sum` over Σ w_j where that is positive.
-    #[inline(always)]
-    pub fn over(&self, sum: L) -> L {
-        sum.div(self.sum.max(L::splat(1e-200)))
-    }
-
-    /// Σ|w_j| over Σ w_j where that is positive.
-    #[inline(always)]
-    pub fn amplification(&self) -> L {
-        self.magnitude.div(self.sum.max(L::splat(1e-200)))
-    }
-}
-
-/// 1 in the lanes where a share is not the whole, else 0.
-#[inline(always)]
-pub(super) fn reduced<L: Lanes>(share: L) -> L {
-    let one = L::splat(1.0);
-    share.select_less(one, one, L::splat(0.0))
 }
 
 /// `new` in the lanes where `chosen` is above one half, `old` in the others.

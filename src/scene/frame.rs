@@ -7,6 +7,9 @@ use crate::scheme::StateEquation;
 /// the support radius R, beside the artificial viscosity. Half as much again, and they do not.
 const VISCOUS_NUMBER: f64 = 1.0 / 128.0;
 
+/// α n c0 Δt/Δx of artificial viscosity, explicit over n steps: from about 2.4 on it is unstable.
+const ARTIFICIAL_NUMBER: f64 = 1.5;
+
 /// The scales of a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
@@ -56,11 +59,12 @@ impl Frame {
     }
 
     /// Time step, seconds: bounded by c0 Δt/Δx, or Δt/√(Δx/g) where the water is incompressible,
-    /// by ν n Δt/R² over the n steps for which viscosity is explicit, and by `time_step_s`.
+    /// by α n c0 Δt/Δx and ν n Δt/R² over the n steps for which viscosity is explicit, and by
+    /// `time_step_s`.
     pub fn time_step(&self, numerics: &Numerics) -> f64 {
         let spacing = numerics.particle_spacing_m;
         let mut bound = match numerics.scheme {
-            Scheme::Wcsph => numerics.courant_number * spacing / self.sound_speed(numerics),
+            Scheme::Wcsph => courant_number(numerics) * spacing / self.sound_speed(numerics),
             Scheme::Isph => {
                 let number = numerics.gravity_courant_number.unwrap_or(GRAVITY_COURANT_NUMBER);
                 number * (spacing / self.acceleration()).sqrt()
@@ -74,4 +78,10 @@ impl Frame {
         }
         numerics.time_step_s.map_or(bound, |step| step.min(bound))
     }
+}
+
+/// c0 Δt/Δx, as far as artificial viscosity lets it be.
+fn courant_number(numerics: &Numerics) -> f64 {
+    let explicit = numerics.artificial_viscosity * f64::from(numerics.acoustic_substeps);
+    numerics.courant_number.min(ARTIFICIAL_NUMBER / explicit)
 }

@@ -26,8 +26,11 @@ impl Wcsph {
         }
         self.find_forces();
         if at_start {
-            // The first step has no correction from one before it: it takes its own.
+            // The first step has no correction from one before it: it takes its own. It has looked
+            // ahead from rest, and does so again should a trunk end here.
             self.take_next_correction();
+            self.work.last_acceleration_x.fill(0.0);
+            self.work.last_acceleration_y.fill(0.0);
             self.find_forces();
         }
         &self.work.loads
