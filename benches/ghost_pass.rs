@@ -138,8 +138,8 @@ fn ghost_pass(interpolator: InterpolatorChoice, spacing: f64) -> f64 {
     let mut records = vec![Record::default(); ghosts.len()];
     let mut pass = || {
         exchange.weigh(path, &ghosts, &bodies, read);
-        exchange.fill(&ghosts, &bodies, 2, &mut records);
-        exchange.refresh_velocities(path, &ghosts, &bodies, [&tenths, &tenths], &mut records);
+        exchange.fill(path, &ghosts, &bodies, 2, &mut records);
+        exchange.refresh_velocities(path, &ghosts, &bodies, [&tenths, &tenths]);
     };
     pass();
     let mut seconds = f64::INFINITY;

@@ -45,7 +45,7 @@ fn strong_viscosity_takes_shorter_steps() {
     let strong = run("artificial_viscosity = 0.5").unwrap().outcome;
     assert_eq!(strong.health.closest().0.max(0.5), 0.5, "{:?}", strong.health);
     let ratio = strong.steps as f64 / mild.steps as f64;
-    assert!((ratio - 1.6).abs() < 0.02, "{ratio}");
+    assert!((ratio - 1.8).abs() < 0.02, "{ratio}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use super::InterpolatorChoice;
 use super::faces::span;
 use super::ghosts::{Ghosts, Reflection};
-use super::pressure::press;
+use super::image::{Image, Mirror};
 use super::stretch::Stretch;
 use super::sums::{Cover, GatherVelocity, KernelWeights, Means, Targets, Water, Weigh};
 use super::waterline::Waterline;
@@ -53,8 +53,9 @@ pub struct Exchange {
     pub(super) parts: Vec<Stretch>,
     /// The targets where the list was made.
     places: [Vec<f64>; 2],
-    /// The ghosts that count: those with a volume, at the last [`Exchange::fill`].
-    counting: Vec<u32>,
+    /// Blocks with ghosts that have water in reach, at the last [`Exchange::fill`].
+    pub(super) counting: Vec<u32>,
+    pub(super) images: Vec<Image>,
     pub(super) scale: Vec<[f64; LANES]>,
     /// Above one half where a simpler method had to stand in.
     pub(super) fallen: Vec<[f64; LANES]>,
@@ -62,8 +63,6 @@ pub struct Exchange {
     pub(super) fallbacks: u64,
     pub(super) means: Vec<Means>,
     pub(super) wetness: Vec<f64>,
-    /// Mirrored correction of each ghost: xx, xy, yy.
-    pub(super) correction: Vec<[f64; 3]>,
     /// Change of each ghost's pressure per acceleration of its wall, Pa/(m/s²), times its
     /// correction: xx, xy, yy.
     pub(super) responses: Vec<[f64; 3]>,
@@ -84,13 +83,13 @@ impl Exchange {
             team: Team::default(),
             parts: vec![Stretch::default()],
             places: Default::default(),
-            counting: Vec::with_capacity(ghosts.len()),
+            counting: Vec::with_capacity(ghosts.len() / LANES),
+            images: vec![Image::default(); ghosts.len() / LANES],
             scale: vec![[0.0; LANES]; targets / LANES],
             fallen: vec![[0.0; LANES]; targets / LANES],
             fallbacks: 0,
             means: vec![Means::default(); targets / LANES],
             wetness: vec![0.0; targets],
-            correction: vec![[0.0; 3]; ghosts.len()],
             responses: vec![[0.0; 3]; ghosts.len()],
         };
         if rules.bed_between_walls {
@@ -116,9 +115,10 @@ impl Exchange {
         self.fallbacks
     }
 
-    /// The ghosts with a volume at the last [`Exchange::fill`]: nothing else is seen by the water.
-    pub fn counting(&self) -> &[u32] {
-        &self.counting
+    /// Numbers of the blocks with ghosts that have water in reach, and all images: no others are
+    /// seen by the water.
+    pub fn images(&self) -> (&[u32], &[Image]) {
+        (&self.counting, &self.images)
     }
 
     /// Number of target-to-fluid pairs in the lists, eight lanes each.
@@ -234,6 +234,7 @@ impl Exchange {
     /// `responds` has its acceleration left out of the pressure and put into the response.
     pub fn fill(
         &mut self,
+        path: SimdPath,
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
         responds: usize,
@@ -241,78 +242,130 @@ impl Exchange {
     ) {
         self.fallbacks = 0;
         self.counting.clear();
-        let rules = &self.rules;
         let [left, right] =
-            if rules.bed_between_walls { span(ghosts, bodies) } else { [f64::MIN, f64::MAX] };
+            if self.rules.bed_between_walls { span(ghosts, bodies) } else { [f64::MIN, f64::MAX] };
         for (number, body) in ghosts.bodies.iter().enumerate() {
             let motion = &bodies[number];
             for g in body.ghosts.clone() {
+                let placed = self.place(ghosts, (number, g), motion.offset, [left, right]);
+                let (volume, wet) = placed.unwrap_or_default();
                 let record = &mut ghost_records[g].0;
                 let (block, lane) = (g / LANES, g % LANES);
-                let (x, y) = (ghosts.x[g] + motion.offset, ghosts.y[g]);
-                record[Record::X] = x * rules.scaling.inverse_radius;
-                record[Record::Y] = y * rules.scaling.inverse_radius;
-                if self.scale[block][lane] == 0.0 {
-                    record[Record::WEIGHT] = 0.0;
-                    record[Record::PRESSURE] = 0.0;
-                    record[Record::PRESSURE_XY] = 0.0;
-                    record[Record::PRESSURE_YY] = 0.0;
-                    self.responses[g] = [0.0; 3];
+                let [x, y] = &self.images[block].place;
+                (record[Record::X], record[Record::Y]) = (x[lane], y[lane]);
+                record[Record::WEIGHT] = volume * self.rules.scaling.weight_per_volume;
+                self.responses[g] = [0.0; 3];
+                if placed.is_none() {
                     record[Record::VX] = motion.velocity;
                     record[Record::VY] = 0.0;
+                    record[Record::PRESSURE..].fill(0.0);
                     continue;
                 }
-                let wet = self.wet_share_of(ghosts, number, g);
-                let mut volume = ghosts.volume[g] * wet;
-                if number == 0 && rules.bed_between_walls {
-                    let half = 0.5 * rules.spacing;
-                    let inside = (right.min(x + half) - left.max(x - half)) / rules.spacing;
-                    volume *= inside.clamp(0.0, 1.0);
-                }
-                record[Record::WEIGHT] = volume * rules.scaling.weight_per_volume;
-                if volume != 0.0 {
-                    self.counting.push(g as u32);
+                if self.counting.last() != Some(&(block as u32)) {
+                    self.counting.push(block as u32);
                 }
                 self.fallbacks += u64::from(volume != 0.0 && self.fallen[block][lane] > 0.5);
-                let correction =
-                    mirrored_correction(&self.means[block], lane, ghosts.reflection[g]);
-                self.correction[g] = correction;
-                let (pressure, response) =
-                    self.pressure(ghosts, g, wet, motion, number == responds);
-                press(record, pressure, correction);
-                let [xx, xy, yy] = correction;
-                self.responses[g] = [response * xx, response * xy, response * yy];
-                let velocity = self.mirrored_velocity(ghosts, g, motion, rules.no_slip);
-                record[Record::VX] = velocity[0];
-                record[Record::VY] = velocity[1];
+                self.reflect(ghosts, (g, wet), motion, number == responds);
             }
+        }
+        self.press(path, ghosts, bodies);
+        self.mirror_velocities(path, ghosts, bodies);
+        for &block in &self.counting {
+            let at = block as usize * LANES;
+            let image = &mut self.images[block as usize];
+            for (lane, record) in ghost_records[at..at + LANES].iter_mut().enumerate() {
+                let record = &mut record.0;
+                if self.scale[block as usize][lane] != 0.0 {
+                    let pressure = image.pressure[lane];
+                    record[Record::VX] = image.velocity[0][lane];
+                    record[Record::VY] = image.velocity[1][lane];
+                    record[Record::PRESSURE] = pressure * image.correction[0][lane];
+                    record[Record::PRESSURE_XY] = pressure * image.correction[1][lane];
+                    record[Record::PRESSURE_YY] = pressure * image.correction[2][lane];
+                }
+            }
+            image.mirror = image.smooth;
         }
     }
 
-    /// Interpolates the velocities anew, with the weights at hand, and gives them to the ghosts
-    /// that count, for the continuity equation. There walls are smooth whatever the slip (De Leffe
-    /// et al. 2011): a tangential velocity turned round at the wall would be compression that no
-    /// force does work on. `water` holds the fluid's velocities along x and y.
+    /// Puts a ghost in its place; returns the volume that counts, and how wet it is, where there is
+    /// water in reach.
+    fn place(
+        &mut self,
+        ghosts: &Ghosts,
+        (body, g): (usize, usize),
+        offset: f64,
+        [left, right]: [f64; 2],
+    ) -> Option<(f64, f64)> {
+        let rules = &self.rules;
+        let (block, lane) = (g / LANES, g % LANES);
+        let (x, y) = (ghosts.x[g] + offset, ghosts.y[g]);
+        let image = &mut self.images[block];
+        image.place[0][lane] = x * rules.scaling.inverse_radius;
+        image.place[1][lane] = y * rules.scaling.inverse_radius;
+        if self.scale[block][lane] == 0.0 {
+            return None;
+        }
+        let wet = self.wet_share_of(ghosts, body, g);
+        let mut volume = ghosts.volume[g] * wet;
+        if body == 0 && rules.bed_between_walls {
+            let half = 0.5 * rules.spacing;
+            let inside = (right.min(x + half) - left.max(x - half)) / rules.spacing;
+            volume *= inside.clamp(0.0, 1.0);
+        }
+        Some((volume, wet))
+    }
+
+    /// Finds what makes a ghost of the means at its mirror point.
+    fn reflect(
+        &mut self,
+        ghosts: &Ghosts,
+        (g, wet): (usize, f64),
+        motion: &BodyMotion,
+        responds: bool,
+    ) {
+        let (block, lane) = (g / LANES, g % LANES);
+        let correction = mirrored_correction(&self.means[block], lane, ghosts.reflection[g]);
+        let [x, y] = self.lever(ghosts, g, motion);
+        let whole = wet >= 1.0;
+        let lever = [if whole && !responds { x } else { 0.0 }, y];
+        let response = if whole && responds { -self.density(g) * x } else { 0.0 };
+        let smooth = self.mirror(ghosts, g, motion, false);
+        let mirror = if self.rules.no_slip { self.mirror(ghosts, g, motion, true) } else { smooth };
+        let image = &mut self.images[block];
+        for part in 0..3 {
+            image.correction[part][lane] = correction[part];
+            image.mirror[part][lane] = mirror[part];
+            image.smooth[part][lane] = smooth[part];
+            self.responses[g][part] = response * correction[part];
+        }
+        image.lever[0][lane] = lever[0];
+        image.lever[1][lane] = lever[1];
+        image.lowest[lane] = if whole { f64::NEG_INFINITY } else { 0.0 };
+    }
+
+    /// Interpolates the velocities anew, with the weights at hand, for the continuity equation. There walls are smooth whatever the slip (De Leffe et al. 2011): a
+    /// tangential velocity turned round at the wall would be compression that no force does work
+    /// on. `water` holds the fluid's velocities along x and y.
     pub fn refresh_velocities(
         &mut self,
         path: SimdPath,
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
         water: [&[f64]; 2],
-        ghost_records: &mut [Record],
     ) {
         let Exchange { team, parts, scale, means, .. } = self;
         let (scale, blocks) = (&scale[..], ghosts.len() / LANES);
         team.share(parts, &mut means[..], &|part, means| {
             dispatch(path, GatherVelocity { part, scale, means, blocks, water });
         });
-        for &g in &self.counting {
-            let g = g as usize;
-            let motion = &bodies[ghosts.target_body[g / LANES] as usize];
-            let velocity = self.mirrored_velocity(ghosts, g, motion, false);
-            ghost_records[g].0[Record::VX] = velocity[0];
-            ghost_records[g].0[Record::VY] = velocity[1];
-        }
+        self.mirror_velocities(path, ghosts, bodies);
+    }
+
+    /// Velocities of the ghosts that have water in reach, from the means at hand.
+    fn mirror_velocities(&mut self, path: SimdPath, ghosts: &Ghosts, bodies: &[BodyMotion]) {
+        let Exchange { images, counting, means, .. } = self;
+        dispatch(path, Mirror { images, blocks: &*counting, means, ghosts, bodies });
     }
 }
 

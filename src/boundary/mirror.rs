@@ -9,21 +9,18 @@ use crate::math::simd::LANES;
 const MIRROR_LIMIT: f64 = 3.0;
 
 impl Exchange {
-    /// u_w - (ū - u_w) d_ghost/d̄ across the wall; along it ū goes on (free slip) or, where `stuck`,
-    /// is reversed likewise (no slip). d̄ is the distance of the water that ū was taken from.
-    pub(super) fn mirrored_velocity(
+    /// What a ghost's velocity relative to its wall is, per that of the water: xx, xy, yy. Across
+    /// the wall it is reversed, times the ghost's distance over that of the water which the mean is
+    /// taken from; along it the water's goes on (free slip) or, where `stuck`, is reversed likewise
+    /// (no slip).
+    pub(super) fn mirror(
         &self,
         ghosts: &Ghosts,
         g: usize,
         motion: &BodyMotion,
         stuck: bool,
-    ) -> [f64; 2] {
-        let (block, lane) = (g / LANES, g % LANES);
-        if self.scale[block][lane] == 0.0 {
-            return [motion.velocity, 0.0];
-        }
-        let means = &self.means[block];
-        let relative = [means.vx[lane] - motion.velocity, means.vy[lane]];
+    ) -> [f64; 3] {
+        let (means, lane) = (&self.means[g / LANES], g % LANES);
         let x = ghosts.x[g] + motion.offset;
         let apart = [x - means.x[lane], ghosts.y[g] - means.y[lane]];
         let distance = ghosts.distance[g];
@@ -34,19 +31,17 @@ impl Exchange {
                 distance / (across - distance)
             }
         };
-        let mirrored = match ghosts.reflection[g] {
+        match ghosts.reflection[g] {
             Reflection::Corner => {
-                let factor = ratio(apart[0].hypot(apart[1]));
-                [-factor * relative[0], -factor * relative[1]]
+                let factor = ratio((apart[0] * apart[0] + apart[1] * apart[1]).sqrt());
+                [-factor, 0.0, -factor]
             }
             Reflection::Plane { normal: [nx, ny] } => {
                 let factor = ratio(apart[0] * nx + apart[1] * ny);
-                let across = relative[0] * nx + relative[1] * ny;
-                let along = [relative[0] - across * nx, relative[1] - across * ny];
                 let kept = if stuck { -factor } else { 1.0 };
-                [kept * along[0] - factor * across * nx, kept * along[1] - factor * across * ny]
+                let less = kept + factor;
+                [kept - less * nx * nx, -less * nx * ny, kept - less * ny * ny]
             }
-        };
-        [mirrored[0] + motion.velocity, mirrored[1]]
+        }
     }
 }

@@ -2,67 +2,53 @@
 
 use super::exchange::Exchange;
 use super::ghosts::{Ghosts, Site};
+use super::image::Press;
 use super::sums::GatherPressure;
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, SimdPath, dispatch};
-use crate::particles::Record;
 
 impl Exchange {
-    /// A ghost's pressure, Pa, and its response to its body's acceleration, Pa/(m/s²); a body that
-    /// `responds` has its acceleration left out of the first, others have no response.
-    pub(super) fn pressure(
-        &self,
-        ghosts: &Ghosts,
-        g: usize,
-        wet: f64,
-        motion: &BodyMotion,
-        responds: bool,
-    ) -> (f64, f64) {
-        let rules = &self.rules;
+    /// From where the water's mean pressure holds to a ghost, metres.
+    pub(super) fn lever(&self, ghosts: &Ghosts, g: usize, motion: &BodyMotion) -> [f64; 2] {
         let (means, lane) = (&self.means[g / LANES], g % LANES);
-        let mean = means.pressure[lane];
-        let density = rules.surface_density + mean / (rules.sound_speed * rules.sound_speed);
-        let anchor = if rules.gravity_in_sum {
+        let anchor = if self.rules.gravity_in_sum {
             [means.x[lane], means.y[lane]]
         } else {
             [ghosts.target_x[g] + motion.offset, ghosts.target_y[g]]
         };
-        let reach_x = ghosts.x[g] + motion.offset - anchor[0];
-        let still = mean - density * rules.gravity * (ghosts.y[g] - anchor[1]);
-        let per_acceleration = -density * reach_x;
-        if wet < 1.0 {
-            (still.max(0.0), 0.0)
-        } else if responds {
-            (still, per_acceleration)
-        } else {
-            (still + per_acceleration * motion.acceleration, 0.0)
-        }
+        [ghosts.x[g] + motion.offset - anchor[0], ghosts.y[g] - anchor[1]]
     }
 
-    /// Gives the ghosts that count the water's new pressures, with the weights, wetness and corrections at
-    /// hand and the ghosts where they were.
+    /// Density of the water around a ghost's mirror point, kg/m³.
+    pub(super) fn density(&self, g: usize) -> f64 {
+        let rules = &self.rules;
+        let mean = self.means[g / LANES].pressure[g % LANES];
+        rules.surface_density + mean / (rules.sound_speed * rules.sound_speed)
+    }
+
+    /// Interpolates the pressures anew, with the weights, wetness and corrections at hand and the
+    /// ghosts where they were, for the ghosts that have water in reach.
     pub fn refresh_pressures(
         &mut self,
         path: SimdPath,
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
-        responds: usize,
         pressure: &[f64],
-        ghost_records: &mut [Record],
     ) {
         let Exchange { team, parts, scale, means, .. } = self;
         let (scale, blocks) = (&scale[..], ghosts.len() / LANES);
         team.share(parts, &mut means[..], &|part, means| {
             dispatch(path, GatherPressure { part, scale, means, blocks, pressure });
         });
-        for &g in self.counting() {
-            let g = g as usize;
-            let number = ghosts.target_body[g / LANES] as usize;
-            let wet = self.wet_share_of(ghosts, number, g);
-            let motion = &bodies[number];
-            let (pressure, _) = self.pressure(ghosts, g, wet, motion, number == responds);
-            press(&mut ghost_records[g].0, pressure, self.correction[g]);
-        }
+        self.press(path, ghosts, bodies);
+    }
+
+    /// Pressures of the ghosts that have water in reach, from the means at hand.
+    pub(super) fn press(&mut self, path: SimdPath, ghosts: &Ghosts, bodies: &[BodyMotion]) {
+        let Exchange { rules, images, counting, means, .. } = self;
+        let (blocks, gravity) = (&**counting, rules.gravity);
+        let density = [rules.surface_density, 1.0 / (rules.sound_speed * rules.sound_speed)];
+        dispatch(path, Press { images, blocks, means, ghosts, bodies, gravity, density });
     }
 
     /// How much of a ghost counts.
@@ -72,11 +58,4 @@ impl Exchange {
             face => self.wet_share(body, face as usize),
         }
     }
-}
-
-/// Pressure times correction, into a ghost's record.
-pub(super) fn press(record: &mut [f64; 8], pressure: f64, correction: [f64; 3]) {
-    record[Record::PRESSURE] = pressure * correction[0];
-    record[Record::PRESSURE_XY] = pressure * correction[1];
-    record[Record::PRESSURE_YY] = pressure * correction[2];
 }

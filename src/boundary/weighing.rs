@@ -1,6 +1,6 @@
 //! What interpolators share: the water around eight points, and the outcome of weighing it.
 
-use crate::kernel::{Kernel, KernelChoice};
+use crate::kernel::{Kernel, KernelChoice, shape_within};
 use crate::math::simd::{LANES, Lanes};
 use crate::particles::Record;
 use crate::with_kernel;
@@ -39,14 +39,6 @@ impl<L: Lanes> Weighing<L> {
     }
 }
 
-/// w(q) for s = q², exactly zero where q ≥ 1.
-#[inline(always)]
-fn shape<K: Kernel, L: Lanes>(s: L) -> L {
-    let s = s.max(L::splat(1e-12));
-    let value = K::shape(s, s.rsqrt()).max(L::splat(0.0));
-    s.select_less(L::splat(1.0), value, L::splat(0.0))
-}
-
 impl<L: Lanes> Stencil<'_, L> {
     /// r_j - r over R of the neighbour number `k`.
     #[inline(always)]
@@ -58,7 +50,7 @@ impl<L: Lanes> Stencil<'_, L> {
     /// The kernel's shape w(q) for s = q², exactly zero where q ≥ 1.
     #[inline(always)]
     pub(super) fn shape(&self, s: L) -> L {
-        with_kernel!(self.kernel, K => shape::<K, L>(s))
+        with_kernel!(self.kernel, K => shape_within::<K, L>(s))
     }
 
     /// Writes w(|r_j - r|) V_j up to a constant factor, exactly zero out of reach.
@@ -69,7 +61,7 @@ impl<L: Lanes> Stencil<'_, L> {
             let record = &self.records[self.neighbours[k] as usize].0;
             // Records carry the sign of the kernel's slope.
             let volume = record[Record::WEIGHT] * K::SLOPE_FACTOR.signum();
-            (shape::<K, L>(x.mul_add(x, y * y)) * L::splat(volume)).store(weight);
+            (shape_within::<K, L>(x.mul_add(x, y * y)) * L::splat(volume)).store(weight);
         }
     }
 }

@@ -34,6 +34,14 @@ pub trait Kernel: Copy + Send + Sync + 'static {
     fn slope_over_q<L: Lanes>(s: L, inverse_q: L) -> L;
 }
 
+/// w(q) for s = q², exactly zero where q ≥ 1.
+#[inline(always)]
+pub fn shape_within<K: Kernel, L: Lanes>(s: L) -> L {
+    let s = s.max(L::splat(1e-12));
+    let value = K::shape(s, s.rsqrt()).max(L::splat(0.0));
+    s.select_less(L::splat(1.0), value, L::splat(0.0))
+}
+
 /// Runs `$body` with `$K` bound to the kernel type of a kernel choice.
 #[macro_export]
 macro_rules! with_kernel {

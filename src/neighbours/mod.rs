@@ -9,4 +9,4 @@ mod verlet;
 
 pub use pair_list::{PairList, PointSet, build_pair_list};
 pub use strips::Strips;
-pub use verlet::Drift;
+pub use verlet::{Drift, Reach};

@@ -8,6 +8,7 @@ use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
 pub struct PairList {
     groups: usize,
     offsets: Vec<u32>,
+    /// Room for more than are listed.
     entries: Vec<u32>,
 }
 
@@ -37,12 +38,12 @@ impl PairList {
 
     /// All entries.
     pub fn len(&self) -> usize {
-        self.entries.len()
+        self.offsets.last().map_or(0, |&end| end as usize)
     }
 
     /// True where nothing has a neighbour.
     pub fn is_empty(&self) -> bool {
-        self.entries.is_empty()
+        self.len() == 0
     }
 }
 
@@ -75,7 +76,6 @@ pub fn build_pair_list(
 ) {
     list.groups = sets.len();
     list.offsets.clear();
-    list.entries.clear();
     list.offsets.push(0);
     dispatch(path, Build { target_x, target_y, sets, list });
 }
@@ -94,6 +94,8 @@ impl Task for Build<'_> {
     fn run<L: Lanes>(self) {
         let (xs, _) = self.target_x.as_chunks::<LANES>();
         let (ys, _) = self.target_y.as_chunks::<LANES>();
+        let PairList { entries, offsets, .. } = self.list;
+        let mut count = 0;
         for (lane_x, lane_y) in xs.iter().zip(ys) {
             let [left, right] = extent(lane_x);
             let [bottom, top] = extent(lane_y);
@@ -108,18 +110,24 @@ impl Task for Build<'_> {
                     && y_box[0] <= y_to;
                 if near {
                     let reach = L::splat(set.reach * set.reach);
-                    let entries = &mut self.list.entries;
                     set.strips.visit_box(x_box, y_box, |range| {
-                        for k in range {
-                            let dx = x - L::splat(set.x[k]);
-                            let dy = y - L::splat(set.y[k]);
-                            if dx.mul_add(dx, dy * dy).any_less(reach) {
-                                entries.push(set.first + k as u32);
-                            }
+                        if entries.len() < count + range.len() {
+                            entries.resize(2 * (count + range.len()), 0);
                         }
+                        let room = &mut entries[count..count + range.len()];
+                        let places = set.x[range.clone()].iter().zip(&set.y[range.clone()]);
+                        let mut found = 0;
+                        // Every candidate is written, and the next one over it if it is too far:
+                        // half of them are, and no processor can foretell which.
+                        for (k, (&point_x, &point_y)) in range.zip(places) {
+                            room[found] = set.first + k as u32;
+                            let (dx, dy) = (x - L::splat(point_x), y - L::splat(point_y));
+                            found += usize::from(dx.mul_add(dx, dy * dy).any_less(reach));
+                        }
+                        count += found;
                     });
                 }
-                self.list.offsets.push(self.list.entries.len() as u32);
+                offsets.push(count as u32);
             }
         }
     }

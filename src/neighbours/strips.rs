@@ -9,7 +9,61 @@ pub struct Strips {
     origin: f64,
     width: f64,
     starts: Vec<u32>,
-    heights: Vec<f64>,
+    shelves: Shelves,
+}
+
+/// How many points of a strip lie below certain heights: as many shelves as points, of one height.
+#[derive(Debug, Clone, Default)]
+struct Shelves {
+    /// Of each strip: the lowest height, and shelves per metre.
+    scales: Vec<[f64; 2]>,
+    /// Of each strip: how many points are below each shelf, and then how many there are.
+    below: Vec<u32>,
+}
+
+impl Shelves {
+    /// The shelf of a height, among so many; never lower for a greater height.
+    #[inline(always)]
+    fn shelf([bottom, per_metre]: [f64; 2], count: usize, height: f64) -> usize {
+        // What is below the bottom, or not a number, is on the lowest.
+        (((height - bottom) * per_metre) as usize).min(count - 1)
+    }
+
+    fn clear(&mut self) {
+        self.scales.clear();
+        self.below.clear();
+    }
+
+    /// Takes up the next strip, of points that are sorted either way.
+    fn push(&mut self, heights: impl ExactSizeIterator<Item = f64> + DoubleEndedIterator + Clone) {
+        let count = heights.len();
+        let start = self.below.len();
+        self.below.resize(start + count + 1, 0);
+        let ends = (heights.clone().next(), heights.clone().next_back());
+        let (Some(first), Some(last)) = ends else {
+            self.scales.push([0.0; 2]);
+            return;
+        };
+        let scale = [first.min(last), count as f64 / (first - last).abs()];
+        self.scales.push(scale);
+        let below = &mut self.below[start..];
+        for height in heights {
+            below[Shelves::shelf(scale, count, height) + 1] += 1;
+        }
+        for shelf in 0..count {
+            below[shelf + 1] += below[shelf];
+        }
+    }
+
+    /// Points of a strip that hold all those between two heights, numbered upwards, of `members`.
+    #[inline(always)]
+    fn between(&self, strip: usize, members: &Range<usize>, [low, high]: [f64; 2]) -> Range<usize> {
+        let count = members.len();
+        let scale = self.scales[strip];
+        let below = &self.below[members.start + strip..members.end + strip + 1];
+        let shelf = |height| Shelves::shelf(scale, count, height);
+        below[shelf(low)] as usize..below[shelf(high) + 1] as usize
+    }
 }
 
 impl Strips {
@@ -62,16 +116,18 @@ impl Strips {
                 if strip % 2 == 0 { upwards } else { upwards.reverse() }
             });
         }
-        self.heights.clear();
-        self.heights.extend(order.iter().map(|&point| y[point as usize]));
+        self.shelves.clear();
+        for strip in 0..count {
+            let members = &order[starts[strip] as usize..starts[strip + 1] as usize];
+            self.shelves.push(members.iter().map(|&point| y[point as usize]));
+        }
         (self.origin, self.width) = (origin, width);
     }
 
     /// The strips of points that are already in order (as after a restart).
     pub fn of_sorted(x: &[f64], y: &[f64], width: f64) -> Strips {
         let ties: Vec<u32> = (0..x.len() as u32).collect();
-        let (strips, _) = Strips::sort(x, y, &ties, width);
-        Strips { heights: y.to_vec(), ..strips }
+        Strips::sort(x, y, &ties, width).0
     }
 
     /// Number of strips.
@@ -99,14 +155,16 @@ impl Strips {
         let last = ((right - self.origin) / self.width) as usize;
         for strip in first..=last.min(self.count() - 1) {
             let members = self.members(strip);
-            let heights = &self.heights[members.clone()];
-            let (from, to) = if strip % 2 == 0 {
-                (heights.partition_point(|&y| y < bottom), heights.partition_point(|&y| y <= top))
-            } else {
-                (heights.partition_point(|&y| y > top), heights.partition_point(|&y| y >= bottom))
-            };
-            if from < to {
-                visit(members.start + from..members.start + to);
+            if members.is_empty() {
+                continue;
+            }
+            let Range { start, end } = self.shelves.between(strip, &members, [bottom, top]);
+            if start < end {
+                visit(if strip % 2 == 0 {
+                    members.start + start..members.start + end
+                } else {
+                    members.end - end..members.end - start
+                });
             }
         }
     }

@@ -1,57 +1,145 @@
 //! How long a list lasts: until some pair may have come into reach unseen.
 
+use std::ops::Range;
+
 use super::strips::Strips;
 
-/// Displacements since the last rebuild, strip by strip.
+/// Displacements since the last rebuild, cell by cell.
 ///
 /// Fluid pairs can only have come closer by the *difference* of their displacements, which is
-/// bounded by the spread of displacements over neighbouring strips; a wave that carries its
-/// particles along together does not wear a list out. Ghosts stand still or move with their body,
-/// so for them the displacement itself counts, against a wider margin.
+/// bounded by the spread of displacements over the two cells that they are in; a wave that carries
+/// its particles along together does not wear a list out. Ghosts stand still or move with their
+/// body, so for them the displacement itself counts, against a wider margin.
 #[derive(Debug, Clone, Default)]
 pub struct Drift {
-    boxes: Vec<[f64; 4]>,
+    cells: Vec<Cell>,
+    /// Where each strip's cells begin, and where the last one's end.
+    firsts: Vec<u32>,
+    /// The cells of each strip together.
+    columns: Vec<Spread>,
+    /// Width of the strips.
+    width: f64,
+}
+
+/// Consecutive points of a strip.
+#[derive(Debug, Clone)]
+struct Cell {
+    members: Range<u32>,
+    /// The lowest and the highest of them at the last rebuild.
+    heights: [f64; 2],
+    spread: Spread,
+}
+
+/// A box of displacements: x from, x to, y from, y to.
+type Spread = [f64; 4];
+
+const NOTHING: Spread = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
+
+/// Within what a pair counts.
+#[derive(Debug, Clone, Copy)]
+pub struct Reach {
+    /// Distance at which points interact.
+    pub radius: f64,
+    /// Lists hold pairs up to so much farther apart.
+    pub margin: f64,
 }
 
 impl Drift {
-    /// Measures displacements: returns the largest relative displacement between fluid particles
-    /// of strips up to `reach` apart, and the largest displacement of any particle.
-    pub fn measure(
-        &mut self,
-        strips: &Strips,
-        [x, y]: [&[f64]; 2],
-        [reference_x, reference_y]: [&[f64]; 2],
-        reach: usize,
-    ) -> (f64, f64) {
-        self.boxes.clear();
-        let mut farthest: f64 = 0.0;
+    /// Takes up the points of a rebuild, in cells of at most such a height.
+    pub fn divide(&mut self, strips: &Strips, width: f64, y: &[f64], height: f64) {
+        self.width = width;
+        self.cells.clear();
+        self.firsts.clear();
         for strip in 0..strips.count() {
-            let mut extent = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
-            for k in strips.members(strip) {
-                let (dx, dy) = (x[k] - reference_x[k], y[k] - reference_y[k]);
-                extent = merge(extent, [dx, dx, dy, dy]);
-            }
-            if extent[0] <= extent[1] {
-                let far_x = extent[0].abs().max(extent[1].abs());
-                let far_y = extent[2].abs().max(extent[3].abs());
-                farthest = farthest.max(far_x.hypot(far_y));
-            }
-            self.boxes.push(extent);
-        }
-        let mut relative: f64 = 0.0;
-        for strip in 0..self.boxes.len() {
-            let last = (strip + reach).min(self.boxes.len() - 1);
-            let extent = self.boxes[strip..=last].iter().copied().reduce(merge).unwrap_or_default();
-            if extent[0] <= extent[1] {
-                relative = relative.max((extent[1] - extent[0]).hypot(extent[3] - extent[2]));
+            self.firsts.push(self.cells.len() as u32);
+            let members = strips.members(strip);
+            let mut start = members.start;
+            for k in members.clone() {
+                let last = k + 1 == members.end;
+                if last || (y[k + 1] - y[start]).abs() > height {
+                    let heights = [y[start].min(y[k]), y[start].max(y[k])];
+                    let members = start as u32..k as u32 + 1;
+                    self.cells.push(Cell { members, heights, spread: NOTHING });
+                    start = k + 1;
+                }
             }
         }
-        (relative, farthest)
+        self.firsts.push(self.cells.len() as u32);
+    }
+
+    /// Whether a pair that is not listed may be in reach, and the largest displacement of any
+    /// point. `from` are the places at the rebuild.
+    pub fn measure(&mut self, [x, y]: [&[f64]; 2], from: [&[f64]; 2], reach: Reach) -> (bool, f64) {
+        self.columns.clear();
+        let mut farthest: f64 = 0.0;
+        for ends in self.firsts.windows(2) {
+            let mut column = NOTHING;
+            for cell in &mut self.cells[ends[0] as usize..ends[1] as usize] {
+                cell.spread = NOTHING;
+                for k in cell.members.start as usize..cell.members.end as usize {
+                    let (dx, dy) = (x[k] - from[0][k], y[k] - from[1][k]);
+                    cell.spread = merge(cell.spread, [dx, dx, dy, dy]);
+                }
+                column = merge(column, cell.spread);
+            }
+            if column[0] <= column[1] {
+                let far_x = column[0].abs().max(column[1].abs());
+                let far_y = column[2].abs().max(column[3].abs());
+                farthest = farthest.max((far_x * far_x + far_y * far_y).sqrt());
+            }
+            self.columns.push(column);
+        }
+        let worn = (0..self.columns.len()).any(|strip| self.may_meet(strip, farthest, reach));
+        (worn, farthest)
+    }
+
+    /// Whether a point of a strip and one of that strip or of later ones, not listed as a pair,
+    /// may be in reach, where no point has gone farther than `farthest`.
+    fn may_meet(&self, strip: usize, farthest: f64, reach: Reach) -> bool {
+        // Points farther apart than this cannot have met.
+        let beyond = reach.radius + 2.0 * farthest;
+        let last = (strip + 1 + (beyond / self.width) as usize).min(self.columns.len() - 1);
+        let together = self.columns[strip..=last].iter().copied().fold(NOTHING, merge);
+        let [left, right, bottom, top] = together;
+        let spread = (right - left) * (right - left) + (top - bottom) * (top - bottom);
+        if spread <= reach.margin * reach.margin {
+            return false; // As in most strips: not even all of them together.
+        }
+        let cells = |strip: usize| {
+            &self.cells[self.firsts[strip] as usize..self.firsts[strip + 1] as usize]
+        };
+        cells(strip).iter().any(|cell| {
+            (strip..=last).any(|other| {
+                let across = (other - strip).saturating_sub(1) as f64 * self.width;
+                cells(other).iter().any(|other| cell.may_meet(other, across, beyond, reach))
+            })
+        })
+    }
+}
+
+impl Cell {
+    /// Whether the displacements allow that a point of each have met: such as were `across` apart
+    /// along x, at least, and not listed.
+    fn may_meet(&self, other: &Cell, across: f64, beyond: f64, reach: Reach) -> bool {
+        let up = (other.heights[0] - self.heights[1]).max(self.heights[0] - other.heights[1]);
+        let apart = across * across + up.max(0.0) * up.max(0.0);
+        if apart > beyond * beyond {
+            return false;
+        }
+        let listed = reach.radius + reach.margin;
+        let allowed =
+            if apart > listed * listed { apart.sqrt() - reach.radius } else { reach.margin };
+        let [left, right, bottom, top] = self.spread;
+        let dx = (right - other.spread[0]).max(other.spread[1] - left);
+        let dy = (top - other.spread[2]).max(other.spread[3] - bottom);
+        let still = dx * dx + dy * dy < allowed * allowed;
+        // So that what is not a number may have met.
+        !still
     }
 }
 
 #[inline(always)]
-fn merge(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
+fn merge(a: Spread, b: Spread) -> Spread {
     // Plain comparisons: min and max with NaN handling would not vectorise as well.
     let low = |p: f64, q: f64| if p < q { p } else { q };
     let high = |p: f64, q: f64| if p > q { p } else { q };
@@ -62,31 +150,52 @@ fn merge(a: [f64; 4], b: [f64; 4]) -> [f64; 4] {
 mod tests {
     use super::*;
 
-    #[test]
-    fn a_common_shift_does_not_count_between_particles() {
-        let x: Vec<f64> = (0..100).map(f64::from).collect();
-        let y = vec![0.0; 100];
-        let strips = Strips::of_sorted(&x, &y, 10.0);
-        let moved: Vec<f64> = x.iter().map(|x| x + 3.0).collect();
+    const REACH: Reach = Reach { radius: 0.3, margin: 0.03 };
+
+    /// Points with the drift of their cells.
+    fn points(count: u32) -> (Vec<f64>, Vec<f64>, Drift) {
+        let at = |k: u32, factor: f64| (f64::from(k) * factor).fract();
+        let ties: Vec<u32> = (0..count).collect();
+        let (x, y): (Vec<f64>, Vec<f64>) =
+            ties.iter().map(|&k| (4.0 * at(k, 0.618_034), 2.0 * at(k, 0.754_878))).unzip();
+        let (strips, order) = Strips::sort(&x, &y, &ties, 0.2);
+        let sorted = |field: &[f64]| order.iter().map(|&k| field[k as usize]).collect::<Vec<_>>();
+        let (x, y) = (sorted(&x), sorted(&y));
         let mut drift = Drift::default();
-        let (relative, farthest) = drift.measure(&strips, [&moved, &y], [&x, &y], 2);
-        assert_eq!((relative, farthest), (0.0, 3.0));
+        drift.divide(&strips, 0.2, &y, 0.25);
+        (x, y, drift)
     }
 
     #[test]
-    fn no_pair_in_reach_moves_more_than_the_bound() {
-        let x: Vec<f64> = (0..200).map(|k| f64::from(k) * 0.1).collect();
-        let y: Vec<f64> = (0..200).map(|k| (f64::from(k) * 0.618).fract()).collect();
-        let strips = Strips::of_sorted(&x, &y, 1.0);
-        let to_x: Vec<f64> = x.iter().map(|x| x + 0.02 * (x * 3.0).sin()).collect();
-        let to_y: Vec<f64> = y.iter().zip(&x).map(|(y, x)| y + 0.03 * x.cos()).collect();
-        let (relative, _) = Drift::default().measure(&strips, [&to_x, &to_y], [&x, &y], 2);
-        for i in 0..200_usize {
-            for j in i..200.min(i + 20) {
-                let dx = (to_x[j] - x[j]) - (to_x[i] - x[i]);
-                let dy = (to_y[j] - y[j]) - (to_y[i] - y[i]);
-                assert!(dx.hypot(dy) <= relative + 1e-12);
-            }
+    fn a_common_shift_wears_nothing_out() {
+        let (x, y, mut drift) = points(500);
+        let moved: Vec<f64> = x.iter().map(|x| x + 3.0).collect();
+        let (worn, farthest) = drift.measure([&moved, &y], [&x, &y], REACH);
+        assert!(!worn && (farthest - 3.0).abs() < 1e-12, "{worn} {farthest}");
+    }
+
+    #[test]
+    fn no_pair_that_is_not_listed_comes_into_reach_unseen() {
+        let (x, y, mut drift) = points(500);
+        let (mut worn_out, mut fine) = (0, 0);
+        for case in 0..60 {
+            let (size, turn) = (0.005 * f64::from(case / 3), f64::from(case % 3));
+            let to_x: Vec<f64> =
+                x.iter().zip(&y).map(|(x, y)| x + size * (2.0 * y + turn).sin()).collect();
+            let to_y: Vec<f64> =
+                y.iter().zip(&x).map(|(y, x)| y + size * (3.0 * x * turn).cos()).collect();
+            let (worn, _) = drift.measure([&to_x, &to_y], [&x, &y], REACH);
+            let met = (0..x.len()).any(|i| {
+                (0..i).any(|j| {
+                    let before = (x[i] - x[j]).hypot(y[i] - y[j]);
+                    let after = (to_x[i] - to_x[j]).hypot(to_y[i] - to_y[j]);
+                    before >= REACH.radius + REACH.margin && after < REACH.radius
+                })
+            });
+            assert!(worn || !met, "case {case}");
+            worn_out += u32::from(worn && met);
+            fine += u32::from(!worn && size > 0.0);
         }
+        assert!(worn_out > 5 && fine > 5, "{worn_out} and {fine}");
     }
 }

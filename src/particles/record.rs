@@ -9,6 +9,13 @@ use crate::kernel::KernelChoice;
 #[repr(C, align(64))]
 pub struct Record(pub [f64; 8]);
 
+impl AsMut<[f64; 8]> for Record {
+    #[inline(always)]
+    fn as_mut(&mut self) -> &mut [f64; 8] {
+        &mut self.0
+    }
+}
+
 impl Record {
     /// x over the support radius R.
     pub const X: usize = 0;

@@ -217,7 +217,7 @@ impl Numerics {
             artificial_viscosity: 0.1,
             shifting: Shifting::Interior,
             shifting_coefficient: 0.5,
-            courant_number: 1.6,
+            courant_number: 1.8,
             bulk_damping: 0.1,
             acoustic_substeps: 3,
             time_step_s: None,

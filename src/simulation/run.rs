@@ -173,7 +173,10 @@ impl Run {
             }
             let full = self.tank.water.can_be_kept();
             let threshold = self.tank.threshold_ratio * self.tank.static_force;
-            if until_onset && full && load.force > threshold {
+            // A trunk ends in a full step, so ahead of the last one where nothing happens before.
+            let soon = 2.0 * f64::from(self.config.numerics.acoustic_substeps) * dt;
+            let ending = time + soon > self.tank.frame.end_time;
+            if until_onset && full && (ending || load.force > threshold) {
                 return Ok(Reached::Onset);
             }
             if self.tank.wall.is_some_and(|wall| {

@@ -6,7 +6,7 @@ use seawall::boundary::{
     tank_ghosts,
 };
 use seawall::kernel::KernelChoice;
-use seawall::math::simd::SimdPath;
+use seawall::math::simd::{LANES, SimdPath};
 use seawall::neighbours::Strips;
 use seawall::particles::{Fluid, Record, Scaling};
 
@@ -147,20 +147,27 @@ impl Basin {
         let read = Water { records: &water, pressure: &pressures, correction: None };
         exchange.weigh(*path, ghosts, bodies, read);
         let mut records = vec![Record::default(); ghosts.len()];
-        exchange.fill(ghosts, bodies, *responds, &mut records);
+        exchange.fill(*path, ghosts, bodies, *responds, &mut records);
         // Velocities may be interpolated anew with the weights at hand: nothing changed, the same;
         // but in the continuity equation, for which that is, every wall is smooth.
         let mut refreshed = records.clone();
         let part = |slot: usize| water.iter().map(|record| record.0[slot]).collect::<Vec<_>>();
         let (vx, vy) = (part(Record::VX), part(Record::VY));
-        exchange.refresh_velocities(*path, ghosts, bodies, [&vx, &vy], &mut refreshed);
+        exchange.refresh_velocities(*path, ghosts, bodies, [&vx, &vy]);
         let counts = |record: &&Record| record.0[Record::WEIGHT] != 0.0;
+        let (_, images) = exchange.images();
+        for (g, record) in refreshed.iter_mut().enumerate().filter(|(_, record)| counts(&&**record))
+        {
+            let [vx, vy] = &images[g / LANES].velocity;
+            record.0[Record::VX] = vx[g % LANES];
+            record.0[Record::VY] = vy[g % LANES];
+        }
         if rules.no_slip {
             let mut smooth = Exchange::new(ExchangeRules { no_slip: false, ..*rules }, ghosts);
             smooth.rebuild(*path, ghosts, bodies, places, 1.2 * RADIUS);
             smooth.weigh(*path, ghosts, bodies, read);
             let mut expected = vec![Record::default(); ghosts.len()];
-            smooth.fill(ghosts, bodies, *responds, &mut expected);
+            smooth.fill(*path, ghosts, bodies, *responds, &mut expected);
             assert!(expected.iter().filter(counts).eq(refreshed.iter().filter(counts)));
             assert!(expected != records);
         } else {

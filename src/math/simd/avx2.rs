@@ -187,6 +187,11 @@ impl Lanes for Avx2 {
         unsafe { run(task) }
     }
     #[inline(always)]
+    fn prefetch<T>(value: &T, ahead: usize) {
+        // SAFETY: a hint, whatever the address.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(value).wrapping_add(ahead).cast()) }
+    }
+    #[inline(always)]
     fn any_less(self, bound: Self) -> bool {
         unsafe {
             let low = _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, bound.0);

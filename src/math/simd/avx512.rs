@@ -94,6 +94,46 @@ impl Lanes for Avx512 {
         unsafe { _mm512_storeu_pd(values.as_mut_ptr(), self.0) }
     }
     #[inline(always)]
+    fn store_records<R: AsMut<[f64; 8]>>(numbers: [Self; 8], records: &mut [R; LANES]) {
+        let [a, b, c, d, e, f, g, h] = numbers;
+        let (a, b, c, d, e, f, g, h) = (a.0, b.0, c.0, d.0, e.0, f.0, g.0, h.0);
+        // Quarters of a vector: even ones of two, odd ones of two.
+        const EVEN: i32 = 0b10_00_10_00;
+        const ODD: i32 = 0b11_01_11_01;
+        unsafe {
+            // Pairs of numbers of the records 0, 2, 4, 6, then of 1, 3, 5, 7.
+            let low = [
+                _mm512_unpacklo_pd(a, b),
+                _mm512_unpacklo_pd(c, d),
+                _mm512_unpacklo_pd(e, f),
+                _mm512_unpacklo_pd(g, h),
+            ];
+            let high = [
+                _mm512_unpackhi_pd(a, b),
+                _mm512_unpackhi_pd(c, d),
+                _mm512_unpackhi_pd(e, f),
+                _mm512_unpackhi_pd(g, h),
+            ];
+            for (odd, [ab, cd, ef, gh]) in [low, high].into_iter().enumerate() {
+                let (near, far) =
+                    (_mm512_shuffle_f64x2::<EVEN>(ab, cd), _mm512_shuffle_f64x2::<EVEN>(ef, gh));
+                let (first, third) = (
+                    _mm512_shuffle_f64x2::<EVEN>(near, far),
+                    _mm512_shuffle_f64x2::<ODD>(near, far),
+                );
+                let (near, far) =
+                    (_mm512_shuffle_f64x2::<ODD>(ab, cd), _mm512_shuffle_f64x2::<ODD>(ef, gh));
+                let (second, fourth) = (
+                    _mm512_shuffle_f64x2::<EVEN>(near, far),
+                    _mm512_shuffle_f64x2::<ODD>(near, far),
+                );
+                for (k, record) in [first, second, third, fourth].into_iter().enumerate() {
+                    _mm512_storeu_pd(records[2 * k + odd].as_mut().as_mut_ptr(), record);
+                }
+            }
+        }
+    }
+    #[inline(always)]
     fn load_single(values: &[f32; LANES]) -> Self {
         Avx512(unsafe { _mm512_cvtps_pd(_mm256_loadu_ps(values.as_ptr())) })
     }
@@ -146,6 +186,11 @@ impl Lanes for Avx512 {
     #[inline(always)]
     fn call<T: Task>(task: T) -> T::Output {
         unsafe { run(task) }
+    }
+    #[inline(always)]
+    fn prefetch<T>(value: &T, ahead: usize) {
+        // SAFETY: a hint, whatever the address.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(value).wrapping_add(ahead).cast()) }
     }
     #[inline(always)]
     fn any_less(self, bound: Self) -> bool {

@@ -108,6 +108,19 @@ pub trait Lanes:
     fn gather(values: &[f64], at: &[u32; LANES]) -> Self;
     /// Writes eight values.
     fn store(self, values: &mut [f64; LANES]);
+    /// Writes eight records of eight numbers: `numbers[n]` has number n of each of them.
+    #[inline(always)]
+    fn store_records<R: AsMut<[f64; 8]>>(numbers: [Self; 8], records: &mut [R; LANES]) {
+        let mut columns = [[0.0; LANES]; 8];
+        for (number, column) in numbers.into_iter().zip(&mut columns) {
+            number.store(column);
+        }
+        for (lane, record) in records.iter_mut().enumerate() {
+            for (column, number) in columns.iter().zip(record.as_mut()) {
+                *number = column[lane];
+            }
+        }
+    }
     /// Reads eight values in single precision.
     fn load_single(values: &[f32; LANES]) -> Self;
     /// Writes eight values, rounded to single precision.
@@ -132,6 +145,11 @@ pub trait Lanes:
     fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self;
     /// Runs a task of the same path as a function of its own, so that its registers are its own.
     fn call<T: Task>(task: T) -> T::Output;
+    /// Sends for the value that lies so many values after one in memory, if there is any.
+    #[inline(always)]
+    fn prefetch<T>(value: &T, ahead: usize) {
+        let _ = (value, ahead);
+    }
     /// Whether `self < bound` in any lane.
     fn any_less(self, bound: Self) -> bool;
     /// 2^n, where `self` is n + [`Lanes::ROUNDING`] for an integer n that 2^n allows.
@@ -270,6 +288,42 @@ mod tests {
                     "{path:?} exp({x})"
                 );
                 assert!(close(ratio[k], x.sqrt() / x, 3e-16), "{path:?} sqrt/x({x})");
+            }
+        }
+    }
+
+    #[derive(Clone, Copy)]
+    struct Row([f64; 8]);
+
+    impl AsMut<[f64; 8]> for Row {
+        fn as_mut(&mut self) -> &mut [f64; 8] {
+            &mut self.0
+        }
+    }
+
+    struct Transposed([[f64; LANES]; 8]);
+
+    impl Task for Transposed {
+        type Output = [Row; LANES];
+        #[inline(always)]
+        fn run<L: Lanes>(self) -> Self::Output {
+            let mut records = [Row([0.0; 8]); LANES];
+            let mut numbers = [L::splat(0.0); 8];
+            for (number, values) in numbers.iter_mut().zip(&self.0) {
+                *number = L::load(values);
+            }
+            L::store_records(numbers, &mut records);
+            records
+        }
+    }
+
+    #[test]
+    fn records_are_written_number_by_number() {
+        let numbers: [[f64; LANES]; 8] =
+            std::array::from_fn(|n| std::array::from_fn(|record| (10 * record + n) as f64));
+        for path in paths() {
+            for (record, stored) in dispatch(path, Transposed(numbers)).into_iter().enumerate() {
+                assert_eq!(stored.0, std::array::from_fn(|n| (10 * record + n) as f64), "{path:?}");
             }
         }
     }

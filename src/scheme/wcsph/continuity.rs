@@ -44,6 +44,8 @@ pub(super) struct Continuity<'a, const DIFFUSION: u8, const CORRECTED: bool> {
     pub bodies: usize,
     /// δ h c0 / R.
     pub diffusion: f64,
+    /// Whether the strain is wanted: by the full step that comes next.
+    pub strained: bool,
     /// Whether the power of diffusion is wanted.
     pub sample: bool,
 }
@@ -111,15 +113,17 @@ impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSI
                 let xx = lanes::<L>(&self.work.correction_xx, at);
                 let xy = lanes::<L>(&self.work.correction_xy, at);
                 let yy = lanes::<L>(&self.work.correction_yy, at);
-                // Of the gradient itself, not of the share of it that the balance takes.
-                let share = surface_share(lanes::<L>(&self.work.completeness, at));
-                let minus_half = L::splat(-0.5 * self.support_radius).div(share);
-                let stretch = xx.mul_add(ux, xy * uy) - xy.mul_add(wx, yy * wy);
-                let stretch = (stretch * minus_half * L::splat(0.5)).to_array();
-                let shear = xy.mul_add(ux, yy * uy) + xx.mul_add(wx, xy * wy);
-                let shear = (shear * minus_half).to_array();
-                for lane in 0..LANES {
-                    self.strain[to + lane] = [stretch[lane], shear[lane]];
+                if self.strained {
+                    // Of the gradient itself, not of the share of it that the balance takes.
+                    let share = surface_share(lanes::<L>(&self.work.completeness, at));
+                    let minus_half = L::splat(-0.5 * self.support_radius).div(share);
+                    let stretch = xx.mul_add(ux, xy * uy) - xy.mul_add(wx, yy * wy);
+                    let stretch = (stretch * minus_half * L::splat(0.5)).to_array();
+                    let shear = xy.mul_add(ux, yy * uy) + xx.mul_add(wx, xy * wy);
+                    let shear = (shear * minus_half).to_array();
+                    for lane in 0..LANES {
+                        self.strain[to + lane] = [stretch[lane], shear[lane]];
+                    }
                 }
                 xx.mul_add(ux, yy * wy) + xy * (uy + wx)
             } else {

@@ -24,6 +24,13 @@ pub(super) struct Slopes(pub [f32; LANES]);
 #[repr(C, align(64))]
 pub(super) struct Factors(pub [f64; 8]);
 
+impl AsMut<[f64; 8]> for Factors {
+    #[inline(always)]
+    fn as_mut(&mut self) -> &mut [f64; 8] {
+        &mut self.0
+    }
+}
+
 /// Neighbours in reach of a cluster, fewer than in its list: no margin, nothing without a weight.
 #[derive(Debug, Clone, Default)]
 pub(super) struct HeldPairs {
@@ -76,6 +83,10 @@ impl HeldPairs {
     }
 }
 
+/// Slopes are sent for when so many others come first: all of them are more than a core's own caches
+/// hold, and they are read in turn.
+const AHEAD: usize = 64;
+
 /// Σ_j g_ij f_jn over a cluster's pairs in one group, for the first `N` factors.
 pub(super) struct Product<'a, const N: usize> {
     pub pairs: &'a HeldPairs,
@@ -96,6 +107,7 @@ impl<const N: usize> Task for Product<'_, N> {
         let (entries, last) = entries.as_chunks::<2>();
         let (slopes, last_slope) = slopes.as_chunks::<2>();
         for (&[a, b], [slope_a, slope_b]) in entries.iter().zip(slopes) {
+            L::prefetch(slope_a, AHEAD);
             let (factors_a, factors_b) = (&self.factors[a as usize].0, &self.factors[b as usize].0);
             let (g_a, g_b) = (L::load_single(&slope_a.0), L::load_single(&slope_b.0));
             for n in 0..N {

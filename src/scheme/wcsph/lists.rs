@@ -1,15 +1,17 @@
 //! Neighbour lists: when they are worn, and how they are made.
 
 use super::Wcsph;
+use super::momentum::store;
 use super::parts::cut;
+use super::separation::all_lanes;
 use crate::body::BodyMotion;
-use crate::math::simd::LANES;
-use crate::neighbours::{PointSet, build_pair_list};
+use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use crate::neighbours::{PointSet, Reach, build_pair_list};
 
 /// Margin of the fluid's lists, in particle spacings.
 const FLUID_MARGIN: f64 = 0.4;
 /// Margin of the lists that involve ghosts, in particle spacings.
-pub(super) const GHOST_MARGIN: f64 = 1.0;
+pub(super) const GHOST_MARGIN: f64 = 1.5;
 /// A scene has at most so many bodies.
 const MOST_BODIES: usize = 7;
 /// A strip holds this many columns of particles: eight particles then form a square.
@@ -27,11 +29,9 @@ impl Wcsph {
         let n = self.fluid.len();
         self.look_ahead();
         let worn = self.reference_x.is_empty() || {
-            let reach = ((self.options.support_radius + FLUID_MARGIN * spacing)
-                / Wcsph::strip_width(spacing))
-            .ceil() as usize;
-            let (relative, farthest) = self.drift.measure(
-                &self.strips,
+            let reach =
+                Reach { radius: self.options.support_radius, margin: FLUID_MARGIN * spacing };
+            let (met, farthest) = self.drift.measure(
                 [&self.ahead[0][..n], &self.ahead[1][..n]],
                 [&self.reference_x, &self.reference_y],
                 reach,
@@ -41,8 +41,9 @@ impl Wcsph {
                 .zip(&self.reference_offsets)
                 .map(|(body, reference)| (body.offset - reference).abs())
                 .fold(0.0, f64::max);
-            // Written so that NaN counts as worn.
-            !(relative < FLUID_MARGIN * spacing && farthest + moved < GHOST_MARGIN * spacing)
+            let near = farthest + moved < GHOST_MARGIN * spacing;
+            // So that NaN counts as worn.
+            met || !near
         };
         if worn {
             self.list_rebuilds += 1;
@@ -87,14 +88,13 @@ impl Wcsph {
             0.0
         };
         let [ahead_x, ahead_y] = &mut self.ahead;
-        let extrapolate = |ahead: &mut [f64], fields: [&[f64]; 3]| {
-            let [places, velocities, accelerations] = fields.map(|field| &field[..ahead.len()]);
-            for (k, ahead) in ahead.iter_mut().enumerate() {
-                *ahead = places[k] + lead * velocities[k] + half_square * accelerations[k];
-            }
-        };
-        extrapolate(ahead_x, [&fluid.x, &fluid.vx, &work.last_acceleration_x]);
-        extrapolate(ahead_y, [&fluid.y, &fluid.vy, &work.last_acceleration_y]);
+        for (ahead, places, velocities, accelerations) in [
+            (ahead_x, &fluid.x, &fluid.vx, &work.last_acceleration_x),
+            (ahead_y, &fluid.y, &fluid.vy, &work.last_acceleration_y),
+        ] {
+            let factors = [lead, half_square];
+            dispatch(self.path, Extrapolate { ahead, places, velocities, accelerations, factors });
+        }
     }
 
     /// Lists neighbours at the reference places, in the present order.
@@ -112,6 +112,8 @@ impl Wcsph {
             reach: radius + FLUID_MARGIN * spacing,
             bounds: everywhere,
         };
+        let width = Wcsph::strip_width(spacing);
+        self.drift.divide(&self.strips, width, &self.reference_y, radius);
         let bodies = &self.ghosts.bodies;
         let mut sets = [water; MOST_BODIES + 1];
         for ((set, body), offset) in sets[1..].iter_mut().zip(bodies).zip(&self.reference_offsets) {
@@ -152,5 +154,29 @@ impl Wcsph {
             (&self.strips, &self.reference_x, &self.reference_y),
             radius + GHOST_MARGIN * spacing,
         );
+    }
+}
+
+/// places + a · velocities + b · accelerations.
+struct Extrapolate<'a> {
+    ahead: &'a mut [f64],
+    places: &'a [f64],
+    velocities: &'a [f64],
+    accelerations: &'a [f64],
+    /// a, s, and b, s².
+    factors: [f64; 2],
+}
+
+impl Task for Extrapolate<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let (a, b) = (L::splat(self.factors[0]), L::splat(self.factors[1]));
+        for at in (0..self.ahead.len()).step_by(LANES) {
+            let [place, velocity, acceleration] =
+                all_lanes::<L, 3>([self.places, self.velocities, self.accelerations], at);
+            store(self.ahead, at, place + a * velocity + b * acceleration);
+        }
     }
 }

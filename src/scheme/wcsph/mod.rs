@@ -12,6 +12,7 @@ mod continuity;
 mod contract;
 mod correction;
 mod held;
+mod inside;
 mod laminar;
 mod lists;
 mod momentum;
@@ -21,8 +22,10 @@ mod pack;
 mod parts;
 mod passes;
 mod precision;
+mod pressing;
 mod readings;
 mod separation;
+mod shifting;
 mod state;
 mod step;
 

@@ -1,23 +1,18 @@
 //! Velocities and places: kick, drift, and what keeps particles in good order.
 
+use super::inside::{Advance, HoldInside, Ramp};
 use super::passes::{TENSION_FROM, TENSION_FULL};
+use super::shifting::Shift;
 use super::{DensityDiffusion, Shifting, Wcsph};
 use crate::body::BodyMotion;
-use crate::boundary::Plane;
-use crate::math::simd::LANES;
+use crate::math::simd::{LANES, dispatch};
 use crate::particles::Fluid;
 
-/// Shifting fades in from this completeness of the support ...
-const SHIFT_FROM: f64 = 0.85;
-/// ... to this one.
-const SHIFT_FULL: f64 = 0.97;
 /// Hydrostatic density diffusion fades in from this completeness: near the surface the discrete
 /// balance differs from the exact one, and diffusion would forever work against it ...
 const DIFFUSE_FROM: f64 = 0.9;
 /// ... to this one.
 const DIFFUSE_FULL: f64 = 0.99;
-/// No shift is longer than this many particle spacings.
-const SHIFT_LIMIT: f64 = 0.05;
 /// A particle is spray from this completeness ...
 const SPRAY_FROM: f64 = 0.45;
 /// ... and wholly so from this.
@@ -44,29 +39,28 @@ impl Wcsph {
             }
         }
         let n = fluid.len();
-        let accelerate = |velocities: &mut [f64], rates: &[f64]| {
-            velocities.iter_mut().zip(rates).for_each(|(velocity, rate)| *velocity += dt * rate);
-        };
-        accelerate(&mut fluid.vx[..n], &work.acceleration_x);
-        accelerate(&mut fluid.vy[..n], &work.acceleration_y);
+        let fields = [
+            (&mut fluid.vx[..n], &*work.acceleration_x),
+            (&mut fluid.vy[..n], &*work.acceleration_y),
+        ];
+        dispatch(self.path, Advance { fields, dt });
         if self.substep == 0 && self.options.density_diffusion == DensityDiffusion::Hydrostatic {
-            for (share, completeness) in work.diffused_share.iter_mut().zip(&work.completeness) {
-                let inside = (completeness - DIFFUSE_FROM) / (DIFFUSE_FULL - DIFFUSE_FROM);
-                *share = inside.clamp(0.0, 1.0);
-            }
+            let (values, shares) = (&*work.completeness, &mut *work.diffused_share);
+            let (from, to) = (DIFFUSE_FROM, DIFFUSE_FULL);
+            dispatch(self.path, Ramp { values, from, to, shares });
         }
     }
 
     /// Moves the particles; returns the energy that shifting takes out.
     pub(super) fn drift(&mut self, dt: f64, bodies: &[BodyMotion]) -> f64 {
-        let (fluid, work, options) = (&mut self.fluid, &self.work, &self.options);
-        let n = fluid.len();
-        let advance = |values: &mut [f64], rates: &[f64]| {
-            values.iter_mut().zip(rates).for_each(|(value, rate)| *value += dt * rate);
-        };
-        advance(&mut fluid.density[..n], &work.density_rate);
-        advance(&mut fluid.x[..n], &fluid.vx);
-        advance(&mut fluid.y[..n], &fluid.vy);
+        let n = self.fluid.len();
+        let Fluid { x, y, vx, vy, density, .. } = &mut self.fluid;
+        let fields = [
+            (&mut density[..n], &*self.work.density_rate),
+            (&mut x[..n], &**vx),
+            (&mut y[..n], &**vy),
+        ];
+        dispatch(self.path, Advance { fields, dt });
         let mut planes = std::mem::take(&mut self.planes);
         planes.clear();
         planes.extend(
@@ -76,14 +70,36 @@ impl Wcsph {
                 .zip(bodies)
                 .map(|(body, motion)| body.plane.moved(motion.offset).moved(dt * motion.velocity)),
         );
-        let spray_loss = if options.corrected_gradients { self.settle_surface(dt) } else { 0.0 };
+        let spray_loss =
+            if self.options.corrected_gradients { self.settle_surface(dt) } else { 0.0 };
         let shifting_loss = match self.options.shifting {
-            Shifting::Interior if self.at_full_step() => self.shift(self.since_full, &planes),
+            Shifting::Interior if self.at_full_step() => dispatch(
+                self.path,
+                Shift {
+                    fluid: &mut self.fluid,
+                    work: &self.work,
+                    options: &self.options,
+                    planes: &planes,
+                    dt: self.since_full,
+                    inverse_radius: self.scaling.inverse_radius,
+                },
+            ),
             _ => 0.0,
         };
-        self.hold_inside(&planes, bodies);
+        let skin = 1e-3 * self.options.spacing;
+        let fluid = &mut self.fluid;
+        dispatch(self.path, HoldInside { fluid, planes: &planes, bodies, skin });
         self.planes = planes;
         shifting_loss + spray_loss
+    }
+
+    /// Finds the particles that [`Wcsph::settle_surface`] may change: few, and the same ones until
+    /// the next full step.
+    pub(super) fn find_surface(&mut self) {
+        let completeness = &self.work.completeness[..self.fluid.len()];
+        self.near_surface.clear();
+        let near = completeness.iter().enumerate().filter(|(_, share)| **share < TENSION_FULL);
+        self.near_surface.extend(near.map(|(k, _)| k as u32));
     }
 
     /// Relaxes the density of particles that feel no pressure: spray with too few neighbours, and
@@ -93,11 +109,9 @@ impl Wcsph {
         let state = self.options.state;
         let rate = (dt * state.sound_speed / self.options.smoothing_length()).min(1.0);
         let mut loss = 0.0;
-        for k in 0..self.fluid.len() {
+        for &k in &self.near_surface {
+            let k = k as usize;
             let completeness = self.work.completeness[k];
-            if completeness >= TENSION_FULL {
-                continue; // As nearly all are.
-            }
             let density = self.fluid.density[k];
             let alone = (SPRAY_FROM - completeness) / (SPRAY_FROM - SPRAY_FULL);
             let slack = if density < state.surface_density {
@@ -118,75 +132,6 @@ impl Wcsph {
         loss
     }
 
-    /// Shifts particles towards an even spread; returns the energy that goes.
-    fn shift(&mut self, dt: f64, planes: &[Plane]) -> f64 {
-        let (fluid, work, options) = (&mut self.fluid, &self.work, &self.options);
-        let n = fluid.len();
-        let strength = options.shifting_coefficient * options.smoothing_length() * dt;
-        let limit = SHIFT_LIMIT * options.spacing;
-        let inverse_radius = self.scaling.inverse_radius;
-        let reach = options.spacing;
-        let hydrostatic = options.hydrostatic_slope();
-        let mut work_done = 0.0;
-        for block in 0..fluid.padded_len() / LANES {
-            let near = any_nearer(planes, fluid, block, 1.5 * reach);
-            for k in block * LANES..n.min((block + 1) * LANES) {
-                let inside = (work.completeness[k] - SHIFT_FROM) / (SHIFT_FULL - SHIFT_FROM);
-                let speed = (fluid.vx[k] * fluid.vx[k] + fluid.vy[k] * fluid.vy[k]).sqrt();
-                let factor = -strength * speed * inside.clamp(0.0, 1.0);
-                let fade = |distance: f64| (distance / reach - 0.5).clamp(0.0, 1.0);
-                let mut shift = [
-                    (factor * work.concentration_x[k]).clamp(-limit, limit),
-                    (factor * work.concentration_y[k]).clamp(-limit, limit),
-                ];
-                if near {
-                    for plane in planes {
-                        let distance = -plane.beyond([fluid.x[k], fluid.y[k]]);
-                        if distance < 1.5 * reach {
-                            shift = plane.with_across(shift, |across| across * fade(distance));
-                        }
-                    }
-                }
-                let [dx, dy] = shift;
-                let rise = (dx * work.gradient_x[k] + dy * work.gradient_y[k]) * inverse_radius
-                    - hydrostatic * dy;
-                let density = fluid.density[k];
-                work_done += fluid.mass[k]
-                    * (options.gravity * dy + work.pressure[k] / (density * density) * rise);
-                fluid.x[k] += dx;
-                fluid.y[k] += dy;
-                fluid.density[k] += rise;
-            }
-        }
-        -work_done
-    }
-
-    /// Puts particles that have slipped through a wall back onto its face, with its velocity.
-    fn hold_inside(&mut self, planes: &[Plane], bodies: &[BodyMotion]) {
-        let fluid = &mut self.fluid;
-        let skin = 1e-3 * self.options.spacing;
-        for block in 0..fluid.padded_len() / LANES {
-            if !any_nearer(planes, fluid, block, 0.0) {
-                continue;
-            }
-            for k in block * LANES..fluid.len().min((block + 1) * LANES) {
-                // In an acute corner one wall may push behind the other.
-                for _ in 0..4 {
-                    let place = [fluid.x[k], fluid.y[k]];
-                    let crossed =
-                        planes.iter().zip(bodies).find(|(plane, _)| plane.beyond(place) > 0.0);
-                    let Some((plane, motion)) = crossed else { break };
-                    [fluid.x[k], fluid.y[k]] = plane.in_front(place, skin);
-                    let wall = motion.velocity * plane.normal[0];
-                    if fluid.vx[k] * plane.normal[0] + fluid.vy[k] * plane.normal[1] > wall {
-                        let velocity = [fluid.vx[k], fluid.vy[k]];
-                        [fluid.vx[k], fluid.vy[k]] = plane.with_across(velocity, |_| wall);
-                    }
-                }
-            }
-        }
-    }
-
     pub(super) fn take_next_correction(&mut self) {
         let work = &mut self.work;
         std::mem::swap(&mut work.correction_xx, &mut work.next_correction_xx);
@@ -196,18 +141,4 @@ impl Wcsph {
         std::mem::swap(&mut work.acceleration_y, &mut work.last_acceleration_y);
         self.set_tension();
     }
-}
-
-/// Whether one of eight particles is nearer than `distance` to a wall's face, or behind it.
-#[inline(always)]
-fn any_nearer(planes: &[Plane], fluid: &Fluid, block: usize, distance: f64) -> bool {
-    let (x, y) = (&fluid.x.as_chunks::<LANES>().0[block], &fluid.y.as_chunks::<LANES>().0[block]);
-    let mut nearest = f64::NEG_INFINITY;
-    for plane in planes {
-        for lane in 0..LANES {
-            let beyond = plane.beyond([x[lane], y[lane]]);
-            nearest = if beyond > nearest { beyond } else { nearest };
-        }
-    }
-    nearest > -distance
 }

@@ -1,65 +1,190 @@
 //! What the pair loops read of each particle, packed ahead of them.
 
-use std::ops::Range;
+use std::ops::{Add, Mul, Range};
 
 use super::held::Factors;
-use super::{DensityDiffusion, Wcsph, WcsphOptions};
-use crate::particles::{Fluid, Record};
-use crate::scheme::StateEquation;
+use super::momentum::store;
+use super::pressing::Pressing;
+use super::separation::{all_lanes, lanes};
+use super::{DensityDiffusion, Wcsph};
+use crate::boundary::Image;
+use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use crate::particles::{Fluid, Record, Scaling};
 
-/// From densities to pressures.
-#[derive(Clone, Copy)]
-struct Pressing<'a> {
-    state: StateEquation,
-    /// Pressures are ahead of the densities by this time, seconds.
-    bulk_time: f64,
-    /// g ρ_s/c0² where diffusion takes still water for uniform, else 0.
-    hydrostatic: f64,
-    density: &'a [f64],
-    y: &'a [f64],
-    rate: &'a [f64],
-    tension: &'a [f64],
+/// Everything about some of the water that the pass of a full step reads.
+struct Whole<'a> {
+    pressing: Pressing<'a>,
+    scaling: Scaling,
+    fluid: &'a Fluid,
+    /// Where the particles will be.
+    ahead: [&'a [f64]; 2],
+    correction: [&'a [f64]; 3],
+    /// The particles, whole vectors.
+    range: Range<usize>,
+    /// Their rows of the pressure, of what diffusion smooths, and of the places over R.
+    fields: [&'a mut [f64]; 4],
+    records: &'a mut [Record],
 }
 
-impl<'a> Pressing<'a> {
-    /// With the rates of change of density and the shares of tension that the water bears.
-    fn of(
-        options: &WcsphOptions,
-        bulk_time: f64,
-        fluid: &'a Fluid,
-        [rate, tension]: [&'a [f64]; 2],
-    ) -> Pressing<'a> {
-        Pressing {
-            state: options.state,
-            bulk_time,
-            hydrostatic: options.hydrostatic_slope(),
-            density: &fluid.density,
-            y: &fluid.y,
-            rate,
-            tension,
+impl Task for Whole<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let Whole { pressing, scaling, fluid, ahead, correction, range, fields, records } = self;
+        let [pressure, diffused, scaled_x, scaled_y] = fields;
+        pressing.find(range.clone(), pressure, diffused);
+        let inverse_radius = L::splat(scaling.inverse_radius);
+        let (blocks, _) = records.as_chunks_mut::<LANES>();
+        for (block, records) in blocks.iter_mut().enumerate() {
+            let to = block * LANES;
+            let at = range.start + to;
+            let [x, y] = all_lanes::<L, 2>(ahead, at);
+            let (x, y) = (x * inverse_radius, y * inverse_radius);
+            store(scaled_x, to, x);
+            store(scaled_y, to, y);
+            let [xx, xy, yy] = all_lanes::<L, 3>(correction, at);
+            let [vx, vy, mass, density] =
+                all_lanes::<L, 4>([&fluid.vx, &fluid.vy, &fluid.mass, &fluid.density], at);
+            let weight = mass.div(density) * L::splat(scaling.weight_per_volume);
+            // Without corrections these are the identity.
+            let p = lanes::<L>(pressure, to);
+            let numbers = [x, y, vx, vy, weight, p * xx, p * xy, p * yy];
+            L::store_records(numbers, records);
         }
     }
+}
 
-    /// Pressures, with tension left out near the free surface, and what density diffusion smooths:
-    /// ρ, or ρ less what it is in still water.
+/// New pressures of some of the water alone, for an acoustic step: see
+/// [`super::acoustic::Acoustic`] for what a neighbour's are.
+struct Pressures<'a> {
+    pressing: Pressing<'a>,
+    /// Places over R.
+    places: [&'a [f64]; 2],
+    correction: [&'a [f64]; 3],
+    /// The particles, whole vectors.
+    range: Range<usize>,
+    /// Their rows of the pressure and of what diffusion smooths.
+    fields: [&'a mut [f64]; 2],
+    factors: &'a mut [Factors],
+}
+
+impl Task for Pressures<'_> {
+    type Output = ();
+
     #[inline(always)]
-    fn find(self, lanes: Range<usize>, pressures: &mut [f64], diffused: &mut [f64]) {
-        let Pressing { state, bulk_time, hydrostatic, .. } = self;
-        let [density, y, rate, tension] =
-            [self.density, self.y, self.rate, self.tension].map(|field| &field[lanes.clone()]);
-        let n = density.len();
-        let (pressures, diffused) = (&mut pressures[..n], &mut diffused[..n]);
-        for k in 0..n {
-            let pressure = state.pressure(density[k] + bulk_time * rate[k]);
-            pressures[k] = if pressure < 0.0 { pressure * tension[k] } else { pressure };
+    fn run<L: Lanes>(self) {
+        let Pressures { pressing, places, correction, range, fields, factors } = self;
+        let [pressure, diffused] = fields;
+        pressing.find(range.clone(), pressure, diffused);
+        let (blocks, _) = factors.as_chunks_mut::<LANES>();
+        for (block, factors) in blocks.iter_mut().enumerate() {
+            let at = range.start + block * LANES;
+            let p = lanes::<L>(pressure, block * LANES);
+            let place = all_lanes::<L, 2>(places, at);
+            let [xx, xy, yy] = all_lanes::<L, 3>(correction, at);
+            let numbers = pressure_factors([p * xx, p * xy, p * yy], place, L::splat(1.0));
+            L::store_records(numbers, factors);
         }
-        if hydrostatic > 0.0 {
-            let surface = state.surface_density;
-            for k in 0..n {
-                diffused[k] = surface * small_log(density[k] / surface - 1.0) + hydrostatic * y[k];
-            }
-        } else {
-            diffused.copy_from_slice(density);
+    }
+}
+
+/// New velocities of some of the water, for the continuity pass: see
+/// [`super::continuity::Continuity`] for what a neighbour's are.
+struct Velocities<'a> {
+    velocity: [&'a [f64]; 2],
+    /// Places over R.
+    places: [&'a [f64]; 2],
+    diffusion: DensityDiffusion,
+    diffused: &'a [f64],
+    /// Each particle's share in the diffusion.
+    share: &'a [f64],
+    /// R ∇ψ, where diffusion wants it.
+    slopes: [&'a [f64]; 2],
+    /// The particles, whole vectors.
+    range: Range<usize>,
+    factors: &'a mut [Factors],
+    slants: &'a mut [Factors],
+}
+
+impl Task for Velocities<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let Velocities { velocity, places, diffusion, diffused, share, slopes, .. } = self;
+        let (one, two) = (L::splat(1.0), L::splat(2.0));
+        let (blocks, _) = self.factors.as_chunks_mut::<LANES>();
+        for (block, factors) in blocks.iter_mut().enumerate() {
+            let at = self.range.start + block * LANES;
+            let velocity = all_lanes::<L, 2>(velocity, at);
+            let [x, y] = all_lanes::<L, 2>(places, at);
+            let diffused = lanes::<L>(diffused, at);
+            let smoothed = match diffusion {
+                DensityDiffusion::None | DensityDiffusion::Hydrostatic => {
+                    let share = lanes::<L>(share, at);
+                    [share, share * diffused]
+                }
+                DensityDiffusion::Molteni => [one, diffused],
+                DensityDiffusion::Renormalised => {
+                    let [slope_x, slope_y] = all_lanes::<L, 2>(slopes, at);
+                    let zero = L::splat(0.0);
+                    let slants = &mut self.slants.as_chunks_mut::<LANES>().0[block];
+                    L::store_records([slope_x, slope_y, x, y, zero, zero, zero, zero], slants);
+                    [one, two * diffused - (slope_x * x + slope_y * y)]
+                }
+            };
+            let numbers = velocity_factors(velocity, [x, y], smoothed);
+            L::store_records(numbers, factors);
+        }
+    }
+}
+
+/// New pressures of the ghosts that have water in reach, like those of the water.
+struct GhostPressures<'a> {
+    images: (&'a [u32], &'a [Image]),
+    /// Of the ghosts alone.
+    factors: &'a mut [Factors],
+}
+
+impl Task for GhostPressures<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let ((blocks, images), (factors, _)) = (self.images, self.factors.as_chunks_mut::<LANES>());
+        for &block in blocks {
+            let image = &images[block as usize];
+            let p = L::load(&image.pressure);
+            let place = [L::load(&image.place[0]), L::load(&image.place[1])];
+            let [xx, xy, yy] = &image.correction;
+            let pressed = [p * L::load(xx), p * L::load(xy), p * L::load(yy)];
+            let numbers = pressure_factors(pressed, place, L::splat(1.0));
+            L::store_records(numbers, &mut factors[block as usize]);
+        }
+    }
+}
+
+/// Their new velocities.
+struct GhostVelocities<'a> {
+    images: (&'a [u32], &'a [Image]),
+    /// Of the ghosts alone.
+    factors: &'a mut [Factors],
+}
+
+impl Task for GhostVelocities<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let ((blocks, images), (factors, _)) = (self.images, self.factors.as_chunks_mut::<LANES>());
+        let zero = L::splat(0.0);
+        for &block in blocks {
+            let image = &images[block as usize];
+            let velocity = [L::load(&image.velocity[0]), L::load(&image.velocity[1])];
+            let place = [L::load(&image.place[0]), L::load(&image.place[1])];
+            let numbers = velocity_factors(velocity, place, [zero, zero]);
+            L::store_records(numbers, &mut factors[block as usize]);
         }
     }
 }
@@ -68,7 +193,7 @@ impl Wcsph {
     /// Pressures, and everything about the fluid that the pass of a full step reads.
     pub(super) fn pack(&mut self) {
         let n = self.fluid.padded_len();
-        let (fluid, scaling) = (&self.fluid, self.scaling);
+        let (path, fluid, scaling) = (self.path, &self.fluid, self.scaling);
         let ahead = [&*self.ahead[0], &*self.ahead[1]];
         let work = &mut self.work;
         let pressing =
@@ -82,135 +207,85 @@ impl Wcsph {
         ];
         let rows = (fields, &mut self.records[..n]);
         self.team.share(&mut self.parts, rows, &|part, (fields, records)| {
-            let [pressure, diffused, scaled_x, scaled_y] = fields;
-            let lanes = part.lanes();
-            pressing.find(lanes.clone(), pressure, diffused);
-            let [x, y] = ahead.map(|field| &field[lanes.clone()]);
-            let [xx, xy, yy] = correction.map(|field| &field[lanes.clone()]);
-            let [vx, vy, mass, density] =
-                [&fluid.vx, &fluid.vy, &fluid.mass, &fluid.density].map(|f| &f[lanes.clone()]);
-            let n = records.len();
-            let (pressure, scaled_x, scaled_y) =
-                (&pressure[..n], &mut scaled_x[..n], &mut scaled_y[..n]);
-            for (k, record) in records.iter_mut().enumerate() {
-                let (x, y) = (x[k] * scaling.inverse_radius, y[k] * scaling.inverse_radius);
-                (scaled_x[k], scaled_y[k]) = (x, y);
-                let weight = mass[k] / density[k] * scaling.weight_per_volume;
-                // Without corrections these are the identity.
-                let p = pressure[k];
-                *record = Record([x, y, vx[k], vy[k], weight, p * xx[k], p * xy[k], p * yy[k]]);
-            }
+            let range = part.lanes();
+            dispatch(
+                path,
+                Whole { pressing, scaling, fluid, ahead, correction, range, fields, records },
+            );
         });
     }
 
-    /// New pressures alone, for an acoustic step: see [`super::acoustic::Acoustic`] for what a
-    /// neighbour's are.
+    /// The water's new pressures alone.
     pub(super) fn pack_pressures(&mut self) {
         let n = self.fluid.padded_len();
-        let (fluid, work) = (&self.fluid, &mut self.work);
+        let (path, fluid, work) = (self.path, &self.fluid, &mut self.work);
         let pressing =
             Pressing::of(&self.options, self.bulk_time, fluid, [&work.density_rate, &work.tension]);
-        let fields = [
-            &*work.scaled_x,
-            &*work.scaled_y,
-            &*work.correction_xx,
-            &*work.correction_xy,
-            &*work.correction_yy,
-        ];
+        let places = [&*work.scaled_x, &*work.scaled_y];
+        let correction = [&*work.correction_xx, &*work.correction_xy, &*work.correction_yy];
         let rows = ([&mut work.pressure[..n], &mut self.diffused[..n]], &mut self.factors[..n]);
-        self.team.share(&mut self.parts, rows, &|part, ([pressure, diffused], factors)| {
-            let lanes = part.lanes();
-            pressing.find(lanes.clone(), pressure, diffused);
-            let [x, y, xx, xy, yy] = fields.map(|field| &field[lanes.clone()]);
-            for (k, factors) in factors.iter_mut().enumerate() {
-                let p = pressure[k];
-                let pressed = [p * xx[k], p * xy[k], p * yy[k]];
-                *factors = pressure_factors(pressed, [x[k], y[k]]);
-            }
+        self.team.share(&mut self.parts, rows, &|part, (fields, factors)| {
+            let range = part.lanes();
+            dispatch(path, Pressures { pressing, places, correction, range, fields, factors });
         });
     }
 
     /// The ghosts' new pressures, likewise.
     pub(super) fn pack_ghost_pressures(&mut self) {
-        let first = self.fluid.padded_len();
-        for &g in self.exchange.counting() {
-            let record = &self.records[first + g as usize].0;
-            let pressed = [
-                record[Record::PRESSURE],
-                record[Record::PRESSURE_XY],
-                record[Record::PRESSURE_YY],
-            ];
-            self.factors[first + g as usize] =
-                pressure_factors(pressed, [record[Record::X], record[Record::Y]]);
-        }
+        let factors = &mut self.factors[self.fluid.padded_len()..];
+        dispatch(self.path, GhostPressures { images: self.exchange.images(), factors });
     }
 
-    /// New velocities, for the continuity pass: see [`super::continuity::Continuity`] for what a
-    /// neighbour's are.
+    /// The water's new velocities.
     pub(super) fn pack_velocities(&mut self) {
         let n = self.fluid.padded_len();
-        let (fluid, work, diffusion) = (&self.fluid, &self.work, self.options.density_diffusion);
-        let fields = [&*fluid.vx, &*fluid.vy, &*work.scaled_x, &*work.scaled_y, &*self.diffused];
+        let (path, fluid, work) = (self.path, &self.fluid, &self.work);
+        let (diffusion, diffused) = (self.options.density_diffusion, &*self.diffused);
+        let velocity = [&*fluid.vx, &*fluid.vy];
+        let places = [&*work.scaled_x, &*work.scaled_y];
         // Not all of these are there, or wanted, with every form of diffusion.
         let (share, slopes) = (&*work.diffused_share, [&*work.gradient_x, &*work.gradient_y]);
         let rows = (&mut self.factors[..n], &mut self.slants[..]);
         self.team.share(&mut self.parts, rows, &|part, (factors, slants)| {
-            let lanes = part.lanes();
-            let [vx, vy, x, y, diffused] = fields.map(|field| &field[lanes.clone()]);
-            match diffusion {
-                DensityDiffusion::None | DensityDiffusion::Hydrostatic => {
-                    let share = &share[lanes];
-                    for (k, factors) in factors.iter_mut().enumerate() {
-                        let smoothed = [share[k], share[k] * diffused[k]];
-                        *factors = velocity_factors([vx[k], vy[k]], [x[k], y[k]], smoothed);
-                    }
-                }
-                DensityDiffusion::Molteni => {
-                    for (k, factors) in factors.iter_mut().enumerate() {
-                        let smoothed = [1.0, diffused[k]];
-                        *factors = velocity_factors([vx[k], vy[k]], [x[k], y[k]], smoothed);
-                    }
-                }
-                DensityDiffusion::Renormalised => {
-                    let [slope_x, slope_y] = slopes.map(|field| &field[lanes.clone()]);
-                    for (k, factors) in factors.iter_mut().enumerate() {
-                        let slant = slope_x[k] * x[k] + slope_y[k] * y[k];
-                        let smoothed = [1.0, 2.0 * diffused[k] - slant];
-                        *factors = velocity_factors([vx[k], vy[k]], [x[k], y[k]], smoothed);
-                        let slant = [slope_x[k], slope_y[k], x[k], y[k]];
-                        slants[k].0[..4].copy_from_slice(&slant);
-                    }
-                }
-            }
+            let range = part.lanes();
+            dispatch(
+                path,
+                Velocities {
+                    velocity,
+                    places,
+                    diffusion,
+                    diffused,
+                    share,
+                    slopes,
+                    range,
+                    factors,
+                    slants,
+                },
+            );
         });
     }
 
     /// The ghosts' new velocities, likewise.
     pub(super) fn pack_ghost_velocities(&mut self) {
-        let first = self.fluid.padded_len();
-        for &g in self.exchange.counting() {
-            let record = &self.records[first + g as usize].0;
-            let velocity = [record[Record::VX], record[Record::VY]];
-            let place = [record[Record::X], record[Record::Y]];
-            self.factors[first + g as usize] = velocity_factors(velocity, place, [0.0; 2]);
-        }
+        let factors = &mut self.factors[self.fluid.padded_len()..];
+        dispatch(self.path, GhostVelocities { images: self.exchange.images(), factors });
     }
 }
 
 /// P_xx, P_xy, P_yy, (P r)_x, (P r)_y, 1, x, y.
 #[inline(always)]
-fn pressure_factors([xx, xy, yy]: [f64; 3], [x, y]: [f64; 2]) -> Factors {
-    Factors([xx, xy, yy, xx * x + xy * y, xy * x + yy * y, 1.0, x, y])
+fn pressure_factors<V>([xx, xy, yy]: [V; 3], [x, y]: [V; 2], one: V) -> [V; 8]
+where
+    V: Copy + Add<Output = V> + Mul<Output = V>,
+{
+    [xx, xy, yy, xx * x + xy * y, xy * x + yy * y, one, x, y]
 }
 
 /// u, v, u x, u y, v x, v y, and two more.
 #[inline(always)]
-fn velocity_factors([u, v]: [f64; 2], [x, y]: [f64; 2], [a, b]: [f64; 2]) -> Factors {
-    Factors([u, v, u * x, u * y, v * x, v * y, a, b])
-}
-
-/// ln(1 + u) for |u| far below one, to u⁵: still water is exactly uniform in ln ρ + g y/c0².
-#[inline(always)]
-fn small_log(u: f64) -> f64 {
-    u * (1.0 - u * (0.5 - u * (1.0 / 3.0 - u * (0.25 - 0.2 * u))))
+fn velocity_factors<V>([u, v]: [V; 2], [x, y]: [V; 2], [a, b]: [V; 2]) -> [V; 8]
+where
+    V: Copy + Mul<Output = V>,
+{
+    [u, v, u * x, u * y, v * x, v * y, a, b]
 }

@@ -206,6 +206,7 @@ impl Wcsph {
         let (path, fluid, work) = (self.path, &self.fluid, &self.work);
         let (factors, slants, diffused) = (&*self.factors, &*self.slants, &*self.diffused);
         let (support_radius, bodies) = (self.scaling.support_radius, self.ghosts.bodies.len());
+        let strained = self.substep + 1 == options.acoustic_substeps;
         macro_rules! pass {
             ($diffusion:ident) => {
                 if options.corrected_gradients {
@@ -228,6 +229,7 @@ impl Wcsph {
                         support_radius,
                         bodies,
                         diffusion,
+                        strained,
                         sample,
                     };
                     dispatch(path, pass);

@@ -1,9 +1,14 @@
 //! Readings of the water: loads on bodies, levels.
 
+use std::marker::PhantomData;
+
 use super::Wcsph;
 use super::lists::GHOST_MARGIN;
 use crate::body::BodyMotion;
+use crate::kernel::{Kernel, shape_within};
+use crate::math::simd::{LANES, Lanes, Task, dispatch};
 use crate::scheme::Load;
+use crate::with_kernel;
 
 impl Wcsph {
     /// Force on a body and its added mass, from the last [`Wcsph::prepare`].
@@ -42,22 +47,20 @@ impl Wcsph {
         let radius = self.options.support_radius;
         let margin = GHOST_MARGIN * self.options.spacing;
         let factor = self.options.kernel.normalisation() / (radius * radius);
-        let mut near = Vec::new();
+        let mut near = Column::default();
         let reach = radius + margin;
         self.strips.visit_box([x - reach, x + reach], [f64::MIN, f64::MAX], |range| {
-            near.extend(range.filter(|&k| (self.fluid.x[k] - x).abs() < radius));
+            for k in range.filter(|&k| (self.fluid.x[k] - x).abs() < radius) {
+                let volume = self.fluid.mass[k] / self.fluid.density[k];
+                near.push((self.fluid.x[k] - x) / radius, self.fluid.y[k] / radius, volume);
+            }
         });
         let coverage = |y: f64| -> f64 {
-            let terms = near.iter().map(|&k| {
-                let q = (self.fluid.x[k] - x).hypot(self.fluid.y[k] - y) / radius;
-                if q < 1.0 {
-                    let volume = self.fluid.mass[k] / self.fluid.density[k];
-                    volume * self.options.kernel.shape_at(q)
-                } else {
-                    0.0
-                }
-            });
-            terms.sum::<f64>() * factor
+            let (near, y) = (&near.blocks, y / radius);
+            factor
+                * with_kernel!(self.options.kernel, K => {
+                    dispatch(self.path, Coverage { near, y, kernel: PhantomData::<K> })
+                })
         };
         let step = 0.5 * self.options.spacing;
         let (mut y, mut below) = (from, coverage(from));
@@ -71,5 +74,49 @@ impl Wcsph {
             }
             (y, below) = (y + step, above);
         }
+    }
+}
+
+/// Particles near an upright line, eight at a time: their distance from it and their height, over
+/// R, and their volume.
+#[derive(Default)]
+struct Column {
+    blocks: Vec<[[f64; LANES]; 3]>,
+    len: usize,
+}
+
+impl Column {
+    fn push(&mut self, x: f64, y: f64, volume: f64) {
+        let lane = self.len % LANES;
+        if lane == 0 {
+            self.blocks.push([[0.0; LANES]; 3]);
+        }
+        if let Some([xs, ys, volumes]) = self.blocks.last_mut() {
+            (xs[lane], ys[lane], volumes[lane]) = (x, y, volume);
+        }
+        self.len += 1;
+    }
+}
+
+/// Σ w V of a column's particles at a height on its line.
+struct Coverage<'a, K> {
+    near: &'a [[[f64; LANES]; 3]],
+    /// Over R.
+    y: f64,
+    kernel: PhantomData<K>,
+}
+
+impl<K: Kernel> Task for Coverage<'_, K> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> f64 {
+        let mut sum = L::splat(0.0);
+        for [x, y, volume] in self.near {
+            let (x, y) = (L::load(x), L::load(y) - L::splat(self.y));
+            let shape = shape_within::<K, L>(x.mul_add(x, y * y));
+            sum = shape.mul_add(L::load(volume), sum);
+        }
+        sum.sum()
     }
 }

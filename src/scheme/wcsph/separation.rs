@@ -79,3 +79,14 @@ impl<V: Lanes> Geometry<V> {
 pub(super) fn lanes<L: Lanes>(field: &[f64], at: usize) -> L {
     L::load(field[at..at + LANES].first_chunk().unwrap())
 }
+
+/// Eight values of each field. (A map over the array would be a function of its own, compiled
+/// without the path's instructions.)
+#[inline(always)]
+pub(super) fn all_lanes<L: Lanes, const N: usize>(fields: [&[f64]; N], at: usize) -> [L; N] {
+    let mut values = [L::splat(0.0); N];
+    for n in 0..N {
+        values[n] = lanes(fields[n], at);
+    }
+    values
+}

@@ -71,6 +71,8 @@ pub struct Wcsph {
     pub(super) order: Vec<u32>,
     pub(super) lanes: [Vec<f64>; 2],
     pub(super) planes: Vec<Plane>,
+    /// The particles without a complete support, of schemes with corrections.
+    pub(super) near_surface: Vec<u32>,
     /// The bodies where the lists were made.
     pub(super) reference_bodies: Vec<BodyMotion>,
     /// What passes over held pairs read of each neighbour.
@@ -129,6 +131,7 @@ impl Wcsph {
             order: Vec::new(),
             lanes: Default::default(),
             planes: Vec::new(),
+            near_surface: Vec::with_capacity(padded),
             reference_bodies: vec![BodyMotion::default(); bodies],
             factors: vec![Factors::default(); padded + ghosts.len()],
             slants: match options.density_diffusion {

@@ -46,12 +46,15 @@ impl Wcsph {
         let fluid = self.work.water(fluid_records, self.options.corrected_gradients);
         let bodies = &self.held_bodies;
         self.exchange.weigh(self.path, &self.ghosts, bodies, fluid);
-        self.exchange.fill(&self.ghosts, bodies, self.responds, ghost_records);
+        self.exchange.fill(self.path, &self.ghosts, bodies, self.responds, ghost_records);
         let filled = Instant::now();
         self.timings.ghosts += (filled - packed).as_secs_f64();
         self.last_viscous_power = self.momentum_pass();
         self.last_viscous_power += self.laminar_pass();
         self.renew_concentration();
+        if self.options.corrected_gradients {
+            self.find_surface();
+        }
         self.timings.momentum += filled.elapsed().as_secs_f64();
     }
 
@@ -62,15 +65,8 @@ impl Wcsph {
         let packed = Instant::now();
         self.timings.integration += (packed - start).as_secs_f64();
         self.hold_offsets(bodies);
-        let ghost_records = &mut self.records[self.fluid.padded_len()..];
-        self.exchange.refresh_pressures(
-            self.path,
-            &self.ghosts,
-            &self.held_bodies,
-            self.responds,
-            &self.work.pressure,
-            ghost_records,
-        );
+        let (bodies, pressure) = (&self.held_bodies, &self.work.pressure);
+        self.exchange.refresh_pressures(self.path, &self.ghosts, bodies, pressure);
         self.pack_ghost_pressures();
         let filled = Instant::now();
         self.timings.ghosts += (filled - packed).as_secs_f64();
@@ -100,9 +96,7 @@ impl Wcsph {
         self.timings.integration += (kicked - start).as_secs_f64();
         self.hold_offsets(walls.bodies);
         let water = [&*self.fluid.vx, &*self.fluid.vy];
-        let ghost_records = &mut self.records[self.fluid.padded_len()..];
-        let (ghosts, bodies) = (&self.ghosts, &self.held_bodies);
-        self.exchange.refresh_velocities(self.path, ghosts, bodies, water, ghost_records);
+        self.exchange.refresh_velocities(self.path, &self.ghosts, &self.held_bodies, water);
         self.pack_ghost_velocities();
         let mirrored = Instant::now();
         self.timings.ghosts += (mirrored - kicked).as_secs_f64();

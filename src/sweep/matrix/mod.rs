@@ -257,7 +257,7 @@ name = "odd"
 numerics = { kernel = "no-such-kernel" }
 [[method]]
 name = "plain-again"
-numerics = { courant_number = 1.6 }
+numerics = { courant_number = 1.8 }
 "#;
 
     #[test]

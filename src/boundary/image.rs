@@ -1,0 +1,90 @@
+//! Ghosts as images of the water around their mirror points.
+
+use super::ghosts::Ghosts;
+use super::sums::Means;
+use crate::body::BodyMotion;
+use crate::math::simd::{LANES, Lanes, Task};
+
+/// What makes eight ghosts of the water's means, from one filling to the next, and what was made
+/// last. Both laws are linear, with factors that depend on places alone.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Image {
+    /// x and y over the support radius.
+    pub place: [[f64; LANES]; 2],
+    /// Mirrored correction of the kernel gradient: xx, xy, yy.
+    pub correction: [[f64; LANES]; 3],
+    /// Pressures, Pa.
+    pub pressure: [f64; LANES],
+    /// Velocities, m/s.
+    pub velocity: [[f64; LANES]; 2],
+    /// Turns a velocity relative to the wall into its image's: xx, xy, yy.
+    pub(super) mirror: [[f64; LANES]; 3],
+    /// The same of smooth walls.
+    pub(super) smooth: [[f64; LANES]; 3],
+    /// From where the water's mean pressure holds to the ghost, metres. Nothing along x where the
+    /// wall's acceleration does not count.
+    pub(super) lever: [[f64; LANES]; 2],
+    /// The lowest pressure that there may be, Pa.
+    pub(super) lowest: [f64; LANES],
+}
+
+/// New pressures of the ghosts in some blocks.
+pub(super) struct Press<'a> {
+    pub images: &'a mut [Image],
+    pub blocks: &'a [u32],
+    pub means: &'a [Means],
+    pub ghosts: &'a Ghosts,
+    pub bodies: &'a [BodyMotion],
+    pub gravity: f64,
+    /// Density at zero pressure, kg/m³, and 1/c0², s²/m².
+    pub density: [f64; 2],
+}
+
+impl Task for Press<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let (gravity, zero) = (L::splat(self.gravity), L::splat(0.0));
+        let (surface, per_pressure) = (L::splat(self.density[0]), L::splat(self.density[1]));
+        for &block in self.blocks {
+            let block = block as usize;
+            let image = &mut self.images[block];
+            let body = &self.bodies[self.ghosts.target_body[block] as usize];
+            let mean = L::load(&self.means[block].pressure);
+            let density = mean.mul_add(per_pressure, surface);
+            let (x, y) = (L::load(&image.lever[0]), L::load(&image.lever[1]));
+            let head = L::splat(body.acceleration).mul_add(x, gravity * y);
+            let pressure = mean + (zero - density) * head;
+            pressure.max(L::load(&image.lowest)).store(&mut image.pressure);
+        }
+    }
+}
+
+/// New velocities of the ghosts in some blocks.
+pub(super) struct Mirror<'a> {
+    pub images: &'a mut [Image],
+    pub blocks: &'a [u32],
+    pub means: &'a [Means],
+    pub ghosts: &'a Ghosts,
+    pub bodies: &'a [BodyMotion],
+}
+
+impl Task for Mirror<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        for &block in self.blocks {
+            let block = block as usize;
+            let (image, means) = (&mut self.images[block], &self.means[block]);
+            let wall = L::splat(self.bodies[self.ghosts.target_body[block] as usize].velocity);
+            let [xx, xy, yy] = &image.mirror;
+            let (xx, xy, yy) = (L::load(xx), L::load(xy), L::load(yy));
+            let (u, v) = (L::load(&means.vx) - wall, L::load(&means.vy));
+            let [vx, vy] = &mut image.velocity;
+            (xx.mul_add(u, xy * v) + wall).store(vx);
+            xy.mul_add(u, yy * v).store(vy);
+        }
+    }
+}

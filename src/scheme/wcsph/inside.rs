@@ -1,0 +1,109 @@
+//! Particles stay in front of the walls' faces.
+
+use super::momentum::store;
+use super::separation::lanes;
+use crate::body::BodyMotion;
+use crate::boundary::Plane;
+use crate::math::simd::{LANES, Lanes, Task};
+use crate::particles::Fluid;
+
+/// Puts particles that have slipped through a wall back onto its face, with its velocity.
+pub(super) struct HoldInside<'a> {
+    pub fluid: &'a mut Fluid,
+    pub planes: &'a [Plane],
+    pub bodies: &'a [BodyMotion],
+    /// How far in front of the face they are put, metres.
+    pub skin: f64,
+}
+
+impl Task for HoldInside<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let HoldInside { fluid, planes, bodies, skin } = self;
+        for at in (0..fluid.padded_len()).step_by(LANES) {
+            let place = [lanes::<L>(&fluid.x, at), lanes(&fluid.y, at)];
+            if any_nearer(planes, place, 0.0) {
+                for k in at..fluid.len().min(at + LANES) {
+                    hold(fluid, k, (planes, bodies), skin);
+                }
+            }
+        }
+    }
+}
+
+fn hold(fluid: &mut Fluid, k: usize, (planes, bodies): (&[Plane], &[BodyMotion]), skin: f64) {
+    // In an acute corner one wall may push behind the other.
+    for _ in 0..4 {
+        let place = [fluid.x[k], fluid.y[k]];
+        let crossed = planes.iter().zip(bodies).find(|(plane, _)| plane.beyond(place) > 0.0);
+        let Some((plane, motion)) = crossed else { break };
+        [fluid.x[k], fluid.y[k]] = plane.in_front(place, skin);
+        let wall = motion.velocity * plane.normal[0];
+        if fluid.vx[k] * plane.normal[0] + fluid.vy[k] * plane.normal[1] > wall {
+            let velocity = [fluid.vx[k], fluid.vy[k]];
+            [fluid.vx[k], fluid.vy[k]] = plane.with_across(velocity, |_| wall);
+        }
+    }
+}
+
+/// Whether one of eight places is nearer than `distance` to a wall's face, or behind it.
+#[inline(always)]
+pub(super) fn any_nearer<L: Lanes>(planes: &[Plane], [x, y]: [L; 2], distance: f64) -> bool {
+    let mut near = false;
+    for Plane { point, normal } in planes {
+        let (across, up) = (x - L::splat(point[0]), y - L::splat(point[1]));
+        let beyond = across * L::splat(normal[0]) + up * L::splat(normal[1]);
+        near |= L::splat(-distance).any_less(beyond);
+    }
+    near
+}
+
+/// values += dt · rates.
+pub(super) struct Advance<'a, const N: usize> {
+    pub fields: [(&'a mut [f64], &'a [f64]); N],
+    pub dt: f64,
+}
+
+impl<const N: usize> Task for Advance<'_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let dt = L::splat(self.dt);
+        for (values, rates) in self.fields {
+            let (blocks, rest) = values.as_chunks_mut::<LANES>();
+            for (block, values) in blocks.iter_mut().enumerate() {
+                let at = block * LANES;
+                (L::load(values) + dt * lanes::<L>(rates, at)).store(values);
+            }
+            let first = blocks.len() * LANES;
+            for (value, rate) in rest.iter_mut().zip(&rates[first..]) {
+                *value += self.dt * rate;
+            }
+        }
+    }
+}
+
+/// How far from `from` to `to` each value is: 0 at `from` and below it, 1 at `to` and above.
+pub(super) struct Ramp<'a> {
+    pub values: &'a [f64],
+    pub from: f64,
+    pub to: f64,
+    /// As long, whole vectors.
+    pub shares: &'a mut [f64],
+}
+
+impl Task for Ramp<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        for at in (0..self.shares.len()).step_by(LANES) {
+            let inside = lanes::<L>(self.values, at) - L::splat(self.from);
+            let share = inside.div(L::splat(self.to - self.from));
+            store(self.shares, at, share.max(L::splat(0.0)).min(L::splat(1.0)));
+        }
+    }
+}

@@ -1,0 +1,70 @@
+//! Pressures from densities, and what density diffusion smooths.
+
+use std::ops::Range;
+
+use super::WcsphOptions;
+use crate::particles::Fluid;
+use crate::scheme::StateEquation;
+
+/// From densities to pressures.
+#[derive(Clone, Copy)]
+pub(super) struct Pressing<'a> {
+    state: StateEquation,
+    /// Pressures are ahead of the densities by this time, seconds.
+    bulk_time: f64,
+    /// g ρ_s/c0² where diffusion takes still water for uniform, else 0.
+    hydrostatic: f64,
+    density: &'a [f64],
+    y: &'a [f64],
+    rate: &'a [f64],
+    tension: &'a [f64],
+}
+
+impl<'a> Pressing<'a> {
+    /// With the rates of change of density and the shares of tension that the water bears.
+    pub fn of(
+        options: &WcsphOptions,
+        bulk_time: f64,
+        fluid: &'a Fluid,
+        [rate, tension]: [&'a [f64]; 2],
+    ) -> Pressing<'a> {
+        Pressing {
+            state: options.state,
+            bulk_time,
+            hydrostatic: options.hydrostatic_slope(),
+            density: &fluid.density,
+            y: &fluid.y,
+            rate,
+            tension,
+        }
+    }
+
+    /// Pressures, with tension left out near the free surface, and what density diffusion smooths:
+    /// ρ, or ρ less what it is in still water.
+    #[inline(always)]
+    pub fn find(self, lanes: Range<usize>, pressures: &mut [f64], diffused: &mut [f64]) {
+        let Pressing { state, bulk_time, hydrostatic, .. } = self;
+        let [density, y, rate, tension] =
+            [self.density, self.y, self.rate, self.tension].map(|field| &field[lanes.clone()]);
+        let n = density.len();
+        let (pressures, diffused) = (&mut pressures[..n], &mut diffused[..n]);
+        for k in 0..n {
+            let pressure = state.pressure(density[k] + bulk_time * rate[k]);
+            pressures[k] = if pressure < 0.0 { pressure * tension[k] } else { pressure };
+        }
+        if hydrostatic > 0.0 {
+            let surface = state.surface_density;
+            for k in 0..n {
+                diffused[k] = surface * small_log(density[k] / surface - 1.0) + hydrostatic * y[k];
+            }
+        } else {
+            diffused.copy_from_slice(density);
+        }
+    }
+}
+
+/// ln(1 + u) for |u| far below one, to u⁵: still water is exactly uniform in ln ρ + g y/c0².
+#[inline(always)]
+fn small_log(u: f64) -> f64 {
+    u * (1.0 - u * (0.5 - u * (1.0 / 3.0 - u * (0.25 - 0.2 * u))))
+}

@@ -1,0 +1,79 @@
+//! Particle shifting, away from walls and from the free surface.
+
+use super::inside::any_nearer;
+use super::momentum::store;
+use super::separation::{all_lanes, lanes};
+use super::{WcsphOptions, Workspace};
+use crate::boundary::Plane;
+use crate::math::simd::{LANES, Lanes, Task};
+use crate::particles::Fluid;
+
+/// Shifting fades in from this completeness of the support ...
+const FROM: f64 = 0.85;
+/// ... to this one.
+const FULL: f64 = 0.97;
+/// No shift is longer than this many particle spacings.
+const LIMIT: f64 = 0.05;
+
+/// Shifts particles towards an even spread, and takes their densities along.
+pub(super) struct Shift<'a> {
+    pub fluid: &'a mut Fluid,
+    pub work: &'a Workspace,
+    pub options: &'a WcsphOptions,
+    pub planes: &'a [Plane],
+    /// The time that the shift is for, seconds.
+    pub dt: f64,
+    /// 1/R, 1/m.
+    pub inverse_radius: f64,
+}
+
+impl Task for Shift<'_> {
+    /// The energy that goes, J/m.
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> f64 {
+        let Shift { fluid, work, options, planes, dt, inverse_radius } = self;
+        let strength = options.shifting_coefficient * options.smoothing_length() * dt;
+        let (limit, reach) = (LIMIT * options.spacing, options.spacing);
+        let slope = options.hydrostatic_slope();
+        let (zero, one) = (L::splat(0.0), L::splat(1.0));
+        let mut gained = zero;
+        for at in (0..fluid.padded_len()).step_by(LANES) {
+            let [x, y, vx, vy] = all_lanes::<L, 4>([&fluid.x, &fluid.y, &fluid.vx, &fluid.vy], at);
+            let inside = lanes::<L>(&work.completeness, at) - L::splat(FROM);
+            let inside = inside.div(L::splat(FULL - FROM)).max(zero).min(one);
+            let factor = L::splat(-strength) * (vx * vx + vy * vy).sqrt() * inside;
+            let [dx, dy] = all_lanes::<L, 2>([&work.concentration_x, &work.concentration_y], at);
+            let mut dx = (factor * dx).max(L::splat(-limit)).min(L::splat(limit));
+            let mut dy = (factor * dy).max(L::splat(-limit)).min(L::splat(limit));
+            if any_nearer(planes, [x, y], 1.5 * reach) {
+                let (mut shift_x, mut shift_y) = (dx.to_array(), dy.to_array());
+                for lane in 0..LANES {
+                    let place = [fluid.x[at + lane], fluid.y[at + lane]];
+                    let mut shift = [shift_x[lane], shift_y[lane]];
+                    for plane in planes {
+                        let distance = -plane.beyond(place);
+                        if distance < 1.5 * reach {
+                            let fade = (distance / reach - 0.5).clamp(0.0, 1.0);
+                            shift = plane.with_across(shift, |across| across * fade);
+                        }
+                    }
+                    [shift_x[lane], shift_y[lane]] = shift;
+                }
+                (dx, dy) = (L::load(&shift_x), L::load(&shift_y));
+            }
+            let [gradient_x, gradient_y] =
+                all_lanes::<L, 2>([&work.gradient_x, &work.gradient_y], at);
+            let rise = (dx * gradient_x + dy * gradient_y) * L::splat(inverse_radius)
+                - L::splat(slope) * dy;
+            let density = lanes::<L>(&fluid.density, at);
+            let elastic = lanes::<L>(&work.pressure, at).div(density * density) * rise;
+            gained += lanes::<L>(&fluid.mass, at) * (L::splat(options.gravity) * dy + elastic);
+            store(&mut fluid.x, at, x + dx);
+            store(&mut fluid.y, at, y + dy);
+            store(&mut fluid.density, at, density + rise);
+        }
+        -gained.sum()
+    }
+}
