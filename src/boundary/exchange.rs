@@ -1,8 +1,7 @@
 //! From the water to the ghosts: one interpolation at every mirror point and its consequences.
 
 use super::InterpolatorChoice;
-use super::faces::span;
-use super::ghosts::{Ghosts, Reflection};
+use super::ghosts::Ghosts;
 use super::image::{Image, Mirror};
 use super::stretch::Stretch;
 use super::sums::{Cover, GatherVelocity, KernelWeights, Means, Targets, Water, Weigh};
@@ -12,7 +11,7 @@ use crate::kernel::KernelChoice;
 use crate::math::simd::{LANES, SimdPath, dispatch};
 use crate::math::team::{self, Team};
 use crate::neighbours::{PointSet, Strips, build_pair_list};
-use crate::particles::{Record, Scaling};
+use crate::particles::Scaling;
 use crate::{with_interpolator, with_kernel};
 
 /// What the ghosts of a scene obey.
@@ -229,121 +228,6 @@ impl Exchange {
         });
     }
 
-    /// Writes the ghosts' records: place, volume, pressure and its response to their body's
-    /// acceleration, velocity. `ghost_records` are those of the ghosts alone; the body number
-    /// `responds` has its acceleration left out of the pressure and put into the response.
-    pub fn fill(
-        &mut self,
-        path: SimdPath,
-        ghosts: &Ghosts,
-        bodies: &[BodyMotion],
-        responds: usize,
-        ghost_records: &mut [Record],
-    ) {
-        self.fallbacks = 0;
-        self.counting.clear();
-        let [left, right] =
-            if self.rules.bed_between_walls { span(ghosts, bodies) } else { [f64::MIN, f64::MAX] };
-        for (number, body) in ghosts.bodies.iter().enumerate() {
-            let motion = &bodies[number];
-            for g in body.ghosts.clone() {
-                let placed = self.place(ghosts, (number, g), motion.offset, [left, right]);
-                let (volume, wet) = placed.unwrap_or_default();
-                let record = &mut ghost_records[g].0;
-                let (block, lane) = (g / LANES, g % LANES);
-                let [x, y] = &self.images[block].place;
-                (record[Record::X], record[Record::Y]) = (x[lane], y[lane]);
-                record[Record::WEIGHT] = volume * self.rules.scaling.weight_per_volume;
-                self.responses[g] = [0.0; 3];
-                if placed.is_none() {
-                    record[Record::VX] = motion.velocity;
-                    record[Record::VY] = 0.0;
-                    record[Record::PRESSURE..].fill(0.0);
-                    continue;
-                }
-                if self.counting.last() != Some(&(block as u32)) {
-                    self.counting.push(block as u32);
-                }
-                self.fallbacks += u64::from(volume != 0.0 && self.fallen[block][lane] > 0.5);
-                self.reflect(ghosts, (g, wet), motion, number == responds);
-            }
-        }
-        self.press(path, ghosts, bodies);
-        self.mirror_velocities(path, ghosts, bodies);
-        for &block in &self.counting {
-            let at = block as usize * LANES;
-            let image = &mut self.images[block as usize];
-            for (lane, record) in ghost_records[at..at + LANES].iter_mut().enumerate() {
-                let record = &mut record.0;
-                if self.scale[block as usize][lane] != 0.0 {
-                    let pressure = image.pressure[lane];
-                    record[Record::VX] = image.velocity[0][lane];
-                    record[Record::VY] = image.velocity[1][lane];
-                    record[Record::PRESSURE] = pressure * image.correction[0][lane];
-                    record[Record::PRESSURE_XY] = pressure * image.correction[1][lane];
-                    record[Record::PRESSURE_YY] = pressure * image.correction[2][lane];
-                }
-            }
-            image.mirror = image.smooth;
-        }
-    }
-
-    /// Puts a ghost in its place; returns the volume that counts, and how wet it is, where there is
-    /// water in reach.
-    fn place(
-        &mut self,
-        ghosts: &Ghosts,
-        (body, g): (usize, usize),
-        offset: f64,
-        [left, right]: [f64; 2],
-    ) -> Option<(f64, f64)> {
-        let rules = &self.rules;
-        let (block, lane) = (g / LANES, g % LANES);
-        let (x, y) = (ghosts.x[g] + offset, ghosts.y[g]);
-        let image = &mut self.images[block];
-        image.place[0][lane] = x * rules.scaling.inverse_radius;
-        image.place[1][lane] = y * rules.scaling.inverse_radius;
-        if self.scale[block][lane] == 0.0 {
-            return None;
-        }
-        let wet = self.wet_share_of(ghosts, body, g);
-        let mut volume = ghosts.volume[g] * wet;
-        if body == 0 && rules.bed_between_walls {
-            let half = 0.5 * rules.spacing;
-            let inside = (right.min(x + half) - left.max(x - half)) / rules.spacing;
-            volume *= inside.clamp(0.0, 1.0);
-        }
-        Some((volume, wet))
-    }
-
-    /// Finds what makes a ghost of the means at its mirror point.
-    fn reflect(
-        &mut self,
-        ghosts: &Ghosts,
-        (g, wet): (usize, f64),
-        motion: &BodyMotion,
-        responds: bool,
-    ) {
-        let (block, lane) = (g / LANES, g % LANES);
-        let correction = mirrored_correction(&self.means[block], lane, ghosts.reflection[g]);
-        let [x, y] = self.lever(ghosts, g, motion);
-        let whole = wet >= 1.0;
-        let lever = [if whole && !responds { x } else { 0.0 }, y];
-        let response = if whole && responds { -self.density(g) * x } else { 0.0 };
-        let smooth = self.mirror(ghosts, g, motion, false);
-        let mirror = if self.rules.no_slip { self.mirror(ghosts, g, motion, true) } else { smooth };
-        let image = &mut self.images[block];
-        for part in 0..3 {
-            image.correction[part][lane] = correction[part];
-            image.mirror[part][lane] = mirror[part];
-            image.smooth[part][lane] = smooth[part];
-            self.responses[g][part] = response * correction[part];
-        }
-        image.lever[0][lane] = lever[0];
-        image.lever[1][lane] = lever[1];
-        image.lowest[lane] = if whole { f64::NEG_INFINITY } else { 0.0 };
-    }
-
     /// Interpolates the velocities anew, with the weights at hand, for the continuity equation. There walls are smooth whatever the slip (De Leffe et al. 2011): a
     /// tangential velocity turned round at the wall would be compression that no force does work
     /// on. `water` holds the fluid's velocities along x and y.
@@ -363,25 +247,13 @@ impl Exchange {
     }
 
     /// Velocities of the ghosts that have water in reach, from the means at hand.
-    fn mirror_velocities(&mut self, path: SimdPath, ghosts: &Ghosts, bodies: &[BodyMotion]) {
+    pub(super) fn mirror_velocities(
+        &mut self,
+        path: SimdPath,
+        ghosts: &Ghosts,
+        bodies: &[BodyMotion],
+    ) {
         let Exchange { images, counting, means, .. } = self;
         dispatch(path, Mirror { images, blocks: &*counting, means, ghosts, bodies });
-    }
-}
-
-/// The correction beyond a wall is the mirror image of the water's: then both sides of the
-/// waterline press alike.
-fn mirrored_correction(means: &Means, lane: usize, reflection: Reflection) -> [f64; 3] {
-    let [xx, xy, yy] = &means.correction;
-    let [xx, xy, yy] = [xx[lane], xy[lane], yy[lane]];
-    match reflection {
-        Reflection::Corner => [xx, xy, yy],
-        Reflection::Plane { normal: [nx, ny] } => {
-            // H C H with H = I - 2 n nᵀ.
-            let (a, b, d) = (1.0 - 2.0 * nx * nx, -2.0 * nx * ny, 1.0 - 2.0 * ny * ny);
-            let (p, q) = (a * xx + b * xy, a * xy + b * yy);
-            let (r, s) = (b * xx + d * xy, b * xy + d * yy);
-            [p * a + q * b, p * b + q * d, r * b + s * d]
-        }
     }
 }

@@ -9,6 +9,7 @@ mod closed_box;
 mod dummy;
 mod exchange;
 mod faces;
+mod fill;
 mod ghosts;
 mod image;
 mod improved_shepard;

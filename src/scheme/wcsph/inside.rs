@@ -1,6 +1,5 @@
 //! Particles stay in front of the walls' faces.
 
-use super::momentum::store;
 use super::separation::lanes;
 use crate::body::BodyMotion;
 use crate::boundary::Plane;
@@ -58,52 +57,4 @@ pub(super) fn any_nearer<L: Lanes>(planes: &[Plane], [x, y]: [L; 2], distance: f
         near |= L::splat(-distance).any_less(beyond);
     }
     near
-}
-
-/// values += dt · rates.
-pub(super) struct Advance<'a, const N: usize> {
-    pub fields: [(&'a mut [f64], &'a [f64]); N],
-    pub dt: f64,
-}
-
-impl<const N: usize> Task for Advance<'_, N> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let dt = L::splat(self.dt);
-        for (values, rates) in self.fields {
-            let (blocks, rest) = values.as_chunks_mut::<LANES>();
-            for (block, values) in blocks.iter_mut().enumerate() {
-                let at = block * LANES;
-                (L::load(values) + dt * lanes::<L>(rates, at)).store(values);
-            }
-            let first = blocks.len() * LANES;
-            for (value, rate) in rest.iter_mut().zip(&rates[first..]) {
-                *value += self.dt * rate;
-            }
-        }
-    }
-}
-
-/// How far from `from` to `to` each value is: 0 at `from` and below it, 1 at `to` and above.
-pub(super) struct Ramp<'a> {
-    pub values: &'a [f64],
-    pub from: f64,
-    pub to: f64,
-    /// As long, whole vectors.
-    pub shares: &'a mut [f64],
-}
-
-impl Task for Ramp<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        for at in (0..self.shares.len()).step_by(LANES) {
-            let inside = lanes::<L>(self.values, at) - L::splat(self.from);
-            let share = inside.div(L::splat(self.to - self.from));
-            store(self.shares, at, share.max(L::splat(0.0)).min(L::splat(1.0)));
-        }
-    }
 }

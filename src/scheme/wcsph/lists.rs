@@ -1,11 +1,10 @@
 //! Neighbour lists: when they are worn, and how they are made.
 
 use super::Wcsph;
-use super::momentum::store;
+use super::fields::Extrapolate;
 use super::parts::cut;
-use super::separation::all_lanes;
 use crate::body::BodyMotion;
-use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use crate::math::simd::{LANES, dispatch};
 use crate::neighbours::{PointSet, Reach, build_pair_list};
 
 /// Margin of the fluid's lists, in particle spacings.
@@ -154,29 +153,5 @@ impl Wcsph {
             (&self.strips, &self.reference_x, &self.reference_y),
             radius + GHOST_MARGIN * spacing,
         );
-    }
-}
-
-/// places + a · velocities + b · accelerations.
-struct Extrapolate<'a> {
-    ahead: &'a mut [f64],
-    places: &'a [f64],
-    velocities: &'a [f64],
-    accelerations: &'a [f64],
-    /// a, s, and b, s².
-    factors: [f64; 2],
-}
-
-impl Task for Extrapolate<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let (a, b) = (L::splat(self.factors[0]), L::splat(self.factors[1]));
-        for at in (0..self.ahead.len()).step_by(LANES) {
-            let [place, velocity, acceleration] =
-                all_lanes::<L, 3>([self.places, self.velocities, self.accelerations], at);
-            store(self.ahead, at, place + a * velocity + b * acceleration);
-        }
     }
 }

@@ -11,6 +11,8 @@ mod acoustic;
 mod continuity;
 mod contract;
 mod correction;
+mod fields;
+mod ghost_pack;
 mod held;
 mod inside;
 mod laminar;

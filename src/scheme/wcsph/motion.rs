@@ -1,6 +1,7 @@
 //! Velocities and places: kick, drift, and what keeps particles in good order.
 
-use super::inside::{Advance, HoldInside, Ramp};
+use super::fields::{Advance, Ramp};
+use super::inside::HoldInside;
 use super::passes::{TENSION_FROM, TENSION_FULL};
 use super::shifting::Shift;
 use super::{DensityDiffusion, Shifting, Wcsph};

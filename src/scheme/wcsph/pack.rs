@@ -7,7 +7,6 @@ use super::momentum::store;
 use super::pressing::Pressing;
 use super::separation::{all_lanes, lanes};
 use super::{DensityDiffusion, Wcsph};
-use crate::boundary::Image;
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
 use crate::particles::{Fluid, Record, Scaling};
 
@@ -140,55 +139,6 @@ impl Task for Velocities<'_> {
     }
 }
 
-/// New pressures of the ghosts that have water in reach, like those of the water.
-struct GhostPressures<'a> {
-    images: (&'a [u32], &'a [Image]),
-    /// Of the ghosts alone.
-    factors: &'a mut [Factors],
-}
-
-impl Task for GhostPressures<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let ((blocks, images), (factors, _)) = (self.images, self.factors.as_chunks_mut::<LANES>());
-        for &block in blocks {
-            let image = &images[block as usize];
-            let p = L::load(&image.pressure);
-            let place = [L::load(&image.place[0]), L::load(&image.place[1])];
-            let [xx, xy, yy] = &image.correction;
-            let pressed = [p * L::load(xx), p * L::load(xy), p * L::load(yy)];
-            let numbers = pressure_factors(pressed, place, L::splat(1.0));
-            L::store_records(numbers, &mut factors[block as usize]);
-        }
-    }
-}
-
-/// Their new velocities.
-struct GhostVelocities<'a> {
-    images: (&'a [u32], &'a [Image]),
-    /// Of the ghosts alone.
-    factors: &'a mut [Factors],
-}
-
-impl Task for GhostVelocities<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let ((blocks, images), (factors, _)) = (self.images, self.factors.as_chunks_mut::<LANES>());
-        let zero = L::splat(0.0);
-        for &block in blocks {
-            let image = &images[block as usize];
-            let velocity = [L::load(&image.velocity[0]), L::load(&image.velocity[1])];
-            let place = [L::load(&image.place[0]), L::load(&image.place[1])];
-            let numbers = velocity_factors(velocity, place, [zero, zero]);
-            L::store_records(numbers, &mut factors[block as usize]);
-        }
-    }
-}
-
 impl Wcsph {
     /// Pressures, and everything about the fluid that the pass of a full step reads.
     pub(super) fn pack(&mut self) {
@@ -230,12 +180,6 @@ impl Wcsph {
         });
     }
 
-    /// The ghosts' new pressures, likewise.
-    pub(super) fn pack_ghost_pressures(&mut self) {
-        let factors = &mut self.factors[self.fluid.padded_len()..];
-        dispatch(self.path, GhostPressures { images: self.exchange.images(), factors });
-    }
-
     /// The water's new velocities.
     pub(super) fn pack_velocities(&mut self) {
         let n = self.fluid.padded_len();
@@ -264,17 +208,11 @@ impl Wcsph {
             );
         });
     }
-
-    /// The ghosts' new velocities, likewise.
-    pub(super) fn pack_ghost_velocities(&mut self) {
-        let factors = &mut self.factors[self.fluid.padded_len()..];
-        dispatch(self.path, GhostVelocities { images: self.exchange.images(), factors });
-    }
 }
 
 /// P_xx, P_xy, P_yy, (P r)_x, (P r)_y, 1, x, y.
 #[inline(always)]
-fn pressure_factors<V>([xx, xy, yy]: [V; 3], [x, y]: [V; 2], one: V) -> [V; 8]
+pub(super) fn pressure_factors<V>([xx, xy, yy]: [V; 3], [x, y]: [V; 2], one: V) -> [V; 8]
 where
     V: Copy + Add<Output = V> + Mul<Output = V>,
 {
@@ -283,7 +221,7 @@ where
 
 /// u, v, u x, u y, v x, v y, and two more.
 #[inline(always)]
-fn velocity_factors<V>([u, v]: [V; 2], [x, y]: [V; 2], [a, b]: [V; 2]) -> [V; 8]
+pub(super) fn velocity_factors<V>([u, v]: [V; 2], [x, y]: [V; 2], [a, b]: [V; 2]) -> [V; 8]
 where
     V: Copy + Mul<Output = V>,
 {

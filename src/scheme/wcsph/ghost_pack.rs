@@ -1,0 +1,70 @@
+//! What the held passes read of each ghost.
+
+use super::Wcsph;
+use super::held::Factors;
+use super::pack::{pressure_factors, velocity_factors};
+use crate::boundary::Image;
+use crate::math::simd::{LANES, Lanes, Task, dispatch};
+
+/// New pressures of the ghosts that have water in reach, like those of the water.
+struct GhostPressures<'a> {
+    images: (&'a [u32], &'a [Image]),
+    /// Of the ghosts alone.
+    factors: &'a mut [Factors],
+}
+
+impl Task for GhostPressures<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let ((blocks, images), (factors, _)) = (self.images, self.factors.as_chunks_mut::<LANES>());
+        for &block in blocks {
+            let image = &images[block as usize];
+            let p = L::load(&image.pressure);
+            let place = [L::load(&image.place[0]), L::load(&image.place[1])];
+            let [xx, xy, yy] = &image.correction;
+            let pressed = [p * L::load(xx), p * L::load(xy), p * L::load(yy)];
+            let numbers = pressure_factors(pressed, place, L::splat(1.0));
+            L::store_records(numbers, &mut factors[block as usize]);
+        }
+    }
+}
+
+/// Their new velocities.
+struct GhostVelocities<'a> {
+    images: (&'a [u32], &'a [Image]),
+    /// Of the ghosts alone.
+    factors: &'a mut [Factors],
+}
+
+impl Task for GhostVelocities<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let ((blocks, images), (factors, _)) = (self.images, self.factors.as_chunks_mut::<LANES>());
+        let zero = L::splat(0.0);
+        for &block in blocks {
+            let image = &images[block as usize];
+            let velocity = [L::load(&image.velocity[0]), L::load(&image.velocity[1])];
+            let place = [L::load(&image.place[0]), L::load(&image.place[1])];
+            let numbers = velocity_factors(velocity, place, [zero, zero]);
+            L::store_records(numbers, &mut factors[block as usize]);
+        }
+    }
+}
+
+impl Wcsph {
+    /// The ghosts' new pressures alone, like [`Wcsph::pack_pressures`].
+    pub(super) fn pack_ghost_pressures(&mut self) {
+        let factors = &mut self.factors[self.fluid.padded_len()..];
+        dispatch(self.path, GhostPressures { images: self.exchange.images(), factors });
+    }
+
+    /// The ghosts' new velocities, like [`Wcsph::pack_velocities`].
+    pub(super) fn pack_ghost_velocities(&mut self) {
+        let factors = &mut self.factors[self.fluid.padded_len()..];
+        dispatch(self.path, GhostVelocities { images: self.exchange.images(), factors });
+    }
+}
