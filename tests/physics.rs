@@ -89,6 +89,24 @@ fn a_wall_that_leaves_its_stop_at_once_branches_alike() {
     }
 }
 
+/// The end may come between two full steps, where no state can be kept.
+#[test]
+fn a_wall_that_never_moves_branches_alike() {
+    let path = SimdPath::widest();
+    let mut rests = [false; 3];
+    for end_time in [0.1, 0.102, 0.104, 0.106, 0.108, 0.11] {
+        let scene = format!("tank_length_m = 1.0\nwave_gauge_m = 0.5\nend_time_s = {end_time}\n");
+        let case = config(&scene, COARSE);
+        let kept = run_trunk(&case.trunk().unwrap(), path, &Unwatched).unwrap();
+        let whole = run(&case);
+        let branch = timeless(run_case(&case, Some(&kept.checkpoint), path, &Unwatched).unwrap());
+        assert!(kept.steps > 10 && kept.steps < whole.outcome.steps, "{end_time}");
+        assert_eq!(bits(&whole), bits(&branch), "{end_time}");
+        rests[(whole.outcome.steps % 3) as usize] = true;
+    }
+    assert_eq!(rests, [true; 3], "every place between two full steps was an end");
+}
+
 #[test]
 fn a_checkpoint_of_another_trunk_is_refused() {
     let path = SimdPath::widest();

@@ -43,7 +43,7 @@ fn a_retry_takes_half_the_step_and_says_so() {
 fn strong_viscosity_takes_shorter_steps() {
     let mild = run("").unwrap().outcome;
     let strong = run("artificial_viscosity = 0.5").unwrap().outcome;
-    assert_eq!(strong.health.closest().0.max(0.5), 0.5, "{:?}", strong.health);
+    assert!(strong.health.closest().0 <= 0.5, "{:?}", strong.health);
     let ratio = strong.steps as f64 / mild.steps as f64;
     assert!((ratio - 1.8).abs() < 0.02, "{ratio}");
 }
