@@ -2,6 +2,7 @@
 
 use super::InterpolatorChoice;
 use super::ghosts::Ghosts;
+use super::held_weights::Near;
 use super::image::{Image, Mirror};
 use super::stretch::Stretch;
 use super::sums::{Cover, GatherVelocity, KernelWeights, Means, Targets, Water, Weigh};
@@ -214,11 +215,12 @@ impl Exchange {
                 at_ghost: interpolator.at_ghost(),
             };
             let held = &mut part.held;
+            dispatch(path, Near { targets: targets.clone(), held });
             if interpolator.from_kernel() {
                 let targets = targets.clone();
                 with_kernel!(rules.kernel, K => dispatch(path, KernelWeights::<K> {
                     targets,
-                    weights: &mut held.weights,
+                    held,
                     kernel: std::marker::PhantomData,
                 }));
             }

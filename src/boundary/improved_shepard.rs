@@ -22,13 +22,13 @@ pub struct ImprovedShepard {
 const MU: f64 = 4.0;
 
 impl ImprovedShepard {
-    /// q^λ from s = q² and 1/q.
+    /// q^λ from s = q².
     #[inline(always)]
-    fn power<L: Lanes>(&self, s: L, inverse_q: L) -> L {
+    fn power<L: Lanes>(&self, s: L) -> L {
         if self.lambda == 2.0 {
             s
         } else if self.lambda == 1.0 {
-            s * inverse_q
+            s.sqrt()
         } else if self.lambda == 4.0 {
             s * s
         } else {
@@ -54,15 +54,12 @@ impl Interpolator for ImprovedShepard {
             let (dx, dy) = stencil.apart(k);
             // Nearer than 1e-6 R is coincident: the weight then outshines all others by 1e20.
             let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
-            if !s.any_less(one) {
-                *weight = [0.0; LANES];
-                continue;
-            }
-            let inverse_q = s.rsqrt();
-            let inverse_s = inverse_q * inverse_q;
-            let room = (one - self.power(s, inverse_q)).max(L::splat(1e-3));
-            let exponent = (s * L::splat(-MU * self.sigma)).div(room).max(L::splat(-600.0));
-            let value = inverse_s * inverse_s * exponent.exp();
+            let room = (one - self.power(s)).max(L::splat(1e-3));
+            // One division for both 1/s² and 1/(1 - q^λ).
+            let square = s * s;
+            let inverse = one.div(square * room);
+            let exponent = inverse * square * (s * L::splat(-MU * self.sigma));
+            let value = inverse * room * exponent.max(L::splat(-600.0)).exp();
             let value = s.select_less(one, value, L::splat(0.0));
             value.store(weight);
             sum += value;

@@ -11,6 +11,7 @@ mod exchange;
 mod faces;
 mod fill;
 mod ghosts;
+mod held_weights;
 mod image;
 mod improved_shepard;
 mod mirror;

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::sums::HeldWeights;
+use super::held_weights::HeldWeights;
 use crate::math::team::Part;
 use crate::neighbours::PairList;
 

@@ -4,6 +4,7 @@ use std::ops::Range;
 
 use super::Interpolator;
 use super::ghosts::Ghosts;
+use super::held_weights::HeldWeights;
 use super::stretch::Stretch;
 use super::weighing::{Stencil, Weighing};
 use crate::body::BodyMotion;
@@ -52,9 +53,12 @@ pub(super) struct Targets<'a> {
 }
 
 impl<'a> Targets<'a> {
-    /// The targets of a block with their neighbours, and where the weights of these are.
+    /// The targets of a block and such neighbours.
     #[inline(always)]
-    fn stencil<L: Lanes>(&self, block: usize) -> (Stencil<'a, L>, Range<usize>) {
+    pub fn stencil<'b, L: Lanes>(&self, block: usize, neighbours: &'b [u32]) -> Stencil<'b, L>
+    where
+        'a: 'b,
+    {
         let ghosts = self.ghosts;
         let (xs, ys) = if self.at_ghost && block < ghosts.len() / LANES {
             (&ghosts.x, &ghosts.y)
@@ -65,18 +69,14 @@ impl<'a> Targets<'a> {
         let inverse = L::splat(self.scaling.inverse_radius);
         let x = (L::load(&xs.as_chunks::<LANES>().0[block]) + L::splat(offset)) * inverse;
         let y = L::load(&ys.as_chunks::<LANES>().0[block]) * inverse;
-        let neighbours = self.list.group(block - self.first, 0);
-        let start = self.list.start(block - self.first, 0);
-        let stencil =
-            Stencil { x, y, neighbours, records: self.water.records, kernel: self.kernel };
-        (stencil, start..start + neighbours.len())
+        Stencil { x, y, neighbours, records: self.water.records, kernel: self.kernel }
     }
 }
 
 /// Kernel weights of the water at targets.
 pub(super) struct KernelWeights<'a, K> {
     pub targets: Targets<'a>,
-    pub weights: &'a mut [[f64; LANES]],
+    pub held: &'a mut HeldWeights,
     pub kernel: std::marker::PhantomData<K>,
 }
 
@@ -86,52 +86,9 @@ impl<K: Kernel> Task for KernelWeights<'_, K> {
     #[inline(always)]
     fn run<L: Lanes>(self) {
         for block in self.targets.blocks.clone() {
-            let (stencil, range) = self.targets.stencil::<L>(block);
-            stencil.kernel_weights::<K>(&mut self.weights[range]);
+            let (neighbours, weights) = self.held.room(block - self.targets.first);
+            self.targets.stencil::<L>(block, neighbours).kernel_weights::<K>(weights);
         }
-    }
-}
-
-/// The weights that are not zero, with the particles that they belong to.
-#[derive(Debug, Clone, Default)]
-pub(super) struct HeldWeights {
-    /// Room for all of the list; those of a block come first in its part.
-    pub weights: Vec<[f64; LANES]>,
-    entries: Vec<u32>,
-    /// Where each block's lie.
-    ranges: Vec<(u32, u32)>,
-}
-
-impl HeldWeights {
-    /// Room for all pairs of a list.
-    pub fn make_room(&mut self, list: &PairList) {
-        self.weights.resize(list.len(), [0.0; LANES]);
-        self.entries.resize(list.len(), 0);
-        self.ranges.resize(list.clusters(), (0, 0));
-    }
-
-    /// Keeps what counts of a block's weights, which stand in `range`.
-    #[inline(always)]
-    fn keep<L: Lanes>(&mut self, block: usize, neighbours: &[u32], range: Range<usize>) {
-        let zero = L::splat(0.0);
-        let weights = &mut self.weights[range.clone()];
-        let entries = &mut self.entries[range.clone()];
-        let mut count = 0;
-        for (k, &j) in neighbours.iter().enumerate() {
-            let weight = L::load(&weights[k]);
-            weight.store(&mut weights[count]);
-            entries[count] = j;
-            count += usize::from((zero - weight * weight).any_less(zero));
-        }
-        self.ranges[block] = (range.start as u32, (range.start + count) as u32);
-    }
-
-    /// The particles that count for a block of targets, and their weights.
-    #[inline(always)]
-    fn of(&self, block: usize) -> (&[u32], &[[f64; LANES]]) {
-        let (start, end) = self.ranges[block];
-        let range = start as usize..end as usize;
-        (&self.entries[range.clone()], &self.weights[range])
     }
 }
 
@@ -152,11 +109,10 @@ impl<I: Interpolator> Task for Weigh<'_, I> {
     fn run<L: Lanes>(self) {
         let Targets { water, scaling, first, .. } = self.targets;
         for block in self.targets.blocks.clone() {
-            let (stencil, range) = self.targets.stencil::<L>(block);
-            let weights = &mut self.held.weights[range.clone()];
-            let Weighing { scale, fallback } = self.interpolator.weigh::<L>(&stencil, weights);
             let row = block - first;
-            self.held.keep::<L>(row, stencil.neighbours, range);
+            let (neighbours, weights) = self.held.room(row);
+            let stencil = self.targets.stencil::<L>(block, neighbours);
+            let Weighing { scale, fallback } = self.interpolator.weigh::<L>(&stencil, weights);
             scale.store(&mut self.scale[row]);
             if I::SIGNED {
                 fallback.store(&mut self.fallen[row]);
@@ -310,7 +266,8 @@ impl Task for GatherPressure<'_> {
             let (neighbours, weights) = self.part.held.of(row);
             let mut pressure = L::splat(0.0);
             for (&j, weight) in neighbours.iter().zip(weights) {
-                pressure = L::load(weight).mul_add(L::splat(self.pressure[j as usize]), pressure);
+                let weight = L::load(weight);
+                pressure = weight.mul_add(L::splat(self.pressure[j as usize]), pressure);
             }
             let scale = L::load(&self.scale[block]);
             (pressure * scale).store(&mut self.means[row].pressure);

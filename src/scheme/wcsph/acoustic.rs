@@ -14,7 +14,7 @@ use super::separation::lanes;
 /// acceleration are those of that pass; the water has had viscosity's whole impulse in it.
 ///
 /// Factors of a neighbour, with P = p L its pressure times its correction: P_xx, P_xy, P_yy,
-/// (P r)_x, (P r)_y; of a ghost also 1, x, y.
+/// (P r)_x, (P r)_y.
 pub(super) struct Acoustic<'a, const CORRECTED: bool> {
     pub fluid: &'a Fluid,
     pub factors: &'a [Factors],
@@ -34,7 +34,8 @@ impl<const CORRECTED: bool> Task for Acoustic<'_, CORRECTED> {
     #[inline(always)]
     fn run<L: Lanes>(self) {
         let Acoustic { fluid, factors, part, work, acceleration, bodies, gravity } = self;
-        let Part { clusters, held: pairs, tally, .. } = part;
+        let Part { clusters, held: pairs, near, tally, .. } = part;
+        let mut near = near.iter();
         let [acceleration_x, acceleration_y] = acceleration;
         tally.clear();
         for (here, cluster) in clusters.clone().enumerate() {
@@ -43,26 +44,26 @@ impl<const CORRECTED: bool> Task for Acoustic<'_, CORRECTED> {
             let y = lanes::<L>(&work.scaled_y, at);
             let inverse_density = lanes::<L>(&work.inverse_density, at);
             let sums = L::call(Product::<5> { pairs, factors, cluster: here, group: 0 });
-            let [mut push_x, mut push_y] = pressed([x, y], sums.first_chunk().unwrap());
+            let [mut push_x, mut push_y] = pressed([x, y], &sums);
             for body in 0..bodies {
                 let group = body + 1;
                 if pairs.group(here, group).0.is_empty() {
                     continue;
                 }
-                let sums = L::call(Product::<8> { pairs, factors, cluster: here, group });
-                let [more_x, more_y] = pressed([x, y], sums.first_chunk().unwrap());
+                let sums = L::call(Product::<5> { pairs, factors, cluster: here, group });
+                let [more_x, more_y] = pressed([x, y], &sums);
                 push_x += more_x;
                 push_y += more_y;
                 // The body bears the particles' own part of these pairs, too.
-                let (near, side) = (L::load(&sums[5]), [L::load(&sums[6]), L::load(&sums[7])]);
-                let near = [x.mul_sub(near, side[0]), y.mul_sub(near, side[1])];
+                let [near_x, near_y] = near.next().unwrap();
+                let near = [L::load(near_x), L::load(near_y)];
                 let [own_x, _] = own_push::<L, CORRECTED>(work, at, near);
                 let volume = lanes::<L>(&fluid.mass, at) * inverse_density;
                 let force = ((more_x + own_x) * volume).sum();
                 tally.loads.push((body, [force, 0.0, 0.0]));
             }
-            let near = [lanes(&work.concentration_x, at), lanes(&work.concentration_y, at)];
-            let [own_x, own_y] = own_push::<L, CORRECTED>(work, at, near);
+            let all = [lanes(&work.concentration_x, at), lanes(&work.concentration_y, at)];
+            let [own_x, own_y] = own_push::<L, CORRECTED>(work, at, all);
             let (still, fall) = (L::splat(0.0), L::splat(-gravity));
             let push_x = (push_x + own_x).negated_mul_add(inverse_density, still);
             let push_y = (push_y + own_y).negated_mul_add(inverse_density, fall);

@@ -5,6 +5,7 @@ use crate::particles::Fluid;
 
 use super::Workspace;
 use super::correction::surface_share;
+use super::flow::Flow;
 use super::held::{Factors, Product};
 use super::momentum::store;
 use super::parts::Part;
@@ -25,8 +26,8 @@ pub(super) const FADED: u8 = 3;
 /// equation's form, with the same L. Ghosts take part in it, not in the diffusion: no density flows
 /// through a wall.
 ///
-/// Factors of a neighbour: u, v, u x, u y, v x, v y; of fluid also its share in the diffusion (1
-/// but for `FADED`) and the share times ψ; for `RENORMALISED` 2 ψ - r·∇ψ in place of ψ.
+/// Factors of a neighbour are those of its [`Flow`]; its share in the diffusion is 1 but for `FADED`;
+/// for `RENORMALISED` 2 ψ - r·∇ψ stands in place of ψ.
 pub(super) struct Continuity<'a, const DIFFUSION: u8, const CORRECTED: bool> {
     pub fluid: &'a Fluid,
     pub factors: &'a [Factors],
@@ -37,15 +38,17 @@ pub(super) struct Continuity<'a, const DIFFUSION: u8, const CORRECTED: bool> {
     pub part: &'a mut Part,
     /// The part's rows of the strain ...
     pub strain: &'a mut [[f64; 2]],
-    /// ... and of the rates of change of density.
+    /// ... of the rates of change of density ...
     pub rate: &'a mut [f64],
+    /// ... and of the sums of g times the neighbours' shares in the diffusion.
+    pub shares: &'a mut [f64],
     pub work: &'a Workspace,
     pub support_radius: f64,
     pub bodies: usize,
     /// δ h c0 / R.
     pub diffusion: f64,
-    /// Whether the strain is wanted: by the full step that comes next.
-    pub strained: bool,
+    /// What is wanted, and leads the factors.
+    pub flow: Flow,
     /// Whether the power of diffusion is wanted.
     pub sample: bool,
 }
@@ -56,26 +59,27 @@ impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSI
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let factors = self.factors;
+        let (factors, flow) = (self.factors, self.flow);
         let Part { clusters, held: pairs, tally, .. } = self.part;
         tally.clear();
         for (here, cluster) in clusters.clone().enumerate() {
             let (at, to) = (cluster * LANES, here * LANES);
             let x = lanes::<L>(&self.work.scaled_x, at);
             let y = lanes::<L>(&self.work.scaled_y, at);
+            let mut sums = [[0.0; LANES]; 8];
+            flow.add::<L>(&mut sums, (pairs, factors), here, 0);
             let mut diffusion = L::splat(0.0);
-            let mut flow = [[0.0; LANES]; 6];
-            if DIFFUSION == OFF {
-                flow = L::call(Product::<6> { pairs, factors, cluster: here, group: 0 });
-            } else {
-                let sums = L::call(Product::<8> { pairs, factors, cluster: here, group: 0 });
-                flow.copy_from_slice(&sums[..6]);
+            if DIFFUSION != OFF {
                 // Σ g (ψ_i - ψ_j), shares of the neighbours included.
-                let share = L::load(&sums[6]);
+                let (smoothed, share) = flow.diffusion();
+                if flow.sharing {
+                    self.shares[to..to + LANES].copy_from_slice(&sums[share]);
+                }
+                let (smoothed, share) = (L::load(&sums[smoothed]), lanes::<L>(self.shares, to));
                 let own = lanes::<L>(self.diffused, at);
                 let two = L::splat(2.0);
                 diffusion = if DIFFUSION == RENORMALISED {
-                    let plain = (own * two).mul_sub(share, L::load(&sums[7]));
+                    let plain = (own * two).mul_sub(share, smoothed);
                     let slants = self.slants;
                     let sums =
                         L::call(Product::<4> { pairs, factors: slants, cluster: here, group: 0 });
@@ -88,32 +92,29 @@ impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSI
                     let slant = x.mul_add(L::load(&sums[0]), slant);
                     plain - y.mul_add(L::load(&sums[1]), slant)
                 } else {
-                    own.mul_sub(share, L::load(&sums[7])) * two
+                    own.mul_sub(share, smoothed) * two
                 };
             }
             for group in 1..=self.bodies {
                 if !pairs.group(here, group).0.is_empty() {
-                    let more = L::call(Product::<6> { pairs, factors, cluster: here, group });
-                    for (sum, more) in flow.as_flattened_mut().iter_mut().zip(more.as_flattened()) {
-                        *sum += more;
-                    }
+                    flow.add::<L>(&mut sums, (pairs, factors), here, group);
                 }
             }
             let near_x = lanes::<L>(&self.work.concentration_x, at);
             let near_y = lanes::<L>(&self.work.concentration_y, at);
             let vx = lanes::<L>(&self.fluid.vx, at);
             let vy = lanes::<L>(&self.fluid.vy, at);
-            let (u, v) = (L::load(&flow[0]), L::load(&flow[1]));
+            let (u, v) = (L::load(&sums[0]), L::load(&sums[1]));
             // Σ g (u_i - u_j) Δ
-            let ux = vx.mul_sub(near_x, x.mul_sub(u, L::load(&flow[2])));
-            let wy = vy.mul_sub(near_y, y.mul_sub(v, L::load(&flow[5])));
+            let ux = vx.mul_sub(near_x, x.mul_sub(u, L::load(&sums[2])));
+            let wy = vy.mul_sub(near_y, y.mul_sub(v, L::load(&sums[3])));
             let divergence = if CORRECTED {
-                let uy = vx.mul_sub(near_y, y.mul_sub(u, L::load(&flow[3])));
-                let wx = vy.mul_sub(near_x, x.mul_sub(v, L::load(&flow[4])));
                 let xx = lanes::<L>(&self.work.correction_xx, at);
                 let xy = lanes::<L>(&self.work.correction_xy, at);
                 let yy = lanes::<L>(&self.work.correction_yy, at);
-                if self.strained {
+                let aslant = if flow.strained {
+                    let uy = vx.mul_sub(near_y, y.mul_sub(u, L::load(&sums[4])));
+                    let wx = vy.mul_sub(near_x, x.mul_sub(v, L::load(&sums[5])));
                     // Of the gradient itself, not of the share of it that the balance takes.
                     let share = surface_share(lanes::<L>(&self.work.completeness, at));
                     let minus_half = L::splat(-0.5 * self.support_radius).div(share);
@@ -124,8 +125,12 @@ impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSI
                     for lane in 0..LANES {
                         self.strain[to + lane] = [stretch[lane], shear[lane]];
                     }
-                }
-                xx.mul_add(ux, yy * wy) + xy * (uy + wx)
+                    uy + wx
+                } else {
+                    let crossed = y.mul_add(u, x.mul_sub(v, L::load(&sums[4])));
+                    vx.mul_add(near_y, vy.mul_sub(near_x, crossed))
+                };
+                xx.mul_add(ux, yy * wy) + xy * aslant
             } else {
                 ux + wy
             };

@@ -1,8 +1,9 @@
 //! What the held passes read of each ghost.
 
 use super::Wcsph;
+use super::flow::Flow;
 use super::held::Factors;
-use super::pack::{pressure_factors, velocity_factors};
+use super::pack::pressure_factors;
 use crate::boundary::Image;
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
 
@@ -25,7 +26,7 @@ impl Task for GhostPressures<'_> {
             let place = [L::load(&image.place[0]), L::load(&image.place[1])];
             let [xx, xy, yy] = &image.correction;
             let pressed = [p * L::load(xx), p * L::load(xy), p * L::load(yy)];
-            let numbers = pressure_factors(pressed, place, L::splat(1.0));
+            let numbers = pressure_factors(pressed, place);
             L::store_records(numbers, &mut factors[block as usize]);
         }
     }
@@ -33,6 +34,7 @@ impl Task for GhostPressures<'_> {
 
 /// Their new velocities.
 struct GhostVelocities<'a> {
+    flow: Flow,
     images: (&'a [u32], &'a [Image]),
     /// Of the ghosts alone.
     factors: &'a mut [Factors],
@@ -49,7 +51,7 @@ impl Task for GhostVelocities<'_> {
             let image = &images[block as usize];
             let velocity = [L::load(&image.velocity[0]), L::load(&image.velocity[1])];
             let place = [L::load(&image.place[0]), L::load(&image.place[1])];
-            let numbers = velocity_factors(velocity, place, [zero, zero]);
+            let numbers = self.flow.numbers(velocity, place, [zero, zero]);
             L::store_records(numbers, &mut factors[block as usize]);
         }
     }
@@ -64,7 +66,8 @@ impl Wcsph {
 
     /// The ghosts' new velocities, like [`Wcsph::pack_velocities`].
     pub(super) fn pack_ghost_velocities(&mut self) {
+        let (flow, images) = (self.flow(), self.exchange.images());
         let factors = &mut self.factors[self.fluid.padded_len()..];
-        dispatch(self.path, GhostVelocities { images: self.exchange.images(), factors });
+        dispatch(self.path, GhostVelocities { flow, images, factors });
     }
 }

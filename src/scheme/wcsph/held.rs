@@ -95,11 +95,9 @@ pub(super) struct Product<'a, const N: usize> {
     pub group: usize,
 }
 
-impl<const N: usize> Task for Product<'_, N> {
-    type Output = [[f64; LANES]; N];
-
+impl<const N: usize> Product<'_, N> {
     #[inline(always)]
-    fn run<L: Lanes>(self) -> Self::Output {
+    fn sums<L: Lanes>(self) -> [L; N] {
         let (entries, slopes) = self.pairs.group(self.cluster, self.group);
         // Two sums each, in turns: one alone would wait for its own additions.
         let mut even = [L::splat(0.0); N];
@@ -122,11 +120,42 @@ impl<const N: usize> Task for Product<'_, N> {
                 even[n] = g.mul_add(L::splat(factors[n]), even[n]);
             }
         }
+        for n in 0..N {
+            even[n] += odd[n];
+        }
+        even
+    }
+}
+
+impl<const N: usize> Task for Product<'_, N> {
+    type Output = [[f64; LANES]; N];
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> Self::Output {
+        let found = self.sums::<L>();
         let mut sums = [[0.0; LANES]; N];
         for n in 0..N {
-            (even[n] + odd[n]).store(&mut sums[n]);
+            found[n].store(&mut sums[n]);
         }
         sums
+    }
+}
+
+/// A product whose sums are added to others.
+pub(super) struct Added<'a, 'b, const N: usize> {
+    pub product: Product<'a, N>,
+    pub sums: &'b mut [[f64; LANES]; 8],
+}
+
+impl<const N: usize> Task for Added<'_, '_, N> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let found = self.product.sums::<L>();
+        for (sum, found) in self.sums.iter_mut().zip(found) {
+            (L::load(sum) + found).store(sum);
+        }
     }
 }
 
@@ -134,7 +163,7 @@ impl<const N: usize> Task for Product<'_, N> {
 /// summed in single precision, its own sum is not theirs, and water that moves along as a whole
 /// would seem to diverge. Factors: 1, x, y.
 pub(super) struct Concentration<'a> {
-    pub part: &'a Part,
+    pub part: &'a mut Part,
     pub factors: &'a [Factors],
     pub places: [&'a [f64]; 2],
     /// The part's rows of the sums along x and y.
@@ -149,19 +178,30 @@ impl Task for Concentration<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self) {
         let Concentration { part, factors, places: [x, y], sums: [sum_x, sum_y], groups } = self;
-        let pairs = &part.held;
-        for (here, cluster) in part.clusters.clone().enumerate() {
-            let zero = L::splat(0.0);
-            let (mut near, mut at_x, mut at_y) = (zero, zero, zero);
-            for group in 0..groups {
-                let sums = L::call(Product::<3> { pairs, factors, cluster: here, group });
-                near += L::load(&sums[0]);
-                at_x += L::load(&sums[1]);
-                at_y += L::load(&sums[2]);
-            }
+        let Part { clusters, held: pairs, near: of_ghosts, .. } = part;
+        let mut of_ghosts = of_ghosts.iter_mut();
+        for (here, cluster) in clusters.clone().enumerate() {
             let (at, to) = (cluster * LANES, here * LANES);
-            store(sum_x, to, lanes::<L>(x, at).mul_sub(near, at_x));
-            store(sum_y, to, lanes::<L>(y, at).mul_sub(near, at_y));
+            let (x, y) = (lanes::<L>(x, at), lanes::<L>(y, at));
+            let (mut all_x, mut all_y) = (L::splat(0.0), L::splat(0.0));
+            for group in 0..groups {
+                if group > 0 && pairs.group(here, group).0.is_empty() {
+                    continue;
+                }
+                let sums = L::call(Product::<3> { pairs, factors, cluster: here, group });
+                let near = L::load(&sums[0]);
+                let near_x = x.mul_sub(near, L::load(&sums[1]));
+                let near_y = y.mul_sub(near, L::load(&sums[2]));
+                if group > 0 {
+                    let of_ghosts = of_ghosts.next().unwrap();
+                    near_x.store(&mut of_ghosts[0]);
+                    near_y.store(&mut of_ghosts[1]);
+                }
+                all_x += near_x;
+                all_y += near_y;
+            }
+            store(sum_x, to, all_x);
+            store(sum_y, to, all_y);
         }
     }
 }

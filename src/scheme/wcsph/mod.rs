@@ -12,6 +12,7 @@ mod continuity;
 mod contract;
 mod correction;
 mod fields;
+mod flow;
 mod ghost_pack;
 mod held;
 mod inside;
@@ -60,6 +61,8 @@ struct Workspace {
     last_acceleration_y: Vec<f64>,
     /// How much of the density diffusion each particle takes part in.
     diffused_share: Vec<f64>,
+    /// Σ g times the neighbours' shares, since the last full step.
+    shares: Vec<f64>,
     /// R ∇ρ.
     gradient_x: Vec<f64>,
     gradient_y: Vec<f64>,
@@ -97,6 +100,7 @@ impl Workspace {
             last_acceleration_x: zeros(),
             last_acceleration_y: zeros(),
             diffused_share: zeros(),
+            shares: zeros(),
             gradient_x: zeros(),
             gradient_y: zeros(),
             concentration_x: zeros(),

@@ -241,7 +241,7 @@ impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
     #[inline(always)]
     fn run<L: Lanes>(self) {
         let OnPart { pass, part, found } = self;
-        let Part { clusters, pairs, held, responding, tally } = part;
+        let Part { clusters, pairs, held, near, responding, tally } = part;
         let [
             found_inverse_density,
             acceleration_x,
@@ -256,6 +256,7 @@ impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
             next_yy,
         ] = found;
         held.restart(pass.bodies + 1);
+        near.clear();
         tally.clear();
         responding.clear();
         for (here, cluster) in clusters.clone().enumerate() {
@@ -297,6 +298,9 @@ impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
                     })
                 };
                 held.close(more.count);
+                if more.count > 0 {
+                    near.push(more.concentration);
+                }
                 sums.add(&more);
                 // The body's reaction: minus the force of its ghosts on the water.
                 let viscous = (L::load(&more.viscous[0]) * volume).sum();

@@ -1,7 +1,8 @@
 //! What the pair loops read of each particle, packed ahead of them.
 
-use std::ops::{Add, Mul, Range};
+use std::ops::Range;
 
+use super::flow::Flow;
 use super::held::Factors;
 use super::momentum::store;
 use super::pressing::Pressing;
@@ -82,7 +83,7 @@ impl Task for Pressures<'_> {
             let p = lanes::<L>(pressure, block * LANES);
             let place = all_lanes::<L, 2>(places, at);
             let [xx, xy, yy] = all_lanes::<L, 3>(correction, at);
-            let numbers = pressure_factors([p * xx, p * xy, p * yy], place, L::splat(1.0));
+            let numbers = pressure_factors([p * xx, p * xy, p * yy], place);
             L::store_records(numbers, factors);
         }
     }
@@ -94,6 +95,7 @@ struct Velocities<'a> {
     velocity: [&'a [f64]; 2],
     /// Places over R.
     places: [&'a [f64]; 2],
+    flow: Flow,
     diffusion: DensityDiffusion,
     diffused: &'a [f64],
     /// Each particle's share in the diffusion.
@@ -111,7 +113,7 @@ impl Task for Velocities<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Velocities { velocity, places, diffusion, diffused, share, slopes, .. } = self;
+        let Velocities { velocity, places, flow, diffusion, diffused, share, slopes, .. } = self;
         let (one, two) = (L::splat(1.0), L::splat(2.0));
         let (blocks, _) = self.factors.as_chunks_mut::<LANES>();
         for (block, factors) in blocks.iter_mut().enumerate() {
@@ -122,19 +124,18 @@ impl Task for Velocities<'_> {
             let smoothed = match diffusion {
                 DensityDiffusion::None | DensityDiffusion::Hydrostatic => {
                     let share = lanes::<L>(share, at);
-                    [share, share * diffused]
+                    [share * diffused, share]
                 }
-                DensityDiffusion::Molteni => [one, diffused],
+                DensityDiffusion::Molteni => [diffused, one],
                 DensityDiffusion::Renormalised => {
                     let [slope_x, slope_y] = all_lanes::<L, 2>(slopes, at);
                     let zero = L::splat(0.0);
                     let slants = &mut self.slants.as_chunks_mut::<LANES>().0[block];
                     L::store_records([slope_x, slope_y, x, y, zero, zero, zero, zero], slants);
-                    [one, two * diffused - (slope_x * x + slope_y * y)]
+                    [two * diffused - (slope_x * x + slope_y * y), one]
                 }
             };
-            let numbers = velocity_factors(velocity, [x, y], smoothed);
-            L::store_records(numbers, factors);
+            L::store_records(flow.numbers(velocity, [x, y], smoothed), factors);
         }
     }
 }
@@ -183,7 +184,7 @@ impl Wcsph {
     /// The water's new velocities.
     pub(super) fn pack_velocities(&mut self) {
         let n = self.fluid.padded_len();
-        let (path, fluid, work) = (self.path, &self.fluid, &self.work);
+        let (path, fluid, work, flow) = (self.path, &self.fluid, &self.work, self.flow());
         let (diffusion, diffused) = (self.options.density_diffusion, &*self.diffused);
         let velocity = [&*fluid.vx, &*fluid.vy];
         let places = [&*work.scaled_x, &*work.scaled_y];
@@ -197,6 +198,7 @@ impl Wcsph {
                 Velocities {
                     velocity,
                     places,
+                    flow,
                     diffusion,
                     diffused,
                     share,
@@ -210,20 +212,9 @@ impl Wcsph {
     }
 }
 
-/// P_xx, P_xy, P_yy, (P r)_x, (P r)_y, 1, x, y.
+/// P_xx, P_xy, P_yy, (P r)_x, (P r)_y, and nothing more.
 #[inline(always)]
-pub(super) fn pressure_factors<V>([xx, xy, yy]: [V; 3], [x, y]: [V; 2], one: V) -> [V; 8]
-where
-    V: Copy + Add<Output = V> + Mul<Output = V>,
-{
-    [xx, xy, yy, xx * x + xy * y, xy * x + yy * y, one, x, y]
-}
-
-/// u, v, u x, u y, v x, v y, and two more.
-#[inline(always)]
-pub(super) fn velocity_factors<V>([u, v]: [V; 2], [x, y]: [V; 2], [a, b]: [V; 2]) -> [V; 8]
-where
-    V: Copy + Mul<Output = V>,
-{
-    [u, v, u * x, u * y, v * x, v * y, a, b]
+pub(super) fn pressure_factors<L: Lanes>([xx, xy, yy]: [L; 3], [x, y]: [L; 2]) -> [L; 8] {
+    let nothing = L::splat(0.0);
+    [xx, xy, yy, xx * x + xy * y, xy * x + yy * y, nothing, nothing, nothing]
 }

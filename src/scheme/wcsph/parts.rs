@@ -16,6 +16,8 @@ pub(super) struct Part {
     pub pairs: PairList,
     /// The pairs in reach, from the last full step.
     pub held: HeldPairs,
+    /// Σ g Δ of each cluster with the ghosts of each body that it has in reach, along x and y.
+    pub near: Vec<[[f64; LANES]; 2]>,
     /// Clusters whose acceleration responds to the wall's, with the response per lane.
     pub responding: Vec<(u32, [f64; LANES], [f64; LANES])>,
     pub tally: Tally,

@@ -5,6 +5,7 @@ use std::marker::PhantomData;
 use super::acoustic::Acoustic;
 use super::continuity::{Continuity, FADED, OFF, PLAIN, RENORMALISED};
 use super::correction::surface_share;
+use super::flow::Flow;
 use super::held::Concentration;
 use super::laminar::Laminar;
 use super::momentum::{CONCENTRATION, FORCES, GRADIENTS, Momentum, OnPart};
@@ -195,18 +196,28 @@ impl Wcsph {
         power(&self.parts)
     }
 
+    /// What the continuity pass of this step wants.
+    pub(super) fn flow(&self) -> Flow {
+        Flow {
+            corrected: self.options.corrected_gradients,
+            strained: self.substep + 1 == self.options.acoustic_substeps,
+            diffusing: self.options.density_diffusion != DensityDiffusion::None,
+            sharing: self.substep == 0,
+        }
+    }
+
     pub(super) fn continuity_pass(&mut self, sample: bool) -> f64 {
-        let options = &self.options;
+        let (options, flow) = (&self.options, self.flow());
         let diffusion = options.diffusion_coefficient
             * options.smoothing_length()
             * options.state.sound_speed
             * self.scaling.inverse_radius;
         let mut rate = std::mem::take(&mut self.work.density_rate);
-        let rows = (&mut *self.strain, &mut *rate);
+        let mut shares = std::mem::take(&mut self.work.shares);
+        let rows = (&mut *self.strain, [&mut *rate, &mut *shares]);
         let (path, fluid, work) = (self.path, &self.fluid, &self.work);
         let (factors, slants, diffused) = (&*self.factors, &*self.slants, &*self.diffused);
         let (support_radius, bodies) = (self.scaling.support_radius, self.ghosts.bodies.len());
-        let strained = self.substep + 1 == options.acoustic_substeps;
         macro_rules! pass {
             ($diffusion:ident) => {
                 if options.corrected_gradients {
@@ -216,7 +227,7 @@ impl Wcsph {
                 }
             };
             ($diffusion:ident, $corrected:literal) => {
-                self.team.share(&mut self.parts, rows, &|part, (strain, rate)| {
+                self.team.share(&mut self.parts, rows, &|part, (strain, [rate, shares])| {
                     let pass = Continuity::<$diffusion, $corrected> {
                         fluid,
                         factors,
@@ -225,11 +236,12 @@ impl Wcsph {
                         part,
                         strain,
                         rate,
+                        shares,
                         work,
                         support_radius,
                         bodies,
                         diffusion,
-                        strained,
+                        flow,
                         sample,
                     };
                     dispatch(path, pass);
@@ -242,7 +254,7 @@ impl Wcsph {
             DensityDiffusion::Hydrostatic => pass!(FADED),
             DensityDiffusion::Renormalised => pass!(RENORMALISED),
         }
-        self.work.density_rate = rate;
+        (self.work.density_rate, self.work.shares) = (rate, shares);
         power(&self.parts)
     }
 }
