@@ -1,5 +1,7 @@
 //! The water in reach of each target, with its weights, from one full step to the next.
 
+use std::ops::Range;
+
 use super::sums::Targets;
 use crate::math::simd::{LANES, Lanes, Task};
 use crate::neighbours::PairList;
@@ -22,19 +24,23 @@ impl HeldWeights {
         self.ranges.resize(list.clusters(), (0, 0));
     }
 
+    #[inline(always)]
+    fn range(&self, block: usize) -> Range<usize> {
+        let (start, end) = self.ranges[block];
+        start as usize..end as usize
+    }
+
     /// The particles in reach of a block of targets, and room for their weights.
     #[inline(always)]
     pub fn room(&mut self, block: usize) -> (&[u32], &mut [[f64; LANES]]) {
-        let (start, end) = self.ranges[block];
-        let range = start as usize..end as usize;
+        let range = self.range(block);
         (&self.entries[range.clone()], &mut self.weights[range])
     }
 
     /// The particles in reach of a block of targets, and their weights.
     #[inline(always)]
     pub fn of(&self, block: usize) -> (&[u32], &[[f64; LANES]]) {
-        let (start, end) = self.ranges[block];
-        let range = start as usize..end as usize;
+        let range = self.range(block);
         (&self.entries[range.clone()], &self.weights[range])
     }
 }

@@ -10,7 +10,8 @@ use crate::math::simd::{LANES, Lanes};
 pub(super) struct Flow {
     /// Gradients are corrected: u y and v x count, too.
     pub corrected: bool,
-    /// The strain is wanted, by the full step that comes next: u y and v x apart.
+    /// The strain is wanted, by the full step that comes next: u y and v x apart. Only where
+    /// gradients are corrected.
     pub strained: bool,
     /// Density diffuses.
     pub diffusing: bool,
@@ -22,7 +23,7 @@ impl Flow {
     /// How many numbers there are of velocities.
     #[inline(always)]
     pub fn velocities(self) -> usize {
-        4 + usize::from(self.corrected) + usize::from(self.corrected && self.strained)
+        4 + usize::from(self.corrected) + usize::from(self.strained)
     }
 
     /// Numbers of the share times ψ, and of the share, among all.

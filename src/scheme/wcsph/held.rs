@@ -85,7 +85,7 @@ impl HeldPairs {
 
 /// Slopes are sent for when so many others come first: all of them are more than a core's own caches
 /// hold, and they are read in turn.
-const AHEAD: usize = 64;
+pub(super) const AHEAD: usize = 64;
 
 /// Σ_j g_ij f_jn over a cluster's pairs in one group, for the first `N` factors.
 pub(super) struct Product<'a, const N: usize> {

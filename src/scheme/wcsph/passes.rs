@@ -198,9 +198,10 @@ impl Wcsph {
 
     /// What the continuity pass of this step wants.
     pub(super) fn flow(&self) -> Flow {
+        let corrected = self.options.corrected_gradients;
         Flow {
-            corrected: self.options.corrected_gradients,
-            strained: self.substep + 1 == self.options.acoustic_substeps,
+            corrected,
+            strained: corrected && self.substep + 1 == self.options.acoustic_substeps,
             diffusing: self.options.density_diffusion != DensityDiffusion::None,
             sharing: self.substep == 0,
         }

@@ -8,7 +8,7 @@ use std::mem::MaybeUninit;
 use crate::kernel::Kernel;
 use crate::math::simd::{LANES, Lanes};
 
-use super::held::Slopes;
+use super::held::{AHEAD, Slopes};
 use super::precision::Neighbour;
 
 /// Neighbours that are taken at a time.
@@ -63,7 +63,7 @@ impl<V: Lanes> Geometry<V> {
             let inverse_q = s.rsqrt();
             let slope = K::slope_over_q(s, inverse_q) * record.weight();
             entries[count] = j;
-            V::prefetch(&slopes[count], 64);
+            V::prefetch(&slopes[count], AHEAD);
             slope.store_single(&mut slopes[count].0);
             let inverse_s = inverse_q * inverse_q;
             self.0[count].write(Pair { dx, dy, inverse_s, slope });
