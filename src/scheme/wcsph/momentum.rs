@@ -6,7 +6,7 @@ use crate::particles::Fluid;
 
 use super::Workspace;
 use super::correction::{correction, smallest_eigenvalue, solve_symmetric};
-use super::held::Slopes;
+use super::held::{AHEAD, Slopes};
 use super::parts::Part;
 use super::precision::{Neighbour, Pairing};
 use super::separation::{CHUNK, Geometry, Pair, lanes};
@@ -152,12 +152,13 @@ impl<
         let (held, slopes) = room;
         let mut count = 0;
         for chunk in entries.chunks(CHUNK) {
-            let room = (&mut held[count..], &mut slopes[count..]);
-            let geometry =
-                geometry.fill::<K, P::Neighbour, FLUID>(places, chunk, pass.records, room);
-            let in_reach = &held[count..];
-            count += geometry.len();
-            for (&j, pair) in in_reach.iter().zip(geometry) {
+            let in_reach = geometry.fill::<K, P::Neighbour, FLUID>(places, chunk, pass.records);
+            for (k, pair) in in_reach {
+                let j = chunk[k];
+                held[count] = j;
+                L::prefetch(&slopes[count], AHEAD);
+                pair.slope.store_single(&mut slopes[count].0);
+                count += 1;
                 let record = &pass.records[j as usize];
                 let Pair { dx, dy, inverse_s, slope: g } = *pair;
                 let [record_vx, record_vy] = record.velocity::<L>();

@@ -8,11 +8,10 @@ use std::mem::MaybeUninit;
 use crate::kernel::Kernel;
 use crate::math::simd::{LANES, Lanes};
 
-use super::held::{AHEAD, Slopes};
 use super::precision::Neighbour;
 
-/// Neighbours that are taken at a time.
-pub(super) const CHUNK: usize = 32;
+/// Neighbours that are taken at a time: as many as a word has bits.
+pub(super) const CHUNK: usize = u64::BITS as usize;
 
 /// Squared distances below this (in support radii) count as this: a particle and itself.
 pub(super) const COINCIDENT: f64 = 1e-12;
@@ -40,38 +39,53 @@ impl<V: Lanes> Geometry<V> {
         Geometry([const { MaybeUninit::uninit() }; CHUNK])
     }
 
-    /// The geometry of those of up to [`CHUNK`] neighbours of eight places that are in reach of one
-    /// of them; their numbers and slopes go to `entries` and `slopes`. Ghosts without a weight do
-    /// not count.
+    /// The geometry of up to [`CHUNK`] neighbours of eight places; those in reach of one of them are
+    /// to be visited. Ghosts without a weight are not.
+    ///
+    /// All are written, each to its own place: a place that depended on how many before it are in
+    /// reach would keep later loads waiting for that.
     #[inline(always)]
     pub(super) fn fill<K: Kernel, N: Neighbour, const FLUID: bool>(
         &mut self,
         places: [[V; 2]; 2],
         neighbours: &[u32],
         records: &[N],
-        (entries, slopes): (&mut [u32], &mut [Slopes]),
-    ) -> &[Pair<V>] {
-        let limit = CHUNK.min(entries.len()).min(slopes.len());
-        let mut count = 0;
-        for &j in neighbours {
-            if count >= limit {
-                break; // Never: it tells the compiler where `count` may lie.
-            }
+    ) -> InReach<'_, V> {
+        let mut mask = 0;
+        for (k, (&j, pair)) in neighbours.iter().zip(&mut self.0).enumerate() {
             let record = &records[j as usize];
             let [dx, dy] = record.apart(places);
             let s = dx.mul_add(dx, dy.mul_add(dy, V::splat(COINCIDENT)));
             let inverse_q = s.rsqrt();
             let slope = K::slope_over_q(s, inverse_q) * record.weight();
-            entries[count] = j;
-            V::prefetch(&slopes[count], AHEAD);
-            slope.store_single(&mut slopes[count].0);
             let inverse_s = inverse_q * inverse_q;
-            self.0[count].write(Pair { dx, dy, inverse_s, slope });
+            pair.write(Pair { dx, dy, inverse_s, slope });
             let counts = s.any_less(V::splat(1.0)) & (FLUID || record.counts());
-            count += usize::from(counts);
+            mask |= u64::from(counts) << k;
         }
-        // SAFETY: the loop above has written the first `count` entries.
-        unsafe { std::slice::from_raw_parts(self.0.as_ptr().cast(), count) }
+        InReach { pairs: &self.0, mask }
+    }
+}
+
+/// The pairs in reach among a chunk, with their numbers in it.
+pub(super) struct InReach<'a, V> {
+    pairs: &'a [MaybeUninit<Pair<V>>; CHUNK],
+    /// Bit k for number k. Only pairs that are written have one.
+    mask: u64,
+}
+
+impl<'a, V> Iterator for InReach<'a, V> {
+    type Item = (usize, &'a Pair<V>);
+
+    #[inline(always)]
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.mask == 0 {
+            return None;
+        }
+        let k = self.mask.trailing_zeros() as usize;
+        self.mask &= self.mask - 1;
+        // SAFETY: bits are set by `fill` for pairs that it has written.
+        Some((k, unsafe { self.pairs[k % CHUNK].assume_init_ref() }))
     }
 }
 
