@@ -12,6 +12,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use seawall::math::simd::SimdPath;
+use seawall::math::team::thread_processor_time;
 use seawall::scene::CaseConfig;
 use seawall::simulation::{CaseResult, Unwatched, run_case};
 
@@ -133,9 +134,9 @@ struct Run {
 
 impl Run {
     fn of(case: &CaseConfig, path: SimdPath) -> Run {
-        let (clock, start) = (processor_time(), Instant::now());
+        let (clock, start) = (thread_processor_time(), Instant::now());
         let result = run_case(case, None, path, &Unwatched).unwrap();
-        let seconds = match (clock, processor_time()) {
+        let seconds = match (clock, thread_processor_time()) {
             (Some(before), Some(after)) => after - before,
             _ => start.elapsed().as_secs_f64(),
         };
@@ -170,12 +171,6 @@ impl Run {
         tell("best step", whole[0]);
         tell("whole step", median(whole));
     }
-}
-
-/// Processor time of this thread so far, seconds, where the system tells it.
-fn processor_time() -> Option<f64> {
-    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
-    Some(text.split_whitespace().next()?.parse::<f64>().ok()? * 1e-9)
 }
 
 /// Largest memory of this program so far, MiB, where the system tells it.

@@ -12,6 +12,7 @@ use seawall::boundary::{
 };
 use seawall::kernel::KernelChoice;
 use seawall::math::simd::SimdPath;
+use seawall::math::team::thread_processor_time;
 use seawall::neighbours::Strips;
 use seawall::particles::{Fluid, Record, Scaling};
 use seawall::scene::{CaseConfig, Numerics};
@@ -172,9 +173,6 @@ fn step(boundary: &str, spacing: f64) -> [f64; 3] {
 /// Processor time of this thread where the system tells it, wall time elsewhere.
 fn processor_seconds() -> f64 {
     static START: std::sync::OnceLock<Instant> = std::sync::OnceLock::new();
-    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    match told.and_then(|text| text.split(' ').next()?.parse::<f64>().ok()) {
-        Some(nanoseconds) => 1e-9 * nanoseconds,
-        None => START.get_or_init(Instant::now).elapsed().as_secs_f64(),
-    }
+    thread_processor_time()
+        .unwrap_or_else(|| START.get_or_init(Instant::now).elapsed().as_secs_f64())
 }

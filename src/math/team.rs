@@ -97,6 +97,9 @@ fn processor_time(pool: &ThreadPool) -> Option<f64> {
 }
 
 fn own_processor_time() -> Option<f64> {
+    // The system counts up a running thread's time at its own ticks, milliseconds apart, and where
+    // the thread gives way.
+    std::thread::yield_now();
     let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
     let nanoseconds: u64 = text.split_whitespace().next()?.parse().ok()?;
     Some(nanoseconds as f64 * 1e-9)
@@ -183,6 +186,19 @@ mod tests {
                 });
                 assert!(single.iter().copied().eq(0..count), "{threads} {cuts:?} {single:?}");
                 assert!((0..count).all(|k| double[k] == [k, 100 + k]), "{double:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn short_work_takes_no_longer_than_the_clock_says() {
+        for _ in 0..20 {
+            let (clock, before) = (std::time::Instant::now(), thread_processor_time());
+            std::hint::black_box((0..1_000_000_u64).fold(1, |a, b| std::hint::black_box(a ^ b)));
+            let after = thread_processor_time();
+            let most = clock.elapsed().as_secs_f64() + 3e-4;
+            if let (Some(before), Some(after)) = (before, after) {
+                assert!(after - before < most, "{} of {most}", after - before);
             }
         }
     }

@@ -25,11 +25,17 @@ impl Run {
 
     /// Whether no reported maximum can be passed any more: paddle and wall stand, and too little is left
     /// of the energy above that of still water between paddle and wall. See [`Prospect`].
-    pub(super) fn has_settled(&self, bodies: &[BodyMotion], energy: &EnergyBudget) -> bool {
+    pub(super) fn has_settled(&mut self, bodies: &[BodyMotion], energy: &EnergyBudget) -> bool {
         let Some(piston) = &self.tank.piston else { return false };
         if !self.config.numerics.stop_when_settled || self.clock.time <= piston.duration() {
             return false;
         }
+        let frame = self.tank.frame;
+        let now = frame.length + bodies[WALL].offset - bodies[PADDLE].offset;
+        // A standing wave as long as two tanks has its motion at its largest once in this time.
+        let crossing = now / (frame.gravity * frame.depth).sqrt();
+        self.liveliness.note(self.clock.time, energy.kinetic, crossing);
+        let Some(lively) = self.liveliness.energy() else { return false };
         let farthest = self.measures.displacement.map_or(0.0, |maximum| maximum.value);
         let under_way = |wall: &SpringWall| {
             (wall.displacement != 0.0 || wall.velocity != 0.0) && !Prospect::stood(farthest)
@@ -37,12 +43,11 @@ impl Run {
         if self.tank.wall.as_ref().is_some_and(under_way) {
             return false;
         }
-        let (frame, static_force) = (self.tank.frame, self.tank.static_force);
-        let now = frame.length + bodies[WALL].offset - bodies[PADDLE].offset;
+        let static_force = self.tank.static_force;
         // Still water has ρ g V²/(2 L) between walls that are L apart.
         let raised = self.ledger.start.potential * (frame.length / now - 1.0);
         let left = energy.kinetic + (energy.potential - raised).max(0.0);
-        let left = left + energy.wall_kinetic + energy.spring;
+        let left = left.max(lively) + energy.wall_kinetic + energy.spring;
         let unit = frame.density * frame.gravity * frame.depth.powi(3);
         let law = |wall: &SpringWall| {
             let pull = wall.stiffness / wall.force_coupling * frame.depth;

@@ -10,6 +10,7 @@ use super::health::{HealthBounds, HealthState, Vitals};
 use super::measures::{Measures, Reading};
 use super::outcome::{EnergyBudget, HistoryRow, ProbeTable};
 use super::probes;
+use super::settling::Liveliness;
 use super::sounding::Sounding;
 use super::watch::{self, Watch};
 use crate::body::{BodyMotion, SpringWall, WallStep};
@@ -41,6 +42,7 @@ pub(super) struct RunState {
     gauge_at_rest: Option<f64>,
     worst_gap: f64,
     health: HealthState,
+    liveliness: Liveliness,
     probes: Option<ProbeTable>,
 }
 
@@ -77,6 +79,7 @@ pub(super) struct Run {
     pub(super) gauge_at_rest: Option<f64>,
     pub(super) worst_gap: f64,
     pub(super) health: HealthState,
+    pub(super) liveliness: Liveliness,
     pub(super) probes: Option<ProbeTable>,
 }
 
@@ -99,6 +102,7 @@ impl Run {
             gauge_at_rest: None,
             worst_gap: 0.0,
             health: HealthState::default(),
+            liveliness: Liveliness::default(),
             probes: probes::table(&config.probes),
             watch: watch::of(config, &tank),
             films: 0,
@@ -122,6 +126,7 @@ impl Run {
         self.gauge_at_rest = state.gauge_at_rest;
         self.worst_gap = state.worst_gap;
         self.health = state.health;
+        self.liveliness = state.liveliness;
         self.probes = state.probes;
     }
 
@@ -139,6 +144,7 @@ impl Run {
             gauge_at_rest: self.gauge_at_rest,
             worst_gap: self.worst_gap,
             health: self.health,
+            liveliness: self.liveliness,
             probes: self.probes.clone(),
         }
     }
@@ -201,7 +207,9 @@ impl Run {
             }
             if sample && self.clock.samples.is_multiple_of(SAMPLES_PER_CHECK) {
                 let energy = self.check_health(bodies)?;
-                if !until_onset && self.has_settled(bodies, &energy) {
+                // Trunks look, too: what they leave must not depend on where they end.
+                let settled = self.has_settled(bodies, &energy);
+                if settled && !until_onset {
                     self.film(monitor, time, true);
                     return Ok(Reached::End);
                 }

@@ -1,5 +1,7 @@
 //! When a run has no more to tell: `stop_when_settled`.
 
+use serde::{Deserialize, Serialize};
+
 use super::measures::Measures;
 
 /// A wall that cannot move farther than this, over the still water's depth, counts as one that
@@ -8,6 +10,35 @@ const STANDS_WITHIN: f64 = 1e-3;
 /// Largest 4 tanh(u)/√(π u), at sinh 2u = 4u: of half standing waves of an energy, that of three depths
 /// presses hardest.
 const PRESSING: f64 = 1.7225;
+
+/// How lively the water has been of late: its largest kinetic energy over the last one to two spans.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Liveliness {
+    since: f64,
+    now: f64,
+    before: Option<f64>,
+}
+
+impl Liveliness {
+    /// Takes note of a kinetic energy, J/m, at a time, s; `span` in s.
+    pub fn note(&mut self, time: f64, kinetic: f64, span: f64) {
+        if self.now == 0.0 {
+            self.since = time;
+        } else if time - self.since >= span {
+            *self = Liveliness { since: time, now: 0.0, before: Some(self.now) };
+        }
+        self.now = self.now.max(kinetic);
+    }
+
+    /// Energy that the water has at most, J/m: twice the largest kinetic energy, as waves on their
+    /// way have half of theirs in motion, and standing ones now and then all of it. `None` before a
+    /// whole span has gone by.
+    ///
+    /// It does not need the level of still water, which sinks in the course of a coarse run.
+    pub fn energy(&self) -> Option<f64> {
+        self.before.map(|before| 2.0 * before.max(self.now))
+    }
+}
 
 /// What can still happen, at most.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,6 +112,30 @@ mod tests {
             });
         }
         measures
+    }
+
+    #[test]
+    fn standing_and_running_waves_have_no_more_energy_than_their_liveliness_says() {
+        // Energy 3: a standing wave whose kinetic energy peaks once per span, and a running one.
+        let standing = |time: f64| 3.0 * (std::f64::consts::PI * time / 1.5).sin().powi(2);
+        for kinetic in [&standing as &dyn Fn(f64) -> f64, &|_| 1.5] {
+            let mut liveliness = Liveliness::default();
+            for k in 0..400 {
+                let time = 0.02 * f64::from(k);
+                liveliness.note(time, kinetic(time), 1.5);
+                match liveliness.energy() {
+                    None => assert!(time < 1.55, "{time}"),
+                    Some(energy) => assert!((2.99..6.01).contains(&energy), "{time} {energy}"),
+                }
+            }
+        }
+        // What has come to rest is told so after two spans.
+        let mut liveliness = Liveliness::default();
+        for k in 0..400 {
+            let time = 0.02 * f64::from(k);
+            liveliness.note(time, if time < 2.0 { 1.0 } else { 0.1 }, 1.5);
+        }
+        assert_eq!(liveliness.energy(), Some(0.2));
     }
 
     #[test]
