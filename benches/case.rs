@@ -150,26 +150,26 @@ impl Run {
 
     fn print(&self, path: SimdPath, precision: &str, runs: &[Run]) {
         let particles = self.result.outcome.particles;
-        let sorted = |value: fn(&Run, usize) -> f64, place: usize| {
-            let mut values: Vec<f64> = runs.iter().map(|run| value(run, place)).collect();
+        let sorted = |value: &dyn Fn(&Run) -> f64| {
+            let mut values: Vec<f64> = runs.iter().map(value).collect();
             values.sort_by(f64::total_cmp);
             values
         };
         let tell = |quantity: &str, value: f64| {
             println!("{},{precision},{particles},{quantity},{value:.1},ns", path.name());
         };
-        let median = |values: Vec<f64>| values[values.len() / 2];
+        let median = |values: &[f64]| values[values.len() / 2];
         for (place, phase) in self.result.phases.iter().enumerate() {
             // Phases are told in wall time: their shares of the processor time count.
-            let share = |run: &Run, place: usize| {
+            let share = |run: &Run| {
                 let all: f64 = run.result.phases.iter().map(|phase| phase.seconds).sum();
                 run.per_step(run.seconds) * run.result.phases[place].seconds / all
             };
-            tell(&phase.phase, median(sorted(share, place)));
+            tell(&phase.phase, median(&sorted(&share)));
         }
-        let whole = sorted(|run, _| run.per_step(run.seconds), 0);
+        let whole = sorted(&|run| run.per_step(run.seconds));
         tell("best step", whole[0]);
-        tell("whole step", median(whole));
+        tell("whole step", median(&whole));
     }
 }
 

@@ -23,18 +23,21 @@ impl Run {
         }
     }
 
-    /// Whether no reported maximum can be passed any more: paddle and wall stand, and too little is left
-    /// of the energy above that of still water between paddle and wall. See [`Prospect`].
-    pub(super) fn has_settled(&mut self, bodies: &[BodyMotion], energy: &EnergyBudget) -> bool {
-        let Some(piston) = &self.tank.piston else { return false };
-        if !self.config.numerics.stop_when_settled || self.clock.time <= piston.duration() {
-            return false;
+    /// Takes note of the water's motion once the paddle stands, for [`Run::has_settled`].
+    pub(super) fn note_liveliness(&mut self, bodies: &[BodyMotion], energy: &EnergyBudget) {
+        let Some(piston) = &self.tank.piston else { return };
+        if self.config.numerics.stop_when_settled && self.clock.time > piston.duration() {
+            let frame = self.tank.frame;
+            // A standing wave as long as two tanks has its motion at its largest once in this time.
+            let crossing = self.length_now(bodies) / (frame.gravity * frame.depth).sqrt();
+            self.liveliness.note(self.clock.time, energy.kinetic, crossing);
         }
-        let frame = self.tank.frame;
-        let now = frame.length + bodies[WALL].offset - bodies[PADDLE].offset;
-        // A standing wave as long as two tanks has its motion at its largest once in this time.
-        let crossing = now / (frame.gravity * frame.depth).sqrt();
-        self.liveliness.note(self.clock.time, energy.kinetic, crossing);
+    }
+
+    /// Whether no reported maximum can be passed any more: paddle and wall stand, and too little is left
+    /// of the energy above that of still water between paddle and wall. See [`Prospect`]. Never
+    /// before enough is known of how lively the water is.
+    pub(super) fn has_settled(&self, bodies: &[BodyMotion], energy: &EnergyBudget) -> bool {
         let Some(lively) = self.liveliness.energy() else { return false };
         let farthest = self.measures.displacement.map_or(0.0, |maximum| maximum.value);
         let under_way = |wall: &SpringWall| {
@@ -43,9 +46,9 @@ impl Run {
         if self.tank.wall.as_ref().is_some_and(under_way) {
             return false;
         }
-        let static_force = self.tank.static_force;
+        let (frame, static_force) = (self.tank.frame, self.tank.static_force);
         // Still water has ρ g V²/(2 L) between walls that are L apart.
-        let raised = self.ledger.start.potential * (frame.length / now - 1.0);
+        let raised = self.ledger.start.potential * (frame.length / self.length_now(bodies) - 1.0);
         let left = energy.kinetic + (energy.potential - raised).max(0.0);
         let left = left.max(lively) + energy.wall_kinetic + energy.spring;
         let unit = frame.density * frame.gravity * frame.depth.powi(3);
@@ -54,6 +57,11 @@ impl Run {
             [wall.threshold / static_force, pull / static_force]
         };
         Prospect::of(left / unit, self.tank.wall.as_ref().map(law)).leaves(&self.measures)
+    }
+
+    /// From the paddle to the wall, metres.
+    fn length_now(&self, bodies: &[BodyMotion]) -> f64 {
+        self.tank.frame.length + bodies[WALL].offset - bodies[PADDLE].offset
     }
 
     /// The results of a run that has reached its end.

@@ -207,9 +207,9 @@ impl Run {
             }
             if sample && self.clock.samples.is_multiple_of(SAMPLES_PER_CHECK) {
                 let energy = self.check_health(bodies)?;
-                // Trunks look, too: what they leave must not depend on where they end.
-                let settled = self.has_settled(bodies, &energy);
-                if settled && !until_onset {
+                // In trunks, too: what they leave must not depend on where they end.
+                self.note_liveliness(bodies, &energy);
+                if !until_onset && self.has_settled(bodies, &energy) {
                     self.film(monitor, time, true);
                     return Ok(Reached::End);
                 }
