@@ -1,7 +1,7 @@
 //! The cubic B-spline.
 
 use super::Kernel;
-use crate::math::simd::Lanes;
+use crate::math::simd::Vector;
 
 /// w(q) = (1 - q)³₊ - 4 (½ - q)³₊, C = 80/(7π), h = R/2 (Monaghan & Lattanzio 1985, in truncated
 /// powers, so that no branch is left). Liang et al. 2017 use it.
@@ -17,18 +17,17 @@ impl Kernel for CubicSpline {
     }
 
     #[inline(always)]
-    fn shape<L: Lanes>(s: L, inverse_q: L) -> L {
+    fn shape<V: Vector>(s: V, inverse_q: V) -> V {
         let q = s * inverse_q;
-        let outer = (L::splat(1.0) - q).max(L::splat(0.0));
-        let inner = (L::splat(0.5) - q).max(L::splat(0.0));
-        (inner * inner * inner).mul_add(L::splat(-4.0), outer * outer * outer)
+        let outer = (V::splat(1.0) - q).max(V::splat(0.0));
+        let inner = (V::splat(0.5) - q).max(V::splat(0.0));
+        (inner * inner * inner).mul_add(V::splat(-4.0), outer * outer * outer)
     }
 
     #[inline(always)]
-    fn slope_over_q<L: Lanes>(s: L, inverse_q: L) -> L {
-        let q = s * inverse_q;
-        let outer = (L::splat(1.0) - q).max(L::splat(0.0));
-        let inner = (L::splat(0.5) - q).max(L::splat(0.0));
-        (inner * inner).mul_add(L::splat(-4.0), outer * outer) * inverse_q
+    fn slope_over_q<V: Vector>(_: V, [q, inverse_q]: [V; 2]) -> V {
+        let outer = (V::splat(1.0) - q).max(V::splat(0.0));
+        let inner = (V::splat(0.5) - q).max(V::splat(0.0));
+        (inner * inner).mul_add(V::splat(-4.0), outer * outer) * inverse_q
     }
 }

@@ -1,7 +1,7 @@
 //! The truncated Gaussian of Huang et al. 2019.
 
 use super::Kernel;
-use crate::math::simd::Lanes;
+use crate::math::simd::Vector;
 
 /// w(q) = e^{-9 q²} - e^{-9}, h = R/3 (Huang et al. 2019, Eq. 7 with the cut-off δ = 3 h; its
 /// integral in closed form, where the paper prints the integral itself).
@@ -21,16 +21,16 @@ impl Kernel for Gaussian {
     }
 
     #[inline(always)]
-    fn shape<L: Lanes>(s: L, _inverse_q: L) -> L {
+    fn shape<V: Vector>(s: V, _inverse_q: V) -> V {
         let tail = 1.234_098_040_866_795_6e-4; // e^{-9}
-        let inside = s.min(L::splat(1.0));
-        (inside * L::splat(-CUTOFF_OVER_H_SQUARED)).exp() - L::splat(tail)
+        let inside = s.min(V::splat(1.0));
+        (inside * V::splat(-CUTOFF_OVER_H_SQUARED)).exp() - V::splat(tail)
     }
 
     #[inline(always)]
-    fn slope_over_q<L: Lanes>(s: L, _inverse_q: L) -> L {
-        let inside = s.min(L::splat(1.0));
-        let bell = (inside * L::splat(-CUTOFF_OVER_H_SQUARED)).exp();
-        s.select_less(L::splat(1.0), bell, L::splat(0.0))
+    fn slope_over_q<V: Vector>(s: V, _: [V; 2]) -> V {
+        let inside = s.min(V::splat(1.0));
+        let bell = (inside * V::splat(-CUTOFF_OVER_H_SQUARED)).exp();
+        s.select_less(V::splat(1.0), bell, V::splat(0.0))
     }
 }

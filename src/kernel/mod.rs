@@ -14,7 +14,7 @@ pub use gaussian::Gaussian;
 pub use quintic_spline::QuinticSpline;
 pub use wendland_c2::WendlandC2;
 
-use crate::math::simd::Lanes;
+use crate::math::simd::{Lanes, Vector};
 
 /// A radial kernel with compact support, by its dimensionless shape w(q).
 pub trait Kernel: Copy + Send + Sync + 'static {
@@ -25,21 +25,21 @@ pub trait Kernel: Copy + Send + Sync + 'static {
     fn normalisation() -> f64;
 
     /// w(q) from s = q² (above 0) and 1/q.
-    fn shape<L: Lanes>(s: L, inverse_q: L) -> L;
+    fn shape<V: Vector>(s: V, inverse_q: V) -> V;
 
     /// A constant factor of w'(q)/q that is multiplied in elsewhere, once per particle.
     const SLOPE_FACTOR: f64;
 
-    /// w'(q)/q over [`Kernel::SLOPE_FACTOR`] from s = q² (above 0) and 1/q; zero where q ≥ 1.
-    fn slope_over_q<L: Lanes>(s: L, inverse_q: L) -> L;
+    /// w'(q)/q over [`Kernel::SLOPE_FACTOR`] from s = q² (above 0), q and 1/q; zero where q ≥ 1.
+    fn slope_over_q<V: Vector>(s: V, roots: [V; 2]) -> V;
 }
 
 /// w(q) for s = q², exactly zero where q ≥ 1.
 #[inline(always)]
-pub fn shape_within<K: Kernel, L: Lanes>(s: L) -> L {
-    let s = s.max(L::splat(1e-12));
-    let value = K::shape(s, s.rsqrt()).max(L::splat(0.0));
-    s.select_less(L::splat(1.0), value, L::splat(0.0))
+pub fn shape_within<K: Kernel, V: Vector>(s: V) -> V {
+    let s = s.max(V::splat(1e-12));
+    let value = K::shape(s, s.rsqrt()).max(V::splat(0.0));
+    s.select_less(V::splat(1.0), value, V::splat(0.0))
 }
 
 /// Runs `$body` with `$K` bound to the kernel type of a kernel choice.
@@ -121,9 +121,10 @@ impl KernelChoice {
             type Output = (f64, f64);
             #[inline(always)]
             fn run<L: Lanes>(self) -> (f64, f64) {
-                let (s, inverse) = (L::splat(self.0 * self.0), L::splat(1.0 / self.0));
-                let slope = K::slope_over_q(s, inverse).to_array()[0] * K::SLOPE_FACTOR;
-                (K::shape(s, inverse).to_array()[0], slope)
+                let s = L::splat(self.0 * self.0);
+                let roots = [L::splat(self.0), L::splat(1.0 / self.0)];
+                let slope = K::slope_over_q(s, roots).to_array()[0] * K::SLOPE_FACTOR;
+                (K::shape(s, roots[1]).to_array()[0], slope)
             }
         }
         let q = q.max(1e-9);
@@ -189,7 +190,7 @@ mod tests {
             type Output = [f64; 8];
             fn run<L: Lanes>(self) -> [f64; 8] {
                 let s = L::load(&[1.0, 1.0001, 1.1, 1.5, 2.0, 4.0, 9.0, 100.0]);
-                K::slope_over_q(s, s.rsqrt()).to_array()
+                K::slope_over_q(s, s.roots()).to_array()
             }
         }
         for kernel in KernelChoice::ALL {

@@ -1,7 +1,7 @@
 //! The quintic B-spline.
 
 use super::Kernel;
-use crate::math::simd::Lanes;
+use crate::math::simd::Vector;
 
 /// w(q) = (1 - q)⁵₊ - 6 (⅔ - q)⁵₊ + 15 (⅓ - q)⁵₊, C = 15309/(478π), h = R/3 (Morris et al. 1997,
 /// in truncated powers, so that no branch is left).
@@ -10,16 +10,16 @@ pub struct QuinticSpline;
 
 /// (edge - q)₊ and its fourth power.
 #[inline(always)]
-fn truncated<L: Lanes>(edge: f64, q: L) -> (L, L) {
-    let base = (L::splat(edge) - q).max(L::splat(0.0));
+fn truncated<V: Vector>(edge: f64, q: V) -> (V, V) {
+    let base = (V::splat(edge) - q).max(V::splat(0.0));
     let square = base * base;
     (base, square * square)
 }
 
 /// outer - 6 middle + 15 inner.
 #[inline(always)]
-fn combined<L: Lanes>(outer: L, middle: L, inner: L) -> L {
-    inner.mul_add(L::splat(15.0), middle.mul_add(L::splat(-6.0), outer))
+fn combined<V: Vector>(outer: V, middle: V, inner: V) -> V {
+    inner.mul_add(V::splat(15.0), middle.mul_add(V::splat(-6.0), outer))
 }
 
 impl Kernel for QuinticSpline {
@@ -31,7 +31,7 @@ impl Kernel for QuinticSpline {
     }
 
     #[inline(always)]
-    fn shape<L: Lanes>(s: L, inverse_q: L) -> L {
+    fn shape<V: Vector>(s: V, inverse_q: V) -> V {
         let q = s * inverse_q;
         let (outer, outer_4) = truncated(1.0, q);
         let (middle, middle_4) = truncated(2.0 / 3.0, q);
@@ -40,8 +40,7 @@ impl Kernel for QuinticSpline {
     }
 
     #[inline(always)]
-    fn slope_over_q<L: Lanes>(s: L, inverse_q: L) -> L {
-        let q = s * inverse_q;
+    fn slope_over_q<V: Vector>(_: V, [q, inverse_q]: [V; 2]) -> V {
         let (_, outer) = truncated(1.0, q);
         let (_, middle) = truncated(2.0 / 3.0, q);
         let (_, inner) = truncated(1.0 / 3.0, q);

@@ -1,7 +1,7 @@
 //! Wendland C2: w(q) = (1 - q)⁴ (1 + 4 q).
 
 use super::Kernel;
-use crate::math::simd::Lanes;
+use crate::math::simd::Vector;
 
 /// w(q) = (1 - q)⁴ (1 + 4 q), C = 7/π, h = R/2 (Wendland 1995; Dehnen & Aly 2012).
 ///
@@ -18,16 +18,16 @@ impl Kernel for WendlandC2 {
     }
 
     #[inline(always)]
-    fn shape<L: Lanes>(s: L, inverse_q: L) -> L {
+    fn shape<V: Vector>(s: V, inverse_q: V) -> V {
         let q = s * inverse_q;
-        let t = (L::splat(1.0) - q).max(L::splat(0.0));
+        let t = (V::splat(1.0) - q).max(V::splat(0.0));
         let t2 = t * t;
-        t2 * t2 * q.mul_add(L::splat(4.0), L::splat(1.0))
+        t2 * t2 * q.mul_add(V::splat(4.0), V::splat(1.0))
     }
 
     #[inline(always)]
-    fn slope_over_q<L: Lanes>(s: L, inverse_q: L) -> L {
-        let t = (L::splat(1.0) - s * inverse_q).max(L::splat(0.0));
+    fn slope_over_q<V: Vector>(_: V, [q, _]: [V; 2]) -> V {
+        let t = (V::splat(1.0) - q).max(V::splat(0.0));
         t * t * t
     }
 }

@@ -1,6 +1,7 @@
 //! What a pair loop reads of a neighbour: one cache line.
 
 use crate::kernel::KernelChoice;
+use crate::math::simd::{LANES, Lanes, Vector};
 
 /// One neighbour, fluid or ghost, packed into a cache line and scaled for the pair loops.
 ///
@@ -39,48 +40,50 @@ impl Record {
 
 /// A neighbour as [`Record`] has it, in single precision: one cache line, too.
 ///
-/// A place is a multiple of 2^-6 R and a rest, so that differences of places lose nothing: those of
-/// the multiples are exact.
+/// The first eight slots are those of a record. A place is a multiple of 2^-6 R, in the slots of the
+/// place, and a rest, so that differences of places lose nothing: those of the multiples are exact.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 #[repr(C, align(64))]
-pub struct SingleRecord {
-    /// x over R: multiple and rest.
-    pub x: [f32; 2],
-    /// y over R.
-    pub y: [f32; 2],
-    /// Velocity, m/s.
-    pub velocity: [f32; 2],
-    /// See [`Record::WEIGHT`].
-    pub weight: f32,
-    /// Pressure times correction, Pa: xx, xy, yy.
-    pub pressure: [f32; 3],
-    /// Half the differences of the velocity gradient, of fluid.
-    pub strain: [f32; 2],
-}
+pub struct SingleRecord(pub [f32; 16]);
 
 impl SingleRecord {
-    /// A record and a strain, rounded.
+    /// The rest of x over R.
+    pub const X_REST: usize = 8;
+    /// The rest of y over R.
+    pub const Y_REST: usize = 9;
+    /// Half the difference of the velocity gradient's diagonal, of fluid.
+    pub const STRETCH: usize = 10;
+    /// Half the sum of the other two.
+    pub const SHEAR: usize = 11;
+    /// What density diffusion smooths, less rest density, of fluid, kg/m³.
+    pub const DIFFUSED: usize = 12;
+
+    /// A record, its strain and what density diffusion smooths, less rest density, rounded.
     #[inline(always)]
-    pub fn new(record: &Record, strain: [f64; 2]) -> SingleRecord {
-        let [x, y, vx, vy, weight, xx, xy, yy] = record.0;
-        SingleRecord {
-            x: split(x),
-            y: split(y),
-            velocity: [vx as f32, vy as f32],
-            weight: weight as f32,
-            pressure: [xx as f32, xy as f32, yy as f32],
-            strain: [strain[0] as f32, strain[1] as f32],
-        }
+    pub fn new<L: Lanes>(record: &Record, strain: [f64; 2], diffused: f64) -> SingleRecord {
+        let values = L::load(&record.0);
+        let [multiples, rests] = split(values);
+        let (mut of_places, mut of_rests) = ([0.0; LANES], [0.0; LANES]);
+        multiples.store_single(&mut of_places);
+        rests.store_single(&mut of_rests);
+        let mut numbers = [0.0; 16];
+        values.store_single(numbers.first_chunk_mut().unwrap());
+        [numbers[Record::X], numbers[Record::Y]] = [of_places[Record::X], of_places[Record::Y]];
+        [numbers[Self::X_REST], numbers[Self::Y_REST]] = [of_rests[Record::X], of_rests[Record::Y]];
+        numbers[Self::STRETCH] = strain[0] as f32;
+        numbers[Self::SHEAR] = strain[1] as f32;
+        numbers[Self::DIFFUSED] = diffused as f32;
+        SingleRecord(numbers)
     }
 }
 
-/// A place as a multiple of 2^-6 and the rest of it.
+/// Places as multiples of 2^-6 and the rests of them.
 #[inline(always)]
-pub fn split(place: f64) -> [f32; 2] {
+pub fn split<V: Vector>(places: V) -> [V; 2] {
     // Adding 1.5·2^46 rounds to multiples of 2^-6.
-    const ROUNDING: f64 = 1.5 * (1_u64 << 46) as f64;
-    let multiple = (place + ROUNDING) - ROUNDING;
-    [multiple as f32, (place - multiple) as f32]
+    let rounding = V::splat(1.5 * (1_u64 << 46) as f64);
+    let multiples = (places + rounding) - rounding;
+    [multiples, places - multiples]
 }
 
 /// Factors between physical and packed values for a kernel and its support radius.

@@ -4,11 +4,12 @@ use std::arch::x86_64::*;
 use std::ops::{Add, AddAssign, Mul, Sub};
 
 use super::single::Single;
-use super::{LANES, Lanes, RSQRT_MAGIC, Task};
+use super::vector::RSQRT_MAGIC;
+use super::{LANES, Lanes, Task, Vector};
 
 /// Eight values in two registers.
 #[derive(Clone, Copy)]
-pub(super) struct Avx2(__m256d, __m256d);
+pub(super) struct Avx2(pub(super) __m256d, pub(super) __m256d);
 
 /// Compiles and runs a task with AVX2.
 ///
@@ -18,16 +19,6 @@ pub(super) struct Avx2(__m256d, __m256d);
 #[target_feature(enable = "avx2,fma")]
 pub(super) unsafe fn run<T: Task>(task: T) -> T::Output {
     task.run::<Avx2>()
-}
-
-/// The same in single precision.
-///
-/// # Safety
-/// The processor must have the features named below.
-#[inline(never)]
-#[target_feature(enable = "avx2,fma")]
-pub(super) unsafe fn run_single<T: Task>(task: T) -> T::Output {
-    task.run::<Single<false>>()
 }
 
 // SAFETY of every block below: `Avx2` only exists inside `run`, whose caller has checked the
@@ -64,57 +55,11 @@ impl AddAssign for Avx2 {
     }
 }
 
-impl Lanes for Avx2 {
-    type Single = Single<false>;
-
+impl Vector for Avx2 {
     #[inline(always)]
     fn splat(value: f64) -> Self {
         let lanes = unsafe { _mm256_set1_pd(value) };
         Avx2(lanes, lanes)
-    }
-    #[inline(always)]
-    fn splat_single(value: f32) -> Self {
-        Self::splat(f64::from(value))
-    }
-    #[inline(always)]
-    fn load(values: &[f64; LANES]) -> Self {
-        let at = values.as_ptr();
-        unsafe { Avx2(_mm256_loadu_pd(at), _mm256_loadu_pd(at.add(4))) }
-    }
-    #[inline(always)]
-    fn gather(values: &[f64], at: &[u32; LANES]) -> Self {
-        let last = at.iter().fold(0, |last, &at| last.max(at));
-        assert!((last as usize) < values.len());
-        // SAFETY: all places lie inside, below 2^31 as no larger array is made.
-        unsafe {
-            let low = _mm_loadu_si128(at.as_ptr().cast());
-            let high = _mm_loadu_si128(at.as_ptr().add(4).cast());
-            Avx2(
-                _mm256_i32gather_pd::<8>(values.as_ptr(), low),
-                _mm256_i32gather_pd::<8>(values.as_ptr(), high),
-            )
-        }
-    }
-    #[inline(always)]
-    fn store(self, values: &mut [f64; LANES]) {
-        let at = values.as_mut_ptr();
-        unsafe {
-            _mm256_storeu_pd(at, self.0);
-            _mm256_storeu_pd(at.add(4), self.1);
-        }
-    }
-    #[inline(always)]
-    fn load_single(values: &[f32; LANES]) -> Self {
-        let at = values.as_ptr();
-        unsafe { Avx2(_mm256_cvtps_pd(_mm_loadu_ps(at)), _mm256_cvtps_pd(_mm_loadu_ps(at.add(4)))) }
-    }
-    #[inline(always)]
-    fn store_single(self, values: &mut [f32; LANES]) {
-        let at = values.as_mut_ptr();
-        unsafe {
-            _mm_storeu_ps(at, _mm256_cvtpd_ps(self.0));
-            _mm_storeu_ps(at.add(4), _mm256_cvtpd_ps(self.1));
-        }
     }
     #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
@@ -183,6 +128,61 @@ impl Lanes for Avx2 {
         }
     }
     #[inline(always)]
+    fn power_of_two(self) -> Self {
+        unsafe {
+            let half = |v: __m256d| {
+                let shifted = _mm256_slli_epi64::<52>(_mm256_castpd_si256(v));
+                _mm256_castsi256_pd(_mm256_add_epi64(shifted, _mm256_set1_epi64x(1023 << 52)))
+            };
+            Avx2(half(self.0), half(self.1))
+        }
+    }
+}
+
+impl Lanes for Avx2 {
+    type Single = Single;
+
+    #[inline(always)]
+    fn load(values: &[f64; LANES]) -> Self {
+        let at = values.as_ptr();
+        unsafe { Avx2(_mm256_loadu_pd(at), _mm256_loadu_pd(at.add(4))) }
+    }
+    #[inline(always)]
+    fn gather(values: &[f64], at: &[u32; LANES]) -> Self {
+        let last = at.iter().fold(0, |last, &at| last.max(at));
+        assert!((last as usize) < values.len());
+        // SAFETY: all places lie inside, below 2^31 as no larger array is made.
+        unsafe {
+            let low = _mm_loadu_si128(at.as_ptr().cast());
+            let high = _mm_loadu_si128(at.as_ptr().add(4).cast());
+            Avx2(
+                _mm256_i32gather_pd::<8>(values.as_ptr(), low),
+                _mm256_i32gather_pd::<8>(values.as_ptr(), high),
+            )
+        }
+    }
+    #[inline(always)]
+    fn store(self, values: &mut [f64; LANES]) {
+        let at = values.as_mut_ptr();
+        unsafe {
+            _mm256_storeu_pd(at, self.0);
+            _mm256_storeu_pd(at.add(4), self.1);
+        }
+    }
+    #[inline(always)]
+    fn load_single(values: &[f32; LANES]) -> Self {
+        let at = values.as_ptr();
+        unsafe { Avx2(_mm256_cvtps_pd(_mm_loadu_ps(at)), _mm256_cvtps_pd(_mm_loadu_ps(at.add(4)))) }
+    }
+    #[inline(always)]
+    fn store_single(self, values: &mut [f32; LANES]) {
+        let at = values.as_mut_ptr();
+        unsafe {
+            _mm_storeu_ps(at, _mm256_cvtpd_ps(self.0));
+            _mm_storeu_ps(at.add(4), _mm256_cvtpd_ps(self.1));
+        }
+    }
+    #[inline(always)]
     fn call<T: Task>(task: T) -> T::Output {
         unsafe { run(task) }
     }
@@ -197,16 +197,6 @@ impl Lanes for Avx2 {
             let low = _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, bound.0);
             let high = _mm256_cmp_pd::<_CMP_LT_OQ>(self.1, bound.1);
             _mm256_movemask_pd(_mm256_or_pd(low, high)) != 0
-        }
-    }
-    #[inline(always)]
-    fn power_of_two(self) -> Self {
-        unsafe {
-            let half = |v: __m256d| {
-                let shifted = _mm256_slli_epi64::<52>(_mm256_castpd_si256(v));
-                _mm256_castsi256_pd(_mm256_add_epi64(shifted, _mm256_set1_epi64x(1023 << 52)))
-            };
-            Avx2(half(self.0), half(self.1))
         }
     }
 }

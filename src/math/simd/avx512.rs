@@ -3,12 +3,13 @@
 use std::arch::x86_64::*;
 use std::ops::{Add, AddAssign, Mul, Sub};
 
-use super::single::Single;
-use super::{LANES, Lanes, RSQRT_MAGIC, Task};
+use super::sixteen::Sixteen;
+use super::vector::RSQRT_MAGIC;
+use super::{LANES, Lanes, Task, Vector};
 
 /// Eight values in a register.
 #[derive(Clone, Copy)]
-pub(super) struct Avx512(__m512d);
+pub(super) struct Avx512(pub(super) __m512d);
 
 /// Compiles and runs a task with AVX-512.
 ///
@@ -18,16 +19,6 @@ pub(super) struct Avx512(__m512d);
 #[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
 pub(super) unsafe fn run<T: Task>(task: T) -> T::Output {
     task.run::<Avx512>()
-}
-
-/// The same in single precision.
-///
-/// # Safety
-/// The processor must have the features named below.
-#[inline(never)]
-#[target_feature(enable = "avx512f,avx512dq,avx512vl,avx2,fma")]
-pub(super) unsafe fn run_single<T: Task>(task: T) -> T::Output {
-    task.run::<Single<true>>()
 }
 
 // SAFETY of every block below: `Avx512` only exists inside `run`, whose caller has checked the
@@ -64,17 +55,65 @@ impl AddAssign for Avx512 {
     }
 }
 
-impl Lanes for Avx512 {
-    type Single = Single<true>;
-
+impl Vector for Avx512 {
     #[inline(always)]
     fn splat(value: f64) -> Self {
         Avx512(unsafe { _mm512_set1_pd(value) })
     }
     #[inline(always)]
-    fn splat_single(value: f32) -> Self {
-        Self::splat(f64::from(value))
+    fn mul_add(self, factor: Self, addend: Self) -> Self {
+        Avx512(unsafe { _mm512_fmadd_pd(self.0, factor.0, addend.0) })
     }
+    #[inline(always)]
+    fn mul_sub(self, factor: Self, subtrahend: Self) -> Self {
+        Avx512(unsafe { _mm512_fmsub_pd(self.0, factor.0, subtrahend.0) })
+    }
+    #[inline(always)]
+    fn negated_mul_add(self, factor: Self, addend: Self) -> Self {
+        Avx512(unsafe { _mm512_fnmadd_pd(self.0, factor.0, addend.0) })
+    }
+    #[inline(always)]
+    fn div(self, divisor: Self) -> Self {
+        Avx512(unsafe { _mm512_div_pd(self.0, divisor.0) })
+    }
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Avx512(unsafe { _mm512_sqrt_pd(self.0) })
+    }
+    #[inline(always)]
+    fn min(self, other: Self) -> Self {
+        Avx512(unsafe { _mm512_min_pd(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn max(self, other: Self) -> Self {
+        Avx512(unsafe { _mm512_max_pd(self.0, other.0) })
+    }
+    #[inline(always)]
+    fn rsqrt_guess(self) -> Self {
+        Avx512(unsafe {
+            let half = _mm512_srli_epi64::<1>(_mm512_castpd_si512(self.0));
+            _mm512_castsi512_pd(_mm512_sub_epi64(_mm512_set1_epi64(RSQRT_MAGIC), half))
+        })
+    }
+    #[inline(always)]
+    fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self {
+        Avx512(unsafe {
+            let less = _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, bound.0);
+            _mm512_mask_blend_pd(less, otherwise.0, if_less.0)
+        })
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        Avx512(unsafe {
+            let shifted = _mm512_slli_epi64::<52>(_mm512_castpd_si512(self.0));
+            _mm512_castsi512_pd(_mm512_add_epi64(shifted, _mm512_set1_epi64(1023 << 52)))
+        })
+    }
+}
+
+impl Lanes for Avx512 {
+    type Single = Sixteen;
+
     #[inline(always)]
     fn load(values: &[f64; LANES]) -> Self {
         Avx512(unsafe { _mm512_loadu_pd(values.as_ptr()) })
@@ -142,48 +181,6 @@ impl Lanes for Avx512 {
         unsafe { _mm256_storeu_ps(values.as_mut_ptr(), _mm512_cvtpd_ps(self.0)) }
     }
     #[inline(always)]
-    fn mul_add(self, factor: Self, addend: Self) -> Self {
-        Avx512(unsafe { _mm512_fmadd_pd(self.0, factor.0, addend.0) })
-    }
-    #[inline(always)]
-    fn mul_sub(self, factor: Self, subtrahend: Self) -> Self {
-        Avx512(unsafe { _mm512_fmsub_pd(self.0, factor.0, subtrahend.0) })
-    }
-    #[inline(always)]
-    fn negated_mul_add(self, factor: Self, addend: Self) -> Self {
-        Avx512(unsafe { _mm512_fnmadd_pd(self.0, factor.0, addend.0) })
-    }
-    #[inline(always)]
-    fn div(self, divisor: Self) -> Self {
-        Avx512(unsafe { _mm512_div_pd(self.0, divisor.0) })
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Avx512(unsafe { _mm512_sqrt_pd(self.0) })
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        Avx512(unsafe { _mm512_min_pd(self.0, other.0) })
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        Avx512(unsafe { _mm512_max_pd(self.0, other.0) })
-    }
-    #[inline(always)]
-    fn rsqrt_guess(self) -> Self {
-        Avx512(unsafe {
-            let half = _mm512_srli_epi64::<1>(_mm512_castpd_si512(self.0));
-            _mm512_castsi512_pd(_mm512_sub_epi64(_mm512_set1_epi64(RSQRT_MAGIC), half))
-        })
-    }
-    #[inline(always)]
-    fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self {
-        Avx512(unsafe {
-            let less = _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, bound.0);
-            _mm512_mask_blend_pd(less, otherwise.0, if_less.0)
-        })
-    }
-    #[inline(always)]
     fn call<T: Task>(task: T) -> T::Output {
         unsafe { run(task) }
     }
@@ -195,12 +192,5 @@ impl Lanes for Avx512 {
     #[inline(always)]
     fn any_less(self, bound: Self) -> bool {
         unsafe { _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, bound.0) != 0 }
-    }
-    #[inline(always)]
-    fn power_of_two(self) -> Self {
-        Avx512(unsafe {
-            let shifted = _mm512_slli_epi64::<52>(_mm512_castpd_si512(self.0));
-            _mm512_castsi512_pd(_mm512_add_epi64(shifted, _mm512_set1_epi64(1023 << 52)))
-        })
     }
 }

@@ -8,31 +8,21 @@
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
+mod pairs;
 mod portable;
 #[cfg(target_arch = "x86_64")]
 mod single;
+#[cfg(target_arch = "x86_64")]
+mod sixteen;
+mod vector;
 
-use std::ops::{Add, AddAssign, Mul, Sub};
+pub use pairs::Pairs;
+pub use vector::Vector;
 
 use serde::{Deserialize, Serialize};
 
 /// Number of lanes of every vector.
 pub const LANES: usize = 8;
-
-/// Start of 1/√x: the bits of x, halved and taken from this, have about the right exponent.
-const RSQRT_MAGIC: i64 = 0x5FE6_EB50_C7B5_37A9;
-
-/// Adding and taking away 1.5·2^52 rounds to an integer.
-const DOUBLE_ROUNDING: f64 = 6_755_399_441_055_744.0;
-/// ln 2 in two parts, the first of few enough digits for exact products.
-const DOUBLE_LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
-
-/// The start of 1/√x in single precision ...
-const SINGLE_RSQRT_MAGIC: i32 = 0x5F37_59DF;
-/// ... where 1.5·2^23 rounds to integers ...
-const SINGLE_ROUNDING: f64 = 12_582_912.0;
-/// ... and ln 2 has a part of a few digits, to be multiplied without rounding.
-const SINGLE_LN_2: [f64; 2] = [0.693_359_375, -2.121_944_400_546_9e-4];
 
 /// An instruction set for the hot loops. AVX-512 and AVX2 give the same bits; the portable path
 /// has no fused multiply-add and differs in rounding.
@@ -83,22 +73,11 @@ impl SimdPath {
     }
 }
 
-/// Eight values that are computed together, of double precision or, as [`Lanes::Single`], of single
-/// precision; arrays of `f64` are then rounded on loading.
-pub trait Lanes:
-    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + AddAssign
-{
-    /// Lanes of single precision on the same path.
-    type Single: Lanes;
-    /// Adding and taking this away rounds to an integer.
-    const ROUNDING: f64 = DOUBLE_ROUNDING;
-    /// ln 2 in two parts, the first of few enough digits for exact products.
-    const LN_2: [f64; 2] = DOUBLE_LN_2;
+/// Eight values of double precision.
+pub trait Lanes: Vector {
+    /// Pairs of eight particles in single precision, on the same path.
+    type Single: Pairs;
 
-    /// The same value in every lane.
-    fn splat(value: f64) -> Self;
-    /// The same value of single precision in every lane.
-    fn splat_single(value: f32) -> Self;
     /// Reads eight values.
     fn load(values: &[f64; LANES]) -> Self;
     /// The values at eight places.
@@ -125,24 +104,6 @@ pub trait Lanes:
     fn load_single(values: &[f32; LANES]) -> Self;
     /// Writes eight values, rounded to single precision.
     fn store_single(self, values: &mut [f32; LANES]);
-    /// `self * factor + addend`, fused where the path has it.
-    fn mul_add(self, factor: Self, addend: Self) -> Self;
-    /// `self * factor - subtrahend`, fused likewise.
-    fn mul_sub(self, factor: Self, subtrahend: Self) -> Self;
-    /// `addend - self * factor`, fused likewise.
-    fn negated_mul_add(self, factor: Self, addend: Self) -> Self;
-    /// `self / divisor`.
-    fn div(self, divisor: Self) -> Self;
-    /// Square root.
-    fn sqrt(self) -> Self;
-    /// The smaller of each pair.
-    fn min(self, other: Self) -> Self;
-    /// The larger of each pair.
-    fn max(self, other: Self) -> Self;
-    /// `1 / sqrt(self)` to 3.5 %, from its bits; a start for refinement.
-    fn rsqrt_guess(self) -> Self;
-    /// `if_less` where `self < bound`, else `otherwise`.
-    fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self;
     /// Runs a task of the same path as a function of its own, so that its registers are its own.
     fn call<T: Task>(task: T) -> T::Output;
     /// Sends for the value that lies so many values after one in memory, if there is any.
@@ -152,55 +113,6 @@ pub trait Lanes:
     }
     /// Whether `self < bound` in any lane.
     fn any_less(self, bound: Self) -> bool;
-    /// 2^n, where `self` is n + [`Lanes::ROUNDING`] for an integer n that 2^n allows.
-    fn power_of_two(self) -> Self;
-
-    /// `1 / sqrt(self)` to about 1e-15, for any positive normal number. Products and sums alone:
-    /// they overlap where a square root and a division would queue.
-    #[inline(always)]
-    fn rsqrt(self) -> Self {
-        // With e = 1 - x y², 1/√x = y (1 + e/2 + 3 e²/8 + 5 e³/16 + ...): two terms of it, then three.
-        let y = self.rsqrt_guess();
-        let e = (self * y).negated_mul_add(y, Self::splat(1.0));
-        let slope = e.mul_add(Self::splat(0.375), Self::splat(0.5));
-        let y = (y * e).mul_add(slope, y);
-        let e = (self * y).negated_mul_add(y, Self::splat(1.0));
-        let slope = e.mul_add(Self::splat(0.3125), Self::splat(0.375));
-        let slope = e.mul_add(slope, Self::splat(0.5));
-        (y * e).mul_add(slope, y)
-    }
-
-    /// e^self to a few units in the last place, for arguments from -700 to 700 (-80 to 80 in single
-    /// precision).
-    #[inline(always)]
-    fn exp(self) -> Self {
-        let [high, low] = Self::LN_2;
-        let rounding = Self::splat(Self::ROUNDING);
-        let shifted = self.mul_add(Self::splat(std::f64::consts::LOG2_E), rounding);
-        let n = shifted - rounding;
-        let rest = n.mul_add(Self::splat(-high), self);
-        let rest = n.mul_add(Self::splat(-low), rest);
-        // Taylor to x^12 on |x| < 0.35: remainder below 2e-16.
-        let mut sum = Self::splat(1.0 / 479_001_600.0);
-        for factorial in [
-            39_916_800.0,
-            3_628_800.0,
-            362_880.0,
-            40_320.0,
-            5_040.0,
-            720.0,
-            120.0,
-            24.0,
-            6.0,
-            2.0,
-            1.0,
-            1.0,
-        ] {
-            sum = sum.mul_add(rest, Self::splat(1.0 / factorial));
-        }
-        sum * shifted.power_of_two()
-    }
-
     /// The eight values as an array.
     #[inline(always)]
     fn to_array(self) -> [f64; LANES] {
@@ -215,17 +127,6 @@ pub trait Lanes:
         let v = self.to_array();
         ((v[0] + v[1]) + (v[2] + v[3])) + ((v[4] + v[5]) + (v[6] + v[7]))
     }
-}
-
-/// `1 / sqrt(x)` in single precision: to 1e-5, then to a unit or two in the last place.
-#[inline(always)]
-fn single_rsqrt<L: Lanes>(x: L) -> L {
-    let y = x.rsqrt_guess();
-    let e = (x * y).negated_mul_add(y, L::splat(1.0));
-    let slope = e.mul_add(L::splat(0.375), L::splat(0.5));
-    let y = (y * e).mul_add(slope, y);
-    let e = (x * y).negated_mul_add(y, L::splat(1.0));
-    (y * e).mul_add(L::splat(0.5), y)
 }
 
 /// A loop that is compiled once per instruction set.
@@ -293,10 +194,10 @@ mod tests {
     }
 
     #[derive(Clone, Copy)]
-    struct Row([f64; 8]);
+    struct Row<T>([T; 8]);
 
-    impl AsMut<[f64; 8]> for Row {
-        fn as_mut(&mut self) -> &mut [f64; 8] {
+    impl<T> AsMut<[T; 8]> for Row<T> {
+        fn as_mut(&mut self) -> &mut [T; 8] {
             &mut self.0
         }
     }
@@ -304,7 +205,7 @@ mod tests {
     struct Transposed([[f64; LANES]; 8]);
 
     impl Task for Transposed {
-        type Output = [Row; LANES];
+        type Output = [Row<f64>; LANES];
         #[inline(always)]
         fn run<L: Lanes>(self) -> Self::Output {
             let mut records = [Row([0.0; 8]); LANES];
@@ -331,17 +232,26 @@ mod tests {
     struct SingleProbe([f64; LANES]);
 
     impl Task for SingleProbe {
-        type Output = [[f64; LANES]; 3];
+        type Output = [[f32; LANES]; 3];
         #[inline(always)]
         fn run<L: Lanes>(self) -> Self::Output {
-            L::Single::call(Probe(self.0))
+            let x = L::Single::of_particles(&self.0);
+            let negative = x * L::Single::splat(-3.0);
+            let mut singles = [[Row([0.0; LANES]); 2]; 3];
+            for (found, into) in
+                [x.rsqrt(), negative.exp(), x.sqrt().div(x)].into_iter().zip(&mut singles)
+            {
+                found.store_singles(into);
+            }
+            singles.map(|[first, _]| first.0)
         }
     }
 
     #[test]
     fn single_precision_is_good_to_its_last_digits_on_every_path() {
         for path in paths() {
-            let [rsqrt, exp, ratio] = dispatch(path, SingleProbe(INPUT));
+            let found = dispatch(path, SingleProbe(INPUT));
+            let [rsqrt, exp, ratio] = found.map(|row| row.map(f64::from));
             for (k, x) in INPUT.map(|x| f64::from(x as f32)).into_iter().enumerate() {
                 let close = |a: f64, b: f64, tolerance: f64| (a - b).abs() <= tolerance * b.abs();
                 assert!(close(rsqrt[k], 1.0 / x.sqrt(), 3e-7), "{path:?} rsqrt({x})");
@@ -353,8 +263,44 @@ mod tests {
             }
         }
         if SimdPath::Avx512.is_supported() {
-            let bits = |path| dispatch(path, SingleProbe(INPUT)).map(|row| row.map(f64::to_bits));
+            let bits = |path| dispatch(path, SingleProbe(INPUT)).map(|row| row.map(f32::to_bits));
             assert_eq!(bits(SimdPath::Avx512), bits(SimdPath::Avx2));
+        }
+    }
+
+    /// Pairs of two neighbours each: which are told apart, which are reached, and their sums.
+    struct TwoNeighbours;
+
+    impl Task for TwoNeighbours {
+        type Output = (usize, [f64; LANES], u64, [[f32; LANES]; 2]);
+        #[inline(always)]
+        fn run<L: Lanes>(self) -> Self::Output {
+            type Of<L> = <L as Lanes>::Single;
+            let own = Of::<L>::of_particles(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
+            let near = own + Of::<L>::of_neighbours([10.0, 20.0]);
+            let far = own + Of::<L>::of_neighbours([30.0, 40.0]);
+            let last = Of::<L>::NEIGHBOURS - 1;
+            let mixed = Of::<L>::picked([&far, &near], [last, 0]);
+            let mut singles = [Row([0.0; LANES]); 2];
+            mixed.store_singles(&mut singles);
+            let reached = near.reached(Of::<L>::splat(11.0));
+            let sum = near.add_to(Of::<L>::nothing());
+            (last + 1, Of::<L>::whole(sum), reached, singles.map(|row| row.0))
+        }
+    }
+
+    #[test]
+    fn one_neighbour_and_two_at_once_are_kept_apart() {
+        let from = |first: f32| std::array::from_fn(|k| first + k as f32);
+        for path in paths() {
+            let (neighbours, totals, reached, singles) = dispatch(path, TwoNeighbours);
+            // Only the first is below the bound, for one particle.
+            assert_eq!(reached, 1, "{path:?}");
+            let (sum, picked) = match neighbours {
+                1 => (from(10.0).map(f64::from), [from(30.0), [0.0; LANES]]),
+                _ => (from(0.0).map(|k| f64::from(30.0 + 2.0 * k)), [from(40.0), from(10.0)]),
+            };
+            assert_eq!((totals, singles), (sum, picked), "{path:?}");
         }
     }
 

@@ -2,16 +2,17 @@
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 
-use super::{
-    DOUBLE_LN_2, DOUBLE_ROUNDING, LANES, Lanes, RSQRT_MAGIC, SINGLE_LN_2, SINGLE_ROUNDING,
-    SINGLE_RSQRT_MAGIC, Task, single_rsqrt,
+use super::vector::{
+    DOUBLE_LN_2, DOUBLE_ROUNDING, RSQRT_MAGIC, SINGLE_LN_2, SINGLE_ROUNDING, SINGLE_RSQRT_MAGIC,
+    single_rsqrt,
 };
+use super::{LANES, Lanes, Pairs, Task, Vector};
 
 /// Eight values in an array; products and sums are rounded separately.
 #[derive(Clone, Copy)]
 pub(super) struct Portable([f64; LANES]);
 
-/// The same in single precision.
+/// Pairs with one neighbour in single precision.
 #[derive(Clone, Copy)]
 pub(super) struct Single([f32; LANES]);
 
@@ -21,13 +22,8 @@ pub(super) fn run<T: Task>(task: T) -> T::Output {
     task.run::<Portable>()
 }
 
-#[inline(never)]
-fn run_single<T: Task>(task: T) -> T::Output {
-    task.run::<Single>()
-}
-
-macro_rules! lanes {
-    ($Name:ident, $real:ty, $digits:literal, $magic:expr, $rounding:expr, $ln_2:expr, $run:ident$(, $rsqrt:path)?) => {
+macro_rules! vector {
+    ($Name:ident, $real:ty, $digits:literal, $magic:expr, $rounding:expr, $ln_2:expr$(, $rsqrt:path)?) => {
         impl $Name {
             #[inline(always)]
             fn zip(self, other: Self, f: impl Fn($real, $real) -> $real) -> Self {
@@ -70,38 +66,13 @@ macro_rules! lanes {
             }
         }
 
-        impl Lanes for $Name {
-            type Single = Single;
+        impl Vector for $Name {
             const ROUNDING: f64 = $rounding;
             const LN_2: [f64; 2] = $ln_2;
 
             #[inline(always)]
             fn splat(value: f64) -> Self {
                 $Name([value as $real; LANES])
-            }
-            #[inline(always)]
-            fn splat_single(value: f32) -> Self {
-                $Name([value as $real; LANES])
-            }
-            #[inline(always)]
-            fn load(values: &[f64; LANES]) -> Self {
-                $Name(values.map(|value| value as $real))
-            }
-            #[inline(always)]
-            fn gather(values: &[f64], at: &[u32; LANES]) -> Self {
-                $Name(at.map(|at| values[at as usize] as $real))
-            }
-            #[inline(always)]
-            fn store(self, values: &mut [f64; LANES]) {
-                *values = self.0.map(|value| value as f64);
-            }
-            #[inline(always)]
-            fn load_single(values: &[f32; LANES]) -> Self {
-                $Name(values.map(|value| value as $real))
-            }
-            #[inline(always)]
-            fn store_single(self, values: &mut [f32; LANES]) {
-                *values = self.0.map(|value| value as f32);
             }
             #[inline(always)]
             fn mul_add(self, factor: Self, addend: Self) -> Self {
@@ -144,14 +115,6 @@ macro_rules! lanes {
                 $Name(values)
             }
             #[inline(always)]
-            fn call<T: Task>(task: T) -> T::Output {
-                $run(task)
-            }
-            #[inline(always)]
-            fn any_less(self, bound: Self) -> bool {
-                (0..LANES).any(|k| self.0[k] < bound.0[k])
-            }
-            #[inline(always)]
             fn power_of_two(self) -> Self {
                 let one = <$real>::to_bits(1.0);
                 $Name(self.0.map(|x| <$real>::from_bits((x.to_bits() << $digits).wrapping_add(one))))
@@ -166,14 +129,76 @@ macro_rules! lanes {
     };
 }
 
-lanes!(Portable, f64, 52, RSQRT_MAGIC as u64, DOUBLE_ROUNDING, DOUBLE_LN_2, run);
-lanes!(
-    Single,
-    f32,
-    23,
-    SINGLE_RSQRT_MAGIC as u32,
-    SINGLE_ROUNDING,
-    SINGLE_LN_2,
-    run_single,
-    single_rsqrt
-);
+vector!(Portable, f64, 52, RSQRT_MAGIC as u64, DOUBLE_ROUNDING, DOUBLE_LN_2);
+vector!(Single, f32, 23, SINGLE_RSQRT_MAGIC as u32, SINGLE_ROUNDING, SINGLE_LN_2, single_rsqrt);
+
+impl Lanes for Portable {
+    type Single = Single;
+
+    #[inline(always)]
+    fn load(values: &[f64; LANES]) -> Self {
+        Portable(*values)
+    }
+    #[inline(always)]
+    fn gather(values: &[f64], at: &[u32; LANES]) -> Self {
+        Portable(at.map(|at| values[at as usize]))
+    }
+    #[inline(always)]
+    fn store(self, values: &mut [f64; LANES]) {
+        *values = self.0;
+    }
+    #[inline(always)]
+    fn load_single(values: &[f32; LANES]) -> Self {
+        Portable(values.map(f64::from))
+    }
+    #[inline(always)]
+    fn store_single(self, values: &mut [f32; LANES]) {
+        *values = self.0.map(|value| value as f32);
+    }
+    #[inline(always)]
+    fn call<T: Task>(task: T) -> T::Output {
+        run(task)
+    }
+    #[inline(always)]
+    fn any_less(self, bound: Self) -> bool {
+        (0..LANES).any(|k| self.0[k] < bound.0[k])
+    }
+}
+
+impl Pairs for Single {
+    const TURNS: usize = 2;
+    type Sum = Portable;
+
+    #[inline(always)]
+    fn of_particles(numbers: &[f64; LANES]) -> Self {
+        Single(numbers.map(|number| number as f32))
+    }
+    #[inline(always)]
+    fn of_neighbours([number, _]: [f64; 2]) -> Self {
+        Self::splat(number)
+    }
+    #[inline(always)]
+    fn picked([pairs, _]: [&Self; 2], _: [usize; 2]) -> Self {
+        *pairs
+    }
+    #[inline(always)]
+    fn reached(self, bound: Self) -> u64 {
+        u64::from((0..LANES).any(|k| self.0[k] < bound.0[k]))
+    }
+    #[inline(always)]
+    fn store_singles<S: AsMut<[f32; LANES]>>(self, into: &mut [S]) {
+        *into[0].as_mut() = self.0;
+    }
+    #[inline(always)]
+    fn nothing() -> Portable {
+        Portable::splat(0.0)
+    }
+    #[inline(always)]
+    fn add_to(self, sum: Portable) -> Portable {
+        sum + Portable(self.0.map(f64::from))
+    }
+    #[inline(always)]
+    fn whole(sum: Portable) -> [f64; LANES] {
+        sum.0
+    }
+}

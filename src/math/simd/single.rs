@@ -1,19 +1,20 @@
-//! Eight lanes of single precision in one 256-bit register: what `precision = "f32"` runs on.
+//! Pairs in single precision in a 256-bit register: what `precision = "f32"` runs on with AVX2.
 
 use std::arch::x86_64::*;
 use std::ops::{Add, AddAssign, Mul, Sub};
 
-use super::{LANES, Lanes, SINGLE_RSQRT_MAGIC, Task, avx2, avx512};
+use super::avx2::Avx2;
+use super::vector::{SINGLE_LN_2, SINGLE_ROUNDING, SINGLE_RSQRT_MAGIC, single_rsqrt};
+use super::{LANES, Lanes, Pairs, Vector};
 
-/// Eight values in a register. The instructions are the same on both paths; `WIDE` ones have twice
-/// the registers.
+/// Pairs with one neighbour.
 #[derive(Clone, Copy)]
-pub(super) struct Single<const WIDE: bool>(__m256);
+pub(super) struct Single(__m256);
 
-// SAFETY of every block below: `Single` only exists inside `avx2::run` and `avx512::run`, whose
-// callers have checked the processor's features; loads and stores go through whole arrays.
+// SAFETY of every block below: `Single` only exists inside `avx2::run`, whose caller has checked the
+// processor's features; loads and stores go through whole arrays.
 
-impl<const WIDE: bool> Add for Single<WIDE> {
+impl Add for Single {
     type Output = Self;
     #[inline(always)]
     fn add(self, other: Self) -> Self {
@@ -21,7 +22,7 @@ impl<const WIDE: bool> Add for Single<WIDE> {
     }
 }
 
-impl<const WIDE: bool> Sub for Single<WIDE> {
+impl Sub for Single {
     type Output = Self;
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
@@ -29,7 +30,7 @@ impl<const WIDE: bool> Sub for Single<WIDE> {
     }
 }
 
-impl<const WIDE: bool> Mul for Single<WIDE> {
+impl Mul for Single {
     type Output = Self;
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
@@ -37,58 +38,20 @@ impl<const WIDE: bool> Mul for Single<WIDE> {
     }
 }
 
-impl<const WIDE: bool> AddAssign for Single<WIDE> {
+impl AddAssign for Single {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
     }
 }
 
-impl<const WIDE: bool> Lanes for Single<WIDE> {
-    type Single = Self;
-    const ROUNDING: f64 = super::SINGLE_ROUNDING;
-    const LN_2: [f64; 2] = super::SINGLE_LN_2;
+impl Vector for Single {
+    const ROUNDING: f64 = SINGLE_ROUNDING;
+    const LN_2: [f64; 2] = SINGLE_LN_2;
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
-        Self::splat_single(value as f32)
-    }
-    #[inline(always)]
-    fn splat_single(value: f32) -> Self {
-        Single(unsafe { _mm256_set1_ps(value) })
-    }
-    #[inline(always)]
-    fn load(values: &[f64; LANES]) -> Self {
-        let at = values.as_ptr();
-        unsafe {
-            let low = _mm256_cvtpd_ps(_mm256_loadu_pd(at));
-            let high = _mm256_cvtpd_ps(_mm256_loadu_pd(at.add(4)));
-            Single(_mm256_insertf128_ps::<1>(_mm256_castps128_ps256(low), high))
-        }
-    }
-    #[inline(always)]
-    fn gather(values: &[f64], at: &[u32; LANES]) -> Self {
-        let mut gathered = [0.0; LANES];
-        for (value, &at) in gathered.iter_mut().zip(at) {
-            *value = values[at as usize];
-        }
-        Self::load(&gathered)
-    }
-    #[inline(always)]
-    fn store(self, values: &mut [f64; LANES]) {
-        let at = values.as_mut_ptr();
-        unsafe {
-            _mm256_storeu_pd(at, _mm256_cvtps_pd(_mm256_castps256_ps128(self.0)));
-            _mm256_storeu_pd(at.add(4), _mm256_cvtps_pd(_mm256_extractf128_ps::<1>(self.0)));
-        }
-    }
-    #[inline(always)]
-    fn load_single(values: &[f32; LANES]) -> Self {
-        Single(unsafe { _mm256_loadu_ps(values.as_ptr()) })
-    }
-    #[inline(always)]
-    fn store_single(self, values: &mut [f32; LANES]) {
-        unsafe { _mm256_storeu_ps(values.as_mut_ptr(), self.0) }
+        Single(unsafe { _mm256_set1_ps(value as f32) })
     }
     #[inline(always)]
     fn mul_add(self, factor: Self, addend: Self) -> Self {
@@ -127,7 +90,20 @@ impl<const WIDE: bool> Lanes for Single<WIDE> {
     }
     #[inline(always)]
     fn rsqrt(self) -> Self {
-        super::single_rsqrt(self)
+        single_rsqrt(self)
+    }
+    #[inline(always)]
+    fn roots(self) -> [Self; 2] {
+        let root = self.sqrt();
+        [root, Self::splat(1.0).div(root)]
+    }
+    #[inline(always)]
+    fn divisor(self, _: [Self; 2]) -> Self {
+        self
+    }
+    #[inline(always)]
+    fn over(self, divisor: Self) -> Self {
+        self.div(divisor)
     }
     #[inline(always)]
     fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self {
@@ -137,18 +113,65 @@ impl<const WIDE: bool> Lanes for Single<WIDE> {
         })
     }
     #[inline(always)]
-    fn call<T: Task>(task: T) -> T::Output {
-        unsafe { if WIDE { avx512::run_single(task) } else { avx2::run_single(task) } }
-    }
-    #[inline(always)]
-    fn any_less(self, bound: Self) -> bool {
-        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(self.0, bound.0)) != 0 }
-    }
-    #[inline(always)]
     fn power_of_two(self) -> Self {
         Single(unsafe {
             let shifted = _mm256_slli_epi32::<23>(_mm256_castps_si256(self.0));
             _mm256_castsi256_ps(_mm256_add_epi32(shifted, _mm256_set1_epi32(127 << 23)))
         })
+    }
+}
+
+impl Single {
+    #[inline(always)]
+    fn widened(self) -> Avx2 {
+        unsafe {
+            let low = _mm256_castps256_ps128(self.0);
+            let high = _mm256_extractf128_ps::<1>(self.0);
+            Avx2(_mm256_cvtps_pd(low), _mm256_cvtps_pd(high))
+        }
+    }
+}
+
+impl Pairs for Single {
+    const TURNS: usize = 2;
+    type Sum = Avx2;
+
+    #[inline(always)]
+    fn of_particles(numbers: &[f64; LANES]) -> Self {
+        let at = numbers.as_ptr();
+        unsafe {
+            let low = _mm256_cvtpd_ps(_mm256_loadu_pd(at));
+            let high = _mm256_cvtpd_ps(_mm256_loadu_pd(at.add(4)));
+            Single(_mm256_insertf128_ps::<1>(_mm256_castps128_ps256(low), high))
+        }
+    }
+    #[inline(always)]
+    fn of_neighbours([number, _]: [f64; 2]) -> Self {
+        Self::splat(number)
+    }
+    #[inline(always)]
+    fn picked([pairs, _]: [&Self; 2], _: [usize; 2]) -> Self {
+        *pairs
+    }
+    #[inline(always)]
+    fn reached(self, bound: Self) -> u64 {
+        let less = unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(self.0, bound.0)) };
+        u64::from(less != 0)
+    }
+    #[inline(always)]
+    fn store_singles<S: AsMut<[f32; LANES]>>(self, into: &mut [S]) {
+        unsafe { _mm256_storeu_ps(into[0].as_mut().as_mut_ptr(), self.0) }
+    }
+    #[inline(always)]
+    fn nothing() -> Avx2 {
+        Avx2::splat(0.0)
+    }
+    #[inline(always)]
+    fn add_to(self, sum: Avx2) -> Avx2 {
+        sum + self.widened()
+    }
+    #[inline(always)]
+    fn whole(sum: Avx2) -> [f64; LANES] {
+        sum.to_array()
     }
 }

@@ -65,12 +65,12 @@ impl<K: Kernel> Task for Gather<'_, K> {
                     let scale = L::splat(self.inverse_radius * self.inverse_radius);
                     let s = dx.mul_add(dx, dy * dy) * scale;
                     let s = s.max(L::splat(1e-12));
-                    let inverse = s.rsqrt();
+                    let roots = s.roots();
                     let here = L::splat((range.end - at) as f64);
                     let volume = lane.select_less(here, lanes::<L>(&points.volume, at), zero);
                     let reach = s.select_less(L::splat(1.0), volume, zero);
-                    let f = K::slope_over_q(s, inverse) * reach * L::splat(self.weight);
-                    let w = K::shape(s, inverse) * reach * L::splat(self.shape);
+                    let f = K::slope_over_q(s, roots) * reach * L::splat(self.weight);
+                    let w = K::shape(s, roots[1]) * reach * L::splat(self.shape);
                     let (fx, fy) = (f * dx, f * dy);
                     sums[0] += w;
                     sums[1] += f;

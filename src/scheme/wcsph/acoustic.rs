@@ -5,7 +5,8 @@ use crate::particles::Fluid;
 
 use super::Workspace;
 use super::held::{Factors, Product};
-use super::momentum::{own_push, store};
+use super::momentum::store;
+use super::momentum_pairs::own_push;
 use super::parts::Part;
 use super::separation::lanes;
 

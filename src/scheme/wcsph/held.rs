@@ -8,16 +8,19 @@
 use crate::math::simd::{LANES, Lanes, Task};
 use crate::neighbours::PairList;
 
-use super::momentum::store;
-use super::parts::Part;
-use super::separation::lanes;
-
 /// What the passes after the first read of a pair's geometry: g, the kernel's slope over q times
 /// the neighbour's weight, a value per lane. Single precision halves the traffic; its rounding,
 /// 6e-8 of each term, is far below what the sums are accurate to.
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(C, align(32))]
 pub(super) struct Slopes(pub [f32; LANES]);
+
+impl AsMut<[f32; LANES]> for Slopes {
+    #[inline(always)]
+    fn as_mut(&mut self) -> &mut [f32; LANES] {
+        &mut self.0
+    }
+}
 
 /// What a held pass multiplies with the slopes: numbers of a neighbour, one cache line.
 #[derive(Debug, Clone, Copy, Default)]
@@ -42,10 +45,10 @@ pub(super) struct HeldPairs {
 }
 
 impl HeldPairs {
-    /// Room for all pairs of a list.
+    /// Room for all pairs of a list, and one more.
     pub fn make_room(&mut self, pairs: &PairList) {
-        self.entries.resize(pairs.len(), 0);
-        self.slopes.resize(pairs.len(), Slopes::default());
+        self.entries.resize(pairs.len() + 1, 0);
+        self.slopes.resize(pairs.len() + 1, Slopes::default());
         self.ends.reserve(pairs.clusters() * pairs.groups() + 1);
     }
 
@@ -61,11 +64,12 @@ impl HeldPairs {
         self.ends.last().map_or(0, |&end| end as usize)
     }
 
-    /// Where the next group's pairs go, at most `count` of them.
+    /// Where the next group's pairs go, at most `count` of them, and one that does not count: pairs
+    /// may be written two at a time.
     #[inline(always)]
     pub fn room(&mut self, count: usize) -> (&mut [u32], &mut [Slopes]) {
-        let start = self.len();
-        (&mut self.entries[start..start + count], &mut self.slopes[start..start + count])
+        let range = self.len()..self.len() + count + 1;
+        (&mut self.entries[range.clone()], &mut self.slopes[range])
     }
 
     /// Ends a group for which so many pairs were written.
@@ -87,6 +91,18 @@ impl HeldPairs {
 /// hold, and they are read in turn.
 pub(super) const AHEAD: usize = 64;
 
+/// Sends for the numbers of neighbours that the fourth cluster from here will be the first to reach.
+/// Neighbours are numbered strip by strip and listed in turn: the last of a list lies in the strip
+/// that is farthest ahead, the only one of which nothing has been read yet.
+#[inline(always)]
+pub(super) fn prefetch_first_reached<L: Lanes, T>(all: &[T], entries: &[u32]) {
+    if let Some(&last) = entries.last() {
+        for next in 4 * LANES..5 * LANES {
+            L::prefetch(&all[last as usize], next);
+        }
+    }
+}
+
 /// Σ_j g_ij f_jn over a cluster's pairs in one group, for the first `N` factors.
 pub(super) struct Product<'a, const N: usize> {
     pub pairs: &'a HeldPairs,
@@ -99,6 +115,7 @@ impl<const N: usize> Product<'_, N> {
     #[inline(always)]
     fn sums<L: Lanes>(self) -> [L; N] {
         let (entries, slopes) = self.pairs.group(self.cluster, self.group);
+        prefetch_first_reached::<L, _>(self.factors, entries);
         // Two sums each, in turns: one alone would wait for its own additions.
         let mut even = [L::splat(0.0); N];
         let mut odd = [L::splat(0.0); N];
@@ -159,53 +176,6 @@ impl<const N: usize> Task for Added<'_, '_, N> {
     }
 }
 
-/// Σ g (r_i - r_j) over all groups, of the slopes that are held: where the pass that found them has
-/// summed in single precision, its own sum is not theirs, and water that moves along as a whole
-/// would seem to diverge. Factors: 1, x, y.
-pub(super) struct Concentration<'a> {
-    pub part: &'a mut Part,
-    pub factors: &'a [Factors],
-    pub places: [&'a [f64]; 2],
-    /// The part's rows of the sums along x and y.
-    pub sums: [&'a mut [f64]; 2],
-    /// Groups of the pairs.
-    pub groups: usize,
-}
-
-impl Task for Concentration<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let Concentration { part, factors, places: [x, y], sums: [sum_x, sum_y], groups } = self;
-        let Part { clusters, held: pairs, near: of_ghosts, .. } = part;
-        let mut of_ghosts = of_ghosts.iter_mut();
-        for (here, cluster) in clusters.clone().enumerate() {
-            let (at, to) = (cluster * LANES, here * LANES);
-            let (x, y) = (lanes::<L>(x, at), lanes::<L>(y, at));
-            let (mut all_x, mut all_y) = (L::splat(0.0), L::splat(0.0));
-            for group in 0..groups {
-                if group > 0 && pairs.group(here, group).0.is_empty() {
-                    continue;
-                }
-                let sums = L::call(Product::<3> { pairs, factors, cluster: here, group });
-                let near = L::load(&sums[0]);
-                let near_x = x.mul_sub(near, L::load(&sums[1]));
-                let near_y = y.mul_sub(near, L::load(&sums[2]));
-                if group > 0 {
-                    let of_ghosts = of_ghosts.next().unwrap();
-                    near_x.store(&mut of_ghosts[0]);
-                    near_y.store(&mut of_ghosts[1]);
-                }
-                all_x += near_x;
-                all_y += near_y;
-            }
-            store(sum_x, to, all_x);
-            store(sum_y, to, all_y);
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -214,15 +184,15 @@ mod tests {
     #[test]
     fn products_are_the_sums_that_they_stand_for() {
         let mut pairs = HeldPairs {
-            entries: vec![0; 9],
-            slopes: vec![Slopes::default(); 9],
+            entries: vec![0; 10],
+            slopes: vec![Slopes::default(); 10],
             ..Default::default()
         };
         pairs.restart(2);
         let value = |k: usize| (k as f64 * 0.618_034).fract() - 0.4;
         for count in [2, 0, 5, 1] {
             let (entries, slopes) = pairs.room(count);
-            for (k, (entry, slope)) in entries.iter_mut().zip(slopes).enumerate() {
+            for (k, (entry, slope)) in entries.iter_mut().zip(slopes).take(count).enumerate() {
                 *entry = (count + k) as u32 % 4;
                 slope.0 = std::array::from_fn(|lane| value(lane + 8 * k + count) as f32);
             }

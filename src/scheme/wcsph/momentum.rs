@@ -6,10 +6,10 @@ use crate::particles::Fluid;
 
 use super::Workspace;
 use super::correction::{correction, smallest_eigenvalue, solve_symmetric};
-use super::held::{AHEAD, Slopes};
+use super::momentum_pairs::Group;
 use super::parts::Part;
-use super::precision::{Neighbour, Pairing};
-use super::separation::{CHUNK, Geometry, Pair, lanes};
+use super::precision::Pairing;
+use super::separation::lanes;
 
 /// How many fields the pass writes.
 pub(super) const FOUND: usize = 11;
@@ -50,180 +50,13 @@ pub(super) struct Momentum<'a, K, P: Pairing, const SUMS: u8, const CORRECTED: b
     pub viscosity: f64,
     /// R, metres.
     pub support_radius: f64,
+    /// Rest density, kg/m³.
+    pub density: f64,
     /// Gravity, m/s².
     pub gravity: f64,
     /// Steps until the next full one, this one included.
     pub steps: f64,
     pub kernel: std::marker::PhantomData<K>,
-}
-
-/// Sums over the neighbours of one cluster in one group, a value per lane.
-#[derive(Clone, Copy)]
-struct Sums {
-    /// -Σ g (p_i + p_j) Δ.
-    push: [[f64; LANES]; 2],
-    /// Σ g drag Δ.
-    viscous: [[f64; LANES]; 2],
-    /// Σ g ΔΔᵀ: xx, xy, yy.
-    moment: [[f64; LANES]; 3],
-    /// Σ g Δ.
-    concentration: [[f64; LANES]; 2],
-    /// Σ g (ρ_j - ρ_i) Δ, of fluid neighbours.
-    gradient: [[f64; LANES]; 2],
-    /// Σ g b_j Δ, b the response of a wall ghost's pressure.
-    response: [[f64; LANES]; 2],
-    /// Pairs in reach.
-    count: usize,
-}
-
-impl Sums {
-    fn add(&mut self, other: &Sums) {
-        let add = |into: &mut [[f64; LANES]], from: &[[f64; LANES]]| {
-            for (a, b) in into.as_flattened_mut().iter_mut().zip(from.as_flattened()) {
-                *a += b;
-            }
-        };
-        add(&mut self.push, &other.push);
-        add(&mut self.viscous, &other.viscous);
-        add(&mut self.moment, &other.moment);
-        add(&mut self.concentration, &other.concentration);
-    }
-}
-
-/// The pair loop over one group of a cluster's neighbours: `FLUID` ones also count in the density
-/// gradient, `RESPONSE` ones carry a response to their wall's acceleration.
-struct Group<
-    'a,
-    'b,
-    K,
-    P: Pairing,
-    const SUMS: u8,
-    const CORRECTED: bool,
-    const FLUID: bool,
-    const RESPONSE: bool,
-> {
-    pass: &'b Momentum<'a, K, P, SUMS, CORRECTED>,
-    /// The listed neighbours, and room for those in reach.
-    entries: &'b [u32],
-    room: (&'b mut [u32], &'b mut [Slopes]),
-    cluster: usize,
-}
-
-impl<
-    K: Kernel,
-    P: Pairing,
-    const SUMS: u8,
-    const CORRECTED: bool,
-    const FLUID: bool,
-    const RESPONSE: bool,
-> Task for Group<'_, '_, K, P, SUMS, CORRECTED, FLUID, RESPONSE>
-{
-    type Output = Sums;
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) -> Sums {
-        let Group { pass, entries, room, cluster } = self;
-        let work = pass.work;
-        let at = cluster * LANES;
-        let zero = L::splat(0.0);
-        let x = work.scaled_x[at..at + LANES].first_chunk().unwrap();
-        let y = work.scaled_y[at..at + LANES].first_chunk().unwrap();
-        let places = P::Neighbour::places::<L>(x, y);
-        let vx = lanes::<L>(&pass.fluid.vx, at);
-        let vy = lanes::<L>(&pass.fluid.vy, at);
-        let diffused = lanes::<L>(pass.diffused, at);
-        let (mut own_stretch, mut own_shear) = (zero, zero);
-        if CORRECTED {
-            let strain = pass.strain[at..at + LANES].first_chunk::<LANES>().unwrap();
-            let (mut stretch, mut shear) = ([0.0; LANES], [0.0; LANES]);
-            for lane in 0..LANES {
-                [stretch[lane], shear[lane]] = strain[lane];
-            }
-            (own_stretch, own_shear) = (L::load(&stretch), L::load(&shear));
-        }
-        // Plain local variables throughout: they stay in registers, arrays of lanes may not.
-        let (mut push_x, mut push_y) = (zero, zero);
-        let (mut viscous_x, mut viscous_y) = (zero, zero);
-        let (mut moment_xx, mut moment_xy, mut moment_yy) = (zero, zero, zero);
-        let (mut concentration_x, mut concentration_y) = (zero, zero);
-        let (mut gradient_x, mut gradient_y) = (zero, zero);
-        let (mut response_x, mut response_y) = (zero, zero);
-        let mut geometry = Geometry::new();
-        let (held, slopes) = room;
-        let mut count = 0;
-        for chunk in entries.chunks(CHUNK) {
-            let in_reach = geometry.fill::<K, P::Neighbour, FLUID>(places, chunk, pass.records);
-            for (k, pair) in in_reach {
-                let j = chunk[k];
-                held[count] = j;
-                L::prefetch(&slopes[count], AHEAD);
-                pair.slope.store_single(&mut slopes[count].0);
-                count += 1;
-                let record = &pass.records[j as usize];
-                let Pair { dx, dy, inverse_s, slope: g } = *pair;
-                let [record_vx, record_vy] = record.velocity::<L>();
-                let (du, dv) = (vx - record_vx, vy - record_vy);
-                let mut approach = du.mul_add(dx, dv * dy);
-                if CORRECTED {
-                    // Less what a linear, divergence-free velocity field would give.
-                    let (stretch, shear) = if FLUID {
-                        let [stretch, shear] = record.strain(&pass.strain[j as usize]);
-                        (own_stretch + stretch, own_shear + shear)
-                    } else {
-                        (own_stretch + own_stretch, own_shear + own_shear)
-                    };
-                    let apart = dx.mul_sub(dx, dy * dy);
-                    let rest = (dx * dy).negated_mul_add(shear, approach);
-                    let rest = apart.negated_mul_add(stretch, rest);
-                    // Between nothing and all of it: every pair then dissipates.
-                    let (low, high) = (approach.min(zero), approach.max(zero));
-                    approach = rest.min(high).max(low);
-                }
-                let gx = g * dx;
-                let gy = g * dy;
-                let drag = approach * inverse_s;
-                viscous_x = drag.mul_add(gx, viscous_x);
-                viscous_y = drag.mul_add(gy, viscous_y);
-                let [xx, xy, yy] = record.pressure::<L>();
-                push_x = xx.mul_add(gx, push_x);
-                if CORRECTED {
-                    push_x = xy.mul_add(gy, push_x);
-                    push_y = xy.mul_add(gx, push_y);
-                }
-                push_y = yy.mul_add(gy, push_y);
-                concentration_x += gx;
-                concentration_y += gy;
-                if SUMS > FORCES || CORRECTED {
-                    moment_xx = gx.mul_add(dx, moment_xx);
-                    moment_xy = gx.mul_add(dy, moment_xy);
-                    moment_yy = gy.mul_add(dy, moment_yy);
-                }
-                if SUMS == GRADIENTS && FLUID {
-                    let rise = L::splat(pass.diffused[j as usize]) - diffused;
-                    gradient_x = rise.mul_add(gx, gradient_x);
-                    gradient_y = rise.mul_add(gy, gradient_y);
-                }
-                if RESPONSE {
-                    let [xx, xy, yy] = pass.responses[j as usize - pass.first_ghost];
-                    let (xx, xy, yy) = (L::splat(xx), L::splat(xy), L::splat(yy));
-                    response_x = xy.mul_add(gy, xx.mul_add(gx, response_x));
-                    response_y = yy.mul_add(gy, xy.mul_add(gx, response_y));
-                }
-            }
-        }
-        let concentration = [concentration_x, concentration_y];
-        let own = own_push::<L, CORRECTED>(work, at, concentration);
-        let viscosity = L::splat(pass.viscosity);
-        Sums {
-            push: [(zero - push_x - own[0]).to_array(), (zero - push_y - own[1]).to_array()],
-            viscous: [(viscous_x * viscosity).to_array(), (viscous_y * viscosity).to_array()],
-            moment: [moment_xx.to_array(), moment_xy.to_array(), moment_yy.to_array()],
-            concentration: [concentration_x.to_array(), concentration_y.to_array()],
-            gradient: [gradient_x.to_array(), gradient_y.to_array()],
-            response: [response_x.to_array(), response_y.to_array()],
-            count,
-        }
-    }
 }
 
 /// The pass over one part.
@@ -268,7 +101,7 @@ impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
             store(found_inverse_density, to, inverse_density);
             let volume = lanes::<L>(&pass.fluid.mass, at) * inverse_density;
             let entries = pairs.group(here, 0);
-            let mut sums = P::In::<L>::call(Group::<_, P, SUMS, CORRECTED, true, false> {
+            let mut sums = L::call(Group::<_, P, SUMS, CORRECTED, true, false> {
                 pass,
                 entries,
                 room: held.room(entries.len()),
@@ -284,14 +117,14 @@ impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
                 }
                 let room = held.room(entries.len());
                 let more = if body == pass.responds {
-                    P::In::<L>::call(Group::<_, P, SUMS, CORRECTED, false, true> {
+                    L::call(Group::<_, P, SUMS, CORRECTED, false, true> {
                         pass,
                         entries,
                         room,
                         cluster,
                     })
                 } else {
-                    P::In::<L>::call(Group::<_, P, SUMS, CORRECTED, false, false> {
+                    L::call(Group::<_, P, SUMS, CORRECTED, false, false> {
                         pass,
                         entries,
                         room,
@@ -355,23 +188,6 @@ impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
             }
         }
     }
-}
-
-/// p_i L_i Σ g Δ: a particle's own part of the pressure sum.
-#[inline(always)]
-pub(super) fn own_push<L: Lanes, const CORRECTED: bool>(
-    work: &Workspace,
-    at: usize,
-    [x, y]: [L; 2],
-) -> [L; 2] {
-    let pressure = lanes::<L>(&work.pressure, at);
-    if !CORRECTED {
-        return [pressure * x, pressure * y];
-    }
-    let xx = lanes::<L>(&work.correction_xx, at);
-    let xy = lanes::<L>(&work.correction_xy, at);
-    let yy = lanes::<L>(&work.correction_yy, at);
-    [pressure * xx.mul_add(x, xy * y), pressure * xy.mul_add(x, yy * y)]
 }
 
 #[inline(always)]

@@ -6,14 +6,12 @@ use super::acoustic::Acoustic;
 use super::continuity::{Continuity, FADED, OFF, PLAIN, RENORMALISED};
 use super::correction::surface_share;
 use super::flow::Flow;
-use super::held::Concentration;
 use super::laminar::Laminar;
 use super::momentum::{CONCENTRATION, FORCES, GRADIENTS, Momentum, OnPart};
 use super::parts::power;
 use super::precision::{Double, Precision, Single};
 use super::{DensityDiffusion, Shifting, Wcsph};
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
-use crate::particles::{Record, SingleRecord};
 use crate::with_kernel;
 
 /// Water bears tension from this completeness: none at the surface ...
@@ -125,6 +123,7 @@ impl Wcsph {
                     responds: self.responds,
                     viscosity,
                     support_radius: self.scaling.support_radius,
+                    density: options.density,
                     gravity: options.gravity,
                     steps: f64::from(options.acoustic_substeps),
                     kernel: PhantomData,
@@ -143,34 +142,6 @@ impl Wcsph {
         put_back(self.work.found_mut(), found);
         self.work.add_loads(&self.parts);
         power(&self.parts)
-    }
-
-    /// The records in single precision, where pair terms are.
-    fn round(&mut self) {
-        if self.options.precision == Precision::F32 {
-            self.singles.clear();
-            let strain = self.strain.iter().copied().chain(std::iter::repeat([0.0; 2]));
-            let rounded = self.records.iter().zip(strain);
-            self.singles.extend(rounded.map(|(record, strain)| SingleRecord::new(record, strain)));
-        }
-    }
-
-    /// Where the momentum pass was in single precision, renews the sum that held passes share with it.
-    pub(super) fn renew_concentration(&mut self) {
-        if self.options.precision == Precision::F64 {
-            return;
-        }
-        for (factors, record) in self.factors.iter_mut().zip(&self.records) {
-            factors.0[..3].copy_from_slice(&[1.0, record.0[Record::X], record.0[Record::Y]]);
-        }
-        let work = &mut self.work;
-        let (path, factors) = (self.path, &*self.factors);
-        let places = [&*work.scaled_x, &*work.scaled_y];
-        let rows = [&mut *work.concentration_x, &mut *work.concentration_y];
-        let groups = self.ghosts.bodies.len() + 1;
-        self.team.share(&mut self.parts, rows, &|part, sums| {
-            dispatch(path, Concentration { part, factors, places, sums, groups });
-        });
     }
 
     /// Physical viscosity, where there is any; returns its power.

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::math::simd::{LANES, Lanes};
+use crate::math::simd::{LANES, Lanes, Pairs};
 use crate::particles::{Record, SingleRecord, split};
 
 /// Precision of the momentum pass's pair terms; state and sums outside of it are always f64.
@@ -18,27 +18,31 @@ pub enum Precision {
 /// A precision of pair terms.
 pub(super) trait Pairing: Copy + 'static {
     /// What pair terms are computed in.
-    type In<L: Lanes>: Lanes;
+    type In<L: Lanes>: Pairs;
     /// What is read of a neighbour.
     type Neighbour: Neighbour;
 }
 
-/// What a pair loop reads of a neighbour.
+/// What a pair loop reads of neighbours, one or two at once.
 pub(super) trait Neighbour: Copy {
     /// Eight places: x and y, each as one or two numbers.
-    fn places<V: Lanes>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2];
-    /// From this neighbour to eight places, over R.
-    fn apart<V: Lanes>(&self, places: [[V; 2]; 2]) -> [V; 2];
-    /// Velocity, m/s.
-    fn velocity<V: Lanes>(&self) -> [V; 2];
+    fn places<L: Lanes, V: Pairs>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2];
+    /// From these neighbours to eight places, over R.
+    fn apart<V: Pairs>(these: [&Self; 2], places: [[V; 2]; 2]) -> [V; 2];
+    /// Velocities, m/s.
+    fn velocity<V: Pairs>(these: [&Self; 2]) -> [V; 2];
     /// See [`Record::WEIGHT`].
-    fn weight<V: Lanes>(&self) -> V;
+    fn weight<V: Pairs>(these: [&Self; 2]) -> V;
     /// Whether there is a weight at all.
     fn counts(&self) -> bool;
     /// Pressure times correction, Pa: xx, xy, yy.
-    fn pressure<V: Lanes>(&self) -> [V; 3];
-    /// Its strain, given that of double precision.
-    fn strain<V: Lanes>(&self, strain: &[f64; 2]) -> [V; 2];
+    fn pressure<V: Pairs>(these: [&Self; 2]) -> [V; 3];
+    /// Their strain, given that of all water and their numbers.
+    fn strain<V: Pairs>(these: [&Self; 2], all: &[[f64; 2]], numbers: [u32; 2]) -> [V; 2];
+    /// What density diffusion smooths of them, given that of all water and their numbers, kg/m³.
+    fn diffused<V: Pairs>(these: [&Self; 2], all: &[f64], numbers: [u32; 2]) -> V;
+    /// The same of eight particles, given the rest density, kg/m³.
+    fn own_diffused<V: Pairs>(values: &[f64; LANES], rest: f64) -> V;
 }
 
 /// Double precision.
@@ -50,36 +54,54 @@ impl Pairing for Double {
     type Neighbour = Record;
 }
 
+/// A number of each of two records.
+#[inline(always)]
+fn slot<V: Pairs>([a, b]: [&Record; 2], slot: usize) -> V {
+    V::of_neighbours([a.0[slot], b.0[slot]])
+}
+
 impl Neighbour for Record {
     #[inline(always)]
-    fn places<V: Lanes>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2] {
+    fn places<L: Lanes, V: Pairs>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2] {
         let zero = V::splat(0.0);
-        [[V::load(x), zero], [V::load(y), zero]]
+        [[V::of_particles(x), zero], [V::of_particles(y), zero]]
     }
     #[inline(always)]
-    fn apart<V: Lanes>(&self, [[x, _], [y, _]]: [[V; 2]; 2]) -> [V; 2] {
-        [x - V::splat(self.0[Record::X]), y - V::splat(self.0[Record::Y])]
+    fn apart<V: Pairs>(these: [&Self; 2], [[x, _], [y, _]]: [[V; 2]; 2]) -> [V; 2] {
+        [x - slot(these, Record::X), y - slot(these, Record::Y)]
     }
     #[inline(always)]
-    fn velocity<V: Lanes>(&self) -> [V; 2] {
-        [V::splat(self.0[Record::VX]), V::splat(self.0[Record::VY])]
+    fn velocity<V: Pairs>(these: [&Self; 2]) -> [V; 2] {
+        [slot(these, Record::VX), slot(these, Record::VY)]
     }
     #[inline(always)]
-    fn weight<V: Lanes>(&self) -> V {
-        V::splat(self.0[Record::WEIGHT])
+    fn weight<V: Pairs>(these: [&Self; 2]) -> V {
+        slot(these, Record::WEIGHT)
     }
     #[inline(always)]
     fn counts(&self) -> bool {
         self.0[Record::WEIGHT] != 0.0
     }
     #[inline(always)]
-    fn pressure<V: Lanes>(&self) -> [V; 3] {
-        let of = |slot: usize| V::splat(self.0[slot]);
-        [of(Record::PRESSURE), of(Record::PRESSURE_XY), of(Record::PRESSURE_YY)]
+    fn pressure<V: Pairs>(these: [&Self; 2]) -> [V; 3] {
+        [
+            slot(these, Record::PRESSURE),
+            slot(these, Record::PRESSURE_XY),
+            slot(these, Record::PRESSURE_YY),
+        ]
     }
     #[inline(always)]
-    fn strain<V: Lanes>(&self, strain: &[f64; 2]) -> [V; 2] {
-        [V::splat(strain[0]), V::splat(strain[1])]
+    fn strain<V: Pairs>(_: [&Self; 2], all: &[[f64; 2]], [a, b]: [u32; 2]) -> [V; 2] {
+        let (a, b) = (all[a as usize], all[b as usize]);
+        [V::of_neighbours([a[0], b[0]]), V::of_neighbours([a[1], b[1]])]
+    }
+    #[inline(always)]
+    fn diffused<V: Pairs>(_: [&Self; 2], all: &[f64], [a, b]: [u32; 2]) -> V {
+        V::of_neighbours([all[a as usize], all[b as usize]])
+    }
+    #[inline(always)]
+    fn own_diffused<V: Pairs>(values: &[f64; LANES], _: f64) -> V {
+        V::of_particles(values)
     }
 }
 
@@ -92,45 +114,66 @@ impl Pairing for Single {
     type Neighbour = SingleRecord;
 }
 
+/// A number of each of two records.
+#[inline(always)]
+fn single<const SLOT: usize, V: Pairs>([a, b]: [&SingleRecord; 2]) -> V {
+    V::out_of::<SLOT>([&a.0, &b.0])
+}
+
 impl Neighbour for SingleRecord {
     #[inline(always)]
-    fn places<V: Lanes>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2] {
-        let halves = |places: &[f64; LANES]| {
-            let mut halves = [[0.0; LANES]; 2];
-            for lane in 0..LANES {
-                [halves[0][lane], halves[1][lane]] = split(places[lane]);
-            }
-            [V::load_single(&halves[0]), V::load_single(&halves[1])]
-        };
-        [halves(x), halves(y)]
+    fn places<L: Lanes, V: Pairs>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2] {
+        let [x, x_rest] = split(L::load(x));
+        let [y, y_rest] = split(L::load(y));
+        [
+            [V::of_particles(&x.to_array()), V::of_particles(&x_rest.to_array())],
+            [V::of_particles(&y.to_array()), V::of_particles(&y_rest.to_array())],
+        ]
     }
     #[inline(always)]
-    fn apart<V: Lanes>(&self, [x, y]: [[V; 2]; 2]) -> [V; 2] {
-        let of = |place: [V; 2], of: &[f32; 2]| {
-            (place[0] - V::splat_single(of[0])) + (place[1] - V::splat_single(of[1]))
-        };
-        [of(x, &self.x), of(y, &self.y)]
+    fn apart<V: Pairs>(these: [&Self; 2], [x, y]: [[V; 2]; 2]) -> [V; 2] {
+        let dx = x[0] - single::<{ Record::X }, V>(these);
+        let dy = y[0] - single::<{ Record::Y }, V>(these);
+        [
+            dx + (x[1] - single::<{ Self::X_REST }, V>(these)),
+            dy + (y[1] - single::<{ Self::Y_REST }, V>(these)),
+        ]
     }
     #[inline(always)]
-    fn velocity<V: Lanes>(&self) -> [V; 2] {
-        [V::splat_single(self.velocity[0]), V::splat_single(self.velocity[1])]
+    fn velocity<V: Pairs>(these: [&Self; 2]) -> [V; 2] {
+        [single::<{ Record::VX }, V>(these), single::<{ Record::VY }, V>(these)]
     }
     #[inline(always)]
-    fn weight<V: Lanes>(&self) -> V {
-        V::splat_single(self.weight)
+    fn weight<V: Pairs>(these: [&Self; 2]) -> V {
+        single::<{ Record::WEIGHT }, V>(these)
     }
     #[inline(always)]
     fn counts(&self) -> bool {
-        self.weight != 0.0
+        self.0[Record::WEIGHT] != 0.0
     }
     #[inline(always)]
-    fn pressure<V: Lanes>(&self) -> [V; 3] {
-        let of = |part: usize| V::splat_single(self.pressure[part]);
-        [of(0), of(1), of(2)]
+    fn pressure<V: Pairs>(these: [&Self; 2]) -> [V; 3] {
+        [
+            single::<{ Record::PRESSURE }, V>(these),
+            single::<{ Record::PRESSURE_XY }, V>(these),
+            single::<{ Record::PRESSURE_YY }, V>(these),
+        ]
     }
     #[inline(always)]
-    fn strain<V: Lanes>(&self, _: &[f64; 2]) -> [V; 2] {
-        [V::splat_single(self.strain[0]), V::splat_single(self.strain[1])]
+    fn strain<V: Pairs>(these: [&Self; 2], _: &[[f64; 2]], _: [u32; 2]) -> [V; 2] {
+        [single::<{ Self::STRETCH }, V>(these), single::<{ Self::SHEAR }, V>(these)]
+    }
+    #[inline(always)]
+    fn diffused<V: Pairs>(these: [&Self; 2], _: &[f64], _: [u32; 2]) -> V {
+        single::<{ Self::DIFFUSED }, V>(these)
+    }
+    #[inline(always)]
+    fn own_diffused<V: Pairs>(values: &[f64; LANES], rest: f64) -> V {
+        let mut above = *values;
+        for value in &mut above {
+            *value -= rest;
+        }
+        V::of_particles(&above)
     }
 }
 
@@ -143,20 +186,17 @@ mod tests {
     struct Apart(Record, [f64; LANES]);
 
     impl Task for Apart {
-        type Output = [[f64; LANES]; 2];
+        type Output = ([f64; LANES], [f64; LANES]);
         #[inline(always)]
         fn run<L: Lanes>(self) -> Self::Output {
             let Apart(record, x) = self;
-            let double = record.apart::<L>(Record::places(&x, &x))[0].to_array();
-            struct InSingle(SingleRecord, [f64; LANES]);
-            impl Task for InSingle {
-                type Output = [f64; LANES];
-                #[inline(always)]
-                fn run<V: Lanes>(self) -> Self::Output {
-                    self.0.apart::<V>(SingleRecord::places(&self.1, &self.1))[0].to_array()
-                }
-            }
-            [double, L::Single::call(InSingle(SingleRecord::new(&record, [0.0; 2]), x))]
+            let double: [L; 2] = Record::apart([&record; 2], Record::places::<L, L>(&x, &x));
+            let single = SingleRecord::new::<L>(&record, [0.0; 2], 0.0);
+            let places = SingleRecord::places::<L, L::Single>(&x, &x);
+            let of: [L::Single; 2] = SingleRecord::apart([&single; 2], places);
+            let both = L::Single::whole(of[0].add_to(L::Single::nothing()));
+            let at_once = L::Single::NEIGHBOURS as f64;
+            (double[0].to_array(), both.map(|sum| sum / at_once))
         }
     }
 
@@ -166,7 +206,7 @@ mod tests {
         let mut record = Record::default();
         record.0[Record::X] = 813.987_654_3;
         for path in [SimdPath::Portable, SimdPath::widest()] {
-            let [double, single] = dispatch(path, Apart(record, x));
+            let (double, single) = dispatch(path, Apart(record, x));
             for (double, single) in double.iter().zip(single) {
                 assert!(
                     (double - single).abs() < 1e-7 * double.abs().max(0.03),

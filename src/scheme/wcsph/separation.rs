@@ -6,7 +6,7 @@
 use std::mem::MaybeUninit;
 
 use crate::kernel::Kernel;
-use crate::math::simd::{LANES, Lanes};
+use crate::math::simd::{LANES, Lanes, Pairs};
 
 use super::precision::Neighbour;
 
@@ -16,31 +16,41 @@ pub(super) const CHUNK: usize = u64::BITS as usize;
 /// Squared distances below this (in support radii) count as this: a particle and itself.
 pub(super) const COINCIDENT: f64 = 1e-12;
 
-/// A neighbour as seen from eight particles.
+/// Neighbours as seen from eight particles.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair<V> {
     /// Δ = r_i - r_j over R.
     pub dx: V,
     /// Its y.
     pub dy: V,
-    /// 1/q².
-    pub inverse_s: V,
+    /// To divide by q²: see [`over`](crate::math::simd::Vector::over).
+    pub divisor: V,
     /// g, the kernel's slope over q times the neighbour's weight.
     pub slope: V,
 }
 
-/// The geometry of a chunk of pairs.
-pub(super) struct Geometry<V>([MaybeUninit<Pair<V>>; CHUNK]);
+/// The geometry of a chunk of pairs, and a place for none: a pair that counts nothing.
+pub(super) struct Geometry<V>([MaybeUninit<Pair<V>>; CHUNK + 1]);
 
-impl<V: Lanes> Geometry<V> {
+impl<V: Pairs> Geometry<V> {
     /// Room for a chunk.
     #[inline(always)]
     pub(super) fn new() -> Geometry<V> {
-        Geometry([const { MaybeUninit::uninit() }; CHUNK])
+        let mut pairs = [const { MaybeUninit::uninit() }; CHUNK + 1];
+        if V::NEIGHBOURS > 1 {
+            let zero = V::splat(0.0);
+            pairs[CHUNK / V::NEIGHBOURS].write(Pair {
+                dx: zero,
+                dy: zero,
+                divisor: V::splat(1.0),
+                slope: zero,
+            });
+        }
+        Geometry(pairs)
     }
 
-    /// The geometry of up to [`CHUNK`] neighbours of eight places; those in reach of one of them are
-    /// to be visited. Ghosts without a weight are not.
+    /// Finds the geometry of up to [`CHUNK`] neighbours of eight places and tells which are in reach of
+    /// one of them. Ghosts without a weight are not.
     ///
     /// All are written, each to its own place: a place that depended on how many before it are in
     /// reach would keep later loads waiting for that.
@@ -52,47 +62,107 @@ impl<V: Lanes> Geometry<V> {
         records: &[N],
     ) -> InReach<'_, V> {
         let mut mask = 0;
-        for (k, (&j, pair)) in neighbours.iter().zip(&mut self.0).enumerate() {
-            let record = &records[j as usize];
-            let [dx, dy] = record.apart(places);
+        for k in 0..neighbours.len().div_ceil(V::NEIGHBOURS) {
+            let first = k * V::NEIGHBOURS;
+            // The last one stands for two where there is no other beside it.
+            let last = (first + V::NEIGHBOURS).min(neighbours.len()) - 1;
+            let these = [&records[neighbours[first] as usize], &records[neighbours[last] as usize]];
+            let [dx, dy] = N::apart(these, places);
             let s = dx.mul_add(dx, dy.mul_add(dy, V::splat(COINCIDENT)));
-            let inverse_q = s.rsqrt();
-            let slope = K::slope_over_q(s, inverse_q) * record.weight();
-            let inverse_s = inverse_q * inverse_q;
-            pair.write(Pair { dx, dy, inverse_s, slope });
-            let counts = s.any_less(V::splat(1.0)) & (FLUID || record.counts());
-            mask |= u64::from(counts) << k;
+            let roots = s.roots();
+            let slope = K::slope_over_q(s, roots) * N::weight(these);
+            let divisor = s.divisor(roots);
+            self.0[k].write(Pair { dx, dy, divisor, slope });
+            let mut counts = s.reached(V::splat(1.0));
+            if !FLUID {
+                counts &= u64::from(these[0].counts()) | u64::from(these[1].counts()) << 1;
+            }
+            mask |= counts << first;
         }
-        InReach { pairs: &self.0, mask }
+        InReach { pairs: &self.0, mask: mask & (u64::MAX >> (CHUNK - neighbours.len())) }
     }
 }
 
-/// The pairs in reach among a chunk, with their numbers in it.
+/// The pairs in reach among a chunk.
+#[derive(Clone, Copy)]
 pub(super) struct InReach<'a, V> {
-    pairs: &'a [MaybeUninit<Pair<V>>; CHUNK],
+    pairs: &'a [MaybeUninit<Pair<V>>; CHUNK + 1],
     /// Bit k for number k. Only pairs that are written have one.
     mask: u64,
 }
 
-impl<'a, V> Iterator for InReach<'a, V> {
-    type Item = (usize, &'a Pair<V>);
+impl<'a, V: Pairs> InReach<'a, V> {
+    /// How many.
+    #[inline(always)]
+    pub(super) fn len(self) -> usize {
+        self.mask.count_ones() as usize
+    }
+
+    /// Those to be visited in a turn: of two turns, every other one each.
+    #[inline(always)]
+    pub(super) fn turn(self, turn: usize) -> Visits<'a, V> {
+        let mut mask = self.mask;
+        if V::TURNS > 1 {
+            // Bit k of the parities tells whether an odd number of bits are set up to it.
+            let mut parities = mask;
+            for shift in [1, 2, 4, 8, 16, 32] {
+                parities ^= parities << shift;
+            }
+            mask &= if turn == 0 { parities } else { !parities };
+        }
+        Visits(InReach { mask, ..self })
+    }
+}
+
+/// Pairs in reach, as many at once as a vector has neighbours, with their numbers in the chunk: twice
+/// the same of one alone, [`CHUNK`] for none.
+pub(super) struct Visits<'a, V>(InReach<'a, V>);
+
+impl<V: Pairs> Iterator for Visits<'_, V> {
+    type Item = ([usize; 2], Pair<V>);
 
     #[inline(always)]
     fn next(&mut self) -> Option<Self::Item> {
-        if self.mask == 0 {
+        let InReach { pairs, mask } = &mut self.0;
+        if *mask == 0 {
             return None;
         }
-        let k = self.mask.trailing_zeros() as usize;
-        self.mask &= self.mask - 1;
-        // SAFETY: bits are set by `fill` for pairs that it has written.
-        Some((k, unsafe { self.pairs[k % CHUNK].assume_init_ref() }))
+        let a = mask.trailing_zeros() as usize;
+        *mask &= *mask - 1;
+        let mut b = a;
+        if V::NEIGHBOURS > 1 {
+            b = mask.trailing_zeros() as usize;
+            *mask &= mask.wrapping_sub(1);
+        }
+        let which = [a % V::NEIGHBOURS, b % V::NEIGHBOURS];
+        // SAFETY: bits are set by `fill` for pairs that it has written, and `new` has written the
+        // one for none, which no bit stands for.
+        let [a_pair, b_pair] = unsafe {
+            [
+                pairs.get_unchecked(a / V::NEIGHBOURS).assume_init_ref(),
+                pairs.get_unchecked(b / V::NEIGHBOURS).assume_init_ref(),
+            ]
+        };
+        let pair = Pair {
+            dx: V::picked([&a_pair.dx, &b_pair.dx], which),
+            dy: V::picked([&a_pair.dy, &b_pair.dy], which),
+            divisor: V::picked([&a_pair.divisor, &b_pair.divisor], which),
+            slope: V::picked([&a_pair.slope, &b_pair.slope], which),
+        };
+        Some(([a, b], pair))
     }
 }
 
 /// Eight values of a field.
 #[inline(always)]
+pub(super) fn eight(field: &[f64], at: usize) -> &[f64; LANES] {
+    field[at..at + LANES].first_chunk().unwrap()
+}
+
+/// Eight values of a field in a vector.
+#[inline(always)]
 pub(super) fn lanes<L: Lanes>(field: &[f64], at: usize) -> L {
-    L::load(field[at..at + LANES].first_chunk().unwrap())
+    L::load(eight(field, at))
 }
 
 /// Eight values of each field. (A map over the array would be a function of its own, compiled
@@ -104,4 +174,86 @@ pub(super) fn all_lanes<L: Lanes, const N: usize>(fields: [&[f64]; N], at: usize
         values[n] = lanes(fields[n], at);
     }
     values
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::WendlandC2;
+    use crate::math::simd::{SimdPath, Task, dispatch};
+    use crate::particles::{Record, SingleRecord};
+    use crate::scheme::wcsph::held::Slopes;
+
+    /// Which of neighbours on a line, one tenth of R apart, are visited, how often, and how far away
+    /// along x; in double precision, then in single.
+    struct Visited(usize);
+
+    impl Task for Visited {
+        type Output = [Vec<(usize, f32)>; 2];
+        #[inline(always)]
+        fn run<L: Lanes>(self) -> Self::Output {
+            let numbers: Vec<u32> = (0..self.0 as u32).collect();
+            let at = |j: &u32| {
+                let mut record = Record::default();
+                record.0[Record::X] = f64::from(*j) * 0.1 - 1.55;
+                record.0[Record::WEIGHT] = 1.0;
+                record
+            };
+            let records: Vec<Record> = numbers.iter().map(at).collect();
+            let singles: Vec<SingleRecord> =
+                records.iter().map(|r| SingleRecord::new::<L>(r, [0.0; 2], 0.0)).collect();
+            [
+                visited::<L, L, Record>(&numbers, &records),
+                visited::<L, L::Single, SingleRecord>(&numbers, &singles),
+            ]
+        }
+    }
+
+    #[inline(always)]
+    fn visited<L: Lanes, V: Pairs, N: Neighbour>(numbers: &[u32], all: &[N]) -> Vec<(usize, f32)> {
+        let origin = [0.0; LANES];
+        let mut geometry = Geometry::<V>::new();
+        let places = N::places::<L, V>(&origin, &origin);
+        let in_reach = geometry.fill::<WendlandC2, N, true>(places, numbers, all);
+        let mut found = Vec::new();
+        for turn in 0..V::TURNS {
+            for (which, pair) in in_reach.turn(turn) {
+                let mut dx = [Slopes::default(); 2];
+                pair.dx.store_singles(&mut dx);
+                for n in 0..V::NEIGHBOURS {
+                    // Where there is none, nothing may count.
+                    if which[n] < CHUNK {
+                        found.push((which[n], dx[n].0[0]));
+                    } else {
+                        let mut slope = [Slopes::default(); 2];
+                        pair.slope.store_singles(&mut slope);
+                        assert_eq!(slope[n].0, [0.0; LANES]);
+                    }
+                }
+            }
+        }
+        assert_eq!(found.len(), in_reach.len());
+        found
+    }
+
+    #[test]
+    fn each_neighbour_in_reach_is_visited_once_alone_or_with_another() {
+        // Of 31 in a row the inner 20 are in reach, of 24 only 19.
+        for (count, last) in [(CHUNK, 25), (31, 25), (24, 23), (7, 6)] {
+            for path in [SimdPath::Portable, SimdPath::Avx2, SimdPath::Avx512] {
+                if !path.is_supported() {
+                    continue;
+                }
+                for mut found in dispatch(path, Visited(count)) {
+                    found.sort_by_key(|&(number, _)| number);
+                    let expected: Vec<usize> = (6..=last).collect();
+                    let numbers: Vec<usize> = found.iter().map(|&(number, _)| number).collect();
+                    assert_eq!(numbers, expected, "{path:?} {count}");
+                    for (number, dx) in found {
+                        assert!((dx - (1.55 - 0.1 * number as f32)).abs() < 1e-6);
+                    }
+                }
+            }
+        }
+    }
 }

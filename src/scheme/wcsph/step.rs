@@ -51,7 +51,6 @@ impl Wcsph {
         self.timings.ghosts += (filled - packed).as_secs_f64();
         self.last_viscous_power = self.momentum_pass();
         self.last_viscous_power += self.laminar_pass();
-        self.renew_concentration();
         if self.options.corrected_gradients {
             self.find_surface();
         }

@@ -1,0 +1,205 @@
+//! The momentum pass's loop over the neighbours of eight particles.
+
+use crate::kernel::Kernel;
+use crate::math::simd::{LANES, Lanes, Pairs, Task};
+
+use super::Workspace;
+use super::held::{AHEAD, Slopes, prefetch_first_reached};
+use super::momentum::{FORCES, GRADIENTS, Momentum};
+use super::pair_sums::{Running, Sums};
+use super::precision::{Neighbour, Pairing};
+use super::separation::{CHUNK, Geometry, Pair, eight, lanes};
+
+/// The pair loop over one group of a cluster's neighbours: `FLUID` ones also count in the density
+/// gradient, `RESPONSE` ones carry a response to their wall's acceleration.
+pub(super) struct Group<
+    'a,
+    'b,
+    K,
+    P: Pairing,
+    const SUMS: u8,
+    const CORRECTED: bool,
+    const FLUID: bool,
+    const RESPONSE: bool,
+> {
+    pub pass: &'b Momentum<'a, K, P, SUMS, CORRECTED>,
+    /// The listed neighbours, and room for those in reach and one more.
+    pub entries: &'b [u32],
+    pub room: (&'b mut [u32], &'b mut [Slopes]),
+    pub cluster: usize,
+}
+
+impl<
+    K: Kernel,
+    P: Pairing,
+    const SUMS: u8,
+    const CORRECTED: bool,
+    const FLUID: bool,
+    const RESPONSE: bool,
+> Task for Group<'_, '_, K, P, SUMS, CORRECTED, FLUID, RESPONSE>
+{
+    type Output = Sums;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> Sums {
+        self.sums::<L, P::In<L>>()
+    }
+}
+
+impl<
+    K: Kernel,
+    P: Pairing,
+    const SUMS: u8,
+    const CORRECTED: bool,
+    const FLUID: bool,
+    const RESPONSE: bool,
+> Group<'_, '_, K, P, SUMS, CORRECTED, FLUID, RESPONSE>
+{
+    #[inline(always)]
+    fn sums<L: Lanes, V: Pairs>(self) -> Sums {
+        let Group { pass, entries, room, cluster } = self;
+        let work = pass.work;
+        let at = cluster * LANES;
+        let zero = V::splat(0.0);
+        let places =
+            P::Neighbour::places::<L, V>(eight(&work.scaled_x, at), eight(&work.scaled_y, at));
+        let vx = V::of_particles(eight(&pass.fluid.vx, at));
+        let vy = V::of_particles(eight(&pass.fluid.vy, at));
+        let diffused = P::Neighbour::own_diffused::<V>(eight(pass.diffused, at), pass.density);
+        let (mut own_stretch, mut own_shear) = (zero, zero);
+        if CORRECTED {
+            let strain = pass.strain[at..at + LANES].first_chunk::<LANES>().unwrap();
+            let (mut stretch, mut shear) = ([0.0; LANES], [0.0; LANES]);
+            for lane in 0..LANES {
+                [stretch[lane], shear[lane]] = strain[lane];
+            }
+            (own_stretch, own_shear) = (V::of_particles(&stretch), V::of_particles(&shear));
+        }
+        prefetch_first_reached::<L, _>(pass.records, entries);
+        let mut turns = [Running::<V>::nothing(); 2];
+        let mut geometry = Geometry::new();
+        let (held, slopes) = room;
+        let mut count = 0;
+        for chunk in entries.chunks(CHUNK) {
+            let in_reach = geometry.fill::<K, P::Neighbour, FLUID>(places, chunk, pass.records);
+            for (turn, kept) in turns.iter_mut().take(V::TURNS).enumerate() {
+                // Plain local variables throughout: they stay in registers, arrays of them may not.
+                let Running {
+                    push: (mut push_x, mut push_y),
+                    viscous: (mut viscous_x, mut viscous_y),
+                    moment: (mut moment_xx, mut moment_xy, mut moment_yy),
+                    concentration: (mut concentration_x, mut concentration_y),
+                    gradient: (mut gradient_x, mut gradient_y),
+                    response: (mut response_x, mut response_y),
+                } = *kept;
+                let mut place = count + turn;
+                for ([a, b], pair) in in_reach.turn(turn) {
+                    let a = chunk[a];
+                    // Where there is none, the first again, against which nothing counts.
+                    let b = chunk.get(b).copied().unwrap_or(a);
+                    let numbers = [a, b];
+                    let Pair { dx, dy, divisor, slope: g } = pair;
+                    held[place] = a;
+                    if V::NEIGHBOURS > 1 {
+                        held[place + 1] = b;
+                    }
+                    L::prefetch(&slopes[place], AHEAD);
+                    g.store_singles(&mut slopes[place..place + V::NEIGHBOURS]);
+                    place += V::NEIGHBOURS * V::TURNS;
+                    let these = [&pass.records[a as usize], &pass.records[b as usize]];
+                    let [their_vx, their_vy] = P::Neighbour::velocity::<V>(these);
+                    let (du, dv) = (vx - their_vx, vy - their_vy);
+                    let mut approach = du.mul_add(dx, dv * dy);
+                    if CORRECTED {
+                        // Less what a linear, divergence-free velocity field would give.
+                        let (stretch, shear) = if FLUID {
+                            let [stretch, shear] =
+                                P::Neighbour::strain::<V>(these, pass.strain, numbers);
+                            (own_stretch + stretch, own_shear + shear)
+                        } else {
+                            (own_stretch + own_stretch, own_shear + own_shear)
+                        };
+                        let apart = dx.mul_sub(dx, dy * dy);
+                        let rest = (dx * dy).negated_mul_add(shear, approach);
+                        let rest = apart.negated_mul_add(stretch, rest);
+                        // Between nothing and all of it: every pair then dissipates.
+                        let (low, high) = (approach.min(zero), approach.max(zero));
+                        approach = rest.min(high).max(low);
+                    }
+                    let gx = g * dx;
+                    let gy = g * dy;
+                    let drag = approach.over(divisor);
+                    viscous_x = drag.mul_add(gx, viscous_x);
+                    viscous_y = drag.mul_add(gy, viscous_y);
+                    let [xx, xy, yy] = P::Neighbour::pressure::<V>(these);
+                    push_x = xx.mul_add(gx, push_x);
+                    if CORRECTED {
+                        push_x = xy.mul_add(gy, push_x);
+                        push_y = xy.mul_add(gx, push_y);
+                    }
+                    push_y = yy.mul_add(gy, push_y);
+                    concentration_x = gx.add_to(concentration_x);
+                    concentration_y = gy.add_to(concentration_y);
+                    if SUMS > FORCES || CORRECTED {
+                        moment_xx = gx.mul_add(dx, moment_xx);
+                        moment_xy = gx.mul_add(dy, moment_xy);
+                        moment_yy = gy.mul_add(dy, moment_yy);
+                    }
+                    if SUMS == GRADIENTS && FLUID {
+                        let theirs = P::Neighbour::diffused::<V>(these, pass.diffused, numbers);
+                        let rise = theirs - diffused;
+                        gradient_x = rise.mul_add(gx, gradient_x);
+                        gradient_y = rise.mul_add(gy, gradient_y);
+                    }
+                    if RESPONSE {
+                        let [a, b] =
+                            numbers.map(|j| &pass.responses[j as usize - pass.first_ghost]);
+                        let xx = V::of_neighbours([a[0], b[0]]);
+                        let xy = V::of_neighbours([a[1], b[1]]);
+                        let yy = V::of_neighbours([a[2], b[2]]);
+                        response_x = xy.mul_add(gy, xx.mul_add(gx, response_x));
+                        response_y = yy.mul_add(gy, xy.mul_add(gx, response_y));
+                    }
+                }
+                *kept = Running {
+                    push: (push_x, push_y),
+                    viscous: (viscous_x, viscous_y),
+                    moment: (moment_xx, moment_xy, moment_yy),
+                    concentration: (concentration_x, concentration_y),
+                    gradient: (gradient_x, gradient_y),
+                    response: (response_x, response_y),
+                };
+            }
+            count += in_reach.len();
+        }
+        let mut sums = Running::sums(turns, count);
+        let [near_x, near_y] = &sums.concentration;
+        let near = [L::load(near_x), L::load(near_y)];
+        let [own_x, own_y] = own_push::<L, CORRECTED>(work, at, near);
+        let (zero, viscosity) = (L::splat(0.0), L::splat(pass.viscosity));
+        for (push, own) in sums.push.iter_mut().zip([own_x, own_y]) {
+            *push = (zero - L::load(push) - own).to_array();
+        }
+        for viscous in &mut sums.viscous {
+            *viscous = (L::load(viscous) * viscosity).to_array();
+        }
+        sums
+    }
+}
+
+/// p_i L_i Σ g Δ: a particle's own part of the pressure sum.
+#[inline(always)]
+pub(super) fn own_push<L: Lanes, const CORRECTED: bool>(
+    work: &Workspace,
+    at: usize,
+    [x, y]: [L; 2],
+) -> [L; 2] {
+    let pressure = lanes::<L>(&work.pressure, at);
+    if !CORRECTED {
+        return [pressure * x, pressure * y];
+    }
+    let xx = lanes::<L>(&work.correction_xx, at);
+    let xy = lanes::<L>(&work.correction_xy, at);
+    let yy = lanes::<L>(&work.correction_yy, at);
+    [pressure * xx.mul_add(x, xy * y), pressure * xy.mul_add(x, yy * y)]
+}
