@@ -121,10 +121,9 @@ impl KernelChoice {
             type Output = (f64, f64);
             #[inline(always)]
             fn run<L: Lanes>(self) -> (f64, f64) {
-                let s = L::splat(self.0 * self.0);
-                let roots = [L::splat(self.0), L::splat(1.0 / self.0)];
-                let slope = K::slope_over_q(s, roots).to_array()[0] * K::SLOPE_FACTOR;
-                (K::shape(s, roots[1]).to_array()[0], slope)
+                let (s, inverse) = (L::splat(self.0 * self.0), L::splat(1.0 / self.0));
+                let slope = K::slope_over_q(s, [s * inverse, inverse]);
+                (K::shape(s, inverse).to_array()[0], slope.to_array()[0] * K::SLOPE_FACTOR)
             }
         }
         let q = q.max(1e-9);

@@ -7,8 +7,8 @@ use super::{LANES, Lanes, Vector};
 pub trait Pairs: Vector {
     /// Neighbours at once: one or two.
     const NEIGHBOURS: usize = 1;
-    /// Turns that a loop takes to visit neighbours, with sums of their own: in single precision the
-    /// first, third, fifth ... are summed apart from the others on every path, so that all give the same bits.
+    /// Turns that a loop takes to visit neighbours, with sums of their own: in single precision every
+    /// other neighbour is summed apart, on every path, so that vectors of any length give the same bits.
     const TURNS: usize = 1;
 
     /// Sums in double precision.
@@ -17,14 +17,20 @@ pub trait Pairs: Vector {
     /// A number of each particle.
     fn of_particles(numbers: &[f64; LANES]) -> Self;
     /// A number of each neighbour.
-    fn of_neighbours(numbers: [f64; 2]) -> Self;
+    #[inline(always)]
+    fn of_neighbours([number, _]: [f64; 2]) -> Self {
+        Self::splat(number)
+    }
     /// A number of each neighbour, out of sixteen.
     #[inline(always)]
     fn out_of<const SLOT: usize>(numbers: [&[f32; 16]; 2]) -> Self {
         Self::of_neighbours([f64::from(numbers[0][SLOT]), f64::from(numbers[1][SLOT])])
     }
     /// The pairs with one neighbour of each vector, or with that of the first.
-    fn picked(vectors: [&Self; 2], neighbours: [usize; 2]) -> Self;
+    #[inline(always)]
+    fn picked([vector, _]: [&Self; 2], _neighbours: [usize; 2]) -> Self {
+        *vector
+    }
     /// Whether `self < bound` for any of the particles: a bit for each neighbour.
     fn reached(self, bound: Self) -> u64;
     /// Writes the pairs in single precision, neighbour by neighbour.
@@ -43,14 +49,6 @@ impl<L: Lanes> Pairs for L {
     #[inline(always)]
     fn of_particles(numbers: &[f64; LANES]) -> Self {
         L::load(numbers)
-    }
-    #[inline(always)]
-    fn of_neighbours([number, _]: [f64; 2]) -> Self {
-        L::splat(number)
-    }
-    #[inline(always)]
-    fn picked([pairs, _]: [&Self; 2], _: [usize; 2]) -> Self {
-        *pairs
     }
     #[inline(always)]
     fn reached(self, bound: Self) -> u64 {

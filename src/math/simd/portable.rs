@@ -174,14 +174,6 @@ impl Pairs for Single {
         Single(numbers.map(|number| number as f32))
     }
     #[inline(always)]
-    fn of_neighbours([number, _]: [f64; 2]) -> Self {
-        Self::splat(number)
-    }
-    #[inline(always)]
-    fn picked([pairs, _]: [&Self; 2], _: [usize; 2]) -> Self {
-        *pairs
-    }
-    #[inline(always)]
     fn reached(self, bound: Self) -> u64 {
         u64::from((0..LANES).any(|k| self.0[k] < bound.0[k]))
     }

@@ -146,14 +146,6 @@ impl Pairs for Single {
         }
     }
     #[inline(always)]
-    fn of_neighbours([number, _]: [f64; 2]) -> Self {
-        Self::splat(number)
-    }
-    #[inline(always)]
-    fn picked([pairs, _]: [&Self; 2], _: [usize; 2]) -> Self {
-        *pairs
-    }
-    #[inline(always)]
     fn reached(self, bound: Self) -> u64 {
         let less = unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(self.0, bound.0)) };
         u64::from(less != 0)
