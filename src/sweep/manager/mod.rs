@@ -2,8 +2,9 @@
 //!
 //! - A task's priority is its longest remaining chain: a trunk counts with its dearest branch, so
 //!   trunks start early and branches of a finished trunk run beside other trunks.
-//! - A branch goes first to a rank that holds its trunk's checkpoint; checkpoints are dropped when
-//!   their last branch is done. A case whose trunk failed runs from rest instead.
+//! - A rank takes a branch of a trunk whose checkpoint it holds, unless one elsewhere is clearly
+//!   dearer: the dearest go first, so that what is left for the end is short. Checkpoints are
+//!   dropped when their last branch is done. A case whose trunk failed runs from rest instead.
 //! - The number of trunks open at once is bounded by the number of places where work can run.
 //! - Each rank gets one task beyond its capacity while there is more than enough for everybody.
 //!
@@ -21,6 +22,10 @@ use std::collections::BTreeSet;
 use super::plan::Plan;
 pub use protocol::{Command, Event, Source, Task};
 use queue::{Entry, Queue};
+
+/// A branch elsewhere is worth another copy of a checkpoint where it is dearer by more than this
+/// part of its cost: neighbouring wave heights of the study differ by two percent or so.
+const CLEARLY_DEARER: u64 = 64;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Phase {
@@ -209,7 +214,9 @@ impl Manager {
         let best = [trunk, solo, branch].into_iter().flatten().map(|entry| entry.priority).max();
         let Some(best) = best else { return false };
         if let Some(entry) = branch.filter(|entry| entry.priority == best) {
-            let local = top_held(&mut self.ranks[rank].local, &self.trunks);
+            let enough = best - best / CLEARLY_DEARER;
+            let local = top_held(&mut self.ranks[rank].local, &self.trunks)
+                .filter(|local| local.priority >= enough);
             self.assign_branch(rank, local.unwrap_or(entry).place, commands);
         } else if trunk.is_some_and(|entry| entry.priority == best) {
             let trunk = self.waiting.pop().expect("it was just looked at").place;

@@ -309,3 +309,16 @@ fn nobody_idles_for_long() {
         assert!(taken <= ideal + slack, "{ranks} ranks: {taken} instead of {ideal}");
     }
 }
+
+#[test]
+fn dearer_branches_are_shared_so_that_all_ranks_end_together() {
+    let mut plan = plan(2, 20, 0, &mut Dice(7));
+    for (place, case) in plan.cases.iter_mut().enumerate() {
+        case.branch_cost = if place < 20 { 107 } else { 100 };
+    }
+    for trunk in &mut plan.trunks {
+        trunk.cost = 80;
+    }
+    // One trunk's branches on each rank would take 70 longer.
+    assert_eq!(makespan(&plan, 2), plan.total_cost().div_ceil(2));
+}
