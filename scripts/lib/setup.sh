@@ -95,6 +95,8 @@ cores() {
 mpi_environment() {
   export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
   export OMPI_MCA_btl_vader_single_copy_mechanism=none
+  # One machine: looking for fast networks would take a quarter of a second.
+  export OMPI_MCA_pml=${OMPI_MCA_pml-ob1}
   # Without ssh, Open MPI refuses even local runs unless told to stay local.
   command -v ssh >/dev/null || export OMPI_MCA_plm=isolated
 }

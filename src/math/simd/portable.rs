@@ -2,11 +2,11 @@
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 
-use super::vector::{
-    DOUBLE_LN_2, DOUBLE_ROUNDING, RSQRT_MAGIC, SINGLE_LN_2, SINGLE_ROUNDING, SINGLE_RSQRT_MAGIC,
-    single_rsqrt,
-};
+use super::vector::{DOUBLE_LN_2, DOUBLE_ROUNDING, RSQRT_MAGIC, SINGLE_LN_2, SINGLE_ROUNDING};
 use super::{LANES, Lanes, Pairs, Task, Vector};
+
+/// The start of 1/√x in single precision.
+const SINGLE_RSQRT_MAGIC: u32 = 0x5F37_59DF;
 
 /// Eight values in an array; products and sums are rounded separately.
 #[derive(Clone, Copy)]
@@ -130,7 +130,18 @@ macro_rules! vector {
 }
 
 vector!(Portable, f64, 52, RSQRT_MAGIC as u64, DOUBLE_ROUNDING, DOUBLE_LN_2);
-vector!(Single, f32, 23, SINGLE_RSQRT_MAGIC as u32, SINGLE_ROUNDING, SINGLE_LN_2, single_rsqrt);
+vector!(Single, f32, 23, SINGLE_RSQRT_MAGIC, SINGLE_ROUNDING, SINGLE_LN_2, single_rsqrt);
+
+/// `1 / sqrt(x)` in single precision: to 1e-5, then to a unit or two in the last place.
+#[inline(always)]
+fn single_rsqrt(x: Single) -> Single {
+    let y = x.rsqrt_guess();
+    let e = (x * y).negated_mul_add(y, Single::splat(1.0));
+    let slope = e.mul_add(Single::splat(0.375), Single::splat(0.5));
+    let y = (y * e).mul_add(slope, y);
+    let e = (x * y).negated_mul_add(y, Single::splat(1.0));
+    (y * e).mul_add(Single::splat(0.5), y)
+}
 
 impl Lanes for Portable {
     type Single = Single;

@@ -4,7 +4,7 @@ use std::arch::x86_64::*;
 use std::ops::{Add, AddAssign, Mul, Sub};
 
 use super::avx2::Avx2;
-use super::vector::{SINGLE_LN_2, SINGLE_ROUNDING, SINGLE_RSQRT_MAGIC, single_rsqrt};
+use super::vector::{SINGLE_LN_2, SINGLE_ROUNDING};
 use super::{LANES, Lanes, Pairs, Vector};
 
 /// Pairs with one neighbour.
@@ -46,6 +46,7 @@ impl AddAssign for Single {
 }
 
 impl Vector for Single {
+    const QUICK_ROOTS: bool = true;
     const ROUNDING: f64 = SINGLE_ROUNDING;
     const LN_2: [f64; 2] = SINGLE_LN_2;
 
@@ -80,30 +81,6 @@ impl Vector for Single {
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         Single(unsafe { _mm256_max_ps(self.0, other.0) })
-    }
-    #[inline(always)]
-    fn rsqrt_guess(self) -> Self {
-        Single(unsafe {
-            let half = _mm256_srli_epi32::<1>(_mm256_castps_si256(self.0));
-            _mm256_castsi256_ps(_mm256_sub_epi32(_mm256_set1_epi32(SINGLE_RSQRT_MAGIC), half))
-        })
-    }
-    #[inline(always)]
-    fn rsqrt(self) -> Self {
-        single_rsqrt(self)
-    }
-    #[inline(always)]
-    fn roots(self) -> [Self; 2] {
-        let root = self.sqrt();
-        [root, Self::splat(1.0).div(root)]
-    }
-    #[inline(always)]
-    fn divisor(self, _: [Self; 2]) -> Self {
-        self
-    }
-    #[inline(always)]
-    fn over(self, divisor: Self) -> Self {
-        self.div(divisor)
     }
     #[inline(always)]
     fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self {

@@ -4,7 +4,7 @@ use std::arch::x86_64::*;
 use std::ops::{Add, AddAssign, Mul, Sub};
 
 use super::avx512::Avx512;
-use super::vector::{SINGLE_LN_2, SINGLE_ROUNDING, SINGLE_RSQRT_MAGIC, single_rsqrt};
+use super::vector::{SINGLE_LN_2, SINGLE_ROUNDING};
 use super::{LANES, Lanes, Pairs, Vector};
 
 /// Pairs with one neighbour, then those with another.
@@ -46,6 +46,7 @@ impl AddAssign for Sixteen {
 }
 
 impl Vector for Sixteen {
+    const QUICK_ROOTS: bool = true;
     const ROUNDING: f64 = SINGLE_ROUNDING;
     const LN_2: [f64; 2] = SINGLE_LN_2;
 
@@ -80,30 +81,6 @@ impl Vector for Sixteen {
     #[inline(always)]
     fn max(self, other: Self) -> Self {
         Sixteen(unsafe { _mm512_max_ps(self.0, other.0) })
-    }
-    #[inline(always)]
-    fn rsqrt_guess(self) -> Self {
-        Sixteen(unsafe {
-            let half = _mm512_srli_epi32::<1>(_mm512_castps_si512(self.0));
-            _mm512_castsi512_ps(_mm512_sub_epi32(_mm512_set1_epi32(SINGLE_RSQRT_MAGIC), half))
-        })
-    }
-    #[inline(always)]
-    fn rsqrt(self) -> Self {
-        single_rsqrt(self)
-    }
-    #[inline(always)]
-    fn roots(self) -> [Self; 2] {
-        let root = self.sqrt();
-        [root, Self::splat(1.0).div(root)]
-    }
-    #[inline(always)]
-    fn divisor(self, _: [Self; 2]) -> Self {
-        self
-    }
-    #[inline(always)]
-    fn over(self, divisor: Self) -> Self {
-        self.div(divisor)
     }
     #[inline(always)]
     fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self {

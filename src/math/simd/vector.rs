@@ -10,9 +10,7 @@ pub(super) const DOUBLE_ROUNDING: f64 = 6_755_399_441_055_744.0;
 /// ln 2 in two parts, the first of few enough digits for exact products.
 pub(super) const DOUBLE_LN_2: [f64; 2] = [6.931_471_803_691_238e-1, 1.908_214_929_270_587_7e-10];
 
-/// The start of 1/√x in single precision ...
-pub(super) const SINGLE_RSQRT_MAGIC: i32 = 0x5F37_59DF;
-/// ... where 1.5·2^23 rounds to integers ...
+/// In single precision 1.5·2^23 rounds to integers ...
 pub(super) const SINGLE_ROUNDING: f64 = 12_582_912.0;
 /// ... and ln 2 has a part of a few digits, to be multiplied without rounding.
 pub(super) const SINGLE_LN_2: [f64; 2] = [0.693_359_375, -2.121_944_400_546_9e-4];
@@ -21,6 +19,9 @@ pub(super) const SINGLE_LN_2: [f64; 2] = [0.693_359_375, -2.121_944_400_546_9e-4
 pub trait Vector:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + AddAssign
 {
+    /// The processor's own roots and quotients take less time than a chain of products: registers of
+    /// single precision.
+    const QUICK_ROOTS: bool = false;
     /// Adding and taking this away rounds to an integer.
     const ROUNDING: f64 = DOUBLE_ROUNDING;
     /// ln 2 in two parts, the first of few enough digits for exact products.
@@ -42,17 +43,24 @@ pub trait Vector:
     fn min(self, other: Self) -> Self;
     /// The larger of each pair.
     fn max(self, other: Self) -> Self;
-    /// `1 / sqrt(self)` to 3.5 %, from its bits; a start for refinement.
-    fn rsqrt_guess(self) -> Self;
+    /// `1 / sqrt(self)`: to 3.5 %, from its bits, as a start for refinement, or all of it where roots
+    /// are quick.
+    #[inline(always)]
+    fn rsqrt_guess(self) -> Self {
+        Self::splat(1.0).div(self.sqrt())
+    }
     /// `if_less` where `self < bound`, else `otherwise`.
     fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self;
     /// 2^n, where `self` is n + [`Vector::ROUNDING`] for an integer n that 2^n allows.
     fn power_of_two(self) -> Self;
 
-    /// `1 / sqrt(self)` to about 1e-15, for any positive normal number. Products and sums alone:
-    /// they overlap where a square root and a division would queue.
+    /// `1 / sqrt(self)` to about 1e-15 (1e-7 in single precision), for any positive normal number.
+    /// Products and sums alone: they overlap where a square root and a division would queue.
     #[inline(always)]
     fn rsqrt(self) -> Self {
+        if Self::QUICK_ROOTS {
+            return self.rsqrt_guess();
+        }
         // With e = 1 - x y², 1/√x = y (1 + e/2 + 3 e²/8 + 5 e³/16 + ...): two terms of it, then three.
         let y = self.rsqrt_guess();
         let e = (self * y).negated_mul_add(y, Self::splat(1.0));
@@ -64,22 +72,25 @@ pub trait Vector:
         (y * e).mul_add(slope, y)
     }
 
-    /// √self and its inverse. In single precision roots and quotients are quick: there these are the
-    /// processor's own, and no more is computed of them than is used.
+    /// √self and its inverse.
     #[inline(always)]
     fn roots(self) -> [Self; 2] {
+        if Self::QUICK_ROOTS {
+            let root = self.sqrt();
+            return [root, Self::splat(1.0).div(root)];
+        }
         let inverse = self.rsqrt();
         [self * inverse, inverse]
     }
     /// What [`Vector::over`] takes to divide by `self`, whose [roots](Vector::roots) are known.
     #[inline(always)]
     fn divisor(self, [_, inverse]: [Self; 2]) -> Self {
-        inverse * inverse
+        if Self::QUICK_ROOTS { self } else { inverse * inverse }
     }
     /// `self` over what [`Vector::divisor`] was made of.
     #[inline(always)]
     fn over(self, divisor: Self) -> Self {
-        self * divisor
+        if Self::QUICK_ROOTS { self.div(divisor) } else { self * divisor }
     }
 
     /// e^self to a few units in the last place, for arguments from -700 to 700 (-80 to 80 in single
@@ -112,15 +123,4 @@ pub trait Vector:
         }
         sum * shifted.power_of_two()
     }
-}
-
-/// `1 / sqrt(x)` in single precision: to 1e-5, then to a unit or two in the last place.
-#[inline(always)]
-pub(super) fn single_rsqrt<V: Vector>(x: V) -> V {
-    let y = x.rsqrt_guess();
-    let e = (x * y).negated_mul_add(y, V::splat(1.0));
-    let slope = e.mul_add(V::splat(0.375), V::splat(0.5));
-    let y = (y * e).mul_add(slope, y);
-    let e = (x * y).negated_mul_add(y, V::splat(1.0));
-    (y * e).mul_add(V::splat(0.5), y)
 }
