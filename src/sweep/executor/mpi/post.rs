@@ -1,7 +1,9 @@
-//! Mail between ranks: whole messages, sent without waiting.
+//! Mail between ranks: whole messages, sent and received without waiting.
 
 use std::mem::ManuallyDrop;
+use std::time::Duration;
 
+use mpi::point_to_point::{Message as MatchedMessage, Status};
 use mpi::request::{Request, StaticScope};
 use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, Destination, Equivalence, Source};
@@ -15,15 +17,22 @@ const PROTOCOL: u16 = 2;
 /// wants it runs from rest.
 const LARGEST: usize = 1 << 30;
 
+/// How long to leave the mail alone while there is none.
+const NAP: Duration = Duration::from_millis(5);
+/// How long while some is on its way: MPI moves a large message piece by piece, some with every look.
+const SHORT_NAP: Duration = Duration::from_micros(50);
+
 /// A rank's mail.
 pub(super) struct Post {
     world: SimpleCommunicator,
-    outgoing: Vec<Outgoing>,
+    outgoing: Vec<Letter>,
+    /// From a rank. No other is taken before it is here, so that messages stay in order.
+    incoming: Option<(usize, Letter)>,
 }
 
 impl Post {
     pub(super) fn new(world: SimpleCommunicator) -> Post {
-        Post { world, outgoing: Vec::new() }
+        Post { world, outgoing: Vec::new(), incoming: None }
     }
 
     pub(super) fn rank(&self) -> usize {
@@ -38,7 +47,7 @@ impl Post {
     pub(super) fn send(&mut self, to: usize, message: &Message) {
         let bytes = postcard::to_stdvec(&(PROTOCOL, message)).expect("messages are plain data");
         assert!(bytes.len() <= LARGEST + 64, "a message of {} bytes", bytes.len());
-        self.outgoing.push(Outgoing::start(&self.world, to, bytes));
+        self.outgoing.push(Letter::send(&self.world, to, bytes));
     }
 
     pub(super) fn send_checkpoint(&mut self, to: usize, trunk: usize, bytes: Option<Vec<u8>>) {
@@ -46,64 +55,87 @@ impl Post {
         self.send(to, &Message::Checkpoint { trunk, bytes });
     }
 
-    /// The next message, if one is here; also moves outgoing ones on.
+    /// The next message, if one is here; also moves others on.
     pub(super) fn receive(&mut self) -> Result<Option<(usize, Message)>, SweepError> {
         self.is_delivered();
-        let Some((message, status)) = self.world.any_process().immediate_matched_probe() else {
-            return Ok(None);
+        let (rank, letter) = match self.incoming.take() {
+            Some(incoming) => incoming,
+            None => match self.world.any_process().immediate_matched_probe() {
+                Some((message, status)) => {
+                    (status.source_rank() as usize, Letter::receive(message, &status))
+                }
+                None => return Ok(None),
+            },
         };
-        let mut bytes = vec![0_u8; status.count(u8::equivalent_datatype()) as usize];
-        message.matched_receive_into(&mut bytes[..]);
-        let rank = status.source_rank();
-        let unreadable = |reason: &dyn std::fmt::Display| {
-            SweepError::Executor(format!("a message from rank {rank} cannot be read: {reason}"))
-        };
-        let (protocol, rest) =
-            postcard::take_from_bytes::<u16>(&bytes).map_err(|error| unreadable(&error))?;
-        if protocol != PROTOCOL {
-            return Err(unreadable(&format_args!("protocol {protocol}, not {PROTOCOL}")));
+        match letter.test() {
+            Ok(bytes) => Ok(Some((rank, read(rank, &bytes)?))),
+            Err(letter) => {
+                self.incoming = Some((rank, letter));
+                Ok(None)
+            }
         }
-        let message = postcard::from_bytes(rest).map_err(|error| unreadable(&error))?;
-        Ok(Some((rank as usize, message)))
+    }
+
+    /// How long to wait before looking again.
+    pub(super) fn nap(&self) -> Duration {
+        if self.incoming.is_none() && self.outgoing.is_empty() { NAP } else { SHORT_NAP }
     }
 
     /// Whether everything sent has left; forgets what has.
     pub(super) fn is_delivered(&mut self) -> bool {
         let outgoing = std::mem::take(&mut self.outgoing);
-        self.outgoing = outgoing.into_iter().filter_map(Outgoing::test).collect();
+        self.outgoing = outgoing.into_iter().filter_map(|letter| letter.test().err()).collect();
         self.outgoing.is_empty()
     }
 }
 
-/// A message on its way, and the memory that MPI reads it from.
-struct Outgoing {
+fn read(rank: usize, bytes: &[u8]) -> Result<Message, SweepError> {
+    let unreadable = |reason: &dyn std::fmt::Display| {
+        SweepError::Executor(format!("a message from rank {rank} cannot be read: {reason}"))
+    };
+    let (protocol, rest) =
+        postcard::take_from_bytes::<u16>(bytes).map_err(|error| unreadable(&error))?;
+    if protocol != PROTOCOL {
+        return Err(unreadable(&format_args!("protocol {protocol}, not {PROTOCOL}")));
+    }
+    postcard::from_bytes(rest).map_err(|error| unreadable(&error))
+}
+
+/// A message on its way, and the memory that MPI reads it from or writes it to.
+struct Letter {
     /// Never dropped: rsmpi panics on that, and an unwinding rank must get to its abort.
     request: ManuallyDrop<Request<'static, [u8], StaticScope>>,
     bytes: *mut [u8],
 }
 
-impl Outgoing {
-    fn start(world: &SimpleCommunicator, to: usize, bytes: Vec<u8>) -> Outgoing {
+impl Letter {
+    fn send(world: &SimpleCommunicator, to: usize, bytes: Vec<u8>) -> Letter {
         let bytes = Box::into_raw(bytes.into_boxed_slice());
         // SAFETY: the memory is freed in `test` only, after MPI has let go of it; until then it
         // is only read.
         let content: &'static [u8] = unsafe { &*bytes };
-        let process = world.process_at_rank(to as i32);
-        let request = ManuallyDrop::new(process.immediate_send(StaticScope, content));
-        Outgoing { request, bytes }
+        let request = world.process_at_rank(to as i32).immediate_send(StaticScope, content);
+        Letter { request: ManuallyDrop::new(request), bytes }
     }
 
-    /// Itself while still on its way.
-    fn test(self) -> Option<Outgoing> {
+    fn receive(message: MatchedMessage, status: &Status) -> Letter {
+        let length = status.count(u8::equivalent_datatype()) as usize;
+        let bytes = Box::into_raw(vec![0; length].into_boxed_slice());
+        // SAFETY: the memory is read and freed in `test` only, after MPI has let go of it; until
+        // then only MPI writes there.
+        let content: &'static mut [u8] = unsafe { &mut *bytes };
+        let request = message.immediate_matched_receive_into(StaticScope, content);
+        Letter { request: ManuallyDrop::new(request), bytes }
+    }
+
+    /// What it says once it has arrived; itself while still on its way.
+    fn test(self) -> Result<Box<[u8]>, Letter> {
         let bytes = self.bytes;
         match ManuallyDrop::into_inner(self.request).test() {
-            Ok(_) => {
-                // SAFETY: made by `Box::into_raw` in `start`; the request is complete, and
-                // nothing else refers to it.
-                drop(unsafe { Box::from_raw(bytes) });
-                None
-            }
-            Err(request) => Some(Outgoing { request: ManuallyDrop::new(request), bytes }),
+            // SAFETY: made by `Box::into_raw`; the request is complete, and nothing else refers
+            // to it.
+            Ok(_) => Ok(unsafe { Box::from_raw(bytes) }),
+            Err(request) => Err(Letter { request: ManuallyDrop::new(request), bytes }),
         }
     }
 }
