@@ -162,9 +162,7 @@ pub(super) fn eight(field: &[f64], at: usize) -> &[f64; LANES] {
 /// Eight values of a field in a vector.
 #[inline(always)]
 pub(super) fn lanes<L: Lanes>(field: &[f64], at: usize) -> L {
-    let eight = eight(field, at);
-    L::prefetch(&eight[0], 4 * LANES);
-    L::load(eight)
+    L::load(eight(field, at))
 }
 
 /// Eight values of each field. (A map over the array would be a function of its own, compiled
