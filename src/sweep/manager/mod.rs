@@ -2,9 +2,10 @@
 //!
 //! - A task's priority is its longest remaining chain: a trunk counts with its dearest branch, so
 //!   trunks start early and branches of a finished trunk run beside other trunks.
-//! - A rank takes a branch of a trunk whose checkpoint it holds, unless one elsewhere is clearly
-//!   dearer: the dearest go first, so that what is left for the end is short. Checkpoints are
-//!   dropped when their last branch is done. A case whose trunk failed runs from rest instead.
+//! - A rank takes a branch of a trunk whose checkpoint it holds. Towards the end of the sweep it takes
+//!   one from elsewhere if that is clearly dearer: the dearest go first, so that all ranks end
+//!   together. Checkpoints are dropped when their last branch is done. A case whose trunk failed
+//!   runs from rest instead.
 //! - The number of trunks open at once is bounded by the number of places where work can run.
 //! - Each rank gets one task beyond its capacity while there is more than enough for everybody.
 //!
@@ -26,6 +27,9 @@ use queue::{Entry, Queue};
 /// A branch elsewhere is worth another copy of a checkpoint where it is dearer by more than this
 /// part of its cost: neighbouring wave heights of the study differ by two percent or so.
 const CLEARLY_DEARER: u64 = 64;
+/// The end of a sweep begins with so many cases left per place: enough for such differences to be
+/// evened out, and few enough for the copies.
+const NEAR_THE_END: usize = 32;
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Phase {
@@ -214,7 +218,8 @@ impl Manager {
         let best = [trunk, solo, branch].into_iter().flatten().map(|entry| entry.priority).max();
         let Some(best) = best else { return false };
         if let Some(entry) = branch.filter(|entry| entry.priority == best) {
-            let enough = best - best / CLEARLY_DEARER;
+            let near_the_end = self.unfinished <= NEAR_THE_END * self.capacity;
+            let enough = if near_the_end { best - best / CLEARLY_DEARER } else { 0 };
             let local = top_held(&mut self.ranks[rank].local, &self.trunks)
                 .filter(|local| local.priority >= enough);
             self.assign_branch(rank, local.unwrap_or(entry).place, commands);
