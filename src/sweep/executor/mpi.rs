@@ -11,9 +11,9 @@
 
 mod hello;
 mod post;
+mod station;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::time::{Duration, Instant};
 
 use mpi::Threading;
 use mpi::traits::Communicator;
@@ -21,7 +21,8 @@ use serde::{Deserialize, Serialize};
 
 use self::hello::{Hello, share_cores};
 use self::post::Post;
-use super::worker::{Fetch, Worker, with_worker};
+use self::station::{RankZero, Station, work};
+use super::worker::with_worker;
 use super::{Crew, Link, Order, RankInfo, Report, Setup, share_threads};
 use crate::math::simd::SimdPath;
 use crate::sweep::error::SweepError;
@@ -165,72 +166,6 @@ impl Crew for MpiCrew<'_> {
     }
 }
 
-/// A rank at work: its mail and its worker.
-struct Station<'a, 'run, 'scope> {
-    post: &'a mut Post,
-    worker: &'a mut Worker<'run, 'scope>,
-}
-
-impl Station<'_, '_, '_> {
-    fn obey(&mut self, order: Order) {
-        if let Some(Fetch { trunk, holder }) = self.worker.take(order) {
-            self.post.send(holder, &Message::Pull { trunk });
-        }
-    }
-
-    /// Deals with a message between equals; hands back what only some ranks understand.
-    fn handle(&mut self, from: usize, message: Message) -> Option<Message> {
-        match message {
-            Message::Pull { trunk } => {
-                let bytes = self.worker.checkpoint(trunk).map(|bytes| bytes.to_vec());
-                self.post.send_checkpoint(from, trunk, bytes);
-                None
-            }
-            Message::Checkpoint { trunk, bytes } => {
-                self.worker.arrive(trunk, bytes);
-                None
-            }
-            other => Some(other),
-        }
-    }
-}
-
-struct RankZero<'a, 'run, 'scope> {
-    station: Station<'a, 'run, 'scope>,
-}
-
-impl Link for RankZero<'_, '_, '_> {
-    fn send(&mut self, rank: usize, order: Order) {
-        match rank {
-            0 => self.station.obey(order),
-            _ => self.station.post.send(rank, &Message::Order(order)),
-        }
-    }
-
-    fn poll(&mut self, patience: Duration) -> Result<Option<(usize, Report)>, SweepError> {
-        let start = Instant::now();
-        let mut nap = Duration::ZERO;
-        loop {
-            if let Some(report) = self.station.worker.poll(nap) {
-                return Ok(Some((0, report)));
-            }
-            let mut heard = false;
-            while let Some((rank, message)) = self.station.post.receive()? {
-                heard = true;
-                match self.station.handle(rank, message) {
-                    None => {}
-                    Some(Message::Report(report)) => return Ok(Some((rank, report))),
-                    Some(other) => return Err(out_of_turn(rank, &other)),
-                }
-            }
-            nap = if heard { Duration::ZERO } else { self.station.post.nap() };
-            if start.elapsed() >= patience {
-                return Ok(None);
-            }
-        }
-    }
-}
-
 /// Any rank but 0.
 fn serve(setup: &Setup<'_>, mut post: Post) -> Result<(), SweepError> {
     post.send(0, &Message::Hello(Hello::of_this_process()));
@@ -251,31 +186,6 @@ fn serve(setup: &Setup<'_>, mut post: Post) -> Result<(), SweepError> {
         }
     }
     leave(&mut post)
-}
-
-fn work(setup: &Setup<'_>, mut station: Station<'_, '_, '_>) -> Result<(), SweepError> {
-    let mut told = false;
-    let mut nap = Duration::ZERO;
-    loop {
-        if let Some(report) = station.worker.poll(nap) {
-            station.post.send(0, &Message::Report(report));
-        }
-        if setup.interrupt.is_raised() && !told {
-            told = true;
-            station.post.send(0, &Message::Report(Report::Interrupted));
-        }
-        let mut heard = false;
-        while let Some((rank, message)) = station.post.receive()? {
-            heard = true;
-            match station.handle(rank, message) {
-                None => {}
-                Some(Message::Order(order)) => station.obey(order),
-                Some(Message::Finish) => return Ok(()),
-                Some(other) => return Err(out_of_turn(rank, &other)),
-            }
-        }
-        nap = if heard { Duration::ZERO } else { station.post.nap() };
-    }
 }
 
 /// Waits until everything sent has been received, and until nobody sends any more.
