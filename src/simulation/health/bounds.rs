@@ -6,7 +6,8 @@ use crate::simulation::energy::WaterEnergy;
 /// Bounds that a healthy run keeps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HealthBounds {
-    /// m/s: what Bernoulli's law allows a drop from the highest conceivable runup, twice over.
+    /// m/s: what Bernoulli's law allows a drop from the highest conceivable runup, or the front of a
+    /// dam break, which is faster (Ritter 1892) and shoots up a wall faster still; twice over.
     pub speed: f64,
     /// Largest |ρ/ρ_s - 1|; scales with g h/c0².
     pub density_change: f64,
@@ -29,9 +30,9 @@ impl HealthBounds {
     /// For a tank that starts with this energy.
     pub fn of(tank: &Tank, start: &WaterEnergy) -> HealthBounds {
         let (frame, head) = (tank.frame, tank.frame.speed_squared());
-        // A drop from the highest conceivable runup, twice over; compression scales with g h/c0²
-        // and, where a front hits a wall, with its speed over c0.
-        let speed = 2.0 * (2.0 * head * (1.0 + 4.0 * tank.wave_height_ratio)).sqrt();
+        // Compression scales with g h/c0² and, where a front hits a wall, with its speed over c0.
+        let fall = (2.0 * head * (1.0 + 4.0 * tank.wave_height_ratio)).sqrt();
+        let speed = 2.0 * fall.max(tank.front_speed);
         let splashes = tank.front_speed > 0.0;
         HealthBounds {
             speed,
