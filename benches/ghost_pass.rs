@@ -140,7 +140,8 @@ fn ghost_pass(interpolator: InterpolatorChoice, spacing: f64) -> f64 {
     let mut pass = || {
         exchange.weigh(path, &ghosts, &bodies, read);
         exchange.fill(path, &ghosts, &bodies, 2, &mut records);
-        exchange.refresh_velocities(path, &ghosts, &bodies, [&tenths, &tenths]);
+        let all = 0..exchange.counting();
+        exchange.refresh_velocities(path, &ghosts, &bodies, [&tenths, &tenths], all);
     };
     pass();
     let mut seconds = f64::INFINITY;

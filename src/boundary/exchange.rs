@@ -1,5 +1,7 @@
 //! From the water to the ghosts: one interpolation at every mirror point and its consequences.
 
+use std::ops::Range;
+
 use super::InterpolatorChoice;
 use super::ghosts::Ghosts;
 use super::held_weights::Near;
@@ -53,6 +55,8 @@ pub struct Exchange {
     pub(super) parts: Vec<Stretch>,
     /// The targets where the list was made.
     places: [Vec<f64>; 2],
+    /// The particles among which each block of ghosts finds its water.
+    read: Vec<Range<u32>>,
     /// Blocks with ghosts that have water in reach, at the last [`Exchange::fill`].
     pub(super) counting: Vec<u32>,
     pub(super) images: Vec<Image>,
@@ -83,6 +87,7 @@ impl Exchange {
             team: Team::default(),
             parts: vec![Stretch::default()],
             places: Default::default(),
+            read: vec![0..0; ghosts.len() / LANES],
             counting: Vec::with_capacity(ghosts.len() / LANES),
             images: vec![Image::default(); ghosts.len() / LANES],
             scale: vec![[0.0; LANES]; targets / LANES],
@@ -115,10 +120,26 @@ impl Exchange {
         self.fallbacks
     }
 
-    /// Numbers of the blocks with ghosts that have water in reach, and all images: no others are
-    /// seen by the water.
-    pub fn images(&self) -> (&[u32], &[Image]) {
-        (&self.counting, &self.images)
+    /// How many blocks of ghosts count: those that have water in reach. No others are seen by the
+    /// water.
+    pub fn counting(&self) -> usize {
+        self.counting.len()
+    }
+
+    /// How many of the blocks that count read no water but the first so many particles: where no team
+    /// shares the work, these come first.
+    pub fn ready(&self, particles: usize) -> usize {
+        self.counting.partition_point(|&block| self.read[block as usize].end as usize <= particles)
+    }
+
+    /// The particles among which a block finds its water.
+    pub fn read(&self, block: usize) -> Range<u32> {
+        self.read[block].clone()
+    }
+
+    /// Numbers of some of the blocks that count, and all images.
+    pub fn images(&self, some: Range<usize>) -> (&[u32], &[Image]) {
+        (&self.counting[some], &self.images)
     }
 
     /// Number of target-to-fluid pairs in the lists, eight lanes each.
@@ -160,6 +181,23 @@ impl Exchange {
             build_pair_list(path, x, y, &[set], &mut part.list);
             part.held.make_room(&part.list);
         });
+        for part in &self.parts {
+            for (row, block) in part.within(&(0..ghosts.len() / LANES)).enumerate() {
+                // In the order of the particles.
+                let listed = part.list.group(row, 0);
+                let ends = listed.first().zip(listed.last());
+                self.read[block] = ends.map_or(0..0, |(&first, &last)| first..last + 1);
+            }
+        }
+    }
+
+    /// Puts the blocks that count in the order in which the water that they read is numbered, unless
+    /// a team shares them by their own numbers.
+    pub(super) fn line_up(&mut self) {
+        let Exchange { parts, counting, read, .. } = self;
+        if parts.len() == 1 {
+            counting.sort_unstable_by_key(|&block| (read[block as usize].end, block));
+        }
     }
 
     /// Finds the weights at all mirror points and the wetness of all face points.
@@ -197,7 +235,7 @@ impl Exchange {
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
         water: Water<'_>,
-        blocks: std::ops::Range<usize>,
+        blocks: Range<usize>,
     ) {
         let Exchange { rules, team, parts, scale, fallen, means, .. } = self;
         let (rules, interpolator) = (*rules, rules.interpolator);
@@ -232,30 +270,34 @@ impl Exchange {
 
     /// Interpolates the velocities anew, with the weights at hand, for the continuity equation. There walls are smooth whatever the slip (De Leffe et al. 2011): a
     /// tangential velocity turned round at the wall would be compression that no force does work
-    /// on. `water` holds the fluid's velocities along x and y.
+    /// on. `water` holds the fluid's velocities along x and y; `some` of the blocks that count are
+    /// done.
     pub fn refresh_velocities(
         &mut self,
         path: SimdPath,
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
         water: [&[f64]; 2],
+        some: Range<usize>,
     ) {
-        let Exchange { team, parts, scale, means, .. } = self;
-        let (scale, blocks) = (&scale[..], ghosts.len() / LANES);
+        let Exchange { team, parts, counting, scale, means, .. } = self;
+        let (scale, blocks) = (&scale[..], &counting[some.clone()]);
         team.share(parts, &mut means[..], &|part, means| {
-            dispatch(path, GatherVelocity { part, scale, means, blocks, water });
+            let blocks = part.among(blocks);
+            dispatch(path, GatherVelocity { part, blocks, scale, means, water });
         });
-        self.mirror_velocities(path, ghosts, bodies);
+        self.mirror_velocities(path, ghosts, bodies, some);
     }
 
-    /// Velocities of the ghosts that have water in reach, from the means at hand.
+    /// Velocities of the ghosts in some of the blocks that count, from the means at hand.
     pub(super) fn mirror_velocities(
         &mut self,
         path: SimdPath,
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
+        some: Range<usize>,
     ) {
         let Exchange { images, counting, means, .. } = self;
-        dispatch(path, Mirror { images, blocks: &*counting, means, ghosts, bodies });
+        dispatch(path, Mirror { images, blocks: &counting[some], means, ghosts, bodies });
     }
 }

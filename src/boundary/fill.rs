@@ -48,8 +48,10 @@ impl Exchange {
                 self.reflect(ghosts, (g, wet), motion, number == responds);
             }
         }
-        self.press(path, ghosts, bodies);
-        self.mirror_velocities(path, ghosts, bodies);
+        self.line_up();
+        let all = 0..self.counting();
+        self.press(path, ghosts, bodies, all.clone());
+        self.mirror_velocities(path, ghosts, bodies, all);
         for &block in &self.counting {
             let at = block as usize * LANES;
             let image = &mut self.images[block as usize];

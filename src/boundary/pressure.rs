@@ -1,5 +1,7 @@
 //! Pressures of the ghosts, from those of the water around their mirror points.
 
+use std::ops::Range;
+
 use super::exchange::Exchange;
 use super::ghosts::{Ghosts, Site};
 use super::image::Press;
@@ -27,26 +29,34 @@ impl Exchange {
     }
 
     /// Interpolates the pressures anew, with the weights, wetness and corrections at hand and the
-    /// ghosts where they were, for the ghosts that have water in reach.
+    /// ghosts where they were, for `some` of the blocks that count.
     pub fn refresh_pressures(
         &mut self,
         path: SimdPath,
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
         pressure: &[f64],
+        some: Range<usize>,
     ) {
-        let Exchange { team, parts, scale, means, .. } = self;
-        let (scale, blocks) = (&scale[..], ghosts.len() / LANES);
+        let Exchange { team, parts, counting, scale, means, .. } = self;
+        let (scale, blocks) = (&scale[..], &counting[some.clone()]);
         team.share(parts, &mut means[..], &|part, means| {
-            dispatch(path, GatherPressure { part, scale, means, blocks, pressure });
+            let blocks = part.among(blocks);
+            dispatch(path, GatherPressure { part, blocks, scale, means, pressure });
         });
-        self.press(path, ghosts, bodies);
+        self.press(path, ghosts, bodies, some);
     }
 
-    /// Pressures of the ghosts that have water in reach, from the means at hand.
-    pub(super) fn press(&mut self, path: SimdPath, ghosts: &Ghosts, bodies: &[BodyMotion]) {
+    /// Pressures of the ghosts in some of the blocks that count, from the means at hand.
+    pub(super) fn press(
+        &mut self,
+        path: SimdPath,
+        ghosts: &Ghosts,
+        bodies: &[BodyMotion],
+        some: Range<usize>,
+    ) {
         let Exchange { rules, images, counting, means, .. } = self;
-        let (blocks, gravity) = (&**counting, rules.gravity);
+        let (blocks, gravity) = (&counting[some], rules.gravity);
         let density = [rules.surface_density, 1.0 / (rules.sound_speed * rules.sound_speed)];
         dispatch(path, Press { images, blocks, means, ghosts, bodies, gravity, density });
     }

@@ -16,16 +16,17 @@ pub(super) struct Stretch {
 }
 
 impl Part for Stretch {
-    fn items(&self) -> usize {
-        self.blocks.len()
+    fn items(&self) -> Range<usize> {
+        self.blocks.clone()
     }
 }
 
 impl Stretch {
-    /// Its blocks that come before one.
+    /// Its own of some blocks. These are in order, unless it is the only part.
     #[inline(always)]
-    pub fn until(&self, end: usize) -> Range<usize> {
-        self.blocks.start..self.blocks.end.min(end)
+    pub fn among<'a>(&self, blocks: &'a [u32]) -> &'a [u32] {
+        let before = |end: usize| blocks.partition_point(|&block| (block as usize) < end);
+        &blocks[before(self.blocks.start)..before(self.blocks.end)]
     }
 
     /// Its blocks within a range.

@@ -218,11 +218,11 @@ fn gather<L: Lanes, I: Interpolator>(
 /// The velocities alone, with the weights at hand.
 pub(super) struct GatherVelocity<'a> {
     pub part: &'a Stretch,
+    /// Some of the part's blocks.
+    pub blocks: &'a [u32],
     pub scale: &'a [[f64; LANES]],
     /// The part's.
     pub means: &'a mut [Means],
-    /// How many blocks, of all targets, are of ghosts.
-    pub blocks: usize,
     pub water: [&'a [f64]; 2],
 }
 
@@ -231,7 +231,8 @@ impl Task for GatherVelocity<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        for (row, block) in self.part.until(self.blocks).enumerate() {
+        for &block in self.blocks {
+            let (block, row) = (block as usize, block as usize - self.part.blocks.start);
             let (neighbours, weights) = self.part.held.of(row);
             let (mut vx, mut vy) = (L::splat(0.0), L::splat(0.0));
             for (&j, weight) in neighbours.iter().zip(weights) {
@@ -249,11 +250,11 @@ impl Task for GatherVelocity<'_> {
 /// The pressures alone, with the weights at hand.
 pub(super) struct GatherPressure<'a> {
     pub part: &'a Stretch,
+    /// Some of the part's blocks.
+    pub blocks: &'a [u32],
     pub scale: &'a [[f64; LANES]],
     /// The part's.
     pub means: &'a mut [Means],
-    /// How many blocks, of all targets, are of ghosts.
-    pub blocks: usize,
     pub pressure: &'a [f64],
 }
 
@@ -262,7 +263,8 @@ impl Task for GatherPressure<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        for (row, block) in self.part.until(self.blocks).enumerate() {
+        for &block in self.blocks {
+            let (block, row) = (block as usize, block as usize - self.part.blocks.start);
             let (neighbours, weights) = self.part.held.of(row);
             let mut pressure = L::splat(0.0);
             for (&j, weight) in neighbours.iter().zip(weights) {

@@ -31,9 +31,14 @@ impl Team {
         Team(pool.ok().map(Arc::new))
     }
 
-    /// Into how many parts the work is best cut.
+    /// Into how many parts the work is best cut: one where there is nobody to share it.
     pub fn parts(&self) -> usize {
         self.0.as_ref().map_or(1, |pool| PARTS_PER_THREAD * pool.current_num_threads())
+    }
+
+    /// Whether there is nobody to share the work.
+    pub fn is_alone(&self) -> bool {
+        self.0.is_none()
     }
 
     /// Does a piece of work on one of the threads, where the others are at hand; the calling thread
@@ -60,8 +65,18 @@ impl Team {
             (_, []) => {}
             (_, [part]) => work(part, rows),
             (Some(pool), parts) => pool.install(|| divide(parts, rows, work)),
-            (None, parts) => divide(parts, rows, work),
+            (None, parts) => in_turn(parts, rows, work),
         }
+    }
+}
+
+fn in_turn<P: Part, R: Rows>(parts: &mut [P], mut rows: R, work: &(impl Fn(&mut P, R) + Sync)) {
+    let mut left = count(parts);
+    for part in parts {
+        let items = part.items().len();
+        let (own, others) = rows.split(items, left);
+        work(part, own);
+        (rows, left) = (others, left - items);
     }
 }
 
@@ -70,10 +85,27 @@ fn divide<P: Part, R: Rows>(parts: &mut [P], rows: R, work: &(impl Fn(&mut P, R)
         return work(part, rows);
     }
     let (left, right) = parts.split_at_mut(parts.len() / 2);
-    let items = |parts: &[P]| parts.iter().map(Part::items).sum::<usize>();
-    let before = items(left);
-    let (rows_left, rows_right) = rows.split(before, before + items(right));
+    let before = count(left);
+    let (rows_left, rows_right) = rows.split(before, before + count(right));
     join(|| divide(left, rows_left, work), || divide(right, rows_right, work));
+}
+
+/// How many items consecutive parts have.
+fn count<P: Part>(parts: &[P]) -> usize {
+    match parts {
+        [] => 0,
+        [first, .., last] => last.items().end - first.items().start,
+        [part] => part.items().len(),
+    }
+}
+
+/// Some of the parts with their rows, from the rows of all.
+pub fn window<P: Part, R: Rows>(parts: &mut [P], rows: R, some: Range<usize>) -> (&mut [P], R) {
+    let (before, all) = (count(&parts[..some.start]), count(parts));
+    let inside = count(&parts[some.clone()]);
+    let (_, rows) = rows.split(before, all);
+    let (rows, _) = rows.split(inside, all - before);
+    (&mut parts[some], rows)
 }
 
 /// So many items in so many ranges as even as can be.
@@ -107,8 +139,8 @@ fn own_processor_time() -> Option<f64> {
 
 /// A part of the work.
 pub trait Part: Send {
-    /// How many of all items it has.
-    fn items(&self) -> usize;
+    /// Which of all items it has; the next part's follow them.
+    fn items(&self) -> Range<usize>;
 }
 
 /// What is written: so many values for each item, in the order of the parts.
@@ -159,8 +191,8 @@ mod tests {
     struct Stretch(Range<usize>);
 
     impl Part for Stretch {
-        fn items(&self) -> usize {
-            self.0.len()
+        fn items(&self) -> Range<usize> {
+            self.0.clone()
         }
     }
 

@@ -30,6 +30,17 @@ pub struct StepWalls<'a> {
     pub bodies: &'a [BodyMotion],
     /// Acceleration of the responding body.
     pub acceleration: f64,
+    /// What comes after.
+    pub next: NextStep<'a>,
+}
+
+/// The step after this one, as far as it is known.
+#[derive(Debug, Clone, Copy)]
+pub struct NextStep<'a> {
+    /// Motions at its start.
+    pub bodies: &'a [BodyMotion],
+    /// Its length, seconds, unless the scheme's [`Scheme::step_limit`] shortens it.
+    pub dt: f64,
 }
 
 /// Powers (W) and works (J), per metre of width.
@@ -139,7 +150,7 @@ pub trait Scheme: Debug + Send {
     /// Force on a body and its added mass, from the last [`Scheme::prepare`].
     fn load(&self, body: usize) -> Load;
 
-    /// Second half of the step; with `sample` all powers are summed.
+    /// Second half of the step, and what can be done of the next; with `sample` all powers are summed.
     fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation;
 
     /// Level of the water at an upright body, metres above the bed.

@@ -5,5 +5,7 @@ pub mod isph;
 mod state_equation;
 pub mod wcsph;
 
-pub use contract::{Dissipation, Load, Scheme, SchemeState, SolverSummary, StepError, StepWalls};
+pub use contract::{
+    Dissipation, Load, NextStep, Scheme, SchemeState, SolverSummary, StepError, StepWalls,
+};
 pub use state_equation::{StateEquation, StateEquationChoice};

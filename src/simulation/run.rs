@@ -17,7 +17,7 @@ use crate::body::{BodyMotion, SpringWall, WallStep};
 use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::scene::{CaseConfig, PADDLE, Tank, WALL};
-use crate::scheme::{SchemeState, StepError, StepWalls};
+use crate::scheme::{NextStep, SchemeState, StepError, StepWalls};
 
 /// Samples of the history between two checks of health and of the monitor.
 const SAMPLES_PER_CHECK: u64 = 4;
@@ -341,14 +341,18 @@ impl Run {
         }
         let wall = self.tank.wall.as_ref().zip(wall_step).map(|(law, step)| (law, force, step));
         self.ledger.book_walls((paddle_force, paddle_travel), wall);
-        let walls =
-            StepWalls { bodies, acceleration: wall_step.map_or(0.0, |step| step.acceleration) };
         // Splashes dissipate in bursts, and swirls from the start: summed at every step.
         let sample = sample || self.watch.is_some();
-        let losses = self.tank.water.finish(dt, &walls, sample);
-        self.ledger.book_losses(time, sample, losses);
         self.clock.time += dt;
         self.clock.steps += 1;
+        let after = self.motions();
+        let walls = StepWalls {
+            bodies,
+            acceleration: wall_step.map_or(0.0, |step| step.acceleration),
+            next: NextStep { bodies: &after[..bodies.len()], dt: self.next_step() },
+        };
+        let losses = self.tank.water.finish(dt, &walls, sample);
+        self.ledger.book_losses(time, sample, losses);
     }
 
     fn check_health(&mut self, bodies: &[BodyMotion]) -> Result<EnergyBudget, Failure> {

@@ -4,7 +4,8 @@ use crate::math::simd::{LANES, Lanes, Task};
 use crate::particles::Fluid;
 
 use super::Workspace;
-use super::held::{Factors, Product};
+use super::factors::Factors;
+use super::held::Product;
 use super::momentum::store;
 use super::momentum_pairs::own_push;
 use super::parts::Part;
@@ -38,7 +39,7 @@ impl<const CORRECTED: bool> Task for Acoustic<'_, CORRECTED> {
         let Part { clusters, held: pairs, near, tally, .. } = part;
         let mut near = near.iter();
         let [acceleration_x, acceleration_y] = acceleration;
-        tally.clear();
+        tally.loads.clear();
         for (here, cluster) in clusters.clone().enumerate() {
             let (at, to) = (cluster * LANES, here * LANES);
             let x = lanes::<L>(&work.scaled_x, at);

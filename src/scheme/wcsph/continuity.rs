@@ -5,8 +5,9 @@ use crate::particles::Fluid;
 
 use super::Workspace;
 use super::correction::surface_share;
+use super::factors::Factors;
 use super::flow::Flow;
-use super::held::{Factors, Product};
+use super::held::Product;
 use super::momentum::store;
 use super::parts::Part;
 use super::separation::lanes;
@@ -61,7 +62,7 @@ impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSI
     fn run<L: Lanes>(self) {
         let (factors, flow) = (self.factors, self.flow);
         let Part { clusters, held: pairs, tally, .. } = self.part;
-        tally.clear();
+        tally.powers.clear();
         for (here, cluster) in clusters.clone().enumerate() {
             let (at, to) = (cluster * LANES, here * LANES);
             let x = lanes::<L>(&self.work.scaled_x, at);

@@ -1,6 +1,7 @@
 //! The numbers of a neighbour that the continuity pass multiplies with the slopes.
 
-use super::held::{Added, Factors, HeldPairs, Product};
+use super::factors::Factors;
+use super::held::{Added, HeldPairs, Product};
 use crate::math::simd::{LANES, Lanes};
 
 /// What a continuity pass wants: each record begins with the numbers for it, and the pass sums no

@@ -1,8 +1,10 @@
 //! What the held passes read of each ghost.
 
+use std::ops::Range;
+
 use super::Wcsph;
+use super::factors::Factors;
 use super::flow::Flow;
-use super::held::Factors;
 use super::pack::pressure_factors;
 use crate::boundary::Image;
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
@@ -58,16 +60,20 @@ impl Task for GhostVelocities<'_> {
 }
 
 impl Wcsph {
-    /// The ghosts' new pressures alone, like [`Wcsph::pack_pressures`].
-    pub(super) fn pack_ghost_pressures(&mut self) {
-        let factors = &mut self.factors[self.fluid.padded_len()..];
-        dispatch(self.path, GhostPressures { images: self.exchange.images(), factors });
+    /// New pressures of the ghosts in some of the blocks that count.
+    pub(super) fn press_ghosts(&mut self, some: Range<usize>) {
+        let (bodies, pressure) = (&self.held_bodies, &self.work.pressure);
+        self.exchange.refresh_pressures(self.path, &self.ghosts, bodies, pressure, some.clone());
+        let factors = &mut self.numbers.pressures_mut()[self.fluid.padded_len()..];
+        dispatch(self.path, GhostPressures { images: self.exchange.images(some), factors });
     }
 
-    /// The ghosts' new velocities, like [`Wcsph::pack_velocities`].
-    pub(super) fn pack_ghost_velocities(&mut self) {
-        let (flow, images) = (self.flow(), self.exchange.images());
-        let factors = &mut self.factors[self.fluid.padded_len()..];
+    /// New velocities of the ghosts in some of the blocks that count.
+    pub(super) fn mirror_ghosts(&mut self, some: Range<usize>) {
+        let (bodies, water) = (&self.held_bodies, [&*self.fluid.vx, &*self.fluid.vy]);
+        self.exchange.refresh_velocities(self.path, &self.ghosts, bodies, water, some.clone());
+        let (flow, images) = (self.flow(), self.exchange.images(some));
+        let factors = &mut self.numbers.velocities_mut()[self.fluid.padded_len()..];
         dispatch(self.path, GhostVelocities { flow, images, factors });
     }
 }

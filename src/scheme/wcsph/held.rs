@@ -5,6 +5,7 @@
 //! per number, and no place is read again. Places are in support radii from the scene's origin, so
 //! the difference loses two or three of sixteen digits.
 
+use super::factors::Factors;
 use crate::math::simd::{LANES, Lanes, Task};
 use crate::neighbours::PairList;
 
@@ -18,18 +19,6 @@ pub(super) struct Slopes(pub [f32; LANES]);
 impl AsMut<[f32; LANES]> for Slopes {
     #[inline(always)]
     fn as_mut(&mut self) -> &mut [f32; LANES] {
-        &mut self.0
-    }
-}
-
-/// What a held pass multiplies with the slopes: numbers of a neighbour, one cache line.
-#[derive(Debug, Clone, Copy, Default)]
-#[repr(C, align(64))]
-pub(super) struct Factors(pub [f64; 8]);
-
-impl AsMut<[f64; 8]> for Factors {
-    #[inline(always)]
-    fn as_mut(&mut self) -> &mut [f64; 8] {
         &mut self.0
     }
 }

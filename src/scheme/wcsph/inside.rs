@@ -1,5 +1,7 @@
 //! Particles stay in front of the walls' faces.
 
+use std::ops::Range;
+
 use super::separation::lanes;
 use crate::body::BodyMotion;
 use crate::boundary::Plane;
@@ -9,6 +11,8 @@ use crate::particles::Fluid;
 /// Puts particles that have slipped through a wall back onto its face, with its velocity.
 pub(super) struct HoldInside<'a> {
     pub fluid: &'a mut Fluid,
+    /// The particles, whole vectors.
+    pub lanes: Range<usize>,
     pub planes: &'a [Plane],
     pub bodies: &'a [BodyMotion],
     /// How far in front of the face they are put, metres.
@@ -20,8 +24,8 @@ impl Task for HoldInside<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let HoldInside { fluid, planes, bodies, skin } = self;
-        for at in (0..fluid.padded_len()).step_by(LANES) {
+        let HoldInside { fluid, lanes: some, planes, bodies, skin } = self;
+        for at in some.step_by(LANES) {
             let place = [lanes::<L>(&fluid.x, at), lanes(&fluid.y, at)];
             if any_nearer(planes, place, 0.0) {
                 for k in at..fluid.len().min(at + LANES) {

@@ -135,7 +135,7 @@ impl Wcsph {
             lanes.extend_from_slice(places);
             lanes.resize(padded, places[n - 1]);
         }
-        cut(&mut self.parts, padded / LANES);
+        cut(&mut self.parts, padded / LANES, &self.team);
         let (path, places) = (self.path, [&*lanes_x, &*lanes_y]);
         self.team.share(&mut self.parts, (), &|part, ()| {
             let lanes = part.lanes();
@@ -153,5 +153,6 @@ impl Wcsph {
             (&self.strips, &self.reference_x, &self.reference_y),
             radius + GHOST_MARGIN * spacing,
         );
+        self.plan_turns();
     }
 }

@@ -5,12 +5,14 @@
 //! velocities, finds the density rates with the new velocities at the old places, and drifts.
 //!
 //! Of every `acoustic_substeps` steps only the first is full. The others follow the sound alone:
-//! new pressures and velocities over pairs whose geometry and corrections are held.
+//! new pressures and velocities over pairs whose geometry and corrections are held. Their forces are
+//! found at the end of the step before, in one go with its densities and places.
 
 mod acoustic;
 mod continuity;
 mod contract;
 mod correction;
+mod factors;
 mod fields;
 mod flow;
 mod ghost_pack;
@@ -26,6 +28,7 @@ mod pack;
 mod pair_sums;
 mod parts;
 mod passes;
+mod pipeline;
 mod precision;
 mod pressing;
 mod readings;

@@ -1,5 +1,7 @@
 //! Velocities and places: kick, drift, and what keeps particles in good order.
 
+use std::ops::Range;
+
 use super::fields::{Advance, Ramp};
 use super::inside::HoldInside;
 use super::passes::{TENSION_FROM, TENSION_FULL};
@@ -20,8 +22,9 @@ const SPRAY_FROM: f64 = 0.45;
 const SPRAY_FULL: f64 = 0.25;
 
 impl Wcsph {
-    pub(super) fn kick(&mut self, dt: f64, wall_acceleration: f64) {
-        let (fluid, work) = (&mut self.fluid, &mut self.work);
+    /// Adds to the accelerations what the wall's own and the field give.
+    pub(super) fn respond_to_wall(&mut self, wall_acceleration: f64) {
+        let (fluid, work) = (&self.fluid, &mut self.work);
         if wall_acceleration != 0.0 {
             let responding = self.parts.iter().flat_map(|part| &part.responding);
             for (cluster, response_x, response_y) in responding {
@@ -39,12 +42,6 @@ impl Wcsph {
                 work.acceleration_y[k] += y;
             }
         }
-        let n = fluid.len();
-        let fields = [
-            (&mut fluid.vx[..n], &*work.acceleration_x),
-            (&mut fluid.vy[..n], &*work.acceleration_y),
-        ];
-        dispatch(self.path, Advance { fields, dt });
         if self.substep == 0 && self.options.density_diffusion == DensityDiffusion::Hydrostatic {
             let (values, shares) = (&*work.completeness, &mut *work.diffused_share);
             let (from, to) = (DIFFUSE_FROM, DIFFUSE_FULL);
@@ -52,46 +49,65 @@ impl Wcsph {
         }
     }
 
-    /// Moves the particles; returns the energy that shifting takes out.
-    pub(super) fn drift(&mut self, dt: f64, bodies: &[BodyMotion]) -> f64 {
-        let n = self.fluid.len();
-        let Fluid { x, y, vx, vy, density, .. } = &mut self.fluid;
+    /// New velocities of some particles, of whole vectors.
+    pub(super) fn kick(&mut self, dt: f64, lanes: Range<usize>) {
+        let (fluid, work) = (&mut self.fluid, &self.work);
+        let some = lanes.start..lanes.end.min(fluid.len());
         let fields = [
-            (&mut density[..n], &*self.work.density_rate),
-            (&mut x[..n], &**vx),
-            (&mut y[..n], &**vy),
+            (&mut fluid.vx[some.clone()], &work.acceleration_x[some.clone()]),
+            (&mut fluid.vy[some.clone()], &work.acceleration_y[some]),
         ];
         dispatch(self.path, Advance { fields, dt });
-        let mut planes = std::mem::take(&mut self.planes);
-        planes.clear();
-        planes.extend(
+    }
+
+    /// New densities and places of some particles, of whole vectors.
+    pub(super) fn drift(&mut self, dt: f64, lanes: Range<usize>) {
+        let some = lanes.start..lanes.end.min(self.fluid.len());
+        let Fluid { x, y, vx, vy, density, .. } = &mut self.fluid;
+        let fields = [
+            (&mut density[some.clone()], &self.work.density_rate[some.clone()]),
+            (&mut x[some.clone()], &vx[some.clone()]),
+            (&mut y[some.clone()], &vy[some]),
+        ];
+        dispatch(self.path, Advance { fields, dt });
+    }
+
+    /// The walls' faces at the end of a step.
+    pub(super) fn move_planes(&mut self, dt: f64, bodies: &[BodyMotion]) {
+        self.planes.clear();
+        self.planes.extend(
             self.ghosts
                 .bodies
                 .iter()
                 .zip(bodies)
                 .map(|(body, motion)| body.plane.moved(motion.offset).moved(dt * motion.velocity)),
         );
-        let spray_loss =
-            if self.options.corrected_gradients { self.settle_surface(dt) } else { 0.0 };
-        let shifting_loss = match self.options.shifting {
-            Shifting::Interior if self.at_full_step() => dispatch(
+    }
+
+    /// Shifts the particles, if they are, for the time since the last full step; returns the energy
+    /// that goes.
+    pub(super) fn shift(&mut self) -> f64 {
+        match self.options.shifting {
+            Shifting::Interior => dispatch(
                 self.path,
                 Shift {
                     fluid: &mut self.fluid,
                     work: &self.work,
                     options: &self.options,
-                    planes: &planes,
+                    planes: &self.planes,
                     dt: self.since_full,
                     inverse_radius: self.scaling.inverse_radius,
                 },
             ),
-            _ => 0.0,
-        };
+            Shifting::None => 0.0,
+        }
+    }
+
+    /// Holds some particles, of whole vectors, in front of the walls.
+    pub(super) fn hold_inside(&mut self, bodies: &[BodyMotion], lanes: Range<usize>) {
         let skin = 1e-3 * self.options.spacing;
-        let fluid = &mut self.fluid;
-        dispatch(self.path, HoldInside { fluid, planes: &planes, bodies, skin });
-        self.planes = planes;
-        shifting_loss + spray_loss
+        let (fluid, planes) = (&mut self.fluid, &*self.planes);
+        dispatch(self.path, HoldInside { fluid, lanes, planes, bodies, skin });
     }
 
     /// Finds the particles that [`Wcsph::settle_surface`] may change: few, and the same ones until
@@ -105,12 +121,13 @@ impl Wcsph {
 
     /// Relaxes the density of particles that feel no pressure: spray with too few neighbours, and
     /// water near the surface that would be under tension. Both are at the pressure of the air.
-    /// Returns the elastic energy that goes.
-    fn settle_surface(&mut self, dt: f64) -> f64 {
+    /// Does so for some of the particles, and adds the elastic energy that goes to the `loss`.
+    pub(super) fn settle_surface(&mut self, dt: f64, lanes: Range<usize>, mut loss: f64) -> f64 {
+        let before = |end: usize| self.near_surface.partition_point(|&k| (k as usize) < end);
+        let some = before(lanes.start)..before(lanes.end);
         let state = self.options.state;
         let rate = (dt * state.sound_speed / self.options.smoothing_length()).min(1.0);
-        let mut loss = 0.0;
-        for &k in &self.near_surface {
+        for &k in &self.near_surface[some] {
             let k = k as usize;
             let completeness = self.work.completeness[k];
             let density = self.fluid.density[k];

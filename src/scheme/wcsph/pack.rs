@@ -2,13 +2,14 @@
 
 use std::ops::Range;
 
+use super::factors::Factors;
 use super::flow::Flow;
-use super::held::Factors;
 use super::momentum::store;
 use super::pressing::Pressing;
 use super::separation::{all_lanes, lanes};
 use super::{DensityDiffusion, Wcsph};
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use crate::math::team::window;
 use crate::particles::{Fluid, Record, Scaling};
 
 /// Everything about some of the water that the pass of a full step reads.
@@ -166,23 +167,27 @@ impl Wcsph {
         });
     }
 
-    /// The water's new pressures alone.
-    pub(super) fn pack_pressures(&mut self) {
+    /// The new pressures of some parts' water alone.
+    pub(super) fn pack_pressures(&mut self, some: Range<usize>) {
         let n = self.fluid.padded_len();
         let (path, fluid, work) = (self.path, &self.fluid, &mut self.work);
         let pressing =
             Pressing::of(&self.options, self.bulk_time, fluid, [&work.density_rate, &work.tension]);
         let places = [&*work.scaled_x, &*work.scaled_y];
         let correction = [&*work.correction_xx, &*work.correction_xy, &*work.correction_yy];
-        let rows = ([&mut work.pressure[..n], &mut self.diffused[..n]], &mut self.factors[..n]);
-        self.team.share(&mut self.parts, rows, &|part, (fields, factors)| {
+        let rows = (
+            [&mut work.pressure[..n], &mut self.diffused[..n]],
+            &mut self.numbers.pressures_mut()[..n],
+        );
+        let (parts, rows) = window(&mut self.parts, rows, some);
+        self.team.share(parts, rows, &|part, (fields, factors)| {
             let range = part.lanes();
             dispatch(path, Pressures { pressing, places, correction, range, fields, factors });
         });
     }
 
-    /// The water's new velocities.
-    pub(super) fn pack_velocities(&mut self) {
+    /// The new velocities of some parts' water.
+    pub(super) fn pack_velocities(&mut self, some: Range<usize>) {
         let n = self.fluid.padded_len();
         let (path, fluid, work, flow) = (self.path, &self.fluid, &self.work, self.flow());
         let (diffusion, diffused) = (self.options.density_diffusion, &*self.diffused);
@@ -190,8 +195,9 @@ impl Wcsph {
         let places = [&*work.scaled_x, &*work.scaled_y];
         // Not all of these are there, or wanted, with every form of diffusion.
         let (share, slopes) = (&*work.diffused_share, [&*work.gradient_x, &*work.gradient_y]);
-        let rows = (&mut self.factors[..n], &mut self.slants[..]);
-        self.team.share(&mut self.parts, rows, &|part, (factors, slants)| {
+        let rows = (&mut self.numbers.velocities_mut()[..n], &mut self.slants[..]);
+        let (parts, rows) = window(&mut self.parts, rows, some);
+        self.team.share(parts, rows, &|part, (factors, slants)| {
             let range = part.lanes();
             dispatch(
                 path,

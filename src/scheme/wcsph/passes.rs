@@ -1,6 +1,7 @@
 //! The pair loops, in the variant that a run needs.
 
 use std::marker::PhantomData;
+use std::ops::Range;
 
 use super::acoustic::Acoustic;
 use super::continuity::{Continuity, FADED, OFF, PLAIN, RENORMALISED};
@@ -12,6 +13,7 @@ use super::parts::power;
 use super::precision::{Double, Precision, Single};
 use super::{DensityDiffusion, Shifting, Wcsph};
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use crate::math::team::window;
 use crate::with_kernel;
 
 /// Water bears tension from this completeness: none at the surface ...
@@ -43,17 +45,17 @@ impl Task for Bearing<'_> {
 }
 
 impl Wcsph {
-    pub(super) fn acoustic_pass(&mut self) {
-        for (load, held) in self.work.loads.iter_mut().zip(&self.work.held_loads) {
-            load[0] = *held;
-        }
+    /// Pressure forces on some parts' water, and its loads in their tallies.
+    pub(super) fn acoustic_pass(&mut self, some: Range<usize>) {
         let mut found = self.work.acceleration_mut().map(std::mem::take);
         let rows = found.each_mut().map(Vec::as_mut_slice);
-        let (path, fluid, factors, work) = (self.path, &self.fluid, &*self.factors, &self.work);
+        let (parts, rows) = window(&mut self.parts, rows, some);
+        let (path, fluid, factors, work) =
+            (self.path, &self.fluid, self.numbers.pressures(), &self.work);
         let (bodies, gravity) = (self.ghosts.bodies.len(), self.options.gravity);
         macro_rules! pass {
             ($corrected:literal) => {
-                self.team.share(&mut self.parts, rows, &|part, acceleration| {
+                self.team.share(parts, rows, &|part, acceleration| {
                     let pass = Acoustic::<$corrected> {
                         fluid,
                         factors,
@@ -73,6 +75,13 @@ impl Wcsph {
             pass!(false)
         }
         put_back(self.work.acceleration_mut(), found);
+    }
+
+    /// The loads of an acoustic step, once all parts have been through its pass.
+    pub(super) fn sum_loads(&mut self) {
+        for (load, held) in self.work.loads.iter_mut().zip(&self.work.held_loads) {
+            load[0] = *held;
+        }
         self.work.add_loads(&self.parts);
     }
 
@@ -178,7 +187,9 @@ impl Wcsph {
         }
     }
 
-    pub(super) fn continuity_pass(&mut self, sample: bool) -> f64 {
+    /// Rates of change of density of some parts' water, and with `sample` in their tallies the power
+    /// that diffusion takes.
+    pub(super) fn continuity_pass(&mut self, sample: bool, some: Range<usize>) {
         let (options, flow) = (&self.options, self.flow());
         let diffusion = options.diffusion_coefficient
             * options.smoothing_length()
@@ -187,8 +198,10 @@ impl Wcsph {
         let mut rate = std::mem::take(&mut self.work.density_rate);
         let mut shares = std::mem::take(&mut self.work.shares);
         let rows = (&mut *self.strain, [&mut *rate, &mut *shares]);
+        let (parts, rows) = window(&mut self.parts, rows, some);
         let (path, fluid, work) = (self.path, &self.fluid, &self.work);
-        let (factors, slants, diffused) = (&*self.factors, &*self.slants, &*self.diffused);
+        let (factors, slants, diffused) =
+            (self.numbers.velocities(), &*self.slants, &*self.diffused);
         let (support_radius, bodies) = (self.scaling.support_radius, self.ghosts.bodies.len());
         macro_rules! pass {
             ($diffusion:ident) => {
@@ -199,7 +212,7 @@ impl Wcsph {
                 }
             };
             ($diffusion:ident, $corrected:literal) => {
-                self.team.share(&mut self.parts, rows, &|part, (strain, [rate, shares])| {
+                self.team.share(parts, rows, &|part, (strain, [rate, shares])| {
                     let pass = Continuity::<$diffusion, $corrected> {
                         fluid,
                         factors,
@@ -227,7 +240,6 @@ impl Wcsph {
             DensityDiffusion::Renormalised => pass!(RENORMALISED),
         }
         (self.work.density_rate, self.work.shares) = (rate, shares);
-        power(&self.parts)
     }
 }
 

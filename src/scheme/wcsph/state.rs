@@ -2,8 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::held::Factors;
+use super::factors::{Factors, Numbers};
 use super::parts::Part;
+use super::pipeline::Turn;
 use super::{DensityDiffusion, WcsphOptions, Workspace};
 use crate::body::BodyMotion;
 use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane};
@@ -57,6 +58,8 @@ pub struct Wcsph {
     pub(super) team: Team,
     /// The clusters, cut for the team.
     pub(super) parts: Vec<Part>,
+    /// Which of them go through the passes of a step together, and what they wait for.
+    pub(super) turns: Vec<Turn>,
     pub(super) drift: Drift,
     pub(super) reference_x: Vec<f64>,
     pub(super) reference_y: Vec<f64>,
@@ -76,7 +79,7 @@ pub struct Wcsph {
     /// The bodies where the lists were made.
     pub(super) reference_bodies: Vec<BodyMotion>,
     /// What passes over held pairs read of each neighbour.
-    pub(super) factors: Vec<Factors>,
+    pub(super) numbers: Numbers,
     /// See [`super::continuity::Continuity::slants`]; empty where not needed.
     pub(super) slants: Vec<Factors>,
     /// Place of the coming step between two full ones; 0 is a full step.
@@ -117,7 +120,8 @@ impl Wcsph {
             exchange: Exchange::new(rules, &ghosts),
             strips: Strips::default(),
             team: Team::default(),
-            parts: vec![Part::default()],
+            parts: Vec::new(),
+            turns: Vec::new(),
             drift: Drift::default(),
             reference_x: Vec::new(),
             reference_y: Vec::new(),
@@ -133,7 +137,7 @@ impl Wcsph {
             planes: Vec::new(),
             near_surface: Vec::with_capacity(padded),
             reference_bodies: vec![BodyMotion::default(); bodies],
-            factors: vec![Factors::default(); padded + ghosts.len()],
+            numbers: Numbers::of(padded + ghosts.len()),
             slants: match options.density_diffusion {
                 DensityDiffusion::Renormalised => vec![Factors::default(); padded],
                 _ => Vec::new(),
@@ -182,7 +186,6 @@ impl Wcsph {
     pub fn take_on(&mut self, team: &Team) {
         assert!(self.reference_x.is_empty(), "lists are in the parts of another team");
         self.exchange.take_on(team);
-        self.parts = vec![Part::default(); team.parts()];
         self.team = team.clone();
     }
 

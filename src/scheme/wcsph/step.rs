@@ -9,13 +9,12 @@ use crate::scheme::{Dissipation, StepWalls};
 
 impl Wcsph {
     /// First half: forces at the current places. `bodies` are the motions at this instant; the
-    /// acceleration of the responding body is not used.
+    /// acceleration of the responding body is not used. Those of an acoustic step are known already.
     pub fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> &[[f64; 2]] {
-        self.bulk_time = self.options.bulk_damping * dt;
         if self.substep > 0 {
-            self.prepare_acoustic(bodies);
             return &self.work.loads;
         }
+        self.bulk_time = self.options.bulk_damping * dt;
         self.lead = 0.5 * dt * f64::from(self.options.acoustic_substeps - 1);
         let start = Instant::now();
         let at_start = self.reference_x.is_empty();
@@ -57,52 +56,52 @@ impl Wcsph {
         self.timings.momentum += filled.elapsed().as_secs_f64();
     }
 
-    /// Forces of new pressures alone, everything else as the last full step has left it.
-    fn prepare_acoustic(&mut self, bodies: &[BodyMotion]) {
+    /// Second half: velocities with the forces of [`Wcsph::prepare`], densities with the new
+    /// velocities, then places; and where an acoustic step is next, its forces: new pressures over
+    /// pairs that the last full step has left. With `sample` the power of density diffusion is summed.
+    ///
+    /// Shifting, at the end of a full step and its acoustic steps, moves a particle by
+    /// δr = -A h |u| Δt ∇C, ∇C = Σ V_j ∇W, faded out where the support is incomplete and across walls,
+    /// and takes its density along: δρ = δr·∇ρ, with the gradient that density diffusion uses
+    /// (hydrostatic or renormalised, zero for the others).
+    pub fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation {
         let start = Instant::now();
-        self.pack_pressures();
-        let packed = Instant::now();
-        self.timings.integration += (packed - start).as_secs_f64();
-        self.hold_offsets(bodies);
-        let (bodies, pressure) = (&self.held_bodies, &self.work.pressure);
-        self.exchange.refresh_pressures(self.path, &self.ghosts, bodies, pressure);
-        self.pack_ghost_pressures();
-        let filled = Instant::now();
-        self.timings.ghosts += (filled - packed).as_secs_f64();
-        self.acoustic_pass();
-        self.timings.momentum += filled.elapsed().as_secs_f64();
-    }
-
-    /// Takes the bodies' motions, except for where they are: ghosts stay where the last full step
-    /// has put them, like the pairs.
-    fn hold_offsets(&mut self, bodies: &[BodyMotion]) {
-        for (held, body) in self.held_bodies.iter_mut().zip(bodies) {
-            *held = BodyMotion { offset: held.offset, ..*body };
+        self.bulk_time = self.options.bulk_damping * walls.next.dt;
+        self.hold_offsets(walls);
+        self.move_planes(dt, walls.bodies);
+        self.respond_to_wall(walls.acceleration);
+        self.timings.integration += start.elapsed().as_secs_f64();
+        let acoustic_is_next = self.substep + 1 < self.options.acoustic_substeps;
+        let lost = self.go_through(dt, walls.bodies, sample, acoustic_is_next);
+        let through = Instant::now();
+        self.since_full += dt;
+        self.count_pairs();
+        self.substep = (self.substep + 1) % self.options.acoustic_substeps;
+        let mut shifting_work = lost.spray;
+        if self.substep == 0 {
+            shifting_work += self.shift();
+            self.hold_inside(walls.bodies, 0..self.fluid.padded_len());
+            self.since_full = 0.0;
+            self.take_next_correction();
+        }
+        self.timings.integration += through.elapsed().as_secs_f64();
+        Dissipation {
+            viscous_power: -self.last_viscous_power,
+            diffusion_power: -lost.diffusion_power,
+            shifting_work,
         }
     }
 
-    /// Second half: velocities with the forces of [`Wcsph::prepare`], densities with the new
-    /// velocities, then places. With `sample` the power of density diffusion is summed.
-    ///
-    /// Shifting, at the end of a full step and its acoustic steps, moves a particle by δr = -A h |u| Δt ∇C, ∇C = Σ V_j ∇W, faded out where the
-    /// support is incomplete and across walls, and takes its density along: δρ = δr·∇ρ, with the
-    /// gradient that density diffusion uses (hydrostatic or renormalised, zero for the others).
-    pub fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation {
-        let start = Instant::now();
-        self.kick(dt, walls.acceleration);
-        self.pack_velocities();
-        let kicked = Instant::now();
-        self.timings.integration += (kicked - start).as_secs_f64();
-        self.hold_offsets(walls.bodies);
-        let water = [&*self.fluid.vx, &*self.fluid.vy];
-        self.exchange.refresh_velocities(self.path, &self.ghosts, &self.held_bodies, water);
-        self.pack_ghost_velocities();
-        let mirrored = Instant::now();
-        self.timings.ghosts += (mirrored - kicked).as_secs_f64();
-        let diffusion_power = -self.continuity_pass(sample);
-        let counted = Instant::now();
-        self.timings.continuity += (counted - mirrored).as_secs_f64();
-        self.since_full += dt;
+    /// Takes the bodies' velocities over this step and their accelerations in the next, but not where
+    /// they are: ghosts stay where the last full step has put them, like the pairs.
+    fn hold_offsets(&mut self, walls: &StepWalls<'_>) {
+        let motions = walls.bodies.iter().zip(walls.next.bodies);
+        for (held, (body, next)) in self.held_bodies.iter_mut().zip(motions) {
+            (held.velocity, held.acceleration) = (body.velocity, next.acceleration);
+        }
+    }
+
+    fn count_pairs(&mut self) {
         let held = self.parts.iter().map(|part| part.held.len()).sum::<usize>();
         let mut pairs = 2 * held + self.exchange.pairs();
         if self.substep == 0 {
@@ -111,13 +110,5 @@ impl Wcsph {
             pairs += self.parts.iter().map(|part| part.pairs.len()).sum::<usize>() - held;
         }
         self.pair_evaluations += (LANES * pairs) as u64;
-        self.substep = (self.substep + 1) % self.options.acoustic_substeps;
-        let shifting_work = self.drift(dt, walls.bodies);
-        if self.substep == 0 {
-            self.since_full = 0.0;
-            self.take_next_correction();
-        }
-        self.timings.integration += counted.elapsed().as_secs_f64();
-        Dissipation { viscous_power: -self.last_viscous_power, diffusion_power, shifting_work }
     }
 }
