@@ -140,7 +140,7 @@ fn ghost_pass(interpolator: InterpolatorChoice, spacing: f64) -> f64 {
     let mut pass = || {
         exchange.weigh(path, &ghosts, &bodies, read);
         exchange.fill(path, &ghosts, &bodies, 2, &mut records);
-        let all = 0..exchange.counting();
+        let all = 0..exchange.counting().len();
         exchange.refresh_velocities(path, &ghosts, &bodies, [&tenths, &tenths], all);
     };
     pass();

@@ -56,8 +56,9 @@ pub struct Exchange {
     /// The targets where the list was made.
     places: [Vec<f64>; 2],
     /// The particles among which each block of ghosts finds its water.
-    read: Vec<Range<u32>>,
-    /// Blocks with ghosts that have water in reach, at the last [`Exchange::fill`].
+    water_of: Vec<Range<u32>>,
+    /// Blocks with ghosts that have water in reach, at the last [`Exchange::fill`]; see
+    /// [`Exchange::line_up`] for their order.
     pub(super) counting: Vec<u32>,
     pub(super) images: Vec<Image>,
     pub(super) scale: Vec<[f64; LANES]>,
@@ -87,7 +88,7 @@ impl Exchange {
             team: Team::default(),
             parts: vec![Stretch::default()],
             places: Default::default(),
-            read: vec![0..0; ghosts.len() / LANES],
+            water_of: vec![0..0; ghosts.len() / LANES],
             counting: Vec::with_capacity(ghosts.len() / LANES),
             images: vec![Image::default(); ghosts.len() / LANES],
             scale: vec![[0.0; LANES]; targets / LANES],
@@ -120,26 +121,27 @@ impl Exchange {
         self.fallbacks
     }
 
-    /// How many blocks of ghosts count: those that have water in reach. No others are seen by the
+    /// The blocks of ghosts that count: those that have water in reach. No others are seen by the
     /// water.
-    pub fn counting(&self) -> usize {
-        self.counting.len()
+    pub fn counting(&self) -> &[u32] {
+        &self.counting
     }
 
     /// How many of the blocks that count read no water but the first so many particles: where no team
     /// shares the work, these come first.
     pub fn ready(&self, particles: usize) -> usize {
-        self.counting.partition_point(|&block| self.read[block as usize].end as usize <= particles)
+        self.counting
+            .partition_point(|&block| self.water_of[block as usize].end as usize <= particles)
     }
 
     /// The particles among which a block finds its water.
-    pub fn read(&self, block: usize) -> Range<u32> {
-        self.read[block].clone()
+    pub fn water_of(&self, block: usize) -> Range<u32> {
+        self.water_of[block].clone()
     }
 
-    /// Numbers of some of the blocks that count, and all images.
-    pub fn images(&self, some: Range<usize>) -> (&[u32], &[Image]) {
-        (&self.counting[some], &self.images)
+    /// Images of all blocks.
+    pub fn images(&self) -> &[Image] {
+        &self.images
     }
 
     /// Number of target-to-fluid pairs in the lists, eight lanes each.
@@ -186,7 +188,7 @@ impl Exchange {
                 // In the order of the particles.
                 let listed = part.list.group(row, 0);
                 let ends = listed.first().zip(listed.last());
-                self.read[block] = ends.map_or(0..0, |(&first, &last)| first..last + 1);
+                self.water_of[block] = ends.map_or(0..0, |(&first, &last)| first..last + 1);
             }
         }
     }
@@ -194,9 +196,9 @@ impl Exchange {
     /// Puts the blocks that count in the order in which the water that they read is numbered, unless
     /// a team shares them by their own numbers.
     pub(super) fn line_up(&mut self) {
-        let Exchange { parts, counting, read, .. } = self;
+        let Exchange { parts, counting, water_of, .. } = self;
         if parts.len() == 1 {
-            counting.sort_unstable_by_key(|&block| (read[block as usize].end, block));
+            counting.sort_unstable_by_key(|&block| (water_of[block as usize].end, block));
         }
     }
 

@@ -49,7 +49,7 @@ impl Exchange {
             }
         }
         self.line_up();
-        let all = 0..self.counting();
+        let all = 0..self.counting.len();
         self.press(path, ghosts, bodies, all.clone());
         self.mirror_velocities(path, ghosts, bodies, all);
         for &block in &self.counting {

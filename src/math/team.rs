@@ -223,6 +223,25 @@ mod tests {
     }
 
     #[test]
+    fn a_window_has_its_parts_and_their_rows_alone() {
+        let cuts = [0, 3, 3, 4, 9, 10];
+        let mut parts: Vec<_> = cuts.windows(2).map(|ends| Stretch(ends[0]..ends[1])).collect();
+        for first in 0..parts.len() {
+            for end in first..=parts.len() {
+                let (mut single, mut none): (Vec<usize>, [usize; 0]) = ((0..10).collect(), []);
+                let mut double: Vec<usize> = (0..20).collect();
+                let rows = ([&mut single[..], &mut double[..]], &mut none[..]);
+                let (some, ([single, double], none)) = window(&mut parts, rows, first..end);
+                let items = cuts[first]..cuts[end];
+                assert_eq!(some.len(), end - first);
+                assert!(single.iter().copied().eq(items.clone()), "{items:?} {single:?}");
+                assert!(double.iter().copied().eq(2 * items.start..2 * items.end), "{double:?}");
+                assert!(none.is_empty());
+            }
+        }
+    }
+
+    #[test]
     fn short_work_takes_no_longer_than_the_clock_says() {
         for _ in 0..20 {
             let (clock, before) = (std::time::Instant::now(), thread_processor_time());

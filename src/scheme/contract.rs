@@ -34,12 +34,12 @@ pub struct StepWalls<'a> {
     pub next: NextStep<'a>,
 }
 
-/// The step after this one, as far as it is known.
+/// The step after this one: what the next [`Scheme::prepare`] will be told.
 #[derive(Debug, Clone, Copy)]
 pub struct NextStep<'a> {
     /// Motions at its start.
     pub bodies: &'a [BodyMotion],
-    /// Its length, seconds, unless the scheme's [`Scheme::step_limit`] shortens it.
+    /// Its length, seconds, before a [`Scheme::step_limit`].
     pub dt: f64,
 }
 
@@ -150,7 +150,8 @@ pub trait Scheme: Debug + Send {
     /// Force on a body and its added mass, from the last [`Scheme::prepare`].
     fn load(&self, body: usize) -> Load;
 
-    /// Second half of the step, and what can be done of the next; with `sample` all powers are summed.
+    /// Second half of the step, and what can be done of the next: this step's loads, pressures and
+    /// levels are to be read before. With `sample` all powers are summed.
     fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation;
 
     /// Level of the water at an upright body, metres above the bed.

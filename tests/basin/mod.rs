@@ -153,10 +153,10 @@ impl Basin {
         let mut refreshed = records.clone();
         let part = |slot: usize| water.iter().map(|record| record.0[slot]).collect::<Vec<_>>();
         let (vx, vy) = (part(Record::VX), part(Record::VY));
-        let all = 0..exchange.counting();
+        let all = 0..exchange.counting().len();
         exchange.refresh_velocities(*path, ghosts, bodies, [&vx, &vy], all);
         let counts = |record: &&Record| record.0[Record::WEIGHT] != 0.0;
-        let (_, images) = exchange.images(0..0);
+        let images = exchange.images();
         for (g, record) in refreshed.iter_mut().enumerate().filter(|(_, record)| counts(&&**record))
         {
             let [vx, vy] = &images[g / LANES].velocity;

@@ -65,14 +65,16 @@ impl Wcsph {
         let (bodies, pressure) = (&self.held_bodies, &self.work.pressure);
         self.exchange.refresh_pressures(self.path, &self.ghosts, bodies, pressure, some.clone());
         let factors = &mut self.numbers.pressures_mut()[self.fluid.padded_len()..];
-        dispatch(self.path, GhostPressures { images: self.exchange.images(some), factors });
+        let images = (&self.exchange.counting()[some], self.exchange.images());
+        dispatch(self.path, GhostPressures { images, factors });
     }
 
     /// New velocities of the ghosts in some of the blocks that count.
     pub(super) fn mirror_ghosts(&mut self, some: Range<usize>) {
         let (bodies, water) = (&self.held_bodies, [&*self.fluid.vx, &*self.fluid.vy]);
         self.exchange.refresh_velocities(self.path, &self.ghosts, bodies, water, some.clone());
-        let (flow, images) = (self.flow(), self.exchange.images(some));
+        let flow = self.flow();
+        let images = (&self.exchange.counting()[some], self.exchange.images());
         let factors = &mut self.numbers.velocities_mut()[self.fluid.padded_len()..];
         dispatch(self.path, GhostVelocities { flow, images, factors });
     }

@@ -39,6 +39,7 @@ mod state;
 mod step;
 
 pub use options::{DensityDiffusion, Shifting, WcsphOptions};
+pub use parts::WHOLE_WATER;
 pub use precision::Precision;
 pub use state::{Timings, Wcsph, WcsphState};
 
@@ -47,7 +48,8 @@ use crate::particles::Record;
 use momentum::FOUND;
 use parts::Part;
 
-/// Arrays that a step fills and forgets, one entry per (padded) fluid particle.
+/// Arrays that steps fill, one entry per (padded) fluid particle; [`Workspace::carried`] and, until the
+/// next full step, all others hand something on.
 #[derive(Debug, Clone, Default)]
 struct Workspace {
     /// x over R.

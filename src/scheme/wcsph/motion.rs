@@ -22,8 +22,8 @@ const SPRAY_FROM: f64 = 0.45;
 const SPRAY_FULL: f64 = 0.25;
 
 impl Wcsph {
-    /// Adds to the accelerations what the wall's own and the field give.
-    pub(super) fn respond_to_wall(&mut self, wall_acceleration: f64) {
+    /// Adds to the accelerations what the wall's own brings about, and the field.
+    pub(super) fn complete_accelerations(&mut self, wall_acceleration: f64) {
         let (fluid, work) = (&self.fluid, &mut self.work);
         if wall_acceleration != 0.0 {
             let responding = self.parts.iter().flat_map(|part| &part.responding);
@@ -42,8 +42,12 @@ impl Wcsph {
                 work.acceleration_y[k] += y;
             }
         }
-        if self.substep == 0 && self.options.density_diffusion == DensityDiffusion::Hydrostatic {
-            let (values, shares) = (&*work.completeness, &mut *work.diffused_share);
+    }
+
+    /// Finds how much of the density diffusion each particle takes part in until the next full step.
+    pub(super) fn find_diffused_shares(&mut self) {
+        if self.options.density_diffusion == DensityDiffusion::Hydrostatic {
+            let (values, shares) = (&*self.work.completeness, &mut *self.work.diffused_share);
             let (from, to) = (DIFFUSE_FROM, DIFFUSE_FULL);
             dispatch(self.path, Ramp { values, from, to, shares });
         }
@@ -122,7 +126,7 @@ impl Wcsph {
     /// Relaxes the density of particles that feel no pressure: spray with too few neighbours, and
     /// water near the surface that would be under tension. Both are at the pressure of the air.
     /// Does so for some of the particles, and adds the elastic energy that goes to the `loss`.
-    pub(super) fn settle_surface(&mut self, dt: f64, lanes: Range<usize>, mut loss: f64) -> f64 {
+    pub(super) fn settle_surface(&mut self, dt: f64, lanes: Range<usize>, loss: &mut f64) {
         let before = |end: usize| self.near_surface.partition_point(|&k| (k as usize) < end);
         let some = before(lanes.start)..before(lanes.end);
         let state = self.options.state;
@@ -143,11 +147,10 @@ impl Wcsph {
                 // Tension that did no work as it grew takes none away.
                 let acting = if rise > 0.0 { self.work.tension[k] } else { 1.0 };
                 let pressure = state.pressure(density) * acting;
-                loss -= self.fluid.mass[k] * pressure / (density * density) * rise;
+                *loss -= self.fluid.mass[k] * pressure / (density * density) * rise;
                 self.fluid.density[k] += rise;
             }
         }
-        loss
     }
 
     pub(super) fn take_next_correction(&mut self) {

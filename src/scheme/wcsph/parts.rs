@@ -58,9 +58,9 @@ pub(super) fn power(parts: &[Part]) -> f64 {
     parts.iter().flat_map(|part| &part.tally.powers).fold(0.0, |sum, power| sum + power)
 }
 
-/// Up to so many clusters stay in one part where nobody shares the work: some 30 MB, for which there
-/// is room in the caches of present processors.
-const WHOLE: usize = 4096;
+/// Up to so many particles go through each pass together where nobody shares the work: some 30 MB, for
+/// which there is room in the caches of present processors. More water than that goes in parts.
+pub const WHOLE_WATER: usize = 32_768;
 /// Of more, a part has at most so many: their pairs, 0.8 MB, stay in the cache from one pass to the
 /// next, and each field of theirs is still long enough to be read at full speed.
 const CLUSTERS: usize = 256;
@@ -68,7 +68,7 @@ const CLUSTERS: usize = 256;
 /// Cuts so many clusters into parts, as many as a team wants.
 pub(super) fn cut(parts: &mut Vec<Part>, clusters: usize, team: &Team) {
     let count = match team.is_alone() {
-        true if clusters <= WHOLE => 1,
+        true if clusters * LANES <= WHOLE_WATER => 1,
         true => clusters.div_ceil(CLUSTERS),
         false => team.parts(),
     };

@@ -47,12 +47,12 @@ impl Wcsph {
         let padded = self.fluid.padded_len();
         let Wcsph { turns, parts, exchange, team, ghosts, numbers, .. } = self;
         turns.clear();
-        if !team.is_alone() {
+        if !team.is_alone() || parts.len() == 1 {
             turns.push(Turn { parts: 0..parts.len(), lanes: 0..padded, after: 0 });
             return;
         }
         numbers.keep_apart();
-        let end_of = |block: usize| exchange.read(block).end as usize;
+        let end_of = |block: usize| exchange.water_of(block).end as usize;
         turns.extend(parts.iter().enumerate().map(|(number, part)| {
             let mut after = 0;
             for cluster in 0..part.clusters.len() {
@@ -69,7 +69,7 @@ impl Wcsph {
         }));
         // A wall may turn round the velocity of a particle: only when no ghost is left to read it.
         for block in 0..ghosts.len() / LANES {
-            let read = exchange.read(block);
+            let read = exchange.water_of(block);
             let first = turns.partition_point(|turn| turn.lanes.end <= read.start as usize);
             let read_by = turns[first..].iter_mut();
             for turn in read_by.take_while(|turn| turn.lanes.start < read.end as usize) {
@@ -108,7 +108,7 @@ impl Wcsph {
                 self.continuity_pass(sample, parts.clone());
                 self.timings.continuity += laps.next();
                 self.drift(dt, moved.clone());
-                spray = self.settle_surface(dt, moved.clone(), spray);
+                self.settle_surface(dt, moved.clone(), &mut spray);
                 if !forces {
                     self.timings.integration += laps.next();
                     continue;
@@ -127,9 +127,11 @@ impl Wcsph {
             }
         }
         self.turns = turns;
+        let diffusion_power = power(&self.parts);
         if forces {
             self.sum_loads();
         }
-        Lost { diffusion_power: power(&self.parts), spray }
+        self.timings.momentum += laps.next();
+        Lost { diffusion_power, spray }
     }
 }

@@ -56,7 +56,7 @@ pub struct Wcsph {
     pub(super) exchange: Exchange,
     pub(super) strips: Strips,
     pub(super) team: Team,
-    /// The clusters, cut for the team.
+    /// The clusters, cut for the team or, where there is much water, for the caches.
     pub(super) parts: Vec<Part>,
     /// Which of them go through the passes of a step together, and what they wait for.
     pub(super) turns: Vec<Turn>,

@@ -9,9 +9,15 @@ use crate::scheme::{Dissipation, StepWalls};
 
 impl Wcsph {
     /// First half: forces at the current places. `bodies` are the motions at this instant; the
-    /// acceleration of the responding body is not used. Those of an acoustic step are known already.
+    /// acceleration of the responding body is not used. The forces of an acoustic step are known
+    /// already, with the motions and the length that [`Wcsph::finish`] was told before.
     pub fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> &[[f64; 2]] {
         if self.substep > 0 {
+            debug_assert_eq!(self.bulk_time, self.options.bulk_damping * dt, "another step");
+            debug_assert!(
+                bodies.iter().zip(&self.held_bodies).all(|(a, b)| a.acceleration == b.acceleration),
+                "other motions than were told"
+            );
             return &self.work.loads;
         }
         self.bulk_time = self.options.bulk_damping * dt;
@@ -53,6 +59,7 @@ impl Wcsph {
         if self.options.corrected_gradients {
             self.find_surface();
         }
+        self.find_diffused_shares();
         self.timings.momentum += filled.elapsed().as_secs_f64();
     }
 
@@ -69,7 +76,7 @@ impl Wcsph {
         self.bulk_time = self.options.bulk_damping * walls.next.dt;
         self.hold_offsets(walls);
         self.move_planes(dt, walls.bodies);
-        self.respond_to_wall(walls.acceleration);
+        self.complete_accelerations(walls.acceleration);
         self.timings.integration += start.elapsed().as_secs_f64();
         let acoustic_is_next = self.substep + 1 < self.options.acoustic_substeps;
         let lost = self.go_through(dt, walls.bodies, sample, acoustic_is_next);
