@@ -55,10 +55,7 @@ pub struct Exchange {
     pub(super) parts: Vec<Stretch>,
     /// The targets where the list was made.
     places: [Vec<f64>; 2],
-    /// The particles among which each block of ghosts finds its water.
-    water_of: Vec<Range<u32>>,
-    /// Blocks with ghosts that have water in reach, at the last [`Exchange::fill`]; see
-    /// [`Exchange::line_up`] for their order.
+    /// Blocks with ghosts that have water in reach, at the last [`Exchange::fill`].
     pub(super) counting: Vec<u32>,
     pub(super) images: Vec<Image>,
     pub(super) scale: Vec<[f64; LANES]>,
@@ -88,7 +85,6 @@ impl Exchange {
             team: Team::default(),
             parts: vec![Stretch::default()],
             places: Default::default(),
-            water_of: vec![0..0; ghosts.len() / LANES],
             counting: Vec::with_capacity(ghosts.len() / LANES),
             images: vec![Image::default(); ghosts.len() / LANES],
             scale: vec![[0.0; LANES]; targets / LANES],
@@ -127,16 +123,27 @@ impl Exchange {
         &self.counting
     }
 
-    /// How many of the blocks that count read no water but the first so many particles: where no team
-    /// shares the work, these come first.
-    pub fn ready(&self, particles: usize) -> usize {
-        self.counting
-            .partition_point(|&block| self.water_of[block as usize].end as usize <= particles)
+    /// Puts the blocks that count in the order in which the water that they read is numbered. A team
+    /// wants them by their own numbers, as they are otherwise.
+    pub fn line_up(&mut self) {
+        let mut counting = std::mem::take(&mut self.counting);
+        counting.sort_unstable_by_key(|&block| (self.water_of(block as usize).end, block));
+        self.counting = counting;
     }
 
-    /// The particles among which a block finds its water.
-    pub fn water_of(&self, block: usize) -> Range<u32> {
-        self.water_of[block].clone()
+    /// How many of the blocks that count read no water but the first so many particles: these come
+    /// first once all are lined up, or they are all.
+    pub fn ready(&self, particles: usize) -> usize {
+        self.counting.partition_point(|&block| self.water_of(block as usize).end <= particles)
+    }
+
+    /// The particles among which a block of ghosts finds its water.
+    pub fn water_of(&self, block: usize) -> Range<usize> {
+        let part = self.parts.iter().find(|part| part.blocks.contains(&block));
+        let listed = part.map_or(&[][..], |part| part.list.group(block - part.blocks.start, 0));
+        // In the order of the particles.
+        let ends = listed.first().zip(listed.last());
+        ends.map_or(0..0, |(&first, &last)| first as usize..last as usize + 1)
     }
 
     /// Images of all blocks.
@@ -183,23 +190,6 @@ impl Exchange {
             build_pair_list(path, x, y, &[set], &mut part.list);
             part.held.make_room(&part.list);
         });
-        for part in &self.parts {
-            for (row, block) in part.within(&(0..ghosts.len() / LANES)).enumerate() {
-                // In the order of the particles.
-                let listed = part.list.group(row, 0);
-                let ends = listed.first().zip(listed.last());
-                self.water_of[block] = ends.map_or(0..0, |(&first, &last)| first..last + 1);
-            }
-        }
-    }
-
-    /// Puts the blocks that count in the order in which the water that they read is numbered, unless
-    /// a team shares them by their own numbers.
-    pub(super) fn line_up(&mut self) {
-        let Exchange { parts, counting, water_of, .. } = self;
-        if parts.len() == 1 {
-            counting.sort_unstable_by_key(|&block| (water_of[block as usize].end, block));
-        }
     }
 
     /// Finds the weights at all mirror points and the wetness of all face points.
@@ -270,10 +260,10 @@ impl Exchange {
         });
     }
 
-    /// Interpolates the velocities anew, with the weights at hand, for the continuity equation. There walls are smooth whatever the slip (De Leffe et al. 2011): a
-    /// tangential velocity turned round at the wall would be compression that no force does work
-    /// on. `water` holds the fluid's velocities along x and y; `some` of the blocks that count are
-    /// done.
+    /// Interpolates the velocities anew, with the weights at hand, for the continuity equation. There
+    /// walls are smooth whatever the slip (De Leffe et al. 2011): a tangential velocity turned round at
+    /// the wall would be compression that no force does work on. `water` holds the fluid's velocities
+    /// along x and y; `some` of the blocks that count are done.
     pub fn refresh_velocities(
         &mut self,
         path: SimdPath,

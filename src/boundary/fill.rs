@@ -48,7 +48,6 @@ impl Exchange {
                 self.reflect(ghosts, (g, wet), motion, number == responds);
             }
         }
-        self.line_up();
         let all = 0..self.counting.len();
         self.press(path, ghosts, bodies, all.clone());
         self.mirror_velocities(path, ghosts, bodies, all);

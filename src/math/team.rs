@@ -92,11 +92,8 @@ fn divide<P: Part, R: Rows>(parts: &mut [P], rows: R, work: &(impl Fn(&mut P, R)
 
 /// How many items consecutive parts have.
 fn count<P: Part>(parts: &[P]) -> usize {
-    match parts {
-        [] => 0,
-        [first, .., last] => last.items().end - first.items().start,
-        [part] => part.items().len(),
-    }
+    let ends = parts.first().zip(parts.last());
+    ends.map_or(0, |(first, last)| last.items().end - first.items().start)
 }
 
 /// Some of the parts with their rows, from the rows of all.

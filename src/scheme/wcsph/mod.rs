@@ -48,8 +48,7 @@ use crate::particles::Record;
 use momentum::FOUND;
 use parts::Part;
 
-/// Arrays that steps fill, one entry per (padded) fluid particle; [`Workspace::carried`] and, until the
-/// next full step, all others hand something on.
+/// Arrays that steps fill, one entry per (padded) fluid particle.
 #[derive(Debug, Clone, Default)]
 struct Workspace {
     /// x over R.

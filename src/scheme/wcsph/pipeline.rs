@@ -52,7 +52,7 @@ impl Wcsph {
             return;
         }
         numbers.keep_apart();
-        let end_of = |block: usize| exchange.water_of(block).end as usize;
+        let end_of = |block: usize| exchange.water_of(block).end;
         turns.extend(parts.iter().enumerate().map(|(number, part)| {
             let mut after = 0;
             for cluster in 0..part.clusters.len() {
@@ -70,10 +70,10 @@ impl Wcsph {
         // A wall may turn round the velocity of a particle: only when no ghost is left to read it.
         for block in 0..ghosts.len() / LANES {
             let read = exchange.water_of(block);
-            let first = turns.partition_point(|turn| turn.lanes.end <= read.start as usize);
+            let first = turns.partition_point(|turn| turn.lanes.end <= read.start);
             let read_by = turns[first..].iter_mut();
-            for turn in read_by.take_while(|turn| turn.lanes.start < read.end as usize) {
-                turn.after = turn.after.max(read.end as usize);
+            for turn in read_by.take_while(|turn| turn.lanes.start < read.end) {
+                turn.after = turn.after.max(read.end);
             }
         }
     }

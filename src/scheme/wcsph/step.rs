@@ -52,6 +52,9 @@ impl Wcsph {
         let bodies = &self.held_bodies;
         self.exchange.weigh(self.path, &self.ghosts, bodies, fluid);
         self.exchange.fill(self.path, &self.ghosts, bodies, self.responds, ghost_records);
+        if self.turns.len() > 1 {
+            self.exchange.line_up();
+        }
         let filled = Instant::now();
         self.timings.ghosts += (filled - packed).as_secs_f64();
         self.last_viscous_power = self.momentum_pass();
