@@ -1,6 +1,7 @@
 //! From a scene's water and walls to particles at rest between ghosts.
 
 use super::frame::Frame;
+use super::lattice::Lattice;
 use super::numerics::{COMPACT_SHARE, GhostGravity, Numerics, Scheme as SchemeChoice, Slip};
 use super::packing::Packing;
 use super::tank::{Tank, WALL};
@@ -19,83 +20,6 @@ const VISCOUS_SPEED: f64 = 8.0;
 
 /// Walls rise to this many depths above the bed.
 pub(super) const WALL_HEIGHT: f64 = 4.0;
-
-/// Whole columns and rows, and the spacings that make them fill the water exactly.
-///
-/// In front of an inclined wall every row holds as many particles as fit best and is stretched to
-/// end at the wall: no void, no particle inside the wall, and the mass of a row is its length's.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Lattice {
-    pub columns: usize,
-    pub rows: usize,
-    pub spacing: [f64; 2],
-    length: f64,
-    /// What a wall gains in x per height: 0 for a vertical one.
-    overhang: f64,
-}
-
-impl Lattice {
-    /// For water that fills a scene's length and depth up to a wall of this angle.
-    pub(super) fn whole(frame: &Frame, numerics: &Numerics, angle_deg: f64) -> Lattice {
-        Lattice::new([frame.length, frame.depth], numerics.particle_spacing_m, angle_deg)
-    }
-
-    /// For water of this length at the bed and this height that ends at a wall of this angle.
-    pub(super) fn new([length, height]: [f64; 2], spacing: f64, angle_deg: f64) -> Lattice {
-        let columns = (length / spacing).round().max(1.0);
-        let rows = (height / spacing).round().max(1.0);
-        let overhang =
-            if angle_deg == 90.0 { 0.0 } else { -1.0 / libm::tan(angle_deg.to_radians()) };
-        Lattice {
-            columns: columns as usize,
-            rows: rows as usize,
-            spacing: [length / columns, height / rows],
-            length,
-            overhang,
-        }
-    }
-
-    /// Particles of a row and their spacing.
-    fn row(&self, row: usize) -> (usize, f64) {
-        let width = self.length + self.overhang * (row as f64 + 0.5) * self.spacing[1];
-        let count = (width / self.spacing[0]).round().max(1.0);
-        (count as usize, width / count)
-    }
-
-    /// Number of particles.
-    pub(super) fn particles(&self) -> usize {
-        if self.overhang == 0.0 {
-            return self.columns * self.rows;
-        }
-        (0..self.rows).map(|row| self.row(row).0).sum()
-    }
-
-    /// (x, y, density, mass) of every particle, the densities for the state and for the mass being
-    /// given by height and number.
-    pub(super) fn points(&self, density: impl Fn(f64, usize) -> [f64; 2]) -> Vec<[f64; 4]> {
-        let [dx, dy] = self.spacing;
-        let mut points = Vec::with_capacity(self.particles());
-        let mut push = |x: f64, y: f64, dx: f64| {
-            let [of_state, of_mass] = density(y, points.len());
-            points.push([x, y, of_state, of_mass * dx * dy]);
-        };
-        if self.overhang == 0.0 {
-            for column in 0..self.columns {
-                for row in 0..self.rows {
-                    push((column as f64 + 0.5) * dx, (row as f64 + 0.5) * dy, dx);
-                }
-            }
-        } else {
-            for row in 0..self.rows {
-                let (count, dx) = self.row(row);
-                for column in 0..count {
-                    push((column as f64 + 0.5) * dx, (row as f64 + 0.5) * dy, dx);
-                }
-            }
-        }
-        points
-    }
-}
 
 /// What holds the water.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -225,7 +149,7 @@ impl Filling {
             numerics.ghost_gravity == GhostGravity::InSum,
             numerics.slip == Slip::No,
         );
-        let points = if self.lattice.overhang == 0.0 {
+        let points = if self.lattice.upright() {
             self.points.clone()
         } else {
             self.packed(frame, numerics, &ghosts, &state)
@@ -247,7 +171,7 @@ impl Filling {
         let [dx, dy] = self.lattice.spacing;
         let support_radius = numerics.support_radius_ratio * dx;
         let layers = (support_radius / dy).ceil() as usize;
-        let taller = Lattice { rows: self.lattice.rows + 2 * layers, ..self.lattice };
+        let taller = self.lattice.raised(2 * layers);
         let mut particles: Vec<[f64; 3]> =
             taller.points(|_, _| [1.0; 2]).iter().map(|&[x, y, _, area]| [x, y, area]).collect();
         let packing = Packing {

@@ -13,6 +13,7 @@ mod frame;
 mod hydrostatic;
 mod interpolation;
 mod kind;
+mod lattice;
 mod limits;
 mod numerics;
 mod oscillating_drop;

@@ -4,8 +4,9 @@ use serde::{Deserialize, Serialize};
 
 use super::check::Check;
 use super::error::ConfigError;
-use super::filling::{Lattice, still_water};
+use super::filling::still_water;
 use super::frame::Frame;
+use super::lattice::Lattice;
 use super::numerics::Numerics;
 use super::tank::Tank;
 use crate::math::simd::SimdPath;

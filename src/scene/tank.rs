@@ -1,7 +1,8 @@
 //! A tank ready to run, and how a seawall scene becomes one.
 
-use super::filling::{Filling, Lattice, still_water};
+use super::filling::{Filling, still_water};
 use super::frame::Frame;
+use super::lattice::Lattice;
 use super::numerics::Numerics;
 use super::seawall::{SeawallScene, WallChoice};
 use crate::body::SpringWall;

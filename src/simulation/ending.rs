@@ -30,7 +30,7 @@ impl Run {
             let frame = self.tank.frame;
             // A standing wave as long as two tanks has its motion at its largest once in this time.
             let crossing = self.length_now(bodies) / (frame.gravity * frame.depth).sqrt();
-            self.liveliness.note(self.clock.time, energy.kinetic, crossing);
+            self.logbook.liveliness.note(self.clock.time, energy.kinetic, crossing);
         }
     }
 
@@ -38,8 +38,8 @@ impl Run {
     /// of the energy above that of still water between paddle and wall. See [`Prospect`]. Never
     /// before enough is known of how lively the water is.
     pub(super) fn has_settled(&self, bodies: &[BodyMotion], energy: &EnergyBudget) -> bool {
-        let Some(lively) = self.liveliness.energy() else { return false };
-        let farthest = self.measures.displacement.map_or(0.0, |maximum| maximum.value);
+        let Some(lively) = self.logbook.liveliness.energy() else { return false };
+        let farthest = self.logbook.measures.displacement.map_or(0.0, |maximum| maximum.value);
         let under_way = |wall: &SpringWall| {
             (wall.displacement != 0.0 || wall.velocity != 0.0) && !Prospect::stood(farthest)
         };
@@ -48,7 +48,8 @@ impl Run {
         }
         let (frame, static_force) = (self.tank.frame, self.tank.static_force);
         // Still water has ρ g V²/(2 L) between walls that are L apart.
-        let raised = self.ledger.start.potential * (frame.length / self.length_now(bodies) - 1.0);
+        let raised =
+            self.logbook.ledger.start.potential * (frame.length / self.length_now(bodies) - 1.0);
         let left = energy.kinetic + (energy.potential - raised).max(0.0);
         let left = left.max(lively) + energy.wall_kinetic + energy.spring;
         let unit = frame.density * frame.gravity * frame.depth.powi(3);
@@ -56,7 +57,7 @@ impl Run {
             let pull = wall.stiffness / wall.force_coupling * frame.depth;
             [wall.threshold / static_force, pull / static_force]
         };
-        Prospect::of(left / unit, self.tank.wall.as_ref().map(law)).leaves(&self.measures)
+        Prospect::of(left / unit, self.tank.wall.as_ref().map(law)).leaves(&self.logbook.measures)
     }
 
     /// From the paddle to the wall, metres.
@@ -66,22 +67,23 @@ impl Run {
 
     /// The results of a run that has reached its end.
     pub fn result(self) -> CaseResult {
-        let water = &self.tank.water;
-        let gravity = self.tank.frame.gravity;
+        let Run { tank, logbook, .. } = &self;
+        let water = &tank.water;
+        let gravity = tank.frame.gravity;
         let now = WaterEnergy::of(water.as_ref(), gravity);
-        let energy = self.ledger.close(now, self.tank.wall.as_ref());
-        let scale = if self.tank.piston.is_some() {
+        let energy = logbook.ledger.close(now, tank.wall.as_ref());
+        let scale = if tank.piston.is_some() {
             energy.paddle_work.abs()
         } else {
-            self.ledger.start.given()
+            logbook.ledger.start.given()
         };
-        let m = &self.measures;
+        let m = &logbook.measures;
         // The first impact of a wave has no meaning in other scenes.
-        let has_wave = self.tank.wave_gauge.is_some();
-        let wall = self.tank.wall.as_ref();
+        let has_wave = tank.wave_gauge.is_some();
+        let wall = tank.wall.as_ref();
         let zero = Maximum { value: 0.0, time_s: 0.0 };
         let outcome = Outcome {
-            measured_wave_height_ratio: self.gauge.crest(),
+            measured_wave_height_ratio: logbook.gauge.crest(),
             force_max: m.force.unwrap_or(zero),
             runup_max: m.runup.unwrap_or(zero),
             displacement_max: m.displacement,
@@ -95,16 +97,16 @@ impl Run {
             runup_end: m.last[1],
             displacement_end: wall.map(|_| m.last[2]),
             onset_time_s: m.onset,
-            stroke_centre_s: self.tank.piston.as_ref().map(|piston| piston.stroke_centre()),
+            stroke_centre_s: tank.piston.as_ref().map(|piston| piston.stroke_centre()),
             displacement_truncated: wall.map(|_| {
                 m.displacement
                     .is_some_and(|x| x.value > 0.0 && x.time_s >= self.clock.time - self.time_step)
             }),
             stops: wall.map(|wall| wall.stops),
-            force_gap_percent: self.worst_gap,
+            force_gap_percent: logbook.worst_gap,
             energy_gap_percent: 100.0 * energy.residual() / scale,
-            particles_lost: self.health.lost,
-            health: self.health.margins,
+            particles_lost: logbook.health.lost,
+            health: logbook.health.margins,
             recovered: None,
             steps: self.clock.steps,
             particles: water.fluid().len() as u32,
@@ -124,10 +126,10 @@ impl Run {
         if let Some(watch) = &self.watch {
             readings.extend(watch.readings(water.fluid()));
         }
-        if let Some(table) = &self.probes {
+        if let Some(table) = &logbook.probes {
             readings.extend(readings::of_probes(&self.config.scene, &self.config.probes, table));
         }
-        let (history, probes) = (self.history, self.probes);
+        let (history, probes) = (self.logbook.history, self.logbook.probes);
         CaseResult { outcome, history, probes, readings, energy, phases, list_rebuilds }
     }
 }

@@ -3,15 +3,10 @@
 use serde::{Deserialize, Serialize};
 
 use super::Monitor;
-use super::energy::{Ledger, WaterEnergy};
+use super::energy::WaterEnergy;
 use super::failure::{Failure, FailureKind, Stopped};
-use super::gauge::CrestGauge;
-use super::health::{HealthBounds, HealthState, Vitals};
-use super::measures::{Measures, Reading};
-use super::outcome::{EnergyBudget, HistoryRow, ProbeTable};
-use super::probes;
-use super::settling::Liveliness;
-use super::sounding::Sounding;
+use super::health::HealthBounds;
+use super::logbook::Logbook;
 use super::watch::{self, Watch};
 use crate::body::{BodyMotion, SpringWall, WallStep};
 use crate::math::simd::SimdPath;
@@ -21,8 +16,6 @@ use crate::scheme::{NextStep, SchemeState, StepError, StepWalls};
 
 /// Samples of the history between two checks of health and of the monitor.
 const SAMPLES_PER_CHECK: u64 = 4;
-/// Samples between two looks for clusters.
-const SAMPLES_PER_CLUSTER_CHECK: u64 = 20;
 /// A scene has at most so many bodies.
 const MOST_BODIES: usize = 4;
 /// Share of m/(ρ c0 d) that a light wall's time step may be.
@@ -34,23 +27,14 @@ pub(super) struct RunState {
     water: SchemeState,
     clock: Clock,
     wall: Option<SpringWall>,
-    measures: Measures,
-    gauge: CrestGauge,
-    ledger: Ledger,
-    history: Vec<HistoryRow>,
-    level_at_rest: Option<f64>,
-    gauge_at_rest: Option<f64>,
-    worst_gap: f64,
-    health: HealthState,
-    liveliness: Liveliness,
-    probes: Option<ProbeTable>,
+    logbook: Logbook,
 }
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Clock {
     pub(super) time: f64,
     pub(super) steps: u64,
-    samples: u64,
+    pub(super) samples: u64,
 }
 
 /// Where a run came to.
@@ -71,16 +55,7 @@ pub(super) struct Run {
     pub(super) time_step: f64,
     pub(super) bounds: HealthBounds,
     pub(super) clock: Clock,
-    pub(super) measures: Measures,
-    pub(super) gauge: CrestGauge,
-    pub(super) ledger: Ledger,
-    pub(super) history: Vec<HistoryRow>,
-    pub(super) level_at_rest: Option<f64>,
-    pub(super) gauge_at_rest: Option<f64>,
-    pub(super) worst_gap: f64,
-    pub(super) health: HealthState,
-    pub(super) liveliness: Liveliness,
-    pub(super) probes: Option<ProbeTable>,
+    pub(super) logbook: Logbook,
 }
 
 impl Run {
@@ -94,16 +69,7 @@ impl Run {
             time_step: frame.time_step(&config.numerics),
             bounds: HealthBounds::of(&tank, &start),
             clock: Clock::default(),
-            measures: Measures::new(tank.threshold_ratio, frame.depth, frame.acceleration()),
-            gauge: CrestGauge::default(),
-            ledger: Ledger::open(start),
-            history: Vec::new(),
-            level_at_rest: None,
-            gauge_at_rest: None,
-            worst_gap: 0.0,
-            health: HealthState::default(),
-            liveliness: Liveliness::default(),
-            probes: probes::table(&config.probes),
+            logbook: Logbook::open(config, &tank, start),
             watch: watch::of(config, &tank),
             films: 0,
             config: config.clone(),
@@ -118,16 +84,7 @@ impl Run {
         if state.wall.is_some() {
             self.tank.wall = state.wall;
         }
-        self.measures = state.measures;
-        self.gauge = state.gauge;
-        self.ledger = state.ledger;
-        self.history = state.history;
-        self.level_at_rest = state.level_at_rest;
-        self.gauge_at_rest = state.gauge_at_rest;
-        self.worst_gap = state.worst_gap;
-        self.health = state.health;
-        self.liveliness = state.liveliness;
-        self.probes = state.probes;
+        self.logbook = state.logbook;
     }
 
     /// All that is needed to go on.
@@ -136,16 +93,7 @@ impl Run {
             water: self.tank.water.state(),
             clock: self.clock,
             wall: self.tank.wall,
-            measures: self.measures.clone(),
-            gauge: self.gauge.clone(),
-            ledger: self.ledger,
-            history: self.history.clone(),
-            level_at_rest: self.level_at_rest,
-            gauge_at_rest: self.gauge_at_rest,
-            worst_gap: self.worst_gap,
-            health: self.health,
-            liveliness: self.liveliness,
-            probes: self.probes.clone(),
+            logbook: self.logbook.clone(),
         }
     }
 
@@ -201,7 +149,10 @@ impl Run {
                 .map(|wall| wall.advance(load.force, load.added_mass, dt));
             let acceleration = step.map_or(0.0, |step| step.acceleration);
             let force = load.force - load.added_mass * acceleration;
-            self.read(force, before.as_ref(), sample, bodies, acceleration)?;
+            let reading = self.read(force, before.as_ref());
+            if sample {
+                self.sample(&reading, before.as_ref(), bodies, (force, acceleration))?;
+            }
             if last {
                 return Ok(Reached::End);
             }
@@ -249,72 +200,9 @@ impl Run {
         if wall.displacement == 0.0 {
             return self.time_step;
         }
-        let depth = self.tank.frame.depth * (1.0 + self.measures.last[1].max(0.0));
+        let depth = self.tank.frame.depth * (1.0 + self.logbook.measures.last[1].max(0.0));
         let impedance = self.tank.frame.density * self.tank.sound_speed * depth;
         self.time_step.min(WALL_COURANT * wall.mass / impedance)
-    }
-
-    /// Takes this step's readings.
-    fn read(
-        &mut self,
-        force: f64,
-        wall: Option<&SpringWall>,
-        sample: bool,
-        bodies: &[BodyMotion],
-        acceleration: f64,
-    ) -> Result<(), Stopped> {
-        let depth = self.tank.frame.depth;
-        let time = self.clock.time;
-        let level = self.tank.water.level_at(WALL);
-        let at_rest = *self.level_at_rest.get_or_insert(level);
-        let runup = (level - at_rest) / depth;
-        let force_ratio = force / self.tank.static_force;
-        let displacement = wall.map(|wall| wall.displacement / depth);
-        self.measures.push(Reading {
-            time,
-            force: force_ratio,
-            runup,
-            displacement,
-            stops: wall.map_or(0, |wall| wall.stops),
-        });
-        if !sample {
-            return Ok(());
-        }
-        self.clock.samples += 1;
-        while self.tank.frame.history_interval * self.clock.samples as f64 <= time {
-            self.clock.samples += 1;
-        }
-        self.history.push(HistoryRow {
-            time_s: time,
-            force: force_ratio,
-            runup,
-            displacement: displacement.unwrap_or(0.0),
-            wall_velocity_m_per_s: wall.map_or(0.0, |wall| wall.velocity),
-        });
-        if let Some(gauge) = self.tank.wave_gauge {
-            let crest = self.tank.water.level_in_water(gauge, 0.5 * depth);
-            let at_rest = *self.gauge_at_rest.get_or_insert(crest);
-            self.gauge.push((crest - at_rest) / depth);
-        }
-        if let Some(table) = &mut self.probes {
-            let scales = (self.tank.frame.gravity, self.tank.spacing, self.tank.frame.density);
-            let water = Sounding::new(self.tank.water.as_ref(), bodies, scales);
-            table.time_s.push(time);
-            table.rows.push(probes::read(&self.config.probes, &water, 4.0 * depth));
-        }
-        if let Some(watch) = &mut self.watch {
-            watch.sample(time, self.tank.water.fluid());
-        }
-        let motion = BodyMotion { acceleration, ..bodies[WALL] };
-        let face = self.tank.water.face_force(WALL, &motion);
-        let gap = 100.0 * (face - force).abs() / force.abs().max(self.tank.static_force);
-        self.worst_gap = self.worst_gap.max(gap);
-        self.health.see_gap(gap / 100.0);
-        if displacement.is_some_and(|x| !x.is_finite() || x > 11.0) {
-            let detail = format!("the wall is at X = {:.3} h", displacement.unwrap_or(f64::NAN));
-            return Err(self.failure(FailureKind::WallUnstable, detail).into());
-        }
-        Ok(())
     }
 
     fn finish_step(
@@ -340,7 +228,7 @@ impl Run {
             watch.push(on_walls.sum(), dt);
         }
         let wall = self.tank.wall.as_ref().zip(wall_step).map(|(law, step)| (law, force, step));
-        self.ledger.book_walls((paddle_force, paddle_travel), wall);
+        self.logbook.ledger.book_walls((paddle_force, paddle_travel), wall);
         // Splashes dissipate in bursts, and swirls from the start: summed at every step.
         let sample = sample || self.watch.is_some();
         self.clock.time += dt;
@@ -352,38 +240,10 @@ impl Run {
             next: NextStep { bodies: &after[..bodies.len()], dt: self.next_step() },
         };
         let losses = self.tank.water.finish(dt, &walls, sample);
-        self.ledger.book_losses(time, sample, losses);
+        self.logbook.ledger.book_losses(time, sample, losses);
     }
 
-    fn check_health(&mut self, bodies: &[BodyMotion]) -> Result<EnergyBudget, Failure> {
-        let now = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
-        let energy = self.ledger.close(now, self.tank.wall.as_ref());
-        let across = self.tank.water.walls().bodies[WALL].plane.normal;
-        let vitals = Vitals {
-            time_s: self.clock.time,
-            extent: self.extent(bodies),
-            lean: -across[1] / across[0],
-            spacing: self.tank.spacing,
-            energy_residual: energy.residual(),
-            work: energy.paddle_work,
-            clusters: self.clock.samples.is_multiple_of(SAMPLES_PER_CLUSTER_CHECK),
-        };
-        self.health.check(&self.bounds, self.tank.water.fluid(), &vitals)?;
-        Ok(energy)
-    }
-
-    /// Where water may be, metres: left, right at the bed, bottom, top. Anywhere without walls.
-    fn extent(&self, bodies: &[BodyMotion]) -> [f64; 4] {
-        if self.tank.water.walls().is_empty() {
-            let anywhere = f64::INFINITY;
-            return [-anywhere, anywhere, -anywhere, anywhere];
-        }
-        let (frame, room) = (self.tank.frame, self.tank.spacing);
-        let right = frame.length + bodies[WALL].offset + room;
-        [bodies[PADDLE].offset - room, right, 0.0, 4.0 * frame.depth]
-    }
-
-    fn failure(&self, kind: FailureKind, detail: String) -> Failure {
+    pub(super) fn failure(&self, kind: FailureKind, detail: String) -> Failure {
         Failure { kind, time_s: self.clock.time, detail }
     }
 

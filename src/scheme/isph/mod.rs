@@ -11,6 +11,8 @@ mod exact;
 mod gather;
 mod grid;
 mod images;
+mod kept;
+mod lattice;
 mod motion;
 mod options;
 mod parting;
@@ -24,5 +26,6 @@ mod surface;
 mod tests;
 mod viscosity;
 
+pub use kept::IsphState;
 pub use options::{IsphOptions, Laplacian};
-pub use state::{Isph, IsphState};
+pub use state::Isph;

@@ -1,10 +1,10 @@
-//! The particles with all that surrounds them, and what of it must be kept to go on later.
-
-use serde::{Deserialize, Serialize};
+//! The particles with all that surrounds them.
 
 use super::exact::Exact;
 use super::grid::Grid;
 use super::images::{Point, Points};
+use super::kept::{Carried, Tally};
+use super::lattice::lattice_sums;
 use super::options::IsphOptions;
 use crate::boundary::{Ghosts, Plane};
 use crate::math::simd::SimdPath;
@@ -16,9 +16,6 @@ use crate::scheme::Load;
 /// A step sorts the particles afresh when this many have gone by.
 const STEPS_PER_SORT: u64 = 20;
 
-/// The Laplacian that preconditions the exact one takes neighbours within this many spacings.
-const NARROW: f64 = 2.1;
-
 /// Seconds spent in each phase.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Timings {
@@ -27,40 +24,6 @@ pub(super) struct Timings {
     pub assembly: f64,
     pub solver: f64,
     pub integration: f64,
-}
-
-/// What the solver has done so far.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct Tally {
-    pub steps: u64,
-    pub solves: u64,
-    pub iterations: u64,
-    pub worst_residual: f64,
-    pub pair_evaluations: u64,
-    /// Largest root mean square of Δt ∇·u over a step's interior particles.
-    pub worst_divergence: f64,
-    /// Largest mean of |Σ V W - 1| over a step's interior particles.
-    pub worst_volume_drift: f64,
-}
-
-/// Fields that one step hands to the next, besides the fluid itself.
-#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct Carried {
-    /// Dynamic pressure of the last step, Pa, and of the one before.
-    pub pressure: Vec<f64>,
-    pub older_pressure: Vec<f64>,
-    /// Divergence at mid-step that the last step aimed at, 1/s.
-    pub aim: Vec<f64>,
-    /// Response of the pressure to the wall's acceleration; empty until it was asked for.
-    pub response: Vec<f64>,
-}
-
-/// What must be kept to go on later, bit for bit.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct IsphState {
-    fluid: Fluid,
-    carried: Carried,
-    tally: Tally,
 }
 
 /// Operators at r*, one entry per fluid particle.
@@ -245,16 +208,6 @@ impl Isph {
         }
     }
 
-    pub(super) fn kept(&self) -> IsphState {
-        IsphState { fluid: self.fluid.clone(), carried: self.carried.clone(), tally: self.tally }
-    }
-
-    pub(super) fn go_back(&mut self, state: IsphState) {
-        self.fluid = state.fluid;
-        self.carried = state.carried;
-        self.tally = state.tally;
-    }
-
     /// Sorts the particles now and then, so that neighbours lie close in memory.
     pub(super) fn sort(&mut self) {
         if !self.tally.steps.is_multiple_of(STEPS_PER_SORT) {
@@ -281,40 +234,4 @@ impl Isph {
         }
         self.order = order;
     }
-}
-
-/// Sums over a square lattice of the options' spacing, for a particle inside it.
-struct LatticeSums {
-    /// Σ F.
-    weight: f64,
-    /// Σ V W.
-    coverage: f64,
-    /// V² F at the edge of the narrow Laplacian, and Σ F Δ² over that within.
-    narrow: (f64, f64),
-}
-
-fn lattice_sums(options: &IsphOptions) -> LatticeSums {
-    let (dx, radius) = (options.spacing, options.support_radius);
-    let rings = (radius / dx).ceil() as i64;
-    let factor = dx * dx * options.kernel.normalisation() / (radius * radius);
-    let weight_at = |q: f64| -factor * options.kernel.slope_at(q) / (q * radius * radius);
-    let (mut weight, mut coverage) = (0.0, factor * options.kernel.shape_at(0.0));
-    let (mut moment, mut narrow_moment) = (0.0, 0.0);
-    for i in -rings..=rings {
-        for j in -rings..=rings {
-            let distance = (i as f64).hypot(j as f64);
-            let q = distance * dx / radius;
-            if q > 0.0 && q < 1.0 {
-                weight += weight_at(q);
-                coverage += factor * options.kernel.shape_at(q);
-                moment += distance * distance * weight_at(q);
-                if distance < NARROW {
-                    narrow_moment += distance * distance * weight_at(q);
-                }
-            }
-        }
-    }
-    let edge = (NARROW * dx / radius).min(1.0);
-    let narrow = (dx * dx * weight_at(edge), moment / narrow_moment);
-    LatticeSums { weight, coverage, narrow }
 }

@@ -13,16 +13,19 @@
 
 mod protocol;
 mod queue;
+mod ranks;
 mod recovery;
 #[cfg(test)]
 mod tests;
+mod trunk;
 
-use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
-use super::plan::Plan;
+use super::plan::{Plan, PlannedCase, PlannedTrunk};
 pub use protocol::{Command, Event, Source, Task};
 use queue::{Entry, Queue};
+use ranks::Ranks;
+use trunk::{Phase, Trunk};
 
 /// A branch elsewhere is worth another copy of a checkpoint where it is dearer by more than this
 /// part of its cost: neighbouring wave heights of the study differ by two percent or so.
@@ -31,48 +34,12 @@ const CLEARLY_DEARER: u64 = 64;
 /// evened out, and few enough for the copies.
 const NEAR_THE_END: usize = 32;
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Phase {
-    Waiting,
-    Running,
-    Held,
-    Closed,
-}
-
-#[derive(Debug)]
-struct Trunk {
-    phase: Phase,
-    cost: u64,
-    /// Branches not yet handed out.
-    pending: Queue,
-    /// Branches not yet done.
-    unfinished: usize,
-    /// The rank that ran it, while that rank is there.
-    origin: usize,
-    holders: BTreeSet<usize>,
-}
-
-impl Trunk {
-    fn chain(&self) -> u64 {
-        self.cost.saturating_add(self.pending.top().map_or(0, |branch| branch.priority))
-    }
-}
-
-#[derive(Debug)]
-struct Rank {
-    capacity: usize,
-    alive: bool,
-    tasks: Vec<Task>,
-    /// Trunks held here, by their dearest pending branch when last looked at.
-    local: Queue,
-}
-
 /// Decides what runs where and when.
 #[derive(Debug)]
 pub struct Manager {
     trunks: Vec<Trunk>,
-    cases: Vec<super::plan::PlannedCase>,
-    ranks: Vec<Rank>,
+    cases: Vec<PlannedCase>,
+    ranks: Ranks,
     /// Trunks not yet started.
     waiting: Queue,
     /// Cases that run from rest.
@@ -81,57 +48,37 @@ pub struct Manager {
     held: Queue,
     /// Pending branches of the trunks in `held`.
     held_branches: usize,
-    /// Ranks with free places, the emptiest first.
-    free: BTreeSet<(Reverse<usize>, usize)>,
-    capacity: usize,
     open: usize,
     unfinished: usize,
-    in_flight: usize,
     interrupted: bool,
 }
 
 impl Manager {
     /// A manager for a plan and for ranks that each run so many tasks at once.
     pub fn new(plan: &Plan, capacities: &[usize]) -> Manager {
-        let mut waiting = Vec::with_capacity(plan.trunks.len());
-        let mut trunks = Vec::with_capacity(plan.trunks.len());
-        for (place, planned) in plan.trunks.iter().enumerate() {
-            let branch = |&case: &usize| Entry::new(plan.cases[case].branch_cost, case);
-            let pending: Queue = planned.branches.iter().map(branch).collect();
-            let unfinished = planned.branches.len();
-            let (origin, holders) = (0, BTreeSet::new());
-            let phase = Phase::Waiting;
-            let trunk = Trunk { phase, cost: planned.cost, pending, unfinished, origin, holders };
-            waiting.push(Entry::new(trunk.chain(), place));
-            trunks.push(trunk);
-        }
+        let branch = |&case: &usize| Entry::new(plan.cases[case].branch_cost, case);
+        let trunk =
+            |planned: &PlannedTrunk| Trunk::new(planned.cost, planned.branches.iter().map(branch));
+        let trunks: Vec<Trunk> = plan.trunks.iter().map(trunk).collect();
+        let chain = |(place, trunk): (usize, &Trunk)| Entry::new(trunk.chain(), place);
         let from_rest = plan.cases.iter().enumerate().filter(|(_, case)| case.trunk.is_none());
-        let rank = |&capacity: &usize| Rank {
-            capacity: capacity.max(1),
-            alive: false,
-            tasks: Vec::new(),
-            local: Queue::default(),
-        };
         Manager {
+            waiting: trunks.iter().enumerate().map(chain).collect(),
             trunks,
             solo: from_rest.map(|(place, case)| Entry::new(case.cost, place)).collect(),
             cases: plan.cases.clone(),
-            ranks: capacities.iter().map(rank).collect(),
-            waiting: waiting.into_iter().collect(),
+            ranks: Ranks::new(capacities),
             held: Queue::default(),
             held_branches: 0,
-            free: BTreeSet::new(),
-            capacity: capacities.iter().map(|&capacity| capacity.max(1)).sum(),
             open: 0,
             unfinished: plan.cases.len(),
-            in_flight: 0,
             interrupted: false,
         }
     }
 
     /// True when nothing is running and nothing more will be started.
     pub fn finished(&self) -> bool {
-        self.in_flight == 0 && (self.unfinished == 0 || self.interrupted)
+        self.ranks.in_flight() == 0 && (self.unfinished == 0 || self.interrupted)
     }
 
     /// Cases neither done nor failed.
@@ -148,12 +95,11 @@ impl Manager {
     pub fn on(&mut self, event: Event, commands: &mut Vec<Command>) {
         let first = match event {
             Event::Ready { rank } => {
-                self.ranks[rank].alive = true;
-                self.refresh(rank);
+                self.ranks.join(rank);
                 Some(rank)
             }
             Event::TrunkDone { rank, trunk, ok } => {
-                self.release(rank, Task::Trunk(trunk));
+                self.ranks.release(rank, Task::Trunk(trunk));
                 if ok {
                     self.hold(rank, trunk)
                 } else {
@@ -162,13 +108,13 @@ impl Manager {
                 Some(rank)
             }
             Event::CaseDone { rank, case } => {
-                self.release(rank, Task::Case(case));
+                self.ranks.release(rank, Task::Case(case));
                 self.unfinished -= 1;
                 self.count_branch(case, commands);
                 Some(rank)
             }
             Event::GivenBack { rank, task } => {
-                self.release(rank, task);
+                self.ranks.release(rank, task);
                 self.interrupt(commands);
                 None
             }
@@ -189,49 +135,43 @@ impl Manager {
     /// Gives work out: first to the rank that asked, then to whoever has a free place.
     fn dispatch(&mut self, first: Option<usize>, commands: &mut Vec<Command>) {
         if let Some(rank) = first {
-            let places = self.ranks[rank].capacity;
-            while self.ranks[rank].tasks.len() < places && self.assign(rank, commands) {}
+            while self.ranks.has_room(rank, 0) && self.assign(rank, commands) {}
         }
-        while let Some(&(_, rank)) = self.free.first() {
+        while let Some(rank) = self.ranks.emptiest() {
             if !self.assign(rank, commands) {
                 break;
             }
         }
-        if let Some(rank) = first {
-            let places = self.ranks[rank].capacity + 1;
-            let plenty = self.waiting.len() + self.solo.len() + self.held_branches > self.capacity;
-            if plenty && self.ranks[rank].tasks.len() < places {
-                self.assign(rank, commands);
-            }
+        let left = self.waiting.len() + self.solo.len() + self.held_branches;
+        let plenty = left > self.ranks.capacity();
+        if let Some(rank) = first.filter(|&rank| plenty && self.ranks.has_room(rank, 1)) {
+            self.assign(rank, commands);
         }
     }
 
     /// Hands the best task to a rank; false where there is none.
     fn assign(&mut self, rank: usize, commands: &mut Vec<Command>) -> bool {
-        if !self.ranks[rank].alive {
-            return false;
-        }
-        let may_open = self.open <= self.capacity + self.ranks.len();
+        let may_open = self.open <= self.ranks.capacity() + self.ranks.len();
         let trunk = self.waiting.top().filter(|_| may_open);
         let solo = self.solo.top();
         let branch = top_held(&mut self.held, &self.trunks);
         let best = [trunk, solo, branch].into_iter().flatten().map(|entry| entry.priority).max();
         let Some(best) = best else { return false };
         if let Some(entry) = branch.filter(|entry| entry.priority == best) {
-            let near_the_end = self.unfinished <= NEAR_THE_END * self.capacity;
+            let near_the_end = self.unfinished <= NEAR_THE_END * self.ranks.capacity();
             let enough = if near_the_end { best - best / CLEARLY_DEARER } else { 0 };
-            let local = top_held(&mut self.ranks[rank].local, &self.trunks)
+            let local = top_held(self.ranks.local(rank), &self.trunks)
                 .filter(|local| local.priority >= enough);
             self.assign_branch(rank, local.unwrap_or(entry).place, commands);
         } else if trunk.is_some_and(|entry| entry.priority == best) {
             let trunk = self.waiting.pop().expect("it was just looked at").place;
             self.trunks[trunk].phase = Phase::Running;
             self.open += 1;
-            self.take(rank, Task::Trunk(trunk));
+            self.ranks.take(rank, Task::Trunk(trunk));
             commands.push(Command::RunTrunk { rank, trunk });
         } else {
             let case = self.solo.pop().expect("it was just looked at").place;
-            self.take(rank, Task::Case(case));
+            self.ranks.take(rank, Task::Case(case));
             commands.push(Command::RunCase { rank, case, from: None });
         }
         true
@@ -243,42 +183,10 @@ impl Manager {
         self.held_branches -= 1;
         let holder = if state.holders.contains(&rank) { rank } else { state.origin };
         if state.holders.insert(rank) {
-            let chain = state.pending.top().map_or(0, |entry| entry.priority);
-            self.ranks[rank].local.push(Entry::new(chain, trunk));
+            self.ranks.keep(rank, Entry::new(state.dearest(), trunk));
         }
-        self.take(rank, Task::Case(case));
+        self.ranks.take(rank, Task::Case(case));
         commands.push(Command::RunCase { rank, case, from: Some(Source { trunk, holder }) });
-    }
-
-    fn take(&mut self, rank: usize, task: Task) {
-        self.in_flight += 1;
-        self.forget_free(rank);
-        self.ranks[rank].tasks.push(task);
-        self.refresh(rank);
-    }
-
-    fn release(&mut self, rank: usize, task: Task) {
-        let tasks = &mut self.ranks[rank].tasks;
-        let place = tasks.iter().position(|&held| held == task);
-        let place = place.expect("a rank reports only tasks that it was given");
-        self.forget_free(rank);
-        self.ranks[rank].tasks.swap_remove(place);
-        self.in_flight -= 1;
-        self.refresh(rank);
-    }
-
-    fn forget_free(&mut self, rank: usize) {
-        let state = &self.ranks[rank];
-        let places = state.capacity.saturating_sub(state.tasks.len());
-        self.free.remove(&(Reverse(places), rank));
-    }
-
-    fn refresh(&mut self, rank: usize) {
-        let state = &self.ranks[rank];
-        let places = state.capacity.saturating_sub(state.tasks.len());
-        if state.alive && places > 0 {
-            self.free.insert((Reverse(places), rank));
-        }
     }
 
     /// A trunk's checkpoint is there: its branches may run.
@@ -290,7 +198,7 @@ impl Manager {
         self.held_branches += state.pending.len();
         if let Some(branch) = state.pending.top() {
             self.held.push(Entry::new(branch.priority, trunk));
-            self.ranks[rank].local.push(Entry::new(branch.priority, trunk));
+            self.ranks.keep(rank, Entry::new(branch.priority, trunk));
         }
     }
 

@@ -1,21 +1,13 @@
 //! Losing a rank, and what has to be done again then.
 
-use super::queue::{Entry, Queue};
-use super::{Manager, Phase, Task};
+use super::queue::Entry;
+use super::trunk::Phase;
+use super::{Manager, Task};
 
 impl Manager {
     /// A rank is gone: its tasks wait again, and trunks that only it held are computed again.
     pub(super) fn lose(&mut self, rank: usize) {
-        self.forget_free(rank);
-        let state = &mut self.ranks[rank];
-        if !state.alive {
-            return;
-        }
-        state.alive = false;
-        self.capacity -= state.capacity;
-        let tasks = std::mem::take(&mut state.tasks);
-        state.local = Queue::default();
-        self.in_flight -= tasks.len();
+        let Some(tasks) = self.ranks.leave(rank) else { return };
         for trunk in 0..self.trunks.len() {
             let state = &mut self.trunks[trunk];
             state.holders.remove(&rank);
@@ -58,10 +50,10 @@ impl Manager {
             return;
         }
         self.held_branches += 1;
-        let priority = state.pending.top().map_or(0, |branch| branch.priority);
-        self.held.push(Entry::new(priority, trunk));
+        let branch = Entry::new(state.dearest(), trunk);
+        self.held.push(branch);
         for &holder in &state.holders {
-            self.ranks[holder].local.push(Entry::new(priority, trunk));
+            self.ranks.keep(holder, branch);
         }
     }
 }

@@ -1,0 +1,49 @@
+//! What a run has noted down so far.
+
+use serde::{Deserialize, Serialize};
+
+use super::energy::{Ledger, WaterEnergy};
+use super::gauge::CrestGauge;
+use super::health::HealthState;
+use super::measures::Measures;
+use super::outcome::{HistoryRow, ProbeTable};
+use super::probes;
+use super::settling::Liveliness;
+use crate::scene::{CaseConfig, Tank};
+
+/// All that a run keeps of what it has seen; a branch takes over that of its trunk.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Logbook {
+    pub(super) measures: Measures,
+    pub(super) gauge: CrestGauge,
+    pub(super) ledger: Ledger,
+    pub(super) history: Vec<HistoryRow>,
+    /// Where the water stood at the wall at first, metres.
+    pub(super) level_at_rest: Option<f64>,
+    /// Where it stood at the wave gauge, metres.
+    pub(super) gauge_at_rest: Option<f64>,
+    /// Largest difference between the force and the pressure on the wall's face, percent of the force.
+    pub(super) worst_gap: f64,
+    pub(super) health: HealthState,
+    pub(super) liveliness: Liveliness,
+    pub(super) probes: Option<ProbeTable>,
+}
+
+impl Logbook {
+    /// An empty one, for water that has this energy to start with.
+    pub fn open(config: &CaseConfig, tank: &Tank, start: WaterEnergy) -> Logbook {
+        let frame = tank.frame;
+        Logbook {
+            measures: Measures::new(tank.threshold_ratio, frame.depth, frame.acceleration()),
+            gauge: CrestGauge::default(),
+            ledger: Ledger::open(start),
+            history: Vec::new(),
+            level_at_rest: None,
+            gauge_at_rest: None,
+            worst_gap: 0.0,
+            health: HealthState::default(),
+            liveliness: Liveliness::default(),
+            probes: probes::table(&config.probes),
+        }
+    }
+}

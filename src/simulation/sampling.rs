@@ -1,0 +1,121 @@
+//! What a run reads off the water: at every step, at every sample, and in a check of its health.
+
+use super::energy::WaterEnergy;
+use super::failure::{Failure, FailureKind};
+use super::health::Vitals;
+use super::measures::Reading;
+use super::outcome::{EnergyBudget, HistoryRow};
+use super::probes;
+use super::run::Run;
+use super::sounding::Sounding;
+use crate::body::{BodyMotion, SpringWall};
+use crate::scene::{PADDLE, WALL};
+
+/// Samples between two looks for clusters.
+const SAMPLES_PER_CLUSTER_CHECK: u64 = 20;
+/// A wall farther out than this, X*, has come loose.
+const FARTHEST_WALL: f64 = 11.0;
+
+impl Run {
+    /// Takes a step's reading, of the force on the wall, N per metre of width, and the wall before it
+    /// answers.
+    pub(super) fn read(&mut self, force: f64, wall: Option<&SpringWall>) -> Reading {
+        let depth = self.tank.frame.depth;
+        let level = self.tank.water.level_at(WALL);
+        let at_rest = *self.logbook.level_at_rest.get_or_insert(level);
+        let reading = Reading {
+            time: self.clock.time,
+            force: force / self.tank.static_force,
+            runup: (level - at_rest) / depth,
+            displacement: wall.map(|wall| wall.displacement / depth),
+            stops: wall.map_or(0, |wall| wall.stops),
+        };
+        self.logbook.measures.push(reading);
+        reading
+    }
+
+    /// Takes a sample: history, wave gauge, probes and force gap. The water pushes the wall with `force`,
+    /// N per metre of width, and the wall answers with `acceleration`, m/s²; `bodies` move as they did
+    /// before that.
+    ///
+    /// # Errors
+    /// The wall has come loose.
+    pub(super) fn sample(
+        &mut self,
+        reading: &Reading,
+        wall: Option<&SpringWall>,
+        bodies: &[BodyMotion],
+        (force, acceleration): (f64, f64),
+    ) -> Result<(), Failure> {
+        let Run { tank, logbook, clock, .. } = self;
+        let (time, depth) = (reading.time, tank.frame.depth);
+        clock.samples += 1;
+        while tank.frame.history_interval * clock.samples as f64 <= time {
+            clock.samples += 1;
+        }
+        logbook.history.push(HistoryRow {
+            time_s: time,
+            force: reading.force,
+            runup: reading.runup,
+            displacement: reading.displacement.unwrap_or(0.0),
+            wall_velocity_m_per_s: wall.map_or(0.0, |wall| wall.velocity),
+        });
+        if let Some(gauge) = tank.wave_gauge {
+            let crest = tank.water.level_in_water(gauge, 0.5 * depth);
+            let at_rest = *logbook.gauge_at_rest.get_or_insert(crest);
+            logbook.gauge.push((crest - at_rest) / depth);
+        }
+        if let Some(table) = &mut logbook.probes {
+            let scales = (tank.frame.gravity, tank.spacing, tank.frame.density);
+            let water = Sounding::new(tank.water.as_ref(), bodies, scales);
+            table.time_s.push(time);
+            table.rows.push(probes::read(&self.config.probes, &water, 4.0 * depth));
+        }
+        if let Some(watch) = &mut self.watch {
+            watch.sample(time, tank.water.fluid());
+        }
+        let motion = BodyMotion { acceleration, ..bodies[WALL] };
+        let face = tank.water.face_force(WALL, &motion);
+        let gap = 100.0 * (face - force).abs() / force.abs().max(tank.static_force);
+        logbook.worst_gap = logbook.worst_gap.max(gap);
+        logbook.health.see_gap(gap / 100.0);
+        match reading.displacement {
+            Some(x) if !x.is_finite() || x > FARTHEST_WALL => {
+                Err(self.failure(FailureKind::WallUnstable, format!("the wall is at X = {x:.3} h")))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Checks the water's health; the energy budget as it is now.
+    ///
+    /// # Errors
+    /// The first bound that is broken.
+    pub(super) fn check_health(&mut self, bodies: &[BodyMotion]) -> Result<EnergyBudget, Failure> {
+        let now = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
+        let energy = self.logbook.ledger.close(now, self.tank.wall.as_ref());
+        let across = self.tank.water.walls().bodies[WALL].plane.normal;
+        let vitals = Vitals {
+            time_s: self.clock.time,
+            extent: self.extent(bodies),
+            lean: -across[1] / across[0],
+            spacing: self.tank.spacing,
+            energy_residual: energy.residual(),
+            work: energy.paddle_work,
+            clusters: self.clock.samples.is_multiple_of(SAMPLES_PER_CLUSTER_CHECK),
+        };
+        self.logbook.health.check(&self.bounds, self.tank.water.fluid(), &vitals)?;
+        Ok(energy)
+    }
+
+    /// Where water may be, metres: left, right at the bed, bottom, top. Anywhere without walls.
+    fn extent(&self, bodies: &[BodyMotion]) -> [f64; 4] {
+        if self.tank.water.walls().is_empty() {
+            let anywhere = f64::INFINITY;
+            return [-anywhere, anywhere, -anywhere, anywhere];
+        }
+        let (frame, room) = (self.tank.frame, self.tank.spacing);
+        let right = frame.length + bodies[WALL].offset + room;
+        [bodies[PADDLE].offset - room, right, 0.0, 4.0 * frame.depth]
+    }
+}
