@@ -10,7 +10,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
-use seawall::simulation::{CaseResult, Unwatched, run_case};
+use seawall::simulation::{CaseResult, Resources, Unwatched, run_case};
 
 static COUNT: AtomicU64 = AtomicU64::new(0);
 /// Tests that count what all threads allocate take turns.
@@ -36,58 +36,97 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// A movable wall in a short, coarse tank; its history is sampled twice, at both ends.
-fn run(end_time_s: f64, numerics: &str, path: SimdPath) -> CaseResult {
-    let scene = format!(
-        "wave_height_ratio = 0.5\ntank_length_m = 1.6\nwave_gauge_m = 0.8\n\
-         wall = \"movable\"\nspring_stiffness_n_per_m = 100\nseawall_mass_kg_per_m = 50\n\
-         end_time_s = {end_time_s}\nhistory_interval_s = 10\n"
-    );
-    let table = |text: &str| text.parse().unwrap();
-    let case = CaseConfig::from_tables(&table(&scene), &table(numerics));
-    run_case(&case.unwrap(), None, path, &Unwatched).unwrap()
+/// A wave in a short tank before a movable wall.
+const WAVE: &str = "wave_height_ratio = 0.5\ntank_length_m = 1.6\nwave_gauge_m = 0.8\n\
+                    wall = \"movable\"\nspring_stiffness_n_per_m = 100\n\
+                    seawall_mass_kg_per_m = 50\n";
+/// A column that falls beside gauges of every kind.
+const DAM: &str = "kind = \"dam-break\"\n";
+const GAUGES: &str = "[[probe]]\nname = \"foot\"\nkind = \"pressure\"\nwall = \"right\"\ny_m = 0.05\n\
+                      [[probe]]\nname = \"level\"\nkind = \"level\"\nx_m = 0.3\n\
+                      [[probe]]\nname = \"void\"\nkind = \"void\"\nwall = \"right\"\n";
+
+fn run(scene: &str, numerics: &str, end_time_s: f64, resources: Resources) -> CaseResult {
+    let table = |text: &str| text.parse::<toml::Table>().unwrap();
+    let gauges = match scene {
+        DAM => table(GAUGES)["probe"].clone().try_into::<Vec<_>>().unwrap(),
+        _ => Vec::new(),
+    };
+    let scene = table(&format!("end_time_s = {end_time_s}\n{scene}"));
+    let case = CaseConfig::with_probes(&scene, &table(numerics), &gauges).unwrap();
+    run_case(&case, None, resources, &Unwatched).unwrap()
 }
 
-/// Allocations and steps of a run.
-fn allocations(end_time_s: f64, numerics: &str) -> (u64, u64) {
-    let before = COUNT.load(Ordering::Relaxed);
-    let result = run(end_time_s, numerics, SimdPath::widest());
-    (COUNT.load(Ordering::Relaxed) - before, result.outcome.steps)
-}
-
-/// Half of these steps more cost at most a handful of growing arrays (the longest list so far),
-/// not one allocation per step or per rebuild of the lists.
-fn check(numerics: &str, most: u64) {
-    let (few, fewer_steps) = allocations(0.9, numerics);
-    let (more, more_steps) = allocations(1.8, numerics);
-    let (steps, taken) = (more_steps - fewer_steps, more.saturating_sub(few));
-    assert!(steps > 100, "{steps}");
-    assert!(taken <= most, "{numerics}: {taken} allocations in {steps} steps");
+/// Twice as many steps cost at most a handful of arrays that grow (the history, the longest list so
+/// far) more, not one allocation per step, per sample or per rebuild of the lists.
+fn check(scene: &str, numerics: &str, end_time_s: f64, (threads, most): (usize, u64)) {
+    let allocations = |end_time_s: f64| {
+        let before = COUNT.load(Ordering::Relaxed);
+        let resources = Resources { simd: SimdPath::widest(), threads };
+        let result = run(scene, numerics, end_time_s, resources);
+        (COUNT.load(Ordering::Relaxed) - before, result.outcome.steps, result.history.len() as u64)
+    };
+    let (few, fewer_steps, fewer_samples) = allocations(end_time_s);
+    let (more, more_steps, more_samples) = allocations(2.0 * end_time_s);
+    let (steps, samples) = (more_steps - fewer_steps, more_samples - fewer_samples);
+    let taken = more.saturating_sub(few);
+    assert!(steps > 2 * most && samples > most, "{numerics}: {steps} steps, {samples} samples");
+    assert!(taken <= most, "{numerics}: {taken} allocations in {steps} steps, {samples} samples");
 }
 
 #[test]
-fn steps_take_no_memory() {
+fn steps_and_samples_take_no_memory() {
     let _turn = TURN.lock();
-    check("particle_spacing_m = 0.02", 8);
-    check("particle_spacing_m = 0.02\nscheme = \"isph\"", 40);
+    check(WAVE, "particle_spacing_m = 0.02", 0.9, (1, 20));
+    check(WAVE, "particle_spacing_m = 0.02\nprecision = \"f32\"", 0.9, (1, 20));
+    check(WAVE, "particle_spacing_m = 0.02\npreset = \"huang2019\"", 0.3, (1, 20));
+    check(WAVE, "particle_spacing_m = 0.02\nscheme = \"isph\"", 0.9, (1, 60));
+    // The lists of water that spreads go on growing.
+    check(DAM, "particle_spacing_m = 0.02", 0.4, (1, 60));
 }
 
-/// Steps, pairs evaluated and rebuilds of the lists, until the wave stands at the wall.
+#[test]
+fn threads_and_large_water_take_no_memory() {
+    let _turn = TURN.lock();
+    let often = format!("{WAVE}history_interval_s = 0.002\n");
+    check(&often, "particle_spacing_m = 0.008", 0.2, (2, 20));
+    // In parts: more particles than the caches hold.
+    check(&often, "particle_spacing_m = 0.003", 0.06, (1, 20));
+}
+
+/// Steps, pairs that passes went through and rebuilds of the lists, until the wave stands at the wall.
 #[test]
 fn a_small_case_takes_the_work_it_took_before() {
     const STEPS: u64 = 561;
-    const PAIR_EVALUATIONS: u64 = 95_445_744;
+    const PAIR_EVALUATIONS: u64 = 95_524_736;
     const LIST_REBUILDS: u64 = 50;
     let path = SimdPath::widest();
     if path == SimdPath::Portable {
         return; // Rounded otherwise, a pair at the edge of the support may count or not.
     }
     let _turn = TURN.lock();
-    let result = run(1.8, "particle_spacing_m = 0.02", path);
+    let result = run(WAVE, "particle_spacing_m = 0.02", 1.8, path.into());
     let outcome = &result.outcome;
     assert_eq!(
         (outcome.steps, outcome.pair_evaluations, result.list_rebuilds),
         (STEPS, PAIR_EVALUATIONS, LIST_REBUILDS),
         "steps, pair evaluations, list rebuilds"
     );
+}
+
+/// What is off takes no time: a phase of it is not there.
+#[test]
+fn what_a_scene_does_not_use_is_not_computed() {
+    let _turn = TURN.lock();
+    let phases = |numerics: &str| -> Vec<String> {
+        let result = run(WAVE, numerics, 0.1, SimdPath::widest().into());
+        result.phases.into_iter().map(|share| share.phase).collect()
+    };
+    let has = |phases: &[String], name: &str| phases.iter().any(|phase| phase == name);
+    let usual = phases("particle_spacing_m = 0.02");
+    assert!(has(&usual, "shifting") && !has(&usual, "viscosity"), "{usual:?}");
+    let still = phases("particle_spacing_m = 0.02\nshifting = \"none\"");
+    assert!(!has(&still, "shifting"), "{still:?}");
+    let viscous = phases("particle_spacing_m = 0.02\nkinematic_viscosity_m2_per_s = 1e-3");
+    assert!(has(&viscous, "viscosity"), "{viscous:?}");
 }

@@ -57,6 +57,8 @@ pub struct Exchange {
     places: [Vec<f64>; 2],
     /// Blocks with ghosts that have water in reach, at the last [`Exchange::fill`].
     pub(super) counting: Vec<u32>,
+    /// Room for the motions that [`Exchange::face_force`] supposes.
+    pub(super) motions: Vec<BodyMotion>,
     pub(super) images: Vec<Image>,
     pub(super) scale: Vec<[f64; LANES]>,
     /// Above one half where a simpler method had to stand in.
@@ -86,6 +88,7 @@ impl Exchange {
             parts: vec![Stretch::default()],
             places: Default::default(),
             counting: Vec::with_capacity(ghosts.len() / LANES),
+            motions: Vec::with_capacity(ghosts.bodies.len()),
             images: vec![Image::default(); ghosts.len() / LANES],
             scale: vec![[0.0; LANES]; targets / LANES],
             fallen: vec![[0.0; LANES]; targets / LANES],

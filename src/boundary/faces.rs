@@ -100,9 +100,12 @@ impl Exchange {
             apart.hypot(ghosts.target_y[b] - ghosts.target_y[a])
         };
         let blocks = faces.start / LANES..faces.end.div_ceil(LANES);
-        let mut bodies = vec![BodyMotion::default(); ghosts.bodies.len()];
+        let mut bodies = std::mem::take(&mut self.motions);
+        bodies.clear();
+        bodies.resize(ghosts.bodies.len(), BodyMotion::default());
         bodies[body] = *motion;
         self.weigh_blocks(path, ghosts, &bodies, water, blocks);
+        self.motions = bodies;
         faces
             .map(|face| {
                 let (block, lane) = (face / LANES, face % LANES);

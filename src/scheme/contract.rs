@@ -158,7 +158,7 @@ pub trait Scheme: Debug + Send {
     fn level_at(&self, body: usize) -> f64;
 
     /// Level of the free surface at x, metres above the bed, looked for upwards from `from`.
-    fn level_in_water(&self, x: f64, from: f64) -> f64;
+    fn level_in_water(&mut self, x: f64, from: f64) -> f64;
 
     /// Force on a body by integrating the interpolated pressure over its face, N per metre.
     fn face_force(&mut self, body: usize, motion: &BodyMotion) -> f64;

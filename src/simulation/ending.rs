@@ -117,6 +117,9 @@ impl Run {
         let phases = water
             .phases()
             .into_iter()
+            .chain([("readings", self.reading_time)])
+            // What the scene does not use has taken nothing.
+            .filter(|&(_, seconds)| seconds > 0.0)
             .map(|(phase, seconds)| PhaseShare { phase: phase.to_owned(), seconds })
             .collect();
         let mut readings: Vec<NamedReading> = Vec::new();

@@ -7,18 +7,45 @@ const PASSED_DROP: f64 = 0.3;
 /// Crests lower than this share of the still water depth are ripples.
 const SMALLEST_CREST: f64 = 0.01;
 
-/// Follows the surface level over still water, sample by sample.
+/// The gauge is read at least so often, over √(h/g): every 0.005 s at h = 0.2 m. Three readings a
+/// fiftieth of a second apart would cut a crest off.
+const INTERVAL: f64 = 0.036;
+
+/// Follows the surface level over still water, reading by reading.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct CrestGauge {
+    /// Metres above the bed at first.
+    at_rest: Option<f64>,
+    taken: u64,
     recent: Vec<f64>,
     crest: f64,
     passed: bool,
 }
 
 impl CrestGauge {
-    /// Takes a level over still water, over h. The mean of three samples counts, so that a single
+    /// Whether to read it now: at the history's interval (s), or at its own, `unit` = √(h/g) in s, where
+    /// that is shorter, until the crest is past.
+    pub fn is_due(&mut self, time: f64, history_interval: f64, unit: f64) -> bool {
+        let interval = history_interval.min(INTERVAL * unit);
+        if self.passed || time < interval * self.taken as f64 * (1.0 - 1e-12) {
+            return false;
+        }
+        self.taken += 1;
+        while interval * self.taken as f64 <= time {
+            self.taken += 1;
+        }
+        true
+    }
+
+    /// Takes a level, metres above the bed, over still water of this depth.
+    pub fn read(&mut self, level: f64, depth: f64) {
+        let at_rest = *self.at_rest.get_or_insert(level);
+        self.push((level - at_rest) / depth);
+    }
+
+    /// Takes a level over still water, over h. The mean of three readings counts, so that a single
     /// noisy one does not.
-    pub fn push(&mut self, level: f64) {
+    fn push(&mut self, level: f64) {
         self.recent.push(level);
         if self.recent.len() < 3 || self.passed {
             return;
@@ -31,9 +58,9 @@ impl CrestGauge {
         self.passed = self.crest > SMALLEST_CREST && mean < (1.0 - PASSED_DROP) * self.crest;
     }
 
-    /// Height of the first crest over h, once one has come.
+    /// Height of the first crest over h, once it has passed.
     pub fn crest(&self) -> Option<f64> {
-        (self.crest > SMALLEST_CREST).then_some(self.crest)
+        self.passed.then_some(self.crest)
     }
 }
 
@@ -48,7 +75,28 @@ mod tests {
             let t = 0.005 * f64::from(k);
             let pulse = |centre: f64, height: f64| height / ((t - centre) * 5.0).cosh().powi(2);
             gauge.push(pulse(0.7, 0.5) + pulse(1.6, 0.8));
+            assert_eq!(gauge.crest().is_some(), t > 0.83, "{t}");
         }
         assert!((gauge.crest().unwrap() - 0.5).abs() < 1e-3);
+    }
+
+    #[test]
+    fn a_coarse_history_does_not_make_the_crest_lower() {
+        let crest = |history_interval: f64| {
+            let (mut gauge, mut readings) = (CrestGauge::default(), 0);
+            for k in 0..2000 {
+                let time = 0.001 * f64::from(k);
+                if gauge.is_due(time, history_interval, 0.1428) {
+                    readings += 1;
+                    gauge.read(0.2 + 0.1 / ((time - 0.7) * 5.0).cosh().powi(2), 0.2);
+                }
+            }
+            (gauge.crest().unwrap(), readings)
+        };
+        assert_eq!(crest(0.005), crest(0.00514));
+        let (fine, coarse) = (crest(0.005), crest(0.5));
+        assert!((coarse.0 - fine.0).abs() < 1e-3, "{coarse:?}");
+        // None after the crest.
+        assert!((150..190).contains(&fine.1), "{fine:?}");
     }
 }

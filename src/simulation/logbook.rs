@@ -20,8 +20,6 @@ pub(super) struct Logbook {
     pub(super) history: Vec<HistoryRow>,
     /// Where the water stood at the wall at first, metres.
     pub(super) level_at_rest: Option<f64>,
-    /// Where it stood at the wave gauge, metres.
-    pub(super) gauge_at_rest: Option<f64>,
     /// Largest difference between the force and the pressure on the wall's face, percent of the force.
     pub(super) worst_gap: f64,
     pub(super) health: HealthState,
@@ -39,7 +37,6 @@ impl Logbook {
             ledger: Ledger::open(start),
             history: Vec::new(),
             level_at_rest: None,
-            gauge_at_rest: None,
             worst_gap: 0.0,
             health: HealthState::default(),
             liveliness: Liveliness::default(),

@@ -7,7 +7,7 @@ use super::window::RunningMean;
 
 /// F* must last this long above or below a bound to count, over √(h/g): 0.02 s at h = 0.2 m.
 const PERSISTENCE: f64 = 0.14;
-/// The first impact is on once F* has passed this.
+/// The first impact is on once F* has passed this, and the threshold.
 const IMPACT_FORCE: f64 = 1.15;
 /// A stop ends the first impact only after X* has exceeded this.
 const IMPACT_TRAVEL: f64 = 0.01;
@@ -162,7 +162,7 @@ impl Measures {
             self.above_since = None;
             self.below_since.get_or_insert(at);
         }
-        if self.impact == Impact::Before && mean > IMPACT_FORCE {
+        if self.impact == Impact::Before && mean > self.threshold.max(IMPACT_FORCE) {
             self.impact = Impact::On { stops: reading.stops };
         }
         if matches!(self.impact, Impact::On { .. }) {
@@ -235,6 +235,22 @@ mod tests {
         assert!((m.first_runup.unwrap().value - 1.0).abs() < 1e-6);
         let onset = 1.0 - 0.2 * (10.0_f64.ln()).sqrt();
         assert!((m.onset.unwrap() - onset).abs() < 3e-3);
+    }
+
+    #[test]
+    fn the_first_impact_is_above_a_high_threshold_too() {
+        for threshold in [1.0, 1.1, 1.15, 1.2, 1.7] {
+            let mut m = Measures::new(threshold, 0.2, 9.81);
+            for k in 0..4000 {
+                let time = 0.001 * f64::from(k);
+                let force = 1.0 + bell(time, 1.0, 1.0) + bell(time, 3.0, 1.5);
+                let (runup, displacement) = (force - 1.0, Some(0.0));
+                m.push(Reading { time, force, runup, displacement, stops: 0 });
+            }
+            assert!((m.first_force.unwrap().value - 2.0).abs() < 2e-3, "{threshold}");
+            assert!((m.first_runup.unwrap().value - 1.0).abs() < 1e-6, "{threshold}");
+            assert!(m.onset.unwrap() < 1.0, "{threshold}");
+        }
     }
 
     #[test]

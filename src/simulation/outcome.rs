@@ -127,8 +127,15 @@ pub struct ProbeTable {
     pub columns: Vec<ProbeColumn>,
     /// Times, seconds.
     pub time_s: Vec<f64>,
-    /// One row of values per time, in the order of `columns`.
-    pub rows: Vec<Vec<f64>>,
+    /// One row of values per time, in the order of `columns`, row after row.
+    pub values: Vec<f64>,
+}
+
+impl ProbeTable {
+    /// The rows, each with its time.
+    pub fn rows(&self) -> impl Iterator<Item = (f64, &[f64])> {
+        self.time_s.iter().copied().zip(self.values.chunks(self.columns.len().max(1)))
+    }
 }
 
 /// One gauge's column.

@@ -19,20 +19,20 @@ pub(super) fn table(probes: &[Probe]) -> Option<ProbeTable> {
     })
 }
 
-/// One row of readings; levels and voids are looked for up to
-/// `highest` metres.
-pub(super) fn read(probes: &[Probe], water: &Sounding<'_>, highest: f64) -> Vec<f64> {
-    probes
-        .iter()
-        .map(|probe| match probe.kind {
-            ProbeKind::Level => water.level(probe.x_m.unwrap_or(0.0), highest),
-            ProbeKind::Void => water.void(face(probe, water), highest),
-            ProbeKind::Pressure => {
-                let (place, along) = place(probe, water);
-                water.pressure(place, along, probe.diameter_m.unwrap_or(0.0))
-            }
-        })
-        .collect()
+/// A reading of each probe; levels and voids are looked for up to `highest` metres.
+pub(super) fn read(
+    probes: &[Probe],
+    water: &mut Sounding<'_>,
+    highest: f64,
+) -> impl Iterator<Item = f64> {
+    probes.iter().map(move |probe| match probe.kind {
+        ProbeKind::Level => water.level(probe.x_m.unwrap_or(0.0), highest),
+        ProbeKind::Void => water.void(face(probe, water), highest),
+        ProbeKind::Pressure => {
+            let (place, along) = place(probe, water);
+            water.pressure(place, along, probe.diameter_m.unwrap_or(0.0))
+        }
+    })
 }
 
 /// Where a pressure probe is now, and the direction in which its disc lies.

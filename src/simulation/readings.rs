@@ -20,8 +20,7 @@ pub(super) fn of_probes(scene: &Scene, probes: &[Probe], table: &ProbeTable) -> 
     let full = frame.density * frame.gravity * frame.depth;
     let mut all = Vec::new();
     for (column, probe) in probes.iter().enumerate() {
-        let series: Vec<(f64, f64)> =
-            table.time_s.iter().zip(&table.rows).map(|(time, row)| (*time, row[column])).collect();
+        let series: Vec<(f64, f64)> = table.rows().map(|(time, row)| (time, row[column])).collect();
         let mut push = |what: &str, value: Option<f64>, unit: &str| {
             if let Some(value) = value {
                 all.push(NamedReading::new(&format!("{}_{what}", probe.name), value, unit));

@@ -1,12 +1,15 @@
 //! The driver: one tank, step by step.
 
+use std::time::Instant;
+
 use serde::{Deserialize, Serialize};
 
 use super::Monitor;
 use super::energy::WaterEnergy;
 use super::failure::{Failure, FailureKind, Stopped};
-use super::health::HealthBounds;
+use super::health::{Crowding, HealthBounds};
 use super::logbook::Logbook;
+use super::sounding::Near;
 use super::watch::{self, Watch};
 use crate::body::{BodyMotion, SpringWall, WallStep};
 use crate::math::simd::SimdPath;
@@ -56,6 +59,11 @@ pub(super) struct Run {
     pub(super) bounds: HealthBounds,
     pub(super) clock: Clock,
     pub(super) logbook: Logbook,
+    /// Room for samples and checks, which take no memory of their own.
+    pub(super) near: Near,
+    pub(super) crowding: Crowding,
+    /// Seconds that they have taken.
+    pub(super) reading_time: f64,
 }
 
 impl Run {
@@ -72,6 +80,9 @@ impl Run {
             logbook: Logbook::open(config, &tank, start),
             watch: watch::of(config, &tank),
             films: 0,
+            near: Near::default(),
+            crowding: Crowding::default(),
+            reading_time: 0.0,
             config: config.clone(),
             tank,
         }
@@ -149,15 +160,19 @@ impl Run {
                 .map(|wall| wall.advance(load.force, load.added_mass, dt));
             let acceleration = step.map_or(0.0, |step| step.acceleration);
             let force = load.force - load.added_mass * acceleration;
+            let start = Instant::now();
             let reading = self.read(force, before.as_ref());
             if sample {
                 self.sample(&reading, before.as_ref(), bodies, (force, acceleration))?;
             }
+            self.reading_time += start.elapsed().as_secs_f64();
             if last {
                 return Ok(Reached::End);
             }
             if sample && self.clock.samples.is_multiple_of(SAMPLES_PER_CHECK) {
+                let start = Instant::now();
                 let energy = self.check_health(bodies)?;
+                self.reading_time += start.elapsed().as_secs_f64();
                 // In trunks, too: what they leave must not depend on where they end.
                 self.note_liveliness(bodies, &energy);
                 if !until_onset && self.has_settled(bodies, &energy) {

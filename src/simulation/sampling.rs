@@ -18,23 +18,30 @@ const FARTHEST_WALL: f64 = 11.0;
 
 impl Run {
     /// Takes a step's reading, of the force on the wall, N per metre of width, and the wall before it
-    /// answers.
+    /// answers; and the wave gauge's where one is due.
     pub(super) fn read(&mut self, force: f64, wall: Option<&SpringWall>) -> Reading {
-        let depth = self.tank.frame.depth;
-        let level = self.tank.water.level_at(WALL);
-        let at_rest = *self.logbook.level_at_rest.get_or_insert(level);
+        let Run { tank, logbook, clock, .. } = self;
+        let (frame, depth) = (tank.frame, tank.frame.depth);
+        let level = tank.water.level_at(WALL);
+        let at_rest = *logbook.level_at_rest.get_or_insert(level);
         let reading = Reading {
-            time: self.clock.time,
-            force: force / self.tank.static_force,
+            time: clock.time,
+            force: force / tank.static_force,
             runup: (level - at_rest) / depth,
             displacement: wall.map(|wall| wall.displacement / depth),
             stops: wall.map_or(0, |wall| wall.stops),
         };
-        self.logbook.measures.push(reading);
+        logbook.measures.push(reading);
+        if let Some(gauge) = tank.wave_gauge {
+            let unit = (depth / frame.acceleration()).sqrt();
+            if logbook.gauge.is_due(clock.time, frame.history_interval, unit) {
+                logbook.gauge.read(tank.water.level_in_water(gauge, 0.5 * depth), depth);
+            }
+        }
         reading
     }
 
-    /// Takes a sample: history, wave gauge, probes and force gap. The water pushes the wall with `force`,
+    /// Takes a sample: history, probes and force gap. The water pushes the wall with `force`,
     /// N per metre of width, and the wall answers with `acceleration`, m/s²; `bodies` move as they did
     /// before that.
     ///
@@ -60,16 +67,11 @@ impl Run {
             displacement: reading.displacement.unwrap_or(0.0),
             wall_velocity_m_per_s: wall.map_or(0.0, |wall| wall.velocity),
         });
-        if let Some(gauge) = tank.wave_gauge {
-            let crest = tank.water.level_in_water(gauge, 0.5 * depth);
-            let at_rest = *logbook.gauge_at_rest.get_or_insert(crest);
-            logbook.gauge.push((crest - at_rest) / depth);
-        }
         if let Some(table) = &mut logbook.probes {
             let scales = (tank.frame.gravity, tank.spacing, tank.frame.density);
-            let water = Sounding::new(tank.water.as_ref(), bodies, scales);
+            let mut water = Sounding::new(tank.water.as_ref(), bodies, scales, &mut self.near);
             table.time_s.push(time);
-            table.rows.push(probes::read(&self.config.probes, &water, 4.0 * depth));
+            table.values.extend(probes::read(&self.config.probes, &mut water, 4.0 * depth));
         }
         if let Some(watch) = &mut self.watch {
             watch.sample(time, tank.water.fluid());
@@ -104,7 +106,8 @@ impl Run {
             work: energy.paddle_work,
             clusters: self.clock.samples.is_multiple_of(SAMPLES_PER_CLUSTER_CHECK),
         };
-        self.logbook.health.check(&self.bounds, self.tank.water.fluid(), &vitals)?;
+        let fluid = self.tank.water.fluid();
+        self.logbook.health.check(&self.bounds, fluid, &vitals, &mut self.crowding)?;
         Ok(energy)
     }
 

@@ -15,22 +15,26 @@ pub(super) struct Sounding<'a> {
     gravity: f64,
     spacing: f64,
     density: f64,
+    near: &'a mut Near,
 }
 
 /// Fluid particles and ghosts in reach of a box: (x, y, volume, pressure, density).
-struct Near {
+#[derive(Debug, Clone, Default)]
+pub(super) struct Near {
     water: Vec<[f64; 5]>,
     solid: Vec<[f64; 3]>,
 }
 
 impl<'a> Sounding<'a> {
-    /// `spacing` is that of the particles, metres, `density` the water's, kg/m³.
+    /// `spacing` is that of the particles, metres, `density` the water's, kg/m³; `near` is room for
+    /// what is in reach.
     pub(super) fn new(
         water: &'a dyn Scheme,
         bodies: &'a [BodyMotion],
         (gravity, spacing, density): (f64, f64, f64),
+        near: &'a mut Near,
     ) -> Sounding<'a> {
-        Sounding { water, bodies, gravity, spacing, density }
+        Sounding { water, bodies, gravity, spacing, density, near }
     }
 
     /// The face of a body as it stands now.
@@ -38,24 +42,24 @@ impl<'a> Sounding<'a> {
         self.water.walls().bodies[body].plane.moved(self.bodies[body].offset)
     }
 
-    /// What is in reach of the points of a box.
-    fn near(&self, [left, right]: [f64; 2], [bottom, top]: [f64; 2]) -> Near {
+    /// Looks up what is in reach of the points of a box.
+    fn look(&mut self, [left, right]: [f64; 2], [bottom, top]: [f64; 2]) {
         let (_, radius) = self.water.kernel();
         let close = |x: f64, y: f64| {
             x > left - radius && x < right + radius && y > bottom - radius && y < top + radius
         };
         let fluid = self.water.fluid();
         let pressure = self.water.pressures();
-        let water = (0..fluid.len())
-            .filter(|&k| close(fluid.x[k], fluid.y[k]))
-            .map(|k| {
-                let volume = fluid.mass[k] / fluid.density[k];
-                [fluid.x[k], fluid.y[k], volume, pressure[k], self.density]
-            })
-            .collect();
-        let ghosts = self.water.walls();
         let ends = [1, 2].map(|body| self.face(body).point[0]);
-        let mut solid = Vec::new();
+        let Near { water, solid } = &mut *self.near;
+        water.clear();
+        solid.clear();
+        let wet = (0..fluid.len()).filter(|&k| close(fluid.x[k], fluid.y[k]));
+        water.extend(wet.map(|k| {
+            let volume = fluid.mass[k] / fluid.density[k];
+            [fluid.x[k], fluid.y[k], volume, pressure[k], self.density]
+        }));
+        let ghosts = self.water.walls();
         for (number, (body, motion)) in ghosts.bodies.iter().zip(self.bodies).enumerate() {
             for g in body.ghosts.clone() {
                 let (x, y) = (ghosts.x[g] + motion.offset, ghosts.y[g]);
@@ -66,12 +70,12 @@ impl<'a> Sounding<'a> {
                 }
             }
         }
-        Near { water, solid }
     }
 
     /// Share of the kernel that is water, of what the walls leave of it, and the pressure of the
-    /// water there: Σ W V [p + ρg(y_j - y)] / Σ W V.
-    fn at(&self, near: &Near, x: f64, y: f64) -> (f64, f64) {
+    /// water there: Σ W V [p + ρg(y_j - y)] / Σ W V. Of a place that was looked up.
+    fn at(&self, x: f64, y: f64) -> (f64, f64) {
+        let near = &*self.near;
         let (kernel, radius) = self.water.kernel();
         let weight = |x_j: f64, y_j: f64, volume: f64| {
             let q = (x_j - x).hypot(y_j - y) / radius;
@@ -92,10 +96,10 @@ impl<'a> Sounding<'a> {
     /// Pressure at a place, averaged over a disc of this diameter that lies in the direction
     /// `along`; 0 where it is dry. `along` runs up a wall: a level surface meets it at an angle, and
     /// the share of water at their contact is that of the angle.
-    pub(super) fn pressure(&self, [x, y]: [f64; 2], along: [f64; 2], diameter: f64) -> f64 {
+    pub(super) fn pressure(&mut self, [x, y]: [f64; 2], along: [f64; 2], diameter: f64) -> f64 {
         let radius = 0.5 * diameter;
-        let near = self.near([x - radius, x + radius], [y - radius, y + radius]);
-        if near.water.is_empty() {
+        self.look([x - radius, x + radius], [y - radius, y + radius]);
+        if self.near.water.is_empty() {
             return 0.0;
         }
         let (kernel, support) = self.water.kernel();
@@ -110,7 +114,7 @@ impl<'a> Sounding<'a> {
             // The disc's width at this height.
             let chord = (1.0 - t * t).sqrt();
             let place = [x + along[0] * t * radius, y + along[1] * t * radius];
-            let (share, pressure) = self.at(&near, place[0], place[1]);
+            let (share, pressure) = self.at(place[0], place[1]);
             sum += chord * pressure * ((share - dry_at) / (wet_at - dry_at)).clamp(0.0, 1.0);
             weights += chord;
         }
@@ -119,15 +123,15 @@ impl<'a> Sounding<'a> {
 
     /// Level of the water at x, metres over the bed: upwards from the bed, where its share falls
     /// to 1/2; 0 where the bed is dry.
-    pub(super) fn level(&self, x: f64, highest: f64) -> f64 {
-        let near = self.near([x, x], [0.0, highest]);
+    pub(super) fn level(&mut self, x: f64, highest: f64) -> f64 {
+        self.look([x, x], [0.0, highest]);
         let step = 0.5 * self.spacing;
-        let (mut y, mut below) = (0.0, self.at(&near, x, 0.0).0);
+        let (mut y, mut below) = (0.0, self.at(x, 0.0).0);
         if below < 0.5 {
             return 0.0;
         }
         while y < highest {
-            let above = self.at(&near, x, y + step).0;
+            let above = self.at(x, y + step).0;
             if above < 0.5 {
                 return y + step * (below - 0.5) / (below - above);
             }
@@ -138,18 +142,19 @@ impl<'a> Sounding<'a> {
 
     /// The largest share of the kernel that is empty at a wall, of what the walls leave of it: from
     /// the toe to a support radius below the highest contact of water, where less than half is.
-    pub(super) fn void(&self, (toe, up): (f64, [f64; 2]), highest: f64) -> f64 {
+    pub(super) fn void(&mut self, (toe, up): (f64, [f64; 2]), highest: f64) -> f64 {
         let (_, support) = self.water.kernel();
         let top = toe + up[0] * highest / up[1];
-        let near = self.near([toe.min(top), toe.max(top)], [0.0, highest]);
+        self.look([toe.min(top), toe.max(top)], [0.0, highest]);
         let step = 0.5 * self.spacing;
-        let shares: Vec<f64> = (0..(highest / (step * up[1])) as u32)
-            .map(|k| f64::from(k) * step)
-            .map(|way| self.at(&near, toe + up[0] * way, up[1] * way).0)
-            .collect();
-        let wet = shares.iter().rposition(|share| *share >= 0.5).unwrap_or(0);
-        let covered = wet.saturating_sub((support / step).ceil() as usize);
-        shares[..covered].iter().map(|share| 1.0 - share).fold(0.0, f64::max)
+        let share = |k: u32| {
+            let way = f64::from(k) * step;
+            self.at(toe + up[0] * way, up[1] * way).0
+        };
+        let all = 0..(highest / (step * up[1])) as u32;
+        let wet = all.rev().find(|&k| share(k) >= 0.5).unwrap_or(0);
+        let covered = wet.saturating_sub((support / step).ceil() as u32);
+        (0..covered).map(|k| 1.0 - share(k)).fold(0.0, f64::max)
     }
 }
 
@@ -170,7 +175,9 @@ mod tests {
         let (kernel, radius) = tank.water.kernel();
         for apart in [0.0, 0.2, 0.4] {
             bodies[WALL].offset = apart * tank.spacing;
-            let water = Sounding::new(tank.water.as_ref(), &bodies, (9.81, 0.02, 1000.0));
+            let mut near = Near::default();
+            let mut water =
+                Sounding::new(tank.water.as_ref(), &bodies, (9.81, 0.02, 1000.0), &mut near);
             let void = water.void((water.face(WALL).point[0], [0.0, 1.0]), 0.6);
             // In the toe's corner, where the empty strip goes on through the bed.
             let filled = kernel.half_plane_fraction(-apart * tank.spacing / radius);

@@ -80,8 +80,8 @@ fn probe_table(probes: &ProbeTable) -> String {
         text.push_str(&column.name);
     }
     text.push('\n');
-    for (time, row) in probes.time_s.iter().zip(&probes.rows) {
-        push_row(&mut text, std::iter::once(*time).chain(row.iter().copied()));
+    for (time, row) in probes.rows() {
+        push_row(&mut text, std::iter::once(time).chain(row.iter().copied()));
     }
     text
 }
@@ -126,7 +126,7 @@ mod tests {
                 ProbeColumn { name: "level".into(), unit: "m".into(), method: "there".into() },
             ],
             time_s: vec![0.0, 0.005],
-            rows: vec![vec![1.5, 0.1], vec![2.0, 0.30000000000000004]],
+            values: vec![1.5, 0.1, 2.0, 0.30000000000000004],
         };
         let text = probe_table(&probes);
         assert_eq!(probe_columns(&probes), "name,unit,method\np1,Pa,here\nlevel,m,there\n");

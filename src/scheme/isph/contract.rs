@@ -125,7 +125,7 @@ impl Scheme for Isph {
         self.face_line(body).map_or(0.0, |line| self.level_along(line, 0.0))
     }
 
-    fn level_in_water(&self, x: f64, from: f64) -> f64 {
+    fn level_in_water(&mut self, x: f64, from: f64) -> f64 {
         self.level_along(|y| [x, y], from)
     }
 

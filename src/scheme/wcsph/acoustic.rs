@@ -40,6 +40,7 @@ impl<const CORRECTED: bool> Task for Acoustic<'_, CORRECTED> {
         let mut near = near.iter();
         let [acceleration_x, acceleration_y] = acceleration;
         tally.loads.clear();
+        tally.force_entries += pairs.len();
         for (here, cluster) in clusters.clone().enumerate() {
             let (at, to) = (cluster * LANES, here * LANES);
             let x = lanes::<L>(&work.scaled_x, at);

@@ -63,6 +63,7 @@ impl<const DIFFUSION: u8, const CORRECTED: bool> Task for Continuity<'_, DIFFUSI
         let (factors, flow) = (self.factors, self.flow);
         let Part { clusters, held: pairs, tally, .. } = self.part;
         tally.powers.clear();
+        tally.flow_entries += pairs.len();
         for (here, cluster) in clusters.clone().enumerate() {
             let (at, to) = (cluster * LANES, here * LANES);
             let x = lanes::<L>(&self.work.scaled_x, at);

@@ -59,7 +59,7 @@ impl Scheme for Wcsph {
         Wcsph::level_at(self, body)
     }
 
-    fn level_in_water(&self, x: f64, from: f64) -> f64 {
+    fn level_in_water(&mut self, x: f64, from: f64) -> f64 {
         Wcsph::level_in_water(self, x, from)
     }
 
@@ -100,7 +100,9 @@ impl Scheme for Wcsph {
             ("neighbours", t.neighbours),
             ("ghosts", t.ghosts),
             ("momentum", t.momentum),
+            ("viscosity", t.viscosity),
             ("continuity", t.continuity),
+            ("shifting", t.shifting),
             ("integration", t.integration),
         ]
     }

@@ -39,6 +39,7 @@ impl Task for Laminar<'_> {
         let Part { clusters, held, tally, .. } = part;
         let [acceleration_x, acceleration_y] = acceleration;
         tally.clear();
+        tally.force_entries += held.len();
         for (here, cluster) in clusters.clone().enumerate() {
             let (at, to) = (cluster * LANES, here * LANES);
             let inverse_density = lanes::<L>(&work.inverse_density, at);

@@ -26,10 +26,17 @@ pub(super) const GRADIENTS: u8 = 2;
 /// their geometry is left in each part's held pairs.
 ///
 /// Pairs are antisymmetric: m_i a_i holds -V_i V_j (p_i L_i + p_j L_j) ∇W, L the correction of one
-/// step before (the identity without `CORRECTED`), and, with the prefactor ρ0 in place of the
-/// paper's ρ_i, V_i V_j α h c0 ρ0 π_ij ∇W. With `CORRECTED` π_ij holds only what a linear,
-/// divergence-free velocity field leaves, limited so that every pair dissipates.
-pub(super) struct Momentum<'a, K, P: Pairing, const SUMS: u8, const CORRECTED: bool> {
+/// step before (the identity without `CORRECTED`), and where it is `VISCOUS`, with the prefactor ρ0 in
+/// place of the paper's ρ_i, V_i V_j α h c0 ρ0 π_ij ∇W. With `CORRECTED` π_ij holds only what a
+/// linear, divergence-free velocity field leaves, limited so that every pair dissipates.
+pub(super) struct Momentum<
+    'a,
+    K,
+    P: Pairing,
+    const SUMS: u8,
+    const CORRECTED: bool,
+    const VISCOUS: bool,
+> {
     pub fluid: &'a Fluid,
     pub records: &'a [P::Neighbour],
     /// What density diffusion smooths, kg/m³.
@@ -60,15 +67,23 @@ pub(super) struct Momentum<'a, K, P: Pairing, const SUMS: u8, const CORRECTED: b
 }
 
 /// The pass over one part.
-pub(super) struct OnPart<'a, 'b, K, P: Pairing, const SUMS: u8, const CORRECTED: bool> {
-    pub pass: &'b Momentum<'a, K, P, SUMS, CORRECTED>,
+pub(super) struct OnPart<
+    'a,
+    'b,
+    K,
+    P: Pairing,
+    const SUMS: u8,
+    const CORRECTED: bool,
+    const VISCOUS: bool,
+> {
+    pub pass: &'b Momentum<'a, K, P, SUMS, CORRECTED, VISCOUS>,
     pub part: &'b mut Part,
     /// The part's rows of [`Workspace::found_mut`].
     pub found: [&'b mut [f64]; FOUND],
 }
 
-impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
-    for OnPart<'_, '_, K, P, SUMS, CORRECTED>
+impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool, const VISCOUS: bool> Task
+    for OnPart<'_, '_, K, P, SUMS, CORRECTED, VISCOUS>
 {
     type Output = ();
 
@@ -92,6 +107,7 @@ impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
         held.restart(pass.bodies + 1);
         near.clear();
         tally.clear();
+        tally.force_entries += pairs.len();
         responding.clear();
         for (here, cluster) in clusters.clone().enumerate() {
             // Of the water, and of the part's rows.
@@ -101,7 +117,7 @@ impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
             store(found_inverse_density, to, inverse_density);
             let volume = lanes::<L>(&pass.fluid.mass, at) * inverse_density;
             let entries = pairs.group(here, 0);
-            let mut sums = L::call(Group::<_, P, SUMS, CORRECTED, true, false> {
+            let mut sums = L::call(Group::<_, P, SUMS, CORRECTED, VISCOUS, true, false> {
                 pass,
                 entries,
                 room: held.room(entries.len()),
@@ -117,14 +133,14 @@ impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
                 }
                 let room = held.room(entries.len());
                 let more = if body == pass.responds {
-                    L::call(Group::<_, P, SUMS, CORRECTED, false, true> {
+                    L::call(Group::<_, P, SUMS, CORRECTED, VISCOUS, false, true> {
                         pass,
                         entries,
                         room,
                         cluster,
                     })
                 } else {
-                    L::call(Group::<_, P, SUMS, CORRECTED, false, false> {
+                    L::call(Group::<_, P, SUMS, CORRECTED, VISCOUS, false, false> {
                         pass,
                         entries,
                         room,
@@ -157,9 +173,11 @@ impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool> Task
             let fall = L::splat(pass.gravity);
             store(acceleration_x, to, force_x * inverse_density);
             store(acceleration_y, to, force_y.mul_sub(inverse_density, fall));
-            let (vx, vy) = (lanes::<L>(&pass.fluid.vx, at), lanes::<L>(&pass.fluid.vy, at));
-            let power = viscous[0].mul_add(vx, viscous[1] * vy);
-            tally.powers.push((power * volume).sum());
+            if VISCOUS {
+                let (vx, vy) = (lanes::<L>(&pass.fluid.vx, at), lanes::<L>(&pass.fluid.vy, at));
+                let power = viscous[0].mul_add(vx, viscous[1] * vy);
+                tally.powers.push((power * volume).sum());
+            }
             if SUMS == GRADIENTS {
                 let [xx, xy, yy] = &water_moment;
                 let moment = [L::load(xx), L::load(xy), L::load(yy)];

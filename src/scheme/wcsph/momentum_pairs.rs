@@ -19,10 +19,11 @@ pub(super) struct Group<
     P: Pairing,
     const SUMS: u8,
     const CORRECTED: bool,
+    const VISCOUS: bool,
     const FLUID: bool,
     const RESPONSE: bool,
 > {
-    pub pass: &'b Momentum<'a, K, P, SUMS, CORRECTED>,
+    pub pass: &'b Momentum<'a, K, P, SUMS, CORRECTED, VISCOUS>,
     /// The listed neighbours, and room for those in reach and one more.
     pub entries: &'b [u32],
     pub room: (&'b mut [u32], &'b mut [Slopes]),
@@ -34,9 +35,10 @@ impl<
     P: Pairing,
     const SUMS: u8,
     const CORRECTED: bool,
+    const VISCOUS: bool,
     const FLUID: bool,
     const RESPONSE: bool,
-> Task for Group<'_, '_, K, P, SUMS, CORRECTED, FLUID, RESPONSE>
+> Task for Group<'_, '_, K, P, SUMS, CORRECTED, VISCOUS, FLUID, RESPONSE>
 {
     type Output = Sums;
 
@@ -51,9 +53,10 @@ impl<
     P: Pairing,
     const SUMS: u8,
     const CORRECTED: bool,
+    const VISCOUS: bool,
     const FLUID: bool,
     const RESPONSE: bool,
-> Group<'_, '_, K, P, SUMS, CORRECTED, FLUID, RESPONSE>
+> Group<'_, '_, K, P, SUMS, CORRECTED, VISCOUS, FLUID, RESPONSE>
 {
     #[inline(always)]
     fn sums<L: Lanes, V: Pairs>(self) -> Sums {
@@ -67,7 +70,7 @@ impl<
         let vy = V::of_particles(eight(&pass.fluid.vy, at));
         let diffused = P::Neighbour::own_diffused::<V>(eight(pass.diffused, at), pass.density);
         let (mut own_stretch, mut own_shear) = (zero, zero);
-        if CORRECTED {
+        if CORRECTED && VISCOUS {
             let strain = pass.strain[at..at + LANES].first_chunk::<LANES>().unwrap();
             let (mut stretch, mut shear) = ([0.0; LANES], [0.0; LANES]);
             for lane in 0..LANES {
@@ -107,30 +110,32 @@ impl<
                     g.store_singles(&mut slopes[place..place + V::NEIGHBOURS]);
                     place += V::NEIGHBOURS * V::TURNS;
                     let these = [&pass.records[a as usize], &pass.records[b as usize]];
-                    let [their_vx, their_vy] = P::Neighbour::velocity::<V>(these);
-                    let (du, dv) = (vx - their_vx, vy - their_vy);
-                    let mut approach = du.mul_add(dx, dv * dy);
-                    if CORRECTED {
-                        // Less what a linear, divergence-free velocity field would give.
-                        let (stretch, shear) = if FLUID {
-                            let [stretch, shear] =
-                                P::Neighbour::strain::<V>(these, pass.strain, numbers);
-                            (own_stretch + stretch, own_shear + shear)
-                        } else {
-                            (own_stretch + own_stretch, own_shear + own_shear)
-                        };
-                        let apart = dx.mul_sub(dx, dy * dy);
-                        let rest = (dx * dy).negated_mul_add(shear, approach);
-                        let rest = apart.negated_mul_add(stretch, rest);
-                        // Between nothing and all of it: every pair then dissipates.
-                        let (low, high) = (approach.min(zero), approach.max(zero));
-                        approach = rest.min(high).max(low);
-                    }
                     let gx = g * dx;
                     let gy = g * dy;
-                    let drag = approach.over(divisor);
-                    viscous_x = drag.mul_add(gx, viscous_x);
-                    viscous_y = drag.mul_add(gy, viscous_y);
+                    if VISCOUS {
+                        let [their_vx, their_vy] = P::Neighbour::velocity::<V>(these);
+                        let (du, dv) = (vx - their_vx, vy - their_vy);
+                        let mut approach = du.mul_add(dx, dv * dy);
+                        if CORRECTED {
+                            // Less what a linear, divergence-free velocity field would give.
+                            let (stretch, shear) = if FLUID {
+                                let [stretch, shear] =
+                                    P::Neighbour::strain::<V>(these, pass.strain, numbers);
+                                (own_stretch + stretch, own_shear + shear)
+                            } else {
+                                (own_stretch + own_stretch, own_shear + own_shear)
+                            };
+                            let apart = dx.mul_sub(dx, dy * dy);
+                            let rest = (dx * dy).negated_mul_add(shear, approach);
+                            let rest = apart.negated_mul_add(stretch, rest);
+                            // Between nothing and all of it: every pair then dissipates.
+                            let (low, high) = (approach.min(zero), approach.max(zero));
+                            approach = rest.min(high).max(low);
+                        }
+                        let drag = approach.over(divisor);
+                        viscous_x = drag.mul_add(gx, viscous_x);
+                        viscous_y = drag.mul_add(gy, viscous_y);
+                    }
                     let [xx, xy, yy] = P::Neighbour::pressure::<V>(these);
                     push_x = xx.mul_add(gx, push_x);
                     if CORRECTED {

@@ -6,7 +6,7 @@ use super::fields::{Advance, Ramp};
 use super::inside::HoldInside;
 use super::passes::{TENSION_FROM, TENSION_FULL};
 use super::shifting::Shift;
-use super::{DensityDiffusion, Shifting, Wcsph};
+use super::{DensityDiffusion, Wcsph};
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, dispatch};
 use crate::particles::Fluid;
@@ -91,20 +91,17 @@ impl Wcsph {
     /// Shifts the particles, if they are, for the time since the last full step; returns the energy
     /// that goes.
     pub(super) fn shift(&mut self) -> f64 {
-        match self.options.shifting {
-            Shifting::Interior => dispatch(
-                self.path,
-                Shift {
-                    fluid: &mut self.fluid,
-                    work: &self.work,
-                    options: &self.options,
-                    planes: &self.planes,
-                    dt: self.since_full,
-                    inverse_radius: self.scaling.inverse_radius,
-                },
-            ),
-            Shifting::None => 0.0,
-        }
+        dispatch(
+            self.path,
+            Shift {
+                fluid: &mut self.fluid,
+                work: &self.work,
+                options: &self.options,
+                planes: &self.planes,
+                dt: self.since_full,
+                inverse_radius: self.scaling.inverse_radius,
+            },
+        )
     }
 
     /// Holds some particles, of whole vectors, in front of the walls.

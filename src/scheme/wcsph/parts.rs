@@ -44,6 +44,10 @@ pub(super) struct Tally {
     pub powers: Vec<f64>,
     /// A body, its force, N/m, the viscous part of that, and its added mass, kg/m.
     pub loads: Vec<(usize, [f64; 3])>,
+    /// Entries, of eight pairs each, that passes for forces and for the flow have gone through and that
+    /// are still to be counted.
+    pub force_entries: usize,
+    pub flow_entries: usize,
 }
 
 impl Tally {

@@ -102,8 +102,9 @@ impl Wcsph {
         let options = &self.options;
         let sums = match (options.density_diffusion, options.shifting) {
             (DensityDiffusion::Renormalised, _) => GRADIENTS,
-            (_, Shifting::Interior) => CONCENTRATION,
-            (_, Shifting::None) => FORCES,
+            // Corrected forces need all sums that shifting does.
+            (_, Shifting::None) if !options.corrected_gradients => FORCES,
+            _ => CONCENTRATION,
         };
         let viscosity = options.artificial_viscosity
             * options.smoothing_length()
@@ -111,16 +112,16 @@ impl Wcsph {
             * options.density
             * self.scaling.inverse_radius;
         macro_rules! pass {
-            ($K:ty, $sums:ident) => {
-                match (options.precision, options.corrected_gradients) {
-                    (Precision::F64, true) => pass!($K, Double, $sums, true, records),
-                    (Precision::F64, false) => pass!($K, Double, $sums, false, records),
-                    (Precision::F32, true) => pass!($K, Single, $sums, true, singles),
-                    (Precision::F32, false) => pass!($K, Single, $sums, false, singles),
+            ($K:ty, $sums:ident, $corrected:literal) => {
+                match (options.precision, viscosity > 0.0) {
+                    (Precision::F64, true) => pass!($K, Double, $sums, $corrected, true, records),
+                    (Precision::F64, false) => pass!($K, Double, $sums, $corrected, false, records),
+                    (Precision::F32, true) => pass!($K, Single, $sums, $corrected, true, singles),
+                    (Precision::F32, false) => pass!($K, Single, $sums, $corrected, false, singles),
                 }
             };
-            ($K:ty, $P:ty, $sums:ident, $corrected:literal, $records:ident) => {{
-                let pass = &Momentum::<$K, $P, $sums, $corrected> {
+            ($K:ty, $P:ty, $sums:ident, $corrected:literal, $viscous:literal, $records:ident) => {{
+                let pass = &Momentum::<$K, $P, $sums, $corrected, $viscous> {
                     fluid: &self.fluid,
                     records: &self.$records,
                     diffused: &self.diffused,
@@ -143,22 +144,21 @@ impl Wcsph {
                 });
             }};
         }
-        with_kernel!(options.kernel, K => match sums {
-            GRADIENTS => pass!(K, GRADIENTS),
-            CONCENTRATION => pass!(K, CONCENTRATION),
-            _ => pass!(K, FORCES),
+        with_kernel!(options.kernel, K => match (sums, options.corrected_gradients) {
+            (GRADIENTS, true) => pass!(K, GRADIENTS, true),
+            (GRADIENTS, false) => pass!(K, GRADIENTS, false),
+            (_, true) => pass!(K, CONCENTRATION, true),
+            (CONCENTRATION, false) => pass!(K, CONCENTRATION, false),
+            (_, false) => pass!(K, FORCES, false),
         });
         put_back(self.work.found_mut(), found);
         self.work.add_loads(&self.parts);
         power(&self.parts)
     }
 
-    /// Physical viscosity, where there is any; returns its power.
+    /// Physical viscosity; returns its power.
     pub(super) fn laminar_pass(&mut self) -> f64 {
         let options = &self.options;
-        if options.kinematic_viscosity == 0.0 {
-            return 0.0;
-        }
         let mut found = self.work.acceleration_mut().map(std::mem::take);
         let rows = found.each_mut().map(Vec::as_mut_slice);
         let (path, fluid, records, work) = (self.path, &self.fluid, &*self.records, &self.work);

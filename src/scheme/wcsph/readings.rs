@@ -43,11 +43,12 @@ impl Wcsph {
 
     /// Level of the free surface at x, metres above the bed: upwards from `from`, the first
     /// height at which the kernel's coverage Σ W V falls to 1/2.
-    pub fn level_in_water(&self, x: f64, from: f64) -> f64 {
+    pub fn level_in_water(&mut self, x: f64, from: f64) -> f64 {
         let radius = self.options.support_radius;
         let margin = GHOST_MARGIN * self.options.spacing;
         let factor = self.options.kernel.normalisation() / (radius * radius);
-        let mut near = Column::default();
+        let near = &mut self.column;
+        near.clear();
         let reach = radius + margin;
         self.strips.visit_box([x - reach, x + reach], [f64::MIN, f64::MAX], |range| {
             for k in range.filter(|&k| (self.fluid.x[k] - x).abs() < radius) {
@@ -55,8 +56,9 @@ impl Wcsph {
                 near.push((self.fluid.x[k] - x) / radius, self.fluid.y[k] / radius, volume);
             }
         });
+        let near = &*near.blocks;
         let coverage = |y: f64| -> f64 {
-            let (near, y) = (&near.blocks, y / radius);
+            let y = y / radius;
             factor
                 * with_kernel!(self.options.kernel, K => {
                     dispatch(self.path, Coverage { near, y, kernel: PhantomData::<K> })
@@ -79,13 +81,18 @@ impl Wcsph {
 
 /// Particles near an upright line, eight at a time: their distance from it and their height, over
 /// R, and their volume.
-#[derive(Default)]
-struct Column {
+#[derive(Debug, Clone, Default)]
+pub(super) struct Column {
     blocks: Vec<[[f64; LANES]; 3]>,
     len: usize,
 }
 
 impl Column {
+    fn clear(&mut self) {
+        self.blocks.clear();
+        self.len = 0;
+    }
+
     fn push(&mut self, x: f64, y: f64, volume: f64) {
         let lane = self.len % LANES;
         if lane == 0 {

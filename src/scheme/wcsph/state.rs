@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::factors::{Factors, Numbers};
 use super::parts::Part;
 use super::pipeline::Turn;
+use super::readings::Column;
 use super::{DensityDiffusion, WcsphOptions, Workspace};
 use crate::body::BodyMotion;
 use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane};
@@ -22,8 +23,12 @@ pub struct Timings {
     pub ghosts: f64,
     /// Momentum pass.
     pub momentum: f64,
+    /// Physical viscosity.
+    pub viscosity: f64,
     /// Continuity pass.
     pub continuity: f64,
+    /// Particle shifting.
+    pub shifting: f64,
     /// Kicks, drifts, packing.
     pub integration: f64,
 }
@@ -72,6 +77,8 @@ pub struct Wcsph {
     pub(super) strain: Vec<[f64; 2]>,
     pub(super) scratch: Vec<f64>,
     pub(super) order: Vec<u32>,
+    /// Room for a level to be found.
+    pub(super) column: Column,
     pub(super) lanes: [Vec<f64>; 2],
     pub(super) planes: Vec<Plane>,
     /// The particles without a complete support, of schemes with corrections.
@@ -133,6 +140,7 @@ impl Wcsph {
             strain: vec![[0.0; 2]; padded],
             scratch: Vec::new(),
             order: Vec::new(),
+            column: Column::default(),
             lanes: Default::default(),
             planes: Vec::new(),
             near_surface: Vec::with_capacity(padded),

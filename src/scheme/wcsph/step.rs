@@ -1,8 +1,9 @@
 //! The two halves of a time step.
 
+use std::mem::take;
 use std::time::Instant;
 
-use super::Wcsph;
+use super::{Shifting, Wcsph};
 use crate::body::BodyMotion;
 use crate::math::simd::LANES;
 use crate::scheme::{Dissipation, StepWalls};
@@ -58,12 +59,18 @@ impl Wcsph {
         let filled = Instant::now();
         self.timings.ghosts += (filled - packed).as_secs_f64();
         self.last_viscous_power = self.momentum_pass();
-        self.last_viscous_power += self.laminar_pass();
+        let momentum = Instant::now();
+        self.timings.momentum += (momentum - filled).as_secs_f64();
+        if self.options.kinematic_viscosity > 0.0 {
+            self.last_viscous_power += self.laminar_pass();
+            self.timings.viscosity += momentum.elapsed().as_secs_f64();
+        }
+        let rest = Instant::now();
         if self.options.corrected_gradients {
             self.find_surface();
         }
         self.find_diffused_shares();
-        self.timings.momentum += filled.elapsed().as_secs_f64();
+        self.timings.momentum += rest.elapsed().as_secs_f64();
     }
 
     /// Second half: velocities with the forces of [`Wcsph::prepare`], densities with the new
@@ -76,6 +83,8 @@ impl Wcsph {
     /// (hydrostatic or renormalised, zero for the others).
     pub fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation {
         let start = Instant::now();
+        // Of this step: further on come the next one's.
+        let forces = self.parts.iter_mut().map(|part| take(&mut part.tally.force_entries)).sum();
         self.bulk_time = self.options.bulk_damping * walls.next.dt;
         self.hold_offsets(walls);
         self.move_planes(dt, walls.bodies);
@@ -85,11 +94,17 @@ impl Wcsph {
         let lost = self.go_through(dt, walls.bodies, sample, acoustic_is_next);
         let through = Instant::now();
         self.since_full += dt;
-        self.count_pairs();
+        self.count_pairs(forces);
         self.substep = (self.substep + 1) % self.options.acoustic_substeps;
         let mut shifting_work = lost.spray;
         if self.substep == 0 {
-            shifting_work += self.shift();
+            if self.options.shifting != Shifting::None {
+                let start = Instant::now();
+                shifting_work += self.shift();
+                let shifted = start.elapsed().as_secs_f64();
+                self.timings.shifting += shifted;
+                self.timings.integration -= shifted;
+            }
             self.hold_inside(walls.bodies, 0..self.fluid.padded_len());
             self.since_full = 0.0;
             self.take_next_correction();
@@ -111,14 +126,14 @@ impl Wcsph {
         }
     }
 
-    fn count_pairs(&mut self) {
-        let held = self.parts.iter().map(|part| part.held.len()).sum::<usize>();
-        let mut pairs = 2 * held + self.exchange.pairs();
+    /// Counts what this step has gone through, `forces` entries for its forces.
+    fn count_pairs(&mut self, forces: usize) {
+        let flows = self.parts.iter_mut().map(|part| take(&mut part.tally.flow_entries));
+        let entries = forces + flows.sum::<usize>() + self.exchange.pairs();
+        self.pair_evaluations += (LANES * entries) as u64;
         if self.substep == 0 {
-            // Weights are found, and lists gone through, in full steps alone.
+            // Weights are found in full steps alone.
             self.boundary_fallbacks += self.exchange.fallbacks();
-            pairs += self.parts.iter().map(|part| part.pairs.len()).sum::<usize>() - held;
         }
-        self.pair_evaluations += (LANES * pairs) as u64;
     }
 }

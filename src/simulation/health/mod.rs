@@ -5,6 +5,7 @@ mod bounds;
 mod crowding;
 
 pub use bounds::HealthBounds;
+pub use crowding::Crowding;
 
 use serde::{Deserialize, Serialize};
 
@@ -92,12 +93,13 @@ impl HealthState {
         bounds: &HealthBounds,
         fluid: &Fluid,
         vitals: &Vitals,
+        crowding: &mut Crowding,
     ) -> Result<(), Failure> {
         let time_s = vitals.time_s;
         let fail = |kind, detail| Err(Failure { kind, time_s, detail });
         self.check_particles(bounds, fluid, vitals)?;
         if vitals.clusters {
-            let (share, particle) = crowding::clustered(fluid, CLUSTERED * vitals.spacing);
+            let (share, particle) = crowding.look(fluid, CLUSTERED * vitals.spacing);
             raise(&mut self.margins.clustered, share / bounds.clustered_share);
             if share > bounds.clustered_share {
                 let detail = format!(
@@ -223,10 +225,14 @@ mod tests {
         Fluid::at_rest((0..10).map(|k| [0.1 * f64::from(k) + 0.05, 0.1, 1000.0, 1.0]))
     }
 
+    fn check_once(health: &mut HealthState, fluid: &Fluid, vitals: &Vitals) -> Result<(), Failure> {
+        health.check(&BOUNDS, fluid, vitals, &mut Crowding::default())
+    }
+
     fn check(spoil: impl Fn(&mut Fluid)) -> Result<u32, FailureKind> {
         let (mut fluid, mut health) = (water(), HealthState::default());
         spoil(&mut fluid);
-        let result = health.check(&BOUNDS, &fluid, &VITALS);
+        let result = check_once(&mut health, &fluid, &VITALS);
         result.map(|()| health.lost).map_err(|failure| failure.kind)
     }
 
@@ -248,7 +254,7 @@ mod tests {
         let with = |energy_residual| {
             let vitals = Vitals { energy_residual, ..VITALS };
             let mut health = HealthState::default();
-            let result = health.check(&BOUNDS, &water(), &vitals).map_err(|failure| failure.kind);
+            let result = check_once(&mut health, &water(), &vitals).map_err(|failure| failure.kind);
             (result, health.margins.closest())
         };
         assert_eq!(with(100.0), (Ok(()), (0.0, "none")));
@@ -260,11 +266,11 @@ mod tests {
     fn a_gap_must_last() {
         let mut health = HealthState::default();
         health.see_gap(3.0);
-        assert!(health.check(&BOUNDS, &water(), &VITALS).is_ok());
+        assert!(check_once(&mut health, &water(), &VITALS).is_ok());
         for _ in 0..20 {
             health.see_gap(0.7);
         }
-        let told = health.check(&BOUNDS, &water(), &VITALS).unwrap_err();
+        let told = check_once(&mut health, &water(), &VITALS).unwrap_err();
         assert_eq!(told.kind, FailureKind::ForceGap);
     }
 
@@ -272,7 +278,8 @@ mod tests {
     fn a_failure_names_time_and_particle() {
         let mut fluid = water();
         fluid.vx[7] = 9.0;
-        let told = HealthState::default().check(&BOUNDS, &fluid, &VITALS).unwrap_err().to_string();
+        let told =
+            check_once(&mut HealthState::default(), &fluid, &VITALS).unwrap_err().to_string();
         let expected = "runaway-speed at t = 1.0000 s: particle 7 at x = 0.7500 m, y = 0.1000 m \
                         moves at 9.00 m/s, bound 3.00 m/s";
         assert_eq!(told, expected);

@@ -1,10 +1,16 @@
 //! Air that water has closed in: found on a raster, by flooding the air from above.
 
+use std::ops::Range;
+
 /// A raster over the tank that knows which cells are wet.
 pub(super) struct Raster {
     cell: f64,
     columns: usize,
     rows: usize,
+    /// Cells that water or a flood has taken.
+    taken: Vec<bool>,
+    /// Cells that a flood has yet to look at.
+    open: Vec<usize>,
 }
 
 impl Raster {
@@ -14,14 +20,18 @@ impl Raster {
             cell: spacing,
             columns: (length / spacing).ceil() as usize,
             rows: (height / spacing).ceil() as usize,
+            taken: Vec::new(),
+            open: Vec::new(),
         }
     }
 
     /// Area of the largest body of air that no path leads to from above, m². A particle wets all
     /// cells whose centre is within 1.2 spacings of it; walls and bed end the raster.
-    pub(super) fn largest_cavity(&self, x: &[f64], y: &[f64]) -> f64 {
-        let Raster { cell, columns, rows } = *self;
-        let mut taken = vec![false; columns * rows];
+    pub(super) fn largest_cavity(&mut self, x: &[f64], y: &[f64]) -> f64 {
+        let Raster { cell, columns, rows, .. } = *self;
+        let taken = &mut self.taken;
+        taken.clear();
+        taken.resize(columns * rows, false);
         let reach = 1.2 * cell;
         for (&x, &y) in x.iter().zip(y) {
             let span = |at: f64, count: usize| {
@@ -39,19 +49,18 @@ impl Raster {
                 }
             }
         }
-        let top: Vec<usize> = ((rows - 1) * columns..rows * columns).collect();
-        self.flood(&mut taken, top);
+        self.flood((rows - 1) * columns..rows * columns);
         let mut largest = 0;
-        for start in 0..taken.len() {
-            if !taken[start] {
-                largest = largest.max(self.flood(&mut taken, vec![start]));
-            }
+        for start in 0..columns * rows {
+            largest = largest.max(self.flood(start..start + 1));
         }
         largest as f64 * cell * cell
     }
 
     /// Takes all free cells that are connected to these; returns how many.
-    fn flood(&self, taken: &mut [bool], mut open: Vec<usize>) -> usize {
+    fn flood(&mut self, from: Range<usize>) -> usize {
+        let Raster { taken, open, .. } = self;
+        open.extend(from);
         let mut count = 0;
         while let Some(at) = open.pop() {
             if taken[at] {
@@ -83,7 +92,7 @@ mod tests {
 
     #[test]
     fn only_air_that_is_closed_in_counts() {
-        let raster = Raster::new(1.0, 0.8, 0.02);
+        let mut raster = Raster::new(1.0, 0.8, 0.02);
         let ring = |gap: f64| -> (Vec<f64>, Vec<f64>) {
             (0..400)
                 .map(|k| f64::from(k) / 400.0 * std::f64::consts::TAU)

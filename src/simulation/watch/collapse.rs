@@ -18,6 +18,8 @@ pub(super) struct Collapse {
     column: f64,
     spacing: f64,
     raster: Raster,
+    /// Particles from the foremost back.
+    order: Vec<usize>,
     mass_at_start: f64,
     front_at_wall: Option<f64>,
     fronts: Vec<(f64, f64)>,
@@ -35,6 +37,7 @@ impl Collapse {
             column,
             spacing,
             raster: Raster::new(frame.length, 4.0 * frame.depth, spacing),
+            order: Vec::with_capacity(fluid.len()),
             mass_at_start: fluid.mass.iter().sum(),
             front_at_wall: None,
             fronts: Vec::new(),
@@ -51,9 +54,11 @@ impl Collapse {
 
     /// The foremost particle that is no lone drop (two others within two spacings), plus half a
     /// spacing.
-    fn front(&self, fluid: &Fluid) -> f64 {
+    fn front(&mut self, fluid: &Fluid) -> f64 {
         let reach = 2.0 * self.spacing;
-        let mut order: Vec<usize> = (0..fluid.len()).collect();
+        let order = &mut self.order;
+        order.clear();
+        order.extend(0..fluid.len());
         order.sort_unstable_by(|&a, &b| {
             fluid.x[b].total_cmp(&fluid.x[a]).then(fluid.id[a].cmp(&fluid.id[b]))
         });
