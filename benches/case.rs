@@ -1,12 +1,13 @@
 //! What a particle costs per step: pair loops, neighbour search, ghosts, the whole step, at four
 //! sizes, on every instruction set and in both precisions of pair terms; one default case with the
-//! memory that it takes; allocations per step.
+//! memory that it takes; allocations per step; the core's clock, to tell times in cycles.
 //!
 //! `cargo bench --bench case` prints medians in processor time, as CSV, and the best of whole steps
 //! and cases: what the machine gives when nothing else shares it. `scripts/bench` makes tables of
 //! them. Compare numbers within one run only.
 
 use std::alloc::{GlobalAlloc, Layout, System};
+use std::hint::black_box;
 use std::process::Command;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
@@ -24,6 +25,11 @@ const MOVABLE: &str =
 const PRECISIONS: [&str; 2] = ["f64", "f32"];
 /// How many default cases are run in each precision, in turns.
 const ALONE_RUNS: usize = 5;
+/// Turns of a chain that tells the clock, a tenth of a millisecond or two, and how many such chains.
+const CHAIN: u64 = 100_000;
+const CHAINS: u32 = 50;
+/// How often the clock is told after every size.
+const CLOCK_RUNS: usize = 9;
 /// Asks this program to run one default case in a precision and to tell its time and memory.
 const ALONE: &str = "--default-case=";
 
@@ -62,6 +68,8 @@ fn main() {
         return;
     }
     println!("simd,precision,particles,quantity,value,unit");
+    // After every size, as the clock of a machine goes with its load and with what it computes.
+    let mut clocks: Vec<f64> = Vec::new();
     for path in [SimdPath::Avx512, SimdPath::Avx2, SimdPath::Portable] {
         if !path.is_supported() {
             continue;
@@ -82,6 +90,9 @@ fn main() {
             for (precision, runs) in PRECISIONS.iter().zip(&runs) {
                 runs[0].print(path, precision, runs);
             }
+            if path == widest {
+                clocks.extend((0..CLOCK_RUNS).map(|_| core_clock()));
+            }
         }
     }
     let path = widest.name();
@@ -98,15 +109,36 @@ fn main() {
         println!("{path},{precision},7825,best default case,{:.2},s", told[0][0]);
         println!("{path},{precision},7825,peak memory,{mebibytes:.1},MiB");
     }
+    clocks.sort_by(f64::total_cmp);
+    println!("{path},,,core clock,{:.0},MHz", clocks[clocks.len() / 2]);
+    println!("{path},,,best core clock,{:.0},MHz", clocks[clocks.len() - 1]);
     let allocations = |end: f64| {
         let before = ALLOCATIONS.load(Ordering::Relaxed);
-        let scene = format!("{MOVABLE}history_interval_s = 10\n");
-        let run = Run::of(&case(&scene, 0.016, Some(end), "f64"), widest);
+        let run = Run::of(&case(MOVABLE, 0.016, Some(end), "f64"), widest);
         (ALLOCATIONS.load(Ordering::Relaxed) - before, run.result.outcome.steps)
     };
     let ((few, fewer), (more, steps)) = (allocations(1.0), allocations(2.0));
     let per_step = more.saturating_sub(few) as f64 / (steps - fewer) as f64;
-    println!("{path},f64,2028,allocations per step,{per_step:.4},");
+    println!("{path},f64,2028,allocations per step (history on),{per_step:.4},");
+}
+
+/// MHz of the core at this moment: three shifts and three exclusive ors, each of which waits for the
+/// one before and takes one cycle. By wall time, as processor time is told too coarsely; so chains are
+/// shorter than a scheduler's slice, and the fastest of them leaves other load out.
+fn core_clock() -> f64 {
+    let mut seconds = f64::INFINITY;
+    let mut state = black_box(0x9e37_79b9_7f4a_7c15_u64);
+    for _ in 0..CHAINS {
+        let start = Instant::now();
+        for _ in 0..CHAIN {
+            state ^= state << 13;
+            state ^= state >> 7;
+            state ^= state << 17;
+        }
+        state = black_box(state);
+        seconds = seconds.min(start.elapsed().as_secs_f64());
+    }
+    6.0 * CHAIN as f64 * 1e-6 / seconds
 }
 
 /// Seconds and MiB of one default case in a process of its own.

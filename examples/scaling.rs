@@ -255,6 +255,41 @@ fn simulate(study: &Study, count: usize, measured: &Measured) -> Outcome {
     }
 }
 
+/// Up to where the scheduler keeps its ranks at work, and where recording and ordering take all of the
+/// coordinator's time. With fewer than a hundred cases per rank it is the last cases that count: what
+/// one coordinator can feed shows where there are more.
+fn conclusion(rows: &[(usize, usize, Outcome)]) -> String {
+    let enough = |ranks: &usize, cases: &usize| *cases >= 100 * *ranks;
+    let kept = rows.iter().map(|row| row.0).filter(|count| {
+        let of = rows.iter().filter(|(ranks, cases, _)| ranks == count && enough(ranks, cases));
+        let mut efficiencies = of.map(|(_, _, o)| o.bound / o.makespan).peekable();
+        efficiencies.peek().is_some() && efficiencies.all(|efficiency| efficiency > 0.95)
+    });
+    let kept = kept.max().map_or("No number of ranks".to_owned(), |n| format!("Up to {n} ranks"));
+    let mut text = format!(
+        "\n{kept} the bound is more than 95 % of the makespan wherever there are a hundred cases or more \
+         per rank.\n"
+    );
+    let full: Vec<_> = rows.iter().filter(|(_, _, o)| o.busy > 0.8).collect();
+    if let Some(ranks) = full.iter().map(|row| row.0).min() {
+        let of = |value: &dyn Fn(&Outcome) -> f64| {
+            let values = full.iter().map(|(_, _, o)| value(o));
+            values.fold([f64::INFINITY, 0.0], |[a, b], v| [a.min(v), b.max(v)])
+        };
+        let [least, most] = of(&|o| o.makespan / o.bound);
+        let [idle, busy] = of(&|o| 100.0 * o.busy);
+        writeln!(
+            text,
+            "At {ranks} ranks the coordinator is the limit: where it is busy {idle:.0} to {busy:.0} % of the \
+             time, the makespan\nis {least:.2} to {most:.2} times the bound."
+        )
+        .unwrap();
+    } else {
+        text += "The coordinator is nowhere busy for more than 80 % of the time.\n";
+    }
+    text
+}
+
 fn main() {
     let measured = measure();
     let all = || measured.waves.iter().flat_map(|wave| &wave.branches);
@@ -285,6 +320,7 @@ fn main() {
         1e-3 * measured.result_bytes,
         1e-6 * measured.checkpoint_bytes,
     );
+    let mut rows = Vec::new();
     for ranks in [10, 100, 1_000, 10_000] {
         for cases in [300, 10_000, 100_000, 1_000_000] {
             let o = simulate(&study(cases, &measured.waves), ranks, &measured);
@@ -299,8 +335,10 @@ fn main() {
                 1e-6 * o.bytes
             )
             .unwrap();
+            rows.push((ranks, cases, o));
         }
     }
+    text += &conclusion(&rows);
     // What a reader has added stays.
     let old = std::fs::read_to_string(TABLE).unwrap_or_default();
     if let Some((_, notes)) = old.split_once("\n## Notes") {

@@ -147,7 +147,19 @@ fn bad_scenes_are_refused_with_their_key() {
         ),
         ("", "name = \"a\"\nkind = \"void\"\nx_m = 1", "probe.wall: a looks for voids"),
         ("", "name = \"a\"\nkind = \"heat\"\nx_m = 1", "probe.kind = \"heat\""),
-        ("", "name = \"a\"\nplace = 1", "probe.place: unknown key"),
+        ("", "name = \"a\"\nplace = 1", "probe.place: unknown key (probe a)"),
+        ("", "kind = \"level\"\nx_m = 1", "probe.name: is missing (probe number 1)"),
+        (
+            "",
+            "name = \"a\"\nkind = \"pressure\"\nwall = \"right\"\ny_m = 10",
+            "probe.y_m = 10: must be a number from 0 to",
+        ),
+        ("", "name = \"a\"\nkind = \"heat\"\nx_m = 1", "pressure, level, void (probe a)"),
+        (
+            "particle_spacing_m = 1",
+            "",
+            "scene.particle_spacing_m: unknown key; did you mean numerics.",
+        ),
     ];
     let root = tempfile::tempdir().unwrap();
     for (scene, probe, message) in bad {

@@ -156,7 +156,7 @@ fn check_and_dry_run_write_nothing() {
 const BAD: &[(&str, &[&str], &str)] = &[
     ("name = \"a\"\n", &[], "grid: is required"),
     ("[grid]\nwave_height_ratio = [0.2]", &[], "name: is required"),
-    ("name = \"a\"\n[grid]\n", &[], "grid: is required"),
+    ("name = \"a\"\n[grid]\n", &[], "grid: holds no key"),
     ("name = \"a\"\n[gird]\nx = [1]", &[], "gird: unknown key; did you mean grid?"),
     ("name = \"a\"\n[grid]\nwave_height_ratio = []", &[], "grid.wave_height_ratio = []: must"),
     (
@@ -184,7 +184,18 @@ const BAD: &[(&str, &[&str], &str)] = &[
         &[],
         "grid.spring_stiffness_n_per_m = 1: belongs to a movable wall",
     ),
-    (TINY, &["--set", "numerics.kernel=gauss"], "numerics.kernel = \"gauss\": "),
+    (TINY, &["--set", "numerics.kernel=gauss"], "numerics.kernel = \"gauss\": must be one of wend"),
+    (
+        TINY,
+        &["--set", "particle_spacing_m=0.02"],
+        "particle_spacing_m: unknown key; did you mean numerics.particle_spacing_m?",
+    ),
+    (
+        TINY,
+        &["--set", "numerics.particle_spacing_m=0.00001"],
+        "numerics.particle_spacing_m = 0.00001: makes 2000000000 particles of 0.2000 m² of water, \
+         20000000 are the most: 0.0001",
+    ),
     (
         TINY,
         &["--set", "scene.wave_height_ratio=0.3"],

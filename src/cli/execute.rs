@@ -8,11 +8,11 @@ use serde_json::{Value, json};
 use super::output::Output;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::math::simd::SimdPath;
-use crate::simulation::cost;
+use crate::simulation::{Outcome, cost};
 use crate::sweep::executor::{Crew, RankInfo};
 use crate::sweep::{
     CaseRecord, Directory, Ending, Interrupt, Manifest, OpenMode, Opened, Plan, Progress, Savings,
-    Session, SessionInfo, Study, SweepError, coordinate, timestamp,
+    Session, SessionInfo, Study, SweepError, coordinate, counted, timestamp,
 };
 
 /// What is to be done.
@@ -28,6 +28,9 @@ pub(super) struct Job {
     pub(super) overrides: Vec<String>,
 }
 
+/// Gaps above this say to look at a case's history before its numbers, percent.
+pub(super) const DOUBTFUL_PERCENT: f64 = 3.0;
+
 /// What came of it.
 pub(super) struct Done {
     pub(super) directory: Directory,
@@ -41,6 +44,15 @@ impl Done {
     /// The finished cases, in grid order.
     pub(super) fn records(&self) -> impl Iterator<Item = &CaseRecord> {
         self.directory.records().iter().flatten()
+    }
+
+    /// Finished cases that README says to look at: the gap of force or energy is above 3 %.
+    pub(super) fn doubtful(&self) -> usize {
+        let doubtful = |outcome: &Outcome| {
+            outcome.force_gap_percent.max(outcome.energy_gap_percent) > DOUBTFUL_PERCENT
+        };
+        let outcomes = self.records().filter_map(|record| record.outcome.as_ref());
+        outcomes.filter(|outcome| doubtful(outcome)).count()
     }
 
     pub(super) fn failed(&self) -> usize {
@@ -63,6 +75,7 @@ impl Done {
             "cases": job.study.cases.len(),
             "ok": self.records().count() - self.failed(),
             "failed": self.failed(),
+            "doubtful": self.doubtful(),
             "wall_time_s": self.wall_time_s,
             "savings": self.savings,
             "records": self.records().collect::<Vec<_>>(),
@@ -145,8 +158,8 @@ fn tell_opened(opened: &Opened, job: &Job, missing: usize, output: &Output) {
             output.note(format_args!("{out} is finished; --fresh would run it again"));
         }
         Opened::Resumed(_) => {
-            let done = job.study.run_count() - missing;
-            output.note(format_args!("resuming {out}: {done} runs are done, {missing} are left"));
+            let done = counted(job.study.run_count() - missing, "run");
+            output.note(format_args!("resuming {out}: {done} done, {missing} left"));
         }
     }
 }
@@ -158,17 +171,23 @@ fn tell_start(crew: &dyn Crew, directory: &Directory, missing: usize, output: &O
     let within = ranks.iter().map(|rank| rank.threads_per_case).max().unwrap_or(1);
     let within = if within > 1 { format!(", up to {within} in a case") } else { String::new() };
     let who = match crew.executor() {
-        "mpi" => format!("{} MPI ranks, {places} cases at once{within}", ranks.len()),
-        _ => format!("{threads} threads{within}"),
+        "mpi" => {
+            let [ranks, places] = [(ranks.len(), "MPI rank"), (places, "case")]
+                .map(|(number, noun)| counted(number, noun));
+            format!("{ranks}, {places} at once{within}")
+        }
+        _ => format!("{}{within}", counted(threads, "thread")),
     };
     output.note(format_args!(
-        "{missing} runs on {who}, {}, into {}",
+        "{} on {who}, {}, into {}",
+        counted(missing, "run"),
         directory.simd().name(),
         directory.path().display()
     ));
     if output.verbose {
         for (rank, info) in ranks.iter().enumerate() {
-            output.note(format_args!("rank {rank}: {}, {} threads", info.host, info.threads));
+            let threads = counted(info.threads, "thread");
+            output.note(format_args!("rank {rank}: {}, {threads}", info.host));
         }
     }
 }

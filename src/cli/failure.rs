@@ -20,11 +20,24 @@ pub(super) fn exit_code(result: anyhow::Result<u8>, launcher: Launcher) -> u8 {
     if launcher.rank > 0 || is_broken_pipe(&error) {
         return SUCCESS;
     }
-    let line = format!("{error:#}").replace('\n', " ");
+    let line = told(&error).replace('\n', " ");
     // Where nobody listens there is nobody to tell.
     let _ = writeln!(std::io::stderr(), "error: {line}");
     let refused = error.downcast_ref::<SweepError>().is_some_and(SweepError::is_refusal);
     if refused || error.is::<BadInput>() { BAD_INPUT } else { INTERNAL }
+}
+
+/// An error and its causes, without those that it names itself.
+fn told(error: &anyhow::Error) -> String {
+    let mut line = String::new();
+    for cause in error.chain().map(ToString::to_string) {
+        if !line.ends_with(&cause) {
+            let gap = if line.is_empty() { "" } else { ": " };
+            line.push_str(gap);
+            line.push_str(&cause);
+        }
+    }
+    line
 }
 
 /// The reader has left, as `head` does: nothing is wrong.
@@ -45,5 +58,12 @@ mod tests {
         assert_eq!(code(SweepError::Executor("x".into()).into()), INTERNAL);
         assert_eq!(code(std::io::Error::from(ErrorKind::BrokenPipe).into()), SUCCESS);
         assert_eq!(code(anyhow::anyhow!("x")), INTERNAL);
+    }
+
+    #[test]
+    fn a_cause_is_told_once() {
+        let error = anyhow::anyhow!("disk full").context("cannot write a: disk full");
+        assert_eq!(told(&error), "cannot write a: disk full");
+        assert_eq!(told(&anyhow::anyhow!("b").context("a")), "a: b");
     }
 }

@@ -59,10 +59,21 @@ pub(super) enum Expect {
     Either,
 }
 
+/// The text of a file.
+pub(super) fn read(path: &Path) -> Result<String, BadInput> {
+    let bytes =
+        std::fs::read(path).map_err(|error| BadInput(format!("{}: {error}", path.display())))?;
+    String::from_utf8(bytes).map_err(|error| {
+        let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
+        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+        BadInput(format!("{}: line {line}: is not UTF-8 text; save it as UTF-8", path.display()))
+    })
+}
+
 /// Reads and validates a file.
 pub(super) fn study(path: &Path, settings: &[Setting], expect: Expect) -> anyhow::Result<Study> {
     let bad = |reason: &dyn std::fmt::Display| BadInput(format!("{}: {reason}", path.display()));
-    let text = std::fs::read_to_string(path).map_err(|error| bad(&error))?;
+    let text = read(path)?;
     let overrides: Vec<_> = settings.iter().map(|setting| setting.set.clone()).collect();
     let study = || -> Result<Study, ConfigError> {
         let file = SweepFile::read(&text, &overrides)?;

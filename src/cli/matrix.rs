@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::execute::{Done, Job, execute};
 use super::failure::BadInput;
-use super::input::{SimdChoice, default_out};
+use super::input::{SimdChoice, default_out, read};
 use super::output::Output;
 use crate::sweep::executor::{Setup, threads};
 use crate::sweep::matrix::{Matrix, Pair};
@@ -20,14 +20,14 @@ pub(super) struct MatrixArgs {
     /// Where results go [default: results/runs/<name of the matrix>].
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Only the cases and methods marked quick: under 3 minutes.
+    /// Only the cases and methods marked quick: less than a minute.
     #[arg(long)]
     quick: bool,
-    /// Only these cases, by name.
-    #[arg(long = "case", value_name = "NAME,...", value_delimiter = ',')]
+    /// Only these cases, by name; repeatable.
+    #[arg(long = "case", value_name = "NAME,...")]
     cases: Vec<String>,
-    /// Only these methods, by name.
-    #[arg(long = "method", value_name = "NAME,...", value_delimiter = ',')]
+    /// Only these methods, by name; repeatable.
+    #[arg(long = "method", value_name = "NAME,...")]
     methods: Vec<String>,
     /// Move an earlier run aside and start over.
     #[arg(long)]
@@ -59,8 +59,7 @@ pub(super) struct Ran {
 pub(super) fn run(args: &MatrixArgs, request: &Request, output: &Output) -> anyhow::Result<Ran> {
     let text = match &args.file {
         None => request.built_in.to_owned(),
-        Some(path) => std::fs::read_to_string(path)
-            .map_err(|error| BadInput(format!("{}: {error}", path.display())))?,
+        Some(path) => read(path)?,
     };
     let built_in = || "the built-in matrix".to_owned();
     let name = args.file.as_ref().map_or_else(built_in, |path| path.display().to_string());

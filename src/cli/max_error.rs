@@ -10,8 +10,8 @@ use super::execute::Done;
 use super::failure::BadInput;
 use super::output::{Output, short};
 use crate::scene::CaseConfig;
-use crate::sweep::Study;
 use crate::sweep::tuning::{AccuracyTable, Choice, bar_percent, differences};
+use crate::sweep::{Study, counted};
 
 /// Largest spacing over the depth whose choice can be verified: its companion for the error bars has
 /// twice that, and no case may have more than a quarter.
@@ -66,7 +66,7 @@ impl Aim {
             *told.entry(line).or_default() += 1;
         }
         for (line, cases) in told {
-            output.note(format_args!("{cases} cases with {line}"));
+            output.note(format_args!("{} with {line}", counted(cases, "case")));
         }
         let chosen = study
             .with_choices(|_, config| Some(self.choose(config, COARSEST, &study.keys)?.config));
@@ -91,9 +91,9 @@ impl Aim {
             return None;
         }
         output.note(format_args!(
-            "{} cases have bars wider than {} %: once more, finer",
-            finer.len(),
-            self.percent
+            "bars wider than {} % in {}: once more, finer",
+            self.percent,
+            counted(finer.len(), "case")
         ));
         Some(study.with_choices(|index, _| finer.get(&index).cloned()))
     }
@@ -119,9 +119,9 @@ impl Aim {
         std::fs::write(done.directory.path().join("max_error.csv"), csv)?;
         let count = verified.iter().filter(|case| met(case)).count();
         let told = format!(
-            "{count} of {} cases keep their bars of force and displacement within {} % (max_error.csv)\n",
-            study.cases.len(),
-            self.percent
+            "bars of force and displacement within {} %: {count} of {} (max_error.csv)\n",
+            self.percent,
+            counted(study.cases.len(), "case")
         );
         let value = json!({ "max_error_percent": self.percent, "met": count });
         Ok((told, value))

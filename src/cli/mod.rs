@@ -12,6 +12,8 @@ mod input;
 mod matrix;
 mod max_error;
 mod output;
+mod overview;
+mod physics;
 mod report;
 mod run;
 mod status;

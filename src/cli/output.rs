@@ -6,8 +6,8 @@ use clap::ValueEnum;
 use serde::Serialize;
 
 use super::Global;
-use crate::sweep::ProgressStyle;
 use crate::sweep::executor::Launcher;
+use crate::sweep::{self, ProgressStyle};
 
 /// How results are printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -69,15 +69,12 @@ impl Output {
     }
 }
 
-/// Seconds for the human eye: `4.2 s`, `42 s`, `3 min 20 s`, `2 h 05 min`.
+/// Seconds for the human eye: `4.2 s` where they are few, `42 s`, `3 min 20 s`, `3.5 days`.
 pub(super) fn duration(seconds: f64) -> String {
-    let whole = seconds.max(0.0).round() as u64;
-    match whole {
-        0..10 => format!("{:.1} s", seconds.max(0.0)),
-        10..60 => format!("{whole} s"),
-        60..3600 => format!("{} min {:02} s", whole / 60, whole % 60),
-        _ => format!("{} h {:02} min", whole / 3600, whole / 60 % 60),
+    if seconds < 9.5 {
+        return format!("{:.1} s", seconds.max(0.0));
     }
+    sweep::duration(seconds)
 }
 
 /// Four significant digits.
@@ -102,8 +99,8 @@ mod tests {
         let told = [3.06171, 0.0012345, 123456.0, 1e-9, -0.5, 0.0].map(short);
         assert_eq!(told, ["3.062", "0.001234", "123456", "1.000e-9", "-0.5000", "0"]);
         assert_eq!(
-            [4.25, 59.0, 200.0, 7500.0].map(duration),
-            ["4.2 s", "59 s", "3 min 20 s", "2 h 05 min"]
+            [4.25, 59.0, 200.0, 7500.0, 3e5, 1e9].map(duration),
+            ["4.2 s", "59 s", "3 min 20 s", "2 h 05 min", "3.5 days", "32 years"]
         );
     }
 }

@@ -1,5 +1,6 @@
 //! `seawall report`: tables and figures from files alone.
 
+use std::io::ErrorKind;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -8,6 +9,7 @@ use serde_json::json;
 use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::Output;
+use crate::report::ReportError;
 
 /// Write tables, figures and report.html from a sweep's files; simulate nothing.
 #[derive(Debug, Args)]
@@ -23,7 +25,28 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
         let reason = "holds no summary.csv: not the output directory of a sweep";
         return Err(BadInput(format!("{}: {reason}", args.dir.display())).into());
     }
-    let report = crate::report::write(&args.dir)?;
+    let report = crate::report::write(&args.dir).map_err(unusable)?;
     output.result(&format!("report: {}\n", report.display()), &json!({ "report": report }))?;
     Ok(SUCCESS)
+}
+
+/// A directory that cannot be written is bad input, as for every command with an output directory.
+fn unusable(error: ReportError) -> anyhow::Error {
+    match &error {
+        ReportError::Write { source, .. } if !is_the_disks(source.kind()) => {
+            BadInput(error.to_string()).into()
+        }
+        _ => error.into(),
+    }
+}
+
+/// Whether the machine failed rather than the place being wrong.
+fn is_the_disks(kind: ErrorKind) -> bool {
+    use ErrorKind::{
+        AlreadyExists, IsADirectory, NotADirectory, PermissionDenied, ReadOnlyFilesystem,
+    };
+    !matches!(
+        kind,
+        AlreadyExists | IsADirectory | NotADirectory | PermissionDenied | ReadOnlyFilesystem
+    )
 }

@@ -80,6 +80,9 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         interrupt: &interrupt,
     };
     let done = threads::with_crew(&setup, |crew| execute(&job, crew, &interrupt, output))?;
+    if args.vtk.is_some() && done.wall_time_s.is_none() {
+        output.note("--vtk: nothing was filmed, as nothing was run; --fresh films it");
+    }
     if done.ending == Ending::Interrupted {
         output.note("interrupted: a single scene starts over");
     }
@@ -119,13 +122,21 @@ fn outcome_table(outcome: &Outcome) -> String {
     let maximum = |maximum: Option<Maximum>| {
         maximum.map(|maximum| format!("{} at {:.4} s", short(maximum.value), maximum.time_s))
     };
+    // At the very end and still moving: the maximum is yet to come.
+    let displacement = |own: Option<Maximum>| {
+        let at_end = own.is_some() && own == outcome.displacement_max;
+        if at_end && outcome.displacement_truncated == Some(true) {
+            return maximum(own).map(|text| format!("≥ {text}, still moving at the end"));
+        }
+        maximum(own)
+    };
     line("measured H/h", outcome.measured_wave_height_ratio.map(short));
     line("largest F*", maximum(Some(outcome.force_max)));
     line("largest R*", maximum(Some(outcome.runup_max)));
-    line("largest X*", maximum(outcome.displacement_max));
+    line("largest X*", displacement(outcome.displacement_max));
     line("first impact, largest F*", maximum(outcome.first_force_max));
     line("first impact, largest R*", maximum(outcome.first_runup_max));
-    line("first impact, largest X*", maximum(outcome.first_displacement_max));
+    line("first impact, largest X*", displacement(outcome.first_displacement_max));
     line("first peak, F*", outcome.first_force_peak.map(short));
     line("first peak, R*", outcome.first_runup_peak.map(short));
     line("largest F* of any step", Some(short(outcome.force_max_raw)));

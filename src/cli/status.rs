@@ -10,7 +10,7 @@ use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::{Output, duration};
 use super::table::Table;
-use crate::sweep::{CaseRecord, Lock, Manifest, read_journal};
+use crate::sweep::{CaseRecord, Lock, Manifest, counted, read_journal};
 
 /// Show what is done, what failed and why, what is left, and the time to go.
 #[derive(Debug, Args)]
@@ -52,10 +52,10 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
         (_, false) => "stopped; the same command goes on",
     };
     let mut text = format!(
-        "{}: {state}\n{} of {} cases done, {} failed, {left} left",
+        "{}: {state}\n{} of {} done, {} failed, {left} left",
         header.name,
         records.len(),
-        header.cases,
+        counted(header.cases, "case"),
         failed.len()
     );
     if let Some(seconds) = to_go.filter(|_| left > 0) {
@@ -63,14 +63,16 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
     }
     if companions > 0 {
         text.push_str(&format!(
-            "\n{companions_done} of {companions} companions for error bars done"
+            "\n{companions_done} of {} for error bars done",
+            counted(companions, "companion")
         ));
     }
     text.push('\n');
     for (reason, group) in &groups {
         text.push_str(&format!(
-            "\n{reason}: {} cases, such as\n  {}\n",
-            group.cases, group.example
+            "\n{reason}: {}, such as\n  {}\n",
+            counted(group.cases, "case"),
+            group.example
         ));
         let mut table = Table::default();
         for (key, values) in &group.values {

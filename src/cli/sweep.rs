@@ -4,15 +4,15 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::execute::{Done, Job, execute};
+use super::execute::{Job, execute};
 use super::failure::{BadInput, exit_code};
 use super::input::{Expect, Setting, SimdChoice, default_out, study};
 use super::max_error::Aim;
-use super::output::{Output, duration, short};
-use super::table::Table;
+use super::output::Output;
+use super::overview::told;
 use super::{SUCCESS, check};
 use crate::sweep::executor::{Crew, Launcher, Setup, mpi, threads};
-use crate::sweep::{Ending, Interrupt, OpenMode, SphRunner};
+use crate::sweep::{Ending, Interrupt, OpenMode, SphRunner, counted};
 
 /// Run all cases of a sweep file, on threads or under mpirun, and go on where an earlier run
 /// stopped.
@@ -150,9 +150,9 @@ fn lead(
         done = execute(&job, crew, interrupt, output)?;
     }
     if done.ending == Ending::Interrupted {
-        let (finished, cases) = (done.records().count(), job.study.cases.len());
+        let (finished, cases) = (done.records().count(), counted(job.study.cases.len(), "case"));
         output.note(format_args!(
-            "interrupted: {finished} of {cases} cases are done; the same command goes on"
+            "interrupted: {finished} of {cases} done; the same command goes on"
         ));
         return Ok(done.exit_code());
     }
@@ -166,61 +166,6 @@ fn lead(
     }
     output.result(&text, &value)?;
     Ok(done.exit_code())
-}
-
-/// Rows shown without `-v`.
-const ROWS: usize = 30;
-
-fn told(job: &Job, done: &Done, report: &std::path::Path, all: bool) -> String {
-    let keys = &job.study.keys;
-    let heading = ["F* max", "R* max", "X* max", "first F*", "first R*", "energy gap %", "status"];
-    let mut table = Table::new(keys.iter().map(String::as_str).chain(heading));
-    let rows = if all { usize::MAX } else { ROWS };
-    for record in done.records().take(rows) {
-        let value = |key: &String| match record.values.get(key) {
-            Some(serde_json::Value::String(text)) => text.clone(),
-            Some(value) => value.to_string(),
-            None => "-".to_owned(),
-        };
-        let mut cells: Vec<String> = keys.iter().map(value).collect();
-        match &record.outcome {
-            Some(outcome) => {
-                let or_dash = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), short);
-                cells.push(short(outcome.force_max.value));
-                cells.push(short(outcome.runup_max.value));
-                cells.push(or_dash(outcome.displacement_max.map(|maximum| maximum.value)));
-                cells.push(or_dash(outcome.first_force_max.map(|maximum| maximum.value)));
-                cells.push(or_dash(outcome.first_runup_max.map(|maximum| maximum.value)));
-                cells.push(short(outcome.energy_gap_percent));
-                cells.push("ok".to_owned());
-            }
-            None => {
-                cells.extend(std::iter::repeat_n("-".to_owned(), 6));
-                cells.push(record.failure.map_or("failed", |kind| kind.name()).to_owned());
-            }
-        }
-        table.row(cells);
-    }
-    let mut text = table.render();
-    let total = done.records().count();
-    if total > rows {
-        text.push_str(&format!("... and {} more in summary.csv (-v shows all)\n", total - rows));
-    }
-    let failed = done.failed();
-    text.push_str(&format!("\n{} of {total} cases are well", total - failed));
-    if failed > 0 {
-        text.push_str(&format!(", {failed} failed (seawall status tells why)"));
-    }
-    if let Some(wall_time) = done.wall_time_s {
-        text.push_str(&format!("; {}", duration(wall_time)));
-    }
-    if done.savings.trunks > 0 && done.savings.steps_from_rest > 0 {
-        let computed = done.savings.steps_computed as f64;
-        let saved = 100.0 * (1.0 - computed / done.savings.steps_from_rest as f64);
-        text.push_str(&format!("; shared trunks saved {saved:.0} % of the steps"));
-    }
-    text.push_str(&format!("\nreport: {}\n", report.display()));
-    text
 }
 
 #[cfg(test)]

@@ -36,7 +36,17 @@ impl Response {
         }
     }
 
-    fn value(self, row: &Row) -> Option<f64> {
+    /// The title of an axis.
+    pub fn axis_title(self) -> &'static str {
+        match self {
+            Response::Displacement => "X / h",
+            Response::Force => "F / (½ρgh²)",
+            Response::Runup => "R / h",
+        }
+    }
+
+    /// Its value in a case, non-dimensional.
+    pub fn value(self, row: &Row) -> Option<f64> {
         match self {
             Response::Displacement => row.displacement_max,
             Response::Force => row.first_force_max,
@@ -44,12 +54,18 @@ impl Response {
         }
     }
 
-    fn error(self, row: &Row) -> Option<f64> {
+    /// The value's estimated absolute error.
+    pub fn error(self, row: &Row) -> Option<f64> {
         match self {
             Response::Displacement => row.displacement_error,
             Response::Force => row.force_error,
             Response::Runup => row.runup_error,
         }
+    }
+
+    /// The wall was still moving outwards at the end: the value is a lower bound.
+    pub fn is_truncated(self, row: &Row) -> bool {
+        self == Response::Displacement && row.displacement_truncated == Some(true)
     }
 }
 
@@ -118,8 +134,7 @@ pub fn panels(rows: &[Row], variant: &str, response: Response) -> Vec<Panel> {
             log10_k_star,
             value,
             error: finite(response.error(row)),
-            truncated: response == Response::Displacement
-                && row.displacement_truncated == Some(true),
+            truncated: response.is_truncated(row),
             force_coupling: row.force_coupling,
         });
     }
@@ -154,6 +169,14 @@ pub fn distinct<'a>(
     values.sort_by(f64::total_cmp);
     values.dedup();
     values
+}
+
+/// At most so many of the items, evenly spread and with both ends.
+pub fn spread<T: Clone>(items: &[T], most: usize) -> Vec<T> {
+    let count = items.len().min(most);
+    let last = items.len().saturating_sub(1);
+    let at = |index: usize| (index * last + (count - 1) / 2) / (count - 1).max(1);
+    (0..count).map(|index| items[at(index)].clone()).collect()
 }
 
 /// The variants of a sweep in the order of their first row; one, without a name, as a rule.
@@ -210,5 +233,13 @@ mod tests {
     fn a_spring_of_no_stiffness_has_no_place_on_a_logarithmic_axis() {
         let rows = [row(0.4, f64::NEG_INFINITY, 5.0, Some(1.0))];
         assert!(panels(&rows, "", Response::Displacement).is_empty());
+    }
+
+    #[test]
+    fn spreading_keeps_both_ends() {
+        let ten: Vec<f64> = (0..10).map(f64::from).collect();
+        assert_eq!(spread(&ten, 6), [0.0, 2.0, 4.0, 5.0, 7.0, 9.0]);
+        assert_eq!(spread(&[3.0], 6), [3.0]);
+        assert_eq!(spread::<f64>(&[], 6), [0.0; 0]);
     }
 }

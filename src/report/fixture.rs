@@ -39,6 +39,43 @@ pub fn fixed() -> TempDir {
     write(&[0.1, 0.2, 0.3, 0.4, 0.5, 0.6].map(|wave| (wave, None)))
 }
 
+/// Dam breaks of rising columns: no wave, no spring, but gauges and readings.
+pub fn dam_breaks(cases: usize) -> TempDir {
+    let directory = write(&[]);
+    let root = directory.path();
+    for folder in ["probes", "readings"] {
+        fs::create_dir(root.join(folder)).unwrap();
+    }
+    let mut summary = HEADER.replace(",colour\n", ",column_height_m\n");
+    for index in 0..cases {
+        let (id, height) = (format!("case-{index:04}"), 0.6 + 0.1 * index as f64);
+        let (head, tail) = (",".repeat(7), ",".repeat(11));
+        writeln!(
+            summary,
+            "{id},ok,{head}1.832{index},1.6,0.71,1.5{tail}1.84,0.9,0.1,,,,,,3.1,0.2,0,,,,\
+             9000,7800,312000000,5.1,wcsph,improved-shepard,wendland-c2,0.02,,{height:.1}"
+        )
+        .unwrap();
+        write_history(root, &id, 0.3, None);
+        let mut probes = "time_s,P1,front\n".to_owned();
+        for sample in 0..400 {
+            let time = f64::from(sample) * 0.005;
+            let front = if sample == 7 { String::new() } else { format!("{time:.4}") };
+            writeln!(probes, "{time:.4},{:.3},{front}", 3000.0 * time.min(1.0)).unwrap();
+        }
+        fs::write(root.join(format!("probes/{id}.csv")), probes).unwrap();
+        let readings = "name,value,unit\nfront_at_wall,1.6123456789,sqrt(H/g), from rest\n\
+                        cavity_closure,,sqrt(H/g)\n";
+        fs::write(root.join(format!("readings/{id}.csv")), readings).unwrap();
+    }
+    fs::write(root.join("summary.csv"), summary).unwrap();
+    let columns = "name,unit,method\nP1,Pa,right wall\nfront,m,water's edge; right, or left\n";
+    fs::write(root.join("probes/columns.csv"), columns).unwrap();
+    let manifest = r#"{"name": "fixture", "keys": ["column_height_m"], "sweep_file": ""}"#;
+    fs::write(root.join("manifest.json"), manifest).unwrap();
+    directory
+}
+
 fn write(cases: &[(f64, Wall)]) -> TempDir {
     let directory = tempfile::tempdir().unwrap();
     let root = directory.path();

@@ -5,14 +5,28 @@ use std::fmt::Write as _;
 use super::number;
 use super::tables::Table;
 
+/// Endings of columns and keys that tell their unit.
+const UNITS: [(&str, &str); 10] = [
+    ("_n_per_m", "N/m"),
+    ("_kg_per_m", "kg/m"),
+    ("_kg_per_m3", "kg/m³"),
+    ("_m_per_s2", "m/s²"),
+    ("_m_per_s", "m/s"),
+    ("_percent", "%"),
+    ("_deg", "°"),
+    ("_j", "J"),
+    ("_m", "m"),
+    ("_s", "s"),
+];
+
 /// Above this the two force readings disagree so much that there are voids at the wall.
 const FORCE_GAP_LIMIT_PERCENT: f64 = 3.0;
 
 /// Lists longer than this are folded.
 pub(super) const LONG: usize = 30;
 
-/// What a column is called on the page.
-fn heading(column: &str) -> String {
+/// What a column is called on the page and in figures.
+pub(super) fn heading(column: &str) -> String {
     let words = match column {
         "case_id" => "case",
         "wave_height_ratio" => "H/h",
@@ -23,15 +37,17 @@ fn heading(column: &str) -> String {
         "m_star" => "m*",
         "first_force_max" => "first F*",
         "first_runup_max" => "first R*",
+        "force_max" => "largest F*",
+        "runup_max" => "largest R*",
         "displacement_max" => "largest X*",
         "displacement_truncated" => "still moving",
         "force_coupling" => "s",
-        "force_gap_percent" => "force gap, %",
-        "energy_gap_percent" => "energy gap, %",
-        _ => match column.strip_suffix("_j") {
-            Some(energy) => return format!("{}, J", escape(&energy.replace('_', " "))),
-            None => return escape(&column.replace('_', " ")),
-        },
+        _ => {
+            let unit = UNITS.iter().find_map(|(end, unit)| Some((column.strip_suffix(end)?, unit)));
+            let (name, unit) = unit.unwrap_or((column, &""));
+            let comma = if unit.is_empty() { "" } else { ", " };
+            return format!("{}{comma}{unit}", name.replace('_', " "));
+        }
     };
     words.to_owned()
 }
@@ -42,7 +58,7 @@ pub(super) fn grid(table: &Table) -> String {
     let mut text = "<div class=\"wide\"><table>\n<thead><tr>".to_owned();
     for (name, numeric) in table.header.iter().zip(&numeric) {
         let class = if *numeric { " class=\"number\"" } else { "" };
-        write!(text, "<th{class}>{}</th>", heading(name)).expect("a string grows");
+        write!(text, "<th{class}>{}</th>", escape(&heading(name))).expect("a string grows");
     }
     text.push_str("</tr></thead>\n<tbody>\n");
     for row in &table.rows {

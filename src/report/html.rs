@@ -10,7 +10,7 @@ use super::load::Loaded;
 use super::number;
 use super::plots::Figure;
 use super::row::Row;
-use super::tables::Table;
+use super::tables::{Table, across};
 
 const STYLE: &str = include_str!("style.css");
 
@@ -33,14 +33,20 @@ pub fn page(data: &Loaded, figures: &[Figure], tables: &[Table]) -> String {
             ),
         );
     }
-    for table in tables.iter().filter(|table| ["summary", "energy"].contains(&&*table.name)) {
-        section(&mut body, &escape(&table.title), &grid(table));
+    for table in tables {
+        let shown = match table.name.as_str() {
+            _ if table.rows.is_empty() => continue,
+            "summary" | "energy" => table.for_page(),
+            "readings" => across(table),
+            _ => continue,
+        };
+        section(&mut body, &escape(&table.title), &grid(&shown));
     }
     if let Some(table) = tables.iter().find(|table| table.name == "health") {
         let text = format!(
             "<p>{} In the table, doubtful values stand out.</p>{}",
             health_line(data),
-            grid(table)
+            grid(&table.for_page())
         );
         section(&mut body, &escape(&table.title), &text);
     }
@@ -61,7 +67,11 @@ fn section(body: &mut String, title: &str, content: &str) {
 
 fn head(body: &mut String, data: &Loaded, name: &str) {
     let (done, failed) = (data.finished().count(), data.failed().count());
-    let mut facts = vec![("Cases", format!("{done} finished, {failed} failed"))];
+    let left = match data.left() {
+        0 => String::new(),
+        left => format!(", {left} left"),
+    };
+    let mut facts = vec![("Cases", format!("{done} finished, {failed} failed{left}"))];
     let mut values = |title, read: fn(&Row) -> Option<f64>| {
         let values = distinct(data.rows.iter(), read);
         if !values.is_empty() {
@@ -180,7 +190,7 @@ mod tests {
 
     fn page_of(directory: &tempfile::TempDir) -> String {
         let data = Loaded::read(directory.path()).unwrap();
-        page(&data, &plots::all(&data).unwrap(), &tables::all(&data))
+        page(&data, &plots::all(&data).unwrap(), &tables::all(&data).unwrap())
     }
 
     #[test]
@@ -197,5 +207,26 @@ mod tests {
         assert!(page.contains("particle 12, 31 m/s &lt;"));
         assert!(page.contains("a &lt;b&gt; &amp; c"), "the manifest is escaped, too");
         assert!(!page_of(&fixture::fixed()).contains("Failed cases"));
+    }
+
+    #[test]
+    fn a_scene_without_waves_shows_what_it_has_and_no_empty_column() {
+        let page = page_of(&fixture::dam_breaks(1));
+        for word in ["Histories", "Gauges", "Readings", "front_at_wall", "largest F*"] {
+            assert!(page.contains(word), "{word}");
+        }
+        for word in ["H/h", "first F*", "k, N/m", "still moving"] {
+            assert!(!page.contains(&format!("<th class=\"number\">{word}")), "{word}");
+            assert!(!page.contains(&format!("<th>{word}")), "{word}");
+        }
+    }
+
+    #[test]
+    fn an_interrupted_sweep_says_how_many_cases_are_left() {
+        let directory = fixture::sweep();
+        assert!(page_of(&directory).contains("11 finished, 1 failed<"));
+        let manifest = r#"{"name": "fixture", "cases": 15}"#;
+        std::fs::write(directory.path().join("manifest.json"), manifest).unwrap();
+        assert!(page_of(&directory).contains("11 finished, 1 failed, 3 left<"));
     }
 }

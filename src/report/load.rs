@@ -1,6 +1,6 @@
-//! Reads an output directory: `summary.csv`, `histories/`, `energy.csv` and `manifest.json`.
+//! Reads an output directory: `summary.csv`, `histories/`, `energy.csv` and `manifest.json`; its
+//! gauges and readings are read beside, in [`super::gauges`].
 
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -10,6 +10,7 @@ use serde_json::Value;
 
 use super::error::ReportError;
 use super::row::{REQUIRED, Row, name_variants};
+use super::study::{Key, keys, scene_number};
 
 /// One line of a history: see `docs/files.md`.
 #[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
@@ -42,7 +43,9 @@ pub struct Loaded {
     pub energy: Option<RawTable>,
     /// `manifest.json`, where there is one.
     pub manifest: Option<Value>,
-    histories: PathBuf,
+    /// What was swept, in the grid's order; empty without a manifest.
+    pub keys: Vec<Key>,
+    pub(super) directory: PathBuf,
 }
 
 impl Loaded {
@@ -53,12 +56,14 @@ impl Loaded {
     pub fn read(directory: &Path) -> Result<Loaded, ReportError> {
         let energy = directory.join("energy.csv");
         let manifest = directory.join("manifest.json");
-        Ok(Loaded {
-            rows: read_summary(&directory.join("summary.csv"))?,
-            energy: if energy.exists() { Some(read_raw(&energy, &["case_id"])?) } else { None },
-            manifest: if manifest.exists() { Some(read_manifest(&manifest)?) } else { None },
-            histories: directory.join("histories"),
-        })
+        let energy = if energy.exists() { Some(read_raw(&energy, &["case_id"])?) } else { None };
+        let manifest = if manifest.exists() { Some(read_manifest(&manifest)?) } else { None };
+        let (mut rows, keys) = read_summary(&directory.join("summary.csv"), manifest.as_ref())?;
+        let angle = manifest.as_ref().and_then(|manifest| scene_number(manifest, "wall_angle_deg"));
+        for row in &mut rows {
+            row.wall_angle_deg = row.wall_angle_deg.or(angle);
+        }
+        Ok(Loaded { rows, energy, manifest, keys, directory: directory.to_owned() })
     }
 
     /// The history of a case; `None` where the directory holds none.
@@ -66,7 +71,7 @@ impl Loaded {
     /// # Errors
     /// A history that lacks a column or holds something else than numbers.
     pub fn history(&self, case_id: &str) -> Result<Option<Vec<Sample>>, ReportError> {
-        let path = self.histories.join(format!("{case_id}.csv"));
+        let path = self.directory.join(format!("histories/{case_id}.csv"));
         if !path.exists() {
             return Ok(None);
         }
@@ -84,28 +89,27 @@ impl Loaded {
     pub fn failed(&self) -> impl Iterator<Item = &Row> {
         self.rows.iter().filter(|row| !row.is_ok())
     }
-
-    /// The sweep's name, as its manifest states it.
-    pub fn name(&self) -> Option<&str> {
-        let manifest = self.manifest.as_ref()?;
-        manifest.get("name").or_else(|| manifest.get("sweep")?.get("name"))?.as_str()
-    }
 }
 
-fn read_summary(path: &Path) -> Result<Vec<Row>, ReportError> {
+/// The rows, and what was swept as the manifest names it.
+fn read_summary(
+    path: &Path,
+    manifest: Option<&Value>,
+) -> Result<(Vec<Row>, Vec<Key>), ReportError> {
     let (header, records) = read_records(path)?;
     demand(path, &header, REQUIRED)?;
     let mut rows: Vec<Row> = deserialize(path, &header, &records)?;
     let last = |name: &str| header.iter().position(|other| other == name).map_or(0, |at| at + 1);
     let known = last("force_coupling").max(last("boundary_fallbacks"));
-    let swept: BTreeMap<_, _> = (known..header.len())
-        .map(|column| {
-            let values = records.iter().map(|record| record[column].to_owned()).collect();
-            (header[column].to_owned(), values)
-        })
-        .collect();
-    name_variants(&mut rows, &swept);
-    Ok(rows)
+    let key = |column: usize| Key {
+        name: header[column].to_owned(),
+        cells: records.iter().map(|record| record[column].to_owned()).collect(),
+    };
+    let further: Vec<_> = (known..header.len()).map(key).collect();
+    name_variants(&mut rows, &further);
+    let place = |name: &String| header.iter().position(|column| column == name);
+    let swept = manifest.map(keys).unwrap_or_default();
+    Ok((rows, swept.iter().filter_map(place).map(key).collect()))
 }
 
 pub(super) fn read_raw(path: &Path, needed: &[&'static str]) -> Result<RawTable, ReportError> {
@@ -121,11 +125,11 @@ fn read_manifest(path: &Path) -> Result<Value, ReportError> {
         .map_err(|source| ReportError::Manifest { path: path.to_owned(), source })
 }
 
-fn read(path: &Path) -> Result<Vec<u8>, ReportError> {
+pub(super) fn read(path: &Path) -> Result<Vec<u8>, ReportError> {
     fs::read(path).map_err(|source| ReportError::Read { path: path.to_owned(), source })
 }
 
-fn read_records(path: &Path) -> Result<(StringRecord, Vec<StringRecord>), ReportError> {
+pub(super) fn read_records(path: &Path) -> Result<(StringRecord, Vec<StringRecord>), ReportError> {
     let wrong = |source| ReportError::Table { path: path.to_owned(), source };
     let text = read(path)?;
     let mut reader = csv::Reader::from_reader(text.as_slice());
@@ -135,14 +139,18 @@ fn read_records(path: &Path) -> Result<(StringRecord, Vec<StringRecord>), Report
 }
 
 /// Names the first column that is wanted and not there.
-fn demand(path: &Path, header: &StringRecord, columns: &[&'static str]) -> Result<(), ReportError> {
+pub(super) fn demand(
+    path: &Path,
+    header: &StringRecord,
+    columns: &[&'static str],
+) -> Result<(), ReportError> {
     match columns.iter().copied().find(|column| !header.iter().any(|name| name == *column)) {
         Some(column) => Err(ReportError::MissingColumn { path: path.to_owned(), column }),
         None => Ok(()),
     }
 }
 
-fn deserialize<T: for<'de> Deserialize<'de>>(
+pub(super) fn deserialize<T: for<'de> Deserialize<'de>>(
     path: &Path,
     header: &StringRecord,
     records: &[StringRecord],

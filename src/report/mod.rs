@@ -9,12 +9,14 @@ pub mod curves;
 mod error;
 #[cfg(test)]
 mod fixture;
+pub mod gauges;
 mod grid;
 mod html;
 pub mod load;
 mod number;
 pub mod plots;
 mod row;
+pub mod study;
 pub mod tables;
 
 use std::fs;
@@ -33,7 +35,7 @@ use load::Loaded;
 pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
     let data = Loaded::read(out_dir)?;
     let figures = plots::all(&data)?;
-    let tables = tables::all(&data);
+    let tables = tables::all(&data)?;
     let (figures_dir, tables_dir) = (out_dir.join("figures"), out_dir.join("tables"));
     make(&figures_dir)?;
     make(&tables_dir)?;

@@ -1,7 +1,13 @@
 //! Numbers for the eye.
 
-/// A parameter as a person writes it: `500`, `0.01`, `10⁷`, `2.5×10⁵`.
+/// A value rounded to a number of significant digits.
+pub fn significant(value: f64, digits: usize) -> f64 {
+    format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
+}
+
+/// A parameter as a person writes it, to four significant digits: `500`, `0.01`, `10⁷`, `2.5×10⁵`.
 pub fn plain(value: f64) -> String {
+    let value = significant(value, 4);
     let size = value.abs();
     if value == 0.0 || (1e-3..1e4).contains(&size) {
         return value.to_string();
@@ -17,8 +23,41 @@ pub fn rounded(value: Option<f64>, decimals: usize) -> String {
     value.map(|value| format!("{value:.decimals$}")).unwrap_or_default()
 }
 
-/// Whether a text is a number, written out or as [`plain`] writes it.
+/// A table's cell: the same, or, where it is a number of more than five digits and no whole one,
+/// as [`plain`] writes it.
+pub fn brief(cell: &str) -> String {
+    let Ok(value) = cell.parse::<f64>() else { return cell.to_owned() };
+    let mantissa = cell.split(['e', 'E']).next().unwrap_or_default();
+    let digits = mantissa.trim_start_matches(['-', '0', '.']).chars().filter(char::is_ascii_digit);
+    let whole = cell.chars().all(|c| c.is_ascii_digit());
+    if whole || digits.count() <= 5 { cell.to_owned() } else { plain(value) }
+}
+
+/// A result with its error bar, rounded to the first digit of the bar that matters (two digits
+/// of it where it starts with a 1): `2.41 ± 0.03`, `1.224 ± 0.012`.
+pub fn with_error(value: f64, error: f64) -> String {
+    let error = error.abs();
+    if error == 0.0 || !error.is_finite() {
+        return plain(value);
+    }
+    let first = significant(error, 1);
+    let digits = if significant(error, 2) < 2.0 * power_of_ten_below(first) { 2 } else { 1 };
+    let error = significant(error, digits);
+    let unit = power_of_ten_below(error) / if digits == 2 { 10.0 } else { 1.0 };
+    let decimals = (0..9).find(|&n| unit * 10_f64.powi(n) > 0.99).unwrap_or(9) as usize;
+    format!("{value:.decimals$} ± {error:.decimals$}")
+}
+
+/// The largest power of ten that is not above a positive number.
+fn power_of_ten_below(value: f64) -> f64 {
+    let text = format!("{value:e}");
+    let exponent = text.split_once('e').map_or("0", |(_, exponent)| exponent);
+    format!("1e{exponent}").parse().unwrap_or(1.0)
+}
+
+/// Whether a text is a number, written out, with an error bar or as [`plain`] writes it.
 pub fn is_number(text: &str) -> bool {
+    let text = text.split_once(" ± ").map_or(text, |(value, _)| value);
     let mantissa =
         text.split_once("10").filter(|(_, power)| power.starts_with(|c: char| !c.is_ascii()));
     match mantissa {
@@ -48,6 +87,29 @@ mod tests {
     fn parameters_read_as_written_by_hand() {
         let written = [0.0, 0.01, 500.0, 9999.0, 1e7, 2.5e5, 1e-4].map(plain);
         assert_eq!(written, ["0", "0.01", "500", "9999", "10⁷", "2.5×10⁵", "10⁻⁴"]);
+    }
+
+    #[test]
+    fn long_parameters_are_rounded_to_four_digits() {
+        let written = [21544.3469003188, 0.31622776601683794, 464.158883, 9999.9].map(plain);
+        assert_eq!(written, ["2.154×10⁴", "0.3162", "464.2", "10⁴"]);
+    }
+
+    #[test]
+    fn cells_are_brief_and_counts_whole() {
+        let cells = ["-8.939208979763524e-6", "2.4137", "3383", "4957550832", "0.0001", "ok", ""];
+        let written = cells.map(brief);
+        assert_eq!(written, ["-8.939×10⁻⁶", "2.4137", "3383", "4957550832", "0.0001", "ok", ""]);
+        assert_eq!(brief("21544.3469003188"), "2.154×10⁴");
+        assert!(written[..5].iter().all(|cell| is_number(cell)));
+    }
+
+    #[test]
+    fn a_bar_decides_on_the_digits() {
+        let pairs = [(2.4137, 0.0312), (1.22412, 0.0123), (3.4, 0.0997), (12.6, 2.2), (0.5, 0.0)];
+        let written = pairs.map(|(value, error)| with_error(value, error));
+        assert_eq!(written, ["2.41 ± 0.03", "1.224 ± 0.012", "3.40 ± 0.10", "13 ± 2", "0.5"]);
+        assert!(is_number("2.41 ± 0.03"));
     }
 
     #[test]

@@ -1,8 +1,11 @@
 //! One row of `summary.csv`, as far as the report needs it.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 use serde::Deserialize;
+
+use super::number;
+use super::study::Key;
 
 /// Columns without which there is no report.
 pub(super) const REQUIRED: &[&str] = &[
@@ -46,6 +49,8 @@ pub struct Row {
     pub log10_k_star: Option<f64>,
     pub m_star: Option<f64>,
     pub measured_wave_height_ratio: Option<f64>,
+    pub force_max: Option<f64>,
+    pub runup_max: Option<f64>,
     pub displacement_max: Option<f64>,
     pub first_force_max: Option<f64>,
     pub first_runup_max: Option<f64>,
@@ -64,6 +69,8 @@ pub struct Row {
     pub kernel: String,
     pub particle_spacing_m: Option<f64>,
     pub force_coupling: Option<f64>,
+    /// Of a fixed wall; upright where nothing says otherwise.
+    pub wall_angle_deg: Option<f64>,
     /// Which of several runs with the same wave and wall this is, such as `boundary = sfdi`;
     /// empty where the sweep holds only one.
     #[serde(skip)]
@@ -81,6 +88,25 @@ impl Row {
         self.spring_stiffness_n_per_m.is_none() && self.seawall_mass_kg_per_m.is_none()
     }
 
+    /// The wall stands upright.
+    pub fn is_vertical(&self) -> bool {
+        self.wall_angle_deg.is_none_or(|angle| angle == 90.0)
+    }
+
+    /// What tells this case from the sweep's others; empty where it is the only one.
+    pub fn words(&self) -> String {
+        let part = |name: &str, value: Option<f64>, unit: &str| {
+            value.map(|value| format!("{name} = {}{unit}", number::plain(value)))
+        };
+        let parts = [
+            part("H/h", self.wave_height_ratio, ""),
+            part("k", self.spring_stiffness_n_per_m, " N/m"),
+            part("m", self.seawall_mass_kg_per_m, " kg/m"),
+            (!self.variant.is_empty()).then(|| self.variant.clone()),
+        ];
+        parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+    }
+
     /// Wave, stiffness and mass as bits, so that they can be compared and sorted on.
     fn place(&self) -> [u64; 3] {
         [self.wave_height_ratio, self.spring_stiffness_n_per_m, self.seawall_mass_kg_per_m]
@@ -94,7 +120,7 @@ const PROVENANCE: &[&str] =
 
 /// Fills in [`Row::variant`] where several rows share wave, stiffness and mass, from the choices
 /// that differ: those the report knows, and swept keys behind the columns of every sweep.
-pub(super) fn name_variants(rows: &mut [Row], swept: &BTreeMap<String, Vec<String>>) {
+pub(super) fn name_variants(rows: &mut [Row], swept: &[Key]) {
     let mut places: Vec<_> = rows.iter().map(Row::place).collect();
     places.sort_unstable();
     if places.windows(2).all(|pair| pair[0] != pair[1]) {
@@ -109,14 +135,32 @@ pub(super) fn name_variants(rows: &mut [Row], swept: &BTreeMap<String, Vec<Strin
         ("particle_spacing_m".to_owned(), column(&|row| number(row.particle_spacing_m))),
         ("force_coupling".to_owned(), column(&|row| number(row.force_coupling))),
     ];
-    choices.extend(swept.iter().map(|(name, values)| (name.clone(), values.clone())));
+    choices.extend(swept.iter().map(|key| (key.name.clone(), key.cells.clone())));
     choices.retain(|(name, values)| {
         !PROVENANCE.contains(&name.as_str()) && values.iter().any(|value| *value != values[0])
     });
+    for (_, values) in &mut choices {
+        shorten(values);
+    }
     for (index, row) in rows.iter_mut().enumerate() {
         let parts: Vec<_> =
             choices.iter().map(|(name, values)| format!("{name} = {}", values[index])).collect();
         row.variant = parts.join(", ");
+    }
+}
+
+/// Rounds numbers for the eye, unless that would make two of them one.
+fn shorten(values: &mut [String]) {
+    let count = |values: &[String]| values.iter().collect::<BTreeSet<_>>().len();
+    let short: Vec<_> = values
+        .iter()
+        .map(|cell| {
+            let value = cell.parse::<f64>().ok().filter(|value| value.is_finite());
+            value.map_or(cell.clone(), |value| number::significant(value, 4).to_string())
+        })
+        .collect();
+    if count(&short) == count(values) {
+        values.clone_from_slice(&short);
     }
 }
 
@@ -131,19 +175,31 @@ mod tests {
     #[test]
     fn one_run_per_place_needs_no_variant() {
         let mut rows = vec![row("sfdi", 0.2), row("normalized", 0.3)];
-        name_variants(&mut rows, &BTreeMap::new());
+        name_variants(&mut rows, &[]);
         assert!(rows.iter().all(|row| row.variant.is_empty()));
     }
 
     #[test]
     fn runs_at_one_place_are_told_apart_by_what_differs() {
         let mut rows = vec![row("sfdi", 0.2), row("normalized", 0.2)];
-        let swept = BTreeMap::from([
-            ("slip".to_owned(), vec!["free".to_owned(), "no".to_owned()]),
-            ("host".to_owned(), vec!["a".to_owned(), "b".to_owned()]),
-        ]);
+        let key = |name: &str, cells: [&str; 2]| Key {
+            name: name.to_owned(),
+            cells: cells.map(str::to_owned).to_vec(),
+        };
+        let swept = [key("slip", ["free", "no"]), key("host", ["a", "b"])];
         name_variants(&mut rows, &swept);
         assert_eq!(rows[0].variant, "boundary = sfdi, slip = free");
         assert_eq!(rows[1].variant, "boundary = normalized, slip = no");
+    }
+
+    #[test]
+    fn numbers_of_a_variant_are_short_as_long_as_they_differ() {
+        let cells = |texts: [&str; 2]| texts.map(str::to_owned);
+        let mut far = cells(["0.012345678", "21544.3469003188"]);
+        shorten(&mut far);
+        assert_eq!(far, ["0.01235", "21540"]);
+        let mut near = cells(["1.00001", "1.00002"]);
+        shorten(&mut near);
+        assert_eq!(near, ["1.00001", "1.00002"]);
     }
 }

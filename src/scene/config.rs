@@ -9,6 +9,8 @@ use super::kind::Scene;
 use super::numerics::{ErrorBars, Numerics, PRESETS, Scheme as SchemeChoice, WEAKLY_COMPRESSIBLE};
 use super::probe::Probe;
 use super::seawall::{SeawallScene, WallChoice};
+use super::size;
+use super::wording::{self, serde_keys};
 
 /// One case: everything that decides its answer, and nothing else.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -40,10 +42,7 @@ impl CaseConfig {
         numerics: &Table,
         probes: &[Table],
     ) -> Result<CaseConfig, ConfigError> {
-        let probes = probes
-            .iter()
-            .map(|table| read_table("probe", table.clone(), &serde_keys::<Probe>()))
-            .collect::<Result<_, _>>()?;
+        let probes = Probe::read_all(probes)?;
         let scene = Scene::read(scene)?;
         let config = CaseConfig { numerics: read_numerics(&scene, numerics)?, scene, probes };
         config.validate()?;
@@ -61,6 +60,7 @@ impl CaseConfig {
             let spacing = self.numerics.particle_spacing_m;
             return Err(ConfigError::new("numerics.particle_spacing_m", spacing, allowed));
         }
+        size::validate(self)?;
         let upright = self.scene.seawall().is_some_and(|scene| scene.wall_angle_deg == 90.0);
         if self.numerics.stop_when_settled && !upright {
             let allowed = "belongs to a wave on a vertical seawall";
@@ -114,7 +114,7 @@ impl CaseConfig {
 }
 
 pub(super) fn read_section<T: DeserializeOwned>(table: Table) -> Result<T, ConfigError> {
-    read_table("scene", table, &serde_keys::<T>())
+    wording::read_table("scene", table, &serde_keys::<T>())
 }
 
 fn read_numerics(scene: &Scene, table: &Table) -> Result<Numerics, ConfigError> {
@@ -129,8 +129,8 @@ fn read_numerics(scene: &Scene, table: &Table) -> Result<Numerics, ConfigError> 
     let isph = rest.get("scheme").and_then(Value::as_str) == Some("isph");
     let base = if name == "default" && isph { "isph" } else { &name };
     let Some(mut preset) = Numerics::preset(base) else {
-        let allowed = format!("must be one of {}", PRESETS.join(", "));
-        return Err(ConfigError::new("numerics.preset", format!("{name:?}"), allowed));
+        let names: Vec<_> = PRESETS.iter().map(|&name| name.to_owned()).collect();
+        return Err(ConfigError::one_of("numerics.preset", &Value::String(name), &names));
     };
     if matches!(scene, Scene::DamBreak(_)) {
         // A front that hits a wall leaves no time in which pairs could hold their geometry.
@@ -147,55 +147,12 @@ fn read_numerics(scene: &Scene, table: &Table) -> Result<Numerics, ConfigError> 
     }
     let mut merged = Table::try_from(&preset).expect("a preset is a table");
     merged.extend(rest);
-    read_table("numerics", merged, &serde_keys::<Numerics>())
-}
-
-/// Deserialises a table, naming the key and value that do not fit.
-fn read_table<T: DeserializeOwned>(
-    section: &str,
-    table: Table,
-    known: &[String],
-) -> Result<T, ConfigError> {
-    if let Some(key) = table.keys().find(|key| !known.contains(key)) {
-        return Err(ConfigError::unknown(&format!("{section}.{key}"), known));
+    let known = serde_keys::<Numerics>();
+    let of_scene = scene.keys();
+    if let Some(key) = merged.keys().find(|key| !known.contains(key) && of_scene.contains(key)) {
+        return Err(ConfigError::misplaced(&format!("numerics.{key}"), &format!("scene.{key}")));
     }
-    let values = table.clone();
-    serde_path_to_error::deserialize(Value::Table(table)).map_err(|error| {
-        let key = error.path().to_string();
-        let value = values.get(&key).map(Value::to_string).unwrap_or_default();
-        let reason = error.inner().to_string();
-        ConfigError::new(&format!("{section}.{key}"), value, reason.trim().replace('\n', " "))
-    })
-}
-
-/// The field names of a struct, as its own deserialiser states them.
-fn serde_keys<T: DeserializeOwned>() -> Vec<String> {
-    struct Names(Vec<String>);
-    impl<'de> serde::Deserializer<'de> for &mut Names {
-        type Error = serde::de::value::Error;
-        fn deserialize_any<V: serde::de::Visitor<'de>>(
-            self,
-            _: V,
-        ) -> Result<V::Value, Self::Error> {
-            Err(serde::de::Error::custom("only field names are asked for"))
-        }
-        fn deserialize_struct<V: serde::de::Visitor<'de>>(
-            self,
-            _: &'static str,
-            fields: &'static [&'static str],
-            visitor: V,
-        ) -> Result<V::Value, Self::Error> {
-            self.0 = fields.iter().map(|name| (*name).to_owned()).collect();
-            self.deserialize_any(visitor)
-        }
-        serde::forward_to_deserialize_any! {
-            bool i8 i16 i32 i64 u8 u16 u32 u64 f32 f64 char str string bytes byte_buf option unit
-            unit_struct newtype_struct seq tuple tuple_struct map enum identifier ignored_any
-        }
-    }
-    let mut names = Names(Vec::new());
-    let _ = T::deserialize(&mut names);
-    names.0
+    wording::read_table("numerics", merged, &known)
 }
 
 #[cfg(test)]
@@ -232,7 +189,7 @@ mod tests {
                 "particle_spacing_m = nan",
                 "numerics.particle_spacing_m = NaN: must be a finite number above 0",
             ),
-            ("", "kernel = 3", "numerics.kernel = 3: "),
+            ("", "kernel = 3", "numerics.kernel = 3: must be one of wendland-c2, "),
             (
                 "",
                 "preset = \"fast\"",

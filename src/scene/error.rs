@@ -18,13 +18,58 @@ impl ConfigError {
         ConfigError { key: key.to_owned(), value: value.to_string(), allowed: allowed.into() }
     }
 
-    /// An unknown key, with the nearest known one.
+    /// An unknown key, with the nearest known one where one is near.
     pub fn unknown(key: &str, known: &[String]) -> Self {
         let leaf = key.rsplit('.').next().unwrap_or(key);
-        let nearest = known
-            .iter()
-            .max_by(|a, b| strsim::jaro_winkler(leaf, a).total_cmp(&strsim::jaro_winkler(leaf, b)));
-        let hint = nearest.map(|n| format!("; did you mean {n}?")).unwrap_or_default();
-        ConfigError::new(key, "", format!("unknown key{hint}"))
+        ConfigError::new(key, "", format!("unknown key{}", hint(leaf, known)))
+    }
+
+    /// A key that stands in the wrong place, and the path at which it is known.
+    pub fn misplaced(key: &str, path: &str) -> Self {
+        ConfigError::new(key, "", format!("unknown key; did you mean {path}?"))
+    }
+
+    /// A value that is none of the names which its key takes, with the nearest where one is near.
+    pub fn one_of(key: &str, value: &toml::Value, names: &[String]) -> Self {
+        let hint = value.as_str().map(|word| hint(word, names)).unwrap_or_default();
+        ConfigError::new(key, value, format!("must be one of {}{hint}", names.join(", ")))
+    }
+}
+
+/// From this likeness on (1 is the same word) a word is taken for another one mistyped.
+const NEAR: f64 = 0.88;
+
+/// `; did you mean X?`, or nothing where no known word is near.
+fn hint(word: &str, known: &[String]) -> String {
+    let likeness = |known: &String| {
+        // A part of the right word, such as `stiffness`, is near however long the rest.
+        let part = if word.len() >= 4 && known.contains(word) { 0.9 } else { 0.0 };
+        strsim::jaro_winkler(word, known).max(part)
+    };
+    let nearest = known
+        .iter()
+        .map(|known| (likeness(known), known))
+        .filter(|&(likeness, _)| likeness >= NEAR)
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    nearest.map(|(_, known)| format!("; did you mean {known}?")).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_near_words_are_suggested() {
+        let known = ["spring_stiffness_n_per_m", "tank_length_m", "wall"].map(str::to_owned);
+        for (word, nearest) in [
+            ("spring_stifness_n_per_m", "spring_stiffness_n_per_m"),
+            ("stiffness", "spring_stiffness_n_per_m"),
+            ("wal", "wall"),
+        ] {
+            assert_eq!(hint(word, &known), format!("; did you mean {nearest}?"));
+        }
+        for far in ["colour", "start", "x", "gravity"] {
+            assert_eq!(hint(far, &known), "", "{far}");
+        }
     }
 }

@@ -15,6 +15,7 @@ use super::seawall::SeawallScene;
 use super::standing_wave::StandingWaveScene;
 use super::tank::Tank;
 use super::taylor_green::TaylorGreenScene;
+use super::wording::serde_keys;
 use crate::math::simd::SimdPath;
 
 /// What is simulated.
@@ -63,6 +64,38 @@ macro_rules! each {
     };
 }
 
+/// The keys of `[scene]` with this kind, without `kind` itself.
+fn keys_of(kind: &str) -> Vec<String> {
+    match kind {
+        "hydrostatic" => serde_keys::<HydrostaticScene>(),
+        "dam-break" => serde_keys::<DamBreakScene>(),
+        "standing-wave" => serde_keys::<StandingWaveScene>(),
+        "taylor-green" => serde_keys::<TaylorGreenScene>(),
+        "rotating-patch" => serde_keys::<RotatingPatchScene>(),
+        "oscillating-drop" => serde_keys::<OscillatingDropScene>(),
+        _ => serde_keys::<SeawallScene>(),
+    }
+}
+
+/// Tells where a key that this kind does not know belongs, if it belongs anywhere.
+fn misplaced(kind: &str, key: &String) -> Result<(), ConfigError> {
+    let path = format!("scene.{key}");
+    if serde_keys::<Numerics>().contains(key) || key == "preset" {
+        return Err(ConfigError::misplaced(&path, &format!("numerics.{key}")));
+    }
+    let others: Vec<_> = KINDS
+        .iter()
+        .filter(|other| keys_of(other).contains(key))
+        .map(|other| format!("{other:?}"))
+        .collect();
+    if others.is_empty() {
+        return Ok(());
+    }
+    let has = if others.len() > 1 { "have" } else { "has" };
+    let allowed = format!("unknown key of kind = {kind:?}; kind = {} {has} it", others.join(", "));
+    Err(ConfigError::new(&path, "", allowed))
+}
+
 impl Scene {
     /// The seawall's values, where the scene has one.
     pub fn seawall(&self) -> Option<&SeawallScene> {
@@ -85,6 +118,11 @@ impl Scene {
         }
     }
 
+    /// The keys of its table, without `kind`.
+    pub(super) fn keys(&self) -> Vec<String> {
+        keys_of(self.kind())
+    }
+
     /// Its scales.
     pub fn frame(&self) -> Frame {
         each!(self, scene => scene.frame())
@@ -93,6 +131,23 @@ impl Scene {
     /// Fluid particles.
     pub fn particles(&self, numerics: &Numerics) -> usize {
         each!(self, scene => scene.lattice(numerics).particles())
+    }
+
+    /// Area of the water at the start, square metres.
+    pub(super) fn water_area(&self) -> f64 {
+        let frame = self.frame();
+        let upto = |angle_deg: f64| {
+            let lean =
+                if angle_deg == 90.0 { 0.0 } else { 1.0 / libm::tan(angle_deg.to_radians()) };
+            frame.depth * (frame.length - 0.5 * lean * frame.depth)
+        };
+        match self {
+            Scene::Seawall(scene) => upto(scene.wall_angle_deg),
+            Scene::Hydrostatic(scene) => upto(scene.wall_angle_deg),
+            Scene::DamBreak(scene) => scene.column_length_m * scene.column_height_m,
+            Scene::OscillatingDrop(scene) => std::f64::consts::PI * scene.radius_m * scene.radius_m,
+            _ => frame.length * frame.depth,
+        }
     }
 
     /// Builds the tank.
@@ -134,12 +189,16 @@ impl Scene {
             None => "seawall",
             Some(Value::String(kind)) if KINDS.contains(&kind.as_str()) => kind,
             Some(other) => {
-                let allowed = format!("must be one of {}", KINDS.join(", "));
-                return Err(ConfigError::new("scene.kind", other, allowed));
+                let names: Vec<_> = KINDS.iter().map(|&name| name.to_owned()).collect();
+                return Err(ConfigError::one_of("scene.kind", other, &names));
             }
         };
         let mut rest = table.clone();
         rest.remove("kind");
+        let own = keys_of(kind);
+        if let Some(key) = rest.keys().find(|key| !own.contains(key)) {
+            misplaced(kind, key)?;
+        }
         Ok(match kind {
             "hydrostatic" => Scene::Hydrostatic(read_section(rest)?),
             "dam-break" => Scene::DamBreak(read_section(rest)?),

@@ -6,6 +6,7 @@ use super::config::CaseConfig;
 use super::kind::Scene;
 use super::numerics::{BoundaryChoice, GhostGravity, Scheme, Slip};
 use super::seawall::{SeawallScene, WallChoice};
+use super::size;
 use crate::scheme::isph::Laplacian;
 
 /// Walls this stiff, N/m per metre of width, stand as good as still under the highest waves.
@@ -22,6 +23,9 @@ const FEW_ROWS: f64 = 20.0;
 
 /// Rows of particles over the depth above which a case of incompressible water takes minutes.
 const COSTLY_ROWS: f64 = 32.0;
+
+/// Particles above which a case takes gigabytes and hours.
+const MANY_PARTICLES: f64 = 1e6;
 
 /// What is known to go wrong, or to be inaccurate, with a case; a line each, the same line for the
 /// same limit.
@@ -48,6 +52,12 @@ pub fn limits(config: &CaseConfig) -> Vec<&'static str> {
         found.push(
             "an oscillating drop for more than 10 periods: after 30 its axes enclosed 30 % less than \
              the exact drop's with corrected_gradients, and swung 63 % too little without",
+        );
+    }
+    if size::particles(config) > MANY_PARTICLES {
+        found.push(
+            "more than 1,000,000 particles: 1.4 GiB and some hours of one core upwards, both for each \
+             case at once; 20,000,000 are the most that are taken",
         );
     }
     let Some(scene) = config.scene.seawall() else { return found };
@@ -191,6 +201,7 @@ mod tests {
         };
         assert_eq!(count("", ""), 0);
         assert_eq!(count("", "courant_number = 2.3"), 1);
+        assert_eq!(count("", "particle_spacing_m = 0.0005"), 1);
         assert_eq!(count("", "boundary = \"sfdi\""), 1);
         assert_eq!(count("", "boundary = \"normalized\""), 0);
         assert_eq!(count("", "boundary = \"normalized\"\nghost_gravity = \"at-mirror\""), 1);

@@ -21,9 +21,11 @@ mod packing;
 mod probe;
 mod rotating_patch;
 mod seawall;
+mod size;
 mod standing_wave;
 mod tank;
 mod taylor_green;
+mod wording;
 
 pub use config::CaseConfig;
 pub use dam_break::{DamBreakScene, InitialDensity};

@@ -1,10 +1,12 @@
 //! Gauges: pressure at a point of the wall or in the water, level of the surface, voids at a wall.
 
 use serde::{Deserialize, Serialize};
+use toml::{Table, Value};
 
 use super::check::Check;
 use super::error::ConfigError;
 use super::frame::Frame;
+use super::wording::{read_table, serde_keys};
 
 /// What a probe measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -87,6 +89,22 @@ impl Probe {
         format!("kernel-weighted mean with hydrostatic correction; {place}{mean}")
     }
 
+    /// Reads the file's `[[probe]]` tables.
+    ///
+    /// # Errors
+    /// The first unknown key or value that does not fit, with the probe that it is of.
+    pub(super) fn read_all(tables: &[Table]) -> Result<Vec<Probe>, ConfigError> {
+        let known = serde_keys::<Probe>();
+        let read = |(place, table): (usize, &Table)| {
+            read_table("probe", table.clone(), &known).map_err(|error| {
+                let name = table.get("name").and_then(Value::as_str);
+                let number = format!("number {}", place + 1);
+                of_probe(error, name.unwrap_or(&number))
+            })
+        };
+        tables.iter().enumerate().map(read).collect()
+    }
+
     pub(super) fn validate_all(probes: &[Probe], frame: &Frame) -> Result<(), ConfigError> {
         for (number, probe) in probes.iter().enumerate() {
             probe.validate(frame)?;
@@ -102,7 +120,7 @@ impl Probe {
         let check = Check::section("probe");
         let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
         if self.name.is_empty() || !self.name.chars().all(fits) || self.name == "time_s" {
-            let allowed = "must be a word of letters, digits, '-', '_' and '.', not time_s";
+            let allowed = "must be a word of ASCII letters, digits, '-', '_' and '.', not time_s";
             return Err(check.error("name", format!("{:?}", self.name), allowed));
         }
         let name = &self.name;
@@ -135,9 +153,19 @@ impl Probe {
             (ProbeKind::Level, ..) => Ok(()),
             (ProbeKind::Pressure, _, None, _) => missing("y_m", "measures pressure and needs it"),
             (ProbeKind::Pressure, _, Some(y), diameter) => {
-                check.range("y_m", y, 0.0, super::filling::WALL_HEIGHT * frame.depth)?;
-                check.range("diameter_m", diameter.unwrap_or(0.0), 0.0, frame.depth)
+                let highest = super::filling::WALL_HEIGHT * frame.depth;
+                check
+                    .range("y_m", y, 0.0, highest)
+                    .and_then(|()| {
+                        check.range("diameter_m", diameter.unwrap_or(0.0), 0.0, frame.depth)
+                    })
+                    .map_err(|error| of_probe(error, name))
             }
         }
     }
+}
+
+/// Says which probe an error is about.
+fn of_probe(error: ConfigError, probe: &str) -> ConfigError {
+    ConfigError { allowed: format!("{} (probe {probe})", error.allowed), ..error }
 }

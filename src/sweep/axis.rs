@@ -2,6 +2,7 @@
 
 use toml::{Table, Value};
 
+use super::grid::MOST_CASES;
 use crate::scene::ConfigError;
 
 /// A swept key and its values, in the order of the file.
@@ -67,10 +68,28 @@ fn number(value: &Value) -> Option<f64> {
 
 const RANGE_KEYS: [&str; 4] = ["from", "to", "points", "spacing"];
 
+/// Most values of a range: no sweep has more cases.
+const MOST_POINTS: i64 = MOST_CASES as i64;
+
+/// What a range key of another tongue is called here.
+fn meant(key: &str) -> Option<&'static str> {
+    match key {
+        "start" | "begin" | "min" | "low" => Some("from"),
+        "stop" | "end" | "max" | "high" => Some("to"),
+        "count" | "num" | "number" | "n" | "steps" => Some("points"),
+        "scale" => Some("spacing"),
+        _ => None,
+    }
+}
+
 fn read_range(path: &str, range: &Table) -> Result<Vec<Value>, ConfigError> {
     if let Some(key) = range.keys().find(|key| !RANGE_KEYS.contains(&key.as_str())) {
         let known = RANGE_KEYS.map(str::to_owned);
-        return Err(ConfigError::unknown(&format!("{path}.{key}"), &known));
+        let own = format!("{path}.{key}");
+        return Err(match meant(key) {
+            Some(meant) => ConfigError::misplaced(&own, meant),
+            None => ConfigError::unknown(&own, &known),
+        });
     }
     let bound = |key: &str| {
         let value = range.get(key);
@@ -81,10 +100,10 @@ fn read_range(path: &str, range: &Table) -> Result<Vec<Value>, ConfigError> {
     };
     let (from, to) = (bound("from")?, bound("to")?);
     let points = match range.get("points") {
-        Some(Value::Integer(points)) if (2..=1_000_000).contains(points) => *points as usize,
+        Some(Value::Integer(points)) if (2..=MOST_POINTS).contains(points) => *points as usize,
         other => {
             let shown = other.map(Value::to_string).unwrap_or_default();
-            let allowed = "must be a whole number, 2 or above";
+            let allowed = format!("must be a whole number from 2 to {MOST_POINTS}");
             return Err(ConfigError::new(&format!("{path}.points"), shown, allowed));
         }
     };
@@ -154,6 +173,11 @@ mod tests {
             ("[1, 2, 1.0]", "grid.x = 1.0: stands in the list twice"),
             ("[[1]]", "grid.x = [1]: must be numbers, strings or booleans"),
             ("{ from = 1, to = 2 }", "grid.x.points: must be a whole number"),
+            (
+                "{ from = 1, to = 2, points = 1000000000 }",
+                "grid.x.points = 1000000000: must be a whole number from 2 to 1000000",
+            ),
+            ("{ start = 1, to = 2 }", "grid.x.start: unknown key; did you mean from?"),
             ("{ from = 0, to = 2, points = 3, spacing = \"log\" }", "grid.x.from = 0: must be"),
             ("{ from = 1, to = 2, points = 3, spaceing = 1 }", "grid.x.spaceing: unknown key"),
         ];

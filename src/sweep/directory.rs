@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use super::error::SweepError;
 use super::journal::{self, Header, Journal};
 use super::lock::{self, Lock};
+use super::number::counted;
 use super::record::CaseRecord;
 use super::study::Study;
 use super::{energy, results, summary};
@@ -203,10 +204,11 @@ fn check_header(
     widest: SimdPath,
 ) -> Result<(), SweepError> {
     if header.sweep != study.identity {
+        let cases = counted(header.cases, "case");
         let reason = format!(
-            "holds another sweep (\"{}\", {} cases); choose another --out, or --fresh to move it \
+            "holds another sweep (\"{}\", {cases}); choose another --out, or --fresh to move it \
              aside",
-            header.name, header.cases
+            header.name
         );
         return Err(SweepError::refused(path, reason));
     }

@@ -3,6 +3,7 @@
 use toml::{Table, Value};
 
 use super::axis::Axis;
+use super::keys::section_of;
 use super::overrides::Override;
 use crate::scene::ConfigError;
 
@@ -32,17 +33,23 @@ impl SweepFile {
     /// Reads a file's text and puts the command line's values into it.
     ///
     /// # Errors
-    /// A syntax error, an unknown top-level key, a missing name, a malformed axis.
+    /// A syntax error, an unknown top-level key, a missing name, a malformed axis, an empty
+    /// `[grid]`.
     pub fn read(text: &str, overrides: &[Override]) -> Result<SweepFile, ConfigError> {
         let mut file = text.parse::<Table>().map_err(|error| syntax_error(text, &error))?;
         for set in overrides {
             set.apply(&mut file)?;
         }
         if let Some(key) = file.keys().find(|key| !KEYS.contains(&key.as_str())) {
-            return Err(ConfigError::unknown(key, &KEYS.map(str::to_owned)));
+            return Err(unknown_at_the_top(key, &file));
         }
         let name = read_name(file.get("name"))?;
         let grid = table(&file, "grid")?;
+        if file.contains_key("grid") && grid.is_empty() {
+            let allowed =
+                "holds no key: sweep at least one, or leave [grid] out for a single scene";
+            return Err(ConfigError::new("grid", "", allowed));
+        }
         let grid = grid.iter().map(|(key, value)| Axis::read(key, value)).collect::<Result<_, _>>();
         Ok(SweepFile {
             name,
@@ -58,7 +65,7 @@ impl SweepFile {
     /// Fails where there is nothing to sweep.
     ///
     /// # Errors
-    /// An absent or empty `[grid]`.
+    /// An absent `[grid]`.
     pub fn require_grid(&self) -> Result<(), ConfigError> {
         if self.grid.is_empty() {
             let allowed = "is required, with at least one key (`seawall run` takes a single scene)";
@@ -80,6 +87,14 @@ impl SweepFile {
     }
 }
 
+/// A key outside its section is told with its path.
+fn unknown_at_the_top(key: &str, file: &Table) -> ConfigError {
+    match section_of(key, file.get("scene").and_then(|scene| scene.get("kind"))) {
+        Ok(section) => ConfigError::misplaced(key, &format!("{}.{key}", section.name())),
+        Err(_) => ConfigError::unknown(key, &KEYS.map(str::to_owned)),
+    }
+}
+
 fn read_max_error(table: &Table) -> Result<Option<f64>, ConfigError> {
     const KEY: &str = "max_error_percent";
     if let Some(key) = table.keys().find(|key| *key != KEY) {
@@ -96,7 +111,8 @@ fn read_max_error(table: &Table) -> Result<Option<f64>, ConfigError> {
 }
 
 fn read_name(value: Option<&Value>) -> Result<String, ConfigError> {
-    let allowed = "must be a word of letters, digits, '-', '_' and '.'";
+    let allowed =
+        "must be a word of ASCII letters, digits, '-', '_' and '.', not starting with '.'";
     match value {
         Some(Value::String(name)) => {
             let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
@@ -154,6 +170,17 @@ mod tests {
         let bad = [
             ("name = \"a\"\n[gird]\nx = [1]", "gird: unknown key; did you mean grid?"),
             ("[grid]\nx = [1]", "name: is required"),
+            ("name = \"a\"\n[grid]\n", "grid: holds no key"),
+            (
+                "name = \"a\"\nparticle_spacing_m = 0.02",
+                "particle_spacing_m: unknown key; did you mean numerics.particle_spacing_m?",
+            ),
+            (
+                "name = \"a\"\nwave_height_ratio = 0.2",
+                "wave_height_ratio: unknown key; did you mean scene.wave_height_ratio?",
+            ),
+            ("name = \"a\"\ncolour = 1", "colour: unknown key"),
+            ("name = \"H\u{f6}he\"", "name = \"H\u{f6}he\": must be a word of ASCII letters"),
             ("name = \"a b\"", "name = \"a b\": must be a word"),
             ("name = \"..\"", "name = \"..\": must be a word"),
             ("name = \"a\"\n[probe]\nname = \"P\"", "probe = "),

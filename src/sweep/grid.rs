@@ -140,7 +140,7 @@ mod tests {
     #[test]
     fn fixed_walls_among_movable_ones_stand_once() {
         let cases = cases(
-            "[scene]\nwall = \"fixed\"\nseawall_mass_kg_per_m = 50\n\
+            "[scene]\nseawall_mass_kg_per_m = 50\n\
              [grid]\nwall = [\"fixed\", \"movable\"]\nspring_stiffness_n_per_m = [1, 10, 100]",
         )
         .unwrap();
@@ -154,7 +154,14 @@ mod tests {
         let bad = [
             ("[grid]\nwave_height_ratio = [0.2, 1.5]", "grid.wave_height_ratio = 1.5: must be"),
             ("[grid]\nkernal = [\"gaussian\"]", "grid.kernal: unknown key; did you mean kernel?"),
-            ("[grid]\nkernel = [\"gauss\"]", "grid.kernel = \"gauss\": "),
+            (
+                "[grid]\nkernel = [\"gauss\"]",
+                "grid.kernel = \"gauss\": must be one of wendland-c2, ",
+            ),
+            (
+                "[grid]\nparticle_spacing_m = [0.02, 1e-5]",
+                "grid.particle_spacing_m = 0.00001: makes",
+            ),
             (
                 "[grid]\nspring_stiffness_n_per_m = [1]",
                 "grid.spring_stiffness_n_per_m = 1: belongs to a movable wall",

@@ -11,7 +11,20 @@ pub(super) enum Section {
     Numerics,
 }
 
+impl Section {
+    /// Its name in the file.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Section::Scene => "scene",
+            Section::Numerics => "numerics",
+        }
+    }
+}
+
 /// Finds the section of a swept key by asking [`CaseConfig::from_tables`] whether it knows it.
+///
+/// # Errors
+/// A key that neither knows, with the nearest that one of them does.
 pub(super) fn section_of(key: &str, kind: Option<&Value>) -> Result<Section, ConfigError> {
     let mut scene = Table::new();
     if let Some(kind) = kind {
@@ -24,22 +37,28 @@ pub(super) fn section_of(key: &str, kind: Option<&Value>) -> Result<Section, Con
         return Ok(Section::Scene);
     };
     let numerics = Table::from_iter([(key.to_owned(), probe)]);
-    let Some(in_numerics) = unknown(&Table::new(), &numerics, "numerics", key) else {
+    let Some(in_numerics) = unknown(&scene, &numerics, "numerics", key) else {
         return Ok(Section::Numerics);
     };
-    let nearest = [in_scene, in_numerics].into_iter().flatten().collect::<Vec<_>>();
-    Err(ConfigError::unknown(&format!("grid.{key}"), &nearest))
+    let path = format!("grid.{key}");
+    let hints = [&in_scene, &in_numerics].map(|error| hint(&error.allowed).map(str::to_owned));
+    let known: Vec<_> = hints.into_iter().flatten().collect();
+    if known.is_empty() {
+        return Err(ConfigError::new(&path, "", in_scene.allowed));
+    }
+    Err(ConfigError::unknown(&path, &known))
 }
 
-/// `Some` (with the nearest known key) where the door does not know the key.
-fn unknown(scene: &Table, numerics: &Table, section: &str, key: &str) -> Option<Option<String>> {
+/// The error where the door does not know the key.
+fn unknown(scene: &Table, numerics: &Table, section: &str, key: &str) -> Option<ConfigError> {
     let error = CaseConfig::from_tables(scene, numerics).err()?;
-    if error.key != format!("{section}.{key}") {
-        return None;
-    }
-    let hint = error.allowed.strip_prefix("unknown key")?;
-    let nearest = hint.strip_prefix("; did you mean ").and_then(|rest| rest.strip_suffix('?'));
-    Some(nearest.map(str::to_owned))
+    let about_it = error.key == format!("{section}.{key}");
+    (about_it && error.allowed.starts_with("unknown key")).then_some(error)
+}
+
+/// The nearest known key that an error names.
+fn hint(allowed: &str) -> Option<&str> {
+    allowed.split_once("; did you mean ")?.1.strip_suffix('?')
 }
 
 #[cfg(test)]
@@ -57,5 +76,10 @@ mod tests {
         }
         let told = section("wave_hight_ratio").unwrap_err().to_string();
         assert_eq!(told, "grid.wave_hight_ratio: unknown key; did you mean wave_height_ratio?");
+        assert_eq!(section("colour").unwrap_err().to_string(), "grid.colour: unknown key");
+        let still = Value::String("hydrostatic".to_owned());
+        let told = section_of("wave_height_ratio", Some(&still)).unwrap_err().to_string();
+        let message = "grid.wave_height_ratio: unknown key of kind = \"hydrostatic\"; kind = \"seawall\" has it";
+        assert_eq!(told, message);
     }
 }

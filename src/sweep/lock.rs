@@ -28,7 +28,8 @@ impl Lock {
     fn hold_within(directory: &Path, patience: Duration) -> Result<Lock, SweepError> {
         let path = directory.join(FILE_NAME);
         let open = OpenOptions::new().write(true).create(true).truncate(false).open(&path);
-        let file = open.map_err(SweepError::io(&path))?;
+        // Not the machine failing: somebody else's directory, or a read-only one.
+        let file = open.map_err(|error| SweepError::refused(&path, error))?;
         let start = Instant::now();
         loop {
             match file.try_lock() {

@@ -55,7 +55,7 @@ impl Override {
     /// Puts the value into a parsed file.
     ///
     /// # Errors
-    /// Where the section is no table, or where `[grid]` sweeps the same key and would win.
+    /// Where the section is no table, or where `[grid]` sweeps the same key.
     pub fn apply(&self, file: &mut Table) -> Result<(), ConfigError> {
         let Some(section) = &self.section else {
             file.insert(self.key.clone(), self.value.clone());

@@ -5,6 +5,8 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle as BarStyle};
 
+use super::number::counted;
+
 /// How progress is shown.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ProgressStyle {
@@ -81,7 +83,7 @@ impl Progress {
             0 => String::new(),
             failed => format!(", {failed} failed"),
         };
-        let message = format!("{} of {} cases{failed}", self.done, self.cases);
+        let message = format!("{} of {}{failed}", self.done, counted(self.cases, "case"));
         if let Some(bar) = &self.bar {
             bar.set_message(message);
             bar.set_position(self.work.min(self.total_work));
@@ -110,12 +112,16 @@ impl Drop for Progress {
     }
 }
 
-/// Seconds for the human eye: `42 s`, `3 min 20 s`, `2 h 05 min`.
-pub(super) fn duration(seconds: f64) -> String {
+/// Seconds for the human eye: `42 s`, `3 min 20 s`, `2 h 05 min`, `3.5 days`, `12 years`.
+pub fn duration(seconds: f64) -> String {
+    const DAY: u64 = 24 * 3600;
+    const YEAR: u64 = 365 * DAY;
     let whole = seconds.max(0.0).round() as u64;
     match whole {
         0..60 => format!("{whole} s"),
         60..3600 => format!("{} min {:02} s", whole / 60, whole % 60),
-        _ => format!("{} h {:02} min", whole / 3600, whole / 60 % 60),
+        3600..172_800 => format!("{} h {:02} min", whole / 3600, whole / 60 % 60),
+        172_800..63_072_000 => format!("{:.1} days", seconds / DAY as f64),
+        _ => format!("{:.0} years", seconds / YEAR as f64),
     }
 }

@@ -1,5 +1,6 @@
 //! Per-case files: histories and probes.
 
+use std::borrow::Cow;
 use std::fs;
 use std::path::Path;
 
@@ -90,7 +91,7 @@ fn probe_table(probes: &ProbeTable) -> String {
 fn probe_columns(probes: &ProbeTable) -> String {
     let mut text = "name,unit,method\n".to_owned();
     for ProbeColumn { name, unit, method } in &probes.columns {
-        text.push_str(&format!("{name},{unit},{method}\n"));
+        text.push_str(&format!("{name},{unit},{}\n", quoted(method)));
     }
     text
 }
@@ -99,9 +100,18 @@ fn reading_table(readings: &[NamedReading]) -> String {
     let mut text = "name,value,unit\n".to_owned();
     for reading in readings {
         let value = number::text(reading.value);
-        text.push_str(&format!("{},{value},{}\n", reading.name, reading.unit));
+        text.push_str(&format!("{},{value},{}\n", reading.name, quoted(&reading.unit)));
     }
     text
+}
+
+/// A cell of words, which may hold commas.
+fn quoted(cell: &str) -> Cow<'_, str> {
+    if cell.contains([',', '"']) {
+        format!("\"{}\"", cell.replace('"', "\"\"")).into()
+    } else {
+        cell.into()
+    }
 }
 
 fn push_row(text: &mut String, values: impl IntoIterator<Item = f64>) {

@@ -125,7 +125,9 @@ impl Panel {
 
     /// The title of the vertical axis, to the left of its labels.
     pub fn title_y(&self, pen: &Pen, title: &str) -> Result<(), Fault> {
-        let at = (self.left - 44.0, self.top + self.height / 2.0);
+        let widest = self.y.ticks.iter().map(|tick| self.y.label(*tick).chars().count()).max();
+        let labels = 7.0 + 0.58 * TICK_SIZE * widest.unwrap_or(0) as f64;
+        let at = (self.left - (labels + 8.0).max(44.0), self.top + self.height / 2.0);
         pen.text(at, title, TITLE_SIZE, Align::Upwards)
     }
 

@@ -8,7 +8,10 @@ mod fixed_wall;
 mod history;
 mod legend;
 mod pen;
+mod probes;
 mod response;
+mod strips;
+mod swept;
 
 pub use accuracy::{Dot, error_against_time};
 pub(super) use fixed_wall::walls as fixed_walls;
@@ -52,9 +55,13 @@ impl Figure {
 /// # Errors
 /// A history that cannot be read, or a fault in drawing.
 pub fn all(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
-    let mut figures = response::figures(data)?;
+    let mut figures = match swept::key(data) {
+        Some(key) => swept::figures(data, key)?,
+        None => response::figures(data)?,
+    };
     figures.extend(fixed_wall::figures(data)?);
     figures.extend(history::figures(data)?);
+    figures.extend(probes::figures(data)?);
     Ok(figures)
 }
 

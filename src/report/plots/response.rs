@@ -8,6 +8,8 @@ use super::{Figure, file_name, of_variant};
 use crate::report::curves::{self, Curve, Response, distinct, panels, variants};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
+use crate::report::number;
+use crate::report::row::Row;
 
 const WIDTH: f64 = 250.0;
 const HEIGHT: f64 = 185.0;
@@ -28,7 +30,8 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
                 continue;
             }
             let name = file_name(&format!("response-{}", response.name()), &variant);
-            let (title, law) = (title(response), coupling(data, &variant));
+            let law = coupling(data.finished().filter(|row| row.variant == variant));
+            let title = title(response);
             figures.push(Figure {
                 svg: sheet(&name, response, &panels, &waves)?,
                 caption: caption(response, &panels, &law),
@@ -48,19 +51,10 @@ fn title(response: Response) -> &'static str {
     }
 }
 
-fn axis_title(response: Response) -> &'static str {
-    match response {
-        Response::Displacement => "X / h",
-        Response::Force => "F / (½ρgh²)",
-        Response::Runup => "R / h",
-    }
-}
-
-/// The motion law that the cases follow, as every figure of a movable wall has to say.
-fn coupling(data: &Loaded, variant: &str) -> String {
-    let rows = data.finished().filter(|row| row.variant == variant && !row.is_fixed());
-    let factors = distinct(rows, |row| row.force_coupling);
-    let factors: Vec<_> = factors.iter().map(f64::to_string).collect();
+/// The motion law that cases follow, as every figure of a movable wall has to say.
+pub fn coupling<'a>(rows: impl Iterator<Item = &'a Row>) -> String {
+    let factors = distinct(rows.filter(|row| !row.is_fixed()), |row| row.force_coupling);
+    let factors: Vec<_> = factors.into_iter().map(number::plain).collect();
     if factors.is_empty() {
         return String::new();
     }
@@ -79,9 +73,12 @@ fn caption(response: Response, panels: &[curves::Panel], law: &str) -> String {
     } else {
         ""
     };
+    let mut points = panels.iter().flat_map(|panel| &panel.curves).flat_map(|curve| &curve.points);
+    let bars =
+        if points.any(|point| point.error.is_some()) { " Bars: estimated errors." } else { "" };
     format!(
         "{what} against the spring stiffness k* = k/(ρgh²), one panel per wall mass \
-         m* = m/(ρh²), one curve per nominal wave height.{open}{law}"
+         m* = m/(ρh²), one curve per nominal wave height.{bars}{open}{law}"
     )
 }
 
@@ -99,7 +96,7 @@ fn legend(panels: &[curves::Panel], waves: &[f64], right: f64) -> Legend {
         .enumerate()
         .filter(|(_, wave)| drawn(wave))
         .map(|(index, wave)| Entry {
-            label: format!("H/h = {wave}"),
+            label: format!("H/h = {}", number::plain(*wave)),
             look: Look::of(index),
             line: true,
             marker: Some(false),
@@ -147,9 +144,9 @@ fn sheet(
                 y: y.clone(),
             };
             place.draw(pen, true)?;
-            place.heading(pen, &format!("m* = {}", short(panel.m_star)))?;
+            place.heading(pen, &format!("m* = {}", number::plain(panel.m_star)))?;
             if column == 0 {
-                place.title_y(pen, axis_title(response))?;
+                place.title_y(pen, response.axis_title())?;
             }
             if index + columns >= panels.len() {
                 place.title_x(pen, "log₁₀ k*")?;
@@ -180,7 +177,32 @@ fn draw_curve(pen: &Pen, place: &Panel, curve: &Curve, look: Look) -> Result<(),
     Ok(())
 }
 
-/// A number with at most four decimals.
-fn short(value: f64) -> f64 {
-    (value * 1e4).round() / 1e4
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::fixture;
+
+    #[test]
+    fn bars_are_told_where_there_are_any() {
+        let directory = fixture::sweep();
+        let mut data = Loaded::read(directory.path()).unwrap();
+        assert!(figures(&data).unwrap().iter().all(|f| !f.caption.contains("Bars")));
+        for row in &mut data.rows {
+            row.force_error = Some(0.03);
+        }
+        for figure in figures(&data).unwrap() {
+            let told = figure.caption.contains("Bars: estimated errors.");
+            assert_eq!(told, figure.name == "response-force", "{}", figure.caption);
+        }
+    }
+
+    #[test]
+    fn masses_and_waves_of_a_range_are_rounded_in_labels() {
+        let directory = fixture::movable(&[0.3, 0.316_227_766], &[10.0, 500.0], &[46.415_888_3]);
+        let data = Loaded::read(directory.path()).unwrap();
+        let svg = &figures(&data).unwrap()[0].svg;
+        assert!(svg.contains("H/h = 0.3162<") || svg.contains("H/h = 0.3162\n"), "{svg}");
+        assert!(svg.contains("m* = 1.16"));
+        assert!(!svg.contains("0.316227766") && !svg.contains("1.1603"));
+    }
 }

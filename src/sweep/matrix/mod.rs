@@ -5,6 +5,7 @@
 //! that this build does not know (a scheme, a kernel, a kind of scene) is told, not an error.
 
 pub mod accuracy;
+mod choice;
 pub mod stress;
 
 use std::collections::{BTreeMap, HashMap};
@@ -153,24 +154,18 @@ impl Matrix {
         Ok(matrix)
     }
 
-    /// The part with these cases and these methods, each all where none is named. A part has a name
-    /// of its own, so that it gets a directory of its own.
+    /// The part with these cases and these methods, each all where none is named. Every argument
+    /// is a name, or several with commas between them. A part has a name of its own, so that it
+    /// gets a directory of its own.
     ///
     /// # Errors
     /// A name that is not there.
     pub fn only(&self, cases: &[String], methods: &[String]) -> Result<Matrix, ConfigError> {
         let mut part = self.clone();
-        let told = |key: &str, name: &String, names: Vec<&str>| {
-            Err(ConfigError::new(key, name, format!("must be one of {}", names.join(", "))))
-        };
-        let names = || self.cases.iter().map(|case| case.name.as_str()).collect::<Vec<_>>();
-        if let Some(name) = cases.iter().find(|name| !names().contains(&name.as_str())) {
-            return told("--case", name, names());
-        }
-        let names = || self.methods.iter().map(|one| one.name.as_str()).collect::<Vec<_>>();
-        if let Some(name) = methods.iter().find(|name| !names().contains(&name.as_str())) {
-            return told("--method", name, names());
-        }
+        let names: Vec<_> = self.cases.iter().map(|case| case.name.as_str()).collect();
+        let cases = choice::names("--case", cases, &names)?;
+        let names: Vec<_> = self.methods.iter().map(|method| method.name.as_str()).collect();
+        let methods = choice::names("--method", methods, &names)?;
         part.cases.retain(|case| cases.is_empty() || cases.contains(&case.name));
         part.methods.retain(|method| methods.is_empty() || methods.contains(&method.name));
         if !(cases.is_empty() && methods.is_empty()) {

@@ -1,11 +1,17 @@
-//! Tables: the summary in brief, the response curves, energies, and the health of every case.
+//! Tables: the summary in brief, the response curves, readings, energies, and the health of every
+//! case.
+
+mod energy;
+mod page;
+mod readings;
 
 use super::curves::{Response, panels, variants};
 use super::error::ReportError;
 use super::load::Loaded;
-use super::number::rounded;
+use super::number::{rounded, significant};
 use super::plots::{file_name, fixed_walls};
 use super::row::Row;
+pub use readings::across;
 
 /// A table, ready for a file or a page.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,17 +45,24 @@ impl Table {
 }
 
 /// Every table that the sweep's files can fill.
-pub fn all(data: &Loaded) -> Vec<Table> {
+///
+/// # Errors
+/// Readings that cannot be read.
+pub fn all(data: &Loaded) -> Result<Vec<Table>, ReportError> {
     let mut tables = vec![summary(data), health(data)];
     tables.extend(responses(data));
     tables.extend(fixed(data));
-    tables.extend(energy(data));
-    tables
+    tables.extend(readings::readings(data)?);
+    tables.extend(energy::energy(data));
+    Ok(tables)
 }
 
 /// The summary in brief: one row per case, failed ones included.
 pub fn summary(data: &Loaded) -> Table {
     let variants = data.rows.iter().any(|row| !row.variant.is_empty());
+    // Maxima of the whole run, where the first impact does not stand for them.
+    let whole = data.finished().any(|row| row.first_force_max.is_none());
+    let bar = |error: Option<f64>| plain(error.map(|error| significant(error, 3)));
     let mut header = vec![
         "case_id",
         "status",
@@ -65,7 +78,11 @@ pub fn summary(data: &Loaded) -> Table {
         "displacement_truncated",
         "stops",
         "force_coupling",
+        "force_error",
+        "runup_error",
+        "displacement_error",
     ];
+    header.extend(whole.then_some(["force_max", "runup_max"]).into_iter().flatten());
     header.extend(variants.then_some("variant"));
     let row = |row: &Row| {
         let mut cells = vec![row.case_id.clone(), row.status.clone()];
@@ -81,6 +98,10 @@ pub fn summary(data: &Loaded) -> Table {
         cells.push(plain(row.displacement_truncated));
         cells.push(plain(row.stops));
         cells.push(plain(row.force_coupling));
+        cells.extend([row.force_error, row.runup_error, row.displacement_error].map(bar));
+        if whole {
+            cells.extend([row.force_max, row.runup_max].map(|value| rounded(value, 4)));
+        }
         cells.extend(variants.then(|| row.variant.clone()));
         cells
     };
@@ -187,40 +208,6 @@ fn fixed(data: &Loaded) -> Vec<Table> {
     variants(&data.rows).into_iter().filter_map(table).collect()
 }
 
-/// A column and where its value stands in a row.
-type Place = (&'static str, fn(&Row) -> Option<f64>);
-
-/// What tells a case from the others, for tables that do not say so themselves.
-const PLACE: [Place; 4] = [
-    ("wave_height_ratio", |row| row.wave_height_ratio),
-    ("spring_stiffness_n_per_m", |row| row.spring_stiffness_n_per_m),
-    ("seawall_mass_kg_per_m", |row| row.seawall_mass_kg_per_m),
-    ("force_coupling", |row| row.force_coupling),
-];
-
-/// The energy budgets, each beside its case's place in the sweep.
-fn energy(data: &Loaded) -> Option<Table> {
-    let raw = data.energy.as_ref()?;
-    let id = raw.header.iter().position(|name| name == "case_id")?;
-    let place = PLACE.into_iter().filter(|(name, _)| !raw.header.iter().any(|known| known == name));
-    let others = |cells: &[String]| {
-        let kept = cells.iter().enumerate().filter(|(at, _)| *at != id);
-        kept.map(|(_, cell)| cell.clone()).collect::<Vec<_>>()
-    };
-    let line = |cells: &Vec<String>| {
-        let row = data.rows.iter().find(|row| row.case_id == cells[id]);
-        let mut line = vec![cells[id].clone()];
-        line.extend(place.clone().map(|(_, read)| plain(row.and_then(read))));
-        line.extend(others(cells));
-        line
-    };
-    let rows = raw.rows.iter().map(line).collect();
-    let mut header = vec!["case_id".to_owned()];
-    header.extend(place.clone().map(|(name, _)| name.to_owned()));
-    header.extend(others(&raw.header));
-    Some(Table { name: "energy".to_owned(), title: "Energy".to_owned(), header, rows })
-}
-
 fn plain<T: ToString>(value: Option<T>) -> String {
     value.map(|value| value.to_string()).unwrap_or_default()
 }
@@ -230,7 +217,7 @@ fn plain<T: ToString>(value: Option<T>) -> String {
 /// # Errors
 /// See [`Loaded::read`].
 pub fn read(directory: &std::path::Path) -> Result<Vec<Table>, ReportError> {
-    Ok(all(&Loaded::read(directory)?))
+    all(&Loaded::read(directory)?)
 }
 
 #[cfg(test)]

@@ -1,0 +1,131 @@
+//! What pressure, level and void gauges recorded over time: one figure per case, one panel per
+//! unit and seven gauges.
+
+use super::Figure;
+use super::strips::{Curve, Strip, sheet};
+use crate::report::curves::spread;
+use crate::report::error::ReportError;
+use crate::report::gauges::Gauge;
+use crate::report::load::Loaded;
+
+/// Cases that get a figure.
+const CASES: usize = 4;
+/// Curves in a panel: as many as there are colours.
+const CURVES: usize = 7;
+
+/// The figures of a few cases with gauges, spread over the sweep.
+pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
+    let rows: Vec<_> = data.finished().filter(|row| data.has_gauges(&row.case_id)).collect();
+    let chosen = spread(&rows, CASES);
+    let shown = if chosen.len() < rows.len() {
+        format!(
+            " Shown are {} of {} cases with gauges, spread over the sweep's order; the others are \
+             in probes/.",
+            chosen.len(),
+            rows.len()
+        )
+    } else {
+        String::new()
+    };
+    let mut figures = Vec::new();
+    for row in chosen {
+        let strips = strips(&data.gauges(&row.case_id)?);
+        if strips.is_empty() {
+            continue;
+        }
+        let words = row.words();
+        let case = if words.is_empty() { String::new() } else { format!(", {words}") };
+        let name = format!("probes-{}", row.case_id);
+        figures.push(Figure {
+            svg: sheet(&name, &strips)?,
+            title: format!("Gauges{case}"),
+            caption: format!(
+                "What the gauges of case {} recorded; probes/columns.csv says where each stands \
+                 and how it measures.{shown}",
+                row.case_id
+            ),
+            name,
+        });
+    }
+    Ok(figures)
+}
+
+/// Gauges by unit, in the order of their first column, at most [`CURVES`] together.
+fn strips(gauges: &[Gauge]) -> Vec<Strip> {
+    let mut units: Vec<&str> = Vec::new();
+    for gauge in gauges.iter().filter(|gauge| gauge.points.len() > 1) {
+        if !units.contains(&gauge.unit.as_str()) {
+            units.push(&gauge.unit);
+        }
+    }
+    let strips = |unit: &str| {
+        let alike: Vec<_> = gauges.iter().filter(|gauge| gauge.unit == unit).collect();
+        let (title, scale) = scale(unit);
+        let curve = |gauge: &&Gauge| Curve {
+            label: gauge.name.clone(),
+            points: gauge.points.iter().map(|(time, value)| (*time, value * scale)).collect(),
+        };
+        let strip = |gauges: &[&Gauge]| Strip {
+            title: title.clone(),
+            curves: gauges.iter().map(curve).collect(),
+            peaks: true,
+        };
+        alike.chunks(CURVES).map(strip).collect::<Vec<_>>()
+    };
+    units.into_iter().flat_map(strips).collect()
+}
+
+/// The title of an axis and what values are multiplied by to stand on it.
+fn scale(unit: &str) -> (String, f64) {
+    match unit {
+        "Pa" => ("p, kPa".to_owned(), 1e-3),
+        "m" => ("level, m".to_owned(), 1.0),
+        "1" => ("share".to_owned(), 1.0),
+        "" => ("value".to_owned(), 1.0),
+        other => (other.to_owned(), 1.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::fixture;
+
+    #[test]
+    fn every_unit_has_a_panel() {
+        let data = Loaded::read(fixture::dam_breaks(1).path()).unwrap();
+        assert!(figures(&data).unwrap().is_empty(), "the directory is gone");
+        let directory = fixture::dam_breaks(1);
+        let data = Loaded::read(directory.path()).unwrap();
+        let figures = figures(&data).unwrap();
+        assert_eq!(figures.len(), 1);
+        for word in ["p, kPa", "level, m", "P1", "front"] {
+            assert!(figures[0].svg.contains(word), "{word}");
+        }
+        assert!(!figures[0].caption.contains("Shown"));
+    }
+
+    #[test]
+    fn of_many_cases_a_few_are_shown_and_the_caption_says_so() {
+        let directory = fixture::dam_breaks(9);
+        let figures = figures(&Loaded::read(directory.path()).unwrap()).unwrap();
+        assert_eq!(figures.len(), 4);
+        for figure in &figures {
+            assert!(figure.caption.contains("Shown are 4 of 9 cases"), "{}", figure.caption);
+        }
+        assert_eq!(figures[0].title, "Gauges, column_height_m = 0.6");
+    }
+
+    #[test]
+    fn many_gauges_are_split_so_that_colours_differ() {
+        let gauge = |index: u32| Gauge {
+            name: format!("P{index}"),
+            unit: "Pa".to_owned(),
+            points: vec![(0.0, 2e3), (1.0, 1e3)],
+        };
+        let gauges: Vec<_> = (0..9).map(gauge).collect();
+        let strips = strips(&gauges);
+        assert_eq!(strips.iter().map(|s| s.curves.len()).collect::<Vec<_>>(), [7, 2]);
+        assert_eq!(strips[1].curves[0].points[0], (0.0, 2.0));
+    }
+}

@@ -1,0 +1,78 @@
+//! What the manifest tells of the study as a whole: how many cases it has, what was swept, and
+//! how its scene was set.
+
+use serde_json::Value;
+
+use super::load::Loaded;
+
+/// A swept key and its cell in every row of the summary.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Key {
+    /// As it stands in the sweep's grid.
+    pub name: String,
+    /// One cell per row.
+    pub cells: Vec<String>,
+}
+
+impl Loaded {
+    /// The sweep's name, as its manifest states it.
+    pub fn name(&self) -> Option<&str> {
+        let manifest = self.manifest.as_ref()?;
+        manifest.get("name").or_else(|| manifest.get("sweep")?.get("name"))?.as_str()
+    }
+
+    /// How many cases are neither finished nor failed.
+    pub fn left(&self) -> usize {
+        let cases = self.manifest.as_ref().and_then(|manifest| manifest.get("cases")?.as_u64());
+        let cases = cases.and_then(|cases| usize::try_from(cases).ok()).unwrap_or(0);
+        cases.saturating_sub(self.rows.len())
+    }
+}
+
+/// The keys of the grid, in its order.
+pub(super) fn keys(manifest: &Value) -> Vec<String> {
+    let keys = manifest.get("keys").and_then(Value::as_array);
+    keys.into_iter().flatten().filter_map(|key| key.as_str().map(str::to_owned)).collect()
+}
+
+/// A number of the scene that all cases share: what the command line set, or else the file.
+pub(super) fn scene_number(manifest: &Value, key: &str) -> Option<f64> {
+    let overrides = manifest.get("overrides").and_then(Value::as_array);
+    let set = |text: &Value| {
+        let (path, value) = text.as_str()?.split_once('=')?;
+        if path.trim() == format!("scene.{key}") { value.trim().parse().ok() } else { None }
+    };
+    let last = overrides.into_iter().flatten().filter_map(set).next_back();
+    last.or_else(|| {
+        let file: toml::Table = manifest.get("sweep_file")?.as_str()?.parse().ok()?;
+        let value = file.get("scene")?.get(key)?;
+        value.as_float().or_else(|| value.as_integer().map(|value| value as f64))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn the_command_line_wins_over_the_file() {
+        let file = "[scene]\nwall_angle_deg = 120\n[numerics]\nwall_angle_deg = 1";
+        let mut manifest = json!({ "sweep_file": file, "overrides": [] });
+        assert_eq!(scene_number(&manifest, "wall_angle_deg"), Some(120.0));
+        assert_eq!(scene_number(&manifest, "tank_length_m"), None);
+        manifest["overrides"] = json!(["scene.wall_angle_deg=60", "scene.wall_angle_deg=75.5"]);
+        assert_eq!(scene_number(&manifest, "wall_angle_deg"), Some(75.5));
+        assert_eq!(scene_number(&json!({}), "wall_angle_deg"), None);
+    }
+
+    #[test]
+    fn what_an_interrupted_sweep_has_not_come_to_is_left() {
+        let rows = vec![Default::default(); 5];
+        let loaded =
+            |manifest| Loaded { rows: rows.clone(), manifest: Some(manifest), ..Loaded::default() };
+        assert_eq!(loaded(json!({ "cases": 8 })).left(), 3);
+        assert_eq!(loaded(json!({ "cases": 5 })).left(), 0);
+        assert_eq!(loaded(json!({})).left(), 0);
+    }
+}

@@ -1,0 +1,111 @@
+//! What scenes tell besides the summary's columns: arrival times, plateaus, gaps, decays.
+
+use std::collections::BTreeMap;
+
+use super::{Table, plain};
+use crate::report::error::ReportError;
+use crate::report::load::Loaded;
+use crate::report::number;
+
+/// The page shows so many cases side by side; more than that stand one below the other.
+const SIDE_BY_SIDE: usize = 6;
+
+/// All readings of finished cases, one per line, to every digit; `None` where there are none.
+///
+/// # Errors
+/// Readings that cannot be read.
+pub fn readings(data: &Loaded) -> Result<Option<Table>, ReportError> {
+    let mut rows = Vec::new();
+    for row in data.finished() {
+        rows.extend(data.readings(&row.case_id)?.into_iter().map(|reading| {
+            let value = plain(reading.value);
+            vec![row.case_id.clone(), row.words(), reading.name, value, reading.unit]
+        }));
+    }
+    let header = ["case_id", "case", "reading", "value", "unit"];
+    Ok((!rows.is_empty()).then(|| Table::new("readings", "Readings", &header, rows)))
+}
+
+/// The table of `readings` as the page shows it: a line per reading and a column per case, or,
+/// with many cases, the other way round.
+pub fn across(long: &Table) -> Table {
+    type Name<'a> = (&'a str, &'a str);
+    let (mut cases, mut names): (Vec<Name>, Vec<Name>) = (Vec::new(), Vec::new());
+    let mut values = BTreeMap::new();
+    for row in &long.rows {
+        let [id, words, name, value, unit] = row.as_slice() else { continue };
+        let (case, name) = ((id.as_str(), words.as_str()), (name.as_str(), unit.as_str()));
+        if cases.last() != Some(&case) {
+            cases.push(case);
+        }
+        if !names.contains(&name) {
+            names.push(name);
+        }
+        let value = value.parse().map(number::plain).unwrap_or_default();
+        values.insert((case, name), value);
+    }
+    let cell = |case: Name, name: Name| values.get(&(case, name)).cloned().unwrap_or_default();
+    // One case needs no name; several without words go by their ids.
+    let case_name = |(id, words): &Name| match (cases.len(), words.is_empty()) {
+        (1, _) => "value".to_owned(),
+        (_, true) => (*id).to_owned(),
+        (_, false) => (*words).to_owned(),
+    };
+    let with_unit = |(name, unit): &Name| {
+        if unit.is_empty() { (*name).to_owned() } else { format!("{name}, {unit}") }
+    };
+    let (header, rows): (Vec<String>, Vec<Vec<String>>) = if cases.len() <= SIDE_BY_SIDE {
+        let line = |name: &Name| {
+            let cells = cases.iter().map(|case| cell(*case, *name));
+            std::iter::once(name.0.to_owned()).chain(cells).chain([name.1.to_owned()]).collect()
+        };
+        let titles = cases.iter().map(case_name);
+        let header = std::iter::once("reading".to_owned()).chain(titles).chain(["unit".to_owned()]);
+        (header.collect(), names.iter().map(line).collect())
+    } else {
+        let line = |case: &Name| {
+            let cells = names.iter().map(|name| cell(*case, *name));
+            std::iter::once(case_name(case)).chain(cells).collect()
+        };
+        let header = std::iter::once("case".to_owned()).chain(names.iter().map(with_unit));
+        (header.collect(), cases.iter().map(line).collect())
+    };
+    Table { name: long.name.clone(), title: long.title.clone(), header, rows }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::fixture;
+
+    fn of(cases: usize) -> Table {
+        let directory = fixture::dam_breaks(cases);
+        readings(&Loaded::read(directory.path()).unwrap()).unwrap().unwrap()
+    }
+
+    #[test]
+    fn a_file_holds_every_digit_and_a_page_four() {
+        let long = of(1);
+        assert!(long.csv().contains("case-0000,,front_at_wall,1.6123456789,sqrt(H/g)"));
+        let page = across(&long);
+        assert_eq!(page.header, ["reading", "value", "unit"]);
+        assert_eq!(page.rows[0], ["front_at_wall", "1.612", "sqrt(H/g)"]);
+        assert_eq!(page.rows[1], ["cavity_closure", "", "sqrt(H/g)"]);
+    }
+
+    #[test]
+    fn many_cases_stand_one_below_the_other() {
+        let few = across(&of(3));
+        assert_eq!(few.header[1], "column_height_m = 0.6");
+        assert_eq!((few.header.len(), few.rows.len()), (5, 2));
+        let many = across(&of(9));
+        assert_eq!(many.header[1], "front_at_wall, sqrt(H/g)");
+        assert_eq!((many.header.len(), many.rows.len()), (3, 9));
+    }
+
+    #[test]
+    fn a_sweep_without_readings_has_no_table() {
+        let directory = fixture::sweep();
+        assert_eq!(readings(&Loaded::read(directory.path()).unwrap()).unwrap(), None);
+    }
+}

@@ -1,0 +1,90 @@
+//! How many particles a scene may have.
+
+use super::config::CaseConfig;
+use super::error::ConfigError;
+use super::numerics::Numerics;
+
+/// Particles of water that are taken at most: some 30 GB, and weeks on one core.
+pub(super) const MOST_PARTICLES: f64 = 20e6;
+
+/// Particles of a scene from its area of water, without laying any of them out.
+pub(super) fn particles(config: &CaseConfig) -> f64 {
+    let spacing = config.numerics.particle_spacing_m;
+    config.scene.water_area() / spacing / spacing
+}
+
+/// Refuses more particles than a machine holds.
+///
+/// # Errors
+/// More than [`MOST_PARTICLES`]; names the smallest spacing that this water may have.
+pub(super) fn validate(config: &CaseConfig) -> Result<(), ConfigError> {
+    let (count, area) = (particles(config), config.scene.water_area());
+    if count <= MOST_PARTICLES {
+        return Ok(());
+    }
+    let smallest = rounded_up((area / MOST_PARTICLES).sqrt());
+    let allowed = format!(
+        "makes {} particles of {area:.4} m² of water, {MOST_PARTICLES:.0} are the most: {smallest} \
+         or more",
+        whole(count)
+    );
+    let Numerics { particle_spacing_m, .. } = config.numerics;
+    Err(ConfigError::new("numerics.particle_spacing_m", particle_spacing_m, allowed))
+}
+
+/// A count, with an exponent where nobody would read all the digits.
+fn whole(count: f64) -> String {
+    if count < 1e12 { format!("{count:.0}") } else { format!("{count:.1e}") }
+}
+
+/// Rounds up to three significant digits.
+fn rounded_up(value: f64) -> f64 {
+    let unit = libm::pow(10.0, libm::log10(value).floor() - 2.0);
+    // The text of so many digits reads back as the number itself, not as one just below it.
+    let text = format!("{:.2e}", (value / unit).ceil() * unit);
+    text.parse().unwrap_or(value)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn case(scene: &str, spacing: &str) -> Result<CaseConfig, ConfigError> {
+        let numerics = format!("particle_spacing_m = {spacing}");
+        CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap())
+    }
+
+    #[test]
+    fn the_smallest_spacing_that_is_named_is_taken() {
+        let scenes = [
+            "",
+            "wall_angle_deg = 60",
+            "wall_angle_deg = 120",
+            "kind = \"hydrostatic\"",
+            "kind = \"dam-break\"",
+            "kind = \"standing-wave\"",
+            "kind = \"taylor-green\"",
+            "kind = \"rotating-patch\"",
+            "kind = \"oscillating-drop\"",
+        ];
+        for scene in scenes {
+            for spacing in ["1e-300", "0.00001"] {
+                let told = case(scene, spacing).unwrap_err();
+                assert_eq!(told.key, "numerics.particle_spacing_m");
+                let words: Vec<_> = told.allowed.split([' ', ':']).collect();
+                let smallest = words[words.len() - 3];
+                case(scene, smallest).unwrap();
+            }
+        }
+    }
+
+    #[test]
+    fn the_estimate_is_near_the_lattice() {
+        for scene in ["wall_angle_deg = 60", "wall_angle_deg = 120", "kind = \"oscillating-drop\""]
+        {
+            let config = case(scene, "0.02").unwrap();
+            let laid_out = config.scene.particles(&config.numerics) as f64;
+            assert!((particles(&config) / laid_out - 1.0).abs() < 0.01, "{scene}");
+        }
+    }
+}

@@ -1,0 +1,179 @@
+//! What the program says: refusals before anything is written, and marks beside doubtful numbers.
+
+mod common;
+
+use std::fs;
+
+use common::{TINY, expect_code, run, write_file};
+
+fn told(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// A single scene of a second or less: its wall is still moving when it ends.
+fn short_scene() -> String {
+    let scene = TINY.split("[grid]").next().unwrap();
+    scene.replace(
+        "wall = \"movable\"",
+        "wall = \"movable\"\nwave_height_ratio = 0.5\n\
+        spring_stiffness_n_per_m = 10\nseawall_mass_kg_per_m = 50",
+    )
+}
+
+#[test]
+fn more_particles_than_a_machine_holds_are_refused_by_every_command() {
+    let root = tempfile::tempdir().unwrap();
+    let (sweep, out) = (write_file(root.path(), TINY), root.path().join("out"));
+    let (file, out) = (sweep.to_str().unwrap().to_owned(), out.to_str().unwrap());
+    let fine = ["--set", "numerics.particle_spacing_m=1e-5"];
+    let refuse = |command: &[&str]| {
+        let output = run(&[command, &fine].concat());
+        expect_code(&output, 2);
+        assert!(told(&output.stderr).contains("20000000 are the most: 0.0001"));
+    };
+    refuse(&["sweep", &file, "--out", out]);
+    refuse(&["check", &file]);
+    fs::write(&sweep, short_scene()).unwrap();
+    refuse(&["run", &file, "--out", out]);
+    let largest = run(&["check", &file, "--set", "numerics.particle_spacing_m=0.000101"]);
+    expect_code(&largest, 0);
+    let text = told(&largest.stdout);
+    assert!(text.contains("GiB") && text.contains(" days on"), "{text}");
+    assert!(text.contains("known limit, 1 case: more than 1,000,000 particles"), "{text}");
+    assert!(!root.path().join("out").exists());
+}
+
+#[test]
+fn check_shows_what_is_on() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let check = |settings: &[&str]| {
+        let output = run(&[&["check", file.to_str().unwrap()], settings].concat());
+        expect_code(&output, 0);
+        told(&output.stdout)
+    };
+    let single = check(&["--set", "numerics.precision=f32", "--set", "numerics.retries=2"]);
+    assert!(single.contains("\nprecision           f32\n"), "{single}");
+    assert!(single.contains("\nretries             2\n"), "{single}");
+    let isph = check(&["--set", "numerics.scheme=isph"]);
+    assert!(isph.contains("\nlaplacian           exact\n"), "{isph}");
+    assert!(!isph.contains("bulk damping") && !isph.contains("precision"), "{isph}");
+}
+
+#[test]
+fn check_and_sweep_answer_an_empty_grid_alike() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), "name = \"a\"\n[grid]\n");
+    let [check, sweep] = ["check", "sweep"].map(|command| {
+        let output = run(&[command, file.to_str().unwrap()]);
+        expect_code(&output, 2);
+        told(&output.stderr)
+    });
+    assert_eq!(check, sweep);
+    assert!(check.contains("grid: holds no key"), "{check}");
+}
+
+#[test]
+fn a_file_that_is_no_text_is_told_as_such() {
+    let root = tempfile::tempdir().unwrap();
+    let file = root.path().join("latin.toml");
+    fs::write(&file, b"name = \"a\"\n# H\xf6he\n").unwrap();
+    for command in ["check", "sweep", "run", "accuracy"] {
+        let output = run(&[command, file.to_str().unwrap()]);
+        expect_code(&output, 2);
+        let text = told(&output.stderr);
+        assert!(
+            text.ends_with("latin.toml: line 2: is not UTF-8 text; save it as UTF-8\n"),
+            "{text}"
+        );
+    }
+}
+
+#[test]
+fn lower_bounds_are_marked_and_nothing_is_filmed_twice() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), &short_scene());
+    let (file, out) = (file.to_str().unwrap(), root.path().join("out"));
+    let command = ["run", file, "--threads", "1", "--out", out.to_str().unwrap()];
+    let first = run(&command);
+    expect_code(&first, 0);
+    let (text, notes) = (told(&first.stdout), told(&first.stderr));
+    assert!(notes.contains("1 run on 1 thread,"), "{notes}");
+    let line = text.lines().find(|line| line.starts_with("largest X*")).unwrap();
+    assert!(line.contains("≥ ") && line.ends_with(" s, still moving at the end"), "{line}");
+    let again = run(&[&command[..], &["--vtk"]].concat());
+    expect_code(&again, 0);
+    let notes = told(&again.stderr);
+    assert!(notes.contains("--vtk: nothing was filmed") && notes.contains("--fresh"), "{notes}");
+    assert!(!out.join("vtk").exists());
+    let filmed = run(&[&command[..], &["--vtk", "0.5", "--fresh"]].concat());
+    expect_code(&filmed, 0);
+    assert!(!told(&filmed.stderr).contains("nothing was filmed") && out.join("vtk").exists());
+}
+
+#[test]
+fn a_sweeps_table_marks_lower_bounds_and_counts_wide_gaps() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let out = root.path().join("out");
+    let coarse = ["--set", "numerics.particle_spacing_m=0.05"];
+    let command = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    let output = run(&[&command[..], &coarse].concat());
+    expect_code(&output, 0);
+    let text = told(&output.stdout);
+    let mut reader = csv::Reader::from_path(out.join("summary.csv")).unwrap();
+    let headers = reader.headers().unwrap().clone();
+    let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+    let place = |name: &str| headers.iter().position(|header| header == name).unwrap();
+    let (bound, gaps) =
+        (place("displacement_truncated"), ["force_gap_percent", "energy_gap_percent"].map(place));
+    let bounds = rows.iter().filter(|row| &row[bound] == "true").count();
+    let wide =
+        rows.iter().filter(|row| gaps.iter().any(|&gap| row[gap].parse::<f64>().unwrap() > 3.0));
+    let wide = wide.count();
+    assert!(bounds > 0 && wide > 0, "{bounds} {wide}");
+    // Once in every such row, and once below the table.
+    assert_eq!(text.matches('≥').count(), bounds + 1, "{text}");
+    let line = format!("{wide} finished case");
+    assert!(text.lines().any(|told| told.starts_with(&line)), "{text}");
+    assert!(text.contains("a force or energy gap above 3 %"), "{text}");
+}
+
+#[test]
+fn a_directory_that_cannot_be_written_is_bad_input() {
+    let root = tempfile::tempdir().unwrap();
+    let (file, out) = (write_file(root.path(), TINY), root.path().join("out"));
+    let sweep = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    expect_code(&run(&[&sweep[..], &["--set", "numerics.particle_spacing_m=0.05"]].concat()), 0);
+    fs::remove_dir_all(out.join("figures")).unwrap();
+    fs::write(out.join("figures"), "in the way").unwrap();
+    let output = run(&["report", out.to_str().unwrap()]);
+    expect_code(&output, 2);
+    let text = told(&output.stderr);
+    assert_eq!(text.matches("os error").count(), 1, "{text}");
+}
+
+#[test]
+fn a_method_with_a_comma_in_its_name_can_be_chosen() {
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().join("out");
+    let choose = |method: &str| {
+        run(&[
+            "accuracy",
+            "--case",
+            "no such case",
+            "--method",
+            method,
+            "--out",
+            out.to_str().unwrap(),
+        ])
+    };
+    let wrong = run(&["accuracy", "--method", "R 3, dx 7", "--out", out.to_str().unwrap()]);
+    expect_code(&wrong, 2);
+    assert!(told(&wrong.stderr).contains("\"R 3, dx 0.0125\""), "{}", told(&wrong.stderr));
+    // The case is refused first, so nothing runs.
+    let output = choose("R 3, dx 0.0125");
+    expect_code(&output, 2);
+    assert!(told(&output.stderr).contains("--case = \"no such case\""));
+    assert!(!out.exists());
+}
