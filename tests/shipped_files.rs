@@ -96,6 +96,12 @@ fn corner(file: &Table, last: bool) -> Table {
         let section = file[section].as_table_mut().unwrap();
         section.insert(key.clone(), value.unwrap().clone());
     }
+    // Where walls are swept, only movable ones take what belongs to them.
+    let scene = file["scene"].as_table_mut().unwrap();
+    if grid.get("wall").is_some() && scene["wall"].as_str() == Some("fixed") {
+        scene.remove("spring_stiffness_n_per_m");
+        scene.remove("seawall_mass_kg_per_m");
+    }
     file
 }
 

@@ -37,6 +37,8 @@ impl Wcsph {
             self.take_next_correction();
             self.work.last_acceleration_x.fill(0.0);
             self.work.last_acceleration_y.fill(0.0);
+            // Counted once, as for who goes on from a state kept here.
+            self.parts.iter_mut().for_each(|part| part.tally.force_entries = 0);
             self.find_forces();
         }
         &self.work.loads
