@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::output::Output;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::math::simd::SimdPath;
+use crate::report::GAP_LIMIT_PERCENT;
 use crate::simulation::{Outcome, cost};
 use crate::sweep::executor::{Crew, RankInfo};
 use crate::sweep::{
@@ -28,9 +29,6 @@ pub(super) struct Job {
     pub(super) overrides: Vec<String>,
 }
 
-/// Gaps above this say to look at a case's history before its numbers, percent.
-pub(super) const DOUBTFUL_PERCENT: f64 = 3.0;
-
 /// What came of it.
 pub(super) struct Done {
     pub(super) directory: Directory,
@@ -49,7 +47,7 @@ impl Done {
     /// Finished cases that README says to look at: the gap of force or energy is above 3 %.
     pub(super) fn doubtful(&self) -> usize {
         let doubtful = |outcome: &Outcome| {
-            outcome.force_gap_percent.max(outcome.energy_gap_percent) > DOUBTFUL_PERCENT
+            outcome.force_gap_percent.max(outcome.energy_gap_percent) > GAP_LIMIT_PERCENT
         };
         let outcomes = self.records().filter_map(|record| record.outcome.as_ref());
         outcomes.filter(|outcome| doubtful(outcome)).count()

@@ -1,8 +1,9 @@
 //! The table at the end of a sweep, and how its cases fared.
 
-use super::execute::{DOUBTFUL_PERCENT, Done, Job};
+use super::execute::{Done, Job};
 use super::output::{duration, short};
 use super::table::Table;
+use crate::report::GAP_LIMIT_PERCENT;
 use crate::sweep::counted;
 
 /// Rows shown without `-v`.
@@ -70,7 +71,7 @@ pub(super) fn told(job: &Job, done: &Done, report: &std::path::Path, all: bool) 
         let (has, its) =
             if doubtful == 1 { ("has", "its history") } else { ("have", "their histories") };
         text.push_str(&format!(
-            "{} {has} a force or energy gap above {DOUBTFUL_PERCENT} %: look at {its} first\n",
+            "{} {has} a force or energy gap above {GAP_LIMIT_PERCENT} %: look at {its} first\n",
             counted(doubtful, "finished case")
         ));
     }

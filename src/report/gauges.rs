@@ -93,8 +93,8 @@ impl Loaded {
     }
 }
 
-/// A table whose last column is told in words, in which commas may stand that nothing quotes:
-/// they end the cell, and what follows is left out.
+/// A table whose last column is told in words, in which directories of earlier versions have commas
+/// that nothing quotes: they end the cell, and what follows is left out.
 fn read_loosely(path: &Path) -> Result<(StringRecord, Vec<StringRecord>), ReportError> {
     let wrong = |source| ReportError::Table { path: path.to_owned(), source };
     let text = read(path)?;

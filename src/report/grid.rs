@@ -19,8 +19,9 @@ const UNITS: [(&str, &str); 10] = [
     ("_s", "s"),
 ];
 
-/// Above this the two force readings disagree so much that there are voids at the wall.
-const FORCE_GAP_LIMIT_PERCENT: f64 = 3.0;
+/// Gaps above this say to look at a case's history before its numbers: of the two force readings, that
+/// there are voids at the wall.
+pub const GAP_LIMIT_PERCENT: f64 = 3.0;
 
 /// Lists longer than this are folded.
 pub(super) const LONG: usize = 30;
@@ -93,7 +94,7 @@ fn is_numeric(table: &Table, column: usize) -> bool {
 fn doubtful(column: &str, cell: &str) -> bool {
     let value: f64 = cell.parse().unwrap_or(0.0);
     match column {
-        "force_gap_percent" => value > FORCE_GAP_LIMIT_PERCENT,
+        "force_gap_percent" => value > GAP_LIMIT_PERCENT,
         "particles_lost" => value > 0.0,
         _ => false,
     }

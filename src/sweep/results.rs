@@ -1,6 +1,5 @@
 //! Per-case files: histories and probes.
 
-use std::borrow::Cow;
 use std::fs;
 use std::path::Path;
 
@@ -89,29 +88,27 @@ fn probe_table(probes: &ProbeTable) -> String {
 
 /// What a column of the probes' tables holds.
 fn probe_columns(probes: &ProbeTable) -> String {
-    let mut text = "name,unit,method\n".to_owned();
-    for ProbeColumn { name, unit, method } in &probes.columns {
-        text.push_str(&format!("{name},{unit},{}\n", quoted(method)));
-    }
-    text
+    let row = |ProbeColumn { name, unit, method }: &ProbeColumn| {
+        [name.clone(), unit.clone(), method.clone()]
+    };
+    worded(["name", "unit", "method"], probes.columns.iter().map(row))
 }
 
 fn reading_table(readings: &[NamedReading]) -> String {
-    let mut text = "name,value,unit\n".to_owned();
-    for reading in readings {
-        let value = number::text(reading.value);
-        text.push_str(&format!("{},{value},{}\n", reading.name, quoted(&reading.unit)));
-    }
-    text
+    let row = |reading: &NamedReading| {
+        [reading.name.clone(), number::text(reading.value), reading.unit.clone()]
+    };
+    worded(["name", "value", "unit"], readings.iter().map(row))
 }
 
-/// A cell of words, which may hold commas.
-fn quoted(cell: &str) -> Cow<'_, str> {
-    if cell.contains([',', '"']) {
-        format!("\"{}\"", cell.replace('"', "\"\"")).into()
-    } else {
-        cell.into()
+/// A table with words in it, which may hold commas.
+fn worded(header: [&str; 3], rows: impl Iterator<Item = [String; 3]>) -> String {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in std::iter::once(header.map(str::to_owned)).chain(rows) {
+        writer.write_record(row).expect("rows of three cells go into memory");
     }
+    let bytes = writer.into_inner().expect("memory takes it all");
+    String::from_utf8(bytes).expect("made of text")
 }
 
 fn push_row(text: &mut String, values: impl IntoIterator<Item = f64>) {
@@ -141,5 +138,11 @@ mod tests {
         let text = probe_table(&probes);
         assert_eq!(probe_columns(&probes), "name,unit,method\np1,Pa,here\nlevel,m,there\n");
         assert_eq!(text, "time_s,p1,level\n0,1.5,0.1\n0.005,2,0.30000000000000004\n");
+    }
+
+    #[test]
+    fn words_may_hold_commas() {
+        let reading = NamedReading::new("arm", 0.5, "% of R, largest");
+        assert_eq!(reading_table(&[reading]), "name,value,unit\narm,0.5,\"% of R, largest\"\n");
     }
 }
