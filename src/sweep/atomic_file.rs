@@ -1,4 +1,4 @@
-//! Files that are either whole or absent: written under a temporary name, synced, renamed.
+//! Files that are either whole or absent: written under a temporary name, then renamed.
 
 use std::fs::{self, File};
 use std::io::Write;
@@ -11,19 +11,32 @@ pub(super) const TEMPORARY: &str = ".partial";
 
 /// Writes a file so that no reader, and no crash, ever sees a part of it.
 pub(super) fn write(path: &Path, content: &[u8]) -> Result<(), SweepError> {
+    put(path, content, File::sync_all)
+}
+
+/// The same for readers; after a power cut the file may be empty unless it was [synced](sync).
+pub(super) fn write_unsynced(path: &Path, content: &[u8]) -> Result<(), SweepError> {
+    put(path, content, |_| Ok(()))
+}
+
+fn put(
+    path: &Path,
+    content: &[u8],
+    settle: fn(&File) -> std::io::Result<()>,
+) -> Result<(), SweepError> {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(TEMPORARY);
     let temporary = path.with_file_name(name);
     let mut file = File::create(&temporary).map_err(SweepError::io(&temporary))?;
     file.write_all(content).map_err(SweepError::io(&temporary))?;
-    file.sync_all().map_err(SweepError::io(&temporary))?;
+    settle(&file).map_err(SweepError::io(&temporary))?;
     fs::rename(&temporary, path).map_err(SweepError::io(path))
 }
 
-/// Makes the renames inside a directory durable.
-pub(super) fn sync_directory(path: &Path) -> Result<(), SweepError> {
-    let directory = File::open(path).map_err(SweepError::io(path))?;
-    directory.sync_all().map_err(SweepError::io(path))
+/// Makes a file's content, or the renames inside a directory, durable.
+pub(super) fn sync(path: &Path) -> Result<(), SweepError> {
+    let file = File::open(path).map_err(SweepError::io(path))?;
+    file.sync_all().map_err(SweepError::io(path))
 }
 
 #[cfg(test)]

@@ -9,8 +9,9 @@ use super::journal::{self, Header, Journal};
 use super::lock::{self, Lock};
 use super::number::counted;
 use super::record::CaseRecord;
+use super::results::{self, Unsynced};
 use super::study::Study;
-use super::{energy, results, summary};
+use super::{energy, summary};
 use crate::math::simd::SimdPath;
 use crate::simulation::CaseResult;
 
@@ -40,6 +41,7 @@ pub struct Directory {
     path: PathBuf,
     _lock: Lock,
     journal: Journal,
+    unsynced: Unsynced,
     simd: SimdPath,
     records: Vec<Option<CaseRecord>>,
     /// Records before this are cases, the others companions.
@@ -82,24 +84,24 @@ impl Directory {
             opened = Opened::Moved(aside);
         }
         let mut records = vec![None; study.run_count()];
-        if look(path)? == Found::Journal
-            && let Some((journal, header, lines)) = Journal::resume(path)?
-        {
+        let resumed = match look(path)? {
+            Found::Journal => Journal::resume(path)?,
+            Found::Nothing => None,
+        };
+        let (journal, simd) = if let Some((journal, header, lines)) = resumed {
             check_header(path, &header, study, requested, widest)?;
             results::clean(path)?;
             fill(path, study, &mut records, lines);
-            let done = records.iter().flatten().count();
-            let simd = header.simd;
-            let path = path.to_owned();
-            let cases = study.cases.len();
-            let directory = Directory { path, _lock: lock, journal, simd, records, cases };
-            return Ok((directory, Opened::Resumed(done)));
-        }
-        let simd = requested.unwrap_or(widest);
-        let header = Header::new(&study.name, &study.identity, study.cases.len(), simd);
-        let journal = Journal::create(path, &header)?;
-        let (path, cases) = (path.to_owned(), study.cases.len());
-        Ok((Directory { path, _lock: lock, journal, simd, records, cases }, opened))
+            opened = Opened::Resumed(records.iter().flatten().count());
+            (journal, header.simd)
+        } else {
+            let simd = requested.unwrap_or(widest);
+            let header = Header::new(&study.name, &study.identity, study.cases.len(), simd);
+            (Journal::create(path, &header)?, simd)
+        };
+        let (path, cases, unsynced) = (path.to_owned(), study.cases.len(), Unsynced::default());
+        let directory = Directory { path, _lock: lock, journal, unsynced, simd, records, cases };
+        Ok((directory, opened))
     }
 
     /// Where it is.
@@ -137,11 +139,12 @@ impl Directory {
     /// Where a file cannot be written.
     pub fn record(
         &mut self,
-        record: CaseRecord,
+        mut record: CaseRecord,
         result: Option<&CaseResult>,
     ) -> Result<(), SweepError> {
         if let Some(result) = result.filter(|_| record.is_ok() && record.index < self.cases) {
-            results::write(&self.path, record.id, result)?;
+            let written = self.unsynced.write(&self.path, record.id, result)?;
+            record.history_bytes = Some(written);
         }
         self.journal.record(&record)?;
         let index = record.index;
@@ -155,7 +158,7 @@ impl Directory {
     /// Where the disk refuses.
     pub fn sync(&mut self, now: bool) -> Result<(), SweepError> {
         if self.journal.is_due() || (now && self.journal.is_dirty()) {
-            results::sync(&self.path)?;
+            self.unsynced.sync(&self.path)?;
             self.journal.sync()?;
         }
         Ok(())
@@ -238,10 +241,11 @@ fn fill(path: &Path, study: &Study, records: &mut [Option<CaseRecord>], lines: V
             records[index] = Some(CaseRecord { index, ..record });
         }
     }
+    let has_history =
+        |record: &CaseRecord| results::is_there(path, record.id, record.history_bytes);
     for record in &mut records[..study.cases.len()] {
-        let lacks_history = record
-            .as_ref()
-            .is_some_and(|record| record.is_ok() && !results::is_there(path, record.id));
+        let lacks_history =
+            record.as_ref().is_some_and(|record| record.is_ok() && !has_history(record));
         if lacks_history {
             *record = None;
         }
@@ -290,7 +294,14 @@ mod tests {
         let (directory, opened) = open(&path, &study, OpenMode::Resume).unwrap();
         assert_eq!(opened, Opened::Resumed(1));
         drop(directory);
-        fs::remove_dir_all(path.join("histories")).unwrap();
+        // A power cut may leave the name of a file without its content.
+        let history = fs::read_dir(path.join("histories")).unwrap().next().unwrap().unwrap().path();
+        fs::File::create(&history).unwrap();
+        let (mut directory, opened) = open(&path, &study, OpenMode::Resume).unwrap();
+        assert_eq!(opened, Opened::Resumed(0));
+        run_first(&mut directory, &study);
+        drop(directory);
+        fs::remove_file(history).unwrap();
         let (_directory, opened) = open(&path, &study, OpenMode::Resume).unwrap();
         assert_eq!(opened, Opened::Resumed(0));
     }

@@ -18,9 +18,12 @@ pub(super) fn write(directory: &Path, records: &[Option<CaseRecord>]) -> Result<
         let (Some(energy), Some(outcome)) = (&record.energy, &record.outcome) else { continue };
         text.push_str(&record.id.to_string());
         for value in terms(energy) {
-            text.push_str(&format!(",{}", number::text(value)));
+            text.push(',');
+            number::push(&mut text, value);
         }
-        text.push_str(&format!(",{}\n", number::text(outcome.energy_gap_percent)));
+        text.push(',');
+        number::push(&mut text, outcome.energy_gap_percent);
+        text.push('\n');
     }
     atomic_file::write(&directory.join("energy.csv"), text.as_bytes())
 }

@@ -72,7 +72,7 @@ impl Journal {
         let mut journal = Journal { path, file, unsynced_since: None };
         journal.append(&Entry::Header(header.clone()))?;
         journal.sync()?;
-        super::atomic_file::sync_directory(directory)?;
+        super::atomic_file::sync(directory)?;
         Ok(journal)
     }
 

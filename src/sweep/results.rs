@@ -1,7 +1,7 @@
 //! Per-case files: histories and probes.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::atomic_file;
 use super::case::CaseId;
@@ -13,35 +13,53 @@ const HISTORIES: &str = "histories";
 const PROBES: &str = "probes";
 const READINGS: &str = "readings";
 
-/// Writes what a case leaves besides its journal line.
-pub(super) fn write(directory: &Path, id: CaseId, result: &CaseResult) -> Result<(), SweepError> {
-    write_one(&directory.join(HISTORIES), id, &history(&result.history))?;
-    if let Some(probes) = &result.probes {
-        let folder = directory.join(PROBES);
-        write_one(&folder, id, &probe_table(probes))?;
-        // The same for all cases of a file.
-        atomic_file::write(&folder.join("columns.csv"), probe_columns(probes).as_bytes())?;
-    }
-    if !result.readings.is_empty() {
-        write_one(&directory.join(READINGS), id, &reading_table(&result.readings))?;
-    }
-    Ok(())
-}
+/// Files that cases have left and that may not be on the disk yet: they go there in groups, as one by
+/// one the coordinator of many ranks would do little but wait for it.
+#[derive(Debug, Default)]
+pub(super) struct Unsynced(Vec<PathBuf>);
 
-/// Whether a case that the journal calls well has its history.
-pub(super) fn is_there(directory: &Path, id: CaseId) -> bool {
-    directory.join(HISTORIES).join(format!("{id}.csv")).is_file()
-}
-
-/// Makes the files of all cases durable.
-pub(super) fn sync(directory: &Path) -> Result<(), SweepError> {
-    for folder in [HISTORIES, PROBES, READINGS] {
-        let path = directory.join(folder);
-        if path.is_dir() {
-            atomic_file::sync_directory(&path)?;
+impl Unsynced {
+    /// Writes what a case leaves besides its journal line, and tells its history's length in bytes.
+    pub(super) fn write(
+        &mut self,
+        directory: &Path,
+        id: CaseId,
+        result: &CaseResult,
+    ) -> Result<u64, SweepError> {
+        let history = history(&result.history);
+        self.write_one(&directory.join(HISTORIES), id, &history)?;
+        if let Some(probes) = &result.probes {
+            let folder = directory.join(PROBES);
+            self.write_one(&folder, id, &probe_table(probes))?;
+            // The same for all cases of a file.
+            atomic_file::write(&folder.join("columns.csv"), probe_columns(probes).as_bytes())?;
         }
+        if !result.readings.is_empty() {
+            self.write_one(&directory.join(READINGS), id, &reading_table(&result.readings))?;
+        }
+        Ok(history.len() as u64)
     }
-    Ok(())
+
+    fn write_one(&mut self, folder: &Path, id: CaseId, text: &str) -> Result<(), SweepError> {
+        fs::create_dir_all(folder).map_err(SweepError::io(folder))?;
+        let path = folder.join(format!("{id}.csv"));
+        atomic_file::write_unsynced(&path, text.as_bytes())?;
+        self.0.push(path);
+        Ok(())
+    }
+
+    /// Makes them durable.
+    pub(super) fn sync(&mut self, directory: &Path) -> Result<(), SweepError> {
+        self.0.drain(..).try_for_each(|path| atomic_file::sync(&path))?;
+        let folders = [HISTORIES, PROBES, READINGS].map(|name| directory.join(name));
+        folders.iter().filter(|path| path.is_dir()).try_for_each(|path| atomic_file::sync(path))
+    }
+}
+
+/// Whether a case that the journal calls well has its history, of the length that the journal knows.
+pub(super) fn is_there(directory: &Path, id: CaseId, bytes: Option<u64>) -> bool {
+    let file = fs::metadata(directory.join(HISTORIES).join(format!("{id}.csv")));
+    file.is_ok_and(|file| file.is_file() && bytes.is_none_or(|bytes| file.len() == bytes))
 }
 
 /// Removes what a killed process left half written.
@@ -56,11 +74,6 @@ pub(super) fn clean(directory: &Path) -> Result<(), SweepError> {
         }
     }
     Ok(())
-}
-
-fn write_one(folder: &Path, id: CaseId, text: &str) -> Result<(), SweepError> {
-    fs::create_dir_all(folder).map_err(SweepError::io(folder))?;
-    atomic_file::write(&folder.join(format!("{id}.csv")), text.as_bytes())
 }
 
 fn history(rows: &[HistoryRow]) -> String {
@@ -116,7 +129,7 @@ fn push_row(text: &mut String, values: impl IntoIterator<Item = f64>) {
         if column > 0 {
             text.push(',');
         }
-        text.push_str(&number::text(value));
+        number::push(text, value);
     }
     text.push('\n');
 }
