@@ -1,5 +1,7 @@
 //! Lists of neighbours, one for every cluster of eight points.
 
+use std::ops::Range;
+
 use super::strips::Strips;
 use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
 
@@ -29,6 +31,19 @@ impl PairList {
     #[inline(always)]
     pub fn start(&self, cluster: usize, group: usize) -> usize {
         self.offsets[cluster * self.groups + group] as usize
+    }
+
+    /// Where the entries of all groups of a cluster lie.
+    #[inline(always)]
+    pub fn range(&self, cluster: usize) -> Range<usize> {
+        let at = cluster * self.groups;
+        self.offsets[at] as usize..self.offsets[at + self.groups] as usize
+    }
+
+    /// All entries, cluster by cluster.
+    #[inline(always)]
+    pub fn entries(&self) -> &[u32] {
+        &self.entries[..self.len()]
     }
 
     /// Number of groups of a cluster.

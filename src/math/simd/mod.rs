@@ -121,6 +121,17 @@ pub trait Lanes: Vector {
         values
     }
 
+    /// The values of several vectors: a closure would be a function of its own, without the path's
+    /// instructions.
+    #[inline(always)]
+    fn to_arrays<const N: usize>(vectors: [Self; N]) -> [[f64; LANES]; N] {
+        let mut values = [[0.0; LANES]; N];
+        for (vector, values) in vectors.into_iter().zip(&mut values) {
+            vector.store(values);
+        }
+        values
+    }
+
     /// Their sum, always in the same order.
     #[inline(always)]
     fn sum(self) -> f64 {

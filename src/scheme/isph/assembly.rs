@@ -1,8 +1,12 @@
 //! The pressure equation as a matrix.
 
 use super::Isph;
-use super::images::NO_BODY;
+use super::images::Points;
+use super::lists::{Lists, Numbers, load};
 use super::options::Laplacian;
+use super::state::Operators;
+use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use crate::math::sparse::Csr;
 
 /// Share of the diagonal that is added so that no part of the water is without hold.
 const HOLD: f64 = 1e-8;
@@ -10,6 +14,134 @@ const HOLD: f64 = 1e-8;
 const INSIDE: f64 = 0.9;
 /// Largest part of a right-hand side's weight that a poor support may take off.
 const FULLEST: f64 = 3.0;
+
+/// Rows of eight particles under way: common columns, with the eight values of each.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Rows {
+    columns: Vec<u32>,
+    values: Vec<[f64; LANES]>,
+    /// Where a column stands among them, if it does.
+    slot: Vec<u32>,
+}
+
+impl Rows {
+    /// Takes up a column's values, added to those that an image of it has left.
+    #[inline(always)]
+    fn add<L: Lanes>(&mut self, column: u32, values: L) {
+        let at = self.slot[column as usize] as usize;
+        if self.columns.get(at) == Some(&column) {
+            let sum = L::load(&self.values[at]) + values;
+            sum.store(&mut self.values[at]);
+            return;
+        }
+        self.slot[column as usize] = self.columns.len() as u32;
+        self.columns.push(column);
+        self.values.push(values.to_array());
+    }
+
+    /// Moves the rows of the first few of the eight over to the matrix, without what is zero.
+    #[inline(always)]
+    fn pass_on(&mut self, count: usize, matrix: &mut Csr) {
+        let Csr { starts, columns, values, .. } = matrix;
+        for lane in 0..count {
+            let start = columns.len();
+            columns.resize(start + self.columns.len(), 0);
+            values.resize(start + self.columns.len(), 0.0);
+            let room = (&mut columns[start..], &mut values[start..]);
+            let mut found = 0;
+            // Every entry is written, and the next one over it if it was zero.
+            for (&column, eight) in self.columns.iter().zip(&self.values) {
+                (room.0[found], room.1[found]) = (column, eight[lane]);
+                found += usize::from(eight[lane] != 0.0);
+            }
+            columns.truncate(start + found);
+            values.truncate(start + found);
+            starts.push(columns.len() as u32);
+        }
+        self.columns.clear();
+        self.values.clear();
+    }
+}
+
+struct Assemble<'a> {
+    lists: Lists<'a>,
+    numbers: &'a [Numbers],
+    points: &'a Points,
+    operators: &'a Operators,
+    /// Least V_i V_j F of a pair that is taken, and what it is scaled by, where not all are.
+    narrow: Option<(f64, f64)>,
+    /// Whether 2 s·∇p is taken off.
+    corrected: bool,
+    rows: &'a mut Rows,
+    matrix: &'a mut Csr,
+}
+
+impl Assemble<'_> {
+    /// L s of the eight, where it is taken off.
+    #[inline(always)]
+    fn tilt<L: Lanes>(&self, cluster: usize, count: usize) -> [L; 2] {
+        let mut tilt = [[0.0; LANES]; 2];
+        for lane in 0..count {
+            let i = cluster * LANES + lane;
+            if self.operators.grip[i] == 0.0 {
+                let [sx, sy] = self.operators.sway[i];
+                let [cx, cxy, cy] = self.operators.correction[i];
+                (tilt[0][lane], tilt[1][lane]) = (sx * cx + sy * cxy, sx * cxy + sy * cy);
+            }
+        }
+        [L::load(&tilt[0]), L::load(&tilt[1])]
+    }
+}
+
+impl Task for Assemble<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let n = self.operators.grip.len();
+        let zero = L::splat(0.0);
+        for cluster in 0..n.div_ceil(LANES) {
+            let count = LANES.min(n - cluster * LANES);
+            let place = self.lists.place::<L>(cluster);
+            let volume = load::<L>(&self.points.volume, cluster);
+            let tilt = if self.corrected { self.tilt::<L>(cluster, count) } else { [zero; 2] };
+            let mut diagonal = zero;
+            let (near, weights) = self.lists.of(cluster);
+            for (&e, weights) in near.iter().zip(weights) {
+                let mut weight = volume * L::load(weights);
+                if let Some((least, scale)) = self.narrow {
+                    weight = weight.select_less(L::splat(least), zero, weight * L::splat(scale));
+                }
+                if self.corrected {
+                    let at = &self.numbers[e as usize].place;
+                    let (dx, dy) = (L::splat(at[0]) - place[0], L::splat(at[1]) - place[1]);
+                    let off = tilt[0].mul_add(dx, tilt[1] * dy);
+                    weight = off.negated_mul_add(weight, weight);
+                }
+                weight += weight;
+                if self.narrow.is_some() && !zero.any_less(weight) {
+                    continue;
+                }
+                let j = self.points.original[e as usize];
+                if j as usize / LANES == cluster {
+                    // With itself or its own image: the same pressure.
+                    let mut others = weight.to_array();
+                    others[j as usize % LANES] = 0.0;
+                    weight = L::load(&others);
+                }
+                diagonal += weight;
+                self.rows.add(j, zero - weight);
+            }
+            let diagonal = diagonal.to_array();
+            for (lane, diagonal) in diagonal[..count].iter().enumerate() {
+                let i = cluster * LANES + lane;
+                let held = self.points.volume[i] * self.operators.grip[i];
+                self.matrix.diagonal.push(diagonal + held);
+            }
+            self.rows.pass_on(count, self.matrix);
+        }
+    }
+}
 
 impl Isph {
     /// Rows of V_i times 2 Σ F (p_i - p_j) + grip (p_i - held) = -(ρ/Δt) ∇·u / κ_i + 2 Σ F jump, for
@@ -20,60 +152,20 @@ impl Isph {
     /// becomes F (1 - s·L Δ), which takes 2 s·∇p off: zero on linear fields in any arrangement.
     /// Gravity has no divergence and appears only where the surface holds the pressure.
     pub(super) fn assemble(&mut self) {
-        let n = self.fluid.len();
-        let options = self.options;
+        let exact = self.options.laplacian == Laplacian::Exact;
         self.matrix.clear();
-        self.at_walls.clear();
-        self.slot.clear();
-        self.slot.resize(n, u32::MAX);
-        let exact = options.laplacian == Laplacian::Exact;
-        let (least, narrow) = self.narrow;
-        for i in 0..n {
-            let operators = &self.operators;
-            let start = self.matrix.columns.len();
-            let volume = self.fluid.mass[i] / options.density;
-            let corrected = options.laplacian == Laplacian::Schwaiger && operators.grip[i] == 0.0;
-            let [sx, sy] = operators.sway[i];
-            let [cx, cxy, cy] = operators.correction[i];
-            let tilt = if corrected { [sx * cx + sy * cxy, sx * cxy + sy * cy] } else { [0.0; 2] };
-            let place = self.loose[i].place;
-            let (mut diagonal, mut at_wall) = (0.0, false);
-            let range = self.list_starts[i] as usize..self.list_starts[i + 1] as usize;
-            for neighbour in &self.list[range] {
-                let point = neighbour.point as usize;
-                let j = self.points.original[point] as usize;
-                at_wall |= self.points.body[point] != NO_BODY;
-                let mut weight = 2.0 * volume * neighbour.weight;
-                if exact {
-                    if volume * neighbour.weight < least {
-                        continue;
-                    }
-                    weight *= narrow;
-                }
-                if corrected {
-                    let dx = self.points.x[point] - place[0];
-                    let dy = self.points.y[point] - place[1];
-                    weight *= 1.0 - tilt[0] * dx - tilt[1] * dy;
-                }
-                if j == i {
-                    continue;
-                }
-                diagonal += weight;
-                let at = self.slot[j] as usize;
-                if self.slot[j] != u32::MAX && at >= start {
-                    self.matrix.values[at] -= weight;
-                } else {
-                    self.slot[j] = self.matrix.columns.len() as u32;
-                    self.matrix.columns.push(j as u32);
-                    self.matrix.values.push(-weight);
-                }
-            }
-            if at_wall {
-                self.at_walls.push(i as u32);
-            }
-            self.matrix.starts.push(self.matrix.columns.len() as u32);
-            self.matrix.diagonal.push(diagonal + volume * operators.grip[i]);
-        }
+        self.rows.slot.resize(self.fluid.len(), 0);
+        let assemble = Assemble {
+            lists: Lists::new(&self.pairs, &self.weights, &self.points, &self.operators),
+            numbers: &self.numbers,
+            points: &self.points,
+            operators: &self.operators,
+            narrow: exact.then_some(self.narrow),
+            corrected: self.options.laplacian == Laplacian::Schwaiger,
+            rows: &mut self.rows,
+            matrix: &mut self.matrix,
+        };
+        dispatch(self.path, assemble);
         if exact {
             // Parts that nothing holds stay solvable.
             self.matrix.diagonal.iter_mut().for_each(|diagonal| *diagonal *= 1.0 + HOLD);

@@ -44,7 +44,7 @@ impl Scheme for Isph {
     fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> Result<(), StepError> {
         let start = Instant::now();
         self.pending = self.tally;
-        self.sort();
+        self.sort(dt);
         self.face_offsets.clear();
         let ahead = 0.5 * dt;
         self.face_offsets.extend(bodies.iter().enumerate().map(|(body, motion)| {
@@ -52,7 +52,7 @@ impl Scheme for Isph {
             motion.offset + ahead * (motion.velocity + 0.5 * ahead * known)
         }));
         self.list_points(bodies, dt);
-        self.grid.sort(&self.loose, self.options.support_radius, &mut self.points);
+        self.list_neighbours();
         let listed = Instant::now();
         self.gather();
         self.turn_corrections();

@@ -9,7 +9,7 @@
 use super::Isph;
 use crate::body::BodyMotion;
 
-/// The water and its images, in the order of the grid's cells.
+/// The water, padded to whole vectors by points without volume, and its images behind it.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Points {
     pub x: Vec<f64>,
@@ -24,6 +24,33 @@ pub(super) struct Points {
     pub turn: Vec<[f64; 4]>,
     /// What an image takes from its walls.
     pub walls: Vec<WallTerms>,
+}
+
+impl Points {
+    /// Number of points, the padding of the water among them.
+    pub fn len(&self) -> usize {
+        self.x.len()
+    }
+
+    pub fn clear(&mut self) {
+        for field in [&mut self.x, &mut self.y, &mut self.volume] {
+            field.clear();
+        }
+        self.original.clear();
+        self.body.clear();
+        self.turn.clear();
+        self.walls.clear();
+    }
+
+    pub fn push(&mut self, point: &Point) {
+        self.x.push(point.place[0]);
+        self.y.push(point.place[1]);
+        self.volume.push(point.volume);
+        self.original.push(point.original);
+        self.body.push(point.body);
+        self.turn.push(point.turn);
+        self.walls.push(point.walls);
+    }
 }
 
 /// What the walls add to an image, at known accelerations or per unit of an unknown one.

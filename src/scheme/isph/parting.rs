@@ -8,6 +8,7 @@
 
 use super::Isph;
 use super::motion::spread;
+use crate::math::simd::LANES;
 
 /// Pairs closer than this many particle spacings are parted ...
 const CLOSE: f64 = 0.8;
@@ -30,9 +31,9 @@ impl Isph {
         for i in 0..self.fluid.len() {
             let own = self.near_surface_share(i);
             let [x, y] = self.loose[i].place;
-            let range = self.list_starts[i] as usize..self.list_starts[i + 1] as usize;
+            let range = self.pairs.range(i / LANES);
             for at in if own > 0.0 { range } else { 0..0 } {
-                let e = self.list[at].point as usize;
+                let e = self.pairs.entries()[at] as usize;
                 let (dx, dy) = (self.points.x[e] - x, self.points.y[e] - y);
                 let square = dx * dx + dy * dy;
                 if square >= reach * reach || square < 1e-12 * reach * reach {

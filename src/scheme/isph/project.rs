@@ -2,7 +2,7 @@
 
 use super::Isph;
 use super::images::{NO_BODY, WallTerms, turned};
-use super::sums::{Divergence, Gradient, Lists};
+use super::sums::{Divergence, Gradient};
 use crate::math::simd::dispatch;
 
 /// Which pressure a gradient is taken of.
@@ -17,23 +17,12 @@ pub(super) enum Source {
 }
 
 impl Isph {
-    /// The lists with what belongs to them.
-    pub(super) fn lists(&self) -> Lists<'_> {
-        Lists {
-            starts: &self.list_starts,
-            near: &self.near,
-            pull: [&self.pull_x, &self.pull_y],
-            sway: &self.operators.sway,
-            correction: &self.operators.correction,
-        }
-    }
-
     /// L of every point, turned as its image is.
     pub(super) fn turn_corrections(&mut self) {
         let (points, correction) = (&self.points, &self.operators.correction);
         self.turned.clear();
         self.turned.extend(
-            (points.turn.iter().zip(&points.original).take(self.loose.len()))
+            (points.turn.iter().zip(&points.original))
                 .map(|(&turn, &j)| turned(turn, correction[j as usize])),
         );
     }
@@ -44,8 +33,7 @@ impl Isph {
         let gravity = options.density * options.gravity;
         let carried = &self.carried;
         let points = &self.points;
-        self.stress.iter_mut().for_each(Vec::clear);
-        for e in 0..self.loose.len() {
+        for (e, at) in self.numbers.iter_mut().enumerate() {
             let j = points.original[e] as usize;
             let walls = &points.walls[e];
             let p = match source {
@@ -60,9 +48,7 @@ impl Isph {
             if points.body[e] == NO_BODY {
                 self.own_pressure[j] = p;
             }
-            for (stress, correction) in self.stress.iter_mut().zip(self.turned[e]) {
-                stress.push(correction * p);
-            }
+            at.tensor = self.turned[e].map(|correction| correction * p);
         }
     }
 
@@ -78,7 +64,7 @@ impl Isph {
             Gradient {
                 lists: self.lists(),
                 pressure: &self.own_pressure,
-                stress: [0, 1, 2].map(|k| &self.stress[k][..]),
+                numbers: &self.numbers,
                 slope: &mut slope,
             },
         );
@@ -89,13 +75,11 @@ impl Isph {
 
     /// The velocities at hand as the walls mirror them.
     pub(super) fn mirror(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2]) {
-        self.moving.iter_mut().for_each(Vec::clear);
-        for e in 0..self.loose.len() {
+        for (e, at) in self.numbers.iter_mut().enumerate() {
             let [u, v] = self.velocities[self.points.original[e] as usize];
             let [a, b, c, d] = self.points.turn[e];
             let [wx, wy] = walls(&self.points.walls[e]);
-            self.moving[0].push(a * u + b * v + wx);
-            self.moving[1].push(c * u + d * v + wy);
+            at.velocity = [a * u + b * v + wx, c * u + d * v + wy];
         }
     }
 
@@ -109,7 +93,7 @@ impl Isph {
             Divergence {
                 lists: self.lists(),
                 own: &self.velocities,
-                moving: [&self.moving[0], &self.moving[1]],
+                numbers: &self.numbers,
                 divergence: &mut divergence,
             },
         );

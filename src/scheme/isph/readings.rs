@@ -1,26 +1,80 @@
 //! Readings of the water: levels, and the pressure along a face.
 
 use super::Isph;
+use super::images::Points;
 use crate::body::BodyMotion;
+use crate::kernel::{Kernel, shape_within};
+use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use crate::neighbours::Strips;
+use crate::with_kernel;
+
+/// W V of points around a place.
+struct Around<'a, K> {
+    points: &'a Points,
+    strips: [&'a Strips; 2],
+    /// Number of each set's first point.
+    first: [usize; 2],
+    place: [f64; 2],
+    radius: f64,
+    /// Turns w(q) into W.
+    factor: f64,
+    /// Takes points, eight at a time, and their W V.
+    take: &'a mut dyn FnMut(usize, [f64; LANES]),
+    kernel: std::marker::PhantomData<K>,
+}
+
+impl<K: Kernel> Task for Around<'_, K> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let Around { points, place: [x, y], radius, take, .. } = self;
+        let inverse = 1.0 / radius;
+        let mut eight = |at: usize, end: usize| {
+            let mut numbers = [[0.0; LANES]; 3];
+            for (k, e) in (at..end.min(at + LANES)).enumerate() {
+                numbers[0][k] = (points.x[e] - x) * inverse;
+                numbers[1][k] = (points.y[e] - y) * inverse;
+                numbers[2][k] = points.volume[e];
+            }
+            let [dx, dy, volume] = numbers.map(|numbers| L::load(&numbers));
+            let shape = shape_within::<K, L>(dx.mul_add(dx, dy * dy));
+            take(at, (shape * volume * L::splat(self.factor)).to_array());
+        };
+        for (strips, first) in self.strips.into_iter().zip(self.first) {
+            strips.visit_box([x - radius, x + radius], [y - radius, y + radius], |range| {
+                for at in (first + range.start..first + range.end).step_by(LANES) {
+                    eight(at, first + range.end);
+                }
+            });
+        }
+    }
+}
 
 impl Isph {
     /// Σ W V of the water and its images at a place, and the weighted mean of a field there.
     fn average(&self, place: [f64; 2], field: impl Fn(usize) -> f64) -> [f64; 2] {
         let radius = self.options.support_radius;
         let kernel = self.options.kernel;
-        let factor = kernel.normalisation() / (radius * radius);
         let (mut coverage, mut mean) = (0.0, 0.0);
-        for range in self.grid.near(place) {
-            for k in range {
-                let (dx, dy) = (self.points.x[k] - place[0], self.points.y[k] - place[1]);
-                let q = (dx * dx + dy * dy).sqrt() / radius;
-                if q < 1.0 {
-                    let weight = self.points.volume[k] * factor * kernel.shape_at(q);
-                    coverage += weight;
-                    mean += weight * field(k);
+        let mut take = |at: usize, weights: [f64; LANES]| {
+            for (k, weight) in weights.into_iter().enumerate() {
+                coverage += weight;
+                if weight > 0.0 {
+                    mean += weight * field(at + k);
                 }
             }
-        }
+        };
+        with_kernel!(kernel, K => dispatch(self.path, Around::<K> {
+            points: &self.points,
+            strips: [&self.strips, &self.image_strips],
+            first: [0, self.fluid.padded_len()],
+            place,
+            radius,
+            factor: kernel.normalisation() / (radius * radius),
+            take: &mut take,
+            kernel: std::marker::PhantomData,
+        }));
         [coverage, mean]
     }
 

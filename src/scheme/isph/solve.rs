@@ -2,10 +2,11 @@
 
 use super::Isph;
 use super::exact::ExactLaplacian;
-use super::images::NO_BODY;
+use super::lists::Lists;
 use super::options::Laplacian;
 use super::project::Source;
-use super::sums::Lists;
+use super::sums::Reaction;
+use crate::math::simd::dispatch;
 use crate::math::sparse::StopRule;
 use crate::scheme::StepError;
 
@@ -41,18 +42,11 @@ impl Isph {
         let (path, matrix, preconditioner) = (self.path, &self.matrix, &mut self.preconditioner);
         let report = match self.options.laplacian {
             Laplacian::Exact => {
-                let operators = &self.operators;
-                let lists = Lists {
-                    starts: &self.list_starts,
-                    near: &self.near,
-                    pull: [&self.pull_x, &self.pull_y],
-                    sway: &operators.sway,
-                    correction: &operators.correction,
-                };
+                let lists = Lists::new(&self.pairs, &self.weights, &self.points, &self.operators);
                 let mut product = ExactLaplacian {
                     points: &self.points,
-                    count: self.loose.len(),
                     lists,
+                    numbers: &mut self.numbers,
                     turned: &self.turned,
                     volume: &self.volumes,
                     compact: self.options.compact_share,
@@ -168,23 +162,17 @@ impl Isph {
     pub(super) fn reaction(&mut self) {
         let mut forces = std::mem::take(&mut self.forces);
         forces.fill(0.0);
-        for &i in &self.at_walls {
-            let i = i as usize;
-            let [px, py] = self.loose[i].place;
-            let volume = self.fluid.mass[i] / self.options.density;
-            let [own_xx, own_xy, _] =
-                self.operators.correction[i].map(|c| c * self.own_pressure[i]);
-            for neighbour in self.neighbours(i) {
-                let e = neighbour.point as usize;
-                let body = self.points.body[e];
-                if body != NO_BODY {
-                    let (xx, xy) = (self.stress[0][e], self.stress[1][e]);
-                    let (dx, dy) = (self.points.x[e] - px, self.points.y[e] - py);
-                    forces[body as usize] +=
-                        volume * neighbour.weight * ((xx + own_xx) * dx + (xy + own_xy) * dy);
-                }
-            }
-        }
+        dispatch(
+            self.path,
+            Reaction {
+                lists: self.lists(),
+                pressure: &self.own_pressure,
+                volume: &self.points.volume,
+                numbers: &self.numbers,
+                body: &self.points.body,
+                forces: &mut forces,
+            },
+        );
         self.forces = forces;
     }
 }

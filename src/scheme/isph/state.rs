@@ -1,20 +1,18 @@
 //! The particles with all that surrounds them.
 
+use super::assembly::Rows;
 use super::exact::Exact;
-use super::grid::Grid;
 use super::images::{Point, Points};
 use super::kept::{Carried, Tally};
 use super::lattice::lattice_sums;
+use super::lists::Numbers;
 use super::options::IsphOptions;
 use crate::boundary::{Ghosts, Plane};
-use crate::math::simd::SimdPath;
+use crate::math::simd::{LANES, SimdPath};
 use crate::math::sparse::{Csr, Krylov, Preconditioner};
-use crate::neighbours::Strips;
+use crate::neighbours::{PairList, Strips};
 use crate::particles::Fluid;
 use crate::scheme::Load;
-
-/// A step sorts the particles afresh when this many have gone by.
-const STEPS_PER_SORT: u64 = 20;
 
 /// Seconds spent in each phase.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -49,15 +47,6 @@ pub(super) struct Operators {
     pub grip: Vec<f64>,
 }
 
-/// One entry of a particle's neighbour list.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Neighbour {
-    /// Number among the points.
-    pub point: u32,
-    /// F = V_j |∇W|/|Δ|: V_j ∇_iW = -F (r_j - r_i) taken the other way, F > 0.
-    pub weight: f64,
-}
-
 /// ISPH particles with their walls.
 #[derive(Debug)]
 pub struct Isph {
@@ -72,12 +61,15 @@ pub struct Isph {
     /// Velocities whose divergence is taken.
     pub(super) velocities: Vec<[f64; 2]>,
     pub(super) change: Vec<f64>,
-    strips: Strips,
-    order: Vec<u32>,
-    scratch: Vec<f64>,
+    pub(super) strips: Strips,
+    pub(super) image_strips: Strips,
+    pub(super) order: Vec<u32>,
+    /// 0, 1, 2, ...: images of one height keep their order.
+    pub(super) ties: Vec<u32>,
+    pub(super) scratch: Vec<f64>,
+    /// Places to be sorted.
+    pub(super) ahead: [Vec<f64>; 2],
     pub(super) planes: Vec<Plane>,
-    /// Particles in reach of the surface.
-    pub(super) near_surface: Vec<bool>,
     pub(super) fluid: Fluid,
     pub(super) carried: Carried,
     pub(super) tally: Tally,
@@ -85,15 +77,13 @@ pub struct Isph {
     pub(super) pending: Tally,
     /// Dynamic pressure of the step under way, Pa.
     pub(super) pressure: Vec<f64>,
+    /// The water and its images, before these are sorted.
     pub(super) loose: Vec<Point>,
-    pub(super) grid: Grid,
     pub(super) points: Points,
-    pub(super) list_starts: Vec<u32>,
-    pub(super) list: Vec<Neighbour>,
-    pub(super) near: Vec<u32>,
-    /// F Δ of the same entries.
-    pub(super) pull_x: Vec<f64>,
-    pub(super) pull_y: Vec<f64>,
+    pub(super) numbers: Vec<Numbers>,
+    pub(super) pairs: PairList,
+    /// F of every entry with the eight.
+    pub(super) weights: Vec<[f64; LANES]>,
     pub(super) exact: Exact,
     /// m/ρ.
     pub(super) volumes: Vec<f64>,
@@ -117,21 +107,14 @@ pub struct Isph {
     pub(super) loads: Vec<Load>,
     pub(super) responded: bool,
     pub(super) timings: Timings,
-    pub(super) slot: Vec<u32>,
-    /// p L of every point.
-    pub(super) stress: [Vec<f64>; 3],
+    pub(super) rows: Rows,
     /// p of the fluid.
     pub(super) own_pressure: Vec<f64>,
     /// L of every point, turned as its image is.
     pub(super) turned: Vec<[f64; 3]>,
-    pub(super) turned_strain: [Vec<f64>; 2],
     pub(super) accelerations: Vec<[f64; 2]>,
     /// Accelerations by the pressure of the step under way.
     pub(super) settled: Vec<[f64; 2]>,
-    /// Particles that have images among their neighbours.
-    pub(super) at_walls: Vec<u32>,
-    /// Velocity of every point.
-    pub(super) moving: [Vec<f64>; 2],
 }
 
 impl Isph {
@@ -163,13 +146,10 @@ impl Isph {
             pending: Tally::default(),
             pressure: vec![0.0; n],
             loose: Vec::new(),
-            grid: Grid::default(),
             points: Points::default(),
-            list_starts: Vec::new(),
-            list: Vec::new(),
-            near: Vec::new(),
-            pull_x: Vec::new(),
-            pull_y: Vec::new(),
+            numbers: Vec::new(),
+            pairs: PairList::default(),
+            weights: Vec::new(),
             exact: Exact::default(),
             volumes: Vec::new(),
             drag: Vec::new(),
@@ -182,23 +162,21 @@ impl Isph {
             loads: vec![Load::default(); bodies],
             responded: false,
             timings: Timings::default(),
-            slot: Vec::new(),
-            stress: Default::default(),
+            rows: Rows::default(),
             own_pressure: Vec::new(),
             turned: Vec::new(),
-            turned_strain: Default::default(),
             accelerations: Vec::new(),
             settled: Vec::new(),
-            at_walls: Vec::new(),
-            moving: Default::default(),
             forces: vec![0.0; bodies],
             velocities: Vec::new(),
             change: Vec::new(),
             strips: Strips::default(),
+            image_strips: Strips::default(),
             order: Vec::new(),
+            ties: Vec::new(),
+            ahead: Default::default(),
             scratch: Vec::new(),
             planes: Vec::new(),
-            near_surface: Vec::new(),
             options,
             path,
             ghosts,
@@ -206,32 +184,5 @@ impl Isph {
             responds,
             fluid,
         }
-    }
-
-    /// Sorts the particles now and then, so that neighbours lie close in memory.
-    pub(super) fn sort(&mut self) {
-        if !self.tally.steps.is_multiple_of(STEPS_PER_SORT) {
-            return;
-        }
-        let n = self.fluid.len();
-        let width = 2.83 * self.options.spacing;
-        let (x, y) = (&self.fluid.x[..n], &self.fluid.y[..n]);
-        let mut order = std::mem::take(&mut self.order);
-        self.strips.renew(x, y, &self.fluid.id[..n], width, &mut order);
-        self.fluid.reorder(&order, &mut self.scratch);
-        let carried = &mut self.carried;
-        for field in [
-            &mut carried.pressure,
-            &mut carried.older_pressure,
-            &mut carried.aim,
-            &mut carried.response,
-        ] {
-            if !field.is_empty() {
-                self.scratch.clear();
-                self.scratch.extend(order.iter().map(|&from| field[from as usize]));
-                field.copy_from_slice(&self.scratch);
-            }
-        }
-        self.order = order;
     }
 }

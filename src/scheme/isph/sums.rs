@@ -1,18 +1,13 @@
-//! Sums over neighbours, eight of them at a time.
+//! Sums over neighbours, for eight particles at a time.
 
+use super::lists::{Lists, Numbers, load};
 use crate::math::simd::{LANES, Lanes, Task};
 
-/// Neighbours of every particle.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Lists<'a> {
-    pub starts: &'a [u32],
-    pub near: &'a [u32],
-    /// F Δ.
-    pub pull: [&'a [f64]; 2],
-    /// Its sum.
-    pub sway: &'a [[f64; 2]],
-    /// L.
-    pub correction: &'a [[f64; 3]],
+/// F Δ of the eight with an entry.
+#[inline(always)]
+pub(super) fn pull<L: Lanes>(weights: &[f64; LANES], at: &Numbers, [x, y]: [L; 2]) -> [L; 2] {
+    let f = L::load(weights);
+    [f * (L::splat(at.place[0]) - x), f * (L::splat(at.place[1]) - y)]
 }
 
 /// Σ F (p_i L_i + p_j L_j) Δ.
@@ -20,8 +15,8 @@ pub(super) struct Gradient<'a> {
     pub lists: Lists<'a>,
     /// p_i.
     pub pressure: &'a [f64],
-    /// p_j L_j.
-    pub stress: [&'a [f64]; 3],
+    /// p_j L_j, as tensors.
+    pub numbers: &'a [Numbers],
     pub slope: &'a mut [[f64; 2]],
 }
 
@@ -30,33 +25,27 @@ impl Task for Gradient<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Lists { starts, near, pull: [pull_x, pull_y], sway, correction } = self.lists;
-        for (i, slope) in self.slope.iter_mut().enumerate() {
-            let range = starts[i] as usize..starts[i + 1] as usize;
-            let (near, rest) = near[range.clone()].as_chunks::<LANES>();
-            let (gx, rest_x) = pull_x[range.clone()].as_chunks::<LANES>();
-            let (gy, rest_y) = pull_y[range].as_chunks::<LANES>();
-            let zero = L::splat(0.0);
-            let (mut x, mut y) = (zero, zero);
-            for ((near, gx), gy) in near.iter().zip(gx).zip(gy) {
-                let xx = L::gather(self.stress[0], near);
-                let xy = L::gather(self.stress[1], near);
-                let yy = L::gather(self.stress[2], near);
-                let (gx, gy) = (L::load(gx), L::load(gy));
-                x = gx.mul_add(xx, gy.mul_add(xy, x));
-                y = gx.mul_add(xy, gy.mul_add(yy, y));
+        let Gradient { lists, pressure, numbers, slope } = self;
+        for (cluster, slope) in slope.chunks_mut(LANES).enumerate() {
+            let place = lists.place::<L>(cluster);
+            let mut sums = [L::splat(0.0); 4];
+            let (near, weights) = lists.of(cluster);
+            for (&e, weights) in near.iter().zip(weights) {
+                let at = &numbers[e as usize];
+                let [gx, gy] = pull(weights, at, place);
+                let [xx, xy, yy] = at.tensor;
+                sums[0] = gx.mul_add(L::splat(xx), sums[0]);
+                sums[1] = gy.mul_add(L::splat(xy), sums[1]);
+                sums[2] = gx.mul_add(L::splat(xy), sums[2]);
+                sums[3] = gy.mul_add(L::splat(yy), sums[3]);
             }
-            let [sx, sy] = sway[i];
-            let [xx, xy, yy] = correction[i];
-            let p = self.pressure[i];
-            let (mut x, mut y) =
-                (x.sum() + p * (xx * sx + xy * sy), y.sum() + p * (xy * sx + yy * sy));
-            for ((&e, gx), gy) in rest.iter().zip(rest_x).zip(rest_y) {
-                let [xx, xy, yy] = self.stress.map(|stress| stress[e as usize]);
-                x += gx * xx + gy * xy;
-                y += gx * xy + gy * yy;
+            let (x, y) = ((sums[0] + sums[1]).to_array(), (sums[2] + sums[3]).to_array());
+            for (lane, slope) in slope.iter_mut().enumerate() {
+                let i = cluster * LANES + lane;
+                let ([sx, sy], [xx, xy, yy]) = (lists.sway[i], lists.correction[i]);
+                let p = pressure[i];
+                *slope = [x[lane] + p * (xx * sx + xy * sy), y[lane] + p * (xy * sx + yy * sy)];
             }
-            *slope = [x, y];
         }
     }
 }
@@ -67,7 +56,7 @@ pub(super) struct Divergence<'a> {
     /// u_i.
     pub own: &'a [[f64; 2]],
     /// u_j.
-    pub moving: [&'a [f64]; 2],
+    pub numbers: &'a [Numbers],
     pub divergence: &'a mut [f64],
 }
 
@@ -76,35 +65,42 @@ impl Task for Divergence<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Lists { starts, near, pull: [pull_x, pull_y], sway, correction } = self.lists;
-        for (i, divergence) in self.divergence.iter_mut().enumerate() {
-            let range = starts[i] as usize..starts[i + 1] as usize;
-            let (near, rest) = near[range.clone()].as_chunks::<LANES>();
-            let (gx, rest_x) = pull_x[range.clone()].as_chunks::<LANES>();
-            let (gy, rest_y) = pull_y[range].as_chunks::<LANES>();
-            let zero = L::splat(0.0);
-            let (mut xx, mut xy, mut yy) = (zero, zero, zero);
-            for ((near, gx), gy) in near.iter().zip(gx).zip(gy) {
-                let u = L::gather(self.moving[0], near);
-                let v = L::gather(self.moving[1], near);
-                let (gx, gy) = (L::load(gx), L::load(gy));
-                xx = gx.mul_add(u, xx);
-                yy = gy.mul_add(v, yy);
-                xy = gx.mul_add(v, gy.mul_add(u, xy));
+        let Divergence { lists, own, numbers, divergence } = self;
+        for (cluster, divergence) in divergence.chunks_mut(LANES).enumerate() {
+            let [[ux, uy], [vx, vy]] = sum_products::<L>(&lists, numbers, cluster);
+            for (lane, divergence) in divergence.iter_mut().enumerate() {
+                let i = cluster * LANES + lane;
+                let ([sx, sy], [lxx, lxy, lyy]) = (lists.sway[i], lists.correction[i]);
+                let [u, v] = own[i];
+                *divergence = lxx * (ux[lane] - sx * u)
+                    + lxy * (uy[lane] + vx[lane] - sx * v - sy * u)
+                    + lyy * (vy[lane] - sy * v);
             }
-            let [sx, sy] = sway[i];
-            let [u, v] = self.own[i];
-            let (mut xx, mut xy, mut yy) = (xx.sum(), xy.sum(), yy.sum());
-            for ((&e, gx), gy) in rest.iter().zip(rest_x).zip(rest_y) {
-                let [u, v] = self.moving.map(|moving| moving[e as usize]);
-                xx += gx * u;
-                xy += gx * v + gy * u;
-                yy += gy * v;
-            }
-            let [lxx, lxy, lyy] = correction[i];
-            *divergence = lxx * (xx - sx * u) + lxy * (xy - sx * v - sy * u) + lyy * (yy - sy * v);
         }
     }
+}
+
+/// Σ F Δ u_j of the eight: along x and y, of u and of v.
+#[inline(always)]
+fn sum_products<L: Lanes>(
+    lists: &Lists<'_>,
+    numbers: &[Numbers],
+    cluster: usize,
+) -> [[[f64; LANES]; 2]; 2] {
+    let place = lists.place::<L>(cluster);
+    let mut sums = [L::splat(0.0); 4];
+    let (near, weights) = lists.of(cluster);
+    for (&e, weights) in near.iter().zip(weights) {
+        let at = &numbers[e as usize];
+        let [gx, gy] = pull(weights, at, place);
+        let [u, v] = at.velocity;
+        sums[0] = gx.mul_add(L::splat(u), sums[0]);
+        sums[1] = gy.mul_add(L::splat(u), sums[1]);
+        sums[2] = gx.mul_add(L::splat(v), sums[2]);
+        sums[3] = gy.mul_add(L::splat(v), sums[3]);
+    }
+    let [ux, uy, vx, vy] = L::to_arrays(sums);
+    [[ux, uy], [vx, vy]]
 }
 
 /// ∇u with the correction L: its trace and, trace-free and symmetric, the strain
@@ -114,7 +110,7 @@ pub(super) struct Strain<'a> {
     /// u_i.
     pub own: &'a [[f64; 2]],
     /// u_j.
-    pub moving: [&'a [f64]; 2],
+    pub numbers: &'a [Numbers],
     pub strain: &'a mut [[f64; 2]],
     pub divergence: &'a mut [f64],
 }
@@ -124,39 +120,67 @@ impl Task for Strain<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Lists { starts, near, pull: [pull_x, pull_y], sway, correction } = self.lists;
-        for (i, strain) in self.strain.iter_mut().enumerate() {
-            let range = starts[i] as usize..starts[i + 1] as usize;
-            let (near, rest) = near[range.clone()].as_chunks::<LANES>();
-            let (gx, rest_x) = pull_x[range.clone()].as_chunks::<LANES>();
-            let (gy, rest_y) = pull_y[range].as_chunks::<LANES>();
-            let mut sums = [L::splat(0.0); 4];
-            for ((near, gx), gy) in near.iter().zip(gx).zip(gy) {
-                let u = L::gather(self.moving[0], near);
-                let v = L::gather(self.moving[1], near);
-                let (gx, gy) = (L::load(gx), L::load(gy));
-                sums[0] = gx.mul_add(u, sums[0]);
-                sums[1] = gy.mul_add(u, sums[1]);
-                sums[2] = gx.mul_add(v, sums[2]);
-                sums[3] = gy.mul_add(v, sums[3]);
+        let Strain { lists, own, numbers, strain, divergence } = self;
+        let results = strain.chunks_mut(LANES).zip(divergence.chunks_mut(LANES));
+        for (cluster, (strain, divergence)) in results.enumerate() {
+            let [[ux, uy], [vx, vy]] = sum_products::<L>(&lists, numbers, cluster);
+            for lane in 0..strain.len() {
+                let i = cluster * LANES + lane;
+                let ([sx, sy], [u, v]) = (lists.sway[i], own[i]);
+                let [ux, uy] = [ux[lane] - sx * u, uy[lane] - sy * u];
+                let [vx, vy] = [vx[lane] - sx * v, vy[lane] - sy * v];
+                let [xx, xy, yy] = lists.correction[i];
+                let (along, across) = (ux * xx + uy * xy, vx * xy + vy * yy);
+                let shear = ux * xy + uy * yy + vx * xx + vy * xy;
+                strain[lane] = [0.5 * (along - across), 0.5 * shear];
+                divergence[lane] = along + across;
             }
-            let [sx, sy] = sway[i];
-            let [u, v] = self.own[i];
-            let mut sums = sums.map(|sum| sum.sum());
-            for ((&e, gx), gy) in rest.iter().zip(rest_x).zip(rest_y) {
-                let [u, v] = self.moving.map(|moving| moving[e as usize]);
-                sums[0] += gx * u;
-                sums[1] += gy * u;
-                sums[2] += gx * v;
-                sums[3] += gy * v;
+        }
+    }
+}
+
+/// What the images that the walls make of the water do to it, along x: Σ V_i F ((p_i L_i + p_j L_j) Δ)_x
+/// by the image's body.
+pub(super) struct Reaction<'a> {
+    pub lists: Lists<'a>,
+    /// p_i.
+    pub pressure: &'a [f64],
+    /// V_i, padded.
+    pub volume: &'a [f64],
+    /// p_j L_j, as tensors.
+    pub numbers: &'a [Numbers],
+    /// Body of each point.
+    pub body: &'a [u8],
+    pub forces: &'a mut [f64],
+}
+
+impl Task for Reaction<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let Reaction { lists, pressure, volume, numbers, body, forces } = self;
+        for cluster in 0..pressure.len().div_ceil(LANES) {
+            let (near, weights) = lists.images_of(cluster);
+            if near.is_empty() {
+                continue;
             }
-            let [ux, uy] = [sums[0] - sx * u, sums[1] - sy * u];
-            let [vx, vy] = [sums[2] - sx * v, sums[3] - sy * v];
-            let [xx, xy, yy] = correction[i];
-            let (along, across) = (ux * xx + uy * xy, vx * xy + vy * yy);
-            let shear = ux * xy + uy * yy + vx * xx + vy * xy;
-            *strain = [0.5 * (along - across), 0.5 * shear];
-            self.divergence[i] = along + across;
+            let place = lists.place::<L>(cluster);
+            let mut stress = [[0.0; LANES]; 2];
+            for lane in 0..LANES.min(pressure.len() - cluster * LANES) {
+                let i = cluster * LANES + lane;
+                let [xx, xy, _] = lists.correction[i].map(|c| c * pressure[i]);
+                (stress[0][lane], stress[1][lane]) = (xx, xy);
+            }
+            let [own_xx, own_xy] = [L::load(&stress[0]), L::load(&stress[1])];
+            let volume = load::<L>(volume, cluster);
+            for (&e, weights) in near.iter().zip(weights) {
+                let at = &numbers[e as usize];
+                let [gx, gy] = pull(weights, at, place);
+                let [xx, xy, _] = at.tensor;
+                let along = (gx * (L::splat(xx) + own_xx)) + gy * (L::splat(xy) + own_xy);
+                forces[body[e as usize] as usize] += (volume * along).sum();
+            }
         }
     }
 }

@@ -1,6 +1,11 @@
 //! The free surface: which particles are at it, and where its zero pressure takes hold.
 
 use super::Isph;
+use super::images::Points;
+use super::lists::{Lists, Numbers};
+use super::state::Operators;
+use super::sums::pull;
+use crate::math::simd::{LANES, Lanes, Task, dispatch};
 
 /// A particle is at the surface where ∇·r is below this (Liang et al. 2017, Eq. 13).
 pub(super) const SURFACE_DIVERGENCE: f64 = 1.5;
@@ -8,6 +13,59 @@ pub(super) const SURFACE_DIVERGENCE: f64 = 1.5;
 const SKIN: f64 = 0.5;
 /// No particle is closer to the surface than this, in spacings.
 const CLOSEST: f64 = 0.25;
+
+/// Of the surface particles in reach of each of eight particles, weighted by F: how many, how high over
+/// it, and their normal.
+struct Surface<'a> {
+    lists: Lists<'a>,
+    numbers: &'a [Numbers],
+    points: &'a Points,
+    at_surface: &'a [bool],
+    /// Takes these sums of a particle that has any.
+    take: &'a mut dyn FnMut(usize, [f64; 4]),
+}
+
+/// Outwards: away from where the neighbours are.
+fn normal([sx, sy]: [f64; 2]) -> [f64; 2] {
+    let length = (sx * sx + sy * sy).sqrt();
+    if length > 0.0 { [-sx / length, -sy / length] } else { [0.0, 1.0] }
+}
+
+impl Task for Surface<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let Surface { lists, numbers, points, at_surface, take } = self;
+        for cluster in 0..at_surface.len().div_ceil(LANES) {
+            let place = lists.place::<L>(cluster);
+            let mut sums = [L::splat(0.0); 4];
+            let (near, weights) = lists.of(cluster);
+            for (&e, weights) in near.iter().zip(weights) {
+                let e = e as usize;
+                let original = points.original[e] as usize;
+                if !at_surface[original] {
+                    continue;
+                }
+                let [nx, ny] = normal(lists.sway[original]);
+                let [a, b, c, d] = points.turn[e];
+                let to = [L::splat(a * nx + b * ny), L::splat(c * nx + d * ny)];
+                let [gx, gy] = pull(weights, &numbers[e], place);
+                let f = L::load(weights);
+                sums[0] += f;
+                sums[1] = gx.mul_add(to[0], gy.mul_add(to[1], sums[1]));
+                sums[2] = f.mul_add(to[0], sums[2]);
+                sums[3] = f.mul_add(to[1], sums[3]);
+            }
+            let sums = L::to_arrays(sums);
+            for lane in 0..LANES.min(at_surface.len() - cluster * LANES) {
+                if sums[0][lane] > 0.0 {
+                    take(cluster * LANES + lane, sums.map(|sum| sum[lane]));
+                }
+            }
+        }
+    }
+}
 
 impl Isph {
     /// Finds surface particles by ∇·r = Σ V_j (r_j - r_i)·∇_iW_ij < 1.5 (Eq. 13, sign corrected) and
@@ -20,53 +78,23 @@ impl Isph {
     /// a term on the diagonal alone, exact for a linear pressure (compare Nair & Tomar 2014, whose
     /// full-support diagonal 2 (Σ_full F - Σ F) is its lower bound here).
     pub(super) fn find_surface(&mut self) {
-        let n = self.fluid.len();
         let spacing = self.options.spacing;
-        let operators = &mut self.operators;
-        operators.at_surface.clear();
-        operators
-            .at_surface
-            .extend(operators.moment.iter().map(|[xx, _, yy]| xx + yy < SURFACE_DIVERGENCE));
-        let normal = |sway: [f64; 2]| {
-            let length = (sway[0] * sway[0] + sway[1] * sway[1]).sqrt();
-            if length > 0.0 { [-sway[0] / length, -sway[1] / length] } else { [0.0, 1.0] }
-        };
-        let of = |i: usize| self.list_starts[i] as usize..self.list_starts[i + 1] as usize;
-        let near = &mut self.near_surface;
-        near.clear();
-        near.resize(n, false);
-        for i in (0..n).filter(|&i| operators.at_surface[i]) {
-            for neighbour in &self.list[of(i)] {
-                near[self.points.original[neighbour.point as usize] as usize] = true;
-            }
-        }
-        for i in (0..n).filter(|&i| near[i]) {
-            let neighbours = &self.list[of(i)];
-            // Mean height of the surface particles in reach over this one, and mean normal.
-            let place = self.loose[i].place;
-            let (mut sum, mut height, mut up) = (0.0, 0.0, [0.0; 2]);
-            for neighbour in neighbours {
-                let point = neighbour.point as usize;
-                let original = self.points.original[point] as usize;
-                if !operators.at_surface[original] {
-                    continue;
-                }
-                let [nx, ny] = normal(operators.sway[original]);
-                let [a, b, c, d] = self.points.turn[point];
-                let to = [a * nx + b * ny, c * nx + d * ny];
-                let apart = [self.points.x[point] - place[0], self.points.y[point] - place[1]];
-                let weight = neighbour.weight;
-                sum += weight;
-                height += weight * (apart[0] * to[0] + apart[1] * to[1]);
-                up[0] += weight * to[0];
-                up[1] += weight * to[1];
-            }
+        let full_weight = self.full_weight;
+        let Operators { at_surface, moment, sway, correction, weight, grip, .. } =
+            &mut self.operators;
+        at_surface.clear();
+        at_surface.extend(moment.iter().map(|[xx, _, yy]| xx + yy < SURFACE_DIVERGENCE));
+        let mut take = |i: usize, [sum, height, up_x, up_y]: [f64; 4]| {
             let distance = (SKIN * spacing + height / sum).max(CLOSEST * spacing);
-            let length = (up[0] * up[0] + up[1] * up[1]).sqrt().max(1e-300);
-            let sway = operators.sway[i];
-            let outwards = -(sway[0] * up[0] + sway[1] * up[1]) / length;
-            let missing = (self.full_weight - operators.weight[i]).max(0.0);
-            operators.grip[i] = 2.0 * (outwards / distance).max(missing);
-        }
+            let length = (up_x * up_x + up_y * up_y).sqrt().max(1e-300);
+            let outwards = -(sway[i][0] * up_x + sway[i][1] * up_y) / length;
+            let missing = (full_weight - weight[i]).max(0.0);
+            grip[i] = 2.0 * (outwards / distance).max(missing);
+        };
+        let places = [&self.points.x[..], &self.points.y[..]];
+        let (pairs, weights) = (&self.pairs, &self.weights[..]);
+        let lists = Lists { pairs, weights, places, sway, correction };
+        let (numbers, points) = (&self.numbers, &self.points);
+        dispatch(self.path, Surface { lists, numbers, points, at_surface, take: &mut take });
     }
 }

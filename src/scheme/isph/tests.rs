@@ -71,10 +71,10 @@ fn square(side: usize, jitter: f64, closed: bool, laplacian: Laplacian) -> Isph 
 
 fn lists(water: &mut Isph) {
     let bodies = &AT_REST[..water.loads.len()];
-    water.sort();
+    water.sort(1e-9);
     water.face_offsets = vec![0.0; bodies.len()];
     water.list_points(bodies, 1e-9);
-    water.grid.sort(&water.loose, water.options.support_radius, &mut water.points);
+    water.list_neighbours();
     water.gather();
     water.turn_corrections();
     water.find_surface();

@@ -1,61 +1,63 @@
 //! Viscosity: that of the fluid, and that of the scheme on what a linear velocity leaves.
 
 use super::Isph;
-use super::images::{NO_BODY, Points, turned};
-use super::sums::{Lists, Strain};
+use super::images::turned;
+use super::lists::{Lists, Numbers, load, own};
+use super::sums::Strain;
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
 
 /// Viscous accelerations: 2 ν Σ F (u_j - u_i), Liang et al. 2017, Eq. 3, and α h c Σ F π Δ with π =
 /// (u_j - u_i)·Δ/r² less what a linear, divergence-free velocity gives, limited so that every pair
 /// dissipates or does nothing.
 struct Drag<'a> {
-    points: &'a Points,
-    places: &'a [super::images::Point],
     lists: Lists<'a>,
+    /// u_i.
     own: &'a [[f64; 2]],
-    moving: [&'a [f64]; 2],
+    /// Strain of the particles.
     strain: &'a [[f64; 2]],
-    /// Strain of every point.
-    turned: [&'a [f64]; 2],
+    /// u_j, and the strain as a tensor.
+    numbers: &'a [Numbers],
     /// α h c.
     artificial: f64,
     /// 2 ν.
     physical: f64,
     /// What Δ² is taken for at least, m².
     least: f64,
+    /// m_i, padded.
+    mass: &'a [f64],
+    /// Body of each point.
+    body: &'a [u8],
     drag: &'a mut [[f64; 2]],
+    /// What the water does to the bodies, whose images do this to the water.
+    on_bodies: &'a mut [f64],
+}
+
+/// The eight, as their drag wants them.
+struct Eight<L> {
+    place: [L; 2],
+    velocity: [L; 2],
+    strain: [L; 2],
 }
 
 impl Drag<'_> {
-    /// What eight neighbours do to a particle, along x and y.
+    /// What an entry does to the eight, along x and y.
     #[inline(always)]
-    fn of<L: Lanes>(&self, i: usize, near: &[u32; LANES], pull: [L; 2]) -> [L; 2] {
-        let (x, y) = (L::gather(&self.points.x, near), L::gather(&self.points.y, near));
-        let (u, v) = (L::gather(self.moving[0], near), L::gather(self.moving[1], near));
-        let (p, q) = (L::gather(self.turned[0], near), L::gather(self.turned[1], near));
-        let ([px, py], [ui, vi], [pi, qi]) = (self.places[i].place, self.own[i], self.strain[i]);
-        let (dx, dy) = (x - L::splat(px), y - L::splat(py));
-        let (du, dv) = (u - L::splat(ui), v - L::splat(vi));
-        let (p, q) = ((p + L::splat(pi)) * L::splat(0.5), q + L::splat(qi));
+    fn of<L: Lanes>(&self, eight: &Eight<L>, e: u32, weights: &[f64; LANES]) -> [L; 2] {
+        let at = &self.numbers[e as usize];
+        let ([x, y], [u, v], [p, q]) = (eight.place, eight.velocity, eight.strain);
+        let (dx, dy) = (L::splat(at.place[0]) - x, L::splat(at.place[1]) - y);
+        let (du, dv) = (L::splat(at.velocity[0]) - u, L::splat(at.velocity[1]) - v);
+        let p = (L::splat(at.tensor[0]) + p) * L::splat(0.5);
+        let q = L::splat(at.tensor[1]) + q;
         let approach = du.mul_add(dx, dv * dy);
         let linear = p.mul_add(dx * dx - dy * dy, q * (dx * dy));
         let zero = L::splat(0.0);
         let left = (approach - linear).min(approach.max(zero)).max(approach.min(zero));
         let square = dx.mul_add(dx, dy * dy).max(L::splat(self.least));
-        let factor = (L::splat(self.artificial) * left).div(square);
-        // F = (F Δ)·Δ/Δ².
-        let weight = (L::splat(self.physical) * pull[0].mul_add(dx, pull[1] * dy)).div(square);
-        [factor.mul_add(pull[0], weight * du), factor.mul_add(pull[1], weight * dv)]
-    }
-
-    /// The last few neighbours, padded with the particle's own first one, which pulls nothing.
-    #[inline(always)]
-    fn of_rest<L: Lanes>(&self, i: usize, near: &[u32], [x, y]: [&[f64]; 2]) -> [L; 2] {
-        let mut padded = ([near[0]; LANES], [0.0; LANES], [0.0; LANES]);
-        padded.0[..near.len()].copy_from_slice(near);
-        padded.1[..near.len()].copy_from_slice(x);
-        padded.2[..near.len()].copy_from_slice(y);
-        self.of(i, &padded.0, [L::load(&padded.1), L::load(&padded.2)])
+        let f = L::load(weights);
+        let factor = f * (L::splat(self.artificial) * left).div(square);
+        let weight = f * L::splat(self.physical);
+        [factor.mul_add(dx, weight * du), factor.mul_add(dy, weight * dv)]
     }
 }
 
@@ -64,50 +66,33 @@ impl Task for Drag<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(mut self) {
-        let drag = std::mem::take(&mut self.drag);
-        let Lists { starts, near, pull: [pull_x, pull_y], .. } = self.lists;
-        for (i, drag) in drag.iter_mut().enumerate() {
-            let range = starts[i] as usize..starts[i + 1] as usize;
-            let (near, rest) = near[range.clone()].as_chunks::<LANES>();
-            let (gx, rest_x) = pull_x[range.clone()].as_chunks::<LANES>();
-            let (gy, rest_y) = pull_y[range].as_chunks::<LANES>();
-            let mut sum = [L::splat(0.0); 2];
-            for ((near, gx), gy) in near.iter().zip(gx).zip(gy) {
-                let [x, y] = self.of(i, near, [L::load(gx), L::load(gy)]);
-                sum = [sum[0] + x, sum[1] + y];
+        let (drag, on_bodies) =
+            (std::mem::take(&mut self.drag), std::mem::take(&mut self.on_bodies));
+        for (cluster, drag) in drag.chunks_mut(LANES).enumerate() {
+            let eight = Eight {
+                place: self.lists.place::<L>(cluster),
+                velocity: own(self.own, cluster),
+                strain: own(self.strain, cluster),
+            };
+            let mut sums = [L::splat(0.0); 2];
+            let (near, weights) = self.lists.of(cluster);
+            let water = self.lists.pairs.group(cluster, 0).len();
+            for (&e, weights) in near[..water].iter().zip(weights) {
+                let [x, y] = self.of(&eight, e, weights);
+                sums = [sums[0] + x, sums[1] + y];
             }
-            if !rest.is_empty() {
-                let [x, y] = self.of_rest::<L>(i, rest, [rest_x, rest_y]);
-                sum = [sum[0] + x, sum[1] + y];
+            if water < near.len() {
+                let mass = load::<L>(self.mass, cluster);
+                for (&e, weights) in near[water..].iter().zip(&weights[water..]) {
+                    let [x, y] = self.of(&eight, e, weights);
+                    sums = [sums[0] + x, sums[1] + y];
+                    on_bodies[self.body[e as usize] as usize] -= (mass * x).sum();
+                }
             }
-            *drag = sum.map(|sum| sum.sum());
-        }
-    }
-}
-
-/// The part of the drag along x that single neighbours of a particle make.
-struct ByNeighbour<'a, 'b> {
-    drag: &'b Drag<'a>,
-    i: usize,
-    take: &'b mut dyn FnMut(usize, f64),
-}
-
-impl Task for ByNeighbour<'_, '_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let Lists { starts, near, pull: [pull_x, pull_y], .. } = self.drag.lists;
-        let mut at = starts[self.i] as usize;
-        let end = starts[self.i + 1] as usize;
-        while at < end {
-            let part = at..end.min(at + LANES);
-            let pulls = [&pull_x[part.clone()], &pull_y[part.clone()]];
-            let [x, _] = self.drag.of_rest::<L>(self.i, &near[part.clone()], pulls);
-            for (&e, &x) in near[part].iter().zip(&x.to_array()) {
-                (self.take)(e as usize, x);
+            let [x, y] = L::to_arrays(sums);
+            for (lane, drag) in drag.iter_mut().enumerate() {
+                *drag = [x[lane], y[lane]];
             }
-            at += LANES;
         }
     }
 }
@@ -127,15 +112,12 @@ impl Isph {
         let mut divergence = std::mem::take(&mut self.operators.divergence);
         strain.resize(n, [0.0; 2]);
         divergence.resize(n, 0.0);
+        let own = &self.velocities;
+        let (lists, numbers) = (self.lists(), &self.numbers);
+        let (strain_out, divergence_out) = (&mut strain[..], &mut divergence[..]);
         dispatch(
             self.path,
-            Strain {
-                lists: self.lists(),
-                own: &self.velocities,
-                moving: [&self.moving[0], &self.moving[1]],
-                strain: &mut strain,
-                divergence: &mut divergence,
-            },
+            Strain { lists, own, numbers, strain: strain_out, divergence: divergence_out },
         );
         self.operators.divergence = divergence;
         self.strain = strain;
@@ -144,40 +126,26 @@ impl Isph {
         if artificial + options.viscosity == 0.0 {
             return;
         }
-        self.turned_strain.iter_mut().for_each(Vec::clear);
-        for e in 0..self.loose.len() {
+        for (e, at) in self.numbers.iter_mut().enumerate() {
             let [p, q] = self.strain[self.points.original[e] as usize];
-            let [p, q, _] = turned(self.points.turn[e], [p, q, -p]);
-            self.turned_strain[0].push(p);
-            self.turned_strain[1].push(q);
+            at.tensor = turned(self.points.turn[e], [p, q, -p]);
         }
         let mut drag = std::mem::take(&mut self.drag);
         let mut on_bodies = std::mem::take(&mut self.drag_on_bodies);
-        let pass = |drag| Drag {
-            points: &self.points,
-            places: &self.loose,
+        let pass = Drag {
             lists: self.lists(),
             own: &self.velocities,
-            moving: [&self.moving[0], &self.moving[1]],
             strain: &self.strain,
-            turned: [&self.turned_strain[0], &self.turned_strain[1]],
+            numbers: &self.numbers,
             artificial,
             physical: 2.0 * options.viscosity,
             least: 1e-12 * options.spacing * options.spacing,
-            drag,
+            mass: &self.fluid.mass,
+            body: &self.points.body,
+            drag: &mut drag,
+            on_bodies: &mut on_bodies,
         };
-        dispatch(self.path, pass(&mut drag));
-        // What the walls' images do to the water, the water does to the walls.
-        let alone = pass(&mut []);
-        for &i in &self.at_walls {
-            let mass = self.fluid.mass[i as usize];
-            let mut take = |e: usize, x: f64| {
-                if self.points.body[e] != NO_BODY {
-                    on_bodies[self.points.body[e] as usize] -= mass * x;
-                }
-            };
-            dispatch(self.path, ByNeighbour { drag: &alone, i: i as usize, take: &mut take });
-        }
+        dispatch(self.path, pass);
         self.drag_on_bodies = on_bodies;
         self.drag = drag;
     }

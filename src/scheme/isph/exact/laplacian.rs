@@ -2,7 +2,8 @@
 
 use super::super::Isph;
 use super::super::images::Points;
-use super::super::sums::{Divergence, Gradient, Lists};
+use super::super::lists::{Lists, Numbers};
+use super::super::sums::{Divergence, Gradient};
 use super::Exact;
 use crate::math::simd::{SimdPath, dispatch};
 use crate::math::sparse::{Csr, Preconditioner, Product};
@@ -15,9 +16,9 @@ use crate::math::sparse::{Csr, Preconditioner, Product};
 /// Laplacian A does. A, scaled to the same size near the surface, is the preconditioner.
 pub(in super::super) struct ExactLaplacian<'a> {
     pub points: &'a Points,
-    /// Number of points.
-    pub count: usize,
     pub lists: Lists<'a>,
+    /// Of the points: p L and ∇p are put there.
+    pub numbers: &'a mut [Numbers],
     /// L of every point, turned as its image is.
     pub turned: &'a [[f64; 3]],
     pub volume: &'a [f64],
@@ -30,24 +31,27 @@ pub(in super::super) struct ExactLaplacian<'a> {
 
 impl Product for ExactLaplacian<'_> {
     fn multiply(&mut self, path: SimdPath, x: &[f64], y: &mut [f64]) {
-        let points = self.points;
-        let Exact { stress, moving, slope, softness, compact, .. } = &mut *self.exact;
-        for e in 0..self.count {
-            let p = x[points.original[e] as usize];
-            for (stress, correction) in stress.iter_mut().zip(self.turned[e]) {
-                stress[e] = correction * p;
-            }
+        let (points, lists) = (self.points, self.lists);
+        let Exact { slope, softness, compact, .. } = &mut *self.exact;
+        let (water, images) = self.numbers.split_at_mut(x.len());
+        for ((at, correction), p) in water.iter_mut().zip(self.turned).zip(x) {
+            at.tensor = correction.map(|c| c * p);
         }
-        let stress = [0, 1, 2].map(|k| &stress[k][..]);
-        dispatch(path, Gradient { lists: self.lists, pressure: x, stress, slope });
-        for e in 0..self.count {
-            let [u, v] = slope[points.original[e] as usize];
-            let [a, b, c, d] = points.turn[e];
-            moving[0][e] = a * u + b * v;
-            moving[1][e] = c * u + d * v;
+        let rest = self.turned[x.len()..].iter().zip(&points.original[x.len()..]);
+        for (at, (correction, &j)) in images.iter_mut().zip(rest) {
+            at.tensor = correction.map(|c| c * x[j as usize]);
         }
-        let moving = [&moving[0][..], &moving[1][..]];
-        dispatch(path, Divergence { lists: self.lists, own: slope, moving, divergence: y });
+        dispatch(path, Gradient { lists, pressure: x, numbers: self.numbers, slope });
+        let (water, images) = self.numbers.split_at_mut(x.len());
+        for (at, slope) in water.iter_mut().zip(&*slope) {
+            at.velocity = *slope;
+        }
+        let rest = points.turn[x.len()..].iter().zip(&points.original[x.len()..]);
+        for (at, ([a, b, c, d], &j)) in images.iter_mut().zip(rest) {
+            let [u, v] = slope[j as usize];
+            at.velocity = [a * u + b * v, c * u + d * v];
+        }
+        dispatch(path, Divergence { lists, own: slope, numbers: self.numbers, divergence: y });
         for (i, y) in y.iter_mut().enumerate() {
             *y = softness[i] * x[i] - self.volume[i] * *y;
         }
@@ -75,17 +79,10 @@ impl Product for ExactLaplacian<'_> {
 impl Isph {
     /// The product with a pressure.
     pub(in super::super) fn exact_product(&mut self, x: &[f64]) -> Vec<f64> {
-        let operators = &self.operators;
         let mut product = ExactLaplacian {
             points: &self.points,
-            count: self.loose.len(),
-            lists: Lists {
-                starts: &self.list_starts,
-                near: &self.near,
-                pull: [&self.pull_x, &self.pull_y],
-                sway: &operators.sway,
-                correction: &operators.correction,
-            },
+            lists: Lists::new(&self.pairs, &self.weights, &self.points, &self.operators),
+            numbers: &mut self.numbers,
             turned: &self.turned,
             volume: &self.volumes,
             compact: self.options.compact_share,
@@ -102,12 +99,10 @@ impl Isph {
 impl Isph {
     /// What the products need besides the lists.
     pub(in super::super) fn prepare_exact(&mut self) {
-        let (n, count) = (self.fluid.len(), self.loose.len());
+        let n = self.fluid.len();
         self.volumes.clear();
         self.volumes.extend(self.fluid.mass[..n].iter().map(|mass| mass / self.options.density));
         let exact = &mut self.exact;
-        exact.stress.iter_mut().for_each(|stress| stress.resize(count, 0.0));
-        exact.moving.iter_mut().for_each(|moving| moving.resize(count, 0.0));
         exact.slope.resize(n, [0.0; 2]);
         exact.scaled.resize(n, 0.0);
         exact.compact.resize(n, 0.0);

@@ -9,11 +9,8 @@ pub(super) use laplacian::ExactLaplacian;
 /// What the products of the exact Laplacian need and leave, an entry per point or per particle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Exact {
-    /// p L of every point.
-    stress: [Vec<f64>; 3],
-    /// ∇p of every particle, and of every point as its walls mirror it.
+    /// ∇p of every particle.
     slope: Vec<[f64; 2]>,
-    moving: [Vec<f64>; 2],
     /// C: how far a particle gives way instead of taking a pressure.
     pub softness: Vec<f64>,
     /// κ^(-1/2), κ what takes the compact Laplacian to the size of the exact one.
