@@ -11,6 +11,9 @@ use super::probes;
 use super::settling::Liveliness;
 use crate::scene::{CaseConfig, Tank};
 
+/// Room is made beforehand for so many samples.
+const MOST_ROOM: usize = 100_000;
+
 /// All that a run keeps of what it has seen; a branch takes over that of its trunk.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Logbook {
@@ -41,6 +44,16 @@ impl Logbook {
             health: HealthState::default(),
             liveliness: Liveliness::default(),
             probes: probes::table(&config.probes),
+        }
+    }
+
+    /// Makes room for so many samples in all, so that none takes memory of its own.
+    pub fn make_room(&mut self, samples: usize) {
+        let more = samples.saturating_sub(self.history.len()).min(MOST_ROOM);
+        self.history.reserve_exact(more);
+        if let Some(table) = &mut self.probes {
+            table.time_s.reserve_exact(more);
+            table.values.reserve_exact(more * table.columns.len());
         }
     }
 }

@@ -120,6 +120,8 @@ impl Run {
         until_onset: bool,
         monitor: &dyn Monitor,
     ) -> Result<Reached, Stopped> {
+        let frame = self.tank.frame;
+        self.logbook.make_room((frame.end_time / frame.history_interval) as usize + 2);
         loop {
             let time = self.clock.time;
             let last = time >= self.tank.frame.end_time * (1.0 - 1e-12);

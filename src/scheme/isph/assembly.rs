@@ -80,16 +80,16 @@ impl Assemble<'_> {
     /// L s of the eight, where it is taken off.
     #[inline(always)]
     fn tilt<L: Lanes>(&self, cluster: usize, count: usize) -> [L; 2] {
-        let mut tilt = [[0.0; LANES]; 2];
-        for lane in 0..count {
+        let (mut tilt_x, mut tilt_y) = ([0.0; LANES], [0.0; LANES]);
+        for (lane, (x, y)) in tilt_x.iter_mut().zip(&mut tilt_y).enumerate().take(count) {
             let i = cluster * LANES + lane;
             if self.operators.grip[i] == 0.0 {
                 let [sx, sy] = self.operators.sway[i];
                 let [cx, cxy, cy] = self.operators.correction[i];
-                (tilt[0][lane], tilt[1][lane]) = (sx * cx + sy * cxy, sx * cxy + sy * cy);
+                (*x, *y) = (sx * cx + sy * cxy, sx * cxy + sy * cy);
             }
         }
-        [L::load(&tilt[0]), L::load(&tilt[1])]
+        [L::load(&tilt_x), L::load(&tilt_y)]
     }
 }
 

@@ -166,13 +166,12 @@ impl Task for Reaction<'_> {
                 continue;
             }
             let place = lists.place::<L>(cluster);
-            let mut stress = [[0.0; LANES]; 2];
-            for lane in 0..LANES.min(pressure.len() - cluster * LANES) {
-                let i = cluster * LANES + lane;
-                let [xx, xy, _] = lists.correction[i].map(|c| c * pressure[i]);
-                (stress[0][lane], stress[1][lane]) = (xx, xy);
+            let (mut own_xx, mut own_xy) = ([0.0; LANES], [0.0; LANES]);
+            let own = pressure[cluster * LANES..].iter().zip(&lists.correction[cluster * LANES..]);
+            for ((p, [xx, xy, _]), stress) in own.zip(own_xx.iter_mut().zip(&mut own_xy)) {
+                (*stress.0, *stress.1) = (xx * p, xy * p);
             }
-            let [own_xx, own_xy] = [L::load(&stress[0]), L::load(&stress[1])];
+            let (own_xx, own_xy) = (L::load(&own_xx), L::load(&own_xy));
             let volume = load::<L>(volume, cluster);
             for (&e, weights) in near.iter().zip(weights) {
                 let at = &numbers[e as usize];
