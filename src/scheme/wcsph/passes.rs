@@ -12,7 +12,7 @@ use super::momentum::{CONCENTRATION, FORCES, GRADIENTS, Momentum, OnPart};
 use super::parts::power;
 use super::precision::{Double, Precision, Single};
 use super::{DensityDiffusion, Shifting, Wcsph};
-use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch, dispatch_vectors};
 use crate::math::team::window;
 use crate::with_kernel;
 
@@ -111,16 +111,29 @@ impl Wcsph {
             * options.state.sound_speed
             * options.density
             * self.scaling.inverse_radius;
+        // The portable path multiplies by zero instead of having a variant without.
+        let viscous = viscosity > 0.0 || self.path == SimdPath::Portable;
         macro_rules! pass {
             ($K:ty, $sums:ident, $corrected:literal) => {
-                match (options.precision, viscosity > 0.0) {
-                    (Precision::F64, true) => pass!($K, Double, $sums, $corrected, true, records),
-                    (Precision::F64, false) => pass!($K, Double, $sums, $corrected, false, records),
-                    (Precision::F32, true) => pass!($K, Single, $sums, $corrected, true, singles),
-                    (Precision::F32, false) => pass!($K, Single, $sums, $corrected, false, singles),
+                match (options.precision, viscous) {
+                    (Precision::F64, true) => {
+                        pass!($K, Double, $sums, $corrected, true, records, dispatch)
+                    }
+                    (Precision::F64, false) => {
+                        pass!($K, Double, $sums, $corrected, false, records, dispatch_vectors)
+                    }
+                    (Precision::F32, true) => {
+                        pass!($K, Single, $sums, $corrected, true, singles, dispatch)
+                    }
+                    (Precision::F32, false) => {
+                        pass!($K, Single, $sums, $corrected, false, singles, dispatch_vectors)
+                    }
                 }
             };
-            ($K:ty, $P:ty, $sums:ident, $corrected:literal, $viscous:literal, $records:ident) => {{
+            (
+                $K:ty, $P:ty, $sums:ident, $corrected:literal, $viscous:literal, $records:ident,
+                $dispatch:ident
+            ) => {{
                 let pass = &Momentum::<$K, $P, $sums, $corrected, $viscous> {
                     fluid: &self.fluid,
                     records: &self.$records,
@@ -140,7 +153,7 @@ impl Wcsph {
                 };
                 let path = self.path;
                 self.team.share(&mut self.parts, rows, &|part, found| {
-                    dispatch(path, OnPart { pass, part, found });
+                    $dispatch(path, OnPart { pass, part, found });
                 });
             }};
         }
