@@ -4,7 +4,7 @@
 //! `cargo run --release --example scaling` reads the wall times of the cases in
 //! `results/liang2017_study/summary.csv` and writes `results/performance/scaling.md`, of which it
 //! keeps what stands under "Notes". Times of the scheduler's own decisions are measured while it
-//! makes them; recording a case is measured by writing and renaming a file of a history's size.
+//! makes them; recording a case is measured by recording a few thousand of them, from the message to the disk.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap, VecDeque};
@@ -95,8 +95,8 @@ fn measure() -> Measured {
     }
 }
 
-/// What it costs the coordinator to take a case in, from its message to the disk, seconds: groups of
-/// lines and histories that go to the disk together are counted in.
+/// What it costs the coordinator to take a case in, from its message to the disk, and to write the order
+/// of the next one, seconds: groups of lines and histories that go to the disk together are counted in.
 fn record_s(message: &[u8]) -> f64 {
     let sweep = format!(
         "name = \"scaling\"\n[scene]\n{MOVABLE}[grid]\n\

@@ -57,8 +57,7 @@ fn run(scene: &str, numerics: &str, end_time_s: f64, resources: Resources) -> Ca
     run_case(&case, None, resources, &Unwatched).unwrap()
 }
 
-/// Twice as many steps cost at most a handful of arrays that grow (the history, the longest list so
-/// far) more, not one allocation per step, per sample or per rebuild of the lists.
+/// Twice as many steps cost at most a handful of arrays that grow (the longest list so far) more, not one allocation per step, per sample or per rebuild of the lists.
 fn check(scene: &str, numerics: &str, end_time_s: f64, (threads, most): (usize, u64)) {
     let allocations = |end_time_s: f64| {
         let before = COUNT.load(Ordering::Relaxed);

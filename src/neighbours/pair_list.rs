@@ -5,7 +5,8 @@ use std::ops::Range;
 use super::strips::Strips;
 use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
 
-/// Neighbours of clusters of eight points, split into groups (the fluid, then each body).
+/// Neighbours of clusters of eight points, split into groups (the fluid, then what is behind
+/// its walls).
 #[derive(Debug, Clone, Default)]
 pub struct PairList {
     groups: usize,
@@ -62,7 +63,7 @@ impl PairList {
     }
 }
 
-/// Points that may be neighbours: a body's ghosts or the fluid.
+/// Points that may be neighbours: the fluid, a body's ghosts, its images.
 #[derive(Debug, Clone, Copy)]
 pub struct PointSet<'a> {
     /// Where they lie.

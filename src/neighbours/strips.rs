@@ -12,6 +12,17 @@ pub struct Strips {
     shelves: Shelves,
 }
 
+/// Points farther out than this many strips share the last one: one that has run away takes no memory
+/// with it.
+const MOST_STRIPS: usize = 100_000;
+
+/// The strip of a place, counted from an origin.
+#[inline(always)]
+fn strip(x: f64, origin: f64, width: f64) -> usize {
+    // What lies before the origin, or is not a number, is in the first.
+    (((x - origin) / width) as usize).min(MOST_STRIPS - 1)
+}
+
 /// How many points of a strip lie below certain heights: as many shelves as points, of one height.
 #[derive(Debug, Clone, Default)]
 struct Shelves {
@@ -86,7 +97,7 @@ impl Strips {
     ) {
         let origin = x.iter().copied().fold(f64::INFINITY, f64::min);
         let origin = if origin.is_finite() { origin } else { 0.0 };
-        let strip_of = |x: f64| ((x - origin) / width) as usize;
+        let strip_of = |x: f64| strip(x, origin, width);
         let count = x.iter().map(|&x| strip_of(x) + 1).max().unwrap_or(0);
         let starts = &mut self.starts;
         starts.clear();
@@ -151,8 +162,8 @@ impl Strips {
         if self.count() == 0 || right < self.origin {
             return;
         }
-        let first = ((left - self.origin) / self.width).max(0.0) as usize;
-        let last = ((right - self.origin) / self.width) as usize;
+        let first = strip(left, self.origin, self.width);
+        let last = strip(right, self.origin, self.width);
         for strip in first..=last.min(self.count() - 1) {
             let members = self.members(strip);
             if members.is_empty() {

@@ -11,7 +11,7 @@ use super::probes;
 use super::settling::Liveliness;
 use crate::scene::{CaseConfig, Tank};
 
-/// Room is made beforehand for so many samples.
+/// Room is made beforehand for so many samples at most.
 const MOST_ROOM: usize = 100_000;
 
 /// All that a run keeps of what it has seen; a branch takes over that of its trunk.
@@ -47,7 +47,7 @@ impl Logbook {
         }
     }
 
-    /// Makes room for so many samples in all, so that none takes memory of its own.
+    /// Makes room for so many samples in all, within reason, so that none takes memory of its own.
     pub fn make_room(&mut self, samples: usize) {
         let more = samples.saturating_sub(self.history.len()).min(MOST_ROOM);
         self.history.reserve_exact(more);

@@ -1,4 +1,4 @@
-//! Files that are either whole or absent: written under a temporary name, then renamed.
+//! Files that readers find whole or not at all: written under a temporary name, then renamed.
 
 use std::fs::{self, File};
 use std::io::Write;
@@ -14,7 +14,7 @@ pub(super) fn write(path: &Path, content: &[u8]) -> Result<(), SweepError> {
     put(path, content, File::sync_all)
 }
 
-/// The same for readers; after a power cut the file may be empty unless it was [synced](sync).
+/// The same for readers; a power cut may leave it empty or short, unless it was [synced](sync).
 pub(super) fn write_unsynced(path: &Path, content: &[u8]) -> Result<(), SweepError> {
     put(path, content, |_| Ok(()))
 }

@@ -143,8 +143,7 @@ impl Directory {
         result: Option<&CaseResult>,
     ) -> Result<(), SweepError> {
         if let Some(result) = result.filter(|_| record.is_ok() && record.index < self.cases) {
-            let written = self.unsynced.write(&self.path, record.id, result)?;
-            record.history_bytes = Some(written);
+            record.files = self.unsynced.write(&self.path, record.id, result)?;
         }
         self.journal.record(&record)?;
         let index = record.index;
@@ -241,8 +240,7 @@ fn fill(path: &Path, study: &Study, records: &mut [Option<CaseRecord>], lines: V
             records[index] = Some(CaseRecord { index, ..record });
         }
     }
-    let has_history =
-        |record: &CaseRecord| results::is_there(path, record.id, record.history_bytes);
+    let has_history = |record: &CaseRecord| results::is_there(path, record.id, &record.files);
     for record in &mut records[..study.cases.len()] {
         let lacks_history =
             record.as_ref().is_some_and(|record| record.is_ok() && !has_history(record));

@@ -54,7 +54,6 @@ mod tests {
                 let (text, plain) = (text(value), plain(value));
                 assert_eq!(text.parse::<f64>().unwrap().to_bits(), value.to_bits(), "{text}");
                 assert_eq!(text.len(), plain.len(), "{text} {plain}");
-                assert!(text == plain || value.abs() > 1e15, "{text} {plain}");
             }
         }
         for value in [1e-5, 9.999999999999999e-6, 1e15, 9999999999999998.0, 1e16, 0.0, -0.0, 100.0]

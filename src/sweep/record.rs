@@ -39,9 +39,9 @@ pub struct CaseRecord {
     pub cpu_time_s: Option<f64>,
     /// Where it ran.
     pub host: String,
-    /// Length of its history's file, where it is well and no companion.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub history_bytes: Option<u64>,
+    /// Lengths of the files that it has left, by their folders, bytes.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub files: BTreeMap<String, u64>,
 }
 
 impl CaseRecord {
@@ -67,7 +67,7 @@ impl CaseRecord {
             wall_time_s,
             cpu_time_s: None,
             host: host.to_owned(),
-            history_bytes: None,
+            files: BTreeMap::new(),
         };
         match result {
             Ok(result) => {

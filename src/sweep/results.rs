@@ -1,5 +1,6 @@
 //! Per-case files: histories and probes.
 
+use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -8,6 +9,9 @@ use super::case::CaseId;
 use super::error::SweepError;
 use super::number;
 use crate::simulation::{CaseResult, HistoryRow, NamedReading, ProbeColumn, ProbeTable};
+
+/// Lengths of a case's files by their folders, bytes.
+pub(super) type Lengths = BTreeMap<String, u64>;
 
 const HISTORIES: &str = "histories";
 const PROBES: &str = "probes";
@@ -19,47 +23,56 @@ const READINGS: &str = "readings";
 pub(super) struct Unsynced(Vec<PathBuf>);
 
 impl Unsynced {
-    /// Writes what a case leaves besides its journal line, and tells its history's length in bytes.
+    /// Writes what a case leaves besides its journal line, and tells the lengths of the files.
     pub(super) fn write(
         &mut self,
         directory: &Path,
         id: CaseId,
         result: &CaseResult,
-    ) -> Result<u64, SweepError> {
-        let history = history(&result.history);
-        self.write_one(&directory.join(HISTORIES), id, &history)?;
+    ) -> Result<Lengths, SweepError> {
+        let mut texts = vec![(HISTORIES, history(&result.history))];
         if let Some(probes) = &result.probes {
-            let folder = directory.join(PROBES);
-            self.write_one(&folder, id, &probe_table(probes))?;
-            // The same for all cases of a file.
-            atomic_file::write(&folder.join("columns.csv"), probe_columns(probes).as_bytes())?;
+            texts.push((PROBES, probe_table(probes)));
         }
         if !result.readings.is_empty() {
-            self.write_one(&directory.join(READINGS), id, &reading_table(&result.readings))?;
+            texts.push((READINGS, reading_table(&result.readings)));
         }
-        Ok(history.len() as u64)
-    }
-
-    fn write_one(&mut self, folder: &Path, id: CaseId, text: &str) -> Result<(), SweepError> {
-        fs::create_dir_all(folder).map_err(SweepError::io(folder))?;
-        let path = folder.join(format!("{id}.csv"));
-        atomic_file::write_unsynced(&path, text.as_bytes())?;
-        self.0.push(path);
-        Ok(())
+        let mut lengths = Lengths::new();
+        for (name, text) in texts {
+            let folder = directory.join(name);
+            fs::create_dir_all(&folder).map_err(SweepError::io(&folder))?;
+            let path = folder.join(format!("{id}.csv"));
+            atomic_file::write_unsynced(&path, text.as_bytes())?;
+            self.0.push(path);
+            lengths.insert(name.to_owned(), text.len() as u64);
+        }
+        let columns = directory.join(PROBES).join("columns.csv");
+        if let Some(probes) = &result.probes
+            && !columns.is_file()
+        {
+            // The same for all cases of a sweep.
+            atomic_file::write(&columns, probe_columns(probes).as_bytes())?;
+        }
+        Ok(lengths)
     }
 
     /// Makes them durable.
     pub(super) fn sync(&mut self, directory: &Path) -> Result<(), SweepError> {
-        self.0.drain(..).try_for_each(|path| atomic_file::sync(&path))?;
+        self.0.iter().try_for_each(|path| atomic_file::sync(path))?;
+        self.0.clear();
         let folders = [HISTORIES, PROBES, READINGS].map(|name| directory.join(name));
         folders.iter().filter(|path| path.is_dir()).try_for_each(|path| atomic_file::sync(path))
     }
 }
 
-/// Whether a case that the journal calls well has its history, of the length that the journal knows.
-pub(super) fn is_there(directory: &Path, id: CaseId, bytes: Option<u64>) -> bool {
-    let file = fs::metadata(directory.join(HISTORIES).join(format!("{id}.csv")));
-    file.is_ok_and(|file| file.is_file() && bytes.is_none_or(|bytes| file.len() == bytes))
+/// Whether a case that the journal calls well has its history, and all files the lengths that the journal
+/// knows.
+pub(super) fn is_there(directory: &Path, id: CaseId, lengths: &Lengths) -> bool {
+    let length = |name: &str| {
+        let file = fs::metadata(directory.join(name).join(format!("{id}.csv"))).ok();
+        file.filter(|file| file.is_file()).map(|file| file.len())
+    };
+    length(HISTORIES).is_some() && lengths.iter().all(|(name, &of)| length(name) == Some(of))
 }
 
 /// Removes what a killed process left half written.

@@ -80,8 +80,7 @@ impl Scheme for Isph {
             (self.options.density * self.options.gravity, self.options.still_level);
         self.total.clear();
         self.total.extend(
-            (self.pressure.iter().zip(&self.loose))
-                .map(|(p, point)| p + gravity * (level - point.place[1])),
+            (self.pressure.iter().zip(&self.points.y)).map(|(p, y)| p + gravity * (level - y)),
         );
         let timings = &mut self.timings;
         timings.neighbours += (listed - start).as_secs_f64();

@@ -30,7 +30,7 @@ impl Isph {
         let mut lifted = 0.0;
         for i in 0..self.fluid.len() {
             let own = self.near_surface_share(i);
-            let [x, y] = self.loose[i].place;
+            let (x, y) = (self.points.x[i], self.points.y[i]);
             let range = self.pairs.range(i / LANES);
             for at in if own > 0.0 { range } else { 0..0 } {
                 let e = self.pairs.entries()[at] as usize;

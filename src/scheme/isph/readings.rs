@@ -1,81 +1,78 @@
 //! Readings of the water: levels, and the pressure along a face.
 
+use std::ops::Range;
+
 use super::Isph;
 use super::images::Points;
 use crate::body::BodyMotion;
 use crate::kernel::{Kernel, shape_within};
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
-use crate::neighbours::Strips;
 use crate::with_kernel;
 
-/// W V of points around a place.
-struct Around<'a, K> {
+/// Steps of a level's search; no water is as high.
+const MOST_STEPS: u32 = 100_000;
+
+/// Σ W V over a row of points around a place, and the same with a field.
+struct Around<'a, K, F> {
     points: &'a Points,
-    strips: [&'a Strips; 2],
-    /// Number of each set's first point.
-    first: [usize; 2],
+    row: Range<usize>,
     place: [f64; 2],
-    radius: f64,
-    /// Turns w(q) into W.
-    factor: f64,
-    /// Takes points, eight at a time, and their W V.
-    take: &'a mut dyn FnMut(usize, [f64; LANES]),
+    /// 1/R.
+    inverse_radius: f64,
+    field: &'a F,
     kernel: std::marker::PhantomData<K>,
 }
 
-impl<K: Kernel> Task for Around<'_, K> {
-    type Output = ();
+impl<K: Kernel, F: Fn(usize) -> f64> Task for Around<'_, K, F> {
+    type Output = [f64; 2];
 
     #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let Around { points, place: [x, y], radius, take, .. } = self;
-        let inverse = 1.0 / radius;
-        let mut eight = |at: usize, end: usize| {
-            let mut numbers = [[0.0; LANES]; 3];
-            for (k, e) in (at..end.min(at + LANES)).enumerate() {
-                numbers[0][k] = (points.x[e] - x) * inverse;
-                numbers[1][k] = (points.y[e] - y) * inverse;
-                numbers[2][k] = points.volume[e];
+    fn run<L: Lanes>(self) -> [f64; 2] {
+        let (points, [x, y], inverse) = (self.points, self.place, self.inverse_radius);
+        let (mut coverage, mut mean) = (0.0, 0.0);
+        for at in self.row.clone().step_by(LANES) {
+            let (mut dx, mut dy, mut volume) = ([0.0; LANES], [0.0; LANES], [0.0; LANES]);
+            let end = self.row.end.min(at + LANES);
+            for (k, e) in (at..end).enumerate() {
+                dx[k] = (points.x[e] - x) * inverse;
+                dy[k] = (points.y[e] - y) * inverse;
+                volume[k] = points.volume[e];
             }
-            let [dx, dy, volume] = numbers.map(|numbers| L::load(&numbers));
+            let (dx, dy) = (L::load(&dx), L::load(&dy));
             let shape = shape_within::<K, L>(dx.mul_add(dx, dy * dy));
-            take(at, (shape * volume * L::splat(self.factor)).to_array());
-        };
-        for (strips, first) in self.strips.into_iter().zip(self.first) {
-            strips.visit_box([x - radius, x + radius], [y - radius, y + radius], |range| {
-                for at in (first + range.start..first + range.end).step_by(LANES) {
-                    eight(at, first + range.end);
+            let weights = (shape * L::load(&volume)).to_array();
+            for (weight, e) in weights.into_iter().zip(at..end) {
+                coverage += weight;
+                if weight > 0.0 {
+                    mean += weight * (self.field)(e);
                 }
-            });
+            }
         }
+        [coverage, mean]
     }
 }
 
 impl Isph {
-    /// Σ W V of the water and its images at a place, and the weighted mean of a field there.
+    /// Σ W V of the water and its images at a place, and the same with a field.
     fn average(&self, place: [f64; 2], field: impl Fn(usize) -> f64) -> [f64; 2] {
         let radius = self.options.support_radius;
         let kernel = self.options.kernel;
-        let (mut coverage, mut mean) = (0.0, 0.0);
-        let mut take = |at: usize, weights: [f64; LANES]| {
-            for (k, weight) in weights.into_iter().enumerate() {
-                coverage += weight;
-                if weight > 0.0 {
-                    mean += weight * field(at + k);
-                }
-            }
-        };
-        with_kernel!(kernel, K => dispatch(self.path, Around::<K> {
-            points: &self.points,
-            strips: [&self.strips, &self.image_strips],
-            first: [0, self.fluid.padded_len()],
-            place,
-            radius,
-            factor: kernel.normalisation() / (radius * radius),
-            take: &mut take,
-            kernel: std::marker::PhantomData,
-        }));
-        [coverage, mean]
+        let [x, y] = place.map(|at| [at - radius, at + radius]);
+        let mut sums = [0.0; 2];
+        for (strips, first) in [(&self.strips, 0), (&self.image_strips, self.fluid.padded_len())] {
+            strips.visit_box(x, y, |row| {
+                let sum = with_kernel!(kernel, K => dispatch(self.path, Around::<K, _> {
+                    points: &self.points,
+                    row: first + row.start..first + row.end,
+                    place,
+                    inverse_radius: 1.0 / radius,
+                    field: &field,
+                    kernel: std::marker::PhantomData,
+                }));
+                sums = [sums[0] + sum[0], sums[1] + sum[1]];
+            });
+        }
+        sums.map(|sum| sum * kernel.normalisation() / (radius * radius))
     }
 
     /// The first height above `from` at which coverage falls to 1/2 along a line.
@@ -86,13 +83,14 @@ impl Isph {
         if below < 0.5 {
             return from;
         }
-        loop {
+        for _ in 0..MOST_STEPS {
             let above = coverage(y + step);
             if above < 0.5 {
                 return y + step * (below - 0.5) / (below - above);
             }
             (y, below) = (y + step, above);
         }
+        y
     }
 
     /// Points of a body's face at r*: along its plane, by height.

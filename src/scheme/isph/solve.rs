@@ -48,7 +48,7 @@ impl Isph {
                     lists,
                     numbers: &mut self.numbers,
                     turned: &self.turned,
-                    volume: &self.volumes,
+                    volume: &self.points.volume,
                     compact: self.options.compact_share,
                     exact: &mut self.exact,
                     matrix,
@@ -137,7 +137,8 @@ impl Isph {
             let factor = -self.options.density / dt;
             self.right.clear();
             let divergence = &self.operators.divergence;
-            self.right.extend(divergence.iter().zip(&self.volumes).map(|(d, v)| factor * v * d));
+            self.right
+                .extend(divergence.iter().zip(&self.points.volume).map(|(d, v)| factor * v * d));
         } else {
             self.right_hand_side(dt, false);
         }

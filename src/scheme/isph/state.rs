@@ -85,8 +85,6 @@ pub struct Isph {
     /// F of every entry with the eight.
     pub(super) weights: Vec<[f64; LANES]>,
     pub(super) exact: Exact,
-    /// m/ρ.
-    pub(super) volumes: Vec<f64>,
     /// Viscous accelerations, their power and what they do to the bodies.
     pub(super) drag: Vec<[f64; 2]>,
     pub(super) strain: Vec<[f64; 2]>,
@@ -151,7 +149,6 @@ impl Isph {
             pairs: PairList::default(),
             weights: Vec::new(),
             exact: Exact::default(),
-            volumes: Vec::new(),
             drag: Vec::new(),
             strain: Vec::new(),
             drag_on_bodies: vec![0.0; bodies],

@@ -14,15 +14,30 @@ const SKIN: f64 = 0.5;
 /// No particle is closer to the surface than this, in spacings.
 const CLOSEST: f64 = 0.25;
 
-/// Of the surface particles in reach of each of eight particles, weighted by F: how many, how high over
-/// it, and their normal.
+/// Where the surface particles hold those in their reach, eight of these at a time.
 struct Surface<'a> {
     lists: Lists<'a>,
     numbers: &'a [Numbers],
     points: &'a Points,
     at_surface: &'a [bool],
-    /// Takes these sums of a particle that has any.
-    take: &'a mut dyn FnMut(usize, [f64; 4]),
+    /// Σ F of each particle, and of one with full support.
+    weight: &'a [f64],
+    full_weight: f64,
+    spacing: f64,
+    grip: &'a mut [f64],
+}
+
+impl Surface<'_> {
+    /// Holds a particle by the surface particles in reach: Σ F of them, of how high they are over it, and
+    /// of their normal.
+    fn hold(&mut self, i: usize, [sum, height, up_x, up_y]: [f64; 4]) {
+        let distance = (SKIN * self.spacing + height / sum).max(CLOSEST * self.spacing);
+        let length = (up_x * up_x + up_y * up_y).sqrt().max(1e-300);
+        let [sx, sy] = self.lists.sway[i];
+        let outwards = -(sx * up_x + sy * up_y) / length;
+        let missing = (self.full_weight - self.weight[i]).max(0.0);
+        self.grip[i] = 2.0 * (outwards / distance).max(missing);
+    }
 }
 
 /// Outwards: away from where the neighbours are.
@@ -35,8 +50,8 @@ impl Task for Surface<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let Surface { lists, numbers, points, at_surface, take } = self;
+    fn run<L: Lanes>(mut self) {
+        let Surface { lists, numbers, points, at_surface, .. } = self;
         for cluster in 0..at_surface.len().div_ceil(LANES) {
             let place = lists.place::<L>(cluster);
             let mut sums = [L::splat(0.0); 4];
@@ -60,7 +75,9 @@ impl Task for Surface<'_> {
             let sums = L::to_arrays(sums);
             for lane in 0..LANES.min(at_surface.len() - cluster * LANES) {
                 if sums[0][lane] > 0.0 {
-                    take(cluster * LANES + lane, sums.map(|sum| sum[lane]));
+                    let [sum, height, x, y] = &sums;
+                    let sums = [sum[lane], height[lane], x[lane], y[lane]];
+                    self.hold(cluster * LANES + lane, sums);
                 }
             }
         }
@@ -78,23 +95,21 @@ impl Isph {
     /// a term on the diagonal alone, exact for a linear pressure (compare Nair & Tomar 2014, whose
     /// full-support diagonal 2 (Σ_full F - Σ F) is its lower bound here).
     pub(super) fn find_surface(&mut self) {
-        let spacing = self.options.spacing;
-        let full_weight = self.full_weight;
         let Operators { at_surface, moment, sway, correction, weight, grip, .. } =
             &mut self.operators;
         at_surface.clear();
         at_surface.extend(moment.iter().map(|[xx, _, yy]| xx + yy < SURFACE_DIVERGENCE));
-        let mut take = |i: usize, [sum, height, up_x, up_y]: [f64; 4]| {
-            let distance = (SKIN * spacing + height / sum).max(CLOSEST * spacing);
-            let length = (up_x * up_x + up_y * up_y).sqrt().max(1e-300);
-            let outwards = -(sway[i][0] * up_x + sway[i][1] * up_y) / length;
-            let missing = (full_weight - weight[i]).max(0.0);
-            grip[i] = 2.0 * (outwards / distance).max(missing);
-        };
         let places = [&self.points.x[..], &self.points.y[..]];
-        let (pairs, weights) = (&self.pairs, &self.weights[..]);
-        let lists = Lists { pairs, weights, places, sway, correction };
-        let (numbers, points) = (&self.numbers, &self.points);
-        dispatch(self.path, Surface { lists, numbers, points, at_surface, take: &mut take });
+        let surface = Surface {
+            lists: Lists { pairs: &self.pairs, weights: &self.weights, places, sway, correction },
+            numbers: &self.numbers,
+            points: &self.points,
+            at_surface,
+            weight,
+            full_weight: self.full_weight,
+            spacing: self.options.spacing,
+            grip,
+        };
+        dispatch(self.path, surface);
     }
 }

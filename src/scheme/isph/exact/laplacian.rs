@@ -84,7 +84,7 @@ impl Isph {
             lists: Lists::new(&self.pairs, &self.weights, &self.points, &self.operators),
             numbers: &mut self.numbers,
             turned: &self.turned,
-            volume: &self.volumes,
+            volume: &self.points.volume,
             compact: self.options.compact_share,
             exact: &mut self.exact,
             matrix: &self.matrix,
@@ -100,8 +100,6 @@ impl Isph {
     /// What the products need besides the lists.
     pub(in super::super) fn prepare_exact(&mut self) {
         let n = self.fluid.len();
-        self.volumes.clear();
-        self.volumes.extend(self.fluid.mass[..n].iter().map(|mass| mass / self.options.density));
         let exact = &mut self.exact;
         exact.slope.resize(n, [0.0; 2]);
         exact.scaled.resize(n, 0.0);

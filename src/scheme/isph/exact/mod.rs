@@ -6,7 +6,7 @@ mod solve;
 
 pub(super) use laplacian::ExactLaplacian;
 
-/// What the products of the exact Laplacian need and leave, an entry per point or per particle.
+/// What the products of the exact Laplacian need and leave, an entry per particle.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Exact {
     /// ∇p of every particle.

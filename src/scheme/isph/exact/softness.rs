@@ -31,7 +31,7 @@ impl Isph {
         for i in 0..self.fluid.len() {
             let completeness = self.operators.completeness[i];
             let spray = (SPRAY_FROM - completeness) / (SPRAY_FROM - SPRAY_FULL);
-            let still = gravity * (options.still_level - self.loose[i].place[1]);
+            let still = gravity * (options.still_level - self.points.y[i]);
             let slack = if self.carried.pressure[i] + still < 0.0 {
                 (TENSION_FULL - completeness) / (TENSION_FULL - TENSION_FROM)
             } else {

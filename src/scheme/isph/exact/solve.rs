@@ -45,7 +45,7 @@ impl Isph {
             if operators.completeness[i] > INSIDE && operators.grip[i] == 0.0 {
                 divergence -= relax * (operators.coverage[i] - self.full_coverage);
             }
-            factor * self.volumes[i] * divergence
+            factor * self.points.volume[i] * divergence
                 - exact.softness[i] * self.own_pressure[i]
                 - options.compact_share * exact.compact[i]
         }));
@@ -78,7 +78,7 @@ impl Isph {
             // Nothing has moved yet: all of the divergence is to go.
             aim.fill(0.0);
         }
-        let asked = now.iter().zip(&*aim).zip(&self.volumes);
+        let asked = now.iter().zip(&*aim).zip(&self.points.volume);
         let square: f64 = asked.map(|((now, aim), volume)| (volume * (now - aim)).powi(2)).sum();
         self.options.density * square.sqrt()
     }
