@@ -22,16 +22,43 @@ pub(super) fn run<T: Task>(task: T) -> T::Output {
     task.run::<Portable>()
 }
 
+// Plain loops: iterators stay functions of their own within the longest of tasks, which then take thirty
+// times as long, unless the whole program is optimised at once.
+
+/// A function of each of eight values.
+#[inline(always)]
+fn each<A: Copy, B: Copy + Default>(values: &[A; LANES], f: impl Fn(A) -> B) -> [B; LANES] {
+    let mut found = [B::default(); LANES];
+    let mut k = 0;
+    while k < LANES {
+        found[k] = f(values[k]);
+        k += 1;
+    }
+    found
+}
+
+/// Whether any of eight values is below its bound.
+#[inline(always)]
+fn any_less<A: Copy + PartialOrd>(values: &[A; LANES], bounds: &[A; LANES]) -> bool {
+    let (mut any, mut k) = (false, 0);
+    while k < LANES {
+        any |= values[k] < bounds[k];
+        k += 1;
+    }
+    any
+}
+
 macro_rules! vector {
     ($Name:ident, $real:ty, $digits:literal, $magic:expr, $rounding:expr, $ln_2:expr$(, $rsqrt:path)?) => {
         impl $Name {
             #[inline(always)]
-            fn zip(self, other: Self, f: impl Fn($real, $real) -> $real) -> Self {
-                let mut values = self.0;
-                for (value, other) in values.iter_mut().zip(&other.0) {
-                    *value = f(*value, *other);
+            fn zip(mut self, other: Self, f: impl Fn($real, $real) -> $real) -> Self {
+                let mut k = 0;
+                while k < LANES {
+                    self.0[k] = f(self.0[k], other.0[k]);
+                    k += 1;
                 }
-                $Name(values)
+                self
             }
         }
 
@@ -92,7 +119,7 @@ macro_rules! vector {
             }
             #[inline(always)]
             fn sqrt(self) -> Self {
-                $Name(self.0.map(<$real>::sqrt))
+                $Name(each(&self.0, <$real>::sqrt))
             }
             #[inline(always)]
             fn min(self, other: Self) -> Self {
@@ -104,20 +131,24 @@ macro_rules! vector {
             }
             #[inline(always)]
             fn rsqrt_guess(self) -> Self {
-                $Name(self.0.map(|x| <$real>::from_bits($magic - (x.to_bits() >> 1))))
+                $Name(each(&self.0, |x| <$real>::from_bits($magic - (x.to_bits() >> 1))))
             }
             #[inline(always)]
             fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self {
-                let mut values = otherwise.0;
-                for (k, value) in values.iter_mut().enumerate() {
-                    *value = if self.0[k] < bound.0[k] { if_less.0[k] } else { *value };
+                let mut values = otherwise;
+                let mut k = 0;
+                while k < LANES {
+                    values.0[k] = if self.0[k] < bound.0[k] { if_less.0[k] } else { values.0[k] };
+                    k += 1;
                 }
-                $Name(values)
+                values
             }
             #[inline(always)]
             fn power_of_two(self) -> Self {
                 let one = <$real>::to_bits(1.0);
-                $Name(self.0.map(|x| <$real>::from_bits((x.to_bits() << $digits).wrapping_add(one))))
+                $Name(each(&self.0, |x| {
+                    <$real>::from_bits((x.to_bits() << $digits).wrapping_add(one))
+                }))
             }
             $(
                 #[inline(always)]
@@ -152,7 +183,7 @@ impl Lanes for Portable {
     }
     #[inline(always)]
     fn gather(values: &[f64], at: &[u32; LANES]) -> Self {
-        Portable(at.map(|at| values[at as usize]))
+        Portable(each(at, |at| values[at as usize]))
     }
     #[inline(always)]
     fn store(self, values: &mut [f64; LANES]) {
@@ -160,11 +191,11 @@ impl Lanes for Portable {
     }
     #[inline(always)]
     fn load_single(values: &[f32; LANES]) -> Self {
-        Portable(values.map(f64::from))
+        Portable(each(values, f64::from))
     }
     #[inline(always)]
     fn store_single(self, values: &mut [f32; LANES]) {
-        *values = self.0.map(|value| value as f32);
+        *values = each(&self.0, |value| value as f32);
     }
     #[inline(always)]
     fn call<T: Task>(task: T) -> T::Output {
@@ -172,7 +203,7 @@ impl Lanes for Portable {
     }
     #[inline(always)]
     fn any_less(self, bound: Self) -> bool {
-        (0..LANES).any(|k| self.0[k] < bound.0[k])
+        any_less(&self.0, &bound.0)
     }
 }
 
@@ -182,11 +213,11 @@ impl Pairs for Single {
 
     #[inline(always)]
     fn of_particles(numbers: &[f64; LANES]) -> Self {
-        Single(numbers.map(|number| number as f32))
+        Single(each(numbers, |number| number as f32))
     }
     #[inline(always)]
     fn reached(self, bound: Self) -> u64 {
-        u64::from((0..LANES).any(|k| self.0[k] < bound.0[k]))
+        u64::from(any_less(&self.0, &bound.0))
     }
     #[inline(always)]
     fn store_singles<S: AsMut<[f32; LANES]>>(self, into: &mut [S]) {
@@ -198,7 +229,7 @@ impl Pairs for Single {
     }
     #[inline(always)]
     fn add_to(self, sum: Portable) -> Portable {
-        sum + Portable(self.0.map(f64::from))
+        sum + Portable(each(&self.0, f64::from))
     }
     #[inline(always)]
     fn whole(sum: Portable) -> [f64; LANES] {
