@@ -76,10 +76,10 @@ fn check(scene: &str, numerics: &str, end_time_s: f64, (threads, most): (usize, 
 #[test]
 fn steps_and_samples_take_no_memory() {
     let _turn = TURN.lock();
-    check(WAVE, "particle_spacing_m = 0.02", 0.9, (1, 20));
-    check(WAVE, "particle_spacing_m = 0.02\nprecision = \"f32\"", 0.9, (1, 20));
-    check(WAVE, "particle_spacing_m = 0.02\npreset = \"huang2019\"", 0.3, (1, 20));
-    check(WAVE, "particle_spacing_m = 0.02\nscheme = \"isph\"", 0.9, (1, 60));
+    check(WAVE, "particle_spacing_m = 0.02", 0.9, (1, 2));
+    check(WAVE, "particle_spacing_m = 0.02\nprecision = \"f32\"", 0.9, (1, 2));
+    check(WAVE, "particle_spacing_m = 0.02\npreset = \"huang2019\"", 0.3, (1, 6));
+    check(WAVE, "particle_spacing_m = 0.02\nscheme = \"isph\"", 0.9, (1, 10));
     // The lists of water that spreads go on growing.
     check(DAM, "particle_spacing_m = 0.02", 0.4, (1, 60));
 }
@@ -88,10 +88,10 @@ fn steps_and_samples_take_no_memory() {
 fn threads_and_large_water_take_no_memory() {
     let _turn = TURN.lock();
     let often = format!("{WAVE}history_interval_s = 0.002\n");
-    // Lists of eight parts grow, and the pool has a queue.
-    check(&often, "particle_spacing_m = 0.008", 0.5, (2, 60));
+    // Lists of eight parts may grow, and the pool has a queue.
+    check(&often, "particle_spacing_m = 0.008", 0.5, (2, 10));
     // In parts: more particles than the caches hold.
-    check(&often, "particle_spacing_m = 0.003", 0.06, (1, 20));
+    check(&often, "particle_spacing_m = 0.003", 0.06, (1, 2));
 }
 
 /// Steps, pairs that passes went through and rebuilds of the lists, until the wave stands at the wall.
