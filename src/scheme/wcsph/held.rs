@@ -34,10 +34,14 @@ pub(super) struct HeldPairs {
 }
 
 impl HeldPairs {
-    /// Room for all pairs of a list, and one more.
+    /// Room for all pairs of a list, and one more; an eighth more than that where there was too little, so
+    /// that the lists of water that spreads a little find it again.
     pub fn make_room(&mut self, pairs: &PairList) {
-        self.entries.resize(pairs.len() + 1, 0);
-        self.slopes.resize(pairs.len() + 1, Slopes::default());
+        if self.entries.len() <= pairs.len() {
+            let room = pairs.len() + pairs.len() / 8 + 1;
+            self.entries.resize(room, 0);
+            self.slopes.resize(room, Slopes::default());
+        }
         self.ends.reserve(pairs.clusters() * pairs.groups() + 1);
     }
 
