@@ -180,8 +180,8 @@ impl Exchange {
         for (k, x) in target_x.iter_mut().enumerate() {
             *x += bodies[ghosts.target_body[k / LANES] as usize].offset;
         }
-        let everywhere = [f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY];
-        let set = PointSet { strips, x, y, offset: 0.0, first: 0, reach, bounds: everywhere };
+        let bounds = PointSet::EVERYWHERE;
+        let set = PointSet { strips, x, y, offset: 0.0, first: 0, reach, bounds };
         let targets = [&*target_x, &*target_y];
         let ranges = team::cut(target_x.len() / LANES, parts.len());
         for (part, range) in parts.iter_mut().zip(ranges) {

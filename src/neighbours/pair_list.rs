@@ -82,6 +82,12 @@ pub struct PointSet<'a> {
     pub bounds: [f64; 4],
 }
 
+impl PointSet<'_> {
+    /// Bounds that pass over no cluster.
+    pub const EVERYWHERE: [f64; 4] =
+        [f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY];
+}
+
 /// Lists, for every cluster of eight targets, the points of each set within its reach.
 pub fn build_pair_list(
     path: SimdPath,
@@ -182,7 +188,6 @@ mod tests {
         let (fluid, fx, fy) = sorted(&fx, &fy);
         let (gx, gy) = scatter(150, 0.37);
         let (ghosts, gx, gy) = sorted(&gx, &gy);
-        let all = [f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY];
         let sets = [
             PointSet {
                 strips: &fluid,
@@ -191,7 +196,7 @@ mod tests {
                 offset: 0.0,
                 first: 0,
                 reach: 0.2,
-                bounds: all,
+                bounds: PointSet::EVERYWHERE,
             },
             PointSet {
                 strips: &ghosts,
@@ -200,7 +205,7 @@ mod tests {
                 offset: 0.5,
                 first: 400,
                 reach: 0.3,
-                bounds: all,
+                bounds: PointSet::EVERYWHERE,
             },
         ];
         for path in [SimdPath::Portable, SimdPath::Avx2, SimdPath::Avx512] {

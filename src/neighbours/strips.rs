@@ -12,6 +12,8 @@ pub struct Strips {
     shelves: Shelves,
 }
 
+/// A strip holds this many columns of particles: eight particles then form a square.
+const STRIP_COLUMNS: f64 = 2.83;
 /// Points farther out than this many strips share the last one: one that has run away takes no memory
 /// with it.
 const MOST_STRIPS: usize = 100_000;
@@ -78,6 +80,11 @@ impl Shelves {
 }
 
 impl Strips {
+    /// Width of the strips for points this far apart, same unit.
+    pub fn width(spacing: f64) -> f64 {
+        STRIP_COLUMNS * spacing
+    }
+
     /// Sorts points; returns the strips and the order (entry k is the point that comes k-th).
     /// Equal heights keep the order of `tie_breakers`.
     pub fn sort(x: &[f64], y: &[f64], tie_breakers: &[u32], width: f64) -> (Strips, Vec<u32>) {

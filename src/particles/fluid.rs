@@ -71,9 +71,7 @@ impl Fluid {
             &mut self.density,
             &mut self.mass,
         ] {
-            scratch.clear();
-            scratch.extend(order.iter().map(|&from| field[from as usize]));
-            field[..self.len].copy_from_slice(scratch);
+            reorder(&mut field[..self.len], order, scratch);
         }
         // A number of 32 bits passes through a float unharmed.
         scratch.clear();
@@ -95,6 +93,13 @@ impl Fluid {
         self.mass.resize(padded, 0.0);
         self.id.resize(padded, u32::MAX);
     }
+}
+
+/// Puts a field into a new order: entry k becomes the old `order[k]`.
+pub fn reorder(field: &mut [f64], order: &[u32], scratch: &mut Vec<f64>) {
+    scratch.clear();
+    scratch.extend(order.iter().map(|&from| field[from as usize]));
+    field.copy_from_slice(scratch);
 }
 
 #[cfg(test)]

@@ -3,5 +3,5 @@
 mod fluid;
 mod record;
 
-pub use fluid::Fluid;
+pub use fluid::{Fluid, reorder};
 pub use record::{Record, Scaling, SingleRecord, split};

@@ -8,6 +8,7 @@ use super::tank::{Tank, WALL};
 use crate::boundary::{Ghosts, TankLayout, box_ghosts, no_ghosts, tank_ghosts};
 use crate::math::simd::SimdPath;
 use crate::math::sparse::PreconditionerChoice;
+use crate::neighbours::Strips;
 use crate::particles::Fluid;
 use crate::scheme::isph::{Isph, IsphOptions, Laplacian};
 use crate::scheme::wcsph::{Shifting, Wcsph, WcsphOptions};
@@ -202,7 +203,7 @@ impl Filling {
             wall_angle_deg: self.wall_angle_deg,
             dry_bed: self.dry_bed,
         };
-        let strip_width = Wcsph::strip_width(dx);
+        let strip_width = Strips::width(dx);
         match self.walls {
             Walls::Tank => tank_ghosts(&layout, strip_width),
             Walls::Closed => box_ghosts(&layout, frame.depth, strip_width),

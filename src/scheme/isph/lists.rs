@@ -4,10 +4,8 @@ use super::Isph;
 use super::images::{Point, Points};
 use super::state::Operators;
 use crate::math::simd::{LANES, Lanes};
-use crate::neighbours::{PairList, PointSet, build_pair_list};
-
-/// A strip holds this many columns of particles: eight particles then form a square.
-const STRIP_COLUMNS: f64 = 2.83;
+use crate::neighbours::{PairList, PointSet, Strips, build_pair_list};
+use crate::particles::reorder;
 
 /// What a pair loop reads of a point: one cache line.
 #[derive(Debug, Clone, Copy, Default)]
@@ -105,7 +103,7 @@ impl Isph {
             ahead.clear();
             ahead.extend(place.iter().zip(velocity).take(n).map(|(r, u)| r + 0.5 * dt * u));
         }
-        let width = STRIP_COLUMNS * self.options.spacing;
+        let width = Strips::width(self.options.spacing);
         let [x, y] = &self.ahead;
         let mut order = std::mem::take(&mut self.order);
         self.strips.renew(x, y, &self.fluid.id[..n], width, &mut order);
@@ -118,9 +116,7 @@ impl Isph {
             &mut carried.response,
         ] {
             if !field.is_empty() {
-                self.scratch.clear();
-                self.scratch.extend(order.iter().map(|&from| field[from as usize]));
-                field.copy_from_slice(&self.scratch);
+                reorder(field, &order, &mut self.scratch);
             }
         }
         self.order = order;
@@ -140,7 +136,7 @@ impl Isph {
             let [left, right, bottom, top] = bounds;
             bounds = [left.min(*px), right.max(*px), bottom.min(*py), top.max(*py)];
         }
-        let width = STRIP_COLUMNS * self.options.spacing;
+        let width = Strips::width(self.options.spacing);
         self.ties.extend(self.ties.len() as u32..images.len() as u32);
         self.image_strips.renew(x, y, &self.ties[..images.len()], width, &mut self.order);
         let points = &mut self.points;
@@ -151,7 +147,6 @@ impl Isph {
         }
         self.order.iter().for_each(|&k| points.push(&images[k as usize]));
         let (all, reach) = (points.len(), self.options.support_radius);
-        let everywhere = [f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY];
         let sets = [
             PointSet {
                 strips: &self.strips,
@@ -160,7 +155,7 @@ impl Isph {
                 offset: 0.0,
                 first: 0,
                 reach,
-                bounds: everywhere,
+                bounds: PointSet::EVERYWHERE,
             },
             PointSet {
                 strips: &self.image_strips,

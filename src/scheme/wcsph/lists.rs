@@ -5,7 +5,8 @@ use super::fields::Extrapolate;
 use super::parts::cut;
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, dispatch};
-use crate::neighbours::{PointSet, Reach, build_pair_list};
+use crate::neighbours::{PointSet, Reach, Strips, build_pair_list};
+use crate::particles::reorder;
 
 /// Margin of the fluid's lists, in particle spacings.
 const FLUID_MARGIN: f64 = 0.4;
@@ -13,15 +14,8 @@ const FLUID_MARGIN: f64 = 0.4;
 pub(super) const GHOST_MARGIN: f64 = 1.5;
 /// A scene has at most so many bodies.
 const MOST_BODIES: usize = 7;
-/// A strip holds this many columns of particles: eight particles then form a square.
-const STRIP_COLUMNS: f64 = 2.83;
 
 impl Wcsph {
-    /// Width of the strips of the neighbour search, metres.
-    pub fn strip_width(spacing: f64) -> f64 {
-        STRIP_COLUMNS * spacing
-    }
-
     /// Makes new lists where a pair may have come into reach unseen.
     pub(super) fn refresh_lists(&mut self, bodies: &[BodyMotion]) {
         let spacing = self.options.spacing;
@@ -46,15 +40,13 @@ impl Wcsph {
         };
         if worn {
             self.list_rebuilds += 1;
-            let width = Wcsph::strip_width(spacing);
+            let width = Strips::width(spacing);
             let mut order = std::mem::take(&mut self.order);
             let (x, y, id) = (&self.fluid.x[..n], &self.fluid.y[..n], &self.fluid.id[..n]);
             self.strips.renew(x, y, id, width, &mut order);
             self.fluid.reorder(&order, &mut self.scratch);
             for field in self.work.carried_mut() {
-                self.scratch.clear();
-                self.scratch.extend(order.iter().map(|&from| field[from as usize]));
-                field[..n].copy_from_slice(&self.scratch);
+                reorder(&mut field[..n], &order, &mut self.scratch);
             }
             for part in 0..2 {
                 self.scratch.clear();
@@ -101,7 +93,6 @@ impl Wcsph {
         let (spacing, radius) = (self.options.spacing, self.options.support_radius);
         let n = self.fluid.len();
         let padded = self.fluid.padded_len();
-        let everywhere = [f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY];
         let water = PointSet {
             strips: &self.strips,
             x: &self.reference_x,
@@ -109,9 +100,9 @@ impl Wcsph {
             offset: 0.0,
             first: 0,
             reach: radius + FLUID_MARGIN * spacing,
-            bounds: everywhere,
+            bounds: PointSet::EVERYWHERE,
         };
-        let width = Wcsph::strip_width(spacing);
+        let width = Strips::width(spacing);
         self.drift.divide(&self.strips, width, &self.reference_y, radius);
         let bodies = &self.ghosts.bodies;
         let mut sets = [water; MOST_BODIES + 1];

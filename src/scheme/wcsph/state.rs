@@ -234,7 +234,7 @@ impl Wcsph {
         self.boundary_fallbacks = state.boundary_fallbacks;
         self.substep = 0;
         if !self.reference_x.is_empty() {
-            let width = Wcsph::strip_width(self.options.spacing);
+            let width = Strips::width(self.options.spacing);
             self.strips = Strips::of_sorted(&self.reference_x, &self.reference_y, width);
             self.list_neighbours();
         }
