@@ -1,7 +1,7 @@
 //! Mail between ranks: whole messages, sent and received without waiting.
 
 use std::mem::ManuallyDrop;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use mpi::point_to_point::{Message as MatchedMessage, Status};
 use mpi::request::{Request, StaticScope};
@@ -17,10 +17,13 @@ const PROTOCOL: u16 = 2;
 /// wants it runs from rest.
 const LARGEST: usize = 1 << 30;
 
-/// How long to leave the mail alone while there is none.
-const NAP: Duration = Duration::from_millis(5);
-/// How long while some is on its way: MPI moves a large message piece by piece, some with every look.
+/// How long to leave the mail alone when some has just moved: MPI moves a large message piece by
+/// piece, some with every look.
 const SHORT_NAP: Duration = Duration::from_micros(50);
+/// How long at most: every look takes its 30 microseconds from the case that runs on this core.
+const LONG_NAP: Duration = Duration::from_millis(20);
+/// The part of the silence so far that a nap may last: nothing waits half as long again as it has to.
+const NAP_OF_SILENCE: u32 = 2;
 
 /// A rank's mail.
 pub(super) struct Post {
@@ -28,11 +31,13 @@ pub(super) struct Post {
     outgoing: Vec<Letter>,
     /// From a rank. No other is taken before it is here, so that messages stay in order.
     incoming: Option<(usize, Letter)>,
+    /// When something was last sent, or seen to arrive or to have left.
+    moved: Instant,
 }
 
 impl Post {
     pub(super) fn new(world: SimpleCommunicator) -> Post {
-        Post { world, outgoing: Vec::new(), incoming: None }
+        Post { world, outgoing: Vec::new(), incoming: None, moved: Instant::now() }
     }
 
     pub(super) fn rank(&self) -> usize {
@@ -48,6 +53,7 @@ impl Post {
         let bytes = postcard::to_stdvec(&(PROTOCOL, message)).expect("messages are plain data");
         assert!(bytes.len() <= LARGEST + 64, "a message of {} bytes", bytes.len());
         self.outgoing.push(Letter::send(&self.world, to, bytes));
+        self.moved = Instant::now();
     }
 
     pub(super) fn send_checkpoint(&mut self, to: usize, trunk: usize, bytes: Option<Vec<u8>>) {
@@ -62,13 +68,17 @@ impl Post {
             Some(incoming) => incoming,
             None => match self.world.any_process().immediate_matched_probe() {
                 Some((message, status)) => {
+                    self.moved = Instant::now();
                     (status.source_rank() as usize, Letter::receive(message, &status))
                 }
                 None => return Ok(None),
             },
         };
         match letter.test() {
-            Ok(bytes) => Ok(Some((rank, read(rank, &bytes)?))),
+            Ok(bytes) => {
+                self.moved = Instant::now();
+                Ok(Some((rank, read(rank, &bytes)?)))
+            }
             Err(letter) => {
                 self.incoming = Some((rank, letter));
                 Ok(None)
@@ -78,13 +88,17 @@ impl Post {
 
     /// How long to wait before looking again.
     pub(super) fn nap(&self) -> Duration {
-        if self.incoming.is_none() && self.outgoing.is_empty() { NAP } else { SHORT_NAP }
+        (self.moved.elapsed() / NAP_OF_SILENCE).clamp(SHORT_NAP, LONG_NAP)
     }
 
     /// Whether everything sent has left; forgets what has.
     pub(super) fn is_delivered(&mut self) -> bool {
+        let before = self.outgoing.len();
         let outgoing = std::mem::take(&mut self.outgoing);
         self.outgoing = outgoing.into_iter().filter_map(|letter| letter.test().err()).collect();
+        if self.outgoing.len() < before {
+            self.moved = Instant::now();
+        }
         self.outgoing.is_empty()
     }
 }
