@@ -10,8 +10,9 @@ use crate::particles::Record;
 
 impl Exchange {
     /// Writes the ghosts' records: place, volume, pressure and its response to their body's
-    /// acceleration, velocity. `ghost_records` are those of the ghosts alone; the body number
-    /// `responds` has its acceleration left out of the pressure and put into the response.
+    /// acceleration, velocity. `ghost_records` are those of the ghosts alone, as the last filling has
+    /// left them; the body number `responds` has its acceleration left out of the pressure and put into
+    /// the response.
     pub fn fill(
         &mut self,
         path: SimdPath,
@@ -22,30 +23,36 @@ impl Exchange {
     ) {
         self.fallbacks = 0;
         self.counting.clear();
-        let [left, right] =
+        let span =
             if self.rules.bed_between_walls { span(ghosts, bodies) } else { [f64::MIN, f64::MAX] };
         for (number, body) in ghosts.bodies.iter().enumerate() {
             let motion = &bodies[number];
-            for g in body.ghosts.clone() {
-                let placed = self.place(ghosts, (number, g), motion.offset, [left, right]);
-                let (volume, wet) = placed.unwrap_or_default();
-                let record = &mut ghost_records[g].0;
-                let (block, lane) = (g / LANES, g % LANES);
-                let [x, y] = &self.images[block].place;
-                (record[Record::X], record[Record::Y]) = (x[lane], y[lane]);
-                record[Record::WEIGHT] = volume * self.rules.scaling.weight_per_volume;
-                self.responses[g] = [0.0; 3];
-                if placed.is_none() {
-                    record[Record::VX] = motion.velocity;
-                    record[Record::VY] = 0.0;
-                    record[Record::PRESSURE..].fill(0.0);
+            for block in body.ghosts.start / LANES..body.ghosts.end / LANES {
+                let records = &mut ghost_records[block * LANES..][..LANES];
+                self.place(ghosts, block, motion.offset, records);
+                let dry = self.scale[block] == [0.0; LANES];
+                // Most ghosts are, and what has no volume pushes nothing, whatever else it holds.
+                if dry && std::mem::replace(&mut self.dry[block], true) {
                     continue;
                 }
-                if self.counting.last() != Some(&(block as u32)) {
+                if !dry {
+                    self.dry[block] = false;
                     self.counting.push(block as u32);
                 }
-                self.fallbacks += u64::from(volume != 0.0 && self.fallen[block][lane] > 0.5);
-                self.reflect(ghosts, (g, wet), motion, number == responds);
+                for (lane, record) in records.iter_mut().enumerate() {
+                    let (g, record) = (block * LANES + lane, &mut record.0);
+                    self.responses[g] = [0.0; 3];
+                    let Some((volume, wet)) = self.volume(ghosts, (number, g), motion, span) else {
+                        record[Record::WEIGHT] = 0.0;
+                        record[Record::VX] = motion.velocity;
+                        record[Record::VY] = 0.0;
+                        record[Record::PRESSURE..].fill(0.0);
+                        continue;
+                    };
+                    record[Record::WEIGHT] = volume * self.rules.scaling.weight_per_volume;
+                    self.fallbacks += u64::from(volume != 0.0 && self.fallen[block][lane] > 0.5);
+                    self.reflect(ghosts, (g, wet), motion, number == responds);
+                }
             }
         }
         let all = 0..self.counting.len();
@@ -69,28 +76,34 @@ impl Exchange {
         }
     }
 
-    /// Puts a ghost in its place; returns the volume that counts, and how wet it is, where there is
-    /// water in reach.
-    fn place(
-        &mut self,
+    /// Puts a block of ghosts in its place.
+    fn place(&mut self, ghosts: &Ghosts, block: usize, offset: f64, records: &mut [Record]) {
+        let inverse_radius = self.rules.scaling.inverse_radius;
+        let [x, y] = &mut self.images[block].place;
+        let (from_x, from_y) = (&ghosts.x[block * LANES..], &ghosts.y[block * LANES..]);
+        for (lane, record) in records.iter_mut().enumerate() {
+            x[lane] = (from_x[lane] + offset) * inverse_radius;
+            y[lane] = from_y[lane] * inverse_radius;
+            (record.0[Record::X], record.0[Record::Y]) = (x[lane], y[lane]);
+        }
+    }
+
+    /// The volume of a ghost that counts, and how wet it is, where there is water in reach.
+    fn volume(
+        &self,
         ghosts: &Ghosts,
         (body, g): (usize, usize),
-        offset: f64,
+        motion: &BodyMotion,
         [left, right]: [f64; 2],
     ) -> Option<(f64, f64)> {
         let rules = &self.rules;
-        let (block, lane) = (g / LANES, g % LANES);
-        let (x, y) = (ghosts.x[g] + offset, ghosts.y[g]);
-        let image = &mut self.images[block];
-        image.place[0][lane] = x * rules.scaling.inverse_radius;
-        image.place[1][lane] = y * rules.scaling.inverse_radius;
-        if self.scale[block][lane] == 0.0 {
+        if self.scale[g / LANES][g % LANES] == 0.0 {
             return None;
         }
         let wet = self.wet_share_of(ghosts, body, g);
         let mut volume = ghosts.volume[g] * wet;
         if body == 0 && rules.bed_between_walls {
-            let half = 0.5 * rules.spacing;
+            let (x, half) = (ghosts.x[g] + motion.offset, 0.5 * rules.spacing);
             let inside = (right.min(x + half) - left.max(x - half)) / rules.spacing;
             volume *= inside.clamp(0.0, 1.0);
         }

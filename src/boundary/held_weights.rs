@@ -6,10 +6,9 @@ use super::sums::Targets;
 use crate::math::simd::{LANES, Lanes, Task};
 use crate::neighbours::PairList;
 
-/// The particles in reach of targets with their weights.
+/// The particles in reach of targets with their weights, block after block.
 #[derive(Debug, Clone, Default)]
 pub(super) struct HeldWeights {
-    /// Room for all of the list; those of a block come first in its part.
     weights: Vec<[f64; LANES]>,
     entries: Vec<u32>,
     /// Where each block's lie.
@@ -17,11 +16,19 @@ pub(super) struct HeldWeights {
 }
 
 impl HeldWeights {
-    /// Room for all pairs of a list.
+    /// Room for the targets of a list. The first list is room for the weights of later ones, too: it
+    /// reaches much farther than the weights do.
     pub fn make_room(&mut self, list: &PairList) {
-        self.weights.resize(list.len(), [0.0; LANES]);
-        self.entries.resize(list.len(), 0);
+        if self.entries.is_empty() {
+            self.entries = vec![0; list.len()];
+            self.weights = vec![[0.0; LANES]; list.len()];
+        }
         self.ranges.resize(list.clusters(), (0, 0));
+    }
+
+    /// Where the first block of some may begin: behind all that is held of those before it.
+    fn end_before(&self, block: usize) -> usize {
+        self.ranges[..block].iter().map(|&(_, end)| end).max().unwrap_or(0) as usize
     }
 
     #[inline(always)]
@@ -57,13 +64,19 @@ impl Task for Near<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self) {
         let Near { targets, held } = self;
+        if targets.blocks.is_empty() {
+            return;
+        }
         let one = L::splat(1.0);
+        let mut end = held.end_before(targets.blocks.start - targets.first);
         for block in targets.blocks.clone() {
             let row = block - targets.first;
             let listed = targets.list.group(row, 0);
             let stencil = targets.stencil::<L>(block, listed);
-            let start = targets.list.start(row, 0);
-            let entries = &mut held.entries[start..start + listed.len()];
+            if held.entries.len() < end + listed.len() {
+                held.entries.resize(2 * (end + listed.len()), 0);
+            }
+            let entries = &mut held.entries[end..end + listed.len()];
             let mut count = 0;
             // Every one is written, and the next one over it if it is too far: no processor can
             // foretell which are.
@@ -72,7 +85,11 @@ impl Task for Near<'_> {
                 let (dx, dy) = stencil.apart(k);
                 count += usize::from(dx.mul_add(dx, dy * dy).any_less(one));
             }
-            held.ranges[row] = (start as u32, (start + count) as u32);
+            held.ranges[row] = (end as u32, (end + count) as u32);
+            end += count;
+        }
+        if held.weights.len() < end {
+            held.weights.resize(2 * end, [0.0; LANES]);
         }
     }
 }

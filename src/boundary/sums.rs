@@ -111,6 +111,10 @@ impl<I: Interpolator> Task for Weigh<'_, I> {
         for block in self.targets.blocks.clone() {
             let row = block - first;
             let (neighbours, weights) = self.held.room(row);
+            if neighbours.is_empty() {
+                self.scale[row] = [0.0; LANES];
+                continue;
+            }
             let stencil = self.targets.stencil::<L>(block, neighbours);
             let Weighing { scale, fallback } = self.interpolator.weigh::<L>(&stencil, weights);
             scale.store(&mut self.scale[row]);

@@ -108,6 +108,10 @@ impl Strips {
         let count = x.iter().map(|&x| strip_of(x) + 1).max().unwrap_or(0);
         let starts = &mut self.starts;
         starts.clear();
+        if starts.capacity() <= count {
+            // Water that runs on needs more of them, a few at a time.
+            starts.reserve(2 * count + 1);
+        }
         starts.resize(count + 1, 0);
         for &x in x {
             starts[strip_of(x) + 1] += 1;

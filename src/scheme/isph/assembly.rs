@@ -24,6 +24,13 @@ pub(super) struct Rows {
     slot: Vec<u32>,
 }
 
+/// Who is connected to a particle whose pressure is held, and who is still to be asked for others.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Reached {
+    reached: Vec<bool>,
+    open: Vec<u32>,
+}
+
 impl Rows {
     /// Takes up a column's values, added to those that an image of it has left.
     #[inline(always)]
@@ -154,6 +161,11 @@ impl Isph {
     pub(super) fn assemble(&mut self) {
         let exact = self.options.laplacian == Laplacian::Exact;
         self.matrix.clear();
+        if self.matrix.columns.capacity() == 0 {
+            // Half of all listed pairs are in reach: room for later and longer lists.
+            self.matrix.columns.reserve(LANES * self.pairs.len());
+            self.matrix.values.reserve(LANES * self.pairs.len());
+        }
         self.rows.slot.resize(self.fluid.len(), 0);
         let assemble = Assemble {
             lists: Lists::new(&self.pairs, &self.weights, &self.points, &self.operators),
@@ -202,8 +214,11 @@ impl Isph {
     /// none (a full, closed vessel) its first one is, at the pressure of the still level.
     fn hold_components(&mut self) {
         let n = self.fluid.len();
-        let mut reached: Vec<bool> = self.operators.grip.iter().map(|&grip| grip > 0.0).collect();
-        let mut open: Vec<u32> = (0..n as u32).filter(|&i| reached[i as usize]).collect();
+        let Reached { reached, open } = &mut self.reached;
+        reached.clear();
+        reached.extend(self.operators.grip.iter().map(|&grip| grip > 0.0));
+        open.clear();
+        open.extend((0..n as u32).filter(|&i| reached[i as usize]));
         let mut next = 0;
         loop {
             while let Some(i) = open.pop() {

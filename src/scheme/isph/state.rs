@@ -1,6 +1,6 @@
 //! The particles with all that surrounds them.
 
-use super::assembly::Rows;
+use super::assembly::{Reached, Rows};
 use super::exact::Exact;
 use super::images::{Point, Points};
 use super::kept::{Carried, Tally};
@@ -106,6 +106,7 @@ pub struct Isph {
     pub(super) responded: bool,
     pub(super) timings: Timings,
     pub(super) rows: Rows,
+    pub(super) reached: Reached,
     /// p of the fluid.
     pub(super) own_pressure: Vec<f64>,
     /// L of every point, turned as its image is.
@@ -160,6 +161,7 @@ impl Isph {
             responded: false,
             timings: Timings::default(),
             rows: Rows::default(),
+            reached: Reached::default(),
             own_pressure: Vec::new(),
             turned: Vec::new(),
             accelerations: Vec::new(),

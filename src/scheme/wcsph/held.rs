@@ -42,7 +42,8 @@ impl HeldPairs {
             self.entries.resize(room, 0);
             self.slopes.resize(room, Slopes::default());
         }
-        self.ends.reserve(pairs.clusters() * pairs.groups() + 1);
+        let ends = pairs.clusters() * pairs.groups() + 1;
+        self.ends.reserve(ends.saturating_sub(self.ends.len()));
     }
 
     /// Forgets all pairs, to take up those of clusters with so many groups.

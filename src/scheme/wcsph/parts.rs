@@ -28,6 +28,15 @@ impl Part {
     pub fn lanes(&self) -> Range<usize> {
         self.clusters.start * LANES..self.clusters.end * LANES
     }
+
+    /// Room for what its clusters leave, so that steps need none: one in eight at the most comes near
+    /// enough to a wall to respond to it.
+    fn make_room(&mut self) {
+        let (clusters, powers) = (self.clusters.len(), &mut self.tally.powers);
+        powers.reserve(clusters.saturating_sub(powers.len()));
+        let some = clusters.div_ceil(8);
+        self.responding.reserve(some.saturating_sub(self.responding.len()));
+    }
 }
 
 impl team::Part for Part {
@@ -79,6 +88,6 @@ pub(super) fn cut(parts: &mut Vec<Part>, clusters: usize, team: &Team) {
     parts.resize_with(count, Part::default);
     for (part, range) in parts.iter_mut().zip(team::cut(clusters, count)) {
         part.clusters = range;
-        part.tally.powers.reserve(part.clusters.len());
+        part.make_room();
     }
 }

@@ -79,6 +79,9 @@ impl Wcsph {
     }
 }
 
+/// Room from the start for so many blocks of a column, so that runup needs none.
+const COLUMN_ROOM: usize = 128;
+
 /// Particles near an upright line, eight at a time: their distance from it and their height, over
 /// R, and their volume.
 #[derive(Debug, Clone, Default)]
@@ -90,6 +93,7 @@ pub(super) struct Column {
 impl Column {
     fn clear(&mut self) {
         self.blocks.clear();
+        self.blocks.reserve(COLUMN_ROOM);
         self.len = 0;
     }
 

@@ -1,13 +1,14 @@
 //! Particles that have come too close to each other.
 
+use crate::neighbours::Strips;
 use crate::particles::Fluid;
 
 /// Room to look for them.
 #[derive(Debug, Clone, Default)]
 pub struct Crowding {
-    /// Particles by column, then by height.
-    order: Vec<(i64, f64, usize)>,
-    /// How far each particle's nearest neighbour is, metres.
+    strips: Strips,
+    order: Vec<u32>,
+    /// How far each particle's nearest neighbour is, metres, where that is near.
     nearest: Vec<f64>,
 }
 
@@ -15,26 +16,26 @@ impl Crowding {
     /// The share of particles whose nearest neighbour is closer than `distance`, and the particle
     /// whose is the closest of all.
     pub(super) fn look(&mut self, fluid: &Fluid, distance: f64) -> (f64, usize) {
-        let Crowding { order, nearest } = self;
+        let Crowding { strips, order, nearest } = self;
         let count = fluid.len();
-        // Sorted by column, then by y: a neighbour is in the same or the next column, not far off.
-        let column = |k: usize| (fluid.x[k] / distance).floor() as i64;
-        order.clear();
-        order.extend((0..count).map(|k| (column(k), fluid.y[k], k)));
-        order.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)).then(a.2.cmp(&b.2)));
+        let (xs, ys) = (&fluid.x[..count], &fluid.y[..count]);
+        strips.renew(xs, ys, &fluid.id[..count], distance, order);
         nearest.clear();
         nearest.resize(count, f64::INFINITY);
-        for (place, &(at, y, k)) in order.iter().enumerate() {
-            let own = order[place + 1..].iter().take_while(|other| other.0 == at);
-            let first = order.partition_point(|other| (other.0, other.1) < (at + 1, y - distance));
-            let next = order[first..].iter().take_while(|other| other.0 == at + 1);
-            let near = |other: &&(i64, f64, usize)| other.1 <= y + distance;
-            for &(_, _, other) in own.take_while(near).chain(next.take_while(near)) {
-                let (dx, dy) = (fluid.x[other] - fluid.x[k], fluid.y[other] - y);
-                let apart = dx.hypot(dy);
-                nearest[k] = nearest[k].min(apart);
-                nearest[other] = nearest[other].min(apart);
-            }
+        for k in 0..count {
+            let (x, y) = (xs[k], ys[k]);
+            // Who is to the left has looked already.
+            strips.visit_box([x, x + distance], [y - distance, y + distance], |range| {
+                for &other in &order[range] {
+                    let other = other as usize;
+                    let (dx, dy) = (xs[other] - x, ys[other] - y);
+                    if other != k && dx.abs() < distance && dy.abs() < distance {
+                        let apart = dx.hypot(dy);
+                        nearest[k] = nearest[k].min(apart);
+                        nearest[other] = nearest[other].min(apart);
+                    }
+                }
+            });
         }
         let close = nearest.iter().filter(|&&apart| apart < distance).count();
         let closest = (0..count).min_by(|&a, &b| nearest[a].total_cmp(&nearest[b]));
