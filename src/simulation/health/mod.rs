@@ -146,13 +146,20 @@ impl HealthState {
         let fail = |kind, detail| Err(Failure { kind, time_s: vitals.time_s, detail });
         let [left, right, bottom, top] = vitals.extent;
         let mut outside = 0_u32;
+        // Who is surely slower than another was before is not looked at closely.
+        let slow = |margin: f64| (0.999_999 * margin * bounds.speed).powi(2);
+        let mut floor = slow(self.margins.speed);
         for k in 0..fluid.len() {
             let (x, y, density) = (fluid.x[k], fluid.y[k], fluid.density[k]);
-            let speed = speed(fluid, k);
+            let square = fluid.vx[k] * fluid.vx[k] + fluid.vy[k] * fluid.vy[k];
+            let speed = if square < floor { 0.0 } else { speed(fluid, k) };
             if !(speed.is_finite() && density.is_finite() && x.is_finite() && y.is_finite()) {
                 return fail(FailureKind::NotANumber, place(fluid, k));
             }
-            raise(&mut self.margins.speed, speed / bounds.speed);
+            if speed / bounds.speed > self.margins.speed {
+                self.margins.speed = speed / bounds.speed;
+                floor = slow(self.margins.speed);
+            }
             if speed > bounds.speed {
                 let (at, bound) = (place(fluid, k), bounds.speed);
                 let detail = format!("{at} moves at {speed:.2} m/s, bound {bound:.2} m/s");
