@@ -31,7 +31,7 @@ impl Exchange {
                 let records = &mut ghost_records[block * LANES..][..LANES];
                 self.place(ghosts, block, motion.offset, records);
                 let dry = self.scale[block] == [0.0; LANES];
-                // Most ghosts are, and what has no volume pushes nothing, whatever else it holds.
+                // Most blocks are dry, and what has no volume pushes nothing, whatever else it holds.
                 if dry && std::mem::replace(&mut self.dry[block], true) {
                     continue;
                 }

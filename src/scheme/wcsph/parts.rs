@@ -29,8 +29,8 @@ impl Part {
         self.clusters.start * LANES..self.clusters.end * LANES
     }
 
-    /// Room for what its clusters leave, so that steps need none: one in eight at the most comes near
-    /// enough to a wall to respond to it.
+    /// Room for what its clusters leave, so that steps need none. Of whole water one cluster in eight
+    /// at the most comes near enough to a wall to respond to it.
     fn make_room(&mut self) {
         let (clusters, powers) = (self.clusters.len(), &mut self.tally.powers);
         powers.reserve(clusters.saturating_sub(powers.len()));

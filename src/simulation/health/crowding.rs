@@ -24,7 +24,7 @@ impl Crowding {
         nearest.resize(count, f64::INFINITY);
         for k in 0..count {
             let (x, y) = (xs[k], ys[k]);
-            // Who is to the left has looked already.
+            // Who is to the left finds the pair itself.
             strips.visit_box([x, x + distance], [y - distance, y + distance], |range| {
                 for &other in &order[range] {
                     let other = other as usize;

@@ -2,7 +2,7 @@
 //!
 //! On every rank the thread that entered here does all the talking and never blocks: it sends
 //! without waiting, looks for messages, and otherwise sleeps until a case on one of the other
-//! threads ends: the longer it has been quiet the longer, from 0.05 to 20 ms. Checkpoints go from
+//! threads ends, for half as long as it has been quiet: from 0.05 to 20 ms. Checkpoints go from
 //! rank to rank when the receiver asks.
 //!
 //! A session: every rank says Hello; rank 0 sends Start, then orders; Finish ends it. A rank then

@@ -17,12 +17,16 @@ const PROTOCOL: u16 = 2;
 /// wants it runs from rest.
 const LARGEST: usize = 1 << 30;
 
-/// How long to leave the mail alone when some has just moved: MPI moves a large message piece by
-/// piece, some with every look.
+/// How long to leave the mail alone when some has just moved.
 const SHORT_NAP: Duration = Duration::from_micros(50);
-/// How long at most: every look takes its 30 microseconds from the case that runs on this core.
+/// How long at most while a message is coming in: MPI moves a large one piece by piece, some with every
+/// look of both sides.
+const INCOMING_NAP: Duration = Duration::from_micros(200);
+/// How long at most while one is on its way out: whoever it is for may have other things to do first.
+const OUTGOING_NAP: Duration = Duration::from_millis(1);
+/// How long at most otherwise: every look takes its 30 microseconds from the case that runs on this core.
 const LONG_NAP: Duration = Duration::from_millis(20);
-/// The part of the silence so far that a nap may last: nothing waits half as long again as it has to.
+/// A nap lasts the silence so far over this: a wait is lengthened by half at the most.
 const NAP_OF_SILENCE: u32 = 2;
 
 /// A rank's mail.
@@ -88,7 +92,14 @@ impl Post {
 
     /// How long to wait before looking again.
     pub(super) fn nap(&self) -> Duration {
-        (self.moved.elapsed() / NAP_OF_SILENCE).clamp(SHORT_NAP, LONG_NAP)
+        let longest = if self.incoming.is_some() {
+            INCOMING_NAP
+        } else if !self.outgoing.is_empty() {
+            OUTGOING_NAP
+        } else {
+            LONG_NAP
+        };
+        (self.moved.elapsed() / NAP_OF_SILENCE).clamp(SHORT_NAP, longest)
     }
 
     /// Whether everything sent has left; forgets what has.
