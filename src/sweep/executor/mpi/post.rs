@@ -19,11 +19,13 @@ const LARGEST: usize = 1 << 30;
 
 /// How long to leave the mail alone when some has just moved.
 const SHORT_NAP: Duration = Duration::from_micros(50);
-/// How long at most while a message is coming in: MPI moves a large one piece by piece, some with every
-/// look of both sides.
-const INCOMING_NAP: Duration = Duration::from_micros(200);
-/// How long at most while one is on its way out: whoever it is for may have other things to do first.
-const OUTGOING_NAP: Duration = Duration::from_millis(1);
+/// How long at most while a large one is on its way: MPI moves it piece by piece, some with every look
+/// of both sides.
+const LARGE_NAP: Duration = Duration::from_micros(200);
+/// How many bytes are large.
+const LARGE: usize = 100_000;
+/// How long at most while another is on its way: whoever it is for may have other things to do first.
+const LETTER_NAP: Duration = Duration::from_millis(1);
 /// How long at most otherwise: every look takes its 30 microseconds from the case that runs on this core.
 const LONG_NAP: Duration = Duration::from_millis(20);
 /// A nap lasts the silence so far over this: a wait is lengthened by half at the most.
@@ -92,12 +94,12 @@ impl Post {
 
     /// How long to wait before looking again.
     pub(super) fn nap(&self) -> Duration {
-        let longest = if self.incoming.is_some() {
-            INCOMING_NAP
-        } else if !self.outgoing.is_empty() {
-            OUTGOING_NAP
-        } else {
-            LONG_NAP
+        let incoming = self.incoming.iter().map(|(_, letter)| letter);
+        let largest = self.outgoing.iter().chain(incoming).map(|letter| letter.bytes.len()).max();
+        let longest = match largest {
+            None => LONG_NAP,
+            Some(bytes) if bytes < LARGE => LETTER_NAP,
+            Some(_) => LARGE_NAP,
         };
         (self.moved.elapsed() / NAP_OF_SILENCE).clamp(SHORT_NAP, longest)
     }
