@@ -88,7 +88,8 @@ fn read(path: &Path) -> Table {
 fn corner(file: &Table, last: bool) -> Table {
     let mut file = file.clone();
     let grid = file.remove("grid").expect("a sweep has a grid");
-    let numerics = serde_json::to_value(Numerics::preset("default").unwrap()).unwrap();
+    // The one that has the keys of both schemes.
+    let numerics = serde_json::to_value(Numerics::preset("isph").unwrap()).unwrap();
     for (key, values) in grid.as_table().unwrap() {
         let values = values.as_array().unwrap();
         let value = if last { values.last() } else { values.first() };
