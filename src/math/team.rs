@@ -253,12 +253,13 @@ mod tests {
 
     #[test]
     fn the_time_of_a_team_counts() {
-        let work = || (0..20_000_000_u64).fold(1, |a, b| std::hint::black_box(a ^ b));
+        let work = || (0..50_000_000_u64).fold(1, |a, b| std::hint::black_box(a ^ b));
         let before = thread_processor_time();
         Team::of(2).lead(work);
         let after = (own_processor_time(), thread_processor_time());
         if let (Some(before), (Some(own), Some(all))) = (before, after) {
-            assert!(all - before > 0.005 && own - before < 0.5 * (all - before), "{own} {all}");
+            // No processor is done with it in two milliseconds.
+            assert!(all - before > 0.002 && own - before < 0.5 * (all - before), "{own} {all}");
         }
     }
 }
