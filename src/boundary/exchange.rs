@@ -60,8 +60,6 @@ pub struct Exchange {
     /// Room for the motions that [`Exchange::face_force`] supposes.
     pub(super) motions: Vec<BodyMotion>,
     pub(super) images: Vec<Image>,
-    /// Blocks without water in reach, at the last [`Exchange::fill`].
-    pub(super) dry: Vec<bool>,
     pub(super) scale: Vec<[f64; LANES]>,
     /// Above one half where a simpler method had to stand in.
     pub(super) fallen: Vec<[f64; LANES]>,
@@ -92,7 +90,6 @@ impl Exchange {
             counting: Vec::with_capacity(ghosts.len() / LANES),
             motions: Vec::with_capacity(ghosts.bodies.len()),
             images: vec![Image::default(); ghosts.len() / LANES],
-            dry: vec![false; ghosts.len() / LANES],
             scale: vec![[0.0; LANES]; targets / LANES],
             fallen: vec![[0.0; LANES]; targets / LANES],
             fallbacks: 0,

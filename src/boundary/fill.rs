@@ -10,9 +10,8 @@ use crate::particles::Record;
 
 impl Exchange {
     /// Writes the ghosts' records: place, volume, pressure and its response to their body's
-    /// acceleration, velocity. `ghost_records` are those of the ghosts alone, as the last filling has
-    /// left them; the body number `responds` has its acceleration left out of the pressure and put into
-    /// the response.
+    /// acceleration, velocity. `ghost_records` are those of the ghosts alone; the body number
+    /// `responds` has its acceleration left out of the pressure and put into the response.
     pub fn fill(
         &mut self,
         path: SimdPath,
@@ -30,26 +29,20 @@ impl Exchange {
             for block in body.ghosts.start / LANES..body.ghosts.end / LANES {
                 let records = &mut ghost_records[block * LANES..][..LANES];
                 self.place(ghosts, block, motion.offset, records);
-                let dry = self.scale[block] == [0.0; LANES];
-                // Most blocks are dry, and what has no volume pushes nothing, whatever else it holds.
-                if dry && std::mem::replace(&mut self.dry[block], true) {
+                self.responses[block * LANES..][..LANES].fill([0.0; 3]);
+                // Most blocks are dry.
+                if self.scale[block] == [0.0; LANES] {
+                    records.iter_mut().for_each(|record| leave_dry(record, motion));
                     continue;
                 }
-                if !dry {
-                    self.dry[block] = false;
-                    self.counting.push(block as u32);
-                }
+                self.counting.push(block as u32);
                 for (lane, record) in records.iter_mut().enumerate() {
-                    let (g, record) = (block * LANES + lane, &mut record.0);
-                    self.responses[g] = [0.0; 3];
+                    let g = block * LANES + lane;
                     let Some((volume, wet)) = self.volume(ghosts, (number, g), motion, span) else {
-                        record[Record::WEIGHT] = 0.0;
-                        record[Record::VX] = motion.velocity;
-                        record[Record::VY] = 0.0;
-                        record[Record::PRESSURE..].fill(0.0);
+                        leave_dry(record, motion);
                         continue;
                     };
-                    record[Record::WEIGHT] = volume * self.rules.scaling.weight_per_volume;
+                    record.0[Record::WEIGHT] = volume * self.rules.scaling.weight_per_volume;
                     self.fallbacks += u64::from(volume != 0.0 && self.fallen[block][lane] > 0.5);
                     self.reflect(ghosts, (g, wet), motion, number == responds);
                 }
@@ -137,6 +130,15 @@ impl Exchange {
         image.lever[1][lane] = lever[1];
         image.lowest[lane] = if whole { f64::NEG_INFINITY } else { 0.0 };
     }
+}
+
+/// What has no water in reach goes with its wall, and counts for nothing.
+fn leave_dry(record: &mut Record, motion: &BodyMotion) {
+    let record = &mut record.0;
+    record[Record::WEIGHT] = 0.0;
+    record[Record::VX] = motion.velocity;
+    record[Record::VY] = 0.0;
+    record[Record::PRESSURE..].fill(0.0);
 }
 
 /// The correction beyond a wall is the mirror image of the water's: then both sides of the
