@@ -90,15 +90,12 @@ impl Exchange {
         water: Water<'_>,
     ) -> f64 {
         let faces = ghosts.bodies[body].faces.clone();
-        let [across, lean] = ghosts.bodies[body].plane.normal;
+        let [across, _] = ghosts.bodies[body].plane.normal;
         let rules = self.rules;
-        let spacing = if lean == 0.0 {
-            rules.spacing
-        } else {
-            let [a, b] = [faces.start, faces.start + 1];
-            let apart = ghosts.target_x[b] - ghosts.target_x[a];
-            apart.hypot(ghosts.target_y[b] - ghosts.target_y[a])
-        };
+        // Rows stand as far apart as whole rows fill the depth: not the spacing along the bed.
+        let [a, b] = [faces.start, faces.start + 1];
+        let apart = [&ghosts.target_x, &ghosts.target_y].map(|places| places[b] - places[a]);
+        let spacing = apart[0].hypot(apart[1]);
         let blocks = faces.start / LANES..faces.end.div_ceil(LANES);
         let mut bodies = std::mem::take(&mut self.motions);
         bodies.clear();

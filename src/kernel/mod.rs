@@ -150,6 +150,20 @@ impl KernelChoice {
             * self.normalisation();
         if d > 0.0 { 1.0 - beyond } else { beyond }
     }
+
+    /// ⟨|x|⟩/R and ⟨x²⟩/R², weighted with W along a line through the kernel's middle.
+    pub fn line_moments(self) -> [f64; 2] {
+        const STEPS: u32 = 2000;
+        let (mut weights, mut first, mut second) = (0.0, 0.0, 0.0);
+        for k in 0..STEPS {
+            let q = (f64::from(k) + 0.5) / f64::from(STEPS);
+            let w = self.shape_at(q);
+            weights += w;
+            first += w * q;
+            second += w * q * q;
+        }
+        [first / weights, second / weights]
+    }
 }
 
 #[cfg(test)]
@@ -216,6 +230,13 @@ mod tests {
         ] {
             assert!((over_h(kernel, r) - exact).abs() < 1e-7, "{kernel:?} at {r} h");
         }
+    }
+
+    #[test]
+    fn line_moments_of_wendland_c2_are_those_of_its_polynomial() {
+        // ∫ (1-q)⁴(1+4q) qⁿ dq = 1/3, 1/14, 1/42 for n = 0, 1, 2.
+        let [first, second] = KernelChoice::WendlandC2.line_moments();
+        assert!((first - 3.0 / 14.0).abs() < 1e-6 && (second - 1.0 / 14.0).abs() < 1e-6);
     }
 
     #[test]

@@ -46,6 +46,8 @@ pub(super) struct Filling {
     /// How far the bed goes on behind the right wall, metres.
     pub bed_beyond_wall: f64,
     pub walls: Walls,
+    /// At rest, and to start so.
+    pub balanced: bool,
     /// Velocities at the start, in the order of the points; none for water at rest.
     pub velocities: Vec<[f64; 2]>,
     pub field: Option<CentralField>,
@@ -62,7 +64,7 @@ pub(super) fn still_water(frame: &Frame, lattice: Lattice, numerics: &Numerics) 
         let pressure = sound_speed * sound_speed * (density - still.surface_density);
         [state.density(pressure), density]
     });
-    Filling::of(lattice, points, still.surface_density)
+    Filling { balanced: true, ..Filling::of(lattice, points, still.surface_density) }
 }
 
 impl Filling {
@@ -76,6 +78,7 @@ impl Filling {
             dry_bed: false,
             bed_beyond_wall: 0.0,
             walls: Walls::Tank,
+            balanced: false,
             velocities: Vec::new(),
             field: None,
         }
@@ -156,7 +159,11 @@ impl Filling {
             self.packed(frame, numerics, &ghosts, &state)
         };
         let fluid = self.fluid(points);
-        Box::new(Wcsph::new(options, rules, fluid, ghosts, WALL, path))
+        let mut water = Wcsph::new(options, rules, fluid, ghosts, WALL, path);
+        if self.balanced && self.lattice.upright() && options.corrected_gradients {
+            water.balance(self.lattice.rows);
+        }
+        Box::new(water)
     }
 
     /// The points moved to where they sit evenly in front of a leaning wall, each at the density of

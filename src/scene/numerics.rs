@@ -200,7 +200,7 @@ impl Numerics {
         let default = Numerics {
             scheme: Scheme::Wcsph,
             kernel: KernelChoice::WendlandC2,
-            support_radius_ratio: 4.0,
+            support_radius_ratio: 5.0,
             boundary: BoundaryChoice::ImprovedShepard,
             shepard_lambda: 2.0,
             shepard_sigma: 1.0,
@@ -214,7 +214,7 @@ impl Numerics {
             corrected_gradients: true,
             density_diffusion: DensityDiffusion::Hydrostatic,
             density_diffusion_coefficient: 0.1,
-            artificial_viscosity: 0.1,
+            artificial_viscosity: 0.08,
             shifting: Shifting::Interior,
             shifting_coefficient: 0.5,
             courant_number: 1.8,
@@ -254,6 +254,8 @@ impl Numerics {
             }),
             "isph" => Some(Numerics {
                 scheme: Scheme::Isph,
+                support_radius_ratio: 4.0,
+                artificial_viscosity: 0.1,
                 laplacian: Some(Laplacian::Exact),
                 preconditioner: Some(PreconditionerChoice::Multigrid),
                 solver_tolerance: Some(1e-2),

@@ -32,6 +32,8 @@ pub struct Tank {
     pub wall: Option<SpringWall>,
     /// Hydrostatic force on the right wall along x, N per metre of width.
     pub static_force: f64,
+    /// The wall's force is told, and moves the wall, relative to the run's own force at rest.
+    pub from_rest: bool,
     /// F_th over the hydrostatic force; infinite where there is no threshold.
     pub threshold_ratio: f64,
     /// H/h of the wave; 0 for none.
@@ -66,6 +68,7 @@ impl Tank {
             } else {
                 frame.density * head
             },
+            from_rest: false,
             threshold_ratio: f64::INFINITY,
             wave_height_ratio: 0.0,
             wave_gauge: None,
@@ -74,6 +77,13 @@ impl Tank {
             spacing,
             frame,
         }
+    }
+}
+
+impl Tank {
+    /// Whether the right wall stands upright.
+    pub fn upright(&self) -> bool {
+        self.water.walls().bodies.get(WALL).is_some_and(|wall| wall.plane.normal[1] == 0.0)
     }
 }
 
@@ -139,6 +149,7 @@ impl SeawallScene {
         Tank {
             piston: self.piston(),
             wall,
+            from_rest: true,
             threshold_ratio: self.threshold_ratio,
             wave_height_ratio: self.wave_height_ratio,
             wave_gauge: Some(self.wave_gauge_m),

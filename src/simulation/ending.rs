@@ -93,6 +93,7 @@ impl Run {
             first_force_peak: m.force_peak().filter(|_| has_wave),
             first_runup_peak: m.runup_peak().filter(|_| has_wave),
             force_max_raw: m.force_raw,
+            force_at_rest: logbook.force_at_rest.unwrap_or(0.0) / tank.static_force,
             force_end: m.last[0],
             runup_end: m.last[1],
             displacement_end: wall.map(|_| m.last[2]),

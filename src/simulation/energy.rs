@@ -63,15 +63,15 @@ impl Ledger {
     }
 
     /// Books the work of the walls over one step: `paddle_force` is the water's force on the
-    /// paddle, along x.
+    /// paddle, along x, and the wall has the water's force on it and the force that its law takes.
     pub fn book_walls(
         &mut self,
         (paddle_force, paddle_travel): (f64, f64),
-        wall: Option<(&SpringWall, f64, WallStep)>,
+        wall: Option<(&SpringWall, [f64; 2], WallStep)>,
     ) {
         self.paddle_work -= paddle_force * paddle_travel;
-        if let Some((law, force, step)) = wall {
-            let driving = law.force_coupling * (force - law.threshold).max(0.0);
+        if let Some((law, [force, counted], step)) = wall {
+            let driving = law.force_coupling * (counted - law.threshold).max(0.0);
             self.threshold_device += (force - driving) * step.travel;
             self.stops += step.stop_loss;
         }

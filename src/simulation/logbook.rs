@@ -5,10 +5,11 @@ use serde::{Deserialize, Serialize};
 use super::energy::{Ledger, WaterEnergy};
 use super::gauge::CrestGauge;
 use super::health::HealthState;
-use super::measures::Measures;
+use super::measures::{MEAN_SPAN, Measures};
 use super::outcome::{HistoryRow, ProbeTable};
 use super::probes;
 use super::settling::Liveliness;
+use super::surface::WallLevel;
 use crate::scene::{CaseConfig, Tank};
 
 /// Room is made beforehand for so many samples at most.
@@ -21,8 +22,10 @@ pub(super) struct Logbook {
     pub(super) gauge: CrestGauge,
     pub(super) ledger: Ledger,
     pub(super) history: Vec<HistoryRow>,
-    /// Where the water stood at the wall at first, metres.
-    pub(super) level_at_rest: Option<f64>,
+    /// The force on the wall at first, N per metre of width.
+    pub(super) force_at_rest: Option<f64>,
+    /// Where the water stands at the wall.
+    pub(super) level: WallLevel,
     /// Largest difference between the force and the pressure on the wall's face, percent of the force.
     pub(super) worst_gap: f64,
     pub(super) health: HealthState,
@@ -39,7 +42,8 @@ impl Logbook {
             gauge: CrestGauge::default(),
             ledger: Ledger::open(start),
             history: Vec::new(),
-            level_at_rest: None,
+            force_at_rest: None,
+            level: WallLevel::new(MEAN_SPAN * (frame.depth / frame.acceleration()).sqrt()),
             worst_gap: 0.0,
             health: HealthState::default(),
             liveliness: Liveliness::default(),

@@ -14,7 +14,7 @@ const IMPACT_TRAVEL: f64 = 0.01;
 /// A peak is over when it has dropped by this share.
 const PEAK_DROP: f64 = 0.10;
 /// Span of the force's running mean over √(h/g).
-const MEAN_SPAN: f64 = 0.07;
+pub(super) const MEAN_SPAN: f64 = 0.07;
 
 /// One step's readings, non-dimensional: F*, R*, X*, and the wall's count of stops.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -15,6 +15,7 @@ mod run;
 mod sampling;
 mod settling;
 mod sounding;
+mod surface;
 mod watch;
 mod window;
 

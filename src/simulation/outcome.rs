@@ -39,6 +39,9 @@ pub struct Outcome {
     pub first_runup_peak: Option<f64>,
     /// Largest F* of any single step.
     pub force_max_raw: f64,
+    /// The water's own force on the wall at rest, over ρgh²/2: what `force` columns are made up by.
+    #[serde(default)]
+    pub force_at_rest: f64,
     /// F* at the end of the run.
     pub force_end: f64,
     /// R* at the end of the run.

@@ -10,12 +10,13 @@ use super::failure::{Failure, FailureKind, Stopped};
 use super::health::{Crowding, HealthBounds};
 use super::logbook::Logbook;
 use super::sounding::Near;
+use super::surface::Lens;
 use super::watch::{self, Watch};
 use crate::body::{BodyMotion, SpringWall, WallStep};
 use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::scene::{CaseConfig, PADDLE, Tank, WALL};
-use crate::scheme::{NextStep, SchemeState, StepError, StepWalls};
+use crate::scheme::{Load, NextStep, SchemeState, StepError, StepWalls};
 
 /// Samples of the history between two checks of health and of the monitor.
 const SAMPLES_PER_CHECK: u64 = 4;
@@ -54,6 +55,7 @@ pub(super) struct Run {
     pub(super) tank: Tank,
     pub(super) config: CaseConfig,
     pub(super) watch: Option<Box<dyn Watch>>,
+    pub(super) lens: Lens,
     pub(super) films: u64,
     pub(super) time_step: f64,
     pub(super) bounds: HealthBounds,
@@ -79,6 +81,7 @@ impl Run {
             clock: Clock::default(),
             logbook: Logbook::open(config, &tank, start),
             watch: watch::of(config, &tank),
+            lens: Lens::of(tank.water.kernel()),
             films: 0,
             near: Near::default(),
             crowding: Crowding::default(),
@@ -132,7 +135,7 @@ impl Run {
             let dt = self.next_step().min(self.tank.water.step_limit());
             self.tank.water.prepare(bodies, dt).map_err(|error| self.step_failure(&error))?;
             self.film(monitor, time, last);
-            let mut load = self.tank.water.load(WALL);
+            let mut load = self.wall_load();
             if !load.force.is_finite() {
                 return Err(self
                     .failure(FailureKind::NotANumber, "the wall's force".into())
@@ -150,7 +153,7 @@ impl Run {
                 wall.displacement > 0.0 || wall.velocity != 0.0 || load.force > wall.threshold
             }) {
                 self.tank.water.respond(dt).map_err(|error| self.step_failure(&error))?;
-                load = self.tank.water.load(WALL);
+                load = self.wall_load();
             }
             let before = self.tank.wall;
             // A wall first leaves its stop in a full step: only there can a trunk end.
@@ -163,7 +166,7 @@ impl Run {
             let acceleration = step.map_or(0.0, |step| step.acceleration);
             let force = load.force - load.added_mass * acceleration;
             let start = Instant::now();
-            let reading = self.read(force, before.as_ref());
+            let reading = self.read((force, acceleration), bodies[WALL].offset, before.as_ref());
             if sample {
                 self.sample(&reading, before.as_ref(), bodies, (force, acceleration))?;
             }
@@ -188,6 +191,22 @@ impl Run {
             }
             self.finish_step(dt, motions, force, step, sample);
         }
+    }
+
+    /// The water's load on the wall, made up for what the force at rest lacks of ρgh²/2.
+    ///
+    /// A coarse lattice under its surface presses a little too little, in still water and in waves
+    /// alike: 0.5 (Δx/h)² of it at rest. The first force of a run tells how much.
+    fn wall_load(&mut self) -> Load {
+        let load = self.tank.water.load(WALL);
+        self.logbook.force_at_rest.get_or_insert(load.force);
+        Load { force: load.force + self.lacking_at_rest(), ..load }
+    }
+
+    /// What the force on the wall lacks, N per metre of width; nothing where it counts as it is.
+    pub(super) fn lacking_at_rest(&self) -> f64 {
+        let at_rest = self.logbook.force_at_rest.filter(|_| self.tank.from_rest);
+        at_rest.map_or(0.0, |force| self.tank.static_force - force)
     }
 
     /// Motions of bed, paddle, wall and lid at this instant.
@@ -244,7 +263,9 @@ impl Run {
             let on_walls = (0..bodies.len()).map(|body| self.tank.water.load(body).force);
             watch.push(on_walls.sum(), dt);
         }
-        let wall = self.tank.wall.as_ref().zip(wall_step).map(|(law, step)| (law, force, step));
+        let lacking = self.lacking_at_rest();
+        let wall = self.tank.wall.as_ref().zip(wall_step);
+        let wall = wall.map(|(law, step)| (law, [force - lacking, force], step));
         self.logbook.ledger.book_walls((paddle_force, paddle_travel), wall);
         // Splashes dissipate in bursts, and swirls from the start: summed at every step.
         let sample = sample || self.watch.is_some();

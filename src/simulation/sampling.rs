@@ -17,17 +17,29 @@ const SAMPLES_PER_CLUSTER_CHECK: u64 = 20;
 const FARTHEST_WALL: f64 = 11.0;
 
 impl Run {
-    /// Takes a step's reading, of the force on the wall, N per metre of width, and the wall before it
-    /// answers; and the wave gauge's where one is due.
-    pub(super) fn read(&mut self, force: f64, wall: Option<&SpringWall>) -> Reading {
-        let Run { tank, logbook, clock, .. } = self;
+    /// Takes a step's reading: of the force on the wall, N per metre of width, with the acceleration by
+    /// which it answers, m/s², its offset, metres, and the wall before it answers; and the wave gauge's
+    /// where one is due.
+    pub(super) fn read(
+        &mut self,
+        (force, acceleration): (f64, f64),
+        offset: f64,
+        wall: Option<&SpringWall>,
+    ) -> Reading {
+        let Run { tank, logbook, clock, lens, .. } = self;
         let (frame, depth) = (tank.frame, tank.frame.depth);
-        let level = tank.water.level_at(WALL);
-        let at_rest = *logbook.level_at_rest.get_or_insert(level);
+        let at_wall = tank.water.level_at(WALL);
+        let inside = (tank.wave_gauge.is_some() && tank.upright()).then(|| {
+            let (_, radius) = tank.water.kernel();
+            let from = (at_wall - 1.5 * radius).max(0.0);
+            tank.water.level_in_water(frame.length + offset - radius, from)
+        });
+        logbook.level.feel(clock.time, acceleration, frame.acceleration());
+        let runup = logbook.level.over_rest(lens, at_wall, inside);
         let reading = Reading {
             time: clock.time,
             force: force / tank.static_force,
-            runup: (level - at_rest) / depth,
+            runup: runup / depth,
             displacement: wall.map(|wall| wall.displacement / depth),
             stops: wall.map_or(0, |wall| wall.stops),
         };
@@ -35,7 +47,8 @@ impl Run {
         if let Some(gauge) = tank.wave_gauge {
             let unit = (depth / frame.acceleration()).sqrt();
             if logbook.gauge.is_due(clock.time, frame.history_interval, unit) {
-                logbook.gauge.read(tank.water.level_in_water(gauge, 0.5 * depth), depth);
+                let level = lens.level_in_water(tank.water.as_mut(), gauge, 0.5 * depth);
+                logbook.gauge.read(level, depth);
             }
         }
         reading
@@ -54,6 +67,7 @@ impl Run {
         bodies: &[BodyMotion],
         (force, acceleration): (f64, f64),
     ) -> Result<(), Failure> {
+        let lacking = self.lacking_at_rest();
         let Run { tank, logbook, clock, .. } = self;
         let (time, depth) = (reading.time, tank.frame.depth);
         clock.samples += 1;
@@ -78,6 +92,7 @@ impl Run {
         }
         let motion = BodyMotion { acceleration, ..bodies[WALL] };
         let face = tank.water.face_force(WALL, &motion);
+        let force = force - lacking;
         let gap = 100.0 * (face - force).abs() / force.abs().max(tank.static_force);
         logbook.worst_gap = logbook.worst_gap.max(gap);
         logbook.health.see_gap(gap / 100.0);

@@ -106,6 +106,7 @@ fn made_up(config: &CaseConfig) -> CaseResult {
         first_force_peak: Some(1.0 + number / 5.0),
         first_runup_peak: None,
         force_max_raw: 2.0 * number,
+        force_at_rest: 1.0,
         force_end: 1.0,
         runup_end: 1e-300 * number,
         displacement_end: movable.then_some(0.0),

@@ -131,6 +131,7 @@ const COLUMNS: &[Column] = &[
     ("kernel", |row| name(row.config.numerics.kernel)),
     ("particle_spacing_m", |row| number::text(row.config.numerics.particle_spacing_m)),
     ("force_coupling", |row| row.scene(|scene| scene.force_coupling)),
+    ("force_at_rest", |row| row.number(|outcome| Some(outcome.force_at_rest))),
     ("boundary_fallbacks", |row| row.word(|outcome| Some(outcome.boundary_fallbacks))),
 ];
 
@@ -198,7 +199,7 @@ mod tests {
             onset_time_s,stroke_centre_s,displacement_truncated,stops,force_gap_percent,\
             energy_gap_percent,particles_lost,force_error,runup_error,displacement_error,\
             steps,particles,pair_evaluations,wall_time_s,scheme,boundary,kernel,\
-            particle_spacing_m,force_coupling,boundary_fallbacks";
+            particle_spacing_m,force_coupling,force_at_rest,boundary_fallbacks";
         assert_eq!(names.join(","), contract);
     }
 

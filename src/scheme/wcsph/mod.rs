@@ -9,6 +9,7 @@
 //! found at the end of the step before, in one go with its densities and places.
 
 mod acoustic;
+mod balance;
 mod continuity;
 mod contract;
 mod correction;
@@ -63,6 +64,8 @@ struct Workspace {
     /// 1/ρ of the last full step.
     inverse_density: Vec<f64>,
     density_rate: Vec<f64>,
+    /// tr (∇u)², 1/s²: see [`continuity::Continuity`].
+    turning: Vec<f64>,
     /// Accelerations of the step before a full one.
     last_acceleration_x: Vec<f64>,
     last_acceleration_y: Vec<f64>,
@@ -104,6 +107,7 @@ impl Workspace {
             acceleration_y: zeros(),
             inverse_density: zeros(),
             density_rate: zeros(),
+            turning: zeros(),
             last_acceleration_x: zeros(),
             last_acceleration_y: zeros(),
             diffused_share: zeros(),
@@ -162,7 +166,7 @@ impl Workspace {
     }
 
     /// What one step hands to the next, besides the fluid itself.
-    fn carried(&self) -> [&Vec<f64>; 7] {
+    fn carried(&self) -> [&Vec<f64>; 8] {
         [
             &self.correction_xx,
             &self.correction_xy,
@@ -171,10 +175,11 @@ impl Workspace {
             &self.last_acceleration_x,
             &self.last_acceleration_y,
             &self.density_rate,
+            &self.turning,
         ]
     }
 
-    fn carried_mut(&mut self) -> [&mut Vec<f64>; 7] {
+    fn carried_mut(&mut self) -> [&mut Vec<f64>; 8] {
         [
             &mut self.correction_xx,
             &mut self.correction_xy,
@@ -183,6 +188,7 @@ impl Workspace {
             &mut self.last_acceleration_x,
             &mut self.last_acceleration_y,
             &mut self.density_rate,
+            &mut self.turning,
         ]
     }
 }

@@ -57,6 +57,8 @@ pub(super) struct Momentum<
     pub viscosity: f64,
     /// R, metres.
     pub support_radius: f64,
+    /// See [`super::correction::first_row_share`].
+    pub first_row: f64,
     /// Rest density, kg/m³.
     pub density: f64,
     /// Gravity, m/s².
@@ -198,7 +200,7 @@ impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool, const VISCOUS
                     let [of_water_xx, _, of_water_yy] = &water_moment;
                     let of_water = (L::load(of_water_xx) + L::load(of_water_yy)) * radius;
                     let of_walls = moment[0] + moment[2] - of_water;
-                    let [xx, xy, yy] = correction(moment, completeness, of_walls);
+                    let [xx, xy, yy] = correction(moment, completeness, of_walls, pass.first_row);
                     store(next_xx, to, xx);
                     store(next_xy, to, xy);
                     store(next_yy, to, yy);

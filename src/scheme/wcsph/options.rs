@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::Precision;
+use super::correction::first_row_share;
 use crate::kernel::KernelChoice;
 use crate::scheme::StateEquation;
 use crate::theory::central_field::CentralField;
@@ -74,6 +75,11 @@ impl WcsphOptions {
     /// h of the terms α h c0 and δ h c0: R/2 for Wendland C2, R/3 for the Gaussian.
     pub fn smoothing_length(&self) -> f64 {
         self.kernel.smoothing_length_ratio() * self.support_radius
+    }
+
+    /// The first row's share of the gradient's correction, see [`first_row_share`].
+    pub(super) fn first_row_share(&self) -> f64 {
+        first_row_share(2.0 * self.smoothing_length() / self.spacing)
     }
 
     /// Minus the hydrostatic ∂ρ/∂y that density diffusion leaves alone, kg/m⁴.

@@ -26,6 +26,7 @@ pub(super) const TENSION_FULL: f64 = 0.9;
 struct Bearing<'a> {
     tension: &'a mut [f64],
     completeness: &'a [f64],
+    first_row: f64,
 }
 
 impl Task for Bearing<'_> {
@@ -39,7 +40,11 @@ impl Task for Bearing<'_> {
             let completeness = L::load(completeness);
             let inside = (completeness - L::splat(TENSION_FROM))
                 * L::splat(1.0 / (TENSION_FULL - TENSION_FROM));
-            inside.max(zero).div(surface_share(completeness)).min(one).store(tension);
+            inside
+                .max(zero)
+                .div(surface_share(completeness, self.first_row))
+                .min(one)
+                .store(tension);
         }
     }
 }
@@ -89,7 +94,8 @@ impl Wcsph {
     pub(super) fn set_tension(&mut self) {
         if self.options.corrected_gradients {
             let (tension, completeness) = (&mut *self.work.tension, &*self.work.completeness);
-            dispatch(self.path, Bearing { tension, completeness });
+            let first_row = self.options.first_row_share();
+            dispatch(self.path, Bearing { tension, completeness, first_row });
         }
     }
 
@@ -146,6 +152,7 @@ impl Wcsph {
                     responds: self.responds,
                     viscosity,
                     support_radius: self.scaling.support_radius,
+                    first_row: options.first_row_share(),
                     density: options.density,
                     gravity: options.gravity,
                     steps: f64::from(options.acoustic_substeps),
@@ -200,9 +207,9 @@ impl Wcsph {
         }
     }
 
-    /// Rates of change of density of some parts' water, and with `sample` in their tallies the power
-    /// that diffusion takes.
-    pub(super) fn continuity_pass(&mut self, sample: bool, some: Range<usize>) {
+    /// Rates of change of density of some parts' water over a step of `dt` seconds, and with `sample`
+    /// in their tallies the power that diffusion takes.
+    pub(super) fn continuity_pass(&mut self, dt: f64, sample: bool, some: Range<usize>) {
         let (options, flow) = (&self.options, self.flow());
         let diffusion = options.diffusion_coefficient
             * options.smoothing_length()
@@ -210,12 +217,14 @@ impl Wcsph {
             * self.scaling.inverse_radius;
         let mut rate = std::mem::take(&mut self.work.density_rate);
         let mut shares = std::mem::take(&mut self.work.shares);
-        let rows = (&mut *self.strain, [&mut *rate, &mut *shares]);
+        let mut turning = std::mem::take(&mut self.work.turning);
+        let rows = (&mut *self.strain, [&mut *rate, &mut *shares, &mut *turning]);
         let (parts, rows) = window(&mut self.parts, rows, some);
         let (path, fluid, work) = (self.path, &self.fluid, &self.work);
         let (factors, slants, diffused) =
             (self.numbers.velocities(), &*self.slants, &*self.diffused);
         let (support_radius, bodies) = (self.scaling.support_radius, self.ghosts.bodies.len());
+        let first_row = options.first_row_share();
         macro_rules! pass {
             ($diffusion:ident) => {
                 if options.corrected_gradients {
@@ -225,7 +234,7 @@ impl Wcsph {
                 }
             };
             ($diffusion:ident, $corrected:literal) => {
-                self.team.share(parts, rows, &|part, (strain, [rate, shares])| {
+                self.team.share(parts, rows, &|part, (strain, [rate, shares, turning])| {
                     let pass = Continuity::<$diffusion, $corrected> {
                         fluid,
                         factors,
@@ -235,11 +244,14 @@ impl Wcsph {
                         strain,
                         rate,
                         shares,
+                        turning,
+                        first_row,
                         work,
                         support_radius,
                         bodies,
                         diffusion,
                         flow,
+                        dt,
                         sample,
                     };
                     dispatch(path, pass);
@@ -252,7 +264,7 @@ impl Wcsph {
             DensityDiffusion::Hydrostatic => pass!(FADED),
             DensityDiffusion::Renormalised => pass!(RENORMALISED),
         }
-        (self.work.density_rate, self.work.shares) = (rate, shares);
+        (self.work.density_rate, self.work.shares, self.work.turning) = (rate, shares, turning);
     }
 }
 

@@ -105,7 +105,7 @@ impl Wcsph {
             while let Some(Turn { parts, lanes: moved, .. }) =
                 to_move.next_if(|turn| turn.after <= lanes.end)
             {
-                self.continuity_pass(sample, parts.clone());
+                self.continuity_pass(dt, sample, parts.clone());
                 self.timings.continuity += laps.next();
                 self.drift(dt, moved.clone());
                 self.settle_surface(dt, moved.clone(), &mut spray);

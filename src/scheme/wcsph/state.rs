@@ -40,7 +40,7 @@ pub struct WcsphState {
     reference_x: Vec<f64>,
     reference_y: Vec<f64>,
     reference_offsets: Vec<f64>,
-    carried: [Vec<f64>; 7],
+    carried: [Vec<f64>; 8],
     strain: Vec<[f64; 2]>,
     pair_evaluations: u64,
     list_rebuilds: u64,

@@ -1,0 +1,141 @@
+//! Where the free surface stands: a level read through a kernel, made up for the kernel's width.
+//!
+//! A level is the height at which a kernel is half full. Where the surface is level that is the
+//! surface. Elsewhere the kernel tells the mean of η over its width, weighted with w(|x|/R) along the
+//! surface: too high by its first moment times the slope beside a wall, and by half its second moment
+//! times the curvature everywhere.
+
+use super::window::RunningMean;
+use crate::kernel::KernelChoice;
+use crate::scheme::Scheme;
+
+/// Water no steeper than this at a wall: an instant's acceleration may be noise.
+const STEEPEST: f64 = 1.0;
+
+/// What a kernel makes of a curved surface.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Lens {
+    /// R, metres.
+    radius: f64,
+    /// ⟨|x|⟩/R.
+    first: f64,
+    /// ⟨x²⟩/R².
+    second: f64,
+}
+
+impl Lens {
+    /// Of a kernel with this support radius, metres.
+    pub(super) fn of((kernel, radius): (KernelChoice, f64)) -> Lens {
+        let [first, second] = kernel.line_moments();
+        Lens { radius, first, second }
+    }
+
+    /// The level of the surface at x, metres above the bed, from three readings.
+    pub(super) fn level_in_water(&self, water: &mut dyn Scheme, x: f64, from: f64) -> f64 {
+        let [left, here, right] =
+            [x - self.radius, x, x + self.radius].map(|x| water.level_in_water(x, from));
+        self.straightened([left, here, right])
+    }
+
+    /// The middle one of three levels, a radius apart, without what the kernel makes of the bend.
+    fn straightened(&self, [left, here, right]: [f64; 3]) -> f64 {
+        here - 0.5 * self.second * (left + right - 2.0 * here)
+    }
+
+    /// The level at a wall: `at_wall` as read there, `inside` as read a radius away from it, where
+    /// the surface rises from the wall with this slope.
+    fn at_wall(&self, [at_wall, inside]: [f64; 2], slope: f64) -> f64 {
+        let rise = slope * self.radius;
+        // ½ η'' R²
+        let bend = inside - at_wall - rise * (1.0 - self.first);
+        at_wall - self.first * rise - self.second * bend
+    }
+}
+
+/// Follows the level at an upright wall.
+#[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
+pub(super) struct WallLevel {
+    /// Both readings over still water, metres above the bed.
+    at_rest: Option<[f64; 2]>,
+    /// Of the wall's acceleration, m/s².
+    acceleration: RunningMean,
+    slope: f64,
+}
+
+impl WallLevel {
+    /// The wall's acceleration counts as its mean over `span` seconds.
+    pub(super) fn new(span: f64) -> WallLevel {
+        WallLevel { at_rest: None, acceleration: RunningMean::new(span), slope: 0.0 }
+    }
+
+    /// Takes note of the wall's acceleration, m/s². The surface is a line of equal pressure, so that
+    /// at a wall that accelerates away from the water it rises inwards with the slope a/g.
+    pub(super) fn feel(&mut self, time: f64, acceleration: f64, gravity: f64) {
+        if let Some((_, mean)) = self.acceleration.push(time, acceleration) {
+            self.slope = (mean / gravity).clamp(-STEEPEST, STEEPEST);
+        }
+    }
+
+    /// The level over still water, metres, from what is read at the wall and, where it stands upright,
+    /// a radius away from it.
+    pub(super) fn over_rest(&mut self, lens: &Lens, at_wall: f64, inside: Option<f64>) -> f64 {
+        let now = [at_wall, inside.unwrap_or(at_wall)];
+        let at_rest = *self.at_rest.get_or_insert(now);
+        if inside.is_none() {
+            return at_wall - at_rest[0];
+        }
+        lens.at_wall([0, 1].map(|place| now[place] - at_rest[place]), self.slope)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// What a kernel makes of η(x) at 0, or beside a wall at 0.
+    fn read(kernel: KernelChoice, radius: f64, surface: impl Fn(f64) -> f64, wall: bool) -> f64 {
+        let n = 4000;
+        let (mut sum, mut weights) = (0.0, 0.0);
+        for k in 0..n {
+            let q = (f64::from(k) + 0.5) / f64::from(n);
+            let w = kernel.shape_at(q);
+            let x = q * radius;
+            sum += w * if wall { surface(x) } else { 0.5 * (surface(x) + surface(-x)) };
+            weights += w;
+        }
+        sum / weights
+    }
+
+    #[test]
+    fn slope_and_bend_are_made_up_for() {
+        let radius = 0.04;
+        for kernel in KernelChoice::ALL {
+            let lens = Lens::of((kernel, radius));
+            let surface = |x: f64| 0.2 + 0.3 * x - 4.0 * x * x;
+            let shifted = |by: f64| move |x: f64| surface(x + by);
+            let [left, here, right] =
+                [-radius, 0.0, radius].map(|by| read(kernel, radius, shifted(by), false));
+            assert!((here - 0.2).abs() > 1e-4, "{kernel:?}");
+            assert!((lens.straightened([left, here, right]) - 0.2).abs() < 1e-7, "{kernel:?}");
+            let at_wall = read(kernel, radius, surface, true);
+            let inside = read(kernel, radius, shifted(radius), false);
+            assert!((at_wall - 0.2).abs() > 1e-3, "{kernel:?}");
+            assert!((lens.at_wall([at_wall, inside], 0.3) - 0.2).abs() < 1e-4, "{kernel:?}");
+        }
+    }
+
+    #[test]
+    fn the_slope_is_that_of_a_line_of_equal_pressure() {
+        let mut level = WallLevel::new(0.01);
+        for k in 0..30 {
+            level.feel(0.001 * f64::from(k), 2.0, 10.0);
+        }
+        assert!((level.slope - 0.2).abs() < 1e-12);
+        let lens = Lens { radius: 0.1, first: 0.25, second: 0.07 };
+        level.over_rest(&lens, 0.2, Some(0.2));
+        // A plane surface of that slope is told by the kernel as its mean.
+        let told = level.over_rest(&lens, 0.305, Some(0.32));
+        assert!((told - 0.1).abs() < 1e-12, "{told}");
+        assert_eq!(WallLevel::new(0.01).over_rest(&lens, 0.3, None), 0.0);
+    }
+}
