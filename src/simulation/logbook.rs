@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::blows::Acoustics;
 use super::energy::{Ledger, WaterEnergy};
+use super::face_gaps::FaceGaps;
 use super::gauge::CrestGauge;
 use super::health::HealthState;
 use super::measures::Measures;
@@ -25,6 +27,8 @@ pub(super) struct Logbook {
     pub(super) level_at_rest: Option<f64>,
     /// Largest difference between the force and the pressure on the wall's face, percent of the force.
     pub(super) worst_gap: f64,
+    /// That difference at every sample.
+    pub(super) face_gaps: FaceGaps,
     pub(super) health: HealthState,
     pub(super) liveliness: Liveliness,
     pub(super) probes: Option<ProbeTable>,
@@ -34,13 +38,19 @@ impl Logbook {
     /// An empty one, for water that has this energy to start with.
     pub fn open(config: &CaseConfig, tank: &Tank, start: WaterEnergy) -> Logbook {
         let frame = tank.frame;
+        let acoustics = Acoustics {
+            depth: frame.depth,
+            gravity: frame.acceleration(),
+            sound_speed: tank.water.state_equation().map(|_| tank.sound_speed),
+        };
         Logbook {
-            measures: Measures::new(tank.threshold_ratio, frame.depth, frame.acceleration()),
+            measures: Measures::new(tank.threshold_ratio, acoustics),
             gauge: CrestGauge::default(),
             ledger: Ledger::open(start),
             history: Vec::new(),
             level_at_rest: None,
             worst_gap: 0.0,
+            face_gaps: FaceGaps::new((frame.depth / frame.acceleration()).sqrt()),
             health: HealthState::default(),
             liveliness: Liveliness::default(),
             probes: probes::table(&config.probes),
@@ -51,6 +61,7 @@ impl Logbook {
     pub fn make_room(&mut self, samples: usize) {
         let more = samples.saturating_sub(self.history.len()).min(MOST_ROOM);
         self.history.reserve_exact(more);
+        self.face_gaps.make_room(more);
         if let Some(table) = &mut self.probes {
             table.time_s.reserve_exact(more);
             table.values.reserve_exact(more * table.columns.len());
