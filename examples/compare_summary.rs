@@ -24,9 +24,12 @@ enum Rule {
 fn rule(column: &str) -> Rule {
     let within = |share, absolute| Rule::Within { share, absolute };
     match column {
-        "wall_time_s" | "reason" | "host" | "rank" => Rule::Ignored,
+        "wall_time_s" | "reason" | "doubtful_reason" | "host" | "rank" => Rule::Ignored,
         // Readings of the run's own quality: a percentage point.
-        "force_gap_percent" | "energy_gap_percent" => within(0.0, 1.0),
+        "force_gap_percent" | "energy_gap_percent" | "force_max_gap_percent" => within(0.0, 1.0),
+        // Touches are as good as none.
+        "stop_impulse" => within(0.05, 0.01),
+        "stop_impulse_time_s" => Rule::Ignored,
         // Values of the scene, or computed from them alone.
         "log10_k_star" | "m_star" | "stroke_centre_s" => within(1e-9, 1e-9),
         "measured_wave_height_ratio" => within(0.01, 0.0),

@@ -112,7 +112,7 @@ fn lower_bounds_are_marked_and_nothing_is_filmed_twice() {
 }
 
 #[test]
-fn a_sweeps_table_marks_lower_bounds_and_counts_wide_gaps() {
+fn a_sweeps_table_marks_lower_bounds_and_doubtful_cases() {
     let root = tempfile::tempdir().unwrap();
     let file = write_file(root.path(), TINY);
     let out = root.path().join("out");
@@ -125,18 +125,18 @@ fn a_sweeps_table_marks_lower_bounds_and_counts_wide_gaps() {
     let headers = reader.headers().unwrap().clone();
     let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
     let place = |name: &str| headers.iter().position(|header| header == name).unwrap();
-    let (bound, gaps) =
-        (place("displacement_truncated"), ["force_gap_percent", "energy_gap_percent"].map(place));
+    let (bound, [doubt, reason]) =
+        (place("displacement_truncated"), ["doubtful", "doubtful_reason"].map(place));
     let bounds = rows.iter().filter(|row| &row[bound] == "true").count();
-    let wide =
-        rows.iter().filter(|row| gaps.iter().any(|&gap| row[gap].parse::<f64>().unwrap() > 3.0));
-    let wide = wide.count();
-    assert!(bounds > 0 && wide > 0, "{bounds} {wide}");
+    let doubtful = rows.iter().filter(|row| &row[doubt] == "true").count();
+    assert!(bounds > 0 && doubtful > 0, "{bounds} {doubtful}");
+    assert!(rows.iter().all(|row| row[reason].is_empty() == (&row[doubt] == "false")));
     // Once in every such row, and once below the table.
     assert_eq!(text.matches('≥').count(), bounds + 1, "{text}");
-    let line = format!("{wide} finished case");
+    let line = format!("{doubtful} finished case");
     assert!(text.lines().any(|told| told.starts_with(&line)), "{text}");
-    assert!(text.contains("a force or energy gap above 3 %"), "{text}");
+    assert!(text.contains(" doubtful (doubtful_reason in summary.csv)"), "{text}");
+    assert_eq!(text.lines().filter(|line| line.ends_with("doubtful")).count(), doubtful, "{text}");
 }
 
 #[test]

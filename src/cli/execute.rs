@@ -8,8 +8,7 @@ use serde_json::{Value, json};
 use super::output::Output;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::math::simd::SimdPath;
-use crate::report::GAP_LIMIT_PERCENT;
-use crate::simulation::{Outcome, cost};
+use crate::simulation::cost;
 use crate::sweep::executor::{Crew, RankInfo};
 use crate::sweep::{
     CaseRecord, Directory, Ending, Interrupt, Manifest, OpenMode, Opened, Plan, Progress, Savings,
@@ -44,13 +43,10 @@ impl Done {
         self.directory.records().iter().flatten()
     }
 
-    /// Finished cases that README says to look at: the gap of force or energy is above 3 %.
+    /// Finished cases of which something touches a quoted number.
     pub(super) fn doubtful(&self) -> usize {
-        let doubtful = |outcome: &Outcome| {
-            outcome.force_gap_percent.max(outcome.energy_gap_percent) > GAP_LIMIT_PERCENT
-        };
         let outcomes = self.records().filter_map(|record| record.outcome.as_ref());
-        outcomes.filter(|outcome| doubtful(outcome)).count()
+        outcomes.filter(|outcome| outcome.doubtful_reason.is_some()).count()
     }
 
     pub(super) fn failed(&self) -> usize {

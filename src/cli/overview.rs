@@ -3,7 +3,6 @@
 use super::execute::{Done, Job};
 use super::output::{duration, short};
 use super::table::Table;
-use crate::report::GAP_LIMIT_PERCENT;
 use crate::sweep::counted;
 
 /// Rows shown without `-v`.
@@ -35,7 +34,8 @@ pub(super) fn told(job: &Job, done: &Done, report: &std::path::Path, all: bool) 
                 cells.push(or_dash(outcome.first_force_max.map(|maximum| maximum.value)));
                 cells.push(or_dash(outcome.first_runup_max.map(|maximum| maximum.value)));
                 cells.push(short(outcome.energy_gap_percent));
-                cells.push("ok".to_owned());
+                let doubtful = outcome.doubtful_reason.is_some();
+                cells.push(if doubtful { "doubtful" } else { "ok" }.to_owned());
             }
             None => {
                 cells.extend(std::iter::repeat_n("-".to_owned(), 6));
@@ -68,10 +68,10 @@ pub(super) fn told(job: &Job, done: &Done, report: &std::path::Path, all: bool) 
     }
     text.push('\n');
     if doubtful > 0 {
-        let (has, its) =
-            if doubtful == 1 { ("has", "its history") } else { ("have", "their histories") };
+        let (is, its) =
+            if doubtful == 1 { ("is", "its history") } else { ("are", "their histories") };
         text.push_str(&format!(
-            "{} {has} a force or energy gap above {GAP_LIMIT_PERCENT} %: look at {its} first\n",
+            "{} {is} doubtful (doubtful_reason in summary.csv): look at {its} first\n",
             counted(doubtful, "finished case")
         ));
     }

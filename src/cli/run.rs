@@ -148,6 +148,8 @@ fn outcome_table(outcome: &Outcome) -> String {
     line("onset", outcome.onset_time_s.map(|time| format!("{time:.4} s")));
     line("stroke centre", outcome.stroke_centre_s.map(|time| format!("{time:.4} s")));
     line("hits on the stop", outcome.stops.map(|stops| stops.to_string()));
+    line("strongest impulse of a stop", maximum(outcome.stop_impulse.filter(|m| m.value != 0.0)));
+    line("doubtful", outcome.doubtful_reason.clone());
     line("force gap", Some(format!("{} %", short(outcome.force_gap_percent))));
     line("particles, lost", Some(format!("{}, {}", outcome.particles, outcome.particles_lost)));
     line("steps", Some(outcome.steps.to_string()));

@@ -19,10 +19,6 @@ const UNITS: [(&str, &str); 10] = [
     ("_s", "s"),
 ];
 
-/// Gaps above this say to look at a case's history before its numbers: of the two force readings, that
-/// there are voids at the wall.
-pub const GAP_LIMIT_PERCENT: f64 = 3.0;
-
 /// Lists longer than this are folded.
 pub(super) const LONG: usize = 30;
 
@@ -66,7 +62,7 @@ pub(super) fn grid(table: &Table) -> String {
         text.push_str("<tr>");
         for ((name, cell), numeric) in table.header.iter().zip(row).zip(&numeric) {
             let class = match (doubtful(name, cell), numeric) {
-                (true, _) => " class=\"number doubtful\"",
+                (true, _) => " class=\"doubtful\"",
                 (false, true) => " class=\"number\"",
                 (false, false) => "",
             };
@@ -92,12 +88,7 @@ fn is_numeric(table: &Table, column: usize) -> bool {
 }
 
 fn doubtful(column: &str, cell: &str) -> bool {
-    let value: f64 = cell.parse().unwrap_or(0.0);
-    match column {
-        "force_gap_percent" => value > GAP_LIMIT_PERCENT,
-        "particles_lost" => value > 0.0,
-        _ => false,
-    }
+    column == "doubtful_reason" && !cell.is_empty()
 }
 
 /// Text as it may stand between tags and in attributes.
@@ -110,10 +101,9 @@ mod tests {
     use super::*;
 
     #[test]
-    fn doubtful_health_is_marked() {
-        assert!(doubtful("force_gap_percent", "3.1"));
-        assert!(!doubtful("force_gap_percent", "2.9"));
-        assert!(doubtful("particles_lost", "1"));
-        assert!(!doubtful("steps", "9000"));
+    fn doubtful_cases_are_marked() {
+        assert!(doubtful("doubtful_reason", "energy gap -15.2 %"));
+        assert!(!doubtful("doubtful_reason", ""));
+        assert!(!doubtful("force_gap_percent", "48.1"));
     }
 }

@@ -44,7 +44,7 @@ pub fn page(data: &Loaded, figures: &[Figure], tables: &[Table]) -> String {
     }
     if let Some(table) = tables.iter().find(|table| table.name == "health") {
         let text = format!(
-            "<p>{} In the table, doubtful values stand out.</p>{}",
+            "<p>{} In the table, the reasons for doubt stand out.</p>{}",
             health_line(data),
             grid(&table.for_page())
         );
@@ -135,9 +135,11 @@ fn health_line(data: &Loaded) -> String {
         data.finished().filter_map(read).map(f64::abs).fold(0.0, f64::max)
     };
     let lost: u64 = data.finished().filter_map(|row| row.particles_lost).sum();
+    let doubtful = data.finished().filter(|row| row.doubtful == Some(true)).count();
     format!(
-        "Largest gap between the two force readings {:.2} %, of the energy budget {:.2} %; \
+        "{doubtful} of {} finished cases are doubtful. Largest gap between the two force readings {:.2} %, of the energy budget {:.2} %; \
          {lost} particles lost.",
+        data.finished().count(),
         largest(|row| row.force_gap_percent),
         largest(|row| row.energy_gap_percent)
     )

@@ -91,6 +91,9 @@ impl Loaded {
     }
 }
 
+/// The last columns of every summary, of this version and of older ones; swept keys follow.
+const LAST: [&str; 3] = ["force_coupling", "boundary_fallbacks", "doubtful_reason"];
+
 /// The rows, and what was swept as the manifest names it.
 fn read_summary(
     path: &Path,
@@ -100,7 +103,7 @@ fn read_summary(
     demand(path, &header, REQUIRED)?;
     let mut rows: Vec<Row> = deserialize(path, &header, &records)?;
     let last = |name: &str| header.iter().position(|other| other == name).map_or(0, |at| at + 1);
-    let known = last("force_coupling").max(last("boundary_fallbacks"));
+    let known = LAST.into_iter().map(last).max().unwrap_or(0);
     let key = |column: usize| Key {
         name: header[column].to_owned(),
         cells: records.iter().map(|record| record[column].to_owned()).collect(),

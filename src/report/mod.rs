@@ -23,7 +23,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 pub use error::ReportError;
-pub use grid::GAP_LIMIT_PERCENT;
 pub use row::Row;
 
 use load::Loaded;

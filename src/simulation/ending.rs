@@ -1,5 +1,6 @@
 //! What a run shows on its way, and hands over at its end.
 
+use super::doubt::Evidence;
 use super::energy::WaterEnergy;
 use super::outcome::{CaseResult, EnergyBudget, Maximum, NamedReading, Outcome, PhaseShare};
 use super::readings;
@@ -87,24 +88,27 @@ impl Run {
             force_max: m.force.unwrap_or(zero),
             runup_max: m.runup.unwrap_or(zero),
             displacement_max: m.displacement,
-            first_force_max: m.first_force.filter(|_| has_wave),
-            first_runup_max: m.first_runup.filter(|_| has_wave),
-            first_displacement_max: m.first_displacement,
-            first_force_peak: m.force_peak().filter(|_| has_wave),
-            first_runup_peak: m.runup_peak().filter(|_| has_wave),
-            force_max_raw: m.force_raw,
+            first_force_max: m.first.force().filter(|_| has_wave),
+            first_runup_max: m.first.runup().filter(|_| has_wave),
+            first_displacement_max: m.first.displacement(),
+            first_force_peak: m.first.force_peak().filter(|_| has_wave),
+            first_runup_peak: m.first.runup_peak().filter(|_| has_wave),
+            force_max_raw: m.force_raw.unwrap_or(0.0),
             force_at_rest: logbook.force_at_rest.unwrap_or(0.0) / tank.static_force,
             force_end: m.last[0],
             runup_end: m.last[1],
             displacement_end: wall.map(|_| m.last[2]),
-            onset_time_s: m.onset,
+            onset_time_s: m.first.onset(),
             stroke_centre_s: tank.piston.as_ref().map(|piston| piston.stroke_centre()),
             displacement_truncated: wall.map(|_| {
                 m.displacement
                     .is_some_and(|x| x.value > 0.0 && x.time_s >= self.clock.time - self.time_step)
             }),
             stops: wall.map(|wall| wall.stops),
+            stop_impulse: wall.map(|_| m.blows.strongest().unwrap_or(zero)),
+            doubtful_reason: None,
             force_gap_percent: logbook.worst_gap,
+            force_max_gap_percent: m.force.map_or(0.0, |m| logbook.face_gaps.around(m.time_s)),
             energy_gap_percent: 100.0 * energy.residual() / scale,
             particles_lost: logbook.health.lost,
             health: logbook.health.margins,
@@ -114,6 +118,20 @@ impl Run {
             pair_evaluations: water.pair_evaluations(),
             boundary_fallbacks: water.boundary_fallbacks(),
         };
+        let depth_speed = tank.frame.speed_squared();
+        let compressible = water.state_equation().is_some();
+        let evidence = Evidence {
+            gaps: &logbook.face_gaps,
+            blows: &m.blows,
+            kicked: m.kicked,
+            found_percent: 100.0 * logbook.health.found / scale,
+            compression_percent: if compressible {
+                100.0 * depth_speed / tank.sound_speed.powi(2)
+            } else {
+                0.0
+            },
+        };
+        let outcome = Outcome { doubtful_reason: evidence.doubt(&outcome), ..outcome };
         let list_rebuilds = water.list_rebuilds();
         let phases = water
             .phases()

@@ -2,7 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::blows::Acoustics;
 use super::energy::{Ledger, WaterEnergy};
+use super::face_gaps::FaceGaps;
 use super::gauge::CrestGauge;
 use super::health::HealthState;
 use super::measures::{MEAN_SPAN, Measures};
@@ -28,6 +30,8 @@ pub(super) struct Logbook {
     pub(super) level: WallLevel,
     /// Largest difference between the force and the pressure on the wall's face, percent of the force.
     pub(super) worst_gap: f64,
+    /// That difference at every sample.
+    pub(super) face_gaps: FaceGaps,
     pub(super) health: HealthState,
     pub(super) liveliness: Liveliness,
     pub(super) probes: Option<ProbeTable>,
@@ -37,14 +41,20 @@ impl Logbook {
     /// An empty one, for water that has this energy to start with.
     pub fn open(config: &CaseConfig, tank: &Tank, start: WaterEnergy) -> Logbook {
         let frame = tank.frame;
+        let acoustics = Acoustics {
+            depth: frame.depth,
+            gravity: frame.acceleration(),
+            sound_speed: tank.water.state_equation().map(|_| tank.sound_speed),
+        };
         Logbook {
-            measures: Measures::new(tank.threshold_ratio, frame.depth, frame.acceleration()),
+            measures: Measures::new(tank.threshold_ratio, acoustics),
             gauge: CrestGauge::default(),
             ledger: Ledger::open(start),
             history: Vec::new(),
             force_at_rest: None,
             level: WallLevel::new(MEAN_SPAN * (frame.depth / frame.acceleration()).sqrt()),
             worst_gap: 0.0,
+            face_gaps: FaceGaps::new((frame.depth / frame.acceleration()).sqrt()),
             health: HealthState::default(),
             liveliness: Liveliness::default(),
             probes: probes::table(&config.probes),
@@ -55,6 +65,7 @@ impl Logbook {
     pub fn make_room(&mut self, samples: usize) {
         let more = samples.saturating_sub(self.history.len()).min(MOST_ROOM);
         self.history.reserve_exact(more);
+        self.face_gaps.make_room(more);
         if let Some(table) = &mut self.probes {
             table.time_s.reserve_exact(more);
             table.values.reserve_exact(more * table.columns.len());

@@ -2,17 +2,11 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::blows::{Acoustics, Blows, Hit};
+use super::first_impact::{FirstImpact, raise};
 use super::outcome::Maximum;
 use super::window::RunningMean;
 
-/// F* must last this long above or below a bound to count, over √(h/g): 0.02 s at h = 0.2 m.
-const PERSISTENCE: f64 = 0.14;
-/// The first impact is on once F* has passed this, and the threshold.
-const IMPACT_FORCE: f64 = 1.15;
-/// A stop ends the first impact only after X* has exceeded this.
-const IMPACT_TRAVEL: f64 = 0.01;
-/// A peak is over when it has dropped by this share.
-const PEAK_DROP: f64 = 0.10;
 /// Span of the force's running mean over √(h/g).
 pub(super) const MEAN_SPAN: f64 = 0.07;
 
@@ -31,173 +25,77 @@ pub struct Reading {
     pub stops: u32,
 }
 
-/// Where the first impact stands.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-enum Impact {
-    Before,
-    On { stops: u32 },
-    Over,
-}
-
-/// Running maximum that is closed once the quantity has dropped 10 % of its height above `base`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-struct Peak {
-    base: f64,
-    highest: f64,
-    closed: bool,
-}
-
-impl Peak {
-    fn new(base: f64) -> Peak {
-        Peak { base, highest: f64::NEG_INFINITY, closed: false }
-    }
-
-    fn push(&mut self, value: f64) {
-        if self.closed {
-            return;
-        }
-        self.highest = self.highest.max(value);
-        let height = self.highest - self.base;
-        self.closed = height > 0.0 && value - self.base < (1.0 - PEAK_DROP) * height;
-    }
-
-    fn value(&self) -> Option<f64> {
-        self.highest.is_finite().then_some(self.highest)
-    }
-}
-
 /// Maxima so far.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Measures {
-    threshold: f64,
-    persistence: f64,
     mean: RunningMean,
-    impact: Impact,
-    above_since: Option<f64>,
-    below_since: Option<f64>,
-    force_peak: Peak,
-    runup_peak: Peak,
+    /// The first impact.
+    pub first: FirstImpact,
+    /// Hits on the stop.
+    pub blows: Blows,
     /// Over the whole run: F* (running mean), R*, X*.
     pub force: Option<Maximum>,
     /// R*.
     pub runup: Option<Maximum>,
     /// X*.
     pub displacement: Option<Maximum>,
-    /// Over the first impact.
-    pub first_force: Option<Maximum>,
-    /// R* over the first impact.
-    pub first_runup: Option<Maximum>,
-    /// X* over the first impact.
-    pub first_displacement: Option<Maximum>,
-    /// Largest F* of a single step.
-    pub force_raw: f64,
-    /// When F > F_th first lasted.
-    pub onset: Option<f64>,
+    /// Whether that X* was on a way out that began in the sound of a blow.
+    pub kicked: bool,
+    /// Largest F* of a single step in which no blow can be heard.
+    pub force_raw: Option<f64>,
     /// The last reading's F*, R*, X*.
     pub last: [f64; 3],
 }
 
-fn raise(maximum: &mut Option<Maximum>, value: f64, time_s: f64) {
-    if maximum.is_none_or(|m| value > m.value) {
-        *maximum = Some(Maximum { value, time_s });
-    }
-}
-
 impl Measures {
-    /// For F_threshold over the hydrostatic force, still water depth (m) and gravity (m/s²).
-    pub fn new(threshold_ratio: f64, depth: f64, gravity: f64) -> Measures {
+    /// For F_threshold over the hydrostatic force, and the scales of the water.
+    pub fn new(threshold_ratio: f64, acoustics: Acoustics) -> Measures {
+        let unit_time = (acoustics.depth / acoustics.gravity).sqrt();
         Measures {
-            threshold: threshold_ratio,
-            persistence: PERSISTENCE * (depth / gravity).sqrt(),
-            mean: RunningMean::new(MEAN_SPAN * (depth / gravity).sqrt()),
-            impact: Impact::Before,
-            above_since: None,
-            below_since: None,
-            force_peak: Peak::new(1.0),
-            runup_peak: Peak::new(0.0),
+            mean: RunningMean::new(MEAN_SPAN * unit_time),
+            first: FirstImpact::new(threshold_ratio, unit_time),
+            blows: Blows::new(acoustics),
             force: None,
             runup: None,
             displacement: None,
-            first_force: None,
-            first_runup: None,
-            first_displacement: None,
-            force_raw: f64::NEG_INFINITY,
-            onset: None,
+            kicked: false,
+            force_raw: None,
             last: [0.0; 3],
         }
     }
 
-    /// Takes one step's readings.
+    /// Takes one step's readings. What a blow on the stop drowns of the force counts for nothing.
     pub fn push(&mut self, reading: Reading) {
         let Reading { time, force, runup, displacement, stops } = reading;
         self.last = [force, runup, displacement.unwrap_or(0.0)];
-        self.force_raw = self.force_raw.max(force);
         raise(&mut self.runup, runup, time);
         if let Some(x) = displacement {
+            self.blows.follow(time, x);
+            let before = self.displacement;
             raise(&mut self.displacement, x, time);
-        }
-        if let Some((at, mean)) = self.mean.push(time, force) {
-            raise(&mut self.force, mean, at);
-            self.follow_impact(at, mean, &reading);
-        }
-        if matches!(self.impact, Impact::On { .. }) {
-            raise(&mut self.first_runup, runup, time);
-            self.runup_peak.push(runup);
-            if let Some(x) = displacement {
-                raise(&mut self.first_displacement, x, time);
+            if self.displacement != before {
+                self.kicked = self.blows.kicked();
             }
-            self.end_impact(stops);
         }
-    }
-
-    /// Onset, start of the first impact, its force.
-    fn follow_impact(&mut self, at: f64, mean: f64, reading: &Reading) {
-        if mean > self.threshold {
-            self.below_since = None;
-            let since = *self.above_since.get_or_insert(at);
-            if self.onset.is_none() && at - since >= self.persistence {
-                self.onset = Some(since);
-            }
+        if self.blows.drown(time) {
+            self.mean.clear();
         } else {
-            self.above_since = None;
-            self.below_since.get_or_insert(at);
-        }
-        if self.impact == Impact::Before && mean > self.threshold.max(IMPACT_FORCE) {
-            self.impact = Impact::On { stops: reading.stops };
-        }
-        if matches!(self.impact, Impact::On { .. }) {
-            raise(&mut self.first_force, mean, at);
-            self.force_peak.push(mean);
-            if self.below_since.is_some_and(|since| at - since >= self.persistence) {
-                self.impact = Impact::Over;
+            if self.blows.since_audible(time).is_none() {
+                self.force_raw = Some(self.force_raw.map_or(force, |raw| raw.max(force)));
+            }
+            if let Some((at, mean)) = self.mean.push(time, force) {
+                raise(&mut self.force, mean, at);
+                self.first.push_force(at, mean, stops);
             }
         }
+        self.first.push_motion(&reading);
     }
 
-    fn end_impact(&mut self, stops: u32) {
-        if let Impact::On { stops: before } = &mut self.impact {
-            let travelled = self.first_displacement.is_some_and(|m| m.value > IMPACT_TRAVEL);
-            if !travelled {
-                *before = stops; // touches of a stiff wall that has hardly moved do not count
-            } else if stops > *before {
-                self.impact = Impact::Over;
-            }
-        }
-    }
-
-    /// Whether the first impact is on.
-    pub fn in_first_impact(&self) -> bool {
-        matches!(self.impact, Impact::On { .. })
-    }
-
-    /// F* of the first peak.
-    pub fn force_peak(&self) -> Option<f64> {
-        self.force_peak.value()
-    }
-
-    /// R* of the first peak.
-    pub fn runup_peak(&self) -> Option<f64> {
-        self.runup_peak.value()
+    /// Takes note that the wall hits its stop in the step of the last reading: it begins at `time`,
+    /// lasts `dt`, s, and the wall comes with `speed`, m/s.
+    pub fn hit(&mut self, time: f64, dt: f64, speed: f64) {
+        let farthest = self.displacement.map_or(0.0, |farthest| farthest.value);
+        self.blows.hit(Hit { time_s: time, dt, speed, runup: self.last[1] }, farthest);
     }
 }
 
@@ -205,9 +103,11 @@ impl Measures {
 mod tests {
     use super::*;
 
+    const WATER: Acoustics = Acoustics { depth: 0.2, gravity: 9.81, sound_speed: Some(11.2) };
+
     /// Feeds F*(t), R*(t) = F* - 1, X*(t) every millisecond.
     fn measure(force: impl Fn(f64) -> f64, x: impl Fn(f64) -> (f64, u32)) -> Measures {
-        let mut measures = Measures::new(1.1, 0.2, 9.81);
+        let mut measures = Measures::new(1.1, WATER);
         for k in 0..4000 {
             let time = 0.001 * f64::from(k);
             let (displacement, stops) = x(time);
@@ -230,26 +130,26 @@ mod tests {
     #[test]
     fn the_first_impact_ends_when_the_force_stays_low() {
         let m = measure(|t| 1.0 + bell(t, 1.0, 1.0) + bell(t, 3.0, 1.5), |_| (0.0, 0));
-        assert!((m.first_force.unwrap().value - 2.0).abs() < 2e-3);
+        assert!((m.first.force().unwrap().value - 2.0).abs() < 2e-3);
         assert!((m.force.unwrap().value - 2.5).abs() < 2e-3);
-        assert!((m.first_runup.unwrap().value - 1.0).abs() < 1e-6);
+        assert!((m.first.runup().unwrap().value - 1.0).abs() < 1e-6);
         let onset = 1.0 - 0.2 * (10.0_f64.ln()).sqrt();
-        assert!((m.onset.unwrap() - onset).abs() < 3e-3);
+        assert!((m.first.onset().unwrap() - onset).abs() < 3e-3);
     }
 
     #[test]
     fn the_first_impact_is_above_a_high_threshold_too() {
         for threshold in [1.02, 1.1, 1.15, 1.2, 1.7] {
-            let mut m = Measures::new(threshold, 0.2, 9.81);
+            let mut m = Measures::new(threshold, WATER);
             for k in 0..4000 {
                 let time = 0.001 * f64::from(k);
                 let force = 1.0 + bell(time, 1.0, 1.0) + bell(time, 3.0, 1.5);
                 let (runup, displacement) = (force - 1.0, Some(0.0));
                 m.push(Reading { time, force, runup, displacement, stops: 0 });
             }
-            assert!((m.first_force.unwrap().value - 2.0).abs() < 2e-3, "{threshold}");
-            assert!((m.first_runup.unwrap().value - 1.0).abs() < 1e-6, "{threshold}");
-            assert!(m.onset.unwrap() < 1.0, "{threshold}");
+            assert!((m.first.force().unwrap().value - 2.0).abs() < 2e-3, "{threshold}");
+            assert!((m.first.runup().unwrap().value - 1.0).abs() < 1e-6, "{threshold}");
+            assert!(m.first.onset().unwrap() < 1.0, "{threshold}");
         }
     }
 
@@ -257,23 +157,109 @@ mod tests {
     fn a_stop_after_real_travel_ends_it_and_a_touch_does_not() {
         let force = |t: f64| 1.0 + bell(t, 1.0, 1.0) + bell(t, 1.6, 1.5);
         let touched = measure(force, |t| (1e-4, u32::from(t > 0.9)));
-        assert!(touched.first_force.unwrap().value > 2.4);
+        assert!(touched.first.force().unwrap().value > 2.4);
         let stopped = measure(force, |t| (0.3, u32::from(t > 1.25)));
-        assert!(stopped.first_force.unwrap().value < 2.2);
+        assert!(stopped.first.force().unwrap().value < 2.2);
     }
 
     #[test]
     fn the_first_peak_is_closed_by_a_ten_percent_drop() {
         let m = measure(|t| 1.0 + bell(t, 1.0, 1.0) + bell(t, 1.5, 1.5), |_| (0.0, 0));
-        assert!(m.first_force.unwrap().value > 2.4);
-        assert!(m.force_peak().unwrap() < 2.1);
-        assert!(m.runup_peak().unwrap() < 1.1);
+        assert!(m.first.force().unwrap().value > 2.4);
+        assert!(m.first.force_peak().unwrap() < 2.1);
+        assert!(m.first.runup_peak().unwrap() < 1.1);
     }
 
     #[test]
     fn sound_is_not_water() {
         let m = measure(|t| 1.0 + 0.3 * (t * 700.0).sin(), |_| (0.0, 0));
-        assert!(m.onset.is_none() && m.first_force.is_none());
-        assert!(m.force_raw > 1.29 && m.force.unwrap().value < 1.12);
+        assert!(m.first.onset().is_none() && m.first.force().is_none());
+        assert!(m.force_raw.unwrap() > 1.29 && m.force.unwrap().value < 1.12);
+    }
+
+    /// F* that rises in noise of the given height and period, s, and falls again; R* is without noise.
+    fn noisy(height: f64, period: f64) -> Measures {
+        let mut measures = Measures::new(1.1, WATER);
+        for k in 0..4000 {
+            let time = 0.001 * f64::from(k);
+            let water = bell(time, 1.5, 2.0);
+            let noise = height * (std::f64::consts::TAU * time / period).sin();
+            let (force, runup) = (1.0 + water + noise, 0.5 * water);
+            measures.push(Reading { time, force, runup, displacement: Some(0.0), stops: 0 });
+        }
+        measures
+    }
+
+    #[test]
+    fn a_blip_neither_opens_nor_closes_the_first_impact() {
+        let mut measures = Measures::new(1.1, WATER);
+        for k in 0..4000 {
+            let time = 0.001 * f64::from(k);
+            let (blip, water) = (0.4 * bell(time / 0.05, 0.5 / 0.05, 1.0), bell(time, 2.0, 1.5));
+            let (force, runup) = (1.0 + blip + water, water + 0.3 * blip);
+            measures.push(Reading { time, force, runup, displacement: Some(0.0), stops: 0 });
+        }
+        assert!((measures.first.force().unwrap().value - 2.5).abs() < 2e-3);
+        assert!((measures.first.runup().unwrap().value - 1.5).abs() < 1e-3);
+        assert!(measures.first.force_peak().unwrap() > 2.49);
+    }
+
+    #[test]
+    fn a_blip_alone_is_no_impact() {
+        let m = measure(|t| 1.0 + 0.4 * bell(t / 0.05, 0.5 / 0.05, 1.0), |_| (0.0, 0));
+        assert!(m.force.unwrap().value > 1.15);
+        assert!(m.first.force().is_none() && m.first.force_peak().is_none());
+        assert!(!m.first.is_under_way());
+    }
+
+    #[test]
+    fn noise_in_the_midst_of_a_rise_does_not_end_the_first_impact() {
+        for period in [0.05, 0.07, 0.1, 0.15] {
+            let (m, quiet) = (noisy(0.5, period), noisy(0.0, period));
+            let quiet = quiet.first.runup().unwrap().value;
+            assert!((m.first.runup().unwrap().value - quiet).abs() < 1e-9, "{period}");
+            assert!(m.first.force().unwrap().value > 2.9, "{period}");
+        }
+    }
+
+    /// A wall that comes back at 1.5 s with `speed`, m/s, in F* = 1 + a bell, and what it meets then:
+    /// suction and a rebound to F* = 4, told to be sound or not.
+    fn struck(farthest: f64, speed: f64) -> Measures {
+        let mut measures = Measures::new(1.1, WATER);
+        for k in 0..4000 {
+            let time = 0.001 * f64::from(k);
+            let displacement = if (0.8..1.5).contains(&time) { farthest } else { 0.0 };
+            let sound = match time - 1.5 {
+                since if since < 0.0 => 0.0,
+                since => 5.0 * (-30.0 * since).exp() * -(90.0 * since).cos(),
+            };
+            let force = 1.0 + bell(time, 1.0, 1.0) + sound;
+            let stops = u32::from(time >= 1.5);
+            let displacement = Some(displacement);
+            measures.push(Reading { time, force, runup: 0.0, displacement, stops });
+            if k == 1499 {
+                measures.hit(time, 0.001, speed);
+            }
+        }
+        measures
+    }
+
+    #[test]
+    fn the_sound_of_a_blow_is_in_no_maximum_of_the_force() {
+        let m = struck(0.5, 0.3);
+        for force in [m.force, m.first.force()] {
+            assert!((force.unwrap().value - 2.0).abs() < 2e-3, "{force:?}");
+        }
+        assert!((m.force_raw.unwrap() - 2.0).abs() < 2e-3);
+        assert!(m.blows.strongest().unwrap().value < -0.2);
+    }
+
+    #[test]
+    fn touches_leave_the_maxima_of_the_force_alone() {
+        // The same readings: a stiff wall, and one that comes slowly.
+        for (farthest, speed) in [(0.009, 0.3), (0.5, 0.01)] {
+            let m = struck(farthest, speed);
+            assert!(m.force.unwrap().value > 2.2 && m.force_raw.unwrap() > 2.5, "{m:?}");
+        }
     }
 }

@@ -1,9 +1,13 @@
 //! One case from start to end: [`run_case`], or its shared first stretch: [`run_trunk`].
 
+mod blows;
 mod checkpoint;
+mod doubt;
 mod ending;
 mod energy;
+mod face_gaps;
 mod failure;
+mod first_impact;
 mod gauge;
 mod health;
 mod logbook;

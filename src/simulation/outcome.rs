@@ -37,7 +37,7 @@ pub struct Outcome {
     pub first_force_peak: Option<f64>,
     /// R* of the first peak, likewise.
     pub first_runup_peak: Option<f64>,
-    /// Largest F* of any single step.
+    /// Largest F* of any single step, but for those in which the sound of a stop can be heard.
     pub force_max_raw: f64,
     /// The water's own force on the wall at rest, over ρgh²/2: what `force` columns are made up by.
     #[serde(default)]
@@ -56,8 +56,15 @@ pub struct Outcome {
     pub displacement_truncated: Option<bool>,
     /// How often the wall came back onto its stop.
     pub stops: Option<u32>,
+    /// Strongest impulse of the water on the wall by a stop, over ½ρgh² √(h/g): negative, as the water
+    /// goes on when the wall stops. Zero where it never did.
+    #[serde(default)]
+    pub stop_impulse: Option<Maximum>,
     /// Largest gap between the momentum reaction and the face integral, percent of the force.
     pub force_gap_percent: f64,
+    /// That gap, signed, at `force_max`: of the means over 0.14 √(h/g), less what it is at rest.
+    #[serde(default)]
+    pub force_max_gap_percent: f64,
     /// Residual of the energy budget, percent of the paddle's work (of the water's initial
     /// energy scale where the paddle does none).
     pub energy_gap_percent: f64,
@@ -66,6 +73,9 @@ pub struct Outcome {
     /// How close the run came to the bounds of health.
     #[serde(default)]
     pub health: HealthMargins,
+    /// Why a quoted number is to be looked at closely; `None` where nothing touches one.
+    #[serde(default)]
+    pub doubtful_reason: Option<String>,
     /// Where a first attempt failed and smaller time steps helped: what happened.
     #[serde(default)]
     pub recovered: Option<String>,

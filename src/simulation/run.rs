@@ -167,6 +167,10 @@ impl Run {
             let force = load.force - load.added_mass * acceleration;
             let start = Instant::now();
             let reading = self.read((force, acceleration), bodies[WALL].offset, before.as_ref());
+            if let Some((wall, hit)) = before.zip(step).filter(|(_, step)| step.stop_loss > 0.0) {
+                let speed = (2.0 * hit.stop_loss / wall.mass).sqrt();
+                self.logbook.measures.hit(time, dt, speed);
+            }
             if sample {
                 self.sample(&reading, before.as_ref(), bodies, (force, acceleration))?;
             }

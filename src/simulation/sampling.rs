@@ -95,6 +95,7 @@ impl Run {
         let force = force - lacking;
         let gap = 100.0 * (face - force).abs() / force.abs().max(tank.static_force);
         logbook.worst_gap = logbook.worst_gap.max(gap);
+        logbook.face_gaps.push(time, [face, force].map(|force| force / tank.static_force));
         logbook.health.see_gap(gap / 100.0);
         match reading.displacement {
             Some(x) if !x.is_finite() || x > FARTHEST_WALL => {

@@ -86,7 +86,7 @@ impl Prospect {
         let stays = |maximum: Option<super::Maximum>, most: f64| {
             most == 0.0 || maximum.is_some_and(|maximum| most < maximum.value)
         };
-        !measures.in_first_impact()
+        !measures.first.is_under_way()
             && stays(measures.force, self.force)
             && stays(measures.runup, self.runup)
             && stays(measures.displacement, self.displacement)
@@ -95,12 +95,15 @@ impl Prospect {
 
 #[cfg(test)]
 mod tests {
+    use super::super::blows::Acoustics;
     use super::super::measures::Reading;
     use super::*;
 
+    const WATER: Acoustics = Acoustics { depth: 0.2, gravity: 9.81, sound_speed: None };
+
     /// A wave of F* = 2, R* = 0.5, X* = `x` that has come and gone.
     fn after_a_wave(x: f64) -> Measures {
-        let mut measures = Measures::new(1.1, 0.2, 9.81);
+        let mut measures = Measures::new(1.1, WATER);
         for k in 0..2000 {
             let bell = (-(f64::from(k) * 0.005 - 3.0).powi(2)).exp();
             measures.push(Reading {
@@ -175,7 +178,7 @@ mod tests {
 
     #[test]
     fn nothing_ends_within_the_first_impact() {
-        let mut measures = Measures::new(1.1, 0.2, 9.81);
+        let mut measures = Measures::new(1.1, WATER);
         for k in 0..200 {
             let time = 0.005 * f64::from(k);
             measures.push(Reading { time, force: 1.6, runup: 0.3, displacement: None, stops: 0 });

@@ -133,6 +133,11 @@ const COLUMNS: &[Column] = &[
     ("force_coupling", |row| row.scene(|scene| scene.force_coupling)),
     ("force_at_rest", |row| row.number(|outcome| Some(outcome.force_at_rest))),
     ("boundary_fallbacks", |row| row.word(|outcome| Some(outcome.boundary_fallbacks))),
+    ("force_max_gap_percent", |row| row.number(|outcome| Some(outcome.force_max_gap_percent))),
+    ("stop_impulse", |row| row.value(|outcome| outcome.stop_impulse)),
+    ("stop_impulse_time_s", |row| row.time(|outcome| outcome.stop_impulse.filter(|stop| stop.value != 0.0))),
+    ("doubtful", |row| row.word(|outcome| Some(outcome.doubtful_reason.is_some()))),
+    ("doubtful_reason", |row| row.word(|outcome| outcome.doubtful_reason.clone())),
 ];
 
 /// The columns that every summary has, in order.
@@ -199,7 +204,8 @@ mod tests {
             onset_time_s,stroke_centre_s,displacement_truncated,stops,force_gap_percent,\
             energy_gap_percent,particles_lost,force_error,runup_error,displacement_error,\
             steps,particles,pair_evaluations,wall_time_s,scheme,boundary,kernel,\
-            particle_spacing_m,force_coupling,force_at_rest,boundary_fallbacks";
+            particle_spacing_m,force_coupling,force_at_rest,boundary_fallbacks,force_max_gap_percent,stop_impulse,\
+            stop_impulse_time_s,doubtful,doubtful_reason";
         assert_eq!(names.join(","), contract);
     }
 

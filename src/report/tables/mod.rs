@@ -121,6 +121,8 @@ pub fn health(data: &Loaded) -> Table {
         "particles_lost",
         "particles",
         "steps",
+        "stop_impulse",
+        "doubtful_reason",
     ];
     let row = |row: &Row| {
         vec![
@@ -134,6 +136,8 @@ pub fn health(data: &Loaded) -> Table {
             plain(row.particles_lost),
             plain(row.particles),
             plain(row.steps),
+            rounded(row.stop_impulse, 4),
+            row.doubtful_reason.clone(),
         ]
     };
     Table::new("health", "Health", &header, data.finished().map(row).collect())

@@ -56,6 +56,8 @@ pub struct HealthState {
     pub margins: HealthMargins,
     /// Largest number of particles seen outside.
     pub lost: u32,
+    /// Most energy that has come from nowhere at any look, J per metre of width.
+    pub found: f64,
     mean_gap: f64,
 }
 
@@ -121,6 +123,7 @@ impl HealthState {
             );
             return fail(FailureKind::ForceGap, detail);
         }
+        raise(&mut self.found, -vitals.energy_residual);
         let allowed = bounds.energy_floor + bounds.energy_growth * vitals.work.abs();
         raise(&mut self.margins.energy, -vitals.energy_residual / allowed);
         if -vitals.energy_residual > allowed {
@@ -262,10 +265,10 @@ mod tests {
             let vitals = Vitals { energy_residual, ..VITALS };
             let mut health = HealthState::default();
             let result = check_once(&mut health, &water(), &vitals).map_err(|failure| failure.kind);
-            (result, health.margins.closest())
+            (result, health.margins.closest(), health.found)
         };
-        assert_eq!(with(100.0), (Ok(()), (0.0, "none")));
-        assert_eq!(with(-1.0), (Ok(()), (0.5, "energy growth")));
+        assert_eq!(with(100.0), (Ok(()), (0.0, "none"), 0.0));
+        assert_eq!(with(-1.0), (Ok(()), (0.5, "energy growth"), 1.0));
         assert_eq!(with(-2.1).0, Err(FailureKind::EnergyGrowth));
     }
 

@@ -1,0 +1,213 @@
+//! The first impact of a wave: onset, start and end, and the maxima in between.
+
+use serde::{Deserialize, Serialize};
+
+use super::measures::Reading;
+use super::outcome::Maximum;
+
+/// F* must last this long above or below a bound to count, over √(h/g): 0.02 s at h = 0.2 m.
+const PERSISTENCE: f64 = 0.14;
+/// The first impact is on once F* has stayed above this, and the threshold.
+const IMPACT_FORCE: f64 = 1.15;
+/// A stop ends the first impact only after X* has exceeded this.
+const IMPACT_TRAVEL: f64 = 0.01;
+/// A peak is over when it has dropped by this share.
+const PEAK_DROP: f64 = 0.10;
+
+/// Where the first impact stands.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+enum Stage {
+    Before,
+    /// F* has crossed the bound, but has not stayed above it yet: all readings are on trial.
+    Trial {
+        above_since: Option<f64>,
+    },
+    On,
+    Over,
+}
+
+/// Running maximum that is closed once the quantity has dropped 10 % of its height above `base`.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+struct Peak {
+    base: f64,
+    highest: f64,
+    closed: bool,
+}
+
+impl Peak {
+    fn new(base: f64) -> Peak {
+        Peak { base, highest: f64::NEG_INFINITY, closed: false }
+    }
+
+    fn push(&mut self, value: f64) {
+        if self.closed {
+            return;
+        }
+        self.highest = self.highest.max(value);
+        let height = self.highest - self.base;
+        self.closed = height > 0.0 && value - self.base < (1.0 - PEAK_DROP) * height;
+    }
+
+    fn value(&self) -> Option<f64> {
+        self.highest.is_finite().then_some(self.highest)
+    }
+}
+
+/// Maxima and peaks since the impact's start.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+struct Readings {
+    force: Option<Maximum>,
+    runup: Option<Maximum>,
+    displacement: Option<Maximum>,
+    force_peak: Peak,
+    runup_peak: Peak,
+    /// Count of stops that do not end the impact.
+    stops: u32,
+}
+
+impl Readings {
+    fn new(stops: u32) -> Readings {
+        Readings {
+            force: None,
+            runup: None,
+            displacement: None,
+            force_peak: Peak::new(1.0),
+            runup_peak: Peak::new(0.0),
+            stops,
+        }
+    }
+}
+
+/// The first impact so far.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct FirstImpact {
+    threshold: f64,
+    persistence: f64,
+    stage: Stage,
+    above_since: Option<f64>,
+    below_since: Option<f64>,
+    readings: Readings,
+    onset: Option<f64>,
+}
+
+impl FirstImpact {
+    /// For F_threshold over the hydrostatic force; √(h/g) in seconds.
+    pub fn new(threshold: f64, unit_time: f64) -> FirstImpact {
+        FirstImpact {
+            threshold,
+            persistence: PERSISTENCE * unit_time,
+            stage: Stage::Before,
+            above_since: None,
+            below_since: None,
+            readings: Readings::new(0),
+            onset: None,
+        }
+    }
+
+    /// Takes the running mean of F* at a time, s, and the stops so far.
+    pub fn push_force(&mut self, at: f64, mean: f64, stops: u32) {
+        let persistence = self.persistence;
+        if mean > self.threshold {
+            self.below_since = None;
+            let since = *self.above_since.get_or_insert(at);
+            if self.onset.is_none() && at - since >= persistence {
+                self.onset = Some(since);
+            }
+        } else {
+            self.above_since = None;
+            self.below_since.get_or_insert(at);
+        }
+        let above = mean > self.threshold.max(IMPACT_FORCE);
+        if self.stage == Stage::Before && above {
+            self.stage = Stage::Trial { above_since: Some(at) };
+            self.readings = Readings::new(stops);
+        }
+        if let Stage::Trial { above_since } = &mut self.stage {
+            if !above {
+                *above_since = None;
+            } else if at - *above_since.get_or_insert(at) >= persistence {
+                self.stage = Stage::On;
+            }
+        }
+        if self.is_under_way() {
+            raise(&mut self.readings.force, mean, at);
+            self.readings.force_peak.push(mean);
+            // Noise may press the force down while the water at the wall still climbs.
+            let low = self.below_since.is_some_and(|since| at - since >= persistence);
+            if low && (self.stage != Stage::On || self.readings.runup_peak.closed) {
+                self.end();
+            }
+        }
+    }
+
+    /// Takes a step's R* and X*, and ends the impact at a stop.
+    pub fn push_motion(&mut self, reading: &Reading) {
+        if !self.is_under_way() {
+            return;
+        }
+        let readings = &mut self.readings;
+        raise(&mut readings.runup, reading.runup, reading.time);
+        readings.runup_peak.push(reading.runup);
+        if let Some(x) = reading.displacement {
+            raise(&mut readings.displacement, x, reading.time);
+        }
+        let travelled = readings.displacement.is_some_and(|m| m.value > IMPACT_TRAVEL);
+        if !travelled {
+            // Touches of a stiff wall that has hardly moved do not count.
+            readings.stops = reading.stops;
+        } else if reading.stops > readings.stops {
+            self.end();
+        }
+    }
+
+    /// What was on trial was a blip.
+    fn end(&mut self) {
+        self.stage = if self.stage == Stage::On { Stage::Over } else { Stage::Before };
+    }
+
+    /// Whether it is on, or on trial.
+    pub fn is_under_way(&self) -> bool {
+        matches!(self.stage, Stage::Trial { .. } | Stage::On)
+    }
+
+    fn told(&self) -> Option<&Readings> {
+        matches!(self.stage, Stage::On | Stage::Over).then_some(&self.readings)
+    }
+
+    /// Largest F*, of the running mean.
+    pub fn force(&self) -> Option<Maximum> {
+        self.told()?.force
+    }
+
+    /// Largest R*.
+    pub fn runup(&self) -> Option<Maximum> {
+        self.told()?.runup
+    }
+
+    /// Largest X*.
+    pub fn displacement(&self) -> Option<Maximum> {
+        self.told()?.displacement
+    }
+
+    /// F* of the first peak.
+    pub fn force_peak(&self) -> Option<f64> {
+        self.told()?.force_peak.value()
+    }
+
+    /// R* of the first peak.
+    pub fn runup_peak(&self) -> Option<f64> {
+        self.told()?.runup_peak.value()
+    }
+
+    /// When F > F_th first lasted, seconds.
+    pub fn onset(&self) -> Option<f64> {
+        self.onset
+    }
+}
+
+/// Raises a maximum to a larger value at a time, seconds.
+pub(super) fn raise(maximum: &mut Option<Maximum>, value: f64, time_s: f64) {
+    if maximum.is_none_or(|m| value > m.value) {
+        *maximum = Some(Maximum { value, time_s });
+    }
+}
