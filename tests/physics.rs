@@ -230,6 +230,25 @@ fn stiff_and_heavy_walls_approach_the_fixed_wall() {
     }
 }
 
+/// Stiff springs move by a few tenths of a millimetre: however light the wall, and however few its
+/// steps, it reads what a fixed wall does. It once rang with the sound in the water.
+#[test]
+fn light_walls_on_stiff_springs_read_as_fixed_ones() {
+    for numerics in [COARSE, "particle_spacing_m = 0.016\n"] {
+        let fixed = run(&config(SHORT, numerics));
+        for (stiffness, mass) in [(1e6, 1.0), (1e6, 5.0), (1e7, 0.1), (1e7, 1.0), (1e7, 5.0)] {
+            let light = run(&config(&movable(stiffness, mass), numerics));
+            let ratio = first_force(&light) / first_force(&fixed);
+            let what = format!("k = {stiffness:e}, m = {mass}: {ratio}");
+            assert!((ratio - 1.0).abs() < 0.01, "{what}");
+            let raw = light.outcome.force_max_raw / fixed.outcome.force_max_raw;
+            assert!((raw - 1.0).abs() < 0.03, "{what}, of single steps {raw}");
+            assert_eq!(light.outcome.steps, fixed.outcome.steps, "{what}");
+            assert!(light.outcome.energy_gap_percent.abs() < 3.0, "{what}");
+        }
+    }
+}
+
 /// Steps that follow sound alone are the same steps with their geometry held: the wave, the force
 /// and the wall's travel stay.
 #[test]

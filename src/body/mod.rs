@@ -1,5 +1,6 @@
 //! Moving walls: each turns time or force into motion, and knows nothing of particles.
 
+mod kick;
 mod spring_wall;
 
 pub use spring_wall::{SpringWall, WallStep};

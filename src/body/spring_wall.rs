@@ -10,8 +10,8 @@ use crate::theory::oscillator::{Oscillator, OscillatorState};
 /// metre of width, hydrostatics included; s is 1 in the law as printed. At the stop X = 0 and the
 /// velocity is zero too (a perfectly inelastic stop). The water's reaction to the wall's own
 /// acceleration, F = F0 - A a, is solved together with a, so that a wall lighter than the water
-/// it moves stays stable; spring and mass are advanced exactly over a step, so that a stiff
-/// spring does too.
+/// it moves stays stable. Where the force is known at the step's start, [`SpringWall::kick`] takes
+/// it; where it is the mean over the step, [`SpringWall::advance`].
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SpringWall {
     /// m, kg per metre of width.
@@ -24,7 +24,7 @@ pub struct SpringWall {
     pub force_coupling: f64,
     /// X, metres.
     pub displacement: f64,
-    /// V, m/s.
+    /// V, m/s; among kicks the mean over the step before.
     pub velocity: f64,
     /// How often the wall came back onto its stop.
     pub stops: u32,
@@ -33,7 +33,7 @@ pub struct SpringWall {
 /// What a wall does over one step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WallStep {
-    /// Mean acceleration that the water feels, m/s²; 0 in a step that ends on the stop.
+    /// Acceleration that the water feels, m/s²; 0 in a step that ends on the stop.
     pub acceleration: f64,
     /// Displacement over the step, metres.
     pub travel: f64,
@@ -60,7 +60,8 @@ impl SpringWall {
         self.displacement > 0.0 || self.velocity != 0.0 || self.stops > 0
     }
 
-    /// Advances by `dt` seconds under the water's force F = `force` - `added_mass` · a.
+    /// Advances by `dt` seconds under the water's force F = `force` - `added_mass` · a, the mean over
+    /// the step: spring and mass exactly, at any ω Δt.
     pub fn advance(&mut self, force: f64, added_mass: f64, dt: f64) -> WallStep {
         let system = self.system(force, added_mass);
         let from = OscillatorState { position: self.displacement, velocity: self.velocity };

@@ -147,6 +147,11 @@ pub trait Scheme: Debug + Send {
         Ok(())
     }
 
+    /// Whether a step's forces are those at its start and its velocities go from the middle of the step
+    /// before to its own: kick and drift. Otherwise forces are the mean over the step.
+    fn kicks(&self) -> bool {
+        true
+    }
     /// Force on a body and its added mass, from the last [`Scheme::prepare`].
     fn load(&self, body: usize) -> Load;
 

@@ -22,8 +22,6 @@ use crate::scheme::{Load, NextStep, SchemeState, StepError, StepWalls};
 const SAMPLES_PER_CHECK: u64 = 4;
 /// A scene has at most so many bodies.
 const MOST_BODIES: usize = 4;
-/// Share of m/(ρ c0 d) that a light wall's time step may be.
-const WALL_COURANT: f64 = 1.0;
 
 /// Everything that changes during a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -132,7 +130,7 @@ impl Run {
             let sample = last || time >= interval * self.clock.samples as f64 * (1.0 - 1e-12);
             let motions = self.motions();
             let bodies = &motions[..self.tank.water.walls().bodies.len()];
-            let dt = self.next_step().min(self.tank.water.step_limit());
+            let dt = self.time_step.min(self.tank.water.step_limit());
             self.tank.water.prepare(bodies, dt).map_err(|error| self.step_failure(&error))?;
             self.film(monitor, time, last);
             let mut load = self.wall_load();
@@ -155,14 +153,13 @@ impl Run {
                 self.tank.water.respond(dt).map_err(|error| self.step_failure(&error))?;
                 load = self.wall_load();
             }
-            let before = self.tank.wall;
+            let (before, mut after) = (self.tank.wall, self.tank.wall);
+            let kicks = self.tank.water.kicks();
             // A wall first leaves its stop in a full step: only there can a trunk end.
-            let step = self
-                .tank
-                .wall
-                .as_mut()
-                .filter(|wall| full || wall.has_moved())
-                .map(|wall| wall.advance(load.force, load.added_mass, dt));
+            let step = after.as_mut().filter(|wall| full || wall.has_moved()).map(|wall| {
+                let law = if kicks { SpringWall::kick } else { SpringWall::advance };
+                law(wall, load.force, load.added_mass, dt)
+            });
             let acceleration = step.map_or(0.0, |step| step.acceleration);
             let force = load.force - load.added_mass * acceleration;
             let start = Instant::now();
@@ -193,6 +190,7 @@ impl Run {
                     return Err(Stopped::Interrupted);
                 }
             }
+            self.tank.wall = after;
             self.finish_step(dt, motions, force, step, sample);
         }
     }
@@ -231,20 +229,6 @@ impl Run {
         bodies
     }
 
-    /// The time step; shorter while a wall moves that is light against the sound it makes.
-    fn next_step(&self) -> f64 {
-        let Some(wall) = &self.tank.wall else { return self.time_step };
-        if self.tank.water.state_equation().is_none() {
-            return self.time_step;
-        }
-        if wall.displacement == 0.0 {
-            return self.time_step;
-        }
-        let depth = self.tank.frame.depth * (1.0 + self.logbook.measures.last[1].max(0.0));
-        let impedance = self.tank.frame.density * self.tank.sound_speed * depth;
-        self.time_step.min(WALL_COURANT * wall.mass / impedance)
-    }
-
     fn finish_step(
         &mut self,
         dt: f64,
@@ -279,7 +263,7 @@ impl Run {
         let walls = StepWalls {
             bodies,
             acceleration: wall_step.map_or(0.0, |step| step.acceleration),
-            next: NextStep { bodies: &after[..bodies.len()], dt: self.next_step() },
+            next: NextStep { bodies: &after[..bodies.len()], dt: self.time_step },
         };
         let losses = self.tank.water.finish(dt, &walls, sample);
         self.logbook.ledger.book_losses(time, sample, losses);

@@ -104,6 +104,10 @@ impl Scheme for Isph {
         Ok(())
     }
 
+    fn kicks(&self) -> bool {
+        false
+    }
+
     fn load(&self, body: usize) -> Load {
         self.loads[body]
     }
