@@ -208,7 +208,7 @@ impl Numerics {
             amplification_limit: AMPLIFICATION_LIMIT,
             ghost_gravity: GhostGravity::InSum,
             slip: Slip::Free,
-            particle_spacing_m: 0.008,
+            particle_spacing_m: 0.009,
             sound_speed_ratio: 8.0,
             state_equation: StateEquationChoice::Linear,
             corrected_gradients: true,

@@ -100,6 +100,7 @@ mod tests {
             first_force_peak: Some(2.0),
             first_runup_peak: Some(0.5),
             force_max_raw: 2.0,
+            force_at_rest: 1.0,
             force_end: 1.0,
             runup_end: 0.0,
             displacement_end: Some(0.0),

@@ -34,7 +34,7 @@ impl Run {
             let from = (at_wall - 1.5 * radius).max(0.0);
             tank.water.level_in_water(frame.length + offset - radius, from)
         });
-        logbook.level.feel(clock.time, acceleration, frame.acceleration());
+        logbook.level.feel(clock.time, (acceleration, at_wall), frame.acceleration());
         let runup = logbook.level.over_rest(lens, at_wall, inside);
         let reading = Reading {
             time: clock.time,

@@ -5,12 +5,20 @@
 //! surface: too high by its first moment times the slope beside a wall, and by half its second moment
 //! times the curvature everywhere.
 
+use std::collections::VecDeque;
+
 use super::window::RunningMean;
 use crate::kernel::KernelChoice;
 use crate::scheme::Scheme;
 
 /// Water no steeper than this at a wall: an instant's acceleration may be noise.
 const STEEPEST: f64 = 1.0;
+/// The level's own acceleration is found over two stretches of so many times the span of the wall's.
+const STRETCH: f64 = 2.0;
+/// Levels that are kept over both stretches.
+const KEPT: usize = 17;
+/// Water that falls with the tip has at least this share of its weight left.
+const LIGHTEST: f64 = 0.3;
 
 /// What a kernel makes of a curved surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -60,19 +68,46 @@ pub(super) struct WallLevel {
     /// Of the wall's acceleration, m/s².
     acceleration: RunningMean,
     slope: f64,
+    /// Times, s, and levels, m, so far apart, s.
+    recent: VecDeque<(f64, f64)>,
+    apart: f64,
 }
 
 impl WallLevel {
     /// The wall's acceleration counts as its mean over `span` seconds.
     pub(super) fn new(span: f64) -> WallLevel {
-        WallLevel { at_rest: None, acceleration: RunningMean::new(span), slope: 0.0 }
+        WallLevel {
+            at_rest: None,
+            acceleration: RunningMean::new(span),
+            slope: 0.0,
+            recent: VecDeque::with_capacity(KEPT + 1),
+            apart: 2.0 * STRETCH * span / (KEPT - 1) as f64,
+        }
     }
 
-    /// Takes note of the wall's acceleration, m/s². The surface is a line of equal pressure, so that
-    /// at a wall that accelerates away from the water it rises inwards with the slope a/g.
-    pub(super) fn feel(&mut self, time: f64, acceleration: f64, gravity: f64) {
+    /// The acceleration at which the level rises, m/s², from three levels.
+    fn rising(&self) -> f64 {
+        let [Some(&(t0, y0)), Some(&(t1, y1)), Some(&(t2, y2))] =
+            [0, KEPT / 2, KEPT - 1].map(|k| self.recent.get(k))
+        else {
+            return 0.0;
+        };
+        2.0 * ((y2 - y1) / (t2 - t1) - (y1 - y0) / (t1 - t0)) / (t2 - t0)
+    }
+
+    /// Takes note of the wall's acceleration, m/s², and the level read there, m. The surface is a line
+    /// of equal pressure: at a wall that accelerates away from the water with a, while the water on it
+    /// rises with the acceleration v', it rises inwards with the slope a/(g + v').
+    pub(super) fn feel(&mut self, time: f64, (acceleration, level): (f64, f64), gravity: f64) {
+        if self.recent.back().is_none_or(|&(last, _)| time >= last + self.apart) {
+            self.recent.push_back((time, level));
+            if self.recent.len() > KEPT {
+                self.recent.pop_front();
+            }
+        }
         if let Some((_, mean)) = self.acceleration.push(time, acceleration) {
-            self.slope = (mean / gravity).clamp(-STEEPEST, STEEPEST);
+            let weight = (gravity + self.rising()).max(LIGHTEST * gravity);
+            self.slope = (mean / weight).clamp(-STEEPEST, STEEPEST);
         }
     }
 
@@ -128,9 +163,15 @@ mod tests {
     fn the_slope_is_that_of_a_line_of_equal_pressure() {
         let mut level = WallLevel::new(0.01);
         for k in 0..30 {
-            level.feel(0.001 * f64::from(k), 2.0, 10.0);
+            level.feel(0.001 * f64::from(k), (2.0, 0.2), 10.0);
         }
         assert!((level.slope - 0.2).abs() < 1e-12);
+        let mut falling = WallLevel::new(0.01);
+        for k in 0..60 {
+            let time = 0.001 * f64::from(k);
+            falling.feel(time, (2.0, 0.3 + 0.7 * time - 2.5 * time * time), 10.0);
+        }
+        assert!((falling.slope - 0.4).abs() < 1e-9, "{}", falling.slope);
         let lens = Lens { radius: 0.1, first: 0.25, second: 0.07 };
         level.over_rest(&lens, 0.2, Some(0.2));
         // A plane surface of that slope is told by the kernel as its mean.

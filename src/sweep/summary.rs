@@ -136,6 +136,8 @@ const COLUMNS: &[Column] = &[
     ("force_max_gap_percent", |row| row.number(|outcome| Some(outcome.force_max_gap_percent))),
     ("stop_impulse", |row| row.value(|outcome| outcome.stop_impulse)),
     ("stop_impulse_time_s", |row| row.time(|outcome| outcome.stop_impulse.filter(|stop| stop.value != 0.0))),
+    ("force_max_error", |row| row.bar(row.bars.whole_force)),
+    ("runup_max_error", |row| row.bar(row.bars.whole_runup)),
     ("doubtful", |row| row.word(|outcome| Some(outcome.doubtful_reason.is_some()))),
     ("doubtful_reason", |row| row.word(|outcome| outcome.doubtful_reason.clone())),
 ];
@@ -205,7 +207,7 @@ mod tests {
             energy_gap_percent,particles_lost,force_error,runup_error,displacement_error,\
             steps,particles,pair_evaluations,wall_time_s,scheme,boundary,kernel,\
             particle_spacing_m,force_coupling,force_at_rest,boundary_fallbacks,force_max_gap_percent,stop_impulse,\
-            stop_impulse_time_s,doubtful,doubtful_reason";
+            stop_impulse_time_s,force_max_error,runup_max_error,doubtful,doubtful_reason";
         assert_eq!(names.join(","), contract);
     }
 
