@@ -9,7 +9,7 @@ const FORCE_GAP_PERCENT: f64 = 1.5;
 /// So is one of energy above this, percent, either way.
 const ENERGY_GAP_PERCENT: f64 = 3.0;
 /// So is energy from nowhere above this, percent of the paddle's work.
-const FOUND_PERCENT: f64 = 0.5;
+const FOUND_PERCENT: f64 = 1.0;
 /// And water at the foot of the wall that its own weight makes denser by more than this, percent.
 const COMPRESSION_PERCENT: f64 = 6.0;
 
@@ -167,7 +167,7 @@ mod tests {
         assert_eq!(with(2.9), None);
         assert_eq!(with(3.1).unwrap(), "energy gap +3.1 %");
         assert_eq!(with(-15.2).unwrap(), "energy gap -15.2 %");
-        let found = doubt(&outcome(), [0.0, 0.0], 0.0, |e| e.found_percent = 0.9).unwrap();
+        let found = doubt(&outcome(), [0.0, 0.0], 0.0, |e| e.found_percent = 1.1).unwrap();
         assert!(found.contains("came from nowhere"), "{found}");
     }
 

@@ -65,8 +65,8 @@ mod tests {
         gaps.push(0.0, [1.0, 1.0]);
         for k in 1..400 {
             let time = 0.005 * f64::from(k);
-            // Sound of 20 % that comes and goes, and a void of 10 % before 0.5 s.
-            let sound = if k % 2 == 0 { 0.4 } else { -0.4 };
+            // Sound of 10 % that comes and goes, and a void of 10 % before 0.5 s.
+            let sound = if k % 2 == 0 { 0.2 } else { -0.2 };
             let void = if time < 0.5 { 0.2 } else { 0.0 };
             gaps.push(time, [2.0 + sound - void, 2.0]);
         }
