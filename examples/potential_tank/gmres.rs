@@ -92,6 +92,6 @@ mod tests {
         let mut x = vec![0.0; 20];
         solve(apply, &right, &mut x, 1e-13, 20).unwrap();
         assert!(x.iter().zip(&exact).all(|(a, b)| (a - b).abs() < 1e-11));
-        assert_eq!(solve(apply, &right, &mut vec![0.0; 20], 1e-13, 2), Err(NotConverged));
+        assert_eq!(solve(apply, &right, &mut [0.0; 20], 1e-13, 2), Err(NotConverged));
     }
 }
