@@ -3,8 +3,7 @@
 //! `cargo run --release --example compare_reference -- REFERENCE_DIR OUT_DIR RUN_DIR...`
 //!
 //! Prints the comparison and writes it to `OUT_DIR/summary.md` and `OUT_DIR/summary.csv`. Exit code
-//! 0 where every case is well, 1 where one failed, 2 on bad input. Whether a difference is small
-//! enough is for the reader to say: it depends on the particle spacing that was asked for.
+//! 0 where every case is well, 1 where one failed or breaks a bound of [`BOUNDS`], 2 on bad input.
 
 mod common;
 
@@ -23,6 +22,12 @@ const COMPARED: [[&str; 3]; 4] = [
     ["first_runup_max", "first_runup_max", "first R*"],
     ["displacement_max", "displacement_max", "largest X*"],
 ];
+
+/// Largest differences in the order of [`COMPARED`], below H/h = 0.6 and from there on: percent, and
+/// for R* in h. They are for the default spacing, where sound and spacing leave half as much.
+const BOUNDS: [[f64; 2]; 4] = [[0.6, 0.9], [0.6, 1.2], [0.02, 0.06], [0.5, 0.5]];
+/// The place of R* there.
+const RUNUP: usize = 2;
 
 /// A value beside its reference.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -106,6 +111,28 @@ impl Case {
     }
 }
 
+/// What breaks its bound, or was not measured although the reference has it: one line each.
+fn broken(cases: &[Case]) -> Vec<String> {
+    let mut lines = Vec::new();
+    for case in cases.iter().filter(|case| case.text("status") == "ok") {
+        let steep = number(&case.row, KEYS[0]).is_some_and(|wave| wave > 0.6 - 1e-9);
+        for (place, pair) in case.pairs.iter().enumerate() {
+            let Some(reference) = pair.reference else { continue };
+            let measured = pair.measured.unwrap_or(f64::NAN);
+            let (error, unit) = match place {
+                RUNUP => (measured - reference, "h"),
+                _ => (100.0 * (measured / reference - 1.0), "%"),
+            };
+            let bound = BOUNDS[place][usize::from(steep)];
+            if error.is_nan() || error.abs() > bound {
+                let (name, reading) = (case.name().join(", "), COMPARED[place][2]);
+                lines.push(format!("{name}: {reading} {error:+.4} {unit}, bound {bound} {unit}"));
+            }
+        }
+    }
+    lines
+}
+
 fn rounded(value: Option<f64>, digits: usize) -> String {
     value.map(|value| format!("{value:.digits$}")).unwrap_or_default()
 }
@@ -154,6 +181,9 @@ fn page(cases: &[Case], exact: &[Row], provenance: &str) -> String {
     for case in cases.iter().filter(|case| case.text("status") != "ok") {
         let name = case.name().join(", ");
         let _ = writeln!(text, "\nFailed: {name}: {}", case.text("reason"));
+    }
+    for line in broken(cases) {
+        let _ = writeln!(text, "\nOut of bounds: {line}");
     }
     text.push_str(
         "\nFixed walls against the exact solitary wave of the measured height (the paddle's wave is \
@@ -218,7 +248,11 @@ fn run() -> Result<bool> {
     fs::write(out.join("summary.md"), &text)?;
     fs::write(out.join("summary.csv"), table(&cases)?)?;
     print!("{text}");
-    Ok(cases.iter().all(|case| case.text("status") == "ok"))
+    let broken = broken(&cases);
+    for line in &broken {
+        eprintln!("compare_reference: {line}");
+    }
+    Ok(broken.is_empty() && cases.iter().all(|case| case.text("status") == "ok"))
 }
 
 fn main() -> ExitCode {
@@ -264,6 +298,40 @@ mod tests {
         assert_eq!(cases[0].pairs[3].told(), "-");
         assert_eq!(cases[1].pairs[3].reference, Some(1.75262));
         assert_eq!(cases[2].pairs[1].told(), "4.0000");
+    }
+
+    #[test]
+    fn a_planted_error_of_two_percent_breaks_every_bound() {
+        let planted = |share: f64| -> Vec<String> {
+            let tank = shipped("tank_reference.csv");
+            let mut rows = tank.clone();
+            for row in &mut rows {
+                for [ours, theirs, _] in COMPARED {
+                    if let Some(value) = number(row, theirs) {
+                        row.insert(ours.to_owned(), (value * (1.0 + share)).to_string());
+                    }
+                }
+                row.insert("status".to_owned(), "ok".to_owned());
+            }
+            broken(&compare(rows, &tank))
+        };
+        assert_eq!(planted(0.0), planted(0.002));
+        assert!(planted(0.0).is_empty(), "{:?}", planted(0.0));
+        let (above, below) = (planted(0.02), planted(-0.02));
+        let count = |lines: &[String], of: &str| lines.iter().filter(|l| l.contains(of)).count();
+        for lines in [&above, &below] {
+            // Of R*, only 0.5 on a fixed wall is above 1 h and below 0.6.
+            let counts = COMPARED.map(|[.., heading]| count(lines, heading));
+            assert_eq!(counts, [6, 8, 1, 2], "{lines:?}");
+        }
+        assert_eq!(above[1], "0.1, fixed, fixed: first F* +2.0000 %, bound 0.6 %");
+    }
+
+    #[test]
+    fn what_was_not_measured_is_out_of_bounds() {
+        let lost = row(&[("wave_height_ratio", "0.3"), ("status", "ok"), ("first_force_max", "")]);
+        let lines = broken(&compare(vec![lost], &shipped("tank_reference.csv")));
+        assert!(lines.iter().any(|line| line.contains("first F* NaN")), "{lines:?}");
     }
 
     #[test]

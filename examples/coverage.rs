@@ -1,14 +1,12 @@
-//! How honest the error bars are: how often the truth lies inside.
+//! How honest the error bars are: how often they hold the truth, which is potential theory.
 //!
-//! `cargo run --release --example coverage -- TANK_REFERENCE.csv OUT.md RUN_DIR...`
+//! `cargo run --release --example coverage -- POTENTIAL_DIR OUT.md RUN_DIR...`
 //!
-//! The truth of a row is that of the reference, where it has the case, and otherwise the same case
-//! at half the particle spacing, where the run has it. Writes a table to `OUT.md` and prints it.
-//! Exit code 0, or 2 on bad input.
+//! Writes a table to `OUT.md` and prints it. Exit code 0 where the share of bars that hold is within
+//! [`LEAST`] and [`MOST`], 1 where it is not or a case failed, 2 on bad input.
 
 mod common;
 
-use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::Path;
 use std::process::ExitCode;
@@ -16,120 +14,186 @@ use std::process::ExitCode;
 use anyhow::{Context, Result, ensure};
 use common::{KEYS, Row, number, read, same_case};
 
-/// Our column, the bar's, the heading.
-const READINGS: [[&str; 3]; 3] = [
-    ["first_force_max", "force_error", "first F*"],
-    ["first_runup_max", "runup_error", "first R*"],
-    ["displacement_max", "displacement_error", "largest X*"],
+/// Our column, the bar's, the heading, the unit of error and bar.
+const READINGS: [[&str; 4]; 3] = [
+    ["first_force_max", "force_error", "first F*", "%"],
+    ["first_runup_max", "runup_error", "first R*", "h"],
+    ["displacement_max", "displacement_error", "largest X*", "%"],
 ];
 
-/// One bar: its size over the value, the error over the bar, and the case.
+/// The least share of bars that hold the truth, percent: below it they promise too much.
+const LEAST: f64 = 90.0;
+/// The largest, percent: above it they are too wide to say anything.
+const MOST: f64 = 99.9;
+/// As many bars it takes to see that a share is too large.
+const MANY: usize = 100;
+
+/// One bar and the error that it should hold, in the reading's unit.
+#[derive(Debug, Clone)]
 struct Bar {
-    percent: f64,
-    used: f64,
+    wave: f64,
+    size: f64,
+    error: f64,
     case: String,
 }
 
-/// Bars by what they were checked against, spacing and reading.
-type Groups = BTreeMap<(String, String, usize), Vec<Bar>>;
+impl Bar {
+    fn new(row: &Row, truths: &[Row], [column, bar, _, unit]: [&str; 4]) -> Option<Bar> {
+        let truth = number(truths.iter().find(|truth| same_case(row, truth))?, column)?;
+        let scale = if unit == "h" { 1.0 } else { 100.0 / truth.abs() };
+        let case: Vec<_> =
+            KEYS.iter().filter_map(|key| row.get(*key)).map(String::as_str).collect();
+        Some(Bar {
+            wave: number(row, KEYS[0])?,
+            // A bar that is missing holds nothing.
+            size: scale * number(row, bar).unwrap_or(f64::NAN),
+            error: scale * (number(row, column)? - truth),
+            case: case.join(", ").trim_end_matches([',', ' ']).to_owned(),
+        })
+    }
 
-fn collect(rows: &[Row], reference: &[Row], groups: &mut Groups) {
-    for row in rows {
-        let Some(spacing) = number(row, "particle_spacing_m") else { continue };
-        let half = |other: &&Row| {
-            let finer = number(other, "particle_spacing_m").unwrap_or(f64::NAN);
-            same_case(row, other) && (finer / spacing - 0.5).abs() < 1e-6
-        };
-        let exact = reference.iter().find(|other| same_case(row, other));
-        let finer = rows.iter().find(half);
-        for (truth, name) in [(exact, "potential theory"), (finer, "half the spacing")] {
-            let Some(truth) = truth else { continue };
-            for (place, [column, bar, _]) in READINGS.iter().enumerate() {
-                let value = number(row, column);
-                let Some(((value, bar), truth)) =
-                    value.zip(number(row, bar)).zip(number(truth, column))
-                else {
-                    continue;
-                };
-                let case: Vec<_> = KEYS.iter().filter_map(|key| row.get(*key).cloned()).collect();
-                groups.entry((name.to_owned(), format!("{spacing}"), place)).or_default().push(
-                    Bar {
-                        percent: 100.0 * bar / value.abs(),
-                        used: (value - truth).abs() / bar,
-                        case: case
-                            .into_iter()
-                            .filter(|word| !word.is_empty())
-                            .collect::<Vec<_>>()
-                            .join(", "),
-                    },
-                );
-            }
-        }
+    fn holds(&self) -> bool {
+        self.error.abs() <= self.size
     }
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
+/// The share of bars that hold, percent.
+fn share(bars: &[Bar]) -> f64 {
+    100.0 * bars.iter().filter(|bar| bar.holds()).count() as f64 / bars.len() as f64
+}
+
+fn median(values: impl Iterator<Item = f64>) -> f64 {
+    let mut values: Vec<_> = values.collect();
     values.sort_by(f64::total_cmp);
     let middle = values.len() / 2;
     if values.len() % 2 == 1 { values[middle] } else { 0.5 * (values[middle - 1] + values[middle]) }
 }
 
-fn table(groups: &Groups) -> Result<String> {
-    let mut text = "# Coverage of the error bars\n\nWritten by `scripts/coverage`: how often the truth lies \
-        inside the bar of a case (`error_bars = \"pair\"`). The truth\nis fully nonlinear potential \
-        theory of the same tank where it is known, and otherwise the same case at half the spacing,\n\
-        which has an error of its own. The aim is 90 % inside and a median bar below 3 %.\n\n\
-        | truth | spacing, m | reading | cases | inside | median bar, % | median error/bar | outside (H/h, k, m: error/bar) |\n\
-        |---|---|---|---|---|---|---|---|\n"
-        .to_owned();
-    let (mut all, mut inside) = (0, 0);
-    for ((truth, spacing, place), bars) in groups {
-        let good = bars.iter().filter(|bar| bar.used <= 1.0).count();
-        (all, inside) = (all + bars.len(), inside + good);
-        let outside: Vec<_> = bars
-            .iter()
-            .filter(|bar| bar.used > 1.0)
-            .map(|bar| format!("{}: {:.2}", bar.case, bar.used))
-            .collect();
-        writeln!(
-            text,
-            "| {truth} | {spacing} | {} | {} | {:.0} % | {:.2} | {:.2} | {} |",
-            READINGS[*place][2],
-            bars.len(),
-            100.0 * good as f64 / bars.len() as f64,
-            median(bars.iter().map(|bar| bar.percent).collect()),
-            median(bars.iter().map(|bar| bar.used).collect()),
-            outside.join("; ")
-        )?;
-    }
-    ensure!(all > 0, "no row has both a bar and a truth");
-    writeln!(
-        text,
-        "\nOf all {all} bars {:.0} % hold the truth.",
-        100.0 * f64::from(inside as u32) / f64::from(all as u32)
-    )?;
-    Ok(text)
+/// A row of the table.
+fn line(reading: [&str; 4], wave: &str, bars: &[Bar]) -> String {
+    let [_, _, heading, unit] = reading;
+    let worst = bars.iter().max_by(|a, b| a.error.abs().total_cmp(&b.error.abs()));
+    let worst = worst.map(|bar| format!("{:+.3} at {}", bar.error, bar.case)).unwrap_or_default();
+    format!(
+        "| {heading}, {unit} | {wave} | {} | {:.1} % | {:.4} | {:.4} | {worst} |\n",
+        bars.len(),
+        share(bars),
+        median(bars.iter().map(|bar| bar.size)),
+        median(bars.iter().map(|bar| bar.error.abs())),
+    )
 }
 
-fn run() -> Result<()> {
-    let arguments: Vec<_> = std::env::args().skip(1).collect();
-    ensure!(arguments.len() >= 3, "usage: coverage TANK_REFERENCE.csv OUT.md RUN_DIR...");
-    let reference = read(Path::new(&arguments[0]))?;
-    let mut groups = Groups::new();
-    for directory in &arguments[2..] {
-        collect(&read(&Path::new(directory).join("summary.csv"))?, &reference, &mut groups);
+/// What is wrong with the bars of one reading: the share of all, and of every wave.
+fn broken(heading: &str, bars: &[Bar]) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut check = |of: &str, bars: &[Bar]| {
+        let (count, share) = (bars.len(), share(bars));
+        if share < LEAST {
+            lines.push(format!(
+                "{heading}, {of}: {share:.1} % of {count} bars hold, least {LEAST} %"
+            ));
+        }
+        if share > MOST && count >= MANY {
+            lines
+                .push(format!("{heading}, {of}: {share:.1} % of {count} bars hold, most {MOST} %"));
+        }
+    };
+    check("all", bars);
+    for wave in bars.chunk_by(|a, b| a.wave == b.wave) {
+        check(&format!("H/h {}", wave[0].wave), wave);
     }
-    let text = table(&groups)?;
+    lines
+}
+
+/// The table, and what breaks the bounds on the shares.
+fn judge(rows: &[Row], truths: &[Row]) -> Result<(String, Vec<String>)> {
+    let mut text = "# Coverage of the error bars\n\nWritten by `scripts/coverage`: how often the truth lies \
+        inside the bar of a case (`error_bars = \"pair\"`).\nThe truth is potential theory of the same \
+        tank (`results/potential`).\n\n\
+        | reading | H/h | cases | bars that hold | median bar | median error | worst error (H/h, k, m) |\n\
+        |---|---|---|---|---|---|---|\n"
+        .to_owned();
+    let (mut faults, mut missed) = (Vec::new(), String::new());
+    for row in rows.iter().filter(|row| row.get("status").is_none_or(|status| status != "ok")) {
+        let cell = |column: &str| row.get(column).map_or("", String::as_str);
+        faults.push(format!("{}: failed: {}", KEYS.map(cell).join(", "), cell("reason")));
+    }
+    let mut any = false;
+    for reading in READINGS {
+        let mut bars: Vec<_> =
+            rows.iter().filter_map(|row| Bar::new(row, truths, reading)).collect();
+        if bars.is_empty() {
+            continue; // fixed walls have no displacement
+        }
+        any = true;
+        bars.sort_by(|a, b| a.wave.total_cmp(&b.wave));
+        for wave in bars.chunk_by(|a, b| a.wave == b.wave) {
+            text += &line(reading, &wave[0].wave.to_string(), wave);
+        }
+        text += &line(reading, "all", &bars);
+        for bar in bars.iter().filter(|bar| !bar.holds()) {
+            let ([_, _, heading, unit], Bar { size, error, case, .. }) = (reading, bar);
+            writeln!(missed, "| {heading}, {unit} | {case} | {error:+.4} | {size:.4} |")?;
+        }
+        faults.extend(broken(reading[2], &bars));
+    }
+    ensure!(any, "no row has a truth");
+    text +=
+        "\nBars that do not hold:\n\n| reading | H/h, k, m | error | bar |\n|---|---|---|---|\n";
+    text += &missed;
+    for fault in &faults {
+        writeln!(text, "\nOut of bounds: {fault}")?;
+    }
+    Ok((text, faults))
+}
+
+fn run() -> Result<bool> {
+    let arguments: Vec<_> = std::env::args().skip(1).collect();
+    ensure!(arguments.len() >= 3, "needed: POTENTIAL_DIR OUT.md RUN_DIR...");
+    let potential = Path::new(&arguments[0]);
+    let mut truths = read(&potential.join("tank.csv"))?;
+    truths.extend(read(&potential.join("fixed.csv"))?);
+    let mut rows = Vec::new();
+    for directory in &arguments[2..] {
+        rows.extend(read(&Path::new(directory).join("summary.csv"))?);
+    }
+    let (text, faults) = judge(&rows, &truths)?;
     print!("{text}");
-    std::fs::write(&arguments[1], text).with_context(|| format!("cannot write {}", arguments[1]))
+    let written = std::fs::write(&arguments[1], text);
+    written.with_context(|| format!("cannot write {}", arguments[1]))?;
+    for fault in &faults {
+        eprintln!("coverage: {fault}");
+    }
+    Ok(faults.is_empty())
 }
 
 fn main() -> ExitCode {
     match run() {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(1),
         Err(error) => {
             eprintln!("coverage: {error:#}");
             ExitCode::from(2)
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn bars(good: usize, bad: usize) -> Vec<Bar> {
+        let bar = |error| Bar { wave: 0.3, size: 1.0, error, case: String::new() };
+        [vec![bar(-0.5); good], vec![bar(1.5); bad]].concat()
+    }
+
+    #[test]
+    fn shares_outside_the_bounds_are_told() {
+        assert!(broken("first F*", &bars(95, 5)).is_empty());
+        assert!(broken("first F*", &bars(60, 0)).is_empty(), "too few to call them too wide");
+        let low = broken("first F*", &bars(50, 10));
+        assert_eq!(low[1], "first F*, H/h 0.3: 83.3 % of 60 bars hold, least 90 %");
+        assert!(broken("first F*", &bars(300, 0))[0].ends_with("most 99.9 %"));
+        assert!(!Bar { size: f64::NAN, ..bars(1, 0)[0].clone() }.holds());
     }
 }

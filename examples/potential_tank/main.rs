@@ -10,8 +10,6 @@ mod conjugate;
 mod gmres;
 mod grid;
 mod law;
-#[allow(dead_code)] // the program's own definitions, of which a few are not needed here
-#[path = "../../src/simulation/measures.rs"]
 mod measures;
 mod motion;
 mod readings;
@@ -20,10 +18,6 @@ mod table;
 mod tank;
 mod water;
 mod window;
-/// What the measures import.
-mod outcome {
-    pub use seawall::simulation::Maximum;
-}
 
 use std::path::PathBuf;
 use std::time::Instant;

@@ -168,7 +168,7 @@ mod tests {
         let config = case("", "").unwrap();
         let scene = config.scene.seawall().unwrap();
         assert_eq!(scene.still_water_depth_m, 0.2);
-        assert_eq!(config.numerics.particle_spacing_m, 0.008);
+        assert_eq!(config.numerics.particle_spacing_m, 0.009);
     }
 
     #[test]

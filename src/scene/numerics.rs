@@ -238,6 +238,7 @@ impl Numerics {
         match name {
             "default" => Some(default),
             "huang2019" => Some(Numerics {
+                particle_spacing_m: 0.008,
                 kernel: KernelChoice::Gaussian,
                 support_radius_ratio: 3.9,
                 ghost_gravity: GhostGravity::AtMirror,
@@ -254,6 +255,7 @@ impl Numerics {
             }),
             "isph" => Some(Numerics {
                 scheme: Scheme::Isph,
+                particle_spacing_m: 0.008,
                 support_radius_ratio: 4.0,
                 artificial_viscosity: 0.1,
                 laplacian: Some(Laplacian::Exact),

@@ -98,6 +98,7 @@ impl Wcsph {
                 work: &self.work,
                 options: &self.options,
                 planes: &self.planes,
+                strain: &self.strain,
                 dt: self.since_full,
                 inverse_radius: self.scaling.inverse_radius,
             },

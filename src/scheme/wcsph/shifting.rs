@@ -12,15 +12,23 @@ use crate::particles::Fluid;
 const FROM: f64 = 0.85;
 /// ... to this one.
 const FULL: f64 = 0.97;
+/// The speed of a shift is that by which the flow differs over so many support radii.
+const ACROSS: f64 = 2.0;
 /// No shift is longer than this many particle spacings.
 const LIMIT: f64 = 0.05;
 
 /// Shifts particles towards an even spread, and takes their densities along.
+///
+/// The speed is 2R √(2E:E), E the strain rate without its trace: water that moves as one body or turns
+/// is left alone. Where gradients are not corrected there is no E, and |u| stands for it, as in Lind et
+/// al. 2012.
 pub(super) struct Shift<'a> {
     pub fluid: &'a mut Fluid,
     pub work: &'a Workspace,
     pub options: &'a WcsphOptions,
     pub planes: &'a [Plane],
+    /// As [`super::momentum::Momentum::strain`].
+    pub strain: &'a [[f64; 2]],
     /// The time that the shift is for, seconds.
     pub dt: f64,
     /// 1/R, 1/m.
@@ -33,7 +41,7 @@ impl Task for Shift<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) -> f64 {
-        let Shift { fluid, work, options, planes, dt, inverse_radius } = self;
+        let Shift { fluid, work, options, planes, strain, dt, inverse_radius } = self;
         let strength = options.shifting_coefficient * options.smoothing_length() * dt;
         let (limit, reach) = (LIMIT * options.spacing, options.spacing);
         let slope = options.hydrostatic_slope();
@@ -43,7 +51,18 @@ impl Task for Shift<'_> {
             let [x, y, vx, vy] = all_lanes::<L, 4>([&fluid.x, &fluid.y, &fluid.vx, &fluid.vy], at);
             let inside = lanes::<L>(&work.completeness, at) - L::splat(FROM);
             let inside = inside.div(L::splat(FULL - FROM)).max(zero).min(one);
-            let factor = L::splat(-strength) * (vx * vx + vy * vy).sqrt() * inside;
+            let speed = if options.corrected_gradients {
+                let (mut stretch, mut shear) = ([0.0; LANES], [0.0; LANES]);
+                for lane in 0..LANES {
+                    [stretch[lane], shear[lane]] = strain[at + lane];
+                }
+                // R √(2E:E) is twice √((2 stretch)² + shear²), as the pair pass has them.
+                let (stretch, shear) = (L::load(&stretch) + L::load(&stretch), L::load(&shear));
+                L::splat(2.0 * ACROSS) * stretch.mul_add(stretch, shear * shear).sqrt()
+            } else {
+                (vx * vx + vy * vy).sqrt()
+            };
+            let factor = L::splat(-strength) * speed * inside;
             let [dx, dy] = all_lanes::<L, 2>([&work.concentration_x, &work.concentration_y], at);
             let mut dx = (factor * dx).max(L::splat(-limit)).min(L::splat(limit));
             let mut dy = (factor * dy).max(L::splat(-limit)).min(L::splat(limit));

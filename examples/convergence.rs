@@ -1,0 +1,453 @@
+//! How the readings of eight walls converge on potential theory with spacing and sound speed:
+//!
+//! `cargo run --release --example convergence -- POTENTIAL_DIR OUT_DIR RUN_DIR...`
+//!
+//! Writes `convergence.csv`, `convergence.md` and `convergence.svg` to `OUT_DIR`. Exit code 0 where
+//! every bound holds, 1 where one is broken or a case failed, 2 on bad input.
+
+mod common;
+
+use std::path::Path;
+use std::process::ExitCode;
+
+use anyhow::{Context, Result, ensure};
+use common::{KEYS, Row, number, read, same_case};
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+/// Our column, the truth's, the name, the unit of the error, and the least error an order is read off.
+const READINGS: [(&str, &str, &str, &str, f64); 4] = [
+    ("measured_wave_height_ratio", "crest_at_1.5_m_over_h", "crest", "%", 0.3),
+    ("first_force_max", "first_force_max", "first F*", "%", 0.3),
+    ("first_runup_max", "first_runup_max", "first R*", "h", 0.01),
+    ("displacement_max", "displacement_max", "X*", "%", 0.3),
+];
+const CREST: usize = 0;
+const FORCE: usize = 1;
+const RUNUP: usize = 2;
+const DISPLACEMENT: usize = 3;
+
+/// Bounds hold from this spacing down, m: coarser runs show the way there.
+const FINE: f64 = 0.008;
+/// Waves from here on are near the highest there is; their bounds are wider.
+const STEEP: f64 = 0.6;
+/// Crest at [`FINE`], %: what the paddle's wave loses over 1.5 m.
+const CREST_BOUND: f64 = 0.3;
+/// Likewise when steep: its peak is sharper than the gauge's kernel.
+const STEEP_CREST_BOUND: f64 = 0.6;
+/// First F*, %: twice what is left of spacing and sound.
+const FORCE_BOUND: f64 = 0.6;
+/// Likewise when steep, with sound of [`QUIET`] or more: compressibility is mostly gone.
+const STEEP_FORCE_BOUND: f64 = 1.0;
+/// Likewise with slower sound: the jet under the crest is compressed.
+const LOUD_FORCE_BOUND: f64 = 1.6;
+/// The sound speed ratio that parts the two bounds above.
+const QUIET: f64 = 12.0;
+/// First R* at [`FINE`] when steep, h: the tip is thinner than a particle.
+const STEEP_RUNUP_BOUND: f64 = 0.04;
+/// X*, %: a spring averages over the scatter of the force.
+const DISPLACEMENT_BOUND: f64 = 0.4;
+/// F* between neighbouring spacings from [`FINE`] down, %: a scheme that converges does not jump.
+const CHANGE_BOUND: f64 = 0.5;
+/// Likewise when steep.
+const STEEP_CHANGE_BOUND: f64 = 0.7;
+
+/// A run beside its truth.
+#[derive(Debug, Clone)]
+struct Case {
+    /// H/h, k and m; fixed walls have the first alone.
+    keys: [Option<f64>; 3],
+    spacing: f64,
+    sound: f64,
+    force: f64,
+    /// In the order of [`READINGS`].
+    errors: [Option<f64>; 4],
+    seconds: f64,
+}
+
+impl Case {
+    fn new(row: &Row, truths: &[Row]) -> Result<Case> {
+        let cell = |column| number(row, column).with_context(|| format!("{column} is missing"));
+        let truth = truths.iter().find(|truth| same_case(row, truth)).context("no truth")?;
+        let error = |place: usize| {
+            let (ours, theirs, _, unit, _) = READINGS[place];
+            let (ours, theirs) = (number(row, ours)?, number(truth, theirs)?);
+            Some(if unit == "h" { ours - theirs } else { 100.0 * (ours / theirs - 1.0) })
+        };
+        Ok(Case {
+            keys: KEYS.map(|key| number(row, key)),
+            spacing: cell("particle_spacing_m")?,
+            sound: cell("sound_speed_ratio")?,
+            force: cell("first_force_max")?,
+            errors: [CREST, FORCE, RUNUP, DISPLACEMENT].map(error),
+            seconds: cell("wall_time_s")?,
+        })
+    }
+
+    fn wave(&self) -> f64 {
+        self.keys[0].unwrap_or(f64::NAN)
+    }
+
+    fn wall(&self) -> String {
+        match self.keys {
+            [_, Some(k), Some(m)] => format!("H/h {}, k {k}, m {m}", self.wave()),
+            _ => format!("H/h {}, fixed", self.wave()),
+        }
+    }
+
+    fn name(&self) -> String {
+        format!("{}, {} mm, c0 ratio {}", self.wall(), millimetres(self.spacing), self.sound)
+    }
+
+    fn steep(&self) -> bool {
+        self.wave() > STEEP - 1e-9
+    }
+
+    fn fine(&self) -> bool {
+        self.spacing < FINE + 1e-9
+    }
+
+    /// The largest error allowed, where there is a bound.
+    fn bound(&self, reading: usize) -> Option<f64> {
+        let at = self.fine() && self.spacing > FINE - 1e-9;
+        match reading {
+            CREST if at => Some(if self.steep() { STEEP_CREST_BOUND } else { CREST_BOUND }),
+            FORCE if self.fine() && !self.steep() => Some(FORCE_BOUND),
+            FORCE if self.fine() && self.sound < QUIET => Some(LOUD_FORCE_BOUND),
+            FORCE if self.fine() => Some(STEEP_FORCE_BOUND),
+            RUNUP if at && self.steep() => Some(STEEP_RUNUP_BOUND),
+            DISPLACEMENT if self.fine() && self.keys[1].is_some() => Some(DISPLACEMENT_BOUND),
+            _ => None,
+        }
+    }
+}
+
+fn millimetres(spacing: f64) -> f64 {
+    (1e5 * spacing).round() / 100.0
+}
+
+/// The change of F* from the first to the second of two runs, percent.
+fn change(pair: &[Case]) -> f64 {
+    100.0 * (pair[1].force / pair[0].force - 1.0)
+}
+
+/// What breaks its bound: case, reading, value and bound.
+fn broken(curves: &[&[Case]]) -> Vec<String> {
+    let mut lines = Vec::new();
+    for case in curves.iter().copied().flatten() {
+        for (place, (.., name, unit, _)) in READINGS.iter().enumerate() {
+            let Some(bound) = case.bound(place) else { continue };
+            // What is missing or not a number is not within the bound either.
+            let error = case.errors[place].unwrap_or(f64::NAN);
+            if error.is_nan() || error.abs() > bound {
+                let case = case.name();
+                lines.push(format!("{case}: {name} {error:+.4} {unit}, bound {bound} {unit}"));
+            }
+        }
+    }
+    for pair in curves.iter().flat_map(|curve| curve.windows(2)).filter(|pair| pair[0].fine()) {
+        let bound = if pair[0].steep() { STEEP_CHANGE_BOUND } else { CHANGE_BOUND };
+        if change(pair).abs() > bound {
+            let (case, from) = (pair[1].name(), millimetres(pair[0].spacing));
+            let change = change(pair);
+            lines
+                .push(format!("{case}: F* {change:+.4} % from that of {from} mm, bound {bound} %"));
+        }
+    }
+    lines
+}
+
+/// The slope of log |error| over log spacing by least squares. It takes the errors that are large
+/// enough and have the first one's sign: the others are where two errors cancel.
+fn order(curve: &[Case], place: usize) -> Option<f64> {
+    let sign = curve[0].errors[place]?.signum();
+    let log = |case: &Case| {
+        let error = sign * case.errors[place]?;
+        (error > READINGS[place].4).then(|| [case.spacing.ln(), error.ln()])
+    };
+    let logs: Vec<_> = curve.iter().filter_map(log).collect();
+    let mean = |i: usize| logs.iter().map(|log| log[i]).sum::<f64>() / logs.len() as f64;
+    let [x, y] = [mean(0), mean(1)];
+    let xy: f64 = logs.iter().map(|log| (log[0] - x) * (log[1] - y)).sum();
+    let xx: f64 = logs.iter().map(|log| (log[0] - x).powi(2)).sum();
+    (logs.len() > 1).then(|| xy / xx)
+}
+
+fn csv(curves: &[&[Case]]) -> Result<Vec<u8>> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let mut header: Vec<_> = KEYS.into();
+    header.extend(["particle_spacing_m", "sound_speed_ratio", "crest_error_percent"]);
+    header.extend(["first_force_error_percent", "first_runup_error_h"]);
+    header.extend(["displacement_error_percent", "seconds"]);
+    writer.write_record(header)?;
+    for case in curves.iter().copied().flatten() {
+        let text = |value: Option<f64>| value.map(|value| value.to_string()).unwrap_or_default();
+        let mut cells: Vec<_> = case.keys.map(text).into();
+        cells.extend([case.spacing.to_string(), case.sound.to_string()]);
+        cells.extend(case.errors.map(|error| told(error, 4)));
+        cells.push(format!("{:.1}", case.seconds));
+        writer.write_record(cells)?;
+    }
+    Ok(writer.into_inner()?)
+}
+
+fn told(value: Option<f64>, digits: usize) -> String {
+    value.map(|value| format!("{value:+.digits$}")).unwrap_or_default()
+}
+
+/// A Markdown table under its heading.
+fn table(heading: &str, header: &[String], rows: impl IntoIterator<Item = Vec<String>>) -> String {
+    let mut text =
+        format!("\n{heading}\n\n| {} |\n|{}\n", header.join(" | "), "---|".repeat(header.len()));
+    rows.into_iter().for_each(|row| text += &format!("| {} |\n", row.join(" | ")));
+    text
+}
+
+/// The tables of one reading: its error, and the order of that, over the spacing.
+fn reading(curves: &[&[Case]], place: usize) -> String {
+    let (.., name, unit, least) = READINGS[place];
+    let curves = || {
+        let usual = |curve: &&&[Case]| curve[0].sound < QUIET && curve[0].errors[place].is_some();
+        curves.iter().filter(usual)
+    };
+    let mut spacings: Vec<_> = curves().copied().flatten().map(|case| case.spacing).collect();
+    spacings.sort_by(|a, b| b.total_cmp(a));
+    spacings.dedup();
+    let header = |middle: &[&str], cells: Vec<String>| {
+        middle.iter().map(|&cell| cell.to_owned()).chain(cells).collect::<Vec<_>>()
+    };
+    let mm = |spacing: f64| millimetres(spacing).to_string();
+    let single = spacings.iter().map(|&spacing| mm(spacing)).collect();
+    let errors = curves().map(|curve| {
+        let at = |&spacing: &f64| curve.iter().find(|case| case.spacing == spacing);
+        let digits = if place == RUNUP { 4 } else { 2 };
+        let error = |spacing| told(at(spacing).and_then(|case| case.errors[place]), digits);
+        header(&[&curve[0].wall()], spacings.iter().map(error).collect())
+    });
+    let heading = format!("## {name}\n\nError, {unit}, over the spacing, mm:");
+    let text = table(&heading, &header(&["wall"], single), errors);
+    let orders = curves().map(|curve| {
+        let pair = |ends: &[f64]| {
+            let pair = curve.windows(2).find(|pair| pair[0].spacing == ends[0])?;
+            order(pair, place).filter(|_| pair[1].spacing == ends[1])
+        };
+        let pairs = spacings.windows(2).map(|ends| told(pair(ends), 1)).collect();
+        header(&[&curve[0].wall(), &told(order(curve, place), 1)], pairs)
+    });
+    let double = spacings.windows(2).map(|s| format!("{} to {}", mm(s[0]), mm(s[1]))).collect();
+    let heading = format!("Order, where errors are above {least} {unit} and of one sign:");
+    text + &table(&heading, &header(&["wall", "all"], double), orders)
+}
+
+/// Errors at several sound speeds.
+fn over_sound(curves: &[&[Case]]) -> String {
+    let cases: Vec<_> = curves.iter().copied().flatten().collect();
+    let mut sounds: Vec<_> = cases.iter().map(|case| case.sound).collect();
+    sounds.sort_by(f64::total_cmp);
+    sounds.dedup();
+    let shown = [(CREST, 2), (FORCE, 2), (RUNUP, 4)];
+    let mut header = vec!["wall".to_owned(), "mm".to_owned()];
+    for (place, _) in shown {
+        let (.., name, unit, _) = READINGS[place];
+        header.extend(sounds.iter().map(|sound| format!("{name}, {unit}, {sound}")));
+    }
+    let loud = cases.iter().filter(|case| case.sound < QUIET);
+    let rows = loud.filter_map(|case| {
+        let at = |sound| {
+            let same =
+                |c: &&&Case| (c.keys, c.spacing, c.sound) == (case.keys, case.spacing, sound);
+            cases.iter().find(same).copied()
+        };
+        let found: Vec<_> = sounds.iter().map(|&sound| at(sound)).collect();
+        found.iter().skip(1).any(Option::is_some).then(|| {
+            let mut cells = vec![case.wall(), millimetres(case.spacing).to_string()];
+            for (place, digits) in shown {
+                let error = |case: &Option<&Case>| told(case.and_then(|c| c.errors[place]), digits);
+                cells.extend(found.iter().map(error));
+            }
+            cells
+        })
+    });
+    table("## Error over the sound speed ratio", &header, rows)
+}
+
+fn page(curves: &[&[Case]], broken: &[String]) -> String {
+    let mut text = "# Convergence\n\nWritten by `scripts/convergence`. Errors are against potential \
+        theory of the same tank\n(`results/potential`), in percent or, for runup, in h. Sound speed ratio is \
+        8 but where another is named.\n\n![Errors over the spacing](convergence.svg)\n"
+        .to_owned();
+    (0..READINGS.len()).for_each(|place| text += &reading(curves, place));
+    text += &over_sound(curves);
+    let rows = curves.iter().map(|curve| {
+        let largest = |fine: bool| {
+            let pairs = curve.windows(2).filter(|pair| !fine || pair[0].fine());
+            told(pairs.map(change).max_by(|a, b| a.abs().total_cmp(&b.abs())), 2)
+        };
+        vec![curve[0].wall(), curve[0].sound.to_string(), largest(false), largest(true)]
+    });
+    let header = ["wall", "sound speed ratio", "all, %", "from 8 mm down, %"].map(str::to_owned);
+    text += &table("## Largest change of F* between neighbouring spacings", &header, rows);
+    text += "\n## Bounds\n\n";
+    text += if broken.is_empty() { "All hold.\n" } else { "Broken:\n\n" };
+    broken.iter().for_each(|line| text += &format!("- {line}\n"));
+    text
+}
+
+/// Colours of the waves (after Okabe and Ito).
+const COLOURS: [RGBColor; 4] =
+    [RGBColor(0, 114, 178), RGBColor(230, 127, 0), RGBColor(0, 158, 115), RGBColor(208, 74, 140)];
+
+/// Fixed walls: full discs on thick lines. Movable ones: open rings on thin lines.
+fn figure(curves: &[&[Case]], path: &Path) -> Result<(), Box<dyn std::error::Error>> {
+    let curves: Vec<_> = curves.iter().copied().filter(|curve| curve[0].sound < QUIET).collect();
+    let mut waves: Vec<_> = curves.iter().map(|curve| curve[0].wave()).collect();
+    waves.sort_by(f64::total_cmp);
+    waves.dedup();
+    let look = |curve: &[Case]| {
+        let wave = waves.iter().position(|&wave| wave == curve[0].wave()).unwrap_or(0);
+        let (movable, colour) = (curve[0].keys[1].is_some(), COLOURS[wave % COLOURS.len()]);
+        let inside = if movable { WHITE.filled() } else { colour.filled() };
+        (colour.stroke_width(if movable { 1 } else { 3 }), inside, colour.stroke_width(2))
+    };
+    let sheet = SVGBackend::new(path, (1100, 900)).into_drawing_area();
+    sheet.fill(&WHITE)?;
+    let (panels, legend) = sheet.split_vertically(810);
+    for (place, area) in
+        [FORCE, RUNUP, DISPLACEMENT, CREST].into_iter().zip(panels.split_evenly((2, 2)))
+    {
+        let (.., name, unit, _) = READINGS[place];
+        let (low, high) = if place == RUNUP { (0.0005, 0.5) } else { (0.01, 10.0) };
+        let mut chart = ChartBuilder::on(&area)
+            .caption(format!("|error| of {name}, {unit}"), ("sans-serif", 20))
+            .margin(12)
+            .x_label_area_size(45)
+            .y_label_area_size(60)
+            .build_cartesian_2d(1.9..4.1, (low..high).log_scale())?;
+        chart
+            .configure_mesh()
+            .x_labels(5)
+            .x_label_formatter(&|log: &f64| format!("{:.1}", log.exp2()).replace(".0", ""))
+            .y_label_formatter(&|error: &f64| error.to_string())
+            .x_desc("particle spacing, mm")
+            .label_style(("sans-serif", 16))
+            .light_line_style(BLACK.mix(0.06))
+            .draw()?;
+        for curve in &curves {
+            let (line, inside, edge) = look(curve);
+            let point = |case: &Case| {
+                Some(((1e3 * case.spacing).log2(), case.errors[place]?.abs().clamp(low, high)))
+            };
+            let points: Vec<_> = curve.iter().filter_map(point).collect();
+            chart.draw_series(LineSeries::new(points.clone(), line))?;
+            chart.draw_series(points.iter().map(|&at| Circle::new(at, 4, inside)))?;
+            chart.draw_series(points.iter().map(|&at| Circle::new(at, 4, edge)))?;
+        }
+    }
+    for (index, curve) in curves.iter().enumerate() {
+        let (x, y) = (40 + 265 * (index as i32 % 4), 18 + 34 * (index as i32 / 4));
+        let (line, inside, edge) = look(curve);
+        legend.draw(&PathElement::new(vec![(x, y), (x + 36, y)], line))?;
+        legend.draw(&Circle::new((x + 18, y), 4, inside))?;
+        legend.draw(&Circle::new((x + 18, y), 4, edge))?;
+        let style = TextStyle::from(("sans-serif", 17)).pos(Pos::new(HPos::Left, VPos::Center));
+        legend.draw(&Text::new(curve[0].wall(), (x + 44, y), style))?;
+    }
+    Ok(sheet.present()?)
+}
+
+fn run() -> Result<bool> {
+    let arguments: Vec<_> = std::env::args_os().skip(1).collect();
+    ensure!(arguments.len() >= 3, "needed: POTENTIAL_DIR OUT_DIR RUN_DIR...");
+    let (potential, out) = (Path::new(&arguments[0]), Path::new(&arguments[1]));
+    let mut truths = read(&potential.join("fixed.csv"))?;
+    truths.extend(read(&potential.join("tank.csv"))?);
+    let (mut cases, mut faults) = (Vec::new(), Vec::new());
+    for directory in &arguments[2..] {
+        for row in read(&Path::new(directory).join("summary.csv"))? {
+            let text = |column: &str| row.get(column).map_or("", String::as_str);
+            if text("status") == "ok" {
+                cases.push(Case::new(&row, &truths).with_context(|| text("case_id").to_owned())?);
+            } else {
+                let values = KEYS.map(text).join(", ");
+                faults.push(format!(
+                    "{values}, {} m: {}",
+                    text("particle_spacing_m"),
+                    text("reason")
+                ));
+            }
+        }
+    }
+    ensure!(!cases.is_empty(), "no case has finished");
+    let place = |case: &Case| {
+        let [wave, k, m] = case.keys.map(|key| key.unwrap_or(-1.0));
+        [f64::from(u8::from(k >= 0.0)), wave, k, m, case.sound, -case.spacing]
+    };
+    cases.sort_by(|a, b| place(a).partial_cmp(&place(b)).expect("keys are numbers"));
+    let curves: Vec<_> = cases.chunk_by(|a, b| (a.keys, a.sound) == (b.keys, b.sound)).collect();
+    faults.extend(broken(&curves));
+    std::fs::create_dir_all(out)?;
+    std::fs::write(out.join("convergence.csv"), csv(&curves)?)?;
+    std::fs::write(out.join("convergence.md"), page(&curves, &faults))?;
+    let drawn = figure(&curves, &out.join("convergence.svg"));
+    drawn.map_err(|fault| anyhow::anyhow!("cannot draw the figure: {fault}"))?;
+    for fault in &faults {
+        eprintln!("convergence: {fault}");
+    }
+    println!("{} cases, {} bounds broken", cases.len(), faults.len());
+    Ok(faults.is_empty())
+}
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(1),
+        Err(error) => {
+            eprintln!("convergence: {error:#}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A fixed wall whose errors are of second order, `share` of F* and R* at 16 mm.
+    fn curve(wave: f64, share: f64) -> Vec<Case> {
+        let case = |spacing: f64| {
+            let error = share * (spacing / 0.016).powi(2);
+            let errors = [Some(0.0), Some(100.0 * error), Some(error), None];
+            let keys = [Some(wave), None, None];
+            Case { keys, spacing, sound: 8.0, force: 3.0 * (1.0 + error), errors, seconds: 1.0 }
+        };
+        [0.016, 0.008, 0.004].map(case).into()
+    }
+
+    #[test]
+    fn the_order_is_read_off_errors_that_are_large_enough() {
+        let curve = curve(0.5, 0.016); // 1.6 %, 0.4 % and 0.1 %
+        assert!((order(&curve, FORCE).unwrap() - 2.0).abs() < 1e-9);
+        assert_eq!((order(&curve[1..], FORCE), order(&curve, RUNUP)), (None, None));
+    }
+
+    #[test]
+    fn a_planted_error_breaks_its_bound_by_name() {
+        assert!(broken(&[&curve(0.5, 0.016)]).is_empty());
+        let lines = broken(&[&curve(0.5, 0.04)]); // 1 % at 8 mm, 0.25 % at 4 mm
+        let expected = [
+            "H/h 0.5, fixed, 8 mm, c0 ratio 8: first F* +1.0000 %, bound 0.6 %",
+            "H/h 0.5, fixed, 4 mm, c0 ratio 8: F* -0.7426 % from that of 8 mm, bound 0.5 %",
+        ];
+        assert_eq!(lines, expected);
+    }
+
+    #[test]
+    fn what_is_missing_breaks_its_bound() {
+        let mut curve = curve(0.6, 0.016);
+        curve[1].errors[RUNUP] = None;
+        assert_eq!(
+            broken(&[&curve]),
+            ["H/h 0.6, fixed, 8 mm, c0 ratio 8: first R* NaN h, bound 0.04 h"]
+        );
+    }
+}
