@@ -24,7 +24,7 @@ const COMPARED: [[&str; 3]; 4] = [
 ];
 
 /// Largest differences in the order of [`COMPARED`], below H/h = 0.6 and from there on: percent, and
-/// for R* in h. They are for the default spacing, where sound and spacing leave half as much.
+/// for R* in h. They are for the default spacing and sound speed.
 const BOUNDS: [[f64; 2]; 4] = [[0.6, 0.9], [0.6, 1.2], [0.02, 0.06], [0.5, 0.5]];
 /// The place of R* there.
 const RUNUP: usize = 2;

@@ -31,21 +31,21 @@ const DISPLACEMENT: usize = 3;
 const FINE: f64 = 0.008;
 /// Waves from here on are near the highest there is; their bounds are wider.
 const STEEP: f64 = 0.6;
-/// Crest at [`FINE`], %: what the paddle's wave loses over 1.5 m.
+/// Crest at [`FINE`], %: what the spacing still takes off it.
 const CREST_BOUND: f64 = 0.3;
-/// Likewise when steep: its peak is sharper than the gauge's kernel.
+/// Likewise when steep: a sharper crest loses more.
 const STEEP_CREST_BOUND: f64 = 0.6;
-/// First F*, %: twice what is left of spacing and sound.
+/// First F*, %: slow sound adds 0.4 at H/h 0.5, and single blows scatter.
 const FORCE_BOUND: f64 = 0.6;
-/// Likewise when steep, with sound of [`QUIET`] or more: compressibility is mostly gone.
+/// Likewise when steep, with sound of [`QUIET`] or more: it adds half of what slower sound does.
 const STEEP_FORCE_BOUND: f64 = 1.0;
-/// Likewise with slower sound: the jet under the crest is compressed.
+/// Likewise with slower sound, which adds about 1 there.
 const LOUD_FORCE_BOUND: f64 = 1.6;
 /// The sound speed ratio that parts the two bounds above.
 const QUIET: f64 = 12.0;
 /// First R* at [`FINE`] when steep, h: the tip is thinner than a particle.
 const STEEP_RUNUP_BOUND: f64 = 0.04;
-/// X*, %: a spring averages over the scatter of the force.
+/// X*, %: a spring answers to the mean of the force, which scatters less than its maximum.
 const DISPLACEMENT_BOUND: f64 = 0.4;
 /// F* between neighbouring spacings from [`FINE`] down, %: a scheme that converges does not jump.
 const CHANGE_BOUND: f64 = 0.5;
@@ -274,7 +274,9 @@ fn over_sound(curves: &[&[Case]]) -> String {
 fn page(curves: &[&[Case]], broken: &[String]) -> String {
     let mut text = "# Convergence\n\nWritten by `scripts/convergence`. Errors are against potential \
         theory of the same tank\n(`results/potential`), in percent or, for runup, in h. Sound speed ratio is \
-        8 but where another is named.\n\n![Errors over the spacing](convergence.svg)\n"
+        8 but where another is named.\n\nA negative order is that of an error which \
+        grows. Points on the lower edge of a panel are there or below.\n\n\
+        ![Errors over the spacing](convergence.svg)\n"
         .to_owned();
     (0..READINGS.len()).for_each(|place| text += &reading(curves, place));
     text += &over_sound(curves);

@@ -46,7 +46,6 @@ fn a_still_tank_reports_its_probes() {
     let (root, told) = scene(&shipped("hydrostatic"), &settings, &[]);
     assert!(told.contains("P3_worst_gap"), "{told}");
     let readings = of_case(root.path(), "readings");
-    println!("ZZ still {readings}");
     assert!(reading(&readings, "P1_worst_gap") < 1.5, "{readings}");
     let table = of_case(root.path(), "probes");
     let rows: Vec<_> = table.lines().collect();
@@ -71,7 +70,6 @@ fn a_dam_breaks_and_is_filmed() {
     assert!(told.contains("horizontal_momentum_gap"), "{told}");
     let readings = of_case(root.path(), "readings");
     let front = reading(&readings, "front_at_1");
-    println!("ZZ dam {readings}");
     assert!(front > 2.4 && front < reading(&readings, "ritter_front_at_1"), "{front}");
     let arrival = reading(&readings, "front_at_wall");
     assert!(arrival > 1.0 && arrival < 2.2, "{arrival}");
@@ -96,12 +94,6 @@ fn a_wave_runs_up_an_incline() {
         let readings = of_case(root.path(), "readings");
         let still = 1000.0 * 9.81 * 0.2;
         let (low, high) = (reading(&readings, "P0_max"), reading(&readings, "P1_max"));
-        println!(
-            "ZZ scene {name} {} {} {}",
-            low / still,
-            high / still,
-            reading(&readings, "void_max")
-        );
         assert!(low > 1.3 * still && low < 8.0 * still, "{readings}");
         assert!(high > 0.1 * still && high < low, "{readings}");
         let void = reading(&readings, "void_max");

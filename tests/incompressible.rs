@@ -38,7 +38,9 @@ fn still_water_stays_still_and_presses_by_its_weight() {
         let result = try_run(&config(scene, spacing)).unwrap();
         assert!(result.outcome.runup_end.abs() < 1e-3, "{}", result.outcome.runup_end);
         assert!(result.energy.kinetic < 1e-4, "{}", result.energy.kinetic);
-        1.0 - result.outcome.force_end
+        // The force counts from rest: it must stay there, and rest must be what is right.
+        assert!((result.outcome.force_end - 1.0).abs() < 2e-3, "{}", result.outcome.force_end);
+        1.0 - result.outcome.force_at_rest
     };
     let (coarse, fine) = (error(""), error("particle_spacing_m = 0.02\n"));
     assert!(fine.abs() < 0.01, "{fine}");

@@ -175,13 +175,6 @@ fn still_water_stays_still() {
             &format!("{scene}{wall}"),
             "particle_spacing_m = 0.0125\nsound_speed_ratio = 10",
         ));
-        println!(
-            "ZZ still F {:e} R {:e} E {:e} gap {}",
-            still.history.iter().map(|r| (r.force - 1.0).abs()).fold(0.0, f64::max),
-            still.history.iter().map(|r| r.runup.abs()).fold(0.0, f64::max),
-            still.energy.kinetic / (0.5 * 1000.0 * 9.81 * 0.2 * 0.2 * 1.6),
-            still.outcome.energy_gap_percent
-        );
         for row in &still.history {
             assert!((row.force - 1.0).abs() < 0.007, "F* = {} at {}", row.force, row.time_s);
             assert!(row.runup.abs() < 0.02, "R* = {} at {}", row.runup, row.time_s);
@@ -202,10 +195,6 @@ fn the_books_balance() {
     for scene in [SHORT.to_owned(), movable(10.0, 50.0), movable(1e5, 250.0)] {
         let result = run(&config(&scene, COARSE));
         let (energy, gap) = (result.energy, result.outcome.energy_gap_percent);
-        println!(
-            "ZZ books gap {gap} fgap {} fmaxgap {} {energy:?}",
-            result.outcome.force_gap_percent, result.outcome.force_max_gap_percent
-        );
         assert!(energy.paddle_work > 10.0, "{energy:?}");
         assert!((100.0 * energy.residual() / energy.paddle_work - gap).abs() < 1e-9);
         assert!(gap.abs() < 2.0, "{gap} % of {energy:?}");
@@ -224,14 +213,9 @@ fn the_books_balance() {
 fn light_walls_run_to_their_end() {
     let stiff = run(&config(&movable(1e7, 5.0), COARSE));
     let travel = stiff.outcome.displacement_max.unwrap().value;
-    println!("ZZ light stiff {travel} F {}", first_force(&stiff));
     assert!(travel > 0.0 && travel < 2e-3, "{travel}");
     let soft = run(&config(&movable(10.0, 1.0), COARSE));
     let travel = soft.outcome.displacement_max.unwrap().value;
-    println!(
-        "ZZ light soft {travel} F {:?} {:?}",
-        soft.outcome.force_max, soft.outcome.displacement_max
-    );
     assert!(travel > 0.05 && travel < 10.0, "{travel}");
 }
 
@@ -241,7 +225,6 @@ fn stiff_and_heavy_walls_approach_the_fixed_wall() {
     for (stiffness, mass) in [(1e9, 500.0), (10.0, 1e8)] {
         let result = run(&config(&movable(stiffness, mass), COARSE));
         let ratio = first_force(&result) / first_force(&fixed);
-        println!("ZZ heavy {ratio} {}", result.outcome.displacement_max.unwrap().value);
         assert!((ratio - 1.0).abs() < 0.03, "k = {stiffness:e}, m = {mass:e}: {ratio}");
         assert!(result.outcome.displacement_max.unwrap().value < 1e-3);
     }
@@ -257,11 +240,6 @@ fn light_walls_on_stiff_springs_read_as_fixed_ones() {
             let light = run(&config(&movable(stiffness, mass), numerics));
             let ratio = first_force(&light) / first_force(&fixed);
             let what = format!("k = {stiffness:e}, m = {mass}: {ratio}");
-            println!(
-                "ZZ lights {ratio} {} {}",
-                light.outcome.force_max_raw / fixed.outcome.force_max_raw,
-                light.outcome.energy_gap_percent
-            );
             assert!((ratio - 1.0).abs() < 0.01, "{what}");
             let raw = light.outcome.force_max_raw / fixed.outcome.force_max_raw;
             assert!((raw - 1.0).abs() < 0.03, "{what}, of single steps {raw}");
@@ -283,12 +261,6 @@ fn acoustic_steps_agree_with_full_ones() {
         let split = case(substeps);
         assert_eq!(split.outcome.steps, full.outcome.steps);
         let ratio = first_force(&split) / first_force(&full);
-        println!(
-            "ZZ sub {substeps} {ratio} {} {}",
-            split.outcome.displacement_max.unwrap().value
-                / full.outcome.displacement_max.unwrap().value,
-            split.outcome.energy_gap_percent
-        );
         assert!((ratio - 1.0).abs() < 0.03, "{substeps}: force {ratio}");
         let travel = |result: &CaseResult| result.outcome.displacement_max.unwrap().value;
         let ratio = travel(&split) / travel(&full);
@@ -380,13 +352,6 @@ fn every_choice_of_numerics_runs() {
         let case = config(scene, &format!("{COARSE}{choice}\n"));
         match try_run(&case, SimdPath::widest()) {
             Ok(result) => {
-                println!(
-                    "ZZ choice {} R {} gap {} {}",
-                    result.outcome.force_max.value,
-                    result.outcome.runup_max.value,
-                    result.outcome.energy_gap_percent,
-                    choice.replace('\n', " ")
-                );
                 assert!(result.outcome.force_max.value > 1.0, "{choice}");
                 assert_eq!(result.outcome.particles_lost, 0, "{choice}");
             }

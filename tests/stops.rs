@@ -67,8 +67,7 @@ fn faults_are_doubtful_and_what_is_sound_is_not() {
             assert!(doubt(fault).is_some(), "{fault} {wave} {stiffness}");
         }
     }
-    // The gap is negative: energy has come from nowhere.
+    // Thick water once left a gap of -3.9 %, by a divergence that was half a step late.
     let thick = outcome(0.6, 1e7, 100.0, "particle_spacing_m = 0.016\nartificial_viscosity = 0.3");
-    assert!(thick.energy_gap_percent < -3.0);
-    assert!(thick.doubtful_reason.unwrap().contains("energy gap -"));
+    assert!(thick.energy_gap_percent.abs() < 0.5, "{}", thick.energy_gap_percent);
 }

@@ -93,6 +93,9 @@ impl Exchange {
         let [across, _] = ghosts.bodies[body].plane.normal;
         let rules = self.rules;
         // Rows stand as far apart as whole rows fill the depth: not the spacing along the bed.
+        if faces.len() < 2 {
+            return 0.0;
+        }
         let [a, b] = [faces.start, faces.start + 1];
         let apart = [&ghosts.target_x, &ghosts.target_y].map(|places| places[b] - places[a]);
         let spacing = apart[0].hypot(apart[1]);

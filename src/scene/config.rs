@@ -12,6 +12,9 @@ use super::seawall::{SeawallScene, WallChoice};
 use super::size;
 use super::wording::{self, serde_keys};
 
+/// Support radius over the spacing, and artificial viscosity, where water is slender.
+const NARROW_SUPPORT: (f64, f64) = (4.0, 0.1);
+
 /// One case: everything that decides its answer, and nothing else.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CaseConfig {
@@ -136,6 +139,10 @@ fn read_numerics(scene: &Scene, table: &Table) -> Result<Numerics, ConfigError> 
         // A front that hits a wall leaves no time in which pairs could hold their geometry.
         preset.acoustic_substeps = 1;
     }
+    if name == "default" && base == "default" && scene.has_slender_water() {
+        // A wide support pays where a crest strains a lattice. In thin sheets and wedges it costs.
+        (preset.support_radius_ratio, preset.artificial_viscosity) = NARROW_SUPPORT;
+    }
     let weakly_compressible = |key: &str| WEAKLY_COMPRESSIBLE.contains(&key);
     let stays = rest.get("scheme").is_none_or(|scheme| scheme.as_str() == Some("isph"));
     if preset.scheme == SchemeChoice::Isph
@@ -169,6 +176,13 @@ mod tests {
         let scene = config.scene.seawall().unwrap();
         assert_eq!(scene.still_water_depth_m, 0.2);
         assert_eq!(config.numerics.particle_spacing_m, 0.009);
+        assert_eq!(config.numerics.support_radius_ratio, 5.0);
+        let slender = ["kind = \"dam-break\"", "wall_angle_deg = 120"];
+        for scene in slender {
+            assert_eq!(case(scene, "").unwrap().numerics.support_radius_ratio, 4.0);
+            let set = case(scene, "support_radius_ratio = 4.5").unwrap();
+            assert_eq!(set.numerics.support_radius_ratio, 4.5);
+        }
     }
 
     #[test]

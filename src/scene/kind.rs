@@ -38,6 +38,19 @@ pub enum Scene {
     OscillatingDrop(OscillatingDropScene),
 }
 
+impl Scene {
+    /// Whether its water has thin sheets or wedges from the start or by design: a column that falls
+    /// apart, or a wall that leans.
+    pub(super) fn has_slender_water(&self) -> bool {
+        match self {
+            Scene::DamBreak(_) => true,
+            Scene::Seawall(scene) => scene.wall_angle_deg != 90.0,
+            Scene::Hydrostatic(scene) => scene.wall_angle_deg != 90.0,
+            _ => false,
+        }
+    }
+}
+
 /// Names that `scene.kind` may take.
 const KINDS: &[&str] = &[
     "hydrostatic",

@@ -4,6 +4,9 @@ use std::collections::VecDeque;
 
 use serde::{Deserialize, Serialize};
 
+/// Room from the start for so many samples.
+const ROOM: usize = 128;
+
 /// Keeps the samples of the last `span` seconds and tells their mean, which belongs to the middle
 /// of the span. The sum is formed anew each time: no rounding piles up.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -16,7 +19,7 @@ pub struct RunningMean {
 impl RunningMean {
     /// A mean over `span` seconds.
     pub fn new(span: f64) -> RunningMean {
-        RunningMean { span, filled: false, samples: VecDeque::new() }
+        RunningMean { span, filled: false, samples: VecDeque::with_capacity(ROOM) }
     }
 
     /// Forgets all samples: the next span has to fill anew.
