@@ -46,7 +46,10 @@ fn a_still_tank_reports_its_probes() {
     let (root, told) = scene(&shipped("hydrostatic"), &settings, &[]);
     assert!(told.contains("P3_worst_gap"), "{told}");
     let readings = of_case(root.path(), "readings");
-    assert!(reading(&readings, "P1_worst_gap") < 1.5, "{readings}");
+    // Of the depth: 0.01 % low in the wall, 0.03 % at its foot, 0.18 % near the surface.
+    for (name, most) in [("P0", 0.1), ("P1", 0.05), ("P2", 0.1), ("P3", 0.5)] {
+        assert!(reading(&readings, &format!("{name}_worst_gap")) < most, "{readings}");
+    }
     let table = of_case(root.path(), "probes");
     let rows: Vec<_> = table.lines().collect();
     assert_eq!(rows[0], "time_s,P0,P1,P2,P3");
@@ -89,15 +92,16 @@ fn a_wave_runs_up_an_incline() {
         "scene.wave_gauge_m=1.0",
         "scene.end_after_stroke_centre_s=1.8",
     ];
-    for name in ["inclined_wall", "vertical_wall_10m"] {
+    // Largest pressures over that of still water at the bed: measured with twelve rows or so.
+    for (name, lower, upper) in [("inclined_wall", 1.83, 1.40), ("vertical_wall_10m", 2.01, 1.54)] {
         let (root, _) = scene(&shipped(name), &settings, &[]);
         let readings = of_case(root.path(), "readings");
         let still = 1000.0 * 9.81 * 0.2;
         let (low, high) = (reading(&readings, "P0_max"), reading(&readings, "P1_max"));
-        assert!(low > 1.3 * still && low < 8.0 * still, "{readings}");
-        assert!(high > 0.1 * still && high < low, "{readings}");
+        assert!((low / still / lower - 1.0).abs() < 0.05, "{readings}");
+        assert!((high / still / upper - 1.0).abs() < 0.05, "{readings}");
         let void = reading(&readings, "void_max");
-        assert!(void > 0.0 && void < 0.5, "{readings}");
+        assert!(void > 0.0 && void < 0.1, "{readings}");
     }
 }
 

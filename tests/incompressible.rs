@@ -106,15 +106,17 @@ fn keys_of_the_other_scheme_are_refused() {
 #[test]
 fn other_kernels_and_laplacians_run() {
     let still = "tank_length_m = 1.0\nwave_gauge_m = 0.5\nwave_height_ratio = 0\nend_time_s = 0.3";
-    let force = |numerics: &str| try_run(&config(still, numerics)).unwrap().outcome.force_end;
+    let outcome = |numerics: &str| try_run(&config(still, numerics)).unwrap().outcome;
     for numerics in [
         "kernel = \"cubic-spline\"\n",
         "kernel = \"quintic-spline\"\nsupport_radius_ratio = 3.9\n",
         "laplacian = \"symmetric\"\ngravity_courant_number = 0.035\n",
         "laplacian = \"schwaiger\"\ngravity_courant_number = 0.035\nkernel = \"cubic-spline\"\n",
     ] {
-        let error = force(numerics) - 1.0;
-        assert!(error.abs() < 0.05, "{numerics}: {error}");
+        // Force counts from rest. At rest 2.3 to 3.9 % are missing with five rows; it drifts by 0.5 %.
+        let outcome = outcome(numerics);
+        assert!((outcome.force_at_rest - 1.0).abs() < 0.045, "{numerics}: {outcome:?}");
+        assert!((outcome.force_end - 1.0).abs() < 0.01, "{numerics}: {outcome:?}");
     }
 }
 

@@ -162,8 +162,9 @@ fn single_precision_changes_no_answer() {
     }
 }
 
-/// Sixteen rows; with ten the bed and the surface are too close for this bound. A compressible
-/// column presses less than an incompressible one by g h/(6 c0²): little at this sound speed.
+/// Sixteen rows. Force counts from rest, so every difference is a drift: 4e-5 is measured, with 6e-6
+/// of runup and 2e-10 of the energy. The force at rest is 0.9959 of ρgh²/2. A compressible column
+/// presses less than an incompressible one by g h/(6 c0²), 0.0017 at this sound speed.
 #[test]
 fn still_water_stays_still() {
     let scene =
@@ -176,33 +177,41 @@ fn still_water_stays_still() {
             "particle_spacing_m = 0.0125\nsound_speed_ratio = 10",
         ));
         for row in &still.history {
-            assert!((row.force - 1.0).abs() < 0.007, "F* = {} at {}", row.force, row.time_s);
-            assert!(row.runup.abs() < 0.02, "R* = {} at {}", row.runup, row.time_s);
+            assert!((row.force - 1.0).abs() < 4e-4, "F* = {} at {}", row.force, row.time_s);
+            assert!(row.runup.abs() < 1e-4, "R* = {} at {}", row.runup, row.time_s);
             assert_eq!(row.displacement, 0.0);
         }
+        let at_rest = still.outcome.force_at_rest;
+        assert!((at_rest - 1.0).abs() < 0.006, "{at_rest}");
         assert_eq!(still.outcome.particles_lost, 0);
         assert_eq!((still.outcome.onset_time_s, still.energy.paddle_work), (None, 0.0));
         // Against the energy that the water would set free by running out over the floor.
         let potential = 0.5 * 1000.0 * 9.81 * 0.2 * 0.2 * 1.6;
         let kinetic = still.energy.kinetic / potential;
-        assert!(kinetic < 1e-5, "{kinetic:e}");
-        assert!(still.outcome.energy_gap_percent.abs() < 0.1, "{:?}", still.outcome);
+        assert!(kinetic < 1e-8, "{kinetic:e}");
+        assert!(still.outcome.energy_gap_percent.abs() < 0.01, "{:?}", still.outcome);
     }
 }
 
 #[test]
 fn the_books_balance() {
-    for scene in [SHORT.to_owned(), movable(10.0, 50.0), movable(1e5, 250.0)] {
+    // The face's pressure misses the force by 2 %, and by 8 % where the wall hits its stop.
+    let cases = [(SHORT.to_owned(), 4.0), (movable(10.0, 50.0), 4.0), (movable(1e5, 250.0), 15.0)];
+    for (scene, most) in cases {
         let result = run(&config(&scene, COARSE));
         let (energy, gap) = (result.energy, result.outcome.energy_gap_percent);
         assert!(energy.paddle_work > 10.0, "{energy:?}");
         assert!((100.0 * energy.residual() / energy.paddle_work - gap).abs() < 1e-9);
-        assert!(gap.abs() < 2.0, "{gap} % of {energy:?}");
+        // 0.6 % at most is measured.
+        assert!(gap.abs() < 1.0, "{gap} % of {energy:?}");
         assert!(energy.viscous >= 0.0 && energy.stops >= 0.0);
         // What is smoothed is density less still water's: that may take or give, a little.
         assert!(energy.density_diffusion.abs() < 5e-3 * energy.paddle_work, "{energy:?}");
         assert_eq!(result.outcome.particles_lost, 0);
-        assert!(result.outcome.force_gap_percent.is_finite());
+        let gap = result.outcome.force_gap_percent;
+        assert!(gap > 0.0 && gap < most, "{gap} % of the force");
+        let gap = result.outcome.force_max_gap_percent;
+        assert!(gap.abs() < 1.5, "{gap} % where the force is largest");
     }
     // Smoothing density itself always takes.
     let whole = run(&config(SHORT, &format!("{COARSE}density_diffusion = \"molteni\"\n")));
@@ -213,10 +222,14 @@ fn the_books_balance() {
 fn light_walls_run_to_their_end() {
     let stiff = run(&config(&movable(1e7, 5.0), COARSE));
     let travel = stiff.outcome.displacement_max.unwrap().value;
-    assert!(travel > 0.0 && travel < 2e-3, "{travel}");
+    // The spring's share of the largest force, over h; the sound in the water adds 3 %.
+    let expected = (first_force(&stiff) - 1.1) * 0.5 * 1000.0 * 9.81 * 0.2 / 1e7;
+    assert!((travel / expected - 1.0).abs() < 0.05, "{travel} for {expected}");
     let soft = run(&config(&movable(10.0, 1.0), COARSE));
     let travel = soft.outcome.displacement_max.unwrap().value;
-    assert!(travel > 0.05 && travel < 10.0, "{travel}");
+    // Without weight it is carried along at the threshold: 3.343 is measured.
+    assert!((travel / 3.34 - 1.0).abs() < 0.02, "{travel}");
+    assert!((soft.outcome.force_max.value - 1.12).abs() < 0.03, "{:?}", soft.outcome);
 }
 
 #[test]
@@ -225,13 +238,15 @@ fn stiff_and_heavy_walls_approach_the_fixed_wall() {
     for (stiffness, mass) in [(1e9, 500.0), (10.0, 1e8)] {
         let result = run(&config(&movable(stiffness, mass), COARSE));
         let ratio = first_force(&result) / first_force(&fixed);
-        assert!((ratio - 1.0).abs() < 0.03, "k = {stiffness:e}, m = {mass:e}: {ratio}");
-        assert!(result.outcome.displacement_max.unwrap().value < 1e-3);
+        // They differ by 1e-6; the stiff wall moves by 2e-6 h, the heavy one by 7e-6 h.
+        assert!((ratio - 1.0).abs() < 1e-4, "k = {stiffness:e}, m = {mass:e}: {ratio}");
+        assert!(result.outcome.displacement_max.unwrap().value < 2e-5);
     }
 }
 
 /// Stiff springs move by a few tenths of a millimetre: however light the wall, and however few its
-/// steps, it reads what a fixed wall does. It once rang with the sound in the water.
+/// steps, it reads what a fixed wall does, within 0.25 % and 0.8 % for single steps. It once rang with
+/// the sound in the water.
 #[test]
 fn light_walls_on_stiff_springs_read_as_fixed_ones() {
     for numerics in [COARSE, "particle_spacing_m = 0.016\n"] {
@@ -240,17 +255,17 @@ fn light_walls_on_stiff_springs_read_as_fixed_ones() {
             let light = run(&config(&movable(stiffness, mass), numerics));
             let ratio = first_force(&light) / first_force(&fixed);
             let what = format!("k = {stiffness:e}, m = {mass}: {ratio}");
-            assert!((ratio - 1.0).abs() < 0.01, "{what}");
+            assert!((ratio - 1.0).abs() < 0.005, "{what}");
             let raw = light.outcome.force_max_raw / fixed.outcome.force_max_raw;
-            assert!((raw - 1.0).abs() < 0.03, "{what}, of single steps {raw}");
+            assert!((raw - 1.0).abs() < 0.015, "{what}, of single steps {raw}");
             assert_eq!(light.outcome.steps, fixed.outcome.steps, "{what}");
-            assert!(light.outcome.energy_gap_percent.abs() < 3.0, "{what}");
+            assert!(light.outcome.energy_gap_percent.abs() < 0.6, "{what}");
         }
     }
 }
 
 /// Steps that follow sound alone are the same steps with their geometry held: the wave, the force
-/// and the wall's travel stay.
+/// and the wall's travel stay, within 0.1 % and 0.04 %.
 #[test]
 fn acoustic_steps_agree_with_full_ones() {
     let case = |substeps: u32| {
@@ -261,11 +276,11 @@ fn acoustic_steps_agree_with_full_ones() {
         let split = case(substeps);
         assert_eq!(split.outcome.steps, full.outcome.steps);
         let ratio = first_force(&split) / first_force(&full);
-        assert!((ratio - 1.0).abs() < 0.03, "{substeps}: force {ratio}");
+        assert!((ratio - 1.0).abs() < 0.005, "{substeps}: force {ratio}");
         let travel = |result: &CaseResult| result.outcome.displacement_max.unwrap().value;
         let ratio = travel(&split) / travel(&full);
-        assert!((ratio - 1.0).abs() < 0.02, "{substeps}: travel {ratio}");
-        assert!(split.outcome.energy_gap_percent.abs() < 2.0, "{substeps}");
+        assert!((ratio - 1.0).abs() < 0.002, "{substeps}: travel {ratio}");
+        assert!(split.outcome.energy_gap_percent.abs() < 0.3, "{substeps}");
     }
 }
 
@@ -318,6 +333,8 @@ fn the_answer_does_not_depend_on_the_scale() {
     assert!(difference < 1e-4, "{difference:e}");
 }
 
+/// The wave is about to arrive: F* is 1.15 to 1.24 and R* 0.048 to 0.085, least with walls that hold
+/// the water and most without corrected gradients.
 #[test]
 fn every_choice_of_numerics_runs() {
     let scene =
@@ -352,8 +369,12 @@ fn every_choice_of_numerics_runs() {
         let case = config(scene, &format!("{COARSE}{choice}\n"));
         match try_run(&case, SimdPath::widest()) {
             Ok(result) => {
-                assert!(result.outcome.force_max.value > 1.0, "{choice}");
-                assert_eq!(result.outcome.particles_lost, 0, "{choice}");
+                let outcome = &result.outcome;
+                let (force, runup) = (outcome.force_max.value, outcome.runup_max.value);
+                assert!((force - 1.19).abs() < 0.06, "{choice}: {force}");
+                assert!((runup - 0.066).abs() < 0.025, "{choice}: {runup}");
+                assert!(outcome.energy_gap_percent.abs() < 1.2, "{choice}: {outcome:?}");
+                assert_eq!(outcome.particles_lost, 0, "{choice}");
             }
             Err(stopped) => panic!("{choice}: {stopped}"),
         }

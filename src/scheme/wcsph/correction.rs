@@ -190,7 +190,7 @@ mod tests {
             (hexagonal, 0.0, 0.75_f64.sqrt() * side, 0.03),
             (hexagonal, right, 0.5 * side, 0.1),
         ] {
-            for support in [4.0, 4.5, 5.0, 5.5] {
+            for support in [4.0, 4.5, 5.0] {
                 let [shared, whole] = imbalance(&half_plane(steps, angle, row), support);
                 println!("{angle:.2}, {support}: {shared:.3} g, with the whole of L {whole:.3} g");
                 assert!(shared < bound, "{shared} at {angle}, {support}");

@@ -34,11 +34,11 @@ pub(super) struct HeldPairs {
 }
 
 impl HeldPairs {
-    /// Room for all pairs of a list, and one more; an eighth more than that where there was too little, so
+    /// Room for all pairs of a list, and one more; a quarter more than that where there was too little, so
     /// that the lists of water that spreads a little find it again.
     pub fn make_room(&mut self, pairs: &PairList) {
         if self.entries.len() <= pairs.len() {
-            let room = pairs.len() + pairs.len() / 8 + 1;
+            let room = pairs.len() + pairs.len() / 4 + 1;
             self.entries.resize(room, 0);
             self.slopes.resize(room, Slopes::default());
         }

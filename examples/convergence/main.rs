@@ -5,15 +5,15 @@
 //! Writes `convergence.csv`, `convergence.md` and `convergence.svg` to `OUT_DIR`. Exit code 0 where
 //! every bound holds, 1 where one is broken or a case failed, 2 on bad input.
 
+#[path = "../common/mod.rs"]
 mod common;
+mod figure;
 
 use std::path::Path;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result, ensure};
 use common::{KEYS, Row, number, read, same_case};
-use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// Our column, the truth's, the name, the unit of the error, and the least error an order is read off.
 const READINGS: [(&str, &str, &str, &str, f64); 4] = [
@@ -295,68 +295,6 @@ fn page(curves: &[&[Case]], broken: &[String]) -> String {
     text
 }
 
-/// Colours of the waves (after Okabe and Ito).
-const COLOURS: [RGBColor; 4] =
-    [RGBColor(0, 114, 178), RGBColor(230, 127, 0), RGBColor(0, 158, 115), RGBColor(208, 74, 140)];
-
-/// Fixed walls: full discs on thick lines. Movable ones: open rings on thin lines.
-fn figure(curves: &[&[Case]], path: &Path) -> Result<(), Box<dyn std::error::Error>> {
-    let curves: Vec<_> = curves.iter().copied().filter(|curve| curve[0].sound < QUIET).collect();
-    let mut waves: Vec<_> = curves.iter().map(|curve| curve[0].wave()).collect();
-    waves.sort_by(f64::total_cmp);
-    waves.dedup();
-    let look = |curve: &[Case]| {
-        let wave = waves.iter().position(|&wave| wave == curve[0].wave()).unwrap_or(0);
-        let (movable, colour) = (curve[0].keys[1].is_some(), COLOURS[wave % COLOURS.len()]);
-        let inside = if movable { WHITE.filled() } else { colour.filled() };
-        (colour.stroke_width(if movable { 1 } else { 3 }), inside, colour.stroke_width(2))
-    };
-    let sheet = SVGBackend::new(path, (1100, 900)).into_drawing_area();
-    sheet.fill(&WHITE)?;
-    let (panels, legend) = sheet.split_vertically(810);
-    for (place, area) in
-        [FORCE, RUNUP, DISPLACEMENT, CREST].into_iter().zip(panels.split_evenly((2, 2)))
-    {
-        let (.., name, unit, _) = READINGS[place];
-        let (low, high) = if place == RUNUP { (0.0005, 0.5) } else { (0.01, 10.0) };
-        let mut chart = ChartBuilder::on(&area)
-            .caption(format!("|error| of {name}, {unit}"), ("sans-serif", 20))
-            .margin(12)
-            .x_label_area_size(45)
-            .y_label_area_size(60)
-            .build_cartesian_2d(1.9..4.1, (low..high).log_scale())?;
-        chart
-            .configure_mesh()
-            .x_labels(5)
-            .x_label_formatter(&|log: &f64| format!("{:.1}", log.exp2()).replace(".0", ""))
-            .y_label_formatter(&|error: &f64| error.to_string())
-            .x_desc("particle spacing, mm")
-            .label_style(("sans-serif", 16))
-            .light_line_style(BLACK.mix(0.06))
-            .draw()?;
-        for curve in &curves {
-            let (line, inside, edge) = look(curve);
-            let point = |case: &Case| {
-                Some(((1e3 * case.spacing).log2(), case.errors[place]?.abs().clamp(low, high)))
-            };
-            let points: Vec<_> = curve.iter().filter_map(point).collect();
-            chart.draw_series(LineSeries::new(points.clone(), line))?;
-            chart.draw_series(points.iter().map(|&at| Circle::new(at, 4, inside)))?;
-            chart.draw_series(points.iter().map(|&at| Circle::new(at, 4, edge)))?;
-        }
-    }
-    for (index, curve) in curves.iter().enumerate() {
-        let (x, y) = (40 + 265 * (index as i32 % 4), 18 + 34 * (index as i32 / 4));
-        let (line, inside, edge) = look(curve);
-        legend.draw(&PathElement::new(vec![(x, y), (x + 36, y)], line))?;
-        legend.draw(&Circle::new((x + 18, y), 4, inside))?;
-        legend.draw(&Circle::new((x + 18, y), 4, edge))?;
-        let style = TextStyle::from(("sans-serif", 17)).pos(Pos::new(HPos::Left, VPos::Center));
-        legend.draw(&Text::new(curve[0].wall(), (x + 44, y), style))?;
-    }
-    Ok(sheet.present()?)
-}
-
 fn run() -> Result<bool> {
     let arguments: Vec<_> = std::env::args_os().skip(1).collect();
     ensure!(arguments.len() >= 3, "needed: POTENTIAL_DIR OUT_DIR RUN_DIR...");
@@ -390,7 +328,7 @@ fn run() -> Result<bool> {
     std::fs::create_dir_all(out)?;
     std::fs::write(out.join("convergence.csv"), csv(&curves)?)?;
     std::fs::write(out.join("convergence.md"), page(&curves, &faults))?;
-    let drawn = figure(&curves, &out.join("convergence.svg"));
+    let drawn = figure::draw(&curves, &out.join("convergence.svg"));
     drawn.map_err(|fault| anyhow::anyhow!("cannot draw the figure: {fault}"))?;
     for fault in &faults {
         eprintln!("convergence: {fault}");
