@@ -29,12 +29,12 @@ impl Part {
         self.clusters.start * LANES..self.clusters.end * LANES
     }
 
-    /// Room for what its clusters leave, so that steps need none. Of whole water one cluster in eight
+    /// Room for what its clusters leave, so that steps need none. Of whole water one cluster in four
     /// at the most comes near enough to a wall to respond to it.
     fn make_room(&mut self) {
         let (clusters, powers) = (self.clusters.len(), &mut self.tally.powers);
         powers.reserve(clusters.saturating_sub(powers.len()));
-        let some = clusters.div_ceil(8);
+        let some = clusters.div_ceil(4);
         self.responding.reserve(some.saturating_sub(self.responding.len()));
     }
 }
