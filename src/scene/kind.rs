@@ -39,15 +39,9 @@ pub enum Scene {
 }
 
 impl Scene {
-    /// Whether its water has thin sheets or wedges from the start or by design: a column that falls
-    /// apart, a wall that leans, water without walls.
-    pub(super) fn has_slender_water(&self) -> bool {
-        match self {
-            Scene::DamBreak(_) | Scene::RotatingPatch(_) | Scene::OscillatingDrop(_) => true,
-            Scene::Seawall(scene) => scene.wall_angle_deg != 90.0,
-            Scene::Hydrostatic(scene) => scene.wall_angle_deg != 90.0,
-            _ => false,
-        }
+    /// Whether a crest climbs an upright wall, and strains the lattice of its water there.
+    pub(super) fn has_crest_at_upright_wall(&self) -> bool {
+        self.seawall().is_some_and(|s| s.wave_height_ratio > 0.0 && s.wall_angle_deg == 90.0)
     }
 }
 

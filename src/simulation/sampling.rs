@@ -17,9 +17,9 @@ const SAMPLES_PER_CLUSTER_CHECK: u64 = 20;
 const FARTHEST_WALL: f64 = 11.0;
 
 impl Run {
-    /// Takes a step's reading: of the force on the wall, N per metre of width, with the acceleration by
-    /// which it answers, m/s², its offset, metres, and the wall before it answers; and the wave gauge's
-    /// where one is due.
+    /// Takes a step's reading, and the wave gauge's where one is due. Of the wall: the force on it, N per
+    /// metre of width, the acceleration by which it answers, m/s², its offset, metres, and its state
+    /// before it answers.
     pub(super) fn read(
         &mut self,
         (force, acceleration): (f64, f64),

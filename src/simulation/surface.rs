@@ -96,8 +96,8 @@ impl WallLevel {
     }
 
     /// Takes note of the wall's acceleration, m/s², and the level read there, m. The surface is a line
-    /// of equal pressure: at a wall that accelerates away from the water with a, while the water on it
-    /// rises with the acceleration v', it rises inwards with the slope a/(g + v').
+    /// of equal pressure. Let the wall accelerate away from the water with a, and the water on it rise
+    /// with the acceleration v'. Then the surface rises inwards with the slope a/(g + v').
     pub(super) fn feel(&mut self, time: f64, (acceleration, level): (f64, f64), gravity: f64) {
         if self.recent.back().is_none_or(|&(last, _)| time >= last + self.apart) {
             self.recent.push_back((time, level));
