@@ -80,9 +80,10 @@ impl Wcsph {
     /// pairs that the last full step has left. With `sample` the power of density diffusion is summed.
     ///
     /// Shifting, at the end of a full step and its acoustic steps, moves a particle by
-    /// δr = -A h U Δt ∇C (see [`super::shifting`] for U), ∇C = Σ V_j ∇W, faded out where the support is incomplete and across walls,
-    /// and takes its density along: δρ = δr·∇ρ, with the gradient that density diffusion uses
-    /// (hydrostatic or renormalised, zero for the others).
+    /// δr = -A h U Δt ∇C, ∇C = Σ V_j ∇W, U the speed by which the flow differs across the support. It is
+    /// faded out where the support is incomplete and across walls. The density is taken along:
+    /// δρ = δr·∇ρ, with the gradient that density diffusion uses (hydrostatic or renormalised, zero for
+    /// the others).
     pub fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation {
         let start = Instant::now();
         // Of this step: further on come the next one's.
