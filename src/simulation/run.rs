@@ -198,7 +198,7 @@ impl Run {
     /// The water's load on the wall, made up for what the force at rest lacks of ρgh²/2.
     ///
     /// A coarse lattice under its surface presses a little too little, in still water and in waves
-    /// alike: 0.5 (Δx/h)² of it at rest. The first force of a run tells how much.
+    /// alike: about (Δx/h)² of it at rest, with supports of 5 spacings. The first force of a run tells how much.
     fn wall_load(&mut self) -> Load {
         let load = self.tank.water.load(WALL);
         self.logbook.force_at_rest.get_or_insert(load.force);

@@ -184,17 +184,18 @@ mod tests {
         let (right, half) = (std::f64::consts::FRAC_PI_2, 0.5_f64.atan());
         let diagonal = 0.5_f64.sqrt();
         for (steps, angle, row, bound) in [
-            (square, 0.0, 1.0, 0.012),
+            (square, 0.0, 1.0, 0.01),
             (square, 0.5 * right, diagonal, 0.07),
             (square, half, 0.2_f64.sqrt(), 0.1),
             (hexagonal, 0.0, 0.75_f64.sqrt() * side, 0.03),
             (hexagonal, right, 0.5 * side, 0.1),
         ] {
-            for support in [4.0, 4.5, 5.0] {
+            // Wider supports leave the rows a little less even, and need the share a little less.
+            for (support, more, least) in [(4.0, 0.0, 0.12), (4.5, 0.002, 0.1), (5.0, 0.002, 0.1)] {
                 let [shared, whole] = imbalance(&half_plane(steps, angle, row), support);
                 println!("{angle:.2}, {support}: {shared:.3} g, with the whole of L {whole:.3} g");
-                assert!(shared < bound, "{shared} at {angle}, {support}");
-                assert!(whole > 0.1, "{whole} at {angle}, {support}");
+                assert!(shared < bound + more, "{shared} at {angle}, {support}");
+                assert!(whole > least, "{whole} at {angle}, {support}");
             }
         }
     }
