@@ -130,7 +130,7 @@ fn processor_time(study: &Study, plan: &Plan, simd: SimdPath) -> f64 {
     trunks.chain(cases).sum()
 }
 
-/// Particle-steps per second and core. Of δ-SPH between the two machines of README's table; of
+/// Particle-steps per second and core. Of δ-SPH between the two machines of docs/measured.md; of
 /// incompressible water what the EPYC took for `sweeps/scenes/movable_wall.toml` at 12.5 mm.
 fn particle_steps_per_second(scheme: Scheme, simd: SimdPath) -> f64 {
     match (scheme, simd) {
