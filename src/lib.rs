@@ -32,3 +32,5 @@ pub mod scheme;
 pub mod simulation;
 pub mod sweep;
 pub mod theory;
+
+pub(crate) use kernel::with_kernel;
