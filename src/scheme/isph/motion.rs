@@ -4,18 +4,7 @@ use super::Isph;
 use crate::body::BodyMotion;
 use crate::boundary::Plane;
 use crate::scheme::{Dissipation, StepWalls};
-
-/// Shifting fades in from this completeness of the support ...
-const SHIFT_FROM: f64 = 0.85;
-/// ... to this one.
-const SHIFT_FULL: f64 = 0.97;
-/// No shift is longer than this many particle spacings.
-const SHIFT_LIMIT: f64 = 0.05;
-
-/// How far a support of this completeness lets shifting act.
-pub(super) fn spread(completeness: f64) -> f64 {
-    ((completeness - SHIFT_FROM) / (SHIFT_FULL - SHIFT_FROM)).clamp(0.0, 1.0)
-}
+use crate::water::{SHIFT_LIMIT, shifted_share};
 
 impl Isph {
     /// Corrects velocities by the pressure gradient (Liang et al. 2017, Eq. 9), moves the particles
@@ -74,7 +63,7 @@ impl Isph {
         if options.shifting_coefficient == 0.0 || self.operators.grip[i] > 0.0 {
             return 0.0;
         }
-        let inside = spread(self.operators.completeness[i]);
+        let inside = shifted_share(self.operators.completeness[i]);
         let smoothing = options.kernel.smoothing_length_ratio() * options.support_radius;
         let factor = options.shifting_coefficient * smoothing * self.speed(i) * dt * inside;
         let limit = SHIFT_LIMIT * options.spacing;

@@ -7,8 +7,8 @@
 //! short of the surface, which it would push outwards.
 
 use super::Isph;
-use super::motion::spread;
 use crate::math::simd::LANES;
+use crate::water::shifted_share;
 
 /// Pairs closer than this many particle spacings are parted ...
 const CLOSE: f64 = 0.8;
@@ -64,6 +64,6 @@ impl Isph {
 
     /// 1 where shifting is off for the surface's sake, 0 where it acts in full.
     fn near_surface_share(&self, i: usize) -> f64 {
-        1.0 - spread(self.operators.completeness[i])
+        1.0 - shifted_share(self.operators.completeness[i])
     }
 }

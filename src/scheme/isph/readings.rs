@@ -7,10 +7,8 @@ use super::images::Points;
 use crate::body::BodyMotion;
 use crate::kernel::{Kernel, shape_within};
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use crate::water::first_level;
 use crate::with_kernel;
-
-/// Steps of a level's search; no water is as high.
-const MOST_STEPS: u32 = 100_000;
 
 /// Σ W V over a row of points around a place, and the same with a field.
 struct Around<'a, K, F> {
@@ -77,20 +75,7 @@ impl Isph {
 
     /// The first height above `from` at which coverage falls to 1/2 along a line.
     pub(super) fn level_along(&self, line: impl Fn(f64) -> [f64; 2], from: f64) -> f64 {
-        let coverage = |y: f64| self.average(line(y), |_| 0.0)[0];
-        let step = 0.5 * self.options.spacing;
-        let (mut y, mut below) = (from, coverage(from));
-        if below < 0.5 {
-            return from;
-        }
-        for _ in 0..MOST_STEPS {
-            let above = coverage(y + step);
-            if above < 0.5 {
-                return y + step * (below - 0.5) / (below - above);
-            }
-            (y, below) = (y + step, above);
-        }
-        y
+        first_level(|y| self.average(line(y), |_| 0.0)[0], from, self.options.spacing)
     }
 
     /// Points of a body's face at r*: along its plane, by height.

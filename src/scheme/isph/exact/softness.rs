@@ -1,15 +1,12 @@
 //! Where water takes no pressure.
 
 use super::super::Isph;
+use crate::water::Slack;
 
-/// A particle is spray from this completeness ...
-const SPRAY_FROM: f64 = 0.30;
-/// ... and wholly so from this.
-const SPRAY_FULL: f64 = 0.15;
-/// Tension is kept from this completeness ...
-const TENSION_FULL: f64 = 0.5;
-/// ... and wholly given up from this.
-const TENSION_FROM: f64 = 0.3;
+/// A support below this completeness is wholly spray.
+const SPRAY: f64 = 0.15;
+/// Where the water takes no pressure.
+const SLACK: Slack = Slack { spray: [0.30, SPRAY], tension: [0.5, 0.3] };
 /// The largest share of a divergence that a particle may keep instead of taking a pressure.
 const SOFTEST: f64 = 0.99;
 /// Bound on κ.
@@ -30,17 +27,12 @@ impl Isph {
         exact.scale.clear();
         for i in 0..self.fluid.len() {
             let completeness = self.operators.completeness[i];
-            let spray = (SPRAY_FROM - completeness) / (SPRAY_FROM - SPRAY_FULL);
             let still = gravity * (options.still_level - self.points.y[i]);
-            let slack = if self.carried.pressure[i] + still < 0.0 {
-                (TENSION_FULL - completeness) / (TENSION_FULL - TENSION_FROM)
-            } else {
-                0.0
-            };
-            let share = spray.max(slack).clamp(0.0, SOFTEST);
+            let tense = self.carried.pressure[i] + still < 0.0;
+            let share = SLACK.share(completeness, tense).clamp(0.0, SOFTEST);
             let [xx, xy, yy] = self.operators.moment[i];
             let determinant = xx * yy - xy * xy;
-            let kappa = if determinant > 0.0 && completeness > SPRAY_FULL {
+            let kappa = if determinant > 0.0 && completeness > SPRAY {
                 (0.5 * (xx + yy) / determinant).clamp(1.0 / FULLEST, FULLEST)
             } else {
                 FULLEST
