@@ -2,7 +2,6 @@
 
 use super::Isph;
 use crate::body::BodyMotion;
-use crate::boundary::Plane;
 use crate::scheme::{Dissipation, StepWalls};
 use crate::water::{SHIFT_LIMIT, shifted_share};
 
@@ -15,21 +14,17 @@ impl Isph {
     pub(super) fn advance(&mut self, dt: f64, walls: &StepWalls<'_>) -> Dissipation {
         let n = self.fluid.len();
         let options = self.options;
-        if self.responded && walls.acceleration != 0.0 {
-            let response = &self.carried.response;
-            for (pressure, response) in self.pressure.iter_mut().zip(response) {
-                *pressure += walls.acceleration * response;
-            }
-        }
         if self.responded {
             let a = walls.acceleration;
+            for (pressure, response) in self.pressure.iter_mut().zip(&self.carried.response) {
+                *pressure += a * response;
+            }
             for (own, response) in self.settled.iter_mut().zip(&self.accelerations) {
                 *own = [own[0] + a * response[0], own[1] + a * response[1]];
             }
         }
-        let mut ends = std::mem::take(&mut self.planes);
-        ends.clear();
-        ends.extend(
+        self.planes.clear();
+        self.planes.extend(
             (self.ghosts.bodies.iter().zip(walls.bodies))
                 .map(|(body, motion)| body.plane.moved(motion.offset + dt * motion.velocity)),
         );
@@ -52,8 +47,7 @@ impl Isph {
         if options.shifting_coefficient > 0.0 {
             shifting_work -= self.part(dt);
         }
-        self.hold_inside(&ends, walls.bodies);
-        self.planes = ends;
+        self.hold_inside(walls.bodies);
         Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }
     }
 
@@ -82,9 +76,9 @@ impl Isph {
     }
 
     /// Puts particles that have slipped through a wall back onto its face, with its velocity.
-    fn hold_inside(&mut self, ends: &[Plane], bodies: &[BodyMotion]) {
+    fn hold_inside(&mut self, bodies: &[BodyMotion]) {
         let skin = 1e-3 * self.options.spacing;
-        for (plane, motion) in ends.iter().zip(bodies) {
+        for (plane, motion) in self.planes.iter().zip(bodies) {
             let [nx, ny] = plane.normal;
             for k in 0..self.fluid.len() {
                 let beyond = plane.beyond([self.fluid.x[k], self.fluid.y[k]]);

@@ -55,12 +55,13 @@ impl Isph {
     fn average(&self, place: [f64; 2], field: impl Fn(usize) -> f64) -> [f64; 2] {
         let radius = self.options.support_radius;
         let kernel = self.options.kernel;
+        let near = &self.near;
         let [x, y] = place.map(|at| [at - radius, at + radius]);
         let mut sums = [0.0; 2];
-        for (strips, first) in [(&self.strips, 0), (&self.image_strips, self.fluid.padded_len())] {
+        for (strips, first) in [(&near.strips, 0), (&near.image_strips, self.fluid.padded_len())] {
             strips.visit_box(x, y, |row| {
                 let sum = with_kernel!(kernel, K => dispatch(self.path, Around::<K, _> {
-                    points: &self.points,
+                    points: &near.points,
                     row: first + row.start..first + row.end,
                     place,
                     inverse_radius: 1.0 / radius,
@@ -100,11 +101,11 @@ impl Isph {
         for cell in 0..cells as usize {
             let place = line((cell as f64 + 0.5) * height);
             let [coverage, mean] = self.average(place, |k| {
-                let j = self.points.original[k] as usize;
+                let j = self.near.points.original[k] as usize;
                 let response = self.carried.response.get(j).copied().unwrap_or(0.0);
                 self.pressure[j]
-                    + self.points.walls[k].pressure
-                    + responds * (response + self.points.walls[k].pressure_response)
+                    + self.near.points.walls[k].pressure
+                    + responds * (response + self.near.points.walls[k].pressure_response)
             });
             let dynamic = mean / coverage.max(1e-3);
             let pressure = dynamic + gravity * (options.still_level - place[1]);
