@@ -8,6 +8,7 @@ mod cubic_spline;
 mod gaussian;
 mod quintic_spline;
 mod wendland_c2;
+mod wendland_c4;
 
 use crate::math::simd::{Lanes, Vector};
 
@@ -73,6 +74,8 @@ macro_rules! kernels {
 kernels! { $
     /// Wendland C2.
     WendlandC2 in wendland_c2;
+    /// Wendland C4.
+    WendlandC4 in wendland_c4;
     /// Truncated Gaussian of Huang et al. 2019, Eq. 7.
     Gaussian in gaussian;
     /// Cubic B-spline.
