@@ -1,9 +1,9 @@
 //! Velocities, places, shifting: the second half of a step.
 
 use super::Isph;
-use crate::body::BodyMotion;
+use crate::math::simd::dispatch;
 use crate::scheme::{Dissipation, StepWalls};
-use crate::water::{SHIFT_LIMIT, shifted_share};
+use crate::water::{HoldInside, SHIFT_LIMIT, shifted_share};
 
 impl Isph {
     /// Corrects velocities by the pressure gradient (Liang et al. 2017, Eq. 9), moves the particles
@@ -47,7 +47,14 @@ impl Isph {
         if options.shifting_coefficient > 0.0 {
             shifting_work -= self.part(dt);
         }
-        self.hold_inside(walls.bodies);
+        let hold = HoldInside {
+            lanes: 0..self.fluid.padded_len(),
+            fluid: &mut self.fluid,
+            planes: &self.planes,
+            bodies: walls.bodies,
+            skin: 1e-3 * options.spacing,
+        };
+        dispatch(self.path, hold);
         Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }
     }
 
@@ -73,23 +80,5 @@ impl Isph {
     pub(super) fn speed(&self, i: usize) -> f64 {
         let (vx, vy) = (self.fluid.vx[i], self.fluid.vy[i]);
         (vx * vx + vy * vy).sqrt()
-    }
-
-    /// Puts particles that have slipped through a wall back onto its face, with its velocity.
-    fn hold_inside(&mut self, bodies: &[BodyMotion]) {
-        let skin = 1e-3 * self.options.spacing;
-        for (plane, motion) in self.planes.iter().zip(bodies) {
-            let [nx, ny] = plane.normal;
-            for k in 0..self.fluid.len() {
-                let beyond = plane.beyond([self.fluid.x[k], self.fluid.y[k]]);
-                if beyond > 0.0 {
-                    self.fluid.x[k] -= (beyond + skin) * nx;
-                    self.fluid.y[k] -= (beyond + skin) * ny;
-                    let speed = (self.fluid.vx[k] - motion.velocity) * nx + self.fluid.vy[k] * ny;
-                    self.fluid.vx[k] -= speed.max(0.0) * nx;
-                    self.fluid.vy[k] -= speed.max(0.0) * ny;
-                }
-            }
-        }
     }
 }
