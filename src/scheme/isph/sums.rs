@@ -72,10 +72,9 @@ impl<T: Terms, F: FnMut(usize, [f64; 4])> Task for Sum<'_, T, F> {
                 let at = &self.numbers[e as usize];
                 self.terms.add(&mut sums, place, (e as usize, weights, at));
             }
-            let sums = L::to_arrays(sums);
+            let [a, b, c, d] = L::to_arrays(sums);
             for lane in 0..LANES.min(n - cluster * LANES) {
-                let of_lane = [sums[0][lane], sums[1][lane], sums[2][lane], sums[3][lane]];
-                (self.close)(cluster * LANES + lane, of_lane);
+                (self.close)(cluster * LANES + lane, [a[lane], b[lane], c[lane], d[lane]]);
             }
         }
     }
