@@ -9,12 +9,13 @@
 //! | 2 | [`kernel`] | smoothing kernels behind one contract |
 //! | 3 | [`particles`], [`neighbours`] | particle arrays, neighbour lists |
 //! | 4 | [`boundary`], [`body`] | ghost particle interpolators; paddle and walls |
-//! | 5 | [`scheme`] | δ-SPH time stepping |
-//! | 6 | [`scene`] | scene files: parsing, validation, construction |
-//! | 7 | [`simulation`] | driver, checkpoint, measures, outcome of one case |
-//! | 8 | [`sweep`] | grid, plan, manager, journal, executors |
-//! | 9 | [`report`] | tables and figures from files alone |
-//! | 10 | [`cli`] | one file per subcommand |
+//! | 5 | [`water`] | what every scheme does with its water |
+//! | 6 | [`scheme`] | δ-SPH time stepping |
+//! | 7 | [`scene`] | scene files: parsing, validation, construction |
+//! | 8 | [`simulation`] | driver, checkpoint, measures, outcome of one case |
+//! | 9 | [`sweep`] | grid, plan, manager, journal, executors |
+//! | 10 | [`report`] | tables and figures from files alone |
+//! | 11 | [`cli`] | one file per subcommand |
 //!
 //! Start at [`simulation::run_case`] for one case and at [`sweep`] for a study.
 #![warn(missing_docs)]
@@ -32,3 +33,6 @@ pub mod scheme;
 pub mod simulation;
 pub mod sweep;
 pub mod theory;
+pub mod water;
+
+pub(crate) use kernel::with_kernel;

@@ -10,6 +10,7 @@ const LAYERS: &[&[&str]] = &[
     &["kernel"],
     &["particles", "neighbours"],
     &["boundary", "body"],
+    &["water"],
     &["scheme"],
     &["scene"],
     &["simulation"],

@@ -129,8 +129,8 @@ fn incompressible(config: &CaseConfig, found: &mut Vec<&'static str>) {
     let limit = numerics.gravity_courant_number.is_some_and(|courant| courant > 0.035);
     if limit && matches!(numerics.laplacian, Some(Laplacian::Symmetric | Laplacian::Schwaiger)) {
         found.push(
-            "laplacian = \"symmetric\" or \"schwaiger\" leaves divergence in the water: it wants \
-             gravity_courant_number = 0.035, and high waves failed even so; \"exact\" does neither",
+            "laplacian = \"symmetric\" or \"schwaiger\" leaves divergence in the water and wants \
+             gravity_courant_number = 0.035; \"exact\" does neither",
         );
     }
     let Some(scene) = config.scene.seawall() else { return };

@@ -3,6 +3,7 @@
 use crate::body::BodyMotion;
 use crate::boundary::Plane;
 use crate::scheme::Scheme;
+use crate::water::level_up_to;
 
 /// A gauge counts as wet from this far below the surface, in particle spacings, and as dry from
 /// as far above it.
@@ -125,19 +126,7 @@ impl<'a> Sounding<'a> {
     /// to 1/2; 0 where the bed is dry.
     pub(super) fn level(&mut self, x: f64, highest: f64) -> f64 {
         self.look([x, x], [0.0, highest]);
-        let step = 0.5 * self.spacing;
-        let (mut y, mut below) = (0.0, self.at(x, 0.0).0);
-        if below < 0.5 {
-            return 0.0;
-        }
-        while y < highest {
-            let above = self.at(x, y + step).0;
-            if above < 0.5 {
-                return y + step * (below - 0.5) / (below - above);
-            }
-            (y, below) = (y + step, above);
-        }
-        highest
+        level_up_to(|y| self.at(x, y).0, [0.0, highest], self.spacing)
     }
 
     /// The largest share of the kernel that is empty at a wall, of what the walls leave of it: from
