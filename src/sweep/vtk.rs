@@ -1,10 +1,10 @@
 //! Particles for ParaView: one VTU file per instant and a PVD file that lists them.
 
-use std::cell::RefCell;
 use std::fmt::Write;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use super::case::CaseId;
 use super::runner::Runner;
@@ -36,11 +36,12 @@ impl Runner for FilmingRunner {
         checkpoint: Option<&[u8]>,
         monitor: &dyn Monitor,
     ) -> Result<CaseResult, Stopped> {
-        let id = CaseId::of(config).to_string();
-        let camera = Camera::new(&self.folder, &id, self.interval_s).map_err(unwritable)?;
-        let camera = Filming { inner: monitor, camera: std::sync::Mutex::new(camera) };
-        let result = run_case(config, checkpoint, self.resources, &camera)?;
-        let camera = camera.camera.into_inner().unwrap_or_else(|poisoned| poisoned.into_inner());
+        let camera =
+            Camera::new(&self.folder, CaseId::of(config).to_string()).map_err(unwritable)?;
+        let (inner, interval_s) = (monitor, self.interval_s);
+        let filming = Filming { inner, interval_s, camera: Mutex::new(camera) };
+        let result = run_case(config, checkpoint, self.resources, &filming)?;
+        let camera = filming.camera.into_inner().unwrap_or_else(PoisonError::into_inner);
         camera.finish().map_err(unwritable)?;
         Ok(result)
     }
@@ -51,71 +52,55 @@ fn unwritable(error: io::Error) -> Stopped {
     Stopped::Failed(Failure { kind: FailureKind::Internal, time_s: 0.0, detail })
 }
 
+/// Films a run, for its own monitor's eyes too.
 struct Filming<'a> {
     inner: &'a dyn Monitor,
-    camera: std::sync::Mutex<Camera>,
+    interval_s: f64,
+    camera: Mutex<Camera>,
 }
 
 impl Monitor for Filming<'_> {
-    fn progress(&self, share: f64) {
-        self.inner.progress(share);
-    }
-
     fn cancelled(&self) -> bool {
         self.inner.cancelled()
     }
 
     fn film_interval(&self) -> Option<f64> {
-        self.camera.lock().ok().map(|camera| camera.interval)
+        Some(self.interval_s)
     }
 
     fn film(&self, film: &Film<'_>) {
-        if let Ok(camera) = self.camera.lock() {
-            camera.shoot(film);
-        }
+        self.camera.lock().unwrap_or_else(PoisonError::into_inner).shoot(film);
     }
 }
 
+/// Where the pictures of a case go, the times of those taken, and the first error.
 struct Camera {
     folder: PathBuf,
     id: String,
-    interval: f64,
-    taken: RefCell<Vec<f64>>,
-    error: RefCell<Option<io::Error>>,
+    taken: io::Result<Vec<f64>>,
 }
 
 impl Camera {
-    fn new(folder: &Path, id: &str, interval: f64) -> io::Result<Camera> {
-        fs::create_dir_all(folder.join(id))?;
-        Ok(Camera {
-            folder: folder.to_owned(),
-            id: id.to_owned(),
-            interval,
-            taken: RefCell::default(),
-            error: RefCell::default(),
-        })
+    fn new(folder: &Path, id: String) -> io::Result<Camera> {
+        fs::create_dir_all(folder.join(&id))?;
+        Ok(Camera { folder: folder.to_owned(), id, taken: Ok(Vec::new()) })
     }
 
-    fn shoot(&self, film: &Film<'_>) {
-        let mut taken = self.taken.borrow_mut();
+    fn shoot(&mut self, film: &Film<'_>) {
+        let Ok(taken) = &mut self.taken else { return };
         let name = format!("{:05}.vtu", taken.len());
         match fs::write(self.folder.join(&self.id).join(name), vtu(film)) {
             Ok(()) => taken.push(film.time_s),
-            Err(error) => {
-                self.error.borrow_mut().get_or_insert(error);
-            }
+            Err(error) => self.taken = Err(error),
         }
     }
 
     /// Lists what was taken.
     fn finish(self) -> io::Result<()> {
-        if let Some(error) = self.error.into_inner() {
-            return Err(error);
-        }
         let mut text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n\
             <Collection>\n"
             .to_owned();
-        for (number, time) in self.taken.into_inner().iter().enumerate() {
+        for (number, time) in self.taken?.iter().enumerate() {
             let file = format!("{}/{number:05}.vtu", self.id);
             let _ = writeln!(text, "<DataSet timestep=\"{time}\" file=\"{file}\"/>");
         }
@@ -175,7 +160,7 @@ mod tests {
     fn a_film_has_all_particles_and_a_list() {
         let root = tempfile::tempdir().unwrap();
         let fluid = Fluid::at_rest((0..3).map(|k| [f64::from(k), 0.5, 1000.0, 1.0]));
-        let camera = Camera::new(root.path(), "case", 0.1).unwrap();
+        let mut camera = Camera::new(root.path(), "case".to_owned()).unwrap();
         for k in 0..2 {
             let time_s = 0.1 * f64::from(k);
             camera.shoot(&Film { time_s, fluid: &fluid, pressure: &[1.0, 2.5, 3.0, 0.0] });

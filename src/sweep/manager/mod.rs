@@ -14,7 +14,6 @@
 mod protocol;
 mod queue;
 mod ranks;
-mod recovery;
 #[cfg(test)]
 mod tests;
 mod trunk;
@@ -116,10 +115,6 @@ impl Manager {
             Event::GivenBack { rank, task } => {
                 self.ranks.release(rank, task);
                 self.interrupt(commands);
-                None
-            }
-            Event::Lost { rank } => {
-                self.lose(rank);
                 None
             }
             Event::Interrupted => {
@@ -235,7 +230,7 @@ impl Manager {
 }
 
 /// The held trunk with the dearest pending branch. Entries are put right when they come to the
-/// top: a trunk's dearest branch only gets cheaper, except where a requeued one brings a new entry.
+/// top: a trunk's dearest branch only gets cheaper.
 fn top_held(queue: &mut Queue, trunks: &[Trunk]) -> Option<Entry> {
     while let Some(entry) = queue.top() {
         let trunk = &trunks[entry.place];

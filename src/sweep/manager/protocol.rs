@@ -31,11 +31,6 @@ pub enum Event {
         /// The task.
         task: Task,
     },
-    /// A rank is gone, with its tasks and checkpoints.
-    Lost {
-        /// The rank.
-        rank: usize,
-    },
     /// The user wants to stop.
     Interrupted,
 }

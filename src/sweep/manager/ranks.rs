@@ -10,7 +10,7 @@ use super::queue::{Entry, Queue};
 struct Rank {
     /// How many tasks it runs at once.
     capacity: usize,
-    alive: bool,
+    joined: bool,
     tasks: Vec<Task>,
     /// Trunks held here, by their dearest pending branch when last looked at.
     local: Queue,
@@ -31,7 +31,7 @@ impl Ranks {
     pub fn new(capacities: &[usize]) -> Ranks {
         let rank = |&capacity: &usize| Rank {
             capacity: capacity.max(1),
-            alive: false,
+            joined: false,
             tasks: Vec::new(),
             local: Queue::default(),
         };
@@ -44,7 +44,7 @@ impl Ranks {
         self.all.len()
     }
 
-    /// How many tasks can run at once, those of ranks that have left not counted.
+    /// How many tasks can run at once.
     pub fn capacity(&self) -> usize {
         self.capacity
     }
@@ -56,22 +56,8 @@ impl Ranks {
 
     /// A rank can take work.
     pub fn join(&mut self, rank: usize) {
-        self.all[rank].alive = true;
+        self.all[rank].joined = true;
         self.offer(rank);
-    }
-
-    /// A rank is gone: the tasks that it had; `None` where it had not joined or left before.
-    pub fn leave(&mut self, rank: usize) -> Option<Vec<Task>> {
-        self.withdraw(rank);
-        let state = &mut self.all[rank];
-        if !std::mem::take(&mut state.alive) {
-            return None;
-        }
-        state.local = Queue::default();
-        let tasks = std::mem::take(&mut state.tasks);
-        self.capacity -= state.capacity;
-        self.in_flight -= tasks.len();
-        Some(tasks)
     }
 
     /// The rank with the most free places.
@@ -82,7 +68,7 @@ impl Ranks {
     /// Whether a rank that is there has fewer tasks than it can run, and `more`.
     pub fn has_room(&self, rank: usize, more: usize) -> bool {
         let state = &self.all[rank];
-        state.alive && state.tasks.len() < state.capacity + more
+        state.joined && state.tasks.len() < state.capacity + more
     }
 
     pub fn take(&mut self, rank: usize, task: Task) {

@@ -1,4 +1,4 @@
-//! The scheduler against a fake link: random orders, failures, losses and interrupts.
+//! The scheduler against a fake link: random orders, failures and interrupts.
 
 use super::*;
 use crate::scene::CaseConfig;
@@ -76,16 +76,10 @@ impl FakeLink {
             }
         }
     }
-
-    fn lose(&mut self, rank: usize) {
-        self.running.retain(|&(at, _)| at != rank);
-        self.checkpoints.retain(|&(at, _)| at != rank);
-    }
 }
 
 struct Trouble {
     failing_trunks: bool,
-    lost_rank: Option<usize>,
     interrupt_after: Option<usize>,
 }
 
@@ -123,11 +117,6 @@ fn simulate(plan: &Plan, capacities: &[usize], trouble: &Trouble, dice: &mut Dic
         };
         manager.on(event, &mut commands);
         link.obey(&mut commands);
-        if let Some(rank) = trouble.lost_rank.filter(|_| events == 7) {
-            link.lose(rank);
-            manager.on(Event::Lost { rank }, &mut commands);
-            link.obey(&mut commands);
-        }
         if trouble.interrupt_after == Some(events) {
             manager.on(Event::Interrupted, &mut commands);
             link.obey(&mut commands);
@@ -142,7 +131,7 @@ fn simulate(plan: &Plan, capacities: &[usize], trouble: &Trouble, dice: &mut Dic
     link
 }
 
-const CALM: Trouble = Trouble { failing_trunks: false, lost_rank: None, interrupt_after: None };
+const CALM: Trouble = Trouble { failing_trunks: false, interrupt_after: None };
 
 #[test]
 fn every_case_runs_exactly_once_in_any_order() {
@@ -155,18 +144,6 @@ fn every_case_runs_exactly_once_in_any_order() {
             let link = simulate(&plan, &capacities, &trouble, &mut dice);
             assert!(link.runs.iter().all(|&runs| runs == 1), "seed {seed}: {:?}", link.runs);
         }
-    }
-}
-
-#[test]
-fn a_lost_ranks_work_is_done_by_others() {
-    for seed in 1..200 {
-        let mut dice = Dice(seed);
-        let plan = plan(1 + dice.below(5), 2 + dice.below(9), dice.below(12), &mut dice);
-        let ranks = 2 + dice.below(4);
-        let trouble = Trouble { lost_rank: Some(dice.below(ranks)), ..CALM };
-        let link = simulate(&plan, &vec![1; ranks], &trouble, &mut dice);
-        assert!(link.runs.iter().all(|&runs| runs == 1), "seed {seed}: {:?}", link.runs);
     }
 }
 

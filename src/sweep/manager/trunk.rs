@@ -20,7 +20,7 @@ pub(super) struct Trunk {
     pub(super) pending: Queue,
     /// Branches not yet done.
     pub(super) unfinished: usize,
-    /// The rank that ran it, while that rank is there.
+    /// The rank that ran it.
     pub(super) origin: usize,
     pub(super) holders: BTreeSet<usize>,
 }
