@@ -12,12 +12,11 @@ use std::fmt::Write as _;
 use std::time::Instant;
 
 use seawall::math::simd::SimdPath;
+use seawall::results::{CaseRecord, Directory, OpenMode};
 use seawall::scene::CaseConfig;
+use seawall::schedule::{Command, Event, Manager};
 use seawall::simulation::{CaseResult, Cost, Unwatched, cost, run_case, run_trunk};
-use seawall::sweep::{
-    CaseRecord, Command, Directory, Event, Manager, OpenMode, Plan, PlannedCase, PlannedTrunk,
-    Study, SweepFile,
-};
+use seawall::study::{Plan, PlannedCase, PlannedTrunk, Study, SweepFile};
 
 /// What one message costs on its way, seconds and seconds per byte: a slow network of a cluster.
 const LATENCY: f64 = 20e-6;
@@ -317,7 +316,7 @@ fn main() {
     sorted.sort_by(f64::total_cmp);
     let mut text = format!(
         "# Scaling, by simulation\n\n\
-         The real scheduler (`sweep::Manager`), driven with the wall times of the {} cases in\n\
+         The real scheduler (`schedule::Manager`), driven with the wall times of the {} cases in\n\
          `{SUMMARY}` over and over: {:.2} s in the median, {:.2} to {:.2} s,\n{} branches per \
          trunk, a trunk in {:.2} s. The scheduler plans with its own estimates. One task at a \
          time per\nrank, messages of {:.0} µs and 1 GB/s (taken, not measured). Measured and \

@@ -12,23 +12,31 @@
 //! | 5 | [`scheme`] | δ-SPH time stepping |
 //! | 6 | [`scene`] | scene files: parsing, validation, construction |
 //! | 7 | [`simulation`] | driver, checkpoint, measures, outcome of one case |
-//! | 8 | [`sweep`] | grid, plan, manager, journal, executors |
-//! | 9 | [`report`] | tables and figures from files alone |
-//! | 10 | [`cli`] | one file per subcommand |
+//! | 8 | [`study`] | sweep files, the grid, case identity, plan |
+//! | 9 | [`schedule`] | what runs where and when: a pure state machine |
+//! | 10 | [`results`] | the output directory: journal, records, tables |
+//! | 11 | [`execute`] | workers on threads or under MPI |
+//! | 12 | [`accuracy`] | measured errors, hard cases, numerics that meet a wanted error |
+//! | 13 | [`report`] | tables and figures from files alone |
+//! | 14 | [`cli`] | one file per subcommand |
 //!
-//! Start at [`simulation::run_case`] for one case and at [`sweep`] for a study.
+//! Start at [`simulation::run_case`] for one case and at [`study`] for a sweep.
 #![warn(missing_docs)]
 
+pub mod accuracy;
 pub mod body;
 pub mod boundary;
 pub mod cli;
+pub mod execute;
 pub mod kernel;
 pub mod math;
 pub mod neighbours;
 pub mod particles;
 pub mod report;
+pub mod results;
 pub mod scene;
+pub mod schedule;
 pub mod scheme;
 pub mod simulation;
-pub mod sweep;
+pub mod study;
 pub mod theory;

@@ -3,8 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use seawall::accuracy::{Matrix, Pair};
 use seawall::scene::{CaseConfig, Numerics};
-use seawall::sweep::matrix::{Matrix, Pair};
 use toml::{Table, Value};
 
 #[test]

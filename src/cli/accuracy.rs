@@ -7,8 +7,8 @@ use super::matrix::{MatrixArgs, Request, run};
 use super::output::{Output, short};
 use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
+use crate::accuracy::{Group, MethodScore, Scored, cheapest_within, methods, score};
 use crate::report::accuracy::{HEADER, write};
-use crate::sweep::matrix::accuracy::{Group, MethodScore, Scored, cheapest_within, methods, score};
 
 /// Run many methods on cases with known answers, and tell error against processor time.
 #[derive(Debug, Args)]

@@ -7,13 +7,14 @@ use serde_json::{Value, json};
 
 use super::output::Output;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
+use crate::execute::{Crew, Ending, Interrupt, Progress, Session, coordinate};
 use crate::math::simd::SimdPath;
-use crate::simulation::cost;
-use crate::sweep::executor::{Crew, RankInfo};
-use crate::sweep::{
-    CaseRecord, Directory, Ending, Interrupt, Manifest, OpenMode, Opened, Plan, Progress, Savings,
-    Session, SessionInfo, Study, SweepError, coordinate, counted, timestamp,
+use crate::results::{
+    CaseRecord, Directory, Manifest, OpenMode, Opened, RankInfo, Savings, SessionInfo, SweepError,
+    counted, timestamp,
 };
+use crate::simulation::cost;
+use crate::study::{Plan, Study};
 
 /// What is to be done.
 pub(super) struct Job {

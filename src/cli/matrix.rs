@@ -8,9 +8,9 @@ use super::execute::{Done, Job, execute};
 use super::failure::BadInput;
 use super::input::{SimdChoice, default_out, read};
 use super::output::Output;
-use crate::sweep::executor::{Setup, threads};
-use crate::sweep::matrix::{Matrix, Pair};
-use crate::sweep::{CaseRecord, Ending, Interrupt, OpenMode, SphRunner};
+use crate::accuracy::{Matrix, Pair};
+use crate::execute::{Ending, Interrupt, Setup, SphRunner, threads};
+use crate::results::{CaseRecord, OpenMode};
 
 /// What both commands take.
 #[derive(Debug, Args)]

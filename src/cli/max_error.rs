@@ -9,9 +9,10 @@ use serde_json::json;
 use super::execute::Done;
 use super::failure::BadInput;
 use super::output::{Output, short};
+use crate::accuracy::{AccuracyTable, Choice, bar_percent, differences};
+use crate::results::counted;
 use crate::scene::CaseConfig;
-use crate::sweep::tuning::{AccuracyTable, Choice, bar_percent, differences};
-use crate::sweep::{Study, counted};
+use crate::study::Study;
 
 /// Largest spacing over the depth whose choice can be verified: its companion for the error bars has
 /// twice that, and no case may have more than a quarter.
@@ -129,7 +130,7 @@ impl Aim {
 
     fn verify(&self, study: &Study, done: &Done) -> Vec<Verified> {
         let records = done.directory.runs();
-        let of = |case: &crate::sweep::Case| {
+        let of = |case: &crate::study::Case| {
             let record = records[case.index].as_ref().filter(|record| record.is_ok())?;
             let bars = study.error_bars(case.index, records);
             let spacing = case.config.numerics.particle_spacing_m;

@@ -28,7 +28,7 @@ use std::process::ExitCode;
 use clap::{Args, ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use self::output::{Format, Output};
-use crate::sweep::executor::Launcher;
+use crate::execute::Launcher;
 
 /// Everything went well.
 const SUCCESS: u8 = 0;

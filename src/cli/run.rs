@@ -8,9 +8,9 @@ use super::execute::{Job, execute};
 use super::input::{Expect, Setting, SimdChoice, default_out, study};
 use super::output::{Output, duration, short};
 use super::table::Table;
+use crate::execute::{Ending, FilmingRunner, Interrupt, Setup, SphRunner, threads};
+use crate::results::{CaseRecord, OpenMode};
 use crate::simulation::{EnergyBudget, Maximum, NamedReading, Outcome, PhaseShare};
-use crate::sweep::executor::{Setup, threads};
-use crate::sweep::{CaseRecord, Ending, FilmingRunner, Interrupt, OpenMode, SphRunner};
 
 /// Run one scene: its history, outcome, energy budget, and where the time went.
 #[derive(Debug, Args)]

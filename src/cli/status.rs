@@ -10,7 +10,7 @@ use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::{Output, duration};
 use super::table::Table;
-use crate::sweep::{CaseRecord, Lock, Manifest, counted, read_journal};
+use crate::results::{CaseRecord, Lock, Manifest, counted, read_journal};
 
 /// Show what is done, what failed and why, what is left, and the time to go.
 #[derive(Debug, Args)]

@@ -11,8 +11,8 @@ use super::max_error::Aim;
 use super::output::Output;
 use super::overview::told;
 use super::{SUCCESS, check};
-use crate::sweep::executor::{Crew, Launcher, Setup, mpi, threads};
-use crate::sweep::{Ending, Interrupt, OpenMode, SphRunner, counted};
+use crate::execute::{Crew, Ending, Interrupt, Launcher, Setup, SphRunner, mpi, threads};
+use crate::results::{OpenMode, counted};
 
 /// Run all cases of a sweep file, on threads or under mpirun, and go on where an earlier run
 /// stopped.

@@ -1,0 +1,16 @@
+//! How accurate and how robust the methods are, and what the program does with that knowledge.
+//!
+//! - [`Matrix`] holds the cases and methods of `seawall accuracy` and `seawall stress`;
+//! - [`score`] tells their errors, [`judge`] their verdicts;
+//! - [`AccuracyTable`] holds measured errors and chooses numerics by them (`--max-error`).
+
+mod choice;
+mod matrix;
+mod score;
+mod stress;
+mod table;
+
+pub use matrix::{Matrix, Pair};
+pub use score::{Group, MethodScore, Scored, cheapest_within, methods, score};
+pub use stress::{Judged, Verdict, judge};
+pub use table::{AccuracyTable, Choice, bar_percent, differences};
