@@ -10,7 +10,7 @@ use serde::Deserialize;
 use toml::{Table, Value};
 
 use super::choice;
-use crate::results::CaseRecord;
+use super::quantity::Quantity;
 use crate::scene::{CaseConfig, ConfigError};
 use crate::study::{Case, CaseId, Study};
 
@@ -50,12 +50,12 @@ pub struct MatrixCase {
     pub methods: Option<Vec<String>>,
     /// The exact values of quantities: fields of the outcome, or readings of the scene.
     #[serde(default)]
-    pub truth: BTreeMap<String, f64>,
+    pub truth: BTreeMap<Quantity, f64>,
     /// Where no exact value is known: what the finest method of all says.
     pub reference: Option<Reference>,
     /// The range that a quantity must end in.
     #[serde(default)]
-    pub pass: BTreeMap<String, [f64; 2]>,
+    pub pass: BTreeMap<Quantity, [f64; 2]>,
     /// Another case whose values, with the same method, these must equal.
     pub same: Option<Same>,
 }
@@ -67,7 +67,7 @@ pub struct Reference {
     /// Name of the method; its own errors are not told.
     pub method: String,
     /// Which quantities.
-    pub quantities: Vec<String>,
+    pub quantities: Vec<Quantity>,
 }
 
 /// Equality with another case.
@@ -79,7 +79,7 @@ pub struct Same {
     /// How far apart, relative to the other's value.
     pub tolerance: f64,
     /// Which quantities.
-    pub quantities: Vec<String>,
+    pub quantities: Vec<Quantity>,
 }
 
 /// Numerics laid over those of every case.
@@ -101,9 +101,9 @@ pub struct Method {
     pub cases: Option<Vec<String>>,
 }
 
-/// One pair of the matrix.
+/// One pair of the matrix: a method tried on a case.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Pair {
+pub struct Trial {
     /// Place in [`Matrix::cases`].
     pub case: usize,
     /// Place in [`Matrix::methods`].
@@ -171,7 +171,7 @@ impl Matrix {
     }
 
     /// The study of all its pairs, or of those of its quick form.
-    pub fn study(&self, quick: bool, text: &str) -> (Study, Vec<Pair>) {
+    pub fn study(&self, quick: bool, text: &str) -> (Study, Vec<Trial>) {
         let mut pairs = Vec::new();
         let mut cases: Vec<Case> = Vec::new();
         let mut seen: HashMap<CaseId, usize> = HashMap::new();
@@ -198,24 +198,13 @@ impl Matrix {
                         }))
                     }
                 };
-                pairs.push(Pair { case: place, method: column, run });
+                pairs.push(Trial { case: place, method: column, run });
             }
         }
         let keys = vec!["case".to_owned(), "method".to_owned()];
         let name = if quick { format!("{}-quick", self.name) } else { self.name.clone() };
         (Study::of(name, keys, cases, &[], text), pairs)
     }
-}
-
-/// A quantity of a record by its name: a field of its outcome (a maximum's value), or a reading.
-pub fn quantity(record: &CaseRecord, name: &str) -> Option<f64> {
-    let reading = record.readings.iter().find(|reading| reading.name == name);
-    if let Some(reading) = reading {
-        return Some(reading.value);
-    }
-    let outcome = serde_json::to_value(record.outcome.as_ref()?).ok()?;
-    let field = outcome.get(name)?;
-    field.as_f64().or_else(|| field.get("value")?.as_f64())
 }
 
 #[cfg(test)]

@@ -6,11 +6,13 @@
 
 mod choice;
 mod matrix;
+mod quantity;
 mod score;
 mod stress;
 mod table;
 
-pub use matrix::{Matrix, Pair};
-pub use score::{Group, MethodScore, Scored, cheapest_within, methods, score};
+pub use matrix::{Matrix, Trial};
+pub use quantity::{Kind, Quantity};
+pub use score::{Errors, MethodScore, Scored, cheapest_within, methods, score};
 pub use stress::{Judged, Verdict, judge};
 pub use table::{AccuracyTable, Choice, bar_percent, differences};

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::matrix::{Matrix, Pair, quantity};
+use super::matrix::{Matrix, Trial};
+use super::quantity::{Kind, Quantity};
 use crate::results::CaseRecord;
 
 /// The errors of one pair.
@@ -56,31 +57,31 @@ pub struct MethodScore {
 }
 
 /// Scores all pairs that this build can run, but for those that are taken for the truth.
-pub fn score(matrix: &Matrix, pairs: &[Pair], records: &[Option<CaseRecord>]) -> Vec<Scored> {
-    let record = |pair: &Pair| records.get(*pair.run.as_ref().ok()?)?.as_ref();
-    let scored = |pair: &Pair| {
+pub fn score(matrix: &Matrix, pairs: &[Trial], records: &[Option<CaseRecord>]) -> Vec<Scored> {
+    let record = |pair: &Trial| records.get(*pair.run.as_ref().ok()?)?.as_ref();
+    let scored = |pair: &Trial| {
         let (case, method) = (&matrix.cases[pair.case], &matrix.methods[pair.method]);
         let mut truth = case.truth.clone();
         if let Some(reference) = &case.reference {
             if reference.method == method.name {
                 return None;
             }
-            let is_it = |other: &&Pair| {
+            let is_it = |other: &&Trial| {
                 other.case == pair.case && matrix.methods[other.method].name == reference.method
             };
             let finest = pairs.iter().find(is_it).and_then(record);
-            let value = |name: &String| Some((name.clone(), quantity(finest?, name)?));
+            let value = |quantity: &Quantity| Some((quantity.clone(), quantity.of(finest?)?));
             truth.extend(reference.quantities.iter().filter_map(value));
         }
         let record = record(pair)?;
-        let worst = |kind: Kind| worst(record, &truth, kind);
+        let worst = |kinds: &[Kind]| worst(record, &truth, kinds);
         Some(Scored {
             case: case.name.clone(),
             method: method.name.clone(),
-            force_error_percent: worst(Kind::Force),
-            runup_error_percent: worst(Kind::Runup),
-            displacement_error_percent: worst(Kind::Displacement),
-            flow_error_percent: worst(Kind::Flow),
+            force_error_percent: worst(&[Kind::Force]),
+            runup_error_percent: worst(&[Kind::Runup]),
+            displacement_error_percent: worst(&[Kind::Displacement]),
+            flow_error_percent: worst(&[Kind::Flow, Kind::Gap]),
             cpu_time_s: record.cpu_time_s.or(Some(record.wall_time_s)),
             reason: record.reason.clone(),
         })
@@ -88,76 +89,48 @@ pub fn score(matrix: &Matrix, pairs: &[Pair], records: &[Option<CaseRecord>]) ->
     pairs.iter().filter_map(scored).collect()
 }
 
-/// What a quantity's error is measured by.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Kind {
-    /// Its true value.
-    Force,
-    /// The still water depth.
-    Runup,
-    /// Its true value.
-    Displacement,
-    /// Its true value; a gap is in percent already.
-    Flow,
-}
-
-impl Kind {
-    fn of(name: &str) -> Kind {
-        let named = [("force", Kind::Force), ("runup", Kind::Runup)];
-        let named = named.into_iter().chain([("displacement", Kind::Displacement)]);
-        named.into_iter().find(|(stem, _)| name.contains(stem)).map_or(Kind::Flow, |(_, kind)| kind)
-    }
-}
-
-/// The largest error among the quantities of one kind, signed, percent.
-fn worst(record: &CaseRecord, truth: &BTreeMap<String, f64>, kind: Kind) -> Option<f64> {
-    let of_kind = truth.iter().filter(|(name, _)| Kind::of(name) == kind);
-    let error = |(name, &exact): (&String, &f64)| {
-        let off = quantity(record, name)? - exact;
-        Some(match kind {
-            Kind::Runup => 100.0 * off,
-            Kind::Flow if name.ends_with("_gap") => off,
-            _ => 100.0 * off / exact.abs(),
-        })
-    };
-    of_kind.filter_map(error).max_by(|a, b| a.abs().total_cmp(&b.abs()))
+/// The largest error among the quantities of some kinds, signed, percent.
+fn worst(record: &CaseRecord, truth: &BTreeMap<Quantity, f64>, kinds: &[Kind]) -> Option<f64> {
+    let of_kind = truth.iter().filter(|(quantity, _)| kinds.contains(&quantity.kind()));
+    let errors = of_kind.filter_map(|(quantity, &exact)| quantity.error_percent(record, exact));
+    errors.max_by(|a, b| a.abs().total_cmp(&b.abs()))
 }
 
 /// Which errors count for a method.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Group {
+pub enum Errors {
     /// All of them.
     All,
     /// Those of force and displacement, in the cases that have any.
     Loads,
 }
 
-impl Group {
+impl Errors {
     /// What stands in the place of a case for the sums of the group.
     pub fn name(self) -> &'static str {
         match self {
-            Group::All => "all",
-            Group::Loads => "loads",
+            Errors::All => "all",
+            Errors::Loads => "loads",
         }
     }
 }
 
 /// Sums up each method that runs on every case, in the order of the matrix, and marks the Pareto
 /// front.
-pub fn methods(matrix: &Matrix, scored: &[Scored], group: Group) -> Vec<MethodScore> {
+pub fn methods(matrix: &Matrix, scored: &[Scored], group: Errors) -> Vec<MethodScore> {
     let mut scores: Vec<MethodScore> = Vec::new();
     let has_loads =
         |case: &str| scored.iter().any(|row| row.case == case && row.loads().next().is_some());
     for method in matrix.methods.iter().filter(|method| method.cases.is_none()) {
-        let counts = |row: &&Scored| group == Group::All || has_loads(&row.case);
+        let counts = |row: &&Scored| group == Errors::All || has_loads(&row.case);
         let rows = scored.iter().filter(|row| row.method == method.name);
         let rows: Vec<_> = rows.filter(counts).collect();
         if rows.is_empty() {
             continue;
         }
         let errors = |row: &Scored| match group {
-            Group::All => row.errors().collect::<Vec<f64>>(),
-            Group::Loads => row.loads().collect(),
+            Errors::All => row.errors().collect::<Vec<f64>>(),
+            Errors::Loads => row.loads().collect(),
         };
         let failed = rows.iter().filter(|row| errors(row).is_empty()).count();
         let errors: Vec<f64> = rows.iter().flat_map(|row| errors(row)).collect();
@@ -216,9 +189,10 @@ mod tests {
 
     #[test]
     fn a_gap_is_an_error_as_it_stands_and_others_are_relative() {
-        assert_eq!(Kind::of("period_gap"), Kind::Flow);
-        assert_eq!(Kind::of("first_runup_max"), Kind::Runup);
-        assert_eq!(Kind::of("force_end"), Kind::Force);
+        let kind = |name: &str| Quantity::from(name.to_owned()).kind();
+        let names = ["period_gap", "first_runup_max", "force_end", "runup_time", "arm"];
+        let kinds = [Kind::Gap, Kind::Runup, Kind::Force, Kind::Flow, Kind::Flow];
+        assert_eq!(names.map(kind), kinds);
         let matrix = Matrix::read(TEXT).unwrap();
         let (study, pairs) = matrix.study(false, TEXT);
         let still = &study.cases[0];
@@ -230,11 +204,11 @@ mod tests {
         ];
         let record = CaseRecord::new(&study, still, &Ok(result), 1.0, "here");
         let truth = [("force_end", 1.0), ("period_gap", 0.0), ("front_at_1.5", 2.0)];
-        let truth = truth.map(|(name, value)| (name.to_owned(), value)).into();
-        let off = |kind| worst(&record, &truth, kind).unwrap();
-        assert!((off(Kind::Force) - 2.0).abs() < 1e-9);
-        assert!((off(Kind::Flow) - 10.0).abs() < 1e-9);
-        assert_eq!(worst(&record, &truth, Kind::Runup), None);
+        let truth = truth.map(|(name, value)| (name.to_owned().into(), value)).into();
+        let off = |kinds| worst(&record, &truth, kinds).unwrap();
+        assert!((off(&[Kind::Force]) - 2.0).abs() < 1e-9);
+        assert!((off(&[Kind::Flow, Kind::Gap]) - 10.0).abs() < 1e-9);
+        assert_eq!(worst(&record, &truth, &[Kind::Runup]), None);
         let rows = score(&matrix, &pairs, &[Some(record), None]);
         assert_eq!(rows.len(), 2, "two methods of the same numerics share a run");
     }
@@ -247,12 +221,12 @@ mod tests {
             row("odd", Some(3.0), 2.0),
             row("plain-again", Some(0.5), 9.0),
         ];
-        let scores = methods(&matrix, &rows, Group::All);
+        let scores = methods(&matrix, &rows, Errors::All);
         let pareto: Vec<_> = scores.iter().map(|score| score.pareto).collect();
         assert_eq!(pareto, [true, false, true]);
         let best = |percent| cheapest_within(&scores, percent).map(|score| score.method.as_str());
         assert_eq!([best(10.0), best(1.0), best(0.1)], [Some("plain"), Some("plain-again"), None]);
-        let failed = methods(&matrix, &[row("plain", None, 1.0)], Group::All);
+        let failed = methods(&matrix, &[row("plain", None, 1.0)], Errors::All);
         assert_eq!((failed[0].failed, failed[0].pareto), (1, false));
     }
 }

@@ -1,6 +1,6 @@
 //! Verdicts on hard cases: criteria stated before the run, and how close to them it came.
 
-use super::matrix::{Matrix, Pair, quantity};
+use super::matrix::{Matrix, Trial};
 use crate::results::CaseRecord;
 
 /// What became of a pair.
@@ -35,8 +35,8 @@ pub struct Judged {
 }
 
 /// Judges all pairs; `records` are the study's.
-pub fn judge(matrix: &Matrix, pairs: &[Pair], records: &[Option<CaseRecord>]) -> Vec<Judged> {
-    let record = |pair: &Pair| records.get(*pair.run.as_ref().ok()?)?.as_ref();
+pub fn judge(matrix: &Matrix, pairs: &[Trial], records: &[Option<CaseRecord>]) -> Vec<Judged> {
+    let record = |pair: &Trial| records.get(*pair.run.as_ref().ok()?)?.as_ref();
     let of = |case: &str, method: usize| {
         let other = pairs.iter().find(|p| p.method == method && matrix.cases[p.case].name == case);
         other.and_then(record)
@@ -46,7 +46,7 @@ pub fn judge(matrix: &Matrix, pairs: &[Pair], records: &[Option<CaseRecord>]) ->
 
 fn one<'a>(
     matrix: &Matrix,
-    pair: &Pair,
+    pair: &Trial,
     record: Option<&CaseRecord>,
     of: &dyn Fn(&str, usize) -> Option<&'a CaseRecord>,
 ) -> Judged {
@@ -67,19 +67,19 @@ fn one<'a>(
     };
     let (share, bound) = outcome.health.closest();
     let mut shares = vec![(share, bound.to_owned())];
-    for (name, &[low, high]) in &case.pass {
-        let share = quantity(record, name).map_or(f64::INFINITY, |value| used(value, low, high));
-        let value =
-            quantity(record, name).map_or("absent".to_owned(), |value| format!("{value:.4}"));
-        shares.push((share, format!("{name} = {value} in [{low}, {high}]")));
+    for (quantity, &[low, high]) in &case.pass {
+        let value = quantity.of(record);
+        let share = value.map_or(f64::INFINITY, |value| used(value, low, high));
+        let value = value.map_or("absent".to_owned(), |value| format!("{value:.4}"));
+        shares.push((share, format!("{quantity} = {value} in [{low}, {high}]")));
     }
     if let Some(same) = &case.same {
-        for name in &same.quantities {
-            let other = of(&same.case, pair.method).and_then(|other| quantity(other, name));
-            let gap = quantity(record, name).zip(other).map(|(a, b)| (a - b).abs() / b.abs());
+        for quantity in &same.quantities {
+            let other = of(&same.case, pair.method).and_then(|other| quantity.of(other));
+            let gap = quantity.of(record).zip(other).map(|(a, b)| (a - b).abs() / b.abs());
             let share = gap.map_or(f64::INFINITY, |gap| gap / same.tolerance);
             let told = gap.map_or("absent".to_owned(), |gap| format!("{:.2} %", 100.0 * gap));
-            shares.push((share, format!("{name} off {} by {told}", same.case)));
+            shares.push((share, format!("{quantity} off {} by {told}", same.case)));
         }
     }
     let worst = shares.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)).unwrap_or_default();

@@ -2,8 +2,8 @@
 //! case by case, verified afterwards with the error bars.
 //!
 //! What counts is the force over the first impact and the displacement, in percent; the table is
-//! `results/accuracy/accuracy.csv`, made by `seawall accuracy` from the cases and methods of
-//! `sweeps/accuracy.toml`. A method may change whatever the sweep leaves at its default.
+//! `data/accuracy.csv`, a part of this program: `scripts/accuracy` makes it anew from the cases and
+//! methods of `sweeps/accuracy.toml`. A method may change whatever the sweep leaves at its default.
 
 use sha2::{Digest, Sha256};
 use toml::Table;
@@ -62,7 +62,7 @@ impl AccuracyTable {
     /// The table stored with this program.
     pub fn stored() -> AccuracyTable {
         let matrix = Matrix::read(include_str!("../../sweeps/accuracy.toml"));
-        let rows = include_str!("../../results/accuracy/accuracy.csv");
+        let rows = include_str!("../../data/accuracy.csv");
         AccuracyTable::read(&matrix.expect("the shipped matrix is tested"), rows)
     }
 

@@ -8,7 +8,7 @@ use super::execute::{Done, Job, execute};
 use super::failure::BadInput;
 use super::input::{SimdChoice, default_out, read};
 use super::output::Output;
-use crate::accuracy::{Matrix, Pair};
+use crate::accuracy::{Matrix, Trial};
 use crate::execute::{Ending, Interrupt, Setup, SphRunner, threads};
 use crate::results::{CaseRecord, OpenMode};
 
@@ -48,7 +48,7 @@ pub(super) struct Request {
 /// A matrix that has been run.
 pub(super) struct Ran {
     pub(super) matrix: Matrix,
-    pub(super) pairs: Vec<Pair>,
+    pub(super) pairs: Vec<Trial>,
     pub(super) records: Vec<Option<CaseRecord>>,
     pub(super) out: PathBuf,
     /// The exit code where it was interrupted.

@@ -109,7 +109,8 @@ fn markdown(matrix: &Matrix, judged: &[Judged]) -> String {
             case.pass.iter().map(|(name, [low, high])| format!("{name} in [{low}, {high}]"));
         let same = case.same.iter().map(|same| {
             let percent = 100.0 * same.tolerance;
-            format!("{} within {percent} % of {}", same.quantities.join(", "), same.case)
+            let names: Vec<_> = same.quantities.iter().map(ToString::to_string).collect();
+            format!("{} within {percent} % of {}", names.join(", "), same.case)
         });
         let criteria: Vec<_> = ranges.chain(same).collect();
         let criteria =

@@ -48,7 +48,7 @@ impl Header {
 
 #[derive(Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-enum Entry {
+enum JournalEntry {
     Header(Header),
     Case(Box<CaseRecord>),
 }
@@ -70,7 +70,7 @@ impl Journal {
         let path = directory.join(FILE_NAME);
         let file = File::create(&path).map_err(SweepError::io(&path))?;
         let mut journal = Journal { path, file, unsynced_since: None };
-        journal.append(&Entry::Header(header.clone()))?;
+        journal.append(&JournalEntry::Header(header.clone()))?;
         journal.sync()?;
         super::atomic_file::sync(directory)?;
         Ok(journal)
@@ -101,10 +101,10 @@ impl Journal {
     /// # Errors
     /// Where the file cannot be written.
     pub fn record(&mut self, record: &CaseRecord) -> Result<(), SweepError> {
-        self.append(&Entry::Case(Box::new(record.clone())))
+        self.append(&JournalEntry::Case(Box::new(record.clone())))
     }
 
-    fn append(&mut self, entry: &Entry) -> Result<(), SweepError> {
+    fn append(&mut self, entry: &JournalEntry) -> Result<(), SweepError> {
         let entry = serde_json::to_string(entry).expect("an entry has a JSON form");
         let line = format!("{{\"sum\":\"{}\",\"entry\":{entry}}}\n", checksum(entry.as_bytes()));
         self.file.write_all(line.as_bytes()).map_err(SweepError::io(&self.path))?;
@@ -172,17 +172,17 @@ fn parse(path: &Path, bytes: &[u8]) -> Result<Content, SweepError> {
             ));
         };
         match (entry, &content.header) {
-            (Entry::Header(header), None) if header.version == VERSION => {
+            (JournalEntry::Header(header), None) if header.version == VERSION => {
                 content.header = Some(header);
             }
-            (Entry::Header(header), None) => {
+            (JournalEntry::Header(header), None) => {
                 let reason = format_args!(
                     "line 1: journal format {} is not the one this program writes ({VERSION})",
                     header.version
                 );
                 return Err(SweepError::refused(path, reason));
             }
-            (Entry::Case(record), Some(_)) => content.records.push(*record),
+            (JournalEntry::Case(record), Some(_)) => content.records.push(*record),
             _ => {
                 let reason = format_args!("line {}: out of place", number + 1);
                 return Err(SweepError::refused(path, reason));
@@ -196,7 +196,7 @@ fn parse(path: &Path, bytes: &[u8]) -> Result<Content, SweepError> {
 const PREFIX: &[u8] = b"{\"sum\":\"";
 const MIDDLE: &[u8] = b"\",\"entry\":";
 
-fn read_line(line: &[u8]) -> Option<Entry> {
+fn read_line(line: &[u8]) -> Option<JournalEntry> {
     let rest = line.strip_suffix(b"}\n")?.strip_prefix(PREFIX)?;
     let (sum, rest) = rest.split_at_checked(16)?;
     let entry = rest.strip_prefix(MIDDLE)?;

@@ -22,7 +22,7 @@ use std::collections::BTreeSet;
 
 use crate::study::{Plan, PlannedCase, PlannedTrunk};
 pub use protocol::{Command, Event, Source, Task};
-use queue::{Entry, Queue};
+use queue::{Queue, Ranked};
 use ranks::Ranks;
 use trunk::{Phase, Trunk};
 
@@ -55,16 +55,16 @@ pub struct Manager {
 impl Manager {
     /// A manager for a plan and for ranks that each run so many tasks at once.
     pub fn new(plan: &Plan, capacities: &[usize]) -> Manager {
-        let branch = |&case: &usize| Entry::new(plan.cases[case].branch_cost, case);
+        let branch = |&case: &usize| Ranked::new(plan.cases[case].branch_cost, case);
         let trunk =
             |planned: &PlannedTrunk| Trunk::new(planned.cost, planned.branches.iter().map(branch));
         let trunks: Vec<Trunk> = plan.trunks.iter().map(trunk).collect();
-        let chain = |(place, trunk): (usize, &Trunk)| Entry::new(trunk.chain(), place);
+        let chain = |(place, trunk): (usize, &Trunk)| Ranked::new(trunk.chain(), place);
         let from_rest = plan.cases.iter().enumerate().filter(|(_, case)| case.trunk.is_none());
         Manager {
             waiting: trunks.iter().enumerate().map(chain).collect(),
             trunks,
-            solo: from_rest.map(|(place, case)| Entry::new(case.cost, place)).collect(),
+            solo: from_rest.map(|(place, case)| Ranked::new(case.cost, place)).collect(),
             cases: plan.cases.clone(),
             ranks: Ranks::new(capacities),
             held: Queue::default(),
@@ -178,7 +178,7 @@ impl Manager {
         self.held_branches -= 1;
         let holder = if state.holders.contains(&rank) { rank } else { state.origin };
         if state.holders.insert(rank) {
-            self.ranks.keep(rank, Entry::new(state.dearest(), trunk));
+            self.ranks.keep(rank, Ranked::new(state.dearest(), trunk));
         }
         self.ranks.take(rank, Task::Case(case));
         commands.push(Command::RunCase { rank, case, from: Some(Source { trunk, holder }) });
@@ -192,8 +192,8 @@ impl Manager {
         state.holders = BTreeSet::from([rank]);
         self.held_branches += state.pending.len();
         if let Some(branch) = state.pending.top() {
-            self.held.push(Entry::new(branch.priority, trunk));
-            self.ranks.keep(rank, Entry::new(branch.priority, trunk));
+            self.held.push(Ranked::new(branch.priority, trunk));
+            self.ranks.keep(rank, Ranked::new(branch.priority, trunk));
         }
     }
 
@@ -204,7 +204,7 @@ impl Manager {
         self.open -= 1;
         while let Some(branch) = state.pending.pop() {
             self.cases[branch.place].trunk = None;
-            self.solo.push(Entry::new(self.cases[branch.place].cost, branch.place));
+            self.solo.push(Ranked::new(self.cases[branch.place].cost, branch.place));
         }
     }
 
@@ -231,7 +231,7 @@ impl Manager {
 
 /// The held trunk with the dearest pending branch. Entries are put right when they come to the
 /// top: a trunk's dearest branch only gets cheaper.
-fn top_held(queue: &mut Queue, trunks: &[Trunk]) -> Option<Entry> {
+fn top_held(queue: &mut Queue, trunks: &[Trunk]) -> Option<Ranked> {
     while let Some(entry) = queue.top() {
         let trunk = &trunks[entry.place];
         let dearest = trunk.pending.top().filter(|_| trunk.phase == Phase::Held);
@@ -239,7 +239,7 @@ fn top_held(queue: &mut Queue, trunks: &[Trunk]) -> Option<Entry> {
             Some(branch) if branch.priority == entry.priority => return Some(entry),
             Some(branch) => {
                 queue.pop();
-                queue.push(Entry::new(branch.priority, entry.place));
+                queue.push(Ranked::new(branch.priority, entry.place));
             }
             None => {
                 queue.pop();

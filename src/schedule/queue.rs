@@ -5,14 +5,14 @@ use std::collections::BinaryHeap;
 
 /// A place and its priority.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Entry {
+pub(super) struct Ranked {
     pub(super) priority: u64,
     pub(super) place: usize,
 }
 
-impl Entry {
-    pub(super) fn new(priority: u64, place: usize) -> Entry {
-        Entry { priority, place }
+impl Ranked {
+    pub(super) fn new(priority: u64, place: usize) -> Ranked {
+        Ranked { priority, place }
     }
 }
 
@@ -21,16 +21,16 @@ impl Entry {
 pub(super) struct Queue(BinaryHeap<(u64, Reverse<usize>)>);
 
 impl Queue {
-    pub(super) fn push(&mut self, entry: Entry) {
+    pub(super) fn push(&mut self, entry: Ranked) {
         self.0.push((entry.priority, Reverse(entry.place)));
     }
 
-    pub(super) fn top(&self) -> Option<Entry> {
-        self.0.peek().map(|&(priority, Reverse(place))| Entry { priority, place })
+    pub(super) fn top(&self) -> Option<Ranked> {
+        self.0.peek().map(|&(priority, Reverse(place))| Ranked { priority, place })
     }
 
-    pub(super) fn pop(&mut self) -> Option<Entry> {
-        self.0.pop().map(|(priority, Reverse(place))| Entry { priority, place })
+    pub(super) fn pop(&mut self) -> Option<Ranked> {
+        self.0.pop().map(|(priority, Reverse(place))| Ranked { priority, place })
     }
 
     pub(super) fn len(&self) -> usize {
@@ -38,8 +38,8 @@ impl Queue {
     }
 }
 
-impl FromIterator<Entry> for Queue {
-    fn from_iter<T: IntoIterator<Item = Entry>>(entries: T) -> Queue {
+impl FromIterator<Ranked> for Queue {
+    fn from_iter<T: IntoIterator<Item = Ranked>>(entries: T) -> Queue {
         let pairs = entries.into_iter().map(|entry| (entry.priority, Reverse(entry.place)));
         Queue(pairs.collect())
     }

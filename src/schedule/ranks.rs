@@ -4,7 +4,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
 use super::protocol::Task;
-use super::queue::{Entry, Queue};
+use super::queue::{Queue, Ranked};
 
 #[derive(Debug)]
 struct Rank {
@@ -88,7 +88,7 @@ impl Ranks {
     }
 
     /// A rank holds a trunk's checkpoint, whose dearest pending branch is this.
-    pub fn keep(&mut self, rank: usize, branch: Entry) {
+    pub fn keep(&mut self, rank: usize, branch: Ranked) {
         self.all[rank].local.push(branch);
     }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use super::queue::{Entry, Queue};
+use super::queue::{Queue, Ranked};
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Phase {
@@ -27,7 +27,7 @@ pub(super) struct Trunk {
 
 impl Trunk {
     /// One that has not started.
-    pub fn new(cost: u64, branches: impl IntoIterator<Item = Entry>) -> Trunk {
+    pub fn new(cost: u64, branches: impl IntoIterator<Item = Ranked>) -> Trunk {
         let pending: Queue = branches.into_iter().collect();
         let unfinished = pending.len();
         let phase = Phase::Waiting;

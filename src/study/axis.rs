@@ -7,7 +7,7 @@ use crate::scene::ConfigError;
 
 /// A swept key and its values, in the order of the file.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Axis {
+pub struct GridAxis {
     /// The key, without its section.
     pub key: String,
     /// Its values: strings, numbers or booleans.
@@ -17,12 +17,12 @@ pub struct Axis {
 const SHAPE: &str =
     "must be a list, or { from = 1, to = 100, points = 3, spacing = \"log\" or \"linear\" }";
 
-impl Axis {
+impl GridAxis {
     /// Reads the value of a key in `[grid]`.
     ///
     /// # Errors
     /// An empty list, a value that is no scalar or not finite, a duplicate, a malformed range.
-    pub fn read(key: &str, value: &Value) -> Result<Axis, ConfigError> {
+    pub fn read(key: &str, value: &Value) -> Result<GridAxis, ConfigError> {
         let path = format!("grid.{key}");
         let values = match value {
             Value::Array(values) => values.clone(),
@@ -46,7 +46,7 @@ impl Axis {
                 return Err(ConfigError::new(&path, value, "stands in the list twice"));
             }
         }
-        Ok(Axis { key: key.to_owned(), values })
+        Ok(GridAxis { key: key.to_owned(), values })
     }
 }
 
@@ -147,9 +147,9 @@ fn tidy(number: f64) -> f64 {
 mod tests {
     use super::*;
 
-    fn read(text: &str) -> Result<Axis, ConfigError> {
+    fn read(text: &str) -> Result<GridAxis, ConfigError> {
         let table: Table = format!("x = {text}").parse().unwrap();
-        Axis::read("x", &table["x"])
+        GridAxis::read("x", &table["x"])
     }
 
     fn numbers(text: &str) -> Vec<f64> {

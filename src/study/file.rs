@@ -2,7 +2,7 @@
 
 use toml::{Table, Value};
 
-use super::axis::Axis;
+use super::axis::GridAxis;
 use super::keys::section_of;
 use super::overrides::Override;
 use crate::scene::ConfigError;
@@ -22,7 +22,7 @@ pub struct SweepFile {
     /// `[accuracy] max_error_percent`.
     pub max_error_percent: Option<f64>,
     /// `[grid]`, in the order of the file; empty for a file that describes a single scene.
-    pub grid: Vec<Axis>,
+    pub grid: Vec<GridAxis>,
     /// The file as written.
     pub text: String,
 }
@@ -50,7 +50,8 @@ impl SweepFile {
                 "holds no key: sweep at least one, or leave [grid] out for a single scene";
             return Err(ConfigError::new("grid", "", allowed));
         }
-        let grid = grid.iter().map(|(key, value)| Axis::read(key, value)).collect::<Result<_, _>>();
+        let grid =
+            grid.iter().map(|(key, value)| GridAxis::read(key, value)).collect::<Result<_, _>>();
         Ok(SweepFile {
             name,
             scene: table(&file, "scene")?,

@@ -14,7 +14,7 @@ mod keys;
 mod overrides;
 mod plan;
 
-pub use axis::Axis;
+pub use axis::GridAxis;
 pub use case::{Case, CaseId, PHYSICS_VERSION, trunk_key};
 pub use file::SweepFile;
 pub use overrides::Override;
