@@ -2,17 +2,19 @@
 //!
 //! - [`Matrix`] holds the cases and methods of `seawall accuracy` and `seawall stress`;
 //! - [`score`] tells their errors, [`judge`] their verdicts;
-//! - [`AccuracyTable`] holds measured errors and chooses numerics by them (`--max-error`).
+//! - [`AccuracyTable`] holds measured errors and chooses numerics by them, as [`MaxError`] asks.
 
 mod choice;
 mod matrix;
+mod max_error;
 mod quantity;
 mod score;
 mod stress;
 mod table;
 
 pub use matrix::{Matrix, Trial};
+pub use max_error::{Choices, MaxError, Verified};
 pub use quantity::{Kind, Quantity};
 pub use score::{Errors, MethodScore, Scored, cheapest_within, methods, score};
 pub use stress::{Judged, Verdict, judge};
-pub use table::{AccuracyTable, Choice, bar_percent, differences};
+pub use table::{AccuracyTable, Choice};

@@ -1,18 +1,15 @@
-//! Numerics that meet a wanted error: the cheapest that the stored accuracy table expects to do it,
-//! case by case, verified afterwards with the error bars.
+//! What the program knows of its own accuracy: the cheapest numerics that a table of measured errors
+//! expects to meet a wanted one.
 //!
 //! What counts is the force over the first impact and the displacement, in percent; the table is
 //! `data/accuracy.csv`, a part of this program: `scripts/accuracy` makes it anew from the cases and
 //! methods of `sweeps/accuracy.toml`. A method may change whatever the sweep leaves at its default.
 
-use sha2::{Digest, Sha256};
+use serde::Deserialize;
 use toml::Table;
 
 use super::matrix::Matrix;
-use crate::results::{CaseRecord, ErrorBars};
 use crate::scene::{CaseConfig, Numerics, WallChoice};
-use crate::simulation::Maximum;
-use crate::study::Study;
 
 /// Measured errors and costs by method: what the program knows about itself.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,6 +36,16 @@ struct Recipe {
     numerics: Table,
     /// By the number of the case: error of force and displacement, percent, and processor seconds.
     measured: Vec<Option<(f64, f64)>>,
+}
+
+/// What of a row of `accuracy.csv` counts.
+#[derive(Deserialize)]
+struct Measured {
+    case: String,
+    method: String,
+    force_error_percent: Option<f64>,
+    displacement_error_percent: Option<f64>,
+    cpu_time_s: Option<f64>,
 }
 
 /// Chosen numerics and why.
@@ -91,19 +98,13 @@ impl AccuracyTable {
         };
         let mut methods: Vec<Recipe> = matrix.methods.iter().filter_map(recipe).collect();
         let mut reader = csv::Reader::from_reader(rows.as_bytes());
-        let columns = reader.headers().cloned().unwrap_or_default();
-        for row in reader.records().flatten() {
-            let cell = |name: &str| {
-                let place = columns.iter().position(|column| column == name);
-                place.and_then(|place| row.get(place)).unwrap_or_default()
-            };
-            let case = cases.iter().position(|case| case.name == cell("case"));
-            let method = methods.iter_mut().find(|method| method.name == cell("method"));
+        for row in reader.deserialize::<Measured>().flatten() {
+            let case = cases.iter().position(|case| case.name == row.case);
+            let method = methods.iter_mut().find(|method| method.name == row.method);
             let Some((case, method)) = case.zip(method) else { continue };
-            let errors = ["force_error_percent", "displacement_error_percent"].map(cell);
-            let errors = errors.into_iter().filter_map(|error| error.parse::<f64>().ok());
-            let error = errors.map(f64::abs).max_by(f64::total_cmp);
-            method.measured[case] = error.zip(cell("cpu_time_s").parse().ok());
+            let errors = [row.force_error_percent, row.displacement_error_percent];
+            let error = errors.into_iter().flatten().map(f64::abs).max_by(f64::total_cmp);
+            method.measured[case] = error.zip(row.cpu_time_s);
         }
         AccuracyTable { cases, methods }
     }
@@ -189,44 +190,6 @@ pub fn differences(numerics: &Numerics) -> String {
     other.map(|(key, value)| format!("{key} = {}", word(value))).collect::<Vec<_>>().join(", ")
 }
 
-/// The larger of the bars of force and displacement, percent of their values.
-pub fn bar_percent(record: &CaseRecord, bars: &ErrorBars) -> Option<f64> {
-    let outcome = record.outcome.as_ref()?;
-    let share = |bar: Option<f64>, value: Option<Maximum>| {
-        let value = value?.value;
-        (value > 0.0).then_some(100.0 * bar? / value)
-    };
-    let force = share(bars.force, outcome.first_force_max);
-    let displacement = share(bars.displacement, outcome.displacement_max);
-    force.into_iter().chain(displacement).max_by(f64::total_cmp)
-}
-
-impl Study {
-    /// The same cases as a sweep of its own, which aims at an error in percent.
-    pub fn aiming_at(mut self, percent: f64) -> Study {
-        let digest = Sha256::digest(format!("{} max-error {percent}", self.identity));
-        self.identity = digest[..8].iter().map(|byte| format!("{byte:02x}")).collect();
-        self
-    }
-
-    /// The same sweep with the numerics of every case chosen by `choose`, where it chooses any, and
-    /// with a pair of error bars. The sweep keeps its identity through every such choice, so that
-    /// its directory takes them all.
-    pub fn with_choices(&self, choose: impl Fn(usize, &CaseConfig) -> Option<CaseConfig>) -> Study {
-        let mut cases = self.cases.clone();
-        for case in &mut cases {
-            if let Some(config) = choose(case.index, &case.config) {
-                case.config = config;
-                case.id = crate::study::CaseId::of(&case.config);
-            }
-        }
-        let bars = vec![crate::scene::ErrorBars::Pair; cases.len()];
-        let (name, keys) = (self.name.clone(), self.keys.clone());
-        let study = Study::of(name, keys, cases, &bars, &self.file_text);
-        Study { identity: self.identity.clone(), ..study }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -284,21 +247,6 @@ numerics = { particle_spacing_m = 0.04, courant_number = 1.0 }
         own.numerics.courant_number = 1.2;
         assert_eq!(table().choose(&own, 2.0, 1.0, &[]).unwrap().method, "coarse");
         assert_eq!(differences(&low.config.numerics), "particle_spacing_m = 0.02");
-    }
-
-    #[test]
-    fn choices_keep_the_sweeps_identity() {
-        let text = "name = \"a\"\n[grid]\nwave_height_ratio = [0.2, 0.3]";
-        let study = Study::new(&crate::study::SweepFile::read(text, &[]).unwrap()).unwrap();
-        let chosen = study.with_choices(|index, config| {
-            let mut config = config.clone();
-            config.numerics.particle_spacing_m = 0.016;
-            (index == 1).then_some(config)
-        });
-        assert_eq!(chosen.identity, study.identity);
-        assert_eq!(chosen.cases[0].id, study.cases[0].id);
-        assert_ne!(chosen.cases[1].id, study.cases[1].id);
-        assert_eq!(chosen.companions.len(), 2);
     }
 
     #[test]

@@ -7,7 +7,9 @@ use serde_json::{Value, json};
 
 use super::output::Output;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
-use crate::execute::{Crew, Ending, Interrupt, Progress, Session, coordinate};
+use crate::execute::{
+    Crew, Ending, Interrupt, Progress, Session, Setup, SphRunner, VtkFilm, coordinate, threads,
+};
 use crate::math::simd::SimdPath;
 use crate::results::{
     CaseRecord, Directory, Manifest, OpenMode, Opened, RankInfo, Savings, SessionInfo, SweepError,
@@ -76,6 +78,22 @@ impl Done {
             "records": self.records().collect::<Vec<_>>(),
         })
     }
+}
+
+/// Runs what of a study is missing on the threads of this process.
+pub(super) fn on_threads(
+    job: &Job,
+    threads: Option<u16>,
+    film: Option<VtkFilm>,
+    output: &Output,
+) -> anyhow::Result<Done> {
+    let interrupt = Interrupt::listen()?;
+    let setup = Setup {
+        make_runner: &|resources| Box::new(SphRunner { resources, film: film.clone() }),
+        threads: threads.map(usize::from),
+        interrupt: &interrupt,
+    };
+    Ok(threads::with_crew(&setup, |crew| execute(job, crew, &interrupt, output))?)
 }
 
 /// Runs what of a study is missing in its output directory.

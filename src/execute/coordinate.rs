@@ -6,7 +6,7 @@ use super::interrupt::Interrupt;
 use super::progress::Progress;
 use super::{Link, Order, Report};
 use crate::results::{CaseRecord, Directory, RankInfo, Savings, SweepError};
-use crate::schedule::{Command, Event, Manager, Task};
+use crate::schedule::{Command, Event, Manager, Work};
 use crate::simulation::{CaseResult, Failure, Stopped};
 use crate::study::{Plan, Study};
 
@@ -91,15 +91,17 @@ impl Loop {
         self.manager.on(event, &mut self.commands);
         for command in self.commands.drain(..) {
             match command {
-                Command::RunTrunk { rank, trunk } => {
-                    let config = json(&session.plan.trunks[trunk].config);
-                    link.send(rank, Order::RunTrunk { trunk, config });
-                }
-                Command::RunCase { rank, case, from } => {
-                    self.trunk_of_case[case] = from.map(|source| source.trunk);
-                    let index = session.plan.cases[case].index;
-                    let config = json(&session.study.run(index).config);
-                    link.send(rank, Order::run_case(case, config, from));
+                Command::Run { rank, work, from } => {
+                    let config = match work {
+                        Work::Trunk(trunk) => &session.plan.trunks[trunk].config,
+                        Work::Case(case) => {
+                            self.trunk_of_case[case] = from.map(|held| held.trunk);
+                            &session.study.run(session.plan.cases[case].index).config
+                        }
+                    };
+                    let config = serde_json::to_string(config);
+                    let config = config.expect("a configuration has a JSON form");
+                    link.send(rank, Order::Run { work, config, from });
                 }
                 Command::Drop { rank, trunk } => link.send(rank, Order::Drop { trunk }),
                 Command::Cancel => {
@@ -120,10 +122,7 @@ impl Loop {
     ) -> Result<(), SweepError> {
         let event = match report {
             Report::TrunkDone { trunk, result: Err(Stopped::Interrupted) } => {
-                Event::GivenBack { rank, task: Task::Trunk(trunk) }
-            }
-            Report::CaseDone { case, result: Err(Stopped::Interrupted), .. } => {
-                Event::GivenBack { rank, task: Task::Case(case) }
+                Event::GivenBack { rank, work: Work::Trunk(trunk) }
             }
             Report::TrunkDone { trunk, result } => {
                 if let Ok(steps) = result {
@@ -132,20 +131,20 @@ impl Loop {
                     self.trunk_steps[trunk] = steps;
                 }
                 session.progress.trunk(session.plan.trunks[trunk].cost);
-                Event::TrunkDone { rank, trunk, ok: result.is_ok() }
+                Event::Done { rank, work: Work::Trunk(trunk), ok: result.is_ok() }
             }
-            Report::CaseDone { case, result: Ok(result), wall_time_s, cpu_time_s } => {
-                self.record(rank, case, Ok(*result), (wall_time_s, cpu_time_s), session)?;
-                Event::CaseDone { rank, case }
-            }
-            Report::CaseDone {
-                case,
-                result: Err(Stopped::Failed(failure)),
-                wall_time_s,
-                cpu_time_s,
-            } => {
-                self.record(rank, case, Err(failure), (wall_time_s, cpu_time_s), session)?;
-                Event::CaseDone { rank, case }
+            Report::CaseDone { case, result, wall_time_s, cpu_time_s } => {
+                let result = match result {
+                    Ok(result) => Ok(*result),
+                    Err(Stopped::Failed(failure)) => Err(failure),
+                    Err(Stopped::Interrupted) => {
+                        let work = Work::Case(case);
+                        self.tell(Event::GivenBack { rank, work }, link, session);
+                        return Ok(());
+                    }
+                };
+                let ok = self.record(rank, case, &result, (wall_time_s, cpu_time_s), session)?;
+                Event::Done { rank, work: Work::Case(case), ok }
             }
             Report::Interrupted => Event::Interrupted,
         };
@@ -157,13 +156,13 @@ impl Loop {
         &mut self,
         rank: usize,
         case: usize,
-        result: Result<CaseResult, Failure>,
+        result: &Result<CaseResult, Failure>,
         (wall_time_s, cpu_time_s): (f64, Option<f64>),
         session: &mut Session<'_>,
-    ) -> Result<(), SweepError> {
+    ) -> Result<bool, SweepError> {
         let planned = session.plan.cases[case];
         let trunk = self.trunk_of_case[case];
-        if let Ok(result) = &result {
+        if let Ok(result) = result {
             let steps = result.outcome.steps;
             let shared = trunk.map_or(0, |trunk| self.trunk_steps[trunk]);
             self.savings.branches += usize::from(trunk.is_some());
@@ -172,16 +171,12 @@ impl Loop {
         }
         let host = &session.ranks[rank].host;
         let whole = session.study.run(planned.index);
-        let mut record = CaseRecord::new(session.study, whole, &result, wall_time_s, host);
+        let mut record = CaseRecord::new(session.study, whole, result, wall_time_s, host);
         record.cpu_time_s = cpu_time_s;
         let work = if trunk.is_some() { planned.branch_cost } else { planned.cost };
         let ok = record.is_ok();
         session.directory.record(record, result.as_ref().ok())?;
         session.progress.case(work, ok);
-        Ok(())
+        Ok(ok)
     }
-}
-
-fn json(config: &crate::scene::CaseConfig) -> String {
-    serde_json::to_string(config).expect("a configuration has a JSON form")
 }

@@ -2,27 +2,20 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::schedule::Source;
+use crate::schedule::{Held, Work};
 use crate::simulation::{CaseResult, Stopped};
 
-/// From the coordinator to a worker. Configurations travel as JSON, which carries every bit.
+/// From the coordinator to a worker.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Order {
-    /// Run a trunk and keep its checkpoint.
-    RunTrunk {
-        /// Its place in the plan.
-        trunk: usize,
-        /// The configuration.
+    /// Do a piece of work.
+    Run {
+        /// Which.
+        work: Work,
+        /// Its configuration in JSON, which carries every bit.
         config: String,
-    },
-    /// Run a case.
-    RunCase {
-        /// Its place in the plan.
-        case: usize,
-        /// The configuration.
-        config: String,
-        /// The checkpoint to start from: the trunk, and a rank that holds it.
-        from: Option<(usize, usize)>,
+        /// The checkpoint to start from.
+        from: Option<Held>,
     },
     /// Forget a checkpoint.
     Drop {
@@ -31,13 +24,6 @@ pub enum Order {
     },
     /// Stop what is running and give it back.
     Cancel,
-}
-
-impl Order {
-    /// An order to run a case.
-    pub fn run_case(case: usize, config: String, from: Option<Source>) -> Order {
-        Order::RunCase { case, config, from: from.map(|source| (source.trunk, source.holder)) }
-    }
 }
 
 /// From a worker to the coordinator.

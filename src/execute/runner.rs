@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Once;
 
+use super::vtk::VtkFilm;
 use crate::scene::CaseConfig;
 use crate::simulation::{
     CaseResult, Failure, FailureKind, Monitor, Resources, Stopped, TrunkResult, run_case, run_trunk,
@@ -32,10 +33,12 @@ pub trait Runner: Sync {
 }
 
 /// The physics.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct SphRunner {
     /// The instruction set agreed on by all ranks, and a case's threads.
     pub resources: Resources,
+    /// Whether and how cases are filmed.
+    pub film: Option<VtkFilm>,
 }
 
 impl Runner for SphRunner {
@@ -49,7 +52,11 @@ impl Runner for SphRunner {
         checkpoint: Option<&[u8]>,
         monitor: &dyn Monitor,
     ) -> Result<CaseResult, Stopped> {
-        run_case(config, checkpoint, self.resources, monitor)
+        let run = |monitor: &dyn Monitor| run_case(config, checkpoint, self.resources, monitor);
+        match &self.film {
+            None => run(monitor),
+            Some(film) => film.shoot(config, monitor, run),
+        }
     }
 }
 

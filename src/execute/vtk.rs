@@ -5,41 +5,31 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 use std::{fs, io};
 
-use super::runner::Runner;
 use crate::scene::CaseConfig;
-use crate::simulation::{
-    CaseResult, Failure, FailureKind, Film, Monitor, Resources, Stopped, TrunkResult, run_case,
-    run_trunk,
-};
+use crate::simulation::{CaseResult, Failure, FailureKind, Film, Monitor, Stopped};
 use crate::study::CaseId;
 
-/// The physics, filmed: `<folder>/<case_id>.pvd` and `<folder>/<case_id>/<number>.vtu`.
+/// Where and how often to film: `<folder>/<case_id>.pvd` and `<folder>/<case_id>/<number>.vtu`.
 #[derive(Debug, Clone)]
-pub struct FilmingRunner {
-    /// Instruction set and threads.
-    pub resources: Resources,
+pub struct VtkFilm {
     /// Between two instants, seconds of simulated time.
     pub interval_s: f64,
     /// Where the files go.
     pub folder: PathBuf,
 }
 
-impl Runner for FilmingRunner {
-    fn trunk(&self, config: &CaseConfig, monitor: &dyn Monitor) -> Result<TrunkResult, Stopped> {
-        run_trunk(config, self.resources, monitor)
-    }
-
-    fn case(
+impl VtkFilm {
+    /// Lets a case run under a monitor that films it and asks `inner` for the rest.
+    pub(super) fn shoot(
         &self,
         config: &CaseConfig,
-        checkpoint: Option<&[u8]>,
-        monitor: &dyn Monitor,
+        inner: &dyn Monitor,
+        run: impl FnOnce(&dyn Monitor) -> Result<CaseResult, Stopped>,
     ) -> Result<CaseResult, Stopped> {
-        let camera =
-            Camera::new(&self.folder, CaseId::of(config).to_string()).map_err(unwritable)?;
-        let (inner, interval_s) = (monitor, self.interval_s);
-        let filming = Filming { inner, interval_s, camera: Mutex::new(camera) };
-        let result = run_case(config, checkpoint, self.resources, &filming)?;
+        let id = CaseId::of(config).to_string();
+        let camera = Mutex::new(Camera::new(&self.folder, id).map_err(unwritable)?);
+        let filming = Filming { inner, interval_s: self.interval_s, camera };
+        let result = run(&filming)?;
         let camera = filming.camera.into_inner().unwrap_or_else(PoisonError::into_inner);
         camera.finish().map_err(unwritable)?;
         Ok(result)

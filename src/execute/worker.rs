@@ -13,7 +13,8 @@ use super::runner::{Runner, guarded};
 use crate::math::team::thread_processor_time;
 use crate::results::SweepError;
 use crate::scene::CaseConfig;
-use crate::simulation::{CaseResult, Failure, FailureKind, Monitor, Stopped, TrunkResult};
+use crate::schedule::{Held, Work};
+use crate::simulation::{Failure, FailureKind, Monitor, Stopped, TrunkResult};
 
 /// Set when running cases should stop at their next step.
 #[derive(Debug, Default)]
@@ -25,27 +26,14 @@ impl Monitor for Cancel {
     }
 }
 
-/// A thread's result, on its way to the thread that talks.
-enum Finished {
-    Trunk { trunk: usize, result: Result<TrunkResult, Stopped> },
-    Case { case: usize, result: Result<Box<CaseResult>, Stopped>, times: Times },
-}
-
-/// Wall time and processor time, seconds.
-type Times = (f64, Option<f64>);
-
 /// A case that waits for its checkpoint.
 struct Parked {
     case: usize,
     config: String,
 }
 
-/// A checkpoint that has to be fetched.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Fetch {
-    pub(super) trunk: usize,
-    pub(super) holder: usize,
-}
+/// What ended on a thread, on its way to the thread that talks, and the checkpoint it has left.
+type Ended = (Report, Option<Vec<u8>>);
 
 /// The worker of one process.
 pub(super) struct Worker<'run, 'scope> {
@@ -55,8 +43,8 @@ pub(super) struct Worker<'run, 'scope> {
     rank: usize,
     checkpoints: HashMap<usize, Arc<[u8]>>,
     parked: HashMap<usize, Vec<Parked>>,
-    sender: Sender<Finished>,
-    receiver: Receiver<Finished>,
+    sender: Sender<Ended>,
+    receiver: Receiver<Ended>,
 }
 
 /// Runs `body` with a worker of so many threads; every case has ended when it returns.
@@ -99,12 +87,14 @@ impl Drop for Worker<'_, '_> {
 impl Worker<'_, '_> {
     /// Takes an order; what it returns has to be fetched from another rank and handed to
     /// [`Worker::arrive`].
-    pub(super) fn take(&mut self, order: Order) -> Option<Fetch> {
+    pub(super) fn take(&mut self, order: Order) -> Option<Held> {
         match order {
-            Order::RunTrunk { trunk, config } => self.start_trunk(trunk, config),
-            Order::RunCase { case, config, from: None } => self.start_case(case, config, None),
-            Order::RunCase { case, config, from: Some((trunk, holder)) } => {
-                return self.start_branch(case, config, Fetch { trunk, holder });
+            Order::Run { work: Work::Trunk(trunk), config, .. } => self.start_trunk(trunk, config),
+            Order::Run { work: Work::Case(case), config, from: None } => {
+                self.start_case(case, config, None);
+            }
+            Order::Run { work: Work::Case(case), config, from: Some(from) } => {
+                return self.start_branch(case, config, from);
             }
             Order::Drop { trunk } => {
                 self.checkpoints.remove(&trunk);
@@ -133,45 +123,42 @@ impl Worker<'_, '_> {
 
     /// The next report, `None` after the given time without one.
     pub(super) fn poll(&mut self, patience: Duration) -> Option<Report> {
-        let finished = match patience {
+        let ended = match patience {
             Duration::ZERO => self.receiver.try_recv().ok(),
             _ => self.receiver.recv_timeout(patience).ok(),
         };
-        Some(match finished? {
-            Finished::Trunk { trunk, result } => {
-                let result = result.map(|result| {
-                    self.checkpoints.insert(trunk, Arc::from(result.checkpoint));
-                    result.steps
-                });
-                Report::TrunkDone { trunk, result }
-            }
-            Finished::Case { case, result, times: (wall_time_s, cpu_time_s) } => {
-                Report::CaseDone { case, result, wall_time_s, cpu_time_s }
-            }
-        })
+        let (report, checkpoint) = ended?;
+        if let (Report::TrunkDone { trunk, .. }, Some(checkpoint)) = (&report, checkpoint) {
+            self.checkpoints.insert(*trunk, Arc::from(checkpoint));
+        }
+        Some(report)
     }
 
-    fn start_branch(&mut self, case: usize, config: String, fetch: Fetch) -> Option<Fetch> {
-        if let Some(bytes) = self.checkpoint(fetch.trunk) {
+    fn start_branch(&mut self, case: usize, config: String, from: Held) -> Option<Held> {
+        if let Some(bytes) = self.checkpoint(from.trunk) {
             self.start_case(case, config, Some(bytes));
             return None;
         }
         // A checkpoint on its way here counts as held here.
-        if fetch.holder == self.rank && !self.parked.contains_key(&fetch.trunk) {
+        if from.holder == self.rank && !self.parked.contains_key(&from.trunk) {
             self.start_case(case, config, None);
             return None;
         }
-        let waiting = self.parked.entry(fetch.trunk).or_default();
+        let waiting = self.parked.entry(from.trunk).or_default();
         waiting.push(Parked { case, config });
-        (waiting.len() == 1).then_some(fetch)
+        (waiting.len() == 1).then_some(from)
     }
 
     fn start_trunk(&self, trunk: usize, config: String) {
         let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
         self.scope.spawn(move |_| {
             let result = attempt(cancel, &config, |config| runner.trunk(config, cancel));
+            let (result, checkpoint) = match result {
+                Ok(TrunkResult { steps, checkpoint, .. }) => (Ok(steps), Some(checkpoint)),
+                Err(stopped) => (Err(stopped), None),
+            };
             // The receiver is gone only when nobody waits for results any more.
-            let _ = sender.send(Finished::Trunk { trunk, result });
+            let _ = sender.send((Report::TrunkDone { trunk, result }, checkpoint));
         });
     }
 
@@ -191,9 +178,9 @@ impl Worker<'_, '_> {
                 result = run(None);
             }
             let cpu_time_s = thread_processor_time().zip(cpu_start).map(|(end, start)| end - start);
-            let times = (start.elapsed().as_secs_f64(), cpu_time_s);
+            let wall_time_s = start.elapsed().as_secs_f64();
             let result = result.map(Box::new);
-            let _ = sender.send(Finished::Case { case, result, times });
+            let _ = sender.send((Report::CaseDone { case, result, wall_time_s, cpu_time_s }, None));
         });
     }
 }
@@ -226,6 +213,7 @@ mod tests {
 
     use super::*;
     use crate::execute::fake::FakeRunner;
+    use crate::simulation::CaseResult;
 
     /// Notes from what each case starts.
     #[derive(Default)]
@@ -255,9 +243,10 @@ mod tests {
             let config = CaseConfig::from_tables(&empty, &empty).unwrap();
             let mut order = |case, holder| {
                 let config = serde_json::to_string(&config).unwrap();
-                worker.take(Order::RunCase { case, config, from: Some((7, holder)) })
+                let from = Some(Held { trunk: 7, holder });
+                worker.take(Order::Run { work: Work::Case(case), config, from })
             };
-            assert_eq!(order(0, 0), Some(Fetch { trunk: 7, holder: 0 }));
+            assert_eq!(order(0, 0), Some(Held { trunk: 7, holder: 0 }));
             assert_eq!(order(1, 1), None);
             worker.arrive(7, answer);
             for _ in 0..2 {

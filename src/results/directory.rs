@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use super::error::SweepError;
 use super::files::{self, Unsynced};
@@ -14,6 +15,9 @@ use super::{energy, summary};
 use crate::math::simd::SimdPath;
 use crate::simulation::CaseResult;
 use crate::study::Study;
+
+/// Lines and files are on the disk after this time at most.
+const GROUP: Duration = Duration::from_millis(200);
 
 /// What to do with a directory that holds something.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,9 +71,9 @@ impl Directory {
             let reason = format!("--simd {simd}: not every rank has it; the widest is {widest}");
             return Err(SweepError::Refused(reason));
         }
-        let found = look(path)?;
+        let found = holds_journal(path)?;
         if mode == OpenMode::Resume
-            && found == Found::Journal
+            && found
             && let Some((header, _)) = journal::read_journal(path)?
         {
             check_header(path, &header, study, requested, widest)?;
@@ -77,17 +81,14 @@ impl Directory {
         fs::create_dir_all(path).map_err(|error| SweepError::refused(path, error))?;
         let mut lock = Lock::hold(path)?;
         let mut opened = Opened::New;
-        if mode == OpenMode::Fresh && found == Found::Journal {
+        if mode == OpenMode::Fresh && found {
             let aside = move_aside(path)?;
             fs::create_dir_all(path).map_err(SweepError::io(path))?;
             lock = Lock::hold(path)?;
             opened = Opened::Moved(aside);
         }
         let mut records = vec![None; study.run_count()];
-        let resumed = match look(path)? {
-            Found::Journal => Journal::resume(path)?,
-            Found::Nothing => None,
-        };
+        let resumed = if holds_journal(path)? { Journal::resume(path)? } else { None };
         let (journal, simd) = if let Some((journal, header, lines)) = resumed {
             check_header(path, &header, study, requested, widest)?;
             files::clean(path)?;
@@ -156,7 +157,7 @@ impl Directory {
     /// # Errors
     /// Where the disk refuses.
     pub fn sync(&mut self, now: bool) -> Result<(), SweepError> {
-        if self.journal.is_due() || (now && self.journal.is_dirty()) {
+        if self.journal.waits(if now { Duration::ZERO } else { GROUP }) {
             self.unsynced.sync(&self.path)?;
             self.journal.sync()?;
         }
@@ -173,19 +174,13 @@ impl Directory {
     }
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Found {
-    Nothing,
-    Journal,
-}
-
-/// What a path holds; anything but nothing or a journal is somebody else's.
-fn look(path: &Path) -> Result<Found, SweepError> {
+/// Whether a path holds a journal, or nothing; anything else is somebody else's.
+fn holds_journal(path: &Path) -> Result<bool, SweepError> {
     if !path.exists() {
-        return Ok(Found::Nothing);
+        return Ok(false);
     }
     if path.join(journal::FILE_NAME).is_file() {
-        return Ok(Found::Journal);
+        return Ok(true);
     }
     let entries = fs::read_dir(path).map_err(|error| SweepError::refused(path, error))?;
     for entry in entries {
@@ -195,7 +190,7 @@ fn look(path: &Path) -> Result<Found, SweepError> {
             return Err(SweepError::refused(path, reason));
         }
     }
-    Ok(Found::Nothing)
+    Ok(false)
 }
 
 fn check_header(

@@ -21,8 +21,6 @@ use crate::math::simd::SimdPath;
 pub(super) const FILE_NAME: &str = "journal.jsonl";
 /// Raised when lines change their meaning.
 const VERSION: u32 = 1;
-/// Lines are on the disk after this time at most.
-const GROUP: Duration = Duration::from_millis(200);
 
 /// What the journal belongs to.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
@@ -112,14 +110,9 @@ impl Journal {
         Ok(())
     }
 
-    /// Whether lines have waited long enough for the disk.
-    pub fn is_due(&self) -> bool {
-        self.unsynced_since.is_some_and(|since| since.elapsed() >= GROUP)
-    }
-
-    /// Whether lines wait for the disk at all.
-    pub fn is_dirty(&self) -> bool {
-        self.unsynced_since.is_some()
+    /// Whether lines have waited for the disk so long.
+    pub fn waits(&self, time: Duration) -> bool {
+        self.unsynced_since.is_some_and(|since| since.elapsed() >= time)
     }
 
     /// Puts all lines on the disk.
@@ -230,7 +223,7 @@ mod tests {
             journal.record(&record).unwrap();
             records.push(record);
         }
-        assert!(journal.is_dirty());
+        assert!(journal.waits(Duration::ZERO));
         journal.sync().unwrap();
         (header, records)
     }

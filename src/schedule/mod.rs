@@ -21,7 +21,7 @@ mod trunk;
 use std::collections::BTreeSet;
 
 use crate::study::{Plan, PlannedCase, PlannedTrunk};
-pub use protocol::{Command, Event, Source, Task};
+pub use protocol::{Command, Event, Held, Work};
 use queue::{Queue, Ranked};
 use ranks::Ranks;
 use trunk::{Phase, Trunk};
@@ -97,23 +97,17 @@ impl Manager {
                 self.ranks.join(rank);
                 Some(rank)
             }
-            Event::TrunkDone { rank, trunk, ok } => {
-                self.ranks.release(rank, Task::Trunk(trunk));
-                if ok {
-                    self.hold(rank, trunk)
-                } else {
-                    self.give_up(trunk)
+            Event::Done { rank, work, ok } => {
+                self.ranks.release(rank, work);
+                match work {
+                    Work::Trunk(trunk) if ok => self.hold(rank, trunk),
+                    Work::Trunk(trunk) => self.give_up(trunk),
+                    Work::Case(case) => self.count(case, commands),
                 }
                 Some(rank)
             }
-            Event::CaseDone { rank, case } => {
-                self.ranks.release(rank, Task::Case(case));
-                self.unfinished -= 1;
-                self.count_branch(case, commands);
-                Some(rank)
-            }
-            Event::GivenBack { rank, task } => {
-                self.ranks.release(rank, task);
+            Event::GivenBack { rank, work } => {
+                self.ranks.release(rank, work);
                 self.interrupt(commands);
                 None
             }
@@ -162,12 +156,10 @@ impl Manager {
             let trunk = self.waiting.pop().expect("it was just looked at").place;
             self.trunks[trunk].phase = Phase::Running;
             self.open += 1;
-            self.ranks.take(rank, Task::Trunk(trunk));
-            commands.push(Command::RunTrunk { rank, trunk });
+            self.run(rank, Work::Trunk(trunk), None, commands);
         } else {
             let case = self.solo.pop().expect("it was just looked at").place;
-            self.ranks.take(rank, Task::Case(case));
-            commands.push(Command::RunCase { rank, case, from: None });
+            self.run(rank, Work::Case(case), None, commands);
         }
         true
     }
@@ -180,8 +172,12 @@ impl Manager {
         if state.holders.insert(rank) {
             self.ranks.keep(rank, Ranked::new(state.dearest(), trunk));
         }
-        self.ranks.take(rank, Task::Case(case));
-        commands.push(Command::RunCase { rank, case, from: Some(Source { trunk, holder }) });
+        self.run(rank, Work::Case(case), Some(Held { trunk, holder }), commands);
+    }
+
+    fn run(&mut self, rank: usize, work: Work, from: Option<Held>, commands: &mut Vec<Command>) {
+        self.ranks.take(rank, work);
+        commands.push(Command::Run { rank, work, from });
     }
 
     /// A trunk's checkpoint is there: its branches may run.
@@ -208,8 +204,9 @@ impl Manager {
         }
     }
 
-    /// One branch less: the last one closes its trunk.
-    fn count_branch(&mut self, case: usize, commands: &mut Vec<Command>) {
+    /// One case less; the last branch closes its trunk.
+    fn count(&mut self, case: usize, commands: &mut Vec<Command>) {
+        self.unfinished -= 1;
         let Some(trunk) = self.cases[case].trunk else { return };
         let state = &mut self.trunks[trunk];
         state.unfinished -= 1;

@@ -1,5 +1,16 @@
 //! What the manager is told, and what it tells.
 
+use serde::{Deserialize, Serialize};
+
+/// A piece of work, by its place in the plan.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+pub enum Work {
+    /// A trunk, which leaves a checkpoint on the rank that runs it.
+    Trunk(usize),
+    /// A case.
+    Case(usize),
+}
+
 /// What happened.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Event {
@@ -8,36 +19,29 @@ pub enum Event {
         /// The rank.
         rank: usize,
     },
-    /// A trunk ended; its checkpoint, if any, stays on the rank.
-    TrunkDone {
-        /// The rank that ran it.
+    /// A trunk ended, or a case ended and is recorded.
+    Done {
+        /// The rank.
         rank: usize,
-        /// Its place in the plan.
-        trunk: usize,
-        /// Whether there is a checkpoint.
+        /// The work.
+        work: Work,
+        /// Whether it went well: a trunk has a checkpoint then.
         ok: bool,
     },
-    /// A case ended, well or not, and is recorded.
-    CaseDone {
-        /// The rank that ran it.
-        rank: usize,
-        /// Its place in the plan.
-        case: usize,
-    },
-    /// A rank gave a task back because it was told to stop.
+    /// A rank gave work back because it was told to stop.
     GivenBack {
         /// The rank.
         rank: usize,
-        /// The task.
-        task: Task,
+        /// The work.
+        work: Work,
     },
     /// The user wants to stop.
     Interrupted,
 }
 
 /// Where a branch finds its checkpoint.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Source {
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Held {
     /// The trunk.
     pub trunk: usize,
     /// A rank that holds its checkpoint.
@@ -47,21 +51,14 @@ pub struct Source {
 /// What is to be done.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Command {
-    /// Run a trunk and keep its checkpoint.
-    RunTrunk {
+    /// Do a piece of work.
+    Run {
         /// Where.
         rank: usize,
         /// Which.
-        trunk: usize,
-    },
-    /// Run a case.
-    RunCase {
-        /// Where.
-        rank: usize,
-        /// Which.
-        case: usize,
-        /// From this checkpoint, or from rest.
-        from: Option<Source>,
+        work: Work,
+        /// The checkpoint that a case starts from; it starts from rest where there is none.
+        from: Option<Held>,
     },
     /// Forget a checkpoint.
     Drop {
@@ -70,15 +67,6 @@ pub enum Command {
         /// Which.
         trunk: usize,
     },
-    /// Stop all running tasks and give them back.
+    /// Stop all that runs and give it back.
     Cancel,
-}
-
-/// A piece of work.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Task {
-    /// A trunk, by its place in the plan.
-    Trunk(usize),
-    /// A case, by its place in the plan.
-    Case(usize),
 }

@@ -3,7 +3,7 @@
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
 
-use super::protocol::Task;
+use super::protocol::Work;
 use super::queue::{Queue, Ranked};
 
 #[derive(Debug)]
@@ -11,7 +11,7 @@ struct Rank {
     /// How many tasks it runs at once.
     capacity: usize,
     joined: bool,
-    tasks: Vec<Task>,
+    tasks: Vec<Work>,
     /// Trunks held here, by their dearest pending branch when last looked at.
     local: Queue,
 }
@@ -49,7 +49,7 @@ impl Ranks {
         self.capacity
     }
 
-    /// Tasks given out and not yet reported.
+    /// Works given out and not yet reported.
     pub fn in_flight(&self) -> usize {
         self.in_flight
     }
@@ -71,17 +71,17 @@ impl Ranks {
         state.joined && state.tasks.len() < state.capacity + more
     }
 
-    pub fn take(&mut self, rank: usize, task: Task) {
+    pub fn take(&mut self, rank: usize, work: Work) {
         self.withdraw(rank);
         self.in_flight += 1;
-        self.all[rank].tasks.push(task);
+        self.all[rank].tasks.push(work);
         self.offer(rank);
     }
 
-    pub fn release(&mut self, rank: usize, task: Task) {
+    pub fn release(&mut self, rank: usize, work: Work) {
         self.withdraw(rank);
         let tasks = &mut self.all[rank].tasks;
-        let place = tasks.iter().position(|&held| held == task);
+        let place = tasks.iter().position(|&held| held == work);
         tasks.swap_remove(place.expect("a rank reports only tasks that it was given"));
         self.in_flight -= 1;
         self.offer(rank);

@@ -41,7 +41,7 @@ fn plan(trunks: usize, branches: usize, solo: usize, dice: &mut Dice) -> Plan {
 
 /// Ranks that run what they are told and check that it can be run.
 struct FakeLink {
-    running: Vec<(usize, Task)>,
+    running: Vec<(usize, Work)>,
     checkpoints: BTreeSet<(usize, usize)>,
     runs: Vec<u32>,
     cancelled: bool,
@@ -60,14 +60,13 @@ impl FakeLink {
     fn obey(&mut self, commands: &mut Vec<Command>) {
         for command in commands.drain(..) {
             match command {
-                Command::RunTrunk { rank, trunk } => self.running.push((rank, Task::Trunk(trunk))),
-                Command::RunCase { rank, case, from } => {
+                Command::Run { rank, work, from } => {
                     assert!(!self.cancelled, "no work after an interrupt");
-                    if let Some(Source { trunk, holder }) = from {
+                    if let Some(Held { trunk, holder }) = from {
                         assert!(self.checkpoints.contains(&(holder, trunk)), "holder has it");
                         self.checkpoints.insert((rank, trunk));
                     }
-                    self.running.push((rank, Task::Case(case)));
+                    self.running.push((rank, work));
                 }
                 Command::Drop { rank, trunk } => {
                     assert!(self.checkpoints.remove(&(rank, trunk)), "dropped once");
@@ -100,19 +99,19 @@ fn simulate(plan: &Plan, capacities: &[usize], trouble: &Trouble, dice: &mut Dic
         }
         events += 1;
         let pick = dice.below(link.running.len());
-        let (rank, task) = link.running.swap_remove(pick);
-        let event = match task {
-            _ if link.cancelled && dice.below(3) > 0 => Event::GivenBack { rank, task },
-            Task::Trunk(trunk) => {
+        let (rank, work) = link.running.swap_remove(pick);
+        let event = match work {
+            _ if link.cancelled && dice.below(3) > 0 => Event::GivenBack { rank, work },
+            Work::Trunk(trunk) => {
                 let ok = !trouble.failing_trunks || dice.below(2) == 0;
                 if ok {
                     link.checkpoints.insert((rank, trunk));
                 }
-                Event::TrunkDone { rank, trunk, ok }
+                Event::Done { rank, work, ok }
             }
-            Task::Case(case) => {
+            Work::Case(case) => {
                 link.runs[case] += 1;
-                Event::CaseDone { rank, case }
+                Event::Done { rank, work, ok: true }
             }
         };
         manager.on(event, &mut commands);
@@ -167,7 +166,7 @@ fn trunks_start_in_order_of_their_longest_chain() {
     let mut manager = Manager::new(&plan, &[1]);
     let mut commands = Vec::new();
     manager.on(Event::Ready { rank: 0 }, &mut commands);
-    assert_eq!(commands[0], Command::RunTrunk { rank: 0, trunk: 1 });
+    assert_eq!(commands[0], Command::Run { rank: 0, work: Work::Trunk(1), from: None });
 }
 
 #[test]
@@ -180,17 +179,18 @@ fn branches_prefer_the_rank_of_their_trunk() {
     manager.on(Event::Ready { rank: 1 }, &mut commands);
     let trunk_of = |rank: usize, commands: &[Command]| {
         commands.iter().find_map(|command| match *command {
-            Command::RunTrunk { rank: at, trunk } if at == rank => Some(trunk),
+            Command::Run { rank: at, work: Work::Trunk(trunk), .. } if at == rank => Some(trunk),
             _ => None,
         })
     };
     let trunks = [trunk_of(0, &commands).unwrap(), trunk_of(1, &commands).unwrap()];
     commands.clear();
     for rank in [0, 1] {
-        manager.on(Event::TrunkDone { rank, trunk: trunks[rank], ok: true }, &mut commands);
+        let work = Work::Trunk(trunks[rank]);
+        manager.on(Event::Done { rank, work, ok: true }, &mut commands);
     }
     let far = |command: &&Command| {
-        matches!(command, Command::RunCase { rank, from: Some(source), .. }
+        matches!(command, Command::Run { rank, from: Some(source), .. }
             if *rank != source.holder)
     };
     assert_eq!(commands.iter().find(far), None);
@@ -211,15 +211,9 @@ fn a_million_cases_on_ten_thousand_ranks_are_scheduled_in_seconds() {
     let mut runs = 0;
     loop {
         for command in commands.drain(..) {
-            match command {
-                Command::RunTrunk { rank, trunk } => {
-                    running.push_back(Event::TrunkDone { rank, trunk, ok: true });
-                }
-                Command::RunCase { rank, case, .. } => {
-                    runs += 1;
-                    running.push_back(Event::CaseDone { rank, case });
-                }
-                _ => {}
+            if let Command::Run { rank, work, .. } = command {
+                runs += usize::from(matches!(work, Work::Case(_)));
+                running.push_back(Event::Done { rank, work, ok: true });
             }
         }
         let Some(event) = running.pop_front() else { break };
@@ -241,32 +235,18 @@ fn makespan(plan: &Plan, ranks: usize) -> u64 {
     let mut now = 0;
     loop {
         for command in commands.drain(..) {
-            let (rank, cost, task) = match command {
-                Command::RunTrunk { rank, trunk } => {
-                    (rank, plan.trunks[trunk].cost, Task::Trunk(trunk))
-                }
-                Command::RunCase { rank, case, from: Some(_) } => {
-                    (rank, plan.cases[case].branch_cost, Task::Case(case))
-                }
-                Command::RunCase { rank, case, from: None } => {
-                    (rank, plan.cases[case].cost, Task::Case(case))
-                }
-                _ => continue,
+            let Command::Run { rank, work, from } = command else { continue };
+            let cost = match work {
+                Work::Trunk(trunk) => plan.trunks[trunk].cost,
+                Work::Case(case) if from.is_some() => plan.cases[case].branch_cost,
+                Work::Case(case) => plan.cases[case].cost,
             };
             free_at[rank] = free_at[rank].max(now) + cost;
-            let (kind, place) = match task {
-                Task::Trunk(trunk) => (0, trunk),
-                Task::Case(case) => (1, case),
-            };
-            ends.insert((free_at[rank], rank, kind, place));
+            ends.insert((free_at[rank], rank, work));
         }
-        let Some((end, rank, kind, place)) = ends.pop_first() else { return now };
+        let Some((end, rank, work)) = ends.pop_first() else { return now };
         now = end;
-        let event = match kind {
-            0 => Event::TrunkDone { rank, trunk: place, ok: true },
-            _ => Event::CaseDone { rank, case: place },
-        };
-        manager.on(event, &mut commands);
+        manager.on(Event::Done { rank, work, ok: true }, &mut commands);
     }
 }
 

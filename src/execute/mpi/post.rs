@@ -12,7 +12,7 @@ use super::Message;
 use crate::results::SweepError;
 
 /// Raised with every change of the messages; leads every message.
-const PROTOCOL: u16 = 2;
+const PROTOCOL: u16 = 3;
 /// MPI counts bytes in a C int; a checkpoint larger than this is not sent, and the case that
 /// wants it runs from rest.
 const LARGEST: usize = 1 << 30;

@@ -4,9 +4,10 @@ use std::time::{Duration, Instant};
 
 use super::post::Post;
 use super::{Message, out_of_turn};
-use crate::execute::worker::{Fetch, Worker};
+use crate::execute::worker::Worker;
 use crate::execute::{Link, Order, Report, Setup};
 use crate::results::SweepError;
+use crate::schedule::Held;
 
 /// A rank at work: its mail and its worker.
 pub(super) struct Station<'a, 'run, 'scope> {
@@ -16,7 +17,7 @@ pub(super) struct Station<'a, 'run, 'scope> {
 
 impl Station<'_, '_, '_> {
     fn obey(&mut self, order: Order) {
-        if let Some(Fetch { trunk, holder }) = self.worker.take(order) {
+        if let Some(Held { trunk, holder }) = self.worker.take(order) {
             self.post.send(holder, &Message::Pull { trunk });
         }
     }
