@@ -126,10 +126,7 @@ pub(super) fn execute(
         executor: crew.executor().to_owned(),
         ranks: crew.ranks().to_vec(),
         started: timestamp(),
-        ended: None,
-        wall_time_s: None,
-        savings: None,
-        ending: None,
+        ..SessionInfo::default()
     });
     manifest.write(&job.out)?;
     tell_start(crew, &directory, missing, output);

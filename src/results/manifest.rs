@@ -43,7 +43,7 @@ pub struct Manifest {
 }
 
 /// One process at work on a directory.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct SessionInfo {
     /// `threads` or `mpi`.
     pub executor: String,

@@ -91,34 +91,30 @@ fn read_range(path: &str, range: &Table) -> Result<Vec<Value>, ConfigError> {
             None => ConfigError::unknown(&own, &known),
         });
     }
+    let bad = |key: &str, allowed: &str| {
+        let shown = range.get(key).map(Value::to_string).unwrap_or_default();
+        ConfigError::new(&format!("{path}.{key}"), shown, allowed)
+    };
     let bound = |key: &str| {
-        let value = range.get(key);
-        value.and_then(number).filter(|number| number.is_finite()).ok_or_else(|| {
-            let shown = value.map(Value::to_string).unwrap_or_default();
-            ConfigError::new(&format!("{path}.{key}"), shown, "must be a finite number")
-        })
+        let value = range.get(key).and_then(number).filter(|number| number.is_finite());
+        value.ok_or_else(|| bad(key, "must be a finite number"))
     };
     let (from, to) = (bound("from")?, bound("to")?);
     let points = match range.get("points") {
         Some(Value::Integer(points)) if (2..=MOST_POINTS).contains(points) => *points as usize,
-        other => {
-            let shown = other.map(Value::to_string).unwrap_or_default();
+        _ => {
             let allowed = format!("must be a whole number from 2 to {MOST_POINTS}");
-            return Err(ConfigError::new(&format!("{path}.points"), shown, allowed));
+            return Err(bad("points", &allowed));
         }
     };
-    let log = match range.get("spacing").map(|value| (value, value.as_str())) {
-        None | Some((_, Some("linear"))) => false,
-        Some((_, Some("log"))) => true,
-        Some((other, _)) => {
-            let allowed = "must be \"log\" or \"linear\"";
-            return Err(ConfigError::new(&format!("{path}.spacing"), other, allowed));
-        }
+    let log = match range.get("spacing").map(Value::as_str) {
+        None | Some(Some("linear")) => false,
+        Some(Some("log")) => true,
+        _ => return Err(bad("spacing", "must be \"log\" or \"linear\"")),
     };
-    if log && (from <= 0.0 || to <= 0.0) {
-        let (key, value) = if from <= 0.0 { ("from", from) } else { ("to", to) };
-        let allowed = "must be above 0 where spacing = \"log\"";
-        return Err(ConfigError::new(&format!("{path}.{key}"), value, allowed));
+    if let Some((key, _)) = [("from", from), ("to", to)].iter().find(|(_, end)| log && *end <= 0.0)
+    {
+        return Err(bad(key, "must be above 0 where spacing = \"log\""));
     }
     let value = |index: usize| {
         if index == 0 {
