@@ -86,7 +86,8 @@ impl Manager {
     }
 
     /// Trunks that are running or whose checkpoint is held.
-    pub fn open_trunks(&self) -> usize {
+    #[cfg(test)]
+    fn open_trunks(&self) -> usize {
         self.open
     }
 

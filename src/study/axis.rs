@@ -2,7 +2,6 @@
 
 use toml::{Table, Value};
 
-use super::grid::MOST_CASES;
 use crate::scene::ConfigError;
 
 /// A swept key and its values, in the order of the file.
@@ -68,8 +67,8 @@ fn number(value: &Value) -> Option<f64> {
 
 const RANGE_KEYS: [&str; 4] = ["from", "to", "points", "spacing"];
 
-/// Most values of a range: no sweep has more cases.
-const MOST_POINTS: i64 = MOST_CASES as i64;
+/// No sweep is larger than this, and no range is longer.
+pub(super) const MOST_CASES: usize = 1_000_000;
 
 /// What a range key of another tongue is called here.
 fn meant(key: &str) -> Option<&'static str> {
@@ -101,9 +100,11 @@ fn read_range(path: &str, range: &Table) -> Result<Vec<Value>, ConfigError> {
     };
     let (from, to) = (bound("from")?, bound("to")?);
     let points = match range.get("points") {
-        Some(Value::Integer(points)) if (2..=MOST_POINTS).contains(points) => *points as usize,
+        Some(Value::Integer(points)) if (2..=MOST_CASES as i64).contains(points) => {
+            *points as usize
+        }
         _ => {
-            let allowed = format!("must be a whole number from 2 to {MOST_POINTS}");
+            let allowed = format!("must be a whole number from 2 to {MOST_CASES}");
             return Err(bad("points", &allowed));
         }
     };

@@ -5,13 +5,11 @@ use std::collections::HashMap;
 use rayon::prelude::*;
 use toml::{Table, Value};
 
+use super::axis::MOST_CASES;
 use super::case::{Case, CaseId};
 use super::file::SweepFile;
 use super::keys::{Section, section_of};
 use crate::scene::{CaseConfig, ConfigError};
-
-/// No sweep is larger than this.
-pub(super) const MOST_CASES: usize = 1_000_000;
 
 /// Keys that mean nothing to a fixed wall; where a grid sweeps `wall`, they are left out there.
 const MOVABLE_ONLY: [&str; 2] = ["spring_stiffness_n_per_m", "seawall_mass_kg_per_m"];
