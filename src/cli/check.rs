@@ -11,9 +11,10 @@ use super::output::{Output, duration};
 use super::physics::physics;
 use super::table::Table;
 use crate::math::simd::SimdPath;
+use crate::results::counted;
 use crate::scene::{CaseConfig, Scheme, limits};
 use crate::simulation::cost;
-use crate::sweep::{Plan, Study, counted};
+use crate::study::{Plan, Study};
 
 /// Validate a sweep or scene file, list its cases and what they cost; run nothing.
 #[derive(Debug, Args)]
@@ -168,7 +169,7 @@ fn between((low, high): (u64, u64)) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sweep::SweepFile;
+    use crate::study::SweepFile;
 
     /// Seconds of one core for a single scene.
     fn seconds(scheme: &str) -> f64 {

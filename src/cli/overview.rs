@@ -3,7 +3,7 @@
 use super::execute::{Done, Job};
 use super::output::{duration, short};
 use super::table::Table;
-use crate::sweep::counted;
+use crate::results::counted;
 
 /// Rows shown without `-v`.
 const ROWS: usize = 30;

@@ -3,7 +3,7 @@
 use crate::boundary::SfdiMatrix;
 use crate::scene::{BoundaryChoice, CaseConfig, Numerics, Scene, Scheme, WallChoice};
 use crate::scheme::wcsph::{DensityDiffusion, Shifting};
-use crate::sweep::Study;
+use crate::study::Study;
 
 /// A line's name, and what a case has of it: `None` where it is off or means nothing to the case.
 type Line = (&'static str, fn(&CaseConfig) -> Option<String>);
@@ -130,7 +130,7 @@ fn above_zero(value: f64) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sweep::SweepFile;
+    use crate::study::SweepFile;
 
     fn told(text: &str) -> Vec<(&'static str, Vec<String>)> {
         let text = format!("name = \"a\"\n{text}");

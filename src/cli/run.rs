@@ -4,13 +4,13 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::execute::{Job, execute};
+use super::execute::{Job, on_threads};
 use super::input::{Expect, Setting, SimdChoice, default_out, study};
 use super::output::{Output, duration, short};
 use super::table::Table;
+use crate::execute::{Ending, VtkFilm};
+use crate::results::{CaseRecord, OpenMode};
 use crate::simulation::{EnergyBudget, Maximum, NamedReading, Outcome, PhaseShare};
-use crate::sweep::executor::{Setup, threads};
-use crate::sweep::{CaseRecord, Ending, FilmingRunner, Interrupt, OpenMode, SphRunner};
 
 /// Run one scene: its history, outcome, energy budget, and where the time went.
 #[derive(Debug, Args)]
@@ -68,18 +68,9 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         simd: args.simd.path(),
         overrides: args.settings.iter().map(|setting| setting.text.clone()).collect(),
     };
-    let interrupt = Interrupt::listen()?;
-    let setup = Setup {
-        make_runner: &|resources| match args.vtk {
-            None => Box::new(SphRunner { resources }),
-            Some(Seconds(interval_s)) => {
-                Box::new(FilmingRunner { resources, interval_s, folder: job.out.join("vtk") })
-            }
-        },
-        threads: args.threads.map(usize::from),
-        interrupt: &interrupt,
-    };
-    let done = threads::with_crew(&setup, |crew| execute(&job, crew, &interrupt, output))?;
+    let folder = job.out.join("vtk");
+    let film = args.vtk.map(|Seconds(interval_s)| VtkFilm { interval_s, folder });
+    let done = on_threads(&job, args.threads, film, output)?;
     if args.vtk.is_some() && done.wall_time_s.is_none() {
         output.note("--vtk: nothing was filmed, as nothing was run; --fresh films it");
     }

@@ -39,8 +39,6 @@ use run::Run;
 
 /// Watches a run and may end it.
 pub trait Monitor: Sync {
-    /// Called every few steps with the share of the simulated time done, 0 to 1.
-    fn progress(&self, _share: f64) {}
     /// How often [`Monitor::film`] is called, seconds of simulated time; never by default.
     fn film_interval(&self) -> Option<f64> {
         None

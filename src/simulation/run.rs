@@ -185,7 +185,6 @@ impl Run {
                     self.film(monitor, time, true);
                     return Ok(Reached::End);
                 }
-                monitor.progress(time / self.tank.frame.end_time);
                 if monitor.cancelled() {
                     return Err(Stopped::Interrupted);
                 }
