@@ -12,9 +12,10 @@
 //! | 5 | [`scheme`] | δ-SPH time stepping |
 //! | 6 | [`scene`] | scene files: parsing, validation, construction |
 //! | 7 | [`simulation`] | driver, checkpoint, measures, outcome of one case |
-//! | 8 | [`sweep`] | grid, plan, manager, journal, executors |
-//! | 9 | [`report`] | tables and figures from files alone |
-//! | 10 | [`cli`] | one file per subcommand |
+//! | 8 | [`quantities`] | what is reported of a case: names, units, where values are read |
+//! | 9 | [`sweep`] | grid, plan, manager, journal, executors |
+//! | 10 | [`report`] | tables and figures from files alone |
+//! | 11 | [`cli`] | one file per subcommand |
 //!
 //! Start at [`simulation::run_case`] for one case and at [`sweep`] for a study.
 #![warn(missing_docs)]
@@ -26,6 +27,7 @@ pub mod kernel;
 pub mod math;
 pub mod neighbours;
 pub mod particles;
+pub mod quantities;
 pub mod report;
 pub mod scene;
 pub mod scheme;

@@ -13,6 +13,7 @@ const LAYERS: &[&[&str]] = &[
     &["scheme"],
     &["scene"],
     &["simulation"],
+    &["quantities"],
     &["sweep"],
     &["report"],
     &["cli"],

@@ -8,7 +8,16 @@ use super::execute::{Job, execute};
 use super::input::{Expect, Setting, SimdChoice, default_out, study};
 use super::output::{Output, duration, short};
 use super::table::Table;
-use crate::simulation::{EnergyBudget, Maximum, NamedReading, Outcome, PhaseShare};
+use crate::quantities::summary::{
+    BOUNDARY_FALLBACKS, DISPLACEMENT_END, DISPLACEMENT_MAX, DOUBTFUL_REASON,
+    FIRST_DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_FORCE_PEAK, FIRST_RUNUP_MAX, FIRST_RUNUP_PEAK,
+    FORCE_END, FORCE_GAP, FORCE_MAX, FORCE_MAX_RAW, MEASURED_WAVE_HEIGHT_RATIO, ONSET_TIME,
+    PAIR_EVALUATIONS, PARTICLES, PARTICLES_LOST, RUNUP_END, RUNUP_MAX, STEPS, STOP_IMPULSE, STOPS,
+    STROKE_CENTRE,
+};
+use crate::quantities::{Bars, Case, Column, Value, energy};
+use crate::scene::CaseConfig;
+use crate::simulation::{EnergyBudget, NamedReading, PhaseShare};
 use crate::sweep::executor::{Setup, threads};
 use crate::sweep::{CaseRecord, Ending, FilmingRunner, Interrupt, OpenMode, SphRunner};
 
@@ -87,20 +96,24 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         output.note("interrupted: a single scene starts over");
     }
     for record in done.records() {
-        let text = format!("{}files: {}\n", told(record), done.directory.path().display());
+        let text = format!(
+            "{}files: {}\n",
+            told(record, &job.study.cases[record.index].config),
+            done.directory.path().display()
+        );
         output.result(&text, record)?;
     }
     Ok(done.exit_code())
 }
 
-fn told(record: &CaseRecord) -> String {
+fn told(record: &CaseRecord, config: &CaseConfig) -> String {
     let mut text = format!("case {}", record.id);
     let (Some(outcome), Some(energy)) = (&record.outcome, &record.energy) else {
         text.push_str(&format!(" failed: {}\n", record.reason));
         return text;
     };
     text.push_str(&format!(", {}\n\n", duration(record.wall_time_s)));
-    text.push_str(&outcome_table(outcome));
+    text.push_str(&outcome_table(&record.reported(config, Bars::default())));
     if !record.readings.is_empty() {
         text.push_str("\nreadings\n");
         text.push_str(&readings_table(&record.readings));
@@ -112,50 +125,56 @@ fn told(record: &CaseRecord) -> String {
     text
 }
 
-fn outcome_table(outcome: &Outcome) -> String {
-    let mut text = String::new();
-    let mut line = |name: &str, value: Option<String>| {
-        if let Some(value) = value {
-            text.push_str(&format!("{name:<32}{value}\n"));
-        }
+/// What is told of a case, in this order, as far as it has it.
+const TOLD: [&Column; 24] = [
+    &MEASURED_WAVE_HEIGHT_RATIO,
+    &FORCE_MAX,
+    &RUNUP_MAX,
+    &DISPLACEMENT_MAX,
+    &FIRST_FORCE_MAX,
+    &FIRST_RUNUP_MAX,
+    &FIRST_DISPLACEMENT_MAX,
+    &FIRST_FORCE_PEAK,
+    &FIRST_RUNUP_PEAK,
+    &FORCE_MAX_RAW,
+    &FORCE_END,
+    &RUNUP_END,
+    &DISPLACEMENT_END,
+    &ONSET_TIME,
+    &STROKE_CENTRE,
+    &STOPS,
+    &STOP_IMPULSE,
+    &DOUBTFUL_REASON,
+    &FORCE_GAP,
+    &PARTICLES,
+    &PARTICLES_LOST,
+    &STEPS,
+    &PAIR_EVALUATIONS,
+    &BOUNDARY_FALLBACKS,
+];
+
+fn outcome_table(case: &Case<'_>) -> String {
+    let line = |column: &Column| {
+        let text = match column.value(case)? {
+            Value::Number(value) => short(value),
+            Value::Count(count) => count.to_string(),
+            Value::Flag(flag) => flag.to_string(),
+            Value::Text(text) => text,
+        };
+        let time = column.time(case).map(|time| format!(" at {time:.4} s")).unwrap_or_default();
+        // At the very end and still moving: the maximum is yet to come.
+        let (start, end) =
+            if is_bound(column, case) { ("≥ ", ", still moving at the end") } else { ("", "") };
+        Some(format!("{:<32}{start}{text}{time}{end}\n", column.heading()))
     };
-    let maximum = |maximum: Option<Maximum>| {
-        maximum.map(|maximum| format!("{} at {:.4} s", short(maximum.value), maximum.time_s))
-    };
-    // At the very end and still moving: the maximum is yet to come.
-    let displacement = |own: Option<Maximum>| {
-        let at_end = own.is_some() && own == outcome.displacement_max;
-        if at_end && outcome.displacement_truncated == Some(true) {
-            return maximum(own).map(|text| format!("≥ {text}, still moving at the end"));
-        }
-        maximum(own)
-    };
-    line("measured H/h", outcome.measured_wave_height_ratio.map(short));
-    line("largest F*", maximum(Some(outcome.force_max)));
-    line("largest R*", maximum(Some(outcome.runup_max)));
-    line("largest X*", displacement(outcome.displacement_max));
-    line("first impact, largest F*", maximum(outcome.first_force_max));
-    line("first impact, largest R*", maximum(outcome.first_runup_max));
-    line("first impact, largest X*", displacement(outcome.first_displacement_max));
-    line("first peak, F*", outcome.first_force_peak.map(short));
-    line("first peak, R*", outcome.first_runup_peak.map(short));
-    line("largest F* of any step", Some(short(outcome.force_max_raw)));
-    line(
-        "F*, R* at the end",
-        Some(format!("{}, {}", short(outcome.force_end), short(outcome.runup_end))),
-    );
-    line("X* at the end", outcome.displacement_end.map(short));
-    line("onset", outcome.onset_time_s.map(|time| format!("{time:.4} s")));
-    line("stroke centre", outcome.stroke_centre_s.map(|time| format!("{time:.4} s")));
-    line("hits on the stop", outcome.stops.map(|stops| stops.to_string()));
-    line("strongest impulse of a stop", maximum(outcome.stop_impulse.filter(|m| m.value != 0.0)));
-    line("doubtful", outcome.doubtful_reason.clone());
-    line("force gap", Some(format!("{} %", short(outcome.force_gap_percent))));
-    line("particles, lost", Some(format!("{}, {}", outcome.particles, outcome.particles_lost)));
-    line("steps", Some(outcome.steps.to_string()));
-    line("pair evaluations", Some(outcome.pair_evaluations.to_string()));
-    line("boundary fallbacks", Some(outcome.boundary_fallbacks.to_string()));
-    text
+    TOLD.into_iter().filter_map(line).collect()
+}
+
+/// A lower bound, or the same maximum as one.
+fn is_bound(column: &Column, case: &Case<'_>) -> bool {
+    DISPLACEMENT_MAX.is_bound(case)
+        && column.unit == DISPLACEMENT_MAX.unit
+        && column.time(case).is_some_and(|time| Some(time) == DISPLACEMENT_MAX.time(case))
 }
 
 fn readings_table(readings: &[NamedReading]) -> String {
@@ -167,33 +186,20 @@ fn readings_table(readings: &[NamedReading]) -> String {
 }
 
 /// Every term, its share of the paddle's work, and what is left over.
-fn energy_table(energy: &EnergyBudget, gap_percent: f64) -> String {
-    let spent = [
-        ("kinetic", energy.kinetic),
-        ("potential", energy.potential),
-        ("elastic", energy.elastic),
-        ("wall, kinetic", energy.wall_kinetic),
-        ("spring", energy.spring),
-        ("threshold device", energy.threshold_device),
-        ("stops", energy.stops),
-        ("viscous", energy.viscous),
-        ("density diffusion", energy.density_diffusion),
-        ("shifting", energy.shifting),
-    ];
-    let total: f64 = spent.iter().map(|(_, value)| value).sum();
+fn energy_table(budget: &EnergyBudget, gap_percent: f64) -> String {
+    let (work, spent) = energy::ALL.split_first().expect("a budget has terms");
+    let work = (work.read)(budget);
+    let total: f64 = spent.iter().map(|term| (term.read)(budget)).sum();
     let mut text = String::new();
     let mut line = |name: &str, value: f64| {
-        let share = match energy.paddle_work {
-            0.0 => "-".to_owned(),
-            work => format!("{:.2}", 100.0 * value / work),
-        };
+        let share =
+            if work == 0.0 { "-".to_owned() } else { format!("{:.2}", 100.0 * value / work) };
         text.push_str(&format!("{name:<18}{:>10}  {share:>16}\n", short(value)));
     };
-    line("paddle work", energy.paddle_work);
-    for (name, value) in spent {
-        line(name, value);
+    for term in energy::ALL {
+        line(&term.name.replace('_', " "), (term.read)(budget));
     }
-    line("residual", energy.paddle_work - total);
+    line("residual", work - total);
     text.push_str(&format!("reported gap {gap_percent:.2} %\n"));
     text
 }

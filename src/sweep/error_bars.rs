@@ -15,6 +15,7 @@
 //! `results/accuracy/coverage.md` has what was measured. No constant was set by the cases that are
 //! counted there.
 
+pub use crate::quantities::Bars as ErrorBars;
 use crate::scene::{CaseConfig, Scheme, SeawallScene};
 use crate::simulation::{Maximum, Outcome};
 
@@ -34,21 +35,6 @@ const LEVEL_SCATTER: f64 = 0.03;
 const DISPLACEMENT_SCATTER: f64 = 0.004;
 /// Mass of the water that a wall in water of depth d carries along, over ρ d².
 const CARRIED: f64 = 0.543;
-
-/// Estimated absolute errors; `None` where the case has no such reading or no companion has.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct ErrorBars {
-    /// Of `first_force_max`.
-    pub force: Option<f64>,
-    /// Of `first_runup_max`.
-    pub runup: Option<f64>,
-    /// Of `displacement_max`.
-    pub displacement: Option<f64>,
-    /// Of `force_max`.
-    pub whole_force: Option<f64>,
-    /// Of `runup_max`.
-    pub whole_runup: Option<f64>,
-}
 
 impl ErrorBars {
     /// The bars of a case that has ended well, from those of its companions that have.

@@ -62,5 +62,4 @@ pub use progress::{Progress, ProgressStyle, duration};
 pub use record::CaseRecord;
 pub use runner::{Runner, SphRunner, guarded};
 pub use study::Study;
-pub use summary::fixed_columns;
 pub use vtk::FilmingRunner;

@@ -8,6 +8,7 @@ use super::atomic_file;
 use super::case::CaseId;
 use super::error::SweepError;
 use super::number;
+use crate::quantities;
 use crate::simulation::{CaseResult, HistoryRow, NamedReading, ProbeColumn, ProbeTable};
 
 /// Lengths of a case's files by their folders, bytes.
@@ -90,10 +91,10 @@ pub(super) fn clean(directory: &Path) -> Result<(), SweepError> {
 }
 
 fn history(rows: &[HistoryRow]) -> String {
-    let mut text = "time_s,force,runup,displacement,wall_velocity_m_per_s\n".to_owned();
+    let columns = quantities::history::ALL;
+    let mut text = columns.iter().map(|column| column.name).collect::<Vec<_>>().join(",") + "\n";
     for row in rows {
-        let values =
-            [row.time_s, row.force, row.runup, row.displacement, row.wall_velocity_m_per_s];
+        let values = columns.iter().map(|column| (column.read)(row));
         push_row(&mut text, values);
     }
     text
