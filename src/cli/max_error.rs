@@ -2,13 +2,13 @@
 //! miss.
 
 use std::collections::BTreeMap;
-use std::fmt::Write as _;
 
 use serde_json::json;
 
 use super::execute::Done;
 use super::failure::BadInput;
 use super::output::{Output, short};
+use crate::quantities::summary::{CASE_ID, PARTICLE_SPACING};
 use crate::scene::CaseConfig;
 use crate::sweep::tuning::{AccuracyTable, Choice, bar_percent, differences};
 use crate::sweep::{Study, counted};
@@ -105,18 +105,29 @@ impl Aim {
         done: &Done,
     ) -> anyhow::Result<(String, serde_json::Value)> {
         let verified = self.verify(study, done);
-        let mut csv =
-            "case_id,particle_spacing_m,numerics,error_bar_percent,max_error_percent,met\n"
-                .to_owned();
         let met = |case: &Verified| case.bar.is_some_and(|bar| bar <= self.percent);
+        let mut table = csv::Writer::from_path(done.directory.path().join("max_error.csv"))?;
+        table.write_record([
+            CASE_ID.name,
+            PARTICLE_SPACING.name,
+            "numerics",
+            "error_bar_percent",
+            "max_error_percent",
+            "met",
+        ])?;
         for case in &verified {
             let bar = case.bar.map(|bar| bar.to_string()).unwrap_or_default();
             let own = &study.cases[case.index];
-            let (id, spacing) = (own.id, case.spacing);
-            let numerics = differences(&own.config.numerics);
-            writeln!(csv, "{id},{spacing},\"{numerics}\",{bar},{},{}", self.percent, met(case))?;
+            table.write_record([
+                own.id.to_string(),
+                case.spacing.to_string(),
+                differences(&own.config.numerics),
+                bar,
+                self.percent.to_string(),
+                met(case).to_string(),
+            ])?;
         }
-        std::fs::write(done.directory.path().join("max_error.csv"), csv)?;
+        table.flush()?;
         let count = verified.iter().filter(|case| met(case)).count();
         let told = format!(
             "bars of force and displacement within {} %: {count} of {} (max_error.csv)\n",
