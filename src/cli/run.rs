@@ -8,13 +8,7 @@ use super::execute::{Job, execute};
 use super::input::{Expect, Setting, SimdChoice, default_out, study};
 use super::output::{Output, duration, short};
 use super::table::Table;
-use crate::quantities::summary::{
-    BOUNDARY_FALLBACKS, DISPLACEMENT_END, DISPLACEMENT_MAX, DOUBTFUL_REASON,
-    FIRST_DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_FORCE_PEAK, FIRST_RUNUP_MAX, FIRST_RUNUP_PEAK,
-    FORCE_END, FORCE_GAP, FORCE_MAX, FORCE_MAX_RAW, MEASURED_WAVE_HEIGHT_RATIO, ONSET_TIME,
-    PAIR_EVALUATIONS, PARTICLES, PARTICLES_LOST, RUNUP_END, RUNUP_MAX, STEPS, STOP_IMPULSE, STOPS,
-    STROKE_CENTRE,
-};
+use crate::quantities::summary::{ALL, DISPLACEMENT_MAX, MEASURED_WAVE_HEIGHT_RATIO};
 use crate::quantities::{Bars, Case, Column, Value, energy};
 use crate::scene::CaseConfig;
 use crate::simulation::{EnergyBudget, NamedReading, PhaseShare};
@@ -125,40 +119,13 @@ fn told(record: &CaseRecord, config: &CaseConfig) -> String {
     text
 }
 
-/// What is told of a case, in this order, as far as it has it.
-const TOLD: [&Column; 24] = [
-    &MEASURED_WAVE_HEIGHT_RATIO,
-    &FORCE_MAX,
-    &RUNUP_MAX,
-    &DISPLACEMENT_MAX,
-    &FIRST_FORCE_MAX,
-    &FIRST_RUNUP_MAX,
-    &FIRST_DISPLACEMENT_MAX,
-    &FIRST_FORCE_PEAK,
-    &FIRST_RUNUP_PEAK,
-    &FORCE_MAX_RAW,
-    &FORCE_END,
-    &RUNUP_END,
-    &DISPLACEMENT_END,
-    &ONSET_TIME,
-    &STROKE_CENTRE,
-    &STOPS,
-    &STOP_IMPULSE,
-    &DOUBTFUL_REASON,
-    &FORCE_GAP,
-    &PARTICLES,
-    &PARTICLES_LOST,
-    &STEPS,
-    &PAIR_EVALUATIONS,
-    &BOUNDARY_FALLBACKS,
-];
-
+/// What came out of a case, as far as it has it.
 fn outcome_table(case: &Case<'_>) -> String {
     let line = |column: &Column| {
         let text = match column.value(case)? {
             Value::Number(value) => short(value),
             Value::Count(count) => count.to_string(),
-            Value::Flag(flag) => flag.to_string(),
+            Value::Flag(_) => return None, // its reason or mark stands beside a number
             Value::Text(text) => text,
         };
         let time = column.time(case).map(|time| format!(" at {time:.4} s")).unwrap_or_default();
@@ -167,7 +134,8 @@ fn outcome_table(case: &Case<'_>) -> String {
             if is_bound(column, case) { ("≥ ", ", still moving at the end") } else { ("", "") };
         Some(format!("{:<32}{start}{text}{time}{end}\n", column.heading()))
     };
-    TOLD.into_iter().filter_map(line).collect()
+    let results = ALL.iter().skip_while(|column| **column != &MEASURED_WAVE_HEIGHT_RATIO);
+    results.filter_map(|column| line(column)).collect()
 }
 
 /// A lower bound, or the same maximum as one.

@@ -1,7 +1,7 @@
 //! Where the values of a case are read.
 
 use crate::scene::{CaseConfig, SeawallScene, WallChoice};
-use crate::simulation::{Maximum, Outcome};
+use crate::simulation::Outcome;
 
 /// Estimated absolute errors; `None` where the case has no such reading or no companion has.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -75,9 +75,4 @@ impl Case<'_> {
         let scale = scene.water_density_kg_per_m3 * depth * depth;
         scene.seawall_mass_kg_per_m.map(|mass| mass / scale)
     }
-}
-
-/// A maximum and the time at which it was reached.
-pub(super) fn reached(maximum: Maximum) -> (f64, Option<f64>) {
-    (maximum.value, Some(maximum.time_s))
 }

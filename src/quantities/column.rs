@@ -1,6 +1,7 @@
 //! A column of `summary.csv`, and how it is read.
 
-use super::{Case, Column, Digits, Quantity, Unit, Value, named};
+use super::{Case, Column, Quantity, Unit, Value, named};
+use crate::simulation::Maximum;
 
 /// How a column is read; empty where there is nothing to read.
 #[derive(Debug, Clone, Copy)]
@@ -14,7 +15,7 @@ pub enum Read {
     /// A number.
     Number(fn(&Case<'_>) -> Option<f64>),
     /// A largest value, and when it was reached, which stands in a column of its own.
-    Maximum(fn(&Case<'_>) -> Option<(f64, Option<f64>)>),
+    Maximum(fn(&Case<'_>) -> Option<Maximum>),
 }
 
 impl Column {
@@ -25,7 +26,7 @@ impl Column {
             Read::Count(read) => read(case).map(Value::Count),
             Read::Flag(read) => read(case).map(Value::Flag),
             Read::Number(read) => read(case).map(Value::Number),
-            Read::Maximum(read) => read(case).map(|(value, _)| Value::Number(value)),
+            Read::Maximum(read) => read(case).map(|maximum| Value::Number(maximum.value)),
         }
     }
 
@@ -44,12 +45,12 @@ impl Column {
         flag == Some(Value::Flag(true))
     }
 
-    /// When a maximum was reached, seconds.
+    /// When a maximum was reached, seconds. An impulse of 0 has no time: there was none.
     pub fn time(&self, case: &Case<'_>) -> Option<f64> {
-        match self.read {
-            Read::Maximum(read) => read(case)?.1,
-            _ => None,
-        }
+        let Read::Maximum(read) = self.read else { return None };
+        let reached =
+            read(case).filter(|maximum| self.unit != Unit::Impulse || maximum.value != 0.0);
+        reached.map(|maximum| maximum.time_s)
     }
 
     /// The name of the column with the time of a maximum.
@@ -68,39 +69,40 @@ impl Column {
     }
 }
 
-pub(super) const fn text(name: &'static str, read: fn(&Case<'_>) -> Option<String>) -> Column {
-    Quantity::new(name, Unit::None, Read::Text(read))
+pub(super) const fn text(
+    name: &'static str,
+    symbol: &'static str,
+    read: fn(&Case<'_>) -> Option<String>,
+) -> Column {
+    Quantity::new(name, symbol, Unit::Pure, Read::Text(read))
 }
 
 pub(super) const fn count(name: &'static str, read: fn(&Case<'_>) -> Option<u64>) -> Column {
-    Quantity::new(name, Unit::None, Read::Count(read))
+    Quantity::new(name, "", Unit::Pure, Read::Count(read))
 }
 
-pub(super) const fn flag(name: &'static str, read: fn(&Case<'_>) -> Option<bool>) -> Column {
-    Quantity::new(name, Unit::None, Read::Flag(read))
+pub(super) const fn flag(
+    name: &'static str,
+    symbol: &'static str,
+    read: fn(&Case<'_>) -> Option<bool>,
+) -> Column {
+    Quantity::new(name, symbol, Unit::Pure, Read::Flag(read))
 }
 
 pub(super) const fn number(
     name: &'static str,
+    symbol: &'static str,
     unit: Unit,
     read: fn(&Case<'_>) -> Option<f64>,
 ) -> Column {
-    Quantity::new(name, unit, Read::Number(read))
+    Quantity::new(name, symbol, unit, Read::Number(read))
 }
 
 pub(super) const fn maximum(
     name: &'static str,
+    symbol: &'static str,
     unit: Unit,
-    read: fn(&Case<'_>) -> Option<(f64, Option<f64>)>,
+    read: fn(&Case<'_>) -> Option<Maximum>,
 ) -> Column {
-    Quantity::new(name, unit, Read::Maximum(read)).digits(Digits::Decimals(4))
-}
-
-/// An error bar, in the unit of its quantity.
-pub(super) const fn bar(
-    name: &'static str,
-    unit: Unit,
-    read: fn(&Case<'_>) -> Option<f64>,
-) -> Column {
-    number(name, unit, read).digits(Digits::Significant(3))
+    Quantity::new(name, symbol, unit, Read::Maximum(read)).decimals(4)
 }

@@ -8,7 +8,7 @@ use crate::simulation::EnergyBudget;
 pub type Read = fn(&EnergyBudget) -> f64;
 
 const fn term(name: &'static str, read: Read) -> Quantity<Read> {
-    Quantity::new(name, Unit::JoulesPerMetre, read)
+    Quantity::new(name, "", Unit::JoulesPerMetre, read)
 }
 
 quantities! { Read;

@@ -8,7 +8,7 @@ use crate::simulation::HistoryRow;
 pub type Read = fn(&HistoryRow) -> f64;
 
 const fn column(name: &'static str, unit: Unit, read: Read) -> Quantity<Read> {
-    Quantity::new(name, unit, read)
+    Quantity::new(name, "", unit, read)
 }
 
 quantities! { Read;

@@ -52,30 +52,22 @@ pub struct Quantity<R> {
     pub bar: Option<&'static str>,
     /// The column of the flag which says that the value is a lower bound.
     pub bound: Option<&'static str>,
-    /// Directories of the first version do not have it.
-    pub is_newer: bool,
     /// How it is read.
     pub read: R,
 }
 
 impl<R: Copy> Quantity<R> {
-    const fn new(name: &'static str, unit: Unit, read: R) -> Quantity<R> {
+    const fn new(name: &'static str, symbol: &'static str, unit: Unit, read: R) -> Quantity<R> {
         Quantity {
             name,
-            symbol: "",
+            symbol,
             unit,
             meaning: "",
             digits: Digits::All,
             bar: None,
             bound: None,
-            is_newer: false,
             read,
         }
-    }
-
-    const fn symbol(mut self, symbol: &'static str) -> Self {
-        self.symbol = symbol;
-        self
     }
 
     const fn meaning(mut self, meaning: &'static str) -> Self {
@@ -83,8 +75,13 @@ impl<R: Copy> Quantity<R> {
         self
     }
 
-    const fn digits(mut self, digits: Digits) -> Self {
-        self.digits = digits;
+    const fn decimals(mut self, decimals: usize) -> Self {
+        self.digits = Digits::Decimals(decimals);
+        self
+    }
+
+    const fn significant(mut self, digits: usize) -> Self {
+        self.digits = Digits::Significant(digits);
         self
     }
 
@@ -95,11 +92,6 @@ impl<R: Copy> Quantity<R> {
 
     const fn bound(mut self, flag: &'static str) -> Self {
         self.bound = Some(flag);
-        self
-    }
-
-    const fn newer(mut self) -> Self {
-        self.is_newer = true;
         self
     }
 

@@ -2,9 +2,12 @@
 
 use serde::Serialize;
 
-use super::case::reached;
-use super::column::{Read, bar, count, flag, maximum, number, text};
-use super::{Digits, Unit, quantities};
+use super::Unit::{
+    Displacement, Force, Impulse, KilogramsPerMetre, Metres, NewtonsPerMetre, Percent, Pure, Runup,
+    Seconds,
+};
+use super::column::{Read, count, flag, maximum, number, text};
+use super::{Column, quantities};
 
 /// The name that a choice has in scene files.
 fn word(choice: impl Serialize) -> Option<String> {
@@ -16,190 +19,158 @@ fn word(choice: impl Serialize) -> Option<String> {
 
 quantities! { Read;
     /// hash of everything that decides the answer, 16 hexadecimal digits
-    CASE_ID = text("case_id", |case| Some(case.id.clone())).symbol("case");
+    CASE_ID = text("case_id", "case", |c| Some(c.id.clone()));
     /// `ok`, or `failed`
-    STATUS = text("status", |case| {
-        Some(if case.outcome.is_some() { "ok" } else { "failed" }.to_owned())
-    });
+    STATUS = text("status", "", |c| Some(c.outcome.map_or("failed", |_| "ok").to_owned()));
     /// why it failed: `<kind> at t = <time> s: <detail>`, see below; an `ok` row with a reason
     /// recovered from it with smaller time steps (`retries`)
-    REASON = text("reason", |case| Some(case.reason.to_owned()));
+    REASON = text("reason", "", |c| Some(c.reason.to_owned()));
     /// nominal wave height H/h
-    WAVE_HEIGHT_RATIO = number("wave_height_ratio", Unit::None, |case| {
-        Some(case.seawall()?.wave_height_ratio)
-    })
-    .symbol("H/h");
+    WAVE_HEIGHT_RATIO = number("wave_height_ratio", "H/h", Pure, |c| {
+        Some(c.seawall()?.wave_height_ratio)
+    });
     /// k, per metre of width
-    SPRING_STIFFNESS = number("spring_stiffness_n_per_m", Unit::NewtonsPerMetre, |case| {
-        case.movable()?.spring_stiffness_n_per_m
-    })
-    .symbol("k");
+    SPRING_STIFFNESS = number("spring_stiffness_n_per_m", "k", NewtonsPerMetre, |c| {
+        c.movable()?.spring_stiffness_n_per_m
+    });
     /// m, per metre of width
-    SEAWALL_MASS = number("seawall_mass_kg_per_m", Unit::KilogramsPerMetre, |case| {
-        case.movable()?.seawall_mass_kg_per_m
-    })
-    .symbol("m");
+    SEAWALL_MASS = number("seawall_mass_kg_per_m", "m", KilogramsPerMetre, |c| {
+        c.movable()?.seawall_mass_kg_per_m
+    });
     /// log10 of k* = k/(ρgh²); empty for k = 0
-    LOG10_K_STAR = number("log10_k_star", Unit::None, |case| case.log10_k_star())
-        .symbol("log₁₀ k*")
-        .digits(Digits::Decimals(2));
+    LOG10_K_STAR = number("log10_k_star", "log₁₀ k*", Pure, |c| c.log10_k_star()).decimals(2);
     /// m* = m/(ρh²)
-    M_STAR = number("m_star", Unit::None, |case| case.m_star()).symbol("m*");
+    M_STAR = number("m_star", "m*", Pure, |c| c.m_star());
     /// height of the first crest that passes `wave_gauge_m`, over h
-    MEASURED_WAVE_HEIGHT_RATIO = number("measured_wave_height_ratio", Unit::None, |case| {
-        case.outcome?.measured_wave_height_ratio
-    })
-    .symbol("H/h measured")
-    .digits(Digits::Decimals(4));
+    MEASURED_WAVE_HEIGHT_RATIO = number("measured_wave_height_ratio", "H/h measured", Pure, |c| {
+        c.outcome?.measured_wave_height_ratio
+    }).decimals(4);
     /// largest force F* (running mean) of the whole run
-    FORCE_MAX = maximum("force_max", Unit::Force, |case| Some(reached(case.outcome?.force_max)))
-        .symbol("F* max")
+    FORCE_MAX = maximum("force_max", "F* max", Force, |c| Some(c.outcome?.force_max))
         .bar("force_max_error");
     /// largest runup R* of the whole run
-    RUNUP_MAX = maximum("runup_max", Unit::Runup, |case| Some(reached(case.outcome?.runup_max)))
-        .symbol("R* max")
+    RUNUP_MAX = maximum("runup_max", "R* max", Runup, |c| Some(c.outcome?.runup_max))
         .bar("runup_max_error");
     /// largest displacement X* of the whole run
-    DISPLACEMENT_MAX = maximum("displacement_max", Unit::Displacement, |case| {
-        case.outcome?.displacement_max.map(reached)
-    })
-    .symbol("X* max")
-    .bar("displacement_error")
-    .bound("displacement_truncated");
+    DISPLACEMENT_MAX = maximum("displacement_max", "X* max", Displacement, |c| {
+        c.outcome?.displacement_max
+    }).bar("displacement_error").bound("displacement_truncated");
     /// largest force F* (running mean) of the first impact
-    FIRST_FORCE_MAX = maximum("first_force_max", Unit::Force, |case| {
-        case.outcome?.first_force_max.map(reached)
-    })
-    .symbol("first F*")
-    .bar("force_error");
+    FIRST_FORCE_MAX = maximum("first_force_max", "first F*", Force, |c| c.outcome?.first_force_max)
+        .bar("force_error");
     /// largest runup R* of the first impact
-    FIRST_RUNUP_MAX = maximum("first_runup_max", Unit::Runup, |case| {
-        case.outcome?.first_runup_max.map(reached)
-    })
-    .symbol("first R*")
-    .bar("runup_error");
+    FIRST_RUNUP_MAX = maximum("first_runup_max", "first R*", Runup, |c| c.outcome?.first_runup_max)
+        .bar("runup_error");
     /// largest displacement X* of the first impact
-    FIRST_DISPLACEMENT_MAX = maximum("first_displacement_max", Unit::Displacement, |case| {
-        case.outcome?.first_displacement_max.map(reached)
-    })
-    .symbol("first X*");
+    FIRST_DISPLACEMENT_MAX = maximum("first_displacement_max", "first X*", Displacement, |c| {
+        c.outcome?.first_displacement_max
+    });
     /// the running maximum when F* - 1 has first dropped 10 % below it
-    FIRST_FORCE_PEAK = number("first_force_peak", Unit::Force, |case| {
-        case.outcome?.first_force_peak
-    })
-    .symbol("first peak, F*");
+    FIRST_FORCE_PEAK = number("first_force_peak", "first peak, F*", Force, |c| {
+        c.outcome?.first_force_peak
+    });
     /// the running maximum when R* has first dropped 10 % below it
-    FIRST_RUNUP_PEAK = number("first_runup_peak", Unit::Runup, |case| {
-        case.outcome?.first_runup_peak
-    })
-    .symbol("first peak, R*");
+    FIRST_RUNUP_PEAK = number("first_runup_peak", "first peak, R*", Runup, |c| {
+        c.outcome?.first_runup_peak
+    });
     /// largest F* of any single step, but for those in which the sound of a stop can be heard
-    FORCE_MAX_RAW = number("force_max_raw", Unit::Force, |case| Some(case.outcome?.force_max_raw))
-        .symbol("F* max of any step");
+    FORCE_MAX_RAW = number("force_max_raw", "F* max of any step", Force, |c| {
+        Some(c.outcome?.force_max_raw)
+    });
     /// F* at the end
-    FORCE_END = number("force_end", Unit::Force, |case| Some(case.outcome?.force_end))
-        .symbol("F* at the end");
+    FORCE_END = number("force_end", "F* at the end", Force, |c| Some(c.outcome?.force_end));
     /// R* at the end
-    RUNUP_END = number("runup_end", Unit::Runup, |case| Some(case.outcome?.runup_end))
-        .symbol("R* at the end");
+    RUNUP_END = number("runup_end", "R* at the end", Runup, |c| Some(c.outcome?.runup_end));
     /// X* at the end
-    DISPLACEMENT_END = number("displacement_end", Unit::Displacement, |case| {
-        case.outcome?.displacement_end
-    })
-    .symbol("X* at the end");
+    DISPLACEMENT_END = number("displacement_end", "X* at the end", Displacement, |c| {
+        c.outcome?.displacement_end
+    });
     /// first time that the force stayed above the threshold for 0.02 s
-    ONSET_TIME = number("onset_time_s", Unit::Seconds, |case| case.outcome?.onset_time_s)
-        .symbol("onset");
+    ONSET_TIME = number("onset_time_s", "onset", Seconds, |c| c.outcome?.onset_time_s);
     /// when the paddle passes the middle of its stroke
-    STROKE_CENTRE = number("stroke_centre_s", Unit::Seconds, |case| case.outcome?.stroke_centre_s)
-        .symbol("stroke centre");
+    STROKE_CENTRE = number("stroke_centre_s", "stroke centre", Seconds, |c| {
+        c.outcome?.stroke_centre_s
+    });
     /// the maximum is at the very end: a lower bound
-    DISPLACEMENT_TRUNCATED = flag("displacement_truncated", |case| {
-        case.outcome?.displacement_truncated
-    })
-    .symbol("still moving");
+    DISPLACEMENT_TRUNCATED = flag("displacement_truncated", "still moving", |c| {
+        c.outcome?.displacement_truncated
+    });
     /// how often the wall came back onto its stop
-    STOPS = count("stops", |case| case.outcome?.stops.map(u64::from));
+    STOPS = count("stops", |c| c.outcome?.stops.map(u64::from));
     /// largest gap between the momentum reaction and the pressure on the face, of the larger of
     /// force and hydrostatic force
-    FORCE_GAP = number("force_gap_percent", Unit::Percent, |case| {
-        Some(case.outcome?.force_gap_percent)
-    })
-    .digits(Digits::Decimals(3));
+    FORCE_GAP = number("force_gap_percent", "", Percent, |c| {
+        Some(c.outcome?.force_gap_percent)
+    }).decimals(3);
     /// residual of the energy budget, of the paddle's work (in still water, of the initial
     /// potential energy)
-    ENERGY_GAP = number("energy_gap_percent", Unit::Percent, |case| {
-        Some(case.outcome?.energy_gap_percent)
-    })
-    .digits(Digits::Decimals(3));
+    ENERGY_GAP = number("energy_gap_percent", "", Percent, |c| {
+        Some(c.outcome?.energy_gap_percent)
+    }).decimals(3);
     /// largest number of particles seen outside the tank
-    PARTICLES_LOST = count("particles_lost", |case| {
-        Some(u64::from(case.outcome?.particles_lost))
-    });
+    PARTICLES_LOST = count("particles_lost", |c| Some(c.outcome?.particles_lost.into()));
     /// error bar of `first_force_max`, see [physics.md](physics.md#error-bars); empty with
     /// `error_bars = "none"`, and where the companions failed
-    FORCE_ERROR = bar("force_error", Unit::Force, |case| case.bars.force);
+    FORCE_ERROR = number("force_error", "", Force, |c| c.bars.force).significant(3);
     /// error bar of `first_runup_max`
-    RUNUP_ERROR = bar("runup_error", Unit::Runup, |case| case.bars.runup);
+    RUNUP_ERROR = number("runup_error", "", Runup, |c| c.bars.runup).significant(3);
     /// error bar of `displacement_max`
-    DISPLACEMENT_ERROR = bar("displacement_error", Unit::Displacement, |case| {
-        case.bars.displacement
-    });
+    DISPLACEMENT_ERROR = number("displacement_error", "", Displacement, |c| {
+        c.bars.displacement
+    }).significant(3);
     /// time steps, the shared trunk's included
-    STEPS = count("steps", |case| Some(case.outcome?.steps));
+    STEPS = count("steps", |c| Some(c.outcome?.steps));
     /// particles of water
-    PARTICLES = count("particles", |case| Some(u64::from(case.outcome?.particles)));
+    PARTICLES = count("particles", |c| Some(c.outcome?.particles.into()));
     /// pairs of particles that were summed over, the shared trunk's included
-    PAIR_EVALUATIONS = count("pair_evaluations", |case| Some(case.outcome?.pair_evaluations));
+    PAIR_EVALUATIONS = count("pair_evaluations", |c| Some(c.outcome?.pair_evaluations));
     /// wall time, the shared trunk's not included
-    WALL_TIME = number("wall_time_s", Unit::Seconds, |case| Some(case.wall_time_s));
+    WALL_TIME = number("wall_time_s", "", Seconds, |c| Some(c.wall_time_s));
     /// the scheme
-    SCHEME = text("scheme", |case| word(case.config.numerics.scheme));
+    SCHEME = text("scheme", "", |c| word(c.config.numerics.scheme));
     /// the interpolator at walls
-    BOUNDARY = text("boundary", |case| word(case.config.numerics.boundary));
+    BOUNDARY = text("boundary", "", |c| word(c.config.numerics.boundary));
     /// the smoothing kernel
-    KERNEL = text("kernel", |case| word(case.config.numerics.kernel));
+    KERNEL = text("kernel", "", |c| word(c.config.numerics.kernel));
     /// the spacing of particles at the start
-    PARTICLE_SPACING = number("particle_spacing_m", Unit::Metres, |case| {
-        Some(case.config.numerics.particle_spacing_m)
+    PARTICLE_SPACING = number("particle_spacing_m", "", Metres, |c| {
+        Some(c.config.numerics.particle_spacing_m)
     });
     /// the factor s of the wall's law of motion
-    FORCE_COUPLING = number("force_coupling", Unit::None, |case| {
-        Some(case.seawall()?.force_coupling)
-    })
-    .symbol("s");
+    FORCE_COUPLING = number("force_coupling", "coupling s", Pure, |c| {
+        Some(c.seawall()?.force_coupling)
+    });
+    // Directories of the first version end here.
     /// the water's own force on the wall in the first step: forces count from there, see
     /// [physics.md](physics.md)
-    FORCE_AT_REST = number("force_at_rest", Unit::Force, |case| Some(case.outcome?.force_at_rest))
-        .newer();
+    FORCE_AT_REST = number("force_at_rest", "", Force, |c| Some(c.outcome?.force_at_rest));
     /// how many times a ghost that counts was filled with what a simpler interpolation gave,
     /// because the chosen one had too few or badly placed neighbours
-    BOUNDARY_FALLBACKS = count("boundary_fallbacks", |case| {
-        Some(case.outcome?.boundary_fallbacks)
-    })
-    .newer();
+    BOUNDARY_FALLBACKS = count("boundary_fallbacks", |c| Some(c.outcome?.boundary_fallbacks));
     /// gap of the two force readings at `force_max`, signed: of the means over 0.14 √(h/g), less
     /// what it is at rest
-    FORCE_MAX_GAP = number("force_max_gap_percent", Unit::Percent, |case| {
-        Some(case.outcome?.force_max_gap_percent)
-    })
-    .newer();
+    FORCE_MAX_GAP = number("force_max_gap_percent", "", Percent, |c| {
+        Some(c.outcome?.force_max_gap_percent)
+    });
     /// strongest impulse of the water on the wall by a hit on its stop; negative, as it is suction;
-    /// 0 where the wall never came back; in no maximum of the force, see
+    /// 0, without a time, where the wall never came back; in no maximum of the force, see
     /// [physics.md](physics.md#the-seawall)
-    STOP_IMPULSE = maximum("stop_impulse", Unit::Impulse, |case| {
-        let impulse = case.outcome?.stop_impulse?;
-        Some((impulse.value, (impulse.value != 0.0).then_some(impulse.time_s)))
-    })
-    .newer();
+    STOP_IMPULSE = maximum("stop_impulse", "", Impulse, |c| {
+        c.outcome?.stop_impulse
+    });
     /// error bar of `force_max`
-    FORCE_MAX_ERROR = bar("force_max_error", Unit::Force, |case| case.bars.whole_force).newer();
+    FORCE_MAX_ERROR = number("force_max_error", "", Force, |c| c.bars.whole_force).significant(3);
     /// error bar of `runup_max`
-    RUNUP_MAX_ERROR = bar("runup_max_error", Unit::Runup, |case| case.bars.whole_runup).newer();
+    RUNUP_MAX_ERROR = number("runup_max_error", "", Runup, |c| c.bars.whole_runup).significant(3);
     /// `true` where something touches a quoted number
-    DOUBTFUL = flag("doubtful", |case| Some(case.outcome?.doubtful_reason.is_some())).newer();
+    DOUBTFUL = flag("doubtful", "", |c| Some(c.outcome?.doubtful_reason.is_some()));
     /// what that is, see [physics.md](physics.md#health)
-    DOUBTFUL_REASON = text("doubtful_reason", |case| case.outcome?.doubtful_reason.clone()).newer();
+    DOUBTFUL_REASON = text("doubtful_reason", "", |c| c.outcome?.doubtful_reason.clone());
+}
+
+/// The columns of the first version, which every directory has.
+pub fn first_version() -> impl Iterator<Item = &'static Column> {
+    ALL.iter().copied().take_while(|column| **column != FORCE_AT_REST)
 }
 
 /// The names of the columns, those of times included.

@@ -4,7 +4,7 @@
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unit {
     /// Words, flags and pure numbers.
-    None,
+    Pure,
     /// F* = F/(½ρgh²), per unit width.
     Force,
     /// R* = R/h: the surface at the wall above still water.
@@ -33,7 +33,7 @@ impl Unit {
     /// As it is written.
     pub fn symbol(self) -> &'static str {
         match self {
-            Unit::None => "",
+            Unit::Pure => "",
             Unit::Force => "½ρgh²",
             Unit::Runup | Unit::Displacement => "h",
             Unit::Impulse => "½ρgh² √(h/g)",

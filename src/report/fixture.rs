@@ -100,8 +100,7 @@ fn write(cases: &[(f64, Wall)]) -> TempDir {
 
 /// The summary of a directory of the first version, with one column that was swept.
 fn write_summary(root: &Path, swept: &str, rows: &[(Cells, String)]) {
-    let columns = || ALL.iter().filter(|column| !column.is_newer);
-    let names = columns().flat_map(|c| [Some(c.name.to_owned()), c.time_name()]).flatten();
+    let names = first_version().flat_map(|c| [Some(c.name.to_owned()), c.time_name()]).flatten();
     let mut table = csv::Writer::from_path(root.join("summary.csv")).unwrap();
     table.write_record(names.chain([swept.to_owned()])).unwrap();
     for (cells, key) in rows {
@@ -109,7 +108,8 @@ fn write_summary(root: &Path, swept: &str, rows: &[(Cells, String)]) {
             let own = cells.iter().find(|(other, _)| *other == column);
             own.map(|(_, cell)| cell.clone()).unwrap_or_default()
         };
-        let cells = columns().flat_map(|c| [Some(cell(c)), c.time_name().map(|_| String::new())]);
+        let cells =
+            first_version().flat_map(|c| [Some(cell(c)), c.time_name().map(|_| String::new())]);
         table.write_record(cells.flatten().chain([key.clone()])).unwrap();
     }
     table.flush().unwrap();

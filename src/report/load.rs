@@ -54,6 +54,19 @@ impl Loaded {
         Ok(Loaded { rows, energy, manifest, keys, directory: directory.to_owned() })
     }
 
+    /// The sweep's name, as its manifest states it.
+    pub fn name(&self) -> Option<&str> {
+        let manifest = self.manifest.as_ref()?;
+        manifest.get("name").or_else(|| manifest.get("sweep")?.get("name"))?.as_str()
+    }
+
+    /// How many cases are neither finished nor failed.
+    pub fn left(&self) -> usize {
+        let cases = self.manifest.as_ref().and_then(|manifest| manifest.get("cases")?.as_u64());
+        let cases = cases.and_then(|cases| usize::try_from(cases).ok()).unwrap_or(0);
+        cases.saturating_sub(self.rows.len())
+    }
+
     /// Rows of cases that ran to their end.
     pub fn finished(&self) -> impl Iterator<Item = &Row> {
         self.rows.iter().filter(|row| row.is_ok())
@@ -71,8 +84,7 @@ fn read_summary(
     manifest: Option<&Value>,
 ) -> Result<(Vec<Row>, Vec<Key>), ReportError> {
     let (header, records) = read_records(path)?;
-    let needed = summary::ALL.iter().filter(|column| !column.is_newer).map(|column| column.name);
-    demand(path, &header, needed)?;
+    demand(path, &header, summary::first_version().map(|column| column.name))?;
     let mut rows = Vec::new();
     for record in &records {
         rows.push(row(path, &header, record)?);
@@ -169,6 +181,7 @@ fn narrate(path: &Path, header: &StringRecord, source: csv::Error) -> ReportErro
 mod tests {
     use super::*;
     use crate::report::fixture;
+    use serde_json::json;
 
     #[test]
     fn reads_failed_rows_and_ignores_columns_it_does_not_know() {
@@ -212,5 +225,15 @@ mod tests {
         let directory = tempfile::tempdir().unwrap();
         let told = Loaded::read(directory.path()).unwrap_err().to_string();
         assert!(told.starts_with("cannot read ") && told.contains("summary.csv"), "{told}");
+    }
+
+    #[test]
+    fn what_an_interrupted_sweep_has_not_come_to_is_left() {
+        let rows = vec![Default::default(); 5];
+        let loaded =
+            |manifest| Loaded { rows: rows.clone(), manifest: Some(manifest), ..Loaded::default() };
+        assert_eq!(loaded(json!({ "cases": 8 })).left(), 3);
+        assert_eq!(loaded(json!({ "cases": 5 })).left(), 0);
+        assert_eq!(loaded(json!({})).left(), 0);
     }
 }

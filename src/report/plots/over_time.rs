@@ -9,14 +9,16 @@ use crate::report::error::ReportError;
 
 const BUCKETS: usize = 250;
 
+/// A curve's words in the legend and its points: time in seconds and value.
+type Line = (String, Vec<(f64, f64)>);
+
 /// Curves over time in one panel.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Strip {
     /// Title of the vertical axis.
     pub title: String,
-    /// Each with its words in the legend and its points: time in seconds and value. One without
-    /// points keeps the colours of the others as they are in the next panel.
-    pub curves: Vec<(String, Vec<(f64, f64)>)>,
+    /// One without points keeps the colours of the others as they are in the next panel.
+    pub curves: Vec<Line>,
     /// The axis reaches to every peak, and not only to what lasts.
     pub peaks: bool,
 }
@@ -39,7 +41,7 @@ impl Strip {
     }
 
     fn chart(&self, x: &Axis) -> Option<Chart> {
-        let curve = |(index, (label, points)): (usize, &(String, Vec<(f64, f64)>))| Curve {
+        let curve = |(index, (label, points)): (usize, &Line)| Curve {
             entry: Entry::line(label.clone(), Look::of(index)),
             points: thin(points).into_iter().map(Into::into).collect(),
         };
