@@ -7,10 +7,11 @@ use std::path::Path;
 use tempfile::TempDir;
 
 use crate::quantities::Column;
-use crate::quantities::summary::*;
+use crate::quantities::summary::first_version;
 
-/// The cells of a row that are not empty.
-type Cells = Vec<(&'static Column, String)>;
+/// What every row holds: one cell per line, `column=text`.
+const ENDED: &str = "steps=9000\nparticles=7800\nscheme=wcsph\nboundary=improved-shepard\n\
+    kernel=wendland-c2\nparticle_spacing_m=0.008\n";
 
 /// A wall of a made-up case: stiffness and mass, or neither.
 type Wall = Option<(f64, f64)>;
@@ -46,14 +47,10 @@ pub fn dam_breaks(cases: usize) -> TempDir {
     let mut rows = Vec::new();
     for index in 0..cases {
         let (id, height) = (format!("case-{index:04}"), 0.6 + 0.1 * index as f64);
-        let mut row = ended(&id, "ok");
-        row.extend([
-            (&FORCE_MAX, format!("1.832{index}")),
-            (&RUNUP_MAX, "0.71".to_owned()),
-            (&FORCE_GAP, "3.1".to_owned()),
-            (&ENERGY_GAP, "0.2".to_owned()),
-            (&PARTICLES_LOST, "0".to_owned()),
-        ]);
+        let row = format!(
+            "case_id={id}\nstatus=ok\nforce_max=1.832{index}\nrunup_max=0.71\n\
+             force_gap_percent=3.1\nenergy_gap_percent=0.2\nparticles_lost=0\n{ENDED}"
+        );
         rows.push((row, format!("{height:.1}")));
         write_history(root, &id, 0.3, None);
         let mut probes = "time_s,P1,front\n".to_owned();
@@ -99,44 +96,30 @@ fn write(cases: &[(f64, Wall)]) -> TempDir {
 }
 
 /// The summary of a directory of the first version, with one column that was swept.
-fn write_summary(root: &Path, swept: &str, rows: &[(Cells, String)]) {
+fn write_summary(root: &Path, swept: &str, rows: &[(String, String)]) {
     let names = first_version().flat_map(|c| [Some(c.name.to_owned()), c.time_name()]).flatten();
     let mut table = csv::Writer::from_path(root.join("summary.csv")).unwrap();
     table.write_record(names.chain([swept.to_owned()])).unwrap();
     for (cells, key) in rows {
         let cell = |column: &Column| {
-            let own = cells.iter().find(|(other, _)| *other == column);
-            own.map(|(_, cell)| cell.clone()).unwrap_or_default()
+            let mut cells = cells.lines().filter_map(|line| line.split_once('='));
+            cells.find(|(name, _)| *name == column.name).map_or("", |(_, cell)| cell)
         };
-        let cells =
-            first_version().flat_map(|c| [Some(cell(c)), c.time_name().map(|_| String::new())]);
-        table.write_record(cells.flatten().chain([key.clone()])).unwrap();
+        let cells = first_version().flat_map(|c| [Some(cell(c)), c.time_name().map(|_| "")]);
+        table.write_record(cells.flatten().chain([key.as_str()])).unwrap();
     }
     table.flush().unwrap();
 }
 
-/// What every row holds.
-fn ended(id: &str, status: &str) -> Cells {
-    let text = [(&CASE_ID, id), (&STATUS, status), (&STEPS, "9000"), (&PARTICLES, "7800")];
-    let choices = [
-        (&SCHEME, "wcsph"),
-        (&BOUNDARY, "improved-shepard"),
-        (&KERNEL, "wendland-c2"),
-        (&PARTICLE_SPACING, "0.008"),
-    ];
-    text.into_iter().chain(choices).map(|(column, cell)| (column, cell.to_owned())).collect()
-}
-
 /// Wave, stiffness, mass, k* and m*.
-fn place(wave: f64, wall: Wall) -> Cells {
-    let mut cells: Cells = vec![(&WAVE_HEIGHT_RATIO, wave.to_string())];
-    cells.push((&FORCE_COUPLING, "1".to_owned()));
-    if let Some((k, m)) = wall {
-        cells.extend([(&SPRING_STIFFNESS, k.to_string()), (&SEAWALL_MASS, m.to_string())]);
-        let stars = [(k / 392.4_f64).log10().to_string(), (m / 40.0).to_string()];
-        cells.extend([&LOG10_K_STAR, &M_STAR].into_iter().zip(stars));
-    }
-    cells
+fn place(wave: f64, wall: Wall) -> String {
+    let wave = format!("wave_height_ratio={wave}\nforce_coupling=1\n{ENDED}");
+    let Some((k, m)) = wall else { return wave };
+    let (log10_k_star, m_star) = ((k / 392.4_f64).log10(), m / 40.0);
+    format!(
+        "{wave}spring_stiffness_n_per_m={k}\nseawall_mass_kg_per_m={m}\n\
+         log10_k_star={log10_k_star}\nm_star={m_star}\n"
+    )
 }
 
 /// The share of a fixed wall's load that the wall feels, and how far it gives way.
@@ -147,36 +130,28 @@ fn give(wall: Wall) -> (f64, f64) {
     (stiff.max(0.45 + 0.5 * heavy * (1.0 - stiff)), (1.0 - stiff) * (1.4 - heavy))
 }
 
-fn finished_row(id: &str, wave: f64, wall: Wall) -> Cells {
+fn finished_row(id: &str, wave: f64, wall: Wall) -> String {
     let (share, give) = give(wall);
-    let force = format!("{:.4}", 1.0 + (3.9 * wave + 0.1) * share);
+    let force = 1.0 + (3.9 * wave + 0.1) * share;
     let runup = (2.0 * wave + wave * wave / 2.0 + 0.75 * wave.powi(3)) * share;
-    let runup = format!("{runup:.4}");
-    let mut cells = [ended(id, "ok"), place(wave, wall)].concat();
-    cells.extend([
-        (&MEASURED_WAVE_HEIGHT_RATIO, format!("{:.4}", 0.985 * wave)),
-        (&FORCE_MAX, force.clone()),
-        (&RUNUP_MAX, runup.clone()),
-        (&FIRST_FORCE_MAX, force),
-        (&FIRST_RUNUP_MAX, runup),
-        (&FORCE_GAP, format!("{:.3}", 0.6 + 4.0 * wave * wave)),
-        (&ENERGY_GAP, "0.4".to_owned()),
-        (&PARTICLES_LOST, "0".to_owned()),
-    ]);
-    if wall.is_some() {
-        let displacement = 9.0 * wave * give;
-        let truncated = displacement > 2.0;
-        cells.push((&DISPLACEMENT_MAX, format!("{displacement:.5}")));
-        cells.push((&DISPLACEMENT_TRUNCATED, truncated.to_string()));
-        cells.push((&STOPS, u8::from(!truncated).to_string()));
-    }
-    cells
+    let (measured, gap) = (0.985 * wave, 0.6 + 4.0 * wave * wave);
+    let row = format!(
+        "case_id={id}\nstatus=ok\n{}measured_wave_height_ratio={measured:.4}\nforce_max={force:.4}\n\
+         runup_max={runup:.4}\nfirst_force_max={force:.4}\nfirst_runup_max={runup:.4}\n\
+         force_gap_percent={gap:.3}\nenergy_gap_percent=0.4\nparticles_lost=0\n",
+        place(wave, wall)
+    );
+    let displacement = 9.0 * wave * give;
+    let (truncated, stops) = (displacement > 2.0, u8::from(displacement <= 2.0));
+    let moved = format!(
+        "displacement_max={displacement:.5}\ndisplacement_truncated={truncated}\nstops={stops}\n"
+    );
+    if wall.is_some() { row + &moved } else { row }
 }
 
-fn failed_row(id: &str, wave: f64, wall: Wall) -> Cells {
+fn failed_row(id: &str, wave: f64, wall: Wall) -> String {
     let reason = "runaway-speed at t = 1.9 s: particle 12, 31 m/s <";
-    let reason: Cells = vec![(&REASON, reason.to_owned())];
-    [ended(id, "failed"), place(wave, wall), reason].concat()
+    format!("case_id={id}\nstatus=failed\nreason={reason}\n{}", place(wave, wall))
 }
 
 fn write_history(root: &Path, id: &str, wave: f64, wall: Wall) {
