@@ -13,13 +13,14 @@
 //! | 6 | [`scheme`] | δ-SPH and incompressible SPH |
 //! | 7 | [`scene`] | scene files: parsing, validation, construction |
 //! | 8 | [`simulation`] | driver, checkpoint, measures, outcome of one case |
-//! | 9 | [`study`] | sweep files, the grid, case identity, plan |
-//! | 10 | [`schedule`] | what runs where and when: a pure state machine |
-//! | 11 | [`results`] | the output directory: journal, records, tables |
-//! | 12 | [`execute`] | workers on threads or under MPI |
-//! | 13 | [`accuracy`] | measured errors, hard cases, numerics that meet a wanted error |
-//! | 14 | [`report`] | tables and figures from files alone |
-//! | 15 | [`cli`] | one file per subcommand |
+//! | 9 | [`quantities`] | what is reported of a case: names, units, where values are read |
+//! | 10 | [`study`] | sweep files, the grid, case identity, plan |
+//! | 11 | [`schedule`] | what runs where and when: a pure state machine |
+//! | 12 | [`results`] | the output directory: journal, records, tables |
+//! | 13 | [`execute`] | workers on threads or under MPI |
+//! | 14 | [`accuracy`] | measured errors, hard cases, numerics that meet a wanted error |
+//! | 15 | [`report`] | tables and figures from files alone |
+//! | 16 | [`cli`] | one file per subcommand |
 //!
 //! Start at [`simulation::run_case`] for one case and at [`study`] for a sweep.
 #![warn(missing_docs)]
@@ -33,6 +34,7 @@ pub mod kernel;
 pub mod math;
 pub mod neighbours;
 pub mod particles;
+pub mod quantities;
 pub mod report;
 pub mod results;
 pub mod scene;

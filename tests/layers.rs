@@ -14,6 +14,7 @@ const LAYERS: &[&[&str]] = &[
     &["scheme"],
     &["scene"],
     &["simulation"],
+    &["quantities"],
     &["study"],
     &["schedule"],
     &["results"],

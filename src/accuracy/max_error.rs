@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use sha2::{Digest, Sha256};
 
 use super::table::{AccuracyTable, Choice, differences};
+use crate::quantities::summary::{CASE_ID, PARTICLE_SPACING};
 use crate::results::{CaseRecord, ErrorBars};
 use crate::scene::CaseConfig;
 use crate::simulation::Maximum;
@@ -102,8 +103,8 @@ impl MaxError {
     pub fn csv(&self, study: &Study, verified: &[Verified]) -> csv::Result<Vec<u8>> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         writer.write_record([
-            "case_id",
-            "particle_spacing_m",
+            CASE_ID.name,
+            PARTICLE_SPACING.name,
             "numerics",
             "error_bar_percent",
             "max_error_percent",

@@ -5,40 +5,23 @@ use std::path::Path;
 use super::error::SweepError;
 use super::record::CaseRecord;
 use super::{atomic_file, number};
-use crate::simulation::EnergyBudget;
-
-const HEADER: &str = "case_id,paddle_work,kinetic,potential,elastic,wall_kinetic,spring,\
-    threshold_device,stops,viscous,density_diffusion,shifting,energy_gap_percent\n";
+use crate::quantities::{energy, summary};
 
 /// Writes the budgets of the finished cases, in grid order.
 pub(super) fn write(directory: &Path, records: &[Option<CaseRecord>]) -> Result<(), SweepError> {
-    let mut text = HEADER.to_owned();
+    let terms = energy::ALL.iter().map(|term| term.name);
+    let names = [summary::CASE_ID.name].into_iter().chain(terms).chain([summary::ENERGY_GAP.name]);
+    let mut text = names.collect::<Vec<_>>().join(",") + "\n";
     for record in records.iter().flatten() {
-        let (Some(energy), Some(outcome)) = (&record.energy, &record.outcome) else { continue };
+        let (Some(budget), Some(outcome)) = (&record.energy, &record.outcome) else { continue };
         text.push_str(&record.id.to_string());
-        for value in terms(energy) {
+        for term in energy::ALL {
             text.push(',');
-            number::push(&mut text, value);
+            number::push(&mut text, (term.read)(budget));
         }
         text.push(',');
         number::push(&mut text, outcome.energy_gap_percent);
         text.push('\n');
     }
     atomic_file::write(&directory.join("energy.csv"), text.as_bytes())
-}
-
-fn terms(energy: &EnergyBudget) -> [f64; 11] {
-    [
-        energy.paddle_work,
-        energy.kinetic,
-        energy.potential,
-        energy.elastic,
-        energy.wall_kinetic,
-        energy.spring,
-        energy.threshold_device,
-        energy.stops,
-        energy.viscous,
-        energy.density_diffusion,
-        energy.shifting,
-    ]
 }

@@ -16,6 +16,7 @@
 //! counted there.
 
 use super::record::CaseRecord;
+pub use crate::quantities::Bars as ErrorBars;
 use crate::scene::{CaseConfig, Scheme, SeawallScene};
 use crate::simulation::{Maximum, Outcome};
 use crate::study::Study;
@@ -36,21 +37,6 @@ const LEVEL_SCATTER: f64 = 0.03;
 const DISPLACEMENT_SCATTER: f64 = 0.004;
 /// Mass of the water that a wall in water of depth d carries along, over ρ d².
 const CARRIED: f64 = 0.543;
-
-/// Estimated absolute errors; `None` where the case has no such reading or no companion has.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct ErrorBars {
-    /// Of `first_force_max`.
-    pub force: Option<f64>,
-    /// Of `first_runup_max`.
-    pub runup: Option<f64>,
-    /// Of `displacement_max`.
-    pub displacement: Option<f64>,
-    /// Of `force_max`.
-    pub whole_force: Option<f64>,
-    /// Of `runup_max`.
-    pub whole_runup: Option<f64>,
-}
 
 impl ErrorBars {
     /// The bars of a case that has ended well, from those of its companions that have.

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::error::SweepError;
 use super::{atomic_file, number};
+use crate::quantities;
 use crate::simulation::{CaseResult, HistoryRow, NamedReading, ProbeColumn, ProbeTable};
 use crate::study::CaseId;
 
@@ -89,10 +90,10 @@ pub(super) fn clean(directory: &Path) -> Result<(), SweepError> {
 }
 
 fn history(rows: &[HistoryRow]) -> String {
-    let mut text = "time_s,force,runup,displacement,wall_velocity_m_per_s\n".to_owned();
+    let columns = quantities::history::ALL;
+    let mut text = columns.iter().map(|column| column.name).collect::<Vec<_>>().join(",") + "\n";
     for row in rows {
-        let values =
-            [row.time_s, row.force, row.runup, row.displacement, row.wall_velocity_m_per_s];
+        let values = columns.iter().map(|column| (column.read)(row));
         push_row(&mut text, values);
     }
     text

@@ -28,4 +28,3 @@ pub use lock::Lock;
 pub use manifest::{Manifest, RankInfo, Savings, SessionInfo};
 pub use number::counted;
 pub use record::CaseRecord;
-pub use summary::fixed_columns;

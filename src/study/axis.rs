@@ -135,9 +135,9 @@ fn read_range(path: &str, range: &Table) -> Result<Vec<Value>, ConfigError> {
     Ok((0..points).map(|index| Value::Float(value(index))).collect())
 }
 
-/// Rounds to 15 significant digits, so that decades come out as written by hand.
+/// Rounds so that decades come out as written by hand.
 fn tidy(number: f64) -> f64 {
-    format!("{number:.14e}").parse().unwrap_or(number)
+    crate::math::decimal::significant(number, 15)
 }
 
 #[cfg(test)]

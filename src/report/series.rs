@@ -1,4 +1,4 @@
-//! What gauges recorded, and what else a scene tells: `probes/` and `readings/`.
+//! What each case has left in files of its own: `histories/`, `probes/` and `readings/`.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -8,10 +8,11 @@ use serde::Deserialize;
 
 use super::error::ReportError;
 use super::load::{Loaded, demand, deserialize, read, read_records};
+use crate::quantities::history;
 
-/// One gauge's record.
+/// Values over time: of a history, or of a gauge.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Gauge {
+pub struct Series {
     /// Name of its column.
     pub name: String,
     /// Unit of its values: `Pa`, `m`, or whatever `probes/columns.csv` says; empty where it does
@@ -42,26 +43,51 @@ impl Loaded {
     ///
     /// # Errors
     /// A table that lacks its time or holds something else than numbers.
-    pub fn gauges(&self, case_id: &str) -> Result<Vec<Gauge>, ReportError> {
-        let path = self.directory.join(format!("probes/{case_id}.csv"));
+    pub fn gauges(&self, case_id: &str) -> Result<Vec<Series>, ReportError> {
+        let mut gauges = self.series("probes", case_id, &[history::TIME.name])?;
+        if !gauges.is_empty() {
+            let units = self.units()?;
+            for gauge in &mut gauges {
+                gauge.unit = units.get(&gauge.name).cloned().unwrap_or_default();
+            }
+        }
+        Ok(gauges)
+    }
+
+    /// The history of a case, in the order of its columns; none where it has no file of it.
+    ///
+    /// # Errors
+    /// A history that lacks a column or holds something else than numbers.
+    pub fn history(&self, case_id: &str) -> Result<Vec<Series>, ReportError> {
+        let needed = [&history::TIME, &history::FORCE, &history::RUNUP, &history::DISPLACEMENT];
+        self.series("histories", case_id, &needed.map(|column| column.name))
+    }
+
+    /// A table over time.
+    fn series(
+        &self,
+        folder: &str,
+        case_id: &str,
+        needed: &[&'static str],
+    ) -> Result<Vec<Series>, ReportError> {
+        let path = self.directory.join(format!("{folder}/{case_id}.csv"));
         if !path.exists() {
             return Ok(Vec::new());
         }
         let (header, records) = read_records(&path)?;
-        demand(&path, &header, &["time_s"])?;
-        let units = self.units()?;
+        demand(&path, &header, needed.iter().copied())?;
         let rows: Vec<Vec<Option<f64>>> = deserialize(&path, &header, &records)?;
-        let time = header.iter().position(|name| name == "time_s").unwrap_or(0);
-        let gauge = |(column, name): (usize, &str)| Gauge {
+        let time = header.iter().position(|name| name == history::TIME.name).unwrap_or(0);
+        let series = |(column, name): (usize, &str)| Series {
             name: name.to_owned(),
-            unit: units.get(name).cloned().unwrap_or_default(),
+            unit: String::new(),
             points: rows
                 .iter()
                 .filter_map(|row| row[time].zip(row[column]))
                 .filter(|(time, value)| time.is_finite() && value.is_finite())
                 .collect(),
         };
-        Ok(header.iter().enumerate().filter(|(column, _)| *column != time).map(gauge).collect())
+        Ok(header.iter().enumerate().filter(|(column, _)| *column != time).map(series).collect())
     }
 
     /// What the scene of a case tells besides its row, in the file's order.
@@ -74,7 +100,7 @@ impl Loaded {
             return Ok(Vec::new());
         }
         let (header, records) = read_loosely(&path)?;
-        demand(&path, &header, &["name", "value", "unit"])?;
+        demand(&path, &header, ["name", "value", "unit"].into_iter())?;
         deserialize(&path, &header, &records)
     }
 
@@ -85,7 +111,7 @@ impl Loaded {
             return Ok(BTreeMap::new());
         }
         let (header, records) = read_loosely(&path)?;
-        demand(&path, &header, &["name", "unit"])?;
+        demand(&path, &header, ["name", "unit"].into_iter())?;
         let at = |name: &str| header.iter().position(|column| column == name).unwrap_or(0);
         let cell = |record: &StringRecord, name| record.get(at(name)).unwrap_or("").to_owned();
         let unit = |record| (cell(record, "name"), cell(record, "unit"));
