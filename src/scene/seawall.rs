@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::check::Check;
 use super::error::ConfigError;
+use crate::body::{FixedWall, SpringWall, Wall};
 
 /// What the seawall may do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -79,7 +80,69 @@ impl Default for SeawallScene {
     }
 }
 
+impl WallChoice {
+    /// Whether such a wall may move.
+    pub fn moves(self) -> bool {
+        self != WallChoice::Fixed
+    }
+}
+
+/// Keys that only some walls have.
+const WALL_KEYS: &[(&str, &[WallChoice])] = &[
+    ("wall_angle_deg", &[WallChoice::Fixed]),
+    ("spring_stiffness_n_per_m", &[WallChoice::Movable]),
+    ("seawall_mass_kg_per_m", &[WallChoice::Movable]),
+];
+
+/// Keys that mean nothing to the wall of this name; none where no wall has it.
+pub fn keys_of_other_walls(name: &str) -> impl Iterator<Item = &'static str> {
+    let choice = toml::Value::from(name).try_into::<WallChoice>().ok();
+    let foreign = move |&&(_, walls): &&(_, &[WallChoice])| {
+        choice.is_some_and(|choice| !walls.contains(&choice))
+    };
+    WALL_KEYS.iter().filter(foreign).map(|&(key, _)| key)
+}
+
 impl SeawallScene {
+    /// F_th over the hydrostatic force, N per metre of width.
+    pub(super) fn onset_ratio(&self, _static_force: f64) -> f64 {
+        self.threshold_ratio
+    }
+
+    /// What the wall is, for people.
+    pub fn wall_in_words(&self) -> String {
+        match self.wall {
+            WallChoice::Fixed => format!("fixed, {}°", self.wall_angle_deg),
+            WallChoice::Movable => format!(
+                "movable (threshold {}, coupling {})",
+                self.threshold_ratio, self.force_coupling
+            ),
+        }
+    }
+
+    /// The wall at rest, under this hydrostatic force, N per metre of width; one without a mass is held.
+    pub(super) fn law(&self, static_force: f64) -> Wall {
+        let threshold = self.onset_ratio(static_force) * static_force;
+        match (self.wall, self.seawall_mass_kg_per_m, self.spring_stiffness_n_per_m) {
+            (WallChoice::Movable, Some(mass), Some(stiffness)) => {
+                let coupling = self.force_coupling;
+                Wall::Spring(SpringWall::at_rest(mass, stiffness, threshold, coupling))
+            }
+            _ => Wall::Fixed(FixedWall::up_to(threshold)),
+        }
+    }
+
+    /// The same scene with its wall held fixed, and nothing left of what it does once it moves.
+    pub(super) fn held(&self) -> SeawallScene {
+        SeawallScene {
+            wall: WallChoice::Fixed,
+            spring_stiffness_n_per_m: None,
+            seawall_mass_kg_per_m: None,
+            force_coupling: 1.0,
+            ..self.clone()
+        }
+    }
+
     pub(super) fn validate(&self) -> Result<(), ConfigError> {
         let check = Check::section("scene");
         check.positive("still_water_depth_m", self.still_water_depth_m)?;

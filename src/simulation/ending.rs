@@ -7,8 +7,7 @@ use super::readings;
 use super::run::Run;
 use super::settling::Prospect;
 use super::{Film, Monitor};
-use crate::body::{BodyMotion, SpringWall};
-use crate::scene::{PADDLE, WALL};
+use crate::body::{Motions, Place};
 
 impl Run {
     /// Shows the water to a monitor that films, at its times and at the end.
@@ -25,9 +24,9 @@ impl Run {
     }
 
     /// Takes note of the water's motion once the paddle stands, for [`Run::has_settled`].
-    pub(super) fn note_liveliness(&mut self, bodies: &[BodyMotion], energy: &EnergyBudget) {
-        let Some(piston) = &self.tank.piston else { return };
-        if self.config.numerics.stop_when_settled && self.clock.time > piston.duration() {
+    pub(super) fn note_liveliness(&mut self, bodies: &Motions, energy: &EnergyBudget) {
+        let Some(paddle) = &self.tank.paddle else { return };
+        if self.config.numerics.stop_when_settled && self.clock.time > paddle.still_from() {
             let frame = self.tank.frame;
             // A standing wave as long as two tanks has its motion at its largest once in this time.
             let crossing = self.length_now(bodies) / (frame.gravity * frame.depth).sqrt();
@@ -38,13 +37,10 @@ impl Run {
     /// Whether no reported maximum can be passed any more: paddle and wall stand, and too little is left
     /// of the energy above that of still water between paddle and wall. See [`Prospect`]. Never
     /// before enough is known of how lively the water is.
-    pub(super) fn has_settled(&self, bodies: &[BodyMotion], energy: &EnergyBudget) -> bool {
+    pub(super) fn has_settled(&self, bodies: &Motions, energy: &EnergyBudget) -> bool {
         let Some(lively) = self.logbook.liveliness.energy() else { return false };
         let farthest = self.logbook.measures.displacement.map_or(0.0, |maximum| maximum.value);
-        let under_way = |wall: &SpringWall| {
-            (wall.displacement != 0.0 || wall.velocity != 0.0) && !Prospect::stood(farthest)
-        };
-        if self.tank.wall.as_ref().is_some_and(under_way) {
+        if !self.tank.wall.rests() && !Prospect::stood(farthest) {
             return false;
         }
         let (frame, static_force) = (self.tank.frame, self.tank.static_force);
@@ -54,16 +50,15 @@ impl Run {
         let left = energy.kinetic + (energy.potential - raised).max(0.0);
         let left = left.max(lively) + energy.wall_kinetic + energy.spring;
         let unit = frame.density * frame.gravity * frame.depth.powi(3);
-        let law = |wall: &SpringWall| {
-            let pull = wall.stiffness / wall.force_coupling * frame.depth;
-            [wall.threshold / static_force, pull / static_force]
-        };
-        Prospect::of(left / unit, self.tank.wall.as_ref().map(law)).leaves(&self.logbook.measures)
+        let held = self.tank.wall.restraint().map(|held| {
+            [held.threshold / static_force, held.stiffness * frame.depth / static_force]
+        });
+        Prospect::of(left / unit, held).leaves(&self.logbook.measures)
     }
 
     /// From the paddle to the wall, metres.
-    fn length_now(&self, bodies: &[BodyMotion]) -> f64 {
-        self.tank.frame.length + bodies[WALL].offset - bodies[PADDLE].offset
+    fn length_now(&self, bodies: &Motions) -> f64 {
+        self.tank.frame.length + bodies[Place::Right].offset - bodies[Place::Left].offset
     }
 
     /// The results of a run that has reached its end.
@@ -72,8 +67,8 @@ impl Run {
         let water = &tank.water;
         let gravity = tank.frame.gravity;
         let now = WaterEnergy::of(water.as_ref(), gravity);
-        let energy = logbook.ledger.close(now, tank.wall.as_ref());
-        let scale = if tank.piston.is_some() {
+        let energy = logbook.ledger.close(now, &tank.wall);
+        let scale = if tank.paddle.is_some() {
             energy.paddle_work.abs()
         } else {
             logbook.ledger.start.given()
@@ -81,7 +76,7 @@ impl Run {
         let m = &logbook.measures;
         // The first impact of a wave has no meaning in other scenes.
         let has_wave = tank.wave_gauge.is_some();
-        let wall = tank.wall.as_ref();
+        let wall = tank.wall.state();
         let zero = Maximum { value: 0.0, time_s: 0.0 };
         let outcome = Outcome {
             measured_wave_height_ratio: logbook.gauge.crest(),
@@ -99,7 +94,7 @@ impl Run {
             runup_end: m.last[1],
             displacement_end: wall.map(|_| m.last[2]),
             onset_time_s: m.first.onset(),
-            stroke_centre_s: tank.piston.as_ref().map(|piston| piston.stroke_centre()),
+            stroke_centre_s: tank.paddle.as_ref().and_then(|paddle| paddle.stroke_centre()),
             displacement_truncated: wall.map(|_| {
                 m.displacement
                     .is_some_and(|x| x.value > 0.0 && x.time_s >= self.clock.time - self.time_step)

@@ -11,7 +11,7 @@ use super::error_bars::ErrorBars;
 use super::number;
 use super::record::CaseRecord;
 use super::study::Study;
-use crate::scene::{CaseConfig, SeawallScene, WallChoice};
+use crate::scene::{CaseConfig, SeawallScene};
 use crate::simulation::{Maximum, Outcome};
 
 /// One column: its name and its text for a case.
@@ -31,7 +31,7 @@ impl Row<'_> {
 
     fn movable(&self, value: impl Fn(&SeawallScene) -> Option<f64>) -> String {
         let scene = self.config.scene.seawall();
-        let value = scene.filter(|scene| scene.wall == WallChoice::Movable).and_then(value);
+        let value = scene.filter(|scene| scene.wall.moves()).and_then(value);
         value.map(number::text).unwrap_or_default()
     }
 
