@@ -7,6 +7,7 @@ mod contract;
 mod fixed_wall;
 mod goring_paddle;
 mod place;
+mod sliding_caisson;
 mod spring_wall;
 
 use std::ops::{Deref, DerefMut};
@@ -15,6 +16,7 @@ pub use contract::{BodyMotion, PaddleLaw, Restraint, WallLaw, WallState, WallSte
 pub use fixed_wall::FixedWall;
 pub use goring_paddle::GoringPaddle;
 pub use place::{MOST_BODIES, Motions, Place};
+pub use sliding_caisson::SlidingCaisson;
 pub use spring_wall::SpringWall;
 
 /// The wall at the end of a tank.
@@ -24,6 +26,8 @@ pub enum Wall {
     Fixed(FixedWall),
     /// It is mounted on a spring.
     Spring(SpringWall),
+    /// It slides on its bed with friction.
+    Caisson(SlidingCaisson),
 }
 
 impl Deref for Wall {
@@ -33,6 +37,7 @@ impl Deref for Wall {
         match self {
             Wall::Fixed(wall) => wall,
             Wall::Spring(wall) => wall,
+            Wall::Caisson(wall) => wall,
         }
     }
 }
@@ -42,6 +47,7 @@ impl DerefMut for Wall {
         match self {
             Wall::Fixed(wall) => wall,
             Wall::Spring(wall) => wall,
+            Wall::Caisson(wall) => wall,
         }
     }
 }
