@@ -12,6 +12,27 @@ pub struct BodyMotion {
     pub acceleration: f64,
 }
 
+impl BodyMotion {
+    /// This motion at a time of so many seconds, blended in over the first `ramp` seconds so that the
+    /// water is not kicked.
+    pub(super) fn eased_in(self, time: f64, ramp: f64) -> BodyMotion {
+        if time >= ramp {
+            return self;
+        }
+        // Quintic blend s(τ) = 6τ⁵ - 15τ⁴ + 10τ³: no jump in position, velocity or acceleration.
+        let tau = (time / ramp).max(0.0);
+        let s = tau * tau * tau * (10.0 + tau * (6.0 * tau - 15.0));
+        let s1 = 30.0 * tau * tau * (1.0 - tau) * (1.0 - tau) / ramp;
+        let s2 = 60.0 * tau * (1.0 - tau) * (1.0 - 2.0 * tau) / (ramp * ramp);
+        let BodyMotion { offset, velocity, acceleration } = self;
+        BodyMotion {
+            offset: offset * s,
+            velocity: velocity * s + offset * s1,
+            acceleration: acceleration * s + 2.0 * velocity * s1 + offset * s2,
+        }
+    }
+}
+
 /// A paddle, whose motion is known beforehand.
 pub trait PaddleLaw {
     /// Its motion at a time since the start, seconds.

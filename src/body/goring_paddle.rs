@@ -65,20 +65,7 @@ impl PaddleLaw for GoringPaddle {
     fn motion(&self, time: f64) -> BodyMotion {
         let plain = self.unramped(time);
         let start = self.unramped(0.0).offset;
-        let travel = plain.offset - start;
-        if time >= self.ramp {
-            return BodyMotion { offset: travel, ..plain };
-        }
-        // Quintic blend s(τ) = 6τ⁵ - 15τ⁴ + 10τ³: no jump in position, velocity or acceleration.
-        let tau = (time / self.ramp).max(0.0);
-        let s = tau * tau * tau * (10.0 + tau * (6.0 * tau - 15.0));
-        let s1 = 30.0 * tau * tau * (1.0 - tau) * (1.0 - tau) / self.ramp;
-        let s2 = 60.0 * tau * (1.0 - tau) * (1.0 - 2.0 * tau) / (self.ramp * self.ramp);
-        BodyMotion {
-            offset: travel * s,
-            velocity: plain.velocity * s + travel * s1,
-            acceleration: plain.acceleration * s + 2.0 * plain.velocity * s1 + travel * s2,
-        }
+        BodyMotion { offset: plain.offset - start, ..plain }.eased_in(time, self.ramp)
     }
 
     /// T/2.

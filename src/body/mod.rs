@@ -7,8 +7,10 @@ mod contract;
 mod fixed_wall;
 mod goring_paddle;
 mod place;
+mod recorded_stroke;
 mod sliding_caisson;
 mod spring_wall;
+mod wave_train;
 
 use std::ops::{Deref, DerefMut};
 
@@ -16,8 +18,10 @@ pub use contract::{BodyMotion, PaddleLaw, Restraint, WallLaw, WallState, WallSte
 pub use fixed_wall::FixedWall;
 pub use goring_paddle::GoringPaddle;
 pub use place::{MOST_BODIES, Motions, Place};
+pub use recorded_stroke::{RecordedStroke, Stroke};
 pub use sliding_caisson::SlidingCaisson;
 pub use spring_wall::SpringWall;
+pub use wave_train::WaveTrain;
 
 /// The wall at the end of a tank.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,6 +61,10 @@ impl DerefMut for Wall {
 pub enum Paddle {
     /// A piston that makes a solitary wave.
     Goring(GoringPaddle),
+    /// A piston that makes regular waves.
+    WaveTrain(WaveTrain),
+    /// It plays a stroke from a file.
+    Recorded(RecordedStroke),
 }
 
 impl Deref for Paddle {
@@ -65,6 +73,8 @@ impl Deref for Paddle {
     fn deref(&self) -> &Self::Target {
         match self {
             Paddle::Goring(paddle) => paddle,
+            Paddle::WaveTrain(paddle) => paddle,
+            Paddle::Recorded(paddle) => paddle,
         }
     }
 }

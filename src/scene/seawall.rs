@@ -1,10 +1,32 @@
-//! The tank of both papers: a Goring paddle at x = 0, a seawall at the end.
+//! A wave tank: a paddle at x = 0, a seawall at the end.
 
 use serde::{Deserialize, Serialize};
 
 use super::check::Check;
 use super::error::ConfigError;
-use crate::body::{FixedWall, SlidingCaisson, SpringWall, Wall};
+use crate::body::{
+    FixedWall, GoringPaddle, Paddle, RecordedStroke, SlidingCaisson, SpringWall, Stroke, Wall,
+    WaveTrain,
+};
+
+/// What the paddle does.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PaddleChoice {
+    /// It makes a solitary wave (Goring 1978).
+    #[default]
+    Solitary,
+    /// It makes regular waves (Madsen 1971).
+    WaveTrain,
+    /// It plays a stroke from a file.
+    RecordedStroke,
+}
+
+impl PaddleChoice {
+    fn is_default(&self) -> bool {
+        *self == PaddleChoice::default()
+    }
+}
 
 /// What the seawall may do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -30,11 +52,21 @@ pub struct SeawallScene {
     pub gravity_m_per_s2: f64,
     /// Density of still water at zero pressure, kg/m³.
     pub water_density_kg_per_m3: f64,
-    /// H/h of the solitary wave; 0 is still water with the paddle at rest.
+    /// What the paddle does.
+    #[serde(skip_serializing_if = "PaddleChoice::is_default")]
+    pub paddle: PaddleChoice,
+    /// H/h of the wave, of a recorded stroke about; 0 is still water with the paddle at rest.
     pub wave_height_ratio: f64,
+    /// Period of regular waves, seconds.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wave_period_s: Option<f64>,
+    /// The recorded stroke: a CSV file of `time_s` and `stroke_m`, and in a case what it says.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub recorded_stroke: Option<Stroke>,
     /// The run ends this long after the paddle passes the middle of its stroke, seconds.
     pub end_after_stroke_centre_s: f64,
-    /// The run ends at this time, whatever the stroke; required where H/h = 0.
+    /// The run ends at this time, whatever the stroke; required where H/h = 0
+    /// and where the paddle has no single stroke.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub end_time_s: Option<f64>,
     /// Share of the paddle's duration T over which its start is smoothed.
@@ -75,7 +107,10 @@ impl Default for SeawallScene {
             tank_length_m: 2.5,
             gravity_m_per_s2: 9.81,
             water_density_kg_per_m3: 1000.0,
+            paddle: PaddleChoice::Solitary,
             wave_height_ratio: 0.5,
+            wave_period_s: None,
+            recorded_stroke: None,
             end_after_stroke_centre_s: 3.0,
             end_time_s: None,
             paddle_ramp_fraction: 0.05,
@@ -123,6 +158,24 @@ pub fn keys_of_other_walls(name: &str) -> impl Iterator<Item = &'static str> {
 }
 
 impl SeawallScene {
+    /// The paddle; none for still water.
+    pub fn paddle(&self) -> Option<Paddle> {
+        let (ratio, depth) = (self.wave_height_ratio, self.still_water_depth_m);
+        let gravity = self.gravity_m_per_s2;
+        let paddle = match (self.paddle, self.wave_period_s, &self.recorded_stroke) {
+            (PaddleChoice::WaveTrain, Some(period), _) => {
+                Paddle::WaveTrain(WaveTrain::new(ratio, depth, gravity, period))
+            }
+            (PaddleChoice::RecordedStroke, _, Some(stroke)) => {
+                Paddle::Recorded(RecordedStroke::new(stroke))
+            }
+            _ => {
+                Paddle::Goring(GoringPaddle::new(ratio, depth, gravity, self.paddle_ramp_fraction))
+            }
+        };
+        (ratio > 0.0).then_some(paddle)
+    }
+
     /// F_th over the hydrostatic force, N per metre of width.
     pub(super) fn onset_ratio(&self, static_force: f64) -> f64 {
         match self.wall {
@@ -216,13 +269,53 @@ impl SeawallScene {
             None if self.wave_height_ratio == 0.0 => {
                 return Err(check.error("end_time_s", "", "is needed where wave_height_ratio = 0"));
             }
+            None if self.paddle != PaddleChoice::Solitary => {
+                return Err(check.error("end_time_s", "", "is needed where no stroke ends a run"));
+            }
             None => {}
         }
+        self.validate_paddle(&check)?;
         match self.wall {
             WallChoice::Fixed => self.validate_fixed(&check),
             WallChoice::Movable => self.validate_movable(&check),
             WallChoice::Caisson => self.validate_caisson(&check),
         }
+    }
+
+    fn validate_paddle(&self, check: &Check) -> Result<(), ConfigError> {
+        let error = |key, value: &str, allowed: &str| Err(check.error(key, value, allowed));
+        match (self.paddle, self.wave_period_s, &self.recorded_stroke) {
+            (PaddleChoice::WaveTrain, None, _) => {
+                return error("wave_period_s", "", "is needed for a wave train");
+            }
+            (PaddleChoice::RecordedStroke, _, None) => {
+                return error("recorded_stroke", "", "is needed: the path of a CSV file");
+            }
+            (PaddleChoice::Solitary | PaddleChoice::RecordedStroke, Some(period), _) => {
+                let allowed = "belongs to a wave train (set scene.paddle = \"wave-train\")";
+                return error("wave_period_s", &period.to_string(), allowed);
+            }
+            (PaddleChoice::Solitary | PaddleChoice::WaveTrain, _, Some(_)) => {
+                let allowed = "belongs to scene.paddle = \"recorded-stroke\"";
+                return error("recorded_stroke", "", allowed);
+            }
+            _ => {}
+        }
+        if let Some(period) = self.wave_period_s {
+            check.positive("wave_period_s", period)?;
+            let (ratio, depth) = (self.wave_height_ratio, self.still_water_depth_m);
+            let waves = WaveTrain::new(ratio, depth, self.gravity_m_per_s2, period);
+            if !waves.is_fit(ratio, depth) {
+                let allowed = "makes waves too long for their height: H L²/h³ must be below 8π²/3";
+                return error("wave_period_s", &period.to_string(), allowed);
+            }
+        }
+        let reach = self.recorded_stroke.as_ref().map_or(0.0, Stroke::reach);
+        if reach > 0.5 * self.tank_length_m {
+            let allowed = format!("goes {reach} m far, more than half the tank's length");
+            return error("recorded_stroke", "", &allowed);
+        }
+        Ok(())
     }
 
     fn validate_fixed(&self, check: &Check) -> Result<(), ConfigError> {

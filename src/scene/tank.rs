@@ -5,7 +5,7 @@ use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::Numerics;
 use super::seawall::SeawallScene;
-use crate::body::{FixedWall, GoringPaddle, Motions, Paddle, Place, Wall};
+use crate::body::{FixedWall, Motions, Paddle, Place, Wall};
 use crate::math::simd::SimdPath;
 use crate::scheme::Scheme;
 use crate::theory::hydrostatics::wall_force;
@@ -94,18 +94,6 @@ impl Tank {
 }
 
 impl SeawallScene {
-    /// The paddle; none for still water.
-    pub fn paddle(&self) -> Option<Paddle> {
-        (self.wave_height_ratio > 0.0).then(|| {
-            Paddle::Goring(GoringPaddle::new(
-                self.wave_height_ratio,
-                self.still_water_depth_m,
-                self.gravity_m_per_s2,
-                self.paddle_ramp_fraction,
-            ))
-        })
-    }
-
     /// When the run ends, seconds.
     fn end_time(&self) -> f64 {
         self.end_time_s.unwrap_or_else(|| {
