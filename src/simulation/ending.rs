@@ -2,7 +2,9 @@
 
 use super::doubt::Evidence;
 use super::energy::WaterEnergy;
-use super::outcome::{CaseResult, EnergyBudget, Maximum, NamedReading, Outcome, PhaseShare};
+use super::outcome::{
+    CaseResult, EnergyBudget, Maximum, NamedReading, Outcome, PhaseShare, Readings,
+};
 use super::readings;
 use super::run::Run;
 use super::settling::Prospect;
@@ -63,17 +65,32 @@ impl Run {
 
     /// The results of a run that has reached its end.
     pub fn result(self) -> CaseResult {
-        let Run { tank, logbook, .. } = &self;
-        let water = &tank.water;
-        let gravity = tank.frame.gravity;
-        let now = WaterEnergy::of(water.as_ref(), gravity);
-        let energy = logbook.ledger.close(now, &tank.wall);
+        let now = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
+        let energy = self.logbook.ledger.close(now, &self.tank.wall);
+        let (outcome, readings) = (self.outcome(&energy), self.readings());
+        let water = &self.tank.water;
+        let phases = water
+            .phases()
+            .into_iter()
+            .chain([("readings", self.reading_time)])
+            // What the scene does not use has taken nothing.
+            .filter(|&(_, seconds)| seconds > 0.0)
+            .map(|(phase, seconds)| PhaseShare { phase: phase.to_owned(), seconds })
+            .collect();
+        let list_rebuilds = water.list_rebuilds();
+        let (history, probes) = (self.logbook.history, self.logbook.probes);
+        CaseResult { outcome, history, probes, readings, energy, phases, list_rebuilds }
+    }
+
+    /// The scalars of the summary, with what makes them doubtful.
+    fn outcome(&self, energy: &EnergyBudget) -> Outcome {
+        let Run { tank, logbook, .. } = self;
+        let (water, m) = (&tank.water, &logbook.measures);
         let scale = if tank.paddle.is_some() {
             energy.paddle_work.abs()
         } else {
             logbook.ledger.start.given()
         };
-        let m = &logbook.measures;
         // The first impact of a wave has no meaning in other scenes.
         let has_wave = tank.wave_gauge.is_some();
         let wall = tank.wall.state();
@@ -126,27 +143,21 @@ impl Run {
                 0.0
             },
         };
-        let outcome = Outcome { doubtful_reason: evidence.doubt(&outcome), ..outcome };
-        let list_rebuilds = water.list_rebuilds();
-        let phases = water
-            .phases()
-            .into_iter()
-            .chain([("readings", self.reading_time)])
-            // What the scene does not use has taken nothing.
-            .filter(|&(_, seconds)| seconds > 0.0)
-            .map(|(phase, seconds)| PhaseShare { phase: phase.to_owned(), seconds })
-            .collect();
-        let mut readings: Vec<NamedReading> = Vec::new();
-        if let Some(solver) = water.solver() {
-            readings.extend(readings::of_solver(&solver));
+        Outcome { doubtful_reason: evidence.doubt(&outcome), ..outcome }
+    }
+
+    /// What else the scene tells: of the solver, of its flow, of its probes.
+    fn readings(&self) -> Vec<NamedReading> {
+        let mut all = Readings::default();
+        if let Some(solver) = self.tank.water.solver() {
+            readings::tell_solver(&mut all, &solver);
         }
         if let Some(watch) = &self.watch {
-            readings.extend(watch.readings(water.fluid()));
+            watch.tell(self.tank.water.fluid(), &mut all);
         }
-        if let Some(table) = &logbook.probes {
-            readings.extend(readings::of_probes(&self.config.scene, &self.config.probes, table));
+        if let Some(table) = &self.logbook.probes {
+            readings::tell_probes(&mut all, &self.config.scene, &self.config.probes, table);
         }
-        let (history, probes) = (self.logbook.history, self.logbook.probes);
-        CaseResult { outcome, history, probes, readings, energy, phases, list_rebuilds }
+        all.0
     }
 }

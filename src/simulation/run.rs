@@ -12,7 +12,7 @@ use super::logbook::Logbook;
 use super::sounding::Near;
 use super::surface::Lens;
 use super::watch::{self, Watch};
-use crate::body::{Motions, Place, WallStep};
+use crate::body::{Motions, Place, Wall, WallStep};
 use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::scene::{CaseConfig, Tank};
@@ -34,15 +34,6 @@ pub(super) struct Clock {
     pub(super) time: f64,
     pub(super) steps: u64,
     pub(super) samples: u64,
-}
-
-/// Where a run came to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Reached {
-    /// The end of the run.
-    End,
-    /// The last step before the force first exceeds the threshold.
-    Onset,
 }
 
 /// A tank under way.
@@ -107,50 +98,28 @@ impl Run {
         (self.clock.time, self.clock.steps)
     }
 
-    /// Steps to the end, or with `until_onset` to the last state before the force first exceeds
-    /// the threshold.
-    pub fn advance(
-        &mut self,
-        until_onset: bool,
-        monitor: &dyn Monitor,
-    ) -> Result<Reached, Stopped> {
+    /// Steps to the end, or with `until_onset` to the last state before the wall could first move.
+    pub fn advance(&mut self, until_onset: bool, monitor: &dyn Monitor) -> Result<(), Stopped> {
         let frame = self.tank.frame;
         self.logbook.make_room((frame.end_time / frame.history_interval) as usize + 2);
         loop {
             let time = self.clock.time;
-            let last = time >= self.tank.frame.end_time * (1.0 - 1e-12);
-            let interval = self.tank.frame.history_interval;
-            let sample = last || time >= interval * self.clock.samples as f64 * (1.0 - 1e-12);
+            let last = time >= frame.end_time * (1.0 - 1e-12);
+            let due = frame.history_interval * self.clock.samples as f64 * (1.0 - 1e-12);
+            let sample = last || time >= due;
             let bodies = self.tank.motions(time);
             let dt = self.time_step.min(self.tank.water.step_limit());
             self.tank.water.prepare(&bodies, dt).map_err(|error| self.step_failure(&error))?;
             self.film(monitor, time, last);
-            let mut load = self.wall_load();
+            let load = self.wall_load();
             if !load.force.is_finite() {
-                return Err(self
-                    .failure(FailureKind::NotANumber, "the wall's force".into())
-                    .into());
+                let failure = self.failure(FailureKind::NotANumber, "the wall's force".into());
+                return Err(failure.into());
             }
-            let full = self.tank.water.can_be_kept();
-            // A trunk ends in a full step, so ahead of the last one where nothing happens before.
-            let soon = 2.0 * f64::from(self.config.numerics.acoustic_substeps) * dt;
-            let ending = time + soon > self.tank.frame.end_time;
-            if until_onset && full && (ending || self.tank.wall.lets_go(load.force)) {
-                return Ok(Reached::Onset);
+            if until_onset && self.is_onset(load.force, dt) {
+                return Ok(());
             }
-            let wall = self.tank.wall;
-            if wall.state().is_some() && (!wall.rests() || wall.lets_go(load.force)) {
-                self.tank.water.respond(dt).map_err(|error| self.step_failure(&error))?;
-                load = self.wall_load();
-            }
-            let mut moved = wall;
-            let step = match self.tank.water.kicks() {
-                // A wall first leaves its place in a full step: only there can a trunk end.
-                _ if !full && !wall.has_moved() => WallStep::default(),
-                true => moved.kick(load.force, load.added_mass, dt),
-                false => moved.advance(load.force, load.added_mass, dt),
-            };
-            let force = load.force - load.added_mass * step.acceleration;
+            let (moved, step, force) = self.answer(load, dt)?;
             let start = Instant::now();
             let reading = self.read((force, step.acceleration));
             if step.stop_loss > 0.0 {
@@ -161,7 +130,7 @@ impl Run {
             }
             self.reading_time += start.elapsed().as_secs_f64();
             if last {
-                return Ok(Reached::End);
+                return Ok(());
             }
             if sample && self.clock.samples.is_multiple_of(SAMPLES_PER_CHECK) {
                 let start = Instant::now();
@@ -171,9 +140,9 @@ impl Run {
                 self.note_liveliness(&bodies, &energy);
                 if !until_onset && self.has_settled(&bodies, &energy) {
                     self.film(monitor, time, true);
-                    return Ok(Reached::End);
+                    return Ok(());
                 }
-                monitor.progress(time / self.tank.frame.end_time);
+                monitor.progress(time / frame.end_time);
                 if monitor.cancelled() {
                     return Err(Stopped::Interrupted);
                 }
@@ -181,6 +150,31 @@ impl Run {
             self.tank.wall = moved;
             self.finish_step(dt, bodies, force, step, sample);
         }
+    }
+
+    /// Whether a trunk ends ahead of a step of `dt` seconds, under this force on the wall, N per metre
+    /// of width: in a full step, and ahead of the last one where nothing happens before.
+    fn is_onset(&self, force: f64, dt: f64) -> bool {
+        let soon = 2.0 * f64::from(self.config.numerics.acoustic_substeps) * dt;
+        let ending = self.clock.time + soon > self.tank.frame.end_time;
+        self.tank.water.can_be_kept() && (ending || self.tank.wall.lets_go(force))
+    }
+
+    /// How the wall answers to the water's load over a step of `dt` seconds: where it is then, its step,
+    /// and the force on it, N per metre of width.
+    fn answer(&mut self, mut load: Load, dt: f64) -> Result<(Wall, WallStep, f64), Failure> {
+        let mut wall = self.tank.wall;
+        if wall.state().is_some() && (!wall.rests() || wall.lets_go(load.force)) {
+            self.tank.water.respond(dt).map_err(|error| self.step_failure(&error))?;
+            load = self.wall_load();
+        }
+        let step = match self.tank.water.kicks() {
+            // A wall first leaves its place in a full step: only there can a trunk end.
+            _ if !self.tank.water.can_be_kept() && !wall.has_moved() => WallStep::default(),
+            true => wall.kick(load.force, load.added_mass, dt),
+            false => wall.advance(load.force, load.added_mass, dt),
+        };
+        Ok((wall, step, load.force - load.added_mass * step.acceleration))
     }
 
     /// The water's load on the wall, made up for what the force at rest lacks of ρgh²/2.
