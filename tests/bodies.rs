@@ -1,8 +1,8 @@
-//! What paddles make of the water: regular waves and a stroke from a file, on coarse particles.
+//! What paddles make of the water, and water of a caisson, on coarse particles.
 
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
-use seawall::simulation::{CaseResult, Unwatched, run_case};
+use seawall::simulation::{CaseResult, Unwatched, run_case, run_trunk};
 use toml::Table;
 
 const GAUGE: &str = "name = \"level\"\nkind = \"level\"\nx_m = 1.5\n";
@@ -119,4 +119,34 @@ fn a_paddle_without_its_keys_is_told_so() {
         let told = CaseConfig::from_tables(&table(scene), &Table::new()).unwrap_err().to_string();
         assert!(told.starts_with(message), "{told:?} should start with {message:?}");
     }
+}
+
+#[test]
+fn a_caisson_slides_once_the_wave_beats_its_friction_and_stays_where_it_stops() {
+    let case = config(
+        "wave_height_ratio = 0.5\nwall = \"caisson\"\nseawall_mass_kg_per_m = 60\n\
+         submerged_weight_n_per_m = 300\nstatic_friction = 0.6\nkinetic_friction = 0.5\n",
+        0.02,
+    );
+    let path = SimdPath::widest();
+    let whole = run_case(&case, None, path, &Unwatched).unwrap();
+    let trunk = run_trunk(&case.trunk().unwrap(), path, &Unwatched).unwrap();
+    let branch = run_case(&case, Some(&trunk.checkpoint), path, &Unwatched).unwrap();
+    assert_eq!(whole.history, branch.history);
+    assert_eq!(whole.outcome, branch.outcome);
+    // ½ρgh² = 196.2 N/m and μ_s N = 180 N/m.
+    let threshold = 1.0 + 180.0 / 196.2;
+    let start = whole.history.iter().position(|row| row.displacement != 0.0).unwrap();
+    let (stands, slides) = whole.history.split_at(start);
+    // It waits for a full step.
+    assert!(stands.iter().all(|row| row.force <= 1.01 * threshold));
+    assert!(slides[0].force > 0.95 * threshold && trunk.time_s <= slides[0].time_s);
+    let last = whole.history.last().unwrap();
+    assert!(last.displacement > 0.5 && last.wall_velocity_m_per_s == 0.0, "{last:?}");
+    assert_eq!(Some(last.displacement), whole.outcome.displacement_max.map(|m| m.value));
+    assert!(whole.outcome.energy_gap_percent.abs() < 1.0);
+    // Friction and the water behind it, over the way, take nearly all that the wave gave it.
+    let way = 0.2 * last.displacement;
+    let taken = (196.2 + 150.0) * way;
+    assert!((whole.energy.threshold_device / taken - 1.0).abs() < 0.02, "{taken}");
 }
