@@ -9,7 +9,7 @@ use serde::Deserialize;
 use toml::Table;
 
 use super::matrix::Matrix;
-use crate::scene::{CaseConfig, Numerics, WallChoice};
+use crate::scene::{CaseConfig, Numerics};
 
 /// Measured errors and costs by method: what the program knows about itself.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,7 +84,7 @@ impl AccuracyTable {
                 depths.push(scene.still_water_depth_m);
                 cases.push(Known {
                     name: case.name.clone(),
-                    movable: scene.wall == WallChoice::Movable,
+                    movable: scene.wall.moves(),
                     wave_height_ratio: scene.wave_height_ratio,
                 });
             }
@@ -120,7 +120,7 @@ impl AccuracyTable {
         swept: &[String],
     ) -> Option<Choice> {
         let scene = config.scene.seawall()?;
-        let near = self.nearest(scene.wall == WallChoice::Movable, scene.wave_height_ratio);
+        let near = self.nearest(scene.wall.moves(), scene.wave_height_ratio);
         let names: Vec<_> = near.iter().map(|&case| self.cases[case].name.as_str()).collect();
         let choice = |method: &Recipe| {
             let results = near.iter().map(|&case| method.measured[case]);

@@ -1,7 +1,7 @@
 //! Which physics and numerics are on, for `seawall check`.
 
 use crate::boundary::SfdiMatrix;
-use crate::scene::{BoundaryChoice, CaseConfig, Numerics, Scene, Scheme, WallChoice};
+use crate::scene::{BoundaryChoice, CaseConfig, Numerics, Scene, Scheme};
 use crate::scheme::wcsph::{DensityDiffusion, Shifting};
 use crate::study::Study;
 
@@ -85,16 +85,9 @@ fn weakly(case: &CaseConfig) -> Option<&Numerics> {
 }
 
 fn wall(scene: &Scene) -> Option<String> {
-    let fixed = |angle_deg: f64| Some(format!("fixed, {angle_deg}°"));
     match scene {
-        Scene::Seawall(scene) => match scene.wall {
-            WallChoice::Fixed => fixed(scene.wall_angle_deg),
-            WallChoice::Movable => Some(format!(
-                "movable (threshold {}, coupling {})",
-                scene.threshold_ratio, scene.force_coupling
-            )),
-        },
-        Scene::Hydrostatic(scene) => fixed(scene.wall_angle_deg),
+        Scene::Seawall(scene) => Some(scene.wall_in_words()),
+        Scene::Hydrostatic(scene) => Some(format!("fixed, {}°", scene.wall_angle_deg)),
         Scene::DamBreak(_) | Scene::StandingWave(_) | Scene::TaylorGreen(_) => {
             Some("fixed".to_owned())
         }

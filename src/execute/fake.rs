@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use super::runner::Runner;
-use crate::scene::{CaseConfig, WallChoice};
+use crate::scene::CaseConfig;
 use crate::simulation::{
     CaseResult, Cost, EnergyBudget, Failure, FailureKind, HealthMargins, HistoryRow, Maximum,
     Monitor, Outcome, PhaseShare, Stopped, TrunkResult,
@@ -93,7 +93,7 @@ impl Runner for FakeRunner {
 fn made_up(config: &CaseConfig) -> CaseResult {
     let id = CaseId::of(config).to_string();
     let number = u64::from_str_radix(&id, 16).unwrap_or(1) as f64 / u64::MAX as f64;
-    let movable = config.scene.seawall().is_some_and(|scene| scene.wall == WallChoice::Movable);
+    let movable = config.scene.seawall().is_some_and(|scene| scene.wall.moves());
     let maximum = |value| Maximum { value, time_s: number };
     let outcome = Outcome {
         measured_wave_height_ratio: Some(number),

@@ -1,6 +1,6 @@
 //! Where the values of a case are read.
 
-use crate::scene::{CaseConfig, SeawallScene, WallChoice};
+use crate::scene::{CaseConfig, SeawallScene};
 use crate::simulation::Outcome;
 
 /// Estimated absolute errors; `None` where the case has no such reading or no companion has.
@@ -56,7 +56,7 @@ impl Case<'_> {
 
     /// The scene, where it is a seawall that moves.
     pub(super) fn movable(&self) -> Option<&SeawallScene> {
-        self.seawall().filter(|scene| scene.wall == WallChoice::Movable)
+        self.seawall().filter(|scene| scene.wall.moves())
     }
 
     /// log10(k/(ρ h² g)); `None` for k = 0.

@@ -8,7 +8,6 @@ use super::error::ConfigError;
 use super::kind::Scene;
 use super::numerics::{ErrorBars, Numerics, PRESETS, Scheme as SchemeChoice, WEAKLY_COMPRESSIBLE};
 use super::probe::Probe;
-use super::seawall::{SeawallScene, WallChoice};
 use super::size;
 use super::wording::{self, serde_keys};
 
@@ -73,13 +72,7 @@ impl CaseConfig {
     /// does once it moves: the same case with its wall held fixed. `None` for scenes that do not
     /// branch.
     pub fn trunk(&self) -> Option<CaseConfig> {
-        let scene = SeawallScene {
-            wall: WallChoice::Fixed,
-            spring_stiffness_n_per_m: None,
-            seawall_mass_kg_per_m: None,
-            force_coupling: 1.0,
-            ..self.scene.seawall()?.clone()
-        };
+        let scene = self.scene.seawall()?.held();
         let numerics = Numerics { retries: 0, ..self.without_error_bars().numerics };
         Some(CaseConfig { scene: Scene::Seawall(scene), numerics, probes: self.probes.clone() })
     }

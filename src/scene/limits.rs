@@ -5,7 +5,7 @@
 use super::config::CaseConfig;
 use super::kind::Scene;
 use super::numerics::{BoundaryChoice, GhostGravity, Scheme, Slip};
-use super::seawall::{SeawallScene, WallChoice};
+use super::seawall::SeawallScene;
 use super::size;
 use crate::scheme::isph::Laplacian;
 
@@ -90,10 +90,7 @@ pub fn limits(config: &CaseConfig) -> Vec<&'static str> {
 
 /// Whether the wall hardly moves.
 fn stands(scene: &SeawallScene) -> bool {
-    match scene.wall {
-        WallChoice::Fixed => true,
-        WallChoice::Movable => scene.spring_stiffness_n_per_m.is_some_and(|k| k >= STIFF),
-    }
+    !scene.wall.moves() || scene.spring_stiffness_n_per_m.is_some_and(|k| k >= STIFF)
 }
 
 /// What is lost without gradient corrections and the shifting that goes with them.

@@ -38,7 +38,7 @@ pub use numerics::{BoundaryChoice, ErrorBars, GhostGravity, Numerics, PRESETS, S
 pub use oscillating_drop::OscillatingDropScene;
 pub use probe::{Probe, ProbeKind, Side};
 pub use rotating_patch::RotatingPatchScene;
-pub use seawall::{SeawallScene, WallChoice};
+pub use seawall::{SeawallScene, WallChoice, keys_of_other_walls};
 pub use standing_wave::StandingWaveScene;
-pub use tank::{BED, PADDLE, Tank, WALL};
+pub use tank::Tank;
 pub use taylor_green::TaylorGreenScene;

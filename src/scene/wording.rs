@@ -136,7 +136,7 @@ mod tests {
             (
                 "wall = \"moveable\"",
                 "",
-                "scene.wall = \"moveable\": must be one of fixed, movable; did you mean movable?"
+                "scene.wall = \"moveable\": must be one of fixed, movable, caisson; did you mean movable?"
                     .to_owned(),
             ),
             (

@@ -34,7 +34,6 @@ use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::particles::Fluid;
 use crate::scene::{CaseConfig, Scheme};
-use crate::theory::goring::GoringPiston;
 use run::Run;
 
 /// Watches a run and may end it.
@@ -119,8 +118,8 @@ pub fn cost(config: &CaseConfig) -> Cost {
     // the way; a guess that only has to rank cases.
     let onset = scene.seawall().map_or(0.0, |scene| {
         let celerity = (frame.gravity * frame.depth * (1.0 + scene.wave_height_ratio)).sqrt();
-        let arrival = |piston: GoringPiston| piston.stroke_centre() + 0.6 * frame.length / celerity;
-        scene.piston().map_or(0.0, arrival)
+        let centre = scene.paddle().and_then(|paddle| paddle.stroke_centre());
+        centre.map_or(0.0, |centre| centre + 0.6 * frame.length / celerity)
     });
     Cost {
         particles,

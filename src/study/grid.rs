@@ -9,12 +9,7 @@ use super::axis::MOST_CASES;
 use super::case::{Case, CaseId};
 use super::file::SweepFile;
 use super::keys::{Section, section_of};
-use crate::scene::{CaseConfig, ConfigError};
-
-/// Keys that mean nothing to a fixed wall; where a grid sweeps `wall`, they are left out there.
-const MOVABLE_ONLY: [&str; 2] = ["spring_stiffness_n_per_m", "seawall_mass_kg_per_m"];
-/// Likewise for a movable wall.
-const FIXED_ONLY: [&str; 1] = ["wall_angle_deg"];
+use crate::scene::{CaseConfig, ConfigError, keys_of_other_walls};
 
 /// All cases of a file, each validated; one case where there is no grid.
 pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
@@ -74,7 +69,7 @@ fn point(
     Ok((Case { index, id: CaseId::of(&config), config, assignments }, collapsed))
 }
 
-/// Where a grid sweeps both fixed and movable walls, leaves out what a wall does not have.
+/// Where a grid sweeps walls, leaves out what a wall does not have.
 fn drop_meaningless(
     file: &SweepFile,
     scene: &mut Table,
@@ -83,15 +78,11 @@ fn drop_meaningless(
     if !file.grid.iter().any(|axis| axis.key == "wall") {
         return false;
     }
-    let keys: &[&str] = match scene.get("wall").and_then(Value::as_str) {
-        Some("fixed") => &MOVABLE_ONLY,
-        Some("movable") => &FIXED_ONLY,
-        _ => &[],
-    };
+    let wall = scene.get("wall").and_then(Value::as_str).unwrap_or_default().to_owned();
     let mut dropped = false;
-    for key in keys {
-        scene.remove(*key);
-        if let Some(place) = file.grid.iter().position(|axis| axis.key == *key) {
+    for key in keys_of_other_walls(&wall) {
+        scene.remove(key);
+        if let Some(place) = file.grid.iter().position(|axis| axis.key == key) {
             assignments[place] = None;
             dropped = true;
         }

@@ -1,15 +1,6 @@
 //! The piston law that makes a solitary wave (Goring 1978; Liang et al. 2017, model set-up).
 
-/// Motion of a piston at one instant.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PistonMotion {
-    /// Position relative to the start, metres.
-    pub position: f64,
-    /// Velocity, m/s.
-    pub velocity: f64,
-    /// Acceleration, m/s².
-    pub acceleration: f64,
-}
+use super::{BodyMotion, PaddleLaw};
 
 /// Goring's law for a wave of height H on still water of depth h.
 ///
@@ -18,7 +9,7 @@ pub struct PistonMotion {
 /// continues past T. Over the first `ramp` seconds the motion is blended in smoothly, so that the
 /// water is not kicked.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct GoringPiston {
+pub struct GoringPaddle {
     wave_height_ratio: f64,
     wavenumber: f64,
     celerity: f64,
@@ -27,14 +18,14 @@ pub struct GoringPiston {
     ramp: f64,
 }
 
-impl GoringPiston {
+impl GoringPaddle {
     /// A piston for H/h > 0, depth in metres, gravity in m/s²; `ramp_fraction` of T is blended.
     pub fn new(wave_height_ratio: f64, depth: f64, gravity: f64, ramp_fraction: f64) -> Self {
         let height = wave_height_ratio * depth;
         let wavenumber = (0.75 * height / (depth * depth * depth)).sqrt();
         let celerity = (gravity * (depth + height)).sqrt();
         let duration = 2.0 * (3.80 + wave_height_ratio) / (wavenumber * celerity);
-        GoringPiston {
+        GoringPaddle {
             wave_height_ratio,
             wavenumber,
             celerity,
@@ -44,42 +35,7 @@ impl GoringPiston {
         }
     }
 
-    /// T/2: when the piston passes the middle of its stroke, seconds.
-    pub fn stroke_centre(&self) -> f64 {
-        0.5 * self.duration
-    }
-
-    /// T, seconds.
-    pub fn duration(&self) -> f64 {
-        self.duration
-    }
-
-    /// S, metres.
-    pub fn stroke(&self) -> f64 {
-        self.stroke
-    }
-
-    /// Position, velocity and acceleration at a time since the start, seconds.
-    pub fn motion(&self, time: f64) -> PistonMotion {
-        let plain = self.unramped(time);
-        let start = self.unramped(0.0).position;
-        let travel = plain.position - start;
-        if time >= self.ramp {
-            return PistonMotion { position: travel, ..plain };
-        }
-        // Quintic blend s(τ) = 6τ⁵ - 15τ⁴ + 10τ³: no jump in position, velocity or acceleration.
-        let tau = (time / self.ramp).max(0.0);
-        let s = tau * tau * tau * (10.0 + tau * (6.0 * tau - 15.0));
-        let s1 = 30.0 * tau * tau * (1.0 - tau) * (1.0 - tau) / self.ramp;
-        let s2 = 60.0 * tau * (1.0 - tau) * (1.0 - 2.0 * tau) / (self.ramp * self.ramp);
-        PistonMotion {
-            position: travel * s,
-            velocity: plain.velocity * s + travel * s1,
-            acceleration: plain.acceleration * s + 2.0 * plain.velocity * s1 + travel * s2,
-        }
-    }
-
-    fn unramped(&self, time: f64) -> PistonMotion {
+    fn unramped(&self, time: f64) -> BodyMotion {
         let advance = self.wavenumber * self.celerity * (time - 0.5 * self.duration);
         let epsilon = self.wave_height_ratio; // κ S/2 = H/h
         let mut theta = advance;
@@ -96,12 +52,30 @@ impl GoringPiston {
         let sech2 = 1.0 - tanh * tanh;
         let slowing = 1.0 + epsilon * sech2;
         let c = self.celerity;
-        PistonMotion {
-            position: 0.5 * self.stroke * (1.0 + tanh),
+        BodyMotion {
+            offset: 0.5 * self.stroke * (1.0 + tanh),
             velocity: c * epsilon * sech2 / slowing,
             acceleration: -2.0 * epsilon * self.wavenumber * c * c * sech2 * tanh
                 / (slowing * slowing * slowing),
         }
+    }
+}
+
+impl PaddleLaw for GoringPaddle {
+    fn motion(&self, time: f64) -> BodyMotion {
+        let plain = self.unramped(time);
+        let start = self.unramped(0.0).offset;
+        BodyMotion { offset: plain.offset - start, ..plain }.eased_in(time, self.ramp)
+    }
+
+    /// T/2.
+    fn stroke_centre(&self) -> Option<f64> {
+        Some(0.5 * self.duration)
+    }
+
+    /// T.
+    fn still_from(&self) -> f64 {
+        self.duration
     }
 }
 
@@ -114,17 +88,17 @@ mod tests {
         // Goring: dξ/dt = c η/(h + η) at the piston, η = H sech²(κ(c(t-T/2) - (ξ-S/2))).
         for ratio in [0.1, 0.3, 0.6, 0.75] {
             let (depth, gravity) = (0.2, 9.81);
-            let piston = GoringPiston::new(ratio, depth, gravity, 0.0);
-            let start = piston.unramped(0.0).position;
+            let paddle = GoringPaddle::new(ratio, depth, gravity, 0.0);
+            let start = paddle.unramped(0.0).offset;
             for k in 0..=40 {
-                let time = piston.duration() * f64::from(k) / 30.0;
-                let motion = piston.motion(time);
-                let xi = motion.position + start;
-                let theta = piston.wavenumber
-                    * (piston.celerity * (time - piston.stroke_centre())
-                        - (xi - 0.5 * piston.stroke));
+                let time = paddle.duration * f64::from(k) / 30.0;
+                let motion = paddle.motion(time);
+                let xi = motion.offset + start;
+                let theta = paddle.wavenumber
+                    * (paddle.celerity * (time - 0.5 * paddle.duration)
+                        - (xi - 0.5 * paddle.stroke));
                 let eta = ratio * depth / libm::cosh(theta).powi(2);
-                let rate = piston.celerity * eta / (depth + eta);
+                let rate = paddle.celerity * eta / (depth + eta);
                 assert!((motion.velocity - rate).abs() < 1e-12, "H/h = {ratio}, t = {time}");
             }
         }
@@ -132,13 +106,13 @@ mod tests {
 
     #[test]
     fn velocity_and_acceleration_are_derivatives() {
-        let piston = GoringPiston::new(0.5, 0.2, 9.81, 0.05);
+        let paddle = GoringPaddle::new(0.5, 0.2, 9.81, 0.05);
         let step = 1e-5;
         for k in 1..60 {
             let time = 0.0301 * f64::from(k);
             let (before, at, after) =
-                (piston.motion(time - step), piston.motion(time), piston.motion(time + step));
-            let velocity = (after.position - before.position) / (2.0 * step);
+                (paddle.motion(time - step), paddle.motion(time), paddle.motion(time + step));
+            let velocity = (after.offset - before.offset) / (2.0 * step);
             let acceleration = (after.velocity - before.velocity) / (2.0 * step);
             assert!((velocity - at.velocity).abs() < 1e-6, "t = {time}");
             assert!((acceleration - at.acceleration).abs() < 1e-4, "t = {time}");
@@ -147,11 +121,11 @@ mod tests {
 
     #[test]
     fn the_ramp_starts_at_rest_and_keeps_the_stroke() {
-        let piston = GoringPiston::new(0.5, 0.2, 9.81, 0.05);
-        let start = piston.motion(0.0);
-        assert_eq!((start.position, start.velocity, start.acceleration), (0.0, 0.0, 0.0));
-        let end = piston.motion(2.0 * piston.duration()).position;
-        let lead = piston.unramped(0.0).position;
-        assert!((end + lead - piston.stroke()).abs() < 1e-9);
+        let paddle = GoringPaddle::new(0.5, 0.2, 9.81, 0.05);
+        let start = paddle.motion(0.0);
+        assert_eq!((start.offset, start.velocity, start.acceleration), (0.0, 0.0, 0.0));
+        let end = paddle.motion(2.0 * paddle.duration).offset;
+        let lead = paddle.unramped(0.0).offset;
+        assert!((end + lead - paddle.stroke).abs() < 1e-9);
     }
 }

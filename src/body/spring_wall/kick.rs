@@ -1,6 +1,6 @@
 //! The wall's step among kicks: the water's force is known at the step's start.
 
-use super::{SpringWall, WallStep};
+use super::{SpringWall, WallLaw, WallStep};
 
 impl SpringWall {
     /// Advances by `dt` seconds under the water's force F = `force` - `added_mass` · a at the step's
@@ -18,29 +18,25 @@ impl SpringWall {
     /// Force and velocity have to be in turns as the water's are. Over a step the water before the
     /// wall is a spring, too, of stiffness K. With its force held while the wall moves exactly, each
     /// step multiplies the swing's energy by 1 + ½KΔt²/m, and light walls ring.
-    pub fn kick(&mut self, force: f64, added_mass: f64, dt: f64) -> WallStep {
+    pub(super) fn kicked(&mut self, force: f64, added_mass: f64, dt: f64) -> WallStep {
         if self.displacement <= 0.0 && self.velocity <= 0.0 && force <= self.threshold {
-            return WallStep { acceleration: 0.0, travel: 0.0, stop_loss: 0.0 };
+            return WallStep::default();
         }
-        let acceleration = self.kicked(force, added_mass, dt);
+        let acceleration = self.acceleration(force, added_mass, dt);
         let velocity = self.velocity + acceleration * dt;
         if self.displacement + velocity * dt < 0.0 {
-            let travel = -self.displacement;
-            let work = self.force_coupling * (force - self.threshold).max(0.0) * travel;
+            let work = self.force_coupling * (force - self.threshold).max(0.0) * -self.displacement;
             let energy = self.kinetic_energy() + self.spring_energy() + work;
-            self.displacement = 0.0;
-            self.velocity = 0.0;
-            self.stops += 1;
-            return WallStep { acceleration: 0.0, travel, stop_loss: energy.max(0.0) };
+            return self.stop(energy.max(0.0));
         }
         self.displacement += velocity * dt;
         self.velocity = velocity;
-        WallStep { acceleration, travel: velocity * dt, stop_loss: 0.0 }
+        WallStep { acceleration, travel: velocity * dt, ..WallStep::default() }
     }
 
     /// The acceleration at the step's start. The law is monotone in it, so exactly one of two is
     /// consistent with the force that it leads to: that of a driven wall or of a free one.
-    fn kicked(&self, force: f64, added_mass: f64, dt: f64) -> f64 {
+    fn acceleration(&self, force: f64, added_mass: f64, dt: f64) -> f64 {
         let s = self.force_coupling;
         let unresolved = 0.25 * self.stiffness * dt * dt / (self.mass + s * added_mass);
         let lead = unresolved / (1.0 + unresolved);
