@@ -170,9 +170,8 @@ pub fn cheapest_within(scores: &[MethodScore], percent: f64) -> Option<&MethodSc
 mod tests {
     use super::super::matrix::tests::TEXT;
     use super::*;
-    use crate::execute::Runner;
-    use crate::execute::fake::FakeRunner;
-    use crate::simulation::{NamedReading, Unwatched};
+    use crate::results::made_up;
+    use crate::simulation::NamedReading;
 
     fn row(method: &str, error: Option<f64>, cpu: f64) -> Scored {
         Scored {
@@ -196,7 +195,7 @@ mod tests {
         let matrix = Matrix::read(TEXT).unwrap();
         let (study, pairs) = matrix.study(false, TEXT);
         let still = &study.cases[0];
-        let mut result = FakeRunner::default().case(&still.config, None, &Unwatched).unwrap();
+        let mut result = made_up(&still.config);
         result.outcome.force_end = 1.02;
         result.readings = vec![
             NamedReading::new("period_gap", -0.4, "%"),

@@ -108,9 +108,8 @@ fn used(value: f64, low: f64, high: f64) -> f64 {
 mod tests {
     use super::super::matrix::tests::TEXT;
     use super::*;
-    use crate::execute::Runner;
-    use crate::execute::fake::FakeRunner;
-    use crate::simulation::{Failure, FailureKind, Unwatched};
+    use crate::results::made_up;
+    use crate::simulation::{Failure, FailureKind};
 
     #[test]
     fn criteria_and_failures_become_verdicts() {
@@ -118,7 +117,7 @@ mod tests {
         let (study, pairs) = matrix.study(false, TEXT);
         let judged = |force_end: f64| {
             let still = &study.cases[0];
-            let mut result = FakeRunner::default().case(&still.config, None, &Unwatched).unwrap();
+            let mut result = made_up(&still.config);
             result.outcome.force_end = force_end;
             let failure = Failure {
                 kind: FailureKind::RunawaySpeed,

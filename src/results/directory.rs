@@ -255,10 +255,8 @@ fn move_aside(path: &Path) -> Result<PathBuf, SweepError> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::made_up::made_up;
     use super::*;
-    use crate::execute::Runner;
-    use crate::execute::fake::FakeRunner;
-    use crate::simulation::Unwatched;
     use crate::study::SweepFile;
 
     fn study(ratios: &str) -> Study {
@@ -272,7 +270,7 @@ mod tests {
 
     fn run_first(directory: &mut Directory, study: &Study) {
         let case = &study.cases[0];
-        let result = FakeRunner::default().case(&case.config, None, &Unwatched).unwrap();
+        let result = made_up(&case.config);
         let record = CaseRecord::new(study, case, &Ok(result.clone()), 1.0, "here");
         directory.record(record, Some(&result)).unwrap();
         directory.sync(true).unwrap();

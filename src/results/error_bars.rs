@@ -136,10 +136,8 @@ pub fn richardson(fine: f64, coarse: f64, ratio: f64, order: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use super::super::made_up::made_up;
     use super::*;
-    use crate::execute::Runner;
-    use crate::execute::fake::FakeRunner;
-    use crate::simulation::Unwatched;
 
     fn config(spacing: f64) -> CaseConfig {
         let scene = "wall = \"movable\"\nspring_stiffness_n_per_m = 1\nseawall_mass_kg_per_m = 50";
@@ -149,8 +147,7 @@ mod tests {
 
     /// Readings that converge to 2, 1 and 3 with order `order`, on an exact wave.
     fn outcome(spacing: f64, order: f64) -> Outcome {
-        let mut outcome =
-            FakeRunner::default().case(&config(spacing), None, &Unwatched).unwrap().outcome;
+        let mut outcome = made_up(&config(spacing)).outcome;
         let maximum = |value| Some(Maximum { value, time_s: 2.0 });
         let error = (spacing / 0.1).powf(order);
         outcome.measured_wave_height_ratio = Some(0.5);

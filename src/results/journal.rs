@@ -205,10 +205,8 @@ fn checksum(entry: &[u8]) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::made_up::made_up;
     use super::*;
-    use crate::execute::Runner;
-    use crate::execute::fake::FakeRunner;
-    use crate::simulation::Unwatched;
     use crate::study::{Study, SweepFile};
 
     fn filled(directory: &Path) -> (Header, Vec<CaseRecord>) {
@@ -218,7 +216,7 @@ mod tests {
         let mut journal = Journal::create(directory, &header).unwrap();
         let mut records = Vec::new();
         for case in &study.cases {
-            let result = FakeRunner::default().case(&case.config, None, &Unwatched).unwrap();
+            let result = made_up(&case.config);
             let record = CaseRecord::new(&study, case, &Ok(result), 0.1 + 0.2, "here");
             journal.record(&record).unwrap();
             records.push(record);

@@ -118,10 +118,8 @@ fn one_line(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::made_up::made_up;
     use super::*;
-    use crate::execute::Runner;
-    use crate::execute::fake::FakeRunner;
-    use crate::simulation::Unwatched;
     use crate::study::SweepFile;
 
     fn study() -> Study {
@@ -133,7 +131,7 @@ mod tests {
     fn a_result_that_is_no_number_is_a_failure() {
         let study = study();
         let case = &study.cases[0];
-        let mut result = FakeRunner::default().case(&case.config, None, &Unwatched).unwrap();
+        let mut result = made_up(&case.config);
         let record = CaseRecord::new(&study, case, &Ok(result.clone()), 1.0, "here");
         assert!(record.is_ok());
         result.outcome.measured_wave_height_ratio = Some(f64::NAN);

@@ -75,10 +75,9 @@ fn swept(case: &Case, place: usize) -> String {
 
 #[cfg(test)]
 mod tests {
+    use super::super::made_up::made_up;
     use super::*;
-    use crate::execute::fake::{FakeRunner, Fate};
-    use crate::execute::{Runner, guarded};
-    use crate::simulation::Unwatched;
+    use crate::simulation::{Failure, FailureKind};
     use crate::study::SweepFile;
 
     #[test]
@@ -86,21 +85,13 @@ mod tests {
         let text = "name = \"a\"\n[scene]\nseawall_mass_kg_per_m = 50\n[grid]\n\
             wall = [\"fixed\", \"movable\"]\nspring_stiffness_n_per_m = [0, 10]";
         let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
-        let runner = FakeRunner { fate: |_| Fate::Fails, ..FakeRunner::default() };
-        let record = |case: &Case, runner: &FakeRunner| {
-            let result = guarded(|| runner.case(&case.config, None, &Unwatched));
-            let result = result.map_err(|stopped| match stopped {
-                crate::simulation::Stopped::Failed(failure) => failure,
-                other => panic!("{other}"),
-            });
-            Some(CaseRecord::new(&study, case, &result, 1.0, "here"))
-        };
-        let good = FakeRunner::default();
-        let records = [
-            record(&study.cases[0], &good),
-            record(&study.cases[1], &runner),
-            record(&study.cases[2], &good),
-        ];
+        let record =
+            |case: &Case, result| Some(CaseRecord::new(&study, case, &result, 1.0, "here"));
+        let good = |case: &Case| record(case, Ok(made_up(&case.config)));
+        let detail = "first line\nsecond line".to_owned();
+        let failure = Failure { kind: FailureKind::RunawaySpeed, time_s: 0.5, detail };
+        let records =
+            [good(&study.cases[0]), record(&study.cases[1], Err(failure)), good(&study.cases[2])];
         let bytes = table(&study, &records).unwrap();
         let mut reader = csv::Reader::from_reader(&bytes[..]);
         let headers = reader.headers().unwrap().clone();

@@ -110,14 +110,14 @@ impl Plan {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::execute::fake;
     use crate::study::file::SweepFile;
 
     fn plan(branching: bool, wanted: impl Fn(usize) -> bool) -> Plan {
         let text = "name = \"a\"\n[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n\
                     [grid]\nwave_height_ratio = [0.2, 0.3]\nspring_stiffness_n_per_m = [1, 2, 3]";
         let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
-        Plan::new(&study, branching, fake::cost, wanted)
+        let cost = Cost { particles: 100, steps: 1000, trunk_share: 0.5, memory_bytes: 1 << 20 };
+        Plan::new(&study, branching, |_| cost, wanted)
     }
 
     #[test]
