@@ -1,7 +1,7 @@
 //! The momentum pass's loop over the neighbours of eight particles.
 
 use crate::kernel::Kernel;
-use crate::math::simd::{LANES, Lanes, Pairs, Task};
+use crate::math::simd::{LANES, Lanes, Task, Vector};
 
 use super::Workspace;
 use super::held::{AHEAD, Slopes, prefetch_first_reached};
@@ -24,7 +24,7 @@ pub(super) struct Group<
     const RESPONSE: bool,
 > {
     pub pass: &'b Momentum<'a, K, P, SUMS, CORRECTED, VISCOUS>,
-    /// The listed neighbours, and room for those in reach and one more.
+    /// The listed neighbours, and room for those in reach.
     pub entries: &'b [u32],
     pub room: (&'b mut [u32], &'b mut [Slopes]),
     pub cluster: usize,
@@ -59,15 +59,15 @@ impl<
 > Group<'_, '_, K, P, SUMS, CORRECTED, VISCOUS, FLUID, RESPONSE>
 {
     #[inline(always)]
-    fn sums<L: Lanes, V: Pairs>(self) -> Sums {
+    fn sums<L: Lanes, V: Vector>(self) -> Sums {
         let Group { pass, entries, room, cluster } = self;
         let work = pass.work;
         let at = cluster * LANES;
         let zero = V::splat(0.0);
         let places =
             P::Neighbour::places::<L, V>(eight(&work.scaled_x, at), eight(&work.scaled_y, at));
-        let vx = V::of_particles(eight(&pass.fluid.vx, at));
-        let vy = V::of_particles(eight(&pass.fluid.vy, at));
+        let vx = V::load(eight(&pass.fluid.vx, at));
+        let vy = V::load(eight(&pass.fluid.vy, at));
         let diffused = P::Neighbour::own_diffused::<V>(eight(pass.diffused, at), pass.density);
         let (mut own_stretch, mut own_shear) = (zero, zero);
         if CORRECTED && VISCOUS {
@@ -76,7 +76,7 @@ impl<
             for lane in 0..LANES {
                 [stretch[lane], shear[lane]] = strain[lane];
             }
-            (own_stretch, own_shear) = (V::of_particles(&stretch), V::of_particles(&shear));
+            (own_stretch, own_shear) = (V::load(&stretch), V::load(&shear));
         }
         prefetch_first_reached::<L, _>(pass.records, entries);
         let mut turns = [Running::<V>::nothing(); 2];
@@ -96,31 +96,24 @@ impl<
                     response: (mut response_x, mut response_y),
                 } = *kept;
                 let mut place = count + turn;
-                for ([a, b], pair) in in_reach.turn(turn) {
-                    let a = chunk[a];
-                    // Where there is none, the first again, against which nothing counts.
-                    let b = chunk.get(b).copied().unwrap_or(a);
-                    let numbers = [a, b];
+                for (number, pair) in in_reach.turn(turn) {
+                    let number = chunk[number];
                     let Pair { dx, dy, divisor, slope: g } = pair;
-                    held[place] = a;
-                    if V::NEIGHBOURS > 1 {
-                        held[place + 1] = b;
-                    }
+                    held[place] = number;
                     L::prefetch(&slopes[place], AHEAD);
-                    g.store_singles(&mut slopes[place..place + V::NEIGHBOURS]);
-                    place += V::NEIGHBOURS * V::TURNS;
-                    let these = [&pass.records[a as usize], &pass.records[b as usize]];
+                    g.store_single(&mut slopes[place].0);
+                    place += V::TURNS;
+                    let other = &pass.records[number as usize];
                     let gx = g * dx;
                     let gy = g * dy;
                     if VISCOUS {
-                        let [their_vx, their_vy] = P::Neighbour::velocity::<V>(these);
+                        let [their_vx, their_vy] = other.velocity::<V>();
                         let (du, dv) = (vx - their_vx, vy - their_vy);
                         let mut approach = du.mul_add(dx, dv * dy);
                         if CORRECTED {
                             // Less what a linear, divergence-free velocity field would give.
                             let (stretch, shear) = if FLUID {
-                                let [stretch, shear] =
-                                    P::Neighbour::strain::<V>(these, pass.strain, numbers);
+                                let [stretch, shear] = other.strain::<V>(pass.strain, number);
                                 (own_stretch + stretch, own_shear + shear)
                             } else {
                                 (own_stretch + own_stretch, own_shear + own_shear)
@@ -136,32 +129,29 @@ impl<
                         viscous_x = drag.mul_add(gx, viscous_x);
                         viscous_y = drag.mul_add(gy, viscous_y);
                     }
-                    let [xx, xy, yy] = P::Neighbour::pressure::<V>(these);
+                    let [xx, xy, yy] = other.pressure::<V>();
                     push_x = xx.mul_add(gx, push_x);
                     if CORRECTED {
                         push_x = xy.mul_add(gy, push_x);
                         push_y = xy.mul_add(gx, push_y);
                     }
                     push_y = yy.mul_add(gy, push_y);
-                    concentration_x = gx.add_to(concentration_x);
-                    concentration_y = gy.add_to(concentration_y);
+                    concentration_x = concentration_x + gx.widened();
+                    concentration_y = concentration_y + gy.widened();
                     if SUMS > FORCES || CORRECTED {
                         moment_xx = gx.mul_add(dx, moment_xx);
                         moment_xy = gx.mul_add(dy, moment_xy);
                         moment_yy = gy.mul_add(dy, moment_yy);
                     }
                     if SUMS == GRADIENTS && FLUID {
-                        let theirs = P::Neighbour::diffused::<V>(these, pass.diffused, numbers);
+                        let theirs = other.diffused::<V>(pass.diffused, number);
                         let rise = theirs - diffused;
                         gradient_x = rise.mul_add(gx, gradient_x);
                         gradient_y = rise.mul_add(gy, gradient_y);
                     }
                     if RESPONSE {
-                        let [a, b] =
-                            numbers.map(|j| &pass.responses[j as usize - pass.first_ghost]);
-                        let xx = V::of_neighbours([a[0], b[0]]);
-                        let xy = V::of_neighbours([a[1], b[1]]);
-                        let yy = V::of_neighbours([a[2], b[2]]);
+                        let [xx, xy, yy] = pass.responses[number as usize - pass.first_ghost];
+                        let (xx, xy, yy) = (V::splat(xx), V::splat(xy), V::splat(yy));
                         response_x = xy.mul_add(gy, xx.mul_add(gx, response_x));
                         response_y = yy.mul_add(gy, xy.mul_add(gx, response_y));
                     }

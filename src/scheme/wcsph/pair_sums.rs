@@ -1,6 +1,6 @@
 //! Sums over the neighbours of eight particles.
 
-use crate::math::simd::{LANES, Pairs};
+use crate::math::simd::{LANES, Lanes, Vector};
 
 /// Sums over the neighbours of one cluster in one group, a value per lane.
 #[derive(Clone, Copy)]
@@ -37,17 +37,17 @@ impl Sums {
 
 /// Running sums over pairs.
 #[derive(Clone, Copy)]
-pub(super) struct Running<V: Pairs> {
+pub(super) struct Running<V: Vector> {
     pub push: (V, V),
     pub viscous: (V, V),
     pub moment: (V, V, V),
-    /// Held passes take differences to it: see [`Pairs::Sum`].
-    pub concentration: (V::Sum, V::Sum),
+    /// Held passes take differences to it: double precision.
+    pub concentration: (V::Wide, V::Wide),
     pub gradient: (V, V),
     pub response: (V, V),
 }
 
-impl<V: Pairs> Running<V> {
+impl<V: Vector> Running<V> {
     #[inline(always)]
     pub fn nothing() -> Running<V> {
         let zero = V::splat(0.0);
@@ -55,7 +55,7 @@ impl<V: Pairs> Running<V> {
             push: (zero, zero),
             viscous: (zero, zero),
             moment: (zero, zero, zero),
-            concentration: (V::nothing(), V::nothing()),
+            concentration: (V::Wide::splat(0.0), V::Wide::splat(0.0)),
             gradient: (zero, zero),
             response: (zero, zero),
         }
@@ -91,18 +91,12 @@ impl<V: Pairs> Running<V> {
 
 /// A sum in double precision over all neighbours, of all turns.
 #[inline(always)]
-fn exact<V: Pairs>(even: V::Sum, odd: V::Sum) -> [f64; LANES] {
-    let mut total = V::whole(even);
-    if V::TURNS > 1 {
-        for (total, more) in total.iter_mut().zip(V::whole(odd)) {
-            *total += more;
-        }
-    }
-    total
+fn exact<V: Vector>(even: V::Wide, odd: V::Wide) -> [f64; LANES] {
+    if V::TURNS > 1 { (even + odd).to_array() } else { even.to_array() }
 }
 
 /// The same of a sum in the precision of the pairs.
 #[inline(always)]
-fn total<V: Pairs>(even: V, odd: V) -> [f64; LANES] {
-    exact::<V>(even.add_to(V::nothing()), odd.add_to(V::nothing()))
+fn total<V: Vector>(even: V, odd: V) -> [f64; LANES] {
+    exact::<V>(even.widened(), odd.widened())
 }

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::math::simd::{LANES, Lanes, Pairs};
+use crate::math::simd::{LANES, Lanes, Vector};
 use crate::particles::{Record, SingleRecord, split};
 
 /// Precision of the momentum pass's pair terms; state and sums outside of it are always f64.
@@ -18,31 +18,31 @@ pub enum Precision {
 /// A precision of pair terms.
 pub(super) trait Pairing: Copy + 'static {
     /// What pair terms are computed in.
-    type In<L: Lanes>: Pairs;
+    type In<L: Lanes>: Vector;
     /// What is read of a neighbour.
     type Neighbour: Neighbour;
 }
 
-/// What a pair loop reads of neighbours, one or two at once.
+/// What a pair loop reads of a neighbour.
 pub(super) trait Neighbour: Copy {
     /// Eight places: x and y, each as one or two numbers.
-    fn places<L: Lanes, V: Pairs>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2];
-    /// From these neighbours to eight places, over R.
-    fn apart<V: Pairs>(these: [&Self; 2], places: [[V; 2]; 2]) -> [V; 2];
+    fn places<L: Lanes, V: Vector>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2];
+    /// From this neighbour to eight places, over R.
+    fn apart<V: Vector>(&self, places: [[V; 2]; 2]) -> [V; 2];
     /// Velocities, m/s.
-    fn velocity<V: Pairs>(these: [&Self; 2]) -> [V; 2];
+    fn velocity<V: Vector>(&self) -> [V; 2];
     /// See [`Record::WEIGHT`].
-    fn weight<V: Pairs>(these: [&Self; 2]) -> V;
+    fn weight<V: Vector>(&self) -> V;
     /// Whether there is a weight at all.
     fn counts(&self) -> bool;
     /// Pressure times correction, Pa: xx, xy, yy.
-    fn pressure<V: Pairs>(these: [&Self; 2]) -> [V; 3];
-    /// Their strain, given that of all water and their numbers.
-    fn strain<V: Pairs>(these: [&Self; 2], all: &[[f64; 2]], numbers: [u32; 2]) -> [V; 2];
-    /// What density diffusion smooths of them, given that of all water and their numbers, kg/m³.
-    fn diffused<V: Pairs>(these: [&Self; 2], all: &[f64], numbers: [u32; 2]) -> V;
+    fn pressure<V: Vector>(&self) -> [V; 3];
+    /// Its strain, given that of all water and its number.
+    fn strain<V: Vector>(&self, all: &[[f64; 2]], number: u32) -> [V; 2];
+    /// What density diffusion smooths of it, given that of all water and its number, kg/m³.
+    fn diffused<V: Vector>(&self, all: &[f64], number: u32) -> V;
     /// The same of eight particles, given the rest density, kg/m³.
-    fn own_diffused<V: Pairs>(values: &[f64; LANES], rest: f64) -> V;
+    fn own_diffused<V: Vector>(values: &[f64; LANES], rest: f64) -> V;
 }
 
 /// Double precision.
@@ -54,54 +54,54 @@ impl Pairing for Double {
     type Neighbour = Record;
 }
 
-/// A number of each of two records.
+/// A number of a record.
 #[inline(always)]
-fn slot<V: Pairs>([a, b]: [&Record; 2], slot: usize) -> V {
-    V::of_neighbours([a.0[slot], b.0[slot]])
+fn slot<V: Vector>(record: &Record, slot: usize) -> V {
+    V::splat(record.0[slot])
 }
 
 impl Neighbour for Record {
     #[inline(always)]
-    fn places<L: Lanes, V: Pairs>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2] {
+    fn places<L: Lanes, V: Vector>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2] {
         let zero = V::splat(0.0);
-        [[V::of_particles(x), zero], [V::of_particles(y), zero]]
+        [[V::load(x), zero], [V::load(y), zero]]
     }
     #[inline(always)]
-    fn apart<V: Pairs>(these: [&Self; 2], [[x, _], [y, _]]: [[V; 2]; 2]) -> [V; 2] {
-        [x - slot(these, Record::X), y - slot(these, Record::Y)]
+    fn apart<V: Vector>(&self, [[x, _], [y, _]]: [[V; 2]; 2]) -> [V; 2] {
+        [x - slot(self, Record::X), y - slot(self, Record::Y)]
     }
     #[inline(always)]
-    fn velocity<V: Pairs>(these: [&Self; 2]) -> [V; 2] {
-        [slot(these, Record::VX), slot(these, Record::VY)]
+    fn velocity<V: Vector>(&self) -> [V; 2] {
+        [slot(self, Record::VX), slot(self, Record::VY)]
     }
     #[inline(always)]
-    fn weight<V: Pairs>(these: [&Self; 2]) -> V {
-        slot(these, Record::WEIGHT)
+    fn weight<V: Vector>(&self) -> V {
+        slot(self, Record::WEIGHT)
     }
     #[inline(always)]
     fn counts(&self) -> bool {
         self.0[Record::WEIGHT] != 0.0
     }
     #[inline(always)]
-    fn pressure<V: Pairs>(these: [&Self; 2]) -> [V; 3] {
+    fn pressure<V: Vector>(&self) -> [V; 3] {
         [
-            slot(these, Record::PRESSURE),
-            slot(these, Record::PRESSURE_XY),
-            slot(these, Record::PRESSURE_YY),
+            slot(self, Record::PRESSURE),
+            slot(self, Record::PRESSURE_XY),
+            slot(self, Record::PRESSURE_YY),
         ]
     }
     #[inline(always)]
-    fn strain<V: Pairs>(_: [&Self; 2], all: &[[f64; 2]], [a, b]: [u32; 2]) -> [V; 2] {
-        let (a, b) = (all[a as usize], all[b as usize]);
-        [V::of_neighbours([a[0], b[0]]), V::of_neighbours([a[1], b[1]])]
+    fn strain<V: Vector>(&self, all: &[[f64; 2]], number: u32) -> [V; 2] {
+        let [stretch, shear] = all[number as usize];
+        [V::splat(stretch), V::splat(shear)]
     }
     #[inline(always)]
-    fn diffused<V: Pairs>(_: [&Self; 2], all: &[f64], [a, b]: [u32; 2]) -> V {
-        V::of_neighbours([all[a as usize], all[b as usize]])
+    fn diffused<V: Vector>(&self, all: &[f64], number: u32) -> V {
+        V::splat(all[number as usize])
     }
     #[inline(always)]
-    fn own_diffused<V: Pairs>(values: &[f64; LANES], _: f64) -> V {
-        V::of_particles(values)
+    fn own_diffused<V: Vector>(values: &[f64; LANES], _: f64) -> V {
+        V::load(values)
     }
 }
 
@@ -114,66 +114,63 @@ impl Pairing for Single {
     type Neighbour = SingleRecord;
 }
 
-/// A number of each of two records.
+/// A number of a record.
 #[inline(always)]
-fn single<const SLOT: usize, V: Pairs>([a, b]: [&SingleRecord; 2]) -> V {
-    V::out_of::<SLOT>([&a.0, &b.0])
+fn single<V: Vector>(record: &SingleRecord, slot: usize) -> V {
+    V::splat(f64::from(record.0[slot]))
 }
 
 impl Neighbour for SingleRecord {
     #[inline(always)]
-    fn places<L: Lanes, V: Pairs>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2] {
+    fn places<L: Lanes, V: Vector>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2] {
         let [x, x_rest] = split(L::load(x));
         let [y, y_rest] = split(L::load(y));
         [
-            [V::of_particles(&x.to_array()), V::of_particles(&x_rest.to_array())],
-            [V::of_particles(&y.to_array()), V::of_particles(&y_rest.to_array())],
+            [V::load(&x.to_array()), V::load(&x_rest.to_array())],
+            [V::load(&y.to_array()), V::load(&y_rest.to_array())],
         ]
     }
     #[inline(always)]
-    fn apart<V: Pairs>(these: [&Self; 2], [x, y]: [[V; 2]; 2]) -> [V; 2] {
-        let dx = x[0] - single::<{ Record::X }, V>(these);
-        let dy = y[0] - single::<{ Record::Y }, V>(these);
-        [
-            dx + (x[1] - single::<{ Self::X_REST }, V>(these)),
-            dy + (y[1] - single::<{ Self::Y_REST }, V>(these)),
-        ]
+    fn apart<V: Vector>(&self, [x, y]: [[V; 2]; 2]) -> [V; 2] {
+        let dx = x[0] - single(self, Record::X);
+        let dy = y[0] - single(self, Record::Y);
+        [dx + (x[1] - single(self, Self::X_REST)), dy + (y[1] - single(self, Self::Y_REST))]
     }
     #[inline(always)]
-    fn velocity<V: Pairs>(these: [&Self; 2]) -> [V; 2] {
-        [single::<{ Record::VX }, V>(these), single::<{ Record::VY }, V>(these)]
+    fn velocity<V: Vector>(&self) -> [V; 2] {
+        [single(self, Record::VX), single(self, Record::VY)]
     }
     #[inline(always)]
-    fn weight<V: Pairs>(these: [&Self; 2]) -> V {
-        single::<{ Record::WEIGHT }, V>(these)
+    fn weight<V: Vector>(&self) -> V {
+        single(self, Record::WEIGHT)
     }
     #[inline(always)]
     fn counts(&self) -> bool {
         self.0[Record::WEIGHT] != 0.0
     }
     #[inline(always)]
-    fn pressure<V: Pairs>(these: [&Self; 2]) -> [V; 3] {
+    fn pressure<V: Vector>(&self) -> [V; 3] {
         [
-            single::<{ Record::PRESSURE }, V>(these),
-            single::<{ Record::PRESSURE_XY }, V>(these),
-            single::<{ Record::PRESSURE_YY }, V>(these),
+            single(self, Record::PRESSURE),
+            single(self, Record::PRESSURE_XY),
+            single(self, Record::PRESSURE_YY),
         ]
     }
     #[inline(always)]
-    fn strain<V: Pairs>(these: [&Self; 2], _: &[[f64; 2]], _: [u32; 2]) -> [V; 2] {
-        [single::<{ Self::STRETCH }, V>(these), single::<{ Self::SHEAR }, V>(these)]
+    fn strain<V: Vector>(&self, _: &[[f64; 2]], _: u32) -> [V; 2] {
+        [single(self, Self::STRETCH), single(self, Self::SHEAR)]
     }
     #[inline(always)]
-    fn diffused<V: Pairs>(these: [&Self; 2], _: &[f64], _: [u32; 2]) -> V {
-        single::<{ Self::DIFFUSED }, V>(these)
+    fn diffused<V: Vector>(&self, _: &[f64], _: u32) -> V {
+        single(self, Self::DIFFUSED)
     }
     #[inline(always)]
-    fn own_diffused<V: Pairs>(values: &[f64; LANES], rest: f64) -> V {
+    fn own_diffused<V: Vector>(values: &[f64; LANES], rest: f64) -> V {
         let mut above = *values;
         for value in &mut above {
             *value -= rest;
         }
-        V::of_particles(&above)
+        V::load(&above)
     }
 }
 
@@ -190,13 +187,11 @@ mod tests {
         #[inline(always)]
         fn run<L: Lanes>(self) -> Self::Output {
             let Apart(record, x) = self;
-            let double: [L; 2] = Record::apart([&record; 2], Record::places::<L, L>(&x, &x));
+            let double: [L; 2] = record.apart(Record::places::<L, L>(&x, &x));
             let single = SingleRecord::new::<L>(&record, [0.0; 2], 0.0);
             let places = SingleRecord::places::<L, L::Single>(&x, &x);
-            let of: [L::Single; 2] = SingleRecord::apart([&single; 2], places);
-            let both = L::Single::whole(of[0].add_to(L::Single::nothing()));
-            let at_once = L::Single::NEIGHBOURS as f64;
-            (double[0].to_array(), both.map(|sum| sum / at_once))
+            let of: [L::Single; 2] = single.apart(places);
+            (double[0].to_array(), of[0].widened().to_array())
         }
     }
 

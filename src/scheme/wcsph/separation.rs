@@ -6,7 +6,7 @@
 use std::mem::MaybeUninit;
 
 use crate::kernel::Kernel;
-use crate::math::simd::{LANES, Lanes, Pairs};
+use crate::math::simd::{LANES, Lanes, Vector};
 
 use super::precision::Neighbour;
 
@@ -29,24 +29,14 @@ pub(super) struct Pair<V> {
     pub slope: V,
 }
 
-/// The geometry of a chunk of pairs, and a place for none: a pair that counts nothing.
-pub(super) struct Geometry<V>([MaybeUninit<Pair<V>>; CHUNK + 1]);
+/// The geometry of a chunk of pairs.
+pub(super) struct Geometry<V>([MaybeUninit<Pair<V>>; CHUNK]);
 
-impl<V: Pairs> Geometry<V> {
+impl<V: Vector> Geometry<V> {
     /// Room for a chunk.
     #[inline(always)]
     pub(super) fn new() -> Geometry<V> {
-        let mut pairs = [const { MaybeUninit::uninit() }; CHUNK + 1];
-        if V::NEIGHBOURS > 1 {
-            let zero = V::splat(0.0);
-            pairs[CHUNK / V::NEIGHBOURS].write(Pair {
-                dx: zero,
-                dy: zero,
-                divisor: V::splat(1.0),
-                slope: zero,
-            });
-        }
-        Geometry(pairs)
+        Geometry([const { MaybeUninit::uninit() }; CHUNK])
     }
 
     /// Finds the geometry of up to [`CHUNK`] neighbours of eight places and tells which are in reach of
@@ -62,36 +52,30 @@ impl<V: Pairs> Geometry<V> {
         records: &[N],
     ) -> InReach<'_, V> {
         let mut mask = 0;
-        for k in 0..neighbours.len().div_ceil(V::NEIGHBOURS) {
-            let first = k * V::NEIGHBOURS;
-            // The last one stands for two where there is no other beside it.
-            let last = (first + V::NEIGHBOURS).min(neighbours.len()) - 1;
-            let these = [&records[neighbours[first] as usize], &records[neighbours[last] as usize]];
-            let [dx, dy] = N::apart(these, places);
+        for (k, (&j, room)) in neighbours.iter().zip(&mut self.0).enumerate() {
+            let record = &records[j as usize];
+            let [dx, dy] = record.apart(places);
             let s = dx.mul_add(dx, dy.mul_add(dy, V::splat(COINCIDENT)));
             let roots = s.roots();
-            let slope = K::slope_over_q(s, roots) * N::weight(these);
+            let slope = K::slope_over_q(s, roots) * record.weight();
             let divisor = s.divisor(roots);
-            self.0[k].write(Pair { dx, dy, divisor, slope });
-            let mut counts = s.reached(V::splat(1.0));
-            if !FLUID {
-                counts &= u64::from(these[0].counts()) | u64::from(these[1].counts()) << 1;
-            }
-            mask |= counts << first;
+            room.write(Pair { dx, dy, divisor, slope });
+            let counts = s.any_less(V::splat(1.0)) & (FLUID || record.counts());
+            mask |= u64::from(counts) << k;
         }
-        InReach { pairs: &self.0, mask: mask & (u64::MAX >> (CHUNK - neighbours.len())) }
+        InReach { pairs: &self.0, mask }
     }
 }
 
 /// The pairs in reach among a chunk.
 #[derive(Clone, Copy)]
 pub(super) struct InReach<'a, V> {
-    pairs: &'a [MaybeUninit<Pair<V>>; CHUNK + 1],
+    pairs: &'a [MaybeUninit<Pair<V>>; CHUNK],
     /// Bit k for number k. Only pairs that are written have one.
     mask: u64,
 }
 
-impl<'a, V: Pairs> InReach<'a, V> {
+impl<'a, V: Vector> InReach<'a, V> {
     /// How many.
     #[inline(always)]
     pub(super) fn len(self) -> usize {
@@ -114,12 +98,11 @@ impl<'a, V: Pairs> InReach<'a, V> {
     }
 }
 
-/// Pairs in reach, as many at once as a vector has neighbours, with their numbers in the chunk: twice
-/// the same of one alone, [`CHUNK`] for none.
+/// Pairs in reach with their numbers in the chunk.
 pub(super) struct Visits<'a, V>(InReach<'a, V>);
 
-impl<V: Pairs> Iterator for Visits<'_, V> {
-    type Item = ([usize; 2], Pair<V>);
+impl<V: Vector> Iterator for Visits<'_, V> {
+    type Item = (usize, Pair<V>);
 
     #[inline(always)]
     fn next(&mut self) -> Option<Self::Item> {
@@ -127,29 +110,10 @@ impl<V: Pairs> Iterator for Visits<'_, V> {
         if *mask == 0 {
             return None;
         }
-        let a = mask.trailing_zeros() as usize;
+        let k = mask.trailing_zeros() as usize;
         *mask &= *mask - 1;
-        let mut b = a;
-        if V::NEIGHBOURS > 1 {
-            b = mask.trailing_zeros() as usize;
-            *mask &= mask.wrapping_sub(1);
-        }
-        let which = [a % V::NEIGHBOURS, b % V::NEIGHBOURS];
-        // SAFETY: bits are set by `fill` for pairs that it has written, and `new` has written the
-        // one for none, which no bit stands for.
-        let [a_pair, b_pair] = unsafe {
-            [
-                pairs.get_unchecked(a / V::NEIGHBOURS).assume_init_ref(),
-                pairs.get_unchecked(b / V::NEIGHBOURS).assume_init_ref(),
-            ]
-        };
-        let pair = Pair {
-            dx: V::picked([&a_pair.dx, &b_pair.dx], which),
-            dy: V::picked([&a_pair.dy, &b_pair.dy], which),
-            divisor: V::picked([&a_pair.divisor, &b_pair.divisor], which),
-            slope: V::picked([&a_pair.slope, &b_pair.slope], which),
-        };
-        Some(([a, b], pair))
+        // SAFETY: bits are set by `fill`, for pairs that it has written.
+        Some((k, unsafe { pairs.get_unchecked(k).assume_init_read() }))
     }
 }
 
@@ -210,26 +174,17 @@ mod tests {
     }
 
     #[inline(always)]
-    fn visited<L: Lanes, V: Pairs, N: Neighbour>(numbers: &[u32], all: &[N]) -> Vec<(usize, f32)> {
+    fn visited<L: Lanes, V: Vector, N: Neighbour>(numbers: &[u32], all: &[N]) -> Vec<(usize, f32)> {
         let origin = [0.0; LANES];
         let mut geometry = Geometry::<V>::new();
         let places = N::places::<L, V>(&origin, &origin);
         let in_reach = geometry.fill::<WendlandC2, N, true>(places, numbers, all);
         let mut found = Vec::new();
         for turn in 0..V::TURNS {
-            for (which, pair) in in_reach.turn(turn) {
-                let mut dx = [Slopes::default(); 2];
-                pair.dx.store_singles(&mut dx);
-                for n in 0..V::NEIGHBOURS {
-                    // Where there is none, nothing may count.
-                    if which[n] < CHUNK {
-                        found.push((which[n], dx[n].0[0]));
-                    } else {
-                        let mut slope = [Slopes::default(); 2];
-                        pair.slope.store_singles(&mut slope);
-                        assert_eq!(slope[n].0, [0.0; LANES]);
-                    }
-                }
+            for (number, pair) in in_reach.turn(turn) {
+                let mut dx = Slopes::default();
+                pair.dx.store_single(&mut dx.0);
+                found.push((number, dx.0[0]));
             }
         }
         assert_eq!(found.len(), in_reach.len());
@@ -237,7 +192,7 @@ mod tests {
     }
 
     #[test]
-    fn each_neighbour_in_reach_is_visited_once_alone_or_with_another() {
+    fn each_neighbour_in_reach_is_visited_once() {
         // Of 31 in a row the inner 20 are in reach, of 24 only 19.
         for (count, last) in [(CHUNK, 25), (31, 25), (24, 23), (7, 6)] {
             for path in [SimdPath::Portable, SimdPath::Avx2, SimdPath::Avx512] {
