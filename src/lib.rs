@@ -7,7 +7,7 @@
 //! |---|---|---|
 //! | 1 | [`math`], [`theory`] | SIMD lanes; pure formulas |
 //! | 2 | [`kernel`] | smoothing kernels behind one contract |
-//! | 3 | [`particles`], [`neighbours`] | particle arrays, neighbour lists |
+//! | 3 | [`pairs`] | particle arrays, neighbour lists, sums over pairs |
 //! | 4 | [`boundary`], [`body`] | ghost particle interpolators; paddle and walls |
 //! | 5 | [`scheme`] | δ-SPH time stepping |
 //! | 6 | [`scene`] | scene files: parsing, validation, construction |
@@ -24,8 +24,7 @@ pub mod boundary;
 pub mod cli;
 pub mod kernel;
 pub mod math;
-pub mod neighbours;
-pub mod particles;
+pub mod pairs;
 pub mod report;
 pub mod scene;
 pub mod scheme;

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 const LAYERS: &[&[&str]] = &[
     &["math", "theory"],
     &["kernel"],
-    &["particles", "neighbours"],
+    &["pairs"],
     &["boundary", "body"],
     &["scheme"],
     &["scene"],
@@ -19,7 +19,7 @@ const LAYERS: &[&[&str]] = &[
 ];
 
 /// What the report must never know, though it stands above it.
-const NOT_FOR_REPORTS: &[&str] = &["simulation", "scheme", "boundary", "particles", "sweep"];
+const NOT_FOR_REPORTS: &[&str] = &["simulation", "scheme", "boundary", "pairs", "sweep"];
 
 /// Exported macros stand at the crate's root: the modules they belong to.
 const MACROS: &[(&str, &str)] = &[("with_kernel", "kernel"), ("with_interpolator", "boundary")];

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::sums::Targets;
 use crate::math::simd::{LANES, Lanes, Task};
-use crate::neighbours::PairList;
+use crate::pairs::PairList;
 
 /// The particles in reach of targets with their weights, block after block.
 #[derive(Debug, Clone, Default)]

@@ -10,8 +10,8 @@ use super::weighing::{Stencil, Weighing};
 use crate::body::BodyMotion;
 use crate::kernel::{Kernel, KernelChoice};
 use crate::math::simd::{LANES, Lanes, Task};
-use crate::neighbours::PairList;
-use crate::particles::{Record, Scaling};
+use crate::pairs::PairList;
+use crate::pairs::{Record, Scaling};
 
 /// Weighted means of the water at one vector of targets.
 #[derive(Debug, Clone, Copy, Default)]

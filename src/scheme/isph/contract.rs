@@ -7,7 +7,7 @@ use super::project::Source;
 use crate::body::BodyMotion;
 use crate::boundary::Ghosts;
 use crate::kernel::KernelChoice;
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 use crate::scheme::{Dissipation, Load, Scheme, SchemeState, StateEquation, StepError, StepWalls};
 
 /// Divergence and volume are looked at once in this many steps.

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::state::Isph;
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 
 /// What the solver has done so far.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]

@@ -10,8 +10,8 @@ use super::options::IsphOptions;
 use crate::boundary::{Ghosts, Plane};
 use crate::math::simd::{LANES, SimdPath};
 use crate::math::sparse::{Csr, Krylov, Preconditioner};
-use crate::neighbours::{PairList, Strips};
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
+use crate::pairs::{PairList, Strips};
 use crate::scheme::Load;
 
 /// Seconds spent in each phase.

@@ -1,13 +1,10 @@
 //! What the held passes read of each ghost.
 
-use std::ops::Range;
-
 use super::Wcsph;
-use super::factors::Factors;
-use super::flow::Flow;
 use super::pack::pressure_factors;
 use crate::boundary::Image;
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use crate::pairs::{Factors, Flow};
 
 /// New pressures of the ghosts that have water in reach, like those of the water.
 struct GhostPressures<'a> {
@@ -60,22 +57,22 @@ impl Task for GhostVelocities<'_> {
 }
 
 impl Wcsph {
-    /// New pressures of the ghosts in some of the blocks that count.
-    pub(super) fn press_ghosts(&mut self, some: Range<usize>) {
+    /// New pressures of the ghosts that count.
+    pub(super) fn press_ghosts(&mut self) {
         let (bodies, pressure) = (&self.held_bodies, &self.work.pressure);
-        self.exchange.refresh_pressures(self.path, &self.ghosts, bodies, pressure, some.clone());
-        let factors = &mut self.numbers.pressures_mut()[self.fluid.padded_len()..];
-        let images = (&self.exchange.counting()[some], self.exchange.images());
-        dispatch(self.path, GhostPressures { images, factors });
+        self.exchange.refresh_pressures(self.pairs.path, &self.ghosts, bodies, pressure);
+        let factors = &mut self.numbers[self.fluid.padded_len()..];
+        let images = (self.exchange.counting(), self.exchange.images());
+        dispatch(self.pairs.path, GhostPressures { images, factors });
     }
 
-    /// New velocities of the ghosts in some of the blocks that count.
-    pub(super) fn mirror_ghosts(&mut self, some: Range<usize>) {
+    /// New velocities of the ghosts that count.
+    pub(super) fn mirror_ghosts(&mut self) {
         let (bodies, water) = (&self.held_bodies, [&*self.fluid.vx, &*self.fluid.vy]);
-        self.exchange.refresh_velocities(self.path, &self.ghosts, bodies, water, some.clone());
+        self.exchange.refresh_velocities(self.pairs.path, &self.ghosts, bodies, water);
         let flow = self.flow();
-        let images = (&self.exchange.counting()[some], self.exchange.images());
-        let factors = &mut self.numbers.velocities_mut()[self.fluid.padded_len()..];
-        dispatch(self.path, GhostVelocities { flow, images, factors });
+        let images = (self.exchange.counting(), self.exchange.images());
+        let factors = &mut self.numbers[self.fluid.padded_len()..];
+        dispatch(self.pairs.path, GhostVelocities { flow, images, factors });
     }
 }

@@ -2,11 +2,10 @@
 
 use std::ops::Range;
 
-use super::separation::lanes;
 use crate::body::BodyMotion;
 use crate::boundary::Plane;
 use crate::math::simd::{LANES, Lanes, Task};
-use crate::particles::Fluid;
+use crate::pairs::{Fluid, lanes};
 
 /// Puts particles that have slipped through a wall back onto its face, with its velocity.
 pub(super) struct HoldInside<'a> {

@@ -1,12 +1,10 @@
 //! Particle shifting, away from walls and from the free surface.
 
 use super::inside::any_nearer;
-use super::momentum::store;
-use super::separation::{all_lanes, lanes};
 use super::{WcsphOptions, Workspace};
 use crate::boundary::Plane;
 use crate::math::simd::{LANES, Lanes, Task};
-use crate::particles::Fluid;
+use crate::pairs::{Fluid, all_lanes, lanes, store};
 
 /// Shifting fades in from this completeness of the support ...
 const FROM: f64 = 0.85;

@@ -6,8 +6,8 @@
 //! the difference loses two or three of sixteen digits.
 
 use super::factors::Factors;
+use super::pair_list::PairList;
 use crate::math::simd::{LANES, Lanes, Task};
-use crate::neighbours::PairList;
 
 /// What the passes after the first read of a pair's geometry: g, the kernel's slope over q times
 /// the neighbour's weight, a value per lane. Single precision halves the traffic; its rounding,

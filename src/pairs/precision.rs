@@ -3,7 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use crate::math::simd::{LANES, Lanes, Vector};
-use crate::particles::{Record, SingleRecord, split};
+
+use super::fields::Here;
+use super::record::{Record, SingleRecord, split};
 
 /// Precision of the momentum pass's pair terms; state and sums outside of it are always f64.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -15,16 +17,42 @@ pub enum Precision {
     F32,
 }
 
-/// A precision of pair terms.
-pub(super) trait Pairing: Copy + 'static {
-    /// What pair terms are computed in.
-    type In<L: Lanes>: Vector;
-    /// What is read of a neighbour.
-    type Neighbour: Neighbour;
+/// A neighbour as a pair reads it.
+#[derive(Clone, Copy)]
+pub struct Other<'a, N> {
+    /// Its record.
+    pub(super) record: &'a N,
+    /// Its number among the water and the ghosts.
+    pub number: usize,
 }
 
-/// What a pair loop reads of a neighbour.
-pub(super) trait Neighbour: Copy {
+impl<N: Neighbour> Other<'_, N> {
+    /// Velocity, m/s.
+    #[inline(always)]
+    pub fn velocity<V: Vector>(self) -> [V; 2] {
+        self.record.velocity()
+    }
+    /// Pressure times correction, Pa: xx, xy, yy.
+    #[inline(always)]
+    pub fn pressure<V: Vector>(self) -> [V; 3] {
+        self.record.pressure()
+    }
+    /// Its strain, given that of all water.
+    #[inline(always)]
+    pub fn strain<V: Vector>(self, all: &[[f64; 2]]) -> [V; 2] {
+        self.record.strain(all, self.number)
+    }
+    /// What density diffusion smooths of it, given that of all water, kg/m³.
+    #[inline(always)]
+    pub fn diffused<V: Vector>(self, all: &[f64]) -> V {
+        self.record.diffused(all, self.number)
+    }
+}
+
+/// What a pair loop reads of a neighbour, in the precision of the pair.
+pub trait Neighbour: Copy {
+    /// What its pairs are computed in.
+    type In<L: Lanes>: Vector;
     /// Eight places: x and y, each as one or two numbers.
     fn places<L: Lanes, V: Vector>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2];
     /// From this neighbour to eight places, over R.
@@ -38,20 +66,11 @@ pub(super) trait Neighbour: Copy {
     /// Pressure times correction, Pa: xx, xy, yy.
     fn pressure<V: Vector>(&self) -> [V; 3];
     /// Its strain, given that of all water and its number.
-    fn strain<V: Vector>(&self, all: &[[f64; 2]], number: u32) -> [V; 2];
+    fn strain<V: Vector>(&self, all: &[[f64; 2]], number: usize) -> [V; 2];
     /// What density diffusion smooths of it, given that of all water and its number, kg/m³.
-    fn diffused<V: Vector>(&self, all: &[f64], number: u32) -> V;
+    fn diffused<V: Vector>(&self, all: &[f64], number: usize) -> V;
     /// The same of eight particles, given the rest density, kg/m³.
-    fn own_diffused<V: Vector>(values: &[f64; LANES], rest: f64) -> V;
-}
-
-/// Double precision.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Double;
-
-impl Pairing for Double {
-    type In<L: Lanes> = L;
-    type Neighbour = Record;
+    fn own_diffused<V: Vector>(here: Here, all: &[f64], rest: f64) -> V;
 }
 
 /// A number of a record.
@@ -61,6 +80,8 @@ fn slot<V: Vector>(record: &Record, slot: usize) -> V {
 }
 
 impl Neighbour for Record {
+    type In<L: Lanes> = L;
+
     #[inline(always)]
     fn places<L: Lanes, V: Vector>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2] {
         let zero = V::splat(0.0);
@@ -91,27 +112,18 @@ impl Neighbour for Record {
         ]
     }
     #[inline(always)]
-    fn strain<V: Vector>(&self, all: &[[f64; 2]], number: u32) -> [V; 2] {
-        let [stretch, shear] = all[number as usize];
+    fn strain<V: Vector>(&self, all: &[[f64; 2]], number: usize) -> [V; 2] {
+        let [stretch, shear] = all[number];
         [V::splat(stretch), V::splat(shear)]
     }
     #[inline(always)]
-    fn diffused<V: Vector>(&self, all: &[f64], number: u32) -> V {
-        V::splat(all[number as usize])
+    fn diffused<V: Vector>(&self, all: &[f64], number: usize) -> V {
+        V::splat(all[number])
     }
     #[inline(always)]
-    fn own_diffused<V: Vector>(values: &[f64; LANES], _: f64) -> V {
-        V::load(values)
+    fn own_diffused<V: Vector>(here: Here, all: &[f64], _: f64) -> V {
+        here.of(all)
     }
-}
-
-/// Single precision.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Single;
-
-impl Pairing for Single {
-    type In<L: Lanes> = L::Single;
-    type Neighbour = SingleRecord;
 }
 
 /// A number of a record.
@@ -121,6 +133,8 @@ fn single<V: Vector>(record: &SingleRecord, slot: usize) -> V {
 }
 
 impl Neighbour for SingleRecord {
+    type In<L: Lanes> = L::Single;
+
     #[inline(always)]
     fn places<L: Lanes, V: Vector>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2] {
         let [x, x_rest] = split(L::load(x));
@@ -157,16 +171,16 @@ impl Neighbour for SingleRecord {
         ]
     }
     #[inline(always)]
-    fn strain<V: Vector>(&self, _: &[[f64; 2]], _: u32) -> [V; 2] {
+    fn strain<V: Vector>(&self, _: &[[f64; 2]], _: usize) -> [V; 2] {
         [single(self, Self::STRETCH), single(self, Self::SHEAR)]
     }
     #[inline(always)]
-    fn diffused<V: Vector>(&self, _: &[f64], _: u32) -> V {
+    fn diffused<V: Vector>(&self, _: &[f64], _: usize) -> V {
         single(self, Self::DIFFUSED)
     }
     #[inline(always)]
-    fn own_diffused<V: Vector>(values: &[f64; LANES], rest: f64) -> V {
-        let mut above = *values;
+    fn own_diffused<V: Vector>(here: Here, all: &[f64], rest: f64) -> V {
+        let mut above = *here.eight(all);
         for value in &mut above {
             *value -= rest;
         }
