@@ -4,10 +4,9 @@ use std::ops::Range;
 
 use super::InterpolatorChoice;
 use super::ghosts::Ghosts;
-use super::held_weights::Near;
 use super::image::{Image, Mirror};
 use super::stretch::Stretch;
-use super::sums::{Cover, GatherVelocity, KernelWeights, Means, Targets, Water, Weigh};
+use super::sums::{Cover, Gather, KernelWeights, Means, Near, Targets, Water, Weigh};
 use super::waterline::Waterline;
 use crate::body::BodyMotion;
 use crate::kernel::KernelChoice;
@@ -255,7 +254,10 @@ impl Exchange {
         let (scale, blocks) = (&scale[..], &counting[..]);
         team.share(parts, &mut means[..], &|part, means| {
             let blocks = part.among(blocks);
-            dispatch(path, GatherVelocity { part, blocks, scale, means, water });
+            dispatch(
+                path,
+                Gather { part, blocks, scale, means, fields: water, places: velocities },
+            );
         });
         self.mirror_velocities(path, ghosts, bodies);
     }
@@ -270,4 +272,9 @@ impl Exchange {
         let Exchange { images, counting, means, .. } = self;
         dispatch(path, Mirror { images, blocks: counting, means, ghosts, bodies });
     }
+}
+
+/// Where a mean velocity belongs.
+fn velocities(means: &mut Means) -> [&mut [f64; LANES]; 2] {
+    [&mut means.vx, &mut means.vy]
 }

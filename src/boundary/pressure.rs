@@ -3,7 +3,7 @@
 use super::exchange::Exchange;
 use super::ghosts::{Ghosts, Site};
 use super::image::Press;
-use super::sums::GatherPressure;
+use super::sums::{Gather, Means};
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, SimdPath, dispatch};
 
@@ -39,7 +39,8 @@ impl Exchange {
         let (scale, blocks) = (&scale[..], &counting[..]);
         team.share(parts, &mut means[..], &|part, means| {
             let blocks = part.among(blocks);
-            dispatch(path, GatherPressure { part, blocks, scale, means, pressure });
+            let (fields, places) = ([pressure], pressures);
+            dispatch(path, Gather { part, blocks, scale, means, fields, places });
         });
         self.press(path, ghosts, bodies);
     }
@@ -59,4 +60,9 @@ impl Exchange {
             face => self.wet_share(body, face as usize),
         }
     }
+}
+
+/// Where a mean pressure belongs.
+fn pressures(means: &mut Means) -> [&mut [f64; LANES]; 1] {
+    [&mut means.pressure]
 }

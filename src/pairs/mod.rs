@@ -29,6 +29,7 @@ mod rounding;
 mod strips;
 mod term;
 mod verlet;
+mod weights;
 
 pub use around::{Around, Neighbours, Records, Sums};
 pub use factors::Factors;
@@ -46,5 +47,6 @@ pub use rounding::round;
 pub use strips::Strips;
 pub use term::{Eight, If, Term, loaded};
 pub use verlet::{Drift, Reach};
+pub use weights::HeldWeights;
 
 pub use crate::math::simd::{Lanes as Double, Vector as Real};

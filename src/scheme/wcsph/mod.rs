@@ -14,7 +14,6 @@ mod continuity;
 mod contract;
 mod correction;
 mod diffusion;
-mod ghost_pack;
 mod inside;
 mod laminar;
 mod lists;

@@ -61,7 +61,7 @@ impl Each<PressureRows<'_>> for Pressures<'_> {
         here.put(diffused, smoothed);
         let [xx, xy, yy] = here.all::<D, 3>(self.correction);
         let place = here.all(self.places);
-        here.put_numbers(factors, pressure_factors([p * xx, p * xy, p * yy], place));
+        here.put_numbers(factors, Factors::of_pressure([p * xx, p * xy, p * yy], place));
     }
 }
 
@@ -156,11 +156,19 @@ impl Wcsph {
             self.pairs.each(factors, &Velocities { fluid, places, flow, formulation, diffused });
         });
     }
-}
 
-/// P_xx, P_xy, P_yy, (P r)_x, (P r)_y, and nothing more.
-#[inline(always)]
-pub(super) fn pressure_factors<D: Double>([xx, xy, yy]: [D; 3], [x, y]: [D; 2]) -> [D; 8] {
-    let nothing = D::splat(0.0);
-    [xx, xy, yy, xx * x + xy * y, xy * x + yy * y, nothing, nothing, nothing]
+    /// New pressures of the ghosts that count.
+    pub(super) fn press_ghosts(&mut self) {
+        let (path, bodies, water) = (self.pairs.path, &self.held_bodies, &*self.work.pressure);
+        self.exchange.refresh_pressures(path, &self.ghosts, bodies, water);
+        self.exchange.pack_pressures(path, &mut self.numbers[self.fluid.padded_len()..]);
+    }
+
+    /// New velocities of the ghosts that count.
+    pub(super) fn mirror_ghosts(&mut self) {
+        let (path, bodies, flow) = (self.pairs.path, &self.held_bodies, self.flow());
+        let water = [&*self.fluid.vx, &*self.fluid.vy];
+        self.exchange.refresh_velocities(path, &self.ghosts, bodies, water);
+        self.exchange.pack_velocities(path, flow, &mut self.numbers[self.fluid.padded_len()..]);
+    }
 }

@@ -8,8 +8,7 @@ use super::laminar::Laminar;
 use super::momentum::Momentum;
 use super::support::Support;
 use super::{DensityDiffusion, Shifting, Wcsph};
-use crate::math::simd::{LANES, Lanes, Task, dispatch};
-use crate::pairs::{Flow, Neighbours, Precision, Records, round};
+use crate::pairs::{Double, Each, Flow, Here, Neighbours, Precision, Records, round};
 
 /// Water bears tension from this completeness: none at the surface ...
 pub(super) const TENSION_FROM: f64 = 0.6;
@@ -19,28 +18,18 @@ pub(super) const TENSION_FULL: f64 = 0.9;
 /// The share of tension that water bears under the surface: what is left out of its correction
 /// there, for the balance under gravity, is not left out of its tension.
 struct Bearing<'a> {
-    tension: &'a mut [f64],
     completeness: &'a [f64],
     first_row: f64,
 }
 
-impl Task for Bearing<'_> {
-    type Output = ();
-
+impl Each<&mut [f64]> for Bearing<'_> {
     #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        let (tensions, _) = self.tension.as_chunks_mut::<LANES>();
-        for (tension, completeness) in tensions.iter_mut().zip(self.completeness.as_chunks().0) {
-            let completeness = L::load(completeness);
-            let inside = (completeness - L::splat(TENSION_FROM))
-                * L::splat(1.0 / (TENSION_FULL - TENSION_FROM));
-            inside
-                .max(zero)
-                .div(surface_share(completeness, self.first_row))
-                .min(one)
-                .store(tension);
-        }
+    fn at<D: Double>(&self, here: Here, tension: &mut &mut [f64]) {
+        let completeness = here.of::<D>(self.completeness);
+        let inside =
+            (completeness - D::splat(TENSION_FROM)) * D::splat(1.0 / (TENSION_FULL - TENSION_FROM));
+        let share = inside.max(D::splat(0.0)).div(surface_share(completeness, self.first_row));
+        here.put(tension, share.min(D::splat(1.0)));
     }
 }
 
@@ -70,7 +59,7 @@ impl Wcsph {
         if self.options.corrected_gradients {
             let (tension, completeness) = (&mut *self.work.tension, &*self.work.completeness);
             let first_row = self.options.first_row_share();
-            dispatch(self.pairs.path, Bearing { tension, completeness, first_row });
+            self.pairs.each(tension, &Bearing { completeness, first_row });
         }
     }
 
