@@ -130,9 +130,10 @@ impl Exchange {
         &self.images
     }
 
-    /// Number of target-to-fluid pairs in the lists, eight lanes each.
-    pub fn pairs(&self) -> usize {
-        self.parts.iter().map(|part| part.list.len()).sum()
+    /// Number of target-to-fluid pairs in the lists.
+    pub fn pairs(&self) -> u64 {
+        let entries = self.parts.iter().map(|part| part.list.len());
+        (LANES * entries.sum::<usize>()) as u64
     }
 
     /// Lists the fluid around every target; `reach` in metres.

@@ -1,5 +1,7 @@
 //! The water's pairs: its neighbour lists, when they are worn, and how they are made.
 
+use std::mem::take;
+
 use super::fluid::{Fluid, reorder};
 use super::pair_list::PointSet;
 use super::parts::{Part, Tally, cut};
@@ -185,14 +187,16 @@ impl Pairs {
         self.parts.iter().map(|part| &part.tally)
     }
 
-    /// The entries, of eight pairs each, that passes for forces have gone through since last asked.
-    pub fn take_force_entries(&mut self) -> usize {
-        self.parts.iter_mut().map(|part| std::mem::take(&mut part.tally.force_entries)).sum()
+    /// The pairs that passes for forces have gone through since last asked.
+    pub fn take_force_pairs(&mut self) -> u64 {
+        let entries = self.parts.iter_mut().map(|part| take(&mut part.tally.force_entries));
+        (LANES * entries.sum::<usize>()) as u64
     }
 
     /// The same of passes for the flow.
-    pub fn take_flow_entries(&mut self) -> usize {
-        self.parts.iter_mut().map(|part| std::mem::take(&mut part.tally.flow_entries)).sum()
+    pub fn take_flow_pairs(&mut self) -> u64 {
+        let entries = self.parts.iter_mut().map(|part| take(&mut part.tally.flow_entries));
+        (LANES * entries.sum::<usize>()) as u64
     }
 
     /// The sum of all powers, W per metre of width.

@@ -24,10 +24,12 @@ mod pack;
 mod passes;
 mod pressing;
 mod readings;
+mod response;
 mod shifting;
 mod state;
 mod step;
 mod support;
+mod viscosity;
 
 pub use crate::pairs::Precision;
 pub use options::{DensityDiffusion, Shifting, WcsphOptions};

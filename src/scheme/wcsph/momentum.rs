@@ -12,7 +12,9 @@
 
 use super::Workspace;
 use super::diffusion::DensityGradient;
+use super::response::Response;
 use super::support::{Moment, Support};
+use super::viscosity::ArtificialViscosity;
 use crate::pairs::{
     Around, Double, Eight, Equation, Fluid, Here, If, Neighbour, Other, Pair, Real, Sums, Term,
     loaded,
@@ -53,92 +55,6 @@ impl<const CORRECTED: bool> Term for Pressure<CORRECTED> {
     }
 }
 
-/// Σ_j V_j π_ij ∇W. With `CORRECTED`, π_ij holds only what a linear, divergence-free velocity field
-/// leaves of it, limited so that every pair dissipates. Of a wall, `GHOSTS`, the strain is the
-/// particle's own.
-#[derive(Clone, Copy)]
-struct ArtificialViscosity<'a, const CORRECTED: bool, const GHOSTS: bool> {
-    fluid: &'a Fluid,
-    /// See [`Momentum::strain`].
-    strain: &'a [[f64; 2]],
-}
-
-impl<const CORRECTED: bool, const GHOSTS: bool> Term
-    for ArtificialViscosity<'_, CORRECTED, GHOSTS>
-{
-    /// Velocity and strain.
-    type Own<R: Real> = [[R; 2]; 2];
-    type Sum<R: Real> = [R; 2];
-    type Total = [Eight; 2];
-
-    #[inline(always)]
-    fn own<R: Real, N: Neighbour>(&self, here: Here) -> [[R; 2]; 2] {
-        let velocity = here.all([&self.fluid.vx, &self.fluid.vy]);
-        [velocity, if CORRECTED { here.both(self.strain) } else { [R::splat(0.0); 2] }]
-    }
-
-    #[inline(always)]
-    fn add<R: Real, N: Neighbour>(
-        &self,
-        &[[u, v], own]: &[[R; 2]; 2],
-        pair: &Pair<R>,
-        other: Other<'_, N>,
-        [x, y]: &mut [R; 2],
-    ) {
-        let ([their_u, their_v], Pair { dx, dy, .. }) = (other.velocity(), *pair);
-        let (du, dv) = (u - their_u, v - their_v);
-        let mut approach = du.mul_add(dx, dv * dy);
-        if CORRECTED {
-            let theirs = if GHOSTS { own } else { other.strain(self.strain) };
-            let (stretch, shear) = (own[0] + theirs[0], own[1] + theirs[1]);
-            let apart = dx.mul_sub(dx, dy * dy);
-            let rest = (dx * dy).negated_mul_add(shear, approach);
-            let rest = apart.negated_mul_add(stretch, rest);
-            // Between nothing and all of it: every pair then dissipates.
-            let zero = R::splat(0.0);
-            let (low, high) = (approach.min(zero), approach.max(zero));
-            approach = rest.min(high).max(low);
-        }
-        let [gx, gy] = pair.gradient();
-        let drag = pair.over_square(approach);
-        *x = drag.mul_add(gx, *x);
-        *y = drag.mul_add(gy, *y);
-    }
-}
-
-/// Σ_j V_j b_j ∇W, b the change of a ghost's pressure with the acceleration of its wall.
-#[derive(Clone, Copy)]
-struct Response<'a> {
-    /// Of all ghosts, times the correction: xx, xy, yy.
-    responses: &'a [[f64; 3]],
-    /// Number of the first ghost among all neighbours.
-    first_ghost: usize,
-}
-
-impl Term for Response<'_> {
-    type Own<R: Real> = ();
-    type Sum<R: Real> = [R; 2];
-    type Total = [Eight; 2];
-
-    #[inline(always)]
-    fn own<R: Real, N: Neighbour>(&self, _: Here) {}
-
-    #[inline(always)]
-    fn add<R: Real, N: Neighbour>(
-        &self,
-        (): &(),
-        pair: &Pair<R>,
-        other: Other<'_, N>,
-        [x, y]: &mut [R; 2],
-    ) {
-        let [xx, xy, yy] = self.responses[other.number - self.first_ghost];
-        let (xx, xy, yy) = (R::splat(xx), R::splat(xy), R::splat(yy));
-        let [gx, gy] = pair.gradient();
-        *x = xy.mul_add(gy, xx.mul_add(gx, *x));
-        *y = yy.mul_add(gy, xy.mul_add(gx, *y));
-    }
-}
-
 /// The equation, with what else the same pairs give: the support of each particle, and with `GRADIENTS`
 /// the renormalised density gradient.
 pub(super) struct Momentum<'a, const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool> {
@@ -166,6 +82,7 @@ pub(super) struct Momentum<'a, const CORRECTED: bool, const VISCOUS: bool, const
 }
 
 /// Sums over some neighbours: force per volume of pressure and of viscosity, Σ V_j ∇W and its moment.
+#[derive(Clone, Copy)]
 struct Share<D> {
     push: [D; 2],
     drag: [D; 2],
@@ -173,9 +90,24 @@ struct Share<D> {
     moment: [D; 3],
 }
 
+impl<D: Double> Share<D> {
+    #[inline(always)]
+    fn add(&mut self, more: &Share<D>) {
+        for n in 0..2 {
+            self.push[n] += more.push[n];
+            self.drag[n] += more.drag[n];
+            self.gradient[n] += more.gradient[n];
+        }
+        for n in 0..3 {
+            self.moment[n] += more.moment[n];
+        }
+    }
+}
+
 impl<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>
     Momentum<'_, CORRECTED, VISCOUS, GRADIENTS>
 {
+    #[inline(always)]
     fn viscosity<const GHOSTS: bool>(
         &self,
     ) -> If<VISCOUS, ArtificialViscosity<'_, CORRECTED, GHOSTS>> {
@@ -250,16 +182,13 @@ impl<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>
         let Sums { gradient, terms: (pressure, drag, moment, rise), .. } =
             around.water::<D, _>(terms);
         let water = self.share::<D>(here, &gradient, (&pressure, &drag, &moment));
-        let Share { mut push, mut drag, mut gradient, mut moment } = water;
+        let mut all = water;
         for body in 0..around.bodies() {
-            let Some((more, response)) = self.of_wall::<D>(body, here, around) else { continue };
-            add(&mut push, &more.push);
-            add(&mut drag, &more.drag);
-            add(&mut gradient, &more.gradient);
-            add(&mut moment, &more.moment);
+            let Some((wall, response)) = self.of_wall::<D>(body, here, around) else { continue };
+            all.add(&wall);
             // The body's reaction: minus the force of its ghosts on the water.
-            let viscous = (more.drag[0] * volume).sum();
-            let force = viscous + (more.push[0] * volume).sum();
+            let viscous = (wall.drag[0] * volume).sum();
+            let force = viscous + (wall.push[0] * volume).sum();
             let mut added_mass = 0.0;
             if let Some([x, y]) = response {
                 let minus = D::splat(0.0) - inverse_density;
@@ -268,11 +197,12 @@ impl<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>
             }
             around.tally.loads.push((body, [-force, -viscous, -added_mass]));
         }
+        let Share { push, drag, gradient, moment } = all;
         // All that viscosity does until the next full step, it does now.
         let steps = D::splat(self.steps);
-        let (force_x, force_y) = (drag[0].mul_add(steps, push[0]), drag[1].mul_add(steps, push[1]));
-        here.put(acceleration_x, force_x * inverse_density);
-        here.put(acceleration_y, force_y.mul_sub(inverse_density, D::splat(self.gravity)));
+        let force = [drag[0].mul_add(steps, push[0]), drag[1].mul_add(steps, push[1])];
+        here.put(acceleration_x, force[0] * inverse_density);
+        here.put(acceleration_y, force[1].mul_sub(inverse_density, D::splat(self.gravity)));
         if VISCOUS {
             let [u, v] = here.all::<D, 2>([&self.fluid.vx, &self.fluid.vy]);
             around.tally.add_power(drag[0].mul_add(u, drag[1] * v) * volume);
@@ -285,13 +215,6 @@ impl<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>
         here.put(concentration_x, gradient[0]);
         here.put(concentration_y, gradient[1]);
         self.support.put(here, moment, water.moment, support);
-    }
-}
-
-#[inline(always)]
-fn add<D: Double, const N: usize>(sums: &mut [D; N], more: &[D; N]) {
-    for n in 0..N {
-        sums[n] += more[n];
     }
 }
 

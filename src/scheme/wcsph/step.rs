@@ -4,7 +4,6 @@ use std::time::Instant;
 
 use super::{Shifting, Wcsph};
 use crate::body::BodyMotion;
-use crate::math::simd::LANES;
 use crate::scheme::{Dissipation, StepWalls};
 
 /// What is lost on the way, per metre of width.
@@ -55,7 +54,7 @@ impl Wcsph {
             self.work.last_acceleration_x.fill(0.0);
             self.work.last_acceleration_y.fill(0.0);
             // Counted once, as for who goes on from a state kept here.
-            self.pairs.take_force_entries();
+            self.pairs.take_force_pairs();
             self.find_forces();
         }
         &self.work.loads
@@ -101,7 +100,7 @@ impl Wcsph {
     pub fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation {
         let start = Instant::now();
         // Of this step: further on come the next one's.
-        let forces = self.pairs.take_force_entries();
+        let forces = self.pairs.take_force_pairs();
         self.bulk_time = self.options.bulk_damping * walls.next.dt;
         self.hold_offsets(walls);
         self.move_planes(dt, walls.bodies);
@@ -170,10 +169,9 @@ impl Wcsph {
         }
     }
 
-    /// Counts what this step has gone through, `forces` entries for its forces.
-    fn count_pairs(&mut self, forces: usize) {
-        let entries = forces + self.pairs.take_flow_entries() + self.exchange.pairs();
-        self.pair_evaluations += (LANES * entries) as u64;
+    /// Counts what this step has gone through, `forces` pairs for its forces.
+    fn count_pairs(&mut self, forces: u64) {
+        self.pair_evaluations += forces + self.pairs.take_flow_pairs() + self.exchange.pairs();
         if self.substep == 0 {
             // Weights are found in full steps alone.
             self.boundary_fallbacks += self.exchange.fallbacks();
