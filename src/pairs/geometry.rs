@@ -10,6 +10,7 @@ use crate::kernel::Kernel;
 use crate::math::simd::{Lanes, Task, Vector};
 
 use super::precision::Neighbour;
+use super::record::Record;
 
 /// Neighbours that are taken at a time: as many as a word has bits.
 pub(super) const CHUNK: usize = u64::BITS as usize;
@@ -133,7 +134,7 @@ impl<K: Kernel, R: Vector, N: Neighbour> Task for Fill<'_, K, R, N> {
             let [dx, dy] = record.apart(places);
             let s = dx.mul_add(dx, dy.mul_add(dy, R::splat(COINCIDENT)));
             let roots = s.roots();
-            let slope = K::slope_over_q(s, roots) * record.weight();
+            let slope = K::slope_over_q(s, roots) * R::splat(record.slot(Record::WEIGHT));
             let divisor = s.divisor(roots);
             room.write(Pair { dx, dy, divisor, slope });
             let counts = s.any_less(R::splat(1.0)) & record.counts();
@@ -169,7 +170,7 @@ mod tests {
     use super::*;
     use crate::kernel::WendlandC2;
     use crate::math::simd::{LANES, SimdPath, dispatch};
-    use crate::pairs::{Record, SingleRecord};
+    use crate::pairs::SingleRecord;
 
     /// Which of neighbours on a line, one tenth of R apart, are visited, how often, and how far away
     /// along x; in double precision, then in single.

@@ -40,9 +40,6 @@ pub struct Pairs {
     rebuilds: u64,
 }
 
-/// What must be kept of the lists to make the same ones again.
-pub type Reference<'a> = ([&'a [f64]; 2], &'a [f64]);
-
 impl Pairs {
     /// No lists yet, for a kernel's support radius and a particle spacing, metres.
     pub fn new(path: SimdPath, radius: f64, spacing: f64) -> Pairs {
@@ -89,8 +86,9 @@ impl Pairs {
         self.rebuilds
     }
 
-    /// What must be kept of the lists.
-    pub fn reference(&self) -> Reference<'_> {
+    /// What must be kept to make the same lists again: x and y of the water where they were made, and how
+    /// far the bodies were moved then, metres.
+    pub fn reference(&self) -> ([&[f64]; 2], &[f64]) {
         ([&self.reference[0], &self.reference[1]], &self.offsets)
     }
 

@@ -30,12 +30,20 @@ impl<N: Neighbour> Other<'_, N> {
     /// Velocity, m/s.
     #[inline(always)]
     pub fn velocity<V: Vector>(self) -> [V; 2] {
-        self.record.velocity()
+        [self.slot(Record::VX), self.slot(Record::VY)]
     }
     /// Pressure times correction, Pa: xx, xy, yy.
     #[inline(always)]
     pub fn pressure<V: Vector>(self) -> [V; 3] {
-        self.record.pressure()
+        [
+            self.slot(Record::PRESSURE),
+            self.slot(Record::PRESSURE_XY),
+            self.slot(Record::PRESSURE_YY),
+        ]
+    }
+    #[inline(always)]
+    fn slot<V: Vector>(self, slot: usize) -> V {
+        V::splat(self.record.slot(slot))
     }
     /// Its strain, given that of all water.
     #[inline(always)]
@@ -57,26 +65,19 @@ pub trait Neighbour: Copy {
     fn places<L: Lanes, V: Vector>(x: &[f64; LANES], y: &[f64; LANES]) -> [[V; 2]; 2];
     /// From this neighbour to eight places, over R.
     fn apart<V: Vector>(&self, places: [[V; 2]; 2]) -> [V; 2];
-    /// Velocities, m/s.
-    fn velocity<V: Vector>(&self) -> [V; 2];
-    /// See [`Record::WEIGHT`].
-    fn weight<V: Vector>(&self) -> V;
-    /// Whether there is a weight at all.
-    fn counts(&self) -> bool;
-    /// Pressure times correction, Pa: xx, xy, yy.
-    fn pressure<V: Vector>(&self) -> [V; 3];
+    /// A number of the record: see [`Record`].
+    fn slot(&self, slot: usize) -> f64;
     /// Its strain, given that of all water and its number.
     fn strain<V: Vector>(&self, all: &[[f64; 2]], number: usize) -> [V; 2];
     /// What density diffusion smooths of it, given that of all water and its number, kg/m³.
     fn diffused<V: Vector>(&self, all: &[f64], number: usize) -> V;
     /// The same of eight particles, given the rest density, kg/m³.
     fn own_diffused<V: Vector>(here: Here, all: &[f64], rest: f64) -> V;
-}
-
-/// A number of a record.
-#[inline(always)]
-fn slot<V: Vector>(record: &Record, slot: usize) -> V {
-    V::splat(record.0[slot])
+    /// Whether it counts: ghosts without a weight do not.
+    #[inline(always)]
+    fn counts(&self) -> bool {
+        self.slot(Record::WEIGHT) != 0.0
+    }
 }
 
 impl Neighbour for Record {
@@ -89,27 +90,7 @@ impl Neighbour for Record {
     }
     #[inline(always)]
     fn apart<V: Vector>(&self, [[x, _], [y, _]]: [[V; 2]; 2]) -> [V; 2] {
-        [x - slot(self, Record::X), y - slot(self, Record::Y)]
-    }
-    #[inline(always)]
-    fn velocity<V: Vector>(&self) -> [V; 2] {
-        [slot(self, Record::VX), slot(self, Record::VY)]
-    }
-    #[inline(always)]
-    fn weight<V: Vector>(&self) -> V {
-        slot(self, Record::WEIGHT)
-    }
-    #[inline(always)]
-    fn counts(&self) -> bool {
-        self.0[Record::WEIGHT] != 0.0
-    }
-    #[inline(always)]
-    fn pressure<V: Vector>(&self) -> [V; 3] {
-        [
-            slot(self, Record::PRESSURE),
-            slot(self, Record::PRESSURE_XY),
-            slot(self, Record::PRESSURE_YY),
-        ]
+        [x - V::splat(self.0[Record::X]), y - V::splat(self.0[Record::Y])]
     }
     #[inline(always)]
     fn strain<V: Vector>(&self, all: &[[f64; 2]], number: usize) -> [V; 2] {
@@ -124,12 +105,10 @@ impl Neighbour for Record {
     fn own_diffused<V: Vector>(here: Here, all: &[f64], _: f64) -> V {
         here.of(all)
     }
-}
-
-/// A number of a record.
-#[inline(always)]
-fn single<V: Vector>(record: &SingleRecord, slot: usize) -> V {
-    V::splat(f64::from(record.0[slot]))
+    #[inline(always)]
+    fn slot(&self, slot: usize) -> f64 {
+        self.0[slot]
+    }
 }
 
 impl Neighbour for SingleRecord {
@@ -146,37 +125,20 @@ impl Neighbour for SingleRecord {
     }
     #[inline(always)]
     fn apart<V: Vector>(&self, [x, y]: [[V; 2]; 2]) -> [V; 2] {
-        let dx = x[0] - single(self, Record::X);
-        let dy = y[0] - single(self, Record::Y);
-        [dx + (x[1] - single(self, Self::X_REST)), dy + (y[1] - single(self, Self::Y_REST))]
-    }
-    #[inline(always)]
-    fn velocity<V: Vector>(&self) -> [V; 2] {
-        [single(self, Record::VX), single(self, Record::VY)]
-    }
-    #[inline(always)]
-    fn weight<V: Vector>(&self) -> V {
-        single(self, Record::WEIGHT)
-    }
-    #[inline(always)]
-    fn counts(&self) -> bool {
-        self.0[Record::WEIGHT] != 0.0
-    }
-    #[inline(always)]
-    fn pressure<V: Vector>(&self) -> [V; 3] {
+        let dx = x[0] - V::splat(self.slot(Record::X));
+        let dy = y[0] - V::splat(self.slot(Record::Y));
         [
-            single(self, Record::PRESSURE),
-            single(self, Record::PRESSURE_XY),
-            single(self, Record::PRESSURE_YY),
+            dx + (x[1] - V::splat(self.slot(Self::X_REST))),
+            dy + (y[1] - V::splat(self.slot(Self::Y_REST))),
         ]
     }
     #[inline(always)]
     fn strain<V: Vector>(&self, _: &[[f64; 2]], _: usize) -> [V; 2] {
-        [single(self, Self::STRETCH), single(self, Self::SHEAR)]
+        [V::splat(self.slot(Self::STRETCH)), V::splat(self.slot(Self::SHEAR))]
     }
     #[inline(always)]
     fn diffused<V: Vector>(&self, _: &[f64], _: usize) -> V {
-        single(self, Self::DIFFUSED)
+        V::splat(self.slot(Self::DIFFUSED))
     }
     #[inline(always)]
     fn own_diffused<V: Vector>(here: Here, all: &[f64], rest: f64) -> V {
@@ -185,6 +147,10 @@ impl Neighbour for SingleRecord {
             *value -= rest;
         }
         V::load(&above)
+    }
+    #[inline(always)]
+    fn slot(&self, slot: usize) -> f64 {
+        f64::from(self.0[slot])
     }
 }
 

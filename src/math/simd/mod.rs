@@ -140,15 +140,6 @@ pub trait Task {
 
 /// Runs a task with the instructions of `path`, or portably where the processor lacks them.
 pub fn dispatch<T: Task>(path: SimdPath, task: T) -> T::Output {
-    if path == SimdPath::Portable { portable::run(task) } else { dispatch_vectors(path, task) }
-}
-
-/// Runs a task with the instructions of `path`, which is not the portable one: for variants of a loop
-/// that differ in speed alone and are not compiled for it, whose code is ten times as long.
-///
-/// # Panics
-/// The path is portable.
-pub fn dispatch_vectors<T: Task>(path: SimdPath, task: T) -> T::Output {
     #[cfg(target_arch = "x86_64")]
     {
         debug_assert!(path.is_supported());
@@ -159,8 +150,7 @@ pub fn dispatch_vectors<T: Task>(path: SimdPath, task: T) -> T::Output {
             SimdPath::Portable => {}
         }
     }
-    let _ = task;
-    unreachable!("no vectors on the path {}", path.name())
+    portable::run(task)
 }
 
 #[cfg(test)]

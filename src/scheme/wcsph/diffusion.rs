@@ -13,9 +13,16 @@ pub(super) trait Diffusion: Copy + Sync {
     /// Whether there is any.
     const ON: bool = true;
     /// Of a neighbour, by what it smooths: its share times ψ, and its share.
-    fn neighbour<D: Double>(self, here: Here, smoothed: D) -> [D; 2];
-    /// Σ over the pairs, up to the factor δ h c0/R: of the particle's own ψ, of Σ g s_j ψ_j and Σ g s_j.
-    fn rate<D: Double>(self, here: Here, held: &Held<'_, '_>, own: D, sums: [D; 2]) -> D;
+    #[inline(always)]
+    fn neighbour<D: Double>(self, _: Here, smoothed: D) -> [D; 2] {
+        [smoothed, D::splat(1.0)]
+    }
+    /// The sum over the pairs, up to the factor δ h c0/R: of the particle's own ψ, of Σ g s_j ψ_j and
+    /// Σ g s_j.
+    #[inline(always)]
+    fn rate<D: Double>(self, _: Here, _: &Held<'_, '_>, own: D, [smoothed, share]: [D; 2]) -> D {
+        own.mul_sub(share, smoothed) * D::splat(2.0)
+    }
     /// What of the rate is left where the particle itself takes part in the diffusion.
     #[inline(always)]
     fn faded<D: Double>(self, _: Here, rate: D) -> D {
@@ -58,31 +65,13 @@ pub(super) struct NoDiffusion;
 
 impl Diffusion for NoDiffusion {
     const ON: bool = false;
-
-    #[inline(always)]
-    fn neighbour<D: Double>(self, _: Here, smoothed: D) -> [D; 2] {
-        [smoothed, D::splat(1.0)]
-    }
-    #[inline(always)]
-    fn rate<D: Double>(self, _: Here, _: &Held<'_, '_>, _: D, _: [D; 2]) -> D {
-        D::splat(0.0)
-    }
 }
 
-/// Of Molteni & Colagrossi 2009: ψ = ρ.
+/// Of Molteni & Colagrossi 2009: ψ = ρ, and every share 1.
 #[derive(Clone, Copy)]
 pub(super) struct Molteni;
 
-impl Diffusion for Molteni {
-    #[inline(always)]
-    fn neighbour<D: Double>(self, _: Here, smoothed: D) -> [D; 2] {
-        [smoothed, D::splat(1.0)]
-    }
-    #[inline(always)]
-    fn rate<D: Double>(self, _: Here, _: &Held<'_, '_>, own: D, [smoothed, share]: [D; 2]) -> D {
-        own.mul_sub(share, smoothed) * D::splat(2.0)
-    }
-}
+impl Diffusion for Molteni {}
 
 /// Molteni's with ψ = ρ_s (ln(ρ/ρ_s) + g y/c0²), uniform in still water; faded out towards the free
 /// surface on both sides of a pair.
@@ -97,10 +86,6 @@ impl Diffusion for Hydrostatic<'_> {
     fn neighbour<D: Double>(self, here: Here, smoothed: D) -> [D; 2] {
         let share = here.of::<D>(self.share);
         [share * smoothed, share]
-    }
-    #[inline(always)]
-    fn rate<D: Double>(self, here: Here, held: &Held<'_, '_>, own: D, sums: [D; 2]) -> D {
-        Molteni.rate(here, held, own, sums)
     }
     #[inline(always)]
     fn faded<D: Double>(self, here: Here, rate: D) -> D {
