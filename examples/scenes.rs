@@ -3,7 +3,8 @@
 //! `cargo run --release --example scenes -- RUNS_DIR OUT_DIR`
 //!
 //! A part of which `RUNS_DIR` has runs gets its table anew, `OUT_DIR/<part>.csv`; `OUT_DIR/scenes.md` then
-//! shows all the tables that are there. Exit code 0 where every run is well, 1 where one failed.
+//! shows all the tables that are there. Exit code 0 where every run is well, 1 where one failed, 2 on bad
+//! input.
 
 #[allow(dead_code)] // Each example takes a part.
 #[path = "common/runs.rs"]
@@ -126,7 +127,7 @@ const PARTS: [Part; 4] = [
 fn finished(directory: &Path) -> Vec<PathBuf> {
     let inside = fs::read_dir(directory).into_iter().flatten().flatten().map(|entry| entry.path());
     let mut all: Vec<_> = inside.chain([directory.to_owned()]).collect();
-    all.retain(|path| path.join("summary.csv").exists());
+    all.retain(|path| path.join("manifest.json").exists() && path.join("summary.csv").exists());
     all.sort();
     all
 }
@@ -190,7 +191,7 @@ fn page(out: &Path) -> Result<String> {
     Ok(text)
 }
 
-fn main() -> Result<ExitCode> {
+fn run() -> Result<bool> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [runs, out] = &arguments[..] else { anyhow::bail!("usage: scenes RUNS_DIR OUT_DIR") };
     let (runs, out) = (Path::new(runs), Path::new(out));
@@ -202,7 +203,18 @@ fn main() -> Result<ExitCode> {
     }
     ensure!(any, "no finished runs in {}", runs.display());
     fs::write(out.join("scenes.md"), page(out)?)?;
-    Ok(if well { ExitCode::SUCCESS } else { ExitCode::from(1) })
+    Ok(well)
+}
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(true) => ExitCode::SUCCESS,
+        Ok(false) => ExitCode::from(1),
+        Err(error) => {
+            eprintln!("scenes: {error:#}");
+            ExitCode::from(2)
+        }
+    }
 }
 
 #[cfg(test)]
