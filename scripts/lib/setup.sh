@@ -1,6 +1,9 @@
 # shellcheck shell=bash
 # What the scripts share: finding and installing what a build needs, building, and launching.
 # Everything said goes to stderr, one line each, so that a program's own output stays clean.
+#
+# SEAWALL_BINARY=FILE names a finished program that is to run instead of one built here. It runs on
+# threads. Examples and benchmarks are built all the same.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 target=${CARGO_TARGET_DIR:-$root/target}
@@ -107,7 +110,15 @@ launcher() {
   launch=(mpirun -q -n "$1" --host "localhost:$1" --bind-to none)
 }
 
+# given_binary: takes the program that SEAWALL_BINARY names, if it names one.
+given_binary() {
+  [ -n "${SEAWALL_BINARY:-}" ] || return 1
+  [ -x "$SEAWALL_BINARY" ] || fail "SEAWALL_BINARY=$SEAWALL_BINARY: must be a program"
+  binary=$(realpath "$SEAWALL_BINARY")
+}
+
 build_threads() {
+  given_binary && return
   say "building (threads)"
   (cd "$root" && CARGO_TARGET_DIR=$target cargo build --release --quiet) || fail "the build failed"
   binary=$target/release/seawall
@@ -116,6 +127,7 @@ build_threads() {
 # build_mpi: builds with MPI, in a target directory of its own so that neither build undoes the
 # other's, and tries it; fails with one line where MPI does not work here.
 build_mpi() {
+  [ -z "${SEAWALL_BINARY:-}" ] || return 1
   need_mpi || return 1
   say "building (MPI)"
   (cd "$root" && CARGO_TARGET_DIR=$target/mpi cargo build --release --features mpi) >"$setup_log" 2>&1 || {
