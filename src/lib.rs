@@ -5,7 +5,7 @@
 //!
 //! | layer | modules | what lives there |
 //! |---|---|---|
-//! | 1 | [`math`], [`theory`] | SIMD lanes; pure formulas |
+//! | 1 | [`math`], [`theory`], [`keys`] | SIMD lanes; pure formulas; how keys are declared |
 //! | 2 | [`kernel`] | smoothing kernels behind one contract |
 //! | 3 | [`particles`], [`neighbours`] | particle arrays, neighbour lists |
 //! | 4 | [`boundary`], [`body`] | ghost particle interpolators; paddle and walls |
@@ -23,6 +23,7 @@ pub mod body;
 pub mod boundary;
 pub mod cli;
 pub mod kernel;
+pub mod keys;
 pub mod math;
 pub mod neighbours;
 pub mod particles;

@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::check::Check;
-use super::error::ConfigError;
+use super::filling::WALL_HEIGHT;
+use crate::keys::{ConfigError, section};
 
 /// What the seawall may do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -15,126 +15,78 @@ pub enum WallChoice {
     Movable,
 }
 
-/// The `[scene]` table with `kind = "seawall"`, complete.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct SeawallScene {
-    /// Still water depth h, metres.
-    pub still_water_depth_m: f64,
-    /// From the paddle at rest to the wall at rest, metres.
-    pub tank_length_m: f64,
-    /// Gravity g, m/s².
-    pub gravity_m_per_s2: f64,
-    /// Density of still water at zero pressure, kg/m³.
-    pub water_density_kg_per_m3: f64,
-    /// H/h of the solitary wave; 0 is still water with the paddle at rest.
-    pub wave_height_ratio: f64,
-    /// The run ends this long after the paddle passes the middle of its stroke, seconds.
-    pub end_after_stroke_centre_s: f64,
-    /// The run ends at this time, whatever the stroke; required where H/h = 0.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub end_time_s: Option<f64>,
-    /// Share of the paddle's duration T over which its start is smoothed.
-    pub paddle_ramp_fraction: f64,
-    /// Fixed or spring-mounted wall.
-    pub wall: WallChoice,
-    /// Angle of a fixed wall from the bed, degrees; 90 is vertical, 120 leans away from the water.
-    pub wall_angle_deg: f64,
-    /// F_threshold over the hydrostatic force.
-    pub threshold_ratio: f64,
-    /// The factor s on the excess force, see [`crate::body`].
-    pub force_coupling: f64,
-    /// Spring stiffness k, N/m per metre of width; movable walls only.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub spring_stiffness_n_per_m: Option<f64>,
-    /// Mass m of the wall, kg per metre of width; movable walls only.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub seawall_mass_kg_per_m: Option<f64>,
-    /// Where the wave height is measured, metres from the paddle at rest.
-    pub wave_gauge_m: f64,
-    /// Spacing of the history samples, seconds.
-    pub history_interval_s: f64,
-}
-
-impl Default for SeawallScene {
-    fn default() -> Self {
-        SeawallScene {
-            still_water_depth_m: 0.20,
-            tank_length_m: 2.5,
-            gravity_m_per_s2: 9.81,
-            water_density_kg_per_m3: 1000.0,
-            wave_height_ratio: 0.5,
-            end_after_stroke_centre_s: 3.0,
-            end_time_s: None,
-            paddle_ramp_fraction: 0.05,
-            wall: WallChoice::Fixed,
-            wall_angle_deg: 90.0,
-            threshold_ratio: 1.10,
-            force_coupling: 1.0,
-            spring_stiffness_n_per_m: None,
-            seawall_mass_kg_per_m: None,
-            wave_gauge_m: 1.5,
-            history_interval_s: 0.005,
-        }
+section! {
+    /// The `[scene]` table with `kind = "seawall"`, complete.
+    pub struct SeawallScene in "scene" {
+        /// Still water depth h.
+        still_water_depth_m: f64 = 0.20, unit("m").above_zero();
+        /// From the paddle at rest to the wall at rest, or to the toe of an inclined one.
+        tank_length_m: f64 = 2.5, unit("m").above_zero();
+        /// Gravity g.
+        gravity_m_per_s2: f64 = 9.81, unit("m/s²").above_zero();
+        /// Density of still water at zero pressure.
+        water_density_kg_per_m3: f64 = 1000.0, unit("kg/m³").above_zero();
+        /// H/h of the solitary wave; 0 is still water with the paddle at rest.
+        wave_height_ratio: f64 = 0.5, plain().within(0.0, 0.8);
+        /// The run ends this long after the paddle passes the middle of its stroke.
+        end_after_stroke_centre_s: f64 = 3.0, unit("s").above_zero().label("end after stroke");
+        /// The run ends at this time, whatever the stroke; must be given where H/h = 0.
+        end_time_s: Option<f64> = None, unit("s").above_zero();
+        /// Share of the paddle's duration T over which its start is smoothed.
+        paddle_ramp_fraction: f64 = 0.05, plain().within(0.0, 0.5).label("paddle ramp");
+        /// Fixed or spring-mounted wall.
+        wall: WallChoice = WallChoice::Fixed, plain();
+        /// Angle of the wall from the bed; 90 is vertical, 120 leans away from the water.
+        wall_angle_deg: f64 = 90.0, unit("°").within(30.0, 150.0).read_where("wall", &["fixed"]);
+        /// F_threshold, above which a movable wall gives way, over the hydrostatic force.
+        threshold_ratio: f64 = 1.10, plain().above_zero();
+        /// The factor s on the force above the threshold.
+        force_coupling: f64 = 1.0, plain().within(0.0, 10.0);
+        /// Spring stiffness k, per metre of width.
+        spring_stiffness_n_per_m: Option<f64> = None,
+            unit("N/m").not_negative().only("wall", &["movable"]).needed();
+        /// Mass m of the wall, per metre of width.
+        seawall_mass_kg_per_m: Option<f64> = None,
+            unit("kg/m").above_zero().only("wall", &["movable"]).needed();
+        /// Where the wave height is measured, from the paddle at rest; inside the tank.
+        wave_gauge_m: f64 = 1.5, unit("m").above_zero();
+        /// Spacing of the history's samples.
+        history_interval_s: f64 = 0.005, unit("s").above_zero();
     }
 }
 
 impl SeawallScene {
     pub(super) fn validate(&self) -> Result<(), ConfigError> {
-        let check = Check::section("scene");
-        check.positive("still_water_depth_m", self.still_water_depth_m)?;
-        check.positive("tank_length_m", self.tank_length_m)?;
-        check.positive("gravity_m_per_s2", self.gravity_m_per_s2)?;
-        check.positive("water_density_kg_per_m3", self.water_density_kg_per_m3)?;
-        check.range("wave_height_ratio", self.wave_height_ratio, 0.0, 0.8)?;
-        check.positive("end_after_stroke_centre_s", self.end_after_stroke_centre_s)?;
-        check.range("paddle_ramp_fraction", self.paddle_ramp_fraction, 0.0, 0.5)?;
-        check.positive("threshold_ratio", self.threshold_ratio)?;
-        check.range("force_coupling", self.force_coupling, 0.0, 10.0)?;
-        check.positive("history_interval_s", self.history_interval_s)?;
-        if !(self.wave_gauge_m > 0.0 && self.wave_gauge_m < self.tank_length_m) {
-            return Err(check.error("wave_gauge_m", self.wave_gauge_m, "must lie inside the tank"));
+        let error = |key: &str, value: String, allowed: &str| {
+            Err(ConfigError::new(&format!("scene.{key}"), value, allowed))
+        };
+        if self.wave_gauge_m >= self.tank_length_m {
+            return error(
+                "wave_gauge_m",
+                self.wave_gauge_m.to_string(),
+                "must lie inside the tank",
+            );
         }
-        match self.end_time_s {
-            Some(end) => check.positive("end_time_s", end)?,
-            None if self.wave_height_ratio == 0.0 => {
-                return Err(check.error("end_time_s", "", "is needed where wave_height_ratio = 0"));
-            }
-            None => {}
+        if self.end_time_s.is_none() && self.wave_height_ratio == 0.0 {
+            return error("end_time_s", String::new(), "is needed where wave_height_ratio = 0");
         }
-        match self.wall {
-            WallChoice::Fixed => self.validate_fixed(&check),
-            WallChoice::Movable => self.validate_movable(&check),
-        }
-    }
-
-    fn validate_fixed(&self, check: &Check) -> Result<(), ConfigError> {
-        let only_movable = "belongs to a movable wall (set scene.wall = \"movable\")";
-        if let Some(k) = self.spring_stiffness_n_per_m {
-            return Err(check.error("spring_stiffness_n_per_m", k, only_movable));
-        }
-        if let Some(m) = self.seawall_mass_kg_per_m {
-            return Err(check.error("seawall_mass_kg_per_m", m, only_movable));
-        }
-        check.wall_angle(self.wall_angle_deg, self.still_water_depth_m, self.tank_length_m)
-    }
-
-    fn validate_movable(&self, check: &Check) -> Result<(), ConfigError> {
-        if self.wall_angle_deg != 90.0 {
+        let angle = self.wall_angle_deg;
+        if self.wall == WallChoice::Movable && angle != 90.0 {
             let allowed = "a movable wall is vertical: leave it out, or set scene.wall = \"fixed\"";
-            return Err(check.error("wall_angle_deg", self.wall_angle_deg, allowed));
+            return error("wall_angle_deg", angle.to_string(), allowed);
         }
-        let Some(stiffness) = self.spring_stiffness_n_per_m else {
-            return Err(check.error(
-                "spring_stiffness_n_per_m",
-                "",
-                "is needed for a movable wall",
-            ));
-        };
-        let Some(mass) = self.seawall_mass_kg_per_m else {
-            return Err(check.error("seawall_mass_kg_per_m", "", "is needed for a movable wall"));
-        };
-        check.not_negative("spring_stiffness_n_per_m", stiffness)?;
-        check.positive("seawall_mass_kg_per_m", mass)
+        validate_lean(angle, self.still_water_depth_m, self.tank_length_m)
     }
+}
+
+/// An inclined wall must stay clear of the other end as far up as it goes.
+pub(super) fn validate_lean(angle_deg: f64, depth: f64, length: f64) -> Result<(), ConfigError> {
+    let reach = WALL_HEIGHT * depth / libm::tan(angle_deg.to_radians());
+    if angle_deg >= 90.0 || reach <= 0.9 * length {
+        return Ok(());
+    }
+    let allowed = format!(
+        "leans over the whole tank: {WALL_HEIGHT} depths up it has come {reach:.2} m of {length} m"
+    );
+    Err(ConfigError::new("scene.wall_angle_deg", angle_deg, allowed))
 }

@@ -7,22 +7,16 @@ use toml::{Table, Value};
 
 use super::case::{Case, CaseId};
 use super::file::SweepFile;
-use super::keys::{Section, section_of};
-use crate::scene::{CaseConfig, ConfigError};
+use crate::keys::Section;
+use crate::scene::{CaseConfig, ConfigError, Place, SeawallScene, place_of};
 
 /// No sweep is larger than this.
 pub(super) const MOST_CASES: usize = 1_000_000;
 
-/// Keys that mean nothing to a fixed wall; where a grid sweeps `wall`, they are left out there.
-const MOVABLE_ONLY: [&str; 2] = ["spring_stiffness_n_per_m", "seawall_mass_kg_per_m"];
-/// Likewise for a movable wall.
-const FIXED_ONLY: [&str; 1] = ["wall_angle_deg"];
-
 /// All cases of a file, each validated; one case where there is no grid.
 pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
-    let kind = file.scene.get("kind");
-    let sections =
-        file.grid.iter().map(|axis| section_of(&axis.key, kind)).collect::<Result<Vec<_>, _>>()?;
+    let places = file.grid.iter().map(|axis| place_of(&axis.key, &file.scene));
+    let places = places.collect::<Result<Vec<_>, _>>()?;
     let count = file.grid.iter().try_fold(1_usize, |count, axis| {
         count.checked_mul(axis.values.len()).filter(|&count| count <= MOST_CASES)
     });
@@ -32,7 +26,7 @@ pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
         return Err(ConfigError::new("grid", sizes.join(" x "), allowed));
     };
     let points: Vec<_> =
-        (0..count).into_par_iter().map(|index| point(file, &sections, index)).collect();
+        (0..count).into_par_iter().map(|index| point(file, &places, index)).collect();
     let mut cases: Vec<Case> = Vec::with_capacity(count);
     let mut seen = HashMap::with_capacity(count);
     for point in points {
@@ -52,20 +46,16 @@ pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
 }
 
 /// One point of the grid; true where some swept key meant nothing to it.
-fn point(
-    file: &SweepFile,
-    sections: &[Section],
-    index: usize,
-) -> Result<(Case, bool), ConfigError> {
+fn point(file: &SweepFile, places: &[Place], index: usize) -> Result<(Case, bool), ConfigError> {
     let (mut scene, mut numerics) = (file.scene.clone(), file.numerics.clone());
     let mut assignments = vec![None; file.grid.len()];
     let mut rest = index;
     for (place, axis) in file.grid.iter().enumerate().rev() {
         let value = &axis.values[rest % axis.values.len()];
         rest /= axis.values.len();
-        let table = match sections[place] {
-            Section::Scene => &mut scene,
-            Section::Numerics => &mut numerics,
+        let table = match places[place] {
+            Place::Scene => &mut scene,
+            Place::Numerics => &mut numerics,
         };
         table.insert(axis.key.clone(), value.clone());
         assignments[place] = Some(value.clone());
@@ -85,15 +75,11 @@ fn drop_meaningless(
     if !file.grid.iter().any(|axis| axis.key == "wall") {
         return false;
     }
-    let keys: &[&str] = match scene.get("wall").and_then(Value::as_str) {
-        Some("fixed") => &MOVABLE_ONLY,
-        Some("movable") => &FIXED_ONLY,
-        _ => &[],
-    };
+    let foreign = SeawallScene::keys().into_iter().filter(|key| !key.applies(scene));
     let mut dropped = false;
-    for key in keys {
-        scene.remove(*key);
-        if let Some(place) = file.grid.iter().position(|axis| axis.key == *key) {
+    for key in foreign.collect::<Vec<_>>() {
+        scene.remove(key.name);
+        if let Some(place) = file.grid.iter().position(|axis| axis.key == key.name) {
             assignments[place] = None;
             dropped = true;
         }
@@ -164,7 +150,7 @@ mod tests {
             ),
             (
                 "[grid]\nspring_stiffness_n_per_m = [1]",
-                "grid.spring_stiffness_n_per_m = 1: belongs to a movable wall",
+                "grid.spring_stiffness_n_per_m = 1: belongs to wall = \"movable\"",
             ),
             (
                 "[scene]\nseawall_mass = 1\n[grid]\nwave_height_ratio = [0.2]",
