@@ -11,7 +11,7 @@ fn of(name: &str) -> String {
     let kind = Kind::ALL.iter().find(|kind| Some(kind.name()) == name.strip_prefix("scene "));
     match (name, kind) {
         // `kind` itself stands first, and is told once.
-        (_, Some(&kind)) => table(&scene_keys(kind)[usize::from(kind != Kind::default())..], &[]),
+        (_, Some(&kind)) => table(&scene_keys(kind)[usize::from(kind != Kind::DEFAULT)..], &[]),
         ("probe", _) => table(&probe_keys(), &[]),
         ("numerics", _) => {
             let presets = [

@@ -91,17 +91,16 @@ kinds! {
     "oscillating-drop" => OscillatingDrop(OscillatingDropScene);
 }
 
-impl Default for Kind {
-    fn default() -> Kind {
-        Kind::Seawall
-    }
+impl Kind {
+    /// The kind of a scene that does not say it.
+    pub const DEFAULT: Kind = Kind::Seawall;
 }
 
 section! {
     /// What `[scene]` has besides the keys of its kind.
     pub(super) struct OfKind in "scene" {
         /// What is simulated.
-        kind: Kind = Kind::default(), plain().label("scene");
+        kind: Kind = Kind::DEFAULT, plain().label("scene");
     }
 }
 

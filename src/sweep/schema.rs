@@ -39,7 +39,7 @@ fn scene_name(kind: Kind) -> String {
 /// A scene by its kind: each kind's schema, where `kind` has its name.
 fn scene() -> Value {
     let of_kind = |&kind: &Kind| {
-        let required: &[&str] = if kind == Kind::default() { &[] } else { &["kind"] };
+        let required: &[&str] = if kind == Kind::DEFAULT { &[] } else { &["kind"] };
         json!({
             "if": { "properties": { "kind": { "const": kind.name() } }, "required": required },
             "then": { "$ref": format!("#/$defs/{}", scene_name(kind)) },
