@@ -4,17 +4,17 @@
 //!
 //! Reads `RUNS_DIR/<scene>/`, `RUNS_DIR/every_scene/<scene>/` and `RUNS_DIR/cost.csv`, writes one table
 //! per scene, one of what survives where, and `OUT_DIR/summary.md` with all of them. Exit code 0 where
-//! every case is well, 1 where one failed.
+//! every case is well, 1 where one failed, 2 on bad input.
 
-use std::collections::HashMap;
+mod common;
+
 use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 use std::process::ExitCode;
 
-use anyhow::{Context, Result, ensure};
-
-type Row = HashMap<String, String>;
+use anyhow::{Result, ensure};
+use common::{Row, read};
 
 /// A scene's directory, what it shows, and its columns: names in `summary.csv` or among the
 /// readings; `noise:NAME` is the pressure noise of a probe.
@@ -105,12 +105,6 @@ const EVERY_SCENE: [&str; 5] =
 /// Columns of every table.
 const FIRST: [&str; 2] = ["boundary", "status"];
 const LAST: [&str; 4] = ["boundary_fallbacks", "particles_lost", "particles", "steps"];
-
-fn read(path: &Path) -> Result<Vec<Row>> {
-    let told = || format!("cannot read {}", path.display());
-    let mut reader = csv::Reader::from_path(path).with_context(told)?;
-    reader.deserialize().collect::<Result<Vec<Row>, _>>().with_context(told)
-}
 
 /// Root mean square of what a centred mean of five samples leaves, over the run's second half.
 fn noise(samples: &[f64]) -> Option<f64> {
@@ -267,13 +261,16 @@ fn compare(runs: &Path, out: &Path, machine: &str) -> Result<bool> {
     Ok(well)
 }
 
-fn main() -> Result<ExitCode> {
+fn run() -> Result<bool> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [runs, out, machine] = &arguments[..] else {
         anyhow::bail!("usage: compare_boundaries RUNS_DIR OUT_DIR MACHINE");
     };
-    let well = compare(Path::new(runs), Path::new(out), machine)?;
-    Ok(if well { ExitCode::SUCCESS } else { ExitCode::from(1) })
+    compare(Path::new(runs), Path::new(out), machine)
+}
+
+fn main() -> ExitCode {
+    common::exit("compare_boundaries", run())
 }
 
 #[cfg(test)]

@@ -13,21 +13,14 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result, ensure};
-use common::{KEYS, Row, number, read, same_case};
+use common::{COMPARED, KEYS, Row, beside, number, read, summaries};
 
-/// What is compared: our column, the reference's column, the heading.
-const COMPARED: [[&str; 3]; 4] = [
-    ["measured_wave_height_ratio", "crest_at_1.5_m_over_h", "crest/h at x = 1.5 m"],
-    ["first_force_max", "first_force_max", "first F*"],
-    ["first_runup_max", "first_runup_max", "first R*"],
-    ["displacement_max", "displacement_max", "largest X*"],
-];
+/// The headings of [`COMPARED`].
+const HEADINGS: [&str; 4] = ["crest/h at x = 1.5 m", "first F*", "first R*", "largest X*"];
 
 /// Largest differences in the order of [`COMPARED`], below H/h = 0.6 and from there on: percent, and
 /// for R* in h. They are for the default spacing and sound speed.
 const BOUNDS: [[f64; 2]; 4] = [[0.6, 0.9], [0.6, 1.2], [0.02, 0.06], [0.5, 0.5]];
-/// The place of R* there.
-const RUNUP: usize = 2;
 
 /// A value beside its reference.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -81,15 +74,15 @@ struct Case {
 }
 
 fn compare(rows: Vec<Row>, tank: &[Row]) -> Vec<Case> {
-    let beside = |row: Row| {
-        let reference = tank.iter().find(|reference| same_case(&row, reference));
-        let pairs = COMPARED.map(|[ours, theirs, _]| Pair {
-            measured: number(&row, ours),
-            reference: reference.and_then(|reference| number(reference, theirs)),
+    let case = |row: Row| {
+        let reference = beside(&row, tank);
+        let pairs = COMPARED.map(|of| Pair {
+            measured: number(&row, of.ours),
+            reference: reference.and_then(|reference| number(reference, of.theirs)),
         });
         Case { row, pairs }
     };
-    rows.into_iter().map(beside).collect()
+    rows.into_iter().map(case).collect()
 }
 
 impl Case {
@@ -119,13 +112,11 @@ fn broken(cases: &[Case]) -> Vec<String> {
         for (place, pair) in case.pairs.iter().enumerate() {
             let Some(reference) = pair.reference else { continue };
             let measured = pair.measured.unwrap_or(f64::NAN);
-            let (error, unit) = match place {
-                RUNUP => (measured - reference, "h"),
-                _ => (100.0 * (measured / reference - 1.0), "%"),
-            };
+            let (of, reading) = (COMPARED[place], HEADINGS[place]);
+            let (error, unit) = (of.scaled(measured - reference, reference), of.unit);
             let bound = BOUNDS[place][usize::from(steep)];
             if error.is_nan() || error.abs() > bound {
-                let (name, reading) = (case.name().join(", "), COMPARED[place][2]);
+                let name = case.name().join(", ");
                 lines.push(format!("{name}: {reading} {error:+.4} {unit}, bound {bound} {unit}"));
             }
         }
@@ -141,8 +132,9 @@ fn table(cases: &[Case]) -> Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let mut header: Vec<_> = KEYS.map(str::to_owned).into();
     header.push("status".to_owned());
-    for [ours, ..] in COMPARED {
-        header.extend(["", "_reference", "_difference_percent"].map(|end| format!("{ours}{end}")));
+    for of in COMPARED {
+        let ends = ["", "_reference", "_difference_percent"];
+        header.extend(ends.map(|end| format!("{}{end}", of.ours)));
     }
     let kept = ["force_gap_percent", "energy_gap_percent", "particle_spacing_m", "wall_time_s"];
     header.extend(kept.map(str::to_owned));
@@ -169,7 +161,7 @@ fn page(cases: &[Case], exact: &[Row], provenance: &str) -> String {
          nonlinear potential theory of\nthe same tank; its uncertainty is stated in \
          `tank_reference.csv`. No reference, no brackets.\n\n"
     );
-    let headings = COMPARED.map(|[.., heading]| heading).join(" | ");
+    let headings = HEADINGS.join(" | ");
     let _ = writeln!(text, "| H/h | k, N/m | m, kg/m | {headings} | energy gap, % | s |");
     let _ = writeln!(text, "|{}", "---|".repeat(9));
     for case in cases {
@@ -238,11 +230,7 @@ fn run() -> Result<bool> {
     let (reference, out) = (Path::new(&arguments[0]), Path::new(&arguments[1]));
     let tank = read(&reference.join("tank_reference.csv"))?;
     let exact = read(&reference.join("exact_solitary_fixed_wall.csv"))?;
-    let mut rows = Vec::new();
-    for directory in &arguments[2..] {
-        rows.extend(read(&Path::new(directory).join("summary.csv"))?);
-    }
-    let cases = compare(rows, &tank);
+    let cases = compare(summaries(&arguments[2..])?, &tank);
     let text = page(&cases, &exact, &provenance(Path::new(&arguments[2]), &cases)?);
     fs::create_dir_all(out)?;
     fs::write(out.join("summary.md"), &text)?;
@@ -256,14 +244,7 @@ fn run() -> Result<bool> {
 }
 
 fn main() -> ExitCode {
-    match run() {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::from(1),
-        Err(error) => {
-            eprintln!("compare_reference: {error:#}");
-            ExitCode::from(2)
-        }
-    }
+    common::exit("compare_reference", run())
 }
 
 #[cfg(test)]
@@ -306,9 +287,9 @@ mod tests {
             let tank = shipped("tank_reference.csv");
             let mut rows = tank.clone();
             for row in &mut rows {
-                for [ours, theirs, _] in COMPARED {
-                    if let Some(value) = number(row, theirs) {
-                        row.insert(ours.to_owned(), (value * (1.0 + share)).to_string());
+                for of in COMPARED {
+                    if let Some(value) = number(row, of.theirs) {
+                        row.insert(of.ours.to_owned(), (value * (1.0 + share)).to_string());
                     }
                 }
                 row.insert("status".to_owned(), "ok".to_owned());
@@ -321,7 +302,7 @@ mod tests {
         let count = |lines: &[String], of: &str| lines.iter().filter(|l| l.contains(of)).count();
         for lines in [&above, &below] {
             // Of R*, only 0.5 on a fixed wall is above 1 h and below 0.6.
-            let counts = COMPARED.map(|[.., heading]| count(lines, heading));
+            let counts = HEADINGS.map(|heading| count(lines, heading));
             assert_eq!(counts, [6, 8, 1, 2], "{lines:?}");
         }
         assert_eq!(above[1], "0.1, fixed, fixed: first F* +2.0000 %, bound 0.6 %");

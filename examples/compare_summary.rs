@@ -4,6 +4,8 @@
 //!
 //! Exit code 0 where they agree within [`rule`]'s tolerances, 1 where they do not, 2 on bad input.
 
+mod common;
+
 use std::collections::BTreeMap;
 use std::process::ExitCode;
 
@@ -124,14 +126,7 @@ fn run() -> Result<bool> {
 }
 
 fn main() -> ExitCode {
-    match run() {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::from(1),
-        Err(error) => {
-            eprintln!("compare_summary: {error:#}");
-            ExitCode::from(2)
-        }
-    }
+    common::exit("compare_summary", run())
 }
 
 #[cfg(test)]

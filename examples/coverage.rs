@@ -12,14 +12,14 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result, ensure};
-use common::{KEYS, Row, number, read, same_case};
+use common::{
+    COMPARED, Compared, DISPLACEMENT, FORCE, KEYS, RUNUP, Row, beside, number, read, summaries,
+    text,
+};
 
-/// Our column, the bar's, the heading, the unit of error and bar.
-const READINGS: [[&str; 4]; 3] = [
-    ["first_force_max", "force_error", "first F*", "%"],
-    ["first_runup_max", "runup_error", "first R*", "h"],
-    ["displacement_max", "displacement_error", "largest X*", "%"],
-];
+/// Places among [`COMPARED`], and the columns of their bars.
+const READINGS: [(usize, &str); 3] =
+    [(FORCE, "force_error"), (RUNUP, "runup_error"), (DISPLACEMENT, "displacement_error")];
 
 /// The least share of bars that hold the truth, percent: below it they promise too much.
 const LEAST: f64 = 90.0;
@@ -38,16 +38,16 @@ struct Bar {
 }
 
 impl Bar {
-    fn new(row: &Row, truths: &[Row], [column, bar, _, unit]: [&str; 4]) -> Option<Bar> {
-        let truth = number(truths.iter().find(|truth| same_case(row, truth))?, column)?;
-        let scale = if unit == "h" { 1.0 } else { 100.0 / truth.abs() };
+    fn new(row: &Row, truths: &[Row], reading: &Compared, bar: &str) -> Option<Bar> {
+        let truth = beside(row, truths)?;
+        let [_, exact] = reading.values(row, truth)?;
         let case: Vec<_> =
             KEYS.iter().filter_map(|key| row.get(*key)).map(String::as_str).collect();
         Some(Bar {
             wave: number(row, KEYS[0])?,
             // A bar that is missing holds nothing.
-            size: scale * number(row, bar).unwrap_or(f64::NAN),
-            error: scale * (number(row, column)? - truth),
+            size: reading.scaled(number(row, bar).unwrap_or(f64::NAN), exact.abs()),
+            error: reading.error(row, truth)?,
             case: case.join(", ").trim_end_matches([',', ' ']).to_owned(),
         })
     }
@@ -70,12 +70,12 @@ fn median(values: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// A row of the table.
-fn line(reading: [&str; 4], wave: &str, bars: &[Bar]) -> String {
-    let [_, _, heading, unit] = reading;
+fn line(reading: &Compared, wave: &str, bars: &[Bar]) -> String {
+    let Compared { name, unit, .. } = reading;
     let worst = bars.iter().max_by(|a, b| a.error.abs().total_cmp(&b.error.abs()));
     let worst = worst.map(|bar| format!("{:+.3} at {}", bar.error, bar.case)).unwrap_or_default();
     format!(
-        "| {heading}, {unit} | {wave} | {} | {:.1} % | {:.4} | {:.4} | {worst} |\n",
+        "| {name}, {unit} | {wave} | {} | {:.1} % | {:.4} | {:.4} | {worst} |\n",
         bars.len(),
         share(bars),
         median(bars.iter().map(|bar| bar.size)),
@@ -107,7 +107,7 @@ fn broken(heading: &str, bars: &[Bar]) -> Vec<String> {
 
 /// The table, and what breaks the bounds on the shares.
 fn judge(rows: &[Row], truths: &[Row]) -> Result<(String, Vec<String>)> {
-    let mut text = "# Coverage of the error bars\n\nWritten by `scripts/coverage`: how often the truth lies \
+    let mut page = "# Coverage of the error bars\n\nWritten by `scripts/coverage`: how often the truth lies \
         inside the bar of a case (`error_bars = \"pair\"`).\nThe truth is potential theory of the same \
         tank (`results/potential`).\n\n\
         | reading | H/h | cases | bars that hold | median bar | median error | worst error (H/h, k, m) |\n\
@@ -115,36 +115,37 @@ fn judge(rows: &[Row], truths: &[Row]) -> Result<(String, Vec<String>)> {
         .to_owned();
     let (mut faults, mut missed) = (Vec::new(), String::new());
     for row in rows.iter().filter(|row| row.get("status").is_none_or(|status| status != "ok")) {
-        let cell = |column: &str| row.get(column).map_or("", String::as_str);
+        let cell = |column| text(row, column);
         faults.push(format!("{}: failed: {}", KEYS.map(cell).join(", "), cell("reason")));
     }
     let mut any = false;
-    for reading in READINGS {
+    for (place, bar) in READINGS {
+        let reading = &COMPARED[place];
         let mut bars: Vec<_> =
-            rows.iter().filter_map(|row| Bar::new(row, truths, reading)).collect();
+            rows.iter().filter_map(|row| Bar::new(row, truths, reading, bar)).collect();
         if bars.is_empty() {
             continue; // fixed walls have no displacement
         }
         any = true;
         bars.sort_by(|a, b| a.wave.total_cmp(&b.wave));
         for wave in bars.chunk_by(|a, b| a.wave == b.wave) {
-            text += &line(reading, &wave[0].wave.to_string(), wave);
+            page += &line(reading, &wave[0].wave.to_string(), wave);
         }
-        text += &line(reading, "all", &bars);
+        page += &line(reading, "all", &bars);
         for bar in bars.iter().filter(|bar| !bar.holds()) {
-            let ([_, _, heading, unit], Bar { size, error, case, .. }) = (reading, bar);
-            writeln!(missed, "| {heading}, {unit} | {case} | {error:+.4} | {size:.4} |")?;
+            let (Compared { name, unit, .. }, Bar { size, error, case, .. }) = (reading, bar);
+            writeln!(missed, "| {name}, {unit} | {case} | {error:+.4} | {size:.4} |")?;
         }
-        faults.extend(broken(reading[2], &bars));
+        faults.extend(broken(reading.name, &bars));
     }
     ensure!(any, "no row has a truth");
-    text +=
+    page +=
         "\nBars that do not hold:\n\n| reading | H/h, k, m | error | bar |\n|---|---|---|---|\n";
-    text += &missed;
+    page += &missed;
     for fault in &faults {
-        writeln!(text, "\nOut of bounds: {fault}")?;
+        writeln!(page, "\nOut of bounds: {fault}")?;
     }
-    Ok((text, faults))
+    Ok((page, faults))
 }
 
 fn run() -> Result<bool> {
@@ -153,10 +154,7 @@ fn run() -> Result<bool> {
     let potential = Path::new(&arguments[0]);
     let mut truths = read(&potential.join("tank.csv"))?;
     truths.extend(read(&potential.join("fixed.csv"))?);
-    let mut rows = Vec::new();
-    for directory in &arguments[2..] {
-        rows.extend(read(&Path::new(directory).join("summary.csv"))?);
-    }
+    let rows = summaries(&arguments[2..])?;
     let (text, faults) = judge(&rows, &truths)?;
     print!("{text}");
     let written = std::fs::write(&arguments[1], text);
@@ -168,14 +166,7 @@ fn run() -> Result<bool> {
 }
 
 fn main() -> ExitCode {
-    match run() {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::from(1),
-        Err(error) => {
-            eprintln!("coverage: {error:#}");
-            ExitCode::from(2)
-        }
-    }
+    common::exit("coverage", run())
 }
 
 #[cfg(test)]

@@ -12,12 +12,11 @@ use std::fmt::Write as _;
 use std::time::Instant;
 
 use seawall::math::simd::SimdPath;
+use seawall::results::{CaseRecord, Directory, OpenMode};
 use seawall::scene::CaseConfig;
+use seawall::schedule::{Command, Event, Manager, Work};
 use seawall::simulation::{CaseResult, Cost, Unwatched, cost, run_case, run_trunk};
-use seawall::sweep::{
-    CaseRecord, Command, Directory, Event, Manager, OpenMode, Plan, PlannedCase, PlannedTrunk,
-    Study, SweepFile,
-};
+use seawall::study::{Plan, PlannedCase, PlannedTrunk, Study, SweepFile};
 
 /// What one message costs on its way, seconds and seconds per byte: a slow network of a cluster.
 const LATENCY: f64 = 20e-6;
@@ -152,12 +151,6 @@ fn planned(cases: usize, waves: &[Wave]) -> Planned {
     planned
 }
 
-#[derive(Clone, Copy)]
-enum Work {
-    Trunk(usize),
-    Case(usize),
-}
-
 struct Ranks {
     queues: Vec<VecDeque<(Work, f64, f64)>>,
     busy: Vec<bool>,
@@ -218,19 +211,16 @@ fn simulate(planned: &Planned, count: usize, measured: &Measured) -> Outcome {
         for command in commands.drain(..) {
             let order = LATENCY + PER_BYTE * measured.order_bytes;
             let arrival = coordinator + order;
-            let (rank, work, ready, duration) = match command {
-                Command::RunTrunk { rank, trunk } => {
-                    (rank, Work::Trunk(trunk), arrival, planned.trunk_seconds[trunk])
-                }
-                Command::RunCase { rank, case, from } => {
-                    let fetch = from.filter(|source| source.holder != rank).map_or(0.0, |_| {
-                        bytes += measured.checkpoint_bytes;
-                        2.0 * LATENCY + PER_BYTE * measured.checkpoint_bytes
-                    });
-                    (rank, Work::Case(case), arrival + fetch, planned.case_seconds[case])
-                }
-                Command::Drop { .. } | Command::Cancel => continue,
+            let Command::Run { rank, work, from } = command else { continue };
+            let fetch = from.filter(|held| held.holder != rank).map_or(0.0, |_| {
+                bytes += measured.checkpoint_bytes;
+                2.0 * LATENCY + PER_BYTE * measured.checkpoint_bytes
+            });
+            let duration = match work {
+                Work::Trunk(trunk) => planned.trunk_seconds[trunk],
+                Work::Case(case) => planned.case_seconds[case],
             };
+            let ready = arrival + fetch;
             bytes += measured.order_bytes;
             ranks.queues[rank].push_back((work, ready, duration));
             ranks.start(rank, coordinator);
@@ -246,11 +236,10 @@ fn simulate(planned: &Planned, count: usize, measured: &Measured) -> Outcome {
         let work = ranks.running[rank].take().expect("a rank that ends has run");
         ranks.busy[rank] = false;
         ranks.start(rank, end);
-        let (event, size, extra) = match work {
-            Work::Trunk(trunk) => (Event::TrunkDone { rank, trunk, ok: true }, 64.0, 0.0),
-            Work::Case(case) => {
-                (Event::CaseDone { rank, case }, measured.result_bytes, measured.record_s)
-            }
+        let event = Event::Done { rank, work, ok: true };
+        let (size, extra) = match work {
+            Work::Trunk(_) => (64.0, 0.0),
+            Work::Case(_) => (measured.result_bytes, measured.record_s),
         };
         let arrival = end + LATENCY + PER_BYTE * size;
         if handle(event, arrival, extra, &mut ranks) {
@@ -317,7 +306,7 @@ fn main() {
     sorted.sort_by(f64::total_cmp);
     let mut text = format!(
         "# Scaling, by simulation\n\n\
-         The real scheduler (`sweep::Manager`), driven with the wall times of the {} cases in\n\
+         The real scheduler (`schedule::Manager`), driven with the wall times of the {} cases in\n\
          `{SUMMARY}` over and over: {:.2} s in the median, {:.2} to {:.2} s,\n{} branches per \
          trunk, a trunk in {:.2} s. The scheduler plans with its own estimates. One task at a \
          time per\nrank, messages of {:.0} µs and 1 GB/s (taken, not measured). Measured and \

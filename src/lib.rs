@@ -9,27 +9,41 @@
 //! | 2 | [`kernel`] | smoothing kernels behind one contract |
 //! | 3 | [`particles`], [`neighbours`] | particle arrays, neighbour lists |
 //! | 4 | [`boundary`], [`body`] | ghost particle interpolators; paddle and walls |
-//! | 5 | [`scheme`] | δ-SPH time stepping |
-//! | 6 | [`scene`] | scene files: parsing, validation, construction |
-//! | 7 | [`simulation`] | driver, checkpoint, measures, outcome of one case |
-//! | 8 | [`sweep`] | grid, plan, manager, journal, executors |
-//! | 9 | [`report`] | tables and figures from files alone |
-//! | 10 | [`cli`] | one file per subcommand |
+//! | 5 | [`water`] | what every scheme does with its water |
+//! | 6 | [`scheme`] | δ-SPH and incompressible SPH |
+//! | 7 | [`scene`] | scene files: parsing, validation, construction |
+//! | 8 | [`simulation`] | driver, checkpoint, measures, outcome of one case |
+//! | 9 | [`quantities`] | what is reported of a case: names, units, where values are read |
+//! | 10 | [`study`] | sweep files, the grid, case identity, plan |
+//! | 11 | [`schedule`] | what runs where and when: a pure state machine |
+//! | 12 | [`results`] | the output directory: journal, records, tables |
+//! | 13 | [`execute`] | workers on threads or under MPI |
+//! | 14 | [`accuracy`] | measured errors, hard cases, numerics that meet a wanted error |
+//! | 15 | [`report`] | tables and figures from files alone |
+//! | 16 | [`cli`] | one file per subcommand |
 //!
-//! Start at [`simulation::run_case`] for one case and at [`sweep`] for a study.
+//! Start at [`simulation::run_case`] for one case and at [`study`] for a sweep.
 #![warn(missing_docs)]
 
+pub mod accuracy;
 pub mod body;
 pub mod boundary;
 pub mod cli;
+pub mod execute;
 pub mod kernel;
 pub mod keys;
 pub mod math;
 pub mod neighbours;
 pub mod particles;
+pub mod quantities;
 pub mod report;
+pub mod results;
 pub mod scene;
+pub mod schedule;
 pub mod scheme;
 pub mod simulation;
-pub mod sweep;
+pub mod study;
 pub mod theory;
+pub mod water;
+
+pub(crate) use kernel::with_kernel;

@@ -1,8 +1,9 @@
 //! Walls at any angle: mirrors, ghosts around corners, water up to the wall, water at rest there.
 
+use seawall::body::Place;
 use seawall::boundary::{Ghosts, Reflection, TankLayout, tank_ghosts};
 use seawall::math::simd::SimdPath;
-use seawall::scene::{CaseConfig, WALL};
+use seawall::scene::CaseConfig;
 use seawall::scheme::Scheme;
 use seawall::simulation::{Unwatched, run_case};
 
@@ -96,7 +97,9 @@ fn the_support_is_full_around_corners_of_any_angle() {
         let factor = kernel.normalisation() / (radius * radius);
         let mut seen = 0;
         for k in (0..fluid.len()).filter(|&k| fluid.y[k] < DEPTH - radius) {
-            let near_wall = ghosts.bodies[WALL].plane.beyond([fluid.x[k], fluid.y[k]]) > -radius;
+            let near_wall =
+                ghosts.bodies[Place::Right.number()].plane.beyond([fluid.x[k], fluid.y[k]])
+                    > -radius;
             if !near_wall {
                 continue;
             }
@@ -130,7 +133,7 @@ fn the_support_is_full_around_corners_of_any_angle() {
 fn water_fills_the_tank_up_to_the_wall() {
     for angle in [45.0_f64, 60.0, 90.0, 120.0, 150.0] {
         let water = water(angle);
-        let (fluid, wall) = (water.fluid(), water.walls().bodies[WALL].plane);
+        let (fluid, wall) = (water.fluid(), water.walls().bodies[Place::Right.number()].plane);
         let overhang = if angle == 90.0 { 0.0 } else { -1.0 / angle.to_radians().tan() };
         let area = DEPTH * (LENGTH + 0.5 * overhang * DEPTH);
         let mass: f64 = fluid.mass.iter().sum();
@@ -163,7 +166,7 @@ fn water_and_ghosts_press_evenly_on_each_other() {
         let factor = kernel.normalisation() / (radius * radius * radius);
         for k in (0..fluid.len()).filter(|&k| fluid.y[k] < DEPTH - radius) {
             let here = [fluid.x[k], fluid.y[k]];
-            if ghosts.bodies[WALL].plane.beyond(here) < -radius {
+            if ghosts.bodies[Place::Right.number()].plane.beyond(here) < -radius {
                 continue;
             }
             let mut sum = [0.0; 2];
@@ -224,9 +227,25 @@ fn still_water_rests_at_an_incline() {
     }
 }
 
+/// Incompressible SPH visited each wall once: what a leaning wall pushed behind the bed stayed there
+/// until the next step. Four particles were lost, and the energy budget missed 18 %; now 5 %.
+#[test]
+fn a_wave_keeps_its_particles_under_a_wall_that_leans_over_it() {
+    let scene = "wall_angle_deg = 40\nwave_height_ratio = 0.3\nstill_water_depth_m = 0.25\n\
+                 tank_length_m = 3\nwave_gauge_m = 1.5\nend_after_stroke_centre_s = 2";
+    for scheme in ["wcsph", "isph"] {
+        let numerics = format!("particle_spacing_m = 0.03\nscheme = \"{scheme}\"");
+        let config = CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap());
+        let result = run_case(&config.unwrap(), None, SimdPath::widest(), &Unwatched).unwrap();
+        assert_eq!(result.outcome.particles_lost, 0, "{scheme}");
+        let gap = result.outcome.energy_gap_percent;
+        assert!(gap.abs() < 8.0, "{scheme}: {gap} %");
+    }
+}
+
 #[test]
 fn planes_push_back_along_their_normal() {
-    let wall = ghosts(120.0).bodies[WALL].plane.moved(0.3);
+    let wall = ghosts(120.0).bodies[Place::Right.number()].plane.moved(0.3);
     let inside = wall.in_front([LENGTH + 0.6, 0.1], 0.01);
     assert!((wall.beyond(inside) + 0.01).abs() < 1e-12);
     let turned = wall.with_across([0.4, -0.7], |across| -across);

@@ -40,12 +40,12 @@ fn the_docs_have_the_tables_of_the_declarations() {
         tables += 1;
     }
     assert_eq!(tables, Kind::ALL.len() + 2, "every section has its table");
-    if std::env::var_os("RENEW").is_some() {
+    if std::env::var_os("RENEW_DOCS").is_some() {
         fs::write(&path, renewed).unwrap();
     } else {
         assert!(
             renewed == text,
-            "docs/files.md is out of date: run `RENEW=1 cargo test --test key_tables`"
+            "docs/files.md is out of date: run `RENEW_DOCS=1 cargo test --test key_tables`"
         );
     }
 }

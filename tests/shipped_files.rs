@@ -3,9 +3,9 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use seawall::accuracy::{Matrix, Trial};
 use seawall::keys::Section;
 use seawall::scene::{CaseConfig, Numerics, Preset};
-use seawall::sweep::matrix::{Matrix, Pair};
 use toml::{Table, Value};
 
 #[test]
@@ -31,7 +31,7 @@ fn every_corner_of_every_sweep_is_valid() {
             let matrix = Matrix::read(&fs::read_to_string(&path).unwrap());
             let matrix = matrix.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
             let (_, pairs) = matrix.study(false, "");
-            let default = |pair: &&Pair| matrix.methods[pair.method].numerics.is_empty();
+            let default = |pair: &&Trial| matrix.methods[pair.method].numerics.is_empty();
             for pair in pairs.iter().filter(default) {
                 let (name, run) = (&matrix.cases[pair.case].name, &pair.run);
                 assert!(run.is_ok(), "{}: {name}: {run:?}", path.display());

@@ -6,14 +6,14 @@ mod common;
 use std::path::Path;
 use std::time::Duration;
 
-use seawall::math::simd::SimdPath;
-use seawall::simulation::FailureKind;
-use seawall::sweep::executor::{Setup, threads};
-use seawall::sweep::fake::{FakeRunner, Fate, cost};
-use seawall::sweep::{
-    Directory, Ending, Interrupt, OpenMode, Plan, Progress, ProgressStyle, Savings, Session, Study,
-    SweepFile, coordinate,
+use seawall::execute::fake::{FakeRunner, Fate, cost};
+use seawall::execute::{
+    Ending, Interrupt, Progress, ProgressStyle, Session, Setup, coordinate, threads,
 };
+use seawall::math::simd::SimdPath;
+use seawall::results::{Directory, OpenMode, Savings};
+use seawall::simulation::FailureKind;
+use seawall::study::{Plan, Study, SweepFile};
 
 const GRID: &str = r#"
 name = "fake"
@@ -122,7 +122,7 @@ fn failures_and_panics_are_rows_like_any_other() {
     };
     let runner = FakeRunner { fate, ..FakeRunner::default() };
     sweep(root.path(), &study, &Run { runner, ..Run::default() });
-    let (_, records) = seawall::sweep::read_journal(root.path()).unwrap().unwrap();
+    let (_, records) = seawall::results::read_journal(root.path()).unwrap().unwrap();
     let count = |kind| records.iter().filter(|record| record.failure == kind).count();
     assert_eq!(count(None), 18);
     assert_eq!(count(Some(FailureKind::RunawaySpeed)), 18);

@@ -5,7 +5,8 @@ use std::path::Path;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::{CREST, Case, DISPLACEMENT, FORCE, QUIET, READINGS, RUNUP};
+use crate::common::{COMPARED, CREST, Compared, DISPLACEMENT, FORCE, RUNUP};
+use crate::{Case, QUIET};
 
 /// Colours of the waves (after Okabe and Ito).
 const COLOURS: [RGBColor; 4] =
@@ -29,7 +30,7 @@ pub fn draw(curves: &[&[Case]], path: &Path) -> Result<(), Box<dyn std::error::E
     for (place, area) in
         [FORCE, RUNUP, DISPLACEMENT, CREST].into_iter().zip(panels.split_evenly((2, 2)))
     {
-        let (.., name, unit, _) = READINGS[place];
+        let Compared { name, unit, .. } = COMPARED[place];
         let (low, high) = if place == RUNUP { (0.0005, 0.5) } else { (0.01, 10.0) };
         let mut chart = ChartBuilder::on(&area)
             .caption(format!("|error| of {name}, {unit}"), ("sans-serif", 20))

@@ -13,19 +13,13 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result, ensure};
-use common::{KEYS, Row, number, read, same_case};
+use common::{
+    COMPARED, CREST, Compared, DISPLACEMENT, FORCE, KEYS, RUNUP, Row, beside, number, read,
+    summaries, text,
+};
 
-/// Our column, the truth's, the name, the unit of the error, and the least error an order is read off.
-const READINGS: [(&str, &str, &str, &str, f64); 4] = [
-    ("measured_wave_height_ratio", "crest_at_1.5_m_over_h", "crest", "%", 0.3),
-    ("first_force_max", "first_force_max", "first F*", "%", 0.3),
-    ("first_runup_max", "first_runup_max", "first R*", "h", 0.01),
-    ("displacement_max", "displacement_max", "X*", "%", 0.3),
-];
-const CREST: usize = 0;
-const FORCE: usize = 1;
-const RUNUP: usize = 2;
-const DISPLACEMENT: usize = 3;
+/// The least errors that an order is read off, in the order of [`COMPARED`].
+const LEAST: [f64; 4] = [0.3, 0.3, 0.01, 0.3];
 
 /// Bounds hold from this spacing down, m: coarser runs show the way there.
 const FINE: f64 = 0.008;
@@ -60,7 +54,7 @@ struct Case {
     spacing: f64,
     sound: f64,
     force: f64,
-    /// In the order of [`READINGS`].
+    /// In the order of [`COMPARED`].
     errors: [Option<f64>; 4],
     seconds: f64,
 }
@@ -68,18 +62,13 @@ struct Case {
 impl Case {
     fn new(row: &Row, truths: &[Row]) -> Result<Case> {
         let cell = |column| number(row, column).with_context(|| format!("{column} is missing"));
-        let truth = truths.iter().find(|truth| same_case(row, truth)).context("no truth")?;
-        let error = |place: usize| {
-            let (ours, theirs, _, unit, _) = READINGS[place];
-            let (ours, theirs) = (number(row, ours)?, number(truth, theirs)?);
-            Some(if unit == "h" { ours - theirs } else { 100.0 * (ours / theirs - 1.0) })
-        };
+        let truth = beside(row, truths).context("no truth")?;
         Ok(Case {
             keys: KEYS.map(|key| number(row, key)),
             spacing: cell("particle_spacing_m")?,
             sound: cell("sound_speed_ratio")?,
             force: cell("first_force_max")?,
-            errors: [CREST, FORCE, RUNUP, DISPLACEMENT].map(error),
+            errors: COMPARED.map(|of| of.error(row, truth)),
             seconds: cell("wall_time_s")?,
         })
     }
@@ -135,7 +124,7 @@ fn change(pair: &[Case]) -> f64 {
 fn broken(curves: &[&[Case]]) -> Vec<String> {
     let mut lines = Vec::new();
     for case in curves.iter().copied().flatten() {
-        for (place, (.., name, unit, _)) in READINGS.iter().enumerate() {
+        for (place, Compared { name, unit, .. }) in COMPARED.iter().enumerate() {
             let Some(bound) = case.bound(place) else { continue };
             // What is missing or not a number is not within the bound either.
             let error = case.errors[place].unwrap_or(f64::NAN);
@@ -163,7 +152,7 @@ fn order(curve: &[Case], place: usize) -> Option<f64> {
     let sign = curve[0].errors[place]?.signum();
     let log = |case: &Case| {
         let error = sign * case.errors[place]?;
-        (error > READINGS[place].4).then(|| [case.spacing.ln(), error.ln()])
+        (error > LEAST[place]).then(|| [case.spacing.ln(), error.ln()])
     };
     let logs: Vec<_> = curve.iter().filter_map(log).collect();
     let mean = |i: usize| logs.iter().map(|log| log[i]).sum::<f64>() / logs.len() as f64;
@@ -205,7 +194,7 @@ fn table(heading: &str, header: &[String], rows: impl IntoIterator<Item = Vec<St
 
 /// The tables of one reading: its error, and the order of that, over the spacing.
 fn reading(curves: &[&[Case]], place: usize) -> String {
-    let (.., name, unit, least) = READINGS[place];
+    let (Compared { name, unit, .. }, least) = (COMPARED[place], LEAST[place]);
     let curves = || {
         let usual = |curve: &&&[Case]| curve[0].sound < QUIET && curve[0].errors[place].is_some();
         curves.iter().filter(usual)
@@ -248,7 +237,7 @@ fn over_sound(curves: &[&[Case]]) -> String {
     let shown = [(CREST, 2), (FORCE, 2), (RUNUP, 4)];
     let mut header = vec!["wall".to_owned(), "mm".to_owned()];
     for (place, _) in shown {
-        let (.., name, unit, _) = READINGS[place];
+        let Compared { name, unit, .. } = COMPARED[place];
         header.extend(sounds.iter().map(|sound| format!("{name}, {unit}, {sound}")));
     }
     let loud = cases.iter().filter(|case| case.sound < QUIET);
@@ -278,7 +267,7 @@ fn page(curves: &[&[Case]], broken: &[String]) -> String {
         grows. Points on the lower edge of a panel are there or below.\n\n\
         ![Errors over the spacing](convergence.svg)\n"
         .to_owned();
-    (0..READINGS.len()).for_each(|place| text += &reading(curves, place));
+    (0..COMPARED.len()).for_each(|place| text += &reading(curves, place));
     text += &over_sound(curves);
     let rows = curves.iter().map(|curve| {
         let largest = |fine: bool| {
@@ -302,19 +291,13 @@ fn run() -> Result<bool> {
     let mut truths = read(&potential.join("fixed.csv"))?;
     truths.extend(read(&potential.join("tank.csv"))?);
     let (mut cases, mut faults) = (Vec::new(), Vec::new());
-    for directory in &arguments[2..] {
-        for row in read(&Path::new(directory).join("summary.csv"))? {
-            let text = |column: &str| row.get(column).map_or("", String::as_str);
-            if text("status") == "ok" {
-                cases.push(Case::new(&row, &truths).with_context(|| text("case_id").to_owned())?);
-            } else {
-                let values = KEYS.map(text).join(", ");
-                faults.push(format!(
-                    "{values}, {} m: {}",
-                    text("particle_spacing_m"),
-                    text("reason")
-                ));
-            }
+    for row in summaries(&arguments[2..])? {
+        let text = |column| text(&row, column);
+        if text("status") == "ok" {
+            cases.push(Case::new(&row, &truths).with_context(|| text("case_id").to_owned())?);
+        } else {
+            let (values, spacing) = (KEYS.map(text).join(", "), text("particle_spacing_m"));
+            faults.push(format!("{values}, {spacing} m: {}", text("reason")));
         }
     }
     ensure!(!cases.is_empty(), "no case has finished");
@@ -338,14 +321,7 @@ fn run() -> Result<bool> {
 }
 
 fn main() -> ExitCode {
-    match run() {
-        Ok(true) => ExitCode::SUCCESS,
-        Ok(false) => ExitCode::from(1),
-        Err(error) => {
-            eprintln!("convergence: {error:#}");
-            ExitCode::from(2)
-        }
-    }
+    common::exit("convergence", run())
 }
 
 #[cfg(test)]

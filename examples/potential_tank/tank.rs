@@ -1,6 +1,6 @@
 //! One run of the tank: Runge-Kutta steps of water and wall, the stop, the readings.
 
-use seawall::theory::goring::GoringPiston;
+use seawall::body::{GoringPaddle, PaddleLaw};
 
 use super::gmres::NotConverged;
 use super::grid::Grading;
@@ -46,7 +46,7 @@ struct Rates {
 #[derive(Clone)]
 pub struct Tank {
     settings: Settings,
-    piston: GoringPiston,
+    paddle: GoringPaddle,
     spring: Option<Spring>,
     spacings: Vec<f64>,
     rule: Vec<(f64, f64)>,
@@ -98,7 +98,7 @@ impl Tank {
         };
         Tank {
             settings,
-            piston: GoringPiston::new(wave_height_ratio, DEPTH, GRAVITY, 0.05),
+            paddle: GoringPaddle::new(wave_height_ratio, DEPTH, GRAVITY, 0.05),
             spring: None,
             spacings: grading.spacings(nodes),
             rule: quadrature(FACE_POINTS),
@@ -133,7 +133,7 @@ impl Tank {
 
     /// When the run ends, seconds.
     pub fn end(&self) -> f64 {
-        self.piston.stroke_centre() + AFTER_CENTRE
+        self.paddle.stroke_centre().unwrap_or(0.0) + AFTER_CENTRE
     }
 
     /// Runs on to the end, or until `enough`.
@@ -198,10 +198,10 @@ impl Tank {
             self.state.wall = [0.0; 2];
         }
         let wall_at = LENGTH + self.state.wall[0];
-        let paddle = self.piston.motion(self.time);
+        let paddle = self.paddle.motion(self.time);
         let surface = &mut self.state.surface;
         let end = surface.x.len() - 1;
-        (surface.x[0], surface.x[end]) = (paddle.position, wall_at);
+        (surface.x[0], surface.x[end]) = (paddle.offset, wall_at);
         let speeds = [paddle.velocity, self.state.wall[1]];
         motion::smooth(surface, speeds, self.settings.smoothing);
         Ok(Some(()))
@@ -252,11 +252,11 @@ impl Tank {
         on_stop: bool,
         read: bool,
     ) -> Result<Rates, NotConverged> {
-        let motion = self.piston.motion(time);
+        let motion = self.paddle.motion(time);
         let faces = Faces { paddle: [motion.velocity, motion.acceleration], wall: state.wall[1] };
         let mut surface = state.surface.clone();
         let end = surface.x.len() - 1;
-        (surface.x[0], surface.x[end]) = (motion.position, LENGTH + state.wall[0]);
+        (surface.x[0], surface.x[end]) = (motion.offset, LENGTH + state.wall[0]);
         let flow = Flow::new(&surface, faces, &mut self.guess)?;
         let [paddle, wall] = flow.forces(&mut self.guess, self.spring.is_some(), &self.rule)?;
         let acceleration = self.spring.map_or(0.0, |spring| {

@@ -1,18 +1,81 @@
-//! Moving walls: each turns time or force into motion, and knows nothing of particles.
+//! Walls and paddles: each turns time or the water's force into motion, and knows nothing of
+//! particles. [`WallLaw`] and [`PaddleLaw`] say what a run asks of them.
+//!
+//! A new member is one file here with its keys, and one arm in [`Wall`] or [`Paddle`]; the scene
+//! of the seawall names both.
 
-mod kick;
+mod contract;
+mod fixed_wall;
+mod goring_paddle;
+mod place;
+mod recorded_stroke;
+mod sliding_caisson;
 mod spring_wall;
+mod wave_train;
 
-pub use spring_wall::{SpringWall, WallStep};
+use std::ops::{Deref, DerefMut};
 
-/// Horizontal motion of a body over one step.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct BodyMotion {
-    /// Displacement from rest at the start of the step, metres.
-    pub offset: f64,
-    /// Velocity, m/s: displacement over the step divided by its length, so that ghosts move as
-    /// fast as their wall.
-    pub velocity: f64,
-    /// Acceleration, m/s².
-    pub acceleration: f64,
+pub use contract::{BodyMotion, PaddleLaw, Restraint, WallLaw, WallState, WallStep};
+pub use fixed_wall::FixedWall;
+pub use goring_paddle::GoringPaddle;
+pub use place::{MOST_BODIES, Motions, Place};
+pub use recorded_stroke::{RecordedStroke, RecordedStrokeKeys, Stroke};
+pub use sliding_caisson::{CaissonKeys, SlidingCaisson};
+pub use spring_wall::SpringWall;
+pub use wave_train::{WaveTrain, WaveTrainKeys};
+
+/// The wall at the end of a tank.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Wall {
+    /// It stands still.
+    Fixed(FixedWall),
+    /// It is mounted on a spring.
+    Spring(SpringWall),
+    /// It slides on its bed with friction.
+    Caisson(SlidingCaisson),
+}
+
+impl Deref for Wall {
+    type Target = dyn WallLaw;
+
+    fn deref(&self) -> &Self::Target {
+        match self {
+            Wall::Fixed(wall) => wall,
+            Wall::Spring(wall) => wall,
+            Wall::Caisson(wall) => wall,
+        }
+    }
+}
+
+impl DerefMut for Wall {
+    fn deref_mut(&mut self) -> &mut Self::Target {
+        match self {
+            Wall::Fixed(wall) => wall,
+            Wall::Spring(wall) => wall,
+            Wall::Caisson(wall) => wall,
+        }
+    }
+}
+
+/// What moves the water at the start of a tank.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Paddle {
+    /// A piston that makes a solitary wave.
+    Goring(GoringPaddle),
+    /// A piston that makes regular waves.
+    WaveTrain(WaveTrain),
+    /// It plays a stroke from a file.
+    Recorded(RecordedStroke),
+}
+
+impl Deref for Paddle {
+    type Target = dyn PaddleLaw;
+
+    fn deref(&self) -> &Self::Target {
+        match self {
+            Paddle::Goring(paddle) => paddle,
+            Paddle::WaveTrain(paddle) => paddle,
+            Paddle::Recorded(paddle) => paddle,
+        }
+    }
 }

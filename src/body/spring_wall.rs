@@ -1,7 +1,8 @@
 //! The spring-mounted seawall of Liang et al. 2017, Eqs. 16-18 (Huang et al. 2019, Eqs. 26-28).
 
-use serde::{Deserialize, Serialize};
+mod kick;
 
+use super::{Restraint, WallLaw, WallState, WallStep};
 use crate::theory::oscillator::{Oscillator, OscillatorState};
 
 /// m a = s · max(F - F_th, 0) - k X, with X ≥ 0.
@@ -10,9 +11,8 @@ use crate::theory::oscillator::{Oscillator, OscillatorState};
 /// metre of width, hydrostatics included; s is 1 in the law as printed. At the stop X = 0 and the
 /// velocity is zero too (a perfectly inelastic stop). The water's reaction to the wall's own
 /// acceleration, F = F0 - A a, is solved together with a, so that a wall lighter than the water
-/// it moves stays stable. Where the force is known at the step's start, [`SpringWall::kick`] takes
-/// it; where it is the mean over the step, [`SpringWall::advance`].
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+/// it moves stays stable.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpringWall {
     /// m, kg per metre of width.
     pub mass: f64,
@@ -30,17 +30,6 @@ pub struct SpringWall {
     pub stops: u32,
 }
 
-/// What a wall does over one step.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct WallStep {
-    /// Acceleration that the water feels, m/s²; 0 in a step that ends on the stop.
-    pub acceleration: f64,
-    /// Displacement over the step, metres.
-    pub travel: f64,
-    /// Kinetic energy lost on the stop, J per metre of width.
-    pub stop_loss: f64,
-}
-
 impl SpringWall {
     /// A wall at rest on its stop.
     pub fn at_rest(mass: f64, stiffness: f64, threshold: f64, force_coupling: f64) -> SpringWall {
@@ -55,39 +44,14 @@ impl SpringWall {
         }
     }
 
-    /// Whether it has ever left its stop.
-    pub fn has_moved(&self) -> bool {
-        self.displacement > 0.0 || self.velocity != 0.0 || self.stops > 0
-    }
-
-    /// Advances by `dt` seconds under the water's force F = `force` - `added_mass` · a, the mean over
-    /// the step: spring and mass exactly, at any ω Δt.
-    pub fn advance(&mut self, force: f64, added_mass: f64, dt: f64) -> WallStep {
-        let system = self.system(force, added_mass);
-        let from = OscillatorState { position: self.displacement, velocity: self.velocity };
-        let at_rest_on_stop = from.position <= 0.0 && from.velocity <= 0.0;
-        if at_rest_on_stop && system.force <= 0.0 {
-            return WallStep { acceleration: 0.0, travel: 0.0, stop_loss: 0.0 };
-        }
-        if let Some(instant) = system.first_return(from, dt) {
-            let velocity = system.advance(from, instant).velocity;
-            self.displacement = 0.0;
-            self.velocity = 0.0;
-            self.stops += 1;
-            return WallStep {
-                acceleration: 0.0,
-                travel: -from.position,
-                stop_loss: 0.5 * self.mass * velocity * velocity,
-            };
-        }
-        let to = system.advance(from, dt);
-        self.displacement = to.position;
-        self.velocity = to.velocity;
-        WallStep {
-            acceleration: (to.velocity - from.velocity) / dt,
-            travel: to.position - from.position,
-            stop_loss: 0.0,
-        }
+    /// Comes onto the stop, which takes this energy from it, J per metre of width.
+    fn stop(&mut self, loss: f64) -> WallStep {
+        let travel = -self.displacement;
+        self.displacement = 0.0;
+        self.velocity = 0.0;
+        self.stops += 1;
+        let stop_speed = (2.0 * loss / self.mass).sqrt();
+        WallStep { acceleration: 0.0, travel, stop_loss: loss, stop_speed }
     }
 
     /// The free oscillator that holds over a step: driven with the water's added mass while the
@@ -107,15 +71,69 @@ impl SpringWall {
             Oscillator { mass: self.mass, stiffness: self.stiffness, force: 0.0 }
         }
     }
+}
 
-    /// ½ m V², J per metre of width.
-    pub fn kinetic_energy(&self) -> f64 {
+impl WallLaw for SpringWall {
+    fn state(&self) -> Option<WallState> {
+        let SpringWall { displacement, velocity, stops, .. } = *self;
+        Some(WallState { displacement, velocity, stops })
+    }
+
+    fn lets_go(&self, force: f64) -> bool {
+        force > self.threshold
+    }
+
+    fn rests(&self) -> bool {
+        self.displacement == 0.0 && self.velocity == 0.0
+    }
+
+    fn has_moved(&self) -> bool {
+        !self.rests() || self.stops > 0
+    }
+
+    fn kick(&mut self, force: f64, added_mass: f64, dt: f64) -> WallStep {
+        self.kicked(force, added_mass, dt)
+    }
+
+    /// Spring and mass exactly, at any ω Δt.
+    fn advance(&mut self, force: f64, added_mass: f64, dt: f64) -> WallStep {
+        let system = self.system(force, added_mass);
+        let from = OscillatorState { position: self.displacement, velocity: self.velocity };
+        let at_rest_on_stop = from.position <= 0.0 && from.velocity <= 0.0;
+        if at_rest_on_stop && system.force <= 0.0 {
+            return WallStep::default();
+        }
+        if let Some(instant) = system.first_return(from, dt) {
+            let velocity = system.advance(from, instant).velocity;
+            return self.stop(0.5 * self.mass * velocity * velocity);
+        }
+        let to = system.advance(from, dt);
+        self.displacement = to.position;
+        self.velocity = to.velocity;
+        WallStep {
+            acceleration: (to.velocity - from.velocity) / dt,
+            travel: to.position - from.position,
+            ..WallStep::default()
+        }
+    }
+
+    fn driving(&self, force: f64, _: f64) -> f64 {
+        self.force_coupling * (force - self.threshold).max(0.0)
+    }
+
+    /// ½ m V².
+    fn kinetic_energy(&self) -> f64 {
         0.5 * self.mass * self.velocity * self.velocity
     }
 
-    /// ½ k X², J per metre of width.
-    pub fn spring_energy(&self) -> f64 {
+    /// ½ k X².
+    fn spring_energy(&self) -> f64 {
         0.5 * self.stiffness * self.displacement * self.displacement
+    }
+
+    fn restraint(&self) -> Option<Restraint> {
+        let stiffness = self.stiffness / self.force_coupling;
+        Some(Restraint { threshold: self.threshold, stiffness })
     }
 }
 

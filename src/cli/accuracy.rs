@@ -7,8 +7,8 @@ use super::matrix::{MatrixArgs, Request, run};
 use super::output::{Output, short};
 use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
+use crate::accuracy::{Errors, MethodScore, Scored, cheapest_within, methods, score};
 use crate::report::accuracy::{HEADER, write};
-use crate::sweep::matrix::accuracy::{Group, MethodScore, Scored, cheapest_within, methods, score};
 
 /// Run many methods on cases with known answers, and tell error against processor time.
 #[derive(Debug, Args)]
@@ -37,12 +37,12 @@ pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
     }
     let scored = score(&ran.matrix, &ran.pairs, &ran.records);
     let [scores, loads] =
-        [Group::All, Group::Loads].map(|group| methods(&ran.matrix, &scored, group));
+        [Errors::All, Errors::Loads].map(|group| methods(&ran.matrix, &scored, group));
     let about: Vec<_> =
         ran.matrix.cases.iter().map(|case| (case.name.clone(), case.about.clone())).collect();
     std::fs::write(
         ran.out.join("accuracy.csv"),
-        csv(&scored, &[(Group::All, &scores), (Group::Loads, &loads)])?,
+        csv(&scored, &[(Errors::All, &scores), (Errors::Loads, &loads)])?,
     )?;
     let page = write(&ran.out, &about)?;
     let mut table =
@@ -75,7 +75,7 @@ pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
 }
 
 /// Every pair, then every method over all cases under the name of the group.
-fn csv(scored: &[Scored], groups: &[(Group, &Vec<MethodScore>)]) -> anyhow::Result<Vec<u8>> {
+fn csv(scored: &[Scored], groups: &[(Errors, &Vec<MethodScore>)]) -> anyhow::Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     writer.write_record(HEADER)?;
     let number = |value: Option<f64>| value.map(|value| format!("{value:.4}")).unwrap_or_default();

@@ -12,9 +12,10 @@ use super::output::{Output, duration};
 use super::physics::physics;
 use super::table::Table;
 use crate::math::simd::SimdPath;
+use crate::results::counted;
 use crate::scene::{CaseConfig, Scheme, limits};
 use crate::simulation::cost;
-use crate::sweep::{Plan, Study, counted, schema};
+use crate::study::{Plan, Study, schema};
 
 /// Validate a sweep or scene file, list its cases and what they cost; run nothing.
 #[derive(Debug, Args)]
@@ -140,7 +141,7 @@ fn processor_time(study: &Study, plan: &Plan, simd: SimdPath) -> f64 {
     trunks.chain(cases).sum()
 }
 
-/// Particle-steps per second and core. Of δ-SPH between the two machines of README's table; of
+/// Particle-steps per second and core. Of δ-SPH between the two machines of docs/measured.md; of
 /// incompressible water what the EPYC took for `sweeps/scenes/movable_wall.toml` at 12.5 mm.
 fn particle_steps_per_second(scheme: Scheme, simd: SimdPath) -> f64 {
     match (scheme, simd) {
@@ -178,7 +179,7 @@ fn between((low, high): (u64, u64)) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sweep::SweepFile;
+    use crate::study::SweepFile;
 
     /// Seconds of one core for a single scene.
     fn seconds(scheme: &str) -> f64 {

@@ -7,13 +7,16 @@ use serde_json::{Value, json};
 
 use super::output::Output;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
-use crate::math::simd::SimdPath;
-use crate::simulation::cost;
-use crate::sweep::executor::{Crew, RankInfo};
-use crate::sweep::{
-    CaseRecord, Directory, Ending, Interrupt, Manifest, OpenMode, Opened, Plan, Progress, Savings,
-    Session, SessionInfo, Study, SweepError, coordinate, counted, timestamp,
+use crate::execute::{
+    Crew, Ending, Interrupt, Progress, Session, Setup, SphRunner, VtkFilm, coordinate, threads,
 };
+use crate::math::simd::SimdPath;
+use crate::results::{
+    CaseRecord, Directory, Manifest, OpenMode, Opened, RankInfo, Savings, SessionInfo, SweepError,
+    counted, timestamp,
+};
+use crate::simulation::cost;
+use crate::study::{Plan, Study};
 
 /// What is to be done.
 pub(super) struct Job {
@@ -77,6 +80,22 @@ impl Done {
     }
 }
 
+/// Runs what of a study is missing on the threads of this process.
+pub(super) fn on_threads(
+    job: &Job,
+    threads: Option<u16>,
+    film: Option<VtkFilm>,
+    output: &Output,
+) -> anyhow::Result<Done> {
+    let interrupt = Interrupt::listen()?;
+    let setup = Setup {
+        make_runner: &|resources| Box::new(SphRunner { resources, film: film.clone() }),
+        threads: threads.map(usize::from),
+        interrupt: &interrupt,
+    };
+    Ok(threads::with_crew(&setup, |crew| execute(job, crew, &interrupt, output))?)
+}
+
 /// Runs what of a study is missing in its output directory.
 pub(super) fn execute(
     job: &Job,
@@ -107,10 +126,7 @@ pub(super) fn execute(
         executor: crew.executor().to_owned(),
         ranks: crew.ranks().to_vec(),
         started: timestamp(),
-        ended: None,
-        wall_time_s: None,
-        savings: None,
-        ending: None,
+        ..SessionInfo::default()
     });
     manifest.write(&job.out)?;
     tell_start(crew, &directory, missing, output);

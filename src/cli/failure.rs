@@ -3,8 +3,8 @@
 use std::io::{ErrorKind, Write};
 
 use super::{BAD_INPUT, INTERNAL, SUCCESS};
-use crate::sweep::SweepError;
-use crate::sweep::executor::Launcher;
+use crate::execute::Launcher;
+use crate::results::SweepError;
 
 /// Something that the user can put right.
 #[derive(Debug, thiserror::Error)]

@@ -7,7 +7,7 @@ use clap::ValueEnum;
 use super::failure::BadInput;
 use crate::math::simd::SimdPath;
 use crate::scene::ConfigError;
-use crate::sweep::{Override, Study, SweepFile};
+use crate::study::{Override, Study, SweepFile};
 
 /// The user's choice of instruction set.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -4,13 +4,13 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::execute::{Done, Job, execute};
+use super::execute::{Job, on_threads};
 use super::failure::BadInput;
 use super::input::{SimdChoice, default_out, read};
 use super::output::Output;
-use crate::sweep::executor::{Setup, threads};
-use crate::sweep::matrix::{Matrix, Pair};
-use crate::sweep::{CaseRecord, Ending, Interrupt, OpenMode, SphRunner};
+use crate::accuracy::{Matrix, Trial};
+use crate::execute::Ending;
+use crate::results::{CaseRecord, OpenMode};
 
 /// What both commands take.
 #[derive(Debug, Args)]
@@ -48,7 +48,7 @@ pub(super) struct Request {
 /// A matrix that has been run.
 pub(super) struct Ran {
     pub(super) matrix: Matrix,
-    pub(super) pairs: Vec<Pair>,
+    pub(super) pairs: Vec<Trial>,
     pub(super) records: Vec<Option<CaseRecord>>,
     pub(super) out: PathBuf,
     /// The exit code where it was interrupted.
@@ -80,13 +80,7 @@ pub(super) fn run(args: &MatrixArgs, request: &Request, output: &Output) -> anyh
         simd: SimdChoice::Auto.path(),
         overrides: Vec::new(),
     };
-    let interrupt = Interrupt::listen()?;
-    let setup = Setup {
-        make_runner: &|resources| Box::new(SphRunner { resources }),
-        threads: args.threads.map(usize::from),
-        interrupt: &interrupt,
-    };
-    let done: Done = threads::with_crew(&setup, |crew| execute(&job, crew, &interrupt, output))?;
+    let done = on_threads(&job, args.threads, None, output)?;
     if done.ending == Ending::Interrupted {
         output.note("interrupted; the same command goes on");
     }

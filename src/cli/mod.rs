@@ -28,7 +28,7 @@ use std::process::ExitCode;
 use clap::{Args, ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use self::output::{Format, Output};
-use crate::sweep::executor::Launcher;
+use crate::execute::Launcher;
 
 /// Everything went well.
 const SUCCESS: u8 = 0;
@@ -49,7 +49,7 @@ struct Cli {
     #[command(flatten)]
     global: Global,
     #[command(subcommand)]
-    command: Command,
+    command: Subcommands,
 }
 
 /// Options of every command.
@@ -67,7 +67,7 @@ struct Global {
 }
 
 #[derive(Debug, Subcommand)]
-enum Command {
+enum Subcommands {
     Sweep(sweep::SweepArgs),
     Run(run::RunArgs),
     Check(check::CheckArgs),
@@ -103,14 +103,14 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
     };
     let output = Output::new(&cli.global, launcher);
     let result = match cli.command {
-        Command::Sweep(args) => sweep::main(&args, &output, launcher),
+        Subcommands::Sweep(args) => sweep::main(&args, &output, launcher),
         _ if launcher.rank > 0 => Ok(SUCCESS),
-        Command::Run(args) => run::main(&args, &output),
-        Command::Check(args) => check::main(&args, &output),
-        Command::Status(args) => status::main(&args, &output),
-        Command::Report(args) => report::main(&args, &output),
-        Command::Accuracy(args) => accuracy::main(&args, &output),
-        Command::Stress(args) => stress::main(&args, &output),
+        Subcommands::Run(args) => run::main(&args, &output),
+        Subcommands::Check(args) => check::main(&args, &output),
+        Subcommands::Status(args) => status::main(&args, &output),
+        Subcommands::Report(args) => report::main(&args, &output),
+        Subcommands::Accuracy(args) => accuracy::main(&args, &output),
+        Subcommands::Stress(args) => stress::main(&args, &output),
     };
     failure::exit_code(result, launcher)
 }

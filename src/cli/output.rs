@@ -6,8 +6,7 @@ use clap::ValueEnum;
 use serde::Serialize;
 
 use super::Global;
-use crate::sweep::executor::Launcher;
-use crate::sweep::{self, ProgressStyle};
+use crate::execute::{Launcher, ProgressStyle};
 
 /// How results are printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -74,7 +73,7 @@ pub(super) fn duration(seconds: f64) -> String {
     if seconds < 9.5 {
         return format!("{:.1} s", seconds.max(0.0));
     }
-    sweep::duration(seconds)
+    crate::execute::duration(seconds)
 }
 
 /// Four significant digits.

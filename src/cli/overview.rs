@@ -3,16 +3,23 @@
 use super::execute::{Done, Job};
 use super::output::{duration, short};
 use super::table::Table;
-use crate::sweep::counted;
+use crate::quantities::summary::{
+    DISPLACEMENT_MAX, ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX, STATUS,
+};
+use crate::quantities::{Bars, Column};
+use crate::results::counted;
 
 /// Rows shown without `-v`.
 const ROWS: usize = 30;
+/// Shown besides what was swept and how the case fared.
+const SHOWN: [&Column; 6] =
+    [&FORCE_MAX, &RUNUP_MAX, &DISPLACEMENT_MAX, &FIRST_FORCE_MAX, &FIRST_RUNUP_MAX, &ENERGY_GAP];
 
 /// A row per case, `all` or the first few, and the lines below them.
 pub(super) fn told(job: &Job, done: &Done, report: &std::path::Path, all: bool) -> String {
     let keys = &job.study.keys;
-    let heading = ["F* max", "R* max", "X* max", "first F*", "first R*", "energy gap %", "status"];
-    let mut table = Table::new(keys.iter().map(String::as_str).chain(heading));
+    let heading = SHOWN.into_iter().chain([&STATUS]).map(Column::heading);
+    let mut table = Table::new(keys.iter().cloned().chain(heading));
     let rows = if all { usize::MAX } else { ROWS };
     let mut bounds = false;
     for record in done.records().take(rows) {
@@ -22,26 +29,18 @@ pub(super) fn told(job: &Job, done: &Done, report: &std::path::Path, all: bool) 
             None => "-".to_owned(),
         };
         let mut cells: Vec<String> = keys.iter().map(value).collect();
-        match &record.outcome {
-            Some(outcome) => {
-                let or_dash = |value: Option<f64>| value.map_or_else(|| "-".to_owned(), short);
-                cells.push(short(outcome.force_max.value));
-                cells.push(short(outcome.runup_max.value));
-                let moved = or_dash(outcome.displacement_max.map(|maximum| maximum.value));
-                let truncated = outcome.displacement_truncated == Some(true);
-                cells.push(if truncated { format!("≥ {moved}") } else { moved });
-                bounds |= truncated;
-                cells.push(or_dash(outcome.first_force_max.map(|maximum| maximum.value)));
-                cells.push(or_dash(outcome.first_runup_max.map(|maximum| maximum.value)));
-                cells.push(short(outcome.energy_gap_percent));
-                let doubtful = outcome.doubtful_reason.is_some();
-                cells.push(if doubtful { "doubtful" } else { "ok" }.to_owned());
-            }
-            None => {
-                cells.extend(std::iter::repeat_n("-".to_owned(), 6));
-                cells.push(record.failure.map_or("failed", |kind| kind.name()).to_owned());
-            }
+        let case = record.reported(&job.study.cases[record.index].config, Bars::default());
+        for column in SHOWN {
+            let number = column.number(&case).map_or_else(|| "-".to_owned(), short);
+            let bound = column.is_bound(&case);
+            cells.push(if bound { format!("≥ {number}") } else { number });
+            bounds |= bound;
         }
+        cells.push(match &record.outcome {
+            Some(outcome) if outcome.doubtful_reason.is_some() => "doubtful".to_owned(),
+            Some(_) => "ok".to_owned(),
+            None => record.failure.map_or("failed", |kind| kind.name()).to_owned(),
+        });
         table.row(cells);
     }
     let mut text = table.render();

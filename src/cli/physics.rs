@@ -6,7 +6,7 @@ use toml::{Table, Value};
 
 use crate::keys::{Key, Section, number};
 use crate::scene::{CaseConfig, Kind, numerics_keys, scene_keys};
-use crate::sweep::Study;
+use crate::study::Study;
 
 /// A key that is on, and the values that occur among the cases, `none` where a case has none.
 pub(super) struct Line {
@@ -93,6 +93,7 @@ fn text(value: &Value) -> String {
         Value::String(name) => name.clone(),
         Value::Float(number) => number.to_string(),
         Value::Boolean(on) => if *on { "yes" } else { "no" }.to_owned(),
+        Value::Array(points) => format!("{} points", points.len()),
         other => other.to_string(),
     }
 }
@@ -100,7 +101,7 @@ fn text(value: &Value) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sweep::SweepFile;
+    use crate::study::SweepFile;
 
     fn value(text: &str, name: &str) -> Option<String> {
         let text = format!("name = \"a\"\n{text}");

@@ -4,13 +4,16 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::execute::{Job, execute};
+use super::execute::{Job, on_threads};
 use super::input::{Expect, Setting, SimdChoice, default_out, study};
 use super::output::{Output, duration, short};
 use super::table::Table;
-use crate::simulation::{EnergyBudget, Maximum, NamedReading, Outcome, PhaseShare};
-use crate::sweep::executor::{Setup, threads};
-use crate::sweep::{CaseRecord, Ending, FilmingRunner, Interrupt, OpenMode, SphRunner};
+use crate::execute::{Ending, VtkFilm};
+use crate::quantities::summary::{ALL, DISPLACEMENT_MAX, MEASURED_WAVE_HEIGHT_RATIO};
+use crate::quantities::{Bars, Case, Column, Value, energy};
+use crate::results::{CaseRecord, OpenMode};
+use crate::scene::CaseConfig;
+use crate::simulation::{EnergyBudget, NamedReading, PhaseShare};
 
 /// Run one scene: its history, outcome, energy budget, and where the time went.
 #[derive(Debug, Args)]
@@ -68,18 +71,9 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         simd: args.simd.path(),
         overrides: args.settings.iter().map(|setting| setting.text.clone()).collect(),
     };
-    let interrupt = Interrupt::listen()?;
-    let setup = Setup {
-        make_runner: &|resources| match args.vtk {
-            None => Box::new(SphRunner { resources }),
-            Some(Seconds(interval_s)) => {
-                Box::new(FilmingRunner { resources, interval_s, folder: job.out.join("vtk") })
-            }
-        },
-        threads: args.threads.map(usize::from),
-        interrupt: &interrupt,
-    };
-    let done = threads::with_crew(&setup, |crew| execute(&job, crew, &interrupt, output))?;
+    let folder = job.out.join("vtk");
+    let film = args.vtk.map(|Seconds(interval_s)| VtkFilm { interval_s, folder });
+    let done = on_threads(&job, args.threads, film, output)?;
     if args.vtk.is_some() && done.wall_time_s.is_none() {
         output.note("--vtk: nothing was filmed, as nothing was run; --fresh films it");
     }
@@ -87,20 +81,24 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         output.note("interrupted: a single scene starts over");
     }
     for record in done.records() {
-        let text = format!("{}files: {}\n", told(record), done.directory.path().display());
+        let text = format!(
+            "{}files: {}\n",
+            told(record, &job.study.cases[record.index].config),
+            done.directory.path().display()
+        );
         output.result(&text, record)?;
     }
     Ok(done.exit_code())
 }
 
-fn told(record: &CaseRecord) -> String {
+fn told(record: &CaseRecord, config: &CaseConfig) -> String {
     let mut text = format!("case {}", record.id);
     let (Some(outcome), Some(energy)) = (&record.outcome, &record.energy) else {
         text.push_str(&format!(" failed: {}\n", record.reason));
         return text;
     };
     text.push_str(&format!(", {}\n\n", duration(record.wall_time_s)));
-    text.push_str(&outcome_table(outcome));
+    text.push_str(&outcome_table(&record.reported(config, Bars::default())));
     if !record.readings.is_empty() {
         text.push_str("\nreadings\n");
         text.push_str(&readings_table(&record.readings));
@@ -112,50 +110,30 @@ fn told(record: &CaseRecord) -> String {
     text
 }
 
-fn outcome_table(outcome: &Outcome) -> String {
-    let mut text = String::new();
-    let mut line = |name: &str, value: Option<String>| {
-        if let Some(value) = value {
-            text.push_str(&format!("{name:<32}{value}\n"));
-        }
+/// What came out of a case, as far as it has it.
+fn outcome_table(case: &Case<'_>) -> String {
+    let line = |column: &Column| {
+        let text = match column.value(case)? {
+            Value::Number(value) => short(value),
+            Value::Count(count) => count.to_string(),
+            Value::Flag(_) => return None, // its reason or mark stands beside a number
+            Value::Text(text) => text,
+        };
+        let time = column.time(case).map(|time| format!(" at {time:.4} s")).unwrap_or_default();
+        // At the very end and still moving: the maximum is yet to come.
+        let (start, end) =
+            if is_bound(column, case) { ("≥ ", ", still moving at the end") } else { ("", "") };
+        Some(format!("{:<32}{start}{text}{time}{end}\n", column.heading()))
     };
-    let maximum = |maximum: Option<Maximum>| {
-        maximum.map(|maximum| format!("{} at {:.4} s", short(maximum.value), maximum.time_s))
-    };
-    // At the very end and still moving: the maximum is yet to come.
-    let displacement = |own: Option<Maximum>| {
-        let at_end = own.is_some() && own == outcome.displacement_max;
-        if at_end && outcome.displacement_truncated == Some(true) {
-            return maximum(own).map(|text| format!("≥ {text}, still moving at the end"));
-        }
-        maximum(own)
-    };
-    line("measured H/h", outcome.measured_wave_height_ratio.map(short));
-    line("largest F*", maximum(Some(outcome.force_max)));
-    line("largest R*", maximum(Some(outcome.runup_max)));
-    line("largest X*", displacement(outcome.displacement_max));
-    line("first impact, largest F*", maximum(outcome.first_force_max));
-    line("first impact, largest R*", maximum(outcome.first_runup_max));
-    line("first impact, largest X*", displacement(outcome.first_displacement_max));
-    line("first peak, F*", outcome.first_force_peak.map(short));
-    line("first peak, R*", outcome.first_runup_peak.map(short));
-    line("largest F* of any step", Some(short(outcome.force_max_raw)));
-    line(
-        "F*, R* at the end",
-        Some(format!("{}, {}", short(outcome.force_end), short(outcome.runup_end))),
-    );
-    line("X* at the end", outcome.displacement_end.map(short));
-    line("onset", outcome.onset_time_s.map(|time| format!("{time:.4} s")));
-    line("stroke centre", outcome.stroke_centre_s.map(|time| format!("{time:.4} s")));
-    line("hits on the stop", outcome.stops.map(|stops| stops.to_string()));
-    line("strongest impulse of a stop", maximum(outcome.stop_impulse.filter(|m| m.value != 0.0)));
-    line("doubtful", outcome.doubtful_reason.clone());
-    line("force gap", Some(format!("{} %", short(outcome.force_gap_percent))));
-    line("particles, lost", Some(format!("{}, {}", outcome.particles, outcome.particles_lost)));
-    line("steps", Some(outcome.steps.to_string()));
-    line("pair evaluations", Some(outcome.pair_evaluations.to_string()));
-    line("boundary fallbacks", Some(outcome.boundary_fallbacks.to_string()));
-    text
+    let results = ALL.iter().skip_while(|column| **column != &MEASURED_WAVE_HEIGHT_RATIO);
+    results.filter_map(|column| line(column)).collect()
+}
+
+/// A lower bound, or the same maximum as one.
+fn is_bound(column: &Column, case: &Case<'_>) -> bool {
+    DISPLACEMENT_MAX.is_bound(case)
+        && column.unit == DISPLACEMENT_MAX.unit
+        && column.time(case).is_some_and(|time| Some(time) == DISPLACEMENT_MAX.time(case))
 }
 
 fn readings_table(readings: &[NamedReading]) -> String {
@@ -167,33 +145,20 @@ fn readings_table(readings: &[NamedReading]) -> String {
 }
 
 /// Every term, its share of the paddle's work, and what is left over.
-fn energy_table(energy: &EnergyBudget, gap_percent: f64) -> String {
-    let spent = [
-        ("kinetic", energy.kinetic),
-        ("potential", energy.potential),
-        ("elastic", energy.elastic),
-        ("wall, kinetic", energy.wall_kinetic),
-        ("spring", energy.spring),
-        ("threshold device", energy.threshold_device),
-        ("stops", energy.stops),
-        ("viscous", energy.viscous),
-        ("density diffusion", energy.density_diffusion),
-        ("shifting", energy.shifting),
-    ];
-    let total: f64 = spent.iter().map(|(_, value)| value).sum();
+fn energy_table(budget: &EnergyBudget, gap_percent: f64) -> String {
+    let (work, spent) = energy::ALL.split_first().expect("a budget has terms");
+    let work = (work.read)(budget);
+    let total: f64 = spent.iter().map(|term| (term.read)(budget)).sum();
     let mut text = String::new();
     let mut line = |name: &str, value: f64| {
-        let share = match energy.paddle_work {
-            0.0 => "-".to_owned(),
-            work => format!("{:.2}", 100.0 * value / work),
-        };
+        let share =
+            if work == 0.0 { "-".to_owned() } else { format!("{:.2}", 100.0 * value / work) };
         text.push_str(&format!("{name:<18}{:>10}  {share:>16}\n", short(value)));
     };
-    line("paddle work", energy.paddle_work);
-    for (name, value) in spent {
-        line(name, value);
+    for term in energy::ALL {
+        line(&term.name.replace('_', " "), (term.read)(budget));
     }
-    line("residual", energy.paddle_work - total);
+    line("residual", work - total);
     text.push_str(&format!("reported gap {gap_percent:.2} %\n"));
     text
 }

@@ -10,7 +10,7 @@ use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::{Output, duration};
 use super::table::Table;
-use crate::sweep::{CaseRecord, Lock, Manifest, counted, read_journal};
+use crate::results::{CaseRecord, Lock, Manifest, counted, read_journal};
 
 /// Show what is done, what failed and why, what is left, and the time to go.
 #[derive(Debug, Args)]
@@ -109,14 +109,14 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
 
 /// Failures of one kind: how many cases of each value of each swept key.
 #[derive(Default)]
-struct Group {
+struct Failures {
     cases: usize,
     example: String,
     values: BTreeMap<String, BTreeMap<String, usize>>,
 }
 
-fn group(failed: &[&CaseRecord]) -> BTreeMap<&'static str, Group> {
-    let mut groups: BTreeMap<_, Group> = BTreeMap::new();
+fn group(failed: &[&CaseRecord]) -> BTreeMap<&'static str, Failures> {
+    let mut groups: BTreeMap<_, Failures> = BTreeMap::new();
     for record in failed {
         let kind = record.failure.map_or("failed", |kind| kind.name());
         let group = groups.entry(kind).or_default();

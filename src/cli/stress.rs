@@ -7,8 +7,7 @@ use super::matrix::{MatrixArgs, Request, run};
 use super::output::Output;
 use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
-use crate::sweep::matrix::Matrix;
-use crate::sweep::matrix::stress::{Judged, Verdict, judge};
+use crate::accuracy::{Judged, Matrix, Verdict, judge};
 
 /// Run hard cases, each with its criterion stated beforehand, and tell what survives where.
 #[derive(Debug, Args)]
@@ -88,7 +87,7 @@ fn markdown(matrix: &Matrix, judged: &[Judged]) -> String {
          share of a bound that the run reached,\ncriteria and health alike: below 1 it passed, \
          above 1 it ran to its end and missed the criterion. A word is the\nkind of failure. `-`: \
          not run with this method, or not in this build.\n\n| case | {} |\n|---|{}\n",
-        crate::sweep::PHYSICS_VERSION,
+        crate::study::PHYSICS_VERSION,
         methods.join(" | "),
         "---|".repeat(methods.len())
     );
@@ -110,7 +109,8 @@ fn markdown(matrix: &Matrix, judged: &[Judged]) -> String {
             case.pass.iter().map(|(name, [low, high])| format!("{name} in [{low}, {high}]"));
         let same = case.same.iter().map(|same| {
             let percent = 100.0 * same.tolerance;
-            format!("{} within {percent} % of {}", same.quantities.join(", "), same.case)
+            let names: Vec<_> = same.quantities.iter().map(ToString::to_string).collect();
+            format!("{} within {percent} % of {}", names.join(", "), same.case)
         });
         let criteria: Vec<_> = ranges.chain(same).collect();
         let criteria =

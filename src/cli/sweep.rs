@@ -7,12 +7,12 @@ use clap::{Args, ValueEnum};
 use super::execute::{Job, execute};
 use super::failure::{BadInput, exit_code};
 use super::input::{Expect, Setting, SimdChoice, default_out, study};
-use super::max_error::Aim;
 use super::output::Output;
 use super::overview::told;
-use super::{SUCCESS, check};
-use crate::sweep::executor::{Crew, Launcher, Setup, mpi, threads};
-use crate::sweep::{Ending, Interrupt, OpenMode, SphRunner, counted};
+use super::{SUCCESS, check, max_error};
+use crate::accuracy::MaxError;
+use crate::execute::{Crew, Ending, Interrupt, Launcher, Setup, SphRunner, mpi, threads};
+use crate::results::{OpenMode, counted};
 
 /// Run all cases of a sweep file, on threads or under mpirun, and go on where an earlier run
 /// stopped.
@@ -87,7 +87,7 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
     let use_mpi = choose(args.executor, launcher, mpi::AVAILABLE)?;
     let interrupt = Interrupt::listen()?;
     let setup = Setup {
-        make_runner: &|resources| Box::new(SphRunner { resources }),
+        make_runner: &|resources| Box::new(SphRunner { resources, film: None }),
         threads: args.threads.map(usize::from),
         interrupt: &interrupt,
     };
@@ -125,10 +125,12 @@ fn lead(
 ) -> anyhow::Result<u8> {
     let study = study(&args.file, &args.settings, Expect::Grid)?;
     let aim = args.max_error.or(study.max_error_percent);
-    let aim = aim.map(|percent| Aim::new(percent, &study)).transpose()?;
+    let aim = aim.map(|percent| MaxError::new(percent, &study)).transpose().map_err(BadInput)?;
     let mut job = Job {
         out: args.out.clone().unwrap_or_else(|| default_out(&study)),
-        study: aim.as_ref().map_or_else(|| study.clone(), |aim| aim.first(&study, output)),
+        study: aim
+            .as_ref()
+            .map_or_else(|| study.clone(), |aim| max_error::first(aim, &study, output)),
         mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
         retry_failed: args.retry_failed,
         branching: !args.no_branch,
@@ -138,7 +140,7 @@ fn lead(
     };
     let mut done = execute(&job, crew, interrupt, output)?;
     while let Some(aim) = aim.as_ref().filter(|_| done.ending == Ending::Finished) {
-        let Some(finer) = aim.refine(&job.study, &done, output) else { break };
+        let Some(finer) = max_error::refine(aim, &job.study, &done, output) else { break };
         if crew.executor() == "mpi" && done.wall_time_s.is_some() {
             output.note(
                 "under MPI a session is one round: the same command goes on with the finer one",
@@ -160,7 +162,7 @@ fn lead(
     let mut text = told(&job, &done, &report, output.verbose);
     let mut value = done.json(&job, Some(&report));
     if let Some(aim) = &aim {
-        let (told, accuracy) = aim.report(&job.study, &done)?;
+        let (told, accuracy) = max_error::report(aim, &job.study, &done)?;
         text.push_str(&told);
         value["accuracy"] = accuracy;
     }

@@ -1,18 +1,14 @@
 //! Smoothing kernels, in coordinates scaled by the support radius R.
 //!
 //! W(r) = C/R² · w(q) with q = r/R, zero for q ≥ 1. A kernel is one file with one [`Kernel`]
-//! implementation, an arm of [`with_kernel!`](crate::with_kernel), and nothing else; the tests
-//! below run over all of them.
+//! implementation, and two lines here: its `mod` and its place in `kernels!`. Its name in scene
+//! files comes from there, and the tests below run over all of them.
 
 mod cubic_spline;
 mod gaussian;
 mod quintic_spline;
 mod wendland_c2;
-
-pub use cubic_spline::CubicSpline;
-pub use gaussian::Gaussian;
-pub use quintic_spline::QuinticSpline;
-pub use wendland_c2::WendlandC2;
+mod wendland_c4;
 
 use crate::math::simd::{Lanes, Vector};
 
@@ -42,54 +38,53 @@ pub fn shape_within<K: Kernel, V: Vector>(s: V) -> V {
     s.select_less(V::splat(1.0), value, V::splat(0.0))
 }
 
-/// Runs `$body` with `$K` bound to the kernel type of a kernel choice.
-#[macro_export]
-macro_rules! with_kernel {
-    ($choice:expr, $K:ident => $body:expr) => {
-        match $choice {
-            $crate::kernel::KernelChoice::WendlandC2 => {
-                type $K = $crate::kernel::WendlandC2;
-                $body
-            }
-            $crate::kernel::KernelChoice::Gaussian => {
-                type $K = $crate::kernel::Gaussian;
-                $body
-            }
-            $crate::kernel::KernelChoice::CubicSpline => {
-                type $K = $crate::kernel::CubicSpline;
-                $body
-            }
-            $crate::kernel::KernelChoice::QuinticSpline => {
-                type $K = $crate::kernel::QuinticSpline;
-                $body
-            }
+/// Declares the family: the names of scene files (in kebab case), the list of all, and
+/// `with_kernel!`, which runs a body with a type's name bound to the kernel of a choice.
+macro_rules! kernels {
+    ($d:tt $($(#[$doc:meta])* $name:ident in $file:ident;)+) => {
+        $(pub use $file::$name;)+
+
+        /// Names of the kernels, as scene files spell them.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+        #[serde(rename_all = "kebab-case")]
+        pub enum KernelChoice {
+            $($(#[$doc])* $name,)+
         }
+
+        impl KernelChoice {
+            /// Every kernel.
+            pub const ALL: [KernelChoice; [$(stringify!($name)),+].len()] =
+                [$(KernelChoice::$name),+];
+        }
+
+        macro_rules! with_kernel {
+            ($d choice:expr, $d K:ident => $d body:expr) => {
+                match $d choice {
+                    $($crate::kernel::KernelChoice::$name => {
+                        type $d K = $crate::kernel::$name;
+                        $d body
+                    })+
+                }
+            };
+        }
+        pub(crate) use with_kernel;
     };
 }
 
-/// Names of the kernels, as scene files spell them.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum KernelChoice {
+kernels! { $
     /// Wendland C2.
-    WendlandC2,
+    WendlandC2 in wendland_c2;
+    /// Wendland C4.
+    WendlandC4 in wendland_c4;
     /// Truncated Gaussian of Huang et al. 2019, Eq. 7.
-    Gaussian,
+    Gaussian in gaussian;
     /// Cubic B-spline.
-    CubicSpline,
+    CubicSpline in cubic_spline;
     /// Quintic B-spline.
-    QuinticSpline,
+    QuinticSpline in quintic_spline;
 }
 
 impl KernelChoice {
-    /// Every kernel.
-    pub const ALL: [KernelChoice; 4] = [
-        KernelChoice::WendlandC2,
-        KernelChoice::Gaussian,
-        KernelChoice::CubicSpline,
-        KernelChoice::QuinticSpline,
-    ];
-
     /// h/R, see [`Kernel::SMOOTHING_LENGTH_RATIO`].
     pub fn smoothing_length_ratio(self) -> f64 {
         with_kernel!(self, K => K::SMOOTHING_LENGTH_RATIO)

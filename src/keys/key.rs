@@ -132,6 +132,7 @@ impl Rule {
     }
 
     /// For a key that is added once there are results: at its default it changes no case's identity.
+    /// No other key may be `only` there or `read_where` it has that default.
     pub const fn newer(self) -> Rule {
         Rule { newer: true, ..self }
     }
@@ -199,7 +200,12 @@ impl Key {
 
     /// Whether a section with these values reads it.
     pub fn applies(&self, values: &Table) -> bool {
-        [self.rule.only, self.rule.read].into_iter().flatten().all(|when| when.holds(values))
+        self.conditions().all(|when| when.holds(values))
+    }
+
+    /// What must hold where it is read.
+    pub fn conditions(&self) -> impl Iterator<Item = When> + use<> {
+        [self.rule.only, self.rule.read].into_iter().flatten()
     }
 
     /// What it holds where no value is given, in words.
@@ -213,9 +219,10 @@ impl Key {
         }
     }
 
-    /// The error of a value that its type does not take.
-    pub(super) fn refuse(&self, path: &str, value: &Value) -> ConfigError {
+    /// The error of a value that its type does not take, and what the type says of it.
+    pub(super) fn refuse(&self, path: &str, value: &Value, why: &str) -> ConfigError {
         match (self.shape)() {
+            Shape::Text if value.is_str() => ConfigError::new(path, value, why),
             Shape::Names(names) => ConfigError::one_of(path, value, names),
             shape => ConfigError::new(path, value, shape.allowed()),
         }

@@ -139,7 +139,8 @@ pub fn value<S: Section, T: DeserializeOwned>(
     let Some(value) = table.get(name) else {
         return otherwise().ok_or_else(|| key.missing(&path()));
     };
-    let read = T::deserialize(value.clone()).map_err(|_| key.refuse(&path(), value))?;
+    let read = T::deserialize(value.clone())
+        .map_err(|error| key.refuse(&path(), value, error.message()))?;
     key.check(&path(), value)?;
     Ok(read)
 }

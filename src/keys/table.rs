@@ -53,7 +53,7 @@ fn allowed(key: &Key) -> String {
 /// What a key means, and where it means anything.
 pub(super) fn meaning(key: &Key) -> String {
     let mut text = key.meaning.trim().to_owned();
-    for when in [key.rule.only, key.rule.read].into_iter().flatten() {
+    for when in key.conditions() {
         text += &format!(" Only with `{when}`.");
     }
     text

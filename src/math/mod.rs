@@ -1,5 +1,6 @@
 //! SIMD lanes, sparse systems, and threads that share the work of one case.
 
+pub mod decimal;
 pub mod simd;
 pub mod sparse;
 pub mod team;

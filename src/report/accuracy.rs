@@ -2,9 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
+use serde::Deserialize;
+
 use super::error::ReportError;
-use super::load::read_raw;
+use super::load::{demand, deserialize, read_records};
 use super::plots::{self, Dot};
+use super::tables::Table;
 use super::{make, save};
 
 /// The columns of `accuracy.csv`. Rows of the cases `all` and `loads` are a method's sums.
@@ -21,20 +24,25 @@ pub const HEADER: [&str; 10] = [
     "reason",
 ];
 
-/// What stands in place of a case for sums.
-const GROUPS: [&str; 2] = ["all", "loads"];
+/// What stands in place of a case for sums, and what their tables are called.
+const GROUPS: [(&str, &str); 2] =
+    [("all", "Methods, all quantities"), ("loads", "Methods, force and displacement alone")];
 
 /// Error bounds of the tables, percent.
 const TARGETS: [f64; 3] = [1.0, 3.0, 10.0];
 
-struct Line<'a> {
-    case: &'a str,
-    method: &'a str,
-    errors: [&'a str; 4],
-    error: Option<f64>,
-    time: Option<f64>,
-    pareto: bool,
-    reason: &'a str,
+#[derive(Deserialize)]
+struct Line {
+    case: String,
+    method: String,
+    force_error_percent: Option<f64>,
+    runup_error_percent: Option<f64>,
+    displacement_error_percent: Option<f64>,
+    flow_error_percent: Option<f64>,
+    error_percent: Option<f64>,
+    cpu_time_s: Option<f64>,
+    pareto: String,
+    reason: String,
 }
 
 /// Writes `figures/error-against-time.svg` and `accuracy.md` into a directory that holds
@@ -43,27 +51,16 @@ struct Line<'a> {
 /// # Errors
 /// An input that cannot be read, an output that cannot be written.
 pub fn write(directory: &Path, about: &[(String, String)]) -> Result<PathBuf, ReportError> {
-    let table = read_raw(&directory.join("accuracy.csv"), &HEADER)?;
-    let cell = |row: usize, column: usize| table.rows[row].get(column).map_or("", String::as_str);
-    let lines: Vec<Line<'_>> = (0..table.rows.len())
-        .map(|row| Line {
-            case: cell(row, 0),
-            method: cell(row, 1),
-            errors: [cell(row, 2), cell(row, 3), cell(row, 4), cell(row, 5)],
-            error: cell(row, 6).parse().ok(),
-            time: cell(row, 7).parse().ok(),
-            pareto: cell(row, 8) == "yes",
-            reason: cell(row, 9),
-        })
-        .collect();
-    let dots: Vec<Dot<'_>> = lines
-        .iter()
-        .filter(|line| line.case == "all")
-        .filter_map(|line| {
-            let (name, pareto) = (line.method, line.pareto);
-            Some(Dot { name, x: line.time?, y: line.error?, filled: pareto })
-        })
-        .collect();
+    let path = directory.join("accuracy.csv");
+    let (header, records) = read_records(&path)?;
+    demand(&path, &header, HEADER.into_iter())?;
+    let lines: Vec<Line> = deserialize(&path, &header, &records)?;
+    let dot = |line: &Line| {
+        let (name, filled) = (line.method.clone(), line.pareto == "yes");
+        Some(Dot { name, x: line.cpu_time_s?, y: line.error_percent?, filled })
+    };
+    let all = lines.iter().filter(|line| line.case == GROUPS[0].0);
+    let dots: Vec<_> = all.filter_map(dot).collect();
     let figures = directory.join("figures");
     make(&figures)?;
     if let Some(figure) = plots::error_against_time(&dots)? {
@@ -74,62 +71,21 @@ pub fn write(directory: &Path, about: &[(String, String)]) -> Result<PathBuf, Re
     Ok(path)
 }
 
-fn page(lines: &[Line<'_>], about: &[(String, String)]) -> String {
+fn page(lines: &[Line], about: &[(String, String)]) -> String {
     let mut text = "# Speed against error\n\nWritten by `seawall accuracy` from `accuracy.csv`. \
         Errors are percent of the truth, of the still water depth for runups;\na method's error is \
         the root mean square over all cases and quantities. Times are processor seconds.\n\n\
         ![error against processor time](figures/error-against-time.svg)\n"
         .to_owned();
-    for (group, title) in
-        [("all", "Methods, all quantities"), ("loads", "Methods, force and displacement alone")]
-    {
-        let mut sorted: Vec<_> = lines.iter().filter(|line| line.case == group).collect();
-        let key = |line: &Line<'_>| line.error.unwrap_or(f64::INFINITY);
-        sorted.sort_by(|a, b| key(a).total_cmp(&key(b)));
-        text.push_str(&format!(
-            "\n## {title}\n\n| method | error, % | processor time, s | on the Pareto front |\n\
-             |---|---|---|---|\n"
-        ));
-        for line in &sorted {
-            let mark = if line.pareto { "yes" } else { "" };
-            let error = line.error.map_or("a case failed".to_owned(), |e| format!("{e:.2}"));
-            let time = number(line.time);
-            text.push_str(&format!("| {} | {error} | {time} | {mark} |\n", line.method));
-        }
-    }
-    text.push_str(
-        "\n## Cheapest within an error\n\n| case | 1 % | 3 % | 10 % |\n|---|---|---|---|\n",
-    );
     let mut cases: Vec<&str> = Vec::new();
     for line in lines {
-        if !cases.contains(&line.case) {
-            cases.push(line.case);
+        if !cases.contains(&line.case.as_str()) {
+            cases.push(&line.case);
         }
     }
-    for case in &cases {
-        let best = TARGETS.map(|target| {
-            let good =
-                lines.iter().filter(|l| l.case == *case && l.error.is_some_and(|e| e <= target));
-            let time = |l: &&Line<'_>| l.time.unwrap_or(f64::INFINITY);
-            let best = good.min_by(|a, b| time(a).total_cmp(&time(b)));
-            best.map_or("none".to_owned(), |l| format!("{} ({} s)", l.method, number(l.time)))
-        });
-        text.push_str(&format!("| {case} | {} |\n", best.join(" | ")));
-    }
-    text.push_str("\n## Every pair\n\n| case | method | F, % | R, % of h | X, % | flow, % | time, s |\n|---|---|---|---|---|---|---|\n");
-    for line in lines.iter().filter(|line| !GROUPS.contains(&line.case)) {
-        let errors = line.errors.map(|e| number(e.parse().ok()));
-        let note = if line.reason.is_empty() {
-            errors.join(" | ")
-        } else {
-            format!("{} | | | ", line.reason)
-        };
-        text.push_str(&format!(
-            "| {} | {} | {note} | {} |\n",
-            line.case,
-            line.method,
-            number(line.time)
-        ));
+    let tables = GROUPS.iter().map(|&(group, title)| methods(lines, group, title));
+    for table in tables.chain([cheapest(lines, &cases), every_pair(lines)]) {
+        text.push_str(&format!("\n## {}\n\n{}", table.title, table.markdown()));
     }
     text.push_str("\n## Cases\n\n");
     for (name, about) in about.iter().filter(|(name, _)| cases.contains(&name.as_str())) {
@@ -138,7 +94,58 @@ fn page(lines: &[Line<'_>], about: &[(String, String)]) -> String {
     text
 }
 
-fn number(value: Option<f64>) -> String {
+/// The sums of all methods, the most accurate first.
+fn methods(lines: &[Line], group: &str, title: &str) -> Table {
+    let mut sorted: Vec<_> = lines.iter().filter(|line| line.case == group).collect();
+    let error = |line: &Line| line.error_percent.unwrap_or(f64::INFINITY);
+    sorted.sort_by(|a, b| error(a).total_cmp(&error(b)));
+    let row = |line: &&Line| {
+        let error = line.error_percent.map_or("a case failed".to_owned(), |e| short(Some(e)));
+        let front = if line.pareto == "yes" { "yes" } else { "" }.to_owned();
+        vec![line.method.clone(), error, short(line.cpu_time_s), front]
+    };
+    let header = ["method", "error, %", "processor time, s", "on the Pareto front"];
+    Table::new("", title, &header, sorted.iter().map(row).collect())
+}
+
+fn cheapest(lines: &[Line], cases: &[&str]) -> Table {
+    let row = |case: &&str| {
+        let best = TARGETS.map(|target| {
+            let good = |line: &&Line| {
+                line.case == **case && line.error_percent.is_some_and(|error| error <= target)
+            };
+            let time = |line: &&Line| line.cpu_time_s.unwrap_or(f64::INFINITY);
+            let best = lines.iter().filter(good).min_by(|a, b| time(a).total_cmp(&time(b)));
+            best.map_or("none".to_owned(), |l| format!("{} ({} s)", l.method, short(l.cpu_time_s)))
+        });
+        std::iter::once((*case).to_owned()).chain(best).collect()
+    };
+    let header = ["case", "1 %", "3 %", "10 %"];
+    Table::new("", "Cheapest within an error", &header, cases.iter().map(row).collect())
+}
+
+fn every_pair(lines: &[Line]) -> Table {
+    let is_pair = |line: &&Line| GROUPS.iter().all(|(group, _)| *group != line.case);
+    let row = |line: &Line| {
+        let mut cells = [
+            line.force_error_percent,
+            line.runup_error_percent,
+            line.displacement_error_percent,
+            line.flow_error_percent,
+        ]
+        .map(short);
+        if !line.reason.is_empty() {
+            cells = [line.reason.as_str(), "", "", ""].map(str::to_owned);
+        }
+        let names = [line.case.clone(), line.method.clone()];
+        [&names[..], &cells, &[short(line.cpu_time_s)]].concat()
+    };
+    let header = ["case", "method", "F, %", "R, % of h", "X, %", "flow, %", "time, s"];
+    Table::new("", "Every pair", &header, lines.iter().filter(is_pair).map(row).collect())
+}
+
+/// Two decimals; empty where there is no number.
+fn short(value: Option<f64>) -> String {
     value.map_or_else(String::new, |value| format!("{value:.2}"))
 }
 

@@ -1,171 +1,47 @@
-//! Sorts rows into the panels and curves that figures and tables share: one panel per mass, one
-//! curve per wave height.
+//! Sorts rows for figures and tables: which cases stand in a response's figure, which values occur.
+
+use std::cmp::Ordering;
 
 use super::row::Row;
+use crate::quantities::Column;
+use crate::quantities::summary::{
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO,
+};
 
-/// A response that is plotted against the spring stiffness.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Response {
-    /// Largest displacement of the run, X/h.
-    Displacement,
-    /// Largest force over the first impact, F/(½ρgh²).
-    Force,
-    /// Largest runup over the first impact, R/h.
-    Runup,
+/// What is plotted against the spring's stiffness, in the order of Figs. 13 to 15 of Liang et al.
+/// 2017.
+pub const RESPONSES: [&Column; 3] = [&DISPLACEMENT_MAX, &FIRST_FORCE_MAX, &FIRST_RUNUP_MAX];
+
+/// The word for a response in file names: `displacement`, `force`, `runup`.
+pub fn stem(response: &Column) -> &'static str {
+    response.name.trim_start_matches("first_").trim_end_matches("_max")
 }
 
-impl Response {
-    /// All of them, in the order of Figs. 13 to 15 of Liang et al. 2017.
-    pub const ALL: [Response; 3] = [Response::Displacement, Response::Force, Response::Runup];
-
-    /// The word used in file names.
-    pub fn name(self) -> &'static str {
-        match self {
-            Response::Displacement => "displacement",
-            Response::Force => "force",
-            Response::Runup => "runup",
-        }
-    }
-
-    /// The column of `summary.csv`.
-    pub fn column(self) -> &'static str {
-        match self {
-            Response::Displacement => "displacement_max",
-            Response::Force => "first_force_max",
-            Response::Runup => "first_runup_max",
-        }
-    }
-
-    /// The title of an axis.
-    pub fn axis_title(self) -> &'static str {
-        match self {
-            Response::Displacement => "X / h",
-            Response::Force => "F / (½ρgh²)",
-            Response::Runup => "R / h",
-        }
-    }
-
-    /// Its value in a case, non-dimensional.
-    pub fn value(self, row: &Row) -> Option<f64> {
-        match self {
-            Response::Displacement => row.displacement_max,
-            Response::Force => row.first_force_max,
-            Response::Runup => row.first_runup_max,
-        }
-    }
-
-    /// The value's estimated absolute error.
-    pub fn error(self, row: &Row) -> Option<f64> {
-        match self {
-            Response::Displacement => row.displacement_error,
-            Response::Force => row.force_error,
-            Response::Runup => row.runup_error,
-        }
-    }
-
-    /// The wall was still moving outwards at the end: the value is a lower bound.
-    pub fn is_truncated(self, row: &Row) -> bool {
-        self == Response::Displacement && row.displacement_truncated == Some(true)
-    }
+/// The finished cases of one variant that have a response, by rising mass, wave height and
+/// stiffness. Cases without a spring have no place on a logarithmic axis and are left out.
+pub fn responses<'a>(rows: &'a [Row], variant: &str, response: &Column) -> Vec<&'a Row> {
+    let sorted = [&M_STAR, &WAVE_HEIGHT_RATIO, &LOG10_K_STAR];
+    let has = |row: &Row, column: &Column| row.number(column).is_some_and(f64::is_finite);
+    let all = rows.iter().filter(|row| row.is_ok() && row.variant == variant);
+    let all = all.filter(|row| has(row, response) && sorted.iter().all(|column| has(row, column)));
+    let mut all: Vec<_> = all.collect();
+    let by = |a: &Row, b: &Row, column: &Column| {
+        let (a, b) = (a.number(column), b.number(column));
+        a.zip(b).map_or(Ordering::Equal, |(a, b)| a.total_cmp(&b))
+    };
+    all.sort_by(|a, b| sorted.iter().fold(Ordering::Equal, |o, column| o.then(by(a, b, column))));
+    all
 }
 
-/// One case in a response curve.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Point {
-    /// Which case.
-    pub case_id: String,
-    /// log10 of k*.
-    pub log10_k_star: f64,
-    /// The response, non-dimensional.
-    pub value: f64,
-    /// Its estimated absolute error.
-    pub error: Option<f64>,
-    /// The wall was still moving outwards at the end: the value is a lower bound.
-    pub truncated: bool,
-    /// The factor s of the wall's law of motion.
-    pub force_coupling: Option<f64>,
-}
-
-/// All cases of one wave height in a panel, by rising stiffness.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Curve {
-    /// H/h.
-    pub wave_height_ratio: f64,
-    /// Its points, never empty.
-    pub points: Vec<Point>,
-}
-
-/// All cases of one mass.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Panel {
-    /// m*.
-    pub m_star: f64,
-    /// Its curves, by rising wave height, never empty.
-    pub curves: Vec<Curve>,
-}
-
-/// The panels of a response, by rising mass, of the finished cases of one variant. Cases without
-/// a spring have no place on a logarithmic axis and are left out.
-pub fn panels(rows: &[Row], variant: &str, response: Response) -> Vec<Panel> {
-    let mut panels: Vec<Panel> = Vec::new();
-    for row in rows.iter().filter(|row| row.is_ok() && row.variant == variant) {
-        let (Some(wave), Some(m_star)) = (finite(row.wave_height_ratio), finite(row.m_star)) else {
-            continue;
-        };
-        let Some((log10_k_star, value)) = finite(row.log10_k_star).zip(finite(response.value(row)))
-        else {
-            continue;
-        };
-        let at = position(
-            &mut panels,
-            m_star,
-            |panel| panel.m_star,
-            || Panel { m_star, curves: Vec::new() },
-        );
-        let curves = &mut panels[at].curves;
-        let at = position(
-            curves,
-            wave,
-            |curve| curve.wave_height_ratio,
-            || Curve { wave_height_ratio: wave, points: Vec::new() },
-        );
-        curves[at].points.push(Point {
-            case_id: row.case_id.clone(),
-            log10_k_star,
-            value,
-            error: finite(response.error(row)),
-            truncated: response.is_truncated(row),
-            force_coupling: row.force_coupling,
-        });
-    }
-    for curve in panels.iter_mut().flat_map(|panel| &mut panel.curves) {
-        curve.points.sort_by(|a, b| a.log10_k_star.total_cmp(&b.log10_k_star));
-    }
-    panels
-}
-
-/// The place of `key` in a list sorted by key, where an item is inserted if there is none.
-fn position<T>(
-    list: &mut Vec<T>,
-    key: f64,
-    read: impl Fn(&T) -> f64,
-    create: impl FnOnce() -> T,
-) -> usize {
-    match list.binary_search_by(|item| read(item).total_cmp(&key)) {
-        Ok(at) => at,
-        Err(at) => {
-            list.insert(at, create());
-            at
-        }
-    }
+/// Rows of the same mass, one group after the other.
+pub fn by_mass<'r, 'a>(sorted: &'r [&'a Row]) -> impl Iterator<Item = &'r [&'a Row]> {
+    sorted.chunk_by(|a, b| a.number(&M_STAR) == b.number(&M_STAR))
 }
 
 /// The different values of a column among rows, rising; empty cells are left out.
-pub fn distinct<'a>(
-    rows: impl Iterator<Item = &'a Row>,
-    read: impl Fn(&Row) -> Option<f64>,
-) -> Vec<f64> {
-    let mut values: Vec<f64> = rows.filter_map(|row| finite(read(row))).collect();
+pub fn distinct<'a>(rows: impl Iterator<Item = &'a Row>, column: &Column) -> Vec<f64> {
+    let numbers = rows.filter_map(|row| row.number(column));
+    let mut values: Vec<f64> = numbers.filter(|value| value.is_finite()).collect();
     values.sort_by(f64::total_cmp);
     values.dedup();
     values
@@ -190,29 +66,22 @@ pub fn variants(rows: &[Row]) -> Vec<String> {
     names
 }
 
-fn finite(value: Option<f64>) -> Option<f64> {
-    value.filter(|value| value.is_finite())
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantities::summary::STATUS;
 
     fn row(wave: f64, log10_k_star: f64, m_star: f64, value: Option<f64>) -> Row {
-        Row {
-            case_id: format!("{wave}-{log10_k_star}-{m_star}"),
-            status: if value.is_some() { "ok" } else { "failed" }.to_owned(),
-            wave_height_ratio: Some(wave),
-            log10_k_star: Some(log10_k_star),
-            m_star: Some(m_star),
-            displacement_max: value,
-            displacement_truncated: Some(true),
-            ..Row::default()
-        }
+        let row = Row::default()
+            .with(&STATUS, if value.is_some() { "ok" } else { "failed" })
+            .with(&WAVE_HEIGHT_RATIO, wave)
+            .with(&LOG10_K_STAR, log10_k_star)
+            .with(&M_STAR, m_star);
+        value.into_iter().fold(row, |row, value| row.with(&DISPLACEMENT_MAX, value))
     }
 
     #[test]
-    fn panels_curves_and_points_rise() {
+    fn masses_waves_and_stiffnesses_rise() {
         let rows = [
             row(0.4, 1.0, 5.0, Some(1.0)),
             row(0.2, 2.0, 5.0, Some(0.2)),
@@ -220,19 +89,16 @@ mod tests {
             row(0.2, 1.0, 1.0, Some(0.5)),
             row(0.6, 1.0, 1.0, None),
         ];
-        let panels = panels(&rows, "", Response::Displacement);
-        assert_eq!(panels.iter().map(|p| p.m_star).collect::<Vec<_>>(), [1.0, 5.0]);
-        let heavy = &panels[1];
-        assert_eq!(heavy.curves[0].wave_height_ratio, 0.2);
-        assert_eq!(heavy.curves[0].points[0].value, 0.3);
-        assert!(heavy.curves[0].points[0].truncated);
-        assert_eq!(panels[0].curves.len(), 1, "a failed case has no point");
+        let sorted = responses(&rows, "", &DISPLACEMENT_MAX);
+        let values: Vec<_> = sorted.iter().map(|row| row.text(&DISPLACEMENT_MAX)).collect();
+        assert_eq!(values, ["0.5", "0.3", "0.2", "1"], "a failed case has no point");
+        assert_eq!(by_mass(&sorted).map(<[_]>::len).collect::<Vec<_>>(), [1, 3]);
     }
 
     #[test]
     fn a_spring_of_no_stiffness_has_no_place_on_a_logarithmic_axis() {
         let rows = [row(0.4, f64::NEG_INFINITY, 5.0, Some(1.0))];
-        assert!(panels(&rows, "", Response::Displacement).is_empty());
+        assert!(responses(&rows, "", &DISPLACEMENT_MAX).is_empty());
     }
 
     #[test]

@@ -6,14 +6,12 @@ use std::path::Path;
 
 use tempfile::TempDir;
 
-const HEADER: &str = "case_id,status,reason,wave_height_ratio,spring_stiffness_n_per_m,\
-seawall_mass_kg_per_m,log10_k_star,m_star,measured_wave_height_ratio,force_max,force_max_time_s,\
-runup_max,runup_max_time_s,displacement_max,displacement_max_time_s,first_force_max,\
-first_force_max_time_s,first_runup_max,first_runup_max_time_s,first_displacement_max,\
-first_displacement_max_time_s,first_force_peak,first_runup_peak,force_max_raw,force_end,runup_end,\
-displacement_end,onset_time_s,stroke_centre_s,displacement_truncated,stops,force_gap_percent,\
-energy_gap_percent,particles_lost,force_error,runup_error,displacement_error,steps,particles,\
-pair_evaluations,wall_time_s,scheme,boundary,kernel,particle_spacing_m,force_coupling,colour\n";
+use crate::quantities::Column;
+use crate::quantities::summary::first_version;
+
+/// What every row holds: one cell per line, `column=text`.
+const ENDED: &str = "steps=9000\nparticles=7800\nscheme=wcsph\nboundary=improved-shepard\n\
+    kernel=wendland-c2\nparticle_spacing_m=0.008\n";
 
 /// A wall of a made-up case: stiffness and mass, or neither.
 type Wall = Option<(f64, f64)>;
@@ -46,16 +44,14 @@ pub fn dam_breaks(cases: usize) -> TempDir {
     for folder in ["probes", "readings"] {
         fs::create_dir(root.join(folder)).unwrap();
     }
-    let mut summary = HEADER.replace(",colour\n", ",column_height_m\n");
+    let mut rows = Vec::new();
     for index in 0..cases {
         let (id, height) = (format!("case-{index:04}"), 0.6 + 0.1 * index as f64);
-        let (head, tail) = (",".repeat(7), ",".repeat(11));
-        writeln!(
-            summary,
-            "{id},ok,{head}1.832{index},1.6,0.71,1.5{tail}1.84,0.9,0.1,,,,,,3.1,0.2,0,,,,\
-             9000,7800,312000000,5.1,wcsph,improved-shepard,wendland-c2,0.02,,{height:.1}"
-        )
-        .unwrap();
+        let row = format!(
+            "case_id={id}\nstatus=ok\nforce_max=1.832{index}\nrunup_max=0.71\n\
+             force_gap_percent=3.1\nenergy_gap_percent=0.2\nparticles_lost=0\n{ENDED}"
+        );
+        rows.push((row, format!("{height:.1}")));
         write_history(root, &id, 0.3, None);
         let mut probes = "time_s,P1,front\n".to_owned();
         for sample in 0..400 {
@@ -68,7 +64,7 @@ pub fn dam_breaks(cases: usize) -> TempDir {
                         cavity_closure,,sqrt(H/g)\n";
         fs::write(root.join(format!("readings/{id}.csv")), readings).unwrap();
     }
-    fs::write(root.join("summary.csv"), summary).unwrap();
+    write_summary(root, "column_height_m", &rows);
     let columns = "name,unit,method\nP1,Pa,right wall\nfront,m,water's edge; right, or left\n";
     fs::write(root.join("probes/columns.csv"), columns).unwrap();
     let manifest = r#"{"name": "fixture", "keys": ["column_height_m"], "sweep_file": ""}"#;
@@ -80,71 +76,86 @@ fn write(cases: &[(f64, Wall)]) -> TempDir {
     let directory = tempfile::tempdir().unwrap();
     let root = directory.path();
     fs::create_dir(root.join("histories")).unwrap();
-    let mut summary = HEADER.to_owned();
+    let mut rows = Vec::new();
     let mut energy = "case_id,paddle_work_j,kinetic_j,spring_j\n".to_owned();
     for (index, &(wave, wall)) in cases.iter().enumerate() {
         let id = format!("case-{index:04}");
         if index + 1 == cases.len() && index > 5 && wall.is_some() {
-            summary.push_str(&failed_row(&id, wave, wall));
+            rows.push((failed_row(&id, wave, wall), "blue".to_owned()));
             continue;
         }
-        summary.push_str(&finished_row(&id, wave, wall));
+        rows.push((finished_row(&id, wave, wall), "blue".to_owned()));
         writeln!(energy, "{id},{:.3},{:.3},{:.3}", 160.0 * wave, 40.0 * wave, 3.0 * wave).unwrap();
         write_history(root, &id, wave, wall);
     }
-    fs::write(root.join("summary.csv"), summary).unwrap();
+    write_summary(root, "colour", &rows);
     fs::write(root.join("energy.csv"), energy).unwrap();
     let manifest = r#"{"name": "fixture", "version": "0.1.0", "host": "a <b> & c", "ranks": 2}"#;
     fs::write(root.join("manifest.json"), manifest).unwrap();
     directory
 }
 
-/// k*, m* and the share of a fixed wall's load that the wall feels.
-fn wall_numbers(wall: Wall) -> (String, String, f64, f64) {
-    let Some((k, m)) = wall else { return (",".into(), ",".into(), 1.0, 0.0) };
+/// The summary of a directory of the first version, with one column that was swept.
+fn write_summary(root: &Path, swept: &str, rows: &[(String, String)]) {
+    let names = first_version().flat_map(|c| [Some(c.name.to_owned()), c.time_name()]).flatten();
+    let mut table = csv::Writer::from_path(root.join("summary.csv")).unwrap();
+    table.write_record(names.chain([swept.to_owned()])).unwrap();
+    for (cells, key) in rows {
+        let cell = |column: &Column| {
+            let mut cells = cells.lines().filter_map(|line| line.split_once('='));
+            cells.find(|(name, _)| *name == column.name).map_or("", |(_, cell)| cell)
+        };
+        let cells = first_version().flat_map(|c| [Some(cell(c)), c.time_name().map(|_| "")]);
+        table.write_record(cells.flatten().chain([key.as_str()])).unwrap();
+    }
+    table.flush().unwrap();
+}
+
+/// Wave, stiffness, mass, k* and m*.
+fn place(wave: f64, wall: Wall) -> String {
+    let wave = format!("wave_height_ratio={wave}\nforce_coupling=1\n{ENDED}");
+    let Some((k, m)) = wall else { return wave };
     let (log10_k_star, m_star) = ((k / 392.4_f64).log10(), m / 40.0);
-    let stiff = 1.0 / (1.0 + (-2.2 * (log10_k_star - 0.9)).exp());
-    let heavy = m_star / (m_star + 2.0);
-    let share = stiff.max(0.45 + 0.5 * heavy * (1.0 - stiff));
-    (format!("{k},{m}"), format!("{log10_k_star},{m_star}"), share, (1.0 - stiff) * (1.4 - heavy))
+    format!(
+        "{wave}spring_stiffness_n_per_m={k}\nseawall_mass_kg_per_m={m}\n\
+         log10_k_star={log10_k_star}\nm_star={m_star}\n"
+    )
+}
+
+/// The share of a fixed wall's load that the wall feels, and how far it gives way.
+fn give(wall: Wall) -> (f64, f64) {
+    let Some((k, m)) = wall else { return (1.0, 0.0) };
+    let stiff = 1.0 / (1.0 + (-2.2 * ((k / 392.4_f64).log10() - 0.9)).exp());
+    let heavy = m / 40.0 / (m / 40.0 + 2.0);
+    (stiff.max(0.45 + 0.5 * heavy * (1.0 - stiff)), (1.0 - stiff) * (1.4 - heavy))
 }
 
 fn finished_row(id: &str, wave: f64, wall: Wall) -> String {
-    let (swept, stars, share, give) = wall_numbers(wall);
+    let (share, give) = give(wall);
     let force = 1.0 + (3.9 * wave + 0.1) * share;
     let runup = (2.0 * wave + wave * wave / 2.0 + 0.75 * wave.powi(3)) * share;
+    let (measured, gap) = (0.985 * wave, 0.6 + 4.0 * wave * wave);
+    let row = format!(
+        "case_id={id}\nstatus=ok\n{}measured_wave_height_ratio={measured:.4}\nforce_max={force:.4}\n\
+         runup_max={runup:.4}\nfirst_force_max={force:.4}\nfirst_runup_max={runup:.4}\n\
+         force_gap_percent={gap:.3}\nenergy_gap_percent=0.4\nparticles_lost=0\n",
+        place(wave, wall)
+    );
     let displacement = 9.0 * wave * give;
-    let truncated = displacement > 2.0;
-    let centre = 1.35 - 1.5 * (wave - 0.2);
-    let (moved, moved_time, end, truncated, stops) = match wall {
-        Some(_) => {
-            let moved = format!("{displacement:.5}");
-            let stops = u8::from(!truncated).to_string();
-            (moved.clone(), "3.6".to_owned(), moved, truncated.to_string(), stops)
-        }
-        None => Default::default(),
-    };
-    let gap = 0.6 + 4.0 * wave * wave;
-    let measured = 0.985 * wave;
-    format!(
-        "{id},ok,,{wave},{swept},{stars},{measured:.4},{force:.4},2.2,{runup:.4},2.3,\
-         {moved},{moved_time},{force:.4},2.2,{runup:.4},2.3,{moved},{moved_time},{force:.4},\
-         {runup:.4},{force:.4},0.9,0.01,{end},1.7,{centre:.4},{truncated},{stops},{gap:.3},0.4,0,,,,\
-         9000,7800,312000000,5.1,wcsph,improved-shepard,wendland-c2,0.008,1,blue\n"
-    )
+    let (truncated, stops) = (displacement > 2.0, u8::from(displacement <= 2.0));
+    let moved = format!(
+        "displacement_max={displacement:.5}\ndisplacement_truncated={truncated}\nstops={stops}\n"
+    );
+    if wall.is_some() { row + &moved } else { row }
 }
 
 fn failed_row(id: &str, wave: f64, wall: Wall) -> String {
-    let (swept, stars, ..) = wall_numbers(wall);
-    let empty = ",".repeat(29);
-    format!(
-        "{id},failed,\"runaway-speed at t = 1.9 s: particle 12, 31 m/s <\",{wave},{swept},{stars},\
-         {empty}4000,7800,100000,2.2,wcsph,improved-shepard,wendland-c2,0.008,1,blue\n"
-    )
+    let reason = "runaway-speed at t = 1.9 s: particle 12, 31 m/s <";
+    format!("case_id={id}\nstatus=failed\nreason={reason}\n{}", place(wave, wall))
 }
 
 fn write_history(root: &Path, id: &str, wave: f64, wall: Wall) {
-    let (_, _, share, give) = wall_numbers(wall);
+    let (share, give) = give(wall);
     let mut text = "time_s,force,runup,displacement,wall_velocity_m_per_s\n".to_owned();
     let arrival = 2.9 - 1.5 * wave;
     for sample in 0..800 {

@@ -4,50 +4,11 @@ use std::fmt::Write as _;
 
 use super::number;
 use super::tables::Table;
-
-/// Endings of columns and keys that tell their unit.
-const UNITS: [(&str, &str); 10] = [
-    ("_n_per_m", "N/m"),
-    ("_kg_per_m", "kg/m"),
-    ("_kg_per_m3", "kg/m³"),
-    ("_m_per_s2", "m/s²"),
-    ("_m_per_s", "m/s"),
-    ("_percent", "%"),
-    ("_deg", "°"),
-    ("_j", "J"),
-    ("_m", "m"),
-    ("_s", "s"),
-];
+use crate::quantities::heading;
+use crate::quantities::summary::DOUBTFUL_REASON;
 
 /// Lists longer than this are folded.
 pub(super) const LONG: usize = 30;
-
-/// What a column is called on the page and in figures.
-pub(super) fn heading(column: &str) -> String {
-    let words = match column {
-        "case_id" => "case",
-        "wave_height_ratio" => "H/h",
-        "measured_wave_height_ratio" => "H/h measured",
-        "spring_stiffness_n_per_m" => "k, N/m",
-        "seawall_mass_kg_per_m" => "m, kg/m",
-        "log10_k_star" => "log₁₀ k*",
-        "m_star" => "m*",
-        "first_force_max" => "first F*",
-        "first_runup_max" => "first R*",
-        "force_max" => "largest F*",
-        "runup_max" => "largest R*",
-        "displacement_max" => "largest X*",
-        "displacement_truncated" => "still moving",
-        "force_coupling" => "s",
-        _ => {
-            let unit = UNITS.iter().find_map(|(end, unit)| Some((column.strip_suffix(end)?, unit)));
-            let (name, unit) = unit.unwrap_or((column, &""));
-            let comma = if unit.is_empty() { "" } else { ", " };
-            return format!("{}{comma}{unit}", name.replace('_', " "));
-        }
-    };
-    words.to_owned()
-}
 
 /// A table as HTML, folded where it is long.
 pub(super) fn grid(table: &Table) -> String {
@@ -88,7 +49,7 @@ fn is_numeric(table: &Table, column: usize) -> bool {
 }
 
 fn doubtful(column: &str, cell: &str) -> bool {
-    column == "doubtful_reason" && !cell.is_empty()
+    column == DOUBTFUL_REASON.name && !cell.is_empty()
 }
 
 /// Text as it may stand between tags and in attributes.

@@ -9,8 +9,12 @@ use super::grid::{LONG, escape, grid};
 use super::load::Loaded;
 use super::number;
 use super::plots::Figure;
-use super::row::Row;
-use super::tables::{Table, across};
+use super::row::PLACE;
+use super::tables::{self, Table, across};
+use crate::quantities::summary::{
+    BOUNDARY, DOUBTFUL, ENERGY_GAP, FORCE_COUPLING, FORCE_GAP, KERNEL, PARTICLE_SPACING,
+    PARTICLES_LOST, SCHEME,
+};
 
 const STYLE: &str = include_str!("style.css");
 
@@ -71,31 +75,18 @@ fn head(body: &mut String, data: &Loaded, name: &str) {
         0 => String::new(),
         left => format!(", {left} left"),
     };
-    let mut facts = vec![("Cases", format!("{done} finished, {failed} failed{left}"))];
-    let mut values = |title, read: fn(&Row) -> Option<f64>| {
-        let values = distinct(data.rows.iter(), read);
-        if !values.is_empty() {
-            facts.push((
-                title,
-                values.into_iter().map(number::plain).collect::<Vec<_>>().join(", "),
-            ));
-        }
-    };
-    values("H/h", |row| row.wave_height_ratio);
-    values("k, N/m", |row| row.spring_stiffness_n_per_m);
-    values("m, kg/m", |row| row.seawall_mass_kg_per_m);
-    values("Particle spacing, m", |row| row.particle_spacing_m);
-    values("Force coupling s", |row| row.force_coupling);
-    let mut words = |title, read: fn(&Row) -> &str| {
-        let mut words: Vec<_> =
-            data.rows.iter().map(read).filter(|word| !word.is_empty()).collect();
+    let mut facts = vec![("cases".to_owned(), format!("{done} finished, {failed} failed{left}"))];
+    for column in PLACE.into_iter().chain([&PARTICLE_SPACING, &FORCE_COUPLING]) {
+        let values = distinct(data.rows.iter(), column).into_iter().map(number::plain);
+        facts.push((column.heading(), values.collect::<Vec<_>>().join(", ")));
+    }
+    for column in [&SCHEME, &BOUNDARY, &KERNEL] {
+        let mut words: Vec<_> = data.rows.iter().map(|row| row.text(column)).collect();
         words.sort_unstable();
         words.dedup();
-        facts.push((title, words.join(", ")));
-    };
-    words("Scheme", |row| &row.scheme);
-    words("Boundary", |row| &row.boundary);
-    words("Kernel", |row| &row.kernel);
+        facts.push((column.heading(), words.join(", ")));
+    }
+    facts.retain(|(_, value)| !value.is_empty());
     let list: String = facts
         .iter()
         .map(|(title, value)| format!("<dt>{title}</dt><dd>{}</dd>", escape(value)))
@@ -104,44 +95,25 @@ fn head(body: &mut String, data: &Loaded, name: &str) {
 }
 
 fn failures(body: &mut String, data: &Loaded) {
-    let row = |row: &Row| {
-        vec![
-            row.case_id.clone(),
-            row.wave_height_ratio.map(number::plain).unwrap_or_default(),
-            row.spring_stiffness_n_per_m.map(number::plain).unwrap_or_default(),
-            row.seawall_mass_kg_per_m.map(number::plain).unwrap_or_default(),
-            row.reason.clone(),
-        ]
-    };
-    let rows: Vec<_> = data.failed().map(row).collect();
-    if rows.is_empty() {
+    let table = tables::failed(data).for_page();
+    if table.rows.is_empty() {
         return;
     }
-    let header = [
-        "case_id",
-        "wave_height_ratio",
-        "spring_stiffness_n_per_m",
-        "seawall_mass_kg_per_m",
-        "reason",
-    ];
-    let header = header.map(str::to_owned).to_vec();
-    let table = Table { name: String::new(), title: String::new(), header, rows };
     let said = "<p>These cases have no results; all others are complete.</p>";
-    section(body, "Failed cases", &format!("{said}{}", grid(&table)));
+    section(body, &table.title, &format!("{said}{}", grid(&table)));
 }
 
 fn health_line(data: &Loaded) -> String {
-    let largest = |read: fn(&Row) -> Option<f64>| {
-        data.finished().filter_map(read).map(f64::abs).fold(0.0, f64::max)
-    };
-    let lost: u64 = data.finished().filter_map(|row| row.particles_lost).sum();
-    let doubtful = data.finished().filter(|row| row.doubtful == Some(true)).count();
+    let numbers = |column| data.finished().filter_map(move |row| row.number(column));
+    let largest = |column| numbers(column).map(f64::abs).fold(0.0, f64::max);
+    let lost: f64 = numbers(&PARTICLES_LOST).sum();
+    let doubtful = data.finished().filter(|row| row.is(&DOUBTFUL)).count();
     format!(
         "{doubtful} of {} finished cases are doubtful. Largest gap between the two force readings {:.2} %, of the energy budget {:.2} %; \
          {lost} particles lost.",
         data.finished().count(),
-        largest(|row| row.force_gap_percent),
-        largest(|row| row.energy_gap_percent)
+        largest(&FORCE_GAP),
+        largest(&ENERGY_GAP)
     )
 }
 
@@ -214,7 +186,7 @@ mod tests {
     #[test]
     fn a_scene_without_waves_shows_what_it_has_and_no_empty_column() {
         let page = page_of(&fixture::dam_breaks(1));
-        for word in ["Histories", "Gauges", "Readings", "front_at_wall", "largest F*"] {
+        for word in ["Histories", "Gauges", "Readings", "front_at_wall", "F* max"] {
             assert!(page.contains(word), "{word}");
         }
         for word in ["H/h", "first F*", "k, N/m", "still moving"] {

@@ -1,5 +1,5 @@
-//! Reads an output directory: `summary.csv`, `histories/`, `energy.csv` and `manifest.json`; its
-//! gauges and readings are read beside, in [`super::gauges`].
+//! Reads an output directory: `summary.csv`, `energy.csv` and `manifest.json`; histories, gauges and
+//! readings are read one case at a time, in [`super::series`].
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -9,21 +9,9 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use super::error::ReportError;
-use super::row::{REQUIRED, Row, name_variants};
+use super::row::{Row, name_variants};
 use super::study::{Key, keys, scene_number};
-
-/// One line of a history: see `docs/files.md`.
-#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
-pub struct Sample {
-    /// Seconds since the paddle's start.
-    pub time_s: f64,
-    /// F*.
-    pub force: f64,
-    /// R*.
-    pub runup: f64,
-    /// X*; empty for a fixed wall.
-    pub displacement: Option<f64>,
-}
+use crate::quantities::{named, summary};
 
 /// A table passed on as it stands.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -49,7 +37,7 @@ pub struct Loaded {
 }
 
 impl Loaded {
-    /// Reads everything but the histories, which [`Loaded::history`] reads one at a time.
+    /// Reads everything but what each case has left in files of its own.
     ///
     /// # Errors
     /// A file that is missing, lacks a column or holds something else than it should.
@@ -66,18 +54,17 @@ impl Loaded {
         Ok(Loaded { rows, energy, manifest, keys, directory: directory.to_owned() })
     }
 
-    /// The history of a case; `None` where the directory holds none.
-    ///
-    /// # Errors
-    /// A history that lacks a column or holds something else than numbers.
-    pub fn history(&self, case_id: &str) -> Result<Option<Vec<Sample>>, ReportError> {
-        let path = self.directory.join(format!("histories/{case_id}.csv"));
-        if !path.exists() {
-            return Ok(None);
-        }
-        let (header, records) = read_records(&path)?;
-        demand(&path, &header, &["time_s", "force", "runup", "displacement"])?;
-        deserialize(&path, &header, &records).map(Some)
+    /// The sweep's name, as its manifest states it.
+    pub fn name(&self) -> Option<&str> {
+        let manifest = self.manifest.as_ref()?;
+        manifest.get("name").or_else(|| manifest.get("sweep")?.get("name"))?.as_str()
+    }
+
+    /// How many cases are neither finished nor failed.
+    pub fn left(&self) -> usize {
+        let cases = self.manifest.as_ref().and_then(|manifest| manifest.get("cases")?.as_u64());
+        let cases = cases.and_then(|cases| usize::try_from(cases).ok()).unwrap_or(0);
+        cases.saturating_sub(self.rows.len())
     }
 
     /// Rows of cases that ran to their end.
@@ -91,19 +78,20 @@ impl Loaded {
     }
 }
 
-/// The last columns of every summary, of this version and of older ones; swept keys follow.
-const LAST: [&str; 3] = ["force_coupling", "boundary_fallbacks", "doubtful_reason"];
-
 /// The rows, and what was swept as the manifest names it.
 fn read_summary(
     path: &Path,
     manifest: Option<&Value>,
 ) -> Result<(Vec<Row>, Vec<Key>), ReportError> {
     let (header, records) = read_records(path)?;
-    demand(path, &header, REQUIRED)?;
-    let mut rows: Vec<Row> = deserialize(path, &header, &records)?;
-    let last = |name: &str| header.iter().position(|other| other == name).map_or(0, |at| at + 1);
-    let known = LAST.into_iter().map(last).max().unwrap_or(0);
+    demand(path, &header, summary::first_version().map(|column| column.name))?;
+    let mut rows = Vec::new();
+    for record in &records {
+        rows.push(row(path, &header, record)?);
+    }
+    // Swept keys follow the columns of every summary.
+    let declared = header.iter().enumerate().filter(|(_, name)| named(name).is_some());
+    let known = declared.last().map_or(0, |(at, _)| at + 1);
     let key = |column: usize| Key {
         name: header[column].to_owned(),
         cells: records.iter().map(|record| record[column].to_owned()).collect(),
@@ -115,9 +103,22 @@ fn read_summary(
     Ok((rows, swept.iter().filter_map(place).map(key).collect()))
 }
 
+fn row(path: &Path, header: &StringRecord, record: &StringRecord) -> Result<Row, ReportError> {
+    let mut row = Row::default();
+    for (column, cell) in header.iter().zip(record) {
+        row.take(column, cell).map_err(|reason| ReportError::Cell {
+            path: path.to_owned(),
+            line: record.position().map_or(0, csv::Position::line),
+            column: column.to_owned(),
+            reason,
+        })?;
+    }
+    Ok(row)
+}
+
 pub(super) fn read_raw(path: &Path, needed: &[&'static str]) -> Result<RawTable, ReportError> {
     let (header, records) = read_records(path)?;
-    demand(path, &header, needed)?;
+    demand(path, &header, needed.iter().copied())?;
     let cells = |record: &StringRecord| record.iter().map(str::to_owned).collect();
     Ok(RawTable { header: cells(&header), rows: records.iter().map(cells).collect() })
 }
@@ -145,9 +146,9 @@ pub(super) fn read_records(path: &Path) -> Result<(StringRecord, Vec<StringRecor
 pub(super) fn demand(
     path: &Path,
     header: &StringRecord,
-    columns: &[&'static str],
+    mut columns: impl Iterator<Item = &'static str>,
 ) -> Result<(), ReportError> {
-    match columns.iter().copied().find(|column| !header.iter().any(|name| name == *column)) {
+    match columns.find(|column| !header.iter().any(|name| name == *column)) {
         Some(column) => Err(ReportError::MissingColumn { path: path.to_owned(), column }),
         None => Ok(()),
     }
@@ -180,6 +181,7 @@ fn narrate(path: &Path, header: &StringRecord, source: csv::Error) -> ReportErro
 mod tests {
     use super::*;
     use crate::report::fixture;
+    use serde_json::json;
 
     #[test]
     fn reads_failed_rows_and_ignores_columns_it_does_not_know() {
@@ -187,12 +189,12 @@ mod tests {
         let loaded = Loaded::read(directory.path()).unwrap();
         assert_eq!(loaded.failed().count(), 1);
         let failed = loaded.failed().next().unwrap();
-        assert_eq!(failed.first_force_max, None);
-        assert!(failed.reason.starts_with("runaway-speed"));
+        assert_eq!(failed.number(&summary::FIRST_FORCE_MAX), None);
+        assert!(failed.text(&summary::REASON).starts_with("runaway-speed"));
         assert_eq!(loaded.name(), Some("fixture"));
-        let first = &loaded.rows[0].case_id;
-        assert!(loaded.history(first).unwrap().unwrap().len() > 100);
-        assert_eq!(loaded.history("no-such-case").unwrap(), None);
+        let first = loaded.rows[0].text(&summary::CASE_ID);
+        assert!(loaded.history(first).unwrap()[0].points.len() > 100);
+        assert!(loaded.history("no-such-case").unwrap().is_empty());
     }
 
     #[test]
@@ -200,7 +202,7 @@ mod tests {
         let directory = fixture::sweep();
         let path = directory.path().join("summary.csv");
         let text = fs::read_to_string(&path).unwrap();
-        fs::write(&path, text.replace("first_runup_max,", "first_runup,")).unwrap();
+        fs::write(&path, text.replace(",first_runup_max,", ",first_runup,")).unwrap();
         let told = Loaded::read(directory.path()).unwrap_err().to_string();
         assert!(told.ends_with("summary.csv: no column \"first_runup_max\""), "{told}");
     }
@@ -223,5 +225,15 @@ mod tests {
         let directory = tempfile::tempdir().unwrap();
         let told = Loaded::read(directory.path()).unwrap_err().to_string();
         assert!(told.starts_with("cannot read ") && told.contains("summary.csv"), "{told}");
+    }
+
+    #[test]
+    fn what_an_interrupted_sweep_has_not_come_to_is_left() {
+        let rows = vec![Default::default(); 5];
+        let loaded =
+            |manifest| Loaded { rows: rows.clone(), manifest: Some(manifest), ..Loaded::default() };
+        assert_eq!(loaded(json!({ "cases": 8 })).left(), 3);
+        assert_eq!(loaded(json!({ "cases": 5 })).left(), 0);
+        assert_eq!(loaded(json!({})).left(), 0);
     }
 }

@@ -9,13 +9,13 @@ pub mod curves;
 mod error;
 #[cfg(test)]
 mod fixture;
-pub mod gauges;
 mod grid;
 mod html;
 pub mod load;
 mod number;
 pub mod plots;
 mod row;
+pub mod series;
 pub mod study;
 pub mod tables;
 

@@ -1,9 +1,6 @@
 //! Numbers for the eye.
 
-/// A value rounded to a number of significant digits.
-pub fn significant(value: f64, digits: usize) -> f64 {
-    format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
-}
+pub use crate::math::decimal::significant;
 
 /// A parameter as a person writes it, to four significant digits: `500`, `0.01`, `10⁷`, `2.5×10⁵`.
 pub fn plain(value: f64) -> String {
@@ -16,11 +13,6 @@ pub fn plain(value: f64) -> String {
     let Some((mantissa, exponent)) = text.split_once('e') else { return text };
     let power = format!("10{}", exponent.chars().map(superscript).collect::<String>());
     if mantissa == "1" { power } else { format!("{mantissa}×{power}") }
-}
-
-/// A result rounded to a fixed number of decimals; empty where there is none.
-pub fn rounded(value: Option<f64>, decimals: usize) -> String {
-    value.map(|value| format!("{value:.decimals$}")).unwrap_or_default()
 }
 
 /// A table's cell: the same, or, where it is a number of more than five digits and no whole one,
@@ -116,11 +108,5 @@ mod tests {
     fn what_is_written_is_recognised() {
         assert!([0.0, 0.01, 10.0, 110.0, 1e7, 2.5e5, 1e-4].map(plain).iter().all(|t| is_number(t)));
         assert!(!is_number("case-10") && !is_number("ok") && !is_number(""));
-    }
-
-    #[test]
-    fn an_absent_result_is_empty() {
-        assert_eq!(rounded(Some(1.23456), 3), "1.235");
-        assert_eq!(rounded(None, 3), "");
     }
 }

@@ -1,94 +1,96 @@
 //! One row of `summary.csv`, as far as the report needs it.
 
-use std::collections::BTreeSet;
-
-use serde::Deserialize;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::number;
 use super::study::Key;
+use crate::quantities::summary::{
+    BOUNDARY, FORCE_COUPLING, KERNEL, PARTICLE_SPACING, SCHEME, SEAWALL_MASS, SPRING_STIFFNESS,
+    STATUS, WAVE_HEIGHT_RATIO,
+};
+use crate::quantities::{Column, Digits, named};
 
-/// Columns without which there is no report.
-pub(super) const REQUIRED: &[&str] = &[
-    "case_id",
-    "status",
-    "reason",
-    "wave_height_ratio",
-    "spring_stiffness_n_per_m",
-    "seawall_mass_kg_per_m",
-    "log10_k_star",
-    "m_star",
-    "measured_wave_height_ratio",
-    "displacement_max",
-    "first_force_max",
-    "first_runup_max",
-    "displacement_truncated",
-    "stops",
-    "force_gap_percent",
-    "energy_gap_percent",
-    "particles_lost",
-    "steps",
-    "particles",
-    "scheme",
-    "boundary",
-    "kernel",
-    "particle_spacing_m",
-    "force_coupling",
-];
+/// What tells a case from the others, as a rule.
+pub(super) const PLACE: [&Column; 3] = [&WAVE_HEIGHT_RATIO, &SPRING_STIFFNESS, &SEAWALL_MASS];
 
-/// What the report reads of one case: see `docs/files.md` for the columns. Empty cells are `None`.
-#[derive(Debug, Clone, Default, PartialEq, Deserialize)]
-#[serde(default)]
-#[allow(missing_docs, reason = "the fields are the columns of summary.csv")]
+/// The cells of one case, by their columns. A column that is not there is empty.
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Row {
-    pub case_id: String,
-    pub status: String,
-    pub reason: String,
-    pub wave_height_ratio: Option<f64>,
-    pub spring_stiffness_n_per_m: Option<f64>,
-    pub seawall_mass_kg_per_m: Option<f64>,
-    pub log10_k_star: Option<f64>,
-    pub m_star: Option<f64>,
-    pub measured_wave_height_ratio: Option<f64>,
-    pub force_max: Option<f64>,
-    pub runup_max: Option<f64>,
-    pub displacement_max: Option<f64>,
-    pub first_force_max: Option<f64>,
-    pub first_runup_max: Option<f64>,
-    pub displacement_truncated: Option<bool>,
-    pub stops: Option<u64>,
-    pub force_gap_percent: Option<f64>,
-    pub energy_gap_percent: Option<f64>,
-    pub particles_lost: Option<u64>,
-    pub stop_impulse: Option<f64>,
-    pub doubtful: Option<bool>,
-    pub doubtful_reason: String,
-    pub force_error: Option<f64>,
-    pub runup_error: Option<f64>,
-    pub displacement_error: Option<f64>,
-    pub steps: Option<u64>,
-    pub particles: Option<u64>,
-    pub scheme: String,
-    pub boundary: String,
-    pub kernel: String,
-    pub particle_spacing_m: Option<f64>,
-    pub force_coupling: Option<f64>,
+    cells: BTreeMap<&'static str, String>,
     /// Of a fixed wall; upright where nothing says otherwise.
     pub wall_angle_deg: Option<f64>,
     /// Which of several runs with the same wave and wall this is, such as `boundary = sfdi`;
     /// empty where the sweep holds only one.
-    #[serde(skip)]
     pub variant: String,
 }
 
 impl Row {
+    /// Takes a cell.
+    ///
+    /// # Errors
+    /// What its column does not hold, in words.
+    pub fn take(&mut self, name: &str, cell: &str) -> Result<(), String> {
+        if name == "wall_angle_deg" {
+            self.wall_angle_deg = cell.parse().ok();
+        }
+        let Some(column) = named(name) else { return Ok(()) };
+        if column.is_number() && !cell.is_empty() && cell.parse::<f64>().is_err() {
+            return Err(format!("{cell:?} is no number"));
+        }
+        self.cells.insert(column.name, cell.to_owned());
+        Ok(())
+    }
+
+    /// A cell as it stands.
+    pub fn text(&self, column: &Column) -> &str {
+        self.cells.get(column.name).map_or("", String::as_str)
+    }
+
+    /// A number; `None` where the cell is empty.
+    pub fn number(&self, column: &Column) -> Option<f64> {
+        self.text(column).parse().ok()
+    }
+
+    /// A flag.
+    pub fn is(&self, flag: &Column) -> bool {
+        self.text(flag) == "true"
+    }
+
+    /// The error bar of a number.
+    pub fn error(&self, column: &Column) -> Option<f64> {
+        self.number(named(column.bar?)?)
+    }
+
+    /// The number is only a lower bound.
+    pub fn is_bound(&self, column: &Column) -> bool {
+        column.bound.and_then(named).is_some_and(|flag| self.is(flag))
+    }
+
+    /// A cell, with every digit of a number and no exponent.
+    pub fn cell(&self, column: &Column) -> String {
+        let number = self.number(column).filter(|_| column.is_number());
+        number.map_or_else(|| self.text(column).to_owned(), |number| number.to_string())
+    }
+
+    /// A cell with as many digits as its column shows.
+    pub fn brief(&self, column: &Column) -> String {
+        match (column.digits, self.number(column)) {
+            (Digits::Decimals(decimals), Some(value)) => format!("{value:.decimals$}"),
+            (Digits::Significant(digits), Some(value)) => {
+                number::significant(value, digits).to_string()
+            }
+            _ => self.cell(column),
+        }
+    }
+
     /// The case ran to its end.
     pub fn is_ok(&self) -> bool {
-        self.status == "ok"
+        self.text(&STATUS) == "ok"
     }
 
     /// The wall does not move: it has neither spring nor mass.
     pub fn is_fixed(&self) -> bool {
-        self.spring_stiffness_n_per_m.is_none() && self.seawall_mass_kg_per_m.is_none()
+        [&SPRING_STIFFNESS, &SEAWALL_MASS].iter().all(|column| self.number(column).is_none())
     }
 
     /// The wall stands upright.
@@ -98,23 +100,29 @@ impl Row {
 
     /// What tells this case from the sweep's others; empty where it is the only one.
     pub fn words(&self) -> String {
-        let part = |name: &str, value: Option<f64>, unit: &str| {
-            value.map(|value| format!("{name} = {}{unit}", number::plain(value)))
-        };
-        let parts = [
-            part("H/h", self.wave_height_ratio, ""),
-            part("k", self.spring_stiffness_n_per_m, " N/m"),
-            part("m", self.seawall_mass_kg_per_m, " kg/m"),
-            (!self.variant.is_empty()).then(|| self.variant.clone()),
-        ];
-        parts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+        let part = |column: &&'static Column| Some(label(column, self.number(column)?));
+        let mut parts: Vec<_> = PLACE.iter().filter_map(part).collect();
+        parts.extend((!self.variant.is_empty()).then(|| self.variant.clone()));
+        parts.join(", ")
     }
 
     /// Wave, stiffness and mass as bits, so that they can be compared and sorted on.
     fn place(&self) -> [u64; 3] {
-        [self.wave_height_ratio, self.spring_stiffness_n_per_m, self.seawall_mass_kg_per_m]
-            .map(|value| value.unwrap_or(f64::NAN).to_bits())
+        PLACE.map(|column| self.number(column).unwrap_or(f64::NAN).to_bits())
     }
+
+    /// The row with another value.
+    #[cfg(test)]
+    pub fn with(mut self, column: &'static Column, value: impl ToString) -> Row {
+        self.cells.insert(column.name, value.to_string());
+        self
+    }
+}
+
+/// A parameter and its value as one writes them: `k = 10 N/m`.
+pub(super) fn label(column: &Column, value: f64) -> String {
+    let text = format!("{} = {} {}", column.symbol, number::plain(value), column.unit.symbol());
+    text.trim_end().to_owned()
 }
 
 /// Columns that say where and how a case was computed, and never what.
@@ -129,15 +137,10 @@ pub(super) fn name_variants(rows: &mut [Row], swept: &[Key]) {
     if places.windows(2).all(|pair| pair[0] != pair[1]) {
         return;
     }
-    let number = |value: Option<f64>| value.map(|v| v.to_string()).unwrap_or_default();
-    let column = |read: &dyn Fn(&Row) -> String| rows.iter().map(read).collect::<Vec<_>>();
-    let mut choices = vec![
-        ("scheme".to_owned(), column(&|row| row.scheme.clone())),
-        ("boundary".to_owned(), column(&|row| row.boundary.clone())),
-        ("kernel".to_owned(), column(&|row| row.kernel.clone())),
-        ("particle_spacing_m".to_owned(), column(&|row| number(row.particle_spacing_m))),
-        ("force_coupling".to_owned(), column(&|row| number(row.force_coupling))),
-    ];
+    let cells = |column: &Column| rows.iter().map(|row| row.cell(column)).collect::<Vec<_>>();
+    let known = [&SCHEME, &BOUNDARY, &KERNEL, &PARTICLE_SPACING, &FORCE_COUPLING];
+    let mut choices: Vec<_> =
+        known.iter().map(|column| (column.name.to_owned(), cells(column))).collect();
     choices.extend(swept.iter().map(|key| (key.name.clone(), key.cells.clone())));
     choices.retain(|(name, values)| {
         !PROVENANCE.contains(&name.as_str()) && values.iter().any(|value| *value != values[0])
@@ -172,7 +175,7 @@ mod tests {
     use super::*;
 
     fn row(boundary: &str, wave: f64) -> Row {
-        Row { wave_height_ratio: Some(wave), boundary: boundary.to_owned(), ..Row::default() }
+        Row::default().with(&WAVE_HEIGHT_RATIO, wave).with(&BOUNDARY, boundary)
     }
 
     #[test]

@@ -1,9 +1,6 @@
-//! What the manifest tells of the study as a whole: how many cases it has, what was swept, and
-//! how its scene was set.
+//! What the manifest tells of the study as a whole: what was swept, and how its scene was set.
 
 use serde_json::Value;
-
-use super::load::Loaded;
 
 /// A swept key and its cell in every row of the summary.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -12,21 +9,6 @@ pub struct Key {
     pub name: String,
     /// One cell per row.
     pub cells: Vec<String>,
-}
-
-impl Loaded {
-    /// The sweep's name, as its manifest states it.
-    pub fn name(&self) -> Option<&str> {
-        let manifest = self.manifest.as_ref()?;
-        manifest.get("name").or_else(|| manifest.get("sweep")?.get("name"))?.as_str()
-    }
-
-    /// How many cases are neither finished nor failed.
-    pub fn left(&self) -> usize {
-        let cases = self.manifest.as_ref().and_then(|manifest| manifest.get("cases")?.as_u64());
-        let cases = cases.and_then(|cases| usize::try_from(cases).ok()).unwrap_or(0);
-        cases.saturating_sub(self.rows.len())
-    }
 }
 
 /// The keys of the grid, in its order.
@@ -64,15 +46,5 @@ mod tests {
         manifest["overrides"] = json!(["scene.wall_angle_deg=60", "scene.wall_angle_deg=75.5"]);
         assert_eq!(scene_number(&manifest, "wall_angle_deg"), Some(75.5));
         assert_eq!(scene_number(&json!({}), "wall_angle_deg"), None);
-    }
-
-    #[test]
-    fn what_an_interrupted_sweep_has_not_come_to_is_left() {
-        let rows = vec![Default::default(); 5];
-        let loaded =
-            |manifest| Loaded { rows: rows.clone(), manifest: Some(manifest), ..Loaded::default() };
-        assert_eq!(loaded(json!({ "cases": 8 })).left(), 3);
-        assert_eq!(loaded(json!({ "cases": 5 })).left(), 0);
-        assert_eq!(loaded(json!({})).left(), 0);
     }
 }

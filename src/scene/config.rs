@@ -7,7 +7,6 @@ use super::declared::{Place, refuse_unknown};
 use super::kind::Scene;
 use super::numerics::{ErrorBars, Numerics};
 use super::probe::Probe;
-use super::seawall::{SeawallScene, WallChoice};
 use super::size;
 use crate::keys::ConfigError;
 
@@ -72,13 +71,7 @@ impl CaseConfig {
     /// does once it moves: the same case with its wall held fixed. `None` for scenes that do not
     /// branch.
     pub fn trunk(&self) -> Option<CaseConfig> {
-        let scene = SeawallScene {
-            wall: WallChoice::Fixed,
-            spring_stiffness_n_per_m: None,
-            seawall_mass_kg_per_m: None,
-            force_coupling: 1.0,
-            ..self.scene.seawall()?.clone()
-        };
+        let scene = self.scene.seawall()?.held();
         let numerics = Numerics { retries: 0, ..self.without_error_bars().numerics };
         Some(CaseConfig { scene: Scene::Seawall(scene), numerics, probes: self.probes.clone() })
     }
@@ -151,7 +144,10 @@ mod tests {
         let bad = [
             ("still_water_dept_m = 1", ": unknown key; did you mean still_water_depth_m?"),
             ("wave_height_ratio = \"high\"", " = \"high\": must be a number"),
-            ("wall = \"moveable\"", ": must be one of fixed, movable; did you mean movable?"),
+            (
+                "wall = \"moveable\"",
+                ": must be one of fixed, movable, caisson; did you mean movable?",
+            ),
             ("kind = \"lake\"", &format!(" = \"lake\": {kinds}")),
             ("kind = \"dambreak\"", &format!(": {kinds}; did you mean dam-break?")),
             (

@@ -4,7 +4,8 @@ use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::{GhostGravity, Numerics, Scheme as SchemeChoice, Slip};
 use super::packing::Packing;
-use super::tank::{Tank, WALL};
+use super::tank::Tank;
+use crate::body::Place;
 use crate::boundary::{Ghosts, TankLayout, box_ghosts, no_ghosts, tank_ghosts};
 use crate::math::simd::SimdPath;
 use crate::neighbours::Strips;
@@ -158,7 +159,7 @@ impl Filling {
             self.packed(frame, numerics, &ghosts, &state)
         };
         let fluid = self.fluid(points);
-        let mut water = Wcsph::new(options, rules, fluid, ghosts, WALL, path);
+        let mut water = Wcsph::new(options, rules, fluid, ghosts, Place::Right.number(), path);
         if self.balanced && self.lattice.upright() && options.corrected_gradients {
             water.balance(self.lattice.rows);
         }
@@ -185,7 +186,7 @@ impl Filling {
             kernel: numerics.kernel,
             support_radius,
             spacing: dx,
-            wall: ghosts.bodies[WALL].plane,
+            wall: ghosts.bodies[Place::Right.number()].plane,
             ghosts,
             held_above: frame.depth + layers as f64 * dy,
         };
@@ -258,6 +259,6 @@ impl Filling {
             };
             self.fluid(self.points.iter().map(even))
         };
-        Box::new(Isph::new(options, ghosts, fluid, WALL, path))
+        Box::new(Isph::new(options, ghosts, fluid, Place::Right.number(), path))
     }
 }

@@ -38,9 +38,9 @@ pub use numerics::{
 pub use oscillating_drop::OscillatingDropScene;
 pub use probe::{Probe, ProbeKind, Side};
 pub use rotating_patch::RotatingPatchScene;
-pub use seawall::{SeawallScene, WallChoice};
+pub use seawall::{PaddleChoice, SeawallScene, WallChoice};
 pub use standing_wave::StandingWaveScene;
-pub use tank::{BED, PADDLE, Tank, WALL};
+pub use tank::Tank;
 pub use taylor_green::TaylorGreenScene;
 
 pub use crate::keys::ConfigError;

@@ -1,9 +1,25 @@
-//! The tank of both papers: a Goring paddle at x = 0, a fixed or spring-mounted wall at the end.
+//! A wave tank: a paddle at x = 0, a seawall at the end.
 
 use serde::{Deserialize, Serialize};
 
 use super::filling::WALL_HEIGHT;
+use crate::body::{
+    CaissonKeys, FixedWall, GoringPaddle, Paddle, RecordedStroke, RecordedStrokeKeys, SpringWall,
+    Wall, WaveTrain, WaveTrainKeys,
+};
 use crate::keys::{ConfigError, section};
+
+/// What the paddle does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PaddleChoice {
+    /// It makes a solitary wave (Goring 1978).
+    Solitary,
+    /// It makes regular waves (Madsen 1971).
+    WaveTrain,
+    /// It plays a stroke from a file.
+    RecordedStroke,
+}
 
 /// What the seawall may do.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -13,7 +29,12 @@ pub enum WallChoice {
     Fixed,
     /// It is mounted on a spring (Liang et al. 2017, Eqs. 16-18).
     Movable,
+    /// It slides on its bed with Coulomb friction.
+    Caisson,
 }
+
+const THRESHOLD_RATIO: f64 = 1.10;
+const FORCE_COUPLING: f64 = 1.0;
 
 section! {
     /// The `[scene]` table with `kind = "seawall"`, complete.
@@ -26,57 +47,172 @@ section! {
         gravity_m_per_s2: f64 = 9.81, unit("m/s²").above_zero();
         /// Density of still water at zero pressure.
         water_density_kg_per_m3: f64 = 1000.0, unit("kg/m³").above_zero();
-        /// H/h of the solitary wave; 0 is still water with the paddle at rest.
+        /// A solitary wave, regular waves, or the stroke of a file.
+        paddle: PaddleChoice = PaddleChoice::Solitary, plain().newer();
+        /// H/h of the wave, of a recorded stroke about; 0 is still water with the paddle at rest.
         wave_height_ratio: f64 = 0.5, plain().within(0.0, 0.8);
         /// The run ends this long after the paddle passes the middle of its stroke.
         end_after_stroke_centre_s: f64 = 3.0, unit("s").above_zero().label("end after stroke");
-        /// The run ends at this time, whatever the stroke; must be given where H/h = 0.
+        /// The run ends at this time, whatever the stroke; must be given where H/h = 0 and with a
+        /// paddle that has no single stroke.
         end_time_s: Option<f64> = None, unit("s").above_zero();
-        /// Share of the paddle's duration T over which its start is smoothed.
+        /// Share of the duration T of a solitary wave's stroke over which its start is smoothed.
         paddle_ramp_fraction: f64 = 0.05, plain().within(0.0, 0.5).label("paddle ramp");
-        /// Fixed or spring-mounted wall.
+        /// Fixed, mounted on a spring, or a caisson that slides with friction.
         wall: WallChoice = WallChoice::Fixed, plain();
         /// Angle of the wall from the bed; 90 is vertical, 120 leans away from the water.
         wall_angle_deg: f64 = 90.0, unit("°").within(30.0, 150.0).read_where("wall", &["fixed"]);
         /// F_threshold, above which a movable wall gives way, over the hydrostatic force.
-        threshold_ratio: f64 = 1.10, plain().above_zero();
+        threshold_ratio: f64 = THRESHOLD_RATIO, plain().above_zero().read_where("wall", &["fixed", "movable"]);
         /// The factor s on the force above the threshold.
-        force_coupling: f64 = 1.0, plain().within(0.0, 10.0);
+        force_coupling: f64 = FORCE_COUPLING, plain().within(0.0, 10.0).read_where("wall", &["fixed", "movable"]);
         /// Spring stiffness k, per metre of width.
         spring_stiffness_n_per_m: Option<f64> = None,
             unit("N/m").not_negative().only("wall", &["movable"]).needed();
         /// Mass m of the wall, per metre of width.
         seawall_mass_kg_per_m: Option<f64> = None,
-            unit("kg/m").above_zero().only("wall", &["movable"]).needed();
+            unit("kg/m").above_zero().only("wall", &["movable", "caisson"]).needed();
         /// Where the wave height is measured, from the paddle at rest; inside the tank.
         wave_gauge_m: f64 = 1.5, unit("m").above_zero();
         /// Spacing of the history's samples.
         history_interval_s: f64 = 0.005, unit("s").above_zero();
     }
+    with {
+        /// The regular waves that the paddle makes.
+        wave_train: WaveTrainKeys where paddle == PaddleChoice::WaveTrain;
+        /// The stroke that it plays.
+        recorded: RecordedStrokeKeys where paddle == PaddleChoice::RecordedStroke;
+        /// The caisson that the wall is.
+        caisson: CaissonKeys where wall == WallChoice::Caisson;
+    }
+}
+
+impl WallChoice {
+    /// Whether such a wall may move.
+    pub fn moves(self) -> bool {
+        self != WallChoice::Fixed
+    }
 }
 
 impl SeawallScene {
-    pub(super) fn validate(&self) -> Result<(), ConfigError> {
-        let error = |key: &str, value: String, allowed: &str| {
-            Err(ConfigError::new(&format!("scene.{key}"), value, allowed))
+    /// The paddle; none for still water.
+    pub fn paddle(&self) -> Option<Paddle> {
+        let (ratio, depth) = (self.wave_height_ratio, self.still_water_depth_m);
+        let paddle = match (self.regular_waves(), &self.recorded) {
+            (Some(waves), _) => Paddle::WaveTrain(waves),
+            (_, Some(keys)) => Paddle::Recorded(RecordedStroke::new(&keys.recorded_stroke)),
+            _ => Paddle::Goring(GoringPaddle::new(
+                ratio,
+                depth,
+                self.gravity_m_per_s2,
+                self.paddle_ramp_fraction,
+            )),
         };
+        (ratio > 0.0).then_some(paddle)
+    }
+
+    fn regular_waves(&self) -> Option<WaveTrain> {
+        let (ratio, depth) = (self.wave_height_ratio, self.still_water_depth_m);
+        let period = self.wave_train.as_ref()?.wave_period_s;
+        Some(WaveTrain::new(ratio, depth, self.gravity_m_per_s2, period))
+    }
+
+    /// F_th over the hydrostatic force, N per metre of width.
+    pub(super) fn onset_ratio(&self, static_force: f64) -> f64 {
+        let friction = |caisson: &CaissonKeys| 1.0 + caisson.holding_friction() / static_force;
+        self.caisson.as_ref().map_or(self.threshold_ratio, friction)
+    }
+
+    /// The wall at rest, under this hydrostatic force, N per metre of width; one without a mass is held.
+    pub(super) fn law(&self, static_force: f64) -> Wall {
+        if let Some(caisson) = &self.caisson {
+            return caisson.wall(self.seawall_mass_kg_per_m, static_force);
+        }
+        let threshold = self.onset_ratio(static_force) * static_force;
+        match (self.wall, self.seawall_mass_kg_per_m, self.spring_stiffness_n_per_m) {
+            (WallChoice::Movable, Some(mass), Some(stiffness)) => {
+                let coupling = self.force_coupling;
+                Wall::Spring(SpringWall::at_rest(mass, stiffness, threshold, coupling))
+            }
+            _ => Wall::Fixed(FixedWall::up_to(threshold)),
+        }
+    }
+
+    /// The same scene with its wall held fixed, and nothing left of what it does once it moves.
+    pub(super) fn held(&self) -> SeawallScene {
+        let caisson = self.caisson.as_ref().map(CaissonKeys::held);
+        SeawallScene {
+            wall: caisson.as_ref().map_or(WallChoice::Fixed, |_| WallChoice::Caisson),
+            spring_stiffness_n_per_m: None,
+            seawall_mass_kg_per_m: None,
+            force_coupling: FORCE_COUPLING,
+            caisson,
+            ..self.clone()
+        }
+    }
+
+    pub(super) fn validate(&self) -> Result<(), ConfigError> {
         if self.wave_gauge_m >= self.tank_length_m {
-            return error(
-                "wave_gauge_m",
-                self.wave_gauge_m.to_string(),
-                "must lie inside the tank",
-            );
+            return error("wave_gauge_m", self.wave_gauge_m, "must lie inside the tank");
         }
-        if self.end_time_s.is_none() && self.wave_height_ratio == 0.0 {
-            return error("end_time_s", String::new(), "is needed where wave_height_ratio = 0");
+        self.validate_end()?;
+        self.validate_paddle()?;
+        self.validate_wall()
+    }
+
+    fn validate_end(&self) -> Result<(), ConfigError> {
+        if self.end_time_s.is_some() {
+            return Ok(());
         }
+        if self.wave_height_ratio == 0.0 {
+            return error("end_time_s", "", "is needed where wave_height_ratio = 0");
+        }
+        if self.paddle != PaddleChoice::Solitary {
+            return error("end_time_s", "", "is needed where no stroke ends a run");
+        }
+        Ok(())
+    }
+
+    fn validate_paddle(&self) -> Result<(), ConfigError> {
+        if let Some((keys, waves)) = self.wave_train.as_ref().zip(self.regular_waves())
+            && !waves.is_fit(self.wave_height_ratio, self.still_water_depth_m)
+        {
+            let allowed = "makes waves too long for their height: H L²/h³ must be below 8π²/3";
+            return error("wave_period_s", keys.wave_period_s, allowed);
+        }
+        let reach = self.recorded.as_ref().map_or(0.0, |keys| keys.recorded_stroke.reach());
+        if reach > 0.5 * self.tank_length_m {
+            let allowed = format!("goes {reach} m far, more than half the tank's length");
+            return error("recorded_stroke", "", &allowed);
+        }
+        Ok(())
+    }
+
+    fn validate_wall(&self) -> Result<(), ConfigError> {
         let angle = self.wall_angle_deg;
-        if self.wall == WallChoice::Movable && angle != 90.0 {
-            let allowed = "a movable wall is vertical: leave it out, or set scene.wall = \"fixed\"";
-            return error("wall_angle_deg", angle.to_string(), allowed);
+        if self.wall.moves() && angle != 90.0 {
+            let wall = if self.caisson.is_some() { "caisson" } else { "movable wall" };
+            let allowed =
+                format!("a {wall} is vertical: leave it out, or set scene.wall = \"fixed\"");
+            return error("wall_angle_deg", angle, &allowed);
+        }
+        if let Some(caisson) = &self.caisson {
+            let keys = [
+                ("threshold_ratio", self.threshold_ratio, THRESHOLD_RATIO),
+                ("force_coupling", self.force_coupling, FORCE_COUPLING),
+            ];
+            if let Some((key, value, _)) = keys.iter().find(|(_, value, default)| value != default)
+            {
+                return error(key, value, "is not for a caisson: leave it out");
+            }
+            caisson.validate()?;
         }
         validate_lean(angle, self.still_water_depth_m, self.tank_length_m)
     }
+}
+
+fn error(key: &str, value: impl ToString, allowed: &str) -> Result<(), ConfigError> {
+    Err(ConfigError::new(&format!("scene.{key}"), value, allowed))
 }
 
 /// An inclined wall must stay clear of the other end as far up as it goes.

@@ -40,9 +40,7 @@ fn whole(count: f64) -> String {
 /// Rounds up to three significant digits.
 fn rounded_up(value: f64) -> f64 {
     let unit = libm::pow(10.0, libm::log10(value).floor() - 2.0);
-    // The text of so many digits reads back as the number itself, not as one just below it.
-    let text = format!("{:.2e}", (value / unit).ceil() * unit);
-    text.parse().unwrap_or(value)
+    crate::math::decimal::significant((value / unit).ceil() * unit, 3)
 }
 
 #[cfg(test)]

@@ -4,19 +4,11 @@ use super::filling::{Filling, still_water};
 use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::Numerics;
-use super::seawall::{SeawallScene, WallChoice};
-use crate::body::SpringWall;
+use super::seawall::SeawallScene;
+use crate::body::{FixedWall, Motions, Paddle, Place, Wall};
 use crate::math::simd::SimdPath;
 use crate::scheme::Scheme;
-use crate::theory::goring::GoringPiston;
 use crate::theory::hydrostatics::wall_force;
-
-/// Number of the bed among the bodies.
-pub const BED: usize = 0;
-/// Number of the left wall: the paddle, where there is one.
-pub const PADDLE: usize = 1;
-/// Number of the right wall: the seawall.
-pub const WALL: usize = 2;
 
 /// The bed reaches this many still water depths beyond a wall that may move.
 const BED_BEYOND: f64 = 12.0;
@@ -26,10 +18,10 @@ const BED_BEYOND: f64 = 12.0;
 pub struct Tank {
     /// The water and its walls, at rest.
     pub water: Box<dyn Scheme>,
-    /// The paddle's law; none for still water.
-    pub piston: Option<GoringPiston>,
-    /// The wall's law; none for a fixed wall.
-    pub wall: Option<SpringWall>,
+    /// The paddle at the start of the tank; none for still water.
+    pub paddle: Option<Paddle>,
+    /// The wall at its end.
+    pub wall: Wall,
     /// Hydrostatic force on the right wall along x, N per metre of width.
     pub static_force: f64,
     /// The wall's force is told, and moves the wall, relative to the run's own force at rest.
@@ -61,8 +53,8 @@ impl Tank {
         let head = frame.speed_squared() * frame.depth;
         Tank {
             water,
-            piston: None,
-            wall: None,
+            paddle: None,
+            wall: Wall::Fixed(FixedWall::ALONE),
             static_force: if frame.gravity > 0.0 {
                 wall_force(frame.depth, frame.density, frame.gravity)
             } else {
@@ -81,32 +73,33 @@ impl Tank {
 }
 
 impl Tank {
+    /// Motions of all bodies at a time, seconds, with the wall where it is.
+    pub fn motions(&self, time: f64) -> Motions {
+        let mut motions = Motions::at_rest(self.water.walls().bodies.len());
+        if let Some(paddle) = &self.paddle {
+            motions[Place::Left] = paddle.motion(time);
+        }
+        if let Some(wall) = self.wall.state() {
+            motions[Place::Right].offset = wall.displacement;
+            motions[Place::Right].velocity = wall.velocity;
+        }
+        motions
+    }
+
     /// Whether the right wall stands upright.
     pub fn upright(&self) -> bool {
-        self.water.walls().bodies.get(WALL).is_some_and(|wall| wall.plane.normal[1] == 0.0)
+        let wall = self.water.walls().bodies.get(Place::Right.number());
+        wall.is_some_and(|wall| wall.plane.normal[1] == 0.0)
     }
 }
 
 impl SeawallScene {
-    /// The paddle's law; none for still water.
-    pub fn piston(&self) -> Option<GoringPiston> {
-        (self.wave_height_ratio > 0.0).then(|| {
-            GoringPiston::new(
-                self.wave_height_ratio,
-                self.still_water_depth_m,
-                self.gravity_m_per_s2,
-                self.paddle_ramp_fraction,
-            )
-        })
-    }
-
     /// When the run ends, seconds.
     fn end_time(&self) -> f64 {
-        let after_stroke =
-            |piston: GoringPiston| piston.stroke_centre() + self.end_after_stroke_centre_s;
-        self.end_time_s
-            .or_else(|| self.piston().map(after_stroke))
-            .unwrap_or(self.end_after_stroke_centre_s)
+        self.end_time_s.unwrap_or_else(|| {
+            let centre = self.paddle().and_then(|paddle| paddle.stroke_centre());
+            centre.unwrap_or(0.0) + self.end_after_stroke_centre_s
+        })
     }
 
     pub(super) fn frame(&self) -> Frame {
@@ -139,18 +132,11 @@ impl SeawallScene {
             ..still_water(&frame, self.lattice(numerics), numerics)
         };
         let static_force = wall_force(frame.depth, frame.density, frame.gravity);
-        let threshold = self.threshold_ratio * static_force;
-        let wall = match (self.wall, self.seawall_mass_kg_per_m, self.spring_stiffness_n_per_m) {
-            (WallChoice::Movable, Some(mass), Some(stiffness)) => {
-                Some(SpringWall::at_rest(mass, stiffness, threshold, self.force_coupling))
-            }
-            _ => None,
-        };
         Tank {
-            piston: self.piston(),
-            wall,
+            paddle: self.paddle(),
+            wall: self.law(static_force),
             from_rest: true,
-            threshold_ratio: self.threshold_ratio,
+            threshold_ratio: self.onset_ratio(static_force),
             wave_height_ratio: self.wave_height_ratio,
             wave_gauge: Some(self.wave_gauge_m),
             ..filling.tank(frame, numerics, path)

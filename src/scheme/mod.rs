@@ -2,10 +2,9 @@
 
 mod contract;
 pub mod isph;
-mod state_equation;
 pub mod wcsph;
 
+pub use crate::water::{StateEquation, StateEquationChoice};
 pub use contract::{
     Dissipation, Load, NextStep, Scheme, SchemeState, SolverSummary, StepError, StepWalls,
 };
-pub use state_equation::{StateEquation, StateEquationChoice};

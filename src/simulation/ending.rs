@@ -2,13 +2,14 @@
 
 use super::doubt::Evidence;
 use super::energy::WaterEnergy;
-use super::outcome::{CaseResult, EnergyBudget, Maximum, NamedReading, Outcome, PhaseShare};
+use super::outcome::{
+    CaseResult, EnergyBudget, Maximum, NamedReading, Outcome, PhaseShare, Readings,
+};
 use super::readings;
 use super::run::Run;
 use super::settling::Prospect;
 use super::{Film, Monitor};
-use crate::body::{BodyMotion, SpringWall};
-use crate::scene::{PADDLE, WALL};
+use crate::body::{Motions, Place};
 
 impl Run {
     /// Shows the water to a monitor that films, at its times and at the end.
@@ -25,9 +26,9 @@ impl Run {
     }
 
     /// Takes note of the water's motion once the paddle stands, for [`Run::has_settled`].
-    pub(super) fn note_liveliness(&mut self, bodies: &[BodyMotion], energy: &EnergyBudget) {
-        let Some(piston) = &self.tank.piston else { return };
-        if self.config.numerics.stop_when_settled && self.clock.time > piston.duration() {
+    pub(super) fn note_liveliness(&mut self, bodies: &Motions, energy: &EnergyBudget) {
+        let Some(paddle) = &self.tank.paddle else { return };
+        if self.config.numerics.stop_when_settled && self.clock.time > paddle.still_from() {
             let frame = self.tank.frame;
             // A standing wave as long as two tanks has its motion at its largest once in this time.
             let crossing = self.length_now(bodies) / (frame.gravity * frame.depth).sqrt();
@@ -38,13 +39,10 @@ impl Run {
     /// Whether no reported maximum can be passed any more: paddle and wall stand, and too little is left
     /// of the energy above that of still water between paddle and wall. See [`Prospect`]. Never
     /// before enough is known of how lively the water is.
-    pub(super) fn has_settled(&self, bodies: &[BodyMotion], energy: &EnergyBudget) -> bool {
+    pub(super) fn has_settled(&self, bodies: &Motions, energy: &EnergyBudget) -> bool {
         let Some(lively) = self.logbook.liveliness.energy() else { return false };
         let farthest = self.logbook.measures.displacement.map_or(0.0, |maximum| maximum.value);
-        let under_way = |wall: &SpringWall| {
-            (wall.displacement != 0.0 || wall.velocity != 0.0) && !Prospect::stood(farthest)
-        };
-        if self.tank.wall.as_ref().is_some_and(under_way) {
+        if !self.tank.wall.rests() && !Prospect::stood(farthest) {
             return false;
         }
         let (frame, static_force) = (self.tank.frame, self.tank.static_force);
@@ -54,34 +52,48 @@ impl Run {
         let left = energy.kinetic + (energy.potential - raised).max(0.0);
         let left = left.max(lively) + energy.wall_kinetic + energy.spring;
         let unit = frame.density * frame.gravity * frame.depth.powi(3);
-        let law = |wall: &SpringWall| {
-            let pull = wall.stiffness / wall.force_coupling * frame.depth;
-            [wall.threshold / static_force, pull / static_force]
-        };
-        Prospect::of(left / unit, self.tank.wall.as_ref().map(law)).leaves(&self.logbook.measures)
+        let held = self.tank.wall.restraint().map(|held| {
+            [held.threshold / static_force, held.stiffness * frame.depth / static_force]
+        });
+        Prospect::of(left / unit, held).leaves(&self.logbook.measures)
     }
 
     /// From the paddle to the wall, metres.
-    fn length_now(&self, bodies: &[BodyMotion]) -> f64 {
-        self.tank.frame.length + bodies[WALL].offset - bodies[PADDLE].offset
+    fn length_now(&self, bodies: &Motions) -> f64 {
+        self.tank.frame.length + bodies[Place::Right].offset - bodies[Place::Left].offset
     }
 
     /// The results of a run that has reached its end.
     pub fn result(self) -> CaseResult {
-        let Run { tank, logbook, .. } = &self;
-        let water = &tank.water;
-        let gravity = tank.frame.gravity;
-        let now = WaterEnergy::of(water.as_ref(), gravity);
-        let energy = logbook.ledger.close(now, tank.wall.as_ref());
-        let scale = if tank.piston.is_some() {
+        let now = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
+        let energy = self.logbook.ledger.close(now, &self.tank.wall);
+        let (outcome, readings) = (self.outcome(&energy), self.readings());
+        let water = &self.tank.water;
+        let phases = water
+            .phases()
+            .into_iter()
+            .chain([("readings", self.reading_time)])
+            // What the scene does not use has taken nothing.
+            .filter(|&(_, seconds)| seconds > 0.0)
+            .map(|(phase, seconds)| PhaseShare { phase: phase.to_owned(), seconds })
+            .collect();
+        let list_rebuilds = water.list_rebuilds();
+        let (history, probes) = (self.logbook.history, self.logbook.probes);
+        CaseResult { outcome, history, probes, readings, energy, phases, list_rebuilds }
+    }
+
+    /// The scalars of the summary, with what makes them doubtful.
+    fn outcome(&self, energy: &EnergyBudget) -> Outcome {
+        let Run { tank, logbook, .. } = self;
+        let (water, m) = (&tank.water, &logbook.measures);
+        let scale = if tank.paddle.is_some() {
             energy.paddle_work.abs()
         } else {
             logbook.ledger.start.given()
         };
-        let m = &logbook.measures;
         // The first impact of a wave has no meaning in other scenes.
         let has_wave = tank.wave_gauge.is_some();
-        let wall = tank.wall.as_ref();
+        let wall = tank.wall.state();
         let zero = Maximum { value: 0.0, time_s: 0.0 };
         let outcome = Outcome {
             measured_wave_height_ratio: logbook.gauge.crest(),
@@ -99,7 +111,7 @@ impl Run {
             runup_end: m.last[1],
             displacement_end: wall.map(|_| m.last[2]),
             onset_time_s: m.first.onset(),
-            stroke_centre_s: tank.piston.as_ref().map(|piston| piston.stroke_centre()),
+            stroke_centre_s: tank.paddle.as_ref().and_then(|paddle| paddle.stroke_centre()),
             displacement_truncated: wall.map(|_| {
                 m.displacement
                     .is_some_and(|x| x.value > 0.0 && x.time_s >= self.clock.time - self.time_step)
@@ -131,27 +143,21 @@ impl Run {
                 0.0
             },
         };
-        let outcome = Outcome { doubtful_reason: evidence.doubt(&outcome), ..outcome };
-        let list_rebuilds = water.list_rebuilds();
-        let phases = water
-            .phases()
-            .into_iter()
-            .chain([("readings", self.reading_time)])
-            // What the scene does not use has taken nothing.
-            .filter(|&(_, seconds)| seconds > 0.0)
-            .map(|(phase, seconds)| PhaseShare { phase: phase.to_owned(), seconds })
-            .collect();
-        let mut readings: Vec<NamedReading> = Vec::new();
-        if let Some(solver) = water.solver() {
-            readings.extend(readings::of_solver(&solver));
+        Outcome { doubtful_reason: evidence.doubt(&outcome), ..outcome }
+    }
+
+    /// What else the scene tells: of the solver, of its flow, of its probes.
+    fn readings(&self) -> Vec<NamedReading> {
+        let mut all = Readings::default();
+        if let Some(solver) = self.tank.water.solver() {
+            readings::tell_solver(&mut all, &solver);
         }
         if let Some(watch) = &self.watch {
-            readings.extend(watch.readings(water.fluid()));
+            watch.tell(self.tank.water.fluid(), &mut all);
         }
-        if let Some(table) = &logbook.probes {
-            readings.extend(readings::of_probes(&self.config.scene, &self.config.probes, table));
+        if let Some(table) = &self.logbook.probes {
+            readings::tell_probes(&mut all, &self.config.scene, &self.config.probes, table);
         }
-        let (history, probes) = (self.logbook.history, self.logbook.probes);
-        CaseResult { outcome, history, probes, readings, energy, phases, list_rebuilds }
+        all.0
     }
 }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::outcome::EnergyBudget;
-use crate::body::{SpringWall, WallStep};
+use crate::body::{Wall, WallStep};
 use crate::scheme::{Dissipation, Scheme};
 
 /// Energy of the water at an instant, J per metre of width.
@@ -62,19 +62,16 @@ impl Ledger {
         Ledger { start, ..Ledger::default() }
     }
 
-    /// Books the work of the walls over one step: `paddle_force` is the water's force on the
-    /// paddle, along x, and the wall has the water's force on it and the force that its law takes.
-    pub fn book_walls(
-        &mut self,
-        (paddle_force, paddle_travel): (f64, f64),
-        wall: Option<(&SpringWall, [f64; 2], WallStep)>,
-    ) {
-        self.paddle_work -= paddle_force * paddle_travel;
-        if let Some((law, [force, counted], step)) = wall {
-            let driving = law.force_coupling * (counted - law.threshold).max(0.0);
-            self.threshold_device += (force - driving) * step.travel;
-            self.stops += step.stop_loss;
-        }
+    /// Books the paddle's work over one step against the water's force on it, along x.
+    pub fn book_paddle(&mut self, force: f64, travel: f64) {
+        self.paddle_work -= force * travel;
+    }
+
+    /// Books what holds the wall takes over one step: of the water's force on the wall, and the force
+    /// that the wall's law counts with.
+    pub fn book_wall(&mut self, wall: &Wall, [force, counted]: [f64; 2], step: WallStep) {
+        self.threshold_device += (force - wall.driving(counted, step.travel)) * step.travel;
+        self.stops += step.stop_loss;
     }
 
     /// Books the losses of a step; powers were summed only where `sampled`, and hold until the
@@ -91,14 +88,14 @@ impl Ledger {
     }
 
     /// The budget with the water's energy as it is now.
-    pub fn close(&self, now: WaterEnergy, wall: Option<&SpringWall>) -> EnergyBudget {
+    pub fn close(&self, now: WaterEnergy, wall: &Wall) -> EnergyBudget {
         EnergyBudget {
             paddle_work: self.paddle_work,
             kinetic: now.kinetic - self.start.kinetic,
             potential: now.potential - self.start.potential,
             elastic: now.elastic - self.start.elastic,
-            wall_kinetic: wall.map_or(0.0, SpringWall::kinetic_energy),
-            spring: wall.map_or(0.0, SpringWall::spring_energy),
+            wall_kinetic: wall.kinetic_energy(),
+            spring: wall.spring_energy(),
             threshold_device: self.threshold_device,
             stops: self.stops,
             viscous: self.viscous,

@@ -34,13 +34,10 @@ use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::particles::Fluid;
 use crate::scene::{CaseConfig, Scheme};
-use crate::theory::goring::GoringPiston;
 use run::Run;
 
 /// Watches a run and may end it.
 pub trait Monitor: Sync {
-    /// Called every few steps with the share of the simulated time done, 0 to 1.
-    fn progress(&self, _share: f64) {}
     /// How often [`Monitor::film`] is called, seconds of simulated time; never by default.
     fn film_interval(&self) -> Option<f64> {
         None
@@ -121,8 +118,8 @@ pub fn cost(config: &CaseConfig) -> Cost {
     // the way; a guess that only has to rank cases.
     let onset = scene.seawall().map_or(0.0, |scene| {
         let celerity = (frame.gravity * frame.depth * (1.0 + scene.wave_height_ratio)).sqrt();
-        let arrival = |piston: GoringPiston| piston.stroke_centre() + 0.6 * frame.length / celerity;
-        scene.piston().map_or(0.0, arrival)
+        let centre = scene.paddle().and_then(|paddle| paddle.stroke_centre());
+        centre.map_or(0.0, |centre| centre + 0.6 * frame.length / celerity)
     });
     Cost {
         particles,

@@ -180,6 +180,17 @@ impl NamedReading {
     }
 }
 
+/// Readings in the order in which they are told.
+#[derive(Debug, Default)]
+pub(super) struct Readings(pub(super) Vec<NamedReading>);
+
+impl Readings {
+    /// Tells one, where there is a value.
+    pub(super) fn tell(&mut self, name: &str, value: impl Into<Option<f64>>, unit: &str) {
+        self.0.extend(value.into().map(|value| NamedReading::new(name, value, unit)));
+    }
+}
+
 /// Share of the run's time spent in a phase, for the human eye: never part of an identity.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct PhaseShare {

@@ -2,7 +2,8 @@
 
 use super::outcome::{ProbeColumn, ProbeTable};
 use super::sounding::Sounding;
-use crate::scene::{PADDLE, Probe, ProbeKind, Side, WALL};
+use crate::body::Place;
+use crate::scene::{Probe, ProbeKind, Side};
 
 /// An empty table with a column for every probe; none where there is no probe.
 pub(super) fn table(probes: &[Probe]) -> Option<ProbeTable> {
@@ -49,8 +50,8 @@ fn place(probe: &Probe, water: &Sounding<'_>) -> ([f64; 2], [f64; 2]) {
 /// face.
 fn face(probe: &Probe, water: &Sounding<'_>) -> (f64, [f64; 2]) {
     let face = water.face(match probe.wall {
-        Some(Side::Left) => PADDLE,
-        Some(Side::Right) | None => WALL,
+        Some(Side::Left) => Place::Left,
+        Some(Side::Right) | None => Place::Right,
     });
     let [nx, ny] = face.normal;
     (face.point[0], [-ny * nx.signum(), nx.abs()])

@@ -1,6 +1,6 @@
 //! What the probes of a finished run say, in a few numbers.
 
-use super::outcome::{NamedReading, ProbeTable};
+use super::outcome::{ProbeTable, Readings};
 use crate::scene::{Probe, ProbeKind, Scene};
 use crate::scheme::SolverSummary;
 
@@ -13,18 +13,15 @@ const PLATEAU: [f64; 2] = [3.0, 5.3];
 /// Where a column rings after its release, over √(H/g).
 const RINGING: [f64; 2] = [0.0, 0.5];
 
-/// Readings of all probes, in the order of the scene.
-pub(super) fn of_probes(scene: &Scene, probes: &[Probe], table: &ProbeTable) -> Vec<NamedReading> {
+/// Tells what all probes read, in the order of the scene.
+pub(super) fn tell_probes(all: &mut Readings, scene: &Scene, probes: &[Probe], table: &ProbeTable) {
     let frame = scene.frame();
     let unit = (frame.depth / frame.gravity).sqrt();
     let full = frame.density * frame.gravity * frame.depth;
-    let mut all = Vec::new();
     for (column, probe) in probes.iter().enumerate() {
         let series: Vec<(f64, f64)> = table.rows().map(|(time, row)| (time, row[column])).collect();
         let mut push = |what: &str, value: Option<f64>, unit: &str| {
-            if let Some(value) = value {
-                all.push(NamedReading::new(&format!("{}_{what}", probe.name), value, unit));
-            }
+            all.tell(&format!("{}_{what}", probe.name), value, unit);
         };
         let pressure = probe.kind == ProbeKind::Pressure;
         match scene {
@@ -66,7 +63,6 @@ pub(super) fn of_probes(scene: &Scene, probes: &[Probe], table: &ProbeTable) -> 
             }
         }
     }
-    all
 }
 
 /// Mean over a window of time by the trapezoid rule; `None` where the series does not fill it.
@@ -96,16 +92,12 @@ fn noise(series: &[(f64, f64)], [from, to]: [f64; 2], span: f64) -> Option<f64> 
     (count > 0.0).then(|| (squares.iter().sum::<f64>() / count).sqrt())
 }
 
-/// How the pressure equation was solved, and how incompressible the water stayed.
-pub(super) fn of_solver(solver: &SolverSummary) -> Vec<NamedReading> {
-    [
-        ("solver_iterations_per_step", solver.iterations_per_step),
-        ("solver_residual_max", solver.worst_residual),
-        ("velocity_divergence_rms_max", solver.worst_divergence),
-        ("volume_drift_max", solver.worst_volume_drift),
-    ]
-    .map(|(name, value)| NamedReading::new(name, value, "1"))
-    .into()
+/// Tells how the pressure equation was solved, and how incompressible the water stayed.
+pub(super) fn tell_solver(all: &mut Readings, solver: &SolverSummary) {
+    all.tell("solver_iterations_per_step", solver.iterations_per_step, "1");
+    all.tell("solver_residual_max", solver.worst_residual, "1");
+    all.tell("velocity_divergence_rms_max", solver.worst_divergence, "1");
+    all.tell("volume_drift_max", solver.worst_volume_drift, "1");
 }
 
 #[cfg(test)]

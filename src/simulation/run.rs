@@ -12,23 +12,20 @@ use super::logbook::Logbook;
 use super::sounding::Near;
 use super::surface::Lens;
 use super::watch::{self, Watch};
-use crate::body::{BodyMotion, SpringWall, WallStep};
+use crate::body::{Motions, Place, Wall, WallStep};
 use crate::math::simd::SimdPath;
 use crate::math::team::Team;
-use crate::scene::{CaseConfig, PADDLE, Tank, WALL};
+use crate::scene::{CaseConfig, Tank};
 use crate::scheme::{Load, NextStep, SchemeState, StepError, StepWalls};
 
 /// Samples of the history between two checks of health and of the monitor.
 const SAMPLES_PER_CHECK: u64 = 4;
-/// A scene has at most so many bodies.
-const MOST_BODIES: usize = 4;
 
-/// Everything that changes during a run.
+/// Everything that changes in a trunk. It ends before its wall moves, so the wall is not among it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct RunState {
     water: SchemeState,
     clock: Clock,
-    wall: Option<SpringWall>,
     logbook: Logbook,
 }
 
@@ -37,15 +34,6 @@ pub(super) struct Clock {
     pub(super) time: f64,
     pub(super) steps: u64,
     pub(super) samples: u64,
-}
-
-/// Where a run came to.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Reached {
-    /// The end of the run.
-    End,
-    /// The last step before the force first exceeds the threshold.
-    Onset,
 }
 
 /// A tank under way.
@@ -89,13 +77,10 @@ impl Run {
         }
     }
 
-    /// Goes back to a kept state. A wall that was held fixed until then keeps this case's law.
+    /// Goes back to a kept state, in which the wall still stands.
     pub fn restore(&mut self, state: RunState) {
         self.tank.water.restore(state.water);
         self.clock = state.clock;
-        if state.wall.is_some() {
-            self.tank.wall = state.wall;
-        }
         self.logbook = state.logbook;
     }
 
@@ -104,7 +89,6 @@ impl Run {
         RunState {
             water: self.tank.water.state(),
             clock: self.clock,
-            wall: self.tank.wall,
             logbook: self.logbook.clone(),
         }
     }
@@ -114,85 +98,82 @@ impl Run {
         (self.clock.time, self.clock.steps)
     }
 
-    /// Steps to the end, or with `until_onset` to the last state before the force first exceeds
-    /// the threshold.
-    pub fn advance(
-        &mut self,
-        until_onset: bool,
-        monitor: &dyn Monitor,
-    ) -> Result<Reached, Stopped> {
+    /// Steps to the end, or with `until_onset` to the last state before the wall could first move.
+    pub fn advance(&mut self, until_onset: bool, monitor: &dyn Monitor) -> Result<(), Stopped> {
         let frame = self.tank.frame;
         self.logbook.make_room((frame.end_time / frame.history_interval) as usize + 2);
         loop {
             let time = self.clock.time;
-            let last = time >= self.tank.frame.end_time * (1.0 - 1e-12);
-            let interval = self.tank.frame.history_interval;
-            let sample = last || time >= interval * self.clock.samples as f64 * (1.0 - 1e-12);
-            let motions = self.motions();
-            let bodies = &motions[..self.tank.water.walls().bodies.len()];
+            let last = time >= frame.end_time * (1.0 - 1e-12);
+            let due = frame.history_interval * self.clock.samples as f64 * (1.0 - 1e-12);
+            let sample = last || time >= due;
+            let bodies = self.tank.motions(time);
             let dt = self.time_step.min(self.tank.water.step_limit());
-            self.tank.water.prepare(bodies, dt).map_err(|error| self.step_failure(&error))?;
+            self.tank.water.prepare(&bodies, dt).map_err(|error| self.step_failure(&error))?;
             self.film(monitor, time, last);
-            let mut load = self.wall_load();
+            let load = self.wall_load();
             if !load.force.is_finite() {
-                return Err(self
-                    .failure(FailureKind::NotANumber, "the wall's force".into())
-                    .into());
+                let failure = self.failure(FailureKind::NotANumber, "the wall's force".into());
+                return Err(failure.into());
             }
-            let full = self.tank.water.can_be_kept();
-            let threshold = self.tank.threshold_ratio * self.tank.static_force;
-            // A trunk ends in a full step, so ahead of the last one where nothing happens before.
-            let soon = 2.0 * f64::from(self.config.numerics.acoustic_substeps) * dt;
-            let ending = time + soon > self.tank.frame.end_time;
-            if until_onset && full && (ending || load.force > threshold) {
-                return Ok(Reached::Onset);
+            if until_onset && self.is_onset(load.force, dt) {
+                return Ok(());
             }
-            if self.tank.wall.is_some_and(|wall| {
-                wall.displacement > 0.0 || wall.velocity != 0.0 || load.force > wall.threshold
-            }) {
-                self.tank.water.respond(dt).map_err(|error| self.step_failure(&error))?;
-                load = self.wall_load();
-            }
-            let (before, mut after) = (self.tank.wall, self.tank.wall);
-            let kicks = self.tank.water.kicks();
-            // A wall first leaves its stop in a full step: only there can a trunk end.
-            let step = after.as_mut().filter(|wall| full || wall.has_moved()).map(|wall| {
-                let law = if kicks { SpringWall::kick } else { SpringWall::advance };
-                law(wall, load.force, load.added_mass, dt)
-            });
-            let acceleration = step.map_or(0.0, |step| step.acceleration);
-            let force = load.force - load.added_mass * acceleration;
+            let (moved, step, force) = self.answer(load, dt)?;
             let start = Instant::now();
-            let reading = self.read((force, acceleration), bodies[WALL].offset, before.as_ref());
-            if let Some((wall, hit)) = before.zip(step).filter(|(_, step)| step.stop_loss > 0.0) {
-                let speed = (2.0 * hit.stop_loss / wall.mass).sqrt();
-                self.logbook.measures.hit(time, dt, speed);
+            let reading = self.read((force, step.acceleration));
+            if step.stop_loss > 0.0 {
+                self.logbook.measures.hit(time, dt, step.stop_speed);
             }
             if sample {
-                self.sample(&reading, before.as_ref(), bodies, (force, acceleration))?;
+                self.sample(&reading, &bodies, (force, step.acceleration))?;
             }
             self.reading_time += start.elapsed().as_secs_f64();
             if last {
-                return Ok(Reached::End);
+                return Ok(());
             }
             if sample && self.clock.samples.is_multiple_of(SAMPLES_PER_CHECK) {
                 let start = Instant::now();
-                let energy = self.check_health(bodies)?;
+                let energy = self.check_health(&bodies)?;
                 self.reading_time += start.elapsed().as_secs_f64();
                 // In trunks, too: what they leave must not depend on where they end.
-                self.note_liveliness(bodies, &energy);
-                if !until_onset && self.has_settled(bodies, &energy) {
+                self.note_liveliness(&bodies, &energy);
+                if !until_onset && self.has_settled(&bodies, &energy) {
                     self.film(monitor, time, true);
-                    return Ok(Reached::End);
+                    return Ok(());
                 }
-                monitor.progress(time / self.tank.frame.end_time);
                 if monitor.cancelled() {
                     return Err(Stopped::Interrupted);
                 }
             }
-            self.tank.wall = after;
-            self.finish_step(dt, motions, force, step, sample);
+            self.tank.wall = moved;
+            self.finish_step(dt, bodies, force, step, sample);
         }
+    }
+
+    /// Whether a trunk ends ahead of a step of `dt` seconds, under this force on the wall, N per metre
+    /// of width: in a full step, and ahead of the last one where nothing happens before.
+    fn is_onset(&self, force: f64, dt: f64) -> bool {
+        let soon = 2.0 * f64::from(self.config.numerics.acoustic_substeps) * dt;
+        let ending = self.clock.time + soon > self.tank.frame.end_time;
+        self.tank.water.can_be_kept() && (ending || self.tank.wall.lets_go(force))
+    }
+
+    /// How the wall answers to the water's load over a step of `dt` seconds: where it is then, its step,
+    /// and the force on it, N per metre of width.
+    fn answer(&mut self, mut load: Load, dt: f64) -> Result<(Wall, WallStep, f64), Failure> {
+        let mut wall = self.tank.wall;
+        if wall.state().is_some() && (!wall.rests() || wall.lets_go(load.force)) {
+            self.tank.water.respond(dt).map_err(|error| self.step_failure(&error))?;
+            load = self.wall_load();
+        }
+        let step = match self.tank.water.kicks() {
+            // A wall first leaves its place in a full step: only there can a trunk end.
+            _ if !self.tank.water.can_be_kept() && !wall.has_moved() => WallStep::default(),
+            true => wall.kick(load.force, load.added_mass, dt),
+            false => wall.advance(load.force, load.added_mass, dt),
+        };
+        Ok((wall, step, load.force - load.added_mass * step.acceleration))
     }
 
     /// The water's load on the wall, made up for what the force at rest lacks of ρgh²/2.
@@ -200,7 +181,7 @@ impl Run {
     /// A coarse lattice under its surface presses a little too little, in still water and in waves
     /// alike: about (Δx/h)² of it at rest, with supports of 5 spacings. The first force of a run tells how much.
     fn wall_load(&mut self) -> Load {
-        let load = self.tank.water.load(WALL);
+        let load = self.tank.water.load(Place::Right.number());
         self.logbook.force_at_rest.get_or_insert(load.force);
         Load { force: load.force + self.lacking_at_rest(), ..load }
     }
@@ -211,59 +192,37 @@ impl Run {
         at_rest.map_or(0.0, |force| self.tank.static_force - force)
     }
 
-    /// Motions of bed, paddle, wall and lid at this instant.
-    fn motions(&self) -> [BodyMotion; MOST_BODIES] {
-        let mut bodies = [BodyMotion::default(); MOST_BODIES];
-        if let Some(piston) = &self.tank.piston {
-            let motion = piston.motion(self.clock.time);
-            bodies[PADDLE] = BodyMotion {
-                offset: motion.position,
-                velocity: motion.velocity,
-                acceleration: motion.acceleration,
-            };
-        }
-        if let Some(wall) = &self.tank.wall {
-            bodies[WALL].offset = wall.displacement;
-            bodies[WALL].velocity = wall.velocity;
-        }
-        bodies
-    }
-
+    /// Moves the water under the wall's force, N per metre of width, and books what the step did.
     fn finish_step(
         &mut self,
         dt: f64,
-        mut motions: [BodyMotion; MOST_BODIES],
+        mut bodies: Motions,
         force: f64,
-        wall_step: Option<WallStep>,
+        step: WallStep,
         sample: bool,
     ) {
         let time = self.clock.time;
-        let bodies = &mut motions[..self.tank.water.walls().bodies.len()];
-        let paddle_travel = self
-            .tank
-            .piston
-            .as_ref()
-            .map_or(0.0, |piston| piston.motion(time + dt).position - bodies[PADDLE].offset);
-        bodies[PADDLE].velocity = paddle_travel / dt;
-        bodies[WALL].velocity = wall_step.map_or(0.0, |step| step.travel) / dt;
-        let paddle_force = self.tank.water.load(PADDLE).force;
+        let after = self.tank.motions(time + dt);
+        let paddle_travel = after[Place::Left].offset - bodies[Place::Left].offset;
+        bodies[Place::Left].velocity = paddle_travel / dt;
+        bodies[Place::Right].velocity = step.travel / dt;
+        let paddle_force = self.tank.water.load(Place::Left.number()).force;
         if let Some(watch) = &mut self.watch {
             let on_walls = (0..bodies.len()).map(|body| self.tank.water.load(body).force);
             watch.push(on_walls.sum(), dt);
         }
-        let lacking = self.lacking_at_rest();
-        let wall = self.tank.wall.as_ref().zip(wall_step);
-        let wall = wall.map(|(law, step)| (law, [force - lacking, force], step));
-        self.logbook.ledger.book_walls((paddle_force, paddle_travel), wall);
+        let uncounted = force - self.lacking_at_rest();
+        let ledger = &mut self.logbook.ledger;
+        ledger.book_paddle(paddle_force, paddle_travel);
+        ledger.book_wall(&self.tank.wall, [uncounted, force], step);
         // Splashes dissipate in bursts, and swirls from the start: summed at every step.
         let sample = sample || self.watch.is_some();
         self.clock.time += dt;
         self.clock.steps += 1;
-        let after = self.motions();
         let walls = StepWalls {
-            bodies,
-            acceleration: wall_step.map_or(0.0, |step| step.acceleration),
-            next: NextStep { bodies: &after[..bodies.len()], dt: self.time_step },
+            bodies: &bodies,
+            acceleration: step.acceleration,
+            next: NextStep { bodies: &after, dt: self.time_step },
         };
         let losses = self.tank.water.finish(dt, &walls, sample);
         self.logbook.ledger.book_losses(time, sample, losses);

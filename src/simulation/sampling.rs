@@ -8,8 +8,7 @@ use super::outcome::{EnergyBudget, HistoryRow};
 use super::probes;
 use super::run::Run;
 use super::sounding::Sounding;
-use crate::body::{BodyMotion, SpringWall};
-use crate::scene::{PADDLE, WALL};
+use crate::body::{BodyMotion, Motions, Place};
 
 /// Samples between two looks for clusters.
 const SAMPLES_PER_CLUSTER_CHECK: u64 = 20;
@@ -17,22 +16,18 @@ const SAMPLES_PER_CLUSTER_CHECK: u64 = 20;
 const FARTHEST_WALL: f64 = 11.0;
 
 impl Run {
-    /// Takes a step's reading, and the wave gauge's where one is due. Of the wall: the force on it, N per
-    /// metre of width, the acceleration by which it answers, m/s², its offset, metres, and its state
-    /// before it answers.
-    pub(super) fn read(
-        &mut self,
-        (force, acceleration): (f64, f64),
-        offset: f64,
-        wall: Option<&SpringWall>,
-    ) -> Reading {
+    /// Takes a step's reading, and the wave gauge's where one is due, before the wall moves: the force
+    /// on it is given in N per metre of width, the acceleration by which it answers in m/s².
+    pub(super) fn read(&mut self, (force, acceleration): (f64, f64)) -> Reading {
         let Run { tank, logbook, clock, lens, .. } = self;
         let (frame, depth) = (tank.frame, tank.frame.depth);
-        let at_wall = tank.water.level_at(WALL);
+        let at_wall = tank.water.level_at(Place::Right.number());
+        let wall = tank.wall.state();
         let inside = (tank.wave_gauge.is_some() && tank.upright()).then(|| {
             let (_, radius) = tank.water.kernel();
             let from = (at_wall - 1.5 * radius).max(0.0);
-            tank.water.level_in_water(frame.length + offset - radius, from)
+            let face = frame.length + wall.unwrap_or_default().displacement;
+            tank.water.level_in_water(face - radius, from)
         });
         logbook.level.feel(clock.time, (acceleration, at_wall), frame.acceleration());
         let runup = logbook.level.over_rest(lens, at_wall, inside);
@@ -63,8 +58,7 @@ impl Run {
     pub(super) fn sample(
         &mut self,
         reading: &Reading,
-        wall: Option<&SpringWall>,
-        bodies: &[BodyMotion],
+        bodies: &Motions,
         (force, acceleration): (f64, f64),
     ) -> Result<(), Failure> {
         let lacking = self.lacking_at_rest();
@@ -79,7 +73,7 @@ impl Run {
             force: reading.force,
             runup: reading.runup,
             displacement: reading.displacement.unwrap_or(0.0),
-            wall_velocity_m_per_s: wall.map_or(0.0, |wall| wall.velocity),
+            wall_velocity_m_per_s: tank.wall.state().unwrap_or_default().velocity,
         });
         if let Some(table) = &mut logbook.probes {
             let scales = (tank.frame.gravity, tank.spacing, tank.frame.density);
@@ -90,15 +84,15 @@ impl Run {
         if let Some(watch) = &mut self.watch {
             watch.sample(time, tank.water.fluid());
         }
-        let motion = BodyMotion { acceleration, ..bodies[WALL] };
-        let face = tank.water.face_force(WALL, &motion);
+        let motion = BodyMotion { acceleration, ..bodies[Place::Right] };
+        let face = tank.water.face_force(Place::Right.number(), &motion);
         let force = force - lacking;
         let gap = 100.0 * (face - force).abs() / force.abs().max(tank.static_force);
         logbook.worst_gap = logbook.worst_gap.max(gap);
         logbook.face_gaps.push(time, [face, force].map(|force| force / tank.static_force));
         logbook.health.see_gap(gap / 100.0);
         match reading.displacement {
-            Some(x) if !x.is_finite() || x > FARTHEST_WALL => {
+            Some(x) if !x.is_finite() || x.abs() > FARTHEST_WALL => {
                 Err(self.failure(FailureKind::WallUnstable, format!("the wall is at X = {x:.3} h")))
             }
             _ => Ok(()),
@@ -109,10 +103,10 @@ impl Run {
     ///
     /// # Errors
     /// The first bound that is broken.
-    pub(super) fn check_health(&mut self, bodies: &[BodyMotion]) -> Result<EnergyBudget, Failure> {
+    pub(super) fn check_health(&mut self, bodies: &Motions) -> Result<EnergyBudget, Failure> {
         let now = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
-        let energy = self.logbook.ledger.close(now, self.tank.wall.as_ref());
-        let across = self.tank.water.walls().bodies[WALL].plane.normal;
+        let energy = self.logbook.ledger.close(now, &self.tank.wall);
+        let across = self.tank.water.walls().bodies[Place::Right.number()].plane.normal;
         let vitals = Vitals {
             time_s: self.clock.time,
             extent: self.extent(bodies),
@@ -128,13 +122,13 @@ impl Run {
     }
 
     /// Where water may be, metres: left, right at the bed, bottom, top. Anywhere without walls.
-    fn extent(&self, bodies: &[BodyMotion]) -> [f64; 4] {
+    fn extent(&self, bodies: &Motions) -> [f64; 4] {
         if self.tank.water.walls().is_empty() {
             let anywhere = f64::INFINITY;
             return [-anywhere, anywhere, -anywhere, anywhere];
         }
         let (frame, room) = (self.tank.frame, self.tank.spacing);
-        let right = frame.length + bodies[WALL].offset + room;
-        [bodies[PADDLE].offset - room, right, 0.0, 4.0 * frame.depth]
+        let right = frame.length + bodies[Place::Right].offset + room;
+        [bodies[Place::Left].offset - room, right, 0.0, 4.0 * frame.depth]
     }
 }

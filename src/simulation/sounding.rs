@@ -1,8 +1,9 @@
 //! Pressure and level of the water at a place, voids at a wall, whatever the scheme.
 
-use crate::body::BodyMotion;
+use crate::body::{Motions, Place};
 use crate::boundary::Plane;
 use crate::scheme::Scheme;
+use crate::water::level_up_to;
 
 /// A gauge counts as wet from this far below the surface, in particle spacings, and as dry from
 /// as far above it.
@@ -11,7 +12,7 @@ const WATERLINE: f64 = 0.4;
 /// The water around a place, at an instant.
 pub(super) struct Sounding<'a> {
     water: &'a dyn Scheme,
-    bodies: &'a [BodyMotion],
+    bodies: &'a Motions,
     gravity: f64,
     spacing: f64,
     density: f64,
@@ -30,7 +31,7 @@ impl<'a> Sounding<'a> {
     /// what is in reach.
     pub(super) fn new(
         water: &'a dyn Scheme,
-        bodies: &'a [BodyMotion],
+        bodies: &'a Motions,
         (gravity, spacing, density): (f64, f64, f64),
         near: &'a mut Near,
     ) -> Sounding<'a> {
@@ -38,8 +39,8 @@ impl<'a> Sounding<'a> {
     }
 
     /// The face of a body as it stands now.
-    pub(super) fn face(&self, body: usize) -> Plane {
-        self.water.walls().bodies[body].plane.moved(self.bodies[body].offset)
+    pub(super) fn face(&self, place: Place) -> Plane {
+        self.water.walls().bodies[place.number()].plane.moved(self.bodies[place].offset)
     }
 
     /// Looks up what is in reach of the points of a box.
@@ -50,7 +51,7 @@ impl<'a> Sounding<'a> {
         };
         let fluid = self.water.fluid();
         let pressure = self.water.pressures();
-        let ends = [1, 2].map(|body| self.face(body).point[0]);
+        let ends = [Place::Left, Place::Right].map(|place| self.face(place).point[0]);
         let Near { water, solid } = &mut *self.near;
         water.clear();
         solid.clear();
@@ -60,11 +61,11 @@ impl<'a> Sounding<'a> {
             [fluid.x[k], fluid.y[k], volume, pressure[k], self.density]
         }));
         let ghosts = self.water.walls();
-        for (number, (body, motion)) in ghosts.bodies.iter().zip(self.bodies).enumerate() {
+        for (number, (body, motion)) in ghosts.bodies.iter().zip(self.bodies.iter()).enumerate() {
             for g in body.ghosts.clone() {
                 let (x, y) = (ghosts.x[g] + motion.offset, ghosts.y[g]);
                 // A bed that goes on beneath a wall counts once: as the wall's corner block.
-                let doubled = number == 0 && !(x > ends[0] && x < ends[1]);
+                let doubled = number == Place::Bed.number() && !(x > ends[0] && x < ends[1]);
                 if close(x, y) && !doubled {
                     solid.push([x, y, ghosts.volume[g]]);
                 }
@@ -125,19 +126,7 @@ impl<'a> Sounding<'a> {
     /// to 1/2; 0 where the bed is dry.
     pub(super) fn level(&mut self, x: f64, highest: f64) -> f64 {
         self.look([x, x], [0.0, highest]);
-        let step = 0.5 * self.spacing;
-        let (mut y, mut below) = (0.0, self.at(x, 0.0).0);
-        if below < 0.5 {
-            return 0.0;
-        }
-        while y < highest {
-            let above = self.at(x, y + step).0;
-            if above < 0.5 {
-                return y + step * (below - 0.5) / (below - above);
-            }
-            (y, below) = (y + step, above);
-        }
-        highest
+        level_up_to(|y| self.at(x, y).0, [0.0, highest], self.spacing)
     }
 
     /// The largest share of the kernel that is empty at a wall, of what the walls leave of it: from
@@ -162,7 +151,7 @@ impl<'a> Sounding<'a> {
 mod tests {
     use super::*;
     use crate::math::simd::SimdPath;
-    use crate::scene::{CaseConfig, WALL};
+    use crate::scene::CaseConfig;
 
     #[test]
     fn a_void_is_the_share_that_water_leaves_empty() {
@@ -170,15 +159,15 @@ mod tests {
         let numerics = "particle_spacing_m = 0.02".parse().unwrap();
         let config = CaseConfig::from_tables(&scene, &numerics).unwrap();
         let mut tank = config.scene.build(&config.numerics, SimdPath::Portable);
-        let mut bodies = vec![BodyMotion::default(); tank.water.walls().bodies.len()];
+        let mut bodies = tank.motions(0.0);
         tank.water.prepare(&bodies, 1e-4).unwrap();
         let (kernel, radius) = tank.water.kernel();
         for apart in [0.0, 0.2, 0.4] {
-            bodies[WALL].offset = apart * tank.spacing;
+            bodies[Place::Right].offset = apart * tank.spacing;
             let mut near = Near::default();
             let mut water =
                 Sounding::new(tank.water.as_ref(), &bodies, (9.81, 0.02, 1000.0), &mut near);
-            let void = water.void((water.face(WALL).point[0], [0.0, 1.0]), 0.6);
+            let void = water.void((water.face(Place::Right).point[0], [0.0, 1.0]), 0.6);
             // In the toe's corner, where the empty strip goes on through the bed.
             let filled = kernel.half_plane_fraction(-apart * tank.spacing / radius);
             let exact = 1.0 - filled / (1.0 - filled);

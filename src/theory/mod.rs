@@ -3,7 +3,6 @@
 pub mod central_field;
 pub mod dam_break;
 pub mod elliptic_drop;
-pub mod goring;
 pub mod hydrostatics;
 pub mod oscillator;
 pub mod rotating_patch;

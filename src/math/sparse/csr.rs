@@ -25,6 +25,11 @@ impl Csr {
         self.diagonal.clear();
     }
 
+    /// Ends a row whose entries off the diagonal have been put in.
+    pub fn end_row(&mut self) {
+        self.starts.push(self.columns.len() as u32);
+    }
+
     /// Number of rows.
     pub fn len(&self) -> usize {
         self.diagonal.len()

@@ -5,5 +5,5 @@ mod krylov;
 mod preconditioner;
 
 pub use csr::Csr;
-pub use krylov::{Krylov, Product, SolveReport, StopRule};
+pub use krylov::{Krylov, Product, SolveReport, StopRule, Stored};
 pub use preconditioner::{Preconditioner, PreconditionerChoice};

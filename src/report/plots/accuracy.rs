@@ -1,15 +1,17 @@
 //! Error against processor time, a dot for every method, both axes logarithmic.
 
 use super::Figure;
-use super::axes::{Axis, Panel};
-use super::pen::{Align, Look, draw};
+use super::axes::Axis;
+use super::legend::Entry;
+use super::pen::Look;
+use super::sheet::{Chart, Curve, Layout, Point, sheet};
 use crate::report::error::ReportError;
 
 /// A method.
-#[derive(Debug, Clone, Copy)]
-pub struct Dot<'a> {
+#[derive(Debug, Clone)]
+pub struct Dot {
     /// What stands beside it.
-    pub name: &'a str,
+    pub name: String,
     /// Processor time, seconds.
     pub x: f64,
     /// Error, percent.
@@ -18,36 +20,35 @@ pub struct Dot<'a> {
     pub filled: bool,
 }
 
-const WIDTH: f64 = 620.0;
-const HEIGHT: f64 = 420.0;
-const LEFT: f64 = 66.0;
-const TOP: f64 = 20.0;
-
 /// The figure; `None` without dots.
-pub fn error_against_time(dots: &[Dot<'_>]) -> Result<Option<Figure>, ReportError> {
+pub fn error_against_time(dots: &[Dot]) -> Result<Option<Figure>, ReportError> {
     let name = "error-against-time";
-    let good: Vec<_> = dots.iter().filter(|dot| dot.x > 0.0 && dot.y > 0.0).collect();
-    let x = Axis::around(good.iter().map(|dot| libm::log10(dot.x)), 6.0);
-    let y = Axis::around(good.iter().map(|dot| libm::log10(dot.y)), 6.0);
+    let good = || dots.iter().filter(|dot| dot.x > 0.0 && dot.y > 0.0);
+    let point = |dot: &Dot| Point {
+        x: libm::log10(dot.x),
+        y: libm::log10(dot.y),
+        open: !dot.filled,
+        note: dot.name.clone(),
+        ..Point::default()
+    };
+    let points: Vec<_> = good().map(point).collect();
+    let x = Axis::around(points.iter().map(|point| point.x), 6.0);
+    let y = Axis::around(points.iter().map(|point| point.y), 6.0);
     let Some((x, y)) = x.zip(y) else { return Ok(None) };
-    let panel = Panel { left: LEFT, top: TOP, width: WIDTH, height: HEIGHT, x, y };
-    let at = |dot: &Dot<'_>| panel.at(libm::log10(dot.x), libm::log10(dot.y));
-    let svg = draw(name, (LEFT + WIDTH + 110.0, TOP + HEIGHT + 48.0), |pen| {
-        panel.draw(pen, true)?;
-        panel.title_x(pen, "log₁₀ of the processor time, s")?;
-        panel.title_y(pen, "log₁₀ of the error, %")?;
-        let mut front: Vec<_> = good.iter().filter(|dot| dot.filled).map(|dot| at(dot)).collect();
-        front.sort_by(|a, b| a.0.total_cmp(&b.0));
-        if front.len() > 1 {
-            pen.line(&front, Look::of(0).colour, 1.2)?;
-        }
-        for dot in &good {
-            let (px, py) = at(dot);
-            pen.marker((px, py), Look::of(0), !dot.filled)?;
-            pen.text((px + 7.0, py - 6.0), dot.name, 9.5, Align::Left)?;
-        }
-        Ok(())
-    })?;
+    let mut front: Vec<_> = points.iter().filter(|point| !point.open).cloned().collect();
+    front.sort_by(|a, b| a.x.total_cmp(&b.x));
+    let look = Look::of(0);
+    let chart = Chart {
+        heading: String::new(),
+        titles: ["log₁₀ of the processor time, s", "log₁₀ of the error, %"].map(str::to_owned),
+        x,
+        y,
+        curves: vec![
+            Curve { entry: Entry::line(String::new(), look), points: front },
+            Curve { entry: Entry::dots("", look, false), points },
+        ],
+    };
+    let svg = sheet(name, &[chart], Layout { columns: 1, size: (620.0, 420.0) })?;
     Ok(Some(Figure {
         name: name.to_owned(),
         title: "Error against processor time".to_owned(),

@@ -1,30 +1,33 @@
 //! Runup and force at a fixed wall against the wave's height; at an upright wall beside the exact
 //! solitary wave.
 
-use super::axes::{Axis, Panel};
-use super::legend::{Entry, Legend};
-use super::pen::{Look, draw};
+use super::axes::Axis;
+use super::legend::Entry;
+use super::pen::Look;
+use super::sheet::{Chart, Curve, Layout, Point, sheet};
 use super::{Figure, file_name, of_variant, swept};
+use crate::quantities::Column;
+use crate::quantities::summary::{
+    FIRST_FORCE_MAX, FIRST_RUNUP_MAX, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO,
+};
 use crate::report::curves::variants;
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::row::Row;
 
-const WIDTH: f64 = 300.0;
-const HEIGHT: f64 = 240.0;
-const LEFT: f64 = 66.0;
-const GAP: f64 = 84.0;
+/// What is drawn, side by side, and where it stands in [`EXACT`].
+const SIDES: [(&Column, usize); 2] = [(&FIRST_RUNUP_MAX, 1), (&FIRST_FORCE_MAX, 2)];
 
 /// The exact solitary wave of the Euler equations, reflected by a vertical wall: H/h, runup over
 /// h, and the first peak of F/(½ρgh²). A wave of no height leaves still water.
-const EXACT: [(f64, f64, f64); 7] = [
-    (0.0, 0.0, 1.0),
-    (0.1, 0.20555, 1.4245),
-    (0.2, 0.42413, 1.8726),
-    (0.3, 0.6602, 2.3015),
-    (0.4, 0.9237, 2.6779),
-    (0.5, 1.2384, 3.0617),
-    (0.6, 1.66, 3.489),
+const EXACT: [[f64; 3]; 7] = [
+    [0.0, 0.0, 1.0],
+    [0.1, 0.20555, 1.4245],
+    [0.2, 0.42413, 1.8726],
+    [0.3, 0.6602, 2.3015],
+    [0.4, 0.9237, 2.6779],
+    [0.5, 1.2384, 3.0617],
+    [0.6, 1.66, 3.489],
 ];
 
 /// The figure of every variant with fixed walls and waves.
@@ -41,7 +44,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
             continue;
         }
         let name = file_name("fixed-wall", &variant);
-        let measured = rows.iter().all(|row| row.measured_wave_height_ratio.is_some());
+        let measured = rows.iter().all(|row| row.number(&MEASURED_WAVE_HEIGHT_RATIO).is_some());
         let height = if measured { "measured at the gauge" } else { "nominal" };
         let vertical = rows.iter().all(|row| row.is_vertical());
         let beside = if vertical {
@@ -50,13 +53,10 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
             " The wall is inclined, for which there is no exact solution to compare with; the \
              force is that along x."
         };
-        let bars = if rows.iter().any(|row| row.force_error.or(row.runup_error).is_some()) {
-            " Bars: estimated errors."
-        } else {
-            ""
-        };
+        let has_bar = |row: &&Row| SIDES.iter().any(|(column, _)| row.error(column).is_some());
+        let bars = if rows.iter().any(has_bar) { " Bars: estimated errors." } else { "" };
         figures.push(Figure {
-            svg: sheet(&name, &rows, measured, vertical)?,
+            svg: drawing(&name, &rows, measured, vertical)?,
             title: format!("Runup and force at a fixed wall{}", of_variant(&variant)),
             caption: format!(
                 "Largest runup and force of the first impact on a fixed wall against the wave \
@@ -73,63 +73,44 @@ pub fn walls<'a>(data: &'a Loaded, variant: &str) -> impl Iterator<Item = &'a Ro
     data.finished().filter(move |row| {
         row.is_fixed()
             && row.variant == variant
-            && row.wave_height_ratio.is_some_and(|wave| wave > 0.0)
-            && row.first_force_max.is_some()
-            && row.first_runup_max.is_some()
+            && row.number(&WAVE_HEIGHT_RATIO).is_some_and(|wave| wave > 0.0)
+            && SIDES.iter().all(|(column, _)| row.number(column).is_some())
     })
 }
 
 /// A pair of panels; with the exact wave where the walls are `vertical`.
-fn sheet(name: &str, rows: &[&Row], measured: bool, vertical: bool) -> Result<String, ReportError> {
-    let wave =
-        |row: &Row| if measured { row.measured_wave_height_ratio } else { row.wave_height_ratio };
-    let look = Look::of(0);
-    let mut entries =
-        vec![Entry { label: "computed".to_owned(), look, line: false, marker: Some(false) }];
-    if vertical {
-        let label = "exact solitary wave".to_owned();
-        entries.push(Entry { label, look: Look::plain(), line: true, marker: None });
-    }
-    let legend = Legend::new(entries, LEFT, LEFT + 2.0 * WIDTH);
-    let top = 20.0 + legend.height();
-    type Read = fn(&Row) -> Option<f64>;
-    type Side = (&'static str, Read, Read, fn(&(f64, f64, f64)) -> f64);
-    let sides: [Side; 2] = [
-        ("R / h", |row| row.first_runup_max, |row| row.runup_error, |exact| exact.1),
-        ("F / (½ρgh²)", |row| row.first_force_max, |row| row.force_error, |exact| exact.2),
-    ];
-    let known = if vertical { &EXACT[..] } else { &[] };
-    draw(name, (LEFT + 2.0 * WIDTH + GAP + 16.0, top + HEIGHT + 48.0), |pen| {
-        legend.draw(pen, 6.0)?;
-        for (index, (title, computed, error, exact)) in sides.iter().enumerate() {
-            let points: Vec<_> = rows
-                .iter()
-                .filter_map(|r| Some((wave(r)?, computed(r)?, error(r).unwrap_or(0.0))))
-                .collect();
-            let line: Vec<_> = known.iter().map(|point| (point.0, exact(point))).collect();
-            let ends = points.iter().flat_map(|(x, y, error)| [(*x, y - error), (*x, y + error)]);
-            let both = || ends.clone().chain(line.iter().copied());
-            let x = Axis::around(both().map(|point| point.0), 8.0);
-            let y = Axis::around(both().map(|point| point.1), 6.0);
-            let Some((x, y)) = x.zip(y) else { continue };
-            let left = LEFT + index as f64 * (WIDTH + GAP);
-            let panel = Panel { left, top, width: WIDTH, height: HEIGHT, x, y };
-            panel.draw(pen, true)?;
-            panel.title_x(pen, if measured { "H / h, measured" } else { "H / h" })?;
-            panel.title_y(pen, title)?;
-            let line: Vec<_> = line.iter().map(|point| panel.at(point.0, point.1)).collect();
-            if !line.is_empty() {
-                pen.line(&line, Look::plain().colour, 1.5)?;
-            }
-            for (x, y, error) in points {
-                if error > 0.0 {
-                    pen.line(&[panel.at(x, y - error), panel.at(x, y + error)], look.colour, 1.2)?;
-                }
-                pen.marker(panel.at(x, y), look, false)?;
-            }
+fn drawing(
+    name: &str,
+    rows: &[&Row],
+    measured: bool,
+    vertical: bool,
+) -> Result<String, ReportError> {
+    let wave = if measured { &MEASURED_WAVE_HEIGHT_RATIO } else { &WAVE_HEIGHT_RATIO };
+    let chart = |(column, exact): (&Column, usize)| {
+        let point = |row: &&Row| {
+            let (x, y) = (row.number(wave)?, row.number(column)?);
+            let error = row.error(column).unwrap_or(0.0);
+            Some(Point { x, y, error, ..Point::default() })
+        };
+        let mut curves = Vec::new();
+        if vertical {
+            let entry = Entry::line("exact solitary wave".to_owned(), Look::plain());
+            let points = EXACT.iter().map(|known| (known[0], known[exact]).into());
+            curves.push(Curve { entry, points: points.collect() });
         }
-        Ok(())
-    })
+        let entry = Entry::dots("computed", Look::of(0), false);
+        curves.push(Curve { entry, points: rows.iter().filter_map(point).collect() });
+        let places = curves.iter().flat_map(|curve| &curve.points).map(|point| point.x);
+        Some(Chart {
+            heading: String::new(),
+            titles: [wave.heading(), column.unit.axis().to_owned()],
+            x: Axis::around(places, 8.0)?,
+            y: Axis::around(curves.iter().flat_map(Curve::reach), 6.0)?,
+            curves,
+        })
+    };
+    let charts: Vec<_> = SIDES.into_iter().filter_map(chart).collect();
+    sheet(name, &charts, Layout { columns: 2, size: (300.0, 240.0) })
 }
 
 #[cfg(test)]

@@ -2,30 +2,34 @@
 //! height with a few curves spread over the stiffnesses (or over the masses, where there is one
 //! stiffness); without, one figure of a few cases.
 
-use super::strips::{Curve, Strip, sheet};
+use super::over_time::{self, Strip};
 use super::{Figure, file_name, of_variant};
+use crate::quantities::history::{DISPLACEMENT, FORCE, RUNUP};
+use crate::quantities::summary::{CASE_ID, SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
 use crate::report::curves::{distinct, spread, variants};
 use crate::report::error::ReportError;
-use crate::report::load::{Loaded, Sample};
+use crate::report::load::Loaded;
 use crate::report::number;
-use crate::report::row::Row;
+use crate::report::row::{Row, label};
+use crate::report::series::Series;
 
 const CURVES: usize = 6;
 
 /// One case's history with its words in the legend.
 struct Line {
     label: String,
-    samples: Vec<Sample>,
+    series: Vec<Series>,
 }
 
 /// The figures of every wave height and variant that has histories, and of cases without a wave.
 pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut figures = Vec::new();
     for variant in variants(&data.rows) {
-        for wave in distinct(data.finished(), |row| row.wave_height_ratio) {
+        for wave in distinct(data.finished(), &WAVE_HEIGHT_RATIO) {
             let rows: Vec<_> = data
                 .finished()
-                .filter(|row| row.variant == variant && row.wave_height_ratio == Some(wave))
+                .filter(|row| row.variant == variant)
+                .filter(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(wave))
                 .collect();
             let (chosen, common, picked) = choose(&rows);
             let lines = read(data, chosen)?;
@@ -36,7 +40,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
             let name = file_name(&format!("history-wave-{wave}"), &variant);
             let drop = dropped(lines.len(), rows.len(), "of this wave height", &picked);
             figures.push(Figure {
-                svg: sheet(&name, &strips(&lines))?,
+                svg: over_time::strips(&name, &strips(&lines))?,
                 caption: format!(
                     "Force (unfiltered), runup{} at the wall{common}, over the time since the \
                      paddle's start. Spikes of one or two samples may leave the panel.{drop}",
@@ -53,7 +57,8 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
 
 /// The figure of scenes that have no paddle: a still tank, a dam break, a flow with an exact answer.
 fn without_wave(data: &Loaded) -> Result<Option<Figure>, ReportError> {
-    let rows: Vec<_> = data.finished().filter(|row| row.wave_height_ratio.is_none()).collect();
+    let rows: Vec<_> =
+        data.finished().filter(|row| row.number(&WAVE_HEIGHT_RATIO).is_none()).collect();
     let chosen = spread(&rows, CURVES).into_iter().map(|row| (row.words(), row)).collect();
     let lines = read(data, chosen)?;
     let mut strips = strips(&lines);
@@ -63,7 +68,7 @@ fn without_wave(data: &Loaded) -> Result<Option<Figure>, ReportError> {
     }
     let drop = dropped(lines.len(), rows.len(), "without a wave", "spread over their order");
     Ok(Some(Figure {
-        svg: sheet("history", &strips)?,
+        svg: over_time::strips("history", &strips)?,
         name: "history".to_owned(),
         title: "Histories".to_owned(),
         caption: format!(
@@ -86,8 +91,9 @@ fn dropped(shown: usize, cases: usize, whose: &str, picked: &str) -> String {
 fn read(data: &Loaded, chosen: Vec<(String, &Row)>) -> Result<Vec<Line>, ReportError> {
     let mut lines = Vec::new();
     for (label, row) in chosen {
-        if let Some(samples) = data.history(&row.case_id)?.filter(|s| s.len() > 1) {
-            lines.push(Line { label, samples });
+        let series = data.history(row.text(&CASE_ID))?;
+        if series.iter().any(|series| series.points.len() > 1) {
+            lines.push(Line { label, series });
         }
     }
     Ok(lines)
@@ -96,34 +102,28 @@ fn read(data: &Loaded, chosen: Vec<(String, &Row)>) -> Result<Vec<Line>, ReportE
 /// At most [`CURVES`] cases and their labels, what they have in common, and how they were picked.
 fn choose<'a>(rows: &[&'a Row]) -> (Vec<(String, &'a Row)>, String, String) {
     let movable = || rows.iter().copied().filter(|row| !row.is_fixed());
-    let stiffnesses = distinct(movable(), |row| row.spring_stiffness_n_per_m);
-    let masses = distinct(movable(), |row| row.seawall_mass_kg_per_m);
+    let stiffnesses = distinct(movable(), &SPRING_STIFFNESS);
+    let masses = distinct(movable(), &SEAWALL_MASS);
+    let middle = masses.get(masses.len().saturating_sub(1) / 2);
+    let (varied, held, kept, plural) = if stiffnesses.len() > 1 {
+        ((&SPRING_STIFFNESS, &stiffnesses), &SEAWALL_MASS, middle, "stiffnesses")
+    } else {
+        ((&SEAWALL_MASS, &masses), &SPRING_STIFFNESS, stiffnesses.first(), "masses")
+    };
     let mut chosen: Vec<(String, &Row)> = Vec::new();
     let (mut common, mut picked) = (String::new(), String::new());
-    if let (true, Some(&mass)) =
-        (stiffnesses.len() > 1, masses.get(masses.len().saturating_sub(1) / 2))
-    {
-        common = format!(", m = {} kg/m", number::plain(mass));
-        for stiffness in spread(&stiffnesses, CURVES) {
-            let label = format!("k = {} N/m", number::plain(stiffness));
-            let found = movable().find(|row| {
-                row.spring_stiffness_n_per_m == Some(stiffness)
-                    && row.seawall_mass_kg_per_m == Some(mass)
-            });
-            chosen.extend(found.map(|row| (label, row)));
+    if let Some(&kept) = kept {
+        let (column, values) = varied;
+        common = format!(", {}", label(held, kept));
+        for value in spread(values, CURVES) {
+            let is_it =
+                |row: &&Row| row.number(column) == Some(value) && row.number(held) == Some(kept);
+            chosen.extend(movable().find(is_it).map(|row| (label(column, value), row)));
         }
-        picked = format!("{} of {} stiffnesses", chosen.len(), stiffnesses.len());
-        if masses.len() > 1 {
+        picked = format!("{} of {} {plural}", chosen.len(), values.len());
+        if held == &SEAWALL_MASS && masses.len() > 1 {
             picked.push_str(&format!(" at one of {} masses", masses.len()));
         }
-    } else if let Some(&stiffness) = stiffnesses.first() {
-        common = format!(", k = {} N/m", number::plain(stiffness));
-        for mass in spread(&masses, CURVES) {
-            let label = format!("m = {} kg/m", number::plain(mass));
-            let found = movable().find(|row| row.seawall_mass_kg_per_m == Some(mass));
-            chosen.extend(found.map(|row| (label, row)));
-        }
-        picked = format!("{} of {} masses", chosen.len(), masses.len());
     }
     let fixed = rows.iter().copied().find(|row| row.is_fixed());
     if fixed.is_some() && !picked.is_empty() {
@@ -133,30 +133,27 @@ fn choose<'a>(rows: &[&'a Row]) -> (Vec<(String, &'a Row)>, String, String) {
     (chosen, common, picked)
 }
 
-fn moves(lines: &[Line]) -> bool {
-    lines.iter().flat_map(|line| &line.samples).any(|s| s.displacement.is_some_and(|x| x != 0.0))
+impl Line {
+    /// The points of a quantity.
+    fn points(&self, name: &str) -> &[(f64, f64)] {
+        let series = self.series.iter().find(|series| series.name == name);
+        series.map_or(&[], |series| &series.points)
+    }
 }
 
-type Quantity = (&'static str, fn(&Sample) -> Option<f64>);
-
-const QUANTITIES: [Quantity; 3] = [
-    ("F / (½ρgh²)", |sample| Some(sample.force)),
-    ("R / h", |sample| Some(sample.runup)),
-    ("X / h", |sample| sample.displacement),
-];
+fn moves(lines: &[Line]) -> bool {
+    lines.iter().flat_map(|line| line.points(DISPLACEMENT.name)).any(|(_, x)| *x != 0.0)
+}
 
 fn strips(lines: &[Line]) -> Vec<Strip> {
-    let quantities = if moves(lines) { &QUANTITIES[..] } else { &QUANTITIES[..2] };
-    let curve = |line: &Line, read: fn(&Sample) -> Option<f64>| Curve {
-        label: line.label.clone(),
-        points: line.samples.iter().filter_map(|s| Some((s.time_s, read(s)?))).collect(),
-    };
-    let strip = |(title, read): &Quantity| Strip {
-        title: (*title).to_owned(),
-        curves: lines.iter().map(|line| curve(line, *read)).collect(),
+    let all = [&FORCE, &RUNUP, &DISPLACEMENT];
+    let drawn = if moves(lines) { &all[..] } else { &all[..2] };
+    let strip = |name: &str, title: &str| Strip {
+        title: title.to_owned(),
+        curves: lines.iter().map(|line| (line.label.clone(), line.points(name).to_vec())).collect(),
         peaks: false,
     };
-    quantities.iter().map(strip).collect()
+    drawn.iter().map(|column| strip(column.name, column.unit.axis())).collect()
 }
 
 #[cfg(test)]

@@ -7,10 +7,11 @@ mod axes;
 mod fixed_wall;
 mod history;
 mod legend;
+mod over_time;
 mod pen;
 mod probes;
 mod response;
-mod strips;
+mod sheet;
 mod swept;
 
 pub use accuracy::{Dot, error_against_time};

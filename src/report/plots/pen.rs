@@ -113,6 +113,9 @@ impl Pen<'_> {
 
     /// One line of text, `size` pixels high, centred vertically on its point.
     pub fn text(&self, at: (f64, f64), text: &str, size: f64, align: Align) -> Result<(), Fault> {
+        if text.is_empty() {
+            return Ok(());
+        }
         let side = match align {
             Align::Left => HPos::Left,
             Align::Centre | Align::Upwards => HPos::Center,

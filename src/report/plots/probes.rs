@@ -2,11 +2,12 @@
 //! unit and seven gauges.
 
 use super::Figure;
-use super::strips::{Curve, Strip, sheet};
+use super::over_time::{self, Strip};
+use crate::quantities::summary::CASE_ID;
 use crate::report::curves::spread;
 use crate::report::error::ReportError;
-use crate::report::gauges::Gauge;
 use crate::report::load::Loaded;
+use crate::report::series::Series;
 
 /// Cases that get a figure.
 const CASES: usize = 4;
@@ -15,7 +16,7 @@ const CURVES: usize = 7;
 
 /// The figures of a few cases with gauges, spread over the sweep.
 pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
-    let rows: Vec<_> = data.finished().filter(|row| data.has_gauges(&row.case_id)).collect();
+    let rows: Vec<_> = data.finished().filter(|row| data.has_gauges(row.text(&CASE_ID))).collect();
     let chosen = spread(&rows, CASES);
     let shown = if chosen.len() < rows.len() {
         format!(
@@ -29,20 +30,20 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     };
     let mut figures = Vec::new();
     for row in chosen {
-        let strips = strips(&data.gauges(&row.case_id)?);
+        let case_id = row.text(&CASE_ID);
+        let strips = strips(&data.gauges(case_id)?);
         if strips.is_empty() {
             continue;
         }
         let words = row.words();
         let case = if words.is_empty() { String::new() } else { format!(", {words}") };
-        let name = format!("probes-{}", row.case_id);
+        let name = format!("probes-{case_id}");
         figures.push(Figure {
-            svg: sheet(&name, &strips)?,
+            svg: over_time::strips(&name, &strips)?,
             title: format!("Gauges{case}"),
             caption: format!(
-                "What the gauges of case {} recorded; probes/columns.csv says where each stands \
-                 and how it measures.{shown}",
-                row.case_id
+                "What the gauges of case {case_id} recorded; probes/columns.csv says where each \
+                 stands and how it measures.{shown}"
             ),
             name,
         });
@@ -51,7 +52,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
 }
 
 /// Gauges by unit, in the order of their first column, at most [`CURVES`] together.
-fn strips(gauges: &[Gauge]) -> Vec<Strip> {
+fn strips(gauges: &[Series]) -> Vec<Strip> {
     let mut units: Vec<&str> = Vec::new();
     for gauge in gauges.iter().filter(|gauge| gauge.points.len() > 1) {
         if !units.contains(&gauge.unit.as_str()) {
@@ -61,11 +62,11 @@ fn strips(gauges: &[Gauge]) -> Vec<Strip> {
     let strips = |unit: &str| {
         let alike: Vec<_> = gauges.iter().filter(|gauge| gauge.unit == unit).collect();
         let (title, scale) = scale(unit);
-        let curve = |gauge: &&Gauge| Curve {
-            label: gauge.name.clone(),
-            points: gauge.points.iter().map(|(time, value)| (*time, value * scale)).collect(),
+        let curve = |gauge: &&Series| {
+            let points = gauge.points.iter().map(|(time, value)| (*time, value * scale));
+            (gauge.name.clone(), points.collect())
         };
-        let strip = |gauges: &[&Gauge]| Strip {
+        let strip = |gauges: &[&Series]| Strip {
             title: title.clone(),
             curves: gauges.iter().map(curve).collect(),
             peaks: true,
@@ -118,7 +119,7 @@ mod tests {
 
     #[test]
     fn many_gauges_are_split_so_that_colours_differ() {
-        let gauge = |index: u32| Gauge {
+        let gauge = |index: u32| Series {
             name: format!("P{index}"),
             unit: "Pa".to_owned(),
             points: vec![(0.0, 2e3), (1.0, 1e3)],
@@ -126,6 +127,6 @@ mod tests {
         let gauges: Vec<_> = (0..9).map(gauge).collect();
         let strips = strips(&gauges);
         assert_eq!(strips.iter().map(|s| s.curves.len()).collect::<Vec<_>>(), [7, 2]);
-        assert_eq!(strips[1].curves[0].points[0], (0.0, 2.0));
+        assert_eq!(strips[1].curves[0].1[0], (0.0, 2.0));
     }
 }

@@ -1,41 +1,39 @@
 //! Response curves after Figs. 13 to 15 of Liang et al. 2017: displacement, force and runup
 //! against the spring's stiffness, one panel per mass, one curve per wave height.
 
-use super::axes::{Axis, Panel};
-use super::legend::{Entry, Legend};
-use super::pen::{Fault, Look, Pen, draw};
+use super::axes::Axis;
+use super::legend::Entry;
+use super::pen::Look;
+use super::sheet::{Chart, Curve, Layout, Point, sheet};
 use super::{Figure, file_name, of_variant};
-use crate::report::curves::{self, Curve, Response, distinct, panels, variants};
+use crate::quantities::summary::{FORCE_COUPLING, LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
+use crate::quantities::{Column, Unit};
+use crate::report::curves::{RESPONSES, by_mass, distinct, responses, stem, variants};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
-use crate::report::number;
-use crate::report::row::Row;
-
-const WIDTH: f64 = 250.0;
-const HEIGHT: f64 = 185.0;
-const GAP: f64 = 46.0;
-const LEFT: f64 = 66.0;
-const RIGHT: f64 = 16.0;
-const HEADING: f64 = 26.0;
-const FOOT: f64 = 46.0;
+use crate::report::row::{Row, label};
 
 /// The figures of every response and variant that has points.
 pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
-    let waves = distinct(data.rows.iter(), |row| row.wave_height_ratio);
+    let waves = distinct(data.rows.iter(), &WAVE_HEIGHT_RATIO);
     let mut figures = Vec::new();
     for variant in variants(&data.rows) {
-        for response in Response::ALL {
-            let panels = panels(&data.rows, &variant, response);
-            if panels.is_empty() {
+        for response in RESPONSES {
+            let rows = responses(&data.rows, &variant, response);
+            if rows.is_empty() {
                 continue;
             }
-            let name = file_name(&format!("response-{}", response.name()), &variant);
+            let name = file_name(&format!("response-{}", stem(response)), &variant);
             let law = coupling(data.finished().filter(|row| row.variant == variant));
-            let title = title(response);
+            let what = capitalised(response.meaning);
             figures.push(Figure {
-                svg: sheet(&name, response, &panels, &waves)?,
-                caption: caption(response, &panels, &law),
-                title: format!("{title}{}", of_variant(&variant)),
+                svg: drawing(&name, response, &rows, &waves)?,
+                caption: format!(
+                    "{what} against the spring stiffness k* = k/(ρgh²), one panel per wall mass \
+                     m* = m/(ρh²), one curve per nominal wave height.{}{law}",
+                    marks(&rows, &[response])
+                ),
+                title: format!("{what}{}", of_variant(&variant)),
                 name,
             });
         }
@@ -43,143 +41,99 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     Ok(figures)
 }
 
-fn title(response: Response) -> &'static str {
-    match response {
-        Response::Displacement => "Maximum displacement of the seawall",
-        Response::Force => "Maximum force on the seawall, first impact",
-        Response::Runup => "Maximum runup at the seawall, first impact",
-    }
+fn capitalised(text: &str) -> String {
+    let mut letters = text.trim().chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
 /// The motion law that cases follow, as every figure of a movable wall has to say.
 pub fn coupling<'a>(rows: impl Iterator<Item = &'a Row>) -> String {
-    let factors = distinct(rows.filter(|row| !row.is_fixed()), |row| row.force_coupling);
-    let factors: Vec<_> = factors.into_iter().map(number::plain).collect();
+    let factors = distinct(rows.filter(|row| !row.is_fixed()), &FORCE_COUPLING);
+    let factors: Vec<_> = factors.into_iter().map(crate::report::number::plain).collect();
     if factors.is_empty() {
         return String::new();
     }
     format!(" Force coupling s = {}.", factors.join(", "))
 }
 
-fn caption(response: Response, panels: &[curves::Panel], law: &str) -> String {
-    let what = match response {
-        Response::Displacement => "Largest displacement over the whole run",
-        Response::Force => "Largest force over the first impact (running mean)",
-        Response::Runup => "Largest runup over the first impact",
+/// What a caption says of error bars and of open markers, as far as there are any.
+pub fn marks(rows: &[&Row], columns: &[&Column]) -> String {
+    let any = |has: &dyn Fn(&Row, &Column) -> bool| {
+        rows.iter().any(|row| columns.iter().any(|column| has(row, column)))
     };
-    let open = if truncated(panels) {
-        " Open markers: the wall was still moving outwards when the run ended, so that the value \
-         is a lower bound."
-    } else {
-        ""
-    };
-    let mut points = panels.iter().flat_map(|panel| &panel.curves).flat_map(|curve| &curve.points);
-    let bars =
-        if points.any(|point| point.error.is_some()) { " Bars: estimated errors." } else { "" };
-    format!(
-        "{what} against the spring stiffness k* = k/(ρgh²), one panel per wall mass \
-         m* = m/(ρh²), one curve per nominal wave height.{bars}{open}{law}"
-    )
-}
-
-fn truncated(panels: &[curves::Panel]) -> bool {
-    let curves = panels.iter().flat_map(|panel| &panel.curves);
-    curves.flat_map(|curve| &curve.points).any(|point| point.truncated)
-}
-
-fn legend(panels: &[curves::Panel], waves: &[f64], right: f64) -> Legend {
-    let drawn = |wave: &f64| {
-        panels.iter().flat_map(|panel| &panel.curves).any(|c| c.wave_height_ratio == *wave)
-    };
-    let mut entries: Vec<_> = waves
-        .iter()
-        .enumerate()
-        .filter(|(_, wave)| drawn(wave))
-        .map(|(index, wave)| Entry {
-            label: format!("H/h = {}", number::plain(*wave)),
-            look: Look::of(index),
-            line: true,
-            marker: Some(false),
-        })
-        .collect();
-    if truncated(panels) {
-        let label = "still moving at the end".to_owned();
-        entries.push(Entry { label, look: Look::plain(), line: false, marker: Some(true) });
+    let mut text = String::new();
+    if any(&|row, column| row.error(column).is_some()) {
+        text.push_str(" Bars: estimated errors.");
     }
-    Legend::new(entries, LEFT, right)
+    if any(&|row, column| row.is_bound(column)) {
+        text.push_str(
+            " Open markers: the wall was still moving outwards when the run ended, so that the \
+             value is a lower bound.",
+        );
+    }
+    text
 }
 
-fn sheet(
+/// One curve per wave height that occurs, coloured by its place among `waves`, and one of cases
+/// without a wave. A case stands at its `x`.
+pub fn by_wave(
+    cases: &[(f64, &Row)],
+    waves: &[f64],
+    column: &Column,
+    value: impl Fn(&Row) -> Option<f64>,
+) -> Vec<Curve> {
+    let all = waves.iter().map(|wave| Some(*wave)).chain([None]).enumerate();
+    let curve = |(index, wave): (usize, Option<f64>)| {
+        let own = cases.iter().filter(|(_, row)| row.number(&WAVE_HEIGHT_RATIO) == wave);
+        let point = |(x, row): &(f64, &Row)| {
+            let (y, error) = (value(row)?, row.error(column).unwrap_or(0.0));
+            Some(Point { x: *x, y, error, open: row.is_bound(column), ..Point::default() })
+        };
+        let points: Vec<_> = own.filter_map(point).collect();
+        let words = wave.map(|wave| label(&WAVE_HEIGHT_RATIO, wave)).unwrap_or_default();
+        let look = Look::of(if wave.is_some() { index } else { 0 });
+        (!points.is_empty()).then_some(Curve { entry: Entry::marked(words, look), points })
+    };
+    let mut curves: Vec<_> = all.filter_map(curve).collect();
+    if cases.iter().any(|(_, row)| row.is_bound(column)) {
+        let entry = Entry::dots("still moving at the end", Look::plain(), true);
+        curves.push(Curve { entry, points: Vec::new() });
+    }
+    curves
+}
+
+fn drawing(
     name: &str,
-    response: Response,
-    panels: &[curves::Panel],
+    response: &Column,
+    rows: &[&Row],
     waves: &[f64],
 ) -> Result<String, ReportError> {
-    let points = || panels.iter().flat_map(|p| &p.curves).flat_map(|c| &c.points);
-    let x = Axis::around(points().map(|point| point.log10_k_star), 6.0);
-    let floor = if response == Response::Force { 1.0 } else { 0.0 };
-    let reach = points().flat_map(|p| {
-        let error = p.error.unwrap_or(0.0);
-        [p.value - error, p.value + error]
-    });
-    let y = Axis::around(reach.chain([floor]), 7.0);
-    let (x, y) = x.zip(y).expect("a panel has points, and points are finite");
-
-    let columns = panels.len().min(3);
-    let rows = panels.len().div_ceil(columns);
-    let width = (LEFT + columns as f64 * (WIDTH + GAP) - GAP + RIGHT).max(420.0);
-    let legend = legend(panels, waves, width - RIGHT);
-    let top = 8.0 + legend.height();
-    let row_height = HEADING + HEIGHT + FOOT;
-    draw(name, (width, top + rows as f64 * row_height + 4.0), |pen| {
-        legend.draw(pen, 6.0)?;
-        for (index, panel) in panels.iter().enumerate() {
-            let (column, row) = (index % columns, index / columns);
-            let place = Panel {
-                left: LEFT + column as f64 * (WIDTH + GAP),
-                top: top + row as f64 * row_height + HEADING,
-                width: WIDTH,
-                height: HEIGHT,
-                x: x.clone(),
-                y: y.clone(),
-            };
-            place.draw(pen, true)?;
-            place.heading(pen, &format!("m* = {}", number::plain(panel.m_star)))?;
-            if column == 0 {
-                place.title_y(pen, response.axis_title())?;
-            }
-            if index + columns >= panels.len() {
-                place.title_x(pen, "log₁₀ k*")?;
-            }
-            for curve in &panel.curves {
-                let index = waves.iter().position(|wave| *wave == curve.wave_height_ratio);
-                draw_curve(pen, &place, curve, Look::of(index.unwrap_or(0)))?;
-            }
-        }
-        Ok(())
-    })
-}
-
-fn draw_curve(pen: &Pen, place: &Panel, curve: &Curve, look: Look) -> Result<(), Fault> {
-    let line: Vec<_> =
-        curve.points.iter().map(|point| place.at(point.log10_k_star, point.value)).collect();
-    if line.len() > 1 {
-        pen.line(&line, look.colour, 1.8)?;
-    }
-    for (point, at) in curve.points.iter().zip(line) {
-        if let Some(error) = point.error {
-            let low = place.at(point.log10_k_star, point.value - error);
-            let high = place.at(point.log10_k_star, point.value + error);
-            pen.line(&[low, high], look.colour, 1.2)?;
-        }
-        pen.marker(at, look, point.truncated)?;
-    }
-    Ok(())
+    let curves = |rows: &[&Row]| {
+        let places = rows.iter().filter_map(|row| Some((row.number(&LOG10_K_STAR)?, *row)));
+        let cases: Vec<_> = places.collect();
+        by_wave(&cases, waves, response, |row| row.number(response))
+    };
+    let all = curves(rows);
+    let places = all.iter().flat_map(|curve| &curve.points).map(|point| point.x);
+    let floor = if response.unit == Unit::Force { 1.0 } else { 0.0 };
+    let x = Axis::around(places, 6.0);
+    let y = Axis::around(all.iter().flat_map(Curve::reach).chain([floor]), 7.0);
+    let (x, y) = x.zip(y).expect("a response has points, and points are finite");
+    let chart = |rows: &[&Row]| Chart {
+        heading: rows[0].number(&M_STAR).map(|mass| label(&M_STAR, mass)).unwrap_or_default(),
+        titles: [LOG10_K_STAR.heading(), response.unit.axis().to_owned()],
+        x: x.clone(),
+        y: y.clone(),
+        curves: curves(rows),
+    };
+    let charts: Vec<_> = by_mass(rows).map(chart).collect();
+    sheet(name, &charts, Layout { columns: 3, size: (250.0, 185.0) })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantities::summary::FORCE_ERROR;
     use crate::report::fixture;
 
     #[test]
@@ -188,7 +142,7 @@ mod tests {
         let mut data = Loaded::read(directory.path()).unwrap();
         assert!(figures(&data).unwrap().iter().all(|f| !f.caption.contains("Bars")));
         for row in &mut data.rows {
-            row.force_error = Some(0.03);
+            *row = row.clone().with(&FORCE_ERROR, 0.03);
         }
         for figure in figures(&data).unwrap() {
             let told = figure.caption.contains("Bars: estimated errors.");

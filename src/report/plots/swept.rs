@@ -1,24 +1,28 @@
 //! Responses against whatever was swept besides the wave's height, where the spring's stiffness
 //! was not: a panel for each of force, runup and displacement, one curve per wave height.
 
-use super::axes::{Axis, Panel};
-use super::legend::{Entry, Legend};
-use super::pen::{Look, draw};
-use super::response::coupling;
+use super::axes::Axis;
+use super::response::{by_wave, coupling, marks};
+use super::sheet::{Chart, Curve, Layout, sheet};
 use super::{Figure, file_name, of_variant};
-use crate::report::curves::{Response, distinct, panels, variants};
+use crate::quantities::summary::{
+    CASE_ID, DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, LOG10_K_STAR,
+    RUNUP_MAX, WAVE_HEIGHT_RATIO,
+};
+use crate::quantities::{Column, heading};
+use crate::report::curves::{by_mass, distinct, responses, variants};
 use crate::report::error::ReportError;
-use crate::report::grid::heading;
 use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::row::Row;
 use crate::report::study::Key;
 
-const WIDTH: f64 = 230.0;
-const HEIGHT: f64 = 200.0;
-const LEFT: f64 = 66.0;
-const GAP: f64 = 78.0;
-const RIGHT: f64 = 16.0;
+/// What is drawn, and what stands in for it where a case has no first impact.
+const DRAWN: [(&Column, Option<&Column>); 3] = [
+    (&FIRST_FORCE_MAX, Some(&FORCE_MAX)),
+    (&FIRST_RUNUP_MAX, Some(&RUNUP_MAX)),
+    (&DISPLACEMENT_MAX, None),
+];
 
 /// Values further apart than this stand on a logarithmic axis.
 const DECADES: f64 = 100.0;
@@ -29,18 +33,16 @@ type Case<'a> = (f64, &'a Row);
 /// The first swept key of numbers besides the wave's height, if no two cases differ in their
 /// stiffness alone: response curves would have one point each.
 pub fn key(data: &Loaded) -> Option<&Key> {
-    let has_curve = |panel: &crate::report::curves::Panel| {
-        let points = || panel.curves.iter().flat_map(|curve| &curve.points);
-        points().any(|p| points().any(|other| other.log10_k_star != p.log10_k_star))
+    let has_curve = |rows: &[&Row]| {
+        rows.iter().any(|row| row.number(&LOG10_K_STAR) != rows[0].number(&LOG10_K_STAR))
     };
-    let variants = variants(&data.rows);
-    let mut all = variants.iter().flat_map(|variant| panels(&data.rows, variant, Response::Force));
-    if all.any(|panel| has_curve(&panel)) {
+    let sorted = |variant: &String| responses(&data.rows, variant, &FIRST_FORCE_MAX);
+    if variants(&data.rows).iter().any(|variant| by_mass(&sorted(variant)).any(has_curve)) {
         return None;
     }
     data.keys.iter().find(|key| {
         let cases = cases(data, key);
-        key.name != "wave_height_ratio" && cases.iter().any(|(x, _)| *x != cases[0].0)
+        key.name != WAVE_HEIGHT_RATIO.name && cases.iter().any(|(x, _)| *x != cases[0].0)
     })
 }
 
@@ -55,12 +57,12 @@ fn cases<'a>(data: &'a Loaded, key: &Key) -> Vec<Case<'a>> {
 
 /// Whether a row has its place on the key's axis.
 pub fn holds(data: &Loaded, key: &Key, row: &Row) -> bool {
-    cases(data, key).iter().any(|(_, other)| other.case_id == row.case_id)
+    cases(data, key).iter().any(|(_, other)| other.text(&CASE_ID) == row.text(&CASE_ID))
 }
 
 /// The figures of every combination of what else was swept.
 pub fn figures(data: &Loaded, key: &Key) -> Result<Vec<Figure>, ReportError> {
-    let waves = distinct(data.rows.iter(), |row| row.wave_height_ratio);
+    let waves = distinct(data.rows.iter(), &WAVE_HEIGHT_RATIO);
     let cases = cases(data, key);
     let mut groups: Vec<(String, Vec<Case>)> = Vec::new();
     for case in cases {
@@ -75,7 +77,7 @@ pub fn figures(data: &Loaded, key: &Key) -> Result<Vec<Figure>, ReportError> {
         group.sort_by(|a, b| a.0.total_cmp(&b.0));
         let stem = format!("swept-{}", key.name.replace('_', "-"));
         let name = file_name(&stem, &words);
-        let Some(svg) = sheet(&name, key, &group, &waves)? else { continue };
+        let Some(svg) = drawing(&name, key, &group, &waves)? else { continue };
         let heading = heading(&key.name);
         let what = heading.split(", ").next().unwrap_or(&heading);
         figures.push(Figure {
@@ -90,10 +92,11 @@ pub fn figures(data: &Loaded, key: &Key) -> Result<Vec<Figure>, ReportError> {
 
 /// What else was swept, as far as it varies.
 fn others(data: &Loaded, key: &Key, row: &Row) -> String {
-    let index = data.rows.iter().position(|other| other.case_id == row.case_id).unwrap_or(0);
+    let index =
+        data.rows.iter().position(|other| other.text(&CASE_ID) == row.text(&CASE_ID)).unwrap_or(0);
     let varies = |other: &&Key| {
         other.name != key.name
-            && other.name != "wave_height_ratio"
+            && other.name != WAVE_HEIGHT_RATIO.name
             && other.cells.iter().any(|cell| *cell != other.cells[0])
     };
     let word = |key: &Key| {
@@ -105,42 +108,22 @@ fn others(data: &Loaded, key: &Key, row: &Row) -> String {
 }
 
 fn caption(what: &str, group: &[Case]) -> String {
-    let moves = group.iter().any(|(_, row)| row.displacement_max.is_some());
+    let rows: Vec<_> = group.iter().map(|(_, row)| *row).collect();
+    let moves = rows.iter().any(|row| row.number(&DISPLACEMENT_MAX).is_some());
     let mut text = format!(
         "Largest force (running mean) and runup of the first impact, or of the whole run where \
          there is none{}, against {what}",
         if moves { ", and largest displacement of the run" } else { "" }
     );
-    let waves = distinct(group.iter().map(|(_, row)| *row), |row| row.wave_height_ratio);
+    let waves = distinct(rows.iter().copied(), &WAVE_HEIGHT_RATIO);
     text.push_str(if waves.is_empty() { "." } else { "; one curve per nominal wave height." });
-    let bar = |(_, row): &Case| Response::ALL.iter().any(|response| response.error(row).is_some());
-    if group.iter().any(bar) {
-        text.push_str(" Bars: estimated errors.");
-    }
-    text.push_str(&coupling(group.iter().map(|(_, row)| *row)));
-    if group.iter().any(|(_, row)| row.displacement_truncated == Some(true)) {
-        text.push_str(
-            " Open markers: the wall was still moving outwards when the run ended, so that the \
-             value is a lower bound.",
-        );
-    }
+    text.push_str(&coupling(rows.iter().copied()));
+    text.push_str(&marks(&rows, &DRAWN.map(|(column, _)| column)));
     text
 }
 
-/// The response of a case; that of the whole run where it has no first impact.
-fn value(response: Response, row: &Row) -> Option<f64> {
-    let whole = match response {
-        Response::Force => row.force_max,
-        Response::Runup => row.runup_max,
-        Response::Displacement => None,
-    };
-    response.value(row).or(whole).filter(|value| value.is_finite())
-}
-
-const ORDER: [Response; 3] = [Response::Force, Response::Runup, Response::Displacement];
-
 /// The drawing; `None` where no case has a response.
-fn sheet(
+fn drawing(
     name: &str,
     key: &Key,
     group: &[Case],
@@ -149,72 +132,28 @@ fn sheet(
     let (low, high) = (group[0].0, group[group.len() - 1].0);
     let logarithmic = low > 0.0 && high >= DECADES * low;
     let x_of = |x: f64| if logarithmic { libm::log10(x) } else { x };
-    let Some(x) = Axis::around(group.iter().map(|(x, _)| x_of(*x)), 5.0) else { return Ok(None) };
+    let cases: Vec<_> = group.iter().map(|(x, row)| (x_of(*x), *row)).collect();
     let title = heading(&key.name);
     let title = if logarithmic { format!("log₁₀ of {title}") } else { title };
-    let drawn: Vec<_> = ORDER
-        .into_iter()
-        .filter_map(|response| {
-            let reach = group.iter().filter_map(|(_, row)| {
-                let (value, error) = (value(response, row)?, response.error(row).unwrap_or(0.0));
-                Some([value - error, value + error])
-            });
-            Some((response, Axis::around(reach.flatten(), 6.0)?))
+    let chart = |(column, whole): (&Column, Option<&Column>)| {
+        let value = |row: &Row| {
+            let value = row.number(column).or_else(|| row.number(whole?));
+            value.filter(|value| value.is_finite())
+        };
+        let curves = by_wave(&cases, waves, column, value);
+        Some(Chart {
+            heading: String::new(),
+            titles: [title.clone(), column.unit.axis().to_owned()],
+            x: Axis::around(cases.iter().map(|(x, _)| *x), 5.0)?,
+            y: Axis::around(curves.iter().flat_map(Curve::reach), 6.0)?,
+            curves,
         })
-        .collect();
-    if drawn.is_empty() {
+    };
+    let charts: Vec<_> = DRAWN.into_iter().filter_map(chart).collect();
+    if charts.is_empty() {
         return Ok(None);
     }
-    let look = |wave: Option<f64>| {
-        Look::of(waves.iter().position(|other| Some(*other) == wave).unwrap_or(0))
-    };
-    let mut curves: Vec<Option<f64>> =
-        distinct(group.iter().map(|(_, row)| *row), |row| row.wave_height_ratio)
-            .into_iter()
-            .map(Some)
-            .collect();
-    let entry = |wave: &Option<f64>| Entry {
-        label: format!("H/h = {}", wave.map(number::plain).unwrap_or_default()),
-        look: look(*wave),
-        line: true,
-        marker: Some(false),
-    };
-    let right = LEFT + drawn.len() as f64 * (WIDTH + GAP) - GAP;
-    let legend = Legend::new(curves.iter().map(entry).collect(), LEFT, right);
-    let top = 20.0 + if curves.is_empty() { 0.0 } else { legend.height() };
-    curves.push(None);
-    draw(name, (right + RIGHT, top + HEIGHT + 48.0), |pen| {
-        legend.draw(pen, 6.0)?;
-        for (index, (response, y)) in drawn.iter().enumerate() {
-            let left = LEFT + index as f64 * (WIDTH + GAP);
-            let (x, y) = (x.clone(), y.clone());
-            let panel = Panel { left, top, width: WIDTH, height: HEIGHT, x, y };
-            panel.draw(pen, true)?;
-            panel.title_x(pen, &title)?;
-            panel.title_y(pen, response.axis_title())?;
-            for wave in &curves {
-                let cases = group.iter().filter(|(_, row)| row.wave_height_ratio == *wave);
-                let points: Vec<_> = cases
-                    .filter_map(|(x, row)| Some((x_of(*x), value(*response, row)?, *row)))
-                    .collect();
-                let line: Vec<_> = points.iter().map(|(x, y, _)| panel.at(*x, *y)).collect();
-                let look = look(*wave);
-                if line.len() > 1 {
-                    pen.line(&line, look.colour, 1.8)?;
-                }
-                for ((x, y, row), at) in points.iter().zip(line) {
-                    if let Some(error) = response.error(row) {
-                        let ends = [panel.at(*x, y - error), panel.at(*x, y + error)];
-                        pen.line(&ends, look.colour, 1.2)?;
-                    }
-                    let open = response.is_truncated(row);
-                    pen.marker(at, look, open)?;
-                }
-            }
-        }
-        Ok(())
-    })
-    .map(Some)
+    sheet(name, &charts, Layout { columns: 3, size: (230.0, 200.0) }).map(Some)
 }
 
 #[cfg(test)]

@@ -5,12 +5,19 @@ mod energy;
 mod page;
 mod readings;
 
-use super::curves::{Response, panels, variants};
+use super::curves::{RESPONSES, responses, stem, variants};
 use super::error::ReportError;
 use super::load::Loaded;
-use super::number::{rounded, significant};
 use super::plots::{file_name, fixed_walls};
-use super::row::Row;
+use super::row::{PLACE, Row};
+use crate::quantities::Column;
+use crate::quantities::summary::{
+    CASE_ID, DISPLACEMENT_ERROR, DISPLACEMENT_MAX, DISPLACEMENT_TRUNCATED, DOUBTFUL_REASON,
+    ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_COUPLING, FORCE_ERROR, FORCE_GAP,
+    FORCE_MAX, LOG10_K_STAR, M_STAR, MEASURED_WAVE_HEIGHT_RATIO, PARTICLES, PARTICLES_LOST, REASON,
+    RUNUP_ERROR, RUNUP_MAX, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STEPS, STOP_IMPULSE, STOPS,
+    WAVE_HEIGHT_RATIO,
+};
 pub use readings::across;
 
 /// A table, ready for a file or a page.
@@ -27,9 +34,28 @@ pub struct Table {
 }
 
 impl Table {
-    fn new(name: &str, title: &str, header: &[&str], rows: Vec<Vec<String>>) -> Table {
+    /// A table.
+    pub fn new(name: &str, title: &str, header: &[&str], rows: Vec<Vec<String>>) -> Table {
         let header = header.iter().map(|column| (*column).to_owned()).collect();
         Table { name: name.to_owned(), title: title.to_owned(), header, rows }
+    }
+
+    /// A line per row, a column per quantity, with the digits that each shows.
+    fn brief<'a>(
+        name: &str,
+        title: &str,
+        columns: &[&Column],
+        rows: impl Iterator<Item = &'a Row>,
+    ) -> Table {
+        let cells = |row: &Row| columns.iter().map(|column| row.brief(column)).collect();
+        Table::new(name, title, &names(columns), rows.map(cells).collect())
+    }
+
+    /// The table as Markdown.
+    pub fn markdown(&self) -> String {
+        let line = |cells: &Vec<String>| format!("| {} |\n", cells.join(" | "));
+        let rule = format!("|{}\n", "---|".repeat(self.header.len()));
+        line(&self.header) + &rule + &self.rows.iter().map(line).collect::<String>()
     }
 
     /// The table as comma-separated text.
@@ -50,7 +76,7 @@ impl Table {
 /// Readings that cannot be read.
 pub fn all(data: &Loaded) -> Result<Vec<Table>, ReportError> {
     let mut tables = vec![summary(data), health(data)];
-    tables.extend(responses(data));
+    tables.extend(responses_of(data));
     tables.extend(fixed(data));
     tables.extend(readings::readings(data)?);
     tables.extend(energy::energy(data));
@@ -59,127 +85,74 @@ pub fn all(data: &Loaded) -> Result<Vec<Table>, ReportError> {
 
 /// The summary in brief: one row per case, failed ones included.
 pub fn summary(data: &Loaded) -> Table {
-    let variants = data.rows.iter().any(|row| !row.variant.is_empty());
-    // Maxima of the whole run, where the first impact does not stand for them.
-    let whole = data.finished().any(|row| row.first_force_max.is_none());
-    let bar = |error: Option<f64>| plain(error.map(|error| significant(error, 3)));
-    let mut header = vec![
-        "case_id",
-        "status",
-        "wave_height_ratio",
-        "measured_wave_height_ratio",
-        "spring_stiffness_n_per_m",
-        "seawall_mass_kg_per_m",
-        "log10_k_star",
-        "m_star",
-        "first_force_max",
-        "first_runup_max",
-        "displacement_max",
-        "displacement_truncated",
-        "stops",
-        "force_coupling",
-        "force_error",
-        "runup_error",
-        "displacement_error",
+    let mut columns = vec![
+        &CASE_ID,
+        &STATUS,
+        &WAVE_HEIGHT_RATIO,
+        &MEASURED_WAVE_HEIGHT_RATIO,
+        &SPRING_STIFFNESS,
+        &SEAWALL_MASS,
+        &LOG10_K_STAR,
+        &M_STAR,
+        &FIRST_FORCE_MAX,
+        &FIRST_RUNUP_MAX,
+        &DISPLACEMENT_MAX,
+        &DISPLACEMENT_TRUNCATED,
+        &STOPS,
+        &FORCE_COUPLING,
+        &FORCE_ERROR,
+        &RUNUP_ERROR,
+        &DISPLACEMENT_ERROR,
     ];
-    header.extend(whole.then_some(["force_max", "runup_max"]).into_iter().flatten());
-    header.extend(variants.then_some("variant"));
-    let row = |row: &Row| {
-        let mut cells = vec![row.case_id.clone(), row.status.clone()];
-        cells.push(plain(row.wave_height_ratio));
-        cells.push(rounded(row.measured_wave_height_ratio, 4));
-        cells.push(plain(row.spring_stiffness_n_per_m));
-        cells.push(plain(row.seawall_mass_kg_per_m));
-        cells.push(rounded(row.log10_k_star, 2));
-        cells.push(plain(row.m_star));
-        cells.push(rounded(row.first_force_max, 4));
-        cells.push(rounded(row.first_runup_max, 4));
-        cells.push(rounded(row.displacement_max, 4));
-        cells.push(plain(row.displacement_truncated));
-        cells.push(plain(row.stops));
-        cells.push(plain(row.force_coupling));
-        cells.extend([row.force_error, row.runup_error, row.displacement_error].map(bar));
-        if whole {
-            cells.extend([row.force_max, row.runup_max].map(|value| rounded(value, 4)));
+    // Maxima of the whole run, where the first impact does not stand for them.
+    if data.finished().any(|row| row.number(&FIRST_FORCE_MAX).is_none()) {
+        columns.extend([&FORCE_MAX, &RUNUP_MAX]);
+    }
+    let mut table = Table::brief("summary", "Cases", &columns, data.rows.iter());
+    if data.rows.iter().any(|row| !row.variant.is_empty()) {
+        table.header.push(VARIANT.to_owned());
+        for (cells, row) in table.rows.iter_mut().zip(&data.rows) {
+            cells.push(row.variant.clone());
         }
-        cells.extend(variants.then(|| row.variant.clone()));
-        cells
-    };
-    Table::new("summary", "Cases", &header, data.rows.iter().map(row).collect())
+    }
+    table
 }
 
 /// What tells a sound case from a doubtful one.
 pub fn health(data: &Loaded) -> Table {
-    let header = [
-        "case_id",
-        "wave_height_ratio",
-        "spring_stiffness_n_per_m",
-        "seawall_mass_kg_per_m",
-        "force_coupling",
-        "force_gap_percent",
-        "energy_gap_percent",
-        "particles_lost",
-        "particles",
-        "steps",
-        "stop_impulse",
-        "doubtful_reason",
+    let columns = [
+        &[&CASE_ID][..],
+        &PLACE,
+        &[&FORCE_COUPLING, &FORCE_GAP, &ENERGY_GAP, &PARTICLES_LOST],
+        &[&PARTICLES, &STEPS, &STOP_IMPULSE, &DOUBTFUL_REASON],
     ];
-    let row = |row: &Row| {
-        vec![
-            row.case_id.clone(),
-            plain(row.wave_height_ratio),
-            plain(row.spring_stiffness_n_per_m),
-            plain(row.seawall_mass_kg_per_m),
-            plain(row.force_coupling),
-            rounded(row.force_gap_percent, 3),
-            rounded(row.energy_gap_percent, 3),
-            plain(row.particles_lost),
-            plain(row.particles),
-            plain(row.steps),
-            rounded(row.stop_impulse, 4),
-            row.doubtful_reason.clone(),
-        ]
-    };
-    Table::new("health", "Health", &header, data.finished().map(row).collect())
+    Table::brief("health", "Health", &columns.concat(), data.finished())
+}
+
+/// The cases that failed, and why.
+pub fn failed(data: &Loaded) -> Table {
+    let columns = [&[&CASE_ID][..], &PLACE, &[&REASON]];
+    Table::brief("", "Failed cases", &columns.concat(), data.failed())
 }
 
 /// The numbers of each response figure.
-fn responses(data: &Loaded) -> Vec<Table> {
-    let header = |response: Response| {
-        [
-            "m_star",
-            "wave_height_ratio",
-            "log10_k_star",
-            response.column(),
-            "error",
-            "truncated",
-            "force_coupling",
-            "case_id",
-        ]
-    };
+fn responses_of(data: &Loaded) -> Vec<Table> {
     let mut tables = Vec::new();
     for variant in variants(&data.rows) {
-        for response in Response::ALL {
-            let mut rows = Vec::new();
-            for panel in panels(&data.rows, &variant, response) {
-                for curve in panel.curves {
-                    rows.extend(curve.points.into_iter().map(|point| {
-                        vec![
-                            panel.m_star.to_string(),
-                            curve.wave_height_ratio.to_string(),
-                            point.log10_k_star.to_string(),
-                            point.value.to_string(),
-                            plain(point.error),
-                            point.truncated.to_string(),
-                            plain(point.force_coupling),
-                            point.case_id,
-                        ]
-                    }));
-                }
-            }
+        for response in RESPONSES {
+            let first = [&M_STAR, &WAVE_HEIGHT_RATIO, &LOG10_K_STAR, response];
+            let last = [&FORCE_COUPLING, &CASE_ID];
+            let header = [&names(&first)[..], &["error", "truncated"], &names(&last)].concat();
+            let line = |row: &Row| {
+                let error = row.error(response).filter(|error| error.is_finite());
+                let marks = vec![plain(error), row.is_bound(response).to_string()];
+                [cells(row, &first), marks, cells(row, &last)].concat()
+            };
+            let rows = responses(&data.rows, &variant, response);
             if !rows.is_empty() {
-                let name = file_name(&format!("response-{}", response.name()), &variant);
-                tables.push(Table::new(&name, "Response curve", &header(response), rows));
+                let name = file_name(&format!("response-{}", stem(response)), &variant);
+                let rows = rows.into_iter().map(line).collect();
+                tables.push(Table::new(&name, "Response curve", &header, rows));
             }
         }
     }
@@ -188,28 +161,26 @@ fn responses(data: &Loaded) -> Vec<Table> {
 
 /// The numbers of each fixed-wall figure.
 fn fixed(data: &Loaded) -> Vec<Table> {
-    let header = [
-        "wave_height_ratio",
-        "measured_wave_height_ratio",
-        "first_runup_max",
-        "first_force_max",
-        "case_id",
-    ];
-    let row = |row: &Row| {
-        vec![
-            plain(row.wave_height_ratio),
-            plain(row.measured_wave_height_ratio),
-            plain(row.first_runup_max),
-            plain(row.first_force_max),
-            row.case_id.clone(),
-        ]
-    };
+    let wave = [&WAVE_HEIGHT_RATIO, &MEASURED_WAVE_HEIGHT_RATIO];
+    let columns = [&wave[..], &[&FIRST_RUNUP_MAX, &FIRST_FORCE_MAX, &CASE_ID]].concat();
     let table = |variant: String| {
-        let rows: Vec<_> = fixed_walls(data, &variant).map(row).collect();
+        let rows: Vec<_> = fixed_walls(data, &variant).map(|row| cells(row, &columns)).collect();
         let name = file_name("fixed-wall", &variant);
-        (!rows.is_empty()).then(|| Table::new(&name, "Fixed wall", &header, rows))
+        (!rows.is_empty()).then(|| Table::new(&name, "Fixed wall", &names(&columns), rows))
     };
     variants(&data.rows).into_iter().filter_map(table).collect()
+}
+
+/// The column that tells runs of the same wave and wall apart.
+const VARIANT: &str = "variant";
+
+fn names(columns: &[&Column]) -> Vec<&'static str> {
+    columns.iter().map(|column| column.name).collect()
+}
+
+/// A row's cells with every digit.
+fn cells(row: &Row, columns: &[&Column]) -> Vec<String> {
+    columns.iter().map(|column| row.cell(column)).collect()
 }
 
 fn plain<T: ToString>(value: Option<T>) -> String {

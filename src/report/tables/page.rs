@@ -1,27 +1,23 @@
 //! A table as the page shows it: only columns that hold anything, error bars beside their values,
 //! no more digits than one reads.
 
-use super::Table;
+use super::{Table, VARIANT};
+use crate::quantities::{Column, named};
 use crate::report::number;
-
-/// Columns of values, and of their errors.
-const BARS: [(&str, &str); 3] = [
-    ("first_force_max", "force_error"),
-    ("first_runup_max", "runup_error"),
-    ("displacement_max", "displacement_error"),
-];
 
 impl Table {
     /// The table without empty columns, with bars beside values (`2.41 ± 0.03`) and numbers cut
     /// to a few digits.
     pub fn for_page(&self) -> Table {
         let mut table = self.clone();
-        for (value, error) in BARS {
-            table.join(value, error);
+        for column in &self.header {
+            if let Some(bar) = named(column).and_then(|column| column.bar) {
+                table.join(column, bar);
+            }
         }
         let filled = |column: usize| has_cells(&table, column);
         let kept: Vec<_> = (0..table.header.len()).filter(|column| filled(*column)).collect();
-        let words = |name: &str| ["case_id", "case", "status", "variant"].contains(&name);
+        let words = |name: &str| name == VARIANT || named(name).is_some_and(Column::is_text);
         let cell = |row: &[String], column: usize| {
             let text = &row[column];
             if words(&table.header[column]) { text.clone() } else { number::brief(text) }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{Table, plain};
+use crate::quantities::summary::CASE_ID;
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::number;
@@ -17,12 +18,13 @@ const SIDE_BY_SIDE: usize = 6;
 pub fn readings(data: &Loaded) -> Result<Option<Table>, ReportError> {
     let mut rows = Vec::new();
     for row in data.finished() {
-        rows.extend(data.readings(&row.case_id)?.into_iter().map(|reading| {
+        let id = row.text(&CASE_ID);
+        rows.extend(data.readings(id)?.into_iter().map(|reading| {
             let value = plain(reading.value);
-            vec![row.case_id.clone(), row.words(), reading.name, value, reading.unit]
+            vec![id.to_owned(), row.words(), reading.name, value, reading.unit]
         }));
     }
-    let header = ["case_id", "case", "reading", "value", "unit"];
+    let header = [CASE_ID.name, "case", "reading", "value", "unit"];
     Ok((!rows.is_empty()).then(|| Table::new("readings", "Readings", &header, rows)))
 }
 

@@ -1,19 +1,15 @@
 //! The pressure equation as a matrix.
 
 use super::Isph;
-use super::images::Points;
 use super::lists::{Lists, Numbers, load};
 use super::options::Laplacian;
 use super::state::Operators;
+use super::system::System;
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
 use crate::math::sparse::Csr;
 
 /// Share of the diagonal that is added so that no part of the water is without hold.
 const HOLD: f64 = 1e-8;
-/// Volume errors count only where the support is at least this complete.
-const INSIDE: f64 = 0.9;
-/// Largest part of a right-hand side's weight that a poor support may take off.
-const FULLEST: f64 = 3.0;
 
 /// Rows of eight particles under way: common columns, with the eight values of each.
 #[derive(Debug, Clone, Default)]
@@ -21,14 +17,7 @@ pub(super) struct Rows {
     columns: Vec<u32>,
     values: Vec<[f64; LANES]>,
     /// Where a column stands among them, if it does.
-    slot: Vec<u32>,
-}
-
-/// Who is connected to a particle whose pressure is held, and who is still to be asked for others.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Reached {
-    reached: Vec<bool>,
-    open: Vec<u32>,
+    pub slot: Vec<u32>,
 }
 
 impl Rows {
@@ -73,7 +62,6 @@ impl Rows {
 struct Assemble<'a> {
     lists: Lists<'a>,
     numbers: &'a [Numbers],
-    points: &'a Points,
     operators: &'a Operators,
     /// Least V_i V_j F of a pair that is taken, and what it is scaled by, where not all are.
     narrow: Option<(f64, f64)>,
@@ -110,7 +98,7 @@ impl Task for Assemble<'_> {
         for cluster in 0..n.div_ceil(LANES) {
             let count = LANES.min(n - cluster * LANES);
             let place = self.lists.place::<L>(cluster);
-            let volume = load::<L>(&self.points.volume, cluster);
+            let volume = load::<L>(&self.lists.points.volume, cluster);
             let tilt = if self.corrected { self.tilt::<L>(cluster, count) } else { [zero; 2] };
             let mut diagonal = zero;
             let (near, weights) = self.lists.of(cluster);
@@ -129,7 +117,7 @@ impl Task for Assemble<'_> {
                 if self.narrow.is_some() && !zero.any_less(weight) {
                     continue;
                 }
-                let j = self.points.original[e as usize];
+                let j = self.lists.points.original[e as usize];
                 if j as usize / LANES == cluster {
                     // With itself or its own image: the same pressure.
                     let mut others = weight.to_array();
@@ -142,7 +130,7 @@ impl Task for Assemble<'_> {
             let diagonal = diagonal.to_array();
             for (lane, diagonal) in diagonal[..count].iter().enumerate() {
                 let i = cluster * LANES + lane;
-                let held = self.points.volume[i] * self.operators.grip[i];
+                let held = self.lists.points.volume[i] * self.operators.grip[i];
                 self.matrix.diagonal.push(diagonal + held);
             }
             self.rows.pass_on(count, self.matrix);
@@ -151,94 +139,38 @@ impl Task for Assemble<'_> {
 }
 
 impl Isph {
-    /// Rows of V_i times 2 Σ F (p_i - p_j) + grip (p_i - held) = -(ρ/Δt) ∇·u / κ_i + 2 Σ F jump, for
-    /// the dynamic pressure (Liang et al. 2017, Eqs. 4 and 11).
+    /// Rows of V_i times 2 Σ F (p_i - p_j) + grip p_i, for the dynamic pressure (Liang et al. 2017,
+    /// Eqs. 4 and 11). The surface holds the pressure by its grip.
     ///
-    /// κ_i = ½ tr (Σ F ΔΔᵀ)⁻¹ is Schwaiger's (2008) normalisation of a support that is cut off;
-    /// it stands on the right so that the matrix stays symmetric. With [`Laplacian::Schwaiger`] F
-    /// becomes F (1 - s·L Δ), which takes 2 s·∇p off: zero on linear fields in any arrangement.
-    /// Gravity has no divergence and appears only where the surface holds the pressure.
+    /// A support that is cut off has its normalisation κ_i on the right, so that the matrix stays
+    /// symmetric. With [`Laplacian::Schwaiger`] F becomes F (1 - s·L Δ), which takes 2 s·∇p off: zero on
+    /// linear fields in any arrangement. For [`Laplacian::Exact`] only near neighbours are taken.
     pub(super) fn assemble(&mut self) {
         let exact = self.options.laplacian == Laplacian::Exact;
-        self.matrix.clear();
-        if self.matrix.columns.capacity() == 0 {
+        let System { matrix, rows, .. } = &mut self.system;
+        let pairs = &self.near.pairs;
+        matrix.clear();
+        if matrix.columns.capacity() == 0 {
             // Half of all listed pairs are in reach: room for later and longer lists.
-            self.matrix.columns.reserve(LANES * self.pairs.len());
-            self.matrix.values.reserve(LANES * self.pairs.len());
+            matrix.columns.reserve(LANES * pairs.len());
+            matrix.values.reserve(LANES * pairs.len());
         }
-        self.rows.slot.resize(self.fluid.len(), 0);
+        rows.slot.resize(self.fluid.len(), 0);
         let assemble = Assemble {
-            lists: Lists::new(&self.pairs, &self.weights, &self.points, &self.operators),
+            lists: self.near.lists(&self.operators),
             numbers: &self.numbers,
-            points: &self.points,
             operators: &self.operators,
-            narrow: exact.then_some(self.narrow),
+            narrow: exact.then_some(self.even.narrow),
             corrected: self.options.laplacian == Laplacian::Schwaiger,
-            rows: &mut self.rows,
-            matrix: &mut self.matrix,
+            rows,
+            matrix,
         };
         dispatch(self.path, assemble);
         if exact {
             // Parts that nothing holds stay solvable.
-            self.matrix.diagonal.iter_mut().for_each(|diagonal| *diagonal *= 1.0 + HOLD);
+            self.system.matrix.diagonal.iter_mut().for_each(|diagonal| *diagonal *= 1.0 + HOLD);
         } else {
-            self.hold_components();
-        }
-    }
-
-    /// The right-hand side -V (ρ/Δt) ∇·u / κ for the divergence at hand; with `relax` volume errors
-    /// are taken back as well.
-    pub(super) fn right_hand_side(&mut self, dt: f64, relax: bool) {
-        let options = self.options;
-        let operators = &self.operators;
-        self.right.clear();
-        for i in 0..self.fluid.len() {
-            let volume = self.fluid.mass[i] / options.density;
-            let [xx, xy, yy] = operators.moment[i];
-            let determinant = xx * yy - xy * xy;
-            let kappa = if determinant > 0.0 && operators.completeness[i] > 0.25 {
-                (0.5 * (xx + yy) / determinant).clamp(1.0 / FULLEST, FULLEST)
-            } else {
-                FULLEST
-            };
-            let mut divergence = operators.divergence[i];
-            if relax && operators.completeness[i] > INSIDE && operators.grip[i] == 0.0 {
-                let error = operators.coverage[i] - self.full_coverage;
-                divergence -= options.volume_relaxation * error / dt;
-            }
-            self.right.push(-volume * options.density * divergence / (dt * kappa));
-        }
-    }
-
-    /// Every connected part of the water needs a particle whose pressure is held; where a part has
-    /// none (a full, closed vessel) its first one is, at the pressure of the still level.
-    fn hold_components(&mut self) {
-        let n = self.fluid.len();
-        let Reached { reached, open } = &mut self.reached;
-        reached.clear();
-        reached.extend(self.operators.grip.iter().map(|&grip| grip > 0.0));
-        open.clear();
-        open.extend((0..n as u32).filter(|&i| reached[i as usize]));
-        let mut next = 0;
-        loop {
-            while let Some(i) = open.pop() {
-                for &j in self.matrix.row(i as usize).0 {
-                    if !reached[j as usize] {
-                        reached[j as usize] = true;
-                        open.push(j);
-                    }
-                }
-            }
-            while next < n && reached[next] {
-                next += 1;
-            }
-            if next == n {
-                return;
-            }
-            let pin = self.matrix.diagonal[next].max(f64::MIN_POSITIVE);
-            self.matrix.diagonal[next] += pin;
-            reached[next] = true;
-            open.push(next as u32);
+            self.system.hold_components(&self.operators.grip);
         }
     }
 }

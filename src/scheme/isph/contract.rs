@@ -2,13 +2,15 @@
 
 use std::time::Instant;
 
-use super::Isph;
 use super::project::Source;
+use super::{Isph, IsphState};
 use crate::body::BodyMotion;
 use crate::boundary::Ghosts;
 use crate::kernel::KernelChoice;
 use crate::particles::Fluid;
-use crate::scheme::{Dissipation, Load, Scheme, SchemeState, StateEquation, StepError, StepWalls};
+use crate::scheme::{
+    Dissipation, Load, Scheme, SchemeState, SolverSummary, StateEquation, StepError, StepWalls,
+};
 
 /// Divergence and volume are looked at once in this many steps.
 const STEPS_PER_CHECK: u64 = 10;
@@ -42,7 +44,7 @@ impl Scheme for Isph {
     }
 
     fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> Result<(), StepError> {
-        let start = Instant::now();
+        let mut clock = Instant::now();
         self.pending = self.tally;
         self.sort(dt);
         self.face_offsets.clear();
@@ -53,16 +55,16 @@ impl Scheme for Isph {
         }));
         self.list_points(bodies, dt);
         self.list_neighbours();
-        let listed = Instant::now();
+        self.lap("neighbours", &mut clock);
         self.gather();
         self.turn_corrections();
         self.find_surface();
-        let gathered = Instant::now();
+        self.lap("operators", &mut clock);
         self.assemble();
-        let assembled = Instant::now();
+        self.lap("assembly", &mut clock);
         self.responded = false;
         self.solve_pressure(dt)?;
-        let solved = Instant::now();
+        self.lap("solver", &mut clock);
         self.accelerate(Source::Pressure);
         self.settled.clone_from(&self.accelerations);
         if self.tally.steps.is_multiple_of(STEPS_PER_CHECK) {
@@ -71,31 +73,24 @@ impl Scheme for Isph {
             self.check(dt);
         }
         self.reaction();
-        for ((load, force), drag) in
-            self.loads.iter_mut().zip(&self.forces).zip(&self.drag_on_bodies)
-        {
+        let forces = self.forces.iter().zip(&self.drag_on_bodies);
+        for (load, (force, drag)) in self.loads.iter_mut().zip(forces) {
             *load = Load { force: force + drag, added_mass: 0.0 };
         }
-        let (gravity, level) =
-            (self.options.density * self.options.gravity, self.options.still_level);
+        let gravity = self.options.density * self.options.gravity;
+        let level = self.options.still_level;
+        let dynamic = self.pressure.iter().zip(&self.near.points.y);
         self.total.clear();
-        self.total.extend(
-            (self.pressure.iter().zip(&self.points.y)).map(|(p, y)| p + gravity * (level - y)),
-        );
-        let timings = &mut self.timings;
-        timings.neighbours += (listed - start).as_secs_f64();
-        timings.operators += (gathered - listed).as_secs_f64();
-        timings.assembly += (assembled - gathered).as_secs_f64();
-        timings.solver += (solved - assembled).as_secs_f64();
-        timings.integration += solved.elapsed().as_secs_f64();
+        self.total.extend(dynamic.map(|(p, y)| p + gravity * (level - y)));
+        self.lap("integration", &mut clock);
         Ok(())
     }
 
     fn respond(&mut self, dt: f64) -> Result<(), StepError> {
-        let start = Instant::now();
+        let mut clock = Instant::now();
         self.solve_response(dt)?;
         self.responded = true;
-        self.timings.solver += start.elapsed().as_secs_f64();
+        self.lap("solver", &mut clock);
         self.accelerate(Source::Response);
         self.reaction();
         for (load, force) in self.loads.iter_mut().zip(&self.forces) {
@@ -113,14 +108,14 @@ impl Scheme for Isph {
     }
 
     fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, _sample: bool) -> Dissipation {
-        let start = Instant::now();
+        let mut clock = Instant::now();
         let losses = self.advance(dt, walls);
         self.pending.steps += 1;
         self.tally = self.pending;
         std::mem::swap(&mut self.carried.aim, &mut self.exact.aim);
         std::mem::swap(&mut self.carried.pressure, &mut self.carried.older_pressure);
         std::mem::swap(&mut self.carried.pressure, &mut self.pressure);
-        self.timings.integration += start.elapsed().as_secs_f64();
+        self.lap("integration", &mut clock);
         losses
     }
 
@@ -137,14 +132,16 @@ impl Scheme for Isph {
     }
 
     fn state(&self) -> SchemeState {
-        SchemeState::Isph(Box::new(self.kept()))
+        let (fluid, carried) = (self.fluid.clone(), self.carried.clone());
+        SchemeState::Isph(Box::new(IsphState { fluid, carried, tally: self.tally }))
     }
 
     fn restore(&mut self, state: SchemeState) {
         let SchemeState::Isph(state) = state else {
             unreachable!("a checkpoint is bound to its scheme")
         };
-        self.go_back(*state);
+        let IsphState { fluid, carried, tally } = *state;
+        (self.fluid, self.carried, self.tally) = (fluid, carried, tally);
     }
 
     fn pair_evaluations(&self) -> u64 {
@@ -152,19 +149,12 @@ impl Scheme for Isph {
     }
 
     fn phases(&self) -> Vec<(&'static str, f64)> {
-        let t = &self.timings;
-        vec![
-            ("neighbours", t.neighbours),
-            ("operators", t.operators),
-            ("assembly", t.assembly),
-            ("solver", t.solver),
-            ("integration", t.integration),
-        ]
+        self.phases.to_vec()
     }
 
-    fn solver(&self) -> Option<crate::scheme::SolverSummary> {
+    fn solver(&self) -> Option<SolverSummary> {
         let tally = &self.tally;
-        Some(crate::scheme::SolverSummary {
+        Some(SolverSummary {
             iterations_per_step: tally.iterations as f64 / tally.steps.max(1) as f64,
             worst_residual: tally.worst_residual,
             worst_divergence: tally.worst_divergence,
@@ -174,23 +164,28 @@ impl Scheme for Isph {
 }
 
 impl Isph {
+    /// Books the time since the clock was last looked at.
+    fn lap(&mut self, phase: &str, clock: &mut Instant) {
+        let before = std::mem::replace(clock, Instant::now());
+        if let Some((_, seconds)) = self.phases.iter_mut().find(|(name, _)| *name == phase) {
+            *seconds += (*clock - before).as_secs_f64();
+        }
+    }
+
     /// Notes how far the water is from divergence-free and from its own volume.
-    pub(super) fn check(&mut self, dt: f64) {
+    fn check(&mut self, dt: f64) {
         let (mut count, mut squares, mut drift) = (0.0_f64, 0.0, 0.0);
         for i in 0..self.fluid.len() {
             if self.operators.grip[i] == 0.0 && self.operators.completeness[i] > 0.8 {
-                let divergence = dt * self.operators.divergence[i];
+                let divergence = dt * self.divergence[i];
                 count += 1.0;
                 squares += divergence * divergence;
-                drift += self.operators.coverage[i] - self.full_coverage;
+                drift += self.operators.coverage[i] - self.even.coverage;
             }
         }
         let count = count.max(1.0);
         let tally = &mut self.pending;
         tally.worst_divergence = tally.worst_divergence.max((squares / count).sqrt());
-        let drift = (drift / count).abs();
-        if drift > tally.worst_volume_drift {
-            tally.worst_volume_drift = drift;
-        }
+        tally.worst_volume_drift = tally.worst_volume_drift.max((drift / count).abs());
     }
 }

@@ -1,7 +1,7 @@
 //! The pair pass: the weights of all pairs and every sum over neighbours that does not need the pressure.
 
 use super::Isph;
-use super::lists::{Numbers, load};
+use super::lists::{Near, Numbers, load};
 use super::state::Operators;
 use crate::kernel::Kernel;
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
@@ -91,28 +91,23 @@ impl Isph {
     pub(super) fn gather(&mut self) {
         let n = self.fluid.len();
         let operators = &mut self.operators;
-        for field in [
-            &mut operators.coverage,
-            &mut operators.weight,
-            &mut operators.completeness,
-            &mut operators.grip,
-        ] {
-            field.clear();
-            field.resize(n, 0.0);
-        }
+        operators.coverage.resize(n, 0.0);
+        operators.weight.resize(n, 0.0);
+        operators.completeness.resize(n, 0.0);
         operators.sway.resize(n, [0.0; 2]);
         operators.moment.resize(n, [0.0; 3]);
         operators.correction.resize(n, [0.0; 3]);
-        let padded = self.fluid.padded_len();
-        self.weights.resize(self.pairs.len(), [0.0; LANES]);
-        let radius = self.options.support_radius;
-        let kernel = self.options.kernel;
+        operators.grip.clear();
+        operators.grip.resize(n, 0.0);
+        let Near { points, pairs, weights, .. } = &mut self.near;
+        weights.resize(pairs.len(), [0.0; LANES]);
+        let (kernel, radius) = (self.options.kernel, self.options.support_radius);
         let per_volume = kernel.normalisation() / (radius * radius);
         with_kernel!(kernel, K => dispatch(self.path, Gather::<K> {
-            pairs: &self.pairs,
+            pairs,
             numbers: &self.numbers,
-            places: [&self.points.x[..padded], &self.points.y[..padded]],
-            weights: &mut self.weights,
+            places: [&points.x, &points.y],
+            weights,
             operators,
             count: n,
             inverse_radius: 1.0 / radius,
@@ -120,7 +115,7 @@ impl Isph {
             shape: per_volume,
             kernel: std::marker::PhantomData,
         }));
-        self.pending.pair_evaluations += (LANES * self.pairs.len()) as u64;
+        self.pending.pair_evaluations += (LANES * pairs.len()) as u64;
     }
 }
 

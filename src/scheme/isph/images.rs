@@ -33,13 +33,12 @@ impl Points {
     }
 
     pub fn clear(&mut self) {
-        for field in [&mut self.x, &mut self.y, &mut self.volume] {
-            field.clear();
-        }
-        self.original.clear();
-        self.body.clear();
-        self.turn.clear();
-        self.walls.clear();
+        let Points { x, y, volume, original, body, turn, walls } = self;
+        [x, y, volume].into_iter().for_each(Vec::clear);
+        original.clear();
+        body.clear();
+        turn.clear();
+        walls.clear();
     }
 
     pub fn push(&mut self, point: &Point) {
@@ -107,20 +106,18 @@ impl Isph {
         let options = &self.options;
         let fluid = &self.fluid;
         let density = options.density;
-        self.loose.clear();
+        let (loose, planes) = (&mut self.loose, &mut self.planes);
         let ahead = 0.5 * dt;
-        for k in 0..fluid.len() {
-            self.loose.push(Point {
-                place: [fluid.x[k] + ahead * fluid.vx[k], fluid.y[k] + ahead * fluid.vy[k]],
-                volume: fluid.mass[k] / density,
-                original: k as u32,
-                body: NO_BODY,
-                turn: [1.0, 0.0, 0.0, 1.0],
-                walls: WallTerms::default(),
-            });
-        }
+        loose.clear();
+        loose.extend((0..fluid.len()).map(|k| Point {
+            place: [fluid.x[k] + ahead * fluid.vx[k], fluid.y[k] + ahead * fluid.vy[k]],
+            volume: fluid.mass[k] / density,
+            original: k as u32,
+            body: NO_BODY,
+            turn: [1.0, 0.0, 0.0, 1.0],
+            walls: WallTerms::default(),
+        }));
         let reach = options.support_radius;
-        let mut planes = std::mem::take(&mut self.planes);
         planes.clear();
         let faces = self.ghosts.bodies.iter().zip(&self.face_offsets);
         planes.extend(faces.map(|(body, &offset)| body.plane.moved(offset)));
@@ -135,8 +132,8 @@ impl Isph {
                 let [mx, my] = planes[other].normal;
                 other != number && mx * nx + my * ny > 1e-9
             };
-            for k in 0..self.loose.len() {
-                let point = self.loose[k];
+            for k in 0..loose.len() {
+                let point = loose[k];
                 let distance = -plane.beyond(point.place);
                 if distance >= reach
                     || distance <= -reach
@@ -153,7 +150,7 @@ impl Isph {
                 let (speed, gain) = (motion.velocity + dt * known, if responds { dt } else { 0.0 });
                 let spring = -2.0 * density * distance * nx;
                 let old = point.walls;
-                self.loose.push(Point {
+                loose.push(Point {
                     place,
                     body: number as u8,
                     turn: reflected(plane.normal, point.turn),
@@ -169,6 +166,5 @@ impl Isph {
                 });
             }
         }
-        self.planes = planes;
     }
 }

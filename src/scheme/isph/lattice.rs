@@ -6,7 +6,8 @@ use super::options::IsphOptions;
 const NARROW: f64 = 2.1;
 
 /// Sums over a square lattice of the options' spacing, for a particle inside it.
-pub(super) struct LatticeSums {
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Even {
     /// Σ F.
     pub weight: f64,
     /// Σ V W.
@@ -15,7 +16,7 @@ pub(super) struct LatticeSums {
     pub narrow: (f64, f64),
 }
 
-pub(super) fn lattice_sums(options: &IsphOptions) -> LatticeSums {
+pub(super) fn even_water(options: &IsphOptions) -> Even {
     let (dx, radius) = (options.spacing, options.support_radius);
     let rings = (radius / dx).ceil() as i64;
     let factor = dx * dx * options.kernel.normalisation() / (radius * radius);
@@ -37,6 +38,5 @@ pub(super) fn lattice_sums(options: &IsphOptions) -> LatticeSums {
         }
     }
     let edge = (NARROW * dx / radius).min(1.0);
-    let narrow = (dx * dx * weight_at(edge), moment / narrow_moment);
-    LatticeSums { weight, coverage, narrow }
+    Even { weight, coverage, narrow: (dx * dx * weight_at(edge), moment / narrow_moment) }
 }

@@ -21,15 +21,44 @@ pub(super) struct Numbers {
     pub volume: f64,
 }
 
+/// The neighbourhood of all particles in the middle of a step.
+#[derive(Debug, Default)]
+pub(super) struct Near {
+    pub strips: Strips,
+    pub image_strips: Strips,
+    pub points: Points,
+    /// The water and then its images, of every eight particles.
+    pub pairs: PairList,
+    /// F of every entry with the eight.
+    pub weights: Vec<[f64; LANES]>,
+    order: Vec<u32>,
+    /// 0, 1, 2, ...: images of one height keep their order.
+    ties: Vec<u32>,
+    scratch: Vec<f64>,
+    /// Places to be sorted.
+    ahead: [Vec<f64>; 2],
+}
+
+impl Near {
+    /// The lists, with operators that belong to them.
+    pub fn lists<'a>(&'a self, operators: &'a Operators) -> Lists<'a> {
+        Lists {
+            pairs: &self.pairs,
+            weights: &self.weights,
+            points: &self.points,
+            sway: &operators.sway,
+            correction: &operators.correction,
+        }
+    }
+}
+
 /// Lists of neighbours, one for every eight particles, with what belongs to them.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Lists<'a> {
-    /// The water and then its images.
     pub pairs: &'a PairList,
     /// F of each of the eight with every entry; zero out of reach.
     pub weights: &'a [[f64; LANES]],
-    /// Places of the particles, padded to whole vectors, m.
-    pub places: [&'a [f64]; 2],
+    pub points: &'a Points,
     /// Σ F Δ.
     pub sway: &'a [[f64; 2]],
     /// L.
@@ -37,27 +66,10 @@ pub(super) struct Lists<'a> {
 }
 
 impl<'a> Lists<'a> {
-    pub fn new(
-        pairs: &'a PairList,
-        weights: &'a [[f64; LANES]],
-        points: &'a Points,
-        operators: &'a Operators,
-    ) -> Lists<'a> {
-        let padded = LANES * pairs.clusters();
-        Lists {
-            pairs,
-            weights,
-            places: [&points.x[..padded], &points.y[..padded]],
-            sway: &operators.sway,
-            correction: &operators.correction,
-        }
-    }
-
     /// Where the eight lie.
     #[inline(always)]
     pub fn place<L: Lanes>(&self, cluster: usize) -> [L; 2] {
-        let [x, y] = self.places;
-        [load(x, cluster), load(y, cluster)]
+        [load(&self.points.x, cluster), load(&self.points.y, cluster)]
     }
 
     /// Their entries: points, with the weights of each.
@@ -81,34 +93,21 @@ pub(super) fn load<L: Lanes>(field: &[f64], cluster: usize) -> L {
     L::load(field[cluster * LANES..].first_chunk().unwrap())
 }
 
-/// Vectors of the eight; those past the last particle repeat it.
-#[inline(always)]
-pub(super) fn own<L: Lanes>(field: &[[f64; 2]], cluster: usize) -> [L; 2] {
-    let mut values = [[0.0; LANES]; 2];
-    for lane in 0..LANES {
-        let [x, y] = field[(cluster * LANES + lane).min(field.len() - 1)];
-        (values[0][lane], values[1][lane]) = (x, y);
-    }
-    [L::load(&values[0]), L::load(&values[1])]
-}
-
 impl Isph {
     /// Puts the particles into the order of the places that they will have in the middle of the
     /// step, so that eight in a row lie close together.
     pub(super) fn sort(&mut self, dt: f64) {
-        let n = self.fluid.len();
-        let fluid = &self.fluid;
-        let [x, y] = &mut self.ahead;
-        for (ahead, place, velocity) in [(x, &fluid.x, &fluid.vx), (y, &fluid.y, &fluid.vy)] {
+        let (fluid, carried) = (&mut self.fluid, &mut self.carried);
+        let Near { strips, ahead: [x, y], order, scratch, .. } = &mut self.near;
+        let n = fluid.len();
+        for (ahead, place, velocity) in
+            [(&mut *x, &fluid.x, &fluid.vx), (&mut *y, &fluid.y, &fluid.vy)]
+        {
             ahead.clear();
             ahead.extend(place.iter().zip(velocity).take(n).map(|(r, u)| r + 0.5 * dt * u));
         }
-        let width = Strips::width(self.options.spacing);
-        let [x, y] = &self.ahead;
-        let mut order = std::mem::take(&mut self.order);
-        self.strips.renew(x, y, &self.fluid.id[..n], width, &mut order);
-        self.fluid.reorder(&order, &mut self.scratch);
-        let carried = &mut self.carried;
+        strips.renew(x, y, &fluid.id[..n], Strips::width(self.options.spacing), order);
+        fluid.reorder(order, scratch);
         for field in [
             &mut carried.pressure,
             &mut carried.older_pressure,
@@ -116,17 +115,17 @@ impl Isph {
             &mut carried.response,
         ] {
             if !field.is_empty() {
-                reorder(field, &order, &mut self.scratch);
+                reorder(field, order, scratch);
             }
         }
-        self.order = order;
     }
 
     /// Sorts the images and lists the neighbours of every eight particles.
     pub(super) fn list_neighbours(&mut self) {
         let (n, padded) = (self.fluid.len(), self.fluid.padded_len());
         let (water, images) = self.loose.split_at(n);
-        let [x, y] = &mut self.ahead;
+        let Near { strips, image_strips, points, pairs, order, ties, ahead: [x, y], .. } =
+            &mut self.near;
         let mut bounds = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
         x.clear();
         y.clear();
@@ -136,49 +135,34 @@ impl Isph {
             let [left, right, bottom, top] = bounds;
             bounds = [left.min(*px), right.max(*px), bottom.min(*py), top.max(*py)];
         }
+        ties.extend(ties.len() as u32..images.len() as u32);
         let width = Strips::width(self.options.spacing);
-        self.ties.extend(self.ties.len() as u32..images.len() as u32);
-        self.image_strips.renew(x, y, &self.ties[..images.len()], width, &mut self.order);
-        let points = &mut self.points;
+        image_strips.renew(x, y, &ties[..images.len()], width, order);
         points.clear();
         water.iter().for_each(|point| points.push(point));
         for _ in n..padded {
             points.push(&Point { volume: 0.0, ..water[n - 1] });
         }
-        self.order.iter().for_each(|&k| points.push(&images[k as usize]));
-        let (all, reach) = (points.len(), self.options.support_radius);
+        order.iter().for_each(|&k| points.push(&images[k as usize]));
+        let set = |strips, range: std::ops::Range<usize>, bounds| PointSet {
+            strips,
+            x: &points.x[range.clone()],
+            y: &points.y[range.clone()],
+            offset: 0.0,
+            first: range.start as u32,
+            reach: self.options.support_radius,
+            bounds,
+        };
         let sets = [
-            PointSet {
-                strips: &self.strips,
-                x: &points.x[..n],
-                y: &points.y[..n],
-                offset: 0.0,
-                first: 0,
-                reach,
-                bounds: PointSet::EVERYWHERE,
-            },
-            PointSet {
-                strips: &self.image_strips,
-                x: &points.x[padded..all],
-                y: &points.y[padded..all],
-                offset: 0.0,
-                first: padded as u32,
-                reach,
-                bounds,
-            },
+            set(strips, 0..n, PointSet::EVERYWHERE),
+            set(image_strips, padded..points.len(), bounds),
         ];
-        let (x, y) = (&points.x[..padded], &points.y[..padded]);
-        build_pair_list(self.path, x, y, &sets, &mut self.pairs);
+        build_pair_list(self.path, &points.x[..padded], &points.y[..padded], &sets, pairs);
         self.numbers.clear();
-        self.numbers.extend((0..all).map(|e| Numbers {
+        self.numbers.extend((0..points.len()).map(|e| Numbers {
             place: [points.x[e], points.y[e]],
             volume: points.volume[e],
             ..Numbers::default()
         }));
-    }
-
-    /// The lists with what belongs to them.
-    pub(super) fn lists(&self) -> Lists<'_> {
-        Lists::new(&self.pairs, &self.weights, &self.points, &self.operators)
     }
 }

@@ -1,21 +1,9 @@
 //! Velocities, places, shifting: the second half of a step.
 
 use super::Isph;
-use crate::body::BodyMotion;
-use crate::boundary::Plane;
+use crate::math::simd::dispatch;
 use crate::scheme::{Dissipation, StepWalls};
-
-/// Shifting fades in from this completeness of the support ...
-const SHIFT_FROM: f64 = 0.85;
-/// ... to this one.
-const SHIFT_FULL: f64 = 0.97;
-/// No shift is longer than this many particle spacings.
-const SHIFT_LIMIT: f64 = 0.05;
-
-/// How far a support of this completeness lets shifting act.
-pub(super) fn spread(completeness: f64) -> f64 {
-    ((completeness - SHIFT_FROM) / (SHIFT_FULL - SHIFT_FROM)).clamp(0.0, 1.0)
-}
+use crate::water::{HoldInside, SHIFT_LIMIT, shifted_share};
 
 impl Isph {
     /// Corrects velocities by the pressure gradient (Liang et al. 2017, Eq. 9), moves the particles
@@ -26,21 +14,17 @@ impl Isph {
     pub(super) fn advance(&mut self, dt: f64, walls: &StepWalls<'_>) -> Dissipation {
         let n = self.fluid.len();
         let options = self.options;
-        if self.responded && walls.acceleration != 0.0 {
-            let response = &self.carried.response;
-            for (pressure, response) in self.pressure.iter_mut().zip(response) {
-                *pressure += walls.acceleration * response;
-            }
-        }
         if self.responded {
             let a = walls.acceleration;
+            for (pressure, response) in self.pressure.iter_mut().zip(&self.carried.response) {
+                *pressure += a * response;
+            }
             for (own, response) in self.settled.iter_mut().zip(&self.accelerations) {
                 *own = [own[0] + a * response[0], own[1] + a * response[1]];
             }
         }
-        let mut ends = std::mem::take(&mut self.planes);
-        ends.clear();
-        ends.extend(
+        self.planes.clear();
+        self.planes.extend(
             (self.ghosts.bodies.iter().zip(walls.bodies))
                 .map(|(body, motion)| body.plane.moved(motion.offset + dt * motion.velocity)),
         );
@@ -63,8 +47,14 @@ impl Isph {
         if options.shifting_coefficient > 0.0 {
             shifting_work -= self.part(dt);
         }
-        self.hold_inside(&ends, walls.bodies);
-        self.planes = ends;
+        let hold = HoldInside {
+            lanes: 0..self.fluid.padded_len(),
+            fluid: &mut self.fluid,
+            planes: &self.planes,
+            bodies: walls.bodies,
+            skin: 1e-3 * options.spacing,
+        };
+        dispatch(self.path, hold);
         Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }
     }
 
@@ -74,7 +64,7 @@ impl Isph {
         if options.shifting_coefficient == 0.0 || self.operators.grip[i] > 0.0 {
             return 0.0;
         }
-        let inside = spread(self.operators.completeness[i]);
+        let inside = shifted_share(self.operators.completeness[i]);
         let smoothing = options.kernel.smoothing_length_ratio() * options.support_radius;
         let factor = options.shifting_coefficient * smoothing * self.speed(i) * dt * inside;
         let limit = SHIFT_LIMIT * options.spacing;
@@ -90,23 +80,5 @@ impl Isph {
     pub(super) fn speed(&self, i: usize) -> f64 {
         let (vx, vy) = (self.fluid.vx[i], self.fluid.vy[i]);
         (vx * vx + vy * vy).sqrt()
-    }
-
-    /// Puts particles that have slipped through a wall back onto its face, with its velocity.
-    fn hold_inside(&mut self, ends: &[Plane], bodies: &[BodyMotion]) {
-        let skin = 1e-3 * self.options.spacing;
-        for (plane, motion) in ends.iter().zip(bodies) {
-            let [nx, ny] = plane.normal;
-            for k in 0..self.fluid.len() {
-                let beyond = plane.beyond([self.fluid.x[k], self.fluid.y[k]]);
-                if beyond > 0.0 {
-                    self.fluid.x[k] -= (beyond + skin) * nx;
-                    self.fluid.y[k] -= (beyond + skin) * ny;
-                    let speed = (self.fluid.vx[k] - motion.velocity) * nx + self.fluid.vy[k] * ny;
-                    self.fluid.vx[k] -= speed.max(0.0) * nx;
-                    self.fluid.vy[k] -= speed.max(0.0) * ny;
-                }
-            }
-        }
     }
 }

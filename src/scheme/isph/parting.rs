@@ -7,8 +7,8 @@
 //! short of the surface, which it would push outwards.
 
 use super::Isph;
-use super::motion::spread;
 use crate::math::simd::LANES;
+use crate::water::shifted_share;
 
 /// Pairs closer than this many particle spacings are parted ...
 const CLOSE: f64 = 0.8;
@@ -30,16 +30,16 @@ impl Isph {
         let mut lifted = 0.0;
         for i in 0..self.fluid.len() {
             let own = self.near_surface_share(i);
-            let (x, y) = (self.points.x[i], self.points.y[i]);
-            let range = self.pairs.range(i / LANES);
+            let (x, y) = (self.near.points.x[i], self.near.points.y[i]);
+            let range = self.near.pairs.range(i / LANES);
             for at in if own > 0.0 { range } else { 0..0 } {
-                let e = self.pairs.entries()[at] as usize;
-                let (dx, dy) = (self.points.x[e] - x, self.points.y[e] - y);
+                let e = self.near.pairs.entries()[at] as usize;
+                let (dx, dy) = (self.near.points.x[e] - x, self.near.points.y[e] - y);
                 let square = dx * dx + dy * dy;
                 if square >= reach * reach || square < 1e-12 * reach * reach {
                     continue;
                 }
-                let j = self.points.original[e] as usize;
+                let j = self.near.points.original[e] as usize;
                 let other = self.near_surface_share(j);
                 let length = (0.5 * per_speed * (self.speed(i) + self.speed(j))).min(limit);
                 let factor = 0.5 * (own + other) * length * (1.0 / square.sqrt() - 1.0 / reach);
@@ -47,7 +47,7 @@ impl Isph {
                 lifted += self.shove(i, [-dx, -dy]);
                 if other == 0.0 {
                     // Its own turn passes it by.
-                    let [a, b, c, d] = self.points.turn[e];
+                    let [a, b, c, d] = self.near.points.turn[e];
                     lifted += self.shove(j, [a * dx + c * dy, b * dx + d * dy]);
                 }
             }
@@ -64,6 +64,6 @@ impl Isph {
 
     /// 1 where shifting is off for the surface's sake, 0 where it acts in full.
     fn near_surface_share(&self, i: usize) -> f64 {
-        1.0 - spread(self.operators.completeness[i])
+        1.0 - shifted_share(self.operators.completeness[i])
     }
 }

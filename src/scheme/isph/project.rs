@@ -2,8 +2,7 @@
 
 use super::Isph;
 use super::images::{NO_BODY, WallTerms, turned};
-use super::sums::{Divergence, Gradient};
-use crate::math::simd::dispatch;
+use super::sums::{divergence, gradient};
 
 /// Which pressure a gradient is taken of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,7 +18,7 @@ pub(super) enum Source {
 impl Isph {
     /// L of every point, turned as its image is.
     pub(super) fn turn_corrections(&mut self) {
-        let (points, correction) = (&self.points, &self.operators.correction);
+        let (points, correction) = (&self.near.points, &self.operators.correction);
         self.turned.clear();
         self.turned.extend(
             (points.turn.iter().zip(&points.original))
@@ -32,7 +31,7 @@ impl Isph {
         let options = &self.options;
         let gravity = options.density * options.gravity;
         let carried = &self.carried;
-        let points = &self.points;
+        let points = &self.near.points;
         for (e, at) in self.numbers.iter_mut().enumerate() {
             let j = points.original[e] as usize;
             let walls = &points.walls[e];
@@ -55,30 +54,20 @@ impl Isph {
     /// Accelerations by a pressure, -(1/ρ) Σ F (p_i L_i + p_j L_j) Δ: equal and opposite between
     /// pairs, and repelling where particles crowd.
     pub(super) fn accelerate(&mut self, source: Source) {
-        self.own_pressure.resize(self.fluid.len(), 0.0);
         self.stresses(source);
-        let mut slope = std::mem::take(&mut self.accelerations);
-        slope.resize(self.fluid.len(), [0.0; 2]);
-        dispatch(
-            self.path,
-            Gradient {
-                lists: self.lists(),
-                pressure: &self.own_pressure,
-                numbers: &self.numbers,
-                slope: &mut slope,
-            },
-        );
+        let near = (self.near.lists(&self.operators), &*self.numbers);
+        gradient(self.path, near, &self.own_pressure, &mut self.accelerations);
         let per_density = -1.0 / self.options.density;
-        slope.iter_mut().for_each(|slope| *slope = slope.map(|s| per_density * s));
-        self.accelerations = slope;
+        self.accelerations.iter_mut().for_each(|slope| *slope = slope.map(|s| per_density * s));
     }
 
     /// The velocities at hand as the walls mirror them.
     pub(super) fn mirror(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2]) {
+        let points = &self.near.points;
         for (e, at) in self.numbers.iter_mut().enumerate() {
-            let [u, v] = self.velocities[self.points.original[e] as usize];
-            let [a, b, c, d] = self.points.turn[e];
-            let [wx, wy] = walls(&self.points.walls[e]);
+            let [u, v] = self.velocities[points.original[e] as usize];
+            let [a, b, c, d] = points.turn[e];
+            let [wx, wy] = walls(&points.walls[e]);
             at.velocity = [a * u + b * v + wx, c * u + d * v + wy];
         }
     }
@@ -86,17 +75,7 @@ impl Isph {
     /// ∇·u = Σ F (u_j - u_i)·L_i Δ of the velocities at hand, images moving as `walls` says.
     pub(super) fn diverge(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2]) {
         self.mirror(walls);
-        let mut divergence = std::mem::take(&mut self.operators.divergence);
-        divergence.resize(self.fluid.len(), 0.0);
-        dispatch(
-            self.path,
-            Divergence {
-                lists: self.lists(),
-                own: &self.velocities,
-                numbers: &self.numbers,
-                divergence: &mut divergence,
-            },
-        );
-        self.operators.divergence = divergence;
+        let near = (self.near.lists(&self.operators), &*self.numbers);
+        divergence(self.path, near, &self.velocities, &mut self.divergence);
     }
 }

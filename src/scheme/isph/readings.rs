@@ -7,10 +7,8 @@ use super::images::Points;
 use crate::body::BodyMotion;
 use crate::kernel::{Kernel, shape_within};
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use crate::water::first_level;
 use crate::with_kernel;
-
-/// Steps of a level's search; no water is as high.
-const MOST_STEPS: u32 = 100_000;
 
 /// Σ W V over a row of points around a place, and the same with a field.
 struct Around<'a, K, F> {
@@ -57,12 +55,13 @@ impl Isph {
     fn average(&self, place: [f64; 2], field: impl Fn(usize) -> f64) -> [f64; 2] {
         let radius = self.options.support_radius;
         let kernel = self.options.kernel;
+        let near = &self.near;
         let [x, y] = place.map(|at| [at - radius, at + radius]);
         let mut sums = [0.0; 2];
-        for (strips, first) in [(&self.strips, 0), (&self.image_strips, self.fluid.padded_len())] {
+        for (strips, first) in [(&near.strips, 0), (&near.image_strips, self.fluid.padded_len())] {
             strips.visit_box(x, y, |row| {
                 let sum = with_kernel!(kernel, K => dispatch(self.path, Around::<K, _> {
-                    points: &self.points,
+                    points: &near.points,
                     row: first + row.start..first + row.end,
                     place,
                     inverse_radius: 1.0 / radius,
@@ -77,20 +76,7 @@ impl Isph {
 
     /// The first height above `from` at which coverage falls to 1/2 along a line.
     pub(super) fn level_along(&self, line: impl Fn(f64) -> [f64; 2], from: f64) -> f64 {
-        let coverage = |y: f64| self.average(line(y), |_| 0.0)[0];
-        let step = 0.5 * self.options.spacing;
-        let (mut y, mut below) = (from, coverage(from));
-        if below < 0.5 {
-            return from;
-        }
-        for _ in 0..MOST_STEPS {
-            let above = coverage(y + step);
-            if above < 0.5 {
-                return y + step * (below - 0.5) / (below - above);
-            }
-            (y, below) = (y + step, above);
-        }
-        y
+        first_level(|y| self.average(line(y), |_| 0.0)[0], from, self.options.spacing)
     }
 
     /// Points of a body's face at r*: along its plane, by height.
@@ -115,11 +101,11 @@ impl Isph {
         for cell in 0..cells as usize {
             let place = line((cell as f64 + 0.5) * height);
             let [coverage, mean] = self.average(place, |k| {
-                let j = self.points.original[k] as usize;
+                let j = self.near.points.original[k] as usize;
                 let response = self.carried.response.get(j).copied().unwrap_or(0.0);
                 self.pressure[j]
-                    + self.points.walls[k].pressure
-                    + responds * (response + self.points.walls[k].pressure_response)
+                    + self.near.points.walls[k].pressure
+                    + responds * (response + self.near.points.walls[k].pressure_response)
             });
             let dynamic = mean / coverage.max(1e-3);
             let pressure = dynamic + gravity * (options.still_level - place[1]);

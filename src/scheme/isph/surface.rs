@@ -2,41 +2,41 @@
 
 use super::Isph;
 use super::images::Points;
-use super::lists::{Lists, Numbers};
-use super::state::Operators;
-use super::sums::pull;
-use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use super::sums::{Entry, Terms, pull, sum};
+use crate::math::simd::Lanes;
 
 /// A particle is at the surface where ∇·r is below this (Liang et al. 2017, Eq. 13).
-pub(super) const SURFACE_DIVERGENCE: f64 = 1.5;
+const SURFACE_DIVERGENCE: f64 = 1.5;
 /// The surface lies this far outside the centres of its particles, in spacings.
 const SKIN: f64 = 0.5;
 /// No particle is closer to the surface than this, in spacings.
 const CLOSEST: f64 = 0.25;
 
-/// Where the surface particles hold those in their reach, eight of these at a time.
-struct Surface<'a> {
-    lists: Lists<'a>,
-    numbers: &'a [Numbers],
+/// Of the surface particles in reach: F, F times how high they are over a particle, F n, n their
+/// normal.
+#[derive(Clone, Copy)]
+struct Above<'a> {
     points: &'a Points,
     at_surface: &'a [bool],
-    /// Σ F of each particle, and of one with full support.
-    weight: &'a [f64],
-    full_weight: f64,
-    spacing: f64,
-    grip: &'a mut [f64],
+    sway: &'a [[f64; 2]],
 }
 
-impl Surface<'_> {
-    /// Holds a particle by the surface particles in reach: Σ F of them, of how high they are over it, and
-    /// of their normal.
-    fn hold(&mut self, i: usize, [sum, height, up_x, up_y]: [f64; 4]) {
-        let distance = (SKIN * self.spacing + height / sum).max(CLOSEST * self.spacing);
-        let length = (up_x * up_x + up_y * up_y).sqrt().max(1e-300);
-        let [sx, sy] = self.lists.sway[i];
-        let outwards = -(sx * up_x + sy * up_y) / length;
-        let missing = (self.full_weight - self.weight[i]).max(0.0);
-        self.grip[i] = 2.0 * (outwards / distance).max(missing);
+impl Terms for Above<'_> {
+    #[inline(always)]
+    fn add<L: Lanes>(self, sums: &mut [L; 4], place: [L; 2], (e, weights, at): Entry<'_>) {
+        let original = self.points.original[e] as usize;
+        if !self.at_surface[original] {
+            return;
+        }
+        let [nx, ny] = normal(self.sway[original]);
+        let [a, b, c, d] = self.points.turn[e];
+        let to = [L::splat(a * nx + b * ny), L::splat(c * nx + d * ny)];
+        let [gx, gy] = pull(weights, at, place);
+        let f = L::load(weights);
+        sums[0] += f;
+        sums[1] = gx.mul_add(to[0], gy.mul_add(to[1], sums[1]));
+        sums[2] = f.mul_add(to[0], sums[2]);
+        sums[3] = f.mul_add(to[1], sums[3]);
     }
 }
 
@@ -44,44 +44,6 @@ impl Surface<'_> {
 fn normal([sx, sy]: [f64; 2]) -> [f64; 2] {
     let length = (sx * sx + sy * sy).sqrt();
     if length > 0.0 { [-sx / length, -sy / length] } else { [0.0, 1.0] }
-}
-
-impl Task for Surface<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(mut self) {
-        let Surface { lists, numbers, points, at_surface, .. } = self;
-        for cluster in 0..at_surface.len().div_ceil(LANES) {
-            let place = lists.place::<L>(cluster);
-            let mut sums = [L::splat(0.0); 4];
-            let (near, weights) = lists.of(cluster);
-            for (&e, weights) in near.iter().zip(weights) {
-                let e = e as usize;
-                let original = points.original[e] as usize;
-                if !at_surface[original] {
-                    continue;
-                }
-                let [nx, ny] = normal(lists.sway[original]);
-                let [a, b, c, d] = points.turn[e];
-                let to = [L::splat(a * nx + b * ny), L::splat(c * nx + d * ny)];
-                let [gx, gy] = pull(weights, &numbers[e], place);
-                let f = L::load(weights);
-                sums[0] += f;
-                sums[1] = gx.mul_add(to[0], gy.mul_add(to[1], sums[1]));
-                sums[2] = f.mul_add(to[0], sums[2]);
-                sums[3] = f.mul_add(to[1], sums[3]);
-            }
-            let sums = L::to_arrays(sums);
-            for lane in 0..LANES.min(at_surface.len() - cluster * LANES) {
-                if sums[0][lane] > 0.0 {
-                    let [sum, height, x, y] = &sums;
-                    let sums = [sum[lane], height[lane], x[lane], y[lane]];
-                    self.hold(cluster * LANES + lane, sums);
-                }
-            }
-        }
-    }
 }
 
 impl Isph {
@@ -95,21 +57,27 @@ impl Isph {
     /// a term on the diagonal alone, exact for a linear pressure (compare Nair & Tomar 2014, whose
     /// full-support diagonal 2 (Σ_full F - Σ F) is its lower bound here).
     pub(super) fn find_surface(&mut self) {
-        let Operators { at_surface, moment, sway, correction, weight, grip, .. } =
-            &mut self.operators;
+        let operators = &mut self.operators;
+        let at_surface = &mut operators.at_surface;
         at_surface.clear();
-        at_surface.extend(moment.iter().map(|[xx, _, yy]| xx + yy < SURFACE_DIVERGENCE));
-        let places = [&self.points.x[..], &self.points.y[..]];
-        let surface = Surface {
-            lists: Lists { pairs: &self.pairs, weights: &self.weights, places, sway, correction },
-            numbers: &self.numbers,
-            points: &self.points,
-            at_surface,
-            weight,
-            full_weight: self.full_weight,
-            spacing: self.options.spacing,
-            grip,
-        };
-        dispatch(self.path, surface);
+        let traces = operators.moment.iter().map(|[xx, _, yy]| xx + yy);
+        at_surface.extend(traces.map(|trace| trace < SURFACE_DIVERGENCE));
+        let mut grips = std::mem::take(&mut operators.grip);
+        let operators = &self.operators;
+        let lists = self.near.lists(operators);
+        let above =
+            Above { points: lists.points, at_surface: &operators.at_surface, sway: lists.sway };
+        let (spacing, full) = (self.options.spacing, self.even.weight);
+        sum(self.path, (lists, &self.numbers), above, |i, [sum, height, up_x, up_y]| {
+            if sum > 0.0 {
+                let distance = (SKIN * spacing + height / sum).max(CLOSEST * spacing);
+                let length = (up_x * up_x + up_y * up_y).sqrt().max(1e-300);
+                let [sx, sy] = lists.sway[i];
+                let outwards = -(sx * up_x + sy * up_y) / length;
+                let missing = (full - operators.weight[i]).max(0.0);
+                grips[i] = 2.0 * (outwards / distance).max(missing);
+            }
+        });
+        self.operators.grip = grips;
     }
 }

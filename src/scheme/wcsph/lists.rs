@@ -3,7 +3,7 @@
 use super::Wcsph;
 use super::fields::Extrapolate;
 use super::parts::cut;
-use crate::body::BodyMotion;
+use crate::body::{BodyMotion, MOST_BODIES};
 use crate::math::simd::{LANES, dispatch};
 use crate::neighbours::{PointSet, Reach, Strips, build_pair_list};
 use crate::particles::reorder;
@@ -12,8 +12,6 @@ use crate::particles::reorder;
 const FLUID_MARGIN: f64 = 0.4;
 /// Margin of the lists that involve ghosts, in particle spacings.
 pub(super) const GHOST_MARGIN: f64 = 1.5;
-/// A scene has at most so many bodies.
-const MOST_BODIES: usize = 7;
 
 impl Wcsph {
     /// Makes new lists where a pair may have come into reach unseen.

@@ -18,7 +18,6 @@ mod fields;
 mod flow;
 mod ghost_pack;
 mod held;
-mod inside;
 mod laminar;
 mod lists;
 mod momentum;

@@ -3,23 +3,21 @@
 use std::ops::Range;
 
 use super::fields::{Advance, Ramp};
-use super::inside::HoldInside;
 use super::passes::{TENSION_FROM, TENSION_FULL};
 use super::shifting::Shift;
 use super::{DensityDiffusion, Wcsph};
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, dispatch};
 use crate::particles::Fluid;
+use crate::water::{HoldInside, Slack};
 
 /// Hydrostatic density diffusion fades in from this completeness: near the surface the discrete
 /// balance differs from the exact one, and diffusion would forever work against it ...
 const DIFFUSE_FROM: f64 = 0.9;
 /// ... to this one.
 const DIFFUSE_FULL: f64 = 0.99;
-/// A particle is spray from this completeness ...
-const SPRAY_FROM: f64 = 0.45;
-/// ... and wholly so from this.
-const SPRAY_FULL: f64 = 0.25;
+/// Where the water takes no pressure.
+const SLACK: Slack = Slack { spray: [0.45, 0.25], tension: [TENSION_FULL, TENSION_FROM] };
 
 impl Wcsph {
     /// Adds to the accelerations what the wall's own brings about, and the field.
@@ -133,13 +131,7 @@ impl Wcsph {
             let k = k as usize;
             let completeness = self.work.completeness[k];
             let density = self.fluid.density[k];
-            let alone = (SPRAY_FROM - completeness) / (SPRAY_FROM - SPRAY_FULL);
-            let slack = if density < state.surface_density {
-                (TENSION_FULL - completeness) / (TENSION_FULL - TENSION_FROM)
-            } else {
-                0.0
-            };
-            let share = alone.max(slack).min(1.0);
+            let share = SLACK.share(completeness, density < state.surface_density).min(1.0);
             if share > 0.0 {
                 let rise = rate * share * (state.surface_density - density);
                 // Tension that did no work as it grew takes none away.

@@ -8,6 +8,7 @@ use crate::body::BodyMotion;
 use crate::kernel::{Kernel, shape_within};
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
 use crate::scheme::Load;
+use crate::water::first_level;
 use crate::with_kernel;
 
 impl Wcsph {
@@ -64,18 +65,7 @@ impl Wcsph {
                     dispatch(self.path, Coverage { near, y, kernel: PhantomData::<K> })
                 })
         };
-        let step = 0.5 * self.options.spacing;
-        let (mut y, mut below) = (from, coverage(from));
-        if below < 0.5 {
-            return from;
-        }
-        loop {
-            let above = coverage(y + step);
-            if above < 0.5 {
-                return y + step * (below - 0.5) / (below - above);
-            }
-            (y, below) = (y + step, above);
-        }
+        first_level(coverage, from, self.options.spacing)
     }
 }
 

@@ -1,21 +1,15 @@
 //! Particle shifting, away from walls and from the free surface.
 
-use super::inside::any_nearer;
 use super::momentum::store;
 use super::separation::{all_lanes, lanes};
 use super::{WcsphOptions, Workspace};
 use crate::boundary::Plane;
 use crate::math::simd::{LANES, Lanes, Task};
 use crate::particles::Fluid;
+use crate::water::{SHIFT_FROM, SHIFT_FULL, SHIFT_LIMIT, any_nearer};
 
-/// Shifting fades in from this completeness of the support ...
-const FROM: f64 = 0.85;
-/// ... to this one.
-const FULL: f64 = 0.97;
 /// The speed of a shift is that by which the flow differs over so many support radii.
 const ACROSS: f64 = 2.0;
-/// No shift is longer than this many particle spacings.
-const LIMIT: f64 = 0.05;
 
 /// Shifts particles towards an even spread, and takes their densities along.
 ///
@@ -43,14 +37,14 @@ impl Task for Shift<'_> {
     fn run<L: Lanes>(self) -> f64 {
         let Shift { fluid, work, options, planes, strain, dt, inverse_radius } = self;
         let strength = options.shifting_coefficient * options.smoothing_length() * dt;
-        let (limit, reach) = (LIMIT * options.spacing, options.spacing);
+        let (limit, reach) = (SHIFT_LIMIT * options.spacing, options.spacing);
         let slope = options.hydrostatic_slope();
         let (zero, one) = (L::splat(0.0), L::splat(1.0));
         let mut gained = zero;
         for at in (0..fluid.padded_len()).step_by(LANES) {
             let [x, y, vx, vy] = all_lanes::<L, 4>([&fluid.x, &fluid.y, &fluid.vx, &fluid.vy], at);
-            let inside = lanes::<L>(&work.completeness, at) - L::splat(FROM);
-            let inside = inside.div(L::splat(FULL - FROM)).max(zero).min(one);
+            let inside = lanes::<L>(&work.completeness, at) - L::splat(SHIFT_FROM);
+            let inside = inside.div(L::splat(SHIFT_FULL - SHIFT_FROM)).max(zero).min(one);
             let speed = if options.corrected_gradients {
                 let (mut stretch, mut shear) = ([0.0; LANES], [0.0; LANES]);
                 for lane in 0..LANES {

@@ -4,7 +4,7 @@ use super::Watch;
 use super::cavity::Raster;
 use crate::particles::Fluid;
 use crate::scene::Frame;
-use crate::simulation::outcome::NamedReading;
+use crate::simulation::outcome::Readings;
 use crate::theory::dam_break::ritter_front;
 
 /// Air counts as closed in from this area on, over H².
@@ -103,29 +103,22 @@ impl Watch for Collapse {
     }
 
     /// Times over √(H/g), lengths over H, balances in percent.
-    fn readings(&self, fluid: &Fluid) -> Vec<NamedReading> {
+    fn tell(&self, fluid: &Fluid, all: &mut Readings) {
         let unit = self.unit();
-        let mut all = Vec::new();
-        let mut push = |name: &str, value: Option<f64>, unit: &str| {
-            if let Some(value) = value {
-                all.push(NamedReading::new(name, value, unit));
-            }
-        };
-        push("front_at_wall", self.front_at_wall.map(|time| time / unit), "sqrt(H/g)");
+        all.tell("front_at_wall", self.front_at_wall.map(|time| time / unit), "sqrt(H/g)");
         for at in [1.0, 1.5, 2.0] {
             let passed = self.fronts.iter().find(|(time, _)| *time >= at * unit);
             let name = |what: &str| format!("{what}_at_{at}");
-            push(&name("front"), passed.map(|(_, x)| x / self.frame.depth), "H");
+            all.tell(&name("front"), passed.map(|(_, x)| x / self.frame.depth), "H");
             let Frame { depth, gravity, .. } = self.frame;
             let ritter = passed.map(|(time, _)| ritter_front(self.column, depth, gravity, *time));
-            push(&name("ritter_front"), ritter.map(|x| x / depth), "H");
+            all.tell(&name("ritter_front"), ritter.map(|x| x / depth), "H");
         }
-        push("cavity_closure", self.closure.map(|time| time / unit), "sqrt(H/g)");
+        all.tell("cavity_closure", self.closure.map(|time| time / unit), "sqrt(H/g)");
         let mass: f64 = fluid.mass.iter().sum();
-        push("mass_gap", Some(100.0 * (mass / self.mass_at_start - 1.0)), "%");
+        all.tell("mass_gap", 100.0 * (mass / self.mass_at_start - 1.0), "%");
         let gap = (momentum(fluid) + self.impulse) / self.largest_momentum.max(f64::MIN_POSITIVE);
-        push("horizontal_momentum_gap", Some(100.0 * gap), "% of the largest momentum");
-        all
+        all.tell("horizontal_momentum_gap", 100.0 * gap, "% of the largest momentum");
     }
 }
 

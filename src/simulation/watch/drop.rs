@@ -2,7 +2,7 @@
 
 use super::{Watch, half_swings};
 use crate::particles::Fluid;
-use crate::simulation::outcome::NamedReading;
+use crate::simulation::outcome::Readings;
 use crate::theory::elliptic_drop::EllipticDrop;
 
 /// Follows the semi-axes beside those of the exact drop.
@@ -57,20 +57,18 @@ impl Watch for Drop {
         self.series.push((time, (a - b) / radius));
     }
 
-    fn readings(&self, _: &Fluid) -> Vec<NamedReading> {
+    fn tell(&self, _: &Fluid, all: &mut Readings) {
         let exact = self.start.period();
-        let mut all = vec![
-            NamedReading::new("longest_axis", self.longest[0], "R"),
-            NamedReading::new("longest_axis_exact", self.longest[1], "R"),
-            NamedReading::new("axis_gap", 100.0 * self.worst, "% of R, largest over the run"),
-            NamedReading::new("area_gap", 100.0 * (self.area - 1.0), "% of pi R2, at the end"),
-            NamedReading::new("period_exact", exact, "s"),
-        ];
+        all.tell("longest_axis", self.longest[0], "R");
+        all.tell("longest_axis_exact", self.longest[1], "R");
+        all.tell("axis_gap", 100.0 * self.worst, "% of R, largest over the run");
+        all.tell("area_gap", 100.0 * (self.area - 1.0), "% of pi R2, at the end");
+        all.tell("period_exact", exact, "s");
         // The start is a crossing in itself: what it holds of noise is not.
         let later: Vec<_> = self.series.iter().copied().filter(|(t, _)| *t > 0.1 * exact).collect();
         if let Some((half, peaks)) = half_swings(&later) {
-            all.push(NamedReading::new("period", 2.0 * half, "s"));
-            all.push(NamedReading::new("period_gap", 100.0 * (2.0 * half / exact - 1.0), "%"));
+            all.tell("period", 2.0 * half, "s");
+            all.tell("period_gap", 100.0 * (2.0 * half / exact - 1.0), "%");
             let swing = |drop: EllipticDrop| {
                 let [a, b] = drop.axes();
                 (a - b) / drop.radius
@@ -78,9 +76,8 @@ impl Watch for Drop {
             let should = swing(self.start.after(0.25 * exact)).abs();
             if let Some((_, last)) = peaks.last() {
                 let gap = 100.0 * (last / should - 1.0);
-                all.push(NamedReading::new("swing_gap", gap, "% of the exact a - b, last peak"));
+                all.tell("swing_gap", gap, "% of the exact a - b, last peak");
             }
         }
-        all
     }
 }

@@ -7,7 +7,7 @@ mod patch;
 mod standing_wave;
 mod vortices;
 
-use super::outcome::NamedReading;
+use super::outcome::Readings;
 use crate::particles::Fluid;
 use crate::scene::{CaseConfig, Scene, Tank};
 
@@ -19,8 +19,8 @@ pub(super) trait Watch {
     /// Takes a sample at the history's times.
     fn sample(&mut self, time: f64, fluid: &Fluid);
 
-    /// What there is to tell of the water at its end.
-    fn readings(&self, fluid: &Fluid) -> Vec<NamedReading>;
+    /// Tells what there is to tell of the water at its end.
+    fn tell(&self, fluid: &Fluid, all: &mut Readings);
 }
 
 /// The observer of a scene; none where the measures of every run say it all.

@@ -2,7 +2,7 @@
 
 use super::{Watch, kinetic_energy};
 use crate::particles::Fluid;
-use crate::simulation::outcome::NamedReading;
+use crate::simulation::outcome::Readings;
 use crate::theory::rotating_patch::RotatingPatch;
 
 /// Knows the patch at its start.
@@ -25,7 +25,7 @@ impl Watch for Patch {
         self.time = time;
     }
 
-    fn readings(&self, fluid: &Fluid) -> Vec<NamedReading> {
+    fn tell(&self, fluid: &Fluid, all: &mut Readings) {
         let side = self.start.side;
         let places = (0..fluid.len()).map(|k| [fluid.x[k], fluid.y[k]]);
         let arm = places.map(|[x, y]| x.hypot(y)).fold(0.0, f64::max);
@@ -33,17 +33,11 @@ impl Watch for Patch {
         let spin = change(angular_momentum(fluid), self.angular_momentum);
         let energy = change(kinetic_energy(fluid), self.energy);
         let drift = drift(fluid) / side;
-        vec![
-            NamedReading::new("arm", arm / side, "L"),
-            NamedReading::new(
-                "arm_without_pressure",
-                self.start.ballistic_arm(self.time) / side,
-                "L",
-            ),
-            NamedReading::new("angular_momentum_gap", spin, "%"),
-            NamedReading::new("kinetic_energy_gap", energy, "%"),
-            NamedReading::new("centre_drift", drift, "L"),
-        ]
+        all.tell("arm", arm / side, "L");
+        all.tell("arm_without_pressure", self.start.ballistic_arm(self.time) / side, "L");
+        all.tell("angular_momentum_gap", spin, "%");
+        all.tell("kinetic_energy_gap", energy, "%");
+        all.tell("centre_drift", drift, "L");
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Watch, half_swings, share_of};
 use crate::particles::Fluid;
-use crate::simulation::outcome::NamedReading;
+use crate::simulation::outcome::Readings;
 use crate::theory::standing_wave::StandingWave;
 
 /// Follows how much of the wave's flow the water has.
@@ -25,28 +25,24 @@ impl Watch for Swing {
         self.series.push((time, share_of(fluid, flow)));
     }
 
-    fn readings(&self, _: &Fluid) -> Vec<NamedReading> {
+    fn tell(&self, _: &Fluid, all: &mut Readings) {
         let exact = std::f64::consts::TAU / self.wave.frequency();
-        let mut all = vec![NamedReading::new("period_exact", exact, "s")];
-        let Some((half, peaks)) = half_swings(&self.series) else { return all };
-        let mut push = |name: &str, value: f64, unit: &str| {
-            all.push(NamedReading::new(name, value, unit));
-        };
-        push("period", 2.0 * half, "s");
-        push("period_gap", 100.0 * (2.0 * half / exact - 1.0), "%");
-        let (Some(first), Some(last)) = (peaks.first(), peaks.last()) else { return all };
+        all.tell("period_exact", exact, "s");
+        let Some((half, peaks)) = half_swings(&self.series) else { return };
+        all.tell("period", 2.0 * half, "s");
+        all.tell("period_gap", 100.0 * (2.0 * half / exact - 1.0), "%");
+        let (Some(first), Some(last)) = (peaks.first(), peaks.last()) else { return };
         if last.0 > first.0 {
             let span = last.0 - first.0;
             let kept = last.1 / first.1;
             let should = libm::exp(-self.wave.damping(self.viscosity) * span);
-            push("amplitude_kept", kept, "over the first peak's");
-            push("amplitude_kept_exact", should, "over the first peak's");
-            push("decay_gap", 100.0 * (kept - should), "% of the first peak");
+            all.tell("amplitude_kept", kept, "over the first peak's");
+            all.tell("amplitude_kept_exact", should, "over the first peak's");
+            all.tell("decay_gap", 100.0 * (kept - should), "% of the first peak");
             let rate = -libm::log(kept) / span;
             let per_viscosity = self.wave.damping(1.0);
-            push("damping_rate", rate, "1/s");
-            push("numerical_viscosity", rate / per_viscosity - self.viscosity, "m2/s");
+            all.tell("damping_rate", rate, "1/s");
+            all.tell("numerical_viscosity", rate / per_viscosity - self.viscosity, "m2/s");
         }
-        all
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Watch, kinetic_energy, share_of};
 use crate::particles::Fluid;
-use crate::simulation::outcome::NamedReading;
+use crate::simulation::outcome::Readings;
 use crate::theory::taylor_green::TaylorGreen;
 
 /// Follows how much of the vortices is left.
@@ -24,26 +24,19 @@ impl Watch for Vortices {
         self.last = (time, share_of(fluid, |place| self.flow.velocity(place)));
     }
 
-    fn readings(&self, fluid: &Fluid) -> Vec<NamedReading> {
+    fn tell(&self, fluid: &Fluid, all: &mut Readings) {
         let (time, kept) = self.last;
         let should = libm::exp(-self.flow.damping(self.viscosity) * time);
         let energy = kinetic_energy(fluid) / self.energy_at_start;
-        let mut all = vec![
-            NamedReading::new("velocity_kept", kept, "over U"),
-            NamedReading::new("velocity_kept_exact", should, "over U"),
-            NamedReading::new("decay_gap", 100.0 * (kept - should), "% of U"),
-            NamedReading::new("kinetic_energy_kept", energy, "over the start's"),
-            NamedReading::new(
-                "kinetic_energy_gap",
-                100.0 * (energy - should * should),
-                "% of the start's",
-            ),
-        ];
+        all.tell("velocity_kept", kept, "over U");
+        all.tell("velocity_kept_exact", should, "over U");
+        all.tell("decay_gap", 100.0 * (kept - should), "% of U");
+        all.tell("kinetic_energy_kept", energy, "over the start's");
+        all.tell("kinetic_energy_gap", 100.0 * (energy - should * should), "% of the start's");
         if kept > 0.0 && time > 0.0 {
             let rate = -libm::log(kept) / time;
             let numerical = rate / self.flow.damping(1.0) - self.viscosity;
-            all.push(NamedReading::new("numerical_viscosity", numerical, "m2/s"));
+            all.tell("numerical_viscosity", numerical, "m2/s");
         }
-        all
     }
 }

@@ -6,7 +6,6 @@ mod incomplete;
 use serde::{Deserialize, Serialize};
 
 use super::Csr;
-use crate::math::simd::SimdPath;
 use aggregation::Hierarchy;
 use incomplete::Incomplete;
 
@@ -33,44 +32,41 @@ impl PreconditionerChoice {
 
 /// A preconditioner that is prepared for a matrix and applied many times.
 #[derive(Debug, Clone)]
-pub enum Preconditioner {
-    /// The diagonal.
-    Jacobi,
-    /// Incomplete factors.
-    Incomplete(Incomplete),
-    /// A hierarchy of aggregates.
-    Multigrid(Hierarchy),
+pub struct Preconditioner {
+    choice: PreconditionerChoice,
+    incomplete: Incomplete,
+    hierarchy: Hierarchy,
 }
 
 impl Preconditioner {
     /// Not prepared yet.
     pub fn new(choice: PreconditionerChoice) -> Preconditioner {
-        match choice {
-            PreconditionerChoice::Jacobi => Preconditioner::Jacobi,
-            PreconditionerChoice::Incomplete => Preconditioner::Incomplete(Incomplete::default()),
-            PreconditionerChoice::Multigrid => Preconditioner::Multigrid(Hierarchy::default()),
+        Preconditioner {
+            choice,
+            incomplete: Incomplete::default(),
+            hierarchy: Hierarchy::default(),
         }
     }
 
     /// Gets ready for a matrix.
     pub fn prepare(&mut self, a: &Csr) {
-        match self {
-            Preconditioner::Jacobi => {}
-            Preconditioner::Incomplete(factors) => factors.prepare(a),
-            Preconditioner::Multigrid(hierarchy) => hierarchy.prepare(a),
+        match self.choice {
+            PreconditionerChoice::Jacobi => {}
+            PreconditionerChoice::Incomplete => self.incomplete.prepare(a),
+            PreconditionerChoice::Multigrid => self.hierarchy.prepare(a),
         }
     }
 
     /// `z` ≈ A⁻¹ `r`.
-    pub fn apply(&mut self, path: SimdPath, a: &Csr, r: &[f64], z: &mut [f64]) {
-        match self {
-            Preconditioner::Jacobi => {
+    pub fn apply(&mut self, a: &Csr, r: &[f64], z: &mut [f64]) {
+        match self.choice {
+            PreconditionerChoice::Jacobi => {
                 for ((z, r), d) in z.iter_mut().zip(r).zip(&a.diagonal) {
                     *z = r / d;
                 }
             }
-            Preconditioner::Incomplete(factors) => factors.apply(r, z),
-            Preconditioner::Multigrid(hierarchy) => hierarchy.apply(path, a, r, z),
+            PreconditionerChoice::Incomplete => self.incomplete.apply(r, z),
+            PreconditionerChoice::Multigrid => self.hierarchy.apply(a, r, z),
         }
     }
 }

@@ -1,0 +1,267 @@
+//! A matrix of cases and methods, as `seawall accuracy` and `seawall stress` run them: every case
+//! is a scene with what is known of its answer, every method a set of numerics laid over it.
+//!
+//! A matrix becomes a [`Study`], so that it runs in parallel and resumes like any sweep. A pair
+//! that this build does not know (a scheme, a kernel, a kind of scene) is told, not an error.
+
+use std::collections::{BTreeMap, HashMap};
+
+use serde::Deserialize;
+use toml::{Table, Value};
+
+use super::choice;
+use super::quantity::Quantity;
+use crate::scene::{CaseConfig, ConfigError};
+use crate::study::{Case, CaseId, Study};
+
+/// A file of cases and methods.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Matrix {
+    /// Its name; also the default output directory's.
+    pub name: String,
+    /// The cases.
+    #[serde(rename = "case")]
+    pub cases: Vec<MatrixCase>,
+    /// The methods.
+    #[serde(rename = "method")]
+    pub methods: Vec<Method>,
+}
+
+/// A scene and what is known of its answer. Quantities have the names of the outcome's fields
+/// or of the scene's readings.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MatrixCase {
+    /// A word.
+    pub name: String,
+    /// What it is and why it is here.
+    pub about: String,
+    /// `[scene]`.
+    #[serde(default)]
+    pub scene: Table,
+    /// `[numerics]`, below the method's.
+    #[serde(default)]
+    pub numerics: Table,
+    /// Part of the quick form.
+    #[serde(default)]
+    pub quick: bool,
+    /// The methods it runs with; all where absent.
+    pub methods: Option<Vec<String>>,
+    /// The exact values of quantities: fields of the outcome, or readings of the scene.
+    #[serde(default)]
+    pub truth: BTreeMap<Quantity, f64>,
+    /// Where no exact value is known: what the finest method of all says.
+    pub reference: Option<Reference>,
+    /// The range that a quantity must end in.
+    #[serde(default)]
+    pub pass: BTreeMap<Quantity, [f64; 2]>,
+    /// Another case whose values, with the same method, these must equal.
+    pub same: Option<Same>,
+}
+
+/// The same case with a method that is taken for the truth.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Reference {
+    /// Name of the method; its own errors are not told.
+    pub method: String,
+    /// Which quantities.
+    pub quantities: Vec<Quantity>,
+}
+
+/// Equality with another case.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Same {
+    /// The other case.
+    pub case: String,
+    /// How far apart, relative to the other's value.
+    pub tolerance: f64,
+    /// Which quantities.
+    pub quantities: Vec<Quantity>,
+}
+
+/// Numerics laid over those of every case.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Method {
+    /// A word.
+    pub name: String,
+    /// What it is.
+    #[serde(default)]
+    pub about: String,
+    /// `[numerics]`.
+    #[serde(default)]
+    pub numerics: Table,
+    /// Part of the quick form.
+    #[serde(default)]
+    pub quick: bool,
+    /// The cases it runs on; all where absent.
+    pub cases: Option<Vec<String>>,
+}
+
+/// One pair of the matrix: a method tried on a case.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Trial {
+    /// Place in [`Matrix::cases`].
+    pub case: usize,
+    /// Place in [`Matrix::methods`].
+    pub method: usize,
+    /// Place among the study's cases, or why this build cannot run it. Two methods that come to
+    /// the same numerics share a place.
+    pub run: Result<usize, String>,
+}
+
+impl Matrix {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// What is no matrix, or names a case or method that is not there.
+    pub fn read(text: &str) -> Result<Matrix, ConfigError> {
+        let matrix: Matrix = toml::from_str(text).map_err(|error| {
+            ConfigError::new("matrix", "", error.message().trim().replace('\n', " "))
+        })?;
+        let known = |names: Vec<&str>, key: &str, wanted: &str| match names.contains(&wanted) {
+            true => Ok(()),
+            false => {
+                Err(ConfigError::new(key, wanted, format!("must be one of {}", names.join(", "))))
+            }
+        };
+        for case in &matrix.cases {
+            let cases = || matrix.cases.iter().map(|case| case.name.as_str()).collect();
+            let methods = || matrix.methods.iter().map(|method| method.name.as_str()).collect();
+            if let Some(same) = &case.same {
+                known(cases(), &format!("case.{}.same.case", case.name), &same.case)?;
+            }
+            for method in case.methods.iter().flatten() {
+                known(methods(), &format!("case.{}.methods", case.name), method)?;
+            }
+            if let Some(reference) = &case.reference {
+                known(methods(), &format!("case.{}.reference", case.name), &reference.method)?;
+            }
+        }
+        for method in &matrix.methods {
+            for case in method.cases.iter().flatten() {
+                let cases = matrix.cases.iter().map(|case| case.name.as_str()).collect();
+                known(cases, &format!("method.{}.cases", method.name), case)?;
+            }
+        }
+        Ok(matrix)
+    }
+
+    /// The part with these cases and these methods, each all where none is named. Every argument
+    /// is a name, or several with commas between them. A part has a name of its own, so that it
+    /// gets a directory of its own.
+    ///
+    /// # Errors
+    /// A name that is not there.
+    pub fn only(&self, cases: &[String], methods: &[String]) -> Result<Matrix, ConfigError> {
+        let mut part = self.clone();
+        let names: Vec<_> = self.cases.iter().map(|case| case.name.as_str()).collect();
+        let cases = choice::names("--case", cases, &names)?;
+        let names: Vec<_> = self.methods.iter().map(|method| method.name.as_str()).collect();
+        let methods = choice::names("--method", methods, &names)?;
+        part.cases.retain(|case| cases.is_empty() || cases.contains(&case.name));
+        part.methods.retain(|method| methods.is_empty() || methods.contains(&method.name));
+        if !(cases.is_empty() && methods.is_empty()) {
+            part.name.push_str("-part");
+        }
+        Ok(part)
+    }
+
+    /// The study of all its pairs, or of those of its quick form.
+    pub fn study(&self, quick: bool, text: &str) -> (Study, Vec<Trial>) {
+        let mut pairs = Vec::new();
+        let mut cases: Vec<Case> = Vec::new();
+        let mut seen: HashMap<CaseId, usize> = HashMap::new();
+        for (place, case) in self.cases.iter().enumerate() {
+            for (column, method) in self.methods.iter().enumerate() {
+                let named = case.methods.as_ref().is_none_or(|names| names.contains(&method.name))
+                    && method.cases.as_ref().is_none_or(|names| names.contains(&case.name));
+                if !named || (quick && !(case.quick && method.quick)) {
+                    continue;
+                }
+                let mut numerics = case.numerics.clone();
+                numerics.extend(method.numerics.clone());
+                let run = match CaseConfig::from_tables(&case.scene, &numerics) {
+                    Err(error) => Err(error.to_string()),
+                    Ok(config) => {
+                        let config = config.without_error_bars();
+                        let id = CaseId::of(&config);
+                        Ok(*seen.entry(id).or_insert_with(|| {
+                            let index = cases.len();
+                            let words = [&case.name, &method.name];
+                            let assignments = words.map(|word| Some(Value::String(word.clone())));
+                            cases.push(Case { index, id, config, assignments: assignments.into() });
+                            index
+                        }))
+                    }
+                };
+                pairs.push(Trial { case: place, method: column, run });
+            }
+        }
+        let keys = vec!["case".to_owned(), "method".to_owned()];
+        let name = if quick { format!("{}-quick", self.name) } else { self.name.clone() };
+        (Study::of(name, keys, cases, &[], text), pairs)
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+
+    pub(in crate::accuracy) const TEXT: &str = r#"
+name = "small"
+[[case]]
+name = "still"
+about = "water at rest"
+quick = true
+scene = { wave_height_ratio = 0.0, end_time_s = 1.0 }
+truth = { force_end = 1.0 }
+pass = { force_end = [0.9, 1.1] }
+[[case]]
+name = "wave"
+about = "a wave"
+methods = ["plain"]
+scene = { wave_height_ratio = 0.3 }
+[case.same]
+case = "still"
+tolerance = 0.1
+quantities = ["force_end"]
+[[method]]
+name = "plain"
+quick = true
+[[method]]
+name = "odd"
+numerics = { kernel = "no-such-kernel" }
+[[method]]
+name = "plain-again"
+numerics = { courant_number = 1.8 }
+"#;
+
+    #[test]
+    fn a_matrix_becomes_a_study() {
+        let matrix = Matrix::read(TEXT).unwrap();
+        let (study, pairs) = matrix.study(false, TEXT);
+        let runs: Vec<_> = pairs.iter().map(|pair| pair.run.as_ref().ok().copied()).collect();
+        assert_eq!(runs, [Some(0), None, Some(0), Some(1)], "the same numerics run once");
+        assert_eq!(study.cases.len(), 2);
+        assert!(pairs[1].run.as_ref().unwrap_err().starts_with("numerics.kernel"));
+        let (quick, pairs) = matrix.study(true, TEXT);
+        assert_eq!((quick.cases.len(), pairs.len()), (1, 1));
+        assert_ne!(quick.name, study.name);
+    }
+
+    #[test]
+    fn bad_matrices_are_told() {
+        let told = |from: &str, to: &str| {
+            Matrix::read(&TEXT.replacen(from, to, 1)).unwrap_err().to_string()
+        };
+        assert!(
+            told("methods = [\"plain\"]", "methods = [\"fine\"]").contains("case.wave.methods")
+        );
+        assert!(told("about", "abuot").contains("abuot"));
+        assert!(told("case = \"still\"", "case = \"stil\"").contains("must be one of still, wave"));
+    }
+}

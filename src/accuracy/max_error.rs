@@ -1,0 +1,182 @@
+//! A wanted error (`--max-error`): numerics chosen case by case, verified with error bars, refined
+//! where they miss.
+
+use std::collections::BTreeMap;
+
+use sha2::{Digest, Sha256};
+
+use super::table::{AccuracyTable, Choice, differences};
+use crate::quantities::summary::{CASE_ID, PARTICLE_SPACING};
+use crate::results::{CaseRecord, ErrorBars};
+use crate::scene::CaseConfig;
+use crate::simulation::Maximum;
+use crate::study::{Case, CaseId, Study};
+
+/// Largest spacing over the depth whose choice can be verified: its companion for the error bars has
+/// twice that, and no case may have more than a quarter.
+const COARSEST: f64 = 0.125;
+
+/// Choices by the number of their case.
+pub type Choices = BTreeMap<usize, Choice>;
+
+/// A wanted error of force and displacement, and what is known about meeting it.
+#[derive(Debug, Clone)]
+pub struct MaxError {
+    percent: f64,
+    table: AccuracyTable,
+}
+
+/// How accurate a case came out.
+#[derive(Debug, Clone, Copy)]
+pub struct Verified {
+    /// The case.
+    pub index: usize,
+    /// Its spacing, metres.
+    pub spacing_m: f64,
+    /// The larger of the bars of force and displacement, percent; `None` without bars.
+    pub bar_percent: Option<f64>,
+    /// Whether that is what was wanted.
+    pub met: bool,
+}
+
+impl MaxError {
+    /// A wanted error in percent.
+    ///
+    /// # Errors
+    /// A number that is none, or a study that sweeps what is to be chosen.
+    pub fn new(percent: f64, study: &Study) -> Result<MaxError, String> {
+        if !(percent.is_finite() && percent > 0.0) {
+            return Err(format!(
+                "accuracy.max_error_percent = {percent}: must be a number above 0"
+            ));
+        }
+        if study.keys.iter().any(|key| key == "particle_spacing_m") {
+            let told =
+                "--max-error chooses the particle spacing, but [grid] sweeps it: leave one out";
+            return Err(told.to_owned());
+        }
+        Ok(MaxError { percent, table: AccuracyTable::stored() })
+    }
+
+    /// What is wanted, percent.
+    pub fn percent(&self) -> f64 {
+        self.percent
+    }
+
+    /// The numerics that are expected to do.
+    pub fn first(&self, study: &Study) -> Choices {
+        let choose = |case: &Case| Some((case.index, self.choose(study, case, COARSEST)?));
+        study.cases.iter().filter_map(choose).collect()
+    }
+
+    /// Finer spacings where the bars are too wide and the table has any; `records` are the runs'.
+    pub fn finer(&self, study: &Study, records: &[Option<CaseRecord>]) -> Choices {
+        let choose = |verified: &Verified| {
+            verified.bar_percent.filter(|&bar| bar > self.percent)?;
+            let case = &study.cases[verified.index];
+            let depth = case.config.scene.seawall()?.still_water_depth_m;
+            Some((case.index, self.choose(study, case, 0.99 * verified.spacing_m / depth)?))
+        };
+        self.verify(study, records).iter().filter_map(choose).collect()
+    }
+
+    fn choose(&self, study: &Study, case: &Case, at_most: f64) -> Option<Choice> {
+        self.table.choose(&case.config, self.percent, at_most, &study.keys)
+    }
+
+    /// How accurate the finished cases came out; `records` are the runs'.
+    pub fn verify(&self, study: &Study, records: &[Option<CaseRecord>]) -> Vec<Verified> {
+        let verified = |case: &Case| {
+            let record = records[case.index].as_ref().filter(|record| record.is_ok())?;
+            let bar_percent = bar_percent(record, &study.error_bars(case.index, records));
+            let met = bar_percent.is_some_and(|bar| bar <= self.percent);
+            let spacing_m = case.config.numerics.particle_spacing_m;
+            Some(Verified { index: case.index, spacing_m, bar_percent, met })
+        };
+        study.cases.iter().filter_map(verified).collect()
+    }
+
+    /// `max_error.csv`: which case got which numerics and whether its bars keep to the aim.
+    ///
+    /// # Errors
+    /// None in practice: it is written into memory.
+    pub fn csv(&self, study: &Study, verified: &[Verified]) -> csv::Result<Vec<u8>> {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        writer.write_record([
+            CASE_ID.name,
+            PARTICLE_SPACING.name,
+            "numerics",
+            "error_bar_percent",
+            "max_error_percent",
+            "met",
+        ])?;
+        for of in verified {
+            let case = &study.cases[of.index];
+            writer.write_record([
+                case.id.to_string(),
+                of.spacing_m.to_string(),
+                differences(&case.config.numerics),
+                of.bar_percent.map(|bar| bar.to_string()).unwrap_or_default(),
+                self.percent.to_string(),
+                of.met.to_string(),
+            ])?;
+        }
+        writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))
+    }
+}
+
+/// The larger of the bars of force and displacement, percent of their values.
+fn bar_percent(record: &CaseRecord, bars: &ErrorBars) -> Option<f64> {
+    let outcome = record.outcome.as_ref()?;
+    let share = |bar: Option<f64>, value: Option<Maximum>| {
+        let value = value?.value;
+        (value > 0.0).then_some(100.0 * bar? / value)
+    };
+    let force = share(bars.force, outcome.first_force_max);
+    let displacement = share(bars.displacement, outcome.displacement_max);
+    force.into_iter().chain(displacement).max_by(f64::total_cmp)
+}
+
+impl Study {
+    /// The same cases as a sweep of its own, which aims at an error in percent.
+    pub fn aiming_at(mut self, percent: f64) -> Study {
+        let digest = Sha256::digest(format!("{} max-error {percent}", self.identity));
+        self.identity = digest[..8].iter().map(|byte| format!("{byte:02x}")).collect();
+        self
+    }
+
+    /// The same sweep with other cases in place of those that `choose` has one for, and with a pair of
+    /// error bars. The sweep keeps its identity through every such choice, so that its directory
+    /// takes them all.
+    pub fn with_choices(&self, choose: impl Fn(usize) -> Option<CaseConfig>) -> Study {
+        let mut cases = self.cases.clone();
+        for case in &mut cases {
+            if let Some(config) = choose(case.index) {
+                case.id = CaseId::of(&config);
+                case.config = config;
+            }
+        }
+        let bars = vec![crate::scene::ErrorBars::Pair; cases.len()];
+        let (name, keys) = (self.name.clone(), self.keys.clone());
+        let study = Study::of(name, keys, cases, &bars, &self.file_text);
+        Study { identity: self.identity.clone(), ..study }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn choices_keep_the_sweeps_identity() {
+        let text = "name = \"a\"\n[grid]\nwave_height_ratio = [0.2, 0.3]";
+        let study = Study::new(&crate::study::SweepFile::read(text, &[]).unwrap()).unwrap();
+        let mut finer = study.cases[1].config.clone();
+        finer.numerics.particle_spacing_m = 0.016;
+        let chosen = study.with_choices(|index| (index == 1).then(|| finer.clone()));
+        assert_eq!(chosen.identity, study.identity);
+        assert_eq!(chosen.cases[0].id, study.cases[0].id);
+        assert_ne!(chosen.cases[1].id, study.cases[1].id);
+        assert_eq!(chosen.companions.len(), 2);
+    }
+}

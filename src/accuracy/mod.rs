@@ -1,0 +1,20 @@
+//! How accurate and how robust the methods are, and what the program does with that knowledge.
+//!
+//! - [`Matrix`] holds the cases and methods of `seawall accuracy` and `seawall stress`;
+//! - [`score`] tells their errors, [`judge`] their verdicts;
+//! - [`AccuracyTable`] holds measured errors and chooses numerics by them, as [`MaxError`] asks.
+
+mod choice;
+mod matrix;
+mod max_error;
+mod quantity;
+mod score;
+mod stress;
+mod table;
+
+pub use matrix::{Matrix, Trial};
+pub use max_error::{Choices, MaxError, Verified};
+pub use quantity::{Kind, Quantity};
+pub use score::{Errors, MethodScore, Scored, cheapest_within, methods, score};
+pub use stress::{Judged, Verdict, judge};
+pub use table::{AccuracyTable, Choice};

@@ -1,0 +1,256 @@
+//! What the program knows of its own accuracy: the cheapest numerics that a table of measured errors
+//! expects to meet a wanted one.
+//!
+//! What counts is the force over the first impact and the displacement, in percent; the table is
+//! `data/accuracy.csv`, a part of this program: `scripts/accuracy` makes it anew from the cases and
+//! methods of `sweeps/accuracy.toml`. A method may change whatever the sweep leaves at its default.
+
+use serde::Deserialize;
+use toml::Table;
+
+use super::matrix::Matrix;
+use crate::keys::Section;
+use crate::scene::{CaseConfig, Numerics, Preset};
+
+/// Measured errors and costs by method: what the program knows about itself.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AccuracyTable {
+    cases: Vec<Known>,
+    methods: Vec<Recipe>,
+}
+
+/// A case with a known answer.
+#[derive(Debug, Clone, PartialEq)]
+struct Known {
+    name: String,
+    movable: bool,
+    wave_height_ratio: f64,
+}
+
+/// A method and how it did.
+#[derive(Debug, Clone, PartialEq)]
+struct Recipe {
+    name: String,
+    /// Spacing over depth.
+    spacing: f64,
+    /// What else it sets.
+    numerics: Table,
+    /// By the number of the case: error of force and displacement, percent, and processor seconds.
+    measured: Vec<Option<(f64, f64)>>,
+}
+
+/// What of a row of `accuracy.csv` counts.
+#[derive(Deserialize)]
+struct Measured {
+    case: String,
+    method: String,
+    force_error_percent: Option<f64>,
+    displacement_error_percent: Option<f64>,
+    cpu_time_s: Option<f64>,
+}
+
+/// Chosen numerics and why.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Choice {
+    /// The case with them.
+    pub config: CaseConfig,
+    /// Name of the method.
+    pub method: String,
+    /// The largest measured error of the table's nearest cases, percent.
+    pub expected_percent: f64,
+    /// What they took together, processor seconds.
+    pub cost_s: f64,
+    /// Those cases.
+    pub because: String,
+    /// Whether the table expects the wanted error to be met.
+    pub meets: bool,
+}
+
+impl AccuracyTable {
+    /// The table stored with this program.
+    pub fn stored() -> AccuracyTable {
+        let matrix = Matrix::read(include_str!("../../sweeps/accuracy.toml"));
+        let rows = include_str!("../../data/accuracy.csv");
+        AccuracyTable::read(&matrix.expect("the shipped matrix is tested"), rows)
+    }
+
+    /// Reads `accuracy.csv` with the matrix that it was made from.
+    pub fn read(matrix: &Matrix, rows: &str) -> AccuracyTable {
+        let mut depths = Vec::new();
+        let mut cases = Vec::new();
+        for case in &matrix.cases {
+            let Ok(config) = CaseConfig::from_tables(&case.scene, &case.numerics) else { continue };
+            let Some(scene) = config.scene.seawall() else { continue };
+            if scene.wave_height_ratio > 0.0 {
+                depths.push(scene.still_water_depth_m);
+                cases.push(Known {
+                    name: case.name.clone(),
+                    movable: scene.wall.moves(),
+                    wave_height_ratio: scene.wave_height_ratio,
+                });
+            }
+        }
+        let depth = depths.first().copied().unwrap_or(1.0);
+        let recipe = |method: &super::matrix::Method| {
+            let mut numerics = method.numerics.clone();
+            let spacing = numerics.remove("particle_spacing_m")?.as_float()? / depth;
+            let measured = vec![None; cases.len()];
+            Some(Recipe { name: method.name.clone(), spacing, numerics, measured })
+        };
+        let mut methods: Vec<Recipe> = matrix.methods.iter().filter_map(recipe).collect();
+        let mut reader = csv::Reader::from_reader(rows.as_bytes());
+        for row in reader.deserialize::<Measured>().flatten() {
+            let case = cases.iter().position(|case| case.name == row.case);
+            let method = methods.iter_mut().find(|method| method.name == row.method);
+            let Some((case, method)) = case.zip(method) else { continue };
+            let errors = [row.force_error_percent, row.displacement_error_percent];
+            let error = errors.into_iter().flatten().map(f64::abs).max_by(f64::total_cmp);
+            method.measured[case] = error.zip(row.cpu_time_s);
+        }
+        AccuracyTable { cases, methods }
+    }
+
+    /// The cheapest method, with particles no farther apart than `at_most` of the depth, that is
+    /// expected to keep the error within `percent`; the most accurate where none is. A method that
+    /// sets one of the keys in `swept`, or one that the case has already set, is no choice.
+    pub fn choose(
+        &self,
+        config: &CaseConfig,
+        percent: f64,
+        at_most: f64,
+        swept: &[String],
+    ) -> Option<Choice> {
+        let scene = config.scene.seawall()?;
+        let near = self.nearest(scene.wall.moves(), scene.wave_height_ratio);
+        let names: Vec<_> = near.iter().map(|&case| self.cases[case].name.as_str()).collect();
+        let choice = |method: &Recipe| {
+            let results = near.iter().map(|&case| method.measured[case]);
+            let results = results.collect::<Option<Vec<(f64, f64)>>>()?;
+            let worst = results.iter().map(|result| result.0).max_by(f64::total_cmp)?;
+            Some(Choice {
+                config: method.applied(config, scene.still_water_depth_m, swept)?,
+                method: method.name.clone(),
+                expected_percent: worst,
+                cost_s: results.iter().map(|result| result.1).sum(),
+                because: names.join(", "),
+                meets: worst <= percent,
+            })
+        };
+        let fitting = self.methods.iter().filter(|one| one.spacing <= at_most * (1.0 + 1e-9));
+        let choices: Vec<_> = fitting.filter_map(choice).collect();
+        let good = choices.iter().filter(|choice| choice.meets);
+        let cheapest = good.min_by(|a, b| a.cost_s.total_cmp(&b.cost_s));
+        let best =
+            || choices.iter().min_by(|a, b| a.expected_percent.total_cmp(&b.expected_percent));
+        cheapest.or_else(best).cloned()
+    }
+
+    /// The table's cases of the same kind of wall next below and above in wave height.
+    fn nearest(&self, movable: bool, wave: f64) -> Vec<usize> {
+        let of_kind = |&case: &usize| self.cases[case].movable == movable;
+        let height = |case: usize| self.cases[case].wave_height_ratio;
+        let order = |a: &usize, b: &usize| height(*a).total_cmp(&height(*b));
+        let all = || (0..self.cases.len()).filter(of_kind);
+        let below = all().filter(|&case| height(case) <= wave).max_by(order);
+        let above = all().filter(|&case| height(case) >= wave).min_by(order);
+        let mut both: Vec<_> = below.into_iter().chain(above).collect();
+        both.dedup();
+        both
+    }
+}
+
+impl Recipe {
+    /// A case with this method's numerics; `None` where that would override what its file says, or
+    /// is nothing that the case can take.
+    fn applied(&self, config: &CaseConfig, depth: f64, swept: &[String]) -> Option<CaseConfig> {
+        let mut numerics = config.numerics.table();
+        let default = Numerics::preset(Preset::Default).table();
+        for (key, value) in &self.numerics {
+            if swept.contains(key) || default.get(key) != numerics.get(key) {
+                return None;
+            }
+            numerics.insert(key.clone(), value.clone());
+        }
+        numerics.insert("particle_spacing_m".to_owned(), (self.spacing * depth).into());
+        let scene = Table::try_from(&config.scene).ok()?;
+        let read = CaseConfig::from_tables(&scene, &numerics).ok()?;
+        Some(CaseConfig { numerics: read.numerics, ..config.clone() })
+    }
+}
+
+/// What of a case's numerics is not the default, in words: `particle_spacing_m = 0.02, ...`.
+pub fn differences(numerics: &Numerics) -> String {
+    let (own, default) = (numerics.table(), Numerics::preset(Preset::Default).table());
+    let other = own.iter().filter(|(key, value)| default.get(*key) != Some(*value));
+    let word =
+        |value: &toml::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+    other.map(|(key, value)| format!("{key} = {}", word(value))).collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn config(wave: f64) -> CaseConfig {
+        let scene = format!("wave_height_ratio = {wave:?}").parse().unwrap();
+        CaseConfig::from_tables(&scene, &toml::Table::new()).unwrap()
+    }
+
+    fn table() -> AccuracyTable {
+        let text = r#"
+name = "a"
+[[case]]
+name = "low"
+about = ""
+scene = { wave_height_ratio = 0.2 }
+[[case]]
+name = "high"
+about = ""
+scene = { wave_height_ratio = 0.6 }
+[[method]]
+name = "coarse"
+numerics = { particle_spacing_m = 0.02 }
+[[method]]
+name = "fine"
+numerics = { particle_spacing_m = 0.01 }
+[[method]]
+name = "other"
+numerics = { particle_spacing_m = 0.04, courant_number = 1.0 }
+"#;
+        let rows = "case,method,force_error_percent,displacement_error_percent,cpu_time_s\n\
+                    low,coarse,-1.0,,1\nlow,fine,0.5,,8\nhigh,coarse,3.0,,1\nhigh,fine,1.5,,8\n\
+                    low,other,0.0,,0.5\nhigh,other,9.0,,0.5\nall,fine,,,9\n";
+        AccuracyTable::read(&Matrix::read(text).unwrap(), rows)
+    }
+
+    #[test]
+    fn the_cheapest_method_that_is_good_enough_is_chosen() {
+        let spacing = |choice: &Choice| choice.config.numerics.particle_spacing_m;
+        let swept = ["courant_number".to_owned()];
+        let choose = |wave, percent, swept: &[String]| {
+            table().choose(&config(wave), percent, 1.0, swept).unwrap()
+        };
+        let low = choose(0.2, 2.0, &[]);
+        assert!(low.method == "other" && low.config.numerics.courant_number == 1.0 && low.meets);
+        let low = choose(0.2, 2.0, &swept);
+        assert!((spacing(&low) - 0.02).abs() < 1e-12 && low.meets, "what is swept stays");
+        let between = choose(0.4, 2.0, &[]);
+        assert!((spacing(&between) - 0.01).abs() < 1e-12);
+        assert_eq!((between.expected_percent, &*between.because), (1.5, "low, high"));
+        assert!(!choose(0.6, 1.0, &[]).meets);
+        let finer = table().choose(&config(0.2), 2.0, 0.06, &[]).unwrap();
+        assert!((spacing(&finer) - 0.01).abs() < 1e-12);
+        let mut own = config(0.2);
+        own.numerics.courant_number = 1.2;
+        assert_eq!(table().choose(&own, 2.0, 1.0, &[]).unwrap().method, "coarse");
+        assert_eq!(differences(&low.config.numerics), "particle_spacing_m = 0.02");
+    }
+
+    #[test]
+    fn the_stored_table_has_methods_for_every_wave() {
+        for wave in [0.1, 0.2, 0.4, 0.6, 0.8] {
+            let choice = AccuracyTable::stored().choose(&config(wave), 20.0, 1.0, &[]).unwrap();
+            assert!(choice.meets && choice.cost_s > 0.0, "{choice:?}");
+        }
+    }
+}

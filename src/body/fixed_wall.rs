@@ -1,0 +1,44 @@
+//! A wall that never moves.
+
+use super::WallLaw;
+
+/// It stands for other walls, too, as long as these are held: a run can tell when they would move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FixedWall {
+    /// The least and the largest force under which all of them stand, N per metre of width.
+    pub holds: [f64; 2],
+}
+
+impl FixedWall {
+    /// Stands for no other wall.
+    pub const ALONE: FixedWall = FixedWall { holds: [f64::NEG_INFINITY, f64::INFINITY] };
+
+    /// Stands for walls that a larger force moves, N per metre of width.
+    pub fn up_to(threshold: f64) -> FixedWall {
+        FixedWall { holds: [f64::NEG_INFINITY, threshold] }
+    }
+}
+
+impl WallLaw for FixedWall {
+    fn lets_go(&self, force: f64) -> bool {
+        let [least, most] = self.holds;
+        force < least || force > most
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn it_tells_when_others_would_move_and_stays() {
+        let mut wall = FixedWall { holds: [-1.0, 2.0] };
+        assert_eq!(
+            [-1.1, -1.0, 2.0, 2.1].map(|force| wall.lets_go(force)),
+            [true, false, false, true]
+        );
+        assert!(!FixedWall::ALONE.lets_go(1e300) && FixedWall::up_to(2.0).lets_go(2.1));
+        assert_eq!(wall.kick(5.0, 1.0, 0.1).travel, 0.0);
+        assert!(wall.state().is_none() && wall.restraint().is_none());
+    }
+}

@@ -1,0 +1,175 @@
+//! The wall's step among kicks: the water's force is known at the step's start.
+
+use super::{SpringWall, WallLaw, WallStep};
+
+impl SpringWall {
+    /// Advances by `dt` seconds under the water's force F = `force` - `added_mass` · a at the step's
+    /// start. X stands at that instant; V is the mean velocity over the step before, half a step
+    /// behind, like the velocities of water that is kicked and drifts:
+    /// ```text
+    /// m a = s max(F - F_th, 0) - k X̄,  X̄ = X + η V Δt + β a Δt²,  β = (1 + η)²/4
+    /// V⁺ = V + a Δt,  X⁺ = X + V⁺ Δt,  η = κ/(1 + κ),  κ = k Δt²/(4 (m + sA))
+    /// ```
+    /// That is Newmark's family (1959) with γ = ½ + η, written for three instants: X̄ is βX⁺ +
+    /// (½ - 2β + γ)X + (½ + β - γ)X⁻. Where the step resolves the spring, η vanishes and X̄ is the mean
+    /// (X⁺ + 2X + X⁻)/4, which neither feeds nor damps. A spring that is far too stiff for the step
+    /// takes the place where it balances the force: η = 1, X̄ = X⁺.
+    ///
+    /// Force and velocity have to be in turns as the water's are. Over a step the water before the
+    /// wall is a spring, too, of stiffness K. With its force held while the wall moves exactly, each
+    /// step multiplies the swing's energy by 1 + ½KΔt²/m, and light walls ring.
+    pub(super) fn kicked(&mut self, force: f64, added_mass: f64, dt: f64) -> WallStep {
+        if self.displacement <= 0.0 && self.velocity <= 0.0 && force <= self.threshold {
+            return WallStep::default();
+        }
+        let acceleration = self.acceleration(force, added_mass, dt);
+        let velocity = self.velocity + acceleration * dt;
+        if self.displacement + velocity * dt < 0.0 {
+            let work = self.force_coupling * (force - self.threshold).max(0.0) * -self.displacement;
+            let energy = self.kinetic_energy() + self.spring_energy() + work;
+            return self.stop(energy.max(0.0));
+        }
+        self.displacement += velocity * dt;
+        self.velocity = velocity;
+        WallStep { acceleration, travel: velocity * dt, ..WallStep::default() }
+    }
+
+    /// The acceleration at the step's start. The law is monotone in it, so exactly one of two is
+    /// consistent with the force that it leads to: that of a driven wall or of a free one.
+    fn acceleration(&self, force: f64, added_mass: f64, dt: f64) -> f64 {
+        let s = self.force_coupling;
+        let unresolved = 0.25 * self.stiffness * dt * dt / (self.mass + s * added_mass);
+        let lead = unresolved / (1.0 + unresolved);
+        let share = 0.25 * (1.0 + lead) * (1.0 + lead);
+        let inertia = self.mass + share * self.stiffness * dt * dt;
+        let pull = self.stiffness * (self.displacement + lead * dt * self.velocity);
+        let driven = (s * (force - self.threshold) - pull) / (inertia + s * added_mass);
+        if force - added_mass * driven > self.threshold { driven } else { -pull / inertia }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::theory::oscillator::{Oscillator, OscillatorState};
+
+    fn wall(mass: f64, stiffness: f64) -> SpringWall {
+        SpringWall::at_rest(mass, stiffness, 200.0, 1.0)
+    }
+
+    /// Largest distance from the exact oscillator over two periods of 2π seconds, let go at X = 1 in
+    /// a force that keeps it off its stop.
+    fn error(steps: u32) -> f64 {
+        let exact = Oscillator { mass: 2.0, stiffness: 2.0, force: 4.0 };
+        let from = OscillatorState { position: 1.0, velocity: 0.0 };
+        let dt = 4.0 * std::f64::consts::PI / f64::from(steps);
+        // Half a step behind.
+        let velocity = exact.advance(from, -0.5 * dt).velocity;
+        let mut wall = SpringWall { displacement: 1.0, velocity, ..wall(2.0, 2.0) };
+        let one = |step: u32| {
+            wall.kick(204.0, 0.0, dt);
+            (wall.displacement - exact.advance(from, dt * f64::from(step)).position).abs()
+        };
+        (1..=steps).map(one).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn the_exact_oscillator_is_approached_as_the_square_of_the_step() {
+        let [coarse, fine, finer] = [100, 200, 400].map(error);
+        assert!(coarse < 0.1, "{coarse}");
+        assert!((3.8..5.0).contains(&(coarse / fine)), "{coarse} {fine}");
+        assert!((3.8..4.5).contains(&(fine / finer)), "{fine} {finer}");
+    }
+
+    #[test]
+    fn a_wall_without_spring_falls_freely() {
+        let (mut wall, dt) = (wall(4.0, 0.0), 0.01);
+        // At rest at t = 0.
+        wall.velocity = -0.5 * dt * 10.0;
+        wall.displacement = 1.0;
+        for step in 1..=30 {
+            let acceleration = wall.kick(300.0, 6.0, dt).acceleration;
+            let time = dt * f64::from(step);
+            assert!((acceleration - 10.0).abs() < 1e-12);
+            assert!((wall.displacement - 1.0 - 5.0 * time * time).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_spring_too_stiff_for_the_step_takes_its_place_at_once() {
+        for (mass, stiffness, dt) in [(50.0, 1e9, 2e-3), (1.0, 1e7, 3e-3), (0.1, 1e7, 1e-3)] {
+            let (mut wall, place) = (wall(mass, stiffness), 100.0 / stiffness);
+            for _ in 0..20 {
+                wall.kick(300.0, 0.0, dt);
+                assert!((wall.displacement / place - 1.0).abs() < 0.5, "{mass} {stiffness}");
+            }
+            assert!((wall.displacement / place - 1.0).abs() < 1e-3, "{mass} {stiffness}");
+            assert_eq!(wall.stops, 0);
+        }
+    }
+
+    #[test]
+    fn the_acceleration_balances_the_force_that_it_leads_to() {
+        // Well resolved, so that the spring pulls with k X.
+        let from = SpringWall { displacement: 0.1, ..wall(2.0, 8.0) };
+        for force in [195.0, 199.0, 201.0, 300.0] {
+            let a = { from }.kick(force, 5.0, 1e-6).acceleration;
+            let felt = force - 5.0 * a;
+            assert!((2.0 * a - (felt - 200.0).max(0.0) + 0.8).abs() < 1e-5, "{force}");
+        }
+        let lone = { from }.kick(195.0, 5.0, 1e-6).acceleration;
+        assert!((lone + 0.4).abs() < 1e-5); // below the threshold only the spring acts
+        assert!(199.0 - 5.0 * { from }.kick(199.0, 5.0, 1e-6).acceleration > 200.0);
+        let coupled = SpringWall { force_coupling: 0.4, ..wall(10.0, 0.0) }.kick(300.0, 0.0, 0.01);
+        assert!((coupled.acceleration - 4.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_stop_takes_all_velocity_and_books_the_loss() {
+        let mut wall = SpringWall { displacement: 0.3, ..wall(2.0, 8.0) };
+        let loss: f64 = (0..2000).map(|_| wall.kick(0.0, 0.0, 0.001).stop_loss).sum();
+        assert_eq!((wall.displacement, wall.velocity, wall.stops), (0.0, 0.0, 1));
+        assert!((loss - 0.5 * 8.0 * 0.3 * 0.3).abs() < 2e-3 * loss, "{loss}");
+    }
+
+    /// A wall at the end of a column of water that only carries sound, in cells with ρ = c0 = Δx = 1
+    /// that are kicked and drift; half a cell moves with the wall. Its largest velocity after a push,
+    /// in the second half of the time that sound takes there and back.
+    fn swing_left(
+        law: fn(&mut SpringWall, f64, f64, f64) -> WallStep,
+        mass: f64,
+        stiffness: f64,
+    ) -> f64 {
+        const CELLS: usize = 400;
+        let dt = 0.9;
+        let (mut pressure, mut velocity) = ([0.0; CELLS], [0.0; CELLS]);
+        // In balance, well away from the stop.
+        let mut wall = SpringWall { displacement: 1e3 / stiffness, ..wall(mass, stiffness) };
+        let mut left = 0.0_f64;
+        for step in 0..2 * CELLS {
+            let push = if step == 0 { 1.0 } else { 0.0 };
+            let travel = law(&mut wall, 1200.0 + push + pressure[CELLS - 1], 0.5, dt).travel;
+            for k in 1..CELLS {
+                velocity[k] += dt * (pressure[k - 1] - pressure[k]);
+            }
+            for k in 0..CELLS {
+                let out = if k + 1 < CELLS { velocity[k + 1] } else { travel / dt };
+                pressure[k] += dt * (velocity[k] - out);
+            }
+            left = if step < CELLS { 0.0 } else { left.max(wall.velocity.abs()) };
+        }
+        left
+    }
+
+    #[test]
+    fn sound_carries_a_light_walls_swing_away() {
+        for mass in [1e-3, 0.1, 1.0] {
+            for stiffness in [1.0, 10.0, 1e3] {
+                let left = swing_left(SpringWall::kick, mass, stiffness);
+                assert!(left < 1e-2, "m {mass} k {stiffness}: {left}");
+            }
+        }
+        // With the force held over the step, the same wall takes energy from the step itself.
+        assert!(swing_left(SpringWall::advance, 0.1, 10.0) > 10.0);
+    }
+}

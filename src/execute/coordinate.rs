@@ -1,0 +1,182 @@
+//! The loop that ties manager, link and journal together; it runs on one thread, on rank 0.
+
+use std::time::Duration;
+
+use super::interrupt::Interrupt;
+use super::progress::Progress;
+use super::{Link, Order, Report};
+use crate::results::{CaseRecord, Directory, RankInfo, Savings, SweepError};
+use crate::schedule::{Command, Event, Manager, Work};
+use crate::simulation::{CaseResult, Failure, Stopped};
+use crate::study::{Plan, Study};
+
+/// How long to wait for a report before looking at signals and the journal.
+const PATIENCE: Duration = Duration::from_millis(50);
+
+/// How a session ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    /// Every case is done or has failed.
+    Finished,
+    /// The user stopped it; cases are left.
+    Interrupted,
+}
+
+/// One process's work on an output directory.
+pub struct Session<'a> {
+    /// The study.
+    pub study: &'a Study,
+    /// What of it has still to run.
+    pub plan: &'a Plan,
+    /// Where results go.
+    pub directory: &'a mut Directory,
+    /// Who works.
+    pub ranks: &'a [RankInfo],
+    /// The user's wish to stop.
+    pub interrupt: &'a Interrupt,
+    /// How progress is shown.
+    pub progress: Progress,
+}
+
+/// Runs a plan to its end, or until interrupted; everything finished is recorded and on the disk
+/// when this returns.
+///
+/// # Errors
+/// Where results cannot be written or the link breaks.
+pub fn coordinate(
+    link: &mut dyn Link,
+    session: &mut Session<'_>,
+) -> Result<(Ending, Savings), SweepError> {
+    let capacities: Vec<_> = session.ranks.iter().map(RankInfo::places).collect();
+    let mut loop_ = Loop {
+        manager: Manager::new(session.plan, &capacities),
+        commands: Vec::new(),
+        trunk_of_case: vec![None; session.plan.cases.len()],
+        trunk_steps: vec![0; session.plan.trunks.len()],
+        savings: Savings::default(),
+    };
+    for rank in 0..capacities.len() {
+        loop_.tell(Event::Ready { rank }, link, session);
+    }
+    let mut told = false;
+    while !loop_.manager.finished() {
+        match link.poll(PATIENCE)? {
+            Some((rank, report)) => loop_.take(rank, report, link, session)?,
+            None => session.directory.sync(true)?,
+        }
+        session.directory.sync(false)?;
+        if session.interrupt.is_raised() && !told {
+            told = true;
+            loop_.tell(Event::Interrupted, link, session);
+        }
+    }
+    session.directory.sync(true)?;
+    session.directory.write_tables(session.study)?;
+    let finished = loop_.manager.unfinished() == 0;
+    let ending = if finished { Ending::Finished } else { Ending::Interrupted };
+    Ok((ending, loop_.savings))
+}
+
+struct Loop {
+    manager: Manager,
+    commands: Vec<Command>,
+    /// The trunk that each running case started from.
+    trunk_of_case: Vec<Option<usize>>,
+    trunk_steps: Vec<u64>,
+    savings: Savings,
+}
+
+impl Loop {
+    fn tell(&mut self, event: Event, link: &mut dyn Link, session: &Session<'_>) {
+        self.manager.on(event, &mut self.commands);
+        for command in self.commands.drain(..) {
+            match command {
+                Command::Run { rank, work, from } => {
+                    let config = match work {
+                        Work::Trunk(trunk) => &session.plan.trunks[trunk].config,
+                        Work::Case(case) => {
+                            self.trunk_of_case[case] = from.map(|held| held.trunk);
+                            &session.study.run(session.plan.cases[case].index).config
+                        }
+                    };
+                    let config = serde_json::to_string(config);
+                    let config = config.expect("a configuration has a JSON form");
+                    link.send(rank, Order::Run { work, config, from });
+                }
+                Command::Drop { rank, trunk } => link.send(rank, Order::Drop { trunk }),
+                Command::Cancel => {
+                    for rank in 0..session.ranks.len() {
+                        link.send(rank, Order::Cancel);
+                    }
+                }
+            }
+        }
+    }
+
+    fn take(
+        &mut self,
+        rank: usize,
+        report: Report,
+        link: &mut dyn Link,
+        session: &mut Session<'_>,
+    ) -> Result<(), SweepError> {
+        let event = match report {
+            Report::TrunkDone { trunk, result: Err(Stopped::Interrupted) } => {
+                Event::GivenBack { rank, work: Work::Trunk(trunk) }
+            }
+            Report::TrunkDone { trunk, result } => {
+                if let Ok(steps) = result {
+                    self.savings.trunks += 1;
+                    self.savings.steps_computed += steps;
+                    self.trunk_steps[trunk] = steps;
+                }
+                session.progress.trunk(session.plan.trunks[trunk].cost);
+                Event::Done { rank, work: Work::Trunk(trunk), ok: result.is_ok() }
+            }
+            Report::CaseDone { case, result, wall_time_s, cpu_time_s } => {
+                let result = match result {
+                    Ok(result) => Ok(*result),
+                    Err(Stopped::Failed(failure)) => Err(failure),
+                    Err(Stopped::Interrupted) => {
+                        let work = Work::Case(case);
+                        self.tell(Event::GivenBack { rank, work }, link, session);
+                        return Ok(());
+                    }
+                };
+                let ok = self.record(rank, case, &result, (wall_time_s, cpu_time_s), session)?;
+                Event::Done { rank, work: Work::Case(case), ok }
+            }
+            Report::Interrupted => Event::Interrupted,
+        };
+        self.tell(event, link, session);
+        Ok(())
+    }
+
+    fn record(
+        &mut self,
+        rank: usize,
+        case: usize,
+        result: &Result<CaseResult, Failure>,
+        (wall_time_s, cpu_time_s): (f64, Option<f64>),
+        session: &mut Session<'_>,
+    ) -> Result<bool, SweepError> {
+        let planned = session.plan.cases[case];
+        let trunk = self.trunk_of_case[case];
+        if let Ok(result) = result {
+            let steps = result.outcome.steps;
+            let shared = trunk.map_or(0, |trunk| self.trunk_steps[trunk]);
+            self.savings.branches += usize::from(trunk.is_some());
+            self.savings.steps_computed += steps.saturating_sub(shared);
+            self.savings.steps_from_rest += steps;
+        }
+        let host = &session.ranks[rank].host;
+        let whole = session.study.run(planned.index);
+        let mut record = CaseRecord::new(session.study, whole, result, wall_time_s, host);
+        record.cpu_time_s = cpu_time_s;
+        let work = if trunk.is_some() { planned.branch_cost } else { planned.cost };
+        let ok = record.is_ok();
+        session.directory.record(record, result.as_ref().ok())?;
+        session.progress.case(work, ok);
+        Ok(ok)
+    }
+}

@@ -1,0 +1,235 @@
+//! Many processes under an MPI launcher; rank 0 coordinates and computes.
+//!
+//! On every rank the thread that entered here does all the talking and never blocks: it sends
+//! without waiting, looks for messages, and otherwise sleeps until a case on one of the other
+//! threads ends, for half as long as it has been quiet: from 0.05 to 20 ms. Checkpoints go from
+//! rank to rank when the receiver asks.
+//!
+//! A session: every rank says Hello; rank 0 sends Start, then orders; Finish ends it. A rank then
+//! answers Bye once all that it sent has been received, and goes on receiving until Leave, so that
+//! nobody waits for a partner that has gone.
+
+mod hello;
+mod post;
+mod station;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use mpi::Threading;
+use mpi::traits::Communicator;
+use serde::{Deserialize, Serialize};
+
+use self::hello::{Hello, share_cores};
+use self::post::Post;
+use self::station::{RankZero, Station, work};
+use super::worker::with_worker;
+use super::{Crew, Link, Order, Report, Setup, resources, share_threads};
+use crate::math::simd::SimdPath;
+use crate::results::{RankInfo, SweepError};
+
+/// Whether this build can run under MPI.
+pub const AVAILABLE: bool = true;
+
+/// Everything that ranks say to each other.
+#[derive(Debug, Serialize, Deserialize)]
+enum Message {
+    Hello(Hello),
+    Start { simd: SimdPath, rank: RankInfo },
+    Order(Order),
+    Report(Report),
+    Pull { trunk: usize },
+    Checkpoint { trunk: usize, bytes: Option<Vec<u8>> },
+    Finish,
+    Bye,
+    Leave,
+}
+
+/// Joins the other ranks. `lead` runs on rank 0 only and yields its exit code; the other ranks
+/// serve it and return 0.
+///
+/// # Errors
+/// Where MPI cannot be started; any later error ends the whole job.
+pub fn with_crew(
+    setup: &Setup<'_>,
+    lead: impl FnOnce(&mut dyn Crew) -> u8,
+) -> Result<u8, SweepError> {
+    let Some((universe, level)) = mpi::initialize_with_threading(Threading::Funneled) else {
+        return Err(SweepError::Executor("MPI has been started before".to_owned()));
+    };
+    if level < Threading::Funneled {
+        return Err(SweepError::Executor("this MPI allows no second thread".to_owned()));
+    }
+    let world = universe.world();
+    let rank = world.rank();
+    // A rank that unwound out of here would leave the others waiting: it ends the job instead.
+    let ended = catch_unwind(AssertUnwindSafe(|| {
+        let post = Post::new(universe.world());
+        if rank == 0 { lead_crew(setup, post, lead) } else { serve(setup, post).map(|()| 0) }
+    }));
+    match ended {
+        Ok(Ok(code)) => Ok(code),
+        Ok(Err(error)) => {
+            eprintln!("error: rank {rank}: {error}");
+            world.abort(70)
+        }
+        Err(_) => world.abort(70),
+    }
+}
+
+fn lead_crew(
+    setup: &Setup<'_>,
+    mut post: Post,
+    lead: impl FnOnce(&mut dyn Crew) -> u8,
+) -> Result<u8, SweepError> {
+    let mut hellos = vec![None; post.size()];
+    hellos[0] = Some(Hello::of_this_process());
+    while hellos.iter().any(Option::is_none) {
+        match post.receive()? {
+            Some((rank, Message::Hello(hello))) => hellos[rank] = Some(hello),
+            Some((rank, message)) => return Err(out_of_turn(rank, &message)),
+            None => std::thread::sleep(post.nap()),
+        }
+    }
+    let hellos: Vec<_> = hellos.into_iter().flatten().collect();
+    if let Some(other) = hellos.iter().find(|hello| hello.build != hellos[0].build) {
+        let reason = format!("runs build {}, rank 0 {}", other.build, hellos[0].build);
+        return Err(SweepError::Executor(format!("{} {reason}", other.host)));
+    }
+    let ranks = share_cores(&hellos, setup.threads);
+    let widest = hellos.iter().map(|hello| hello.simd).min().unwrap_or(SimdPath::Portable);
+    let mut crew = MpiCrew { setup: *setup, post, ranks, widest };
+    let code = lead(&mut crew);
+    crew.dismiss()?;
+    Ok(code)
+}
+
+struct MpiCrew<'a> {
+    setup: Setup<'a>,
+    post: Post,
+    ranks: Vec<RankInfo>,
+    widest: SimdPath,
+}
+
+impl MpiCrew<'_> {
+    fn send_all(&mut self, message: impl Fn(&RankInfo) -> Message) {
+        for rank in 1..self.ranks.len() {
+            self.post.send(rank, &message(&self.ranks[rank]));
+        }
+    }
+
+    fn dismiss(&mut self) -> Result<(), SweepError> {
+        self.send_all(|_| Message::Finish);
+        let mut working = self.ranks.len() - 1;
+        while working > 0 {
+            match self.post.receive()? {
+                Some((_, Message::Bye)) => working -= 1,
+                Some(_) => {}
+                None => std::thread::sleep(self.post.nap()),
+            }
+        }
+        self.send_all(|_| Message::Leave);
+        while !self.post.is_delivered() {
+            std::thread::sleep(self.post.nap());
+        }
+        Ok(())
+    }
+}
+
+impl Crew for MpiCrew<'_> {
+    fn executor(&self) -> &'static str {
+        "mpi"
+    }
+
+    fn ranks(&self) -> &[RankInfo] {
+        &self.ranks
+    }
+
+    fn share_threads(&mut self, runs: usize) {
+        share_threads(&mut self.ranks, runs);
+    }
+
+    fn widest_simd(&self) -> SimdPath {
+        self.widest
+    }
+
+    fn work(
+        &mut self,
+        simd: SimdPath,
+        lead: &mut dyn FnMut(&mut dyn Link) -> Result<(), SweepError>,
+    ) -> Result<(), SweepError> {
+        self.send_all(|rank| Message::Start { simd, rank: rank.clone() });
+        let runner = (self.setup.make_runner)(resources(&self.ranks[0], simd));
+        let post = &mut self.post;
+        with_worker(0, self.ranks[0].places(), &*runner, |worker| {
+            lead(&mut RankZero { station: Station { post, worker } })
+        })?
+    }
+}
+
+/// Any rank but 0.
+fn serve(setup: &Setup<'_>, mut post: Post) -> Result<(), SweepError> {
+    post.send(0, &Message::Hello(Hello::of_this_process()));
+    loop {
+        match post.receive()? {
+            None => std::thread::sleep(post.nap()),
+            Some((0, Message::Finish)) => break,
+            Some((0, Message::Start { simd, rank: info })) => {
+                let rank = post.rank();
+                let runner = (setup.make_runner)(resources(&info, simd));
+                let post = &mut post;
+                with_worker(rank, info.places(), &*runner, |worker| {
+                    work(setup, Station { post, worker })
+                })??;
+                break;
+            }
+            Some((rank, message)) => return Err(out_of_turn(rank, &message)),
+        }
+    }
+    leave(&mut post)
+}
+
+/// Waits until everything sent has been received, and until nobody sends any more.
+fn leave(post: &mut Post) -> Result<(), SweepError> {
+    let mut said_bye = false;
+    loop {
+        match post.receive()? {
+            Some((0, Message::Leave)) => break,
+            Some(_) => {}
+            None => std::thread::sleep(post.nap()),
+        }
+        if !said_bye && post.is_delivered() {
+            said_bye = true;
+            post.send(0, &Message::Bye);
+        }
+    }
+    while !post.is_delivered() {
+        std::thread::sleep(post.nap());
+    }
+    Ok(())
+}
+
+fn out_of_turn(rank: usize, message: &Message) -> SweepError {
+    let told = format!("{message:?}");
+    let name = told.split([' ', '(']).next().unwrap_or_default();
+    SweepError::Executor(format!("rank {rank} sent {name} out of turn"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_cross_the_wire_bit_for_bit() {
+        use crate::execute::fake::FakeRunner;
+        use crate::execute::runner::Runner;
+        let empty = toml::Table::new();
+        let config = crate::scene::CaseConfig::from_tables(&empty, &empty).unwrap();
+        let result =
+            FakeRunner::default().case(&config, None, &crate::simulation::Unwatched).unwrap();
+        let result = Ok(Box::new(result));
+        let report = Report::CaseDone { case: 3, result, wall_time_s: 0.1, cpu_time_s: Some(0.1) };
+        let bytes = postcard::to_stdvec(&Message::Report(report.clone())).unwrap();
+        let Message::Report(read) = postcard::from_bytes(&bytes).unwrap() else { panic!() };
+        assert_eq!(read, report);
+    }
+}

@@ -1,0 +1,103 @@
+//! A rank at work: it takes orders and passes on reports and checkpoints.
+
+use std::time::{Duration, Instant};
+
+use super::post::Post;
+use super::{Message, out_of_turn};
+use crate::execute::worker::Worker;
+use crate::execute::{Link, Order, Report, Setup};
+use crate::results::SweepError;
+use crate::schedule::Held;
+
+/// A rank at work: its mail and its worker.
+pub(super) struct Station<'a, 'run, 'scope> {
+    pub(super) post: &'a mut Post,
+    pub(super) worker: &'a mut Worker<'run, 'scope>,
+}
+
+impl Station<'_, '_, '_> {
+    fn obey(&mut self, order: Order) {
+        if let Some(Held { trunk, holder }) = self.worker.take(order) {
+            self.post.send(holder, &Message::Pull { trunk });
+        }
+    }
+
+    /// Deals with a message between equals; hands back what only some ranks understand.
+    fn handle(&mut self, from: usize, message: Message) -> Option<Message> {
+        match message {
+            Message::Pull { trunk } => {
+                let bytes = self.worker.checkpoint(trunk).map(|bytes| bytes.to_vec());
+                self.post.send_checkpoint(from, trunk, bytes);
+                None
+            }
+            Message::Checkpoint { trunk, bytes } => {
+                self.worker.arrive(trunk, bytes);
+                None
+            }
+            other => Some(other),
+        }
+    }
+}
+
+/// Rank 0 at work, to whom the others report.
+pub(super) struct RankZero<'a, 'run, 'scope> {
+    pub(super) station: Station<'a, 'run, 'scope>,
+}
+
+impl Link for RankZero<'_, '_, '_> {
+    fn send(&mut self, rank: usize, order: Order) {
+        match rank {
+            0 => self.station.obey(order),
+            _ => self.station.post.send(rank, &Message::Order(order)),
+        }
+    }
+
+    fn poll(&mut self, patience: Duration) -> Result<Option<(usize, Report)>, SweepError> {
+        let start = Instant::now();
+        let mut nap = Duration::ZERO;
+        loop {
+            if let Some(report) = self.station.worker.poll(nap) {
+                return Ok(Some((0, report)));
+            }
+            let mut heard = false;
+            while let Some((rank, message)) = self.station.post.receive()? {
+                heard = true;
+                match self.station.handle(rank, message) {
+                    None => {}
+                    Some(Message::Report(report)) => return Ok(Some((rank, report))),
+                    Some(other) => return Err(out_of_turn(rank, &other)),
+                }
+            }
+            nap = if heard { Duration::ZERO } else { self.station.post.nap() };
+            if start.elapsed() >= patience {
+                return Ok(None);
+            }
+        }
+    }
+}
+
+/// What any rank but 0 does until it is told to finish.
+pub(super) fn work(setup: &Setup<'_>, mut station: Station<'_, '_, '_>) -> Result<(), SweepError> {
+    let mut told = false;
+    let mut nap = Duration::ZERO;
+    loop {
+        if let Some(report) = station.worker.poll(nap) {
+            station.post.send(0, &Message::Report(report));
+        }
+        if setup.interrupt.is_raised() && !told {
+            told = true;
+            station.post.send(0, &Message::Report(Report::Interrupted));
+        }
+        let mut heard = false;
+        while let Some((rank, message)) = station.post.receive()? {
+            heard = true;
+            match station.handle(rank, message) {
+                None => {}
+                Some(Message::Order(order)) => station.obey(order),
+                Some(Message::Finish) => return Ok(()),
+                Some(other) => return Err(out_of_turn(rank, &other)),
+            }
+        }
+        nap = if heard { Duration::ZERO } else { station.post.nap() };
+    }
+}

@@ -1,0 +1,127 @@
+//! Telling how far a sweep is: a bar on a terminal, plain lines elsewhere.
+
+use std::io::Write;
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle as BarStyle};
+
+use crate::results::counted;
+
+/// How progress is shown.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ProgressStyle {
+    /// Not at all.
+    Quiet,
+    /// A bar with the time to go.
+    Bar,
+    /// A line now and then.
+    Lines,
+}
+
+/// At most one line in this time.
+const LINE_EVERY: Duration = Duration::from_secs(2);
+/// And only after so much more of the work.
+const LINE_SHARE: f64 = 0.05;
+
+/// Shows progress on standard error.
+#[derive(Debug)]
+pub struct Progress {
+    style: ProgressStyle,
+    bar: Option<ProgressBar>,
+    start: Instant,
+    last_line: Instant,
+    last_share: f64,
+    total_work: u64,
+    work: u64,
+    cases: usize,
+    done: usize,
+    failed: usize,
+}
+
+impl Progress {
+    /// Progress towards so many cases and so much work.
+    pub fn new(style: ProgressStyle, cases: usize, total_work: u64) -> Progress {
+        let bar = (style == ProgressStyle::Bar).then(|| {
+            let bar = ProgressBar::new(total_work.max(1));
+            let template = "{bar:40} {percent:>3} %  {msg}  to go: {eta}";
+            if let Ok(look) = BarStyle::with_template(template) {
+                bar.set_style(look);
+            }
+            bar.enable_steady_tick(Duration::from_millis(500));
+            bar
+        });
+        let now = Instant::now();
+        Progress {
+            style,
+            bar,
+            start: now,
+            last_line: now,
+            last_share: 0.0,
+            total_work,
+            work: 0,
+            cases,
+            done: 0,
+            failed: 0,
+        }
+    }
+
+    /// A shared stretch is done.
+    pub fn trunk(&mut self, work: u64) {
+        self.advance(work);
+    }
+
+    /// A case is done.
+    pub fn case(&mut self, work: u64, ok: bool) {
+        self.done += 1;
+        self.failed += usize::from(!ok);
+        self.advance(work);
+    }
+
+    fn advance(&mut self, work: u64) {
+        self.work = self.work.saturating_add(work);
+        let failed = match self.failed {
+            0 => String::new(),
+            failed => format!(", {failed} failed"),
+        };
+        let message = format!("{} of {}{failed}", self.done, counted(self.cases, "case"));
+        if let Some(bar) = &self.bar {
+            bar.set_message(message);
+            bar.set_position(self.work.min(self.total_work));
+            return;
+        }
+        let share = self.work as f64 / self.total_work.max(1) as f64;
+        let due = self.last_line.elapsed() >= LINE_EVERY && share - self.last_share >= LINE_SHARE;
+        if self.style == ProgressStyle::Lines && due {
+            self.last_line = Instant::now();
+            self.last_share = share;
+            let spent = self.start.elapsed().as_secs_f64();
+            let left = spent * (1.0 - share).max(0.0) / share;
+            let line = format!("{:3.0} %  {message}, {} to go", 100.0 * share, duration(left));
+            // Progress that nobody reads must not end a sweep.
+            let _ = writeln!(std::io::stderr(), "{line}");
+        }
+    }
+}
+
+impl Drop for Progress {
+    /// Leaves the terminal as it was.
+    fn drop(&mut self) {
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+    }
+}
+
+/// Seconds for the human eye: `42 s`, `3 min 20 s`, `2 h 05 min`, `3.5 days`, `12 years`.
+pub fn duration(seconds: f64) -> String {
+    const DAY: u64 = 24 * 3600;
+    const YEAR: u64 = 365 * DAY;
+    let whole = seconds.max(0.0).round() as u64;
+    match whole {
+        0..60 => format!("{whole} s"),
+        60..3600 => format!("{} min {:02} s", whole / 60, whole % 60),
+        3600..172_800 => format!("{} h {:02} min", whole / 3600, whole / 60 % 60),
+        172_800..63_072_000 => format!("{:.1} days", seconds / DAY as f64),
+        _ => format!("{:.0} years", seconds / YEAR as f64),
+    }
+}

@@ -1,0 +1,120 @@
+//! Who does the work: the contract between the sweep and the physics.
+
+use std::any::Any;
+use std::cell::RefCell;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Once;
+
+use super::vtk::VtkFilm;
+use crate::scene::CaseConfig;
+use crate::simulation::{
+    CaseResult, Failure, FailureKind, Monitor, Resources, Stopped, TrunkResult, run_case, run_trunk,
+};
+
+/// Runs trunks and cases; the same answer for the same configuration, whoever asks and from
+/// whatever checkpoint of its trunk.
+pub trait Runner: Sync {
+    /// Runs a trunk to the last step before its branches differ.
+    ///
+    /// # Errors
+    /// The trunk's failure, or that it was told to stop.
+    fn trunk(&self, config: &CaseConfig, monitor: &dyn Monitor) -> Result<TrunkResult, Stopped>;
+
+    /// Runs a case, from rest or from its trunk's checkpoint.
+    ///
+    /// # Errors
+    /// The case's failure, or that it was told to stop.
+    fn case(
+        &self,
+        config: &CaseConfig,
+        checkpoint: Option<&[u8]>,
+        monitor: &dyn Monitor,
+    ) -> Result<CaseResult, Stopped>;
+}
+
+/// The physics.
+#[derive(Debug, Clone)]
+pub struct SphRunner {
+    /// The instruction set agreed on by all ranks, and a case's threads.
+    pub resources: Resources,
+    /// Whether and how cases are filmed.
+    pub film: Option<VtkFilm>,
+}
+
+impl Runner for SphRunner {
+    fn trunk(&self, config: &CaseConfig, monitor: &dyn Monitor) -> Result<TrunkResult, Stopped> {
+        run_trunk(config, self.resources, monitor)
+    }
+
+    fn case(
+        &self,
+        config: &CaseConfig,
+        checkpoint: Option<&[u8]>,
+        monitor: &dyn Monitor,
+    ) -> Result<CaseResult, Stopped> {
+        let run = |monitor: &dyn Monitor| run_case(config, checkpoint, self.resources, monitor);
+        match &self.film {
+            None => run(monitor),
+            Some(film) => film.shoot(config, monitor, run),
+        }
+    }
+}
+
+/// Does a piece of work and makes a panic in it a failure of that case alone.
+///
+/// # Errors
+/// The work's own, or an internal failure that carries the panic's message and place.
+pub fn guarded<T>(work: impl FnOnce() -> Result<T, Stopped>) -> Result<T, Stopped> {
+    catch_panics_quietly();
+    let before = GUARD.replace(Some(String::new()));
+    let result = catch_unwind(AssertUnwindSafe(work));
+    let place = GUARD.replace(before).unwrap_or_default();
+    result.unwrap_or_else(|payload| {
+        let detail = format!("panicked{place}: {}", message(&*payload));
+        Err(Stopped::Failed(Failure { kind: FailureKind::Internal, time_s: 0.0, detail }))
+    })
+}
+
+thread_local! {
+    /// `Some` while this thread is inside [`guarded`]: the place of a panic, ` at file:line`.
+    static GUARD: RefCell<Option<String>> = const { RefCell::new(None) };
+}
+
+/// Panics inside [`guarded`] are recorded rather than printed.
+fn catch_panics_quietly() {
+    static HOOK: Once = Once::new();
+    HOOK.call_once(|| {
+        let default = std::panic::take_hook();
+        std::panic::set_hook(Box::new(move |info| {
+            let guarded = GUARD.with_borrow_mut(|guard| {
+                let Some(place) = guard else { return false };
+                if let Some(location) = info.location() {
+                    *place = format!(" at {}:{}", location.file(), location.line());
+                }
+                true
+            });
+            if !guarded {
+                default(info);
+            }
+        }));
+    });
+}
+
+fn message(payload: &(dyn Any + Send)) -> &str {
+    let text = payload.downcast_ref::<&str>().copied();
+    text.or_else(|| payload.downcast_ref::<String>().map(String::as_str)).unwrap_or("no message")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_is_a_failure_with_its_message() {
+        let result: Result<(), _> = guarded(|| panic!("lost {}", "it"));
+        let told = result.unwrap_err().to_string();
+        assert!(told.starts_with("internal at t = 0.0000 s: panicked at src/"), "{told}");
+        assert!(told.ends_with(": lost it"), "{told}");
+        assert_eq!(guarded(|| Ok(3)), Ok(3));
+    }
+}

@@ -1,0 +1,65 @@
+//! One process, one case per thread.
+
+use std::time::Duration;
+
+use super::worker::{Worker, with_worker};
+use super::{
+    Crew, Link, Order, Report, Setup, available_cores, host_name, resources, share_threads,
+};
+use crate::math::simd::SimdPath;
+use crate::results::{RankInfo, SweepError};
+
+/// Gathers this process's threads and lets `lead` use them.
+pub fn with_crew<T>(setup: &Setup<'_>, lead: impl FnOnce(&mut dyn Crew) -> T) -> T {
+    let threads = setup.threads.unwrap_or_else(available_cores).max(1);
+    let ranks = [RankInfo::new(host_name(), threads)];
+    lead(&mut Threads { setup: *setup, ranks })
+}
+
+struct Threads<'a> {
+    setup: Setup<'a>,
+    ranks: [RankInfo; 1],
+}
+
+impl Crew for Threads<'_> {
+    fn executor(&self) -> &'static str {
+        "threads"
+    }
+
+    fn ranks(&self) -> &[RankInfo] {
+        &self.ranks
+    }
+
+    fn share_threads(&mut self, runs: usize) {
+        share_threads(&mut self.ranks, runs);
+    }
+
+    fn widest_simd(&self) -> SimdPath {
+        SimdPath::widest()
+    }
+
+    fn work(
+        &mut self,
+        simd: SimdPath,
+        lead: &mut dyn FnMut(&mut dyn Link) -> Result<(), SweepError>,
+    ) -> Result<(), SweepError> {
+        let [rank] = &self.ranks;
+        let runner = (self.setup.make_runner)(resources(rank, simd));
+        with_worker(0, rank.places(), &*runner, |worker| lead(&mut Local(worker)))?
+    }
+}
+
+struct Local<'a, 'run, 'scope>(&'a mut Worker<'run, 'scope>);
+
+impl Link for Local<'_, '_, '_> {
+    fn send(&mut self, _rank: usize, order: Order) {
+        if let Some(fetch) = self.0.take(order) {
+            // There is nobody to ask: the case runs from rest.
+            self.0.arrive(fetch.trunk, None);
+        }
+    }
+
+    fn poll(&mut self, patience: Duration) -> Result<Option<(usize, Report)>, SweepError> {
+        Ok(self.0.poll(patience).map(|report| (0, report)))
+    }
+}

@@ -1,0 +1,267 @@
+//! What one process does with its orders: cases on a pool of threads, checkpoints at hand.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::{Duration, Instant};
+
+use rayon::Scope;
+
+use super::message::{Order, Report};
+use super::runner::{Runner, guarded};
+use crate::math::team::thread_processor_time;
+use crate::results::SweepError;
+use crate::scene::CaseConfig;
+use crate::schedule::{Held, Work};
+use crate::simulation::{Failure, FailureKind, Monitor, Stopped, TrunkResult};
+
+/// Set when running cases should stop at their next step.
+#[derive(Debug, Default)]
+pub(super) struct Cancel(AtomicBool);
+
+impl Monitor for Cancel {
+    fn cancelled(&self) -> bool {
+        self.0.load(Ordering::Relaxed)
+    }
+}
+
+/// A case that waits for its checkpoint.
+struct Parked {
+    case: usize,
+    config: String,
+}
+
+/// What ended on a thread, on its way to the thread that talks, and the checkpoint it has left.
+type Ended = (Report, Option<Vec<u8>>);
+
+/// The worker of one process.
+pub(super) struct Worker<'run, 'scope> {
+    scope: &'run Scope<'scope>,
+    runner: &'scope dyn Runner,
+    cancel: &'scope Cancel,
+    rank: usize,
+    checkpoints: HashMap<usize, Arc<[u8]>>,
+    parked: HashMap<usize, Vec<Parked>>,
+    sender: Sender<Ended>,
+    receiver: Receiver<Ended>,
+}
+
+/// Runs `body` with a worker of so many threads; every case has ended when it returns.
+pub(super) fn with_worker<T>(
+    rank: usize,
+    threads: usize,
+    runner: &dyn Runner,
+    body: impl FnOnce(&mut Worker<'_, '_>) -> T,
+) -> Result<T, SweepError> {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.max(1))
+        .thread_name(|number| format!("case-{number}"))
+        .stack_size(8 << 20)
+        .build()
+        .map_err(|error| SweepError::Executor(format!("cannot start threads: {error}")))?;
+    let cancel = Cancel::default();
+    Ok(pool.in_place_scope(|scope| {
+        let (sender, receiver) = channel();
+        let mut worker = Worker {
+            scope,
+            runner,
+            cancel: &cancel,
+            rank,
+            checkpoints: HashMap::new(),
+            parked: HashMap::new(),
+            sender,
+            receiver,
+        };
+        body(&mut worker)
+    }))
+}
+
+impl Drop for Worker<'_, '_> {
+    /// Whatever still runs is of no use to anybody: also where the leader fails or panics.
+    fn drop(&mut self) {
+        self.cancel.0.store(true, Ordering::Relaxed);
+    }
+}
+
+impl Worker<'_, '_> {
+    /// Takes an order; what it returns has to be fetched from another rank and handed to
+    /// [`Worker::arrive`].
+    pub(super) fn take(&mut self, order: Order) -> Option<Held> {
+        match order {
+            Order::Run { work: Work::Trunk(trunk), config, .. } => self.start_trunk(trunk, config),
+            Order::Run { work: Work::Case(case), config, from: None } => {
+                self.start_case(case, config, None);
+            }
+            Order::Run { work: Work::Case(case), config, from: Some(from) } => {
+                return self.start_branch(case, config, from);
+            }
+            Order::Drop { trunk } => {
+                self.checkpoints.remove(&trunk);
+            }
+            Order::Cancel => self.cancel.0.store(true, Ordering::Relaxed),
+        }
+        None
+    }
+
+    /// The checkpoint of a trunk, for another rank.
+    pub(super) fn checkpoint(&self, trunk: usize) -> Option<Arc<[u8]>> {
+        self.checkpoints.get(&trunk).cloned()
+    }
+
+    /// A checkpoint has come from another rank. Where the other rank had none after all, the
+    /// waiting cases run from rest, to the same end.
+    pub(super) fn arrive(&mut self, trunk: usize, bytes: Option<Vec<u8>>) {
+        let bytes: Option<Arc<[u8]>> = bytes.map(Arc::from);
+        if let Some(bytes) = &bytes {
+            self.checkpoints.insert(trunk, bytes.clone());
+        }
+        for parked in self.parked.remove(&trunk).unwrap_or_default() {
+            self.start_case(parked.case, parked.config, bytes.clone());
+        }
+    }
+
+    /// The next report, `None` after the given time without one.
+    pub(super) fn poll(&mut self, patience: Duration) -> Option<Report> {
+        let ended = match patience {
+            Duration::ZERO => self.receiver.try_recv().ok(),
+            _ => self.receiver.recv_timeout(patience).ok(),
+        };
+        let (report, checkpoint) = ended?;
+        if let (Report::TrunkDone { trunk, .. }, Some(checkpoint)) = (&report, checkpoint) {
+            self.checkpoints.insert(*trunk, Arc::from(checkpoint));
+        }
+        Some(report)
+    }
+
+    fn start_branch(&mut self, case: usize, config: String, from: Held) -> Option<Held> {
+        if let Some(bytes) = self.checkpoint(from.trunk) {
+            self.start_case(case, config, Some(bytes));
+            return None;
+        }
+        // A checkpoint on its way here counts as held here.
+        if from.holder == self.rank && !self.parked.contains_key(&from.trunk) {
+            self.start_case(case, config, None);
+            return None;
+        }
+        let waiting = self.parked.entry(from.trunk).or_default();
+        waiting.push(Parked { case, config });
+        (waiting.len() == 1).then_some(from)
+    }
+
+    fn start_trunk(&self, trunk: usize, config: String) {
+        let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
+        self.scope.spawn(move |_| {
+            let result = attempt(cancel, &config, |config| runner.trunk(config, cancel));
+            let (result, checkpoint) = match result {
+                Ok(TrunkResult { steps, checkpoint, .. }) => (Ok(steps), Some(checkpoint)),
+                Err(stopped) => (Err(stopped), None),
+            };
+            // The receiver is gone only when nobody waits for results any more.
+            let _ = sender.send((Report::TrunkDone { trunk, result }, checkpoint));
+        });
+    }
+
+    fn start_case(&self, case: usize, config: String, checkpoint: Option<Arc<[u8]>>) {
+        let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
+        self.scope.spawn(move |_| {
+            let (start, cpu_start) = (Instant::now(), thread_processor_time());
+            let run = |checkpoint: Option<&[u8]>| {
+                attempt(cancel, &config, |config| runner.case(config, checkpoint, cancel))
+            };
+            let mut result = run(checkpoint.as_deref());
+            let unreadable = |stopped: &Stopped| {
+                matches!(stopped, Stopped::Failed(failure)
+                    if failure.kind == FailureKind::CheckpointUnreadable)
+            };
+            if checkpoint.is_some() && result.as_ref().is_err_and(unreadable) {
+                result = run(None);
+            }
+            let cpu_time_s = thread_processor_time().zip(cpu_start).map(|(end, start)| end - start);
+            let wall_time_s = start.elapsed().as_secs_f64();
+            let result = result.map(Box::new);
+            let _ = sender.send((Report::CaseDone { case, result, wall_time_s, cpu_time_s }, None));
+        });
+    }
+}
+
+/// Runs something guarded against panics, unless it is already too late.
+fn attempt<T>(
+    cancel: &Cancel,
+    config: &str,
+    run: impl Fn(&CaseConfig) -> Result<T, Stopped>,
+) -> Result<T, Stopped> {
+    if cancel.cancelled() {
+        return Err(Stopped::Interrupted);
+    }
+    let internal = |detail: String| {
+        Stopped::Failed(Failure { kind: FailureKind::Internal, time_s: 0.0, detail })
+    };
+    let config: CaseConfig = serde_json::from_str(config)
+        .map_err(|error| internal(format!("the configuration cannot be read: {error}")))?;
+    match guarded(|| run(&config)) {
+        Err(Stopped::Interrupted) if !cancel.cancelled() => {
+            Err(internal("stopped though nobody asked".to_owned()))
+        }
+        result => result,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Mutex;
+
+    use super::*;
+    use crate::execute::fake::FakeRunner;
+    use crate::simulation::CaseResult;
+
+    /// Notes from what each case starts.
+    #[derive(Default)]
+    struct Noting(Mutex<Vec<Option<Vec<u8>>>>);
+
+    impl Runner for Noting {
+        fn trunk(&self, config: &CaseConfig, cancel: &dyn Monitor) -> Result<TrunkResult, Stopped> {
+            FakeRunner::default().trunk(config, cancel)
+        }
+        fn case(
+            &self,
+            config: &CaseConfig,
+            checkpoint: Option<&[u8]>,
+            cancel: &dyn Monitor,
+        ) -> Result<CaseResult, Stopped> {
+            self.0.lock().unwrap().push(checkpoint.map(<[u8]>::to_vec));
+            FakeRunner::default().case(config, None, cancel)
+        }
+    }
+
+    /// Two branches of a trunk of rank 0 on rank 1, the second ordered before the checkpoint is there,
+    /// when the coordinator takes rank 1 for a holder. Returns what the branches start from.
+    fn starts(answer: Option<Vec<u8>>) -> Vec<Option<Vec<u8>>> {
+        let noting = Noting::default();
+        with_worker(1, 1, &noting, |worker| {
+            let empty = toml::Table::new();
+            let config = CaseConfig::from_tables(&empty, &empty).unwrap();
+            let mut order = |case, holder| {
+                let config = serde_json::to_string(&config).unwrap();
+                let from = Some(Held { trunk: 7, holder });
+                worker.take(Order::Run { work: Work::Case(case), config, from })
+            };
+            assert_eq!(order(0, 0), Some(Held { trunk: 7, holder: 0 }));
+            assert_eq!(order(1, 1), None);
+            worker.arrive(7, answer);
+            for _ in 0..2 {
+                assert!(worker.poll(Duration::from_secs(60)).is_some());
+            }
+        })
+        .unwrap();
+        noting.0.into_inner().unwrap()
+    }
+
+    #[test]
+    fn branches_wait_for_a_checkpoint_that_is_on_its_way() {
+        let bytes = vec![1, 2, 3];
+        assert_eq!(starts(Some(bytes.clone())), [Some(bytes.clone()), Some(bytes)]);
+        // The other rank had none: from rest.
+        assert_eq!(starts(None), [None, None]);
+    }
+}

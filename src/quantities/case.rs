@@ -1,0 +1,78 @@
+//! Where the values of a case are read.
+
+use crate::scene::{CaseConfig, SeawallScene};
+use crate::simulation::Outcome;
+
+/// Estimated absolute errors; `None` where the case has no such reading or no companion has.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Bars {
+    /// Of `first_force_max`.
+    pub force: Option<f64>,
+    /// Of `first_runup_max`.
+    pub runup: Option<f64>,
+    /// Of `displacement_max`.
+    pub displacement: Option<f64>,
+    /// Of `force_max`.
+    pub whole_force: Option<f64>,
+    /// Of `runup_max`.
+    pub whole_runup: Option<f64>,
+}
+
+/// What one case was and has left.
+#[derive(Debug, Clone)]
+pub struct Case<'a> {
+    /// Its identity.
+    pub id: String,
+    /// What was computed.
+    pub config: &'a CaseConfig,
+    /// Its results; `None` where it failed.
+    pub outcome: Option<&'a Outcome>,
+    /// Why it failed, or what it recovered from.
+    pub reason: &'a str,
+    /// Error bars.
+    pub bars: Bars,
+    /// Wall time, seconds; a trunk's is not included.
+    pub wall_time_s: f64,
+}
+
+/// A value, before it becomes text.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Value {
+    /// A number in the quantity's unit.
+    Number(f64),
+    /// A count.
+    Count(u64),
+    /// A flag.
+    Flag(bool),
+    /// Words.
+    Text(String),
+}
+
+impl Case<'_> {
+    /// The scene, where it is a seawall.
+    pub(super) fn seawall(&self) -> Option<&SeawallScene> {
+        self.config.scene.seawall()
+    }
+
+    /// The scene, where it is a seawall that moves.
+    pub(super) fn movable(&self) -> Option<&SeawallScene> {
+        self.seawall().filter(|scene| scene.wall.moves())
+    }
+
+    /// log10(k/(ρ h² g)); `None` for k = 0.
+    pub(super) fn log10_k_star(&self) -> Option<f64> {
+        let scene = self.movable()?;
+        let stiffness = scene.spring_stiffness_n_per_m.filter(|&stiffness| stiffness > 0.0)?;
+        let depth = scene.still_water_depth_m;
+        let scale = scene.water_density_kg_per_m3 * depth * depth * scene.gravity_m_per_s2;
+        Some(libm::log10(stiffness / scale))
+    }
+
+    /// m/(ρ h²).
+    pub(super) fn m_star(&self) -> Option<f64> {
+        let scene = self.movable()?;
+        let depth = scene.still_water_depth_m;
+        let scale = scene.water_density_kg_per_m3 * depth * depth;
+        scene.seawall_mass_kg_per_m.map(|mass| mass / scale)
+    }
+}

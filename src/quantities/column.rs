@@ -1,0 +1,108 @@
+//! A column of `summary.csv`, and how it is read.
+
+use super::{Case, Column, Quantity, Unit, Value, named};
+use crate::simulation::Maximum;
+
+/// How a column is read; empty where there is nothing to read.
+#[derive(Debug, Clone, Copy)]
+pub enum Read {
+    /// Words.
+    Text(fn(&Case<'_>) -> Option<String>),
+    /// A count.
+    Count(fn(&Case<'_>) -> Option<u64>),
+    /// A flag.
+    Flag(fn(&Case<'_>) -> Option<bool>),
+    /// A number.
+    Number(fn(&Case<'_>) -> Option<f64>),
+    /// A largest value, and when it was reached, which stands in a column of its own.
+    Maximum(fn(&Case<'_>) -> Option<Maximum>),
+}
+
+impl Column {
+    /// Its value in a case.
+    pub fn value(&self, case: &Case<'_>) -> Option<Value> {
+        match self.read {
+            Read::Text(read) => read(case).map(Value::Text),
+            Read::Count(read) => read(case).map(Value::Count),
+            Read::Flag(read) => read(case).map(Value::Flag),
+            Read::Number(read) => read(case).map(Value::Number),
+            Read::Maximum(read) => read(case).map(|maximum| Value::Number(maximum.value)),
+        }
+    }
+
+    /// Its number in a case.
+    pub fn number(&self, case: &Case<'_>) -> Option<f64> {
+        match self.value(case)? {
+            Value::Number(number) => Some(number),
+            Value::Count(count) => Some(count as f64),
+            Value::Flag(_) | Value::Text(_) => None,
+        }
+    }
+
+    /// Whether its number in a case is only a lower bound.
+    pub fn is_bound(&self, case: &Case<'_>) -> bool {
+        let flag = self.bound.and_then(named).and_then(|flag| flag.value(case));
+        flag == Some(Value::Flag(true))
+    }
+
+    /// When a maximum was reached, seconds. An impulse of 0 has no time: there was none.
+    pub fn time(&self, case: &Case<'_>) -> Option<f64> {
+        let Read::Maximum(read) = self.read else { return None };
+        let reached =
+            read(case).filter(|maximum| self.unit != Unit::Impulse || maximum.value != 0.0);
+        reached.map(|maximum| maximum.time_s)
+    }
+
+    /// The name of the column with the time of a maximum.
+    pub fn time_name(&self) -> Option<String> {
+        matches!(self.read, Read::Maximum(_)).then(|| format!("{}_time_s", self.name))
+    }
+
+    /// Whether it holds words.
+    pub fn is_text(&self) -> bool {
+        matches!(self.read, Read::Text(_))
+    }
+
+    /// Whether it holds numbers.
+    pub fn is_number(&self) -> bool {
+        !matches!(self.read, Read::Text(_) | Read::Flag(_))
+    }
+}
+
+pub(super) const fn text(
+    name: &'static str,
+    symbol: &'static str,
+    read: fn(&Case<'_>) -> Option<String>,
+) -> Column {
+    Quantity::new(name, symbol, Unit::Pure, Read::Text(read))
+}
+
+pub(super) const fn count(name: &'static str, read: fn(&Case<'_>) -> Option<u64>) -> Column {
+    Quantity::new(name, "", Unit::Pure, Read::Count(read))
+}
+
+pub(super) const fn flag(
+    name: &'static str,
+    symbol: &'static str,
+    read: fn(&Case<'_>) -> Option<bool>,
+) -> Column {
+    Quantity::new(name, symbol, Unit::Pure, Read::Flag(read))
+}
+
+pub(super) const fn number(
+    name: &'static str,
+    symbol: &'static str,
+    unit: Unit,
+    read: fn(&Case<'_>) -> Option<f64>,
+) -> Column {
+    Quantity::new(name, symbol, unit, Read::Number(read))
+}
+
+pub(super) const fn maximum(
+    name: &'static str,
+    symbol: &'static str,
+    unit: Unit,
+    read: fn(&Case<'_>) -> Option<Maximum>,
+) -> Column {
+    Quantity::new(name, symbol, unit, Read::Maximum(read)).decimals(4)
+}

@@ -1,0 +1,37 @@
+//! The terms of the energy budget in `energy.csv`, in their order. The first is what the paddle
+//! gives, the others are what became of it.
+
+use super::{Quantity, Unit, quantities};
+use crate::simulation::EnergyBudget;
+
+/// How a term is read.
+pub type Read = fn(&EnergyBudget) -> f64;
+
+const fn term(name: &'static str, read: Read) -> Quantity<Read> {
+    Quantity::new(name, "", Unit::JoulesPerMetre, read)
+}
+
+quantities! { Read;
+    /// done on the water by the paddle
+    PADDLE_WORK = term("paddle_work", |budget| budget.paddle_work);
+    /// change of the water's kinetic energy
+    KINETIC = term("kinetic", |budget| budget.kinetic);
+    /// change of the water's potential energy
+    POTENTIAL = term("potential", |budget| budget.potential);
+    /// change of the water's elastic energy, by compression
+    ELASTIC = term("elastic", |budget| budget.elastic);
+    /// kinetic energy of the wall at the end
+    WALL_KINETIC = term("wall_kinetic", |budget| budget.wall_kinetic);
+    /// energy of the spring at the end
+    SPRING = term("spring", |budget| budget.spring);
+    /// absorbed by the threshold of the wall's law of motion, and by a coupling other than 1
+    THRESHOLD_DEVICE = term("threshold_device", |budget| budget.threshold_device);
+    /// lost where the wall hits its stop
+    STOPS = term("stops", |budget| budget.stops);
+    /// lost to artificial viscosity
+    VISCOUS = term("viscous", |budget| budget.viscous);
+    /// lost to density diffusion
+    DENSITY_DIFFUSION = term("density_diffusion", |budget| budget.density_diffusion);
+    /// taken out by particle shifting
+    SHIFTING = term("shifting", |budget| budget.shifting);
+}

@@ -1,0 +1,27 @@
+//! The columns of `histories/<case_id>.csv`, in their order: values of the first step at or after
+//! each sampling time.
+
+use super::{Quantity, Unit, quantities};
+use crate::simulation::HistoryRow;
+
+/// How a column is read.
+pub type Read = fn(&HistoryRow) -> f64;
+
+const fn column(name: &'static str, unit: Unit, read: Read) -> Quantity<Read> {
+    Quantity::new(name, "", unit, read)
+}
+
+quantities! { Read;
+    /// the step's own time
+    TIME = column("time_s", Unit::Seconds, |row| row.time_s);
+    /// F*, unfiltered
+    FORCE = column("force", Unit::Force, |row| row.force);
+    /// R*
+    RUNUP = column("runup", Unit::Runup, |row| row.runup);
+    /// X*; 0 for a fixed wall
+    DISPLACEMENT = column("displacement", Unit::Displacement, |row| row.displacement);
+    /// of the wall, away from the water; 0 for a fixed wall
+    WALL_VELOCITY = column("wall_velocity_m_per_s", Unit::MetresPerSecond, |row| {
+        row.wall_velocity_m_per_s
+    });
+}

@@ -1,0 +1,149 @@
+//! The reported quantities, each declared once: name, unit, symbol, meaning, digits, error bar and
+//! where its value is read.
+//!
+//! [`summary`] declares the columns of `summary.csv`, [`history`] those of `histories/*.csv` and
+//! [`energy`] those of `energy.csv`. The sweep writes its files from the declarations, the terminal
+//! and the report take headings and digits from them, and `docs/files.md` holds their tables. To add
+//! a quantity, add an entry to one of the lists.
+//!
+//! The report reads files: it uses what a declaration says, and never a [`Case`] or a reader.
+
+mod case;
+mod column;
+#[cfg(test)]
+mod docs;
+pub mod energy;
+pub mod history;
+pub mod summary;
+mod unit;
+
+pub use case::{Bars, Case, Value};
+pub use column::Read;
+pub use unit::Unit;
+
+/// A column of `summary.csv`; one that is a maximum has a second column with its time.
+pub type Column = Quantity<Read>;
+
+/// How many digits a table for the eye shows of a number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Digits {
+    /// All there are.
+    All,
+    /// So many decimals.
+    Decimals(usize),
+    /// So many significant digits.
+    Significant(usize),
+}
+
+/// One quantity; `R` reads it from what a case has left.
+#[derive(Debug)]
+pub struct Quantity<R> {
+    /// The column.
+    pub name: &'static str,
+    /// What stands above it in tables, without the unit; empty where the name will do.
+    pub symbol: &'static str,
+    /// The unit of its numbers.
+    pub unit: Unit,
+    /// What it is, as the documentation says it.
+    pub meaning: &'static str,
+    /// Digits in tables for the eye.
+    pub digits: Digits,
+    /// The column of its error bar.
+    pub bar: Option<&'static str>,
+    /// The column of the flag which says that the value is a lower bound.
+    pub bound: Option<&'static str>,
+    /// How it is read.
+    pub read: R,
+}
+
+impl<R: Copy> Quantity<R> {
+    const fn new(name: &'static str, symbol: &'static str, unit: Unit, read: R) -> Quantity<R> {
+        Quantity {
+            name,
+            symbol,
+            unit,
+            meaning: "",
+            digits: Digits::All,
+            bar: None,
+            bound: None,
+            read,
+        }
+    }
+
+    const fn meaning(mut self, meaning: &'static str) -> Self {
+        self.meaning = meaning;
+        self
+    }
+
+    const fn decimals(mut self, decimals: usize) -> Self {
+        self.digits = Digits::Decimals(decimals);
+        self
+    }
+
+    const fn significant(mut self, digits: usize) -> Self {
+        self.digits = Digits::Significant(digits);
+        self
+    }
+
+    const fn bar(mut self, column: &'static str) -> Self {
+        self.bar = Some(column);
+        self
+    }
+
+    const fn bound(mut self, flag: &'static str) -> Self {
+        self.bound = Some(flag);
+        self
+    }
+
+    /// What stands above its column: the symbol, or else the name, and the unit.
+    pub fn heading(&self) -> String {
+        match (self.symbol, self.unit.symbol()) {
+            ("", _) => heading(self.name),
+            (symbol, unit) if self.unit.is_ratio() || unit.is_empty() => symbol.to_owned(),
+            (symbol, unit) => format!("{symbol}, {unit}"),
+        }
+    }
+}
+
+impl<R> PartialEq for Quantity<R> {
+    fn eq(&self, other: &Quantity<R>) -> bool {
+        self.name == other.name
+    }
+}
+
+/// What stands above a column: as its declaration says, or else its name with the unit that the
+/// name ends in (`column_height_m` is `column height, m`).
+pub fn heading(name: &str) -> String {
+    if let Some(column) = named(name).filter(|column| !column.symbol.is_empty()) {
+        return column.heading();
+    }
+    let (stem, unit) = unit::split(name);
+    let comma = if unit.is_empty() { "" } else { ", " };
+    format!("{}{comma}{unit}", stem.replace('_', " "))
+}
+
+/// The column of `summary.csv` with a name.
+pub fn named(name: &str) -> Option<&'static Column> {
+    summary::ALL.iter().copied().find(|column| column.name == name)
+}
+
+/// The unit of a column of `summary.csv`; `None` where there is no such column.
+pub fn unit_of(name: &str) -> Option<Unit> {
+    named(name).map(|column| column.unit)
+}
+
+/// Declares quantities and lists them in their order. The documentation of an entry is its
+/// meaning.
+macro_rules! quantities {
+    ($read:ty; $($(#[doc = $meaning:literal])+ $constant:ident = $declared:expr;)+) => {
+        $(
+            $(#[doc = $meaning])+
+            pub static $constant: $crate::quantities::Quantity<$read> =
+                $declared.meaning(concat!($($meaning),+));
+        )+
+
+        /// All of them, in the order of the columns.
+        pub static ALL: &[&$crate::quantities::Quantity<$read>] = &[$(&$constant),+];
+    };
+}
+use quantities;

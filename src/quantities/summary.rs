@@ -1,0 +1,210 @@
+//! The columns of `summary.csv`, in their order. Swept keys follow in a column each.
+
+use serde::Serialize;
+
+use super::Unit::{
+    Displacement, Force, Impulse, KilogramsPerMetre, Metres, NewtonsPerMetre, Percent, Pure, Runup,
+    Seconds,
+};
+use super::column::{Read, count, flag, maximum, number, text};
+use super::{Column, quantities};
+
+/// The name that a choice has in scene files.
+fn word(choice: impl Serialize) -> Option<String> {
+    match serde_json::to_value(choice) {
+        Ok(serde_json::Value::String(name)) => Some(name),
+        _ => None,
+    }
+}
+
+quantities! { Read;
+    /// hash of everything that decides the answer, 16 hexadecimal digits
+    CASE_ID = text("case_id", "case", |c| Some(c.id.clone()));
+    /// `ok`, or `failed`
+    STATUS = text("status", "", |c| Some(c.outcome.map_or("failed", |_| "ok").to_owned()));
+    /// why it failed: `<kind> at t = <time> s: <detail>`, see below; an `ok` row with a reason
+    /// recovered from it with smaller time steps (`retries`)
+    REASON = text("reason", "", |c| Some(c.reason.to_owned()));
+    /// nominal wave height H/h
+    WAVE_HEIGHT_RATIO = number("wave_height_ratio", "H/h", Pure, |c| {
+        Some(c.seawall()?.wave_height_ratio)
+    });
+    /// k, per metre of width
+    SPRING_STIFFNESS = number("spring_stiffness_n_per_m", "k", NewtonsPerMetre, |c| {
+        c.movable()?.spring_stiffness_n_per_m
+    });
+    /// m, per metre of width
+    SEAWALL_MASS = number("seawall_mass_kg_per_m", "m", KilogramsPerMetre, |c| {
+        c.movable()?.seawall_mass_kg_per_m
+    });
+    /// log10 of k* = k/(ρgh²); empty for k = 0
+    LOG10_K_STAR = number("log10_k_star", "log₁₀ k*", Pure, |c| c.log10_k_star()).decimals(2);
+    /// m* = m/(ρh²)
+    M_STAR = number("m_star", "m*", Pure, |c| c.m_star());
+    /// height of the first crest that passes `wave_gauge_m`, over h
+    MEASURED_WAVE_HEIGHT_RATIO = number("measured_wave_height_ratio", "H/h measured", Pure, |c| {
+        c.outcome?.measured_wave_height_ratio
+    }).decimals(4);
+    /// largest force F* (running mean) of the whole run
+    FORCE_MAX = maximum("force_max", "F* max", Force, |c| Some(c.outcome?.force_max))
+        .bar("force_max_error");
+    /// largest runup R* of the whole run
+    RUNUP_MAX = maximum("runup_max", "R* max", Runup, |c| Some(c.outcome?.runup_max))
+        .bar("runup_max_error");
+    /// largest displacement X* of the whole run
+    DISPLACEMENT_MAX = maximum("displacement_max", "X* max", Displacement, |c| {
+        c.outcome?.displacement_max
+    }).bar("displacement_error").bound("displacement_truncated");
+    /// largest force F* (running mean) of the first impact
+    FIRST_FORCE_MAX = maximum("first_force_max", "first F*", Force, |c| c.outcome?.first_force_max)
+        .bar("force_error");
+    /// largest runup R* of the first impact
+    FIRST_RUNUP_MAX = maximum("first_runup_max", "first R*", Runup, |c| c.outcome?.first_runup_max)
+        .bar("runup_error");
+    /// largest displacement X* of the first impact
+    FIRST_DISPLACEMENT_MAX = maximum("first_displacement_max", "first X*", Displacement, |c| {
+        c.outcome?.first_displacement_max
+    });
+    /// the running maximum when F* - 1 has first dropped 10 % below it
+    FIRST_FORCE_PEAK = number("first_force_peak", "first peak, F*", Force, |c| {
+        c.outcome?.first_force_peak
+    });
+    /// the running maximum when R* has first dropped 10 % below it
+    FIRST_RUNUP_PEAK = number("first_runup_peak", "first peak, R*", Runup, |c| {
+        c.outcome?.first_runup_peak
+    });
+    /// largest F* of any single step, but for those in which the sound of a stop can be heard
+    FORCE_MAX_RAW = number("force_max_raw", "F* max of any step", Force, |c| {
+        Some(c.outcome?.force_max_raw)
+    });
+    /// F* at the end
+    FORCE_END = number("force_end", "F* at the end", Force, |c| Some(c.outcome?.force_end));
+    /// R* at the end
+    RUNUP_END = number("runup_end", "R* at the end", Runup, |c| Some(c.outcome?.runup_end));
+    /// X* at the end
+    DISPLACEMENT_END = number("displacement_end", "X* at the end", Displacement, |c| {
+        c.outcome?.displacement_end
+    });
+    /// first time that the force stayed above the threshold for 0.02 s
+    ONSET_TIME = number("onset_time_s", "onset", Seconds, |c| c.outcome?.onset_time_s);
+    /// when the paddle passes the middle of its stroke
+    STROKE_CENTRE = number("stroke_centre_s", "stroke centre", Seconds, |c| {
+        c.outcome?.stroke_centre_s
+    });
+    /// the maximum is at the very end: a lower bound
+    DISPLACEMENT_TRUNCATED = flag("displacement_truncated", "still moving", |c| {
+        c.outcome?.displacement_truncated
+    });
+    /// how often the wall came back onto its stop
+    STOPS = count("stops", |c| c.outcome?.stops.map(u64::from));
+    /// largest gap between the momentum reaction and the pressure on the face, of the larger of
+    /// force and hydrostatic force
+    FORCE_GAP = number("force_gap_percent", "", Percent, |c| {
+        Some(c.outcome?.force_gap_percent)
+    }).decimals(3);
+    /// residual of the energy budget, of the paddle's work (in still water, of the initial
+    /// potential energy)
+    ENERGY_GAP = number("energy_gap_percent", "", Percent, |c| {
+        Some(c.outcome?.energy_gap_percent)
+    }).decimals(3);
+    /// largest number of particles seen outside the tank
+    PARTICLES_LOST = count("particles_lost", |c| Some(c.outcome?.particles_lost.into()));
+    /// error bar of `first_force_max`, see [physics.md](physics.md#error-bars); empty with
+    /// `error_bars = "none"`, and where the companions failed
+    FORCE_ERROR = number("force_error", "", Force, |c| c.bars.force).significant(3);
+    /// error bar of `first_runup_max`
+    RUNUP_ERROR = number("runup_error", "", Runup, |c| c.bars.runup).significant(3);
+    /// error bar of `displacement_max`
+    DISPLACEMENT_ERROR = number("displacement_error", "", Displacement, |c| {
+        c.bars.displacement
+    }).significant(3);
+    /// time steps, the shared trunk's included
+    STEPS = count("steps", |c| Some(c.outcome?.steps));
+    /// particles of water
+    PARTICLES = count("particles", |c| Some(c.outcome?.particles.into()));
+    /// pairs of particles that were summed over, the shared trunk's included
+    PAIR_EVALUATIONS = count("pair_evaluations", |c| Some(c.outcome?.pair_evaluations));
+    /// wall time, the shared trunk's not included
+    WALL_TIME = number("wall_time_s", "", Seconds, |c| Some(c.wall_time_s));
+    /// the scheme
+    SCHEME = text("scheme", "", |c| word(c.config.numerics.scheme));
+    /// the interpolator at walls
+    BOUNDARY = text("boundary", "", |c| word(c.config.numerics.boundary));
+    /// the smoothing kernel
+    KERNEL = text("kernel", "", |c| word(c.config.numerics.kernel));
+    /// the spacing of particles at the start
+    PARTICLE_SPACING = number("particle_spacing_m", "", Metres, |c| {
+        Some(c.config.numerics.particle_spacing_m)
+    });
+    /// the factor s of the wall's law of motion
+    FORCE_COUPLING = number("force_coupling", "coupling s", Pure, |c| {
+        Some(c.seawall()?.force_coupling)
+    });
+    // Directories of the first version end here.
+    /// the water's own force on the wall in the first step: forces count from there, see
+    /// [physics.md](physics.md)
+    FORCE_AT_REST = number("force_at_rest", "", Force, |c| Some(c.outcome?.force_at_rest));
+    /// how many times a ghost that counts was filled with what a simpler interpolation gave,
+    /// because the chosen one had too few or badly placed neighbours
+    BOUNDARY_FALLBACKS = count("boundary_fallbacks", |c| Some(c.outcome?.boundary_fallbacks));
+    /// gap of the two force readings at `force_max`, signed: of the means over 0.14 √(h/g), less
+    /// what it is at rest
+    FORCE_MAX_GAP = number("force_max_gap_percent", "", Percent, |c| {
+        Some(c.outcome?.force_max_gap_percent)
+    });
+    /// strongest impulse of the water on the wall by a hit on its stop; negative, as it is suction;
+    /// 0, without a time, where the wall never came back; in no maximum of the force, see
+    /// [physics.md](physics.md#the-seawall)
+    STOP_IMPULSE = maximum("stop_impulse", "", Impulse, |c| {
+        c.outcome?.stop_impulse
+    });
+    /// error bar of `force_max`
+    FORCE_MAX_ERROR = number("force_max_error", "", Force, |c| c.bars.whole_force).significant(3);
+    /// error bar of `runup_max`
+    RUNUP_MAX_ERROR = number("runup_max_error", "", Runup, |c| c.bars.whole_runup).significant(3);
+    /// `true` where something touches a quoted number
+    DOUBTFUL = flag("doubtful", "", |c| Some(c.outcome?.doubtful_reason.is_some()));
+    /// what that is, see [physics.md](physics.md#health)
+    DOUBTFUL_REASON = text("doubtful_reason", "", |c| c.outcome?.doubtful_reason.clone());
+}
+
+/// The columns of the first version, which every directory has.
+pub fn first_version() -> impl Iterator<Item = &'static Column> {
+    ALL.iter().copied().take_while(|column| **column != FORCE_AT_REST)
+}
+
+/// The names of the columns, those of times included.
+pub fn names() -> impl Iterator<Item = String> {
+    ALL.iter().flat_map(|column| std::iter::once(column.name.to_owned()).chain(column.time_name()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantities::named;
+
+    #[test]
+    fn the_columns_are_those_of_the_contract() {
+        let contract = "case_id,status,reason,wave_height_ratio,spring_stiffness_n_per_m,\
+            seawall_mass_kg_per_m,log10_k_star,m_star,measured_wave_height_ratio,\
+            force_max,force_max_time_s,runup_max,runup_max_time_s,displacement_max,\
+            displacement_max_time_s,first_force_max,first_force_max_time_s,first_runup_max,\
+            first_runup_max_time_s,first_displacement_max,first_displacement_max_time_s,\
+            first_force_peak,first_runup_peak,force_max_raw,force_end,runup_end,displacement_end,\
+            onset_time_s,stroke_centre_s,displacement_truncated,stops,force_gap_percent,\
+            energy_gap_percent,particles_lost,force_error,runup_error,displacement_error,\
+            steps,particles,pair_evaluations,wall_time_s,scheme,boundary,kernel,\
+            particle_spacing_m,force_coupling,force_at_rest,boundary_fallbacks,force_max_gap_percent,stop_impulse,\
+            stop_impulse_time_s,force_max_error,runup_max_error,doubtful,doubtful_reason";
+        assert_eq!(names().collect::<Vec<_>>().join(","), contract);
+    }
+
+    #[test]
+    fn bars_and_bounds_are_columns() {
+        for column in ALL {
+            let of = |name: Option<&'static str>| name.map(|name| named(name).unwrap());
+            assert!(of(column.bar).is_none_or(|bar| bar.unit == column.unit), "{}", column.name);
+            assert!(of(column.bound).is_none_or(|flag| matches!(flag.read, Read::Flag(_))));
+        }
+    }
+}

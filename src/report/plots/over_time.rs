@@ -1,0 +1,114 @@
+//! Panels of curves over time, one below the other on one axis of time.
+
+use super::axes::Axis;
+use super::legend::Entry;
+use super::pen::Look;
+use super::sheet::{Chart, Curve, Layout, sheet};
+use crate::quantities::history::TIME;
+use crate::report::error::ReportError;
+
+const BUCKETS: usize = 250;
+
+/// A curve's words in the legend and its points: time in seconds and value.
+type Line = (String, Vec<(f64, f64)>);
+
+/// Curves over time in one panel.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Strip {
+    /// Title of the vertical axis.
+    pub title: String,
+    /// One without points keeps the colours of the others as they are in the next panel.
+    pub curves: Vec<Line>,
+    /// The axis reaches to every peak, and not only to what lasts.
+    pub peaks: bool,
+}
+
+impl Strip {
+    /// Whether anything but naught is to be drawn.
+    pub fn holds_anything(&self) -> bool {
+        self.points().any(|point| point.1 != 0.0)
+    }
+
+    fn points(&self) -> impl Iterator<Item = &(f64, f64)> {
+        self.curves.iter().flat_map(|(_, points)| points)
+    }
+
+    fn axis(&self) -> Option<Axis> {
+        if self.peaks {
+            return Axis::around(self.points().map(|point| point.1), 4.0);
+        }
+        Axis::around(self.curves.iter().flat_map(|(_, points)| lasting(points)), 4.0)
+    }
+
+    fn chart(&self, x: &Axis) -> Option<Chart> {
+        let curve = |(index, (label, points)): (usize, &Line)| Curve {
+            entry: Entry::line(label.clone(), Look::of(index)),
+            points: thin(points).into_iter().map(Into::into).collect(),
+        };
+        Some(Chart {
+            heading: String::new(),
+            titles: [TIME.unit.axis().to_owned(), self.title.clone()],
+            x: x.clone(),
+            y: self.axis()?,
+            curves: self.curves.iter().enumerate().map(curve).collect(),
+        })
+    }
+}
+
+/// The drawing of panels that hold points, from the top down.
+pub fn strips(name: &str, strips: &[Strip]) -> Result<String, ReportError> {
+    let times = strips.iter().flat_map(Strip::points).map(|point| point.0);
+    let x = Axis::within(times, 8.0);
+    let charts = x.iter().flat_map(|x| strips.iter().filter_map(|strip| strip.chart(x)));
+    let layout = Layout { columns: 1, size: (640.0, 140.0) };
+    sheet(name, &charts.collect::<Vec<_>>(), layout)
+}
+
+/// Medians of five values each: those that last. An axis made for these is not squashed by the
+/// pulse of a wall that comes back onto its stop.
+fn lasting(points: &[(f64, f64)]) -> Vec<f64> {
+    let values: Vec<f64> = points.iter().map(|point| point.1).collect();
+    let middle = |window: &[f64]| {
+        let mut window = window.to_vec();
+        window.sort_by(f64::total_cmp);
+        window[window.len() / 2]
+    };
+    if values.len() < 5 { values } else { values.windows(5).map(middle).collect() }
+}
+
+/// Fewer points with the same peaks: the lowest and the highest of every bucket, in their order.
+fn thin(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+    let size = points.len().div_ceil(BUCKETS);
+    if size < 3 {
+        return points.to_vec();
+    }
+    let ends = |bucket: &[(f64, f64)]| {
+        let by_value = |a: &&(f64, f64), b: &&(f64, f64)| a.1.total_cmp(&b.1);
+        let low = *bucket.iter().min_by(by_value).expect("chunks are not empty");
+        let high = *bucket.iter().max_by(by_value).expect("chunks are not empty");
+        if low.0 <= high.0 { [low, high] } else { [high, low] }
+    };
+    points.chunks(size).flat_map(ends).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_spike_does_not_last() {
+        let points: Vec<_> =
+            (0..100).map(|i| (f64::from(i), if i == 50 { -20.0 } else { 1.0 })).collect();
+        assert!(lasting(&points).iter().all(|force| *force == 1.0));
+        assert!(lasting(&[]).is_empty());
+    }
+
+    #[test]
+    fn thinning_keeps_the_peak() {
+        let points: Vec<_> = (0..5000).map(|i| (f64::from(i), f64::from(i % 977))).collect();
+        let thinned = thin(&points);
+        assert!(thinned.len() <= 2 * BUCKETS);
+        assert!(thinned.iter().any(|point| point.1 == 976.0));
+        assert!(thinned.windows(2).all(|pair| pair[0].0 <= pair[1].0));
+    }
+}

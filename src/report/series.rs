@@ -1,0 +1,165 @@
+//! What each case has left in files of its own: `histories/`, `probes/` and `readings/`.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use csv::StringRecord;
+use serde::Deserialize;
+
+use super::error::ReportError;
+use super::load::{Loaded, demand, deserialize, read, read_records};
+use crate::quantities::history;
+
+/// Values over time: of a history, or of a gauge.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// Name of its column.
+    pub name: String,
+    /// Unit of its values: `Pa`, `m`, or whatever `probes/columns.csv` says; empty where it does
+    /// not say.
+    pub unit: String,
+    /// Time in seconds and value, pair by pair; empty cells are left out.
+    pub points: Vec<(f64, f64)>,
+}
+
+/// A number of a case that has no column in the summary.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct Reading {
+    /// What it is.
+    pub name: String,
+    /// Its value; `None` where the scene could not tell.
+    pub value: Option<f64>,
+    /// Its unit.
+    pub unit: String,
+}
+
+impl Loaded {
+    /// Whether a case has a file of gauges.
+    pub fn has_gauges(&self, case_id: &str) -> bool {
+        self.directory.join(format!("probes/{case_id}.csv")).exists()
+    }
+
+    /// The gauges of a case, in the order of their columns; none where it has no file of them.
+    ///
+    /// # Errors
+    /// A table that lacks its time or holds something else than numbers.
+    pub fn gauges(&self, case_id: &str) -> Result<Vec<Series>, ReportError> {
+        let mut gauges = self.series("probes", case_id, &[history::TIME.name])?;
+        if !gauges.is_empty() {
+            let units = self.units()?;
+            for gauge in &mut gauges {
+                gauge.unit = units.get(&gauge.name).cloned().unwrap_or_default();
+            }
+        }
+        Ok(gauges)
+    }
+
+    /// The history of a case, in the order of its columns; none where it has no file of it.
+    ///
+    /// # Errors
+    /// A history that lacks a column or holds something else than numbers.
+    pub fn history(&self, case_id: &str) -> Result<Vec<Series>, ReportError> {
+        let needed = [&history::TIME, &history::FORCE, &history::RUNUP, &history::DISPLACEMENT];
+        self.series("histories", case_id, &needed.map(|column| column.name))
+    }
+
+    /// A table over time.
+    fn series(
+        &self,
+        folder: &str,
+        case_id: &str,
+        needed: &[&'static str],
+    ) -> Result<Vec<Series>, ReportError> {
+        let path = self.directory.join(format!("{folder}/{case_id}.csv"));
+        if !path.exists() {
+            return Ok(Vec::new());
+        }
+        let (header, records) = read_records(&path)?;
+        demand(&path, &header, needed.iter().copied())?;
+        let rows: Vec<Vec<Option<f64>>> = deserialize(&path, &header, &records)?;
+        let time = header.iter().position(|name| name == history::TIME.name).unwrap_or(0);
+        let series = |(column, name): (usize, &str)| Series {
+            name: name.to_owned(),
+            unit: String::new(),
+            points: rows
+                .iter()
+                .filter_map(|row| row[time].zip(row[column]))
+                .filter(|(time, value)| time.is_finite() && value.is_finite())
+                .collect(),
+        };
+        Ok(header.iter().enumerate().filter(|(column, _)| *column != time).map(series).collect())
+    }
+
+    /// What the scene of a case tells besides its row, in the file's order.
+    ///
+    /// # Errors
+    /// A table that lacks a column or holds something else than numbers.
+    pub fn readings(&self, case_id: &str) -> Result<Vec<Reading>, ReportError> {
+        let path = self.directory.join(format!("readings/{case_id}.csv"));
+        if !path.exists() {
+            return Ok(Vec::new());
+        }
+        let (header, records) = read_loosely(&path)?;
+        demand(&path, &header, ["name", "value", "unit"].into_iter())?;
+        deserialize(&path, &header, &records)
+    }
+
+    /// The units of the gauges' columns by their names.
+    fn units(&self) -> Result<BTreeMap<String, String>, ReportError> {
+        let path = self.directory.join("probes/columns.csv");
+        if !path.exists() {
+            return Ok(BTreeMap::new());
+        }
+        let (header, records) = read_loosely(&path)?;
+        demand(&path, &header, ["name", "unit"].into_iter())?;
+        let at = |name: &str| header.iter().position(|column| column == name).unwrap_or(0);
+        let cell = |record: &StringRecord, name| record.get(at(name)).unwrap_or("").to_owned();
+        let unit = |record| (cell(record, "name"), cell(record, "unit"));
+        Ok(records.iter().map(unit).collect())
+    }
+}
+
+/// A table whose last column is told in words, in which directories of earlier versions have commas
+/// that nothing quotes: they end the cell, and what follows is left out.
+fn read_loosely(path: &Path) -> Result<(StringRecord, Vec<StringRecord>), ReportError> {
+    let wrong = |source| ReportError::Table { path: path.to_owned(), source };
+    let text = read(path)?;
+    let mut reader = csv::ReaderBuilder::new().flexible(true).from_reader(text.as_slice());
+    let header = reader.headers().map_err(wrong)?.clone();
+    let width = header.len();
+    let cut = |record: StringRecord| record.iter().take(width).collect::<StringRecord>();
+    let records = reader.records().map(|record| record.map(cut).map_err(wrong));
+    Ok((header, records.collect::<Result<_, _>>()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::fixture;
+
+    #[test]
+    fn gauges_have_units_and_readings_their_order() {
+        let directory = fixture::dam_breaks(1);
+        let data = Loaded::read(directory.path()).unwrap();
+        let gauges = data.gauges("case-0000").unwrap();
+        let told: Vec<_> = gauges.iter().map(|g| (g.name.as_str(), g.unit.as_str())).collect();
+        assert_eq!(told, [("P1", "Pa"), ("front", "m")]);
+        assert_eq!(gauges[0].points.len(), 400);
+        assert_eq!(gauges[1].points.len(), 399, "an empty cell is no point");
+        let readings = data.readings("case-0000").unwrap();
+        assert_eq!(readings[0].name, "front_at_wall");
+        assert_eq!(readings[1].value, None);
+        assert!(data.gauges("no-such-case").unwrap().is_empty());
+        assert!(data.readings("no-such-case").unwrap().is_empty());
+    }
+
+    #[test]
+    fn a_gauge_that_holds_no_numbers_is_named_with_file_and_line() {
+        let directory = fixture::dam_breaks(1);
+        let path = directory.path().join("probes/case-0000.csv");
+        std::fs::write(&path, "time_s,P1\n0,high\n").unwrap();
+        let data = Loaded::read(directory.path()).unwrap();
+        let told = data.gauges("case-0000").unwrap_err().to_string();
+        assert!(told.contains("case-0000.csv") && told.contains("P1"), "{told}");
+    }
+}

@@ -1,0 +1,27 @@
+//! `energy.csv`: the energy budget of every case that went well, joules per metre of width.
+
+use std::path::Path;
+
+use super::error::SweepError;
+use super::record::CaseRecord;
+use super::{atomic_file, number};
+use crate::quantities::{energy, summary};
+
+/// Writes the budgets of the finished cases, in grid order.
+pub(super) fn write(directory: &Path, records: &[Option<CaseRecord>]) -> Result<(), SweepError> {
+    let terms = energy::ALL.iter().map(|term| term.name);
+    let names = [summary::CASE_ID.name].into_iter().chain(terms).chain([summary::ENERGY_GAP.name]);
+    let mut text = names.collect::<Vec<_>>().join(",") + "\n";
+    for record in records.iter().flatten() {
+        let (Some(budget), Some(outcome)) = (&record.energy, &record.outcome) else { continue };
+        text.push_str(&record.id.to_string());
+        for term in energy::ALL {
+            text.push(',');
+            number::push(&mut text, (term.read)(budget));
+        }
+        text.push(',');
+        number::push(&mut text, outcome.energy_gap_percent);
+        text.push('\n');
+    }
+    atomic_file::write(&directory.join("energy.csv"), text.as_bytes())
+}

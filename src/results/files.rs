@@ -1,0 +1,174 @@
+//! Per-case files: histories and probes.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use super::error::SweepError;
+use super::{atomic_file, number};
+use crate::quantities;
+use crate::simulation::{CaseResult, HistoryRow, NamedReading, ProbeColumn, ProbeTable};
+use crate::study::CaseId;
+
+/// Lengths of a case's files by their folders, bytes.
+pub(super) type Lengths = BTreeMap<String, u64>;
+
+const HISTORIES: &str = "histories";
+const PROBES: &str = "probes";
+const READINGS: &str = "readings";
+
+/// Files that cases have left and that may not be on the disk yet: they go there in groups, as one by
+/// one the coordinator of many ranks would do little but wait for it.
+#[derive(Debug, Default)]
+pub(super) struct Unsynced(Vec<PathBuf>);
+
+impl Unsynced {
+    /// Writes what a case leaves besides its journal line, and tells the lengths of the files.
+    pub(super) fn write(
+        &mut self,
+        directory: &Path,
+        id: CaseId,
+        result: &CaseResult,
+    ) -> Result<Lengths, SweepError> {
+        let mut texts = vec![(HISTORIES, history(&result.history))];
+        if let Some(probes) = &result.probes {
+            texts.push((PROBES, probe_table(probes)));
+        }
+        if !result.readings.is_empty() {
+            texts.push((READINGS, reading_table(&result.readings)));
+        }
+        let mut lengths = Lengths::new();
+        for (name, text) in texts {
+            let folder = directory.join(name);
+            fs::create_dir_all(&folder).map_err(SweepError::io(&folder))?;
+            let path = folder.join(format!("{id}.csv"));
+            atomic_file::write_unsynced(&path, text.as_bytes())?;
+            self.0.push(path);
+            lengths.insert(name.to_owned(), text.len() as u64);
+        }
+        let columns = directory.join(PROBES).join("columns.csv");
+        if let Some(probes) = &result.probes
+            && !columns.is_file()
+        {
+            // The same for all cases of a sweep.
+            atomic_file::write(&columns, probe_columns(probes).as_bytes())?;
+        }
+        Ok(lengths)
+    }
+
+    /// Makes them durable.
+    pub(super) fn sync(&mut self, directory: &Path) -> Result<(), SweepError> {
+        self.0.iter().try_for_each(|path| atomic_file::sync(path))?;
+        self.0.clear();
+        let folders = [HISTORIES, PROBES, READINGS].map(|name| directory.join(name));
+        folders.iter().filter(|path| path.is_dir()).try_for_each(|path| atomic_file::sync(path))
+    }
+}
+
+/// Whether a case that the journal calls well has its history, and all files the lengths that the journal
+/// knows.
+pub(super) fn is_there(directory: &Path, id: CaseId, lengths: &Lengths) -> bool {
+    let length = |name: &str| {
+        let file = fs::metadata(directory.join(name).join(format!("{id}.csv"))).ok();
+        file.filter(|file| file.is_file()).map(|file| file.len())
+    };
+    length(HISTORIES).is_some() && lengths.iter().all(|(name, &of)| length(name) == Some(of))
+}
+
+/// Removes what a killed process left half written.
+pub(super) fn clean(directory: &Path) -> Result<(), SweepError> {
+    let folders = [HISTORIES, PROBES, READINGS].map(|name| directory.join(name));
+    for path in std::iter::once(directory.to_owned()).chain(folders) {
+        let Ok(entries) = fs::read_dir(&path) else { continue };
+        for entry in entries.flatten() {
+            if entry.file_name().to_string_lossy().ends_with(atomic_file::TEMPORARY) {
+                fs::remove_file(entry.path()).map_err(SweepError::io(&entry.path()))?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn history(rows: &[HistoryRow]) -> String {
+    let columns = quantities::history::ALL;
+    let mut text = columns.iter().map(|column| column.name).collect::<Vec<_>>().join(",") + "\n";
+    for row in rows {
+        let values = columns.iter().map(|column| (column.read)(row));
+        push_row(&mut text, values);
+    }
+    text
+}
+
+fn probe_table(probes: &ProbeTable) -> String {
+    let mut text = "time_s".to_owned();
+    for column in &probes.columns {
+        text.push(',');
+        text.push_str(&column.name);
+    }
+    text.push('\n');
+    for (time, row) in probes.rows() {
+        push_row(&mut text, std::iter::once(time).chain(row.iter().copied()));
+    }
+    text
+}
+
+/// What a column of the probes' tables holds.
+fn probe_columns(probes: &ProbeTable) -> String {
+    let row = |ProbeColumn { name, unit, method }: &ProbeColumn| {
+        [name.clone(), unit.clone(), method.clone()]
+    };
+    worded(["name", "unit", "method"], probes.columns.iter().map(row))
+}
+
+fn reading_table(readings: &[NamedReading]) -> String {
+    let row = |reading: &NamedReading| {
+        [reading.name.clone(), number::text(reading.value), reading.unit.clone()]
+    };
+    worded(["name", "value", "unit"], readings.iter().map(row))
+}
+
+/// A table with words in it, which may hold commas.
+fn worded(header: [&str; 3], rows: impl Iterator<Item = [String; 3]>) -> String {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    for row in std::iter::once(header.map(str::to_owned)).chain(rows) {
+        writer.write_record(row).expect("rows of three cells go into memory");
+    }
+    let bytes = writer.into_inner().expect("memory takes it all");
+    String::from_utf8(bytes).expect("made of text")
+}
+
+fn push_row(text: &mut String, values: impl IntoIterator<Item = f64>) {
+    for (column, value) in values.into_iter().enumerate() {
+        if column > 0 {
+            text.push(',');
+        }
+        number::push(text, value);
+    }
+    text.push('\n');
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn probes_have_a_column_each() {
+        let probes = ProbeTable {
+            columns: vec![
+                ProbeColumn { name: "p1".into(), unit: "Pa".into(), method: "here".into() },
+                ProbeColumn { name: "level".into(), unit: "m".into(), method: "there".into() },
+            ],
+            time_s: vec![0.0, 0.005],
+            values: vec![1.5, 0.1, 2.0, 0.30000000000000004],
+        };
+        let text = probe_table(&probes);
+        assert_eq!(probe_columns(&probes), "name,unit,method\np1,Pa,here\nlevel,m,there\n");
+        assert_eq!(text, "time_s,p1,level\n0,1.5,0.1\n0.005,2,0.30000000000000004\n");
+    }
+
+    #[test]
+    fn words_may_hold_commas() {
+        let reading = NamedReading::new("arm", 0.5, "% of R, largest");
+        assert_eq!(reading_table(&[reading]), "name,value,unit\narm,0.5,\"% of R, largest\"\n");
+    }
+}

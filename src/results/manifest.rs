@@ -1,0 +1,139 @@
+//! `manifest.json`: where the results come from. Nothing in it decides an answer.
+
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::atomic_file;
+use super::error::SweepError;
+use crate::math::simd::SimdPath;
+use crate::study::{PHYSICS_VERSION, Study};
+
+/// The file's name in its directory.
+const FILE_NAME: &str = "manifest.json";
+
+/// Provenance of an output directory.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Manifest {
+    /// Version of the program.
+    pub version: String,
+    /// Git commit that it was built from, or "unknown".
+    pub git_commit: String,
+    /// See [`PHYSICS_VERSION`].
+    pub physics_version: u32,
+    /// Name of the study.
+    pub name: String,
+    /// Identity of the study.
+    pub sweep: String,
+    /// Number of its cases.
+    pub cases: usize,
+    /// Number of their resolution companions.
+    #[serde(default)]
+    pub companions: usize,
+    /// The swept keys, in the order of the file.
+    pub keys: Vec<String>,
+    /// The sweep file as written.
+    pub sweep_file: String,
+    /// What the command line set.
+    pub overrides: Vec<String>,
+    /// The instruction set that all cases were computed with.
+    pub simd: String,
+    /// Every process that worked here, in order.
+    pub sessions: Vec<SessionInfo>,
+}
+
+/// One process at work on a directory.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct SessionInfo {
+    /// `threads` or `mpi`.
+    pub executor: String,
+    /// The ranks.
+    pub ranks: Vec<RankInfo>,
+    /// Start, UTC.
+    pub started: String,
+    /// End, UTC; absent while running and after a kill.
+    pub ended: Option<String>,
+    /// Wall time, seconds.
+    pub wall_time_s: Option<f64>,
+    /// What branching saved.
+    pub savings: Option<Savings>,
+    /// How it ended: `finished`, `interrupted`, or absent.
+    pub ending: Option<String>,
+}
+
+/// One process of a session.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct RankInfo {
+    /// The machine.
+    pub host: String,
+    /// Its threads.
+    pub threads: usize,
+    /// How many of them share one case.
+    #[serde(default = "one")]
+    pub threads_per_case: usize,
+}
+
+fn one() -> usize {
+    1
+}
+
+impl RankInfo {
+    /// A rank whose threads run a case each.
+    pub fn new(host: String, threads: usize) -> RankInfo {
+        RankInfo { host, threads, threads_per_case: 1 }
+    }
+
+    /// Cases that it runs at once.
+    pub fn places(&self) -> usize {
+        (self.threads / self.threads_per_case).max(1)
+    }
+}
+
+/// What branching saved in one session; failed cases are left out.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Savings {
+    /// Trunks computed.
+    pub trunks: usize,
+    /// Cases that started from a trunk's checkpoint.
+    pub branches: usize,
+    /// Time steps computed, trunks included.
+    pub steps_computed: u64,
+    /// Time steps, had every case run from rest.
+    pub steps_from_rest: u64,
+}
+
+impl Manifest {
+    /// The manifest of a directory, with the sessions that it already has.
+    pub fn new(directory: &Path, study: &Study, overrides: &[String], simd: SimdPath) -> Manifest {
+        let sessions = Manifest::read(directory).map_or_else(Vec::new, |earlier| earlier.sessions);
+        Manifest {
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            git_commit: option_env!("SEAWALL_GIT_COMMIT").unwrap_or("unknown").to_owned(),
+            physics_version: PHYSICS_VERSION,
+            name: study.name.clone(),
+            sweep: study.identity.clone(),
+            cases: study.cases.len(),
+            companions: study.companions.len(),
+            keys: study.keys.clone(),
+            sweep_file: study.file_text.clone(),
+            overrides: overrides.to_vec(),
+            simd: simd.name().to_owned(),
+            sessions,
+        }
+    }
+
+    /// Reads a directory's manifest, `None` where there is none that can be read.
+    pub fn read(directory: &Path) -> Option<Manifest> {
+        let text = std::fs::read_to_string(directory.join(FILE_NAME)).ok()?;
+        serde_json::from_str(&text).ok()
+    }
+
+    /// Writes it.
+    ///
+    /// # Errors
+    /// Where the file cannot be written.
+    pub fn write(&self, directory: &Path) -> Result<(), SweepError> {
+        let text = serde_json::to_string_pretty(self).expect("a manifest has a JSON form");
+        atomic_file::write(&directory.join(FILE_NAME), format!("{text}\n").as_bytes())
+    }
+}

@@ -1,0 +1,149 @@
+//! What the journal keeps of a case.
+
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, Serialize};
+
+use crate::simulation::{
+    CaseResult, EnergyBudget, Failure, FailureKind, NamedReading, Outcome, PhaseShare,
+};
+use crate::study::{Case, CaseId, Study};
+
+/// One finished case: a journal line.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct CaseRecord {
+    /// Place in grid order.
+    pub index: usize,
+    /// Identity.
+    pub id: CaseId,
+    /// Swept keys and their values.
+    pub values: BTreeMap<String, serde_json::Value>,
+    /// `None` where the case is well.
+    pub failure: Option<FailureKind>,
+    /// Why it failed, in one line; where it is well, what it recovered from, mostly nothing.
+    pub reason: String,
+    /// The scalars, where the case is well.
+    pub outcome: Option<Outcome>,
+    /// The energy budget, where the case is well.
+    pub energy: Option<EnergyBudget>,
+    /// What else the scene told, where the case is well.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub readings: Vec<NamedReading>,
+    /// Where the time went; a trunk's time is not included.
+    pub phases: Vec<PhaseShare>,
+    /// Wall time, seconds; a trunk's is not included.
+    pub wall_time_s: f64,
+    /// Processor time, seconds, where the system tells it; a trunk's is not included.
+    #[serde(default)]
+    pub cpu_time_s: Option<f64>,
+    /// Where it ran.
+    pub host: String,
+    /// Lengths of the files that it has left, by their folders, bytes.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub files: BTreeMap<String, u64>,
+}
+
+impl CaseRecord {
+    /// The record of a case that just ended. A result that holds a number that is none is a
+    /// failure: neither the journal nor the tables could carry it.
+    pub fn new(
+        study: &Study,
+        case: &Case,
+        result: &Result<CaseResult, Failure>,
+        wall_time_s: f64,
+        host: &str,
+    ) -> CaseRecord {
+        let mut record = CaseRecord {
+            index: case.index,
+            id: case.id,
+            values: study.values(case).into_iter().collect(),
+            failure: None,
+            reason: String::new(),
+            outcome: None,
+            energy: None,
+            readings: Vec::new(),
+            phases: Vec::new(),
+            wall_time_s,
+            cpu_time_s: None,
+            host: host.to_owned(),
+            files: BTreeMap::new(),
+        };
+        match result {
+            Ok(result) => {
+                record.outcome = Some(result.outcome.clone());
+                record.reason = one_line(result.outcome.recovered.as_deref().unwrap_or_default());
+                record.energy = Some(result.energy);
+                record.readings.clone_from(&result.readings);
+                record.phases.clone_from(&result.phases);
+                if let Err(detail) = record.round_trips() {
+                    record.fail(FailureKind::NotANumber, detail);
+                }
+            }
+            Err(failure) => record.fail(failure.kind, failure.to_string()),
+        }
+        record
+    }
+
+    /// Whether the case is well.
+    pub fn is_ok(&self) -> bool {
+        self.failure.is_none()
+    }
+
+    fn fail(&mut self, kind: FailureKind, reason: String) {
+        self.failure = Some(kind);
+        self.reason = one_line(&reason);
+        self.outcome = None;
+        self.energy = None;
+        self.readings = Vec::new();
+        self.phases = Vec::new();
+    }
+
+    fn round_trips(&self) -> Result<(), String> {
+        let text = serde_json::to_string(self).map_err(|error| error.to_string())?;
+        match serde_json::from_str::<CaseRecord>(&text) {
+            Ok(read) if read == *self => Ok(()),
+            _ => Err("not-a-number: a reported quantity is not a finite number".to_owned()),
+        }
+    }
+}
+
+/// Line breaks and other control characters become spaces.
+fn one_line(text: &str) -> String {
+    text.split(|c: char| c.is_control() || c == '\u{2028}' || c == '\u{2029}')
+        .map(str::trim)
+        .filter(|part| !part.is_empty())
+        .collect::<Vec<_>>()
+        .join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::made_up::made_up;
+    use super::*;
+    use crate::study::SweepFile;
+
+    fn study() -> Study {
+        let text = "name = \"a\"\n[grid]\nwave_height_ratio = [0.2]";
+        Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn a_result_that_is_no_number_is_a_failure() {
+        let study = study();
+        let case = &study.cases[0];
+        let mut result = made_up(&case.config);
+        let record = CaseRecord::new(&study, case, &Ok(result.clone()), 1.0, "here");
+        assert!(record.is_ok());
+        result.outcome.measured_wave_height_ratio = Some(f64::NAN);
+        let record = CaseRecord::new(&study, case, &Ok(result.clone()), 1.0, "here");
+        assert_eq!(record.failure, Some(FailureKind::NotANumber));
+        result.outcome.measured_wave_height_ratio = None;
+        result.energy.kinetic = f64::INFINITY;
+        assert!(!CaseRecord::new(&study, case, &Ok(result), 1.0, "here").is_ok());
+    }
+
+    #[test]
+    fn reasons_have_no_line_breaks() {
+        assert_eq!(one_line("a\r\nb\tc\u{1b}"), "a b c");
+    }
+}

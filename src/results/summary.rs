@@ -1,0 +1,117 @@
+//! `summary.csv`: one row per finished case, in grid order, made from the journal.
+
+use std::path::Path;
+
+use super::error::SweepError;
+use super::record::CaseRecord;
+use super::{atomic_file, number};
+use crate::quantities::{self, Bars, Value, summary};
+use crate::scene::CaseConfig;
+use crate::study::{Case, Study};
+
+impl CaseRecord {
+    /// What reported quantities are read from.
+    pub fn reported<'a>(&'a self, config: &'a CaseConfig, bars: Bars) -> quantities::Case<'a> {
+        quantities::Case {
+            id: self.id.to_string(),
+            config,
+            outcome: self.outcome.as_ref(),
+            reason: &self.reason,
+            bars,
+            wall_time_s: self.wall_time_s,
+        }
+    }
+}
+
+/// Writes the summary of the finished cases; `records` holds the companions, too.
+pub(super) fn write(
+    directory: &Path,
+    study: &Study,
+    records: &[Option<CaseRecord>],
+) -> Result<(), SweepError> {
+    let path = directory.join("summary.csv");
+    let text = table(study, records).map_err(|error| SweepError::io(&path)(error.into()))?;
+    atomic_file::write(&path, &text)
+}
+
+fn table(study: &Study, records: &[Option<CaseRecord>]) -> csv::Result<Vec<u8>> {
+    let fixed: Vec<String> = summary::names().collect();
+    let places = 0..study.keys.len();
+    let further: Vec<_> = places.filter(|&at| !fixed.contains(&study.keys[at])).collect();
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(fixed.iter().chain(further.iter().map(|&at| &study.keys[at])))?;
+    for (case, record) in study.cases.iter().zip(records) {
+        let Some(record) = record else { continue };
+        let reported = record.reported(&case.config, study.error_bars(case.index, records));
+        let mut cells = Vec::with_capacity(fixed.len() + further.len());
+        for column in summary::ALL {
+            cells.push(column.value(&reported).map(cell).unwrap_or_default());
+            let time = || column.time(&reported).map(number::text).unwrap_or_default();
+            cells.extend(column.time_name().map(|_| time()));
+        }
+        cells.extend(further.iter().map(|&place| swept(case, place)));
+        writer.write_record(cells)?;
+    }
+    writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))
+}
+
+fn cell(value: Value) -> String {
+    match value {
+        Value::Number(value) => number::text(value),
+        Value::Count(count) => count.to_string(),
+        Value::Flag(flag) => flag.to_string(),
+        Value::Text(text) => text,
+    }
+}
+
+fn swept(case: &Case, place: usize) -> String {
+    match &case.assignments[place] {
+        None => String::new(),
+        Some(toml::Value::String(text)) => text.clone(),
+        Some(toml::Value::Float(value)) => number::text(*value),
+        Some(other) => other.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::made_up::made_up;
+    use super::*;
+    use crate::simulation::{Failure, FailureKind};
+    use crate::study::SweepFile;
+
+    #[test]
+    fn rows_are_in_grid_order_and_leave_out_what_is_not_there() {
+        let text = "name = \"a\"\n[scene]\nseawall_mass_kg_per_m = 50\n[grid]\n\
+            wall = [\"fixed\", \"movable\"]\nspring_stiffness_n_per_m = [0, 10]";
+        let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
+        let record =
+            |case: &Case, result| Some(CaseRecord::new(&study, case, &result, 1.0, "here"));
+        let good = |case: &Case| record(case, Ok(made_up(&case.config)));
+        let detail = "first line\nsecond line".to_owned();
+        let failure = Failure { kind: FailureKind::RunawaySpeed, time_s: 0.5, detail };
+        let records =
+            [good(&study.cases[0]), record(&study.cases[1], Err(failure)), good(&study.cases[2])];
+        let bytes = table(&study, &records).unwrap();
+        let mut reader = csv::Reader::from_reader(&bytes[..]);
+        let headers = reader.headers().unwrap().clone();
+        let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+        let cell = |row: usize, name: &str| {
+            rows[row][headers.iter().position(|header| header == name).unwrap()].to_owned()
+        };
+        assert_eq!(headers.iter().next_back(), Some("wall"));
+        assert_eq!(
+            ["spring_stiffness_n_per_m", "m_star", "displacement_max", "wall"]
+                .map(|name| cell(0, name)),
+            ["", "", "", "fixed"]
+        );
+        assert_eq!(
+            ["status", "log10_k_star", "m_star", "force_max"].map(|name| cell(1, name)),
+            ["failed", "", "1.25", ""]
+        );
+        assert_eq!(cell(1, "reason"), "runaway-speed at t = 0.5000 s: first line second line");
+        assert_eq!(cell(2, "status"), "ok");
+        let k_star: f64 = cell(2, "log10_k_star").parse().unwrap();
+        assert!((10_f64.powf(k_star) - 10.0 / 392.4).abs() < 1e-12);
+    }
+}

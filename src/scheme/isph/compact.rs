@@ -1,0 +1,75 @@
+//! The paper's own pressure equation, with a compact Laplacian: for comparison.
+//!
+//! The last step's pressure, carried along by its particles, makes a first velocity u* =
+//! u + Δt (g - ∇p/ρ); what is left of its divergence corrects that pressure (the incremental form of
+//! Liang et al. 2017, Eq. 11). The compact Laplacian and the divergence of the gradient differ; their
+//! difference is made up for from step to step, instead of pushing the water the same way for ever.
+
+use super::Isph;
+use super::project::Source;
+use super::system::System;
+use crate::scheme::StepError;
+
+/// A support that is less complete than this has the largest κ.
+const POOREST: f64 = 0.25;
+
+impl Isph {
+    /// Solves V 2 Σ F (p_i - p_j) + grip p_i = -V (ρ/Δt) ∇·u*/κ for the change of the dynamic
+    /// pressure.
+    pub(super) fn solve_compact(&mut self, dt: f64) -> Result<(), StepError> {
+        self.system.preconditioner.prepare(&self.system.matrix);
+        // What is forgotten keeps modes from adding up that the gradient hardly feels.
+        let memory = self.options.pressure_memory;
+        self.pressure.clear();
+        self.pressure.extend(self.carried.pressure.iter().map(|p| memory * p));
+        self.accelerate(Source::Pressure);
+        self.set_velocities_after(dt);
+        self.diverge(|walls| walls.velocity);
+        self.compact_right_hand_side(dt, self.options.volume_relaxation);
+        let mut change = std::mem::take(&mut self.system.change);
+        change.clear();
+        let carried = self.carried.pressure.iter().zip(&self.carried.older_pressure);
+        change.extend(carried.map(|(p, old)| (2.0 - memory) * p - old));
+        self.settle(change, self.rule())
+    }
+
+    /// -V (ρ/Δt) ∇·u / κ for the divergence at hand; a share `relax` of volume errors is taken back
+    /// as well.
+    pub(super) fn compact_right_hand_side(&mut self, dt: f64, relax: f64) {
+        let (options, operators, even) = (&self.options, &self.operators, &self.even);
+        let (mass, divergence) = (&self.fluid.mass, &self.divergence);
+        self.system.right.clear();
+        self.system.right.extend((0..divergence.len()).map(|i| {
+            let volume = mass[i] / options.density;
+            let divergence = divergence[i] - relax * operators.crowding(i, even) / dt;
+            -volume * options.density * divergence / (dt * operators.kappa(i, POOREST))
+        }));
+    }
+}
+
+impl System {
+    /// Every connected part of the water needs a particle whose pressure is held; where a part has
+    /// none (a full, closed vessel) its first one is, at the pressure of the still level.
+    pub(super) fn hold_components(&mut self, grip: &[f64]) {
+        let System { matrix, reached, open, .. } = self;
+        reached.clear();
+        reached.extend(grip.iter().map(|&grip| grip > 0.0));
+        open.clear();
+        open.extend((0..grip.len() as u32).filter(|&i| reached[i as usize]));
+        for next in 0..grip.len() {
+            while let Some(i) = open.pop() {
+                for &j in matrix.row(i as usize).0 {
+                    if !std::mem::replace(&mut reached[j as usize], true) {
+                        open.push(j);
+                    }
+                }
+            }
+            if !reached[next] {
+                let pin = matrix.diagonal[next].max(f64::MIN_POSITIVE);
+                matrix.diagonal[next] += pin;
+                reached[next] = true;
+                open.push(next as u32);
+            }
+        }
+    }
+}

@@ -1,0 +1,178 @@
+//! One axis of the grid: a list of values, or a range.
+
+use toml::{Table, Value};
+
+use crate::keys::number;
+use crate::scene::ConfigError;
+
+/// A swept key and its values, in the order of the file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GridAxis {
+    /// The key, without its section.
+    pub key: String,
+    /// Its values: strings, numbers or booleans.
+    pub values: Vec<Value>,
+}
+
+const SHAPE: &str =
+    "must be a list, or { from = 1, to = 100, points = 3, spacing = \"log\" or \"linear\" }";
+
+impl GridAxis {
+    /// Reads the value of a key in `[grid]`.
+    ///
+    /// # Errors
+    /// An empty list, a value that is no scalar or not finite, a duplicate, a malformed range.
+    pub fn read(key: &str, value: &Value) -> Result<GridAxis, ConfigError> {
+        let path = format!("grid.{key}");
+        let values = match value {
+            Value::Array(values) => values.clone(),
+            Value::Table(range) => read_range(&path, range)?,
+            other => return Err(ConfigError::new(&path, other, SHAPE)),
+        };
+        if values.is_empty() {
+            return Err(ConfigError::new(&path, "[]", "must have at least one value"));
+        }
+        for (index, value) in values.iter().enumerate() {
+            if let Value::Float(number) = value
+                && !number.is_finite()
+            {
+                return Err(ConfigError::new(&path, number, "must be finite numbers"));
+            }
+            if matches!(value, Value::Array(_) | Value::Table(_) | Value::Datetime(_)) {
+                let allowed = "must be numbers, strings or booleans";
+                return Err(ConfigError::new(&path, value, allowed));
+            }
+            if values[..index].iter().any(|earlier| same(earlier, value)) {
+                return Err(ConfigError::new(&path, value, "stands in the list twice"));
+            }
+        }
+        Ok(GridAxis { key: key.to_owned(), values })
+    }
+}
+
+/// Equal as settings: `1` and `1.0` are the same.
+fn same(a: &Value, b: &Value) -> bool {
+    match (number(a), number(b)) {
+        (Some(a), Some(b)) => a == b,
+        _ => a == b,
+    }
+}
+
+pub(super) const RANGE_KEYS: [&str; 4] = ["from", "to", "points", "spacing"];
+
+/// No sweep is larger than this, and no range is longer.
+pub(super) const MOST_CASES: usize = 1_000_000;
+
+/// What a range key of another tongue is called here.
+fn meant(key: &str) -> Option<&'static str> {
+    match key {
+        "start" | "begin" | "min" | "low" => Some("from"),
+        "stop" | "end" | "max" | "high" => Some("to"),
+        "count" | "num" | "number" | "n" | "steps" => Some("points"),
+        "scale" => Some("spacing"),
+        _ => None,
+    }
+}
+
+fn read_range(path: &str, range: &Table) -> Result<Vec<Value>, ConfigError> {
+    if let Some(key) = range.keys().find(|key| !RANGE_KEYS.contains(&key.as_str())) {
+        let own = format!("{path}.{key}");
+        return Err(match meant(key) {
+            Some(meant) => ConfigError::misplaced(&own, meant),
+            None => ConfigError::unknown(&own, &RANGE_KEYS),
+        });
+    }
+    let bad = |key: &str, allowed: &str| {
+        let shown = range.get(key).map(Value::to_string).unwrap_or_default();
+        ConfigError::new(&format!("{path}.{key}"), shown, allowed)
+    };
+    let bound = |key: &str| {
+        let value = range.get(key).and_then(number).filter(|number| number.is_finite());
+        value.ok_or_else(|| bad(key, "must be a finite number"))
+    };
+    let (from, to) = (bound("from")?, bound("to")?);
+    let points = match range.get("points") {
+        Some(Value::Integer(points)) if (2..=MOST_CASES as i64).contains(points) => {
+            *points as usize
+        }
+        _ => {
+            let allowed = format!("must be a whole number from 2 to {MOST_CASES}");
+            return Err(bad("points", &allowed));
+        }
+    };
+    let log = match range.get("spacing").map(Value::as_str) {
+        None | Some(Some("linear")) => false,
+        Some(Some("log")) => true,
+        _ => return Err(bad("spacing", "must be \"log\" or \"linear\"")),
+    };
+    if let Some((key, _)) = [("from", from), ("to", to)].iter().find(|(_, end)| log && *end <= 0.0)
+    {
+        return Err(bad(key, "must be above 0 where spacing = \"log\""));
+    }
+    let value = |index: usize| {
+        if index == 0 {
+            return from;
+        }
+        if index == points - 1 {
+            return to;
+        }
+        let share = index as f64 / (points - 1) as f64;
+        if log {
+            let (low, high) = (libm::log10(from), libm::log10(to));
+            tidy(libm::pow(10.0, low + (high - low) * share))
+        } else {
+            tidy(from + (to - from) * share)
+        }
+    };
+    Ok((0..points).map(|index| Value::Float(value(index))).collect())
+}
+
+/// Rounds so that decades come out as written by hand.
+fn tidy(number: f64) -> f64 {
+    crate::math::decimal::significant(number, 15)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(text: &str) -> Result<GridAxis, ConfigError> {
+        let table: Table = format!("x = {text}").parse().unwrap();
+        GridAxis::read("x", &table["x"])
+    }
+
+    fn numbers(text: &str) -> Vec<f64> {
+        read(text).unwrap().values.iter().map(|value| number(value).unwrap()).collect()
+    }
+
+    #[test]
+    fn ranges_hit_round_numbers() {
+        let decades = numbers("{ from = 0.01, to = 1e7, points = 10, spacing = \"log\" }");
+        assert_eq!(decades, [0.01, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6, 1e7]);
+        let steps = numbers("{ from = 0.1, to = 0.7, points = 7 }");
+        assert_eq!(steps, [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]);
+    }
+
+    #[test]
+    fn every_bad_axis_is_told_with_its_key() {
+        let bad = [
+            ("3", "grid.x = 3: must be a list"),
+            ("[]", "grid.x = []: must have at least one value"),
+            ("[1, nan]", "grid.x = NaN: must be finite numbers"),
+            ("[1, 2, 1.0]", "grid.x = 1.0: stands in the list twice"),
+            ("[[1]]", "grid.x = [1]: must be numbers, strings or booleans"),
+            ("{ from = 1, to = 2 }", "grid.x.points: must be a whole number"),
+            (
+                "{ from = 1, to = 2, points = 1000000000 }",
+                "grid.x.points = 1000000000: must be a whole number from 2 to 1000000",
+            ),
+            ("{ start = 1, to = 2 }", "grid.x.start: unknown key; did you mean from?"),
+            ("{ from = 0, to = 2, points = 3, spacing = \"log\" }", "grid.x.from = 0: must be"),
+            ("{ from = 1, to = 2, points = 3, spaceing = 1 }", "grid.x.spaceing: unknown key"),
+        ];
+        for (text, message) in bad {
+            let told = read(text).unwrap_err().to_string();
+            assert!(told.starts_with(message), "{told:?} should start with {message:?}");
+        }
+    }
+}

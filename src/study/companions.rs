@@ -1,0 +1,100 @@
+//! Resolution companions: the same cases with coarser particles, from whose differences the error
+//! bars come ([`super::error_bars`]).
+//!
+//! A companion is a run like any other: planned, branched from a trunk of its own, journalled,
+//! resumed. It is no row of the summary and leaves no history.
+
+use std::collections::HashMap;
+
+use super::case::{Case, CaseId};
+use crate::scene::{CaseConfig, ErrorBars};
+
+/// Spacings of the companions over the case's own. Twice the spacing costs about an eighth, √2
+/// times about a third.
+fn ratios(bars: ErrorBars) -> &'static [f64] {
+    match bars {
+        ErrorBars::None => &[],
+        ErrorBars::Pair => &[2.0],
+        ErrorBars::Triple => &[std::f64::consts::SQRT_2, 2.0],
+    }
+}
+
+/// The companions of a study's cases, each once, and for every case the places of its own among
+/// cases and companions together. Where the grid sweeps the spacing, a case may be the companion
+/// of another. A companion too coarse for its depth is left out.
+pub(super) fn plan(cases: &[Case], bars: &[ErrorBars]) -> (Vec<Case>, Vec<Vec<usize>>) {
+    let mut places: HashMap<CaseId, usize> =
+        cases.iter().map(|case| (case.id, case.index)).collect();
+    let mut companions: Vec<Case> = Vec::new();
+    let mut of = Vec::with_capacity(cases.len());
+    let bars = bars.iter().copied().chain(std::iter::repeat(ErrorBars::None));
+    for (case, bars) in cases.iter().zip(bars) {
+        let mut own = Vec::new();
+        for &ratio in ratios(bars) {
+            let Some(config) = case.config.coarsened(ratio) else { continue };
+            own.push(place(config, case, &mut places, &mut companions, cases.len()));
+        }
+        of.push(own);
+    }
+    (companions, of)
+}
+
+fn place(
+    config: CaseConfig,
+    case: &Case,
+    places: &mut HashMap<CaseId, usize>,
+    companions: &mut Vec<Case>,
+    first: usize,
+) -> usize {
+    let id = CaseId::of(&config);
+    *places.entry(id).or_insert_with(|| {
+        let index = first + companions.len();
+        companions.push(Case { index, id, config, assignments: case.assignments.clone() });
+        index
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::study::Study;
+    use crate::study::file::SweepFile;
+
+    fn study(text: &str) -> Study {
+        Study::new(&SweepFile::read(&format!("name = \"a\"\n{text}"), &[]).unwrap()).unwrap()
+    }
+
+    const WAVES: &str = "[grid]\nwave_height_ratio = [0.2, 0.3]";
+
+    #[test]
+    fn bars_change_no_case() {
+        let without = study(WAVES);
+        for bars in ["pair", "triple"] {
+            let with = study(&format!("[numerics]\nerror_bars = \"{bars}\"\n{WAVES}"));
+            assert_eq!(with.cases, without.cases);
+            assert_eq!(with.identity, without.identity);
+        }
+        assert!(without.companions.is_empty());
+    }
+
+    #[test]
+    fn a_pair_is_twice_as_coarse_and_a_triple_also_in_between() {
+        let spacings = |study: &Study, case: usize| -> Vec<f64> {
+            let own = &study.companions_of[case];
+            own.iter().map(|&run| study.run(run).config.numerics.particle_spacing_m).collect()
+        };
+        let pair = study(&format!("[numerics]\nerror_bars = \"pair\"\n{WAVES}"));
+        assert_eq!(pair.companions.len(), 2);
+        assert_eq!(spacings(&pair, 1), [0.018]);
+        assert_eq!(pair.companions[1].index, 3);
+        let triple = study(&format!("[numerics]\nerror_bars = \"triple\"\n{WAVES}"));
+        assert_eq!(spacings(&triple, 0), [0.009 * std::f64::consts::SQRT_2, 0.018]);
+    }
+
+    #[test]
+    fn cases_of_the_grid_serve_as_companions() {
+        let grid = "[grid]\nparticle_spacing_m = [0.008, 0.016, 0.032]";
+        let study = study(&format!("[numerics]\nerror_bars = \"pair\"\n{grid}"));
+        assert!(study.companions.is_empty(), "0.064 m is too coarse for 0.2 m");
+        assert_eq!(study.companions_of, [vec![1], vec![2], vec![]]);
+    }
+}

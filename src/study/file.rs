@@ -1,0 +1,196 @@
+//! The sweep file: a name, a scene, numerics, and a grid.
+
+use toml::{Table, Value};
+
+use super::axis::GridAxis;
+use super::overrides::Override;
+use crate::keys::{Section, read_alone, section};
+use crate::scene::{ConfigError, place_of};
+
+/// A parsed sweep file; the values inside its tables are checked case by case in
+/// [`super::Study`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct SweepFile {
+    /// The study's name; also the default output directory's.
+    pub name: String,
+    /// `[scene]`.
+    pub scene: Table,
+    /// `[numerics]`.
+    pub numerics: Table,
+    /// The `[[probe]]` tables.
+    pub probes: Vec<Table>,
+    /// `[accuracy] max_error_percent`.
+    pub max_error_percent: Option<f64>,
+    /// `[grid]`, in the order of the file; empty for a file that describes a single scene.
+    pub grid: Vec<GridAxis>,
+    /// The file as written.
+    pub text: String,
+}
+
+section! {
+    /// `[accuracy]`.
+    pub(super) struct Accuracy in "accuracy" {
+        /// `--max-error` in the file: the largest error bar that is taken for force and displacement.
+        max_error_percent: Option<f64> = None, unit("%").above_zero();
+    }
+}
+
+const KEYS: [&str; 6] = ["name", "scene", "numerics", "probe", "accuracy", "grid"];
+
+impl SweepFile {
+    /// Reads a file's text and puts the command line's values into it.
+    ///
+    /// # Errors
+    /// A syntax error, an unknown top-level key, a missing name, a malformed axis, an empty
+    /// `[grid]`.
+    pub fn read(text: &str, overrides: &[Override]) -> Result<SweepFile, ConfigError> {
+        let mut file = text.parse::<Table>().map_err(|error| syntax_error(text, &error))?;
+        for set in overrides {
+            set.apply(&mut file)?;
+        }
+        if let Some(key) = file.keys().find(|key| !KEYS.contains(&key.as_str())) {
+            return Err(unknown_at_the_top(key, &file));
+        }
+        let name = read_name(file.get("name"))?;
+        let grid = table(&file, "grid")?;
+        if file.contains_key("grid") && grid.is_empty() {
+            let allowed =
+                "holds no key: sweep at least one, or leave [grid] out for a single scene";
+            return Err(ConfigError::new("grid", "", allowed));
+        }
+        let grid =
+            grid.iter().map(|(key, value)| GridAxis::read(key, value)).collect::<Result<_, _>>();
+        Ok(SweepFile {
+            name,
+            scene: table(&file, "scene")?,
+            numerics: table(&file, "numerics")?,
+            probes: tables(&file, "probe")?,
+            max_error_percent: read_alone::<Accuracy>(&table(&file, Accuracy::NAME)?)?
+                .max_error_percent,
+            grid: grid?,
+            text: text.to_owned(),
+        })
+    }
+
+    /// Fails where there is nothing to sweep.
+    ///
+    /// # Errors
+    /// An absent `[grid]`.
+    pub fn require_grid(&self) -> Result<(), ConfigError> {
+        if self.grid.is_empty() {
+            let allowed = "is required, with at least one key (`seawall run` takes a single scene)";
+            return Err(ConfigError::new("grid", "", allowed));
+        }
+        Ok(())
+    }
+
+    /// Fails where there is more than one scene.
+    ///
+    /// # Errors
+    /// A `[grid]`.
+    pub fn refuse_grid(&self) -> Result<(), ConfigError> {
+        if let Some(axis) = self.grid.first() {
+            let allowed = "a single scene has no [grid]; use `seawall sweep`";
+            return Err(ConfigError::new(&format!("grid.{}", axis.key), "", allowed));
+        }
+        Ok(())
+    }
+}
+
+/// A key outside its section is told with its path.
+fn unknown_at_the_top(key: &str, file: &Table) -> ConfigError {
+    match table(file, "scene").and_then(|scene| place_of(key, &scene)) {
+        Ok(place) => ConfigError::misplaced(key, &format!("{}.{key}", place.name())),
+        Err(_) => ConfigError::unknown(key, &KEYS),
+    }
+}
+
+fn read_name(value: Option<&Value>) -> Result<String, ConfigError> {
+    let allowed =
+        "must be a word of ASCII letters, digits, '-', '_' and '.', not starting with '.'";
+    match value {
+        Some(Value::String(name)) => {
+            let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
+            if name.is_empty() || name.starts_with('.') || !name.chars().all(fits) {
+                return Err(ConfigError::new("name", format!("{name:?}"), allowed));
+            }
+            Ok(name.clone())
+        }
+        Some(other) => Err(ConfigError::new("name", other, allowed)),
+        None => Err(ConfigError::new("name", "", format!("is required and {allowed}"))),
+    }
+}
+
+fn table(file: &Table, key: &str) -> Result<Table, ConfigError> {
+    match file.get(key) {
+        None => Ok(Table::new()),
+        Some(Value::Table(table)) => Ok(table.clone()),
+        Some(other) => Err(ConfigError::new(key, other, format!("must be a table: [{key}]"))),
+    }
+}
+
+fn tables(file: &Table, key: &str) -> Result<Vec<Table>, ConfigError> {
+    let wrong = |value: &Value| {
+        ConfigError::new(key, value, format!("must be an array of tables: [[{key}]]"))
+    };
+    match file.get(key) {
+        None => Ok(Vec::new()),
+        Some(Value::Array(values)) => {
+            values.iter().map(|value| value.as_table().cloned().ok_or(wrong(value))).collect()
+        }
+        Some(other) => Err(wrong(other)),
+    }
+}
+
+fn syntax_error(text: &str, error: &toml::de::Error) -> ConfigError {
+    let before = error.span().and_then(|span| text.get(..span.start)).unwrap_or_default();
+    let line = before.matches('\n').count() + 1;
+    let message = error.message().trim().replace('\n', ", ");
+    ConfigError::new(&format!("line {line}"), "", message)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_read_in_order() {
+        let file = SweepFile::read("name = \"a\"\n[grid]\nz = [1]\na = [2, 3]", &[]).unwrap();
+        let keys: Vec<_> = file.grid.iter().map(|axis| axis.key.as_str()).collect();
+        assert_eq!(keys, ["z", "a"]);
+    }
+
+    #[test]
+    fn every_bad_file_is_told() {
+        let bad = [
+            ("name = \"a\"\n[gird]\nx = [1]", "gird: unknown key; did you mean grid?"),
+            ("[grid]\nx = [1]", "name: is required"),
+            ("name = \"a\"\n[grid]\n", "grid: holds no key"),
+            (
+                "name = \"a\"\nparticle_spacing_m = 0.02",
+                "particle_spacing_m: unknown key; did you mean numerics.particle_spacing_m?",
+            ),
+            (
+                "name = \"a\"\nwave_height_ratio = 0.2",
+                "wave_height_ratio: unknown key; did you mean scene.wave_height_ratio?",
+            ),
+            ("name = \"a\"\ncolour = 1", "colour: unknown key"),
+            ("name = \"H\u{f6}he\"", "name = \"H\u{f6}he\": must be a word of ASCII letters"),
+            ("name = \"a b\"", "name = \"a b\": must be a word"),
+            ("name = \"..\"", "name = \"..\": must be a word"),
+            ("name = \"a\"\n[probe]\nname = \"P\"", "probe = "),
+            ("name = \"a\"\n[accuracy]\nmax_error = 2", "accuracy.max_error: unknown key"),
+            (
+                "name = \"a\"\n[accuracy]\nmax_error_percent = 0",
+                "accuracy.max_error_percent = 0: must be a finite number above 0",
+            ),
+            ("name = \"a\"\nscene = 3", "scene = 3: must be a table"),
+            ("name = \"a\"\n[grid\n", "line 2: "),
+            ("name = \"a\"\nname = \"b\"", "line 2: duplicate key"),
+        ];
+        for (text, message) in bad {
+            let told = SweepFile::read(text, &[]).unwrap_err().to_string();
+            assert!(told.starts_with(message), "{told:?} should start with {message:?}");
+        }
+    }
+}

@@ -1,0 +1,167 @@
+//! From a sweep file to its cases: the cartesian product, in the order of the file.
+
+use std::collections::HashMap;
+
+use rayon::prelude::*;
+use toml::{Table, Value};
+
+use super::axis::MOST_CASES;
+use super::case::{Case, CaseId};
+use super::file::SweepFile;
+use crate::keys::{Key, Section, When};
+use crate::scene::{CaseConfig, ConfigError, Place, SeawallScene, place_of};
+
+/// All cases of a file, each validated; one case where there is no grid.
+pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
+    let places = file.grid.iter().map(|axis| place_of(&axis.key, &file.scene));
+    let places = places.collect::<Result<Vec<_>, _>>()?;
+    let count = file.grid.iter().try_fold(1_usize, |count, axis| {
+        count.checked_mul(axis.values.len()).filter(|&count| count <= MOST_CASES)
+    });
+    let Some(count) = count else {
+        let sizes: Vec<_> = file.grid.iter().map(|axis| axis.values.len().to_string()).collect();
+        let allowed = format!("must have at most {MOST_CASES} cases");
+        return Err(ConfigError::new("grid", sizes.join(" x "), allowed));
+    };
+    let points: Vec<_> =
+        (0..count).into_par_iter().map(|index| point(file, &places, index)).collect();
+    let mut cases: Vec<Case> = Vec::with_capacity(count);
+    let mut seen = HashMap::with_capacity(count);
+    for point in points {
+        let (case, collapsed) = point?;
+        if let Some(&earlier) = seen.get(&case.id) {
+            if collapsed {
+                continue;
+            }
+            let earlier: &Case = &cases[earlier];
+            let allowed = format!("is the same case as {}", describe(file, &earlier.assignments));
+            return Err(ConfigError::new("grid", describe(file, &case.assignments), allowed));
+        }
+        seen.insert(case.id, cases.len());
+        cases.push(Case { index: cases.len(), ..case });
+    }
+    Ok(cases)
+}
+
+/// One point of the grid; true where some swept key meant nothing to it.
+fn point(file: &SweepFile, places: &[Place], index: usize) -> Result<(Case, bool), ConfigError> {
+    let (mut scene, mut numerics) = (file.scene.clone(), file.numerics.clone());
+    let mut assignments = vec![None; file.grid.len()];
+    let mut rest = index;
+    for (place, axis) in file.grid.iter().enumerate().rev() {
+        let value = &axis.values[rest % axis.values.len()];
+        rest /= axis.values.len();
+        let table = match places[place] {
+            Place::Scene => &mut scene,
+            Place::Numerics => &mut numerics,
+        };
+        table.insert(axis.key.clone(), value.clone());
+        assignments[place] = Some(value.clone());
+    }
+    let collapsed = drop_meaningless(file, &mut scene, &mut assignments);
+    let config = CaseConfig::with_probes(&scene, &numerics, &file.probes)
+        .map_err(|error| blame_axis(file, error))?;
+    Ok((Case { index, id: CaseId::of(&config), config, assignments }, collapsed))
+}
+
+/// Where a grid sweeps walls or paddles, leaves out what one of them does not have.
+fn drop_meaningless(
+    file: &SweepFile,
+    scene: &mut Table,
+    assignments: &mut [Option<Value>],
+) -> bool {
+    let swept = |when: &When| file.grid.iter().any(|axis| axis.key == when.key);
+    let fits = |key: &&Key| key.conditions().all(|when| !swept(&when) || when.holds(scene));
+    let foreign: Vec<_> = SeawallScene::keys().into_iter().filter(|key| !fits(key)).collect();
+    let mut dropped = false;
+    for key in foreign {
+        scene.remove(key.name);
+        if let Some(place) = file.grid.iter().position(|axis| axis.key == key.name) {
+            assignments[place] = None;
+            dropped = true;
+        }
+    }
+    dropped
+}
+
+/// An error about a swept key is told by its place in `[grid]`.
+fn blame_axis(file: &SweepFile, error: ConfigError) -> ConfigError {
+    let leaf = error.key.rsplit('.').next().unwrap_or_default();
+    if file.grid.iter().any(|axis| axis.key == leaf) {
+        return ConfigError::new(&format!("grid.{leaf}"), error.value, error.allowed);
+    }
+    error
+}
+
+fn describe(file: &SweepFile, assignments: &[Option<Value>]) -> String {
+    let pairs = file.grid.iter().zip(assignments);
+    let set = pairs.filter_map(|(axis, value)| Some(format!("{} = {}", axis.key, value.as_ref()?)));
+    set.collect::<Vec<_>>().join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cases(text: &str) -> Result<Vec<Case>, ConfigError> {
+        expand(&SweepFile::read(&format!("name = \"a\"\n{text}"), &[]).unwrap())
+    }
+
+    #[test]
+    fn the_last_axis_runs_fastest() {
+        let cases = cases(
+            "[grid]\nwave_height_ratio = [0.2, 0.3]\nparticle_spacing_m = [0.01, 0.02, 0.04]",
+        )
+        .unwrap();
+        let spacings: Vec<_> =
+            cases.iter().map(|case| case.config.numerics.particle_spacing_m).collect();
+        assert_eq!(spacings, [0.01, 0.02, 0.04, 0.01, 0.02, 0.04]);
+        assert_eq!(cases[3].index, 3);
+        assert_eq!(cases[3].assignments[0], Some(Value::Float(0.3)));
+    }
+
+    #[test]
+    fn fixed_walls_among_movable_ones_stand_once() {
+        let cases = cases(
+            "[scene]\nseawall_mass_kg_per_m = 50\n\
+             [grid]\nwall = [\"fixed\", \"movable\"]\nspring_stiffness_n_per_m = [1, 10, 100]",
+        )
+        .unwrap();
+        assert_eq!(cases.len(), 1 + 3);
+        assert_eq!(cases[0].assignments, [Some(Value::String("fixed".into())), None]);
+        assert_eq!(cases[1].index, 1);
+    }
+
+    #[test]
+    fn every_bad_grid_is_told_with_its_key() {
+        let bad = [
+            ("[grid]\nwave_height_ratio = [0.2, 1.5]", "grid.wave_height_ratio = 1.5: must be"),
+            ("[grid]\nkernal = [\"gaussian\"]", "grid.kernal: unknown key; did you mean kernel?"),
+            (
+                "[grid]\nkernel = [\"gauss\"]",
+                "grid.kernel = \"gauss\": must be one of wendland-c2, ",
+            ),
+            (
+                "[grid]\nparticle_spacing_m = [0.02, 1e-5]",
+                "grid.particle_spacing_m = 0.00001: makes",
+            ),
+            (
+                "[grid]\nspring_stiffness_n_per_m = [1]",
+                "grid.spring_stiffness_n_per_m = 1: belongs to wall = \"movable\"",
+            ),
+            (
+                "[scene]\nseawall_mass = 1\n[grid]\nwave_height_ratio = [0.2]",
+                "scene.seawall_mass: unknown key; did you mean seawall_mass_kg_per_m?",
+            ),
+            (
+                "[grid]\nwave_height_ratio = { from = 0.1, to = 0.7, points = 1001 }\n\
+                 artificial_viscosity = { from = 0, to = 1, points = 1000 }",
+                "grid = 1001 x 1000: must have at most 1000000 cases",
+            ),
+        ];
+        for (text, message) in bad {
+            let told = cases(text).unwrap_err().to_string();
+            assert!(told.starts_with(message), "{told:?} should start with {message:?}");
+        }
+    }
+}

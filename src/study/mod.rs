@@ -1,0 +1,119 @@
+//! The study: from a file with a `[grid]` to its cases and a plan of what runs.
+//!
+//! - [`SweepFile`] is the parsed file, [`Study`] its cases in grid order, each a [`Case`] whose id
+//!   is a hash of what decides its answer;
+//! - resolution companions are the same cases with coarser particles;
+//! - [`Plan`] groups the cases into trunks and branches.
+
+mod axis;
+mod case;
+mod companions;
+mod file;
+mod grid;
+mod overrides;
+mod plan;
+mod schema;
+
+pub use axis::GridAxis;
+pub use case::{Case, CaseId, PHYSICS_VERSION, trunk_key};
+pub use file::SweepFile;
+pub use overrides::Override;
+pub use plan::{Plan, PlannedCase, PlannedTrunk};
+pub use schema::schema;
+
+use sha2::{Digest, Sha256};
+
+use crate::scene::{ConfigError, ErrorBars};
+
+/// A validated sweep, ready to be planned.
+#[derive(Debug, Clone)]
+pub struct Study {
+    /// Its name.
+    pub name: String,
+    /// The swept keys, in the order of the file.
+    pub keys: Vec<String>,
+    /// The cases, in grid order.
+    pub cases: Vec<Case>,
+    /// Their resolution companions, counted on after them.
+    pub companions: Vec<Case>,
+    /// For every case its companions, by [`Study::run`]'s index, the finest first.
+    pub companions_of: Vec<Vec<usize>>,
+    /// Hash over the cases and their order, with or without error bars: two files with the same
+    /// identity are the same sweep.
+    pub identity: String,
+    /// The error that the file aims at, percent.
+    pub max_error_percent: Option<f64>,
+    /// The file as written.
+    pub file_text: String,
+}
+
+impl Study {
+    /// Expands and validates a file.
+    ///
+    /// # Errors
+    /// The first bad value of the first bad case.
+    pub fn new(file: &SweepFile) -> Result<Study, ConfigError> {
+        let mut cases = grid::expand(file)?;
+        let mut take_bars = |case: &mut Case| {
+            std::mem::replace(&mut case.config.numerics.error_bars, ErrorBars::None)
+        };
+        let bars: Vec<_> = cases.iter_mut().map(&mut take_bars).collect();
+        let keys: Vec<String> = file.grid.iter().map(|axis| axis.key.clone()).collect();
+        let study = Study::of(file.name.clone(), keys, cases, &bars, &file.text);
+        Ok(Study { max_error_percent: file.max_error_percent, ..study })
+    }
+
+    /// A study of the given cases; where `bars` has fewer entries, there are no further bars.
+    pub(crate) fn of(
+        name: String,
+        keys: Vec<String>,
+        cases: Vec<Case>,
+        bars: &[ErrorBars],
+        file_text: &str,
+    ) -> Study {
+        let (companions, companions_of) = companions::plan(&cases, bars);
+        let mut hash = Sha256::new();
+        hash.update(keys.join(","));
+        for case in &cases {
+            hash.update(case.id.to_string());
+        }
+        let identity = hash.finalize()[..8].iter().map(|byte| format!("{byte:02x}")).collect();
+        let file_text = file_text.to_owned();
+        let max_error_percent = None;
+        Study {
+            name,
+            keys,
+            cases,
+            companions,
+            companions_of,
+            identity,
+            max_error_percent,
+            file_text,
+        }
+    }
+
+    /// Cases and companions, in the order of their indices.
+    pub fn runs(&self) -> impl Iterator<Item = &Case> {
+        self.cases.iter().chain(&self.companions)
+    }
+
+    /// A case, or a companion.
+    ///
+    /// # Panics
+    /// Where there is none of this index.
+    pub fn run(&self, index: usize) -> &Case {
+        self.cases.get(index).unwrap_or_else(|| &self.companions[index - self.cases.len()])
+    }
+
+    /// The number of cases and companions.
+    pub fn run_count(&self) -> usize {
+        self.cases.len() + self.companions.len()
+    }
+
+    /// A case's swept keys and values, for files: `None` where a key means nothing to the case.
+    pub fn values(&self, case: &Case) -> Vec<(String, serde_json::Value)> {
+        let value = |value: &toml::Value| serde_json::to_value(value).unwrap_or_default();
+        let pairs = self.keys.iter().zip(&case.assignments);
+        pairs.filter_map(|(key, set)| Some((key.clone(), value(set.as_ref()?)))).collect()
+    }
+}

@@ -1,0 +1,118 @@
+//! Particles stay in front of the walls' faces.
+
+use std::ops::Range;
+
+use crate::body::BodyMotion;
+use crate::boundary::Plane;
+use crate::math::simd::{LANES, Lanes, Task};
+use crate::particles::Fluid;
+
+/// A particle a spacing behind both walls of a corner of 30° takes some fifty pushes.
+const MOST_PUSHES: usize = 64;
+
+/// Puts particles that have slipped through a wall back onto its face, with its velocity.
+pub struct HoldInside<'a> {
+    /// The water.
+    pub fluid: &'a mut Fluid,
+    /// The particles, whole vectors.
+    pub lanes: Range<usize>,
+    /// The walls' faces at the end of the step.
+    pub planes: &'a [Plane],
+    /// Their motions.
+    pub bodies: &'a [BodyMotion],
+    /// How far in front of the face they are put, metres.
+    pub skin: f64,
+}
+
+impl Task for HoldInside<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let HoldInside { fluid, lanes: some, planes, bodies, skin } = self;
+        for at in some.step_by(LANES) {
+            let place = [eight::<L>(&fluid.x, at), eight(&fluid.y, at)];
+            if any_nearer(planes, place, 0.0) {
+                for k in at..fluid.len().min(at + LANES) {
+                    hold(fluid, k, (planes, bodies), skin);
+                }
+            }
+        }
+    }
+}
+
+fn hold(fluid: &mut Fluid, k: usize, (planes, bodies): (&[Plane], &[BodyMotion]), skin: f64) {
+    // In an acute corner one wall may push behind the other, and that one back, nearer to the
+    // corner each time.
+    for _ in 0..MOST_PUSHES {
+        let place = [fluid.x[k], fluid.y[k]];
+        let crossed = planes.iter().zip(bodies).find(|(plane, _)| plane.beyond(place) > 0.0);
+        let Some((plane, motion)) = crossed else { break };
+        [fluid.x[k], fluid.y[k]] = plane.in_front(place, skin);
+        let wall = motion.velocity * plane.normal[0];
+        if fluid.vx[k] * plane.normal[0] + fluid.vy[k] * plane.normal[1] > wall {
+            let velocity = [fluid.vx[k], fluid.vy[k]];
+            [fluid.vx[k], fluid.vy[k]] = plane.with_across(velocity, |_| wall);
+        }
+    }
+}
+
+/// Whether one of eight places is nearer than `distance` to a wall's face, or behind it.
+#[inline(always)]
+pub fn any_nearer<L: Lanes>(planes: &[Plane], [x, y]: [L; 2], distance: f64) -> bool {
+    let mut near = false;
+    for Plane { point, normal } in planes {
+        let (across, up) = (x - L::splat(point[0]), y - L::splat(point[1]));
+        let beyond = across * L::splat(normal[0]) + up * L::splat(normal[1]);
+        near |= L::splat(-distance).any_less(beyond);
+    }
+    near
+}
+
+#[inline(always)]
+fn eight<L: Lanes>(field: &[f64], at: usize) -> L {
+    L::load(field[at..at + LANES].first_chunk().unwrap())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::simd::{SimdPath, dispatch};
+
+    /// Holds still particles between a bed and a wall that leans over the water by an angle, and
+    /// moves at `speed`.
+    fn held(places: &[[f64; 2]], angle: f64, speed: f64) -> (Fluid, [Plane; 2]) {
+        let bed = Plane { point: [0.0; 2], normal: [0.0, -1.0] };
+        let wall = Plane { point: [1.0, 0.0], normal: [angle.sin(), angle.cos()] };
+        let mut fluid = Fluid::at_rest(places.iter().map(|[x, y]| [*x, *y, 1000.0, 1.0]));
+        let moving = BodyMotion { velocity: speed, ..BodyMotion::default() };
+        let planes = [bed, wall];
+        let bodies = &[BodyMotion::default(), moving];
+        let lanes = 0..fluid.padded_len();
+        let hold = HoldInside { fluid: &mut fluid, lanes, planes: &planes, bodies, skin: 1e-3 };
+        dispatch(SimdPath::widest(), hold);
+        (fluid, planes)
+    }
+
+    /// The wall of an acute corner pushes particles behind the bed, which a visit of each wall in
+    /// turn has already passed by.
+    #[test]
+    fn a_particle_in_an_acute_corner_ends_in_front_of_both_walls() {
+        for degrees in [30.0_f64, 45.0, 60.0, 90.0, 120.0] {
+            let places = [[1.01, 0.005], [0.99, -0.01], [1.02, 0.002], [0.5, 0.1], [1.05, -0.03]];
+            let (fluid, planes) = held(&places, degrees.to_radians(), 0.0);
+            for k in 0..places.len() {
+                let beyond = planes.map(|plane| plane.beyond([fluid.x[k], fluid.y[k]]));
+                assert!(beyond.iter().all(|&b| b <= 0.0), "{degrees}: {k} at {beyond:?}");
+            }
+            assert_eq!([fluid.x[3], fluid.y[3]], places[3]);
+        }
+    }
+
+    #[test]
+    fn a_wall_takes_what_it_meets_along() {
+        let (fluid, _) = held(&[[1.01, 0.5], [0.9, 0.5]], std::f64::consts::FRAC_PI_2, -0.2);
+        assert!((fluid.x[0] - 0.999).abs() < 1e-12 && (fluid.vx[0] + 0.2).abs() < 1e-12);
+        assert_eq!([fluid.x[1], fluid.vx[1]], [0.9, 0.0]);
+    }
+}
