@@ -13,8 +13,8 @@ use seawall::boundary::{
 use seawall::kernel::KernelChoice;
 use seawall::math::simd::SimdPath;
 use seawall::math::team::thread_processor_time;
-use seawall::neighbours::Strips;
-use seawall::particles::{Fluid, Record, Scaling};
+use seawall::pairs::Strips;
+use seawall::pairs::{Fluid, Record, Scaling};
 use seawall::scene::{CaseConfig, Numerics, Preset};
 use seawall::simulation::{Unwatched, run_case};
 
@@ -140,8 +140,7 @@ fn ghost_pass(interpolator: InterpolatorChoice, spacing: f64) -> f64 {
     let mut pass = || {
         exchange.weigh(path, &ghosts, &bodies, read);
         exchange.fill(path, &ghosts, &bodies, 2, &mut records);
-        let all = 0..exchange.counting().len();
-        exchange.refresh_velocities(path, &ghosts, &bodies, [&tenths, &tenths], all);
+        exchange.refresh_velocities(path, &ghosts, &bodies, [&tenths, &tenths]);
     };
     pass();
     let mut seconds = f64::INFINITY;

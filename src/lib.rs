@@ -7,7 +7,7 @@
 //! |---|---|---|
 //! | 1 | [`math`], [`theory`], [`keys`] | SIMD lanes; pure formulas; how keys are declared |
 //! | 2 | [`kernel`] | smoothing kernels behind one contract |
-//! | 3 | [`particles`], [`neighbours`] | particle arrays, neighbour lists |
+//! | 3 | [`pairs`] | particle arrays, neighbour lists, sums over pairs |
 //! | 4 | [`boundary`], [`body`] | ghost particle interpolators; paddle and walls |
 //! | 5 | [`water`] | what every scheme does with its water |
 //! | 6 | [`scheme`] | δ-SPH and incompressible SPH |
@@ -33,8 +33,7 @@ pub mod execute;
 pub mod kernel;
 pub mod keys;
 pub mod math;
-pub mod neighbours;
-pub mod particles;
+pub mod pairs;
 pub mod quantities;
 pub mod report;
 pub mod results;

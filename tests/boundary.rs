@@ -5,7 +5,7 @@ mod basin;
 use basin::*;
 use seawall::body::BodyMotion;
 use seawall::boundary::Reflection;
-use seawall::particles::Record;
+use seawall::pairs::Record;
 
 #[test]
 fn a_uniform_field_is_reproduced() {

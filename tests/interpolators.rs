@@ -6,7 +6,7 @@ use seawall::boundary::{
 };
 use seawall::kernel::{KernelChoice, WendlandC2};
 use seawall::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
-use seawall::particles::{Record, Scaling};
+use seawall::pairs::{Record, Scaling};
 use seawall::with_interpolator;
 
 type Point = [f64; 2];

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 const LAYERS: &[&[&str]] = &[
     &["math", "theory", "keys"],
     &["kernel"],
-    &["particles", "neighbours"],
+    &["pairs"],
     &["boundary", "body"],
     &["water"],
     &["scheme"],
@@ -27,7 +27,7 @@ const LAYERS: &[&[&str]] = &[
 /// What the report must never know, though it stands above it.
 const NOT_FOR_REPORTS: &[&str] = &[
     "boundary",
-    "particles",
+    "pairs",
     "scheme",
     "simulation",
     "study",

@@ -149,6 +149,7 @@ impl PaddleLaw for RecordedStroke {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::keys::Shape;
 
     fn smooth(time: f64) -> f64 {
         0.1 - 0.1 * libm::cos(time)
@@ -179,6 +180,11 @@ mod tests {
         let later = paddle.motion(end + 1.0);
         assert_eq!((later.offset, later.velocity), (points[20][1] - 5.0, 0.0));
         assert_eq!(paddle.still_from(), end);
+    }
+
+    #[test]
+    fn a_file_gives_its_path() {
+        assert_eq!(Shape::of::<Stroke>(), Shape::Text);
     }
 
     #[test]

@@ -4,17 +4,16 @@ use std::ops::Range;
 
 use super::InterpolatorChoice;
 use super::ghosts::Ghosts;
-use super::held_weights::Near;
 use super::image::{Image, Mirror};
 use super::stretch::Stretch;
-use super::sums::{Cover, GatherVelocity, KernelWeights, Means, Targets, Water, Weigh};
+use super::sums::{Cover, Gather, KernelWeights, Means, Near, Targets, Water, Weigh};
 use super::waterline::Waterline;
 use crate::body::BodyMotion;
 use crate::kernel::KernelChoice;
 use crate::math::simd::{LANES, SimdPath, dispatch};
 use crate::math::team::{self, Team};
-use crate::neighbours::{PointSet, Strips, build_pair_list};
-use crate::particles::Scaling;
+use crate::pairs::Scaling;
+use crate::pairs::{PointSet, Strips, build_pair_list};
 use crate::{with_interpolator, with_kernel};
 
 /// What the ghosts of a scene obey.
@@ -126,37 +125,15 @@ impl Exchange {
         &self.counting
     }
 
-    /// Puts the blocks that count in the order in which the water that they read is numbered. A team
-    /// wants them by their own numbers, as they are otherwise.
-    pub fn line_up(&mut self) {
-        let mut counting = std::mem::take(&mut self.counting);
-        counting.sort_unstable_by_key(|&block| (self.water_of(block as usize).end, block));
-        self.counting = counting;
-    }
-
-    /// How many of the blocks that count read no water but the first so many particles: these come
-    /// first once all are lined up, or they are all.
-    pub fn ready(&self, particles: usize) -> usize {
-        self.counting.partition_point(|&block| self.water_of(block as usize).end <= particles)
-    }
-
-    /// The particles among which a block of ghosts finds its water.
-    pub fn water_of(&self, block: usize) -> Range<usize> {
-        let part = self.parts.iter().find(|part| part.blocks.contains(&block));
-        let listed = part.map_or(&[][..], |part| part.list.group(block - part.blocks.start, 0));
-        // In the order of the particles.
-        let ends = listed.first().zip(listed.last());
-        ends.map_or(0..0, |(&first, &last)| first as usize..last as usize + 1)
-    }
-
     /// Images of all blocks.
     pub fn images(&self) -> &[Image] {
         &self.images
     }
 
-    /// Number of target-to-fluid pairs in the lists, eight lanes each.
-    pub fn pairs(&self) -> usize {
-        self.parts.iter().map(|part| part.list.len()).sum()
+    /// Number of target-to-fluid pairs in the lists.
+    pub fn pairs(&self) -> u64 {
+        let entries = self.parts.iter().map(|part| part.list.len());
+        (LANES * entries.sum::<usize>()) as u64
     }
 
     /// Lists the fluid around every target; `reach` in metres.
@@ -266,33 +243,39 @@ impl Exchange {
     /// Interpolates the velocities anew, with the weights at hand, for the continuity equation. There
     /// walls are smooth whatever the slip (De Leffe et al. 2011): a tangential velocity turned round at
     /// the wall would be compression that no force does work on. `water` holds the fluid's velocities
-    /// along x and y; `some` of the blocks that count are done.
+    /// along x and y.
     pub fn refresh_velocities(
         &mut self,
         path: SimdPath,
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
         water: [&[f64]; 2],
-        some: Range<usize>,
     ) {
         let Exchange { team, parts, counting, scale, means, .. } = self;
-        let (scale, blocks) = (&scale[..], &counting[some.clone()]);
+        let (scale, blocks) = (&scale[..], &counting[..]);
         team.share(parts, &mut means[..], &|part, means| {
             let blocks = part.among(blocks);
-            dispatch(path, GatherVelocity { part, blocks, scale, means, water });
+            dispatch(
+                path,
+                Gather { part, blocks, scale, means, fields: water, places: velocities },
+            );
         });
-        self.mirror_velocities(path, ghosts, bodies, some);
+        self.mirror_velocities(path, ghosts, bodies);
     }
 
-    /// Velocities of the ghosts in some of the blocks that count, from the means at hand.
+    /// Velocities of the ghosts that count, from the means at hand.
     pub(super) fn mirror_velocities(
         &mut self,
         path: SimdPath,
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
-        some: Range<usize>,
     ) {
         let Exchange { images, counting, means, .. } = self;
-        dispatch(path, Mirror { images, blocks: &counting[some], means, ghosts, bodies });
+        dispatch(path, Mirror { images, blocks: counting, means, ghosts, bodies });
     }
+}
+
+/// Where a mean velocity belongs.
+fn velocities(means: &mut Means) -> [&mut [f64; LANES]; 2] {
+    [&mut means.vx, &mut means.vy]
 }

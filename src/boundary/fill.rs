@@ -6,7 +6,7 @@ use super::ghosts::{Ghosts, Reflection};
 use super::sums::Means;
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, SimdPath};
-use crate::particles::Record;
+use crate::pairs::Record;
 
 impl Exchange {
     /// Writes the ghosts' records: place, volume, pressure and its response to their body's
@@ -48,9 +48,8 @@ impl Exchange {
                 }
             }
         }
-        let all = 0..self.counting.len();
-        self.press(path, ghosts, bodies, all.clone());
-        self.mirror_velocities(path, ghosts, bodies, all);
+        self.press(path, ghosts, bodies);
+        self.mirror_velocities(path, ghosts, bodies);
         for &block in &self.counting {
             let at = block as usize * LANES;
             let image = &mut self.images[block as usize];

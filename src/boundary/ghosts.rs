@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use crate::math::simd::LANES;
-use crate::neighbours::Strips;
+use crate::pairs::Strips;
 
 /// How a ghost reflects the water.
 #[derive(Debug, Clone, Copy, PartialEq)]

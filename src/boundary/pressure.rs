@@ -1,11 +1,9 @@
 //! Pressures of the ghosts, from those of the water around their mirror points.
 
-use std::ops::Range;
-
 use super::exchange::Exchange;
 use super::ghosts::{Ghosts, Site};
 use super::image::Press;
-use super::sums::GatherPressure;
+use super::sums::{Gather, Means};
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, SimdPath, dispatch};
 
@@ -29,34 +27,28 @@ impl Exchange {
     }
 
     /// Interpolates the pressures anew, with the weights, wetness and corrections at hand and the
-    /// ghosts where they were, for `some` of the blocks that count.
+    /// ghosts where they were.
     pub fn refresh_pressures(
         &mut self,
         path: SimdPath,
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
         pressure: &[f64],
-        some: Range<usize>,
     ) {
         let Exchange { team, parts, counting, scale, means, .. } = self;
-        let (scale, blocks) = (&scale[..], &counting[some.clone()]);
+        let (scale, blocks) = (&scale[..], &counting[..]);
         team.share(parts, &mut means[..], &|part, means| {
             let blocks = part.among(blocks);
-            dispatch(path, GatherPressure { part, blocks, scale, means, pressure });
+            let (fields, places) = ([pressure], pressures);
+            dispatch(path, Gather { part, blocks, scale, means, fields, places });
         });
-        self.press(path, ghosts, bodies, some);
+        self.press(path, ghosts, bodies);
     }
 
-    /// Pressures of the ghosts in some of the blocks that count, from the means at hand.
-    pub(super) fn press(
-        &mut self,
-        path: SimdPath,
-        ghosts: &Ghosts,
-        bodies: &[BodyMotion],
-        some: Range<usize>,
-    ) {
+    /// Pressures of the ghosts that count, from the means at hand.
+    pub(super) fn press(&mut self, path: SimdPath, ghosts: &Ghosts, bodies: &[BodyMotion]) {
         let Exchange { rules, images, counting, means, .. } = self;
-        let (blocks, gravity) = (&counting[some], rules.gravity);
+        let (blocks, gravity) = (&counting[..], rules.gravity);
         let density = [rules.surface_density, 1.0 / (rules.sound_speed * rules.sound_speed)];
         dispatch(path, Press { images, blocks, means, ghosts, bodies, gravity, density });
     }
@@ -68,4 +60,9 @@ impl Exchange {
             face => self.wet_share(body, face as usize),
         }
     }
+}
+
+/// Where a mean pressure belongs.
+fn pressures(means: &mut Means) -> [&mut [f64; LANES]; 1] {
+    [&mut means.pressure]
 }

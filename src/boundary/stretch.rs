@@ -2,9 +2,8 @@
 
 use std::ops::Range;
 
-use super::held_weights::HeldWeights;
 use crate::math::team::Part;
-use crate::neighbours::PairList;
+use crate::pairs::{HeldWeights, PairList};
 
 /// Consecutive blocks of eight targets with the water around them: one thread's share of a pass.
 /// Lists count blocks from the first.

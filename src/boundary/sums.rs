@@ -4,14 +4,12 @@ use std::ops::Range;
 
 use super::Interpolator;
 use super::ghosts::Ghosts;
-use super::held_weights::HeldWeights;
 use super::stretch::Stretch;
 use super::weighing::{Stencil, Weighing};
 use crate::body::BodyMotion;
 use crate::kernel::{Kernel, KernelChoice};
 use crate::math::simd::{LANES, Lanes, Task};
-use crate::neighbours::PairList;
-use crate::particles::{Record, Scaling};
+use crate::pairs::{HeldWeights, PairList, Record, Scaling};
 
 /// Weighted means of the water at one vector of targets.
 #[derive(Debug, Clone, Copy, Default)]
@@ -53,12 +51,9 @@ pub(super) struct Targets<'a> {
 }
 
 impl<'a> Targets<'a> {
-    /// The targets of a block and such neighbours.
+    /// The targets of a block, over R.
     #[inline(always)]
-    pub fn stencil<'b, L: Lanes>(&self, block: usize, neighbours: &'b [u32]) -> Stencil<'b, L>
-    where
-        'a: 'b,
-    {
+    fn places<L: Lanes>(&self, block: usize) -> [L; 2] {
         let ghosts = self.ghosts;
         let (xs, ys) = if self.at_ghost && block < ghosts.len() / LANES {
             (&ghosts.x, &ghosts.y)
@@ -68,8 +63,41 @@ impl<'a> Targets<'a> {
         let offset = self.bodies[ghosts.target_body[block] as usize].offset;
         let inverse = L::splat(self.scaling.inverse_radius);
         let x = (L::load(&xs.as_chunks::<LANES>().0[block]) + L::splat(offset)) * inverse;
-        let y = L::load(&ys.as_chunks::<LANES>().0[block]) * inverse;
+        [x, L::load(&ys.as_chunks::<LANES>().0[block]) * inverse]
+    }
+
+    /// The targets of a block and such neighbours.
+    #[inline(always)]
+    pub fn stencil<'b, L: Lanes>(&self, block: usize, neighbours: &'b [u32]) -> Stencil<'b, L>
+    where
+        'a: 'b,
+    {
+        let [x, y] = self.places(block);
         Stencil { x, y, neighbours, records: self.water.records, kernel: self.kernel }
+    }
+}
+
+/// Finds the listed particles that are in reach of targets.
+pub(super) struct Near<'a> {
+    pub targets: Targets<'a>,
+    pub held: &'a mut HeldWeights,
+}
+
+impl Task for Near<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let Near { targets, held } = self;
+        if targets.blocks.is_empty() {
+            return;
+        }
+        let Targets { first, list, water, .. } = targets;
+        let mut end = held.end_before(targets.blocks.start - first);
+        for block in targets.blocks.clone() {
+            let (row, places) = (block - first, targets.places::<L>(block));
+            end = held.take(row, list.group(row, 0), places, water.records, end);
+        }
     }
 }
 
@@ -219,64 +247,32 @@ fn gather<L: Lanes, I: Interpolator>(
     }
 }
 
-/// The velocities alone, with the weights at hand.
-pub(super) struct GatherVelocity<'a> {
+/// Some means alone, with the weights at hand: of `N` fields of the water.
+pub(super) struct Gather<'a, const N: usize> {
     pub part: &'a Stretch,
     /// Some of the part's blocks.
     pub blocks: &'a [u32],
     pub scale: &'a [[f64; LANES]],
     /// The part's.
     pub means: &'a mut [Means],
-    pub water: [&'a [f64]; 2],
+    pub fields: [&'a [f64]; N],
+    /// Where they belong.
+    pub places: fn(&mut Means) -> [&mut [f64; LANES]; N],
 }
 
-impl Task for GatherVelocity<'_> {
+impl<const N: usize> Task for Gather<'_, N> {
     type Output = ();
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
         for &block in self.blocks {
             let (block, row) = (block as usize, block as usize - self.part.blocks.start);
-            let (neighbours, weights) = self.part.held.of(row);
-            let (mut vx, mut vy) = (L::splat(0.0), L::splat(0.0));
-            for (&j, weight) in neighbours.iter().zip(weights) {
-                let weight = L::load(weight);
-                vx = weight.mul_add(L::splat(self.water[0][j as usize]), vx);
-                vy = weight.mul_add(L::splat(self.water[1][j as usize]), vy);
-            }
+            let sums = self.part.held.sums::<L, N>(row, self.fields);
             let scale = L::load(&self.scale[block]);
-            (vx * scale).store(&mut self.means[row].vx);
-            (vy * scale).store(&mut self.means[row].vy);
-        }
-    }
-}
-
-/// The pressures alone, with the weights at hand.
-pub(super) struct GatherPressure<'a> {
-    pub part: &'a Stretch,
-    /// Some of the part's blocks.
-    pub blocks: &'a [u32],
-    pub scale: &'a [[f64; LANES]],
-    /// The part's.
-    pub means: &'a mut [Means],
-    pub pressure: &'a [f64],
-}
-
-impl Task for GatherPressure<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        for &block in self.blocks {
-            let (block, row) = (block as usize, block as usize - self.part.blocks.start);
-            let (neighbours, weights) = self.part.held.of(row);
-            let mut pressure = L::splat(0.0);
-            for (&j, weight) in neighbours.iter().zip(weights) {
-                let weight = L::load(weight);
-                pressure = weight.mul_add(L::splat(self.pressure[j as usize]), pressure);
+            let means = (self.places)(&mut self.means[row]);
+            for n in 0..N {
+                (sums[n] * scale).store(means[n]);
             }
-            let scale = L::load(&self.scale[block]);
-            (pressure * scale).store(&mut self.means[row].pressure);
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::kernel::{Kernel, KernelChoice, shape_within};
 use crate::math::simd::{LANES, Lanes};
-use crate::particles::Record;
+use crate::pairs::Record;
 use crate::with_kernel;
 
 /// Eight points (in support radii) and the fluid particles around them.

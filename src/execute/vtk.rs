@@ -143,7 +143,7 @@ fn array<T: std::fmt::Display>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::particles::Fluid;
+    use crate::pairs::Fluid;
 
     #[test]
     fn a_film_has_all_particles_and_a_list() {

@@ -96,15 +96,6 @@ fn count<P: Part>(parts: &[P]) -> usize {
     ends.map_or(0, |(first, last)| last.items().end - first.items().start)
 }
 
-/// Some of the parts with their rows, from the rows of all.
-pub fn window<P: Part, R: Rows>(parts: &mut [P], rows: R, some: Range<usize>) -> (&mut [P], R) {
-    let (before, all) = (count(&parts[..some.start]), count(parts));
-    let inside = count(&parts[some.clone()]);
-    let (_, rows) = rows.split(before, all);
-    let (rows, _) = rows.split(inside, all - before);
-    (&mut parts[some], rows)
-}
-
 /// So many items in so many ranges as even as can be.
 pub fn cut(items: usize, parts: usize) -> impl Iterator<Item = Range<usize>> {
     (0..parts).map(move |k| k * items / parts..(k + 1) * items / parts)
@@ -215,25 +206,6 @@ mod tests {
                 });
                 assert!(single.iter().copied().eq(0..count), "{threads} {cuts:?} {single:?}");
                 assert!((0..count).all(|k| double[k] == [k, 100 + k]), "{double:?}");
-            }
-        }
-    }
-
-    #[test]
-    fn a_window_has_its_parts_and_their_rows_alone() {
-        let cuts = [0, 3, 3, 4, 9, 10];
-        let mut parts: Vec<_> = cuts.windows(2).map(|ends| Stretch(ends[0]..ends[1])).collect();
-        for first in 0..parts.len() {
-            for end in first..=parts.len() {
-                let (mut single, mut none): (Vec<usize>, [usize; 0]) = ((0..10).collect(), []);
-                let mut double: Vec<usize> = (0..20).collect();
-                let rows = ([&mut single[..], &mut double[..]], &mut none[..]);
-                let (some, ([single, double], none)) = window(&mut parts, rows, first..end);
-                let items = cuts[first]..cuts[end];
-                assert_eq!(some.len(), end - first);
-                assert!(single.iter().copied().eq(items.clone()), "{items:?} {single:?}");
-                assert!(double.iter().copied().eq(2 * items.start..2 * items.end), "{double:?}");
-                assert!(none.is_empty());
             }
         }
     }

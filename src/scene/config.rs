@@ -173,6 +173,29 @@ mod tests {
         for (scene, message) in bad {
             told(case(scene, ""), "scene.", message);
         }
+        let caisson = "wall = \"caisson\"\nseawall_mass_kg_per_m = 60\nstatic_friction = 0.6\n\
+                       submerged_weight_n_per_m = 300\n";
+        let bad = [
+            ("", "kinetic_friction: is needed where wall = \"caisson\""),
+            ("kinetic_friction = 0.7", " = 0.7: must be a number from 0 to 0.6"),
+            (
+                "kinetic_friction = 0.5\nthreshold_ratio = 1.2",
+                "threshold_ratio = 1.2: is not for a caisson: leave it out",
+            ),
+            (
+                "kinetic_friction = 0.5\nspring_stiffness_n_per_m = 1",
+                " = 1: belongs to wall = \"movable\"",
+            ),
+            (
+                "kinetic_friction = 0.5\nwall_angle_deg = 100",
+                " = 100: a caisson is vertical: leave it out, or set scene.wall = \"fixed\"",
+            ),
+        ];
+        for (scene, message) in bad {
+            told(case(&format!("{caisson}{scene}"), ""), "scene.", message);
+        }
+        let message = "scene.static_friction = 1: belongs to wall = \"caisson\"";
+        told(case("static_friction = 1", ""), "scene.", message);
         let bad = [
             ("colour = 1", "numerics.colour: unknown key"),
             ("wave_height_ratio = 0.3", ": unknown key; did you mean scene.wave_height_ratio?"),
@@ -181,7 +204,7 @@ mod tests {
             ("particle_spacing_m = nan", " = NaN: must be a finite number above 0"),
             (
                 "kernel = 3",
-                " = 3: must be one of wendland-c2, gaussian, cubic-spline, quintic-spline",
+                " = 3: must be one of wendland-c2, wendland-c4, gaussian, cubic-spline, quintic-spline",
             ),
             ("error_bars = { a = 1 }", " = { a = 1 }: must be one of none, pair, triple"),
             ("boundary = \"sdfi\"", &format!(" = \"sdfi\": {boundaries}; did you mean sfdi?")),
@@ -205,6 +228,15 @@ mod tests {
     fn told(case: Result<CaseConfig, ConfigError>, section: &str, message: &str) {
         let told = case.unwrap_err().to_string();
         assert!(told.starts_with(section) && told.ends_with(message), "{told:?}: {message:?}");
+    }
+
+    #[test]
+    fn a_key_added_later_is_stored_only_off_its_default() {
+        let stored = |scene: &str| Table::try_from(case(scene, "").unwrap().scene).unwrap();
+        assert!(!stored("paddle = \"solitary\"").contains_key("paddle"));
+        let waves = stored("paddle = \"wave-train\"\nwave_period_s = 1\nend_time_s = 1");
+        assert_eq!(waves["paddle"].as_str(), Some("wave-train"));
+        assert_eq!(waves["wave_period_s"].as_float(), Some(1.0));
     }
 
     #[test]

@@ -63,9 +63,11 @@ section! {
         /// Angle of the wall from the bed; 90 is vertical, 120 leans away from the water.
         wall_angle_deg: f64 = 90.0, unit("°").within(30.0, 150.0).read_where("wall", &["fixed"]);
         /// F_threshold, above which a movable wall gives way, over the hydrostatic force.
-        threshold_ratio: f64 = THRESHOLD_RATIO, plain().above_zero().read_where("wall", &["fixed", "movable"]);
+        threshold_ratio: f64 = THRESHOLD_RATIO,
+            plain().above_zero().read_where("wall", &["fixed", "movable"]);
         /// The factor s on the force above the threshold.
-        force_coupling: f64 = FORCE_COUPLING, plain().within(0.0, 10.0).read_where("wall", &["fixed", "movable"]);
+        force_coupling: f64 = FORCE_COUPLING,
+            plain().within(0.0, 10.0).read_where("wall", &["fixed", "movable"]);
         /// Spring stiffness k, per metre of width.
         spring_stiffness_n_per_m: Option<f64> = None,
             unit("N/m").not_negative().only("wall", &["movable"]).needed();

@@ -11,7 +11,7 @@ use crate::body::BodyMotion;
 use crate::boundary::Ghosts;
 use crate::kernel::KernelChoice;
 use crate::math::team::Team;
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 use crate::theory::central_field::CentralField;
 
 /// Force of the water on a body, at the current places.

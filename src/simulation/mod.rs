@@ -32,7 +32,7 @@ pub use outcome::{
 
 use crate::math::simd::SimdPath;
 use crate::math::team::Team;
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 use crate::scene::{CaseConfig, Scheme};
 use run::Run;
 

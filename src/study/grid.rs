@@ -133,6 +133,21 @@ mod tests {
     }
 
     #[test]
+    fn every_wall_and_every_paddle_takes_its_own_keys() {
+        let walls = cases(
+            "[scene]\nseawall_mass_kg_per_m = 50\nspring_stiffness_n_per_m = 1\n\
+             static_friction = 0.6\nkinetic_friction = 0.5\nsubmerged_weight_n_per_m = 300\n\
+             [grid]\nwall = [\"fixed\", \"movable\", \"caisson\"]\nthreshold_ratio = [1.1, 1.2]",
+        );
+        assert_eq!(walls.unwrap().len(), 2 + 2 + 1);
+        let paddles = cases(
+            "[scene]\nend_time_s = 1\n\
+             [grid]\npaddle = [\"solitary\", \"wave-train\"]\nwave_period_s = [0.9, 1]",
+        );
+        assert_eq!(paddles.unwrap().len(), 1 + 2);
+    }
+
+    #[test]
     fn every_bad_grid_is_told_with_its_key() {
         let bad = [
             ("[grid]\nwave_height_ratio = [0.2, 1.5]", "grid.wave_height_ratio = 1.5: must be"),

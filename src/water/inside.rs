@@ -5,7 +5,7 @@ use std::ops::Range;
 use crate::body::BodyMotion;
 use crate::boundary::Plane;
 use crate::math::simd::{LANES, Lanes, Task};
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 
 /// A particle a spacing behind both walls of a corner of 30° takes some fifty pushes.
 const MOST_PUSHES: usize = 64;

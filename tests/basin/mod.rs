@@ -7,8 +7,8 @@ use seawall::boundary::{
 };
 use seawall::kernel::KernelChoice;
 use seawall::math::simd::{LANES, SimdPath};
-use seawall::neighbours::Strips;
-use seawall::particles::{Fluid, Record, Scaling};
+use seawall::pairs::Strips;
+use seawall::pairs::{Fluid, Record, Scaling};
 
 pub const LENGTH: f64 = 0.6;
 pub const DEPTH: f64 = 0.2;
@@ -153,8 +153,7 @@ impl Basin {
         let mut refreshed = records.clone();
         let part = |slot: usize| water.iter().map(|record| record.0[slot]).collect::<Vec<_>>();
         let (vx, vy) = (part(Record::VX), part(Record::VY));
-        let all = 0..exchange.counting().len();
-        exchange.refresh_velocities(*path, ghosts, bodies, [&vx, &vy], all);
+        exchange.refresh_velocities(*path, ghosts, bodies, [&vx, &vy]);
         let counts = |record: &&Record| record.0[Record::WEIGHT] != 0.0;
         let images = exchange.images();
         for (g, record) in refreshed.iter_mut().enumerate().filter(|(_, record)| counts(&&**record))

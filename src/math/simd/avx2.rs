@@ -56,6 +56,8 @@ impl AddAssign for Avx2 {
 }
 
 impl Vector for Avx2 {
+    type Wide = Self;
+
     #[inline(always)]
     fn splat(value: f64) -> Self {
         let lanes = unsafe { _mm256_set1_pd(value) };
@@ -137,16 +139,36 @@ impl Vector for Avx2 {
             Avx2(half(self.0), half(self.1))
         }
     }
-}
-
-impl Lanes for Avx2 {
-    type Single = Single;
-
     #[inline(always)]
     fn load(values: &[f64; LANES]) -> Self {
         let at = values.as_ptr();
         unsafe { Avx2(_mm256_loadu_pd(at), _mm256_loadu_pd(at.add(4))) }
     }
+    #[inline(always)]
+    fn store_single(self, values: &mut [f32; LANES]) {
+        let at = values.as_mut_ptr();
+        unsafe {
+            _mm_storeu_ps(at, _mm256_cvtpd_ps(self.0));
+            _mm_storeu_ps(at.add(4), _mm256_cvtpd_ps(self.1));
+        }
+    }
+    #[inline(always)]
+    fn any_less(self, bound: Self) -> bool {
+        unsafe {
+            let low = _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, bound.0);
+            let high = _mm256_cmp_pd::<_CMP_LT_OQ>(self.1, bound.1);
+            _mm256_movemask_pd(_mm256_or_pd(low, high)) != 0
+        }
+    }
+    #[inline(always)]
+    fn widened(self) -> Self {
+        self
+    }
+}
+
+impl Lanes for Avx2 {
+    type Single = Single;
+
     #[inline(always)]
     fn gather(values: &[f64], at: &[u32; LANES]) -> Self {
         let last = at.iter().fold(0, |last, &at| last.max(at));
@@ -175,14 +197,6 @@ impl Lanes for Avx2 {
         unsafe { Avx2(_mm256_cvtps_pd(_mm_loadu_ps(at)), _mm256_cvtps_pd(_mm_loadu_ps(at.add(4)))) }
     }
     #[inline(always)]
-    fn store_single(self, values: &mut [f32; LANES]) {
-        let at = values.as_mut_ptr();
-        unsafe {
-            _mm_storeu_ps(at, _mm256_cvtpd_ps(self.0));
-            _mm_storeu_ps(at.add(4), _mm256_cvtpd_ps(self.1));
-        }
-    }
-    #[inline(always)]
     fn call<T: Task>(task: T) -> T::Output {
         unsafe { run(task) }
     }
@@ -190,13 +204,5 @@ impl Lanes for Avx2 {
     fn prefetch<T>(value: &T, ahead: usize) {
         // SAFETY: a hint, whatever the address.
         unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(value).wrapping_add(ahead).cast()) }
-    }
-    #[inline(always)]
-    fn any_less(self, bound: Self) -> bool {
-        unsafe {
-            let low = _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, bound.0);
-            let high = _mm256_cmp_pd::<_CMP_LT_OQ>(self.1, bound.1);
-            _mm256_movemask_pd(_mm256_or_pd(low, high)) != 0
-        }
     }
 }

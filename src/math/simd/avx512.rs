@@ -3,7 +3,7 @@
 use std::arch::x86_64::*;
 use std::ops::{Add, AddAssign, Mul, Sub};
 
-use super::sixteen::Sixteen;
+use super::single::Single;
 use super::vector::RSQRT_MAGIC;
 use super::{LANES, Lanes, Task, Vector};
 
@@ -56,6 +56,8 @@ impl AddAssign for Avx512 {
 }
 
 impl Vector for Avx512 {
+    type Wide = Self;
+
     #[inline(always)]
     fn splat(value: f64) -> Self {
         Avx512(unsafe { _mm512_set1_pd(value) })
@@ -109,15 +111,27 @@ impl Vector for Avx512 {
             _mm512_castsi512_pd(_mm512_add_epi64(shifted, _mm512_set1_epi64(1023 << 52)))
         })
     }
-}
-
-impl Lanes for Avx512 {
-    type Single = Sixteen;
-
     #[inline(always)]
     fn load(values: &[f64; LANES]) -> Self {
         Avx512(unsafe { _mm512_loadu_pd(values.as_ptr()) })
     }
+    #[inline(always)]
+    fn store_single(self, values: &mut [f32; LANES]) {
+        unsafe { _mm256_storeu_ps(values.as_mut_ptr(), _mm512_cvtpd_ps(self.0)) }
+    }
+    #[inline(always)]
+    fn any_less(self, bound: Self) -> bool {
+        unsafe { _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, bound.0) != 0 }
+    }
+    #[inline(always)]
+    fn widened(self) -> Self {
+        self
+    }
+}
+
+impl Lanes for Avx512 {
+    type Single = Single;
+
     #[inline(always)]
     fn gather(values: &[f64], at: &[u32; LANES]) -> Self {
         let last = at.iter().fold(0, |last, &at| last.max(at));
@@ -177,10 +191,6 @@ impl Lanes for Avx512 {
         Avx512(unsafe { _mm512_cvtps_pd(_mm256_loadu_ps(values.as_ptr())) })
     }
     #[inline(always)]
-    fn store_single(self, values: &mut [f32; LANES]) {
-        unsafe { _mm256_storeu_ps(values.as_mut_ptr(), _mm512_cvtpd_ps(self.0)) }
-    }
-    #[inline(always)]
     fn call<T: Task>(task: T) -> T::Output {
         unsafe { run(task) }
     }
@@ -188,9 +198,5 @@ impl Lanes for Avx512 {
     fn prefetch<T>(value: &T, ahead: usize) {
         // SAFETY: a hint, whatever the address.
         unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(value).wrapping_add(ahead).cast()) }
-    }
-    #[inline(always)]
-    fn any_less(self, bound: Self) -> bool {
-        unsafe { _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, bound.0) != 0 }
     }
 }

@@ -8,15 +8,11 @@
 mod avx2;
 #[cfg(target_arch = "x86_64")]
 mod avx512;
-mod pairs;
 mod portable;
 #[cfg(target_arch = "x86_64")]
 mod single;
-#[cfg(target_arch = "x86_64")]
-mod sixteen;
 mod vector;
 
-pub use pairs::Pairs;
 pub use vector::Vector;
 
 use serde::{Deserialize, Serialize};
@@ -75,11 +71,9 @@ impl SimdPath {
 
 /// Eight values of double precision.
 pub trait Lanes: Vector {
-    /// Pairs of eight particles in single precision, on the same path.
-    type Single: Pairs;
+    /// Eight values of single precision, on the same path.
+    type Single: Vector;
 
-    /// Reads eight values.
-    fn load(values: &[f64; LANES]) -> Self;
     /// The values at eight places.
     ///
     /// # Panics
@@ -102,8 +96,6 @@ pub trait Lanes: Vector {
     }
     /// Reads eight values in single precision.
     fn load_single(values: &[f32; LANES]) -> Self;
-    /// Writes eight values, rounded to single precision.
-    fn store_single(self, values: &mut [f32; LANES]);
     /// Runs a task of the same path as a function of its own, so that its registers are its own.
     fn call<T: Task>(task: T) -> T::Output;
     /// Sends for the value that lies so many values after one in memory, if there is any.
@@ -111,8 +103,6 @@ pub trait Lanes: Vector {
     fn prefetch<T>(value: &T, ahead: usize) {
         let _ = (value, ahead);
     }
-    /// Whether `self < bound` in any lane.
-    fn any_less(self, bound: Self) -> bool;
     /// The eight values as an array.
     #[inline(always)]
     fn to_array(self) -> [f64; LANES] {
@@ -150,15 +140,6 @@ pub trait Task {
 
 /// Runs a task with the instructions of `path`, or portably where the processor lacks them.
 pub fn dispatch<T: Task>(path: SimdPath, task: T) -> T::Output {
-    if path == SimdPath::Portable { portable::run(task) } else { dispatch_vectors(path, task) }
-}
-
-/// Runs a task with the instructions of `path`, which is not the portable one: for variants of a loop
-/// that differ in speed alone and are not compiled for it, whose code is ten times as long.
-///
-/// # Panics
-/// The path is portable.
-pub fn dispatch_vectors<T: Task>(path: SimdPath, task: T) -> T::Output {
     #[cfg(target_arch = "x86_64")]
     {
         debug_assert!(path.is_supported());
@@ -169,8 +150,7 @@ pub fn dispatch_vectors<T: Task>(path: SimdPath, task: T) -> T::Output {
             SimdPath::Portable => {}
         }
     }
-    let _ = task;
-    unreachable!("no vectors on the path {}", path.name())
+    portable::run(task)
 }
 
 #[cfg(test)]
@@ -255,15 +235,15 @@ mod tests {
         type Output = [[f32; LANES]; 3];
         #[inline(always)]
         fn run<L: Lanes>(self) -> Self::Output {
-            let x = L::Single::of_particles(&self.0);
+            let x = L::Single::load(&self.0);
             let negative = x * L::Single::splat(-3.0);
-            let mut singles = [[Row([0.0; LANES]); 2]; 3];
+            let mut singles = [[0.0; LANES]; 3];
             for (found, into) in
                 [x.rsqrt(), negative.exp(), x.sqrt().div(x)].into_iter().zip(&mut singles)
             {
-                found.store_singles(into);
+                found.store_single(into);
             }
-            singles.map(|[first, _]| first.0)
+            singles
         }
     }
 
@@ -285,42 +265,6 @@ mod tests {
         if SimdPath::Avx512.is_supported() {
             let bits = |path| dispatch(path, SingleProbe(INPUT)).map(|row| row.map(f32::to_bits));
             assert_eq!(bits(SimdPath::Avx512), bits(SimdPath::Avx2));
-        }
-    }
-
-    /// Pairs of two neighbours each: which are told apart, which are reached, and their sums.
-    struct TwoNeighbours;
-
-    impl Task for TwoNeighbours {
-        type Output = (usize, [f64; LANES], u64, [[f32; LANES]; 2]);
-        #[inline(always)]
-        fn run<L: Lanes>(self) -> Self::Output {
-            type Of<L> = <L as Lanes>::Single;
-            let own = Of::<L>::of_particles(&[0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0]);
-            let near = own + Of::<L>::of_neighbours([10.0, 20.0]);
-            let far = own + Of::<L>::of_neighbours([30.0, 40.0]);
-            let last = Of::<L>::NEIGHBOURS - 1;
-            let mixed = Of::<L>::picked([&far, &near], [last, 0]);
-            let mut singles = [Row([0.0; LANES]); 2];
-            mixed.store_singles(&mut singles);
-            let reached = near.reached(Of::<L>::splat(11.0));
-            let sum = near.add_to(Of::<L>::nothing());
-            (last + 1, Of::<L>::whole(sum), reached, singles.map(|row| row.0))
-        }
-    }
-
-    #[test]
-    fn one_neighbour_and_two_at_once_are_kept_apart() {
-        let from = |first: f32| std::array::from_fn(|k| first + k as f32);
-        for path in paths() {
-            let (neighbours, totals, reached, singles) = dispatch(path, TwoNeighbours);
-            // Only the first is below the bound, for one particle.
-            assert_eq!(reached, 1, "{path:?}");
-            let (sum, picked) = match neighbours {
-                1 => (from(10.0).map(f64::from), [from(30.0), [0.0; LANES]]),
-                _ => (from(0.0).map(|k| f64::from(30.0 + 2.0 * k)), [from(40.0), from(10.0)]),
-            };
-            assert_eq!((totals, singles), (sum, picked), "{path:?}");
         }
     }
 

@@ -3,7 +3,7 @@
 use std::ops::{Add, AddAssign, Mul, Sub};
 
 use super::vector::{DOUBLE_LN_2, DOUBLE_ROUNDING, RSQRT_MAGIC, SINGLE_LN_2, SINGLE_ROUNDING};
-use super::{LANES, Lanes, Pairs, Task, Vector};
+use super::{LANES, Lanes, Task, Vector};
 
 /// The start of 1/√x in single precision.
 const SINGLE_RSQRT_MAGIC: u32 = 0x5F37_59DF;
@@ -12,7 +12,7 @@ const SINGLE_RSQRT_MAGIC: u32 = 0x5F37_59DF;
 #[derive(Clone, Copy)]
 pub(super) struct Portable([f64; LANES]);
 
-/// Pairs with one neighbour in single precision.
+/// Eight values of single precision.
 #[derive(Clone, Copy)]
 pub(super) struct Single([f32; LANES]);
 
@@ -49,7 +49,7 @@ fn any_less<A: Copy + PartialOrd>(values: &[A; LANES], bounds: &[A; LANES]) -> b
 }
 
 macro_rules! vector {
-    ($Name:ident, $real:ty, $digits:literal, $magic:expr, $rounding:expr, $ln_2:expr$(, $rsqrt:path)?) => {
+    ($Name:ident, $real:ty, $turns:literal, $digits:literal, $magic:expr, $rounding:expr, $ln_2:expr$(, $rsqrt:path)?) => {
         impl $Name {
             #[inline(always)]
             fn zip(mut self, other: Self, f: impl Fn($real, $real) -> $real) -> Self {
@@ -94,9 +94,28 @@ macro_rules! vector {
         }
 
         impl Vector for $Name {
+            type Wide = Portable;
+
+            const TURNS: usize = $turns;
             const ROUNDING: f64 = $rounding;
             const LN_2: [f64; 2] = $ln_2;
 
+            #[inline(always)]
+            fn load(values: &[f64; LANES]) -> Self {
+                $Name(each(values, |value| value as $real))
+            }
+            #[inline(always)]
+            fn store_single(self, values: &mut [f32; LANES]) {
+                *values = each(&self.0, |value| value as f32);
+            }
+            #[inline(always)]
+            fn widened(self) -> Portable {
+                Portable(each(&self.0, f64::from))
+            }
+            #[inline(always)]
+            fn any_less(self, bound: Self) -> bool {
+                any_less(&self.0, &bound.0)
+            }
             #[inline(always)]
             fn splat(value: f64) -> Self {
                 $Name([value as $real; LANES])
@@ -160,8 +179,8 @@ macro_rules! vector {
     };
 }
 
-vector!(Portable, f64, 52, RSQRT_MAGIC as u64, DOUBLE_ROUNDING, DOUBLE_LN_2);
-vector!(Single, f32, 23, SINGLE_RSQRT_MAGIC, SINGLE_ROUNDING, SINGLE_LN_2, single_rsqrt);
+vector!(Portable, f64, 1, 52, RSQRT_MAGIC as u64, DOUBLE_ROUNDING, DOUBLE_LN_2);
+vector!(Single, f32, 2, 23, SINGLE_RSQRT_MAGIC, SINGLE_ROUNDING, SINGLE_LN_2, single_rsqrt);
 
 /// `1 / sqrt(x)` in single precision: to 1e-5, then to a unit or two in the last place.
 #[inline(always)]
@@ -178,10 +197,6 @@ impl Lanes for Portable {
     type Single = Single;
 
     #[inline(always)]
-    fn load(values: &[f64; LANES]) -> Self {
-        Portable(*values)
-    }
-    #[inline(always)]
     fn gather(values: &[f64], at: &[u32; LANES]) -> Self {
         Portable(each(at, |at| values[at as usize]))
     }
@@ -194,45 +209,7 @@ impl Lanes for Portable {
         Portable(each(values, f64::from))
     }
     #[inline(always)]
-    fn store_single(self, values: &mut [f32; LANES]) {
-        *values = each(&self.0, |value| value as f32);
-    }
-    #[inline(always)]
     fn call<T: Task>(task: T) -> T::Output {
         run(task)
-    }
-    #[inline(always)]
-    fn any_less(self, bound: Self) -> bool {
-        any_less(&self.0, &bound.0)
-    }
-}
-
-impl Pairs for Single {
-    const TURNS: usize = 2;
-    type Sum = Portable;
-
-    #[inline(always)]
-    fn of_particles(numbers: &[f64; LANES]) -> Self {
-        Single(each(numbers, |number| number as f32))
-    }
-    #[inline(always)]
-    fn reached(self, bound: Self) -> u64 {
-        u64::from(any_less(&self.0, &bound.0))
-    }
-    #[inline(always)]
-    fn store_singles<S: AsMut<[f32; LANES]>>(self, into: &mut [S]) {
-        *into[0].as_mut() = self.0;
-    }
-    #[inline(always)]
-    fn nothing() -> Portable {
-        Portable::splat(0.0)
-    }
-    #[inline(always)]
-    fn add_to(self, sum: Portable) -> Portable {
-        sum + Portable(each(&self.0, f64::from))
-    }
-    #[inline(always)]
-    fn whole(sum: Portable) -> [f64; LANES] {
-        sum.0
     }
 }

@@ -1,17 +1,17 @@
-//! Pairs in single precision in a 256-bit register: what `precision = "f32"` runs on with AVX2.
+//! Eight values of single precision in a 256-bit register: what `precision = "f32"` runs on.
 
 use std::arch::x86_64::*;
 use std::ops::{Add, AddAssign, Mul, Sub};
 
 use super::avx2::Avx2;
 use super::vector::{SINGLE_LN_2, SINGLE_ROUNDING};
-use super::{LANES, Lanes, Pairs, Vector};
+use super::{LANES, Vector};
 
-/// Pairs with one neighbour.
+/// Eight values in a register.
 #[derive(Clone, Copy)]
 pub(super) struct Single(__m256);
 
-// SAFETY of every block below: `Single` only exists inside `avx2::run`, whose caller has checked the
+// SAFETY of every block below: `Single` only exists inside `avx2::run` or `avx512::run`, whose caller has checked the
 // processor's features; loads and stores go through whole arrays.
 
 impl Add for Single {
@@ -46,6 +46,9 @@ impl AddAssign for Single {
 }
 
 impl Vector for Single {
+    type Wide = Avx2;
+
+    const TURNS: usize = 2;
     const QUICK_ROOTS: bool = true;
     const ROUNDING: f64 = SINGLE_ROUNDING;
     const LN_2: [f64; 2] = SINGLE_LN_2;
@@ -96,26 +99,9 @@ impl Vector for Single {
             _mm256_castsi256_ps(_mm256_add_epi32(shifted, _mm256_set1_epi32(127 << 23)))
         })
     }
-}
-
-impl Single {
     #[inline(always)]
-    fn widened(self) -> Avx2 {
-        unsafe {
-            let low = _mm256_castps256_ps128(self.0);
-            let high = _mm256_extractf128_ps::<1>(self.0);
-            Avx2(_mm256_cvtps_pd(low), _mm256_cvtps_pd(high))
-        }
-    }
-}
-
-impl Pairs for Single {
-    const TURNS: usize = 2;
-    type Sum = Avx2;
-
-    #[inline(always)]
-    fn of_particles(numbers: &[f64; LANES]) -> Self {
-        let at = numbers.as_ptr();
+    fn load(values: &[f64; LANES]) -> Self {
+        let at = values.as_ptr();
         unsafe {
             let low = _mm256_cvtpd_ps(_mm256_loadu_pd(at));
             let high = _mm256_cvtpd_ps(_mm256_loadu_pd(at.add(4)));
@@ -123,24 +109,19 @@ impl Pairs for Single {
         }
     }
     #[inline(always)]
-    fn reached(self, bound: Self) -> u64 {
-        let less = unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(self.0, bound.0)) };
-        u64::from(less != 0)
+    fn store_single(self, values: &mut [f32; LANES]) {
+        unsafe { _mm256_storeu_ps(values.as_mut_ptr(), self.0) }
     }
     #[inline(always)]
-    fn store_singles<S: AsMut<[f32; LANES]>>(self, into: &mut [S]) {
-        unsafe { _mm256_storeu_ps(into[0].as_mut().as_mut_ptr(), self.0) }
+    fn any_less(self, bound: Self) -> bool {
+        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(self.0, bound.0)) != 0 }
     }
     #[inline(always)]
-    fn nothing() -> Avx2 {
-        Avx2::splat(0.0)
-    }
-    #[inline(always)]
-    fn add_to(self, sum: Avx2) -> Avx2 {
-        sum + self.widened()
-    }
-    #[inline(always)]
-    fn whole(sum: Avx2) -> [f64; LANES] {
-        sum.to_array()
+    fn widened(self) -> Avx2 {
+        unsafe {
+            let low = _mm256_castps256_ps128(self.0);
+            let high = _mm256_extractf128_ps::<1>(self.0);
+            Avx2(_mm256_cvtps_pd(low), _mm256_cvtps_pd(high))
+        }
     }
 }

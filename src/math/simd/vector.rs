@@ -2,6 +2,8 @@
 
 use std::ops::{Add, AddAssign, Mul, Sub};
 
+use super::{LANES, Lanes};
+
 /// Start of 1/√x: the bits of x, halved and taken from this, have about the right exponent.
 pub(super) const RSQRT_MAGIC: i64 = 0x5FE6_EB50_C7B5_37A9;
 
@@ -19,6 +21,12 @@ pub(super) const SINGLE_LN_2: [f64; 2] = [0.693_359_375, -2.121_944_400_546_9e-4
 pub trait Vector:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + AddAssign
 {
+    /// The same in double precision: what sums that must be exact are kept in.
+    type Wide: Lanes;
+
+    /// How many sums a loop over pairs keeps side by side, and adds to in turns. In single precision
+    /// two: every other pair has sums of its own.
+    const TURNS: usize = 1;
     /// The processor's own roots and quotients take less time than a chain of products: registers of
     /// single precision.
     const QUICK_ROOTS: bool = false;
@@ -27,6 +35,14 @@ pub trait Vector:
     /// ln 2 in two parts, the first of few enough digits for exact products.
     const LN_2: [f64; 2] = DOUBLE_LN_2;
 
+    /// Eight values, rounded to this precision.
+    fn load(values: &[f64; LANES]) -> Self;
+    /// Writes eight values, rounded to single precision.
+    fn store_single(self, values: &mut [f32; LANES]);
+    /// The values in double precision.
+    fn widened(self) -> Self::Wide;
+    /// Whether `self < bound` in any lane.
+    fn any_less(self, bound: Self) -> bool;
     /// The same value everywhere.
     fn splat(value: f64) -> Self;
     /// `self * factor + addend`, fused where the path has it.

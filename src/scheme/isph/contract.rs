@@ -7,7 +7,7 @@ use super::{Isph, IsphState};
 use crate::body::BodyMotion;
 use crate::boundary::Ghosts;
 use crate::kernel::KernelChoice;
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 use crate::scheme::{
     Dissipation, Load, Scheme, SchemeState, SolverSummary, StateEquation, StepError, StepWalls,
 };

@@ -5,7 +5,7 @@ use super::lists::{Near, Numbers, load};
 use super::state::Operators;
 use crate::kernel::Kernel;
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
-use crate::neighbours::PairList;
+use crate::pairs::PairList;
 use crate::with_kernel;
 
 /// The correction of gradients fades from the moment's inverse, above this eigenvalue, ...

@@ -4,8 +4,8 @@ use super::Isph;
 use super::images::{Point, Points};
 use super::state::Operators;
 use crate::math::simd::{LANES, Lanes};
-use crate::neighbours::{PairList, PointSet, Strips, build_pair_list};
-use crate::particles::reorder;
+use crate::pairs::reorder;
+use crate::pairs::{PairList, PointSet, Strips, build_pair_list};
 
 /// What a pair loop reads of a point: one cache line.
 #[derive(Debug, Clone, Copy, Default)]

@@ -10,7 +10,7 @@ use super::options::IsphOptions;
 use super::system::System;
 use crate::boundary::{Ghosts, Plane};
 use crate::math::simd::SimdPath;
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 use crate::scheme::Load;
 
 /// What the solver has done so far.

@@ -8,7 +8,7 @@ use crate::boundary::{Ghosts, TankLayout, box_ghosts, no_ghosts};
 use crate::kernel::KernelChoice;
 use crate::math::simd::SimdPath;
 use crate::math::sparse::{PreconditionerChoice, Product};
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 use crate::scheme::Scheme;
 
 const DENSITY: f64 = 1000.0;

@@ -5,7 +5,7 @@ use crate::body::BodyMotion;
 use crate::boundary::Ghosts;
 use crate::kernel::KernelChoice;
 use crate::math::team::Team;
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 use crate::scheme::{Dissipation, Load, Scheme, SchemeState, StateEquation, StepError, StepWalls};
 use crate::theory::central_field::CentralField;
 
@@ -87,7 +87,7 @@ impl Scheme for Wcsph {
     }
 
     fn list_rebuilds(&self) -> u64 {
-        self.list_rebuilds
+        self.pairs.rebuilds()
     }
 
     fn boundary_fallbacks(&self) -> u64 {

@@ -1,18 +1,18 @@
 //! Small symmetric matrices of a particle's neighbourhood: how complete it is, and what mends its
 //! gradients.
 
-use crate::math::simd::Lanes;
+use crate::pairs::Double;
 
 /// R ∇ρ = A⁻¹ Σ g (ρ_j - ρ_i) Δ with A = -Σ g ΔΔᵀ taken positive: signs cancel. Where fewer than
 /// three particles span the plane A is singular and the gradient is left at zero.
 #[inline(always)]
-pub(super) fn solve_symmetric<L: Lanes>([xx, xy, yy]: [L; 3], [bx, by]: [L; 2]) -> [L; 2] {
-    let zero = L::splat(0.0);
+pub(super) fn solve_symmetric<D: Double>([xx, xy, yy]: [D; 3], [bx, by]: [D; 2]) -> [D; 2] {
+    let zero = D::splat(0.0);
     let determinant = xx * yy - xy * xy;
     let trace = xx + yy;
-    let floor = trace * trace * L::splat(1e-4);
-    let safe = determinant.max(floor.max(L::splat(1e-300)));
-    let usable = |value: L| floor.select_less(determinant, value, zero);
+    let floor = trace * trace * D::splat(1e-4);
+    let safe = determinant.max(floor.max(D::splat(1e-300)));
+    let usable = |value: D| floor.select_less(determinant, value, zero);
     // A Δ-sum of the same sign convention on both sides: minus signs cancel except one.
     let x = (yy * bx - xy * by).div(safe);
     let y = (xx * by - xy * bx).div(safe);
@@ -21,10 +21,10 @@ pub(super) fn solve_symmetric<L: Lanes>([xx, xy, yy]: [L; 3], [bx, by]: [L; 2]) 
 
 /// Smallest eigenvalue of a symmetric matrix: 1 inside the water, 0 for a lone particle.
 #[inline(always)]
-pub(super) fn smallest_eigenvalue<L: Lanes>([xx, xy, yy]: [L; 3]) -> L {
-    let half = L::splat(0.5);
+pub(super) fn smallest_eigenvalue<D: Double>([xx, xy, yy]: [D; 3]) -> D {
+    let half = D::splat(0.5);
     let (mean, apart) = ((xx + yy) * half, (xx - yy) * half);
-    let radius = apart.mul_add(apart, xy * xy).max(L::splat(1e-300)).sqrt();
+    let radius = apart.mul_add(apart, xy * xy).max(D::splat(1e-300)).sqrt();
     mean - radius
 }
 
@@ -33,21 +33,21 @@ pub(super) fn smallest_eigenvalue<L: Lanes>([xx, xy, yy]: [L; 3]) -> L {
 /// whose ghosts move with the water. Under the surface only a share of it is taken: see
 /// [`surface_share`].
 #[inline(always)]
-pub(super) fn correction<L: Lanes>(
-    [xx, xy, yy]: [L; 3],
-    completeness: L,
-    of_walls: L,
+pub(super) fn correction<D: Double>(
+    [xx, xy, yy]: [D; 3],
+    completeness: D,
+    of_walls: D,
     first_row: f64,
-) -> [L; 3] {
+) -> [D; 3] {
     const TRUSTED_FROM: f64 = 0.35;
     const TRUSTED_FULL: f64 = 0.48;
     const LOWER_AT_WALLS: f64 = 0.16;
     const AT_WALLS: f64 = 1.0 / 3.0;
-    let (zero, one) = (L::splat(0.0), L::splat(1.0));
-    let determinant = (xx * yy - xy * xy).max(L::splat(1e-3));
-    let at_walls = (of_walls * L::splat(1.0 / AT_WALLS)).min(one);
-    let raised = at_walls.mul_add(L::splat(LOWER_AT_WALLS), completeness);
-    let trust = (raised - L::splat(TRUSTED_FROM)) * L::splat(1.0 / (TRUSTED_FULL - TRUSTED_FROM));
+    let (zero, one) = (D::splat(0.0), D::splat(1.0));
+    let determinant = (xx * yy - xy * xy).max(D::splat(1e-3));
+    let at_walls = (of_walls * D::splat(1.0 / AT_WALLS)).min(one);
+    let raised = at_walls.mul_add(D::splat(LOWER_AT_WALLS), completeness);
+    let trust = (raised - D::splat(TRUSTED_FROM)) * D::splat(1.0 / (TRUSTED_FULL - TRUSTED_FROM));
     let trust = trust.max(zero).min(one);
     let share = (trust * surface_share(completeness, first_row)).div(determinant);
     let rest = one - trust;
@@ -63,18 +63,18 @@ pub(super) fn correction<L: Lanes>(
 /// the first row is, some 0.65 from 0.6 to 0.75, 1 inside the water. The divergence has the same L,
 /// so energy is conserved as before; and water that keeps its volume keeps it whatever the share.
 #[inline(always)]
-pub(super) fn surface_share<L: Lanes>(completeness: L, first_row: f64) -> L {
+pub(super) fn surface_share<D: Double>(completeness: D, first_row: f64) -> D {
     const FROM: f64 = 0.5;
     const FULL: f64 = 0.6;
     const FADES_FROM: f64 = 0.72;
     const LEFT_OUT: f64 = 0.36;
-    let (zero, one) = (L::splat(0.0), L::splat(1.0));
-    let rise = (completeness - L::splat(FROM)) * L::splat(1.0 / (FULL - FROM));
-    let fall = (one - completeness) * L::splat(1.0 / (1.0 - FADES_FROM));
+    let (zero, one) = (D::splat(0.0), D::splat(1.0));
+    let rise = (completeness - D::splat(FROM)) * D::splat(1.0 / (FULL - FROM));
+    let fall = (one - completeness) * D::splat(1.0 / (1.0 - FADES_FROM));
     let (rise, fall) = (rise.max(zero).min(one), fall.max(zero).min(one));
-    let fall = fall * fall * (L::splat(3.0) - fall - fall);
-    let first = (one - rise) * L::splat(first_row - 1.0);
-    (rise * fall).negated_mul_add(L::splat(LEFT_OUT), one + first)
+    let fall = fall * fall * (D::splat(3.0) - fall - fall);
+    let first = (one - rise) * D::splat(first_row - 1.0);
+    (rise * fall).negated_mul_add(D::splat(LEFT_OUT), one + first)
 }
 
 /// The share of the first row under a flat surface, for a support of so many spacings (of Wendland
@@ -93,7 +93,7 @@ pub(super) fn first_row_share(support: f64) -> f64 {
 mod tests {
     use super::*;
     use crate::kernel::KernelChoice;
-    use crate::math::simd::{SimdPath, Task, dispatch};
+    use crate::math::simd::{Lanes, SimdPath, Task, dispatch};
 
     /// L of [`correction`], away from walls, and the share in it.
     struct Corrected([f64; 3], f64);

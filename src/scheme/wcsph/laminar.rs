@@ -1,28 +1,55 @@
-//! The pair pass of physical viscosity, for water that has any.
-
-use crate::math::simd::{LANES, Lanes, Task};
-use crate::particles::{Fluid, Record};
+//! Physical viscosity, for water that has any.
+//!
+//! ```text
+//! ρ_i du_i/dt = 8 ν ρ0 Σ_j V_j (u_ij · x_ij)/|x_ij|² ∇W_ij
+//! ```
+//! This is ν∇²u in the form of Monaghan & Gingold 1983, which keeps linear and angular momentum; 8 is
+//! 2 (d + 2) in d = 2 dimensions.
 
 use super::Workspace;
-use super::held::Slopes;
-use super::momentum::store;
-use super::parts::Part;
-use super::separation::{COINCIDENT, lanes};
+use crate::pairs::{
+    Double, Eight, Fluid, Held, HeldEquation, Here, Neighbour, Other, Pair, Real, Record, Term,
+    loaded,
+};
 
-/// Adds ν∇²u in the form of Monaghan & Gingold 1983, which keeps linear and angular momentum:
-/// ```text
-/// a_i = 8 ν Σ V_j ρ0/ρ_i (u_ij·x_ij)/|x_ij|² ∇W
-/// ```
-/// in two dimensions (2 (d + 2) in d), over the pairs and slopes of the momentum pass that has just
-/// gone before. Like artificial viscosity it does in a full step all that it does until the next.
+/// Σ_j V_j (u_ij · x_ij)/|x_ij|² ∇W.
+#[derive(Clone, Copy)]
+struct Drag<'a>(&'a Fluid);
+
+impl Term for Drag<'_> {
+    /// The velocity.
+    type Own<R: Real> = [R; 2];
+    type Sum<R: Real> = [R; 2];
+    type Total = [Eight; 2];
+
+    #[inline(always)]
+    fn own<R: Real, N: Neighbour>(&self, here: Here) -> [R; 2] {
+        here.all([&self.0.vx, &self.0.vy])
+    }
+
+    #[inline(always)]
+    fn add<R: Real, N: Neighbour>(
+        &self,
+        &[u, v]: &[R; 2],
+        pair: &Pair<R>,
+        other: Other<'_, N>,
+        [x, y]: &mut [R; 2],
+    ) {
+        let [their_u, their_v] = other.velocity();
+        let (du, dv) = (u - their_u, v - their_v);
+        let approach = du.mul_add(pair.dx, dv * pair.dy).div(pair.square());
+        let drag = pair.slope() * approach;
+        *x = drag.mul_add(pair.dx, *x);
+        *y = drag.mul_add(pair.dy, *y);
+    }
+}
+
+/// Adds the term to the accelerations, over the pairs that the momentum equation has just held. Like
+/// artificial viscosity it does in a full step all that it does until the next.
 pub(super) struct Laminar<'a> {
     pub fluid: &'a Fluid,
-    pub records: &'a [Record],
-    pub part: &'a mut Part,
     pub work: &'a Workspace,
-    /// The part's rows: accelerations along x and y, added to.
-    pub acceleration: [&'a mut [f64]; 2],
-    /// Number of bodies: groups 1.. of the list.
+    pub records: &'a [Record],
     pub bodies: usize,
     /// 8 ν ρ0 / R.
     pub viscosity: f64,
@@ -30,84 +57,35 @@ pub(super) struct Laminar<'a> {
     pub steps: f64,
 }
 
-impl Task for Laminar<'_> {
-    type Output = ();
+/// The rows: accelerations along x and y.
+pub(super) type Rows<'r> = [&'r mut [f64]; 2];
+
+impl HeldEquation<Rows<'_>> for Laminar<'_> {
+    const FORCES: bool = true;
 
     #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let Laminar { fluid, records, part, work, acceleration, bodies, .. } = self;
-        let Part { clusters, held, tally, .. } = part;
-        let [acceleration_x, acceleration_y] = acceleration;
-        tally.clear();
-        tally.force_entries += held.len();
-        for (here, cluster) in clusters.clone().enumerate() {
-            let (at, to) = (cluster * LANES, here * LANES);
-            let inverse_density = lanes::<L>(&work.inverse_density, at);
-            let volume = lanes::<L>(&fluid.mass, at) * inverse_density;
-            let (mut sum_x, mut sum_y) = (L::splat(0.0), L::splat(0.0));
-            for group in 0..=bodies {
-                let (entries, slopes) = held.group(here, group);
-                if entries.is_empty() {
-                    continue;
-                }
-                let viscosity = self.viscosity;
-                let [x, y] =
-                    L::call(Group { fluid, records, work, viscosity, cluster, entries, slopes });
-                let (x, y) = (L::load(&x), L::load(&y));
-                if group > 0 {
-                    let viscous = (x * volume).sum();
-                    tally.loads.push((group - 1, [-viscous, -viscous, 0.0]));
-                }
-                sum_x += x;
-                sum_y += y;
+    fn at<D: Double>(&self, here: Here, held: &mut Held<'_, '_>, [along, up]: &mut Rows<'_>) {
+        let (fluid, work, viscosity) = (self.fluid, self.work, D::splat(self.viscosity));
+        let inverse_density: D = here.of(&work.inverse_density);
+        let volume = here.of::<D>(&fluid.mass) * inverse_density;
+        let places: [&[f64]; 2] = [&work.scaled_x, &work.scaled_y];
+        let (mut sum_x, mut sum_y) = (D::splat(0.0), D::splat(0.0));
+        for group in 0..=self.bodies {
+            let drag = held.terms::<D, _>(group, places, self.records, Drag(fluid));
+            let Some(drag) = drag else { continue };
+            let [x, y] = loaded::<D, 2>(&drag);
+            let (x, y) = (x * viscosity, y * viscosity);
+            if group > 0 {
+                let viscous = (x * volume).sum();
+                held.tally.loads.push((group - 1, [-viscous, -viscous, 0.0]));
             }
-            let (vx, vy) = (lanes::<L>(&fluid.vx, at), lanes::<L>(&fluid.vy, at));
-            tally.powers.push((sum_x.mul_add(vx, sum_y * vy) * volume).sum());
-            let share = inverse_density * L::splat(self.steps);
-            let push = lanes::<L>(acceleration_x, to);
-            store(acceleration_x, to, sum_x.mul_add(share, push));
-            let push = lanes::<L>(acceleration_y, to);
-            store(acceleration_y, to, sum_y.mul_add(share, push));
+            sum_x += x;
+            sum_y += y;
         }
-    }
-}
-
-/// The pair loop over one group: force per volume of water, along x and y, by lanes.
-struct Group<'a> {
-    fluid: &'a Fluid,
-    records: &'a [Record],
-    work: &'a Workspace,
-    viscosity: f64,
-    cluster: usize,
-    entries: &'a [u32],
-    slopes: &'a [Slopes],
-}
-
-impl Task for Group<'_> {
-    type Output = [[f64; LANES]; 2];
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) -> [[f64; LANES]; 2] {
-        let Group { fluid, records, work, viscosity, cluster, entries, slopes } = self;
-        let at = cluster * LANES;
-        let x = lanes::<L>(&work.scaled_x, at);
-        let y = lanes::<L>(&work.scaled_y, at);
-        let vx = lanes::<L>(&fluid.vx, at);
-        let vy = lanes::<L>(&fluid.vy, at);
-        let (mut sum_x, mut sum_y) = (L::splat(0.0), L::splat(0.0));
-        for (&j, slope) in entries.iter().zip(slopes) {
-            let record = &records[j as usize].0;
-            let g = L::load_single(&slope.0);
-            let dx = x - L::splat(record[Record::X]);
-            let dy = y - L::splat(record[Record::Y]);
-            let s = dx.mul_add(dx, dy.mul_add(dy, L::splat(COINCIDENT)));
-            let du = vx - L::splat(record[Record::VX]);
-            let dv = vy - L::splat(record[Record::VY]);
-            let drag = g * du.mul_add(dx, dv * dy).div(s);
-            sum_x = drag.mul_add(dx, sum_x);
-            sum_y = drag.mul_add(dy, sum_y);
-        }
-        let viscosity = L::splat(viscosity);
-        [(sum_x * viscosity).to_array(), (sum_y * viscosity).to_array()]
+        let [u, v] = here.all::<D, 2>([&fluid.vx, &fluid.vy]);
+        held.tally.add_power(sum_x.mul_add(u, sum_y * v) * volume);
+        let share = inverse_density * D::splat(self.steps);
+        here.put(along, sum_x.mul_add(share, here.in_rows::<D>(along)));
+        here.put(up, sum_y.mul_add(share, here.in_rows::<D>(up)));
     }
 }

@@ -13,40 +13,30 @@ mod balance;
 mod continuity;
 mod contract;
 mod correction;
-mod factors;
-mod fields;
-mod flow;
-mod ghost_pack;
-mod held;
+mod diffusion;
 mod laminar;
 mod lists;
 mod momentum;
-mod momentum_pairs;
 mod motion;
 mod options;
 mod pack;
-mod pair_sums;
-mod parts;
 mod passes;
-mod pipeline;
-mod precision;
 mod pressing;
 mod readings;
-mod rounding;
-mod separation;
+mod response;
 mod shifting;
 mod state;
 mod step;
+mod support;
+mod viscosity;
 
+pub use crate::pairs::Precision;
 pub use options::{DensityDiffusion, Shifting, WcsphOptions};
-pub use parts::WHOLE_WATER;
-pub use precision::Precision;
 pub use state::{Timings, Wcsph, WcsphState};
 
 use crate::boundary::Water;
-use crate::particles::Record;
+use crate::pairs::{Double, Here, Record, Tally};
 use momentum::FOUND;
-use parts::Part;
 
 /// Arrays that steps fill, one entry per (padded) fluid particle.
 #[derive(Debug, Clone, Default)]
@@ -134,6 +124,12 @@ impl Workspace {
         Water { records, pressure: &self.pressure, correction: corrected.then_some(correction) }
     }
 
+    /// The kernel gradient's correction: xx, xy, yy.
+    #[inline(always)]
+    fn correction<D: Double>(&self, here: Here) -> [D; 3] {
+        here.all([&self.correction_xx, &self.correction_xy, &self.correction_yy])
+    }
+
     /// What the pass of a full step writes, and does not read.
     fn found_mut(&mut self) -> [&mut Vec<f64>; FOUND] {
         [
@@ -155,9 +151,9 @@ impl Workspace {
         [&mut self.acceleration_x, &mut self.acceleration_y]
     }
 
-    /// Adds the parts' loads.
-    fn add_loads(&mut self, parts: &[Part]) {
-        for &(body, [force, viscous, added_mass]) in parts.iter().flat_map(|p| &p.tally.loads) {
+    /// Adds loads on bodies, in the order of the particles.
+    fn add_loads<'a>(&mut self, tallies: impl Iterator<Item = &'a Tally>) {
+        for &(body, [force, viscous, added_mass]) in tallies.flat_map(|tally| &tally.loads) {
             self.loads[body][0] += force;
             self.loads[body][1] += added_mass;
             self.held_loads[body] += viscous;

@@ -1,216 +1,235 @@
-//! First pair pass of a step: accelerations, and the density gradient that diffusion needs.
-
-use crate::kernel::Kernel;
-use crate::math::simd::{LANES, Lanes, Task};
-use crate::particles::Fluid;
+//! The momentum equation of δ-SPH (Huang et al. 2019, Eq. 5), term by term.
+//!
+//! ```text
+//! ρ_i du_i/dt = - Σ_j V_j (p_i L_i + p_j L_j) ∇W_ij     pressure
+//!               + α h c0 ρ0 Σ_j V_j π_ij ∇W_ij          artificial viscosity
+//!               - ρ_i g                                 gravity
+//! π_ij = (u_ij · x_ij) / |x_ij|²
+//! ```
+//! L is the correction of the kernel's gradient, that of one step before: the identity without
+//! `CORRECTED`. Pairs are antisymmetric, with ρ0 in place of the paper's ρ_i before π_ij, so momentum is
+//! conserved. Distances are over R, the support radius.
 
 use super::Workspace;
-use super::correction::{correction, smallest_eigenvalue, solve_symmetric};
-use super::momentum_pairs::Group;
-use super::parts::Part;
-use super::precision::Pairing;
-use super::separation::lanes;
+use super::diffusion::DensityGradient;
+use super::response::Response;
+use super::support::{Moment, Support};
+use super::viscosity::ArtificialViscosity;
+use crate::pairs::{
+    Around, Double, Eight, Equation, Fluid, Here, If, Neighbour, Other, Pair, Real, Sums, Term,
+    loaded,
+};
 
-/// How many fields the pass writes.
+/// How many fields the equation writes: see [`Workspace::found_mut`].
 pub(super) const FOUND: usize = 11;
-/// Forces alone.
-pub(super) const FORCES: u8 = 0;
-/// Also the kernel sums that shifting uses.
-pub(super) const CONCENTRATION: u8 = 1;
-/// Also the renormalised density gradient.
-pub(super) const GRADIENTS: u8 = 2;
 
-/// Momentum equation of Huang et al. 2019, Eq. 5, and what else `SUMS` asks for: the
-/// kernel sums that shifting uses with a measure of how complete each particle's support is, and
-/// the renormalised density gradient of Eq. 6. What the other passes over the same pairs need of
-/// their geometry is left in each part's held pairs.
-///
-/// Pairs are antisymmetric: m_i a_i holds -V_i V_j (p_i L_i + p_j L_j) ∇W, L the correction of one
-/// step before (the identity without `CORRECTED`), and where it is `VISCOUS`, with the prefactor ρ0 in
-/// place of the paper's ρ_i, V_i V_j α h c0 ρ0 π_ij ∇W. With `CORRECTED` π_ij holds only what a
-/// linear, divergence-free velocity field leaves, limited so that every pair dissipates.
-pub(super) struct Momentum<
-    'a,
-    K,
-    P: Pairing,
-    const SUMS: u8,
-    const CORRECTED: bool,
-    const VISCOUS: bool,
-> {
+/// Σ_j V_j p_j L_j ∇W: the neighbours' part of the pressure term. A particle's own part is
+/// [`own_pressure`].
+#[derive(Clone, Copy)]
+struct Pressure<const CORRECTED: bool>;
+
+impl<const CORRECTED: bool> Term for Pressure<CORRECTED> {
+    type Own<R: Real> = ();
+    type Sum<R: Real> = [R; 2];
+    type Total = [Eight; 2];
+
+    #[inline(always)]
+    fn own<R: Real, N: Neighbour>(&self, _: Here) {}
+
+    #[inline(always)]
+    fn add<R: Real, N: Neighbour>(
+        &self,
+        (): &(),
+        pair: &Pair<R>,
+        other: Other<'_, N>,
+        [x, y]: &mut [R; 2],
+    ) {
+        let [xx, xy, yy] = other.pressure::<R>();
+        let [gx, gy] = pair.gradient();
+        *x = xx.mul_add(gx, *x);
+        if CORRECTED {
+            *x = xy.mul_add(gy, *x);
+            *y = xy.mul_add(gx, *y);
+        }
+        *y = yy.mul_add(gy, *y);
+    }
+}
+
+/// The equation, with what else the same pairs give: the support of each particle, and with `GRADIENTS`
+/// the renormalised density gradient.
+pub(super) struct Momentum<'a, const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool> {
     pub fluid: &'a Fluid,
-    pub records: &'a [P::Neighbour],
+    /// What is not written: see [`Workspace::found_mut`].
+    pub work: &'a Workspace,
     /// What density diffusion smooths, kg/m³.
     pub diffused: &'a [f64],
     /// R/2 (∂u/∂x - ∂v/∂y)/2 and R/2 (∂u/∂y + ∂v/∂x).
     pub strain: &'a [[f64; 2]],
-    /// Responses of the ghosts' pressures to their wall's acceleration: xx, xy, yy.
+    /// Responses of the ghosts' pressures to their wall's acceleration.
     pub responses: &'a [[f64; 3]],
-    /// Number of the first ghost among the records.
-    pub first_ghost: usize,
-    /// What is not written: see [`Workspace::found_mut`].
-    pub work: &'a Workspace,
-    /// Number of bodies: groups 1.. of the list.
-    pub bodies: usize,
     /// Body whose ghosts respond to its acceleration.
     pub responds: usize,
+    /// What the support of a particle is good for.
+    pub support: Support,
     /// α h c0 ρ0 / R.
     pub viscosity: f64,
-    /// R, metres.
-    pub support_radius: f64,
-    /// See [`super::correction::first_row_share`].
-    pub first_row: f64,
     /// Rest density, kg/m³.
     pub density: f64,
     /// Gravity, m/s².
     pub gravity: f64,
     /// Steps until the next full one, this one included.
     pub steps: f64,
-    pub kernel: std::marker::PhantomData<K>,
 }
 
-/// The pass over one part.
-pub(super) struct OnPart<
-    'a,
-    'b,
-    K,
-    P: Pairing,
-    const SUMS: u8,
-    const CORRECTED: bool,
-    const VISCOUS: bool,
-> {
-    pub pass: &'b Momentum<'a, K, P, SUMS, CORRECTED, VISCOUS>,
-    pub part: &'b mut Part,
-    /// The part's rows of [`Workspace::found_mut`].
-    pub found: [&'b mut [f64]; FOUND],
+/// Sums over some neighbours: force per volume of pressure and of viscosity, Σ V_j ∇W and its moment.
+#[derive(Clone, Copy)]
+struct Share<D> {
+    push: [D; 2],
+    drag: [D; 2],
+    gradient: [D; 2],
+    moment: [D; 3],
 }
 
-impl<K: Kernel, P: Pairing, const SUMS: u8, const CORRECTED: bool, const VISCOUS: bool> Task
-    for OnPart<'_, '_, K, P, SUMS, CORRECTED, VISCOUS>
-{
-    type Output = ();
-
+impl<D: Double> Share<D> {
     #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let OnPart { pass, part, found } = self;
-        let Part { clusters, pairs, held, near, responding, tally } = part;
-        let [
-            found_inverse_density,
-            acceleration_x,
-            acceleration_y,
-            found_gradient_x,
-            found_gradient_y,
-            concentration_x,
-            concentration_y,
-            found_completeness,
-            next_xx,
-            next_xy,
-            next_yy,
-        ] = found;
-        held.restart(pass.bodies + 1);
-        near.clear();
-        tally.clear();
-        tally.force_entries += pairs.len();
-        responding.clear();
-        for (here, cluster) in clusters.clone().enumerate() {
-            // Of the water, and of the part's rows.
-            let (at, to) = (cluster * LANES, here * LANES);
-            let density = lanes::<L>(&pass.fluid.density, at);
-            let inverse_density = L::splat(1.0).div(density);
-            store(found_inverse_density, to, inverse_density);
-            let volume = lanes::<L>(&pass.fluid.mass, at) * inverse_density;
-            let entries = pairs.group(here, 0);
-            let mut sums = L::call(Group::<_, P, SUMS, CORRECTED, VISCOUS, true, false> {
-                pass,
-                entries,
-                room: held.room(entries.len()),
-                cluster,
-            });
-            held.close(sums.count);
-            let water_moment = sums.moment;
-            for body in 0..pass.bodies {
-                let entries = pairs.group(here, body + 1);
-                if entries.is_empty() {
-                    held.close(0);
-                    continue;
-                }
-                let room = held.room(entries.len());
-                let more = if body == pass.responds {
-                    L::call(Group::<_, P, SUMS, CORRECTED, VISCOUS, false, true> {
-                        pass,
-                        entries,
-                        room,
-                        cluster,
-                    })
-                } else {
-                    L::call(Group::<_, P, SUMS, CORRECTED, VISCOUS, false, false> {
-                        pass,
-                        entries,
-                        room,
-                        cluster,
-                    })
-                };
-                held.close(more.count);
-                if more.count > 0 {
-                    near.push(more.concentration);
-                }
-                sums.add(&more);
-                // The body's reaction: minus the force of its ghosts on the water.
-                let viscous = (L::load(&more.viscous[0]) * volume).sum();
-                let force = viscous + (L::load(&more.push[0]) * volume).sum();
-                let mut added_mass = 0.0;
-                if body == pass.responds {
-                    let minus = L::splat(0.0) - inverse_density;
-                    let (x, y) = (L::load(&more.response[0]), L::load(&more.response[1]));
-                    added_mass = (x * volume).sum();
-                    let response = ((x * minus).to_array(), (y * minus).to_array());
-                    responding.push((cluster as u32, response.0, response.1));
-                }
-                tally.loads.push((body, [-force, -viscous, -added_mass]));
-            }
-            let viscous = [L::load(&sums.viscous[0]), L::load(&sums.viscous[1])];
-            // All that viscosity does until the next full step, it does now.
-            let steps = L::splat(pass.steps);
-            let force_x = viscous[0].mul_add(steps, L::load(&sums.push[0]));
-            let force_y = viscous[1].mul_add(steps, L::load(&sums.push[1]));
-            let fall = L::splat(pass.gravity);
-            store(acceleration_x, to, force_x * inverse_density);
-            store(acceleration_y, to, force_y.mul_sub(inverse_density, fall));
-            if VISCOUS {
-                let (vx, vy) = (lanes::<L>(&pass.fluid.vx, at), lanes::<L>(&pass.fluid.vy, at));
-                let power = viscous[0].mul_add(vx, viscous[1] * vy);
-                tally.powers.push((power * volume).sum());
-            }
-            if SUMS == GRADIENTS {
-                let [xx, xy, yy] = &water_moment;
-                let moment = [L::load(xx), L::load(xy), L::load(yy)];
-                let sum = [L::load(&sums.gradient[0]), L::load(&sums.gradient[1])];
-                let [gradient_x, gradient_y] = solve_symmetric(moment, sum);
-                store(found_gradient_x, to, gradient_x);
-                store(found_gradient_y, to, gradient_y);
-            }
-            store(concentration_x, to, L::load(&sums.concentration[0]));
-            store(concentration_y, to, L::load(&sums.concentration[1]));
-            if SUMS > FORCES || CORRECTED {
-                let radius = L::splat(-pass.support_radius);
-                let [xx, xy, yy] = &sums.moment;
-                let moment = [L::load(xx) * radius, L::load(xy) * radius, L::load(yy) * radius];
-                let completeness = smallest_eigenvalue(moment);
-                store(found_completeness, to, completeness);
-                if CORRECTED {
-                    let [of_water_xx, _, of_water_yy] = &water_moment;
-                    let of_water = (L::load(of_water_xx) + L::load(of_water_yy)) * radius;
-                    let of_walls = moment[0] + moment[2] - of_water;
-                    let [xx, xy, yy] = correction(moment, completeness, of_walls, pass.first_row);
-                    store(next_xx, to, xx);
-                    store(next_xy, to, xy);
-                    store(next_yy, to, yy);
-                }
-            }
+    fn add(&mut self, more: &Share<D>) {
+        for n in 0..2 {
+            self.push[n] += more.push[n];
+            self.drag[n] += more.drag[n];
+            self.gradient[n] += more.gradient[n];
+        }
+        for n in 0..3 {
+            self.moment[n] += more.moment[n];
         }
     }
 }
 
+impl<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>
+    Momentum<'_, CORRECTED, VISCOUS, GRADIENTS>
+{
+    #[inline(always)]
+    fn viscosity<const GHOSTS: bool>(
+        &self,
+    ) -> If<VISCOUS, ArtificialViscosity<'_, CORRECTED, GHOSTS>> {
+        If(ArtificialViscosity { fluid: self.fluid, strain: self.strain })
+    }
+
+    #[inline(always)]
+    fn share<D: Double>(
+        &self,
+        here: Here,
+        gradient: &[Eight; 2],
+        (pressure, drag, moment): (&[Eight; 2], &[Eight; 2], &[Eight; 3]),
+    ) -> Share<D> {
+        let gradient = loaded(gradient);
+        let [own_x, own_y] = own_pressure::<D>(self.work, CORRECTED, here, gradient);
+        let ([x, y], [drag_x, drag_y]) = (loaded::<D, 2>(pressure), loaded::<D, 2>(drag));
+        let (zero, viscosity) = (D::splat(0.0), D::splat(self.viscosity));
+        Share {
+            push: [zero - x - own_x, zero - y - own_y],
+            drag: [drag_x * viscosity, drag_y * viscosity],
+            gradient,
+            moment: loaded(moment),
+        }
+    }
+
+    /// A wall's share, and how it responds to the wall's acceleration.
+    #[inline(always)]
+    fn of_wall<D: Double>(
+        &self,
+        body: usize,
+        here: Here,
+        around: &mut Around<'_>,
+    ) -> Option<(Share<D>, Option<[D; 2]>)> {
+        let terms = (Pressure::<CORRECTED>, self.viscosity::<true>(), Moment);
+        if body == self.responds {
+            let (responses, first_ghost) = (self.responses, self.fluid.padded_len());
+            let all = (terms, Response { responses, first_ghost });
+            let Sums { gradient, terms: (terms, response), .. } =
+                around.ghosts::<D, _>(body, all)?;
+            let (pressure, drag, moment) = &terms;
+            let share = self.share(here, &gradient, (pressure, drag, moment));
+            Some((share, Some(loaded(&response))))
+        } else {
+            let Sums { gradient, terms, .. } = around.ghosts::<D, _>(body, terms)?;
+            let (pressure, drag, moment) = &terms;
+            Some((self.share(here, &gradient, (pressure, drag, moment)), None))
+        }
+    }
+}
+
+impl<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>
+    Equation<[&mut [f64]; FOUND]> for Momentum<'_, CORRECTED, VISCOUS, GRADIENTS>
+{
+    #[inline(always)]
+    fn at<D: Double>(&self, here: Here, around: &mut Around<'_>, rows: &mut [&mut [f64]; FOUND]) {
+        let [
+            inverse_densities,
+            acceleration_x,
+            acceleration_y,
+            gradient_x,
+            gradient_y,
+            concentration_x,
+            concentration_y,
+            support @ ..,
+        ] = rows;
+        let density: D = here.of(&self.fluid.density);
+        let inverse_density = D::splat(1.0).div(density);
+        here.put(inverse_densities, inverse_density);
+        let volume = here.of::<D>(&self.fluid.mass) * inverse_density;
+        let rise = If::<GRADIENTS, _>(DensityGradient::of(self.diffused, self.density));
+        let terms = (Pressure::<CORRECTED>, self.viscosity::<false>(), Moment, rise);
+        let Sums { gradient, terms: (pressure, drag, moment, rise), .. } =
+            around.water::<D, _>(terms);
+        let water = self.share::<D>(here, &gradient, (&pressure, &drag, &moment));
+        let mut all = water;
+        for body in 0..around.bodies() {
+            let Some((wall, response)) = self.of_wall::<D>(body, here, around) else { continue };
+            all.add(&wall);
+            // The body's reaction: minus the force of its ghosts on the water.
+            let viscous = (wall.drag[0] * volume).sum();
+            let force = viscous + (wall.push[0] * volume).sum();
+            let mut added_mass = 0.0;
+            if let Some([x, y]) = response {
+                let minus = D::splat(0.0) - inverse_density;
+                added_mass = (x * volume).sum();
+                around.tally.respond(here, [x * minus, y * minus]);
+            }
+            around.tally.loads.push((body, [-force, -viscous, -added_mass]));
+        }
+        let Share { push, drag, gradient, moment } = all;
+        // All that viscosity does until the next full step, it does now.
+        let steps = D::splat(self.steps);
+        let force = [drag[0].mul_add(steps, push[0]), drag[1].mul_add(steps, push[1])];
+        here.put(acceleration_x, force[0] * inverse_density);
+        here.put(acceleration_y, force[1].mul_sub(inverse_density, D::splat(self.gravity)));
+        if VISCOUS {
+            let [u, v] = here.all::<D, 2>([&self.fluid.vx, &self.fluid.vy]);
+            around.tally.add_power(drag[0].mul_add(u, drag[1] * v) * volume);
+        }
+        if GRADIENTS {
+            let [x, y] = DensityGradient::renormalised(loaded(&rise), water.moment);
+            here.put(gradient_x, x);
+            here.put(gradient_y, y);
+        }
+        here.put(concentration_x, gradient[0]);
+        here.put(concentration_y, gradient[1]);
+        self.support.put(here, moment, water.moment, support);
+    }
+}
+
+/// p_i L_i Σ_j V_j ∇W: a particle's own part of the pressure term.
 #[inline(always)]
-pub(super) fn store<L: Lanes>(field: &mut [f64], at: usize, value: L) {
-    value.store(field[at..at + LANES].first_chunk_mut().unwrap());
+pub(super) fn own_pressure<D: Double>(
+    work: &Workspace,
+    corrected: bool,
+    here: Here,
+    [x, y]: [D; 2],
+) -> [D; 2] {
+    let pressure: D = here.of(&work.pressure);
+    if !corrected {
+        return [pressure * x, pressure * y];
+    }
+    let [xx, xy, yy] = work.correction::<D>(here);
+    [pressure * xx.mul_add(x, xy * y), pressure * xy.mul_add(x, yy * y)]
 }

@@ -1,14 +1,11 @@
 //! Velocities and places: kick, drift, and what keeps particles in good order.
 
-use std::ops::Range;
-
-use super::fields::{Advance, Ramp};
 use super::passes::{TENSION_FROM, TENSION_FULL};
 use super::shifting::Shift;
 use super::{DensityDiffusion, Wcsph};
 use crate::body::BodyMotion;
-use crate::math::simd::{LANES, dispatch};
-use crate::particles::Fluid;
+use crate::math::simd::dispatch;
+use crate::pairs::{Advance, Fluid, Ramp};
 use crate::water::{HoldInside, Slack};
 
 /// Hydrostatic density diffusion fades in from this completeness: near the surface the discrete
@@ -24,13 +21,9 @@ impl Wcsph {
     pub(super) fn complete_accelerations(&mut self, wall_acceleration: f64) {
         let (fluid, work) = (&self.fluid, &mut self.work);
         if wall_acceleration != 0.0 {
-            let responding = self.parts.iter().flat_map(|part| &part.responding);
-            for (cluster, response_x, response_y) in responding {
-                let at = *cluster as usize * LANES;
-                for lane in 0..LANES {
-                    work.acceleration_x[at + lane] += wall_acceleration * response_x[lane];
-                    work.acceleration_y[at + lane] += wall_acceleration * response_y[lane];
-                }
+            for tally in self.pairs.tallies() {
+                let accelerations = [&mut *work.acceleration_x, &mut *work.acceleration_y];
+                tally.add_responses(wall_acceleration, accelerations);
             }
         }
         if let Some(field) = self.options.field {
@@ -47,31 +40,30 @@ impl Wcsph {
         if self.options.density_diffusion == DensityDiffusion::Hydrostatic {
             let (values, shares) = (&*self.work.completeness, &mut *self.work.diffused_share);
             let (from, to) = (DIFFUSE_FROM, DIFFUSE_FULL);
-            dispatch(self.path, Ramp { values, from, to, shares });
+            dispatch(self.pairs.path, Ramp { values, from, to, shares });
         }
     }
 
-    /// New velocities of some particles, of whole vectors.
-    pub(super) fn kick(&mut self, dt: f64, lanes: Range<usize>) {
-        let (fluid, work) = (&mut self.fluid, &self.work);
-        let some = lanes.start..lanes.end.min(fluid.len());
+    /// New velocities.
+    pub(super) fn kick(&mut self, dt: f64) {
+        let (n, work) = (self.fluid.len(), &self.work);
         let fields = [
-            (&mut fluid.vx[some.clone()], &work.acceleration_x[some.clone()]),
-            (&mut fluid.vy[some.clone()], &work.acceleration_y[some]),
+            (&mut self.fluid.vx[..n], &work.acceleration_x[..n]),
+            (&mut self.fluid.vy[..n], &work.acceleration_y[..n]),
         ];
-        dispatch(self.path, Advance { fields, dt });
+        dispatch(self.pairs.path, Advance { fields, dt });
     }
 
-    /// New densities and places of some particles, of whole vectors.
-    pub(super) fn drift(&mut self, dt: f64, lanes: Range<usize>) {
-        let some = lanes.start..lanes.end.min(self.fluid.len());
+    /// New densities and places.
+    pub(super) fn drift(&mut self, dt: f64) {
+        let n = self.fluid.len();
         let Fluid { x, y, vx, vy, density, .. } = &mut self.fluid;
         let fields = [
-            (&mut density[some.clone()], &self.work.density_rate[some.clone()]),
-            (&mut x[some.clone()], &vx[some.clone()]),
-            (&mut y[some.clone()], &vy[some]),
+            (&mut density[..n], &self.work.density_rate[..n]),
+            (&mut x[..n], &vx[..n]),
+            (&mut y[..n], &vy[..n]),
         ];
-        dispatch(self.path, Advance { fields, dt });
+        dispatch(self.pairs.path, Advance { fields, dt });
     }
 
     /// The walls' faces at the end of a step.
@@ -90,7 +82,7 @@ impl Wcsph {
     /// that goes.
     pub(super) fn shift(&mut self) -> f64 {
         dispatch(
-            self.path,
+            self.pairs.path,
             Shift {
                 fluid: &mut self.fluid,
                 work: &self.work,
@@ -103,11 +95,12 @@ impl Wcsph {
         )
     }
 
-    /// Holds some particles, of whole vectors, in front of the walls.
-    pub(super) fn hold_inside(&mut self, bodies: &[BodyMotion], lanes: Range<usize>) {
+    /// Holds the particles in front of the walls.
+    pub(super) fn hold_inside(&mut self, bodies: &[BodyMotion]) {
+        let lanes = 0..self.fluid.padded_len();
         let skin = 1e-3 * self.options.spacing;
         let (fluid, planes) = (&mut self.fluid, &*self.planes);
-        dispatch(self.path, HoldInside { fluid, lanes, planes, bodies, skin });
+        dispatch(self.pairs.path, HoldInside { fluid, lanes, planes, bodies, skin });
     }
 
     /// Finds the particles that [`Wcsph::settle_surface`] may change: few, and the same ones until
@@ -120,14 +113,13 @@ impl Wcsph {
     }
 
     /// Relaxes the density of particles that feel no pressure: spray with too few neighbours, and
-    /// water near the surface that would be under tension. Both are at the pressure of the air.
-    /// Does so for some of the particles, and adds the elastic energy that goes to the `loss`.
-    pub(super) fn settle_surface(&mut self, dt: f64, lanes: Range<usize>, loss: &mut f64) {
-        let before = |end: usize| self.near_surface.partition_point(|&k| (k as usize) < end);
-        let some = before(lanes.start)..before(lanes.end);
+    /// water near the surface that would be under tension. Both are at the pressure of the air. Returns
+    /// the elastic energy that goes.
+    pub(super) fn settle_surface(&mut self, dt: f64) -> f64 {
+        let mut loss = 0.0;
         let state = self.options.state;
         let rate = (dt * state.sound_speed / self.options.smoothing_length()).min(1.0);
-        for &k in &self.near_surface[some] {
+        for &k in &self.near_surface {
             let k = k as usize;
             let completeness = self.work.completeness[k];
             let density = self.fluid.density[k];
@@ -137,10 +129,11 @@ impl Wcsph {
                 // Tension that did no work as it grew takes none away.
                 let acting = if rise > 0.0 { self.work.tension[k] } else { 1.0 };
                 let pressure = state.pressure(density) * acting;
-                *loss -= self.fluid.mass[k] * pressure / (density * density) * rise;
+                loss -= self.fluid.mass[k] * pressure / (density * density) * rise;
                 self.fluid.density[k] += rise;
             }
         }
+        loss
     }
 
     pub(super) fn take_next_correction(&mut self) {

@@ -1,143 +1,102 @@
 //! What the pair loops read of each particle, packed ahead of them.
 
-use std::ops::Range;
-
-use super::factors::Factors;
-use super::flow::Flow;
-use super::momentum::store;
+use super::diffusion::{Diffusion, with_diffusion};
 use super::pressing::Pressing;
-use super::separation::{all_lanes, lanes};
-use super::{DensityDiffusion, Wcsph};
-use crate::math::simd::{LANES, Lanes, Task, dispatch};
-use crate::math::team::window;
-use crate::particles::{Fluid, Record, Scaling};
+use super::{DensityDiffusion, Wcsph, Workspace};
+use crate::pairs::{Double, Each, Factors, Flow, Fluid, Here, Record, Scaling};
 
-/// Everything about some of the water that the pass of a full step reads.
+/// Everything about the water that the pass of a full step reads.
 struct Whole<'a> {
     pressing: Pressing<'a>,
     scaling: Scaling,
     fluid: &'a Fluid,
     /// Where the particles will be.
     ahead: [&'a [f64]; 2],
+    /// Kernel gradient's, without corrections the identity: xx, xy, yy.
     correction: [&'a [f64]; 3],
-    /// The particles, whole vectors.
-    range: Range<usize>,
-    /// Their rows of the pressure, of what diffusion smooths, and of the places over R.
-    fields: [&'a mut [f64]; 4],
-    records: &'a mut [Record],
 }
 
-impl Task for Whole<'_> {
-    type Output = ();
+/// Rows of the pressure, of what diffusion smooths, and of the places over R; then the records.
+type WholeRows<'r> = ([&'r mut [f64]; 4], &'r mut [Record]);
 
+impl Each<WholeRows<'_>> for Whole<'_> {
     #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let Whole { pressing, scaling, fluid, ahead, correction, range, fields, records } = self;
-        let [pressure, diffused, scaled_x, scaled_y] = fields;
-        pressing.find(range.clone(), pressure, diffused);
-        let inverse_radius = L::splat(scaling.inverse_radius);
-        let (blocks, _) = records.as_chunks_mut::<LANES>();
-        for (block, records) in blocks.iter_mut().enumerate() {
-            let to = block * LANES;
-            let at = range.start + to;
-            let [x, y] = all_lanes::<L, 2>(ahead, at);
-            let (x, y) = (x * inverse_radius, y * inverse_radius);
-            store(scaled_x, to, x);
-            store(scaled_y, to, y);
-            let [xx, xy, yy] = all_lanes::<L, 3>(correction, at);
-            let [vx, vy, mass, density] =
-                all_lanes::<L, 4>([&fluid.vx, &fluid.vy, &fluid.mass, &fluid.density], at);
-            let weight = mass.div(density) * L::splat(scaling.weight_per_volume);
-            // Without corrections these are the identity.
-            let p = lanes::<L>(pressure, to);
-            let numbers = [x, y, vx, vy, weight, p * xx, p * xy, p * yy];
-            L::store_records(numbers, records);
-        }
+    fn at<D: Double>(&self, here: Here, (fields, records): &mut WholeRows<'_>) {
+        let Whole { pressing, scaling, fluid, ahead, correction } = self;
+        let [pressures, diffused, scaled_x, scaled_y] = fields;
+        let [p, smoothed] = pressing.find::<D>(here);
+        here.put(pressures, p);
+        here.put(diffused, smoothed);
+        let inverse_radius = D::splat(scaling.inverse_radius);
+        let [x, y] = here.all::<D, 2>(*ahead);
+        let (x, y) = (x * inverse_radius, y * inverse_radius);
+        here.put(scaled_x, x);
+        here.put(scaled_y, y);
+        let [vx, vy, mass, density] =
+            here.all::<D, 4>([&fluid.vx, &fluid.vy, &fluid.mass, &fluid.density]);
+        let weight = mass.div(density) * D::splat(scaling.weight_per_volume);
+        let [xx, xy, yy] = here.all::<D, 3>(*correction);
+        here.put_numbers(records, [x, y, vx, vy, weight, p * xx, p * xy, p * yy]);
     }
 }
 
-/// New pressures of some of the water alone, for an acoustic step: see
-/// [`super::acoustic::Acoustic`] for what a neighbour's are.
+/// New pressures of the water alone, for an acoustic step: see [`super::acoustic::Acoustic`] for what a
+/// neighbour's are.
 struct Pressures<'a> {
     pressing: Pressing<'a>,
     /// Places over R.
     places: [&'a [f64]; 2],
     correction: [&'a [f64]; 3],
-    /// The particles, whole vectors.
-    range: Range<usize>,
-    /// Their rows of the pressure and of what diffusion smooths.
-    fields: [&'a mut [f64]; 2],
-    factors: &'a mut [Factors],
 }
 
-impl Task for Pressures<'_> {
-    type Output = ();
+/// Rows of the pressure and of what diffusion smooths; then the numbers.
+type PressureRows<'r> = ([&'r mut [f64]; 2], &'r mut [Factors]);
 
+impl Each<PressureRows<'_>> for Pressures<'_> {
     #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let Pressures { pressing, places, correction, range, fields, factors } = self;
-        let [pressure, diffused] = fields;
-        pressing.find(range.clone(), pressure, diffused);
-        let (blocks, _) = factors.as_chunks_mut::<LANES>();
-        for (block, factors) in blocks.iter_mut().enumerate() {
-            let at = range.start + block * LANES;
-            let p = lanes::<L>(pressure, block * LANES);
-            let place = all_lanes::<L, 2>(places, at);
-            let [xx, xy, yy] = all_lanes::<L, 3>(correction, at);
-            let numbers = pressure_factors([p * xx, p * xy, p * yy], place);
-            L::store_records(numbers, factors);
-        }
+    fn at<D: Double>(&self, here: Here, (fields, factors): &mut PressureRows<'_>) {
+        let [pressures, diffused] = fields;
+        let [p, smoothed] = self.pressing.find::<D>(here);
+        here.put(pressures, p);
+        here.put(diffused, smoothed);
+        let [xx, xy, yy] = here.all::<D, 3>(self.correction);
+        let place = here.all(self.places);
+        here.put_numbers(factors, Factors::of_pressure([p * xx, p * xy, p * yy], place));
     }
 }
 
-/// New velocities of some of the water, for the continuity pass: see
-/// [`super::continuity::Continuity`] for what a neighbour's are.
-struct Velocities<'a> {
-    velocity: [&'a [f64]; 2],
+/// New velocities of some of the water, for the continuity pass: see [`Flow`] for what a neighbour's are.
+struct Velocities<'a, F> {
+    fluid: &'a Fluid,
     /// Places over R.
     places: [&'a [f64]; 2],
     flow: Flow,
-    diffusion: DensityDiffusion,
+    formulation: F,
     diffused: &'a [f64],
-    /// Each particle's share in the diffusion.
-    share: &'a [f64],
-    /// R ∇ψ, where diffusion wants it.
-    slopes: [&'a [f64]; 2],
-    /// The particles, whole vectors.
-    range: Range<usize>,
-    factors: &'a mut [Factors],
-    slants: &'a mut [Factors],
 }
 
-impl Task for Velocities<'_> {
-    type Output = ();
-
+impl<F: Diffusion> Each<&mut [Factors]> for Velocities<'_, F> {
     #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let Velocities { velocity, places, flow, diffusion, diffused, share, slopes, .. } = self;
-        let (one, two) = (L::splat(1.0), L::splat(2.0));
-        let (blocks, _) = self.factors.as_chunks_mut::<LANES>();
-        for (block, factors) in blocks.iter_mut().enumerate() {
-            let at = self.range.start + block * LANES;
-            let velocity = all_lanes::<L, 2>(velocity, at);
-            let [x, y] = all_lanes::<L, 2>(places, at);
-            let diffused = lanes::<L>(diffused, at);
-            let smoothed = match diffusion {
-                DensityDiffusion::None | DensityDiffusion::Hydrostatic => {
-                    let share = lanes::<L>(share, at);
-                    [share * diffused, share]
-                }
-                DensityDiffusion::Molteni => [diffused, one],
-                DensityDiffusion::Renormalised => {
-                    let [slope_x, slope_y] = all_lanes::<L, 2>(slopes, at);
-                    let zero = L::splat(0.0);
-                    let slants = &mut self.slants.as_chunks_mut::<LANES>().0[block];
-                    L::store_records([slope_x, slope_y, x, y, zero, zero, zero, zero], slants);
-                    [two * diffused - (slope_x * x + slope_y * y), one]
-                }
-            };
-            L::store_records(flow.numbers(velocity, [x, y], smoothed), factors);
-        }
+    fn at<D: Double>(&self, here: Here, factors: &mut &mut [Factors]) {
+        let velocity = here.all::<D, 2>([&self.fluid.vx, &self.fluid.vy]);
+        let smoothed = self.formulation.neighbour(here, here.of::<D>(self.diffused));
+        here.put_numbers(factors, self.flow.numbers(velocity, here.all(self.places), smoothed));
+    }
+}
+
+/// What [`super::diffusion::Renormalised`] reads of each particle.
+struct Slants<'a> {
+    gradient: [&'a [f64]; 2],
+    places: [&'a [f64]; 2],
+}
+
+impl Each<&mut [Factors]> for Slants<'_> {
+    #[inline(always)]
+    fn at<D: Double>(&self, here: Here, slants: &mut &mut [Factors]) {
+        let ([slope_x, slope_y], [x, y]) =
+            (here.all::<D, 2>(self.gradient), here.all::<D, 2>(self.places));
+        let zero = D::splat(0.0);
+        here.put_numbers(slants, [slope_x, slope_y, x, y, zero, zero, zero, zero]);
     }
 }
 
@@ -145,82 +104,71 @@ impl Wcsph {
     /// Pressures, and everything about the fluid that the pass of a full step reads.
     pub(super) fn pack(&mut self) {
         let n = self.fluid.padded_len();
-        let (path, fluid, scaling) = (self.path, &self.fluid, self.scaling);
-        let ahead = [&*self.ahead[0], &*self.ahead[1]];
-        let work = &mut self.work;
-        let pressing =
-            Pressing::of(&self.options, self.bulk_time, fluid, [&work.density_rate, &work.tension]);
-        let correction = [&*work.correction_xx, &*work.correction_xy, &*work.correction_yy];
-        let fields = [
-            &mut work.pressure[..n],
-            &mut self.diffused[..n],
-            &mut work.scaled_x[..n],
-            &mut work.scaled_y[..n],
-        ];
-        let rows = (fields, &mut self.records[..n]);
-        self.team.share(&mut self.parts, rows, &|part, (fields, records)| {
-            let range = part.lanes();
-            dispatch(
-                path,
-                Whole { pressing, scaling, fluid, ahead, correction, range, fields, records },
-            );
-        });
+        let Workspace {
+            density_rate,
+            tension,
+            correction_xx,
+            correction_xy,
+            correction_yy,
+            pressure,
+            scaled_x,
+            scaled_y,
+            ..
+        } = &mut self.work;
+        let (fluid, scaling) = (&self.fluid, self.scaling);
+        let state = [&**density_rate, &**tension];
+        let whole = Whole {
+            pressing: Pressing::of(&self.options, self.bulk_time, fluid, state),
+            scaling,
+            fluid,
+            ahead: [&self.ahead[0], &self.ahead[1]],
+            correction: [correction_xx, correction_xy, correction_yy],
+        };
+        let fields =
+            [&mut pressure[..n], &mut self.diffused[..n], &mut scaled_x[..n], &mut scaled_y[..n]];
+        self.pairs.each((fields, &mut self.records[..n]), &whole);
     }
 
-    /// The new pressures of some parts' water alone.
-    pub(super) fn pack_pressures(&mut self, some: Range<usize>) {
+    /// The new pressures alone.
+    pub(super) fn pack_pressures(&mut self) {
+        let (n, work) = (self.fluid.padded_len(), &mut self.work);
+        let state = [&*work.density_rate, &*work.tension];
+        let pressures = Pressures {
+            pressing: Pressing::of(&self.options, self.bulk_time, &self.fluid, state),
+            places: [&work.scaled_x, &work.scaled_y],
+            correction: [&work.correction_xx, &work.correction_xy, &work.correction_yy],
+        };
+        let fields = [&mut work.pressure[..n], &mut self.diffused[..n]];
+        self.pairs.each((fields, &mut self.numbers[..n]), &pressures);
+    }
+
+    /// The new velocities.
+    pub(super) fn pack_velocities(&mut self) {
         let n = self.fluid.padded_len();
-        let (path, fluid, work) = (self.path, &self.fluid, &mut self.work);
-        let pressing =
-            Pressing::of(&self.options, self.bulk_time, fluid, [&work.density_rate, &work.tension]);
+        let (flow, work, fluid, diffused) = (self.flow(), &self.work, &self.fluid, &*self.diffused);
         let places = [&*work.scaled_x, &*work.scaled_y];
-        let correction = [&*work.correction_xx, &*work.correction_xy, &*work.correction_yy];
-        let rows = (
-            [&mut work.pressure[..n], &mut self.diffused[..n]],
-            &mut self.numbers.pressures_mut()[..n],
-        );
-        let (parts, rows) = window(&mut self.parts, rows, some);
-        self.team.share(parts, rows, &|part, (fields, factors)| {
-            let range = part.lanes();
-            dispatch(path, Pressures { pressing, places, correction, range, fields, factors });
+        if self.options.density_diffusion == DensityDiffusion::Renormalised {
+            let gradient = [&*work.gradient_x, &*work.gradient_y];
+            self.pairs.each(&mut self.slants[..n], &Slants { gradient, places });
+        }
+        let factors = &mut self.numbers[..n];
+        with_diffusion!(self.options.density_diffusion, work, &[], formulation => {
+            self.pairs.each(factors, &Velocities { fluid, places, flow, formulation, diffused });
         });
     }
 
-    /// The new velocities of some parts' water.
-    pub(super) fn pack_velocities(&mut self, some: Range<usize>) {
-        let n = self.fluid.padded_len();
-        let (path, fluid, work, flow) = (self.path, &self.fluid, &self.work, self.flow());
-        let (diffusion, diffused) = (self.options.density_diffusion, &*self.diffused);
-        let velocity = [&*fluid.vx, &*fluid.vy];
-        let places = [&*work.scaled_x, &*work.scaled_y];
-        // Not all of these are there, or wanted, with every form of diffusion.
-        let (share, slopes) = (&*work.diffused_share, [&*work.gradient_x, &*work.gradient_y]);
-        let rows = (&mut self.numbers.velocities_mut()[..n], &mut self.slants[..]);
-        let (parts, rows) = window(&mut self.parts, rows, some);
-        self.team.share(parts, rows, &|part, (factors, slants)| {
-            let range = part.lanes();
-            dispatch(
-                path,
-                Velocities {
-                    velocity,
-                    places,
-                    flow,
-                    diffusion,
-                    diffused,
-                    share,
-                    slopes,
-                    range,
-                    factors,
-                    slants,
-                },
-            );
-        });
+    /// New pressures of the ghosts that count.
+    pub(super) fn press_ghosts(&mut self) {
+        let (path, bodies, water) = (self.pairs.path, &self.held_bodies, &*self.work.pressure);
+        self.exchange.refresh_pressures(path, &self.ghosts, bodies, water);
+        self.exchange.pack_pressures(path, &mut self.numbers[self.fluid.padded_len()..]);
     }
-}
 
-/// P_xx, P_xy, P_yy, (P r)_x, (P r)_y, and nothing more.
-#[inline(always)]
-pub(super) fn pressure_factors<L: Lanes>([xx, xy, yy]: [L; 3], [x, y]: [L; 2]) -> [L; 8] {
-    let nothing = L::splat(0.0);
-    [xx, xy, yy, xx * x + xy * y, xy * x + yy * y, nothing, nothing, nothing]
+    /// New velocities of the ghosts that count.
+    pub(super) fn mirror_ghosts(&mut self) {
+        let (path, bodies, flow) = (self.pairs.path, &self.held_bodies, self.flow());
+        let water = [&*self.fluid.vx, &*self.fluid.vy];
+        self.exchange.refresh_velocities(path, &self.ghosts, bodies, water);
+        self.exchange.pack_velocities(path, flow, &mut self.numbers[self.fluid.padded_len()..]);
+    }
 }

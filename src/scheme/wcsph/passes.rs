@@ -1,20 +1,14 @@
 //! The pair loops, in the variant that a run needs.
 
-use std::marker::PhantomData;
-use std::ops::Range;
-
 use super::acoustic::Acoustic;
-use super::continuity::{Continuity, FADED, OFF, PLAIN, RENORMALISED};
+use super::continuity::Continuity;
 use super::correction::surface_share;
-use super::flow::Flow;
+use super::diffusion::with_diffusion;
 use super::laminar::Laminar;
-use super::momentum::{CONCENTRATION, FORCES, GRADIENTS, Momentum, OnPart};
-use super::parts::power;
-use super::precision::{Double, Precision, Single};
+use super::momentum::Momentum;
+use super::support::Support;
 use super::{DensityDiffusion, Shifting, Wcsph};
-use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch, dispatch_vectors};
-use crate::math::team::window;
-use crate::with_kernel;
+use crate::pairs::{Double, Each, Flow, Here, Neighbours, Precision, Records, round};
 
 /// Water bears tension from this completeness: none at the surface ...
 pub(super) const TENSION_FROM: f64 = 0.6;
@@ -24,70 +18,40 @@ pub(super) const TENSION_FULL: f64 = 0.9;
 /// The share of tension that water bears under the surface: what is left out of its correction
 /// there, for the balance under gravity, is not left out of its tension.
 struct Bearing<'a> {
-    tension: &'a mut [f64],
     completeness: &'a [f64],
     first_row: f64,
 }
 
-impl Task for Bearing<'_> {
-    type Output = ();
-
+impl Each<&mut [f64]> for Bearing<'_> {
     #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        let (tensions, _) = self.tension.as_chunks_mut::<LANES>();
-        for (tension, completeness) in tensions.iter_mut().zip(self.completeness.as_chunks().0) {
-            let completeness = L::load(completeness);
-            let inside = (completeness - L::splat(TENSION_FROM))
-                * L::splat(1.0 / (TENSION_FULL - TENSION_FROM));
-            inside
-                .max(zero)
-                .div(surface_share(completeness, self.first_row))
-                .min(one)
-                .store(tension);
-        }
+    fn at<D: Double>(&self, here: Here, tension: &mut &mut [f64]) {
+        let completeness = here.of::<D>(self.completeness);
+        let inside =
+            (completeness - D::splat(TENSION_FROM)) * D::splat(1.0 / (TENSION_FULL - TENSION_FROM));
+        let share = inside.max(D::splat(0.0)).div(surface_share(completeness, self.first_row));
+        here.put(tension, share.min(D::splat(1.0)));
     }
 }
 
 impl Wcsph {
-    /// Pressure forces on some parts' water, and its loads in their tallies.
-    pub(super) fn acoustic_pass(&mut self, some: Range<usize>) {
+    /// Pressure forces of an acoustic step, and the loads.
+    pub(super) fn acoustic_pass(&mut self) {
         let mut found = self.work.acceleration_mut().map(std::mem::take);
         let rows = found.each_mut().map(Vec::as_mut_slice);
-        let (parts, rows) = window(&mut self.parts, rows, some);
-        let (path, fluid, factors, work) =
-            (self.path, &self.fluid, self.numbers.pressures(), &self.work);
-        let (bodies, gravity) = (self.ghosts.bodies.len(), self.options.gravity);
-        macro_rules! pass {
-            ($corrected:literal) => {
-                self.team.share(parts, rows, &|part, acceleration| {
-                    let pass = Acoustic::<$corrected> {
-                        fluid,
-                        factors,
-                        part,
-                        work,
-                        acceleration,
-                        bodies,
-                        gravity,
-                    };
-                    dispatch(path, pass);
-                })
-            };
-        }
-        if self.options.corrected_gradients {
-            pass!(true)
-        } else {
-            pass!(false)
-        }
+        let acoustic = Acoustic {
+            fluid: &self.fluid,
+            work: &self.work,
+            factors: &self.numbers,
+            corrected: self.options.corrected_gradients,
+            bodies: self.ghosts.bodies.len(),
+            gravity: self.options.gravity,
+        };
+        self.pairs.held_pass(rows, &acoustic);
         put_back(self.work.acceleration_mut(), found);
-    }
-
-    /// The loads of an acoustic step, once all parts have been through its pass.
-    pub(super) fn sum_loads(&mut self) {
         for (load, held) in self.work.loads.iter_mut().zip(&self.work.held_loads) {
             load[0] = *held;
         }
-        self.work.add_loads(&self.parts);
+        self.work.add_loads(self.pairs.tallies());
     }
 
     /// How much tension the water bears in the steps to come.
@@ -95,85 +59,72 @@ impl Wcsph {
         if self.options.corrected_gradients {
             let (tension, completeness) = (&mut *self.work.tension, &*self.work.completeness);
             let first_row = self.options.first_row_share();
-            dispatch(self.path, Bearing { tension, completeness, first_row });
+            self.pairs.each(tension, &Bearing { completeness, first_row });
         }
     }
 
+    /// Accelerations and all else that the pairs of a full step give; returns the power of artificial
+    /// viscosity.
     pub(super) fn momentum_pass(&mut self) -> f64 {
         self.work.loads.fill([0.0; 2]);
         self.work.held_loads.fill(0.0);
-        self.round();
+        if self.options.precision == Precision::F32 {
+            let of_water = (&*self.strain, &*self.diffused, self.options.density);
+            round(self.pairs.path, &self.records, of_water, &mut self.singles);
+        }
+        let renormalised = self.options.density_diffusion == DensityDiffusion::Renormalised;
+        let viscous = self.options.artificial_viscosity > 0.0;
+        match (self.options.corrected_gradients, viscous, renormalised) {
+            (true, true, true) => self.momentum::<true, true, true>(),
+            (true, true, false) => self.momentum::<true, true, false>(),
+            (true, false, true) => self.momentum::<true, false, true>(),
+            (true, false, false) => self.momentum::<true, false, false>(),
+            (false, true, true) => self.momentum::<false, true, true>(),
+            (false, true, false) => self.momentum::<false, true, false>(),
+            (false, false, true) => self.momentum::<false, false, true>(),
+            (false, false, false) => self.momentum::<false, false, false>(),
+        }
+        self.work.add_loads(self.pairs.tallies());
+        self.pairs.power()
+    }
+
+    fn momentum<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>(&mut self) {
+        let options = &self.options;
         let mut found = self.work.found_mut().map(std::mem::take);
         let rows = found.each_mut().map(Vec::as_mut_slice);
-        let options = &self.options;
-        let sums = match (options.density_diffusion, options.shifting) {
-            (DensityDiffusion::Renormalised, _) => GRADIENTS,
-            // Corrected forces need all sums that shifting does.
-            (_, Shifting::None) if !options.corrected_gradients => FORCES,
-            _ => CONCENTRATION,
+        let neighbours = Neighbours {
+            kernel: options.kernel,
+            places: [&self.work.scaled_x, &self.work.scaled_y],
+            records: match options.precision {
+                Precision::F64 => Records::Double(&self.records),
+                Precision::F32 => Records::Single(&self.singles),
+            },
+            bodies: self.ghosts.bodies.len(),
         };
-        let viscosity = options.artificial_viscosity
-            * options.smoothing_length()
-            * options.state.sound_speed
-            * options.density
-            * self.scaling.inverse_radius;
-        // The portable path multiplies by zero instead of having a variant without.
-        let viscous = viscosity > 0.0 || self.path == SimdPath::Portable;
-        macro_rules! pass {
-            ($K:ty, $sums:ident, $corrected:literal) => {
-                match (options.precision, viscous) {
-                    (Precision::F64, true) => {
-                        pass!($K, Double, $sums, $corrected, true, records, dispatch)
-                    }
-                    (Precision::F64, false) => {
-                        pass!($K, Double, $sums, $corrected, false, records, dispatch_vectors)
-                    }
-                    (Precision::F32, true) => {
-                        pass!($K, Single, $sums, $corrected, true, singles, dispatch)
-                    }
-                    (Precision::F32, false) => {
-                        pass!($K, Single, $sums, $corrected, false, singles, dispatch_vectors)
-                    }
-                }
-            };
-            (
-                $K:ty, $P:ty, $sums:ident, $corrected:literal, $viscous:literal, $records:ident,
-                $dispatch:ident
-            ) => {{
-                let pass = &Momentum::<$K, $P, $sums, $corrected, $viscous> {
-                    fluid: &self.fluid,
-                    records: &self.$records,
-                    diffused: &self.diffused,
-                    strain: &self.strain,
-                    responses: self.exchange.responses(),
-                    first_ghost: self.fluid.padded_len(),
-                    work: &self.work,
-                    bodies: self.ghosts.bodies.len(),
-                    responds: self.responds,
-                    viscosity,
-                    support_radius: self.scaling.support_radius,
-                    first_row: options.first_row_share(),
-                    density: options.density,
-                    gravity: options.gravity,
-                    steps: f64::from(options.acoustic_substeps),
-                    kernel: PhantomData,
-                };
-                let path = self.path;
-                self.team.share(&mut self.parts, rows, &|part, found| {
-                    $dispatch(path, OnPart { pass, part, found });
-                });
-            }};
-        }
-        with_kernel!(options.kernel, K => match (sums, options.corrected_gradients) {
-            (GRADIENTS, true) => pass!(K, GRADIENTS, true),
-            (GRADIENTS, false) => pass!(K, GRADIENTS, false),
-            (_, true) => pass!(K, CONCENTRATION, true),
-            (CONCENTRATION, false) => pass!(K, CONCENTRATION, false),
-            (_, false) => pass!(K, FORCES, false),
-        });
+        let momentum = Momentum::<CORRECTED, VISCOUS, GRADIENTS> {
+            fluid: &self.fluid,
+            work: &self.work,
+            diffused: &self.diffused,
+            strain: &self.strain,
+            responses: self.exchange.responses(),
+            responds: self.responds,
+            support: Support {
+                wanted: CORRECTED || GRADIENTS || options.shifting != Shifting::None,
+                corrected: CORRECTED,
+                support_radius: self.scaling.support_radius,
+                first_row: options.first_row_share(),
+            },
+            viscosity: options.artificial_viscosity
+                * options.smoothing_length()
+                * options.state.sound_speed
+                * options.density
+                * self.scaling.inverse_radius,
+            density: options.density,
+            gravity: options.gravity,
+            steps: f64::from(options.acoustic_substeps),
+        };
+        self.pairs.full_pass(&neighbours, rows, &momentum);
         put_back(self.work.found_mut(), found);
-        self.work.add_loads(&self.parts);
-        power(&self.parts)
     }
 
     /// Physical viscosity; returns its power.
@@ -181,19 +132,21 @@ impl Wcsph {
         let options = &self.options;
         let mut found = self.work.acceleration_mut().map(std::mem::take);
         let rows = found.each_mut().map(Vec::as_mut_slice);
-        let (path, fluid, records, work) = (self.path, &self.fluid, &*self.records, &self.work);
-        let bodies = self.ghosts.bodies.len();
-        let steps = f64::from(options.acoustic_substeps);
-        let viscosity =
-            8.0 * options.kinematic_viscosity * options.density * self.scaling.inverse_radius;
-        self.team.share(&mut self.parts, rows, &|part, acceleration| {
-            let pass =
-                Laminar { fluid, records, part, work, acceleration, bodies, viscosity, steps };
-            dispatch(path, pass);
-        });
+        let laminar = Laminar {
+            fluid: &self.fluid,
+            work: &self.work,
+            records: &self.records,
+            bodies: self.ghosts.bodies.len(),
+            viscosity: 8.0
+                * options.kinematic_viscosity
+                * options.density
+                * self.scaling.inverse_radius,
+            steps: f64::from(options.acoustic_substeps),
+        };
+        self.pairs.held_pass(rows, &laminar);
         put_back(self.work.acceleration_mut(), found);
-        self.work.add_loads(&self.parts);
-        power(&self.parts)
+        self.work.add_loads(self.pairs.tallies());
+        self.pairs.power()
     }
 
     /// What the continuity pass of this step wants.
@@ -207,64 +160,36 @@ impl Wcsph {
         }
     }
 
-    /// Rates of change of density of some parts' water over a step of `dt` seconds, and with `sample`
-    /// in their tallies the power that diffusion takes.
-    pub(super) fn continuity_pass(&mut self, dt: f64, sample: bool, some: Range<usize>) {
+    /// Rates of change of density over a step of `dt` seconds; returns the power that diffusion takes,
+    /// where it is asked for.
+    pub(super) fn continuity_pass(&mut self, dt: f64, sample: bool) -> f64 {
         let (options, flow) = (&self.options, self.flow());
-        let diffusion = options.diffusion_coefficient
-            * options.smoothing_length()
-            * options.state.sound_speed
-            * self.scaling.inverse_radius;
         let mut rate = std::mem::take(&mut self.work.density_rate);
         let mut shares = std::mem::take(&mut self.work.shares);
         let mut turning = std::mem::take(&mut self.work.turning);
         let rows = (&mut *self.strain, [&mut *rate, &mut *shares, &mut *turning]);
-        let (parts, rows) = window(&mut self.parts, rows, some);
-        let (path, fluid, work) = (self.path, &self.fluid, &self.work);
-        let (factors, slants, diffused) =
-            (self.numbers.velocities(), &*self.slants, &*self.diffused);
-        let (support_radius, bodies) = (self.scaling.support_radius, self.ghosts.bodies.len());
-        let first_row = options.first_row_share();
-        macro_rules! pass {
-            ($diffusion:ident) => {
-                if options.corrected_gradients {
-                    pass!($diffusion, true)
-                } else {
-                    pass!($diffusion, false)
-                }
+        with_diffusion!(options.density_diffusion, &self.work, &self.slants, formulation => {
+            let continuity = Continuity {
+                fluid: &self.fluid,
+                work: &self.work,
+                flow,
+                factors: &self.numbers,
+                diffused: &self.diffused,
+                formulation,
+                diffusion: options.diffusion_coefficient
+                    * options.smoothing_length()
+                    * options.state.sound_speed
+                    * self.scaling.inverse_radius,
+                bodies: self.ghosts.bodies.len(),
+                support_radius: self.scaling.support_radius,
+                first_row: options.first_row_share(),
+                dt,
+                sample,
             };
-            ($diffusion:ident, $corrected:literal) => {
-                self.team.share(parts, rows, &|part, (strain, [rate, shares, turning])| {
-                    let pass = Continuity::<$diffusion, $corrected> {
-                        fluid,
-                        factors,
-                        slants,
-                        diffused,
-                        part,
-                        strain,
-                        rate,
-                        shares,
-                        turning,
-                        first_row,
-                        work,
-                        support_radius,
-                        bodies,
-                        diffusion,
-                        flow,
-                        dt,
-                        sample,
-                    };
-                    dispatch(path, pass);
-                })
-            };
-        }
-        match options.density_diffusion {
-            DensityDiffusion::None => pass!(OFF),
-            DensityDiffusion::Molteni => pass!(PLAIN),
-            DensityDiffusion::Hydrostatic => pass!(FADED),
-            DensityDiffusion::Renormalised => pass!(RENORMALISED),
-        }
+            self.pairs.held_pass(rows, &continuity);
+        });
         (self.work.density_rate, self.work.shares, self.work.turning) = (rate, shares, turning);
+        self.pairs.power()
     }
 }
 

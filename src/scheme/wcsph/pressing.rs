@@ -1,9 +1,7 @@
 //! Pressures from densities, and what density diffusion smooths.
 
-use std::ops::Range;
-
 use super::WcsphOptions;
-use crate::particles::Fluid;
+use crate::pairs::{Double, Fluid, Here};
 use crate::scheme::StateEquation;
 
 /// From densities to pressures.
@@ -42,24 +40,22 @@ impl<'a> Pressing<'a> {
     /// Pressures, with tension left out near the free surface, and what density diffusion smooths:
     /// ρ, or ρ less what it is in still water.
     #[inline(always)]
-    pub fn find(self, lanes: Range<usize>, pressures: &mut [f64], diffused: &mut [f64]) {
+    pub fn find<D: Double>(self, here: Here) -> [D; 2] {
         let Pressing { state, bulk_time, hydrostatic, .. } = self;
-        let [density, y, rate, tension] =
-            [self.density, self.y, self.rate, self.tension].map(|field| &field[lanes.clone()]);
-        let n = density.len();
-        let (pressures, diffused) = (&mut pressures[..n], &mut diffused[..n]);
-        for k in 0..n {
+        let (density, y) = (here.eight(self.density), here.eight(self.y));
+        let (rate, tension) = (here.eight(self.rate), here.eight(self.tension));
+        let (mut pressures, mut diffused) = (*density, *density);
+        for k in 0..density.len() {
             let pressure = state.pressure(density[k] + bulk_time * rate[k]);
             pressures[k] = if pressure < 0.0 { pressure * tension[k] } else { pressure };
         }
         if hydrostatic > 0.0 {
             let surface = state.surface_density;
-            for k in 0..n {
+            for k in 0..density.len() {
                 diffused[k] = surface * small_log(density[k] / surface - 1.0) + hydrostatic * y[k];
             }
-        } else {
-            diffused.copy_from_slice(density);
         }
+        [D::load(&pressures), D::load(&diffused)]
     }
 }
 

@@ -3,10 +3,10 @@
 use std::marker::PhantomData;
 
 use super::Wcsph;
-use super::lists::GHOST_MARGIN;
 use crate::body::BodyMotion;
 use crate::kernel::{Kernel, shape_within};
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use crate::pairs::GHOST_MARGIN;
 use crate::scheme::Load;
 use crate::water::first_level;
 use crate::with_kernel;
@@ -39,7 +39,7 @@ impl Wcsph {
     pub fn face_force(&mut self, body: usize, motion: &BodyMotion) -> f64 {
         let fluid = self.work.water(&self.records[..self.fluid.padded_len()], false);
         let motion = BodyMotion { offset: self.held_bodies[body].offset, ..*motion };
-        self.exchange.face_force(self.path, &self.ghosts, body, &motion, fluid)
+        self.exchange.face_force(self.pairs.path, &self.ghosts, body, &motion, fluid)
     }
 
     /// Level of the free surface at x, metres above the bed: upwards from `from`, the first
@@ -51,7 +51,7 @@ impl Wcsph {
         let near = &mut self.column;
         near.clear();
         let reach = radius + margin;
-        self.strips.visit_box([x - reach, x + reach], [f64::MIN, f64::MAX], |range| {
+        self.pairs.sorted().0.visit_box([x - reach, x + reach], [f64::MIN, f64::MAX], |range| {
             for k in range.filter(|&k| (self.fluid.x[k] - x).abs() < radius) {
                 let volume = self.fluid.mass[k] / self.fluid.density[k];
                 near.push((self.fluid.x[k] - x) / radius, self.fluid.y[k] / radius, volume);
@@ -62,7 +62,7 @@ impl Wcsph {
             let y = y / radius;
             factor
                 * with_kernel!(self.options.kernel, K => {
-                    dispatch(self.path, Coverage { near, y, kernel: PhantomData::<K> })
+                    dispatch(self.pairs.path, Coverage { near, y, kernel: PhantomData::<K> })
                 })
         };
         first_level(coverage, from, self.options.spacing)

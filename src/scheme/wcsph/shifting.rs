@@ -1,11 +1,9 @@
 //! Particle shifting, away from walls and from the free surface.
 
-use super::momentum::store;
-use super::separation::{all_lanes, lanes};
 use super::{WcsphOptions, Workspace};
 use crate::boundary::Plane;
 use crate::math::simd::{LANES, Lanes, Task};
-use crate::particles::Fluid;
+use crate::pairs::{Fluid, all_lanes, lanes, store};
 use crate::water::{SHIFT_FROM, SHIFT_FULL, SHIFT_LIMIT, any_nearer};
 
 /// The speed of a shift is that by which the flow differs over so many support radii.

@@ -2,17 +2,13 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::factors::{Factors, Numbers};
-use super::parts::Part;
-use super::pipeline::Turn;
 use super::readings::Column;
 use super::{DensityDiffusion, WcsphOptions, Workspace};
 use crate::body::BodyMotion;
 use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane};
 use crate::math::simd::SimdPath;
 use crate::math::team::Team;
-use crate::neighbours::{Drift, Strips};
-use crate::particles::{Fluid, Record, Scaling, SingleRecord};
+use crate::pairs::{Factors, Fluid, Pairs, Record, Scaling, SingleRecord};
 
 /// Seconds spent in each phase, and pairs evaluated.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -51,7 +47,6 @@ pub struct WcsphState {
 #[derive(Debug, Clone)]
 pub struct Wcsph {
     pub(super) options: WcsphOptions,
-    pub(super) path: SimdPath,
     pub(super) scaling: Scaling,
     pub(super) responds: usize,
     /// The water.
@@ -59,35 +54,23 @@ pub struct Wcsph {
     /// The walls' ghosts.
     pub ghosts: Ghosts,
     pub(super) exchange: Exchange,
-    pub(super) strips: Strips,
-    pub(super) team: Team,
-    /// The clusters, cut for the team or, where there is much water, for the caches.
-    pub(super) parts: Vec<Part>,
-    /// Which of them go through the passes of a step together, and what they wait for.
-    pub(super) turns: Vec<Turn>,
-    pub(super) drift: Drift,
-    pub(super) reference_x: Vec<f64>,
-    pub(super) reference_y: Vec<f64>,
-    pub(super) reference_offsets: Vec<f64>,
+    pub(super) pairs: Pairs,
     pub(super) records: Vec<Record>,
     /// The records in single precision, where the pair terms are.
     pub(super) singles: Vec<SingleRecord>,
     pub(super) work: Workspace,
     pub(super) diffused: Vec<f64>,
     pub(super) strain: Vec<[f64; 2]>,
-    pub(super) scratch: Vec<f64>,
-    pub(super) order: Vec<u32>,
     /// Room for a level to be found.
     pub(super) column: Column,
-    pub(super) lanes: [Vec<f64>; 2],
     pub(super) planes: Vec<Plane>,
     /// The particles without a complete support, of schemes with corrections.
     pub(super) near_surface: Vec<u32>,
     /// The bodies where the lists were made.
     pub(super) reference_bodies: Vec<BodyMotion>,
-    /// What passes over held pairs read of each neighbour.
-    pub(super) numbers: Numbers,
-    /// See [`super::continuity::Continuity::slants`]; empty where not needed.
+    /// What passes over held pairs read of each neighbour: numbers of its velocity, then of its pressure.
+    pub(super) numbers: Vec<Factors>,
+    /// See [`super::diffusion::Renormalised`]; empty where not needed.
     pub(super) slants: Vec<Factors>,
     /// Place of the coming step between two full ones; 0 is a full step.
     pub(super) substep: u32,
@@ -102,7 +85,6 @@ pub struct Wcsph {
     /// Motions of the bodies, with the offsets of the last full step.
     pub(super) held_bodies: Vec<BodyMotion>,
     pub(super) pair_evaluations: u64,
-    pub(super) list_rebuilds: u64,
     pub(super) boundary_fallbacks: u64,
     pub(super) last_viscous_power: f64,
     /// Where the time went; never part of the state.
@@ -125,27 +107,17 @@ impl Wcsph {
         Wcsph {
             scaling: rules.scaling,
             exchange: Exchange::new(rules, &ghosts),
-            strips: Strips::default(),
-            team: Team::default(),
-            parts: Vec::new(),
-            turns: Vec::new(),
-            drift: Drift::default(),
-            reference_x: Vec::new(),
-            reference_y: Vec::new(),
-            reference_offsets: Vec::new(),
+            pairs: Pairs::new(path, options.support_radius, options.spacing),
             records: vec![Record::default(); padded + ghosts.len()],
             singles: Vec::new(),
             work: Workspace::new(padded, bodies),
             diffused: vec![0.0; padded],
             strain: vec![[0.0; 2]; padded],
-            scratch: Vec::new(),
-            order: Vec::new(),
             column: Column::default(),
-            lanes: Default::default(),
             planes: Vec::new(),
             near_surface: Vec::with_capacity(padded),
             reference_bodies: vec![BodyMotion::default(); bodies],
-            numbers: Numbers::of(padded + ghosts.len()),
+            numbers: vec![Factors::default(); padded + ghosts.len()],
             slants: match options.density_diffusion {
                 DensityDiffusion::Renormalised => vec![Factors::default(); padded],
                 _ => Vec::new(),
@@ -157,12 +129,10 @@ impl Wcsph {
             since_full: 0.0,
             held_bodies: vec![BodyMotion::default(); bodies],
             pair_evaluations: 0,
-            list_rebuilds: 0,
             boundary_fallbacks: 0,
             last_viscous_power: 0.0,
             timings: Timings::default(),
             options,
-            path,
             responds,
             fluid,
             ghosts,
@@ -192,9 +162,8 @@ impl Wcsph {
 
     /// Takes on a team for what follows; lists must not have been made yet.
     pub fn take_on(&mut self, team: &Team) {
-        assert!(self.reference_x.is_empty(), "lists are in the parts of another team");
+        self.pairs.take_on(team);
         self.exchange.take_on(team);
-        self.team = team.clone();
     }
 
     /// Whether the coming step is a full one: only then is there a state to keep.
@@ -205,15 +174,16 @@ impl Wcsph {
     /// What must be kept, ahead of a full step.
     pub fn state(&self) -> WcsphState {
         assert!(self.at_full_step(), "an acoustic step holds more than is kept");
+        let ([x, y], offsets) = self.pairs.reference();
         WcsphState {
             fluid: self.fluid.clone(),
-            reference_x: self.reference_x.clone(),
-            reference_y: self.reference_y.clone(),
-            reference_offsets: self.reference_offsets.clone(),
+            reference_x: x.to_vec(),
+            reference_y: y.to_vec(),
+            reference_offsets: offsets.to_vec(),
             carried: self.work.carried().map(Clone::clone),
             strain: self.strain.clone(),
             pair_evaluations: self.pair_evaluations,
-            list_rebuilds: self.list_rebuilds,
+            list_rebuilds: self.pairs.rebuilds(),
             boundary_fallbacks: self.boundary_fallbacks,
         }
     }
@@ -222,20 +192,16 @@ impl Wcsph {
     /// so that they are the same lists.
     pub fn restore(&mut self, state: WcsphState) {
         self.fluid = state.fluid;
-        self.reference_x = state.reference_x;
-        self.reference_y = state.reference_y;
-        self.reference_offsets = state.reference_offsets;
+        let reference = [state.reference_x, state.reference_y];
+        self.pairs.restore(reference, state.reference_offsets, state.list_rebuilds);
         for (field, kept) in self.work.carried_mut().into_iter().zip(state.carried) {
             *field = kept;
         }
         self.strain = state.strain;
         self.pair_evaluations = state.pair_evaluations;
-        self.list_rebuilds = state.list_rebuilds;
         self.boundary_fallbacks = state.boundary_fallbacks;
         self.substep = 0;
-        if !self.reference_x.is_empty() {
-            let width = Strips::width(self.options.spacing);
-            self.strips = Strips::of_sorted(&self.reference_x, &self.reference_y, width);
+        if self.pairs.are_listed() {
             self.list_neighbours();
         }
     }

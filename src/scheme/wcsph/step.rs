@@ -1,12 +1,28 @@
 //! The two halves of a time step.
 
-use std::mem::take;
 use std::time::Instant;
 
 use super::{Shifting, Wcsph};
 use crate::body::BodyMotion;
-use crate::math::simd::LANES;
 use crate::scheme::{Dissipation, StepWalls};
+
+/// What is lost on the way, per metre of width.
+struct Lost {
+    /// Power of density diffusion, where it was asked for, W.
+    diffusion_power: f64,
+    /// Energy of what settles at the surface, J.
+    spray: f64,
+}
+
+/// Time from one look at the clock to the next, seconds.
+struct Laps(Instant);
+
+impl Laps {
+    fn next(&mut self) -> f64 {
+        let before = std::mem::replace(&mut self.0, Instant::now());
+        (self.0 - before).as_secs_f64()
+    }
+}
 
 impl Wcsph {
     /// First half: forces at the current places. `bodies` are the motions at this instant; the
@@ -24,7 +40,7 @@ impl Wcsph {
         self.bulk_time = self.options.bulk_damping * dt;
         self.lead = 0.5 * dt * f64::from(self.options.acoustic_substeps - 1);
         let start = Instant::now();
-        let at_start = self.reference_x.is_empty();
+        let at_start = !self.pairs.are_listed();
         self.refresh_lists(bodies);
         self.timings.neighbours += start.elapsed().as_secs_f64();
         for (held, body) in self.held_bodies.iter_mut().zip(bodies) {
@@ -38,7 +54,7 @@ impl Wcsph {
             self.work.last_acceleration_x.fill(0.0);
             self.work.last_acceleration_y.fill(0.0);
             // Counted once, as for who goes on from a state kept here.
-            self.parts.iter_mut().for_each(|part| part.tally.force_entries = 0);
+            self.pairs.take_force_pairs();
             self.find_forces();
         }
         &self.work.loads
@@ -53,11 +69,8 @@ impl Wcsph {
         let (fluid_records, ghost_records) = self.records.split_at_mut(self.fluid.padded_len());
         let fluid = self.work.water(fluid_records, self.options.corrected_gradients);
         let bodies = &self.held_bodies;
-        self.exchange.weigh(self.path, &self.ghosts, bodies, fluid);
-        self.exchange.fill(self.path, &self.ghosts, bodies, self.responds, ghost_records);
-        if self.turns.len() > 1 {
-            self.exchange.line_up();
-        }
+        self.exchange.weigh(self.pairs.path, &self.ghosts, bodies, fluid);
+        self.exchange.fill(self.pairs.path, &self.ghosts, bodies, self.responds, ghost_records);
         let filled = Instant::now();
         self.timings.ghosts += (filled - packed).as_secs_f64();
         self.last_viscous_power = self.momentum_pass();
@@ -87,7 +100,7 @@ impl Wcsph {
     pub fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation {
         let start = Instant::now();
         // Of this step: further on come the next one's.
-        let forces = self.parts.iter_mut().map(|part| take(&mut part.tally.force_entries)).sum();
+        let forces = self.pairs.take_force_pairs();
         self.bulk_time = self.options.bulk_damping * walls.next.dt;
         self.hold_offsets(walls);
         self.move_planes(dt, walls.bodies);
@@ -108,7 +121,7 @@ impl Wcsph {
                 self.timings.shifting += shifted;
                 self.timings.integration -= shifted;
             }
-            self.hold_inside(walls.bodies, 0..self.fluid.padded_len());
+            self.hold_inside(walls.bodies);
             self.since_full = 0.0;
             self.take_next_correction();
         }
@@ -120,6 +133,33 @@ impl Wcsph {
         }
     }
 
+    /// Takes the water through a step of `dt` seconds with the accelerations at hand: velocities,
+    /// rates of change of density, places; and with `forces` on to the accelerations of the next.
+    fn go_through(&mut self, dt: f64, bodies: &[BodyMotion], sample: bool, forces: bool) -> Lost {
+        let mut laps = Laps(Instant::now());
+        self.kick(dt);
+        self.pack_velocities();
+        self.timings.integration += laps.next();
+        self.mirror_ghosts();
+        self.timings.ghosts += laps.next();
+        let diffusion_power = self.continuity_pass(dt, sample);
+        self.timings.continuity += laps.next();
+        self.drift(dt);
+        let spray = self.settle_surface(dt);
+        if forces {
+            self.hold_inside(bodies);
+            self.pack_pressures();
+            self.timings.integration += laps.next();
+            self.press_ghosts();
+            self.timings.ghosts += laps.next();
+            self.acoustic_pass();
+            self.timings.momentum += laps.next();
+        } else {
+            self.timings.integration += laps.next();
+        }
+        Lost { diffusion_power, spray }
+    }
+
     /// Takes the bodies' velocities over this step and their accelerations in the next, but not where
     /// they are: ghosts stay where the last full step has put them, like the pairs.
     fn hold_offsets(&mut self, walls: &StepWalls<'_>) {
@@ -129,11 +169,9 @@ impl Wcsph {
         }
     }
 
-    /// Counts what this step has gone through, `forces` entries for its forces.
-    fn count_pairs(&mut self, forces: usize) {
-        let flows = self.parts.iter_mut().map(|part| take(&mut part.tally.flow_entries));
-        let entries = forces + flows.sum::<usize>() + self.exchange.pairs();
-        self.pair_evaluations += (LANES * entries) as u64;
+    /// Counts what this step has gone through, `forces` pairs for its forces.
+    fn count_pairs(&mut self, forces: u64) {
+        self.pair_evaluations += forces + self.pairs.take_flow_pairs() + self.exchange.pairs();
         if self.substep == 0 {
             // Weights are found in full steps alone.
             self.boundary_fallbacks += self.exchange.fallbacks();

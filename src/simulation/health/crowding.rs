@@ -1,7 +1,7 @@
 //! Particles that have come too close to each other.
 
-use crate::neighbours::Strips;
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
+use crate::pairs::Strips;
 
 /// Room to look for them.
 #[derive(Debug, Clone, Default)]

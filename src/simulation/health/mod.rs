@@ -10,7 +10,7 @@ pub use crowding::Crowding;
 use serde::{Deserialize, Serialize};
 
 use super::failure::{Failure, FailureKind};
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 
 /// Particles closer than this, over the spacing, count as clustered.
 const CLUSTERED: f64 = 0.25;

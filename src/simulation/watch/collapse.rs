@@ -2,7 +2,7 @@
 
 use super::Watch;
 use super::cavity::Raster;
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 use crate::scene::Frame;
 use crate::simulation::outcome::Readings;
 use crate::theory::dam_break::ritter_front;

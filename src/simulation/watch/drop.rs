@@ -1,7 +1,7 @@
 //! Axes and period of a drop that swings between ellipses.
 
 use super::{Watch, half_swings};
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 use crate::simulation::outcome::Readings;
 use crate::theory::elliptic_drop::EllipticDrop;
 

@@ -8,7 +8,7 @@ mod standing_wave;
 mod vortices;
 
 use super::outcome::Readings;
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 use crate::scene::{CaseConfig, Scene, Tank};
 
 /// Follows a run and tells a few numbers at its end.

@@ -1,7 +1,7 @@
 //! Arms and conserved quantities of a patch in free rotation.
 
 use super::{Watch, kinetic_energy};
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 use crate::simulation::outcome::Readings;
 use crate::theory::rotating_patch::RotatingPatch;
 

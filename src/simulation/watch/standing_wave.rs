@@ -1,7 +1,7 @@
 //! Period and decay of a standing wave.
 
 use super::{Watch, half_swings, share_of};
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 use crate::simulation::outcome::Readings;
 use crate::theory::standing_wave::StandingWave;
 

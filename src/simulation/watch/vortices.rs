@@ -1,7 +1,7 @@
 //! Decay of Taylor-Green vortices.
 
 use super::{Watch, kinetic_energy, share_of};
-use crate::particles::Fluid;
+use crate::pairs::Fluid;
 use crate::simulation::outcome::Readings;
 use crate::theory::taylor_green::TaylorGreen;
 

@@ -6,8 +6,8 @@
 //! the difference loses two or three of sixteen digits.
 
 use super::factors::Factors;
+use super::pair_list::PairList;
 use crate::math::simd::{LANES, Lanes, Task};
-use crate::neighbours::PairList;
 
 /// What the passes after the first read of a pair's geometry: g, the kernel's slope over q times
 /// the neighbour's weight, a value per lane. Single precision halves the traffic; its rounding,
@@ -15,13 +15,6 @@ use crate::neighbours::PairList;
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(C, align(32))]
 pub(super) struct Slopes(pub [f32; LANES]);
-
-impl AsMut<[f32; LANES]> for Slopes {
-    #[inline(always)]
-    fn as_mut(&mut self) -> &mut [f32; LANES] {
-        &mut self.0
-    }
-}
 
 /// Neighbours in reach of a cluster, fewer than in its list: no margin, nothing without a weight.
 #[derive(Debug, Clone, Default)]
@@ -34,11 +27,11 @@ pub(super) struct HeldPairs {
 }
 
 impl HeldPairs {
-    /// Room for all pairs of a list, and one more; a quarter more than that where there was too little, so
-    /// that the lists of water that spreads a little find it again.
+    /// Room for all pairs of a list; a quarter more than that where there was too little, so that the lists
+    /// of water that spreads a little find it again.
     pub fn make_room(&mut self, pairs: &PairList) {
-        if self.entries.len() <= pairs.len() {
-            let room = pairs.len() + pairs.len() / 4 + 1;
+        if self.entries.len() < pairs.len() {
+            let room = pairs.len() + pairs.len() / 4;
             self.entries.resize(room, 0);
             self.slopes.resize(room, Slopes::default());
         }
@@ -58,11 +51,10 @@ impl HeldPairs {
         self.ends.last().map_or(0, |&end| end as usize)
     }
 
-    /// Where the next group's pairs go, at most `count` of them, and one that does not count: pairs
-    /// may be written two at a time.
+    /// Where the next group's pairs go, at most `count` of them.
     #[inline(always)]
     pub fn room(&mut self, count: usize) -> (&mut [u32], &mut [Slopes]) {
-        let range = self.len()..self.len() + count + 1;
+        let range = self.len()..self.len() + count;
         (&mut self.entries[range.clone()], &mut self.slopes[range])
     }
 
@@ -178,8 +170,8 @@ mod tests {
     #[test]
     fn products_are_the_sums_that_they_stand_for() {
         let mut pairs = HeldPairs {
-            entries: vec![0; 10],
-            slopes: vec![Slopes::default(); 10],
+            entries: vec![0; 8],
+            slopes: vec![Slopes::default(); 8],
             ..Default::default()
         };
         pairs.restart(2);

@@ -1,13 +1,9 @@
-//! What the held passes read of each ghost.
+//! Ghosts as neighbours of the water: the numbers that passes over held pairs read of them.
 
-use std::ops::Range;
-
-use super::Wcsph;
-use super::factors::Factors;
-use super::flow::Flow;
-use super::pack::pressure_factors;
-use crate::boundary::Image;
-use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use super::exchange::Exchange;
+use super::image::Image;
+use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
+use crate::pairs::{Factors, Flow};
 
 /// New pressures of the ghosts that have water in reach, like those of the water.
 struct GhostPressures<'a> {
@@ -28,7 +24,7 @@ impl Task for GhostPressures<'_> {
             let place = [L::load(&image.place[0]), L::load(&image.place[1])];
             let [xx, xy, yy] = &image.correction;
             let pressed = [p * L::load(xx), p * L::load(xy), p * L::load(yy)];
-            let numbers = pressure_factors(pressed, place);
+            let numbers = Factors::of_pressure(pressed, place);
             L::store_records(numbers, &mut factors[block as usize]);
         }
     }
@@ -59,23 +55,17 @@ impl Task for GhostVelocities<'_> {
     }
 }
 
-impl Wcsph {
-    /// New pressures of the ghosts in some of the blocks that count.
-    pub(super) fn press_ghosts(&mut self, some: Range<usize>) {
-        let (bodies, pressure) = (&self.held_bodies, &self.work.pressure);
-        self.exchange.refresh_pressures(self.path, &self.ghosts, bodies, pressure, some.clone());
-        let factors = &mut self.numbers.pressures_mut()[self.fluid.padded_len()..];
-        let images = (&self.exchange.counting()[some], self.exchange.images());
-        dispatch(self.path, GhostPressures { images, factors });
+impl Exchange {
+    /// The pressures of the ghosts that count, as numbers of neighbours; `factors` are those of the ghosts
+    /// alone.
+    pub fn pack_pressures(&self, path: SimdPath, factors: &mut [Factors]) {
+        let images = (&self.counting[..], &self.images[..]);
+        dispatch(path, GhostPressures { images, factors });
     }
 
-    /// New velocities of the ghosts in some of the blocks that count.
-    pub(super) fn mirror_ghosts(&mut self, some: Range<usize>) {
-        let (bodies, water) = (&self.held_bodies, [&*self.fluid.vx, &*self.fluid.vy]);
-        self.exchange.refresh_velocities(self.path, &self.ghosts, bodies, water, some.clone());
-        let flow = self.flow();
-        let images = (&self.exchange.counting()[some], self.exchange.images());
-        let factors = &mut self.numbers.velocities_mut()[self.fluid.padded_len()..];
-        dispatch(self.path, GhostVelocities { flow, images, factors });
+    /// Their velocities, likewise.
+    pub fn pack_velocities(&self, path: SimdPath, flow: Flow, factors: &mut [Factors]) {
+        let images = (&self.counting[..], &self.images[..]);
+        dispatch(path, GhostVelocities { flow, images, factors });
     }
 }

@@ -1,9 +1,7 @@
-//! Records in single precision, for the momentum pass.
+//! Records in single precision.
 
-use super::Wcsph;
-use super::precision::Precision;
-use crate::math::simd::{Lanes, Task, dispatch};
-use crate::particles::{Record, SingleRecord};
+use super::record::{Record, SingleRecord};
+use crate::math::simd::{Lanes, SimdPath, Task, dispatch};
 
 /// The records of water and ghosts in single precision.
 struct Rounding<'a> {
@@ -32,14 +30,14 @@ impl Task for Rounding<'_> {
     }
 }
 
-impl Wcsph {
-    /// The records in single precision, where pair terms are.
-    pub(super) fn round(&mut self) {
-        if self.options.precision == Precision::F32 {
-            self.singles.resize(self.records.len(), SingleRecord::default());
-            let (records, singles) = (&*self.records, &mut *self.singles);
-            let (strain, diffused, rest) = (&*self.strain, &*self.diffused, self.options.density);
-            dispatch(self.path, Rounding { records, strain, diffused, rest, singles });
-        }
-    }
+/// Rounds records to single precision: with the water's strain and what density diffusion smooths of
+/// it, less rest density `rest`, kg/m³.
+pub fn round(
+    path: SimdPath,
+    records: &[Record],
+    (strain, diffused, rest): (&[[f64; 2]], &[f64], f64),
+    singles: &mut Vec<SingleRecord>,
+) {
+    singles.resize(records.len(), SingleRecord::default());
+    dispatch(path, Rounding { records, strain, diffused, rest, singles });
 }

@@ -1,0 +1,51 @@
+//! Particles and their pairs: all that makes sums over neighbours fast, behind "for these pairs, sum
+//! these terms".
+//!
+//! - The water has one array per field ([`Fluid`]); loops over pairs read one cache line of a neighbour
+//!   ([`Record`]). Eight particles that lie close together share one list of neighbours, and their pairs
+//!   are computed together.
+//! - An equation states its [`Term`]s for one particle and one neighbour. A full pass
+//!   ([`Pairs::full_pass`]) finds the geometry of all pairs, sums the terms and holds the pairs in reach
+//!   for the passes that follow ([`Pairs::held_pass`]), which need neither distances nor the kernel.
+//! - [`Pairs`] has the lists, which last until a pair may have come into reach unseen.
+//!
+//! Lanes, chunks, parts, precision, prefetches and held sums stay in here. Who states an equation
+//! reads [`Real`] as a number of one pair and [`Double`] as a number of one particle.
+
+mod around;
+mod factors;
+mod fields;
+mod flow;
+mod fluid;
+mod geometry;
+mod held;
+mod lists;
+mod pair_list;
+mod parts;
+mod pass;
+mod precision;
+mod record;
+mod rounding;
+mod strips;
+mod term;
+mod verlet;
+mod weights;
+
+pub use around::{Around, Neighbours, Records, Sums};
+pub use factors::Factors;
+pub use fields::{Advance, Extrapolate, Here, Ramp, all_lanes, lanes, store};
+pub use flow::{Flow, FlowSums, Own};
+pub use fluid::{Fluid, reorder};
+pub use geometry::Pair;
+pub use lists::{GHOST_MARGIN, Pairs};
+pub use pair_list::{PairList, PointSet, build_pair_list};
+pub use parts::Tally;
+pub use pass::{Each, Equation, Held, HeldEquation};
+pub use precision::{Neighbour, Other, Precision};
+pub use record::{Record, Scaling, SingleRecord};
+pub use rounding::round;
+pub use strips::Strips;
+pub use term::{Eight, If, Term, loaded};
+pub use weights::HeldWeights;
+
+pub use crate::math::simd::{Lanes as Double, Vector as Real};

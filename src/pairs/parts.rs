@@ -1,0 +1,109 @@
+//! The clusters in parts: pieces of work that threads share.
+
+use std::ops::Range;
+
+use super::fields::Here;
+use super::held::HeldPairs;
+use super::pair_list::{PairList, PointSet, build_pair_list};
+use crate::math::simd::{LANES, Lanes, SimdPath};
+use crate::math::team::{self, Team};
+
+/// Consecutive clusters with their neighbours. Lists count clusters from the first of the part.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Part {
+    pub(super) clusters: Range<usize>,
+    /// Neighbours in reach or soon to be.
+    pub(super) pairs: PairList,
+    /// The pairs in reach, from the last full step.
+    pub(super) held: HeldPairs,
+    /// Σ g Δ of each cluster with the ghosts of each body that it has in reach, along x and y.
+    pub(super) near: Vec<[[f64; LANES]; 2]>,
+    /// What its particles add to sums over all.
+    pub tally: Tally,
+}
+
+impl Part {
+    /// Its particles, padding included.
+    pub fn lanes(&self) -> Range<usize> {
+        self.clusters.start * LANES..self.clusters.end * LANES
+    }
+
+    /// Lists the neighbours of its particles, whose places are given with all others, out of some sets.
+    pub fn list(&mut self, path: SimdPath, places: [&[f64]; 2], sets: &[PointSet<'_>]) {
+        let lanes = self.lanes();
+        let [x, y] = places.map(|places| &places[lanes.clone()]);
+        build_pair_list(path, x, y, sets, &mut self.pairs);
+        self.held.make_room(&self.pairs);
+    }
+
+    /// Room for what its clusters leave, so that steps need none. Of whole water one cluster in four
+    /// at the most comes near enough to a wall to respond to it.
+    fn make_room(&mut self) {
+        let Tally { powers, responding, .. } = &mut self.tally;
+        let clusters = self.clusters.len();
+        powers.reserve(clusters.saturating_sub(powers.len()));
+        responding.reserve(clusters.div_ceil(4).saturating_sub(responding.len()));
+    }
+}
+
+impl team::Part for Part {
+    fn items(&self) -> Range<usize> {
+        self.clusters.clone()
+    }
+}
+
+/// What a part's clusters add to sums over all of them. One sum after the other is added, in the
+/// order of the clusters, so that the whole does not depend on where the parts end.
+#[derive(Debug, Clone, Default)]
+pub struct Tally {
+    /// W per metre of width.
+    pub(super) powers: Vec<f64>,
+    /// A body, its force, N/m, the viscous part of that, and its added mass, kg/m.
+    pub loads: Vec<(usize, [f64; 3])>,
+    /// Clusters whose acceleration responds to the wall's, with the response per lane.
+    pub(super) responding: Vec<(u32, [[f64; LANES]; 2])>,
+    /// Entries, of eight pairs each, that passes for forces and for the flow have gone through and that
+    /// are still to be counted.
+    pub(super) force_entries: usize,
+    pub(super) flow_entries: usize,
+}
+
+impl Tally {
+    /// Adds the power of some particles, W per metre of width.
+    #[inline(always)]
+    pub fn add_power<D: Lanes>(&mut self, power: D) {
+        self.powers.push(power.sum());
+    }
+
+    /// Notes how much the accelerations here respond to the wall's.
+    #[inline(always)]
+    pub fn respond<D: Lanes>(&mut self, here: Here, [x, y]: [D; 2]) {
+        self.responding.push((here.cluster(), [x.to_array(), y.to_array()]));
+    }
+
+    /// Adds to accelerations what an acceleration of the wall, m/s², brings about.
+    pub fn add_responses(&self, wall: f64, [x, y]: [&mut [f64]; 2]) {
+        for (cluster, response) in &self.responding {
+            let at = *cluster as usize * LANES;
+            for lane in 0..LANES {
+                x[at + lane] += wall * response[0][lane];
+                y[at + lane] += wall * response[1][lane];
+            }
+        }
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.powers.clear();
+        self.loads.clear();
+    }
+}
+
+/// Cuts so many clusters into parts, as many as a team wants.
+pub(super) fn cut(parts: &mut Vec<Part>, clusters: usize, team: &Team) {
+    let count = team.parts();
+    parts.resize_with(count, Part::default);
+    for (part, range) in parts.iter_mut().zip(team::cut(clusters, count)) {
+        part.clusters = range;
+        part.make_room();
+    }
+}

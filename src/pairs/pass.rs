@@ -1,0 +1,241 @@
+//! Passes over all particles, eight at a time, part by part.
+
+use super::around::{Around, Neighbours};
+use super::factors::Factors;
+use super::fields::Here;
+use super::flow::{Flow, FlowSums};
+use super::geometry::{COINCIDENT, Pair};
+use super::held::{HeldPairs, Product, Slopes};
+use super::lists::Pairs;
+use super::parts::{Part, Tally};
+use super::precision::{Neighbour, Other};
+use super::record::Record;
+use super::term::{Eight, Sum, Term};
+use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use crate::math::team::Rows;
+
+/// An equation with terms of all pairs, which writes rows `R`.
+pub trait Equation<R>: Sync {
+    /// Sums its terms over what is around eight particles, and writes what comes of it.
+    fn at<D: Lanes>(&self, here: Here, around: &mut Around<'_>, rows: &mut R);
+}
+
+/// An equation with terms of held pairs.
+pub trait HeldEquation<R>: Sync {
+    /// Pairs count as those of forces; else as those of the flow.
+    const FORCES: bool;
+    /// Sums its terms over the pairs of eight particles, and writes what comes of it.
+    fn at<D: Lanes>(&self, here: Here, held: &mut Held<'_, '_>, rows: &mut R);
+}
+
+/// What is found particle by particle.
+pub trait Each<R>: Sync {
+    /// Writes what comes of eight particles.
+    fn at<D: Lanes>(&self, here: Here, rows: &mut R);
+}
+
+struct OverAll<'a, E, R> {
+    work: &'a E,
+    part: &'a Part,
+    rows: R,
+}
+
+impl<R, E: Each<R>> Task for OverAll<'_, E, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(mut self) {
+        for (list, cluster) in self.part.clusters.clone().enumerate() {
+            self.work.at::<L>(Here::new(cluster, list), &mut self.rows);
+        }
+    }
+}
+
+impl Pairs {
+    /// Goes through all particles.
+    pub fn each<R: Rows>(&mut self, rows: R, work: &impl Each<R>) {
+        let path = self.path;
+        self.team.share(&mut self.parts, rows, &|part, rows| {
+            dispatch(path, OverAll { work, part, rows });
+        });
+    }
+
+    /// Goes through all particles with an equation, finds the geometry of their pairs and holds it.
+    pub fn full_pass<R: Rows>(
+        &mut self,
+        neighbours: &Neighbours<'_>,
+        rows: R,
+        equation: &impl Equation<R>,
+    ) {
+        let path = self.path;
+        self.team.share(&mut self.parts, rows, &|part, rows| {
+            dispatch(path, Full { equation, part, neighbours, rows });
+        });
+    }
+
+    /// Goes through all particles with an equation over held pairs.
+    pub fn held_pass<R: Rows>(&mut self, rows: R, equation: &impl HeldEquation<R>) {
+        let path = self.path;
+        self.team.share(&mut self.parts, rows, &|part, rows| {
+            dispatch(path, OverHeld { equation, part, rows });
+        });
+    }
+}
+
+struct Full<'a, E, R> {
+    equation: &'a E,
+    part: &'a mut Part,
+    neighbours: &'a Neighbours<'a>,
+    rows: R,
+}
+
+impl<R, E: Equation<R>> Task for Full<'_, E, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(mut self) {
+        let Part { clusters, pairs, held, near, tally } = self.part;
+        held.restart(self.neighbours.bodies + 1);
+        near.clear();
+        tally.clear();
+        tally.responding.clear();
+        tally.force_entries += pairs.len();
+        for (list, cluster) in clusters.clone().enumerate() {
+            let (here, neighbours) = (Here::new(cluster, list), self.neighbours);
+            let mut around = Around {
+                neighbours,
+                pairs,
+                held: &mut *held,
+                near: &mut *near,
+                tally: &mut *tally,
+                here,
+            };
+            self.equation.at::<L>(here, &mut around, &mut self.rows);
+        }
+    }
+}
+
+struct OverHeld<'a, E, R> {
+    equation: &'a E,
+    part: &'a mut Part,
+    rows: R,
+}
+
+impl<R, E: HeldEquation<R>> Task for OverHeld<'_, E, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(mut self) {
+        let Part { clusters, held: pairs, near, tally, .. } = self.part;
+        if E::FORCES {
+            tally.clear();
+            tally.force_entries += pairs.len();
+        } else {
+            tally.powers.clear();
+            tally.flow_entries += pairs.len();
+        }
+        let mut near = near.iter();
+        for (list, cluster) in clusters.clone().enumerate() {
+            let here = Here::new(cluster, list);
+            let mut held = Held { pairs, near: &mut near, tally: &mut *tally, here };
+            self.equation.at::<L>(here, &mut held, &mut self.rows);
+        }
+    }
+}
+
+/// The held pairs of eight particles.
+pub struct Held<'a, 'p> {
+    pairs: &'p HeldPairs,
+    near: &'a mut std::slice::Iter<'p, [Eight; 2]>,
+    /// What is summed over all particles.
+    pub tally: &'a mut Tally,
+    here: Here,
+}
+
+impl Held<'_, '_> {
+    /// Whether any ghosts of a body are in reach.
+    #[inline(always)]
+    pub fn reaches(&self, body: usize) -> bool {
+        !self.pairs.group(self.here.list, body + 1).0.is_empty()
+    }
+
+    /// Σ V_j ∇W over the next body's ghosts that are in reach.
+    #[inline(always)]
+    pub fn next_gradient<D: Lanes>(&mut self) -> [D; 2] {
+        let [x, y] = self.near.next().expect("as many as bodies are reached");
+        [D::load(x), D::load(y)]
+    }
+
+    /// Σ g f over the water (group 0) or a body's ghosts (1 and on), for the first numbers f of each
+    /// neighbour.
+    #[inline(always)]
+    pub fn sum<D: Lanes, const N: usize>(&self, group: usize, factors: &[Factors]) -> [D; N] {
+        let (pairs, cluster) = (self.pairs, self.here.list);
+        let found = D::call(Product::<N> { pairs, factors, cluster, group });
+        let mut sums = [D::splat(0.0); N];
+        for n in 0..N {
+            sums[n] = D::load(&found[n]);
+        }
+        sums
+    }
+
+    /// Sums of the flow over the water and the ghosts of so many bodies.
+    #[inline(always)]
+    pub fn flow<D: Lanes>(&self, flow: Flow, factors: &[Factors], bodies: usize) -> FlowSums {
+        let mut sums = [[0.0; LANES]; 8];
+        for group in 0..=bodies {
+            if group == 0 || self.reaches(group - 1) {
+                flow.add::<D>(&mut sums, (self.pairs, factors), self.here.list, group);
+            }
+        }
+        FlowSums::new(flow, sums)
+    }
+
+    /// Sums of terms over the water (group 0) or a body's ghosts (1 and on), if any are in reach, with
+    /// the places that the records have.
+    #[inline(always)]
+    pub fn terms<D: Lanes, T: Term>(
+        &self,
+        group: usize,
+        places: [&[f64]; 2],
+        records: &[Record],
+        terms: T,
+    ) -> Option<T::Total> {
+        let (here, (entries, slopes)) = (self.here, self.pairs.group(self.here.list, group));
+        if entries.is_empty() {
+            return None;
+        }
+        Some(D::call(HeldGroup { here, places, records, terms, entries, slopes }))
+    }
+}
+
+/// The loop over one group of held pairs.
+struct HeldGroup<'a, T> {
+    here: Here,
+    places: [&'a [f64]; 2],
+    records: &'a [Record],
+    terms: T,
+    entries: &'a [u32],
+    slopes: &'a [Slopes],
+}
+
+impl<T: Term> Task for HeldGroup<'_, T> {
+    type Output = T::Total;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> T::Total {
+        let HeldGroup { here, places: [x, y], records, terms, entries, slopes } = self;
+        let places = Record::places::<L, L>(here.eight(x), here.eight(y));
+        let own = terms.own::<L, Record>(here);
+        let mut sum = T::Sum::<L>::nothing();
+        for (&j, slope) in entries.iter().zip(slopes) {
+            let record = &records[j as usize];
+            let [dx, dy] = record.apart(places);
+            let square = dx.mul_add(dx, dy.mul_add(dy, L::splat(COINCIDENT)));
+            let divisor = square.divisor(square.roots());
+            let pair = Pair { dx, dy, divisor, slope: L::load_single(&slope.0) };
+            terms.add(&own, &pair, Other { record, number: j as usize }, &mut sum);
+        }
+        T::Sum::<L>::total(&[sum, T::Sum::<L>::nothing()])
+    }
+}

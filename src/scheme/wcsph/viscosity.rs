@@ -1,0 +1,61 @@
+//! Artificial viscosity (Huang et al. 2019, Eq. 5), a term of the momentum equation.
+//!
+//! ```text
+//! α h c0 ρ0 Σ_j V_j π_ij ∇W_ij,   π_ij = (u_ij · x_ij) / |x_ij|²
+//! ```
+//! Another viscosity is another type like this one.
+
+use crate::pairs::{Eight, Fluid, Here, Neighbour, Other, Pair, Real, Term};
+
+/// Σ_j V_j π_ij ∇W. With `CORRECTED`, π_ij holds only what a linear, divergence-free velocity field
+/// leaves of it, limited so that every pair dissipates. Of a wall, `GHOSTS`, the strain is the
+/// particle's own.
+#[derive(Clone, Copy)]
+pub(super) struct ArtificialViscosity<'a, const CORRECTED: bool, const GHOSTS: bool> {
+    pub fluid: &'a Fluid,
+    /// See [`super::momentum::Momentum::strain`].
+    pub strain: &'a [[f64; 2]],
+}
+
+impl<const CORRECTED: bool, const GHOSTS: bool> Term
+    for ArtificialViscosity<'_, CORRECTED, GHOSTS>
+{
+    /// Velocity and strain.
+    type Own<R: Real> = [[R; 2]; 2];
+    type Sum<R: Real> = [R; 2];
+    type Total = [Eight; 2];
+
+    #[inline(always)]
+    fn own<R: Real, N: Neighbour>(&self, here: Here) -> [[R; 2]; 2] {
+        let velocity = here.all([&self.fluid.vx, &self.fluid.vy]);
+        [velocity, if CORRECTED { here.both(self.strain) } else { [R::splat(0.0); 2] }]
+    }
+
+    #[inline(always)]
+    fn add<R: Real, N: Neighbour>(
+        &self,
+        &[[u, v], own]: &[[R; 2]; 2],
+        pair: &Pair<R>,
+        other: Other<'_, N>,
+        [x, y]: &mut [R; 2],
+    ) {
+        let ([their_u, their_v], Pair { dx, dy, .. }) = (other.velocity(), *pair);
+        let (du, dv) = (u - their_u, v - their_v);
+        let mut approach = du.mul_add(dx, dv * dy);
+        if CORRECTED {
+            let theirs = if GHOSTS { own } else { other.strain(self.strain) };
+            let (stretch, shear) = (own[0] + theirs[0], own[1] + theirs[1]);
+            let apart = dx.mul_sub(dx, dy * dy);
+            let rest = (dx * dy).negated_mul_add(shear, approach);
+            let rest = apart.negated_mul_add(stretch, rest);
+            // Between nothing and all of it: every pair then dissipates.
+            let zero = R::splat(0.0);
+            let (low, high) = (approach.min(zero), approach.max(zero));
+            approach = rest.min(high).max(low);
+        }
+        let [gx, gy] = pair.gradient();
+        let drag = pair.over_square(approach);
+        *x = drag.mul_add(gx, *x);
+        *y = drag.mul_add(gy, *y);
+    }
+}
