@@ -15,7 +15,7 @@ use seawall::math::simd::SimdPath;
 use seawall::math::team::thread_processor_time;
 use seawall::pairs::Strips;
 use seawall::pairs::{Fluid, Record, Scaling};
-use seawall::scene::{CaseConfig, Numerics};
+use seawall::scene::{CaseConfig, Numerics, Preset};
 use seawall::simulation::{Unwatched, run_case};
 
 const BOUNDARIES: [&str; 6] =
@@ -77,7 +77,7 @@ fn numerics(boundary: &str, spacing: f64) -> toml::Table {
 
 fn interpolator(boundary: &str) -> InterpolatorChoice {
     let choice = serde_json::from_value(boundary.into()).unwrap();
-    Numerics { boundary: choice, ..Numerics::preset("default").unwrap() }.interpolator()
+    Numerics { boundary: choice, ..Numerics::preset(Preset::Default) }.interpolator()
 }
 
 /// Nanoseconds per ghost with water in reach: the fastest of many passes, each shorter than a

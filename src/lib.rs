@@ -5,7 +5,7 @@
 //!
 //! | layer | modules | what lives there |
 //! |---|---|---|
-//! | 1 | [`math`], [`theory`] | SIMD lanes; pure formulas |
+//! | 1 | [`math`], [`theory`], [`keys`] | SIMD lanes; pure formulas; how keys are declared |
 //! | 2 | [`kernel`] | smoothing kernels behind one contract |
 //! | 3 | [`pairs`] | particle arrays, neighbour lists, sums over pairs |
 //! | 4 | [`boundary`], [`body`] | ghost particle interpolators; paddle and walls |
@@ -31,6 +31,7 @@ pub mod boundary;
 pub mod cli;
 pub mod execute;
 pub mod kernel;
+pub mod keys;
 pub mod math;
 pub mod pairs;
 pub mod quantities;

@@ -98,10 +98,10 @@ fn a_paddle_without_its_keys_is_told_so() {
     let bad = [
         (
             "paddle = \"wave-train\"\nend_time_s = 1",
-            "scene.wave_period_s: is needed for a wave train",
+            "scene.wave_period_s: is needed where paddle = \"wave-train\"",
         ),
         ("paddle = \"recorded-stroke\"\nend_time_s = 1", "scene.recorded_stroke: is needed"),
-        ("wave_period_s = 1", "scene.wave_period_s = 1: belongs to a wave train"),
+        ("wave_period_s = 1", "scene.wave_period_s = 1: belongs to paddle = \"wave-train\""),
         (
             "paddle = \"wave-train\"\nwave_period_s = 1",
             "scene.end_time_s: is needed where no stroke",

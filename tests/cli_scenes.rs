@@ -147,7 +147,7 @@ fn bad_scenes_are_refused_with_their_key() {
         (
             "",
             "name = \"a\"\nkind = \"level\"\nx_m = 1\ny_m = 1",
-            "probe.y_m = 1: a measures a level",
+            "probe.y_m = 1: belongs to kind = \"pressure\" (probe a)",
         ),
         ("", "name = \"a\"\nkind = \"void\"\nx_m = 1", "probe.wall: a looks for voids"),
         ("", "name = \"a\"\nkind = \"heat\"\nx_m = 1", "probe.kind = \"heat\""),

@@ -182,7 +182,7 @@ const BAD: &[(&str, &[&str], &str)] = &[
     (
         "name = \"a\"\n[grid]\nspring_stiffness_n_per_m = [1]",
         &[],
-        "grid.spring_stiffness_n_per_m = 1: belongs to a movable wall",
+        "grid.spring_stiffness_n_per_m = 1: belongs to wall = \"movable\"",
     ),
     (TINY, &["--set", "numerics.kernel=gauss"], "numerics.kernel = \"gauss\": must be one of wend"),
     (

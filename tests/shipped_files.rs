@@ -4,7 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use seawall::accuracy::{Matrix, Trial};
-use seawall::scene::{CaseConfig, Numerics};
+use seawall::keys::Section;
+use seawall::scene::{CaseConfig, Numerics, Preset};
 use toml::{Table, Value};
 
 #[test]
@@ -89,7 +90,7 @@ fn corner(file: &Table, last: bool) -> Table {
     let mut file = file.clone();
     let grid = file.remove("grid").expect("a sweep has a grid");
     // The one that has the keys of both schemes.
-    let numerics = serde_json::to_value(Numerics::preset("isph").unwrap()).unwrap();
+    let numerics = Numerics::preset(Preset::Isph).table();
     for (key, values) in grid.as_table().unwrap() {
         let values = values.as_array().unwrap();
         let value = if last { values.last() } else { values.first() };

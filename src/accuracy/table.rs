@@ -9,7 +9,8 @@ use serde::Deserialize;
 use toml::Table;
 
 use super::matrix::Matrix;
-use crate::scene::{CaseConfig, Numerics};
+use crate::keys::Section;
+use crate::scene::{CaseConfig, Numerics, Preset};
 
 /// Measured errors and costs by method: what the program knows about itself.
 #[derive(Debug, Clone, PartialEq)]
@@ -162,8 +163,8 @@ impl Recipe {
     /// A case with this method's numerics; `None` where that would override what its file says, or
     /// is nothing that the case can take.
     fn applied(&self, config: &CaseConfig, depth: f64, swept: &[String]) -> Option<CaseConfig> {
-        let mut numerics = Table::try_from(&config.numerics).ok()?;
-        let default = Table::try_from(Numerics::preset("default")?).ok()?;
+        let mut numerics = config.numerics.table();
+        let default = Numerics::preset(Preset::Default).table();
         for (key, value) in &self.numerics {
             if swept.contains(key) || default.get(key) != numerics.get(key) {
                 return None;
@@ -179,11 +180,7 @@ impl Recipe {
 
 /// What of a case's numerics is not the default, in words: `particle_spacing_m = 0.02, ...`.
 pub fn differences(numerics: &Numerics) -> String {
-    let tables = [
-        Table::try_from(numerics).ok(),
-        Numerics::preset("default").map(|preset| Table::try_from(preset).unwrap_or_default()),
-    ];
-    let [Some(own), Some(default)] = tables else { return String::new() };
+    let (own, default) = (numerics.table(), Numerics::preset(Preset::Default).table());
     let other = own.iter().filter(|(key, value)| default.get(*key) != Some(*value));
     let word =
         |value: &toml::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);

@@ -1,7 +1,8 @@
 //! Walls and paddles: each turns time or the water's force into motion, and knows nothing of
 //! particles. [`WallLaw`] and [`PaddleLaw`] say what a run asks of them.
 //!
-//! A new member is one file here, one arm in [`Wall`] or [`Paddle`], and its keys in the scene.
+//! A new member is one file here with its keys, and one arm in [`Wall`] or [`Paddle`]; the scene
+//! of the seawall names both.
 
 mod contract;
 mod fixed_wall;
@@ -18,10 +19,10 @@ pub use contract::{BodyMotion, PaddleLaw, Restraint, WallLaw, WallState, WallSte
 pub use fixed_wall::FixedWall;
 pub use goring_paddle::GoringPaddle;
 pub use place::{MOST_BODIES, Motions, Place};
-pub use recorded_stroke::{RecordedStroke, Stroke};
-pub use sliding_caisson::SlidingCaisson;
+pub use recorded_stroke::{RecordedStroke, RecordedStrokeKeys, Stroke};
+pub use sliding_caisson::{CaissonKeys, SlidingCaisson};
 pub use spring_wall::SpringWall;
-pub use wave_train::WaveTrain;
+pub use wave_train::{WaveTrain, WaveTrainKeys};
 
 /// The wall at the end of a tank.
 #[derive(Debug, Clone, Copy, PartialEq)]

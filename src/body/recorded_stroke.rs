@@ -3,6 +3,17 @@
 use serde::{Deserialize, Deserializer, Serialize, de};
 
 use super::{BodyMotion, PaddleLaw};
+use crate::keys::section;
+
+section! {
+    /// The keys of a recorded stroke.
+    pub struct RecordedStrokeKeys in "scene" {
+        /// Path, from where the program is started, of a CSV file with the columns `time_s` and
+        /// `stroke_m`: three or more times that rise from 0. What it says is part of a case's
+        /// identity, its name is not.
+        recorded_stroke: Stroke, plain().only("paddle", &["recorded-stroke"]);
+    }
+}
 
 /// Times, s, and positions, m, read from a CSV file. In a case they stand for the file, so that its
 /// contents are part of the case's identity, and no other process needs it.
@@ -138,6 +149,7 @@ impl PaddleLaw for RecordedStroke {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::keys::Shape;
 
     fn smooth(time: f64) -> f64 {
         0.1 - 0.1 * libm::cos(time)
@@ -168,6 +180,11 @@ mod tests {
         let later = paddle.motion(end + 1.0);
         assert_eq!((later.offset, later.velocity), (points[20][1] - 5.0, 0.0));
         assert_eq!(paddle.still_from(), end);
+    }
+
+    #[test]
+    fn a_file_gives_its_path() {
+        assert_eq!(Shape::of::<Stroke>(), Shape::Text);
     }
 
     #[test]

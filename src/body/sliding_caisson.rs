@@ -1,6 +1,58 @@
 //! A caisson that slides on its bed with Coulomb friction.
 
-use super::{Restraint, WallLaw, WallState, WallStep};
+use super::{FixedWall, Restraint, Wall, WallLaw, WallState, WallStep};
+use crate::keys::{ConfigError, Range, section};
+
+section! {
+    /// The keys of a caisson.
+    pub struct CaissonKeys in "scene" {
+        /// μ_s between a caisson and its bed: it moves where the water presses with more or less than
+        /// ½ρgh² ± μ_s N, whatever `threshold_ratio`.
+        static_friction: f64, plain().above_zero().only("wall", &["caisson"]);
+        /// μ_k once it slides, at most μ_s.
+        kinetic_friction: f64, plain().not_negative().only("wall", &["caisson"]);
+        /// Weight N of a caisson under water, per metre of width.
+        submerged_weight_n_per_m: f64, unit("N/m").above_zero().only("wall", &["caisson"]);
+    }
+}
+
+impl CaissonKeys {
+    /// μ_s N, N per metre of width.
+    pub fn holding_friction(&self) -> f64 {
+        self.static_friction * self.submerged_weight_n_per_m
+    }
+
+    /// The caisson at rest: mass, kg; force of still water, N; per metre of width. Without a mass it is
+    /// held, from both sides.
+    pub fn wall(&self, mass: Option<f64>, still_force: f64) -> Wall {
+        let holding = self.holding_friction();
+        let Some(mass) = mass else {
+            return Wall::Fixed(FixedWall {
+                holds: [still_force - holding, still_force + holding],
+            });
+        };
+        let friction = [holding, self.kinetic_friction * self.submerged_weight_n_per_m];
+        Wall::Caisson(SlidingCaisson::at_rest(mass, still_force, friction))
+    }
+
+    /// Any friction that holds as well, and nothing left of what it does once it slides.
+    pub fn held(&self) -> CaissonKeys {
+        CaissonKeys {
+            static_friction: 1.0,
+            kinetic_friction: 0.0,
+            submerged_weight_n_per_m: self.holding_friction(),
+        }
+    }
+
+    /// Checks what no key can tell alone.
+    ///
+    /// # Errors
+    /// More friction once it slides than before.
+    pub fn validate(&self) -> Result<(), ConfigError> {
+        let Self { static_friction, kinetic_friction, .. } = *self;
+        Range::Within(0.0, static_friction).check("scene.kinetic_friction", kinetic_friction)
+    }
+}
 
 /// m a = F - F_0 - μ_k N sign(V), and no motion as long as |F - F_0| ≤ μ_s N.
 ///

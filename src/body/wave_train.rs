@@ -1,6 +1,15 @@
 //! A piston that makes a train of regular waves, to second order (Madsen 1971).
 
 use super::{BodyMotion, PaddleLaw};
+use crate::keys::section;
+
+section! {
+    /// The keys of a train of waves.
+    pub struct WaveTrainKeys in "scene" {
+        /// Period of regular waves; H L²/h³ stays below 8π²/3.
+        wave_period_s: f64, unit("s").above_zero().only("paddle", &["wave-train"]);
+    }
+}
 
 /// ξ(t) = S/2 sin ωt + S₂ sin 2ωt: Biésel's stroke S = H/m, m = 2 (cosh 2kh - 1)/(sinh 2kh + 2kh),
 /// and S₂ = H²/(32 h) (3 cosh kh/sinh³ kh - 2/m), which keeps the free second harmonic away.

@@ -1,5 +1,6 @@
 //! `seawall check`: validates a file and says what it would take.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use clap::Args;
@@ -14,17 +15,22 @@ use crate::math::simd::SimdPath;
 use crate::results::counted;
 use crate::scene::{CaseConfig, Scheme, limits};
 use crate::simulation::cost;
-use crate::study::{Plan, Study};
+use crate::study::{Plan, Study, schema};
 
 /// Validate a sweep or scene file, list its cases and what they cost; run nothing.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall check sweeps/nightly.toml
   seawall check sweeps/liang2017.toml -v
+  seawall check --schema > seawall.schema.json
   seawall check sweeps/nightly.toml --set numerics.particle_spacing_m=0.016 --format json")]
 pub(super) struct CheckArgs {
     /// The sweep or scene file.
-    file: PathBuf,
+    #[arg(required_unless_present = "schema")]
+    file: Option<PathBuf>,
+    /// Print the JSON Schema of sweep and scene files instead, for editors.
+    #[arg(long, conflicts_with_all = ["file", "settings"])]
+    schema: bool,
     /// Set a value by its path; repeatable.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<Setting>,
@@ -34,8 +40,12 @@ pub(super) struct CheckArgs {
 const ROWS: usize = 10;
 
 pub(super) fn main(args: &CheckArgs, output: &Output) -> anyhow::Result<u8> {
-    let study = study(&args.file, &args.settings, Expect::Either)?;
-    show(&study, true, output)
+    let Some(file) = &args.file else {
+        let schema = schema();
+        output.result(&format!("{schema:#}\n"), &schema)?;
+        return Ok(SUCCESS);
+    };
+    show(&study(file, &args.settings, Expect::Either)?, true, output)
 }
 
 pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::Result<u8> {
@@ -70,10 +80,10 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
     if study.cases.len() > rows {
         text.push_str(&format!("... and {} more (-v lists all)\n", study.cases.len() - rows));
     }
-    let line = |name: &str, value: String| format!("{name:<20}{value}\n");
+    let line = |name: &str, value: String| format!("{name:<19} {value}\n");
     text.push('\n');
-    for (name, values) in &physics {
-        text.push_str(&line(name, values.join(", ")));
+    for on in &physics {
+        text.push_str(&line(&on.label, on.text()));
     }
     text.push_str(&line("cases", study.cases.len().to_string()));
     if !study.companions.is_empty() {
@@ -100,7 +110,7 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
         .collect();
     let value = json!({
         "name": study.name,
-        "physics": physics.iter().cloned().collect::<std::collections::BTreeMap<_, _>>(),
+        "physics": physics.iter().map(|on| (on.name, &on.values)).collect::<BTreeMap<_, _>>(),
         "warnings": warnings.keys().collect::<Vec<_>>(),
         "cases": cases,
         "companions": study.companions.len(),
@@ -154,8 +164,8 @@ fn binary(bytes: u64) -> String {
 }
 
 /// The known limits that the study runs into, with the number of cases.
-fn warnings(study: &Study) -> std::collections::BTreeMap<&'static str, usize> {
-    let mut found = std::collections::BTreeMap::new();
+fn warnings(study: &Study) -> BTreeMap<&'static str, usize> {
+    let mut found = BTreeMap::new();
     for limit in study.cases.iter().flat_map(|case| limits(&case.config)) {
         *found.entry(limit).or_default() += 1;
     }

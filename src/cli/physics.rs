@@ -1,123 +1,101 @@
 //! Which physics and numerics are on, for `seawall check`.
 
-use crate::boundary::SfdiMatrix;
-use crate::scene::{BoundaryChoice, CaseConfig, Numerics, Scene, Scheme};
-use crate::scheme::wcsph::{DensityDiffusion, Shifting};
+use std::collections::HashSet;
+
+use toml::{Table, Value};
+
+use crate::keys::{Key, Section, number};
+use crate::scene::{CaseConfig, Kind, numerics_keys, scene_keys};
 use crate::study::Study;
 
-/// A line's name, and what a case has of it: `None` where it is off or means nothing to the case.
-type Line = (&'static str, fn(&CaseConfig) -> Option<String>);
+/// A key that is on, and the values that occur among the cases, `none` where a case has none.
+pub(super) struct Line {
+    /// The key's name in files.
+    pub name: &'static str,
+    /// The key in a few words.
+    pub label: String,
+    /// Its unit, empty for names, counts and ratios.
+    pub unit: &'static str,
+    /// The values, in the order of the cases.
+    pub values: Vec<String>,
+}
 
-/// What is on, in the order of [`LINES`], each line with the values that occur among the cases.
-pub(super) fn physics(study: &Study) -> Vec<(&'static str, Vec<String>)> {
-    let values = |value: fn(&CaseConfig) -> Option<String>| {
-        let mut seen = Vec::new();
-        let mut add = |value: String| {
-            if !seen.contains(&value) {
-                seen.push(value);
-            }
-        };
-        let all: Vec<_> = study.cases.iter().map(|case| value(&case.config)).collect();
-        let on = all.iter().any(Option::is_some);
-        for value in all.into_iter().filter(|_| on) {
-            add(value.unwrap_or_else(|| "none".to_owned()));
+/// Values of a key that are written out.
+const MOST: usize = 8;
+
+impl Line {
+    /// The values, or the first ones of many.
+    pub(super) fn text(&self) -> String {
+        let mut text = self.values[..self.values.len().min(MOST)].join(", ");
+        if self.values.len() > MOST {
+            text += &format!(", ... ({} values)", self.values.len());
         }
-        seen
+        if self.unit.is_empty() { text } else { format!("{text} {}", self.unit) }
+    }
+}
+
+/// What is on, key by key in the order of their declarations.
+pub(super) fn physics(study: &Study) -> Vec<Line> {
+    let cases: Vec<_> = study.cases.iter().map(|case| values(&case.config)).collect();
+    let mut lines: Vec<Line> = keys(study).iter().filter_map(|key| line(key, &cases)).collect();
+    let probes = study.cases.first().map(|case| &case.config.probes[..]).unwrap_or_default();
+    if !probes.is_empty() {
+        let names: Vec<_> = probes.iter().map(|probe| probe.name.as_str()).collect();
+        let values = vec![names.join(" ")];
+        lines.push(Line { name: "probes", label: "probes".to_owned(), unit: "", values });
+    }
+    lines
+}
+
+/// The keys of all kinds of scenes that occur, and of the numerics.
+fn keys(study: &Study) -> Vec<&'static Key> {
+    let kinds: HashSet<_> = study.cases.iter().map(|case| case.config.scene.kind()).collect();
+    let kinds = Kind::ALL.iter().filter(|kind| kinds.contains(kind.name()));
+    let mut keys: Vec<&Key> = Vec::new();
+    for key in kinds.flat_map(|&kind| scene_keys(kind)).chain(numerics_keys()) {
+        if keys.iter().all(|earlier| earlier.name != key.name) {
+            keys.push(key);
+        }
+    }
+    keys
+}
+
+fn values(case: &CaseConfig) -> Table {
+    let mut values = Table::try_from(&case.scene).unwrap_or_default();
+    values.extend(case.numerics.table());
+    values
+}
+
+fn line(key: &'static Key, cases: &[Table]) -> Option<Line> {
+    let of = |case: &Table| case.get(key.name).filter(|value| is_on(key, case, value)).map(text);
+    if !cases.iter().any(|case| of(case).is_some()) {
+        return None;
+    }
+    let mut seen = HashSet::new();
+    let all = cases.iter().map(|case| of(case).unwrap_or_else(|| "none".to_owned()));
+    let values = all.filter(|value| seen.insert(value.clone())).collect();
+    Some(Line { name: key.name, label: key.label(), unit: key.rule.unit, values })
+}
+
+/// Whether a case reads a key, and has it on where it is off by default.
+fn is_on(key: &Key, case: &Table, value: &Value) -> bool {
+    let off = |value: &Value| {
+        number(value) == Some(0.0)
+            || matches!(value.as_str(), Some("none"))
+            || *value == false.into()
     };
-    let lines = LINES.iter().map(|&(name, value)| (name, values(value)));
-    lines.filter(|(_, values)| !values.is_empty()).collect()
+    let off_by_default = (key.default)().is_none_or(|default| off(&default));
+    key.applies(case) && !(off_by_default && off(value))
 }
 
-const LINES: &[Line] = &[
-    ("scene", |case| Some(case.scene.kind().to_owned())),
-    ("wall", |case| wall(&case.scene)),
-    ("scheme", |case| name(case.numerics.scheme)),
-    ("kernel", |case| name(case.numerics.kernel)),
-    ("support radius", |case| Some(format!("{} spacings", case.numerics.support_radius_ratio))),
-    ("boundary", |case| name(weakly(case)?.boundary)),
-    ("boundary weights", |case| weights(weakly(case)?)),
-    ("ghost gravity", |case| name(weakly(case)?.ghost_gravity)),
-    ("slip", |case| name(weakly(case)?.slip)),
-    ("density diffusion", |case| name(weakly(case)?.density_diffusion)),
-    ("δ", |case| {
-        let numerics = weakly(case)?;
-        let on = numerics.density_diffusion != DensityDiffusion::None;
-        on.then(|| numerics.density_diffusion_coefficient.to_string())
-    }),
-    ("shifting", |case| name(case.numerics.shifting)),
-    ("shifting strength", |case| {
-        let on = case.numerics.shifting != Shifting::None;
-        on.then(|| case.numerics.shifting_coefficient.to_string())
-    }),
-    ("gradients", |case| {
-        let corrected = weakly(case)?.corrected_gradients;
-        Some(if corrected { "corrected" } else { "as they are" }.to_owned())
-    }),
-    ("viscosity", |case| Some(case.numerics.artificial_viscosity.to_string())),
-    ("ν, m²/s", |case| above_zero(case.numerics.kinematic_viscosity_m2_per_s?)),
-    ("steps per full step", |case| Some(weakly(case)?.acoustic_substeps.to_string())),
-    ("bulk damping", |case| above_zero(weakly(case)?.bulk_damping)),
-    ("state equation", |case| name(weakly(case)?.state_equation)),
-    ("sound speed ratio", |case| Some(weakly(case)?.sound_speed_ratio.to_string())),
-    ("c0 Δt/Δx", |case| Some(weakly(case)?.courant_number.to_string())),
-    ("precision", |case| name(weakly(case)?.precision)),
-    ("laplacian", |case| name(case.numerics.laplacian?)),
-    ("preconditioner", |case| name(case.numerics.preconditioner?)),
-    ("solver tolerance", |case| Some(case.numerics.solver_tolerance?.to_string())),
-    ("volume relaxation", |case| above_zero(case.numerics.volume_relaxation?)),
-    ("pressure memory", |case| above_zero(case.numerics.pressure_memory?)),
-    ("compact share", |case| Some(case.numerics.compact_share?.to_string())),
-    ("Δt/√(Δx/g)", |case| Some(case.numerics.gravity_courant_number?.to_string())),
-    ("u Δt/Δx", |case| Some(case.numerics.flow_courant_number?.to_string())),
-    ("time step bound, s", |case| Some(case.numerics.time_step_s?.to_string())),
-    ("particle spacing, m", |case| Some(case.numerics.particle_spacing_m.to_string())),
-    ("stops when settled", |case| case.numerics.stop_when_settled.then(|| "yes".to_owned())),
-    ("retries", |case| (case.numerics.retries > 0).then(|| case.numerics.retries.to_string())),
-    ("probes", |case| {
-        let names: Vec<_> = case.probes.iter().map(|probe| probe.name.as_str()).collect();
-        (!names.is_empty()).then(|| names.join(" "))
-    }),
-];
-
-/// The numerics of a case of δ-SPH: the lines of what it alone reads.
-fn weakly(case: &CaseConfig) -> Option<&Numerics> {
-    Some(&case.numerics).filter(|numerics| numerics.scheme == Scheme::Wcsph)
-}
-
-fn wall(scene: &Scene) -> Option<String> {
-    match scene {
-        Scene::Seawall(scene) => Some(scene.wall_in_words()),
-        Scene::Hydrostatic(scene) => Some(format!("fixed, {}°", scene.wall_angle_deg)),
-        Scene::DamBreak(_) | Scene::StandingWave(_) | Scene::TaylorGreen(_) => {
-            Some("fixed".to_owned())
-        }
-        Scene::RotatingPatch(_) | Scene::OscillatingDrop(_) => None,
+fn text(value: &Value) -> String {
+    match value {
+        Value::String(name) => name.clone(),
+        Value::Float(number) => number.to_string(),
+        Value::Boolean(on) => if *on { "yes" } else { "no" }.to_owned(),
+        Value::Array(points) => format!("{} points", points.len()),
+        other => other.to_string(),
     }
-}
-
-/// What the chosen way of taking ghosts' values reads.
-fn weights(numerics: &Numerics) -> Option<String> {
-    let limit = format!("amplification limit {}", numerics.amplification_limit);
-    match numerics.boundary {
-        BoundaryChoice::ImprovedShepard => {
-            Some(format!("λ {}, σ {}", numerics.shepard_lambda, numerics.shepard_sigma))
-        }
-        BoundaryChoice::Sfdi if numerics.sfdi_matrix == SfdiMatrix::Full => {
-            Some(format!("full matrix, {limit}"))
-        }
-        BoundaryChoice::Sfdi => Some(format!("diagonal matrix, {limit}")),
-        BoundaryChoice::MlsLinear | BoundaryChoice::MlsQuadratic => Some(limit),
-        BoundaryChoice::Normalized | BoundaryChoice::Dummy => None,
-    }
-}
-
-/// The name that a file gives a choice.
-fn name(choice: impl serde::Serialize) -> Option<String> {
-    serde_json::to_value(choice).ok()?.as_str().map(str::to_owned)
-}
-
-fn above_zero(value: f64) -> Option<String> {
-    (value > 0.0).then(|| value.to_string())
 }
 
 #[cfg(test)]
@@ -125,33 +103,35 @@ mod tests {
     use super::*;
     use crate::study::SweepFile;
 
-    fn told(text: &str) -> Vec<(&'static str, Vec<String>)> {
+    fn value(text: &str, name: &str) -> Option<String> {
         let text = format!("name = \"a\"\n{text}");
-        physics(&Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap())
+        let lines = physics(&Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap());
+        lines.into_iter().find(|line| line.name == name).map(|line| line.text())
     }
 
     #[test]
     fn what_is_on_is_told_and_only_that() {
-        let value = |text: &str, name: &str| {
-            let lines = told(text);
-            lines.into_iter().find(|line| line.0 == name).map(|line| line.1.join(", "))
-        };
         let some = |text: &str| Some(text.to_owned());
-        for off in ["ν, m²/s", "retries", "stops when settled", "probes", "laplacian"] {
+        for off in ["kinematic_viscosity_m2_per_s", "retries", "stop_when_settled", "probes"] {
             assert_eq!(value("", off), None, "{off}");
         }
         let on = "[numerics]\nkinematic_viscosity_m2_per_s = 1e-6\nretries = 2\n\
                   stop_when_settled = true\nprecision = \"f32\"\n\
                   [[probe]]\nname = \"P1\"\nkind = \"level\"\nx_m = 1";
-        assert_eq!(value(on, "ν, m²/s"), some("0.000001"));
+        assert_eq!(value(on, "kinematic_viscosity_m2_per_s"), some("0.000001 m²/s"));
         assert_eq!(value(on, "retries"), some("2"));
-        assert_eq!(value(on, "stops when settled"), some("yes"));
+        assert_eq!(value(on, "stop_when_settled"), some("yes"));
         assert_eq!(value(on, "precision"), some("f32"));
         assert_eq!(value(on, "probes"), some("P1"));
+    }
+
+    #[test]
+    fn a_scheme_and_a_wall_show_their_own_keys() {
+        let some = |text: &str| Some(text.to_owned());
         let isph = "[numerics]\nscheme = \"isph\"";
         assert_eq!(value(isph, "laplacian"), some("exact"));
-        assert_eq!(value(isph, "preconditioner"), some("multigrid"));
-        for other in ["boundary", "density diffusion", "bulk damping", "sound speed ratio"] {
+        assert_eq!(value("", "laplacian"), None);
+        for other in ["boundary", "density_diffusion", "bulk_damping", "sound_speed_ratio"] {
             assert_eq!(value(isph, other), None, "{other}");
             assert!(value("", other).is_some(), "{other}");
         }
@@ -159,5 +139,13 @@ mod tests {
         assert_eq!(value(both, "scheme"), some("wcsph, isph"));
         assert_eq!(value(both, "laplacian"), some("none, exact"));
         assert_eq!(value("[scene]\nkind = \"rotating-patch\"", "wall"), None);
+        let movable = "[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n\
+                       spring_stiffness_n_per_m = 10";
+        assert_eq!(value(movable, "wall_angle_deg"), None);
+        assert_eq!(value(movable, "spring_stiffness_n_per_m"), some("10 N/m"));
+        assert_eq!(value("", "wall_angle_deg"), some("90 °"));
+        let many = "[grid]\nwave_height_ratio = { from = 0.1, to = 0.5, points = 9 }";
+        let told = "0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, ... (9 values)";
+        assert_eq!(value(many, "wave_height_ratio"), some(told));
     }
 }

@@ -1,15 +1,14 @@
 //! One case, complete and validated.
 
-use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
-use toml::{Table, Value};
+use toml::Table;
 
-use super::error::ConfigError;
+use super::declared::{Place, refuse_unknown};
 use super::kind::Scene;
-use super::numerics::{ErrorBars, Numerics, PRESETS, Scheme as SchemeChoice, WEAKLY_COMPRESSIBLE};
+use super::numerics::{ErrorBars, Numerics};
 use super::probe::Probe;
 use super::size;
-use super::wording::{self, serde_keys};
+use crate::keys::ConfigError;
 
 /// One case: everything that decides its answer, and nothing else.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -43,13 +42,13 @@ impl CaseConfig {
     ) -> Result<CaseConfig, ConfigError> {
         let probes = Probe::read_all(probes)?;
         let scene = Scene::read(scene)?;
-        let config = CaseConfig { numerics: read_numerics(&scene, numerics)?, scene, probes };
+        refuse_unknown(Place::Numerics, scene.of_kind(), numerics)?;
+        let config = CaseConfig { numerics: Numerics::of_scene(&scene, numerics)?, scene, probes };
         config.validate()?;
         Ok(config)
     }
 
     fn validate(&self) -> Result<(), ConfigError> {
-        self.numerics.validate()?;
         self.scene.validate(&self.numerics)?;
         let frame = self.scene.frame();
         let rows = frame.depth / self.numerics.particle_spacing_m;
@@ -89,10 +88,12 @@ impl CaseConfig {
         let mut config = self.clone();
         let numerics = &mut config.numerics;
         numerics.courant_number *= scale;
-        numerics.gravity_courant_number = numerics.gravity_courant_number.map(|c| c * scale);
-        numerics.flow_courant_number = numerics.flow_courant_number.map(|c| c * scale);
-        config.numerics.time_step_s = config.numerics.time_step_s.map(|step| step * scale);
-        config.numerics.retries = 0;
+        if let Some(own) = &mut numerics.incompressible {
+            own.gravity_courant_number *= scale;
+            own.flow_courant_number *= scale;
+        }
+        numerics.time_step_s = numerics.time_step_s.map(|step| step * scale);
+        numerics.retries = 0;
         config
     }
 
@@ -104,55 +105,6 @@ impl CaseConfig {
         config.numerics.time_step_s = config.numerics.time_step_s.map(|step| step * ratio);
         config.validate().ok().map(|()| config)
     }
-}
-
-pub(super) fn read_section<T: DeserializeOwned>(table: Table) -> Result<T, ConfigError> {
-    wording::read_table("scene", table, &serde_keys::<T>())
-}
-
-fn read_numerics(scene: &Scene, table: &Table) -> Result<Numerics, ConfigError> {
-    let mut rest = table.clone();
-    let name = match rest.remove("preset") {
-        None => "default".to_owned(),
-        Some(Value::String(name)) => name,
-        Some(other) => {
-            return Err(ConfigError::new("numerics.preset", other, "must be the name of a preset"));
-        }
-    };
-    let isph = rest.get("scheme").and_then(Value::as_str) == Some("isph");
-    let base = if name == "default" && isph { "isph" } else { &name };
-    let Some(mut preset) = Numerics::preset(base) else {
-        let names: Vec<_> = PRESETS.iter().map(|&name| name.to_owned()).collect();
-        return Err(ConfigError::one_of("numerics.preset", &Value::String(name), &names));
-    };
-    if matches!(scene, Scene::DamBreak(_)) {
-        // A front that hits a wall leaves no time in which pairs could hold their geometry.
-        preset.acoustic_substeps = 1;
-    }
-    if name == "default" && base == "default" && !scene.has_crest_at_upright_wall() {
-        // A wide support pays where a crest strains a lattice. Thin sheets and wedges lose by it, and
-        // water at rest begins to creep after some ten seconds.
-        preset.support_radius_ratio = 4.0;
-        preset.artificial_viscosity = 0.1;
-        preset.shifting_coefficient = 0.25;
-    }
-    let weakly_compressible = |key: &str| WEAKLY_COMPRESSIBLE.contains(&key);
-    let stays = rest.get("scheme").is_none_or(|scheme| scheme.as_str() == Some("isph"));
-    if preset.scheme == SchemeChoice::Isph
-        && stays
-        && let Some((key, value)) = rest.iter().find(|(key, _)| weakly_compressible(key))
-    {
-        let allowed = "belongs to scheme = \"wcsph\"";
-        return Err(ConfigError::new(&format!("numerics.{key}"), value, allowed));
-    }
-    let mut merged = Table::try_from(&preset).expect("a preset is a table");
-    merged.extend(rest);
-    let known = serde_keys::<Numerics>();
-    let of_scene = scene.keys();
-    if let Some(key) = merged.keys().find(|key| !known.contains(key) && of_scene.contains(key)) {
-        return Err(ConfigError::misplaced(&format!("numerics.{key}"), &format!("scene.{key}")));
-    }
-    wording::read_table("numerics", merged, &known)
 }
 
 #[cfg(test)]
@@ -184,48 +136,107 @@ mod tests {
 
     #[test]
     fn every_bad_value_is_told_with_its_key() {
+        let boundaries = "must be one of improved-shepard, normalized, sfdi, mls-linear, \
+                          mls-quadratic, dummy";
+        let kinds = "must be one of hydrostatic, dam-break, seawall, standing-wave, taylor-green, \
+                     rotating-patch, oscillating-drop";
+        let spring = "spring_stiffness_n_per_m = 1\nseawall_mass_kg_per_m = 1";
         let bad = [
+            ("still_water_dept_m = 1", ": unknown key; did you mean still_water_depth_m?"),
+            ("wave_height_ratio = \"high\"", " = \"high\": must be a number"),
             (
-                "still_water_dept_m = 1.0",
-                "",
-                "scene.still_water_dept_m: unknown key; did you mean still_water_depth_m?",
+                "wall = \"moveable\"",
+                ": must be one of fixed, movable, caisson; did you mean movable?",
+            ),
+            ("kind = \"lake\"", &format!(" = \"lake\": {kinds}")),
+            ("kind = \"dambreak\"", &format!(": {kinds}; did you mean dam-break?")),
+            (
+                "kind = \"hydrostatic\"\nseawall_mass_kg_per_m = 1",
+                ": unknown key of kind = \"hydrostatic\"; kind = \"seawall\" has it",
             ),
             (
-                "",
-                "particle_spacing_m = -0.01",
-                "numerics.particle_spacing_m = -0.01: must be a finite number above 0",
+                "particle_spacing_m = 0.01",
+                ": unknown key; did you mean numerics.particle_spacing_m?",
+            ),
+            ("wave_height_ratio = 0", "scene.end_time_s: is needed where wave_height_ratio = 0"),
+            (spring, "scene.spring_stiffness_n_per_m = 1: belongs to wall = \"movable\""),
+            (
+                "wall = \"movable\"",
+                "scene.spring_stiffness_n_per_m: is needed where wall = \"movable\"",
             ),
             (
-                "",
-                "particle_spacing_m = nan",
-                "numerics.particle_spacing_m = NaN: must be a finite number above 0",
-            ),
-            ("", "kernel = 3", "numerics.kernel = 3: must be one of wendland-c2, "),
-            (
-                "",
-                "preset = \"fast\"",
-                "numerics.preset = \"fast\": must be one of default, huang2019",
-            ),
-            (
-                "kind = \"lake\"",
-                "",
-                "scene.kind = \"lake\": must be one of hydrostatic, dam-break, seawall, standing-wave,",
-            ),
-            (
-                "wave_height_ratio = 0",
-                "",
-                "scene.end_time_s: is needed where wave_height_ratio = 0",
-            ),
-            (
-                "wall = \"movable\"\nspring_stiffness_n_per_m = 1\nseawall_mass_kg_per_m = 1\nwall_angle_deg = 120",
-                "",
-                "scene.wall_angle_deg = 120: a movable wall is vertical",
+                &format!("wall = \"movable\"\nwall_angle_deg = 120\n{spring}"),
+                "scene.wall_angle_deg = 120: a movable wall is vertical: leave it out, or set \
+                 scene.wall = \"fixed\"",
             ),
         ];
-        for (scene, numerics, message) in bad {
-            let told = case(scene, numerics).unwrap_err().to_string();
-            assert!(told.starts_with(message), "{told:?} should start with {message:?}");
+        for (scene, message) in bad {
+            told(case(scene, ""), "scene.", message);
         }
+        let caisson = "wall = \"caisson\"\nseawall_mass_kg_per_m = 60\nstatic_friction = 0.6\n\
+                       submerged_weight_n_per_m = 300\n";
+        let bad = [
+            ("", "kinetic_friction: is needed where wall = \"caisson\""),
+            ("kinetic_friction = 0.7", " = 0.7: must be a number from 0 to 0.6"),
+            (
+                "kinetic_friction = 0.5\nthreshold_ratio = 1.2",
+                "threshold_ratio = 1.2: is not for a caisson: leave it out",
+            ),
+            (
+                "kinetic_friction = 0.5\nspring_stiffness_n_per_m = 1",
+                " = 1: belongs to wall = \"movable\"",
+            ),
+            (
+                "kinetic_friction = 0.5\nwall_angle_deg = 100",
+                " = 100: a caisson is vertical: leave it out, or set scene.wall = \"fixed\"",
+            ),
+        ];
+        for (scene, message) in bad {
+            told(case(&format!("{caisson}{scene}"), ""), "scene.", message);
+        }
+        let message = "scene.static_friction = 1: belongs to wall = \"caisson\"";
+        told(case("static_friction = 1", ""), "scene.", message);
+        let bad = [
+            ("colour = 1", "numerics.colour: unknown key"),
+            ("wave_height_ratio = 0.3", ": unknown key; did you mean scene.wave_height_ratio?"),
+            ("preset = \"fast\"", " = \"fast\": must be one of default, huang2019, isph"),
+            ("particle_spacing_m = -0.01", " = -0.01: must be a finite number above 0"),
+            ("particle_spacing_m = nan", " = NaN: must be a finite number above 0"),
+            (
+                "kernel = 3",
+                " = 3: must be one of wendland-c2, wendland-c4, gaussian, cubic-spline, quintic-spline",
+            ),
+            ("error_bars = { a = 1 }", " = { a = 1 }: must be one of none, pair, triple"),
+            ("boundary = \"sdfi\"", &format!(" = \"sdfi\": {boundaries}; did you mean sfdi?")),
+            ("boundary = \"brick\"", &format!(" = \"brick\": {boundaries}")),
+            ("retries = -1", " = -1: must be a whole number, 0 or above"),
+            ("retries = 1.5", " = 1.5: must be a whole number, 0 or above"),
+            ("retries = 7", " = 7: must be a whole number from 0 to 6"),
+            ("corrected_gradients = 1", " = 1: must be true or false"),
+            ("laplacian = \"exact\"", " = \"exact\": belongs to scheme = \"isph\""),
+            ("scheme = \"isph\"\nslip = \"no\"", " = \"no\": belongs to scheme = \"wcsph\""),
+            (
+                "preset = \"isph\"\nscheme = \"wcsph\"",
+                ": preset = \"isph\" is of scheme = \"isph\"",
+            ),
+        ];
+        for (numerics, message) in bad {
+            told(case("", numerics), "numerics.", message);
+        }
+    }
+
+    fn told(case: Result<CaseConfig, ConfigError>, section: &str, message: &str) {
+        let told = case.unwrap_err().to_string();
+        assert!(told.starts_with(section) && told.ends_with(message), "{told:?}: {message:?}");
+    }
+
+    #[test]
+    fn a_key_added_later_is_stored_only_off_its_default() {
+        let stored = |scene: &str| Table::try_from(case(scene, "").unwrap().scene).unwrap();
+        assert!(!stored("paddle = \"solitary\"").contains_key("paddle"));
+        let waves = stored("paddle = \"wave-train\"\nwave_period_s = 1\nend_time_s = 1");
+        assert_eq!(waves["paddle"].as_str(), Some("wave-train"));
+        assert_eq!(waves["wave_period_s"].as_float(), Some(1.0));
     }
 
     #[test]

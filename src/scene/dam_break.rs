@@ -2,13 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::check::Check;
-use super::error::ConfigError;
 use super::filling::Filling;
 use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::Numerics;
 use super::tank::Tank;
+use crate::keys::{ConfigError, section};
 use crate::math::simd::SimdPath;
 use crate::theory::dam_break::ReleasedColumn;
 
@@ -22,41 +21,25 @@ pub enum InitialDensity {
     Hydrostatic,
 }
 
-/// The `[scene]` table with `kind = "dam-break"`, complete.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct DamBreakScene {
-    /// Height H of the column, metres.
-    pub column_height_m: f64,
-    /// Length L of the column, metres.
-    pub column_length_m: f64,
-    /// Between the end walls, metres.
-    pub tank_length_m: f64,
-    /// Gravity g, m/s².
-    pub gravity_m_per_s2: f64,
-    /// ρ0, kg/m³, the density at zero pressure.
-    pub water_density_kg_per_m3: f64,
-    /// Density at the instant of release.
-    pub initial_density: InitialDensity,
-    /// The run ends at this time, seconds; 8 √(H/g) by default.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub end_time_s: Option<f64>,
-    /// Spacing of the history samples, seconds.
-    pub history_interval_s: f64,
-}
-
-impl Default for DamBreakScene {
-    fn default() -> Self {
-        DamBreakScene {
-            column_height_m: 0.6,
-            column_length_m: 1.2,
-            tank_length_m: 3.2196,
-            gravity_m_per_s2: 9.81,
-            water_density_kg_per_m3: 1000.0,
-            initial_density: InitialDensity::DamBreak,
-            end_time_s: None,
-            history_interval_s: 0.002,
-        }
+section! {
+    /// The `[scene]` table with `kind = "dam-break"`, complete.
+    pub struct DamBreakScene in "scene" {
+        /// Height H of the column.
+        column_height_m: f64 = 0.6, unit("m").above_zero();
+        /// Length L of the column.
+        column_length_m: f64 = 1.2, unit("m").above_zero();
+        /// Between the end walls, at least the column's length.
+        tank_length_m: f64 = 3.2196, unit("m").above_zero();
+        /// Gravity g.
+        gravity_m_per_s2: f64 = 9.81, unit("m/s²").above_zero();
+        /// ρ0, the density at zero pressure.
+        water_density_kg_per_m3: f64 = 1000.0, unit("kg/m³").above_zero();
+        /// Density at the instant of release.
+        initial_density: InitialDensity = InitialDensity::DamBreak, plain();
+        /// The run ends at this time.
+        end_time_s: Option<f64> = None, unit("s").above_zero().otherwise("8 √(H/g)");
+        /// Spacing of the history's samples.
+        history_interval_s: f64 = 0.002, unit("s").above_zero();
     }
 }
 
@@ -65,20 +48,11 @@ const END: f64 = 8.0;
 
 impl DamBreakScene {
     pub(super) fn validate(&self) -> Result<(), ConfigError> {
-        let check = Check::section("scene");
-        check.positive("column_height_m", self.column_height_m)?;
-        check.positive("column_length_m", self.column_length_m)?;
-        check.positive("tank_length_m", self.tank_length_m)?;
         if self.tank_length_m < self.column_length_m {
             let allowed = "must be at least column_length_m";
-            return Err(check.error("tank_length_m", self.tank_length_m, allowed));
+            return Err(ConfigError::new("scene.tank_length_m", self.tank_length_m, allowed));
         }
-        check.positive("gravity_m_per_s2", self.gravity_m_per_s2)?;
-        check.positive("water_density_kg_per_m3", self.water_density_kg_per_m3)?;
-        if let Some(end) = self.end_time_s {
-            check.positive("end_time_s", end)?;
-        }
-        check.positive("history_interval_s", self.history_interval_s)
+        Ok(())
     }
 
     pub(super) fn frame(&self) -> Frame {

@@ -2,16 +2,15 @@
 
 use super::frame::Frame;
 use super::lattice::Lattice;
-use super::numerics::{COMPACT_SHARE, GhostGravity, Numerics, Scheme as SchemeChoice, Slip};
+use super::numerics::{GhostGravity, Numerics, Scheme as SchemeChoice, Slip};
 use super::packing::Packing;
 use super::tank::Tank;
 use crate::body::Place;
 use crate::boundary::{Ghosts, TankLayout, box_ghosts, no_ghosts, tank_ghosts};
 use crate::math::simd::SimdPath;
-use crate::math::sparse::PreconditionerChoice;
 use crate::pairs::Fluid;
 use crate::pairs::Strips;
-use crate::scheme::isph::{Isph, IsphOptions, Laplacian};
+use crate::scheme::isph::{Isph, IsphOptions};
 use crate::scheme::wcsph::{Shifting, Wcsph, WcsphOptions};
 use crate::scheme::{Scheme, StateEquation};
 use crate::theory::central_field::CentralField;
@@ -228,6 +227,7 @@ impl Filling {
         path: SimdPath,
     ) -> Box<dyn Scheme> {
         let [dx, _] = self.lattice.spacing;
+        let own = numerics.incompressible();
         let options = IsphOptions {
             kernel: numerics.kernel,
             support_radius: numerics.support_radius_ratio * dx,
@@ -236,7 +236,7 @@ impl Filling {
             gravity: frame.gravity,
             still_level: frame.depth,
             viscosity: numerics.kinematic_viscosity_m2_per_s.unwrap_or(0.0),
-            compact_share: numerics.compact_share.unwrap_or(COMPACT_SHARE),
+            compact_share: own.compact_share,
             acceleration: frame.acceleration(),
             viscous_speed: VISCOUS_SPEED * frame.speed_squared().sqrt(),
             artificial_viscosity: numerics.artificial_viscosity,
@@ -244,12 +244,12 @@ impl Filling {
                 Shifting::Interior => numerics.shifting_coefficient,
                 Shifting::None => 0.0,
             },
-            volume_relaxation: numerics.volume_relaxation.unwrap_or(0.0),
-            pressure_memory: numerics.pressure_memory.unwrap_or(0.98),
-            laplacian: numerics.laplacian.unwrap_or(Laplacian::Exact),
-            preconditioner: numerics.preconditioner.unwrap_or(PreconditionerChoice::Multigrid),
-            solver_tolerance: numerics.solver_tolerance.unwrap_or(1e-2),
-            courant_number: numerics.flow_courant_number.unwrap_or(0.2),
+            volume_relaxation: own.volume_relaxation,
+            pressure_memory: own.pressure_memory,
+            laplacian: own.laplacian,
+            preconditioner: own.preconditioner,
+            solver_tolerance: own.solver_tolerance,
+            courant_number: own.flow_courant_number,
         };
         let fluid = if self.walls == Walls::Tank {
             self.fluid(self.lattice.points(|_, _| [frame.density; 2]))

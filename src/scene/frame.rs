@@ -1,6 +1,6 @@
 //! What every scene has: a tank's length, a depth, gravity, water, an end.
 
-use super::numerics::{GRAVITY_COURANT_NUMBER, Numerics, Scheme};
+use super::numerics::{Numerics, Scheme};
 use crate::scheme::StateEquation;
 
 /// ν n Δt/R² of explicit viscosity: where Taylor-Green vortices stay stable whatever the kernel and
@@ -70,7 +70,7 @@ impl Frame {
         let mut bound = match numerics.scheme {
             Scheme::Wcsph => courant_number(numerics) * spacing / self.sound_speed(numerics),
             Scheme::Isph => {
-                let number = numerics.gravity_courant_number.unwrap_or(GRAVITY_COURANT_NUMBER);
+                let number = numerics.incompressible().gravity_courant_number;
                 number * (spacing / self.acceleration()).sqrt()
             }
         };

@@ -1,11 +1,10 @@
 //! The kinds of scenes, and what all of them can do.
 
 use serde::{Deserialize, Serialize};
-use toml::{Table, Value};
+use toml::Table;
 
-use super::config::read_section;
 use super::dam_break::DamBreakScene;
-use super::error::ConfigError;
+use super::declared::{Place, refuse_unknown};
 use super::frame::Frame;
 use super::hydrostatic::HydrostaticScene;
 use super::numerics::{Numerics, Scheme};
@@ -15,27 +14,94 @@ use super::seawall::SeawallScene;
 use super::standing_wave::StandingWaveScene;
 use super::tank::Tank;
 use super::taylor_green::TaylorGreenScene;
-use super::wording::serde_keys;
+use crate::keys::{ConfigError, Key, Section, check_conditions, section};
 use crate::math::simd::SimdPath;
 
-/// What is simulated.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(tag = "kind", rename_all = "kebab-case")]
-pub enum Scene {
-    /// A wave tank that ends in a seawall.
-    Seawall(SeawallScene),
+/// Declares the kinds: for each its name in files and its section.
+macro_rules! kinds {
+    ($($(#[doc = $about:literal])* $name:literal => $kind:ident($scene:ty);)*) => {
+        /// Names that `scene.kind` may take.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+        pub enum Kind {
+            $($(#[doc = $about])* #[serde(rename = $name)] $kind,)*
+        }
+
+        impl Kind {
+            /// All of them.
+            pub const ALL: &[Kind] = &[$(Kind::$kind),*];
+
+            /// Its name in files.
+            pub fn name(self) -> &'static str {
+                match self { $(Kind::$kind => $name,)* }
+            }
+
+            /// The keys of a scene of this kind, `kind` itself left out.
+            pub(super) fn keys(self) -> Vec<&'static Key> {
+                match self { $(Kind::$kind => <$scene>::keys(),)* }
+            }
+
+            fn read(self, table: &Table) -> Result<Scene, ConfigError> {
+                match self {
+                    $(Kind::$kind => {
+                        let scene = <$scene>::read(table, None)?;
+                        check_conditions::<$scene>(table, &scene.table())?;
+                        Ok(Scene::$kind(scene))
+                    })*
+                }
+            }
+        }
+
+        /// What is simulated.
+        #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+        #[serde(tag = "kind")]
+        pub enum Scene {
+            $($(#[doc = $about])* #[serde(rename = $name)] $kind($scene),)*
+        }
+
+        impl Scene {
+            /// Its kind.
+            pub(super) fn of_kind(&self) -> Kind {
+                match self { $(Scene::$kind(_) => Kind::$kind,)* }
+            }
+        }
+
+        /// `$body` with `$scene` bound to the scene of whatever kind.
+        macro_rules! each {
+            ($value:expr, $bound:ident => $body:expr) => {
+                match $value { $(Scene::$kind($bound) => $body,)* }
+            };
+        }
+    };
+}
+
+kinds! {
     /// Still water in a box.
-    Hydrostatic(HydrostaticScene),
+    "hydrostatic" => Hydrostatic(HydrostaticScene);
     /// A column of water that collapses.
-    DamBreak(DamBreakScene),
+    "dam-break" => DamBreak(DamBreakScene);
+    /// A wave tank that ends in a seawall.
+    "seawall" => Seawall(SeawallScene);
     /// A small standing wave in a box.
-    StandingWave(StandingWaveScene),
+    "standing-wave" => StandingWave(StandingWaveScene);
     /// Taylor-Green vortices in a closed box.
-    TaylorGreen(TaylorGreenScene),
+    "taylor-green" => TaylorGreen(TaylorGreenScene);
     /// A square in free rotation.
-    RotatingPatch(RotatingPatchScene),
+    "rotating-patch" => RotatingPatch(RotatingPatchScene);
     /// A drop in a central field.
-    OscillatingDrop(OscillatingDropScene),
+    "oscillating-drop" => OscillatingDrop(OscillatingDropScene);
+}
+
+impl Kind {
+    /// The kind of a scene that does not say it.
+    pub const DEFAULT: Kind = Kind::Seawall;
+}
+
+section! {
+    /// What `[scene]` has besides the keys of its kind.
+    pub(super) struct OfKind in "scene" {
+        /// What is simulated.
+        kind: Kind = Kind::DEFAULT, plain().label("scene");
+    }
 }
 
 impl Scene {
@@ -43,67 +109,7 @@ impl Scene {
     pub(super) fn has_crest_at_upright_wall(&self) -> bool {
         self.seawall().is_some_and(|s| s.wave_height_ratio > 0.0 && s.wall_angle_deg == 90.0)
     }
-}
 
-/// Names that `scene.kind` may take.
-const KINDS: &[&str] = &[
-    "hydrostatic",
-    "dam-break",
-    "seawall",
-    "standing-wave",
-    "taylor-green",
-    "rotating-patch",
-    "oscillating-drop",
-];
-
-/// `$body` with `$scene` bound to the scene of whatever kind.
-macro_rules! each {
-    ($scene:expr, $bound:ident => $body:expr) => {
-        match $scene {
-            Scene::Seawall($bound) => $body,
-            Scene::Hydrostatic($bound) => $body,
-            Scene::DamBreak($bound) => $body,
-            Scene::StandingWave($bound) => $body,
-            Scene::TaylorGreen($bound) => $body,
-            Scene::RotatingPatch($bound) => $body,
-            Scene::OscillatingDrop($bound) => $body,
-        }
-    };
-}
-
-/// The keys of `[scene]` with this kind, without `kind` itself.
-fn keys_of(kind: &str) -> Vec<String> {
-    match kind {
-        "hydrostatic" => serde_keys::<HydrostaticScene>(),
-        "dam-break" => serde_keys::<DamBreakScene>(),
-        "standing-wave" => serde_keys::<StandingWaveScene>(),
-        "taylor-green" => serde_keys::<TaylorGreenScene>(),
-        "rotating-patch" => serde_keys::<RotatingPatchScene>(),
-        "oscillating-drop" => serde_keys::<OscillatingDropScene>(),
-        _ => serde_keys::<SeawallScene>(),
-    }
-}
-
-/// Tells where a key that this kind does not know belongs, if it belongs anywhere.
-fn misplaced(kind: &str, key: &String) -> Result<(), ConfigError> {
-    let path = format!("scene.{key}");
-    if serde_keys::<Numerics>().contains(key) || key == "preset" {
-        return Err(ConfigError::misplaced(&path, &format!("numerics.{key}")));
-    }
-    let others: Vec<_> = KINDS
-        .iter()
-        .filter(|other| keys_of(other).contains(key))
-        .map(|other| format!("{other:?}"))
-        .collect();
-    if others.is_empty() {
-        return Ok(());
-    }
-    let has = if others.len() > 1 { "have" } else { "has" };
-    let allowed = format!("unknown key of kind = {kind:?}; kind = {} {has} it", others.join(", "));
-    Err(ConfigError::new(&path, "", allowed))
-}
-
-impl Scene {
     /// The seawall's values, where the scene has one.
     pub fn seawall(&self) -> Option<&SeawallScene> {
         match self {
@@ -114,20 +120,7 @@ impl Scene {
 
     /// The name that `scene.kind` gives it.
     pub fn kind(&self) -> &'static str {
-        match self {
-            Scene::Seawall(_) => "seawall",
-            Scene::Hydrostatic(_) => "hydrostatic",
-            Scene::DamBreak(_) => "dam-break",
-            Scene::StandingWave(_) => "standing-wave",
-            Scene::TaylorGreen(_) => "taylor-green",
-            Scene::RotatingPatch(_) => "rotating-patch",
-            Scene::OscillatingDrop(_) => "oscillating-drop",
-        }
-    }
-
-    /// The keys of its table, without `kind`.
-    pub(super) fn keys(&self) -> Vec<String> {
-        keys_of(self.kind())
+        self.of_kind().name()
     }
 
     /// Its scales.
@@ -175,9 +168,15 @@ impl Scene {
         }
     }
 
-    /// Checks its values, and that the scheme can take it.
+    /// Checks what no key can tell alone, and that the scheme can take it.
     pub(super) fn validate(&self, numerics: &Numerics) -> Result<(), ConfigError> {
-        each!(self, scene => scene.validate())?;
+        match self {
+            Scene::Seawall(scene) => scene.validate()?,
+            Scene::Hydrostatic(scene) => scene.validate()?,
+            Scene::DamBreak(scene) => scene.validate()?,
+            Scene::OscillatingDrop(scene) => scene.validate()?,
+            Scene::StandingWave(_) | Scene::TaylorGreen(_) | Scene::RotatingPatch(_) => {}
+        }
         let why = match self {
             Scene::TaylorGreen(_) => "has no surface, which isph takes its pressure from",
             Scene::OscillatingDrop(_) => "lies in a central field, which isph does not know",
@@ -192,28 +191,8 @@ impl Scene {
 
     /// Reads a `[scene]` table by its `kind`; a seawall where there is none.
     pub(super) fn read(table: &Table) -> Result<Scene, ConfigError> {
-        let kind = match table.get("kind") {
-            None => "seawall",
-            Some(Value::String(kind)) if KINDS.contains(&kind.as_str()) => kind,
-            Some(other) => {
-                let names: Vec<_> = KINDS.iter().map(|&name| name.to_owned()).collect();
-                return Err(ConfigError::one_of("scene.kind", other, &names));
-            }
-        };
-        let mut rest = table.clone();
-        rest.remove("kind");
-        let own = keys_of(kind);
-        if let Some(key) = rest.keys().find(|key| !own.contains(key)) {
-            misplaced(kind, key)?;
-        }
-        Ok(match kind {
-            "hydrostatic" => Scene::Hydrostatic(read_section(rest)?),
-            "dam-break" => Scene::DamBreak(read_section(rest)?),
-            "standing-wave" => Scene::StandingWave(read_section(rest)?),
-            "taylor-green" => Scene::TaylorGreen(read_section(rest)?),
-            "rotating-patch" => Scene::RotatingPatch(read_section(rest)?),
-            "oscillating-drop" => Scene::OscillatingDrop(read_section(rest)?),
-            _ => Scene::Seawall(read_section(rest)?),
-        })
+        let kind = OfKind::read(table, None)?.kind;
+        refuse_unknown(Place::Scene, kind, table)?;
+        kind.read(table)
     }
 }

@@ -4,186 +4,169 @@
 
 use super::config::CaseConfig;
 use super::kind::Scene;
-use super::numerics::{BoundaryChoice, GhostGravity, Scheme, Slip};
-use super::seawall::SeawallScene;
+use super::numerics::{BoundaryChoice, GhostGravity, Numerics, Scheme, Slip};
 use super::size;
 use crate::scheme::isph::Laplacian;
 
 /// Walls this stiff, N/m per metre of width, stand as good as still under the highest waves.
 const STIFF: f64 = 1e4;
 
-/// Seconds for which still water has rested with every way of taking ghosts' values.
-const LONG: f64 = 20.0;
+/// What limits ask of a case.
+struct Facts<'a> {
+    config: &'a CaseConfig,
+    numerics: &'a Numerics,
+    weakly: bool,
+    /// H/h at a seawall, 0 for no wave.
+    wave: f64,
+    /// Rows of particles over the depth before a seawall.
+    rows: Option<f64>,
+    /// A seawall that hardly moves.
+    stands: bool,
+}
 
-/// Periods over which drops have followed the exact one.
-const MANY_PERIODS: f64 = 10.0;
+impl Facts<'_> {
+    fn of(config: &CaseConfig) -> Facts<'_> {
+        let numerics = &config.numerics;
+        let seawall = config.scene.seawall();
+        Facts {
+            config,
+            numerics,
+            weakly: numerics.scheme == Scheme::Wcsph,
+            wave: seawall.map_or(0.0, |scene| scene.wave_height_ratio),
+            rows: seawall.map(|scene| scene.still_water_depth_m / numerics.particle_spacing_m),
+            stands: seawall.is_some_and(|scene| {
+                !scene.wall.moves() || scene.spring_stiffness_n_per_m.is_some_and(|k| k >= STIFF)
+            }),
+        }
+    }
 
-/// Rows of particles over the depth from which waves do without gradient corrections.
-const FEW_ROWS: f64 = 20.0;
+    fn scene(&self) -> &Scene {
+        &self.config.scene
+    }
 
-/// Rows of particles over the depth above which a case of incompressible water takes minutes.
-const COSTLY_ROWS: f64 = 32.0;
+    fn breaks(&self) -> bool {
+        self.weakly && matches!(self.scene(), Scene::DamBreak(_))
+    }
 
-/// Particles above which a case takes gigabytes and hours.
-const MANY_PARTICLES: f64 = 1e6;
+    /// Without gradient corrections and the shifting that goes with them.
+    fn uncorrected(&self) -> bool {
+        self.weakly && !self.numerics.corrected_gradients
+    }
+
+    /// Takes ghosts' values in this way.
+    fn boundary(&self, choice: BoundaryChoice) -> bool {
+        self.weakly && self.numerics.boundary == choice
+    }
+
+    fn leaves_divergence(&self) -> bool {
+        let own = self.numerics.incompressible();
+        !self.weakly && own.gravity_courant_number > 0.035 && own.laplacian != Laplacian::Exact
+    }
+}
 
 /// What is known to go wrong, or to be inaccurate, with a case; a line each, the same line for the
 /// same limit.
 pub fn limits(config: &CaseConfig) -> Vec<&'static str> {
-    let mut found = Vec::new();
-    let numerics = &config.numerics;
-    if numerics.scheme == Scheme::Wcsph && numerics.courant_number > 2.0 {
-        found.push(
-            "courant_number above 2: energy comes from nowhere, 11 % of the paddle's work at 2.3, \
-             and at 2.5 the run ends; retries = 1 would start it again with half the step",
-        );
-    }
-    if numerics.scheme == Scheme::Wcsph {
-        at_walls(config, &mut found);
-    }
-    if numerics.scheme == Scheme::Isph {
-        incompressible(config, &mut found);
-    }
-    if numerics.scheme == Scheme::Wcsph && !numerics.corrected_gradients {
-        found.extend(uncorrected(config));
-    }
-    if matches!(&config.scene, Scene::OscillatingDrop(drop) if drop.end_after_periods > MANY_PERIODS)
-    {
-        found.push(
-            "an oscillating drop for more than 10 periods: after 30 its axes enclosed 30 % less than \
-             the exact drop's with corrected_gradients, and swung 63 % too little without",
-        );
-    }
-    if size::particles(config) > MANY_PARTICLES {
-        found.push(
-            "more than 1,000,000 particles: 1.4 GiB and some hours of one core upwards, both for each \
-             case at once; 20,000,000 are the most that are taken",
-        );
-    }
-    let Some(scene) = config.scene.seawall() else { return found };
-    let rows = scene.still_water_depth_m / numerics.particle_spacing_m;
-    if rows < 10.0 {
-        found.push(
-            "fewer than 10 particles over the depth: the wave loses height, forces are 1 to 3 % \
-             and runups up to 20 % low",
-        );
-    }
-    if scene.wave_height_ratio >= 0.6 && stands(scene) && numerics.scheme == Scheme::Wcsph {
-        found.push(
-            "H/h of 0.6 and more on a wall that hardly moves: the tip of the water is thinner than \
-             a particle, and the runup is read low, by about 0.1 h at the default spacing",
-        );
-    }
-    let stiff_and_light = scene.seawall_mass_kg_per_m.is_some_and(|mass| mass < 2.0)
-        && scene.spring_stiffness_n_per_m.is_some_and(|k| k >= 1e6);
-    if stiff_and_light {
-        found.push(
-            "a wall below 2 kg/m on a spring of 1e6 N/m and more rings: its force maximum was \
-             measured 14 % above a fixed wall's",
-        );
-    }
-    if scene.wave_height_ratio > 0.75 {
-        found.push("H/h above 0.75: such a wave breaks on its way, and no reference covers it");
-    }
-    found
+    let facts = Facts::of(config);
+    LIMITS.iter().filter(|(holds, _)| holds(&facts)).map(|(_, told)| *told).collect()
 }
 
-/// Whether the wall hardly moves.
-fn stands(scene: &SeawallScene) -> bool {
-    !scene.wall.moves() || scene.spring_stiffness_n_per_m.is_some_and(|k| k >= STIFF)
-}
+type Limit = (fn(&Facts<'_>) -> bool, &'static str);
 
-/// What is lost without gradient corrections and the shifting that goes with them.
-fn uncorrected(config: &CaseConfig) -> Option<&'static str> {
-    let numerics = &config.numerics;
-    match &config.scene {
-        Scene::TaylorGreen(_) => Some(
-            "vortices without corrected_gradients and shifting decay too fast: by 14 % of their \
-             speed at 20 particles across each, against 4.5 % with them",
-        ),
-        Scene::StandingWave(_) => {
-            Some("a standing wave without corrected_gradients lost 46 % of its amplitude")
-        }
-        Scene::RotatingPatch(_) => Some(
-            "a rotating patch without corrected_gradients and shifting lost 6 % of its kinetic \
-             energy, and its particles clustered",
-        ),
-        Scene::Seawall(scene)
-            if scene.still_water_depth_m < FEW_ROWS * numerics.particle_spacing_m =>
-        {
-            Some(
-                "waves without corrected_gradients at fewer than 20 rows over the depth: forces on \
-                 the wall were up to 20 % high, and runups 18 % low",
-            )
-        }
-        _ => None,
-    }
-}
-
-/// Limits of incompressible SPH; see `results/liang2017`.
-fn incompressible(config: &CaseConfig, found: &mut Vec<&'static str>) {
-    let numerics = &config.numerics;
-    let limit = numerics.gravity_courant_number.is_some_and(|courant| courant > 0.035);
-    if limit && matches!(numerics.laplacian, Some(Laplacian::Symmetric | Laplacian::Schwaiger)) {
-        found.push(
-            "laplacian = \"symmetric\" or \"schwaiger\" leaves divergence in the water and wants \
-             gravity_courant_number = 0.035; \"exact\" does neither",
-        );
-    }
-    let Some(scene) = config.scene.seawall() else { return };
-    if scene.wave_height_ratio >= 0.5 && stands(scene) {
-        found.push(
-            "scheme = \"isph\" at H/h of 0.5 and more on a wall that hardly moves: the runup is read low, \
-             by some 0.04 h at 0.5 and 0.14 h at 0.6 at the default spacing; forces hold",
-        );
-    }
-    if scene.still_water_depth_m / numerics.particle_spacing_m > COSTLY_ROWS {
-        found.push(
-            "scheme = \"isph\" with more than 32 rows over the depth: a case of 25 rows takes half a \
-             minute and more, one of half the spacing six times as long; scheme = \"wcsph\" is as \
-             accurate in a fifth of the time",
-        );
-    }
-}
-
-/// Limits of how ghosts take their values.
-fn at_walls(config: &CaseConfig, found: &mut Vec<&'static str>) {
-    let numerics = &config.numerics;
-    let breaks = matches!(config.scene, Scene::DamBreak(_));
-    if numerics.boundary == BoundaryChoice::Sfdi && config.scene.seawall().is_some() {
-        found.push(
-            "boundary = \"sfdi\": its weights jump as another particle becomes the nearest; a wave of \
-             H/h = 0.5 at a vertical wall gained 1.4 % of the paddle's work from nowhere",
-        );
-    }
-    let end = config.scene.frame().end_time;
-    if numerics.boundary == BoundaryChoice::Dummy && end > LONG {
-        found.push(
-            "boundary = \"dummy\" for more than 20 s: still water creeps at the walls; after 300 s ten \
-             rows of it pressed 9 % too little and stood 0.08 h low",
-        );
-    }
-    if numerics.boundary == BoundaryChoice::Normalized
-        && numerics.ghost_gravity == GhostGravity::AtMirror
-    {
-        found.push(
-            "boundary = \"normalized\" with ghost_gravity = \"at-mirror\": pressure at the bed of \
-             still water was up to 3.1 % off; \"in-sum\" keeps it within 0.2 %",
-        );
-    }
-    if breaks && numerics.slip == Slip::No {
-        found.push(
-            "slip = \"no\" in a dam break: the bed holds the front back as far as the kernel reaches, \
-             at 30 rows it came 0.6 to 1.1 √(H/g) late",
-        );
-    }
-    if breaks && numerics.corrected_gradients {
-        found.push(
-            "corrected_gradients in a dam break: thin water bears no pressure, a gauge feels the jet \
-             0.1 to 0.2 √(H/g) later than with preset = \"huang2019\"",
-        );
-    }
-}
+const LIMITS: &[Limit] = &[
+    (
+        |case| case.weakly && case.numerics.courant_number > 2.0,
+        "courant_number above 2: energy comes from nowhere, 11 % of the paddle's work at 2.3, and at \
+         2.5 the run ends; retries = 1 would start it again with half the step",
+    ),
+    (
+        |case| case.boundary(BoundaryChoice::Sfdi) && case.rows.is_some(),
+        "boundary = \"sfdi\": its weights jump as another particle becomes the nearest; a wave of \
+         H/h = 0.5 at a vertical wall gained 1.4 % of the paddle's work from nowhere",
+    ),
+    (
+        |case| case.boundary(BoundaryChoice::Dummy) && case.scene().frame().end_time > 20.0,
+        "boundary = \"dummy\" for more than 20 s: still water creeps at the walls; after 300 s ten \
+         rows of it pressed 9 % too little and stood 0.08 h low",
+    ),
+    (
+        |case| {
+            let at_mirror = case.numerics.ghost_gravity == GhostGravity::AtMirror;
+            case.boundary(BoundaryChoice::Normalized) && at_mirror
+        },
+        "boundary = \"normalized\" with ghost_gravity = \"at-mirror\": pressure at the bed of still \
+         water was up to 3.1 % off; \"in-sum\" keeps it within 0.2 %",
+    ),
+    (
+        |case| case.breaks() && case.numerics.slip == Slip::No,
+        "slip = \"no\" in a dam break: the bed holds the front back as far as the kernel reaches, at \
+         30 rows it came 0.6 to 1.1 √(H/g) late",
+    ),
+    (
+        |case| case.breaks() && case.numerics.corrected_gradients,
+        "corrected_gradients in a dam break: thin water bears no pressure, a gauge feels the jet 0.1 \
+         to 0.2 √(H/g) later than with preset = \"huang2019\"",
+    ),
+    (
+        |case| case.leaves_divergence(),
+        "laplacian = \"symmetric\" or \"schwaiger\" leaves divergence in the water and wants \
+         gravity_courant_number = 0.035; \"exact\" does neither",
+    ),
+    (
+        |case| !case.weakly && case.wave >= 0.5 && case.stands,
+        "scheme = \"isph\" at H/h of 0.5 and more on a wall that hardly moves: the runup is read low, \
+         by some 0.04 h at 0.5 and 0.14 h at 0.6 at the default spacing; forces hold",
+    ),
+    (
+        |case| !case.weakly && case.rows.is_some_and(|rows| rows > 32.0),
+        "scheme = \"isph\" with more than 32 rows over the depth: a case of 25 rows takes half a \
+         minute and more, one of half the spacing six times as long; scheme = \"wcsph\" is as \
+         accurate in a fifth of the time",
+    ),
+    (
+        |case| case.uncorrected() && matches!(case.scene(), Scene::TaylorGreen(_)),
+        "vortices without corrected_gradients and shifting decay too fast: by 14 % of their speed at \
+         20 particles across each, against 4.5 % with them",
+    ),
+    (
+        |case| case.uncorrected() && matches!(case.scene(), Scene::StandingWave(_)),
+        "a standing wave without corrected_gradients lost 46 % of its amplitude",
+    ),
+    (
+        |case| case.uncorrected() && matches!(case.scene(), Scene::RotatingPatch(_)),
+        "a rotating patch without corrected_gradients and shifting lost 6 % of its kinetic energy, \
+         and its particles clustered",
+    ),
+    (
+        |case| case.uncorrected() && case.rows.is_some_and(|rows| rows < 20.0),
+        "waves without corrected_gradients at fewer than 20 rows over the depth: forces on the wall \
+         were up to 20 % high, and runups 18 % low",
+    ),
+    (
+        |case| matches!(case.scene(), Scene::OscillatingDrop(drop) if drop.end_after_periods > 10.0),
+        "an oscillating drop for more than 10 periods: after 30 its axes enclosed 30 % less than the \
+         exact drop's with corrected_gradients, and swung 63 % too little without",
+    ),
+    (
+        |case| size::particles(case.config) > 1e6,
+        "more than 1,000,000 particles: 1.4 GiB and some hours of one core upwards, both for each \
+         case at once; 20,000,000 are the most that are taken",
+    ),
+    (
+        |case| case.rows.is_some_and(|rows| rows < 10.0),
+        "fewer than 10 particles over the depth: the wave loses height, forces are 1 to 3 % and \
+         runups up to 20 % low",
+    ),
+    (
+        |case| case.weakly && case.wave >= 0.6 && case.stands,
+        "H/h of 0.6 and more on a wall that hardly moves: the tip of the water is thinner than a \
+         particle, and the runup is read low, at H/h = 0.6 by 0.016 h at 9 mm and 0.1 h at 16 mm",
+    ),
+    (
+        |case| case.wave > 0.75,
+        "H/h above 0.75: such a wave breaks on its way, and no reference covers it",
+    ),
+];
 
 #[cfg(test)]
 mod tests {
@@ -234,8 +217,5 @@ mod tests {
         let soft = "wave_height_ratio = 0.6\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n\
                     spring_stiffness_n_per_m = 10";
         assert_eq!(count(soft, ""), 0);
-        let ringing =
-            "wall = \"movable\"\nseawall_mass_kg_per_m = 1\nspring_stiffness_n_per_m = 1e7";
-        assert_eq!(count(ringing, ""), 1);
     }
 }

@@ -4,10 +4,9 @@
 //! tables through [`CaseConfig::from_tables`], which fills in presets and refuses what is unknown,
 //! of the wrong type, or out of range with a [`ConfigError`] that says so.
 
-mod check;
 mod config;
 mod dam_break;
-mod error;
+mod declared;
 mod filling;
 mod frame;
 mod hydrostatic;
@@ -25,20 +24,23 @@ mod size;
 mod standing_wave;
 mod tank;
 mod taylor_green;
-mod wording;
 
 pub use config::CaseConfig;
 pub use dam_break::{DamBreakScene, InitialDensity};
-pub use error::ConfigError;
+pub use declared::{Place, numerics_keys, place_of, probe_keys, scene_keys};
 pub use frame::Frame;
 pub use hydrostatic::HydrostaticScene;
-pub use kind::Scene;
+pub use kind::{Kind, Scene};
 pub use limits::limits;
-pub use numerics::{BoundaryChoice, ErrorBars, GhostGravity, Numerics, PRESETS, Scheme, Slip};
+pub use numerics::{
+    BoundaryChoice, ErrorBars, GhostGravity, IncompressibleNumerics, Numerics, Preset, Scheme, Slip,
+};
 pub use oscillating_drop::OscillatingDropScene;
 pub use probe::{Probe, ProbeKind, Side};
 pub use rotating_patch::RotatingPatchScene;
-pub use seawall::{SeawallScene, WallChoice, keys_of_other_walls};
+pub use seawall::{PaddleChoice, SeawallScene, WallChoice};
 pub use standing_wave::StandingWaveScene;
 pub use tank::Tank;
 pub use taylor_green::TaylorGreenScene;
+
+pub use crate::keys::ConfigError;

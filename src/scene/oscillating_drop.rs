@@ -2,48 +2,31 @@
 
 use std::f64::consts::TAU;
 
-use serde::{Deserialize, Serialize};
-
-use super::check::Check;
-use super::error::ConfigError;
 use super::filling::{Filling, Walls};
 use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::Numerics;
 use super::tank::Tank;
+use crate::keys::{ConfigError, Range, section};
 use crate::math::simd::SimdPath;
 use crate::theory::central_field::CentralField;
 use crate::theory::elliptic_drop::EllipticDrop;
 
-/// The `[scene]` table with `kind = "oscillating-drop"`, complete: the drop's centre is the origin.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct OscillatingDropScene {
-    /// R of the circle that it starts as, metres.
-    pub radius_m: f64,
-    /// Ω of the central acceleration -Ω² r, 1/s; `sound_speed_ratio` is over Ω R.
-    pub field_rate_per_s: f64,
-    /// A at the start, 1/s: u = A x, v = -A y.
-    pub stretching_rate_per_s: f64,
-    /// ρ0, kg/m³.
-    pub water_density_kg_per_m3: f64,
-    /// The run ends after this many exact periods.
-    pub end_after_periods: f64,
-    /// Spacing of the history samples, seconds; a 100th of a period by default.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub history_interval_s: Option<f64>,
-}
-
-impl Default for OscillatingDropScene {
-    fn default() -> Self {
-        OscillatingDropScene {
-            radius_m: 1.0,
-            field_rate_per_s: 1.0,
-            stretching_rate_per_s: 0.4,
-            water_density_kg_per_m3: 1000.0,
-            end_after_periods: 3.0,
-            history_interval_s: None,
-        }
+section! {
+    /// The `[scene]` table with `kind = "oscillating-drop"`, complete: the drop's centre is the origin.
+    pub struct OscillatingDropScene in "scene" {
+        /// R of the circle that it starts as.
+        radius_m: f64 = 1.0, unit("m").above_zero();
+        /// Ω of the central acceleration -Ω² r; `sound_speed_ratio` is over Ω R.
+        field_rate_per_s: f64 = 1.0, unit("1/s").above_zero();
+        /// A at the start: u = A x, v = -A y; at most 3 Ω.
+        stretching_rate_per_s: f64 = 0.4, unit("1/s").above_zero();
+        /// ρ0.
+        water_density_kg_per_m3: f64 = 1000.0, unit("kg/m³").above_zero();
+        /// The run ends after this many exact periods.
+        end_after_periods: f64 = 3.0, plain().above_zero();
+        /// Spacing of the history's samples.
+        history_interval_s: Option<f64> = None, unit("s").above_zero().otherwise("a 100th of a period");
     }
 }
 
@@ -81,14 +64,9 @@ impl OscillatingDropScene {
     }
 
     pub(super) fn validate(&self) -> Result<(), ConfigError> {
-        let check = Check::section("scene");
-        check.positive("radius_m", self.radius_m)?;
-        check.positive("field_rate_per_s", self.field_rate_per_s)?;
         let most = 3.0 * self.field_rate_per_s;
-        check.range("stretching_rate_per_s", self.stretching_rate_per_s, 1e-6 * most, most)?;
-        check.positive("water_density_kg_per_m3", self.water_density_kg_per_m3)?;
-        check.positive("end_after_periods", self.end_after_periods)?;
-        self.history_interval_s.map_or(Ok(()), |span| check.positive("history_interval_s", span))
+        let range = Range::Within(1e-6 * most, most);
+        range.check("scene.stretching_rate_per_s", self.stretching_rate_per_s)
     }
 
     pub(super) fn frame(&self) -> Frame {

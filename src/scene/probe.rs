@@ -3,10 +3,8 @@
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
-use super::check::Check;
-use super::error::ConfigError;
 use super::frame::Frame;
-use super::wording::{read_table, serde_keys};
+use crate::keys::{ConfigError, Range, read_alone, section};
 
 /// What a probe measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -31,26 +29,24 @@ pub enum Side {
     Right,
 }
 
-/// One `[[probe]]` table.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Probe {
-    /// Column of the output.
-    pub name: String,
-    /// Pressure, level or void.
-    pub kind: ProbeKind,
-    /// The wall that it sits in and moves with; without one it stands at `x_m`.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub wall: Option<Side>,
-    /// Place along the tank, metres from the left wall at rest; for probes in no wall.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub x_m: Option<f64>,
-    /// Height above the bed, metres; for pressure probes.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub y_m: Option<f64>,
-    /// Diameter of the disc over which pressure is averaged, metres; 0 for a point.
-    #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub diameter_m: Option<f64>,
+section! {
+    /// One `[[probe]]` table.
+    pub struct Probe in "probe" {
+        /// Column of the output.
+        name: String, plain();
+        /// Pressure; the level of the surface; or the largest share of the kernel that water leaves
+        /// empty at a wall, from its toe to a support radius below the highest contact (0.5 at a free
+        /// surface).
+        kind: ProbeKind, plain();
+        /// The wall that a pressure probe sits in and moves with, or that is searched for voids.
+        wall: Option<Side> = None, plain();
+        /// Place along the tank from the left wall at rest, of a probe in no wall.
+        x_m: Option<f64> = None, unit("m");
+        /// Height above the bed.
+        y_m: Option<f64> = None, unit("m").only("kind", &["pressure"]);
+        /// Diameter of the disc over which pressure is averaged.
+        diameter_m: Option<f64> = None, unit("m").only("kind", &["pressure"]).otherwise("0, a point");
+    }
 }
 
 impl Probe {
@@ -94,9 +90,8 @@ impl Probe {
     /// # Errors
     /// The first unknown key or value that does not fit, with the probe that it is of.
     pub(super) fn read_all(tables: &[Table]) -> Result<Vec<Probe>, ConfigError> {
-        let known = serde_keys::<Probe>();
         let read = |(place, table): (usize, &Table)| {
-            read_table("probe", table.clone(), &known).map_err(|error| {
+            read_alone::<Probe>(table).map_err(|error| {
                 let name = table.get("name").and_then(Value::as_str);
                 let number = format!("number {}", place + 1);
                 of_probe(error, name.unwrap_or(&number))
@@ -117,50 +112,45 @@ impl Probe {
     }
 
     fn validate(&self, frame: &Frame) -> Result<(), ConfigError> {
-        let check = Check::section("probe");
+        let error = |key: &str, value: String, allowed: &str| {
+            Err(ConfigError::new(&format!("probe.{key}"), value, allowed))
+        };
         let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
         if self.name.is_empty() || !self.name.chars().all(fits) || self.name == "time_s" {
             let allowed = "must be a word of ASCII letters, digits, '-', '_' and '.', not time_s";
-            return Err(check.error("name", format!("{:?}", self.name), allowed));
+            return error("name", format!("{:?}", self.name), allowed);
         }
         let name = &self.name;
-        let missing = |key: &str, why: &str| Err(check.error(key, "", &format!("{name} {why}")));
-        let surplus = |key: &str, value: f64, why: &str| {
-            Err(check.error(key, value, &format!("{name} {why}: leave it out")))
-        };
-        match (self.wall, self.x_m) {
-            (None, None) => return missing("x_m", "needs a place: x_m, or wall"),
-            (Some(_), Some(x)) => return surplus("x_m", x, "sits in a wall"),
-            (None, Some(x)) if !(x >= 0.0 && x <= 2.0 * frame.length) => {
-                let allowed = format!("{name} must stand in the tank, 0 to {} m", frame.length);
-                return Err(check.error("x_m", x, &allowed));
+        let wrong =
+            |key: &str, value: String, why: &str| error(key, value, &format!("{name} {why}"));
+        let none = String::new();
+        match (self.kind, self.wall, self.x_m) {
+            (ProbeKind::Void, None, _) => {
+                return wrong("wall", none, "looks for voids at a wall and needs it");
+            }
+            (ProbeKind::Level, Some(_), _) => {
+                return wrong("wall", none, "measures a level: give x_m instead");
+            }
+            (_, None, None) => return wrong("x_m", none, "needs a place: x_m, or wall"),
+            (_, Some(_), Some(x)) => {
+                return wrong("x_m", x.to_string(), "sits in a wall: leave it out");
+            }
+            (_, None, Some(x)) if !(x >= 0.0 && x <= 2.0 * frame.length) => {
+                let why = format!("must stand in the tank, 0 to {} m", frame.length);
+                return wrong("x_m", x.to_string(), &why);
             }
             _ => {}
         }
-        match (self.kind, self.wall, self.y_m, self.diameter_m) {
-            (ProbeKind::Void, None, ..) => {
-                missing("wall", "looks for voids at a wall and needs it")
+        let highest = super::filling::WALL_HEIGHT * frame.depth;
+        let (height, disc) = (Range::Within(0.0, highest), Range::Within(0.0, frame.depth));
+        match self.y_m {
+            None if self.kind == ProbeKind::Pressure => {
+                wrong("y_m", none, "measures pressure and needs it")
             }
-            (ProbeKind::Void, _, Some(y), _) => surplus("y_m", y, "looks at the whole wall"),
-            (ProbeKind::Void, _, _, Some(d)) => surplus("diameter_m", d, "looks at the whole wall"),
-            (ProbeKind::Void, ..) => Ok(()),
-            (ProbeKind::Level, Some(_), ..) => {
-                let allowed = format!("{name} measures a level: give x_m instead");
-                Err(check.error("wall", "", &allowed))
-            }
-            (ProbeKind::Level, _, Some(y), _) => surplus("y_m", y, "measures a level"),
-            (ProbeKind::Level, _, _, Some(d)) => surplus("diameter_m", d, "measures a level"),
-            (ProbeKind::Level, ..) => Ok(()),
-            (ProbeKind::Pressure, _, None, _) => missing("y_m", "measures pressure and needs it"),
-            (ProbeKind::Pressure, _, Some(y), diameter) => {
-                let highest = super::filling::WALL_HEIGHT * frame.depth;
-                check
-                    .range("y_m", y, 0.0, highest)
-                    .and_then(|()| {
-                        check.range("diameter_m", diameter.unwrap_or(0.0), 0.0, frame.depth)
-                    })
-                    .map_err(|error| of_probe(error, name))
-            }
+            height_m => height
+                .check("probe.y_m", height_m.unwrap_or(0.0))
+                .and_then(|()| disc.check("probe.diameter_m", self.diameter_m.unwrap_or(0.0)))
+                .map_err(|error| of_probe(error, name)),
         }
     }
 }

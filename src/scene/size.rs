@@ -1,8 +1,8 @@
 //! How many particles a scene may have.
 
 use super::config::CaseConfig;
-use super::error::ConfigError;
 use super::numerics::Numerics;
+use crate::keys::ConfigError;
 
 /// Particles of water that are taken at most: some 30 GB, and weeks on one core.
 pub(super) const MOST_PARTICLES: f64 = 20e6;

@@ -1,49 +1,32 @@
 //! Taylor-Green vortices in a closed box that the water fills: viscosity alone slows them.
 
-use serde::{Deserialize, Serialize};
-
-use super::check::Check;
-use super::error::ConfigError;
 use super::filling::{Filling, Walls};
 use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::Numerics;
 use super::tank::Tank;
+use crate::keys::section;
 use crate::math::simd::SimdPath;
 use crate::theory::taylor_green::TaylorGreen;
 
-/// The `[scene]` table with `kind = "taylor-green"`, complete. Walls let the water slip unless
-/// `slip = "no"`; without gravity, under a pressure that keeps the water whole.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-#[serde(default, deny_unknown_fields)]
-pub struct TaylorGreenScene {
-    /// Side of the box, metres.
-    pub box_side_m: f64,
-    /// Vortices along each side.
-    pub cells: u32,
-    /// Largest speed U at the start, m/s; `sound_speed_ratio` is over it.
-    pub speed_m_per_s: f64,
-    /// ρ0, kg/m³.
-    pub water_density_kg_per_m3: f64,
-    /// Mean pressure over ρ U².
-    pub background_pressure_ratio: f64,
-    /// The run ends at this time, seconds.
-    pub end_time_s: f64,
-    /// Spacing of the history samples, seconds.
-    pub history_interval_s: f64,
-}
-
-impl Default for TaylorGreenScene {
-    fn default() -> Self {
-        TaylorGreenScene {
-            box_side_m: 1.0,
-            cells: 2,
-            speed_m_per_s: 1.0,
-            water_density_kg_per_m3: 1000.0,
-            background_pressure_ratio: 1.0,
-            end_time_s: 1.0,
-            history_interval_s: 0.02,
-        }
+section! {
+    /// The `[scene]` table with `kind = "taylor-green"`, complete. Walls let the water slip unless
+    /// `slip = "no"`; without gravity, under a pressure that keeps the water whole.
+    pub struct TaylorGreenScene in "scene" {
+        /// Side of the box.
+        box_side_m: f64 = 1.0, unit("m").above_zero();
+        /// Vortices along each side.
+        cells: u32 = 2, plain().within(1.0, 64.0);
+        /// Largest speed U at the start; `sound_speed_ratio` is over it.
+        speed_m_per_s: f64 = 1.0, unit("m/s").above_zero();
+        /// ρ0.
+        water_density_kg_per_m3: f64 = 1000.0, unit("kg/m³").above_zero();
+        /// Mean pressure over ρ U².
+        background_pressure_ratio: f64 = 1.0, plain().within(0.0, 10.0).label("mean pressure/ρU²");
+        /// The run ends at this time.
+        end_time_s: f64 = 1.0, unit("s").above_zero();
+        /// Spacing of the history's samples.
+        history_interval_s: f64 = 0.02, unit("s").above_zero();
     }
 }
 
@@ -54,17 +37,6 @@ impl TaylorGreenScene {
             wavenumber: std::f64::consts::PI * f64::from(self.cells) / self.box_side_m,
             speed: self.speed_m_per_s,
         }
-    }
-
-    pub(super) fn validate(&self) -> Result<(), ConfigError> {
-        let check = Check::section("scene");
-        check.positive("box_side_m", self.box_side_m)?;
-        check.range("cells", f64::from(self.cells), 1.0, 64.0)?;
-        check.positive("speed_m_per_s", self.speed_m_per_s)?;
-        check.positive("water_density_kg_per_m3", self.water_density_kg_per_m3)?;
-        check.range("background_pressure_ratio", self.background_pressure_ratio, 0.0, 10.0)?;
-        check.positive("end_time_s", self.end_time_s)?;
-        check.positive("history_interval_s", self.history_interval_s)
     }
 
     pub(super) fn frame(&self) -> Frame {

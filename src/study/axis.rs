@@ -2,6 +2,7 @@
 
 use toml::{Table, Value};
 
+use crate::keys::number;
 use crate::scene::ConfigError;
 
 /// A swept key and its values, in the order of the file.
@@ -57,15 +58,7 @@ fn same(a: &Value, b: &Value) -> bool {
     }
 }
 
-fn number(value: &Value) -> Option<f64> {
-    match value {
-        Value::Float(number) => Some(*number),
-        Value::Integer(number) => Some(*number as f64),
-        _ => None,
-    }
-}
-
-const RANGE_KEYS: [&str; 4] = ["from", "to", "points", "spacing"];
+pub(super) const RANGE_KEYS: [&str; 4] = ["from", "to", "points", "spacing"];
 
 /// No sweep is larger than this, and no range is longer.
 pub(super) const MOST_CASES: usize = 1_000_000;
@@ -83,11 +76,10 @@ fn meant(key: &str) -> Option<&'static str> {
 
 fn read_range(path: &str, range: &Table) -> Result<Vec<Value>, ConfigError> {
     if let Some(key) = range.keys().find(|key| !RANGE_KEYS.contains(&key.as_str())) {
-        let known = RANGE_KEYS.map(str::to_owned);
         let own = format!("{path}.{key}");
         return Err(match meant(key) {
             Some(meant) => ConfigError::misplaced(&own, meant),
-            None => ConfigError::unknown(&own, &known),
+            None => ConfigError::unknown(&own, &RANGE_KEYS),
         });
     }
     let bad = |key: &str, allowed: &str| {

@@ -3,9 +3,9 @@
 use toml::{Table, Value};
 
 use super::axis::GridAxis;
-use super::keys::section_of;
 use super::overrides::Override;
-use crate::scene::ConfigError;
+use crate::keys::{Section, read_alone, section};
+use crate::scene::{ConfigError, place_of};
 
 /// A parsed sweep file; the values inside its tables are checked case by case in
 /// [`super::Study`].
@@ -25,6 +25,14 @@ pub struct SweepFile {
     pub grid: Vec<GridAxis>,
     /// The file as written.
     pub text: String,
+}
+
+section! {
+    /// `[accuracy]`.
+    pub(super) struct Accuracy in "accuracy" {
+        /// `--max-error` in the file: the largest error bar that is taken for force and displacement.
+        max_error_percent: Option<f64> = None, unit("%").above_zero();
+    }
 }
 
 const KEYS: [&str; 6] = ["name", "scene", "numerics", "probe", "accuracy", "grid"];
@@ -57,7 +65,8 @@ impl SweepFile {
             scene: table(&file, "scene")?,
             numerics: table(&file, "numerics")?,
             probes: tables(&file, "probe")?,
-            max_error_percent: read_max_error(&table(&file, "accuracy")?)?,
+            max_error_percent: read_alone::<Accuracy>(&table(&file, Accuracy::NAME)?)?
+                .max_error_percent,
             grid: grid?,
             text: text.to_owned(),
         })
@@ -90,24 +99,9 @@ impl SweepFile {
 
 /// A key outside its section is told with its path.
 fn unknown_at_the_top(key: &str, file: &Table) -> ConfigError {
-    match section_of(key, file.get("scene").and_then(|scene| scene.get("kind"))) {
-        Ok(section) => ConfigError::misplaced(key, &format!("{}.{key}", section.name())),
-        Err(_) => ConfigError::unknown(key, &KEYS.map(str::to_owned)),
-    }
-}
-
-fn read_max_error(table: &Table) -> Result<Option<f64>, ConfigError> {
-    const KEY: &str = "max_error_percent";
-    if let Some(key) = table.keys().find(|key| *key != KEY) {
-        return Err(ConfigError::unknown(&format!("accuracy.{key}"), &[KEY.to_owned()]));
-    }
-    let Some(value) = table.get(KEY) else { return Ok(None) };
-    let number = value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64));
-    match number.filter(|number| number.is_finite() && *number > 0.0) {
-        Some(number) => Ok(Some(number)),
-        None => {
-            Err(ConfigError::new(&format!("accuracy.{KEY}"), value, "must be a number above 0"))
-        }
+    match table(file, "scene").and_then(|scene| place_of(key, &scene)) {
+        Ok(place) => ConfigError::misplaced(key, &format!("{}.{key}", place.name())),
+        Err(_) => ConfigError::unknown(key, &KEYS),
     }
 }
 
@@ -188,7 +182,7 @@ mod tests {
             ("name = \"a\"\n[accuracy]\nmax_error = 2", "accuracy.max_error: unknown key"),
             (
                 "name = \"a\"\n[accuracy]\nmax_error_percent = 0",
-                "accuracy.max_error_percent = 0: must be a number above 0",
+                "accuracy.max_error_percent = 0: must be a finite number above 0",
             ),
             ("name = \"a\"\nscene = 3", "scene = 3: must be a table"),
             ("name = \"a\"\n[grid\n", "line 2: "),

@@ -8,14 +8,13 @@ use toml::{Table, Value};
 use super::axis::MOST_CASES;
 use super::case::{Case, CaseId};
 use super::file::SweepFile;
-use super::keys::{Section, section_of};
-use crate::scene::{CaseConfig, ConfigError, keys_of_other_walls};
+use crate::keys::{Key, Section, When};
+use crate::scene::{CaseConfig, ConfigError, Place, SeawallScene, place_of};
 
 /// All cases of a file, each validated; one case where there is no grid.
 pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
-    let kind = file.scene.get("kind");
-    let sections =
-        file.grid.iter().map(|axis| section_of(&axis.key, kind)).collect::<Result<Vec<_>, _>>()?;
+    let places = file.grid.iter().map(|axis| place_of(&axis.key, &file.scene));
+    let places = places.collect::<Result<Vec<_>, _>>()?;
     let count = file.grid.iter().try_fold(1_usize, |count, axis| {
         count.checked_mul(axis.values.len()).filter(|&count| count <= MOST_CASES)
     });
@@ -25,7 +24,7 @@ pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
         return Err(ConfigError::new("grid", sizes.join(" x "), allowed));
     };
     let points: Vec<_> =
-        (0..count).into_par_iter().map(|index| point(file, &sections, index)).collect();
+        (0..count).into_par_iter().map(|index| point(file, &places, index)).collect();
     let mut cases: Vec<Case> = Vec::with_capacity(count);
     let mut seen = HashMap::with_capacity(count);
     for point in points {
@@ -45,20 +44,16 @@ pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
 }
 
 /// One point of the grid; true where some swept key meant nothing to it.
-fn point(
-    file: &SweepFile,
-    sections: &[Section],
-    index: usize,
-) -> Result<(Case, bool), ConfigError> {
+fn point(file: &SweepFile, places: &[Place], index: usize) -> Result<(Case, bool), ConfigError> {
     let (mut scene, mut numerics) = (file.scene.clone(), file.numerics.clone());
     let mut assignments = vec![None; file.grid.len()];
     let mut rest = index;
     for (place, axis) in file.grid.iter().enumerate().rev() {
         let value = &axis.values[rest % axis.values.len()];
         rest /= axis.values.len();
-        let table = match sections[place] {
-            Section::Scene => &mut scene,
-            Section::Numerics => &mut numerics,
+        let table = match places[place] {
+            Place::Scene => &mut scene,
+            Place::Numerics => &mut numerics,
         };
         table.insert(axis.key.clone(), value.clone());
         assignments[place] = Some(value.clone());
@@ -69,20 +64,19 @@ fn point(
     Ok((Case { index, id: CaseId::of(&config), config, assignments }, collapsed))
 }
 
-/// Where a grid sweeps walls, leaves out what a wall does not have.
+/// Where a grid sweeps walls or paddles, leaves out what one of them does not have.
 fn drop_meaningless(
     file: &SweepFile,
     scene: &mut Table,
     assignments: &mut [Option<Value>],
 ) -> bool {
-    if !file.grid.iter().any(|axis| axis.key == "wall") {
-        return false;
-    }
-    let wall = scene.get("wall").and_then(Value::as_str).unwrap_or_default().to_owned();
+    let swept = |when: &When| file.grid.iter().any(|axis| axis.key == when.key);
+    let fits = |key: &&Key| key.conditions().all(|when| !swept(&when) || when.holds(scene));
+    let foreign: Vec<_> = SeawallScene::keys().into_iter().filter(|key| !fits(key)).collect();
     let mut dropped = false;
-    for key in keys_of_other_walls(&wall) {
-        scene.remove(key);
-        if let Some(place) = file.grid.iter().position(|axis| axis.key == key) {
+    for key in foreign {
+        scene.remove(key.name);
+        if let Some(place) = file.grid.iter().position(|axis| axis.key == key.name) {
             assignments[place] = None;
             dropped = true;
         }
@@ -139,6 +133,21 @@ mod tests {
     }
 
     #[test]
+    fn every_wall_and_every_paddle_takes_its_own_keys() {
+        let walls = cases(
+            "[scene]\nseawall_mass_kg_per_m = 50\nspring_stiffness_n_per_m = 1\n\
+             static_friction = 0.6\nkinetic_friction = 0.5\nsubmerged_weight_n_per_m = 300\n\
+             [grid]\nwall = [\"fixed\", \"movable\", \"caisson\"]\nthreshold_ratio = [1.1, 1.2]",
+        );
+        assert_eq!(walls.unwrap().len(), 2 + 2 + 1);
+        let paddles = cases(
+            "[scene]\nend_time_s = 1\n\
+             [grid]\npaddle = [\"solitary\", \"wave-train\"]\nwave_period_s = [0.9, 1]",
+        );
+        assert_eq!(paddles.unwrap().len(), 1 + 2);
+    }
+
+    #[test]
     fn every_bad_grid_is_told_with_its_key() {
         let bad = [
             ("[grid]\nwave_height_ratio = [0.2, 1.5]", "grid.wave_height_ratio = 1.5: must be"),
@@ -153,7 +162,7 @@ mod tests {
             ),
             (
                 "[grid]\nspring_stiffness_n_per_m = [1]",
-                "grid.spring_stiffness_n_per_m = 1: belongs to a movable wall",
+                "grid.spring_stiffness_n_per_m = 1: belongs to wall = \"movable\"",
             ),
             (
                 "[scene]\nseawall_mass = 1\n[grid]\nwave_height_ratio = [0.2]",

@@ -10,15 +10,16 @@ mod case;
 mod companions;
 mod file;
 mod grid;
-mod keys;
 mod overrides;
 mod plan;
+mod schema;
 
 pub use axis::GridAxis;
 pub use case::{Case, CaseId, PHYSICS_VERSION, trunk_key};
 pub use file::SweepFile;
 pub use overrides::Override;
 pub use plan::{Plan, PlannedCase, PlannedTrunk};
+pub use schema::schema;
 
 use sha2::{Digest, Sha256};
 

@@ -19,7 +19,7 @@ impl ConfigError {
     }
 
     /// An unknown key, with the nearest known one where one is near.
-    pub fn unknown(key: &str, known: &[String]) -> Self {
+    pub fn unknown(key: &str, known: &[impl AsRef<str>]) -> Self {
         let leaf = key.rsplit('.').next().unwrap_or(key);
         ConfigError::new(key, "", format!("unknown key{}", hint(leaf, known)))
     }
@@ -30,8 +30,9 @@ impl ConfigError {
     }
 
     /// A value that is none of the names which its key takes, with the nearest where one is near.
-    pub fn one_of(key: &str, value: &toml::Value, names: &[String]) -> Self {
+    pub fn one_of(key: &str, value: &toml::Value, names: &[impl AsRef<str>]) -> Self {
         let hint = value.as_str().map(|word| hint(word, names)).unwrap_or_default();
+        let names: Vec<_> = names.iter().map(AsRef::as_ref).collect();
         ConfigError::new(key, value, format!("must be one of {}{hint}", names.join(", ")))
     }
 }
@@ -40,15 +41,15 @@ impl ConfigError {
 const NEAR: f64 = 0.88;
 
 /// `; did you mean X?`, or nothing where no known word is near.
-fn hint(word: &str, known: &[String]) -> String {
-    let likeness = |known: &String| {
+fn hint(word: &str, known: &[impl AsRef<str>]) -> String {
+    let likeness = |known: &str| {
         // A part of the right word, such as `stiffness`, is near however long the rest.
         let part = if word.len() >= 4 && known.contains(word) { 0.9 } else { 0.0 };
         strsim::jaro_winkler(word, known).max(part)
     };
     let nearest = known
         .iter()
-        .map(|known| (likeness(known), known))
+        .map(|known| (likeness(known.as_ref()), known.as_ref()))
         .filter(|&(likeness, _)| likeness >= NEAR)
         .max_by(|a, b| a.0.total_cmp(&b.0));
     nearest.map(|(_, known)| format!("; did you mean {known}?")).unwrap_or_default()
@@ -60,7 +61,7 @@ mod tests {
 
     #[test]
     fn only_near_words_are_suggested() {
-        let known = ["spring_stiffness_n_per_m", "tank_length_m", "wall"].map(str::to_owned);
+        let known = ["spring_stiffness_n_per_m", "tank_length_m", "wall"];
         for (word, nearest) in [
             ("spring_stifness_n_per_m", "spring_stiffness_n_per_m"),
             ("stiffness", "spring_stiffness_n_per_m"),

@@ -1,0 +1,54 @@
+//! Keys of scene and sweep files, each declared once.
+//!
+//! A declaration says a key's name, type, default, meaning, unit and range, and where it applies.
+//! Reading and range checks, the errors that name the nearest key, the lines of `seawall check`, the
+//! tables of `docs/files.md` and the JSON Schema (`seawall check --schema`) all come from it.
+//!
+//! # Adding a key
+//! One entry in the [`section!`] that has it: `[numerics]` in `scene/numerics.rs`, a kind of
+//! `[scene]` in the file of that kind, `[[probe]]` in `scene/probe.rs`.
+//!
+//! ```text
+//! /// Spring stiffness k, per metre of width.
+//! spring_stiffness_n_per_m: f64 = 10.0, unit("N/m").not_negative();
+//! ```
+//!
+//! - The doc comment is the meaning, in the docs too. The unit ends the name and stands in
+//!   `unit("N/m")`; names, flags and ratios have `plain()`.
+//! - A key without `= default` must be given. One that may be left out is an `Option` with `= None`.
+//! - An enum's names are those that serde gives its variants.
+//! - [`Rule`] lists what may follow: the range, `only` and `read_where` for keys that mean nothing at
+//!   other values of another key, `needed` for one that must be given where it applies, `newer` for
+//!   one that is added once there are results.
+//! - What depends on two values at once is checked by the section's `validate`.
+//!
+//! Then use the value, and renew the tables: `RENEW_DOCS=1 cargo test --test key_tables`.
+//!
+//! # Adding a group of keys
+//! What has keys of its own, such as a body, declares them in a [`section!`] in its own file, each
+//! `only` where it applies, and the section that may hold it names it once, behind its own keys:
+//!
+//! ```text
+//! with {
+//!     /// The caisson that the wall is.
+//!     caisson: CaissonKeys where wall == WallChoice::Caisson;
+//! }
+//! ```
+//!
+//! It is an `Option` there, and `Some` where the condition holds. A key that several groups would
+//! share stays with the section, `only` where one of them stands, and `needed` if it must be given.
+
+mod error;
+mod key;
+mod schema;
+mod section;
+mod shape;
+mod table;
+
+pub use error::ConfigError;
+pub use key::{Key, Range, Rule, When, number, plain, unit};
+pub use schema::schema;
+pub(crate) use section::section;
+pub use section::{Section, check_conditions, read_alone, store, value, value_of};
+pub use shape::Shape;
+pub use table::table;

@@ -1,0 +1,91 @@
+//! What a type takes, as its own deserialiser asks for it.
+
+use serde::de::value::Error;
+use serde::de::{DeserializeOwned, Deserializer, Error as _, Visitor};
+
+/// What a value must be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shape {
+    /// A number.
+    Number,
+    /// A whole number, 0 or above.
+    Whole,
+    /// `true` or `false`.
+    Flag,
+    /// A string.
+    Text,
+    /// One of these names.
+    Names(&'static [&'static str]),
+}
+
+impl Shape {
+    /// What a type takes; of an optional one, what it takes where it is there.
+    pub fn of<T: DeserializeOwned>() -> Shape {
+        let mut shape = Shape::Text;
+        let _ = T::deserialize(Asked(&mut shape));
+        shape
+    }
+
+    /// What it takes, in words.
+    pub fn what(self) -> &'static str {
+        match self {
+            Shape::Number => "a number",
+            Shape::Whole => "a whole number",
+            Shape::Flag => "true or false",
+            Shape::Text | Shape::Names(_) => "a string",
+        }
+    }
+
+    /// What a value of another type is told.
+    pub(super) fn allowed(self) -> String {
+        let least = if self == Shape::Whole { ", 0 or above" } else { "" };
+        format!("must be {}{least}", self.what())
+    }
+}
+
+/// Notes what it is asked for and has nothing to give.
+struct Asked<'a>(&'a mut Shape);
+
+impl Asked<'_> {
+    fn note<T>(self, shape: Shape) -> Result<T, Error> {
+        *self.0 = shape;
+        Err(Error::custom("there is no value, only a type"))
+    }
+}
+
+macro_rules! notes {
+    ($($asked:ident => $shape:expr),*) => {
+        $(fn $asked<V: Visitor<'de>>(self, _: V) -> Result<V::Value, Error> {
+            self.note($shape)
+        })*
+    };
+}
+
+impl<'de> Deserializer<'de> for Asked<'_> {
+    type Error = Error;
+
+    notes! {
+        deserialize_any => Shape::Text,
+        deserialize_f64 => Shape::Number,
+        deserialize_u32 => Shape::Whole,
+        deserialize_bool => Shape::Flag
+    }
+
+    fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Error> {
+        visitor.visit_some(self)
+    }
+
+    fn deserialize_enum<V: Visitor<'de>>(
+        self,
+        _: &'static str,
+        names: &'static [&'static str],
+        _: V,
+    ) -> Result<V::Value, Error> {
+        self.note(Shape::Names(names))
+    }
+
+    serde::forward_to_deserialize_any! {
+        i8 i16 i32 i64 u8 u16 u64 f32 char str string bytes byte_buf unit unit_struct newtype_struct
+        seq tuple tuple_struct map struct identifier ignored_any
+    }
+}

@@ -1,0 +1,90 @@
+//! All declared keys of a case, and where one that stands in the wrong place belongs.
+
+use toml::Table;
+
+use super::kind::{Kind, OfKind};
+use super::numerics::{Base, Numerics};
+use super::probe::Probe;
+use crate::keys::{ConfigError, Key, Section};
+
+/// A section whose keys a grid may sweep.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// `[scene]`.
+    Scene,
+    /// `[numerics]`.
+    Numerics,
+}
+
+impl Place {
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Place::Scene => OfKind::NAME,
+            Place::Numerics => Numerics::NAME,
+        }
+    }
+}
+
+/// The keys of a `[scene]` of this kind.
+pub fn scene_keys(kind: Kind) -> Vec<&'static Key> {
+    [OfKind::keys(), kind.keys()].concat()
+}
+
+/// The keys of `[numerics]`.
+pub fn numerics_keys() -> Vec<&'static Key> {
+    [Base::keys(), Numerics::keys()].concat()
+}
+
+/// The keys of a `[[probe]]`.
+pub fn probe_keys() -> Vec<&'static Key> {
+    Probe::keys()
+}
+
+/// Where a swept key goes, in a file with this `[scene]`.
+///
+/// # Errors
+/// A key that no section knows, with the nearest that one of them does; a kind that is none.
+pub fn place_of(key: &str, scene: &Table) -> Result<Place, ConfigError> {
+    let kind = OfKind::read(scene, None)?.kind;
+    if has(&scene_keys(kind), key) {
+        return Ok(Place::Scene);
+    }
+    if has(&numerics_keys(), key) {
+        return Ok(Place::Numerics);
+    }
+    let known = [scene_keys(kind), numerics_keys()].concat();
+    Err(unknown(&format!("grid.{key}"), key, kind, &known))
+}
+
+/// Refuses a key that a section of a file with this kind of scene does not know.
+pub(super) fn refuse_unknown(place: Place, kind: Kind, table: &Table) -> Result<(), ConfigError> {
+    let (known, others, other) = match place {
+        Place::Scene => (scene_keys(kind), numerics_keys(), Place::Numerics),
+        Place::Numerics => (numerics_keys(), scene_keys(kind), Place::Scene),
+    };
+    let Some(key) = table.keys().find(|key| !has(&known, key)) else { return Ok(()) };
+    let path = format!("{}.{key}", place.name());
+    Err(if has(&others, key) {
+        ConfigError::misplaced(&path, &format!("{}.{key}", other.name()))
+    } else {
+        unknown(&path, key, kind, &known)
+    })
+}
+
+fn has(keys: &[&Key], name: &str) -> bool {
+    keys.iter().any(|key| key.name == name)
+}
+
+/// The error of an unknown key: which other kinds of scenes have it, or what is near.
+fn unknown(path: &str, key: &str, kind: Kind, known: &[&Key]) -> ConfigError {
+    let others = Kind::ALL.iter().filter(|other| has(&other.keys(), key));
+    let names: Vec<_> = others.map(|other| format!("{:?}", other.name())).collect();
+    if names.is_empty() {
+        return ConfigError::unknown(path, known);
+    }
+    let has = if names.len() > 1 { "have" } else { "has" };
+    let (own, others) = (kind.name(), names.join(", "));
+    let allowed = format!("unknown key of kind = {own:?}; kind = {others} {has} it");
+    ConfigError::new(path, "", allowed)
+}

@@ -1,0 +1,97 @@
+//! The JSON Schema of sweep and scene files, from the declarations of their keys.
+
+use serde_json::{Map, Value, json};
+
+use super::axis::{MOST_CASES, RANGE_KEYS};
+use super::file::Accuracy;
+use crate::keys::{self, Key, Section};
+use crate::scene::{Kind, numerics_keys, probe_keys, scene_keys};
+
+/// The schema. Every file that `seawall check` takes fits it; what depends on two values at once, and
+/// what a grid may leave out of its sections, it does not tell.
+pub fn schema() -> Value {
+    let word = "^[A-Za-z0-9_-][A-Za-z0-9._-]*$";
+    let mut definitions: Map<_, _> =
+        Kind::ALL.iter().map(|&kind| (scene_name(kind), keys::schema(&scene_keys(kind)))).collect();
+    definitions.insert("numerics".to_owned(), keys::schema(&numerics_keys()));
+    json!({
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "Sweep and scene files of seawall",
+        "type": "object",
+        "properties": {
+            "name": { "type": "string", "pattern": word },
+            "scene": scene(),
+            "numerics": { "$ref": "#/$defs/numerics" },
+            "probe": { "type": "array", "items": keys::schema(&probe_keys()) },
+            "accuracy": keys::schema(&Accuracy::keys()),
+            "grid": grid(),
+        },
+        "required": ["name"],
+        "additionalProperties": false,
+        "$defs": definitions,
+    })
+}
+
+fn scene_name(kind: Kind) -> String {
+    format!("scene.{}", kind.name())
+}
+
+/// A scene by its kind: each kind's schema, where `kind` has its name.
+fn scene() -> Value {
+    let of_kind = |&kind: &Kind| {
+        let required: &[&str] = if kind == Kind::DEFAULT { &[] } else { &["kind"] };
+        json!({
+            "if": { "properties": { "kind": { "const": kind.name() } }, "required": required },
+            "then": { "$ref": format!("#/$defs/{}", scene_name(kind)) },
+        })
+    };
+    let names: Vec<_> = Kind::ALL.iter().map(|kind| kind.name()).collect();
+    json!({
+        "type": "object",
+        "properties": { "kind": { "enum": names } },
+        "allOf": Kind::ALL.iter().map(of_kind).collect::<Vec<_>>(),
+    })
+}
+
+/// The grid: any key of a scene or of the numerics, with a list of its values or a range of them.
+fn grid() -> Value {
+    let mut values: Map<String, Value> = Map::new();
+    let keys = Kind::ALL.iter().flat_map(|&kind| scene_keys(kind)).chain(numerics_keys());
+    for key in keys {
+        let others = values.entry(key.name).or_insert_with(|| json!([]));
+        let schema = value_of(key);
+        if let Some(others) = others.as_array_mut().filter(|others| !others.contains(&schema)) {
+            others.push(schema);
+        }
+    }
+    let axis = |(key, of): (String, Value)| {
+        let list = json!({ "type": "array", "items": { "anyOf": of }, "minItems": 1 });
+        (key, json!({ "anyOf": [list, range()] }))
+    };
+    let axes: Map<_, _> = values.into_iter().map(axis).collect();
+    json!({ "type": "object", "properties": axes, "minProperties": 1, "additionalProperties": false })
+}
+
+/// What one value of a key may be, whatever kind of scene it is of.
+fn value_of(key: &Key) -> Value {
+    let mut schema = key.schema();
+    for of_kind in ["default", "description"] {
+        schema.as_object_mut().map(|schema| schema.remove(of_kind));
+    }
+    schema
+}
+
+fn range() -> Value {
+    let [from, to, points, spacing] = RANGE_KEYS;
+    json!({
+        "type": "object",
+        "properties": {
+            from: { "type": "number" },
+            to: { "type": "number" },
+            points: { "type": "integer", "minimum": 2, "maximum": MOST_CASES },
+            spacing: { "enum": ["linear", "log"] },
+        },
+        "required": [from, to, points],
+        "additionalProperties": false,
+    })
+}

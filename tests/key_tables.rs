@@ -1,0 +1,60 @@
+//! The tables of keys in `docs/files.md` are those of the declarations.
+
+use std::fs;
+use std::path::Path;
+
+use seawall::keys::{Section, table};
+use seawall::scene::{Kind, Numerics, Preset, numerics_keys, probe_keys, scene_keys};
+
+/// The table that belongs between two markers.
+fn of(name: &str) -> String {
+    let kind = Kind::ALL.iter().find(|kind| Some(kind.name()) == name.strip_prefix("scene "));
+    match (name, kind) {
+        // `kind` itself stands first, and is told once.
+        (_, Some(&kind)) => table(&scene_keys(kind)[usize::from(kind != Kind::DEFAULT)..], &[]),
+        ("probe", _) => table(&probe_keys(), &[]),
+        ("numerics", _) => {
+            let presets = [
+                ("default", Preset::Default),
+                ("huang2019", Preset::Huang2019),
+                ("isph", Preset::Isph),
+            ];
+            table(&numerics_keys(), &presets.map(|(name, of)| (name, Numerics::preset(of).table())))
+        }
+        _ => panic!("there are no keys of {name:?}"),
+    }
+}
+
+#[test]
+fn the_docs_have_the_tables_of_the_declarations() {
+    const END: &str = "<!-- end of keys -->";
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/files.md");
+    let text = fs::read_to_string(&path).unwrap();
+    let mut parts = text.split("<!-- keys of ");
+    let mut renewed = parts.next().unwrap().to_owned();
+    let mut tables = 0;
+    for part in parts {
+        let (name, rest) = part.split_once(" -->").unwrap();
+        let (_, rest) = rest.split_once(END).unwrap();
+        renewed += &format!("<!-- keys of {name} -->\n{}{END}{rest}", of(name));
+        tables += 1;
+    }
+    assert_eq!(tables, Kind::ALL.len() + 2, "every section has its table");
+    if std::env::var_os("RENEW_DOCS").is_some() {
+        fs::write(&path, renewed).unwrap();
+    } else {
+        assert!(
+            renewed == text,
+            "docs/files.md is out of date: run `RENEW_DOCS=1 cargo test --test key_tables`"
+        );
+    }
+}
+
+#[test]
+fn units_end_names() {
+    let scenes = Kind::ALL.iter().flat_map(|&kind| scene_keys(kind));
+    for key in scenes.chain(numerics_keys()).chain(probe_keys()) {
+        assert!(key.name.ends_with(&key.unit_in_name()), "{}: {}", key.name, key.rule.unit);
+        assert!(!key.meaning.trim().is_empty(), "{}: what does it mean?", key.name);
+    }
+}
