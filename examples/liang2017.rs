@@ -5,7 +5,6 @@
 //! Reads the tables that `scripts/liang2017` writes, and writes `RESULTS_DIR/liang2017.md`. A table that is
 //! not there is left out.
 
-#[allow(dead_code)] // Each example takes a part.
 mod common;
 #[allow(dead_code)]
 #[path = "common/runs.rs"]

@@ -74,8 +74,8 @@ pub(super) struct Exact<R: Vector, const N: usize>([R::Wide; N]);
 impl<R: Vector, const N: usize> Exact<R, N> {
     #[inline(always)]
     pub fn add(&mut self, values: [R; N]) {
-        for n in 0..N {
-            self.0[n] += values[n].widened();
+        for (sum, value) in self.0.iter_mut().zip(values) {
+            *sum += value.widened();
         }
     }
 }
@@ -89,11 +89,7 @@ impl<R: Vector, const N: usize> Sum for Exact<R, N> {
     }
     #[inline(always)]
     fn total([even, odd]: &[Self; 2]) -> [Eight; N] {
-        let mut total = [[0.0; LANES]; N];
-        for n in 0..N {
-            total[n] = whole::<R>(even.0[n], odd.0[n]);
-        }
-        total
+        std::array::from_fn(|n| whole::<R>(even.0[n], odd.0[n]))
     }
 }
 
