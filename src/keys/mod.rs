@@ -5,7 +5,7 @@
 //! tables of `docs/files.md` and the JSON Schema (`seawall check --schema`) all come from it.
 //!
 //! # Adding a key
-//! One entry in the [`section!`] that has it: `[numerics]` in `scene/numerics.rs`, a kind of
+//! One entry in the `section!` that has it: `[numerics]` in `scene/numerics.rs`, a kind of
 //! `[scene]` in the file of that kind, `[[probe]]` in `scene/probe.rs`.
 //!
 //! ```text
@@ -25,7 +25,7 @@
 //! Then use the value, and renew the tables: `RENEW_DOCS=1 cargo test --test key_tables`.
 //!
 //! # Adding a group of keys
-//! What has keys of its own, such as a body, declares them in a [`section!`] in its own file, each
+//! What has keys of its own, such as a body, declares them in a `section!` in its own file, each
 //! `only` where it applies, and the section that may hold it names it once, behind its own keys:
 //!
 //! ```text

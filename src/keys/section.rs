@@ -7,7 +7,7 @@ use toml::{Table, Value};
 use super::error::ConfigError;
 use super::key::Key;
 
-/// A table of a file. [`section!`] writes it from the declarations of its keys.
+/// A table of a file. `section!` writes it from the declarations of its keys.
 pub trait Section: Sized {
     /// Its name in files, without brackets.
     const NAME: &'static str;
