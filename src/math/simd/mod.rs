@@ -10,7 +10,7 @@ mod avx2;
 mod avx512;
 mod portable;
 #[cfg(target_arch = "x86_64")]
-mod single;
+mod registers;
 mod vector;
 
 pub use vector::Vector;
