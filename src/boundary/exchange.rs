@@ -77,7 +77,9 @@ impl Exchange {
         let half_plane =
             (0..=256).map(|k| rules.kernel.half_plane_fraction(f64::from(k) / 256.0)).collect();
         let targets = ghosts.target_x.len();
-        let waterlines = ghosts.bodies.iter().map(|body| Waterline::of(&rules, body)).collect();
+        let ExchangeRules { kernel, spacing, scaling, .. } = rules;
+        let waterline = |plane| Waterline::of(kernel, spacing, scaling.support_radius, plane);
+        let waterlines = ghosts.bodies.iter().map(|body| waterline(body.plane)).collect();
         let mut exchange = Exchange {
             rules,
             waterlines,

@@ -3,27 +3,12 @@
 use serde::{Deserialize, Serialize};
 
 use super::blows::{Acoustics, Blows, Hit};
-use super::first_impact::{FirstImpact, raise};
+use super::first_impact::{FirstImpact, Reading};
 use super::outcome::Maximum;
 use super::window::RunningMean;
 
 /// Span of the force's running mean over √(h/g).
 pub(super) const MEAN_SPAN: f64 = 0.07;
-
-/// One step's readings, non-dimensional: F*, R*, X*, and the wall's count of stops.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reading {
-    /// Seconds since the paddle's start.
-    pub time: f64,
-    /// F*.
-    pub force: f64,
-    /// R*.
-    pub runup: f64,
-    /// X*; `None` for a fixed wall.
-    pub displacement: Option<f64>,
-    /// Stops so far.
-    pub stops: u32,
-}
 
 /// Maxima so far.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -68,11 +53,11 @@ impl Measures {
     pub fn push(&mut self, reading: Reading) {
         let Reading { time, force, runup, displacement, stops } = reading;
         self.last = [force, runup, displacement.unwrap_or(0.0)];
-        raise(&mut self.runup, runup, time);
+        Maximum::raise(&mut self.runup, runup, time);
         if let Some(x) = displacement {
             self.blows.follow(time, x);
             let before = self.displacement;
-            raise(&mut self.displacement, x, time);
+            Maximum::raise(&mut self.displacement, x, time);
             if self.displacement != before {
                 self.kicked = self.blows.kicked();
             }
@@ -84,7 +69,7 @@ impl Measures {
                 self.force_raw = Some(self.force_raw.map_or(force, |raw| raw.max(force)));
             }
             if let Some((at, mean)) = self.mean.push(time, force) {
-                raise(&mut self.force, mean, at);
+                Maximum::raise(&mut self.force, mean, at);
                 self.first.push_force(at, mean, stops);
             }
         }

@@ -13,6 +13,15 @@ pub struct Maximum {
     pub time_s: f64,
 }
 
+impl Maximum {
+    /// Raises a maximum to a larger value at a time, seconds.
+    pub(super) fn raise(maximum: &mut Option<Maximum>, value: f64, time_s: f64) {
+        if maximum.is_none_or(|m| value > m.value) {
+            *maximum = Some(Maximum { value, time_s });
+        }
+    }
+}
+
 /// Non-dimensional results of one finished case: F* = F/(ρ g h²/2), R* = runup/h, X* = X/h.
 ///
 /// `None` where the scene has no such quantity (a fixed wall has no displacement; still water has

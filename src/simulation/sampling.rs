@@ -2,8 +2,8 @@
 
 use super::energy::WaterEnergy;
 use super::failure::{Failure, FailureKind};
+use super::first_impact::Reading;
 use super::health::Vitals;
-use super::measures::Reading;
 use super::outcome::{EnergyBudget, HistoryRow};
 use super::probes;
 use super::run::Run;
