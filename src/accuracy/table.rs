@@ -18,7 +18,6 @@ pub struct AccuracyTable {
     methods: Vec<Recipe>,
 }
 
-/// A case with a known answer.
 #[derive(Debug, Clone, PartialEq)]
 struct Known {
     name: String,
@@ -26,7 +25,6 @@ struct Known {
     wave_height_ratio: f64,
 }
 
-/// A method and how it did.
 #[derive(Debug, Clone, PartialEq)]
 struct Recipe {
     name: String,

@@ -121,12 +121,6 @@ impl Exchange {
         self.fallbacks
     }
 
-    /// The blocks of ghosts that count: those that have water in reach. No others are seen by the
-    /// water.
-    pub fn counting(&self) -> &[u32] {
-        &self.counting
-    }
-
     /// Images of all blocks.
     pub fn images(&self) -> &[Image] {
         &self.images

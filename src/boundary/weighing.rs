@@ -66,7 +66,6 @@ impl<L: Lanes> Stencil<'_, L> {
     }
 }
 
-/// Sums of weights.
 #[inline(always)]
 pub(super) fn sum<L: Lanes>(weights: &[[f64; LANES]]) -> L {
     let mut sum = L::splat(0.0);

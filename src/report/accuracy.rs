@@ -28,7 +28,6 @@ pub const HEADER: [&str; 10] = [
 const GROUPS: [(&str, &str); 2] =
     [("all", "Methods, all quantities"), ("loads", "Methods, force and displacement alone")];
 
-/// Error bounds of the tables, percent.
 const TARGETS: [f64; 3] = [1.0, 3.0, 10.0];
 
 #[derive(Deserialize)]

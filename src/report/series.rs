@@ -63,7 +63,6 @@ impl Loaded {
         self.series("histories", case_id, &needed.map(|column| column.name))
     }
 
-    /// A table over time.
     fn series(
         &self,
         folder: &str,

@@ -17,9 +17,7 @@ use super::error::SweepError;
 use super::record::CaseRecord;
 use crate::math::simd::SimdPath;
 
-/// The file's name in its directory.
 pub(super) const FILE_NAME: &str = "journal.jsonl";
-/// Raised when lines change their meaning.
 const VERSION: u32 = 1;
 
 /// What the journal belongs to.

@@ -9,7 +9,6 @@ use super::error::SweepError;
 use crate::math::simd::SimdPath;
 use crate::study::{PHYSICS_VERSION, Study};
 
-/// The file's name in its directory.
 const FILE_NAME: &str = "manifest.json";
 
 /// Provenance of an output directory.

@@ -58,18 +58,12 @@ pub struct SolverSummary {
 }
 
 /// Why a scheme cannot take the step.
+#[expect(missing_docs, reason = "fields are called what they are")]
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum StepError {
-    /// The pressure equation was not solved.
+    /// The pressure equation was not solved: residuals are over the right-hand side.
     #[error(
         "the pressure equation stands at a residual of {residual:.1e} after {iterations} iterations, bound {bound:.1e}"
     )]
-    SolverDiverged {
-        /// Iterations done.
-        iterations: u32,
-        /// Residual over the right-hand side.
-        residual: f64,
-        /// What it should have come down to.
-        bound: f64,
-    },
+    SolverDiverged { iterations: u32, residual: f64, bound: f64 },
 }

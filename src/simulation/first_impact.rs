@@ -28,7 +28,6 @@ pub struct Reading {
     pub stops: u32,
 }
 
-/// Where the first impact stands.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 enum Stage {
     Before,

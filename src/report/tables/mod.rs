@@ -135,7 +135,6 @@ pub fn failed(data: &Loaded) -> Table {
     Table::brief("", "Failed cases", &columns.concat(), data.failed())
 }
 
-/// The numbers of each response figure.
 fn responses_of(data: &Loaded) -> Vec<Table> {
     let mut tables = Vec::new();
     for variant in variants(&data.rows) {
@@ -159,7 +158,6 @@ fn responses_of(data: &Loaded) -> Vec<Table> {
     tables
 }
 
-/// The numbers of each fixed-wall figure.
 fn fixed(data: &Loaded) -> Vec<Table> {
     let wave = [&WAVE_HEIGHT_RATIO, &MEASURED_WAVE_HEIGHT_RATIO];
     let columns = [&wave[..], &[&FIRST_RUNUP_MAX, &FIRST_FORCE_MAX, &CASE_ID]].concat();
@@ -178,7 +176,6 @@ fn names(columns: &[&Column]) -> Vec<&'static str> {
     columns.iter().map(|column| column.name).collect()
 }
 
-/// A row's cells with every digit.
 fn cells(row: &Row, columns: &[&Column]) -> Vec<String> {
     columns.iter().map(|column| row.cell(column)).collect()
 }
@@ -187,18 +184,14 @@ fn plain<T: ToString>(value: Option<T>) -> String {
     value.map(|value| value.to_string()).unwrap_or_default()
 }
 
-/// Reads a directory and makes its tables: what a command line prints needs no figures.
-///
-/// # Errors
-/// See [`Loaded::read`].
-pub fn read(directory: &std::path::Path) -> Result<Vec<Table>, ReportError> {
-    all(&Loaded::read(directory)?)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::report::fixture;
+
+    fn read(directory: &std::path::Path) -> Result<Vec<Table>, ReportError> {
+        all(&Loaded::read(directory)?)
+    }
 
     fn named(tables: &[Table], name: &str) -> Table {
         tables.iter().find(|table| table.name == name).unwrap().clone()
