@@ -247,16 +247,24 @@ impl Exchange {
         bodies: &[BodyMotion],
         water: [&[f64]; 2],
     ) {
+        self.gather(path, water, |means| [&mut means.vx, &mut means.vy]);
+        self.mirror_velocities(path, ghosts, bodies);
+    }
+
+    /// Means of some fields of the water at the ghosts that count, with the weights at hand, and where
+    /// they belong.
+    pub(super) fn gather<const N: usize>(
+        &mut self,
+        path: SimdPath,
+        fields: [&[f64]; N],
+        places: fn(&mut Means) -> [&mut [f64; LANES]; N],
+    ) {
         let Exchange { team, parts, counting, scale, means, .. } = self;
         let (scale, blocks) = (&scale[..], &counting[..]);
         team.share(parts, &mut means[..], &|part, means| {
             let blocks = part.among(blocks);
-            dispatch(
-                path,
-                Gather { part, blocks, scale, means, fields: water, places: velocities },
-            );
+            dispatch(path, Gather { part, blocks, scale, means, fields, places });
         });
-        self.mirror_velocities(path, ghosts, bodies);
     }
 
     /// Velocities of the ghosts that count, from the means at hand.
@@ -269,9 +277,4 @@ impl Exchange {
         let Exchange { images, counting, means, .. } = self;
         dispatch(path, Mirror { images, blocks: counting, means, ghosts, bodies });
     }
-}
-
-/// Where a mean velocity belongs.
-fn velocities(means: &mut Means) -> [&mut [f64; LANES]; 2] {
-    [&mut means.vx, &mut means.vy]
 }
