@@ -51,9 +51,7 @@ impl FailureKind {
             FailureKind::Internal => "internal",
         }
     }
-}
 
-impl FailureKind {
     /// Whether smaller time steps may help: the numbers ran away, rather than the program failing.
     pub fn is_instability(self) -> bool {
         !matches!(
