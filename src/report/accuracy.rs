@@ -46,9 +46,6 @@ struct Line {
 
 /// Writes `figures/error-against-time.svg` and `accuracy.md` into a directory that holds
 /// `accuracy.csv`; `about` says what each case is. Returns the page's path.
-///
-/// # Errors
-/// An input that cannot be read, an output that cannot be written.
 pub fn write(directory: &Path, about: &[(String, String)]) -> Result<PathBuf, ReportError> {
     let path = directory.join("accuracy.csv");
     let (header, records) = read_records(&path)?;

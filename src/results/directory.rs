@@ -135,9 +135,6 @@ impl Directory {
     }
 
     /// Records a finished case: its files first, its journal line after.
-    ///
-    /// # Errors
-    /// Where a file cannot be written.
     pub fn record(
         &mut self,
         mut record: CaseRecord,
@@ -153,9 +150,6 @@ impl Directory {
     }
 
     /// Puts everything recorded on the disk, once it has waited long enough or if `now`.
-    ///
-    /// # Errors
-    /// Where the disk refuses.
     pub fn sync(&mut self, now: bool) -> Result<(), SweepError> {
         if self.journal.waits(if now { Duration::ZERO } else { GROUP }) {
             self.unsynced.sync(&self.path)?;
@@ -165,9 +159,6 @@ impl Directory {
     }
 
     /// Makes all tables from the journal's records.
-    ///
-    /// # Errors
-    /// Where a file cannot be written.
     pub fn write_tables(&self, study: &Study) -> Result<(), SweepError> {
         summary::write(&self.path, study, &self.records)?;
         energy::write(&self.path, self.records())

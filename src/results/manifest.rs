@@ -128,9 +128,6 @@ impl Manifest {
     }
 
     /// Writes it.
-    ///
-    /// # Errors
-    /// Where the file cannot be written.
     pub fn write(&self, directory: &Path) -> Result<(), SweepError> {
         let text = serde_json::to_string_pretty(self).expect("a manifest has a JSON form");
         atomic_file::write(&directory.join(FILE_NAME), format!("{text}\n").as_bytes())

@@ -64,16 +64,10 @@ pub trait Scheme: Debug + Send {
 
     /// First half of a step of `dt` seconds. `bodies` are the motions at this instant; the
     /// acceleration of the responding body is not used.
-    ///
-    /// # Errors
-    /// The step cannot be taken.
     fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> Result<(), StepError>;
 
     /// Finds how force and water respond to the responding body's acceleration; asked for after
     /// [`Scheme::prepare`] in those steps in which that body may move.
-    ///
-    /// # Errors
-    /// The response cannot be found.
     fn respond(&mut self, _dt: f64) -> Result<(), StepError> {
         Ok(())
     }

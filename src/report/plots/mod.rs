@@ -52,9 +52,6 @@ impl Figure {
 }
 
 /// Every figure that the sweep's files can fill.
-///
-/// # Errors
-/// A history that cannot be read, or a fault in drawing.
 pub fn all(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut figures = match swept::key(data) {
         Some(key) => swept::figures(data, key)?,

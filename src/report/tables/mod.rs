@@ -71,9 +71,6 @@ impl Table {
 }
 
 /// Every table that the sweep's files can fill.
-///
-/// # Errors
-/// Readings that cannot be read.
 pub fn all(data: &Loaded) -> Result<Vec<Table>, ReportError> {
     let mut tables = vec![summary(data), health(data)];
     tables.extend(responses_of(data));

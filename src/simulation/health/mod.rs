@@ -87,9 +87,6 @@ impl HealthState {
     }
 
     /// Checks the water.
-    ///
-    /// # Errors
-    /// The first bound that is broken.
     pub fn check(
         &mut self,
         bounds: &HealthBounds,
