@@ -197,18 +197,9 @@ mod tests {
     #[test]
     fn tables_of_a_movable_sweep() {
         let tables = read(fixture::sweep().path()).unwrap();
-        let names: Vec<_> = tables.iter().map(|table| table.name.as_str()).collect();
-        assert_eq!(
-            names,
-            [
-                "summary",
-                "health",
-                "response-displacement",
-                "response-force",
-                "response-runup",
-                "energy"
-            ]
-        );
+        let names: String = tables.iter().map(|table| format!("{} ", table.name)).collect();
+        let responses = "response-displacement response-force response-runup";
+        assert_eq!(names, format!("summary health {responses} energy "));
         assert_eq!(named(&tables, "summary").rows.len(), 12);
         assert_eq!(named(&tables, "health").rows.len(), 11, "failed cases have no health");
         let force = named(&tables, "response-force");
