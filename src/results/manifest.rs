@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::atomic_file;
 use super::error::SweepError;
+use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::study::{PHYSICS_VERSION, Study};
 
@@ -116,7 +117,7 @@ impl Manifest {
             keys: study.keys.clone(),
             sweep_file: study.file_text.clone(),
             overrides: overrides.to_vec(),
-            simd: simd.name().to_owned(),
+            simd: name_of(simd),
             sessions,
         }
     }

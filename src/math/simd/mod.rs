@@ -58,15 +58,6 @@ impl SimdPath {
         #[cfg(not(target_arch = "x86_64"))]
         return self == SimdPath::Portable;
     }
-
-    /// The name used in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            SimdPath::Portable => "portable",
-            SimdPath::Avx2 => "avx2",
-            SimdPath::Avx512 => "avx512",
-        }
-    }
 }
 
 /// Eight values of double precision.
