@@ -12,8 +12,7 @@ use crate::body::BodyMotion;
 use crate::kernel::KernelChoice;
 use crate::math::simd::{LANES, SimdPath, dispatch};
 use crate::math::team::{self, Team};
-use crate::pairs::Scaling;
-use crate::pairs::{PointSet, Strips, build_pair_list};
+use crate::pairs::{PointSet, Scaling, Strips, build_pair_list};
 use crate::{with_interpolator, with_kernel};
 
 /// What the ghosts of a scene obey.
