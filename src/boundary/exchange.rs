@@ -1,5 +1,6 @@
 //! From the water to the ghosts: one interpolation at every mirror point and its consequences.
 
+use std::marker::PhantomData;
 use std::ops::Range;
 
 use super::InterpolatorChoice;
@@ -12,7 +13,7 @@ use crate::body::BodyMotion;
 use crate::kernel::KernelChoice;
 use crate::math::simd::{LANES, SimdPath, dispatch};
 use crate::math::team::{self, Team};
-use crate::pairs::{PointSet, Scaling, Strips, build_pair_list};
+use crate::pairs::{PairList, PointSet, Scaling, Strips, build_pair_list};
 use crate::{with_interpolator, with_kernel};
 
 /// What the ghosts of a scene obey.
@@ -180,17 +181,11 @@ impl Exchange {
         let Exchange { rules, team, parts, wetness, .. } = self;
         let (rules, faces) = (*rules, ghosts.len() / LANES..ghosts.target_x.len() / LANES);
         team.share(parts, &mut wetness[..], &|part, coverage| {
-            with_kernel!(rules.kernel, K => dispatch(path, Cover::<K> {
-                blocks: part.within(&faces),
-                first: part.blocks.start,
-                scaling: rules.scaling,
-                ghosts,
-                bodies,
-                records: water.records,
-                list: &part.list,
-                coverage,
-                kernel: std::marker::PhantomData,
-            }));
+            let targets =
+                targets(&rules, (&part.list, &part.blocks), (ghosts, bodies, water), &faces);
+            with_kernel!(rules.kernel, K => {
+                dispatch(path, Cover::<K> { targets, coverage, kernel: PhantomData });
+            });
         });
         self.wet_faces(ghosts, bodies);
     }
@@ -208,25 +203,15 @@ impl Exchange {
         let (rules, interpolator) = (*rules, rules.interpolator);
         let rows = ([&mut scale[..], &mut fallen[..]], &mut means[..]);
         team.share(parts, rows, &|part, ([scale, fallen], means)| {
-            let targets = Targets {
-                kernel: rules.kernel,
-                scaling: rules.scaling,
-                ghosts,
-                bodies,
-                water,
-                list: &part.list,
-                first: part.blocks.start,
-                blocks: part.within(&blocks),
-                at_ghost: interpolator.at_ghost(),
-            };
-            let held = &mut part.held;
+            let Stretch { blocks: own, list, held } = part;
+            let targets = targets(&rules, (list, own), (ghosts, bodies, water), &blocks);
             dispatch(path, Near { targets: targets.clone(), held });
             if interpolator.from_kernel() {
                 let targets = targets.clone();
                 with_kernel!(rules.kernel, K => dispatch(path, KernelWeights::<K> {
                     targets,
                     held,
-                    kernel: std::marker::PhantomData,
+                    kernel: PhantomData,
                 }));
             }
             with_interpolator!(interpolator, interpolator => {
@@ -275,5 +260,25 @@ impl Exchange {
     ) {
         let Exchange { images, counting, means, .. } = self;
         dispatch(path, Mirror { images, blocks: counting, means, ghosts, bodies });
+    }
+}
+
+/// The targets of a part, its list and its blocks, among some blocks.
+fn targets<'a>(
+    rules: &ExchangeRules,
+    (list, own): (&'a PairList, &Range<usize>),
+    (ghosts, bodies, water): (&'a Ghosts, &'a [BodyMotion], Water<'a>),
+    blocks: &Range<usize>,
+) -> Targets<'a> {
+    Targets {
+        kernel: rules.kernel,
+        scaling: rules.scaling,
+        ghosts,
+        bodies,
+        water,
+        list,
+        first: own.start,
+        blocks: own.start.max(blocks.start)..own.end.min(blocks.end),
+        at_ghost: rules.interpolator.at_ghost(),
     }
 }
