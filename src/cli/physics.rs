@@ -1,7 +1,6 @@
 //! Which physics and numerics are on, for `seawall check`.
 
 use crate::boundary::SfdiMatrix;
-use crate::math::name::name_of;
 use crate::scene::{BoundaryChoice, CaseConfig, Numerics, Scene, Scheme};
 use crate::scheme::wcsph::{DensityDiffusion, Shifting};
 use crate::study::Study;
@@ -114,7 +113,7 @@ fn weights(numerics: &Numerics) -> Option<String> {
 
 /// The name that a file gives a choice.
 fn name(choice: impl serde::Serialize) -> Option<String> {
-    Some(name_of(choice))
+    serde_json::to_value(choice).ok()?.as_str().map(str::to_owned)
 }
 
 fn above_zero(value: f64) -> Option<String> {
