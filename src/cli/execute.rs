@@ -10,7 +10,6 @@ use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::{
     Crew, Ending, Interrupt, Progress, Session, Setup, SphRunner, VtkFilm, coordinate, threads,
 };
-use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::results::{
     CaseRecord, Directory, Manifest, OpenMode, Opened, RankInfo, Savings, SessionInfo, SweepError,
@@ -190,7 +189,7 @@ fn tell_start(crew: &dyn Crew, directory: &Directory, missing: usize, output: &O
     output.note(format_args!(
         "{} on {who}, {}, into {}",
         counted(missing, "run"),
-        name_of(directory.simd()),
+        crate::math::name::name_of(directory.simd()),
         directory.path().display()
     ));
     if output.verbose {
