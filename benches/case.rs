@@ -12,6 +12,7 @@ use std::process::Command;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
+use seawall::math::name::name_of;
 use seawall::math::simd::SimdPath;
 use seawall::math::team::thread_processor_time;
 use seawall::scene::CaseConfig;
@@ -96,7 +97,7 @@ fn main() {
             }
         }
     }
-    let path = widest.name();
+    let path = name_of(widest);
     let mut told: [Vec<[f64; 2]>; 2] = Default::default();
     for _ in 0..ALONE_RUNS {
         for (precision, told) in PRECISIONS.iter().zip(&mut told) {
@@ -189,7 +190,7 @@ impl Run {
             values
         };
         let tell = |quantity: &str, value: f64| {
-            println!("{},{precision},{particles},{quantity},{value:.1},ns", path.name());
+            println!("{},{precision},{particles},{quantity},{value:.1},ns", name_of(path));
         };
         let median = |values: &[f64]| values[values.len() / 2];
         for (place, phase) in self.result.phases.iter().enumerate() {

@@ -122,29 +122,28 @@ impl Matrix {
         let matrix: Matrix = toml::from_str(text).map_err(|error| {
             ConfigError::new("matrix", "", error.message().trim().replace('\n', " "))
         })?;
-        let known = |names: Vec<&str>, key: &str, wanted: &str| match names.contains(&wanted) {
+        let cases: Vec<_> = matrix.cases.iter().map(|case| case.name.as_str()).collect();
+        let methods: Vec<_> = matrix.methods.iter().map(|method| method.name.as_str()).collect();
+        let known = |names: &[&str], key: String, wanted: &str| match names.contains(&wanted) {
             true => Ok(()),
             false => {
-                Err(ConfigError::new(key, wanted, format!("must be one of {}", names.join(", "))))
+                Err(ConfigError::new(&key, wanted, format!("must be one of {}", names.join(", "))))
             }
         };
         for case in &matrix.cases {
-            let cases = || matrix.cases.iter().map(|case| case.name.as_str()).collect();
-            let methods = || matrix.methods.iter().map(|method| method.name.as_str()).collect();
             if let Some(same) = &case.same {
-                known(cases(), &format!("case.{}.same.case", case.name), &same.case)?;
+                known(&cases, format!("case.{}.same.case", case.name), &same.case)?;
             }
             for method in case.methods.iter().flatten() {
-                known(methods(), &format!("case.{}.methods", case.name), method)?;
+                known(&methods, format!("case.{}.methods", case.name), method)?;
             }
             if let Some(reference) = &case.reference {
-                known(methods(), &format!("case.{}.reference", case.name), &reference.method)?;
+                known(&methods, format!("case.{}.reference", case.name), &reference.method)?;
             }
         }
         for method in &matrix.methods {
             for case in method.cases.iter().flatten() {
-                let cases = matrix.cases.iter().map(|case| case.name.as_str()).collect();
-                known(cases, &format!("method.{}.cases", method.name), case)?;
+                known(&cases, format!("method.{}.cases", method.name), case)?;
             }
         }
         Ok(matrix)
@@ -153,9 +152,6 @@ impl Matrix {
     /// The part with these cases and these methods, each all where none is named. Every argument
     /// is a name, or several with commas between them. A part has a name of its own, so that it
     /// gets a directory of its own.
-    ///
-    /// # Errors
-    /// A name that is not there.
     pub fn only(&self, cases: &[String], methods: &[String]) -> Result<Matrix, ConfigError> {
         let mut part = self.clone();
         let names: Vec<_> = self.cases.iter().map(|case| case.name.as_str()).collect();

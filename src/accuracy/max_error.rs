@@ -97,9 +97,6 @@ impl MaxError {
     }
 
     /// `max_error.csv`: which case got which numerics and whether its bars keep to the aim.
-    ///
-    /// # Errors
-    /// None in practice: it is written into memory.
     pub fn csv(&self, study: &Study, verified: &[Verified]) -> csv::Result<Vec<u8>> {
         let mut writer = csv::Writer::from_writer(Vec::new());
         writer.write_record([

@@ -19,7 +19,6 @@ pub struct AccuracyTable {
     methods: Vec<Recipe>,
 }
 
-/// A case with a known answer.
 #[derive(Debug, Clone, PartialEq)]
 struct Known {
     name: String,
@@ -27,7 +26,6 @@ struct Known {
     wave_height_ratio: f64,
 }
 
-/// A method and how it did.
 #[derive(Debug, Clone, PartialEq)]
 struct Recipe {
     name: String,

@@ -3,8 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::Interpolator;
-use super::weighing::{Stencil, Weighing, sum};
-use crate::math::simd::{LANES, Lanes};
 
 /// w_j = W(r_j - r) V_j / Σ W V around the ghost itself, no point being mirrored (Adami, Hu & Adams
 /// 2012, *Journal of Computational Physics* 231, Eqs. 22-27).
@@ -18,13 +16,4 @@ pub struct Dummy;
 impl Interpolator for Dummy {
     const AT_GHOST: bool = true;
     const FROM_KERNEL: bool = true;
-
-    #[inline(always)]
-    fn weigh<L: Lanes>(
-        &self,
-        _stencil: &Stencil<'_, L>,
-        weights: &mut [[f64; LANES]],
-    ) -> Weighing<L> {
-        Weighing::of_sum(sum(weights), L::splat(0.0))
-    }
 }

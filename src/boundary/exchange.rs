@@ -1,5 +1,6 @@
 //! From the water to the ghosts: one interpolation at every mirror point and its consequences.
 
+use std::marker::PhantomData;
 use std::ops::Range;
 
 use super::InterpolatorChoice;
@@ -12,8 +13,7 @@ use crate::body::BodyMotion;
 use crate::kernel::KernelChoice;
 use crate::math::simd::{LANES, SimdPath, dispatch};
 use crate::math::team::{self, Team};
-use crate::pairs::Scaling;
-use crate::pairs::{PointSet, Strips, build_pair_list};
+use crate::pairs::{PairList, PointSet, Scaling, Strips, build_pair_list};
 use crate::{with_interpolator, with_kernel};
 
 /// What the ghosts of a scene obey.
@@ -77,7 +77,9 @@ impl Exchange {
         let half_plane =
             (0..=256).map(|k| rules.kernel.half_plane_fraction(f64::from(k) / 256.0)).collect();
         let targets = ghosts.target_x.len();
-        let waterlines = ghosts.bodies.iter().map(|body| Waterline::of(&rules, body)).collect();
+        let ExchangeRules { kernel, spacing, scaling, .. } = rules;
+        let waterline = |plane| Waterline::of(kernel, spacing, scaling.support_radius, plane);
+        let waterlines = ghosts.bodies.iter().map(|body| waterline(body.plane)).collect();
         let mut exchange = Exchange {
             rules,
             waterlines,
@@ -117,12 +119,6 @@ impl Exchange {
     /// [`Exchange::fill`].
     pub fn fallbacks(&self) -> u64 {
         self.fallbacks
-    }
-
-    /// The blocks of ghosts that count: those that have water in reach. No others are seen by the
-    /// water.
-    pub fn counting(&self) -> &[u32] {
-        &self.counting
     }
 
     /// Images of all blocks.
@@ -185,17 +181,11 @@ impl Exchange {
         let Exchange { rules, team, parts, wetness, .. } = self;
         let (rules, faces) = (*rules, ghosts.len() / LANES..ghosts.target_x.len() / LANES);
         team.share(parts, &mut wetness[..], &|part, coverage| {
-            with_kernel!(rules.kernel, K => dispatch(path, Cover::<K> {
-                blocks: part.within(&faces),
-                first: part.blocks.start,
-                scaling: rules.scaling,
-                ghosts,
-                bodies,
-                records: water.records,
-                list: &part.list,
-                coverage,
-                kernel: std::marker::PhantomData,
-            }));
+            let targets =
+                targets(&rules, (&part.list, &part.blocks), (ghosts, bodies, water), &faces);
+            with_kernel!(rules.kernel, K => {
+                dispatch(path, Cover::<K> { targets, coverage, kernel: PhantomData });
+            });
         });
         self.wet_faces(ghosts, bodies);
     }
@@ -213,25 +203,15 @@ impl Exchange {
         let (rules, interpolator) = (*rules, rules.interpolator);
         let rows = ([&mut scale[..], &mut fallen[..]], &mut means[..]);
         team.share(parts, rows, &|part, ([scale, fallen], means)| {
-            let targets = Targets {
-                kernel: rules.kernel,
-                scaling: rules.scaling,
-                ghosts,
-                bodies,
-                water,
-                list: &part.list,
-                first: part.blocks.start,
-                blocks: part.within(&blocks),
-                at_ghost: interpolator.at_ghost(),
-            };
-            let held = &mut part.held;
+            let Stretch { blocks: own, list, held } = part;
+            let targets = targets(&rules, (list, own), (ghosts, bodies, water), &blocks);
             dispatch(path, Near { targets: targets.clone(), held });
             if interpolator.from_kernel() {
                 let targets = targets.clone();
                 with_kernel!(rules.kernel, K => dispatch(path, KernelWeights::<K> {
                     targets,
                     held,
-                    kernel: std::marker::PhantomData,
+                    kernel: PhantomData,
                 }));
             }
             with_interpolator!(interpolator, interpolator => {
@@ -251,16 +231,24 @@ impl Exchange {
         bodies: &[BodyMotion],
         water: [&[f64]; 2],
     ) {
+        self.gather(path, water, |means| [&mut means.vx, &mut means.vy]);
+        self.mirror_velocities(path, ghosts, bodies);
+    }
+
+    /// Means of some fields of the water at the ghosts that count, with the weights at hand, and where
+    /// they belong.
+    pub(super) fn gather<const N: usize>(
+        &mut self,
+        path: SimdPath,
+        fields: [&[f64]; N],
+        places: fn(&mut Means) -> [&mut [f64; LANES]; N],
+    ) {
         let Exchange { team, parts, counting, scale, means, .. } = self;
         let (scale, blocks) = (&scale[..], &counting[..]);
         team.share(parts, &mut means[..], &|part, means| {
             let blocks = part.among(blocks);
-            dispatch(
-                path,
-                Gather { part, blocks, scale, means, fields: water, places: velocities },
-            );
+            dispatch(path, Gather { part, blocks, scale, means, fields, places });
         });
-        self.mirror_velocities(path, ghosts, bodies);
     }
 
     /// Velocities of the ghosts that count, from the means at hand.
@@ -275,7 +263,22 @@ impl Exchange {
     }
 }
 
-/// Where a mean velocity belongs.
-fn velocities(means: &mut Means) -> [&mut [f64; LANES]; 2] {
-    [&mut means.vx, &mut means.vy]
+/// The targets of a part, its list and its blocks, among some blocks.
+fn targets<'a>(
+    rules: &ExchangeRules,
+    (list, own): (&'a PairList, &Range<usize>),
+    (ghosts, bodies, water): (&'a Ghosts, &'a [BodyMotion], Water<'a>),
+    blocks: &Range<usize>,
+) -> Targets<'a> {
+    Targets {
+        kernel: rules.kernel,
+        scaling: rules.scaling,
+        ghosts,
+        bodies,
+        water,
+        list,
+        first: own.start,
+        blocks: own.start.max(blocks.start)..own.end.min(blocks.end),
+        at_ghost: rules.interpolator.at_ghost(),
+    }
 }

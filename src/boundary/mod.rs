@@ -56,12 +56,19 @@ pub trait Interpolator: Copy + Send + Sync + 'static {
     const FROM_KERNEL: bool = false;
 
     /// Weights of the stencil's neighbours at its eight points, written to `weights`, and the
-    /// factor that makes each lane's weights sum to one.
+    /// factor that makes each lane's weights sum to one. By default weights stay as handed in.
+    #[inline(always)]
     fn weigh<L: Lanes>(
         &self,
-        stencil: &Stencil<'_, L>,
+        _stencil: &Stencil<'_, L>,
         weights: &mut [[f64; LANES]],
-    ) -> Weighing<L>;
+    ) -> Weighing<L> {
+        let mut sum = L::splat(0.0);
+        for weight in weights {
+            sum += L::load(weight);
+        }
+        Weighing::of_sum(sum, L::splat(0.0))
+    }
 }
 
 /// Runs `$body` with `$interpolator` bound to the interpolator of a choice.

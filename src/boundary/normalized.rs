@@ -3,8 +3,6 @@
 use serde::{Deserialize, Serialize};
 
 use super::Interpolator;
-use super::weighing::{Stencil, Weighing, sum};
-use crate::math::simd::{LANES, Lanes};
 
 /// w_j = W(r_j - r) V_j / Σ W V (Huang et al. 2019, Eqs. 14-16): the kernel, made to sum to one.
 ///
@@ -15,13 +13,4 @@ pub struct Normalized;
 
 impl Interpolator for Normalized {
     const FROM_KERNEL: bool = true;
-
-    #[inline(always)]
-    fn weigh<L: Lanes>(
-        &self,
-        _stencil: &Stencil<'_, L>,
-        weights: &mut [[f64; LANES]],
-    ) -> Weighing<L> {
-        Weighing::of_sum(sum(weights), L::splat(0.0))
-    }
 }

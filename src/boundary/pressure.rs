@@ -3,7 +3,6 @@
 use super::exchange::Exchange;
 use super::ghosts::{Ghosts, Site};
 use super::image::Press;
-use super::sums::{Gather, Means};
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, SimdPath, dispatch};
 
@@ -35,13 +34,7 @@ impl Exchange {
         bodies: &[BodyMotion],
         pressure: &[f64],
     ) {
-        let Exchange { team, parts, counting, scale, means, .. } = self;
-        let (scale, blocks) = (&scale[..], &counting[..]);
-        team.share(parts, &mut means[..], &|part, means| {
-            let blocks = part.among(blocks);
-            let (fields, places) = ([pressure], pressures);
-            dispatch(path, Gather { part, blocks, scale, means, fields, places });
-        });
+        self.gather(path, [pressure], |means| [&mut means.pressure]);
         self.press(path, ghosts, bodies);
     }
 
@@ -60,9 +53,4 @@ impl Exchange {
             face => self.wet_share(body, face as usize),
         }
     }
-}
-
-/// Where a mean pressure belongs.
-fn pressures(means: &mut Means) -> [&mut [f64; LANES]; 1] {
-    [&mut means.pressure]
 }

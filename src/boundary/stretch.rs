@@ -27,10 +27,4 @@ impl Stretch {
         let before = |end: usize| blocks.partition_point(|&block| (block as usize) < end);
         &blocks[before(self.blocks.start)..before(self.blocks.end)]
     }
-
-    /// Its blocks within a range.
-    pub fn within(&self, blocks: &Range<usize>) -> Range<usize> {
-        let Range { start, end } = self.blocks;
-        start.max(blocks.start)..end.min(blocks.end)
-    }
 }

@@ -154,16 +154,9 @@ impl<I: Interpolator> Task for Weigh<'_, I> {
     }
 }
 
-/// Σ W V of the water at the face points.
+/// Σ W V of the water at face points; coverage begins with the first of the part.
 pub(super) struct Cover<'a, K> {
-    /// Blocks of face points; list and coverage begin with the first of the part.
-    pub blocks: Range<usize>,
-    pub first: usize,
-    pub scaling: Scaling,
-    pub ghosts: &'a Ghosts,
-    pub bodies: &'a [BodyMotion],
-    pub records: &'a [Record],
-    pub list: &'a PairList,
+    pub targets: Targets<'a>,
     pub coverage: &'a mut [f64],
     pub kernel: std::marker::PhantomData<K>,
 }
@@ -173,24 +166,19 @@ impl<K: Kernel> Task for Cover<'_, K> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let (xs, _) = self.ghosts.target_x.as_chunks::<LANES>();
-        let (ys, _) = self.ghosts.target_y.as_chunks::<LANES>();
+        let Targets { first, list, water, scaling, .. } = self.targets;
         let (coverage, _) = self.coverage.as_chunks_mut::<LANES>();
-        let inverse = L::splat(self.scaling.inverse_radius);
-        for block in self.blocks {
-            let offset = self.bodies[self.ghosts.target_body[block] as usize].offset;
-            let x = (L::load(&xs[block]) + L::splat(offset)) * inverse;
-            let y = L::load(&ys[block]) * inverse;
+        for block in self.targets.blocks.clone() {
+            let [x, y] = self.targets.places::<L>(block);
             let mut sum = L::splat(0.0);
-            for &j in self.list.group(block - self.first, 0) {
-                let record = &self.records[j as usize].0;
+            for &j in list.group(block - first, 0) {
+                let record = &water.records[j as usize].0;
                 let dx = x - L::splat(record[Record::X]);
                 let dy = y - L::splat(record[Record::Y]);
                 let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
                 sum = K::shape(s, s.rsqrt()).mul_add(L::splat(record[Record::WEIGHT]), sum);
             }
-            (sum * L::splat(self.scaling.shape_per_weight))
-                .store(&mut coverage[block - self.first]);
+            (sum * L::splat(scaling.shape_per_weight)).store(&mut coverage[block - first]);
         }
     }
 }

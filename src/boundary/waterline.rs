@@ -2,8 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::exchange::ExchangeRules;
-use super::ghosts::{GhostBody, Plane};
+use super::ghosts::Plane;
 use crate::kernel::KernelChoice;
 
 /// Wetness of a body's face at and near the contact with a level surface.
@@ -16,21 +15,27 @@ pub(super) struct Waterline {
 }
 
 impl Waterline {
-    /// From 0.4 spacings below the contact to 0.4 spacings above it, along the face.
-    pub(super) fn of(rules: &ExchangeRules, body: &GhostBody) -> Waterline {
-        let half = 0.4 * rules.spacing / rules.scaling.support_radius;
-        if body.plane.normal[0] == 0.0 || body.plane.normal[1] == 0.0 {
+    /// From 0.4 spacings below the contact to 0.4 spacings above it, along the face. `spacing` and
+    /// `support_radius` in metres.
+    pub(super) fn of(
+        kernel: KernelChoice,
+        spacing: f64,
+        support_radius: f64,
+        wall: Plane,
+    ) -> Waterline {
+        let half = 0.4 * spacing / support_radius;
+        if wall.normal[0] == 0.0 || wall.normal[1] == 0.0 {
             return Waterline {
                 contact: 0.5,
-                wet_at: rules.kernel.half_plane_fraction(half),
-                dry_at: rules.kernel.half_plane_fraction(-half),
+                wet_at: kernel.half_plane_fraction(half),
+                dry_at: kernel.half_plane_fraction(-half),
             };
         }
-        let angle = PI - corner_angle(body.plane);
+        let angle = PI - corner_angle(wall);
         Waterline {
             contact: angle / PI,
-            wet_at: wedge_fraction(rules.kernel, half, angle),
-            dry_at: wedge_fraction(rules.kernel, -half, angle),
+            wet_at: wedge_fraction(kernel, half, angle),
+            dry_at: wedge_fraction(kernel, -half, angle),
         }
     }
 

@@ -66,16 +66,6 @@ impl<L: Lanes> Stencil<'_, L> {
     }
 }
 
-/// Sums of weights.
-#[inline(always)]
-pub(super) fn sum<L: Lanes>(weights: &[[f64; LANES]]) -> L {
-    let mut sum = L::splat(0.0);
-    for weight in weights {
-        sum += L::load(weight);
-    }
-    sum
-}
-
 /// The sum of weights and of their magnitudes.
 #[derive(Clone, Copy)]
 pub(super) struct Totals<L> {

@@ -26,7 +26,6 @@ pub(super) struct AccuracyArgs {
     matrix: MatrixArgs,
 }
 
-/// The cases and methods.
 const BUILT_IN: &str = include_str!("../../sweeps/accuracy.toml");
 
 pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {

@@ -18,7 +18,6 @@ use crate::results::{
 use crate::simulation::cost;
 use crate::study::{Plan, Study};
 
-/// What is to be done.
 pub(super) struct Job {
     pub(super) study: Study,
     pub(super) out: PathBuf,
@@ -31,7 +30,6 @@ pub(super) struct Job {
     pub(super) overrides: Vec<String>,
 }
 
-/// What came of it.
 pub(super) struct Done {
     pub(super) directory: Directory,
     pub(super) ending: Ending,
@@ -191,7 +189,7 @@ fn tell_start(crew: &dyn Crew, directory: &Directory, missing: usize, output: &O
     output.note(format_args!(
         "{} on {who}, {}, into {}",
         counted(missing, "run"),
-        directory.simd().name(),
+        crate::math::name::name_of(directory.simd()),
         directory.path().display()
     ));
     if output.verbose {

@@ -55,11 +55,9 @@ pub(super) enum Expect {
     Grid,
     /// A file without one.
     SingleScene,
-    /// Either.
     Either,
 }
 
-/// The text of a file.
 pub(super) fn read(path: &Path) -> Result<String, BadInput> {
     let bytes =
         std::fs::read(path).map_err(|error| BadInput(format!("{}: {error}", path.display())))?;
@@ -70,7 +68,6 @@ pub(super) fn read(path: &Path) -> Result<String, BadInput> {
     })
 }
 
-/// Reads and validates a file.
 pub(super) fn study(path: &Path, settings: &[Setting], expect: Expect) -> anyhow::Result<Study> {
     let bad = |reason: &dyn std::fmt::Display| BadInput(format!("{}: {reason}", path.display()));
     let text = read(path)?;

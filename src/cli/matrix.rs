@@ -37,7 +37,6 @@ pub(super) struct MatrixArgs {
     threads: Option<u16>,
 }
 
-/// What a command adds.
 pub(super) struct Request {
     /// The matrix that is built in.
     pub(super) built_in: &'static str,
@@ -45,7 +44,6 @@ pub(super) struct Request {
     pub(super) branching: bool,
 }
 
-/// A matrix that has been run.
 pub(super) struct Ran {
     pub(super) matrix: Matrix,
     pub(super) pairs: Vec<Trial>,

@@ -30,7 +30,6 @@ use clap::{Args, ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand
 use self::output::{Format, Output};
 use crate::execute::Launcher;
 
-/// Everything went well.
 const SUCCESS: u8 = 0;
 /// Some case failed; the others' results are complete.
 const CASES_FAILED: u8 = 1;

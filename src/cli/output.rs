@@ -76,7 +76,6 @@ pub(super) fn duration(seconds: f64) -> String {
     crate::execute::duration(seconds)
 }
 
-/// Four significant digits.
 pub(super) fn short(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();

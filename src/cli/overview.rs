@@ -3,6 +3,7 @@
 use super::execute::{Done, Job};
 use super::output::{duration, short};
 use super::table::Table;
+use crate::math::name::name_of;
 use crate::quantities::summary::{
     DISPLACEMENT_MAX, ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX, STATUS,
 };
@@ -39,7 +40,7 @@ pub(super) fn told(job: &Job, done: &Done, report: &std::path::Path, all: bool) 
         cells.push(match &record.outcome {
             Some(outcome) if outcome.doubtful_reason.is_some() => "doubtful".to_owned(),
             Some(_) => "ok".to_owned(),
-            None => record.failure.map_or("failed", |kind| kind.name()).to_owned(),
+            None => record.failure.map_or_else(|| "failed".to_owned(), name_of),
         });
         table.row(cells);
     }

@@ -10,6 +10,7 @@ use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::{Output, duration};
 use super::table::Table;
+use crate::math::name::name_of;
 use crate::results::{CaseRecord, Lock, Manifest, counted, read_journal};
 
 /// Show what is done, what failed and why, what is left, and the time to go.
@@ -115,10 +116,10 @@ struct Failures {
     values: BTreeMap<String, BTreeMap<String, usize>>,
 }
 
-fn group(failed: &[&CaseRecord]) -> BTreeMap<&'static str, Failures> {
+fn group(failed: &[&CaseRecord]) -> BTreeMap<String, Failures> {
     let mut groups: BTreeMap<_, Failures> = BTreeMap::new();
     for record in failed {
-        let kind = record.failure.map_or("failed", |kind| kind.name());
+        let kind = record.failure.map_or_else(|| "failed".to_owned(), name_of);
         let group = groups.entry(kind).or_default();
         if group.cases == 0 {
             group.example.clone_from(&record.reason);

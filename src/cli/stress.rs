@@ -25,7 +25,6 @@ pub(super) struct StressArgs {
     matrix: MatrixArgs,
 }
 
-/// The hard cases.
 pub(super) const BUILT_IN: &str = include_str!("../../sweeps/stress.toml");
 
 pub(super) fn main(args: &StressArgs, output: &Output) -> anyhow::Result<u8> {

@@ -97,7 +97,6 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
     if use_mpi { Ok(mpi::with_crew(&setup, lead)?) } else { Ok(threads::with_crew(&setup, lead)) }
 }
 
-/// True for MPI.
 fn choose(executor: Executor, launcher: Launcher, available: bool) -> Result<bool, BadInput> {
     let alone = "this build has no MPI: rebuild with `cargo build --release --features mpi`";
     match executor {
@@ -116,7 +115,6 @@ fn choose(executor: Executor, launcher: Launcher, available: bool) -> Result<boo
     }
 }
 
-/// Runs on rank 0 only.
 fn lead(
     args: &SweepArgs,
     output: &Output,

@@ -40,9 +40,6 @@ pub struct Session<'a> {
 
 /// Runs a plan to its end, or until interrupted; everything finished is recorded and on the disk
 /// when this returns.
-///
-/// # Errors
-/// Where results cannot be written or the link breaks.
 pub fn coordinate(
     link: &mut dyn Link,
     session: &mut Session<'_>,

@@ -16,9 +16,6 @@ const INTERRUPTED: i32 = 3;
 impl Interrupt {
     /// Listens to the signals: the first one sets the flag, a second one ends the process at
     /// once (the journal is whole even then).
-    ///
-    /// # Errors
-    /// Where the system refuses the handlers.
     pub fn listen() -> std::io::Result<Interrupt> {
         let interrupt = Interrupt::default();
         for signal in [SIGINT, SIGTERM, SIGUSR1] {

@@ -6,45 +6,29 @@ use crate::schedule::{Held, Work};
 use crate::simulation::{CaseResult, Stopped};
 
 /// From the coordinator to a worker.
+#[expect(missing_docs, reason = "fields are called what they are")]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Order {
-    /// Do a piece of work.
-    Run {
-        /// Which.
-        work: Work,
-        /// Its configuration in JSON, which carries every bit.
-        config: String,
-        /// The checkpoint to start from.
-        from: Option<Held>,
-    },
+    /// Do a piece of work. Its configuration is JSON, which carries every bit; the last is the
+    /// checkpoint to start from.
+    Run { work: Work, config: String, from: Option<Held> },
     /// Forget a checkpoint.
-    Drop {
-        /// The trunk.
-        trunk: usize,
-    },
+    Drop { trunk: usize },
     /// Stop what is running and give it back.
     Cancel,
 }
 
-/// From a worker to the coordinator.
+/// From a worker to the coordinator; numbers are places in the plan.
+#[expect(missing_docs, reason = "fields are called what they are")]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Report {
-    /// A trunk ended; its checkpoint stays where it is.
-    TrunkDone {
-        /// Its place in the plan.
-        trunk: usize,
-        /// Steps taken, or why not.
-        result: Result<u64, Stopped>,
-    },
-    /// A case ended.
+    /// A trunk ended, after so many steps or why not; its checkpoint stays where it is.
+    TrunkDone { trunk: usize, result: Result<u64, Stopped> },
+    /// A case ended; its processor time is there where the system tells it.
     CaseDone {
-        /// Its place in the plan.
         case: usize,
-        /// Its result, or why there is none.
         result: Result<Box<CaseResult>, Stopped>,
-        /// Wall time, seconds.
         wall_time_s: f64,
-        /// Processor time, seconds, where the system tells it.
         cpu_time_s: Option<f64>,
     },
     /// This rank received a signal to stop.

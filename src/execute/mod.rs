@@ -68,9 +68,6 @@ pub trait Crew {
     fn widest_simd(&self) -> SimdPath;
 
     /// Starts the workers, hands the link to them to `lead`, and stops them when it returns.
-    ///
-    /// # Errors
-    /// What `lead` returns, or a failure to start.
     fn work(
         &mut self,
         simd: SimdPath,
@@ -84,9 +81,6 @@ pub trait Link {
     fn send(&mut self, rank: usize, order: Order);
 
     /// The next report, and the rank it comes from; `None` after the given time without one.
-    ///
-    /// # Errors
-    /// A message that cannot be understood.
     fn poll(&mut self, patience: Duration) -> Result<Option<(usize, Report)>, SweepError>;
 }
 

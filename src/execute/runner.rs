@@ -15,15 +15,9 @@ use crate::simulation::{
 /// whatever checkpoint of its trunk.
 pub trait Runner: Sync {
     /// Runs a trunk to the last step before its branches differ.
-    ///
-    /// # Errors
-    /// The trunk's failure, or that it was told to stop.
     fn trunk(&self, config: &CaseConfig, monitor: &dyn Monitor) -> Result<TrunkResult, Stopped>;
 
     /// Runs a case, from rest or from its trunk's checkpoint.
-    ///
-    /// # Errors
-    /// The case's failure, or that it was told to stop.
     fn case(
         &self,
         config: &CaseConfig,

@@ -35,7 +35,6 @@ struct Parked {
 /// What ended on a thread, on its way to the thread that talks, and the checkpoint it has left.
 type Ended = (Report, Option<Vec<u8>>);
 
-/// The worker of one process.
 pub(super) struct Worker<'run, 'scope> {
     scope: &'run Scope<'scope>,
     runner: &'scope dyn Runner,
@@ -215,7 +214,6 @@ mod tests {
     use crate::execute::fake::FakeRunner;
     use crate::simulation::CaseResult;
 
-    /// Notes from what each case starts.
     #[derive(Default)]
     struct Noting(Mutex<Vec<Option<Vec<u8>>>>);
 

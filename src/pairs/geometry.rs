@@ -62,7 +62,6 @@ impl<R: Vector> Pair<R> {
 pub(super) struct Geometry<R>([MaybeUninit<Pair<R>>; CHUNK]);
 
 impl<R: Vector> Geometry<R> {
-    /// Room for a chunk.
     #[inline(always)]
     pub(super) fn new() -> Geometry<R> {
         Geometry([const { MaybeUninit::uninit() }; CHUNK])

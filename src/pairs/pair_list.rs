@@ -188,26 +188,11 @@ mod tests {
         let (fluid, fx, fy) = sorted(&fx, &fy);
         let (gx, gy) = scatter(150, 0.37);
         let (ghosts, gx, gy) = sorted(&gx, &gy);
-        let sets = [
-            PointSet {
-                strips: &fluid,
-                x: &fx,
-                y: &fy,
-                offset: 0.0,
-                first: 0,
-                reach: 0.2,
-                bounds: PointSet::EVERYWHERE,
-            },
-            PointSet {
-                strips: &ghosts,
-                x: &gx,
-                y: &gy,
-                offset: 0.5,
-                first: 400,
-                reach: 0.3,
-                bounds: PointSet::EVERYWHERE,
-            },
-        ];
+        let bounds = PointSet::EVERYWHERE;
+        let (x, y) = (&fx[..], &fy[..]);
+        let water = PointSet { strips: &fluid, x, y, offset: 0.0, first: 0, reach: 0.2, bounds };
+        let (strips, x, y) = (&ghosts, &gx[..], &gy[..]);
+        let sets = [water, PointSet { strips, x, y, offset: 0.5, first: 400, reach: 0.3, bounds }];
         for path in [SimdPath::Portable, SimdPath::Avx2, SimdPath::Avx512] {
             if !path.is_supported() {
                 continue;

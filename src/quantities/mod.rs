@@ -127,11 +127,6 @@ pub fn named(name: &str) -> Option<&'static Column> {
     summary::ALL.iter().copied().find(|column| column.name == name)
 }
 
-/// The unit of a column of `summary.csv`; `None` where there is no such column.
-pub fn unit_of(name: &str) -> Option<Unit> {
-    named(name).map(|column| column.unit)
-}
-
 /// Declares quantities and lists them in their order. The documentation of an entry is its
 /// meaning.
 macro_rules! quantities {

@@ -1,21 +1,12 @@
 //! The columns of `summary.csv`, in their order. Swept keys follow in a column each.
 
-use serde::Serialize;
-
 use super::Unit::{
     Displacement, Force, Impulse, KilogramsPerMetre, Metres, NewtonsPerMetre, Percent, Pure, Runup,
     Seconds,
 };
 use super::column::{Read, count, flag, maximum, number, text};
 use super::{Column, quantities};
-
-/// The name that a choice has in scene files.
-fn word(choice: impl Serialize) -> Option<String> {
-    match serde_json::to_value(choice) {
-        Ok(serde_json::Value::String(name)) => Some(name),
-        _ => None,
-    }
-}
+use crate::math::name::name_of;
 
 quantities! { Read;
     /// hash of everything that decides the answer, 16 hexadecimal digits
@@ -127,11 +118,11 @@ quantities! { Read;
     /// wall time, the shared trunk's not included
     WALL_TIME = number("wall_time_s", "", Seconds, |c| Some(c.wall_time_s));
     /// the scheme
-    SCHEME = text("scheme", "", |c| word(c.config.numerics.scheme));
+    SCHEME = text("scheme", "", |c| Some(name_of(c.config.numerics.scheme)));
     /// the interpolator at walls
-    BOUNDARY = text("boundary", "", |c| word(c.config.numerics.boundary));
+    BOUNDARY = text("boundary", "", |c| Some(name_of(c.config.numerics.boundary)));
     /// the smoothing kernel
-    KERNEL = text("kernel", "", |c| word(c.config.numerics.kernel));
+    KERNEL = text("kernel", "", |c| Some(name_of(c.config.numerics.kernel)));
     /// the spacing of particles at the start
     PARTICLE_SPACING = number("particle_spacing_m", "", Metres, |c| {
         Some(c.config.numerics.particle_spacing_m)

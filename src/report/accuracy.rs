@@ -28,7 +28,6 @@ pub const HEADER: [&str; 10] = [
 const GROUPS: [(&str, &str); 2] =
     [("all", "Methods, all quantities"), ("loads", "Methods, force and displacement alone")];
 
-/// Error bounds of the tables, percent.
 const TARGETS: [f64; 3] = [1.0, 3.0, 10.0];
 
 #[derive(Deserialize)]
@@ -47,9 +46,6 @@ struct Line {
 
 /// Writes `figures/error-against-time.svg` and `accuracy.md` into a directory that holds
 /// `accuracy.csv`; `about` says what each case is. Returns the page's path.
-///
-/// # Errors
-/// An input that cannot be read, an output that cannot be written.
 pub fn write(directory: &Path, about: &[(String, String)]) -> Result<PathBuf, ReportError> {
     let path = directory.join("accuracy.csv");
     let (header, records) = read_records(&path)?;

@@ -38,9 +38,6 @@ pub struct Loaded {
 
 impl Loaded {
     /// Reads everything but what each case has left in files of its own.
-    ///
-    /// # Errors
-    /// A file that is missing, lacks a column or holds something else than it should.
     pub fn read(directory: &Path) -> Result<Loaded, ReportError> {
         let energy = directory.join("energy.csv");
         let manifest = directory.join("manifest.json");

@@ -29,9 +29,6 @@ use load::Loaded;
 
 /// Writes `figures/*.svg`, `tables/*.csv` and `report.html` into an output directory that holds
 /// at least a `summary.csv`, and returns the page's path.
-///
-/// # Errors
-/// An input that cannot be read or lacks a column; an output that cannot be written.
 pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
     let data = Loaded::read(out_dir)?;
     let figures = plots::all(&data)?;

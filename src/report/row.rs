@@ -26,9 +26,6 @@ pub struct Row {
 
 impl Row {
     /// Takes a cell.
-    ///
-    /// # Errors
-    /// What its column does not hold, in words.
     pub fn take(&mut self, name: &str, cell: &str) -> Result<(), String> {
         if name == "wall_angle_deg" {
             self.wall_angle_deg = cell.parse().ok();

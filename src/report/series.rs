@@ -40,9 +40,6 @@ impl Loaded {
     }
 
     /// The gauges of a case, in the order of their columns; none where it has no file of them.
-    ///
-    /// # Errors
-    /// A table that lacks its time or holds something else than numbers.
     pub fn gauges(&self, case_id: &str) -> Result<Vec<Series>, ReportError> {
         let mut gauges = self.series("probes", case_id, &[history::TIME.name])?;
         if !gauges.is_empty() {
@@ -55,15 +52,11 @@ impl Loaded {
     }
 
     /// The history of a case, in the order of its columns; none where it has no file of it.
-    ///
-    /// # Errors
-    /// A history that lacks a column or holds something else than numbers.
     pub fn history(&self, case_id: &str) -> Result<Vec<Series>, ReportError> {
         let needed = [&history::TIME, &history::FORCE, &history::RUNUP, &history::DISPLACEMENT];
         self.series("histories", case_id, &needed.map(|column| column.name))
     }
 
-    /// A table over time.
     fn series(
         &self,
         folder: &str,
@@ -91,9 +84,6 @@ impl Loaded {
     }
 
     /// What the scene of a case tells besides its row, in the file's order.
-    ///
-    /// # Errors
-    /// A table that lacks a column or holds something else than numbers.
     pub fn readings(&self, case_id: &str) -> Result<Vec<Reading>, ReportError> {
         let path = self.directory.join(format!("readings/{case_id}.csv"));
         if !path.exists() {

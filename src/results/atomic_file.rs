@@ -6,7 +6,6 @@ use std::path::Path;
 
 use super::error::SweepError;
 
-/// What a temporary name ends in.
 pub(super) const TEMPORARY: &str = ".partial";
 
 /// Writes a file so that no reader, and no crash, ever sees a part of it.

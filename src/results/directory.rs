@@ -12,6 +12,7 @@ use super::lock::{self, Lock};
 use super::number::counted;
 use super::record::CaseRecord;
 use super::{energy, summary};
+use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::simulation::CaseResult;
 use crate::study::Study;
@@ -67,7 +68,7 @@ impl Directory {
         widest: SimdPath,
     ) -> Result<(Directory, Opened), SweepError> {
         if let Some(simd) = requested.filter(|&simd| simd > widest) {
-            let (simd, widest) = (simd.name(), widest.name());
+            let (simd, widest) = (name_of(simd), name_of(widest));
             let reason = format!("--simd {simd}: not every rank has it; the widest is {widest}");
             return Err(SweepError::Refused(reason));
         }
@@ -135,9 +136,6 @@ impl Directory {
     }
 
     /// Records a finished case: its files first, its journal line after.
-    ///
-    /// # Errors
-    /// Where a file cannot be written.
     pub fn record(
         &mut self,
         mut record: CaseRecord,
@@ -153,9 +151,6 @@ impl Directory {
     }
 
     /// Puts everything recorded on the disk, once it has waited long enough or if `now`.
-    ///
-    /// # Errors
-    /// Where the disk refuses.
     pub fn sync(&mut self, now: bool) -> Result<(), SweepError> {
         if self.journal.waits(if now { Duration::ZERO } else { GROUP }) {
             self.unsynced.sync(&self.path)?;
@@ -165,9 +160,6 @@ impl Directory {
     }
 
     /// Makes all tables from the journal's records.
-    ///
-    /// # Errors
-    /// Where a file cannot be written.
     pub fn write_tables(&self, study: &Study) -> Result<(), SweepError> {
         summary::write(&self.path, study, &self.records)?;
         energy::write(&self.path, self.records())
@@ -213,14 +205,17 @@ fn check_header(
     if recorded > widest {
         let reason = format!(
             "was computed with {}, but the widest that every rank has is {}",
-            recorded.name(),
-            widest.name()
+            name_of(recorded),
+            name_of(widest)
         );
         return Err(SweepError::refused(path, reason));
     }
     if let Some(simd) = requested.filter(|&simd| simd != recorded) {
-        let reason =
-            format!("was computed with {}: --simd {} cannot go on", recorded.name(), simd.name());
+        let reason = format!(
+            "was computed with {}: --simd {} cannot go on",
+            name_of(recorded),
+            name_of(simd)
+        );
         return Err(SweepError::refused(path, reason));
     }
     Ok(())

@@ -15,12 +15,11 @@ pub(super) fn write(directory: &Path, records: &[Option<CaseRecord>]) -> Result<
     for record in records.iter().flatten() {
         let (Some(budget), Some(outcome)) = (&record.energy, &record.outcome) else { continue };
         text.push_str(&record.id.to_string());
-        for term in energy::ALL {
+        let terms = energy::ALL.iter().map(|term| (term.read)(budget));
+        for value in terms.chain([outcome.energy_gap_percent]) {
             text.push(',');
-            number::push(&mut text, (term.read)(budget));
+            number::push(&mut text, value);
         }
-        text.push(',');
-        number::push(&mut text, outcome.energy_gap_percent);
         text.push('\n');
     }
     atomic_file::write(&directory.join("energy.csv"), text.as_bytes())

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 /// An error that ends a sweep.
+#[expect(missing_docs, reason = "fields are called what they are")]
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SweepError {
@@ -11,12 +12,7 @@ pub enum SweepError {
     Refused(String),
     /// The system failed to read or write a file.
     #[error("{}: {error}", path.display())]
-    Io {
-        /// The file.
-        path: PathBuf,
-        /// What the system said.
-        error: std::io::Error,
-    },
+    Io { path: PathBuf, error: std::io::Error },
     /// The machinery between ranks failed.
     #[error("{0}")]
     Executor(String),

@@ -56,7 +56,6 @@ impl Unsynced {
         Ok(lengths)
     }
 
-    /// Makes them durable.
     pub(super) fn sync(&mut self, directory: &Path) -> Result<(), SweepError> {
         self.0.iter().try_for_each(|path| atomic_file::sync(path))?;
         self.0.clear();

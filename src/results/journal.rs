@@ -17,9 +17,7 @@ use super::error::SweepError;
 use super::record::CaseRecord;
 use crate::math::simd::SimdPath;
 
-/// The file's name in its directory.
 pub(super) const FILE_NAME: &str = "journal.jsonl";
-/// Raised when lines change their meaning.
 const VERSION: u32 = 1;
 
 /// What the journal belongs to.
@@ -61,9 +59,6 @@ pub struct Journal {
 
 impl Journal {
     /// Starts a journal.
-    ///
-    /// # Errors
-    /// Where the file cannot be written.
     pub fn create(directory: &Path, header: &Header) -> Result<Journal, SweepError> {
         let path = directory.join(FILE_NAME);
         let file = File::create(&path).map_err(SweepError::io(&path))?;
@@ -95,9 +90,6 @@ impl Journal {
     }
 
     /// Appends a finished case.
-    ///
-    /// # Errors
-    /// Where the file cannot be written.
     pub fn record(&mut self, record: &CaseRecord) -> Result<(), SweepError> {
         self.append(&JournalEntry::Case(Box::new(record.clone())))
     }
@@ -116,9 +108,6 @@ impl Journal {
     }
 
     /// Puts all lines on the disk.
-    ///
-    /// # Errors
-    /// Where the disk refuses.
     pub fn sync(&mut self) -> Result<(), SweepError> {
         if self.unsynced_since.is_some() {
             self.file.sync_data().map_err(SweepError::io(&self.path))?;

@@ -6,7 +6,6 @@ use std::time::{Duration, Instant};
 
 use super::error::SweepError;
 
-/// The file's name in its directory.
 pub(super) const FILE_NAME: &str = "lock";
 const PATIENCE: Duration = Duration::from_secs(5);
 

@@ -1,9 +1,7 @@
 //! Made-up results, for tests of everything around the physics.
 
 use crate::scene::CaseConfig;
-use crate::simulation::{
-    CaseResult, EnergyBudget, HealthMargins, HistoryRow, Maximum, Outcome, PhaseShare,
-};
+use crate::simulation::{CaseResult, EnergyBudget, HistoryRow, Maximum, Outcome, PhaseShare};
 use crate::study::CaseId;
 
 /// Numbers that are a function of the case's id.
@@ -18,10 +16,8 @@ pub fn made_up(config: &CaseConfig) -> CaseResult {
         runup_max: maximum(number / 3.0),
         displacement_max: movable.then(|| maximum(number / 7.0)),
         first_force_max: Some(maximum(1.0 + number / 2.0)),
-        first_runup_max: None,
         first_displacement_max: movable.then(|| maximum(number / 11.0)),
         first_force_peak: Some(1.0 + number / 5.0),
-        first_runup_peak: None,
         force_max_raw: 2.0 * number,
         force_at_rest: 1.0,
         force_end: 1.0,
@@ -35,14 +31,11 @@ pub fn made_up(config: &CaseConfig) -> CaseResult {
         force_gap_percent: 0.3,
         force_max_gap_percent: 0.1,
         energy_gap_percent: -0.1,
-        particles_lost: 0,
-        health: HealthMargins::default(),
         doubtful_reason: (number > 0.5).then(|| "made up".to_owned()),
-        recovered: None,
         steps: 1000,
         particles: 100,
         pair_evaluations: 12_345,
-        boundary_fallbacks: 0,
+        ..Outcome::default()
     };
     let row = |step: u32| HistoryRow {
         time_s: f64::from(step) * 0.005,

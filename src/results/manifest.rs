@@ -6,10 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use super::atomic_file;
 use super::error::SweepError;
+use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::study::{PHYSICS_VERSION, Study};
 
-/// The file's name in its directory.
 const FILE_NAME: &str = "manifest.json";
 
 /// Provenance of an output directory.
@@ -117,7 +117,7 @@ impl Manifest {
             keys: study.keys.clone(),
             sweep_file: study.file_text.clone(),
             overrides: overrides.to_vec(),
-            simd: simd.name().to_owned(),
+            simd: name_of(simd),
             sessions,
         }
     }
@@ -129,9 +129,6 @@ impl Manifest {
     }
 
     /// Writes it.
-    ///
-    /// # Errors
-    /// Where the file cannot be written.
     pub fn write(&self, directory: &Path) -> Result<(), SweepError> {
         let text = serde_json::to_string_pretty(self).expect("a manifest has a JSON form");
         atomic_file::write(&directory.join(FILE_NAME), format!("{text}\n").as_bytes())

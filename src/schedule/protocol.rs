@@ -12,29 +12,15 @@ pub enum Work {
 }
 
 /// What happened.
+#[expect(missing_docs, reason = "fields are called what they are")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Event {
     /// A rank can take work.
-    Ready {
-        /// The rank.
-        rank: usize,
-    },
-    /// A trunk ended, or a case ended and is recorded.
-    Done {
-        /// The rank.
-        rank: usize,
-        /// The work.
-        work: Work,
-        /// Whether it went well: a trunk has a checkpoint then.
-        ok: bool,
-    },
+    Ready { rank: usize },
+    /// A trunk ended, or a case ended and is recorded. A trunk that is `ok` has left a checkpoint.
+    Done { rank: usize, work: Work, ok: bool },
     /// A rank gave work back because it was told to stop.
-    GivenBack {
-        /// The rank.
-        rank: usize,
-        /// The work.
-        work: Work,
-    },
+    GivenBack { rank: usize, work: Work },
     /// The user wants to stop.
     Interrupted,
 }
@@ -49,24 +35,13 @@ pub struct Held {
 }
 
 /// What is to be done.
+#[expect(missing_docs, reason = "fields are called what they are")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Command {
-    /// Do a piece of work.
-    Run {
-        /// Where.
-        rank: usize,
-        /// Which.
-        work: Work,
-        /// The checkpoint that a case starts from; it starts from rest where there is none.
-        from: Option<Held>,
-    },
+    /// Do a piece of work; a case starts from the checkpoint, or from rest where there is none.
+    Run { rank: usize, work: Work, from: Option<Held> },
     /// Forget a checkpoint.
-    Drop {
-        /// Where.
-        rank: usize,
-        /// Which.
-        trunk: usize,
-    },
+    Drop { rank: usize, trunk: usize },
     /// Stop all that runs and give it back.
     Cancel,
 }

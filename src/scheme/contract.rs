@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::StateEquation;
 use super::isph::IsphState;
+use super::step::{Dissipation, Load, SolverSummary, StepError, StepWalls};
 use super::wcsph::WcsphState;
 use crate::body::BodyMotion;
 use crate::boundary::Ghosts;
@@ -13,76 +14,6 @@ use crate::kernel::KernelChoice;
 use crate::math::team::Team;
 use crate::pairs::Fluid;
 use crate::theory::central_field::CentralField;
-
-/// Force of the water on a body, at the current places.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Load {
-    /// Along x, N per metre of width; for the responding body with its acceleration left out.
-    pub force: f64,
-    /// What its own acceleration takes off that force: F = `force` - `added_mass` a.
-    pub added_mass: f64,
-}
-
-/// Motion of the bodies over the second half of a step.
-#[derive(Debug, Clone, Copy)]
-pub struct StepWalls<'a> {
-    /// Offset at the start of the step and mean velocity over it.
-    pub bodies: &'a [BodyMotion],
-    /// Acceleration of the responding body.
-    pub acceleration: f64,
-    /// What comes after.
-    pub next: NextStep<'a>,
-}
-
-/// The step after this one: what the next [`Scheme::prepare`] will be told.
-#[derive(Debug, Clone, Copy)]
-pub struct NextStep<'a> {
-    /// Motions at its start.
-    pub bodies: &'a [BodyMotion],
-    /// Its length, seconds, before a [`Scheme::step_limit`].
-    pub dt: f64,
-}
-
-/// Powers (W) and works (J), per metre of width.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Dissipation {
-    /// Power lost to artificial viscosity, where it was asked for.
-    pub viscous_power: f64,
-    /// Power lost to density diffusion, where it was asked for.
-    pub diffusion_power: f64,
-    /// Energy taken out by shifting over the step.
-    pub shifting_work: f64,
-}
-
-/// How the pressure equation was solved over a run, and how incompressible the water stayed.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct SolverSummary {
-    /// Iterations, of all solves of a step together.
-    pub iterations_per_step: f64,
-    /// Largest residual that a solve was left with, over its right-hand side.
-    pub worst_residual: f64,
-    /// Largest root mean square, over the interior, of Δt ∇·u.
-    pub worst_divergence: f64,
-    /// Largest |mean, over the interior, of Σ V W over its value on the lattice, less one|.
-    pub worst_volume_drift: f64,
-}
-
-/// Why a scheme cannot take the step.
-#[derive(Debug, Clone, PartialEq, thiserror::Error)]
-pub enum StepError {
-    /// The pressure equation was not solved.
-    #[error(
-        "the pressure equation stands at a residual of {residual:.1e} after {iterations} iterations, bound {bound:.1e}"
-    )]
-    SolverDiverged {
-        /// Iterations done.
-        iterations: u32,
-        /// Residual over the right-hand side.
-        residual: f64,
-        /// What it should have come down to.
-        bound: f64,
-    },
-}
 
 /// What a scheme must keep to go on later, bit for bit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -133,16 +64,10 @@ pub trait Scheme: Debug + Send {
 
     /// First half of a step of `dt` seconds. `bodies` are the motions at this instant; the
     /// acceleration of the responding body is not used.
-    ///
-    /// # Errors
-    /// The step cannot be taken.
     fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> Result<(), StepError>;
 
     /// Finds how force and water respond to the responding body's acceleration; asked for after
     /// [`Scheme::prepare`] in those steps in which that body may move.
-    ///
-    /// # Errors
-    /// The response cannot be found.
     fn respond(&mut self, _dt: f64) -> Result<(), StepError> {
         Ok(())
     }

@@ -2,9 +2,9 @@
 
 mod contract;
 pub mod isph;
+mod step;
 pub mod wcsph;
 
 pub use crate::water::{StateEquation, StateEquationChoice};
-pub use contract::{
-    Dissipation, Load, NextStep, Scheme, SchemeState, SolverSummary, StepError, StepWalls,
-};
+pub use contract::{Scheme, SchemeState};
+pub use step::{Dissipation, Load, NextStep, SolverSummary, StepError, StepWalls};

@@ -42,7 +42,6 @@ pub struct Hit {
     pub runup: f64,
 }
 
-/// One blow in earnest.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 struct Blow {
     time_s: f64,

@@ -70,7 +70,6 @@ impl Evidence<'_> {
     }
 }
 
-/// Those that there are.
 fn told<const N: usize>(
     maxima: [(&'static str, Option<Maximum>); N],
 ) -> impl Iterator<Item = (&'static str, Maximum)> {
@@ -90,36 +89,15 @@ mod tests {
     /// F* = 2 at 1 s, R* = 0.5 at 1.1 s, X* = 0.8 at 1.5 s; a weaker load at 2.5 s.
     fn outcome() -> Outcome {
         Outcome {
-            measured_wave_height_ratio: Some(0.4),
             force_max: at(2.0, 1.0),
             runup_max: at(0.5, 1.1),
             displacement_max: Some(at(0.8, 1.5)),
             first_force_max: Some(at(2.0, 1.0)),
             first_runup_max: Some(at(0.5, 1.1)),
             first_displacement_max: Some(at(0.8, 1.5)),
-            first_force_peak: Some(2.0),
-            first_runup_peak: Some(0.5),
-            force_max_raw: 2.0,
-            force_at_rest: 1.0,
-            force_end: 1.0,
-            runup_end: 0.0,
-            displacement_end: Some(0.0),
-            onset_time_s: Some(0.5),
-            stroke_centre_s: Some(1.0),
-            displacement_truncated: Some(false),
-            stops: Some(1),
-            stop_impulse: Some(at(-0.3, 2.0)),
             force_gap_percent: 60.0,
-            force_max_gap_percent: 0.0,
             energy_gap_percent: 1.0,
-            particles_lost: 0,
-            health: super::super::HealthMargins::default(),
-            doubtful_reason: None,
-            recovered: None,
-            steps: 100,
-            particles: 100,
-            pair_evaluations: 100,
-            boundary_fallbacks: 0,
+            ..Outcome::default()
         }
     }
 

@@ -2,9 +2,7 @@
 
 use super::doubt::Evidence;
 use super::energy::WaterEnergy;
-use super::outcome::{
-    CaseResult, EnergyBudget, Maximum, NamedReading, Outcome, PhaseShare, Readings,
-};
+use super::outcome::{CaseResult, EnergyBudget, NamedReading, Outcome, PhaseShare, Readings};
 use super::readings;
 use super::run::Run;
 use super::settling::Prospect;
@@ -94,11 +92,10 @@ impl Run {
         // The first impact of a wave has no meaning in other scenes.
         let has_wave = tank.wave_gauge.is_some();
         let wall = tank.wall.state();
-        let zero = Maximum { value: 0.0, time_s: 0.0 };
         let outcome = Outcome {
             measured_wave_height_ratio: logbook.gauge.crest(),
-            force_max: m.force.unwrap_or(zero),
-            runup_max: m.runup.unwrap_or(zero),
+            force_max: m.force.unwrap_or_default(),
+            runup_max: m.runup.unwrap_or_default(),
             displacement_max: m.displacement,
             first_force_max: m.first.force().filter(|_| has_wave),
             first_runup_max: m.first.runup().filter(|_| has_wave),
@@ -117,7 +114,7 @@ impl Run {
                     .is_some_and(|x| x.value > 0.0 && x.time_s >= self.clock.time - self.time_step)
             }),
             stops: wall.map(|wall| wall.stops),
-            stop_impulse: wall.map(|_| m.blows.strongest().unwrap_or(zero)),
+            stop_impulse: wall.map(|_| m.blows.strongest().unwrap_or_default()),
             doubtful_reason: None,
             force_gap_percent: logbook.worst_gap,
             force_max_gap_percent: m.force.map_or(0.0, |m| logbook.face_gaps.around(m.time_s)),

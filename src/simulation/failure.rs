@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::math::name::name_of;
+
 /// The kind of a failure, stable text in `summary.csv` and the journal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -34,26 +36,6 @@ pub enum FailureKind {
 }
 
 impl FailureKind {
-    /// The name used in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            FailureKind::NotANumber => "not-a-number",
-            FailureKind::RunawaySpeed => "runaway-speed",
-            FailureKind::DensityOutOfBounds => "density-out-of-bounds",
-            FailureKind::ParticlesLost => "particles-lost",
-            FailureKind::EnergyGrowth => "energy-growth",
-            FailureKind::ForceGap => "force-gap",
-            FailureKind::Clustering => "clustering",
-            FailureKind::WallUnstable => "wall-unstable",
-            FailureKind::SolverDiverged => "solver-diverged",
-            FailureKind::InvalidScene => "invalid-scene",
-            FailureKind::CheckpointUnreadable => "checkpoint-unreadable",
-            FailureKind::Internal => "internal",
-        }
-    }
-}
-
-impl FailureKind {
     /// Whether smaller time steps may help: the numbers ran away, rather than the program failing.
     pub fn is_instability(self) -> bool {
         !matches!(
@@ -65,7 +47,7 @@ impl FailureKind {
 
 /// A case that failed: what happened, when, and where.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, thiserror::Error)]
-#[error("{} at t = {time_s:.4} s: {detail}", kind.name())]
+#[error("{} at t = {time_s:.4} s: {detail}", name_of(kind))]
 pub struct Failure {
     /// What happened.
     pub kind: FailureKind,

@@ -2,7 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::measures::Reading;
 use super::outcome::Maximum;
 
 /// F* must last this long above or below a bound to count, over √(h/g): 0.02 s at h = 0.2 m.
@@ -14,7 +13,21 @@ const IMPACT_TRAVEL: f64 = 0.01;
 /// A peak is over when it has dropped by this share.
 const PEAK_DROP: f64 = 0.10;
 
-/// Where the first impact stands.
+/// One step's readings, non-dimensional: F*, R*, X*, and the wall's count of stops.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reading {
+    /// Seconds since the paddle's start.
+    pub time: f64,
+    /// F*.
+    pub force: f64,
+    /// R*.
+    pub runup: f64,
+    /// X*; `None` for a fixed wall.
+    pub displacement: Option<f64>,
+    /// Stops so far.
+    pub stops: u32,
+}
+
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 enum Stage {
     Before,
@@ -130,7 +143,7 @@ impl FirstImpact {
             }
         }
         if self.is_under_way() {
-            raise(&mut self.readings.force, mean, at);
+            Maximum::raise(&mut self.readings.force, mean, at);
             self.readings.force_peak.push(mean);
             // Noise may press the force down while the water at the wall still climbs.
             let low = self.below_since.is_some_and(|since| at - since >= persistence);
@@ -146,10 +159,10 @@ impl FirstImpact {
             return;
         }
         let readings = &mut self.readings;
-        raise(&mut readings.runup, reading.runup, reading.time);
+        Maximum::raise(&mut readings.runup, reading.runup, reading.time);
         readings.runup_peak.push(reading.runup);
         if let Some(x) = reading.displacement {
-            raise(&mut readings.displacement, x, reading.time);
+            Maximum::raise(&mut readings.displacement, x, reading.time);
         }
         let travelled = readings.displacement.is_some_and(|m| m.value > IMPACT_TRAVEL);
         if !travelled {
@@ -202,12 +215,5 @@ impl FirstImpact {
     /// When F > F_th first lasted, seconds.
     pub fn onset(&self) -> Option<f64> {
         self.onset
-    }
-}
-
-/// Raises a maximum to a larger value at a time, seconds.
-pub(super) fn raise(maximum: &mut Option<Maximum>, value: f64, time_s: f64) {
-    if maximum.is_none_or(|m| value > m.value) {
-        *maximum = Some(Maximum { value, time_s });
     }
 }

@@ -3,27 +3,12 @@
 use serde::{Deserialize, Serialize};
 
 use super::blows::{Acoustics, Blows, Hit};
-use super::first_impact::{FirstImpact, raise};
+use super::first_impact::{FirstImpact, Reading};
 use super::outcome::Maximum;
 use super::window::RunningMean;
 
 /// Span of the force's running mean over √(h/g).
 pub(super) const MEAN_SPAN: f64 = 0.07;
-
-/// One step's readings, non-dimensional: F*, R*, X*, and the wall's count of stops.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Reading {
-    /// Seconds since the paddle's start.
-    pub time: f64,
-    /// F*.
-    pub force: f64,
-    /// R*.
-    pub runup: f64,
-    /// X*; `None` for a fixed wall.
-    pub displacement: Option<f64>,
-    /// Stops so far.
-    pub stops: u32,
-}
 
 /// Maxima so far.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -68,11 +53,11 @@ impl Measures {
     pub fn push(&mut self, reading: Reading) {
         let Reading { time, force, runup, displacement, stops } = reading;
         self.last = [force, runup, displacement.unwrap_or(0.0)];
-        raise(&mut self.runup, runup, time);
+        Maximum::raise(&mut self.runup, runup, time);
         if let Some(x) = displacement {
             self.blows.follow(time, x);
             let before = self.displacement;
-            raise(&mut self.displacement, x, time);
+            Maximum::raise(&mut self.displacement, x, time);
             if self.displacement != before {
                 self.kicked = self.blows.kicked();
             }
@@ -84,7 +69,7 @@ impl Measures {
                 self.force_raw = Some(self.force_raw.map_or(force, |raw| raw.max(force)));
             }
             if let Some((at, mean)) = self.mean.push(time, force) {
-                raise(&mut self.force, mean, at);
+                Maximum::raise(&mut self.force, mean, at);
                 self.first.push_force(at, mean, stops);
             }
         }
@@ -105,22 +90,23 @@ mod tests {
 
     const WATER: Acoustics = Acoustics { depth: 0.2, gravity: 9.81, sound_speed: Some(11.2) };
 
-    /// Feeds F*(t), R*(t) = F* - 1, X*(t) every millisecond.
-    fn measure(force: impl Fn(f64) -> f64, x: impl Fn(f64) -> (f64, u32)) -> Measures {
-        let mut measures = Measures::new(1.1, WATER);
+    /// Feeds F*, R*, X* and the stops at a time, every millisecond.
+    fn feed(threshold: f64, at: impl Fn(f64) -> ([f64; 3], u32)) -> Measures {
+        let mut measures = Measures::new(threshold, WATER);
         for k in 0..4000 {
             let time = 0.001 * f64::from(k);
-            let (displacement, stops) = x(time);
-            let force = force(time);
-            measures.push(Reading {
-                time,
-                force,
-                runup: force - 1.0,
-                displacement: Some(displacement),
-                stops,
-            });
+            let ([force, runup, x], stops) = at(time);
+            measures.push(Reading { time, force, runup, displacement: Some(x), stops });
         }
         measures
+    }
+
+    /// With R* = F* - 1.
+    fn measure(force: impl Fn(f64) -> f64, x: impl Fn(f64) -> (f64, u32)) -> Measures {
+        feed(1.1, |time| {
+            let (force, (x, stops)) = (force(time), x(time));
+            ([force, force - 1.0, x], stops)
+        })
     }
 
     fn bell(time: f64, centre: f64, height: f64) -> f64 {
@@ -128,28 +114,15 @@ mod tests {
     }
 
     #[test]
-    fn the_first_impact_ends_when_the_force_stays_low() {
-        let m = measure(|t| 1.0 + bell(t, 1.0, 1.0) + bell(t, 3.0, 1.5), |_| (0.0, 0));
-        assert!((m.first.force().unwrap().value - 2.0).abs() < 2e-3);
-        assert!((m.force.unwrap().value - 2.5).abs() < 2e-3);
-        assert!((m.first.runup().unwrap().value - 1.0).abs() < 1e-6);
-        let onset = 1.0 - 0.2 * (10.0_f64.ln()).sqrt();
-        assert!((m.first.onset().unwrap() - onset).abs() < 3e-3);
-    }
-
-    #[test]
-    fn the_first_impact_is_above_a_high_threshold_too() {
+    fn the_first_impact_ends_when_the_force_stays_low_whatever_the_threshold() {
         for threshold in [1.02, 1.1, 1.15, 1.2, 1.7] {
-            let mut m = Measures::new(threshold, WATER);
-            for k in 0..4000 {
-                let time = 0.001 * f64::from(k);
-                let force = 1.0 + bell(time, 1.0, 1.0) + bell(time, 3.0, 1.5);
-                let (runup, displacement) = (force - 1.0, Some(0.0));
-                m.push(Reading { time, force, runup, displacement, stops: 0 });
-            }
+            let force = |time| 1.0 + bell(time, 1.0, 1.0) + bell(time, 3.0, 1.5);
+            let m = feed(threshold, |time| ([force(time), force(time) - 1.0, 0.0], 0));
             assert!((m.first.force().unwrap().value - 2.0).abs() < 2e-3, "{threshold}");
+            assert!((m.force.unwrap().value - 2.5).abs() < 2e-3, "{threshold}");
             assert!((m.first.runup().unwrap().value - 1.0).abs() < 1e-6, "{threshold}");
-            assert!(m.first.onset().unwrap() < 1.0, "{threshold}");
+            let onset = 1.0 - 0.2 * (-(threshold - 1.0).ln()).sqrt();
+            assert!((m.first.onset().unwrap() - onset).abs() < 3e-3, "{threshold}");
         }
     }
 
@@ -179,26 +152,19 @@ mod tests {
 
     /// F* that rises in noise of the given height and period, s, and falls again; R* is without noise.
     fn noisy(height: f64, period: f64) -> Measures {
-        let mut measures = Measures::new(1.1, WATER);
-        for k in 0..4000 {
-            let time = 0.001 * f64::from(k);
+        feed(1.1, |time| {
             let water = bell(time, 1.5, 2.0);
             let noise = height * (std::f64::consts::TAU * time / period).sin();
-            let (force, runup) = (1.0 + water + noise, 0.5 * water);
-            measures.push(Reading { time, force, runup, displacement: Some(0.0), stops: 0 });
-        }
-        measures
+            ([1.0 + water + noise, 0.5 * water, 0.0], 0)
+        })
     }
 
     #[test]
     fn a_blip_neither_opens_nor_closes_the_first_impact() {
-        let mut measures = Measures::new(1.1, WATER);
-        for k in 0..4000 {
-            let time = 0.001 * f64::from(k);
+        let measures = feed(1.1, |time| {
             let (blip, water) = (0.4 * bell(time / 0.05, 0.5 / 0.05, 1.0), bell(time, 2.0, 1.5));
-            let (force, runup) = (1.0 + blip + water, water + 0.3 * blip);
-            measures.push(Reading { time, force, runup, displacement: Some(0.0), stops: 0 });
-        }
+            ([1.0 + blip + water, water + 0.3 * blip, 0.0], 0)
+        });
         assert!((measures.first.force().unwrap().value - 2.5).abs() < 2e-3);
         assert!((measures.first.runup().unwrap().value - 1.5).abs() < 1e-3);
         assert!(measures.first.force_peak().unwrap() > 2.49);

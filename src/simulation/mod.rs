@@ -180,9 +180,6 @@ fn attempt(
 
 /// Runs a trunk ([`CaseConfig::trunk`]) to the last step before the force first exceeds the
 /// threshold.
-///
-/// # Errors
-/// The reason for which it failed, or that it was interrupted.
 pub fn run_trunk(
     config: &CaseConfig,
     resources: impl Into<Resources>,

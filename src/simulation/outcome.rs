@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::health::HealthMargins;
 
 /// A maximum and the time at which it was reached.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Maximum {
     /// The largest value, non-dimensional.
     pub value: f64,
@@ -13,11 +13,20 @@ pub struct Maximum {
     pub time_s: f64,
 }
 
+impl Maximum {
+    /// Raises a maximum to a larger value at a time, seconds.
+    pub(super) fn raise(maximum: &mut Option<Maximum>, value: f64, time_s: f64) {
+        if maximum.is_none_or(|m| value > m.value) {
+            *maximum = Some(Maximum { value, time_s });
+        }
+    }
+}
+
 /// Non-dimensional results of one finished case: F* = F/(ρ g h²/2), R* = runup/h, X* = X/h.
 ///
 /// `None` where the scene has no such quantity (a fixed wall has no displacement; still water has
 /// no wave height; a wave that never loads the wall has no first impact).
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct Outcome {
     /// Crest height over still water passing the wave gauge, over h.
     pub measured_wave_height_ratio: Option<f64>,

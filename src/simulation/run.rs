@@ -36,7 +36,6 @@ pub(super) struct Clock {
     pub(super) samples: u64,
 }
 
-/// A tank under way.
 pub(super) struct Run {
     pub(super) tank: Tank,
     pub(super) config: CaseConfig,

@@ -2,8 +2,8 @@
 
 use super::energy::WaterEnergy;
 use super::failure::{Failure, FailureKind};
+use super::first_impact::Reading;
 use super::health::Vitals;
-use super::measures::Reading;
 use super::outcome::{EnergyBudget, HistoryRow};
 use super::probes;
 use super::run::Run;
@@ -100,9 +100,6 @@ impl Run {
     }
 
     /// Checks the water's health; the energy budget as it is now.
-    ///
-    /// # Errors
-    /// The first bound that is broken.
     pub(super) fn check_health(&mut self, bodies: &Motions) -> Result<EnergyBudget, Failure> {
         let now = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
         let energy = self.logbook.ledger.close(now, &self.tank.wall);

@@ -96,7 +96,7 @@ impl Prospect {
 #[cfg(test)]
 mod tests {
     use super::super::blows::Acoustics;
-    use super::super::measures::Reading;
+    use super::super::first_impact::Reading;
     use super::*;
 
     const WATER: Acoustics = Acoustics { depth: 0.2, gravity: 9.81, sound_speed: None };

@@ -22,7 +22,6 @@ const SHORT_NAP: Duration = Duration::from_micros(50);
 /// How long at most while a large one is on its way: MPI moves it piece by piece, some with every look
 /// of both sides.
 const LARGE_NAP: Duration = Duration::from_micros(200);
-/// How many bytes are large.
 const LARGE: usize = 100_000;
 /// How long at most while another is on its way: whoever it is for may have other things to do first.
 const LETTER_NAP: Duration = Duration::from_millis(1);
@@ -31,7 +30,6 @@ const LONG_NAP: Duration = Duration::from_millis(20);
 /// A nap lasts the silence so far over this: a wait is lengthened by half at the most.
 const NAP_OF_SILENCE: u32 = 2;
 
-/// A rank's mail.
 pub(super) struct Post {
     world: SimpleCommunicator,
     outgoing: Vec<Letter>,

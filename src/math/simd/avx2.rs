@@ -1,15 +1,18 @@
-//! Lanes in two 256-bit registers, with fused multiply-add.
+//! Lanes in 256-bit registers, with fused multiply-add: two for double precision, one for single.
 
 use std::arch::x86_64::*;
-use std::ops::{Add, AddAssign, Mul, Sub};
 
-use super::single::Single;
-use super::vector::RSQRT_MAGIC;
+use super::registers::{arithmetic, operators};
+use super::vector::{RSQRT_MAGIC, SINGLE_LN_2, SINGLE_ROUNDING};
 use super::{LANES, Lanes, Task, Vector};
 
 /// Eight values in two registers.
 #[derive(Clone, Copy)]
 pub(super) struct Avx2(pub(super) __m256d, pub(super) __m256d);
+
+/// Eight values of single precision in one register: what `precision = "f32"` runs on.
+#[derive(Clone, Copy)]
+pub(super) struct Single(__m256);
 
 /// Compiles and runs a task with AVX2.
 ///
@@ -21,90 +24,23 @@ pub(super) unsafe fn run<T: Task>(task: T) -> T::Output {
     task.run::<Avx2>()
 }
 
-// SAFETY of every block below: `Avx2` only exists inside `run`, whose caller has checked the
-// processor's features; loads and stores go through references to whole arrays.
+// SAFETY of every block below: `Avx2` only exists inside `run`, `Single` there or inside `avx512::run`. Their
+// callers have checked the processor's features; loads and stores go through references to whole arrays.
 
-impl Add for Avx2 {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        unsafe { Avx2(_mm256_add_pd(self.0, other.0), _mm256_add_pd(self.1, other.1)) }
-    }
-}
-
-impl Sub for Avx2 {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        unsafe { Avx2(_mm256_sub_pd(self.0, other.0), _mm256_sub_pd(self.1, other.1)) }
-    }
-}
-
-impl Mul for Avx2 {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        unsafe { Avx2(_mm256_mul_pd(self.0, other.0), _mm256_mul_pd(self.1, other.1)) }
-    }
-}
-
-impl AddAssign for Avx2 {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
+operators!(Avx2 [0, 1]: _mm256_add_pd, _mm256_sub_pd, _mm256_mul_pd);
 
 impl Vector for Avx2 {
     type Wide = Self;
+
+    arithmetic!([0, 1]:
+        _mm256_sqrt_pd, _mm256_div_pd, _mm256_min_pd, _mm256_max_pd,
+        _mm256_fmadd_pd, _mm256_fmsub_pd, _mm256_fnmadd_pd
+    );
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
         let lanes = unsafe { _mm256_set1_pd(value) };
         Avx2(lanes, lanes)
-    }
-    #[inline(always)]
-    fn mul_add(self, factor: Self, addend: Self) -> Self {
-        unsafe {
-            Avx2(
-                _mm256_fmadd_pd(self.0, factor.0, addend.0),
-                _mm256_fmadd_pd(self.1, factor.1, addend.1),
-            )
-        }
-    }
-    #[inline(always)]
-    fn mul_sub(self, factor: Self, subtrahend: Self) -> Self {
-        unsafe {
-            Avx2(
-                _mm256_fmsub_pd(self.0, factor.0, subtrahend.0),
-                _mm256_fmsub_pd(self.1, factor.1, subtrahend.1),
-            )
-        }
-    }
-    #[inline(always)]
-    fn negated_mul_add(self, factor: Self, addend: Self) -> Self {
-        unsafe {
-            Avx2(
-                _mm256_fnmadd_pd(self.0, factor.0, addend.0),
-                _mm256_fnmadd_pd(self.1, factor.1, addend.1),
-            )
-        }
-    }
-    #[inline(always)]
-    fn div(self, divisor: Self) -> Self {
-        unsafe { Avx2(_mm256_div_pd(self.0, divisor.0), _mm256_div_pd(self.1, divisor.1)) }
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        unsafe { Avx2(_mm256_sqrt_pd(self.0), _mm256_sqrt_pd(self.1)) }
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        unsafe { Avx2(_mm256_min_pd(self.0, other.0), _mm256_min_pd(self.1, other.1)) }
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        unsafe { Avx2(_mm256_max_pd(self.0, other.0), _mm256_max_pd(self.1, other.1)) }
     }
     #[inline(always)]
     fn rsqrt_guess(self) -> Self {
@@ -204,5 +140,65 @@ impl Lanes for Avx2 {
     fn prefetch<T>(value: &T, ahead: usize) {
         // SAFETY: a hint, whatever the address.
         unsafe { _mm_prefetch::<_MM_HINT_T0>(std::ptr::from_ref(value).wrapping_add(ahead).cast()) }
+    }
+}
+
+operators!(Single [0]: _mm256_add_ps, _mm256_sub_ps, _mm256_mul_ps);
+
+impl Vector for Single {
+    type Wide = Avx2;
+
+    const TURNS: usize = 2;
+    const QUICK_ROOTS: bool = true;
+    const ROUNDING: f64 = SINGLE_ROUNDING;
+    const LN_2: [f64; 2] = SINGLE_LN_2;
+
+    arithmetic!([0]:
+        _mm256_sqrt_ps, _mm256_div_ps, _mm256_min_ps, _mm256_max_ps,
+        _mm256_fmadd_ps, _mm256_fmsub_ps, _mm256_fnmadd_ps
+    );
+
+    #[inline(always)]
+    fn splat(value: f64) -> Self {
+        Single(unsafe { _mm256_set1_ps(value as f32) })
+    }
+    #[inline(always)]
+    fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self {
+        Single(unsafe {
+            let less = _mm256_cmp_ps::<_CMP_LT_OQ>(self.0, bound.0);
+            _mm256_blendv_ps(otherwise.0, if_less.0, less)
+        })
+    }
+    #[inline(always)]
+    fn power_of_two(self) -> Self {
+        Single(unsafe {
+            let shifted = _mm256_slli_epi32::<23>(_mm256_castps_si256(self.0));
+            _mm256_castsi256_ps(_mm256_add_epi32(shifted, _mm256_set1_epi32(127 << 23)))
+        })
+    }
+    #[inline(always)]
+    fn load(values: &[f64; LANES]) -> Self {
+        let at = values.as_ptr();
+        unsafe {
+            let low = _mm256_cvtpd_ps(_mm256_loadu_pd(at));
+            let high = _mm256_cvtpd_ps(_mm256_loadu_pd(at.add(4)));
+            Single(_mm256_insertf128_ps::<1>(_mm256_castps128_ps256(low), high))
+        }
+    }
+    #[inline(always)]
+    fn store_single(self, values: &mut [f32; LANES]) {
+        unsafe { _mm256_storeu_ps(values.as_mut_ptr(), self.0) }
+    }
+    #[inline(always)]
+    fn any_less(self, bound: Self) -> bool {
+        unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(self.0, bound.0)) != 0 }
+    }
+    #[inline(always)]
+    fn widened(self) -> Avx2 {
+        unsafe {
+            let low = _mm256_castps256_ps128(self.0);
+            let high = _mm256_extractf128_ps::<1>(self.0);
+            Avx2(_mm256_cvtps_pd(low), _mm256_cvtps_pd(high))
+        }
     }
 }

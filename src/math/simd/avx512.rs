@@ -1,9 +1,9 @@
 //! Lanes in one 512-bit register.
 
 use std::arch::x86_64::*;
-use std::ops::{Add, AddAssign, Mul, Sub};
 
-use super::single::Single;
+use super::avx2::Single;
+use super::registers::{arithmetic, operators};
 use super::vector::RSQRT_MAGIC;
 use super::{LANES, Lanes, Task, Vector};
 
@@ -24,71 +24,19 @@ pub(super) unsafe fn run<T: Task>(task: T) -> T::Output {
 // SAFETY of every block below: `Avx512` only exists inside `run`, whose caller has checked the
 // processor's features; loads and stores go through references to whole arrays.
 
-impl Add for Avx512 {
-    type Output = Self;
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        Avx512(unsafe { _mm512_add_pd(self.0, other.0) })
-    }
-}
-
-impl Sub for Avx512 {
-    type Output = Self;
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        Avx512(unsafe { _mm512_sub_pd(self.0, other.0) })
-    }
-}
-
-impl Mul for Avx512 {
-    type Output = Self;
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        Avx512(unsafe { _mm512_mul_pd(self.0, other.0) })
-    }
-}
-
-impl AddAssign for Avx512 {
-    #[inline(always)]
-    fn add_assign(&mut self, other: Self) {
-        *self = *self + other;
-    }
-}
+operators!(Avx512 [0]: _mm512_add_pd, _mm512_sub_pd, _mm512_mul_pd);
 
 impl Vector for Avx512 {
     type Wide = Self;
 
+    arithmetic!([0]:
+        _mm512_sqrt_pd, _mm512_div_pd, _mm512_min_pd, _mm512_max_pd,
+        _mm512_fmadd_pd, _mm512_fmsub_pd, _mm512_fnmadd_pd
+    );
+
     #[inline(always)]
     fn splat(value: f64) -> Self {
         Avx512(unsafe { _mm512_set1_pd(value) })
-    }
-    #[inline(always)]
-    fn mul_add(self, factor: Self, addend: Self) -> Self {
-        Avx512(unsafe { _mm512_fmadd_pd(self.0, factor.0, addend.0) })
-    }
-    #[inline(always)]
-    fn mul_sub(self, factor: Self, subtrahend: Self) -> Self {
-        Avx512(unsafe { _mm512_fmsub_pd(self.0, factor.0, subtrahend.0) })
-    }
-    #[inline(always)]
-    fn negated_mul_add(self, factor: Self, addend: Self) -> Self {
-        Avx512(unsafe { _mm512_fnmadd_pd(self.0, factor.0, addend.0) })
-    }
-    #[inline(always)]
-    fn div(self, divisor: Self) -> Self {
-        Avx512(unsafe { _mm512_div_pd(self.0, divisor.0) })
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Avx512(unsafe { _mm512_sqrt_pd(self.0) })
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        Avx512(unsafe { _mm512_min_pd(self.0, other.0) })
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        Avx512(unsafe { _mm512_max_pd(self.0, other.0) })
     }
     #[inline(always)]
     fn rsqrt_guess(self) -> Self {

@@ -10,7 +10,7 @@ mod avx2;
 mod avx512;
 mod portable;
 #[cfg(target_arch = "x86_64")]
-mod single;
+mod registers;
 mod vector;
 
 pub use vector::Vector;
@@ -57,15 +57,6 @@ impl SimdPath {
         };
         #[cfg(not(target_arch = "x86_64"))]
         return self == SimdPath::Portable;
-    }
-
-    /// The name used in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            SimdPath::Portable => "portable",
-            SimdPath::Avx2 => "avx2",
-            SimdPath::Avx512 => "avx512",
-        }
     }
 }
 

@@ -134,7 +134,6 @@ fn choose<'a>(rows: &[&'a Row]) -> (Vec<(String, &'a Row)>, String, String) {
 }
 
 impl Line {
-    /// The points of a quantity.
     fn points(&self, name: &str) -> &[(f64, f64)] {
         let series = self.series.iter().find(|series| series.name == name);
         series.map_or(&[], |series| &series.points)

@@ -9,7 +9,6 @@ use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::series::Series;
 
-/// Cases that get a figure.
 const CASES: usize = 4;
 /// Curves in a panel: as many as there are colours.
 const CURVES: usize = 7;

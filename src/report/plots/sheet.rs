@@ -15,7 +15,6 @@ const HEADS: [f64; 2] = [26.0, 14.0];
 const FEET: [f64; 2] = [46.0, 6.0];
 /// Room for the words beside the points of the last column.
 const NOTES: f64 = 94.0;
-/// No sheet is narrower.
 const NARROWEST: f64 = 420.0;
 
 /// One point of a curve.

@@ -12,9 +12,6 @@ use crate::report::number;
 const SIDE_BY_SIDE: usize = 6;
 
 /// All readings of finished cases, one per line, to every digit; `None` where there are none.
-///
-/// # Errors
-/// Readings that cannot be read.
 pub fn readings(data: &Loaded) -> Result<Option<Table>, ReportError> {
     let mut rows = Vec::new();
     for row in data.finished() {

@@ -1,7 +1,6 @@
 //! Particles that have come too close to each other.
 
-use crate::pairs::Fluid;
-use crate::pairs::Strips;
+use crate::pairs::{Fluid, Strips};
 
 /// Room to look for them.
 #[derive(Debug, Clone, Default)]

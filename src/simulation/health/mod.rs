@@ -87,9 +87,6 @@ impl HealthState {
     }
 
     /// Checks the water.
-    ///
-    /// # Errors
-    /// The first bound that is broken.
     pub fn check(
         &mut self,
         bounds: &HealthBounds,
@@ -102,8 +99,7 @@ impl HealthState {
         self.check_particles(bounds, fluid, vitals)?;
         if vitals.clusters {
             let (share, particle) = crowding.look(fluid, CLUSTERED * vitals.spacing);
-            raise(&mut self.margins.clustered, share / bounds.clustered_share);
-            if share > bounds.clustered_share {
+            if is_past(&mut self.margins.clustered, share, bounds.clustered_share) {
                 let detail = format!(
                     "{:.0} % of the particles are closer than {CLUSTERED} of the spacing, bound \
                      {:.0} %, the closest {}",
@@ -114,8 +110,7 @@ impl HealthState {
                 return fail(FailureKind::Clustering, detail);
             }
         }
-        raise(&mut self.margins.force_gap, self.mean_gap / bounds.force_gap);
-        if self.mean_gap > bounds.force_gap {
+        if is_past(&mut self.margins.force_gap, self.mean_gap, bounds.force_gap) {
             let detail = format!(
                 "the pressure on the wall's face is {:.0} % off the force, bound {:.0} %",
                 100.0 * self.mean_gap,
@@ -123,15 +118,14 @@ impl HealthState {
             );
             return fail(FailureKind::ForceGap, detail);
         }
-        raise(&mut self.found, -vitals.energy_residual);
+        let found = -vitals.energy_residual;
+        self.found = self.found.max(found);
         let allowed = bounds.energy_floor + bounds.energy_growth * vitals.work.abs();
-        raise(&mut self.margins.energy, -vitals.energy_residual / allowed);
-        if -vitals.energy_residual > allowed {
+        if is_past(&mut self.margins.energy, found, allowed) {
             let fastest =
                 (0..fluid.len()).max_by(|&a, &b| speed(fluid, a).total_cmp(&speed(fluid, b)));
             let detail = format!(
-                "{:.2} J/m have come from nowhere, bound {allowed:.2} J/m, the fastest {}",
-                -vitals.energy_residual,
+                "{found:.2} J/m have come from nowhere, bound {allowed:.2} J/m, the fastest {}",
                 place(fluid, fastest.unwrap_or(0))
             );
             return fail(FailureKind::EnergyGrowth, detail);
@@ -172,8 +166,7 @@ impl HealthState {
                 0.0 => 0.0,
                 surface => density / surface - 1.0,
             };
-            raise(&mut self.margins.density, change.abs() / bounds.density_change);
-            if change.abs() > bounds.density_change {
+            if is_past(&mut self.margins.density, change.abs(), bounds.density_change) {
                 let detail = format!(
                     "{} is compressed by {:.2} %, bound {:.2} %",
                     place(fluid, k),
@@ -186,8 +179,7 @@ impl HealthState {
         }
         self.lost = self.lost.max(outside);
         let allowed = bounds.lost_share * fluid.len() as f64;
-        raise(&mut self.margins.lost, f64::from(outside) / allowed);
-        if f64::from(outside) > allowed {
+        if is_past(&mut self.margins.lost, f64::from(outside), allowed) {
             let detail = format!("{outside} of {} particles have left the tank", fluid.len());
             return fail(FailureKind::ParticlesLost, detail);
         }
@@ -195,8 +187,10 @@ impl HealthState {
     }
 }
 
-fn raise(margin: &mut f64, share: f64) {
-    *margin = margin.max(share);
+/// Takes note of the share of a bound that a value reaches; whether it is past it.
+fn is_past(margin: &mut f64, value: f64, bound: f64) -> bool {
+    *margin = margin.max(value / bound);
+    value > bound
 }
 
 fn speed(fluid: &Fluid, k: usize) -> f64 {

@@ -12,7 +12,6 @@ const SMALLEST_CAVITY: f64 = 0.002;
 /// ... and once it has lasted this long, over √(H/g).
 const CAVITY_LASTS: f64 = 0.1;
 
-/// Follows a collapsing column.
 pub(super) struct Collapse {
     frame: Frame,
     column: f64,

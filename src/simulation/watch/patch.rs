@@ -5,7 +5,6 @@ use crate::pairs::Fluid;
 use crate::simulation::outcome::Readings;
 use crate::theory::rotating_patch::RotatingPatch;
 
-/// Knows the patch at its start.
 pub(super) struct Patch {
     start: RotatingPatch,
     energy: f64,
