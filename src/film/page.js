@@ -113,22 +113,31 @@
     for (let k = 0; k < count; k++) byColour[next[now.c[k]]++] = k;
   }
 
-  // The top of the water that stands on the bed: in each bin climb until a gap.
-  function surface(view) {
-    const wide = 1.5 * film.spacing, bins = [];
+  // The top of the water that stands on the bed: in each bin along the tank climb until a gap.
+  const bin = { wide: 1.5 * film.spacing, tops: [] };
+  const lean = Math.tan((film.angle - 90) * Math.PI / 180);
+  function climb() {
+    const heights = [];
     for (let k = 0; k < count; k++) {
-      const bin = Math.floor((now.x[k] - view.x0) / wide);
-      if (bin >= 0 && now.x[k] < view.x1) (bins[bin] = bins[bin] || []).push(now.y[k]);
+      const at = Math.floor((now.x[k] - film.whole.x0) / bin.wide);
+      if (at >= 0) (heights[at] = heights[at] || []).push(now.y[k]);
     }
-    const line = [];
-    for (let bin = 0; bin < bins.length; bin++) {
-      if (!bins[bin]) { line.push(null); continue; }
-      const heights = bins[bin].sort((a, b) => a - b);
-      let top = 0;
-      for (const y of heights) { if (y - top > 2.5 * film.spacing) break; top = y; }
-      line.push([view.x0 + (bin + 0.5) * wide, top + 0.5 * film.spacing]);
-    }
-    return line;
+    bin.tops = Array.from(heights, (all, at) => {
+      const behind = film.whole.x0 + (at + 0.5) * bin.wide - film.length - now.right;
+      let top = lean > 0 ? Math.max(0, behind / lean) : 0, found = false;
+      for (const y of (all || []).sort((a, b) => a - b)) {
+        if (y - top > 2.5 * film.spacing) break;
+        top = y;
+        found = true;
+      }
+      return found ? top + 0.5 * film.spacing : null;
+    });
+  }
+
+  function surface() {
+    const [from, to] = [now.left + bin.wide, film.length + now.right + Math.max(0, lean * film.tall) - 0.5 * bin.wide];
+    const points = bin.tops.map((top, at) => [film.whole.x0 + (at + 0.5) * bin.wide, top]);
+    return points.map((point) => (point[1] === null || point[0] < from || point[0] > to ? null : point));
   }
 
   let ink = {};
@@ -138,6 +147,8 @@
   }
 
   function draw(canvas, view) {
+    // A tall picture is made narrower, so that all of the page is seen at once.
+    canvas.style.maxWidth = 0.62 * window.innerHeight * (view.x1 - view.x0) / (view.y1 - view.y0) + "px";
     const ratio = window.devicePixelRatio || 1, width = canvas.clientWidth;
     const scale = width / (view.x1 - view.x0), height = Math.round(scale * (view.y1 - view.y0));
     if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
@@ -149,12 +160,17 @@
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, width, height);
     const X = (x) => (x - view.x0) * scale, Y = (y) => height - (y - view.y0) * scale;
-    const size = Math.max(1.2, 1.12 * film.spacing * scale);
+    const size = Math.max(1.2, 1.4 * film.spacing * scale), tall = 1.25 * film.spacing;
     for (let c = 0; c < levels; c++) {
       pen.fillStyle = colours[c];
       for (let k = starts[c]; k < starts[c + 1]; k++) {
-        const x = X(now.x[byColour[k]]);
-        if (x > -size && x < width + size) pen.fillRect(x - size / 2, Y(now.y[byColour[k]]) - size / 2, size, size);
+        const x = X(now.x[byColour[k]]), y = now.y[byColour[k]];
+        if (x < -size || x > width + size) continue;
+        // Rows part where water is pushed up: under the surface a particle is drawn tall.
+        const top = bin.tops[Math.floor((now.x[byColour[k]] - film.whole.x0) / bin.wide)];
+        const half = top === null || top === undefined || y > top ? 0.6 * tall : tall;
+        const up = half === tall ? Math.min(half, top - y) : half;
+        pen.fillRect(x - size / 2, Y(y + up), size, Math.max(1.2, (half + up) * scale));
       }
     }
     if (film.wall !== "none") furniture(pen, X, Y, scale, view);
@@ -174,7 +190,7 @@
     if (!film.lid) {
       pen.beginPath();
       let down = false;
-      for (const point of surface(view)) {
+      for (const point of surface()) {
         if (!point) { down = false; continue; }
         if (down) pen.lineTo(X(point[0]), Y(point[1])); else pen.moveTo(X(point[0]), Y(point[1]));
         down = true;
@@ -187,9 +203,9 @@
     const left = now.left, right = film.length + now.right;
     polygon(pen, [[X(left - thick), Y(bed)], [X(left), Y(bed)], [X(left), Y(top)], [X(left - thick), Y(top)]]);
     if (film.lid) pen.fillRect(X(view.x0), 0, X(view.x1) - X(view.x0), Y(film.lid));
-    const lean = Math.tan((film.angle - 90) * Math.PI / 180) * top;
+    const over = lean * top;
     const breadth = film.wall === "caisson" ? 0.8 * film.depth : thick;
-    polygon(pen, [[X(right), Y(bed)], [X(right + lean), Y(top)], [X(right + lean + breadth), Y(top)], [X(right + breadth), Y(bed)]]);
+    polygon(pen, [[X(right), Y(bed)], [X(right + over), Y(top)], [X(right + over + breadth), Y(top)], [X(right + breadth), Y(bed)]]);
     if (film.wall === "spring") {
       const from = X(right + thick), to = X(film.post), y = Y(0.5 * film.depth), swing = 0.1 * film.depth * scale;
       pen.beginPath();
@@ -240,6 +256,7 @@
   function render() {
     settle();
     sort();
+    if (film.wall !== "none" && !film.lid) climb();
     draw(find("tank"), film.whole);
     if (film.near) {
       const at = film.length + now.right - film.near.x;
@@ -301,6 +318,7 @@
   window.addEventListener("resize", render);
   readInk();
   find("player").hidden = false;
-  if (!film.near) find("wall").remove();
+  if (!film.near) find("wall").parentNode.remove();
+  if (!charts.length) find("crest").remove();
   render();
 })();

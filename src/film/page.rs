@@ -130,19 +130,19 @@ impl Reel<'_> {
     }
 }
 
-/// F*, R*, and where the wall moves X*, over time.
+/// F*, R* and X* over time, each where it changes.
 fn curves(history: &[HistoryRow]) -> Value {
     let rows: Vec<_> = history.iter().step_by(history.len().div_ceil(MOST_POINTS).max(1)).collect();
     let read = |read: fn(&HistoryRow) -> f64| rows.iter().map(move |row| brief(read(row)));
     let mut curves = Vec::new();
-    let mut curve = |symbol: &str, name: &str, values: Value| {
-        curves.push(json!({ "symbol": symbol, "name": name, "values": values }));
+    let mut curve = |symbol: &str, name: &str, values: Vec<f64>| {
+        if values.iter().any(|&value| value != values[0]) {
+            curves.push(json!({ "symbol": symbol, "name": name, "values": values }));
+        }
     };
     curve("F*", "force on the wall over ρgh²/2", read(|row| row.force).collect());
     curve("R*", "runup over h", read(|row| row.runup).collect());
-    if history.iter().any(|row| row.displacement != 0.0) {
-        curve("X*", "displacement of the wall over h", read(|row| row.displacement).collect());
-    }
+    curve("X*", "displacement of the wall over h", read(|row| row.displacement).collect());
     json!({ "time_s": read(|row| row.time_s).collect::<Value>(), "curves": curves })
 }
 
@@ -154,7 +154,7 @@ fn title(config: &CaseConfig) -> String {
     let kind = serde_json::to_value(&config.scene).unwrap_or_default();
     let kind = kind["kind"].as_str().unwrap_or("water").replace('-', " ");
     match config.scene.seawall() {
-        Some(scene) => format!("Wave of H/h = {} on a {}", scene.wave_height_ratio, wall(config)),
+        Some(scene) => format!("Wave of H/h = {} at a {}", scene.wave_height_ratio, wall(config)),
         None => kind[..1].to_uppercase() + &kind[1..],
     }
 }

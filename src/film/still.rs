@@ -24,6 +24,54 @@ pub(super) struct Still<'a> {
     pub end: f64,
 }
 
+/// The top of the water that stands on the bed, in bins along the tank.
+struct Tops {
+    left: f64,
+    /// Width of a bin, metres.
+    wide: f64,
+    /// None where there is no such water.
+    heights: Vec<Option<f64>>,
+}
+
+impl Tops {
+    /// In every bin climbs from the bed, or from a wall that leans over it, until a gap.
+    fn of(stage: &Stage, take: &Take, view: &View) -> Tops {
+        let (left, wide) = (view.x0, 1.5 * stage.spacing);
+        let open = stage.wall != WallKind::None && stage.lid.is_none();
+        let count = if open { ((view.x1 - left) / wide).ceil() as usize } else { 0 };
+        let mut bins = vec![Vec::new(); count];
+        for &[x, y, _] in &take.points {
+            let bin = ((f64::from(x) - left) / wide).floor();
+            if let Some(bin) = (bin >= 0.0).then(|| bins.get_mut(bin as usize)).flatten() {
+                bin.push(f64::from(y));
+            }
+        }
+        let lean = (stage.angle - 90.0).to_radians().tan();
+        let climb = |(bin, mut heights): (usize, Vec<f64>)| {
+            heights.sort_by(f64::total_cmp);
+            let behind = left + (bin as f64 + 0.5) * wide - stage.length - take.walls[1];
+            let mut top = if lean > 0.0 { (behind / lean).max(0.0) } else { 0.0 };
+            let near = |&y: &f64| {
+                let near = y - top <= 2.5 * stage.spacing;
+                top = if near { y } else { top };
+                near
+            };
+            heights.into_iter().take_while(near).last().map(|top| top + 0.5 * stage.spacing)
+        };
+        Tops { left, wide, heights: bins.into_iter().enumerate().map(climb).collect() }
+    }
+
+    fn at(&self, x: f64) -> Option<f64> {
+        *self.heights.get(((x - self.left) / self.wide) as usize)?
+    }
+
+    fn line(&self) -> Vec<[f64; 2]> {
+        let x = |bin: usize| self.left + (bin as f64 + 0.5) * self.wide;
+        let points = self.heights.iter().enumerate();
+        points.filter_map(|(bin, top)| Some([x(bin), (*top)?])).collect()
+    }
+}
+
 /// From metres to units.
 struct Sheet {
     view: View,
@@ -81,29 +129,35 @@ impl Still<'_> {
             ACROSS / 4.0,
             (height / 4.0).round(),
         );
-        self.water(&mut text, &sheet);
+        let tops = Tops::of(self.stage, self.take, &view);
+        self.water(&mut text, &sheet, &tops);
         if self.stage.wall != WallKind::None {
-            self.solids(&mut text, &sheet);
+            self.solids(&mut text, &sheet, &tops);
         }
         self.scale(&mut text, bottom + 70.0);
         text + "</svg>\n"
     }
 
-    /// Particles as squares, a path for each colour.
-    fn water(&self, text: &mut String, sheet: &Sheet) {
-        let size = (1.12 * self.stage.spacing * sheet.scale).max(4.0).round();
-        let _ =
-            writeln!(text, "<g fill=\"none\" stroke-linecap=\"square\" stroke-width=\"{size}\">");
+    /// Particles as upright strokes, a path for each colour. Rows part where water is pushed up: under
+    /// the surface a particle is drawn tall.
+    fn water(&self, text: &mut String, sheet: &Sheet, tops: &Tops) {
+        let spacing = self.stage.spacing;
+        let breadth = (1.4 * spacing * sheet.scale).max(4.0).round();
+        let _ = writeln!(text, "<g fill=\"none\" stroke-width=\"{breadth}\">");
         let mut paths = vec![(String::new(), [0.0; 2]); scale::LEVELS];
         for &[x, y, value] in &self.take.points {
             let (x, y) = (f64::from(x), f64::from(y));
             if x < sheet.view.x0 || x > sheet.view.x1 || y > sheet.view.y1 {
                 continue;
             }
-            let at = [sheet.x(x), sheet.y(y)];
+            let (down, up) = match tops.at(x) {
+                Some(top) if y <= top => (1.25 * spacing, (1.25 * spacing).min(top - y)),
+                _ => (0.6 * spacing, 0.6 * spacing),
+            };
+            let (foot, head) = ([sheet.x(x), sheet.y(y - down)], sheet.y(y + up));
             let (path, from) = &mut paths[scale::level(value, self.end).round() as usize];
-            let _ = write!(path, "m{} {}h0", at[0] - from[0], at[1] - from[1]);
-            *from = at;
+            let _ = write!(path, "m{} {}v{}", foot[0] - from[0], foot[1] - from[1], head - foot[1]);
+            *from = [foot[0], head];
         }
         for (colour, (path, _)) in scale::colours().iter().zip(&paths) {
             if !path.is_empty() {
@@ -113,11 +167,9 @@ impl Still<'_> {
         text.push_str("</g>\n");
     }
 
-    fn solids(&self, text: &mut String, sheet: &Sheet) {
+    fn solids(&self, text: &mut String, sheet: &Sheet, tops: &Tops) {
         let (stage, view) = (self.stage, sheet.view);
-        if stage.lid.is_none() {
-            sheet.line(text, &self.surface(&view));
-        }
+        sheet.line(text, &tops.line());
         let (bed, top, thick) = (0.0, stage.tall, 0.12 * stage.depth);
         let (left, right) = (self.take.walls[0], stage.length + self.take.walls[1]);
         let (x0, x1, y0) = (view.x0, view.x1, view.y0);
@@ -156,27 +208,6 @@ impl Still<'_> {
         sheet.shape(text, &[[post, 0.0], [far, 0.0], [far, stage.depth], [post, stage.depth]]);
     }
 
-    /// The top of the water that stands on the bed: in every bin along the tank climb until a gap.
-    fn surface(&self, view: &View) -> Vec<[f64; 2]> {
-        let (spacing, wide) = (self.stage.spacing, 1.5 * self.stage.spacing);
-        let mut bins = vec![Vec::new(); ((view.x1 - view.x0) / wide).ceil() as usize];
-        for &[x, y, _] in &self.take.points {
-            let bin = ((f64::from(x) - view.x0) / wide).floor();
-            if let Some(bin) = (bin >= 0.0).then(|| bins.get_mut(bin as usize)).flatten() {
-                bin.push(f64::from(y));
-            }
-        }
-        let level = |(bin, heights): (usize, &mut Vec<f64>)| {
-            heights.sort_by(f64::total_cmp);
-            let climb = |top: f64, &y: &f64| if y - top > 2.5 * spacing { None } else { Some(y) };
-            let top = heights.iter().try_fold(0.0, |top, y| climb(top, y).ok_or(top));
-            let (Ok(top) | Err(top)) = top;
-            let x = view.x0 + (bin as f64 + 0.5) * wide;
-            (!heights.is_empty()).then_some([x, top + 0.5 * spacing])
-        };
-        bins.iter_mut().enumerate().filter_map(level).collect()
-    }
-
     /// The colours and what they mean.
     fn scale(&self, text: &mut String, top: f64) {
         let (name, unit, units) = self.colour.told();
@@ -192,7 +223,7 @@ impl Still<'_> {
             let _ = writeln!(
                 text,
                 "<rect x=\"{x}\" y=\"{top}\" width=\"{}\" height=\"70\" fill=\"{colour}\"/>",
-                wide + 1.0
+                wide + 8.0
             );
         }
         let (x, end) =
