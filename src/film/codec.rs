@@ -123,12 +123,12 @@ pub(super) fn base64(bytes: &[u8]) -> String {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::super::coder::decoder::Decoder;
     use super::*;
 
     /// A wave runs through 7,800 particles and throws some into the air; `t` counts frames.
-    fn frame(t: usize) -> Vec<Point> {
+    pub fn frame(t: usize) -> Vec<Point> {
         let (t, mut seed) = (t as f32, 12345_u32 + t as u32);
         let mut noise = || {
             seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);

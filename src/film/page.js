@@ -134,6 +134,13 @@
     });
   }
 
+  // Between the middles of bins in a straight line.
+  function topAt(x) {
+    const along = Math.max(0, (x - film.whole.x0) / bin.wide - 0.5), at = Math.floor(along);
+    const low = bin.tops[at] ?? null, high = bin.tops[at + 1] ?? low;
+    return low === null ? null : low + (along - at) * (high - low);
+  }
+
   function surface() {
     const [from, to] = [now.left + bin.wide, film.length + now.right + Math.max(0, lean * film.tall) - 0.5 * bin.wide];
     const points = bin.tops.map((top, at) => [film.whole.x0 + (at + 0.5) * bin.wide, top]);
@@ -167,8 +174,8 @@
         const x = X(now.x[byColour[k]]), y = now.y[byColour[k]];
         if (x < -size || x > width + size) continue;
         // Rows part where water is pushed up: under the surface a particle is drawn tall.
-        const top = bin.tops[Math.floor((now.x[byColour[k]] - film.whole.x0) / bin.wide)];
-        const half = top === null || top === undefined || y > top ? 0.6 * tall : tall;
+        const top = topAt(now.x[byColour[k]]);
+        const half = top === null || y > top ? 0.5 * tall : tall;
         const up = half === tall ? Math.min(half, top - y) : half;
         pen.fillRect(x - size / 2, Y(y + up), size, Math.max(1.2, (half + up) * scale));
       }

@@ -229,4 +229,24 @@ mod tests {
             assert!(page.contains(word), "{word}");
         }
     }
+
+    #[test]
+    fn a_page_of_sixty_frames_is_small() {
+        let root = tempfile::tempdir().unwrap();
+        let film = PageFilm { colour: Colour::Speed, folder: root.path().to_owned() };
+        let config = tables("wall_angle_deg = 90");
+        let take = |t: usize| {
+            let [metres, speed] = [0.0013, 0.02];
+            let points = codec::tests::frame(t).into_iter();
+            let points = points.map(|[x, y, c]| [metres * x, metres * y, speed * c]).collect();
+            Take { time_s: 0.05 * t as f64, walls: [0.0; 2], points }
+        };
+        let takes: Vec<_> = (0..60).map(take).collect();
+        let mut result = made_up(&config);
+        let row = |k: usize| HistoryRow { time_s: 0.003 * k as f64, ..result.history[k % 20] };
+        result.history = (0..1000).map(row).collect();
+        film.write(&config, &result, &takes, 58).unwrap();
+        let page = fs::metadata(film.path(CaseId::of(&config))).unwrap().len();
+        assert!(page < 400_000, "{page} bytes");
+    }
 }

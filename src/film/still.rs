@@ -61,8 +61,13 @@ impl Tops {
         Tops { left, wide, heights: bins.into_iter().enumerate().map(climb).collect() }
     }
 
+    /// Between the middles of bins in a straight line.
     fn at(&self, x: f64) -> Option<f64> {
-        *self.heights.get(((x - self.left) / self.wide) as usize)?
+        let along = ((x - self.left) / self.wide - 0.5).max(0.0);
+        let bin = along as usize;
+        let low = (*self.heights.get(bin)?)?;
+        let high = self.heights.get(bin + 1).copied().flatten().unwrap_or(low);
+        Some(low + (along - bin as f64) * (high - low))
     }
 
     fn line(&self) -> Vec<[f64; 2]> {
@@ -147,7 +152,7 @@ impl Still<'_> {
         let mut paths = vec![(String::new(), [0.0; 2]); scale::LEVELS];
         for &[x, y, value] in &self.take.points {
             let (x, y) = (f64::from(x), f64::from(y));
-            if x < sheet.view.x0 || x > sheet.view.x1 || y > sheet.view.y1 {
+            if x < sheet.view.x0 - spacing || x > sheet.view.x1 || y > sheet.view.y1 {
                 continue;
             }
             let (down, up) = match tops.at(x) {
