@@ -186,6 +186,7 @@ impl Set<'_> {
     /// Runs a case again and films it; a film is kept only where the results are those of the study.
     pub(super) fn shoot(&self, case: &Case, output: &Output) -> anyhow::Result<u8> {
         self.demand_finished(case)?;
+        demand_small(case)?;
         let film = page(self.directory, self.colour);
         let path = film.path(case.id);
         let shot = Filming::Page(film).shoot(&case.config, self.interrupt, |monitor| {
@@ -220,6 +221,11 @@ impl Set<'_> {
         };
         Err(BadInput(format!("case {}: {reason}", case.id)).into())
     }
+}
+
+/// Refuses a case that is too large for a page.
+pub(super) fn demand_small(case: &Case) -> Result<(), BadInput> {
+    PageFilm::takes(&case.config).map_err(|reason| BadInput(format!("case {}: {reason}", case.id)))
 }
 
 /// The cases of a study that are worth a look first: that of the largest force, of the highest runup,

@@ -84,6 +84,9 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
     let folder = job.out.join("vtk");
     let vtk = args.vtk.map(|Seconds(interval_s)| Filming::Vtk(VtkFilm { interval_s, folder }));
     let page = args.film.map(|colour| film::page(&job.out, colour.into()));
+    if page.is_some() {
+        film::demand_small(&job.study.cases[0])?;
+    }
     let filming = vtk.or_else(|| page.clone().map(Filming::Page));
     let done = on_threads(&job, args.threads, filming, output)?;
     if args.vtk.is_some() && done.wall_time_s.is_none() {

@@ -168,7 +168,7 @@ fn lead(
         ));
         return Ok(done.exit_code());
     }
-    let filmed = films(args, &job.study, &done, interrupt, output)?;
+    let filmed = films(args, &job.study, &done, interrupt, output);
     let report = crate::report::write(done.directory.path())?;
     let mut text = told(&job, &done, &report, output.verbose);
     let mut value = done.json(&job, Some(&report));
@@ -178,7 +178,7 @@ fn lead(
         value["accuracy"] = accuracy;
     }
     output.result(&text, &value)?;
-    Ok(done.exit_code().max(filmed))
+    Ok(done.exit_code().max(filmed?))
 }
 
 /// Checks what is to be filmed before anything runs.
@@ -189,7 +189,9 @@ fn check_films(args: &SweepArgs, study: &Study) -> Result<(), BadInput> {
 
 fn film_case<'a>(study: &'a Study, word: &str) -> Result<&'a Case, BadInput> {
     let words: Vec<_> = word.split(',').map(str::to_owned).collect();
-    film::the_case(study, &words).map_err(|error| BadInput(format!("--film {word}: {error}")))
+    let case = film::the_case(study, &words);
+    let case = case.and_then(|case| film::demand_small(case).map(|()| case));
+    case.map_err(|error| BadInput(format!("--film {word}: {error}")))
 }
 
 /// Runs the cases again that are to be filmed, one after the other; the worst exit code.
@@ -207,7 +209,8 @@ fn films(
             "none" => {}
             "auto" => {
                 let chosen = film::worth_a_look(study, &records);
-                cases.extend(chosen.into_iter().map(|index| &study.cases[index]));
+                let chosen = chosen.into_iter().map(|index| &study.cases[index]);
+                cases.extend(chosen.filter(|case| film::demand_small(case).is_ok()));
             }
             word => cases.push(film_case(study, word)?),
         }

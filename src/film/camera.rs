@@ -103,6 +103,7 @@ fn nearest(times: &[f64], time: f64) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pairs::Fluid;
 
     #[test]
     fn a_film_has_sixty_frames_and_half_of_them_at_the_crest() {
@@ -115,5 +116,22 @@ mod tests {
         assert!((30..=36).contains(&at_crest), "{at_crest}");
         let (few, crest) = pick((0..7).map(take).collect(), 0.04, 0.5);
         assert_eq!((few.len(), crest), (7, 3));
+    }
+
+    #[test]
+    fn particles_keep_their_numbers_and_a_new_attempt_starts_anew() {
+        let nothing = toml::Table::new();
+        let config = CaseConfig::from_tables(&nothing, &nothing).unwrap();
+        let film = PageFilm { colour: Colour::Speed, folder: std::path::PathBuf::new() };
+        let mut camera = PageCamera::new(&film, &config);
+        let mut fluid = Fluid::at_rest((0..3).map(|k| [f64::from(k), 0.5, 1000.0, 1.0]));
+        (fluid.vx[0], fluid.vy[0]) = (3.0, 4.0);
+        fluid.id[..3].reverse();
+        for time_s in [0.0, 0.1, 0.2, 0.0] {
+            camera.shoot(&Film { time_s, walls: [0.1, 0.2], fluid: &fluid, pressure: &[0.0; 3] });
+        }
+        assert_eq!(camera.takes.len(), 1);
+        let points = &camera.takes[0].points;
+        assert_eq!(points[..], [[2.0, 0.5, 0.0], [1.0, 0.5, 0.0], [0.0, 0.5, 5.0]]);
     }
 }

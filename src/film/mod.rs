@@ -57,6 +57,11 @@ impl Filming {
         inner: &dyn Monitor,
         run: impl FnOnce(&dyn Monitor) -> Result<CaseResult, Stopped>,
     ) -> Result<CaseResult, Stopped> {
+        let unwritable = |error: io::Error| {
+            let what = if matches!(self, Filming::Vtk(_)) { "vtk" } else { "film" };
+            let detail = format!("{what}: {error}");
+            Stopped::Failed(Failure { kind: FailureKind::Internal, time_s: 0.0, detail })
+        };
         let camera: Box<dyn Camera> = match self {
             Filming::Vtk(film) => Box::new(film.camera(config).map_err(unwritable)?),
             Filming::Page(film) => Box::new(film.camera(config)),
@@ -67,11 +72,6 @@ impl Filming {
         camera.finish(&result).map_err(unwritable)?;
         Ok(result)
     }
-}
-
-fn unwritable(error: io::Error) -> Stopped {
-    let detail = format!("film: {error}");
-    Stopped::Failed(Failure { kind: FailureKind::Internal, time_s: 0.0, detail })
 }
 
 /// Films a run, for its own monitor's eyes too.

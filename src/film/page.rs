@@ -12,11 +12,13 @@ use super::stage::Stage;
 use super::still;
 use crate::math::decimal::significant;
 use crate::scene::CaseConfig;
-use crate::simulation::{CaseResult, HistoryRow};
+use crate::simulation::{CaseResult, HistoryRow, cost};
 use crate::study::CaseId;
 
 /// Places are whole numbers up to this: eleven bits.
 const FARTHEST: f64 = 2047.0;
+/// A page of more particles than this would be too large to open.
+const MOST_PARTICLES: u64 = 300_000;
 /// Points of a curve.
 const MOST_POINTS: usize = 800;
 
@@ -32,6 +34,21 @@ pub struct PageFilm {
 impl PageFilm {
     pub(super) fn camera<'a>(&'a self, config: &'a CaseConfig) -> PageCamera<'a> {
         PageCamera::new(self, config)
+    }
+
+    /// Whether a case is small enough for a page.
+    ///
+    /// # Errors
+    /// What is too large, and what helps, in words.
+    pub fn takes(config: &CaseConfig) -> Result<(), String> {
+        let particles = cost(config).particles;
+        if particles <= MOST_PARTICLES {
+            return Ok(());
+        }
+        let most = MOST_PARTICLES;
+        Err(format!(
+            "{particles} particles are too many for a film of at most {most}; --vtk has no limit"
+        ))
     }
 
     /// The page of a case.
@@ -152,10 +169,14 @@ fn brief(value: f64) -> f64 {
 
 fn title(config: &CaseConfig) -> String {
     let kind = serde_json::to_value(&config.scene).unwrap_or_default();
-    let kind = kind["kind"].as_str().unwrap_or("water").replace('-', " ");
+    let kind = kind["kind"].as_str().unwrap_or("water");
     match config.scene.seawall() {
-        Some(scene) => format!("Wave of H/h = {} at a {}", scene.wave_height_ratio, wall(config)),
-        None => kind[..1].to_uppercase() + &kind[1..],
+        Some(scene) => {
+            let wave = if scene.wave_period_s.is_some() { "Waves" } else { "Wave" };
+            format!("{wave} of H/h = {} at a {}", scene.wave_height_ratio, wall(config))
+        }
+        None if kind == "taylor-green" => "Taylor-Green vortices".to_owned(),
+        None => kind[..1].to_uppercase() + &kind[1..].replace('-', " "),
     }
 }
 
