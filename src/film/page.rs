@@ -15,8 +15,12 @@ use crate::scene::CaseConfig;
 use crate::simulation::{CaseResult, HistoryRow, cost};
 use crate::study::CaseId;
 
-/// Places are whole numbers up to this: eleven bits.
-const FARTHEST: f64 = 2047.0;
+/// Places are whole numbers up to the first of these, eleven bits; up to the next where that takes too
+/// much room, as water that is torn apart does.
+const FARTHEST: [f64; 3] = [2047.0, 1023.0, 511.0];
+/// Room for a particle in a frame, bytes, as long as a film does not fit into little room anyway.
+const ROOM: f64 = 0.4;
+const LITTLE_ROOM: usize = 100_000;
 /// A page of more particles than this would be too large to open.
 const MOST_PARTICLES: u64 = 300_000;
 /// Points of a curve.
@@ -102,36 +106,54 @@ struct Reel<'a> {
     end: f64,
 }
 
+/// All frames as bytes.
+struct Packed {
+    /// Metres.
+    quantum: f64,
+    /// Particles in a column.
+    column: usize,
+    bytes: Vec<u8>,
+}
+
 impl Reel<'_> {
     /// All that the script needs.
     fn json(&self, history: &[HistoryRow]) -> Value {
         let [left, low, span] = self.extent();
-        let quantum = span / FARTHEST;
-        let frame = |take: &Take| -> Vec<Point> {
-            let place = |value: f32, from: f64| ((f64::from(value) - from) / quantum) as f32;
-            let point = |&[x, y, value]: &Point| {
-                [place(x, left), place(y, low), scale::level(value, self.end)]
-            };
-            take.points.iter().map(point).collect()
-        };
-        let frames: Vec<_> = self.takes.iter().map(frame).collect();
-        let (order, column) = codec::order(&frames[0], (self.stage.spacing / quantum) as f32);
-        let data = codec::base64(&codec::encode(&frames, &order, column));
+        let particles = self.takes[0].points.len();
+        let room = (ROOM * (self.takes.len() * particles) as f64) as usize;
+        let [finest, coarser @ ..] = FARTHEST.map(|farthest| span / farthest);
+        let mut packed = self.pack([left, low], finest);
+        for quantum in coarser {
+            if packed.bytes.len() > room.max(LITTLE_ROOM) {
+                packed = self.pack([left, low], quantum);
+            }
+        }
         let times = |read: fn(&Take) -> f64| self.takes.iter().map(read).map(brief);
         let mut film = serde_json::to_value(self.stage).unwrap_or_default();
-        film["particles"] = json!(order.len());
-        film["column"] = json!(column);
+        film["particles"] = json!(particles);
+        film["column"] = json!(packed.column);
         film["x0"] = json!(left);
         film["y0"] = json!(low);
-        film["quantum"] = json!(quantum);
+        film["quantum"] = json!(packed.quantum);
         film["crest"] = json!(self.crest);
         film["times"] = times(|take| take.time_s).collect();
         film["left"] = times(|take| take.walls[0]).collect();
         film["right"] = times(|take| take.walls[1]).collect();
         film["colours"] = json!(scale::colours());
         film["history"] = curves(history);
-        film["data"] = json!(data);
+        film["data"] = json!(codec::base64(&packed.bytes));
         film
+    }
+
+    /// The frames with places in quanta of so many metres from a corner.
+    fn pack(&self, [left, low]: [f64; 2], quantum: f64) -> Packed {
+        let place = |value: f32, from: f64| ((f64::from(value) - from) / quantum) as f32;
+        let point =
+            |&[x, y, value]: &Point| [place(x, left), place(y, low), scale::level(value, self.end)];
+        let frame = |take: &Take| -> Vec<Point> { take.points.iter().map(point).collect() };
+        let frames: Vec<_> = self.takes.iter().map(frame).collect();
+        let (order, column) = codec::order(&frames[0], (self.stage.spacing / quantum) as f32);
+        Packed { quantum, column, bytes: codec::encode(&frames, &order, column) }
     }
 
     /// The left and the lower side of all water, and how far it reaches, metres.
