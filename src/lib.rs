@@ -17,10 +17,11 @@
 //! | 10 | [`study`] | sweep files, the grid, case identity, plan |
 //! | 11 | [`schedule`] | what runs where and when: a pure state machine |
 //! | 12 | [`results`] | the output directory: journal, records, tables |
-//! | 13 | [`execute`] | workers on threads or under MPI |
-//! | 14 | [`accuracy`] | measured errors, hard cases, numerics that meet a wanted error |
-//! | 15 | [`report`] | tables and figures from files alone |
-//! | 16 | [`cli`] | one file per subcommand |
+//! | 13 | [`film`] | films of the water: a page that plays, and a still |
+//! | 14 | [`execute`] | workers on threads or under MPI |
+//! | 15 | [`accuracy`] | measured errors, hard cases, numerics that meet a wanted error |
+//! | 16 | [`report`] | tables and figures from files alone |
+//! | 17 | [`cli`] | one file per subcommand |
 //!
 //! Start at [`simulation::run_case`] for one case and at [`study`] for a sweep.
 #![warn(missing_docs)]
@@ -30,6 +31,7 @@ pub mod body;
 pub mod boundary;
 pub mod cli;
 pub mod execute;
+pub mod film;
 pub mod kernel;
 pub mod keys;
 pub mod math;

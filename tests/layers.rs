@@ -18,6 +18,7 @@ const LAYERS: &[&[&str]] = &[
     &["study"],
     &["schedule"],
     &["results"],
+    &["film"],
     &["execute"],
     &["accuracy"],
     &["report"],
@@ -33,6 +34,7 @@ const NOT_FOR_REPORTS: &[&str] = &[
     "study",
     "schedule",
     "results",
+    "film",
     "execute",
     "accuracy",
 ];

@@ -8,8 +8,9 @@ use serde_json::{Value, json};
 use super::output::Output;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::{
-    Crew, Ending, Interrupt, Progress, Session, Setup, SphRunner, VtkFilm, coordinate, threads,
+    Crew, Ending, Interrupt, Progress, Session, Setup, SphRunner, coordinate, threads,
 };
+use crate::film::Filming;
 use crate::math::simd::SimdPath;
 use crate::results::{
     CaseRecord, Directory, Manifest, OpenMode, Opened, RankInfo, Savings, SessionInfo, SweepError,
@@ -82,7 +83,7 @@ impl Done {
 pub(super) fn on_threads(
     job: &Job,
     threads: Option<u16>,
-    film: Option<VtkFilm>,
+    film: Option<Filming>,
     output: &Output,
 ) -> anyhow::Result<Done> {
     let interrupt = Interrupt::listen()?;

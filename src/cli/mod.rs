@@ -8,6 +8,7 @@ mod accuracy;
 mod check;
 mod execute;
 mod failure;
+mod film;
 mod input;
 mod matrix;
 mod max_error;
@@ -69,6 +70,7 @@ struct Global {
 enum Subcommands {
     Sweep(sweep::SweepArgs),
     Run(run::RunArgs),
+    Film(film::FilmArgs),
     Check(check::CheckArgs),
     Status(status::StatusArgs),
     Report(report::ReportArgs),
@@ -105,6 +107,7 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         Subcommands::Sweep(args) => sweep::main(&args, &output, launcher),
         _ if launcher.rank > 0 => Ok(SUCCESS),
         Subcommands::Run(args) => run::main(&args, &output),
+        Subcommands::Film(args) => film::main(&args, &output),
         Subcommands::Check(args) => check::main(&args, &output),
         Subcommands::Status(args) => status::main(&args, &output),
         Subcommands::Report(args) => report::main(&args, &output),

@@ -4,16 +4,20 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::execute::{Job, on_threads};
+use super::SUCCESS;
+use super::execute::{Done, Job, on_threads};
+use super::film::{self, ColourChoice};
 use super::input::{Expect, Setting, SimdChoice, default_out, study};
 use super::output::{Output, duration, short};
 use super::table::Table;
-use crate::execute::{Ending, VtkFilm};
+use crate::execute::{Ending, Interrupt};
+use crate::film::{Filming, PageFilm, VtkFilm};
 use crate::quantities::summary::{ALL, DISPLACEMENT_MAX, MEASURED_WAVE_HEIGHT_RATIO};
 use crate::quantities::{Bars, Case, Column, Value, energy};
 use crate::results::{CaseRecord, OpenMode};
 use crate::scene::CaseConfig;
-use crate::simulation::{EnergyBudget, NamedReading, PhaseShare};
+use crate::simulation::{EnergyBudget, NamedReading, PhaseShare, Resources};
+use crate::study::Study;
 
 /// Run one scene: its history, outcome, energy budget, and where the time went.
 #[derive(Debug, Args)]
@@ -21,6 +25,7 @@ use crate::simulation::{EnergyBudget, NamedReading, PhaseShare};
   seawall run sweeps/scenes/fixed_wall.toml
   seawall run sweeps/scenes/fixed_wall.toml --set scene.wave_height_ratio=0.3 --out results/runs/h03
   seawall run sweeps/scenes/dam_break.toml --vtk 0.02
+  seawall run sweeps/scenes/movable_wall.toml --film
   seawall run sweeps/scenes/fixed_wall.toml --fresh --format json")]
 pub(super) struct RunArgs {
     /// The scene file: name, [scene], [numerics], and no [grid].
@@ -34,6 +39,11 @@ pub(super) struct RunArgs {
     /// Write the particles for ParaView into vtk/, every SECONDS of simulated time.
     #[arg(long, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "0.05")]
     vtk: Option<Seconds>,
+    /// Film the water into films/, coloured by pressure or speed. A run that is finished already is
+    /// run again, and must come out the same.
+    #[arg(long, value_enum, value_name = "COLOUR", num_args = 0..=1, conflicts_with = "vtk")]
+    #[arg(default_missing_value = "pressure")]
+    film: Option<ColourChoice>,
     /// Threads that share the work, as far as there are 2,000 particles for each; the results are
     /// the same for any number [default: the processors that it may use].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
@@ -72,8 +82,13 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         overrides: args.settings.iter().map(|setting| setting.text.clone()).collect(),
     };
     let folder = job.out.join("vtk");
-    let film = args.vtk.map(|Seconds(interval_s)| VtkFilm { interval_s, folder });
-    let done = on_threads(&job, args.threads, film, output)?;
+    let vtk = args.vtk.map(|Seconds(interval_s)| Filming::Vtk(VtkFilm { interval_s, folder }));
+    let page = args.film.map(|colour| film::page(&job.out, colour.into()));
+    if page.is_some() {
+        film::demand_small(&job.study.cases[0])?;
+    }
+    let filming = vtk.or_else(|| page.clone().map(Filming::Page));
+    let done = on_threads(&job, args.threads, filming, output)?;
     if args.vtk.is_some() && done.wall_time_s.is_none() {
         output.note("--vtk: nothing was filmed, as nothing was run; --fresh films it");
     }
@@ -88,7 +103,31 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         );
         output.result(&text, record)?;
     }
-    Ok(done.exit_code())
+    match page {
+        Some(page) if done.exit_code() == SUCCESS => {
+            film_of(args, &page, &job.study, &done, output)
+        }
+        _ => Ok(done.exit_code()),
+    }
+}
+
+/// Tells where the film is. Where nothing was run, the case runs again for it.
+fn film_of(
+    args: &RunArgs,
+    page: &PageFilm,
+    study: &Study,
+    done: &Done,
+    output: &Output,
+) -> anyhow::Result<u8> {
+    let case = &study.cases[0];
+    if done.wall_time_s.is_some() {
+        output.note(format_args!("filmed into {}", page.path(case.id).display()));
+        return Ok(SUCCESS);
+    }
+    let resources = Resources { simd: done.directory.simd(), threads: film::threads(args.threads) };
+    let (directory, colour) = (done.directory.path(), page.colour);
+    let interrupt = &Interrupt::listen()?;
+    film::Set { study, directory, colour, resources, interrupt }.shoot(case, output)
 }
 
 fn told(record: &CaseRecord, config: &CaseConfig) -> String {

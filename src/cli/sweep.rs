@@ -4,15 +4,18 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
-use super::execute::{Job, execute};
+use super::execute::{Done, Job, execute};
 use super::failure::{BadInput, exit_code};
 use super::input::{Expect, Setting, SimdChoice, default_out, study};
 use super::output::Output;
 use super::overview::told;
-use super::{SUCCESS, check, max_error};
+use super::{INTERRUPTED, SUCCESS, check, film, max_error};
 use crate::accuracy::MaxError;
 use crate::execute::{Crew, Ending, Interrupt, Launcher, Setup, SphRunner, mpi, threads};
+use crate::film::Colour;
 use crate::results::{OpenMode, counted};
+use crate::simulation::Resources;
+use crate::study::{Case, Study};
 
 /// Run all cases of a sweep file, on threads or under mpirun, and go on where an earlier run
 /// stopped.
@@ -23,6 +26,7 @@ use crate::results::{OpenMode, counted};
   seawall sweep sweeps/liang2017.toml --set numerics.particle_spacing_m=0.016
   mpirun -n 4 --bind-to none seawall sweep sweeps/nightly.toml
   seawall sweep sweeps/nightly.toml --max-error 2 --out results/runs/within-2-percent
+  seawall sweep sweeps/nightly.toml --film auto
   seawall sweep sweeps/nightly.toml --retry-failed")]
 pub(super) struct SweepArgs {
     /// The sweep file.
@@ -57,6 +61,11 @@ pub(super) struct SweepArgs {
     /// max_error_percent` in the file.
     #[arg(long, value_name = "PERCENT")]
     max_error: Option<f64>,
+    /// Film cases once the sweep is done, into films/: auto (largest force, highest runup, softest wall
+    /// that turns, most doubtful), none, or a case by its id or by KEY=VALUE,KEY=VALUE; repeatable. Each
+    /// runs once more for it.
+    #[arg(long, value_name = "CASE", default_value = "none")]
+    film: Vec<String>,
     /// Instruction set of the hot loops.
     #[arg(long, value_enum, default_value_t = SimdChoice::Auto)]
     simd: SimdChoice,
@@ -122,6 +131,7 @@ fn lead(
     interrupt: &Interrupt,
 ) -> anyhow::Result<u8> {
     let study = study(&args.file, &args.settings, Expect::Grid)?;
+    check_films(args, &study)?;
     let aim = args.max_error.or(study.max_error_percent);
     let aim = aim.map(|percent| MaxError::new(percent, &study)).transpose().map_err(BadInput)?;
     let mut job = Job {
@@ -156,6 +166,7 @@ fn lead(
         ));
         return Ok(done.exit_code());
     }
+    let filmed = films(args, &job.study, &done, interrupt, output);
     let report = crate::report::write(done.directory.path())?;
     let mut text = told(&job, &done, &report, output.verbose);
     let mut value = done.json(&job, Some(&report));
@@ -165,7 +176,57 @@ fn lead(
         value["accuracy"] = accuracy;
     }
     output.result(&text, &value)?;
-    Ok(done.exit_code())
+    Ok(done.exit_code().max(filmed?))
+}
+
+/// Checks what is to be filmed before anything runs.
+fn check_films(args: &SweepArgs, study: &Study) -> Result<(), BadInput> {
+    let cases = args.film.iter().filter(|word| !matches!(word.as_str(), "auto" | "none"));
+    cases.map(String::as_str).try_for_each(|word| film_case(study, word).map(|_| ()))
+}
+
+fn film_case<'a>(study: &'a Study, word: &str) -> Result<&'a Case, BadInput> {
+    let words: Vec<_> = word.split(',').map(str::to_owned).collect();
+    let case = film::the_case(study, &words);
+    let case = case.and_then(|case| film::demand_small(case).map(|()| case));
+    case.map_err(|error| BadInput(format!("--film {word}: {error}")))
+}
+
+/// Runs the cases again that are to be filmed, one after the other; the worst exit code.
+fn films(
+    args: &SweepArgs,
+    study: &Study,
+    done: &Done,
+    interrupt: &Interrupt,
+    output: &Output,
+) -> anyhow::Result<u8> {
+    let records: Vec<_> = done.records().collect();
+    let mut cases: Vec<&Case> = Vec::new();
+    for word in &args.film {
+        match word.as_str() {
+            "none" => {}
+            "auto" => {
+                let chosen = film::worth_a_look(study, &records);
+                let chosen = chosen.into_iter().map(|index| &study.cases[index]);
+                cases.extend(chosen.filter(|case| film::demand_small(case).is_ok()));
+            }
+            word => cases.push(film_case(study, word)?),
+        }
+    }
+    let set = film::Set {
+        study,
+        directory: done.directory.path(),
+        colour: Colour::Pressure,
+        resources: Resources { simd: done.directory.simd(), threads: film::threads(args.threads) },
+        interrupt,
+    };
+    let mut worst = SUCCESS;
+    for case in cases {
+        if worst != INTERRUPTED {
+            worst = worst.max(set.shoot(case, output)?);
+        }
+    }
+    Ok(worst)
 }
 
 #[cfg(test)]

@@ -6,6 +6,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use signal_hook::consts::{SIGINT, SIGTERM, SIGUSR1};
 use signal_hook::flag;
 
+use crate::simulation::Monitor;
+
 /// Set once the user wants to stop.
 #[derive(Debug, Clone, Default)]
 pub struct Interrupt(Arc<AtomicBool>);
@@ -33,5 +35,11 @@ impl Interrupt {
     /// Asks to stop, as a signal would.
     pub fn raise(&self) {
         self.0.store(true, Ordering::Relaxed);
+    }
+}
+
+impl Monitor for Interrupt {
+    fn cancelled(&self) -> bool {
+        self.is_raised()
     }
 }

@@ -22,7 +22,6 @@ pub mod mpi;
 mod progress;
 mod runner;
 pub mod threads;
-mod vtk;
 mod worker;
 
 use std::time::Duration;
@@ -37,7 +36,6 @@ pub use launcher::Launcher;
 pub use message::{Order, Report};
 pub use progress::{Progress, ProgressStyle, duration};
 pub use runner::{Runner, SphRunner, guarded};
-pub use vtk::VtkFilm;
 
 /// Makes the runner once the instruction set and a case's threads are known.
 pub type MakeRunner<'a> = &'a (dyn Fn(Resources) -> Box<dyn Runner> + Sync);

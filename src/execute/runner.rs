@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Once;
 
-use super::vtk::VtkFilm;
+use crate::film::Filming;
 use crate::scene::CaseConfig;
 use crate::simulation::{
     CaseResult, Failure, FailureKind, Monitor, Resources, Stopped, TrunkResult, run_case, run_trunk,
@@ -32,7 +32,7 @@ pub struct SphRunner {
     /// The instruction set agreed on by all ranks, and a case's threads.
     pub resources: Resources,
     /// Whether and how cases are filmed.
-    pub film: Option<VtkFilm>,
+    pub film: Option<Filming>,
 }
 
 impl Runner for SphRunner {

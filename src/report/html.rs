@@ -9,10 +9,10 @@ use super::grid::{LONG, escape, grid};
 use super::load::Loaded;
 use super::number;
 use super::plots::Figure;
-use super::row::PLACE;
+use super::row::{PLACE, Row};
 use super::tables::{self, Table, across};
 use crate::quantities::summary::{
-    BOUNDARY, DOUBTFUL, ENERGY_GAP, FORCE_COUPLING, FORCE_GAP, KERNEL, PARTICLE_SPACING,
+    BOUNDARY, CASE_ID, DOUBTFUL, ENERGY_GAP, FORCE_COUPLING, FORCE_GAP, KERNEL, PARTICLE_SPACING,
     PARTICLES_LOST, SCHEME,
 };
 
@@ -24,6 +24,7 @@ pub fn page(data: &Loaded, figures: &[Figure], tables: &[Table]) -> String {
     let mut body = String::new();
     head(&mut body, data, &name);
     failures(&mut body, data);
+    films(&mut body, data);
     for figure in figures {
         let (title, caption) = (escape(&figure.title), escape(&figure.caption));
         let svg = figure.inline();
@@ -101,6 +102,19 @@ fn failures(body: &mut String, data: &Loaded) {
     }
     let said = "<p>These cases have no results; all others are complete.</p>";
     section(body, &table.title, &format!("{said}{}", grid(&table)));
+}
+
+/// Links to the films of cases that have one.
+fn films(body: &mut String, data: &Loaded) {
+    let link = |row: &Row| {
+        let (id, words) = (escape(row.text(&CASE_ID)), row.words());
+        let words = if words.is_empty() { id.clone() } else { escape(&words) };
+        data.has_film(row).then(|| format!("<li><a href=\"films/{id}.html\">{words}</a></li>"))
+    };
+    let links: String = data.finished().filter_map(link).collect();
+    if !links.is_empty() {
+        section(body, "Films", &format!("<ul>{links}</ul>"));
+    }
 }
 
 fn health_line(data: &Loaded) -> String {
@@ -193,6 +207,20 @@ mod tests {
             assert!(!page.contains(&format!("<th class=\"number\">{word}")), "{word}");
             assert!(!page.contains(&format!("<th>{word}")), "{word}");
         }
+    }
+
+    #[test]
+    fn films_that_are_there_are_linked() {
+        let directory = fixture::sweep();
+        assert!(!page_of(&directory).contains("films/"));
+        let data = Loaded::read(directory.path()).unwrap();
+        let row = data.finished().next().unwrap();
+        let film = format!("films/{}.html", row.text(&CASE_ID));
+        std::fs::create_dir(directory.path().join("films")).unwrap();
+        std::fs::write(directory.path().join(&film), "").unwrap();
+        let page = page_of(&directory);
+        assert!(page.contains(&format!("<a href=\"{film}\">{}</a>", escape(&row.words()))));
+        assert_eq!(page.matches("href=").count(), 1);
     }
 
     #[test]

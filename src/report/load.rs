@@ -69,6 +69,12 @@ impl Loaded {
         self.rows.iter().filter(|row| row.is_ok())
     }
 
+    /// Whether a case was filmed.
+    pub fn has_film(&self, row: &Row) -> bool {
+        let id = row.text(&summary::CASE_ID);
+        self.directory.join("films").join(format!("{id}.html")).is_file()
+    }
+
     /// Rows of cases that failed.
     pub fn failed(&self) -> impl Iterator<Item = &Row> {
         self.rows.iter().filter(|row| !row.is_ok())

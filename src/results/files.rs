@@ -88,7 +88,13 @@ pub(super) fn clean(directory: &Path) -> Result<(), SweepError> {
     Ok(())
 }
 
-fn history(rows: &[HistoryRow]) -> String {
+/// Where a case's history is.
+pub(super) fn history_path(directory: &Path, id: CaseId) -> PathBuf {
+    directory.join(HISTORIES).join(format!("{id}.csv"))
+}
+
+/// Its text.
+pub(super) fn history(rows: &[HistoryRow]) -> String {
     let columns = quantities::history::ALL;
     let mut text = columns.iter().map(|column| column.name).collect::<Vec<_>>().join(",") + "\n";
     for row in rows {

@@ -5,6 +5,7 @@
 //! - the summary, `energy.csv`, and the files of every case are written from records and results;
 //! - [`Manifest`] says where the results come from.
 
+mod again;
 mod atomic_file;
 mod clock;
 mod directory;
@@ -20,6 +21,7 @@ mod number;
 mod record;
 mod summary;
 
+pub use again::{finished, first_difference};
 pub use clock::timestamp;
 pub use directory::{Directory, OpenMode, Opened};
 pub use error::SweepError;

@@ -34,7 +34,8 @@ pub(super) fn write(
     atomic_file::write(&path, &text)
 }
 
-fn table(study: &Study, records: &[Option<CaseRecord>]) -> csv::Result<Vec<u8>> {
+/// The summary's bytes.
+pub(super) fn table(study: &Study, records: &[Option<CaseRecord>]) -> csv::Result<Vec<u8>> {
     let fixed: Vec<String> = summary::names().collect();
     let places = 0..study.keys.len();
     let further: Vec<_> = places.filter(|&at| !fixed.contains(&study.keys[at])).collect();

@@ -15,8 +15,10 @@ impl Run {
         let Some(interval) = monitor.film_interval() else { return };
         if last || time >= interval * self.films as f64 * (1.0 - 1e-12) {
             self.films = (time / interval * (1.0 + 1e-9)) as u64 + 1;
+            let bodies = self.tank.motions(time);
             monitor.film(&Film {
                 time_s: time,
+                walls: [Place::Left, Place::Right].map(|place| bodies[place].offset),
                 fluid: self.tank.water.fluid(),
                 pressure: self.tank.water.pressures(),
             });

@@ -55,6 +55,8 @@ pub trait Monitor: Sync {
 pub struct Film<'a> {
     /// Simulated time, seconds.
     pub time_s: f64,
+    /// Where the left and the right wall are, metres from rest.
+    pub walls: [f64; 2],
     /// The particles.
     pub fluid: &'a Fluid,
     /// Their pressures, Pa.

@@ -52,6 +52,11 @@ impl Override {
         }
     }
 
+    /// The value.
+    pub fn value(&self) -> &Value {
+        &self.value
+    }
+
     /// Puts the value into a parsed file.
     ///
     /// # Errors

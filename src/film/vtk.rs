@@ -2,11 +2,11 @@
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
 use std::{fs, io};
 
+use super::Camera;
 use crate::scene::CaseConfig;
-use crate::simulation::{CaseResult, Failure, FailureKind, Film, Monitor, Stopped};
+use crate::simulation::{CaseResult, Film};
 use crate::study::CaseId;
 
 /// Where and how often to film: `<folder>/<case_id>.pvd` and `<folder>/<case_id>/<number>.vtu`.
@@ -19,60 +19,29 @@ pub struct VtkFilm {
 }
 
 impl VtkFilm {
-    /// Lets a case run under a monitor that films it and asks `inner` for the rest.
-    pub(super) fn shoot(
-        &self,
-        config: &CaseConfig,
-        inner: &dyn Monitor,
-        run: impl FnOnce(&dyn Monitor) -> Result<CaseResult, Stopped>,
-    ) -> Result<CaseResult, Stopped> {
-        let id = CaseId::of(config).to_string();
-        let camera = Mutex::new(Camera::new(&self.folder, id).map_err(unwritable)?);
-        let filming = Filming { inner, interval_s: self.interval_s, camera };
-        let result = run(&filming)?;
-        let camera = filming.camera.into_inner().unwrap_or_else(PoisonError::into_inner);
-        camera.finish().map_err(unwritable)?;
-        Ok(result)
-    }
-}
-
-fn unwritable(error: io::Error) -> Stopped {
-    let detail = format!("vtk: {error}");
-    Stopped::Failed(Failure { kind: FailureKind::Internal, time_s: 0.0, detail })
-}
-
-/// Films a run, for its own monitor's eyes too.
-struct Filming<'a> {
-    inner: &'a dyn Monitor,
-    interval_s: f64,
-    camera: Mutex<Camera>,
-}
-
-impl Monitor for Filming<'_> {
-    fn cancelled(&self) -> bool {
-        self.inner.cancelled()
-    }
-
-    fn film_interval(&self) -> Option<f64> {
-        Some(self.interval_s)
-    }
-
-    fn film(&self, film: &Film<'_>) {
-        self.camera.lock().unwrap_or_else(PoisonError::into_inner).shoot(film);
+    pub(super) fn camera(&self, config: &CaseConfig) -> io::Result<VtkCamera> {
+        VtkCamera::new(&self.folder, CaseId::of(config).to_string(), self.interval_s)
     }
 }
 
 /// Where the pictures of a case go, the times of those taken, and the first error.
-struct Camera {
+pub(super) struct VtkCamera {
+    interval_s: f64,
     folder: PathBuf,
     id: String,
     taken: io::Result<Vec<f64>>,
 }
 
-impl Camera {
-    fn new(folder: &Path, id: String) -> io::Result<Camera> {
+impl VtkCamera {
+    fn new(folder: &Path, id: String, interval_s: f64) -> io::Result<VtkCamera> {
         fs::create_dir_all(folder.join(&id))?;
-        Ok(Camera { folder: folder.to_owned(), id, taken: Ok(Vec::new()) })
+        Ok(VtkCamera { interval_s, folder: folder.to_owned(), id, taken: Ok(Vec::new()) })
+    }
+}
+
+impl Camera for VtkCamera {
+    fn interval_s(&self) -> f64 {
+        self.interval_s
     }
 
     fn shoot(&mut self, film: &Film<'_>) {
@@ -85,7 +54,7 @@ impl Camera {
     }
 
     /// Lists what was taken.
-    fn finish(self) -> io::Result<()> {
+    fn finish(self: Box<Self>, _: &CaseResult) -> io::Result<()> {
         let mut text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n\
             <Collection>\n"
             .to_owned();
@@ -144,17 +113,21 @@ fn array<T: std::fmt::Display>(
 mod tests {
     use super::*;
     use crate::pairs::Fluid;
+    use crate::results::made_up;
 
     #[test]
     fn a_film_has_all_particles_and_a_list() {
         let root = tempfile::tempdir().unwrap();
         let fluid = Fluid::at_rest((0..3).map(|k| [f64::from(k), 0.5, 1000.0, 1.0]));
-        let mut camera = Camera::new(root.path(), "case".to_owned()).unwrap();
+        let mut camera = VtkCamera::new(root.path(), "case".to_owned(), 0.1).unwrap();
         for k in 0..2 {
             let time_s = 0.1 * f64::from(k);
-            camera.shoot(&Film { time_s, fluid: &fluid, pressure: &[1.0, 2.5, 3.0, 0.0] });
+            let pressure = &[1.0, 2.5, 3.0, 0.0];
+            camera.shoot(&Film { time_s, fluid: &fluid, pressure, walls: [0.0; 2] });
         }
-        camera.finish().unwrap();
+        let result =
+            made_up(&CaseConfig::from_tables(&toml::Table::new(), &toml::Table::new()).unwrap());
+        Box::new(camera).finish(&result).unwrap();
         let list = fs::read_to_string(root.path().join("case.pvd")).unwrap();
         assert!(list.contains("<DataSet timestep=\"0.1\" file=\"case/00001.vtu\"/>"), "{list}");
         let film = fs::read_to_string(root.path().join("case/00001.vtu")).unwrap();

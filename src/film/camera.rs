@@ -1,0 +1,137 @@
+//! What a page's camera keeps of a run, and which instants of it go into the film.
+
+use std::io;
+
+use super::codec::Point;
+use super::page::PageFilm;
+use super::{Camera, Colour};
+use crate::scene::CaseConfig;
+use crate::simulation::{CaseResult, Film, cost};
+
+/// Frames of a film.
+const FRAMES: usize = 60;
+/// A camera keeps so many times more, from which the film's are picked.
+const MOST_SPARE: usize = 8;
+/// Unless that takes more memory than this, bytes.
+const MOST_MEMORY: usize = 200_000_000;
+/// A film has half of its frames within so many √(h/g) of the crest.
+const CLOSE: f64 = 5.0;
+
+/// The water at an instant.
+#[derive(Debug, Clone)]
+pub(super) struct Take {
+    /// Simulated time, seconds.
+    pub time_s: f64,
+    /// Where both end walls are, metres from rest.
+    pub walls: [f64; 2],
+    /// Of every particle, by its number: x and y in metres, and what it is coloured by.
+    pub points: Vec<Point>,
+}
+
+/// Watches a case and makes a page of it.
+pub(super) struct PageCamera<'a> {
+    film: &'a PageFilm,
+    config: &'a CaseConfig,
+    interval_s: f64,
+    takes: Vec<Take>,
+}
+
+impl<'a> PageCamera<'a> {
+    pub fn new(film: &'a PageFilm, config: &'a CaseConfig) -> PageCamera<'a> {
+        let frame_bytes = cost(config).particles as usize * size_of::<Point>();
+        let spare = (MOST_MEMORY / (FRAMES * frame_bytes).max(1)).clamp(1, MOST_SPARE);
+        let interval_s = config.scene.frame().end_time / (FRAMES * spare) as f64;
+        PageCamera { film, config, interval_s, takes: Vec::new() }
+    }
+}
+
+impl Camera for PageCamera<'_> {
+    fn interval_s(&self) -> f64 {
+        self.interval_s
+    }
+
+    fn shoot(&mut self, film: &Film<'_>) {
+        // A run that became unstable starts anew.
+        self.takes.retain(|take| take.time_s < film.time_s);
+        let (fluid, mut points) = (film.fluid, vec![[0.0; 3]; film.fluid.len()]);
+        for k in 0..fluid.len() {
+            let value = match self.film.colour {
+                Colour::Pressure => film.pressure[k],
+                Colour::Speed => fluid.vx[k].hypot(fluid.vy[k]),
+            };
+            points[fluid.id[k] as usize] = [fluid.x[k] as f32, fluid.y[k] as f32, value as f32];
+        }
+        self.takes.push(Take { time_s: film.time_s, walls: film.walls, points });
+    }
+
+    fn finish(self: Box<Self>, result: &CaseResult) -> io::Result<()> {
+        let frame = self.config.scene.frame();
+        let close = CLOSE * (frame.depth / frame.acceleration()).sqrt();
+        let (takes, crest) = pick(self.takes, result.outcome.force_max.time_s, close);
+        self.film.write(self.config, result, &takes, crest)
+    }
+}
+
+/// The film's frames, and which of them is the crest: evenly over the run, and half of them within
+/// `close` seconds of the crest.
+fn pick(takes: Vec<Take>, crest_s: f64, close: f64) -> (Vec<Take>, usize) {
+    let times: Vec<f64> = takes.iter().map(|take| take.time_s).collect();
+    let (Some(&first), Some(&last)) = (times.first(), times.last()) else { return (takes, 0) };
+    let crest = nearest(&times, crest_s);
+    let mut wanted = vec![times[crest]];
+    let spread = |from: f64, to: f64| {
+        let share = move |k: usize| k as f64 / (FRAMES / 2 - 1) as f64;
+        (0..FRAMES / 2).map(move |k| from + share(k) * (to - from))
+    };
+    wanted.extend(spread(first, last).take(FRAMES / 2 - 2));
+    wanted.push(last);
+    wanted.extend(spread((crest_s - close).max(first), (crest_s + close).min(last)));
+    let chosen: std::collections::BTreeSet<usize> =
+        wanted.into_iter().map(|time| nearest(&times, time)).collect();
+    let place = chosen.iter().position(|&at| at == crest).unwrap_or(0);
+    let all = takes.len() <= FRAMES;
+    let keep = |at: &usize| all || chosen.contains(at);
+    let picked = takes.into_iter().enumerate().filter(|(at, _)| keep(at)).map(|(_, take)| take);
+    (picked.collect(), if all { crest } else { place })
+}
+
+fn nearest(times: &[f64], time: f64) -> usize {
+    let gap = |&at: &usize| (times[at] - time).abs();
+    (0..times.len()).min_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::pairs::Fluid;
+
+    #[test]
+    fn a_film_has_sixty_frames_and_half_of_them_at_the_crest() {
+        let take = |k: i32| Take { time_s: 0.0125 * f64::from(k), walls: [0.0; 2], points: vec![] };
+        let (picked, crest) = pick((0..480).map(take).collect(), 4.0, 0.5);
+        assert!((50..=FRAMES).contains(&picked.len()), "{}", picked.len());
+        assert_eq!(picked[crest].time_s, 4.0);
+        assert_eq!((picked[0].time_s, picked[picked.len() - 1].time_s), (0.0, 479.0 * 0.0125));
+        let at_crest = picked.iter().filter(|take| (take.time_s - 4.0).abs() <= 0.51).count();
+        assert!((30..=36).contains(&at_crest), "{at_crest}");
+        let (few, crest) = pick((0..7).map(take).collect(), 0.04, 0.5);
+        assert_eq!((few.len(), crest), (7, 3));
+    }
+
+    #[test]
+    fn particles_keep_their_numbers_and_a_new_attempt_starts_anew() {
+        let nothing = toml::Table::new();
+        let config = CaseConfig::from_tables(&nothing, &nothing).unwrap();
+        let film = PageFilm { colour: Colour::Speed, folder: std::path::PathBuf::new() };
+        let mut camera = PageCamera::new(&film, &config);
+        let mut fluid = Fluid::at_rest((0..3).map(|k| [f64::from(k), 0.5, 1000.0, 1.0]));
+        (fluid.vx[0], fluid.vy[0]) = (3.0, 4.0);
+        fluid.id[..3].reverse();
+        for time_s in [0.0, 0.1, 0.2, 0.0] {
+            camera.shoot(&Film { time_s, walls: [0.1, 0.2], fluid: &fluid, pressure: &[0.0; 3] });
+        }
+        assert_eq!(camera.takes.len(), 1);
+        let points = &camera.takes[0].points;
+        assert_eq!(points[..], [[2.0, 0.5, 0.0], [1.0, 0.5, 0.0], [0.0, 0.5, 5.0]]);
+    }
+}

@@ -1,0 +1,96 @@
+//! Films of the water. A camera is a [`Monitor`] that a run shows its water to; it reads, and changes
+//! nothing.
+//!
+//! - `vtk`: files for ParaView, with everything that a particle has;
+//! - [`PageFilm`]: one page that plays in a browser, and a still of the crest at the wall. `camera`
+//!   keeps what it saw, `codec` and `coder` pack it, `stage` knows what stands around the water,
+//!   `page` and `still` draw.
+
+mod camera;
+mod codec;
+mod coder;
+mod page;
+mod scale;
+mod stage;
+mod still;
+mod vtk;
+
+use std::io;
+use std::sync::{Mutex, PoisonError};
+
+pub use page::PageFilm;
+pub use scale::Colour;
+pub use vtk::VtkFilm;
+
+use crate::scene::CaseConfig;
+use crate::simulation::{CaseResult, Failure, FailureKind, Film, Monitor, Stopped};
+
+/// How cases are filmed.
+#[derive(Debug, Clone)]
+pub enum Filming {
+    /// For ParaView.
+    Vtk(VtkFilm),
+    /// As a page that plays.
+    Page(PageFilm),
+}
+
+/// What watches one run.
+trait Camera: Send {
+    /// Between two instants, seconds of simulated time.
+    fn interval_s(&self) -> f64;
+
+    /// Takes an instant.
+    fn shoot(&mut self, film: &Film<'_>);
+
+    /// Writes what is still to be written, once the run is well.
+    fn finish(self: Box<Self>, result: &CaseResult) -> io::Result<()>;
+}
+
+impl Filming {
+    /// Lets a case run under a monitor that films it and asks `inner` for the rest.
+    ///
+    /// # Errors
+    /// The run's own, or a film that cannot be written.
+    pub fn shoot(
+        &self,
+        config: &CaseConfig,
+        inner: &dyn Monitor,
+        run: impl FnOnce(&dyn Monitor) -> Result<CaseResult, Stopped>,
+    ) -> Result<CaseResult, Stopped> {
+        let unwritable = |error: io::Error| {
+            let what = if matches!(self, Filming::Vtk(_)) { "vtk" } else { "film" };
+            let detail = format!("{what}: {error}");
+            Stopped::Failed(Failure { kind: FailureKind::Internal, time_s: 0.0, detail })
+        };
+        let camera: Box<dyn Camera> = match self {
+            Filming::Vtk(film) => Box::new(film.camera(config).map_err(unwritable)?),
+            Filming::Page(film) => Box::new(film.camera(config)),
+        };
+        let set = Set { inner, interval_s: camera.interval_s(), camera: Mutex::new(camera) };
+        let result = run(&set)?;
+        let camera = set.camera.into_inner().unwrap_or_else(PoisonError::into_inner);
+        camera.finish(&result).map_err(unwritable)?;
+        Ok(result)
+    }
+}
+
+/// Films a run, for its own monitor's eyes too.
+struct Set<'a> {
+    inner: &'a dyn Monitor,
+    interval_s: f64,
+    camera: Mutex<Box<dyn Camera + 'a>>,
+}
+
+impl Monitor for Set<'_> {
+    fn cancelled(&self) -> bool {
+        self.inner.cancelled()
+    }
+
+    fn film_interval(&self) -> Option<f64> {
+        Some(self.interval_s)
+    }
+
+    fn film(&self, film: &Film<'_>) {
+        self.camera.lock().unwrap_or_else(PoisonError::into_inner).shoot(film);
+    }
+}

@@ -1,0 +1,331 @@
+"use strict";
+(() => {
+  const film = JSON.parse(document.getElementById("film").textContent);
+  const find = (id) => document.getElementById(id);
+  const count = film.particles, frames = film.times.length;
+
+  // The coder of src/film/coder.rs and the predictions of src/film/codec.rs, taken apart.
+  function decode(text, column) {
+    const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    let at = 0, code = 0, range = 0xffffffff;
+    const take = () => { code = ((code << 8) | (at < bytes.length ? bytes[at] : 0)) >>> 0; at++; };
+    for (let k = 0; k < 5; k++) take();
+    const UNARY = 14, CHANCES = UNARY + 4, SURROUNDINGS = 8;
+    const chances = new Uint16Array(6 * SURROUNDINGS * CHANCES).fill(1024);
+    function bit(place) {
+      const chance = chances[place], bound = (range >>> 11) * chance;
+      let set = 0;
+      if (code < bound) {
+        range = bound;
+        chances[place] = chance + ((2048 - chance) >> 5);
+      } else {
+        set = 1;
+        code = (code - bound) >>> 0;
+        range = (range - bound) >>> 0;
+        chances[place] = chance - (chance >> 5);
+      }
+      while (range < 16777216) { range = (range << 8) >>> 0; take(); }
+      return set;
+    }
+    function number(place) {
+      if (!bit(place)) return 0;
+      const negative = bit(place + 1);
+      let size = 1;
+      while (size < UNARY && bit(place + 1 + size)) size++;
+      if (size === UNARY) {
+        let digits = 0, read = 1;
+        while (bit(place + 2 + UNARY)) digits++;
+        for (; digits > 0; digits--) read = (read << 1) | bit(place + 3 + UNARY);
+        size += read - 1;
+      }
+      return negative ? -size : size;
+    }
+    const SURROUNDING = [0, 1, 2, 3, 4, 4, 5, 5, 5];
+    const points = new Int32Array(3 * count), moves = new Int32Array(3 * count);
+    const off = new Int32Array(3 * count), all = [];
+    for (let t = 0; t < frames; t++) {
+      const first = t === 0, known = first ? points : moves;
+      for (let k = 0; k < count; k++) {
+        for (let channel = 0; channel < 3; channel++) {
+          const own = 3 * k + channel;
+          const a = k >= 1 ? own - 3 : -1, b = k >= column ? own - 3 * column : -1;
+          const c = k >= column + 1 ? own - 3 * column - 3 : -1;
+          const value = (place) => (place < 0 ? 0 : known[place]);
+          const size = (place) => (place < 0 ? 0 : Math.abs(off[place]));
+          const before = points[own];
+          const predicted = first
+            ? value(a) + value(b) - value(c)
+            : before + ((value(a) + value(b)) >> 1);
+          const unrest = size(a) + size(b) + (first ? 0 : Math.abs(off[own]));
+          const surrounding = unrest < 9 ? SURROUNDING[unrest] : unrest < 16 ? 6 : 7;
+          const found = number(((first ? 3 : 0) + channel) * SURROUNDINGS * CHANCES + surrounding * CHANCES);
+          points[own] = predicted + found;
+          moves[own] = first ? 0 : points[own] - before;
+          off[own] = found;
+        }
+      }
+      all.push(Int16Array.from(points));
+    }
+    return all;
+  }
+
+  const shots = decode(film.data, film.column);
+  const colours = film.colours;
+  const levels = colours.length;
+  // The water at this instant, metres and levels, between two frames.
+  const now = { x: new Float32Array(count), y: new Float32Array(count), c: new Uint8Array(count), left: 0, right: 0 };
+  let time = film.times[film.crest], playing = false, touched = false, last = 0;
+
+  function place(times) {
+    let low = 0, high = times.length - 1;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (times[middle] <= time) low = middle; else high = middle;
+    }
+    const span = times[high] - times[low];
+    return [low, high, span > 0 ? Math.min(1, Math.max(0, (time - times[low]) / span)) : 0];
+  }
+
+  function mix(values, [low, high, share]) {
+    return values[low] + share * (values[high] - values[low]);
+  }
+
+  function settle() {
+    const where = place(film.times), [low, high, share] = where, a = shots[low], b = shots[high];
+    for (let k = 0; k < count; k++) {
+      const p = 3 * k;
+      now.x[k] = film.x0 + film.quantum * (a[p] + share * (b[p] - a[p]));
+      now.y[k] = film.y0 + film.quantum * (a[p + 1] + share * (b[p + 1] - a[p + 1]));
+      const level = Math.round(a[p + 2] + share * (b[p + 2] - a[p + 2]));
+      now.c[k] = level < 0 ? 0 : level >= levels ? levels - 1 : level;
+    }
+    now.left = mix(film.left, where);
+    now.right = mix(film.right, where);
+  }
+
+  // Particles by colour, so that the canvas changes its colour 64 times and no more.
+  const byColour = new Int32Array(count), starts = new Int32Array(levels + 1);
+  function sort() {
+    starts.fill(0);
+    for (let k = 0; k < count; k++) starts[now.c[k] + 1]++;
+    for (let c = 0; c < levels; c++) starts[c + 1] += starts[c];
+    const next = starts.slice();
+    for (let k = 0; k < count; k++) byColour[next[now.c[k]]++] = k;
+  }
+
+  // The top of the water that stands on the bed: in each bin along the tank climb until a gap.
+  const bin = { wide: 1.5 * film.spacing, tops: [] };
+  const lean = Math.tan((film.angle - 90) * Math.PI / 180);
+  function climb() {
+    const heights = [];
+    for (let k = 0; k < count; k++) {
+      const at = Math.floor((now.x[k] - film.whole.x0) / bin.wide);
+      if (at >= 0) (heights[at] = heights[at] || []).push(now.y[k]);
+    }
+    bin.tops = Array.from(heights, (all, at) => {
+      const behind = film.whole.x0 + (at + 0.5) * bin.wide - film.length - now.right;
+      let top = lean > 0 ? Math.max(0, behind / lean) : 0, found = false;
+      for (const y of (all || []).sort((a, b) => a - b)) {
+        if (y - top > 2.5 * film.spacing) break;
+        top = y;
+        found = true;
+      }
+      return found ? top + 0.5 * film.spacing : null;
+    });
+  }
+
+  // Between the middles of bins in a straight line.
+  function topAt(x) {
+    const along = Math.max(0, (x - film.whole.x0) / bin.wide - 0.5), at = Math.floor(along);
+    const low = bin.tops[at] ?? null, high = bin.tops[at + 1] ?? low;
+    return low === null ? null : low + (along - at) * (high - low);
+  }
+
+  function surface() {
+    const [from, to] = [now.left + bin.wide, film.length + now.right + Math.max(0, lean * film.tall) - 0.5 * bin.wide];
+    const points = bin.tops.map((top, at) => [film.whole.x0 + (at + 0.5) * bin.wide, top]);
+    return points.map((point) => (point[1] === null || point[0] < from || point[0] > to ? null : point));
+  }
+
+  let ink = {};
+  function readInk() {
+    const style = getComputedStyle(document.documentElement);
+    for (const name of ["ground", "ink", "quiet", "solid", "line"]) ink[name] = style.getPropertyValue("--" + name);
+  }
+
+  function draw(canvas, view) {
+    // A tall picture is made narrower, so that all of the page is seen at once.
+    canvas.style.maxWidth = 0.62 * window.innerHeight * (view.x1 - view.x0) / (view.y1 - view.y0) + "px";
+    const ratio = window.devicePixelRatio || 1, width = canvas.clientWidth;
+    const scale = width / (view.x1 - view.x0), height = Math.round(scale * (view.y1 - view.y0));
+    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
+      canvas.width = Math.round(width * ratio);
+      canvas.height = Math.round(height * ratio);
+      canvas.style.height = height + "px";
+    }
+    const pen = canvas.getContext("2d");
+    pen.setTransform(ratio, 0, 0, ratio, 0, 0);
+    pen.clearRect(0, 0, width, height);
+    const X = (x) => (x - view.x0) * scale, Y = (y) => height - (y - view.y0) * scale;
+    const size = Math.max(1.2, 1.4 * film.spacing * scale), tall = 1.25 * film.spacing;
+    for (let c = 0; c < levels; c++) {
+      pen.fillStyle = colours[c];
+      for (let k = starts[c]; k < starts[c + 1]; k++) {
+        const x = X(now.x[byColour[k]]), y = now.y[byColour[k]];
+        if (x < -size || x > width + size) continue;
+        // Rows part where water is pushed up: under the surface a particle is drawn tall.
+        const top = topAt(now.x[byColour[k]]);
+        const half = top === null || y > top ? 0.5 * tall : tall;
+        const up = half === tall ? Math.min(half, top - y) : half;
+        pen.fillRect(x - size / 2, Y(y + up), size, Math.max(1.2, (half + up) * scale));
+      }
+    }
+    if (film.wall !== "none") furniture(pen, X, Y, scale, view);
+  }
+
+  function polygon(pen, corners) {
+    pen.beginPath();
+    for (const [x, y] of corners) pen.lineTo(x, y);
+    pen.closePath();
+    pen.fill();
+  }
+
+  function furniture(pen, X, Y, scale, view) {
+    pen.strokeStyle = ink.ink;
+    pen.lineWidth = 1.3;
+    pen.lineJoin = "round";
+    if (!film.lid) {
+      pen.beginPath();
+      let down = false;
+      for (const point of surface()) {
+        if (!point) { down = false; continue; }
+        if (down) pen.lineTo(X(point[0]), Y(point[1])); else pen.moveTo(X(point[0]), Y(point[1]));
+        down = true;
+      }
+      pen.stroke();
+    }
+    pen.fillStyle = ink.solid;
+    const thick = 0.12 * film.depth, top = film.tall, bed = 0;
+    pen.fillRect(X(view.x0), Y(bed), X(view.x1) - X(view.x0), Y(view.y0) - Y(bed)); // bed
+    const left = now.left, right = film.length + now.right;
+    polygon(pen, [[X(left - thick), Y(bed)], [X(left), Y(bed)], [X(left), Y(top)], [X(left - thick), Y(top)]]);
+    if (film.lid) pen.fillRect(X(view.x0), 0, X(view.x1) - X(view.x0), Y(film.lid));
+    const over = lean * top;
+    const breadth = film.wall === "caisson" ? 0.8 * film.depth : thick;
+    polygon(pen, [[X(right), Y(bed)], [X(right + over), Y(top)], [X(right + over + breadth), Y(top)], [X(right + breadth), Y(bed)]]);
+    if (film.wall === "spring") {
+      const from = X(right + thick), to = X(film.post), y = Y(0.5 * film.depth), swing = 0.1 * film.depth * scale;
+      pen.beginPath();
+      pen.moveTo(from, y);
+      for (let k = 0; k <= 12; k++) pen.lineTo(from + (to - from) * (k + 0.5) / 13, y + (k === 0 || k === 12 ? 0 : k % 2 ? swing : -swing));
+      pen.lineTo(to, y);
+      pen.stroke();
+      pen.fillRect(to, Y(film.depth), 0.06 * film.depth * scale, Y(bed) - Y(film.depth));
+    }
+  }
+
+  // Curves of F*, R* and X* over time, each with a cursor.
+  const charts = film.history.curves.map((curve) => {
+    const times = film.history.time_s, box = document.createElement("figure");
+    let low = Math.min(0, ...curve.values), high = Math.max(...curve.values);
+    if (high - low < 1e-9) high = low + 1;
+    const first = film.times[0], end = film.times[frames - 1];
+    const x = (t) => 1000 * (t - first) / (end - first || 1), y = (v) => 96 - 92 * (v - low) / (high - low);
+    const points = times.map((t, k) => x(t).toFixed(1) + "," + y(curve.values[k]).toFixed(1)).join(" ");
+    box.innerHTML = "<figcaption><b>" + curve.symbol + "</b> <output></output><span></span></figcaption>"
+      + '<svg viewBox="0 0 1000 100" preserveAspectRatio="none" role="img">'
+      + '<line class="zero" x1="0" x2="1000" y1="' + y(0) + '" y2="' + y(0) + '"/>'
+      + '<polyline points="' + points + '"/><line class="cursor" y1="0" y2="100"/></svg>';
+    box.querySelector("span").textContent = curve.name + ", " + low.toFixed(2) + " to " + high.toFixed(2);
+    const drawing = box.querySelector("svg"), cursor = box.querySelector(".cursor"), told = box.querySelector("output");
+    drawing.setAttribute("aria-label", curve.name + " over time, from " + low.toFixed(2) + " to " + high.toFixed(2));
+    const pick = (event) => {
+      const box = drawing.getBoundingClientRect();
+      go(first + (end - first) * (event.clientX - box.left) / box.width);
+    };
+    drawing.addEventListener("pointerdown", (event) => { drawing.setPointerCapture(event.pointerId); pick(event); });
+    drawing.addEventListener("pointermove", (event) => { if (event.buttons) pick(event); });
+    find("charts").append(box);
+    return () => {
+      const value = mix(curve.values, place(times));
+      told.textContent = value.toFixed(3);
+      cursor.setAttribute("x1", x(time));
+      cursor.setAttribute("x2", x(time));
+      return curve.symbol + " " + value.toFixed(2);
+    };
+  });
+
+  const slider = find("time"), play = find("play"), clock = find("clock");
+  slider.min = film.times[0];
+  slider.max = film.times[frames - 1];
+  slider.step = "any";
+
+  function render() {
+    settle();
+    sort();
+    if (film.wall !== "none" && !film.lid) climb();
+    draw(find("tank"), film.whole);
+    if (film.near) {
+      const at = film.length + now.right - film.near.x;
+      draw(find("wall"), { x0: at, x1: at + film.near.width, y0: film.whole.y0, y1: film.whole.y1 });
+    }
+    const told = charts.map((show) => show());
+    clock.textContent = "t = " + time.toFixed(2) + " s";
+    slider.value = time;
+    slider.setAttribute("aria-valuetext", time.toFixed(2) + " seconds, " + told.join(", "));
+  }
+
+  function go(to) {
+    touched = true;
+    time = Math.min(film.times[frames - 1], Math.max(film.times[0], to));
+    if (!playing) render();
+  }
+
+  function tick(stamp) {
+    if (!playing) return;
+    time += Math.min(0.1, (stamp - last) / 1000) * Number(find("speed").value);
+    last = stamp;
+    if (time >= film.times[frames - 1]) { time = film.times[frames - 1]; toggle(); }
+    render();
+    if (playing) requestAnimationFrame(tick);
+  }
+
+  function toggle() {
+    playing = !playing;
+    play.textContent = playing ? "Pause" : "Play";
+    if (!playing) return;
+    if (!touched || time >= film.times[frames - 1]) time = film.times[0];
+    touched = true;
+    last = performance.now();
+    requestAnimationFrame(tick);
+  }
+
+  function step(by) {
+    if (playing) toggle();
+    const [low, , share] = place(film.times);
+    const at = share > 0.999 ? low + 1 : low;
+    go(film.times[Math.min(frames - 1, Math.max(0, at + (by > 0 ? 1 : share > 0.001 && share <= 0.999 ? 0 : -1)))]);
+  }
+
+  play.addEventListener("click", toggle);
+  find("crest").addEventListener("click", () => { if (playing) toggle(); go(film.times[film.crest]); });
+  slider.addEventListener("input", () => go(Number(slider.value)));
+  document.addEventListener("keydown", (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.target.tagName === "SELECT") return;
+    const keys = {
+      " ": () => { if (event.target.tagName === "BUTTON") return false; toggle(); },
+      ArrowLeft: () => step(-1),
+      ArrowRight: () => step(1),
+      Home: () => go(film.times[0]),
+      End: () => go(film.times[frames - 1]),
+    };
+    if (keys[event.key] && keys[event.key]() !== false) event.preventDefault();
+  });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => { readInk(); render(); });
+  window.addEventListener("resize", render);
+  readInk();
+  find("player").hidden = false;
+  if (!film.near) find("wall").parentNode.remove();
+  if (!charts.length) find("crest").remove();
+  render();
+})();

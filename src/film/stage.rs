@@ -1,0 +1,111 @@
+//! What stands around the water, and which part of the world a film shows.
+
+use serde::Serialize;
+
+use super::camera::Take;
+use crate::scene::{CaseConfig, Scene, WallChoice};
+
+/// What holds the water at the end of the tank.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum WallKind {
+    /// There are no walls at all.
+    None,
+    /// It stands.
+    Fixed,
+    /// It has a spring behind it.
+    Spring,
+    /// It slides.
+    Caisson,
+}
+
+/// A rectangle of the world, metres.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(super) struct View {
+    pub x0: f64,
+    pub x1: f64,
+    pub y0: f64,
+    pub y1: f64,
+}
+
+/// The part of the tank that follows the wall, metres.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(super) struct Near {
+    /// From its left side to the wall.
+    pub x: f64,
+    /// Its width.
+    pub width: f64,
+}
+
+/// Walls and views, lengths in metres.
+#[derive(Debug, Clone, Serialize)]
+pub(super) struct Stage {
+    pub depth: f64,
+    pub length: f64,
+    pub spacing: f64,
+    pub wall: WallKind,
+    /// Of the wall from the bed, degrees.
+    pub angle: f64,
+    /// How high walls are drawn.
+    pub tall: f64,
+    /// Height of a closed box; none where there is air.
+    pub lid: Option<f64>,
+    /// Where the spring is held.
+    pub post: f64,
+    pub whole: View,
+    /// None where all of the world is near.
+    pub near: Option<Near>,
+}
+
+impl Stage {
+    /// The stage of a case whose water was seen in these instants.
+    pub fn of(config: &CaseConfig, takes: &[Take]) -> Stage {
+        let (scene, frame) = (&config.scene, config.scene.frame());
+        let (depth, length) = (frame.depth, frame.length);
+        let spacing = config.numerics.particle_spacing_m;
+        let (wall, angle) = match scene {
+            Scene::RotatingPatch(_) | Scene::OscillatingDrop(_) => (WallKind::None, 90.0),
+            Scene::Seawall(scene) => match scene.wall {
+                WallChoice::Fixed => (WallKind::Fixed, scene.wall_angle_deg),
+                WallChoice::Movable => (WallKind::Spring, 90.0),
+                WallChoice::Caisson => (WallKind::Caisson, 90.0),
+            },
+            Scene::Hydrostatic(scene) => (WallKind::Fixed, scene.wall_angle_deg),
+            _ => (WallKind::Fixed, 90.0),
+        };
+        let points = || takes.iter().flat_map(|take| &take.points);
+        let extreme = |axis: usize, pick: fn(f64, f64) -> f64, start: f64| {
+            points().map(|point| f64::from(point[axis])).fold(start, pick)
+        };
+        let (low, high) = (f64::NEG_INFINITY, f64::INFINITY);
+        let margin = 0.15 * depth;
+        if wall == WallKind::None {
+            let whole = View {
+                x0: extreme(0, f64::min, high) - margin,
+                x1: extreme(0, f64::max, low) + margin,
+                y0: extreme(1, f64::min, high) - margin,
+                y1: extreme(1, f64::max, low) + margin,
+            };
+            let (tall, lid, post, near) = (0.0, None, 0.0, None);
+            return Stage { depth, length, spacing, wall, angle, tall, lid, post, whole, near };
+        }
+        let lid = matches!(scene, Scene::TaylorGreen(_)).then_some(length);
+        let top = extreme(1, f64::max, depth).min(4.0 * depth);
+        let tall = lid.unwrap_or(top.max(1.3 * depth) + 0.5 * margin);
+        let farthest = takes.iter().map(|take| take.walls[1]).fold(0.0, f64::max);
+        let left = takes.iter().map(|take| take.walls[0]).fold(0.0, f64::min);
+        let post = length + farthest + 0.7 * depth;
+        let lean = (angle - 90.0).to_radians().tan() * tall;
+        let behind = match wall {
+            WallKind::Spring => post + 0.1 * depth,
+            WallKind::Caisson => length + farthest + 0.9 * depth,
+            _ => length + lean.max(0.0) + margin,
+        };
+        let whole = View { x0: left - margin, x1: behind, y0: -margin, y1: tall + 0.5 * margin };
+        let near = scene.seawall().is_some().then(|| {
+            let beyond = behind - length - farthest;
+            Near { x: 2.6 * depth, width: 2.6 * depth + beyond }
+        });
+        Stage { depth, length, spacing, wall, angle, tall, lid, post, whole, near }
+    }
+}

@@ -1,0 +1,238 @@
+//! One frame as a drawing without script.
+
+use std::fmt::Write;
+
+use super::camera::Take;
+use super::scale::{self, Colour};
+use super::stage::{Stage, View, WallKind};
+use crate::math::decimal::significant;
+
+/// Units of the drawing across; a unit is a quarter of a pixel.
+const ACROSS: f64 = 3840.0;
+/// Above and under the water, for words and the scale, in units.
+const ABOVE: f64 = 180.0;
+const UNDER: f64 = 200.0;
+/// Grey of what is solid, on black and on white.
+const SOLID: &str = "#7c8790";
+
+/// What a still shows.
+pub(super) struct Still<'a> {
+    pub stage: &'a Stage,
+    pub take: &'a Take,
+    pub colour: Colour,
+    /// Of the scale of colours.
+    pub end: f64,
+}
+
+/// The top of the water that stands on the bed, in bins along the tank.
+struct Tops {
+    left: f64,
+    /// Width of a bin, metres.
+    wide: f64,
+    /// None where there is no such water.
+    heights: Vec<Option<f64>>,
+}
+
+impl Tops {
+    /// In every bin climbs from the bed, or from a wall that leans over it, until a gap.
+    fn of(stage: &Stage, take: &Take, view: &View) -> Tops {
+        let (left, wide) = (view.x0, 1.5 * stage.spacing);
+        let open = stage.wall != WallKind::None && stage.lid.is_none();
+        let count = if open { ((view.x1 - left) / wide).ceil() as usize } else { 0 };
+        let mut bins = vec![Vec::new(); count];
+        for &[x, y, _] in &take.points {
+            let bin = ((f64::from(x) - left) / wide).floor();
+            if let Some(bin) = (bin >= 0.0).then(|| bins.get_mut(bin as usize)).flatten() {
+                bin.push(f64::from(y));
+            }
+        }
+        let lean = (stage.angle - 90.0).to_radians().tan();
+        let climb = |(bin, mut heights): (usize, Vec<f64>)| {
+            heights.sort_by(f64::total_cmp);
+            let behind = left + (bin as f64 + 0.5) * wide - stage.length - take.walls[1];
+            let mut top = if lean > 0.0 { (behind / lean).max(0.0) } else { 0.0 };
+            let near = |&y: &f64| {
+                let near = y - top <= 2.5 * stage.spacing;
+                top = if near { y } else { top };
+                near
+            };
+            heights.into_iter().take_while(near).last().map(|top| top + 0.5 * stage.spacing)
+        };
+        Tops { left, wide, heights: bins.into_iter().enumerate().map(climb).collect() }
+    }
+
+    /// Between the middles of bins in a straight line.
+    fn at(&self, x: f64) -> Option<f64> {
+        let along = ((x - self.left) / self.wide - 0.5).max(0.0);
+        let bin = along as usize;
+        let low = (*self.heights.get(bin)?)?;
+        let high = self.heights.get(bin + 1).copied().flatten().unwrap_or(low);
+        Some(low + (along - bin as f64) * (high - low))
+    }
+
+    fn line(&self) -> Vec<[f64; 2]> {
+        let x = |bin: usize| self.left + (bin as f64 + 0.5) * self.wide;
+        let points = self.heights.iter().enumerate();
+        points.filter_map(|(bin, top)| Some([x(bin), (*top)?])).collect()
+    }
+}
+
+/// From metres to units.
+struct Sheet {
+    view: View,
+    scale: f64,
+    bottom: f64,
+}
+
+impl Sheet {
+    fn x(&self, x: f64) -> f64 {
+        ((x - self.view.x0) * self.scale).round()
+    }
+
+    fn y(&self, y: f64) -> f64 {
+        (self.bottom - (y - self.view.y0) * self.scale).round()
+    }
+
+    fn shape(&self, text: &mut String, corners: &[[f64; 2]]) {
+        let points = self.points(corners);
+        let _ = writeln!(text, "<polygon fill=\"{SOLID}\" points=\"{points}\"/>");
+    }
+
+    fn line(&self, text: &mut String, corners: &[[f64; 2]]) {
+        let points = self.points(corners);
+        let _ = writeln!(text, "<polyline class=\"stroke\" points=\"{points}\"/>");
+    }
+
+    fn points(&self, corners: &[[f64; 2]]) -> String {
+        let words: Vec<_> =
+            corners.iter().map(|&[x, y]| format!("{},{}", self.x(x), self.y(y))).collect();
+        words.join(" ")
+    }
+}
+
+impl Still<'_> {
+    /// The drawing: the water at the wall, or all of it where there is no wall.
+    pub fn svg(&self, caption: &str) -> String {
+        let whole = self.stage.whole;
+        let view = self.stage.near.map_or(whole, |near| {
+            let x0 = self.stage.length + self.take.walls[1] - near.x;
+            View { x0, x1: x0 + near.width, ..whole }
+        });
+        let scale = ACROSS / (view.x1 - view.x0);
+        let bottom = ABOVE + (view.y1 - view.y0) * scale;
+        let sheet = Sheet { view, scale, bottom };
+        let height = (bottom + UNDER).round();
+        let caption = caption.replace('&', "&amp;").replace('<', "&lt;");
+        let mut text = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"still\" width=\"{}\" height=\"{}\" \
+             viewBox=\"0 0 {ACROSS} {height}\" role=\"img\" aria-label=\"{caption}\">\n<style>\n\
+             .still {{ color: #1c2329; background: #ffffff; }}\n\
+             @media (prefers-color-scheme: dark) {{ .still {{ color: #e4e9ed; background: #14181c; }} }}\n\
+             .still text {{ font: 62px system-ui, \"DejaVu Sans\", sans-serif; fill: currentColor; }}\n\
+             .still .stroke {{ fill: none; stroke: currentColor; stroke-width: 7; stroke-linejoin: round; }}\n\
+             </style>\n<text x=\"60\" y=\"110\">{caption}</text>\n",
+            ACROSS / 4.0,
+            (height / 4.0).round(),
+        );
+        let tops = Tops::of(self.stage, self.take, &view);
+        self.water(&mut text, &sheet, &tops);
+        if self.stage.wall != WallKind::None {
+            self.solids(&mut text, &sheet, &tops);
+        }
+        self.scale(&mut text, bottom + 70.0);
+        text + "</svg>\n"
+    }
+
+    /// Particles as upright strokes, a path for each colour. Rows part where water is pushed up: under
+    /// the surface a particle is drawn tall.
+    fn water(&self, text: &mut String, sheet: &Sheet, tops: &Tops) {
+        let spacing = self.stage.spacing;
+        let breadth = (1.4 * spacing * sheet.scale).max(4.0).round();
+        let _ = writeln!(text, "<g fill=\"none\" stroke-width=\"{breadth}\">");
+        let mut paths = vec![(String::new(), [0.0; 2]); scale::LEVELS];
+        for &[x, y, value] in &self.take.points {
+            let (x, y) = (f64::from(x), f64::from(y));
+            if x < sheet.view.x0 - spacing || x > sheet.view.x1 || y > sheet.view.y1 {
+                continue;
+            }
+            let (down, up) = match tops.at(x) {
+                Some(top) if y <= top => (1.25 * spacing, (1.25 * spacing).min(top - y)),
+                _ => (0.6 * spacing, 0.6 * spacing),
+            };
+            let (foot, head) = ([sheet.x(x), sheet.y(y - down)], sheet.y(y + up));
+            let (path, from) = &mut paths[scale::level(value, self.end).round() as usize];
+            let _ = write!(path, "m{} {}v{}", foot[0] - from[0], foot[1] - from[1], head - foot[1]);
+            *from = [foot[0], head];
+        }
+        for (colour, (path, _)) in scale::colours().iter().zip(&paths) {
+            if !path.is_empty() {
+                let _ = writeln!(text, "<path stroke=\"{colour}\" d=\"{path}\"/>");
+            }
+        }
+        text.push_str("</g>\n");
+    }
+
+    fn solids(&self, text: &mut String, sheet: &Sheet, tops: &Tops) {
+        let (stage, view) = (self.stage, sheet.view);
+        sheet.line(text, &tops.line());
+        let (bed, top, thick) = (0.0, stage.tall, 0.12 * stage.depth);
+        let (left, right) = (self.take.walls[0], stage.length + self.take.walls[1]);
+        let (x0, x1, y0) = (view.x0, view.x1, view.y0);
+        sheet.shape(text, &[[x0, bed], [x1, bed], [x1, y0], [x0, y0]]);
+        if left > x0 {
+            let back = (left - thick).max(x0);
+            sheet.shape(text, &[[back, bed], [left, bed], [left, top], [back, top]]);
+        }
+        let lean = (stage.angle - 90.0).to_radians().tan() * top;
+        let broad = if stage.wall == WallKind::Caisson { 0.8 * stage.depth } else { thick };
+        let far = right + broad;
+        sheet.shape(text, &[[right, bed], [right + lean, top], [far + lean, top], [far, bed]]);
+        if stage.wall == WallKind::Spring {
+            self.spring(text, sheet, right + thick);
+        }
+    }
+
+    fn spring(&self, text: &mut String, sheet: &Sheet, from: f64) {
+        let (stage, turns) = (self.stage, 13);
+        let post = stage.post.min(sheet.view.x1 - 0.06 * stage.depth);
+        let (y, swing) = (0.5 * stage.depth, 0.1 * stage.depth);
+        let corner = |turn: i32| {
+            let aside = match turn {
+                0 | 12 => 0.0,
+                turn if turn % 2 == 1 => -swing,
+                _ => swing,
+            };
+            [from + (post - from) * (f64::from(turn) + 0.5) / f64::from(turns), y + aside]
+        };
+        let corners: Vec<_> = std::iter::once([from, y])
+            .chain((0..turns).map(corner))
+            .chain(std::iter::once([post, y]))
+            .collect();
+        sheet.line(text, &corners);
+        let far = post + 0.06 * stage.depth;
+        sheet.shape(text, &[[post, 0.0], [far, 0.0], [far, stage.depth], [post, stage.depth]]);
+    }
+
+    /// The colours and what they mean.
+    fn scale(&self, text: &mut String, top: f64) {
+        let (name, unit, units) = self.colour.told();
+        let (from, wide) = (620.0, 16.0);
+        let baseline = top + 58.0;
+        let _ = writeln!(
+            text,
+            "<text x=\"{}\" y=\"{baseline}\" text-anchor=\"end\">{name}: 0</text>",
+            from - 30.0
+        );
+        for (level, colour) in scale::colours().iter().enumerate() {
+            let x = from + wide * level as f64;
+            let _ = writeln!(
+                text,
+                "<rect x=\"{x}\" y=\"{top}\" width=\"{}\" height=\"70\" fill=\"{colour}\"/>",
+                wide + 8.0
+            );
+        }
+        let (x, end) =
+            (from + wide * scale::LEVELS as f64 + 30.0, significant(self.end / units, 3));
+        let _ = writeln!(text, "<text x=\"{x}\" y=\"{baseline}\">{end} {unit}</text>");
+    }
+}

@@ -1,0 +1,140 @@
+//! Whether a case that ran once more has left the same as before, to the bit.
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use csv::StringRecord;
+
+use super::error::SweepError;
+use super::record::CaseRecord;
+use super::{files, journal, summary};
+use crate::quantities::summary::{CASE_ID, WALL_TIME};
+use crate::simulation::CaseResult;
+use crate::study::{Case, Study};
+
+/// The finished cases and companions of a study that a directory holds, in the order of
+/// [`Study::runs`], from its journal alone.
+///
+/// # Errors
+/// A journal that cannot be read.
+pub fn finished(directory: &Path, study: &Study) -> Result<Vec<Option<CaseRecord>>, SweepError> {
+    let lines = journal::read_journal(directory)?.map_or_else(Vec::new, |(_, lines)| lines);
+    let places: HashMap<_, _> = study.runs().map(|case| (case.id, case.index)).collect();
+    let mut records = vec![None; study.run_count()];
+    for record in lines {
+        if let Some(&index) = places.get(&record.id) {
+            records[index] = Some(CaseRecord { index, ..record });
+        }
+    }
+    Ok(records)
+}
+
+/// The first difference between a case's new result and its row in `summary.csv` and its history in a
+/// directory, in words; `None` where all but the wall time is the same to the bit.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn first_difference(
+    directory: &Path,
+    study: &Study,
+    case: &Case,
+    result: &CaseResult,
+) -> Result<Option<String>, SweepError> {
+    let mut records = finished(directory, study)?;
+    let record = CaseRecord::new(study, case, &Ok(result.clone()), 0.0, "");
+    if let Some(place) = records.get_mut(case.index) {
+        *place = Some(record);
+    }
+    let path = directory.join("summary.csv");
+    let wrong = |error: csv::Error| SweepError::io(&path)(error.into());
+    let new = summary::table(study, &records).map_err(wrong)?;
+    let old = std::fs::read(&path).map_err(SweepError::io(&path))?;
+    let id = case.id.to_string();
+    let row = |bytes: &[u8]| row_of(bytes, &id).map_err(wrong);
+    let difference = in_rows(row(&old)?, row(&new)?);
+    if difference.is_some() {
+        return Ok(difference);
+    }
+    let path = files::history_path(directory, case.id);
+    let old = std::fs::read_to_string(&path).map_err(SweepError::io(&path))?;
+    Ok(in_lines(&old, &files::history(&result.history)))
+}
+
+/// Column names and cells of a case.
+fn row_of(bytes: &[u8], id: &str) -> csv::Result<(StringRecord, Option<StringRecord>)> {
+    let mut reader = csv::Reader::from_reader(bytes);
+    let header = reader.headers()?.clone();
+    let place = header.iter().position(|name| name == CASE_ID.name).unwrap_or(0);
+    let rows = reader.records().collect::<csv::Result<Vec<_>>>()?;
+    Ok((header, rows.into_iter().find(|row| row.get(place) == Some(id))))
+}
+
+fn in_rows(
+    (old_header, old): (StringRecord, Option<StringRecord>),
+    (new_header, new): (StringRecord, Option<StringRecord>),
+) -> Option<String> {
+    let (Some(old), Some(new)) = (old, new) else {
+        return Some("summary.csv has no row of this case".to_owned());
+    };
+    if old_header != new_header {
+        return Some("summary.csv has other columns than this program writes".to_owned());
+    }
+    let cells = old_header.iter().zip(old.iter().zip(&new));
+    let differs = |&(name, (old, new)): &(&str, (&str, &str))| name != WALL_TIME.name && old != new;
+    let told = |(name, (old, new))| format!("summary.csv has {name} = {old}, not {new}");
+    cells.filter(|cell| differs(cell)).map(told).next()
+}
+
+fn in_lines(old: &str, new: &str) -> Option<String> {
+    let pairs = old.lines().zip(new.lines()).enumerate();
+    let told = |(at, (old, new))| format!("line {} of the history is {old}, not {new}", at + 1);
+    let first = pairs.filter(|(_, (old, new))| old != new).map(told).next();
+    let [lines, now] = [old, new].map(|text| text.lines().count());
+    first.or_else(|| (old != new).then(|| format!("the history has {lines} lines, not {now}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::made_up::made_up;
+    use super::super::{Directory, OpenMode};
+    use super::*;
+    use crate::math::simd::SimdPath;
+    use crate::study::SweepFile;
+
+    #[test]
+    fn a_planted_difference_is_told() {
+        let root = tempfile::tempdir().unwrap();
+        let text = "name = \"a\"\n[grid]\nwave_height_ratio = [0.2, 0.3]";
+        let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
+        let path = root.path().join("run");
+        let open = Directory::open(&path, &study, OpenMode::Resume, None, SimdPath::Portable);
+        let (mut directory, _) = open.unwrap();
+        for case in &study.cases {
+            let result = made_up(&case.config);
+            let record = CaseRecord::new(&study, case, &Ok(result.clone()), 1.0, "here");
+            directory.record(record, Some(&result)).unwrap();
+        }
+        directory.sync(true).unwrap();
+        directory.write_tables(&study).unwrap();
+        let case = &study.cases[1];
+        let told = |result: &CaseResult| {
+            first_difference(&path, &study, case, result).unwrap().unwrap_or_default()
+        };
+        let result = made_up(&case.config);
+        assert_eq!(told(&result), "");
+        let mut planted = result.clone();
+        planted.outcome.force_max.value =
+            f64::from_bits(result.outcome.force_max.value.to_bits() + 1);
+        assert!(told(&planted).starts_with("summary.csv has force_max = "), "{}", told(&planted));
+        let mut planted = result.clone();
+        planted.history[7].runup = 0.5;
+        assert!(told(&planted).starts_with("line 9 of the history is "), "{}", told(&planted));
+        planted.history.clone_from(&result.history);
+        planted.history.pop();
+        assert!(
+            told(&planted).starts_with("the history has 21 lines, not 20"),
+            "{}",
+            told(&planted)
+        );
+    }
+}
