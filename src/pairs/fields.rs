@@ -1,5 +1,6 @@
 //! Fields of the water, eight particles at a time.
 
+use super::record::Record;
 use crate::math::simd::{LANES, Lanes, Task, Vector};
 
 /// Eight particles that are computed together. Fields are those of all water; rows are those of the
@@ -56,6 +57,20 @@ impl Here {
             [first[lane], second[lane]] = *numbers;
         }
         [R::load(&first), R::load(&second)]
+    }
+
+    /// Some of the numbers that their records have: see [`Record`].
+    #[inline(always)]
+    pub fn slots<R: Vector, const N: usize>(self, records: &[Record], slots: [usize; N]) -> [R; N] {
+        let mut values = [R::splat(0.0); N];
+        for n in 0..N {
+            let mut eight = [0.0; LANES];
+            for (value, record) in eight.iter_mut().zip(self.eight(records)) {
+                *value = record.0[slots[n]];
+            }
+            values[n] = R::load(&eight);
+        }
+        values
     }
 
     /// Their values in the rows.

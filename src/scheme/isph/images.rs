@@ -7,15 +7,13 @@
 //! image of j is as far from i as the image of i from j.
 
 use super::Isph;
+use super::state::Carried;
 use crate::body::BodyMotion;
 
-/// The water, padded to whole vectors by points without volume, and its images behind it.
+/// What images take from their originals and their walls, an entry for each point of the neighbourhood:
+/// the water, some padding, and its images.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Points {
-    pub x: Vec<f64>,
-    pub y: Vec<f64>,
-    /// m².
-    pub volume: Vec<f64>,
     /// The fluid particle itself, or the original of an image.
     pub original: Vec<u32>,
     /// Body of an image; `NO_BODY` for the fluid.
@@ -27,14 +25,8 @@ pub(super) struct Points {
 }
 
 impl Points {
-    /// Number of points, the padding of the water among them.
-    pub fn len(&self) -> usize {
-        self.x.len()
-    }
-
     pub fn clear(&mut self) {
-        let Points { x, y, volume, original, body, turn, walls } = self;
-        [x, y, volume].into_iter().for_each(Vec::clear);
+        let Points { original, body, turn, walls } = self;
         original.clear();
         body.clear();
         turn.clear();
@@ -42,9 +34,6 @@ impl Points {
     }
 
     pub fn push(&mut self, point: &Point) {
-        self.x.push(point.place[0]);
-        self.y.push(point.place[1]);
-        self.volume.push(point.volume);
         self.original.push(point.original);
         self.body.push(point.body);
         self.turn.push(point.turn);
@@ -100,9 +89,25 @@ pub(super) fn turned([a, b, c, d]: [f64; 4], [xx, xy, yy]: [f64; 3]) -> [f64; 3]
 }
 
 impl Isph {
-    /// The fluid at r* = r + ½ u Δt and its images in the walls where they will then be. Gravity's
-    /// own g Δt² is left out of Eq. 8, so that still water stays exactly where it is.
+    /// Puts the particles into the order of the places that they will have in the middle of the step.
+    pub(super) fn sort(&mut self, dt: f64) {
+        let Carried { pressure, older_pressure, aim, response } = &mut self.carried;
+        let fields = [pressure, older_pressure, aim, response];
+        self.near.sort(&mut self.fluid, fields, 0.5 * dt);
+    }
+
+    /// The fluid at r* = r + ½ u Δt and its images in the walls where they will then be, with the
+    /// neighbours of all particles. Gravity's own g Δt² is left out of Eq. 8, so that still water stays
+    /// exactly where it is.
     pub(super) fn list_points(&mut self, bodies: &[BodyMotion], dt: f64) {
+        self.find_images(bodies, dt);
+        let (water, images) = self.loose.split_at(self.fluid.len());
+        let which = self.near.list(water, images, |point| (point.place, point.volume));
+        self.points.clear();
+        which.for_each(|k| self.points.push(&self.loose[k]));
+    }
+
+    fn find_images(&mut self, bodies: &[BodyMotion], dt: f64) {
         let options = &self.options;
         let fluid = &self.fluid;
         let density = options.density;
