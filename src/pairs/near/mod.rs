@@ -99,47 +99,45 @@ impl Near {
         }
     }
 
-    /// Takes up the sorted water and its images, of which `of` tells place and volume, and lists the
-    /// neighbours of every particle. Returns which each point is, counted through water and images.
-    pub fn list<P>(
+    /// Takes up so many particles, sorted, and their images behind them, of which `of` tells place and
+    /// volume, and lists the neighbours of every particle. Leaves all in the order of the points.
+    pub fn list<P: Copy>(
         &mut self,
-        water: &[P],
-        images: &[P],
+        water: usize,
+        all: &[P],
+        points: &mut Vec<P>,
         of: impl Fn(&P) -> ([f64; 2], f64),
-    ) -> impl Iterator<Item = usize> {
-        let n = water.len();
-        let padded = n.next_multiple_of(LANES);
-        self.water = n;
-        let bounds = self.sort_images(images.iter().map(|image| of(image).0));
+    ) {
+        let padded = water.next_multiple_of(LANES);
+        self.water = water;
+        let bounds = self.sort_images(all[water..].iter().map(|image| of(image).0));
         let Near { path, radius, places: [x, y], volume, records, order, .. } = self;
-        let (strips, image_strips, pairs) = (&self.strips, &self.image_strips, &mut self.list);
+        points.clear();
+        points.extend_from_slice(&all[..water]);
+        points.extend(all[..water].last().into_iter().cycle().take(padded - water));
+        points.extend(order.iter().map(|&k| all[water + k as usize]));
         [&mut *x, &mut *y, &mut *volume].into_iter().for_each(Vec::clear);
         records.clear();
-        let numbers = (0..n)
-            .chain(std::iter::repeat_n(n.saturating_sub(1), padded - n))
-            .chain(order.iter().map(move |&k| n + k as usize));
-        for (e, k) in numbers.clone().enumerate() {
-            let ([px, py], of_volume) = of(if k < n { &water[k] } else { &images[k - n] });
-            let own_volume = if (n..padded).contains(&e) { 0.0 } else { of_volume };
+        for (e, ([px, py], of_volume)) in points.iter().map(of).enumerate() {
+            let of_volume = if (water..padded).contains(&e) { 0.0 } else { of_volume };
             x.push(px);
             y.push(py);
-            volume.push(own_volume);
-            records.push(Record([px, py, 0.0, 0.0, own_volume, 0.0, 0.0, 0.0]));
+            volume.push(of_volume);
+            records.push(Record([px, py, 0.0, 0.0, of_volume, 0.0, 0.0, 0.0]));
         }
-        let (reach, count) = (*radius, x.len());
+        let (strips, image_strips, count) = (&self.strips, &self.image_strips, x.len());
         let set = |strips, range: Range<usize>, bounds| PointSet {
             strips,
             x: &x[range.clone()],
             y: &y[range.clone()],
             offset: 0.0,
             first: range.start as u32,
-            reach,
+            reach: *radius,
             bounds,
         };
         let sets =
-            [set(strips, 0..n, PointSet::EVERYWHERE), set(image_strips, padded..count, bounds)];
-        build_pair_list(*path, &x[..padded], &y[..padded], &sets, pairs);
-        numbers
+            [set(strips, 0..water, PointSet::EVERYWHERE), set(image_strips, padded..count, bounds)];
+        build_pair_list(*path, &x[..padded], &y[..padded], &sets, &mut self.list);
     }
 
     /// Sorts the places of images; returns the box that they fill.

@@ -11,6 +11,8 @@ use crate::pairs::term::Eight;
 pub trait Coupling: Copy {
     /// What it reads of the particle itself.
     type Own<R: Vector>: Copy;
+    /// The particle that a point is, or is the image of.
+    fn original(&self, point: usize) -> u32;
     /// Reads the particle itself.
     fn own<R: Vector>(&self, here: Here) -> Self::Own<R>;
     /// The coupling; none where none of the pairs is to have an entry.
@@ -68,7 +70,6 @@ impl Rows {
 struct Assemble<'a, C> {
     near: &'a Near,
     coupling: C,
-    originals: &'a [u32],
     rows: &'a mut Rows,
     matrix: &'a mut Csr,
 }
@@ -78,7 +79,7 @@ impl<C: Coupling> Task for Assemble<'_, C> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Assemble { near, coupling, originals, rows, matrix } = self;
+        let Assemble { near, coupling, rows, matrix } = self;
         let zero = L::splat(0.0);
         for cluster in 0..near.list.clusters() {
             let here = Here::new(cluster, cluster);
@@ -90,7 +91,7 @@ impl<C: Coupling> Task for Assemble<'_, C> {
                 let Some(mut weight) = coupling.of(&own, &near.pair(places, e, slope)) else {
                     continue;
                 };
-                let j = originals[e as usize];
+                let j = coupling.original(e as usize);
                 if j as usize / LANES == cluster {
                     // With itself or its own image: the same pressure.
                     let mut others = weight.to_array();
@@ -109,13 +110,7 @@ impl<C: Coupling> Task for Assemble<'_, C> {
 
 impl Near {
     /// Makes a matrix of the rows Σ_j w_ij (p_i - p_j), the value at a point being that at its original.
-    pub fn couple(
-        &self,
-        coupling: impl Coupling,
-        originals: &[u32],
-        rows: &mut Rows,
-        matrix: &mut Csr,
-    ) {
+    pub fn couple(&self, coupling: impl Coupling, rows: &mut Rows, matrix: &mut Csr) {
         matrix.clear();
         if matrix.columns.capacity() == 0 {
             // Half of all listed pairs are in reach: room for later and longer lists.
@@ -123,6 +118,6 @@ impl Near {
             matrix.values.reserve(self.pairs());
         }
         rows.slot.resize(self.water, 0);
-        dispatch(self.path, Assemble { near: self, coupling, originals, rows, matrix });
+        dispatch(self.path, Assemble { near: self, coupling, rows, matrix });
     }
 }

@@ -3,6 +3,7 @@
 use std::cell::Cell;
 
 use super::Isph;
+use super::images::Point;
 use super::operators::Operators;
 use crate::pairs::{Eight, Here, Near, Neighbour, Other, Pair, Real, Record, Term};
 
@@ -54,8 +55,7 @@ struct Reaction<'a> {
     records: &'a [Record],
     /// V_i, padded.
     volume: &'a [f64],
-    /// Body of each point.
-    body: &'a [u8],
+    points: &'a [Point],
     forces: &'a [Cell<f64>],
 }
 
@@ -82,7 +82,7 @@ impl Term for Reaction<'_> {
         let [gx, gy] = pair.gradient();
         let [xx, xy, _] = other.pressure::<R>();
         let along = (gx * (xx + own_xx)) + gy * (xy + own_xy);
-        let force = &self.forces[self.body[other.number] as usize];
+        let force = &self.forces[self.points[other.number].body as usize];
         force.set(force.get() + (volume * along).total());
     }
 }
@@ -97,7 +97,7 @@ impl Isph {
         self.near.over_images(Reaction {
             records: &self.near.records,
             volume: &self.near.volume,
-            body: &self.points.body,
+            points: &self.points,
             forces: Cell::from_mut(&mut self.forces[..]).as_slice_of_cells(),
         });
     }

@@ -10,37 +10,6 @@ use super::Isph;
 use super::state::Carried;
 use crate::body::BodyMotion;
 
-/// What images take from their originals and their walls, an entry for each point of the neighbourhood:
-/// the water, some padding, and its images.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Points {
-    /// The fluid particle itself, or the original of an image.
-    pub original: Vec<u32>,
-    /// Body of an image; `NO_BODY` for the fluid.
-    pub body: Vec<u8>,
-    /// Reflection of the original, by rows; the identity for the fluid.
-    pub turn: Vec<[f64; 4]>,
-    /// What an image takes from its walls.
-    pub walls: Vec<WallTerms>,
-}
-
-impl Points {
-    pub fn clear(&mut self) {
-        let Points { original, body, turn, walls } = self;
-        original.clear();
-        body.clear();
-        turn.clear();
-        walls.clear();
-    }
-
-    pub fn push(&mut self, point: &Point) {
-        self.original.push(point.original);
-        self.body.push(point.body);
-        self.turn.push(point.turn);
-        self.walls.push(point.walls);
-    }
-}
-
 /// What the walls add to an image, at known accelerations or per unit of an unknown one.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct WallTerms {
@@ -58,15 +27,37 @@ pub(super) struct WallTerms {
 
 pub(super) const NO_BODY: u8 = u8::MAX;
 
-/// One point, before it is sorted in.
+/// A particle or an image of one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Point {
     pub place: [f64; 2],
+    /// m².
     pub volume: f64,
+    /// The fluid particle itself, or the original of an image.
     pub original: u32,
+    /// Body of an image; `NO_BODY` for the fluid.
     pub body: u8,
+    /// Reflection T of the original, by rows; the identity for the fluid.
     pub turn: [f64; 4],
+    /// What an image takes from its walls.
     pub walls: WallTerms,
+}
+
+impl Point {
+    /// T u for a vector of the original.
+    #[inline(always)]
+    pub fn turned(&self, [u, v]: [f64; 2]) -> [f64; 2] {
+        let [a, b, c, d] = self.turn;
+        [a * u + b * v, c * u + d * v]
+    }
+
+    /// T C Tᵀ for a symmetric C of the original, both by components xx, xy, yy.
+    pub fn turned_tensor(&self, [xx, xy, yy]: [f64; 3]) -> [f64; 3] {
+        let [a, b, c, d] = self.turn;
+        let (p, q) = (a * xx + b * xy, a * xy + b * yy);
+        let (r, s) = (c * xx + d * xy, c * xy + d * yy);
+        [p * a + q * b, p * c + q * d, r * c + s * d]
+    }
 }
 
 /// H T with H = I - 2 n nᵀ.
@@ -79,13 +70,6 @@ fn reflected([nx, ny]: [f64; 2], [a, b, c, d]: [f64; 4]) -> [f64; 4] {
 fn mirrored([nx, ny]: [f64; 2], [u, v]: [f64; 2], w: f64) -> [f64; 2] {
     let across = 2.0 * ((w - u) * nx - v * ny);
     [u + across * nx, v + across * ny]
-}
-
-/// T C Tᵀ for a symmetric C, both by components xx, xy, yy.
-pub(super) fn turned([a, b, c, d]: [f64; 4], [xx, xy, yy]: [f64; 3]) -> [f64; 3] {
-    let (p, q) = (a * xx + b * xy, a * xy + b * yy);
-    let (r, s) = (c * xx + d * xy, c * xy + d * yy);
-    [p * a + q * b, p * c + q * d, r * c + s * d]
 }
 
 impl Isph {
@@ -101,10 +85,8 @@ impl Isph {
     /// exactly where it is.
     pub(super) fn list_points(&mut self, bodies: &[BodyMotion], dt: f64) {
         self.find_images(bodies, dt);
-        let (water, images) = self.loose.split_at(self.fluid.len());
-        let which = self.near.list(water, images, |point| (point.place, point.volume));
-        self.points.clear();
-        which.for_each(|k| self.points.push(&self.loose[k]));
+        let (water, points) = (self.fluid.len(), &mut self.points);
+        self.near.list(water, &self.loose, points, |point| (point.place, point.volume));
     }
 
     fn find_images(&mut self, bodies: &[BodyMotion], dt: f64) {

@@ -3,7 +3,7 @@
 use super::divergence::divergence;
 use super::exact::Exact;
 use super::gradient::gradient;
-use super::images::Points;
+use super::images::Point;
 use super::operators::Operators;
 use crate::math::simd::SimdPath;
 use crate::math::sparse::{Csr, Preconditioner, Product};
@@ -19,7 +19,7 @@ pub(super) struct ExactLaplacian<'a> {
     pub path: SimdPath,
     /// p L and ∇p are put into the records.
     pub near: &'a mut Near,
-    pub points: &'a Points,
+    pub points: &'a [Point],
     pub operators: &'a Operators,
     /// L of every point, turned as its image is.
     pub turned: &'a [[f64; 3]],
@@ -39,19 +39,17 @@ impl Product for ExactLaplacian<'_> {
         for ((at, correction), p) in water.iter_mut().zip(self.turned).zip(x) {
             at.set_pressure(correction.map(|c| c * p));
         }
-        let rest = self.turned[n..].iter().zip(&points.original[n..]);
-        for (at, (correction, &j)) in images.iter_mut().zip(rest) {
-            at.set_pressure(correction.map(|c| c * x[j as usize]));
+        for ((at, correction), point) in images.iter_mut().zip(&self.turned[n..]).zip(&points[n..])
+        {
+            at.set_pressure(correction.map(|c| c * x[point.original as usize]));
         }
         gradient((self.near, operators), x, slope);
         let (water, images) = self.near.records.split_at_mut(n);
         for (at, slope) in water.iter_mut().zip(&*slope) {
             at.set_velocity(*slope);
         }
-        let rest = points.turn[n..].iter().zip(&points.original[n..]);
-        for (at, ([a, b, c, d], &j)) in images.iter_mut().zip(rest) {
-            let [u, v] = slope[j as usize];
-            at.set_velocity([a * u + b * v, c * u + d * v]);
+        for (at, point) in images.iter_mut().zip(&points[n..]) {
+            at.set_velocity(point.turned(slope[point.original as usize]));
         }
         divergence((self.near, operators), slope, y);
         for (i, y) in y.iter_mut().enumerate() {

@@ -1,7 +1,6 @@
 //! What a particle's support is good for: its moments, and the correction of gradients.
 
 use super::Isph;
-use super::images::turned;
 use super::lattice::Even;
 
 /// The correction of gradients fades from the moment's inverse, above this eigenvalue, ...
@@ -91,12 +90,10 @@ impl Isph {
 
     /// L of every point, turned as its image is.
     pub(super) fn turn_corrections(&mut self) {
-        let (points, correction) = (&self.points, &self.operators.correction);
+        let correction = &self.operators.correction;
+        let turned = self.points.iter().map(|p| p.turned_tensor(correction[p.original as usize]));
         self.turned.clear();
-        self.turned.extend(
-            (points.turn.iter().zip(&points.original))
-                .map(|(&turn, &j)| turned(turn, correction[j as usize])),
-        );
+        self.turned.extend(turned);
     }
 }
 

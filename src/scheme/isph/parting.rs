@@ -39,7 +39,7 @@ impl Isph {
                 if square >= reach * reach || square < 1e-12 * reach * reach {
                     continue;
                 }
-                let j = self.points.original[e] as usize;
+                let j = self.points[e].original as usize;
                 let other = self.near_surface_share(j);
                 let length = (0.5 * per_speed * (self.speed(i) + self.speed(j))).min(limit);
                 let factor = 0.5 * (own + other) * length * (1.0 / square.sqrt() - 1.0 / reach);
@@ -47,7 +47,7 @@ impl Isph {
                 lifted += self.shove(i, [-dx, -dy]);
                 if other == 0.0 {
                     // Its own turn passes it by.
-                    let [a, b, c, d] = self.points.turn[e];
+                    let [a, b, c, d] = self.points[e].turn;
                     lifted += self.shove(j, [a * dx + c * dy, b * dx + d * dy]);
                 }
             }

@@ -3,7 +3,7 @@
 use super::Isph;
 use super::divergence::divergence;
 use super::gradient::gradient;
-use super::images::{NO_BODY, WallTerms};
+use super::images::{NO_BODY, Point, WallTerms};
 
 /// Which pressure a gradient is taken of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,22 +22,21 @@ impl Isph {
         let options = &self.options;
         let gravity = options.density * options.gravity;
         let carried = &self.carried;
-        let points = &self.points;
-        let height = &self.near.places[1];
-        for (e, at) in self.near.records.iter_mut().enumerate() {
-            let j = points.original[e] as usize;
-            let walls = &points.walls[e];
+        let points = self.points.iter().zip(&self.turned);
+        for (at, (point, turned)) in self.near.records.iter_mut().zip(points) {
+            let Point { original, walls, place: [_, y], .. } = point;
+            let j = *original as usize;
             let p = match source {
                 Source::Pressure => {
-                    self.pressure[j] + walls.pressure + gravity * (options.still_level - height[e])
+                    self.pressure[j] + walls.pressure + gravity * (options.still_level - y)
                 }
                 Source::Walls => walls.pressure_response,
                 Source::Response => carried.response[j] + walls.pressure_response,
             };
-            if points.body[e] == NO_BODY {
+            if point.body == NO_BODY {
                 self.own_pressure[j] = p;
             }
-            at.set_pressure(self.turned[e].map(|correction| correction * p));
+            at.set_pressure(turned.map(|correction| correction * p));
         }
     }
 
@@ -53,12 +52,10 @@ impl Isph {
 
     /// The velocities at hand as the walls mirror them.
     pub(super) fn mirror(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2]) {
-        let points = &self.points;
-        for (e, at) in self.near.records.iter_mut().enumerate() {
-            let [u, v] = self.velocities[points.original[e] as usize];
-            let [a, b, c, d] = points.turn[e];
-            let [wx, wy] = walls(&points.walls[e]);
-            at.set_velocity([a * u + b * v + wx, c * u + d * v + wy]);
+        for (at, point) in self.near.records.iter_mut().zip(&self.points) {
+            let [u, v] = point.turned(self.velocities[point.original as usize]);
+            let [wall_u, wall_v] = walls(&point.walls);
+            at.set_velocity([u + wall_u, v + wall_v]);
         }
     }
 

@@ -1,6 +1,7 @@
 //! Readings of the water: levels, and the pressure along a face.
 
 use super::Isph;
+use super::images::Point;
 use crate::body::BodyMotion;
 use crate::water::first_level;
 
@@ -32,11 +33,10 @@ impl Isph {
         for cell in 0..cells as usize {
             let place = line((cell as f64 + 0.5) * height);
             let [coverage, mean] = self.near.average(place, |k| {
-                let j = self.points.original[k] as usize;
+                let Point { original, walls, .. } = &self.points[k];
+                let j = *original as usize;
                 let response = self.carried.response.get(j).copied().unwrap_or(0.0);
-                self.pressure[j]
-                    + self.points.walls[k].pressure
-                    + responds * (response + self.points.walls[k].pressure_response)
+                self.pressure[j] + walls.pressure + responds * (response + walls.pressure_response)
             });
             let dynamic = mean / coverage.max(1e-3);
             let pressure = dynamic + gravity * (options.still_level - place[1]);

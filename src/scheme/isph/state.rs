@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::exact::Exact;
-use super::images::{Point, Points};
+use super::images::Point;
 use super::lattice::{Even, even_water};
 use super::operators::Operators;
 use super::options::IsphOptions;
@@ -66,7 +66,8 @@ pub struct Isph {
     pub(super) planes: Vec<Plane>,
     /// The water and its images, before these are sorted.
     pub(super) loose: Vec<Point>,
-    pub(super) points: Points,
+    /// The same in the order of the neighbourhood, with some padding between.
+    pub(super) points: Vec<Point>,
     pub(super) near: Near,
     pub(super) operators: Operators,
     /// L of every point, turned as its image is.
@@ -120,7 +121,7 @@ impl Isph {
             face_offsets: Vec::new(),
             planes: Vec::new(),
             loose: Vec::new(),
-            points: Points::default(),
+            points: Vec::new(),
             near: Near::new(path, options.kernel, options.support_radius, options.spacing),
             operators: Operators::default(),
             turned: Vec::new(),

@@ -1,7 +1,7 @@
 //! The free surface: which particles are at it, and where its zero pressure takes hold.
 
 use super::Isph;
-use super::images::Points;
+use super::images::Point;
 use crate::pairs::{Eight, Here, Neighbour, Other, Pair, Real, Term};
 
 /// A particle is at the surface where ∇·r is below this (Liang et al. 2017, Eq. 13).
@@ -15,7 +15,7 @@ const CLOSEST: f64 = 0.25;
 /// normal.
 #[derive(Clone, Copy)]
 struct Above<'a> {
-    points: &'a Points,
+    points: &'a [Point],
     at_surface: &'a [bool],
     sway: &'a [[f64; 2]],
 }
@@ -36,13 +36,13 @@ impl Term for Above<'_> {
         other: Other<'_, N>,
         [weight, height, up_x, up_y]: &mut [R; 4],
     ) {
-        let original = self.points.original[other.number] as usize;
+        let point = &self.points[other.number];
+        let original = point.original as usize;
         if !self.at_surface[original] {
             return;
         }
-        let [nx, ny] = normal(self.sway[original]);
-        let [a, b, c, d] = self.points.turn[other.number];
-        let to = [R::splat(a * nx + b * ny), R::splat(c * nx + d * ny)];
+        let [nx, ny] = point.turned(normal(self.sway[original]));
+        let to = [R::splat(nx), R::splat(ny)];
         let ([gx, gy], g) = (pair.gradient(), pair.slope());
         *weight = *weight - g;
         *height = gx.mul_add(to[0], gy.mul_add(to[1], *height));

@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use super::Isph;
 use super::divergence::strain;
-use super::images::{NO_BODY, turned};
+use super::images::{NO_BODY, Point};
 use crate::pairs::{Eight, Here, Neighbour, Other, Pair, Real, Record, Term};
 
 /// Viscous accelerations: 2 ν Σ F (u_j - u_i), Liang et al. 2017, Eq. 3, and α h c Σ F π Δ with π =
@@ -14,8 +14,7 @@ use crate::pairs::{Eight, Here, Neighbour, Other, Pair, Real, Record, Term};
 struct Drag<'a> {
     /// Of every point, images too: u, and the strain in place of the pressure.
     records: &'a [Record],
-    /// Body of each point.
-    body: &'a [u8],
+    points: &'a [Point],
     /// α h c.
     artificial: f64,
     /// 2 ν.
@@ -63,7 +62,7 @@ impl Term for Drag<'_> {
         let (x, y) = (factor.mul_add(dx, weight * du), factor.mul_add(dy, weight * dv));
         *along += x;
         *up += y;
-        let body = self.body[other.number];
+        let body = self.points[other.number].body;
         if body != NO_BODY {
             let force = &self.on_bodies[body as usize];
             force.set(force.get() - (mass * x).total());
@@ -89,14 +88,13 @@ impl Isph {
         if artificial + options.viscosity == 0.0 {
             return;
         }
-        let points = &self.points;
-        for (e, at) in self.near.records.iter_mut().enumerate() {
-            let [p, q] = self.strain[points.original[e] as usize];
-            at.set_pressure(turned(points.turn[e], [p, q, -p]));
+        for (at, point) in self.near.records.iter_mut().zip(&self.points) {
+            let [p, q] = self.strain[point.original as usize];
+            at.set_pressure(point.turned_tensor([p, q, -p]));
         }
         let terms = Drag {
             records: &self.near.records,
-            body: &points.body,
+            points: &self.points,
             artificial,
             physical: 2.0 * options.viscosity,
             least: 1e-12 * options.spacing * options.spacing,
