@@ -37,6 +37,8 @@ pub struct Near {
     pub places: [Vec<f64>; 2],
     /// Their volumes, m².
     pub volume: Vec<f64>,
+    /// The particle that each point is, or is the image of.
+    pub original: Vec<u32>,
     /// What pair loops read of them: places in metres, volumes for weights. Velocities and pressures are
     /// for the scheme to fill in.
     pub records: Vec<Record>,
@@ -64,6 +66,7 @@ impl Near {
             water: 0,
             places: Default::default(),
             volume: Vec::new(),
+            original: Vec::new(),
             records: Vec::new(),
             strips: Strips::default(),
             image_strips: Strips::default(),
@@ -99,30 +102,32 @@ impl Near {
         }
     }
 
-    /// Takes up so many particles, sorted, and their images behind them, of which `of` tells place and
-    /// volume, and lists the neighbours of every particle. Leaves all in the order of the points.
+    /// Takes up so many particles, sorted, and their images behind them, of which `of` tells place,
+    /// volume and original, and lists the neighbours of every particle. Leaves all in the order of the points.
     pub fn list<P: Copy>(
         &mut self,
         water: usize,
         all: &[P],
         points: &mut Vec<P>,
-        of: impl Fn(&P) -> ([f64; 2], f64),
+        of: impl Fn(&P) -> ([f64; 2], f64, u32),
     ) {
         let padded = water.next_multiple_of(LANES);
         self.water = water;
         let bounds = self.sort_images(all[water..].iter().map(|image| of(image).0));
-        let Near { path, radius, places: [x, y], volume, records, order, .. } = self;
+        let Near { path, radius, places: [x, y], volume, original, records, .. } = self;
         points.clear();
         points.extend_from_slice(&all[..water]);
         points.extend(all[..water].last().into_iter().cycle().take(padded - water));
-        points.extend(order.iter().map(|&k| all[water + k as usize]));
+        points.extend(self.order.iter().map(|&k| all[water + k as usize]));
         [&mut *x, &mut *y, &mut *volume].into_iter().for_each(Vec::clear);
+        original.clear();
         records.clear();
-        for (e, ([px, py], of_volume)) in points.iter().map(of).enumerate() {
+        for (e, ([px, py], of_volume, of_original)) in points.iter().map(of).enumerate() {
             let of_volume = if (water..padded).contains(&e) { 0.0 } else { of_volume };
             x.push(px);
             y.push(py);
             volume.push(of_volume);
+            original.push(of_original);
             records.push(Record([px, py, 0.0, 0.0, of_volume, 0.0, 0.0, 0.0]));
         }
         let (strips, image_strips, count) = (&self.strips, &self.image_strips, x.len());

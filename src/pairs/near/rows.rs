@@ -11,8 +11,6 @@ use crate::pairs::term::Eight;
 pub trait Coupling: Copy {
     /// What it reads of the particle itself.
     type Own<R: Vector>: Copy;
-    /// The particle that a point is, or is the image of.
-    fn original(&self, point: usize) -> u32;
     /// Reads the particle itself.
     fn own<R: Vector>(&self, here: Here) -> Self::Own<R>;
     /// The coupling; none where none of the pairs is to have an entry.
@@ -88,10 +86,12 @@ impl<C: Coupling> Task for Assemble<'_, C> {
             let range = near.list.range(cluster);
             let entries = near.list.entries()[range.clone()].iter();
             for (&e, slope) in entries.zip(&near.slopes[range]) {
-                let Some(mut weight) = coupling.of(&own, &near.pair(places, e, slope)) else {
+                let Some(mut weight) =
+                    coupling.of(&own, &Near::pair(places, &near.records[e as usize], slope))
+                else {
                     continue;
                 };
-                let j = coupling.original(e as usize);
+                let j = near.original[e as usize];
                 if j as usize / LANES == cluster {
                     // With itself or its own image: the same pressure.
                     let mut others = weight.to_array();

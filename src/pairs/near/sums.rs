@@ -27,8 +27,11 @@ impl Near {
 
     /// The pairs of eight places with a point.
     #[inline(always)]
-    pub(super) fn pair<L: Lanes>(&self, [x, y]: [L; 2], e: u32, slope: &Eight) -> Pair<L> {
-        let record = &self.records[e as usize].0;
+    pub(super) fn pair<L: Lanes>(
+        [x, y]: [L; 2],
+        Record(record): &Record,
+        slope: &Eight,
+    ) -> Pair<L> {
         let (dx, dy) = (x - L::splat(record[Record::X]), y - L::splat(record[Record::Y]));
         Pair::weighed(dx, dy, L::load(slope))
     }
@@ -41,12 +44,17 @@ struct Sums<'a, T, F> {
     close: F,
 }
 
-impl<T: Term, F: FnMut(usize, T::Total)> Task for Sums<'_, T, F> {
+impl<const N: usize, T, F> Task for Sums<'_, T, F>
+where
+    T: Term<Total = [Eight; N]>,
+    F: FnMut(usize, [f64; N]),
+{
     type Output = ();
 
     #[inline(always)]
+    #[allow(clippy::needless_range_loop)] // Iterators take longer here.
     fn run<L: Lanes>(mut self) {
-        let (near, terms) = (self.near, self.terms);
+        let (near, records, terms) = (self.near, &*self.near.records, self.terms);
         for cluster in 0..near.list.clusters() {
             let (entries, slopes) = near.listed(cluster, self.images_alone);
             if self.images_alone && entries.is_empty() {
@@ -57,11 +65,18 @@ impl<T: Term, F: FnMut(usize, T::Total)> Task for Sums<'_, T, F> {
             let own = terms.own::<L, Record>(here);
             let mut sum = T::Sum::<L>::nothing();
             for (&e, slope) in entries.iter().zip(slopes) {
-                let pair = near.pair(places, e, slope);
-                let other = Other { record: &near.records[e as usize], number: e as usize };
-                terms.add(&own, &pair, other, &mut sum);
+                let record = &records[e as usize];
+                let pair = Near::pair(places, record, slope);
+                terms.add(&own, &pair, Other { record, number: e as usize }, &mut sum);
             }
-            (self.close)(cluster, T::Sum::<L>::total(&[sum, T::Sum::<L>::nothing()]));
+            let sums = T::Sum::<L>::total(&[sum, T::Sum::<L>::nothing()]);
+            for lane in 0..LANES.min(near.water - cluster * LANES) {
+                let mut own = [0.0; N];
+                for n in 0..N {
+                    own[n] = sums[n][lane];
+                }
+                (self.close)(cluster * LANES + lane, own);
+            }
         }
     }
 }
@@ -71,22 +86,16 @@ impl Near {
     pub fn sum<const N: usize>(
         &self,
         terms: impl Term<Total = [Eight; N]>,
-        mut close: impl FnMut(usize, [f64; N]),
+        close: impl FnMut(usize, [f64; N]),
     ) {
-        let close = |cluster: usize, sums: [Eight; N]| {
-            for lane in 0..LANES.min(self.water - cluster * LANES) {
-                let mut own = [0.0; N];
-                for n in 0..N {
-                    own[n] = sums[n][lane];
-                }
-                close(cluster * LANES + lane, own);
-            }
-        };
         dispatch(self.path, Sums { near: self, images_alone: false, terms, close });
     }
 
-    /// Shows terms the pairs of the water with its images.
-    pub fn over_images(&self, terms: impl Term) {
-        dispatch(self.path, Sums { near: self, images_alone: true, terms, close: |_, _| {} });
+    /// Shows terms that sum nothing the pairs of the water with its images.
+    pub fn over_images(&self, terms: impl Term<Total = [Eight; 0]>) {
+        dispatch(
+            self.path,
+            Sums { near: self, images_alone: true, terms, close: |_, _: [f64; 0]| () },
+        );
     }
 }

@@ -1,7 +1,6 @@
 //! The pressure equation as a matrix.
 
 use super::Isph;
-use super::images::Point;
 use super::options::Laplacian;
 use super::system::System;
 use crate::pairs::{Coupling, Here, Pair, Real};
@@ -12,7 +11,6 @@ const HOLD: f64 = 1e-8;
 /// 2 V_i V_j F of Liang et al. 2017, Eq. 4, or what a Laplacian makes of it. F = -g, Δ = r_j - r_i.
 #[derive(Clone, Copy)]
 struct Compact<'a> {
-    points: &'a [Point],
     /// V_i, padded.
     volume: &'a [f64],
     /// Least V_i V_j F of a pair that is taken, and what it is scaled by, where not all are.
@@ -24,11 +22,6 @@ struct Compact<'a> {
 impl Coupling for Compact<'_> {
     /// Volume and tilt.
     type Own<R: Real> = (R, [R; 2]);
-
-    #[inline(always)]
-    fn original(&self, point: usize) -> u32 {
-        self.points[point].original
-    }
 
     #[inline(always)]
     fn own<R: Real>(&self, here: Here) -> (R, [R; 2]) {
@@ -68,7 +61,6 @@ impl Isph {
         let System { matrix, rows, .. } = &mut self.system;
         let (near, grip) = (&self.near, &self.operators.grip);
         let coupling = Compact {
-            points: &self.points,
             volume: &near.volume,
             narrow: exact.then_some(self.even.narrow),
             tilt: tilt.as_deref(),

@@ -86,7 +86,8 @@ impl Isph {
     pub(super) fn list_points(&mut self, bodies: &[BodyMotion], dt: f64) {
         self.find_images(bodies, dt);
         let (water, points) = (self.fluid.len(), &mut self.points);
-        self.near.list(water, &self.loose, points, |point| (point.place, point.volume));
+        let of = |point: &Point| (point.place, point.volume, point.original);
+        self.near.list(water, &self.loose, points, of);
     }
 
     fn find_images(&mut self, bodies: &[BodyMotion], dt: f64) {

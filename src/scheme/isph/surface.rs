@@ -2,6 +2,7 @@
 
 use super::Isph;
 use super::images::Point;
+use super::operators::Operators;
 use crate::pairs::{Eight, Here, Neighbour, Other, Pair, Real, Term};
 
 /// A particle is at the surface where ∇·r is below this (Liang et al. 2017, Eq. 13).
@@ -16,6 +17,7 @@ const CLOSEST: f64 = 0.25;
 #[derive(Clone, Copy)]
 struct Above<'a> {
     points: &'a [Point],
+    original: &'a [u32],
     at_surface: &'a [bool],
     sway: &'a [[f64; 2]],
 }
@@ -36,12 +38,11 @@ impl Term for Above<'_> {
         other: Other<'_, N>,
         [weight, height, up_x, up_y]: &mut [R; 4],
     ) {
-        let point = &self.points[other.number];
-        let original = point.original as usize;
+        let original = self.original[other.number] as usize;
         if !self.at_surface[original] {
             return;
         }
-        let [nx, ny] = point.turned(normal(self.sway[original]));
+        let [nx, ny] = self.points[other.number].turned(normal(self.sway[original]));
         let to = [R::splat(nx), R::splat(ny)];
         let ([gx, gy], g) = (pair.gradient(), pair.slope());
         *weight = *weight - g;
@@ -75,8 +76,9 @@ impl Isph {
         at_surface.extend(traces.map(|trace| trace < SURFACE_DIVERGENCE));
         let mut grips = std::mem::take(&mut operators.grip);
         let operators = &self.operators;
-        let (points, sway) = (&self.points, &*operators.sway);
-        let above = Above { points, at_surface: &operators.at_surface, sway };
+        let (points, original) = (&*self.points, &*self.near.original);
+        let Operators { at_surface, sway, .. } = operators;
+        let above = Above { points, original, at_surface, sway };
         let (spacing, full) = (self.options.spacing, self.even.weight);
         self.near.sum(above, |i, [sum, height, up_x, up_y]| {
             if sum > 0.0 {

@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use super::Isph;
 use super::divergence::strain;
-use super::images::{NO_BODY, Point};
+use super::images::Point;
 use crate::pairs::{Eight, Here, Neighbour, Other, Pair, Real, Record, Term};
 
 /// Viscous accelerations: 2 ν Σ F (u_j - u_i), Liang et al. 2017, Eq. 3, and α h c Σ F π Δ with π =
@@ -62,9 +62,9 @@ impl Term for Drag<'_> {
         let (x, y) = (factor.mul_add(dx, weight * du), factor.mul_add(dy, weight * dv));
         *along += x;
         *up += y;
-        let body = self.points[other.number].body;
-        if body != NO_BODY {
-            let force = &self.on_bodies[body as usize];
+        // The images come behind the water and its padding.
+        if other.number >= self.mass.len() {
+            let force = &self.on_bodies[self.points[other.number].body as usize];
             force.set(force.get() - (mass * x).total());
         }
     }
