@@ -1,5 +1,8 @@
 //! Fields of the water, eight particles at a time.
 
+use std::ops::Range;
+
+use super::record::Record;
 use crate::math::simd::{LANES, Lanes, Task, Vector};
 
 /// Eight particles that are computed together. Fields are those of all water; rows are those of the
@@ -32,6 +35,26 @@ impl Here {
         (self.at / LANES) as u32
     }
 
+    /// Their numbers; those of padding are beyond the last particle's.
+    #[inline(always)]
+    pub fn numbers(self) -> Range<usize> {
+        self.at..self.at + LANES
+    }
+
+    /// Changes two values of each of them, given its number.
+    #[inline(always)]
+    pub fn change<D: Lanes>(
+        self,
+        values: [D; 2],
+        change: impl Fn(usize, [f64; 2]) -> [f64; 2],
+    ) -> [D; 2] {
+        let [mut first, mut second] = D::to_arrays(values);
+        for lane in 0..LANES {
+            [first[lane], second[lane]] = change(self.at + lane, [first[lane], second[lane]]);
+        }
+        [D::load(&first), D::load(&second)]
+    }
+
     /// Their values of a field.
     #[inline(always)]
     pub fn of<R: Vector>(self, field: &[f64]) -> R {
@@ -56,6 +79,20 @@ impl Here {
             [first[lane], second[lane]] = *numbers;
         }
         [R::load(&first), R::load(&second)]
+    }
+
+    /// Some of the numbers that their records have: see [`Record`].
+    #[inline(always)]
+    pub fn slots<R: Vector, const N: usize>(self, records: &[Record], slots: [usize; N]) -> [R; N] {
+        let mut values = [R::splat(0.0); N];
+        for n in 0..N {
+            let mut eight = [0.0; LANES];
+            for (value, record) in eight.iter_mut().zip(self.eight(records)) {
+                *value = record.0[slots[n]];
+            }
+            values[n] = R::load(&eight);
+        }
+        values
     }
 
     /// Their values in the rows.
@@ -88,14 +125,14 @@ impl Here {
 
 /// Eight values of a field in a vector.
 #[inline(always)]
-pub fn lanes<L: Lanes>(field: &[f64], at: usize) -> L {
+fn lanes<L: Lanes>(field: &[f64], at: usize) -> L {
     L::load(field[at..at + LANES].first_chunk().unwrap())
 }
 
 /// Eight values of each field. (A map over the array would be a function of its own, compiled
 /// without the path's instructions.)
 #[inline(always)]
-pub fn all_lanes<L: Lanes, const N: usize>(fields: [&[f64]; N], at: usize) -> [L; N] {
+fn all_lanes<L: Lanes, const N: usize>(fields: [&[f64]; N], at: usize) -> [L; N] {
     let mut values = [L::splat(0.0); N];
     for n in 0..N {
         values[n] = lanes(fields[n], at);
@@ -105,7 +142,7 @@ pub fn all_lanes<L: Lanes, const N: usize>(fields: [&[f64]; N], at: usize) -> [L
 
 /// Writes eight values of a field.
 #[inline(always)]
-pub fn store<L: Lanes>(field: &mut [f64], at: usize, value: L) {
+fn store<L: Lanes>(field: &mut [f64], at: usize, value: L) {
     value.store(field[at..at + LANES].first_chunk_mut().unwrap());
 }
 

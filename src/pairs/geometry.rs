@@ -21,7 +21,7 @@ pub(super) const COINCIDENT: f64 = 1e-12;
 /// Pairs of eight particles with one neighbour.
 #[derive(Debug, Clone, Copy)]
 pub struct Pair<R> {
-    /// x of Δ = (r_i - r_j)/R.
+    /// x of Δ = (r_i - r_j)/R; of [`Near`](super::Near) Δ is in metres.
     pub dx: R,
     /// Its y.
     pub dy: R,
@@ -32,6 +32,13 @@ pub struct Pair<R> {
 }
 
 impl<R: Vector> Pair<R> {
+    /// Pairs whose slope is known.
+    #[inline(always)]
+    pub(super) fn weighed(dx: R, dy: R, slope: R) -> Pair<R> {
+        let square = dx.mul_add(dx, dy.mul_add(dy, R::splat(COINCIDENT)));
+        Pair { dx, dy, divisor: square.divisor(square.roots()), slope }
+    }
+
     /// V_j ∇_iW_ij = g Δ.
     #[inline(always)]
     pub fn gradient(&self) -> [R; 2] {

@@ -13,6 +13,7 @@
 //! reads [`Real`] as a number of one pair and [`Double`] as a number of one particle.
 
 mod around;
+mod column;
 mod factors;
 mod fields;
 mod flow;
@@ -20,6 +21,7 @@ mod fluid;
 mod geometry;
 mod held;
 mod lists;
+mod near;
 mod pair_list;
 mod parts;
 mod pass;
@@ -28,16 +30,19 @@ mod record;
 mod rounding;
 mod strips;
 mod term;
+mod turn;
 mod verlet;
 mod weights;
 
 pub use around::{Around, Neighbours, Records, Sums};
+pub use column::Column;
 pub use factors::Factors;
-pub use fields::{Advance, Extrapolate, Here, Ramp, all_lanes, lanes, store};
+pub use fields::{Advance, Extrapolate, Here, Ramp};
 pub use flow::{Flow, FlowSums, Own};
 pub use fluid::{Fluid, reorder};
 pub use geometry::Pair;
 pub use lists::{GHOST_MARGIN, Pairs};
+pub use near::{Coupling, Moments, Near, Rows};
 pub use pair_list::{PairList, PointSet, build_pair_list};
 pub use parts::Tally;
 pub use pass::{Each, Equation, Held, HeldEquation};
@@ -46,6 +51,7 @@ pub use record::{Record, Scaling, SingleRecord};
 pub use rounding::round;
 pub use strips::Strips;
 pub use term::{Eight, If, Term, loaded};
+pub use turn::{InTurn, in_turn};
 pub use weights::HeldWeights;
 
 pub use crate::math::simd::{Lanes as Double, Vector as Real};

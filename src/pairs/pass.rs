@@ -4,7 +4,7 @@ use super::around::{Around, Neighbours};
 use super::factors::Factors;
 use super::fields::Here;
 use super::flow::{Flow, FlowSums};
-use super::geometry::{COINCIDENT, Pair};
+use super::geometry::Pair;
 use super::held::{HeldPairs, Product, Slopes};
 use super::lists::Pairs;
 use super::parts::{Part, Tally};
@@ -231,9 +231,7 @@ impl<T: Term> Task for HeldGroup<'_, T> {
         for (&j, slope) in entries.iter().zip(slopes) {
             let record = &records[j as usize];
             let [dx, dy] = record.apart(places);
-            let square = dx.mul_add(dx, dy.mul_add(dy, L::splat(COINCIDENT)));
-            let divisor = square.divisor(square.roots());
-            let pair = Pair { dx, dy, divisor, slope: L::load_single(&slope.0) };
+            let pair = Pair::weighed(dx, dy, L::load_single(&slope.0));
             terms.add(&own, &pair, Other { record, number: j as usize }, &mut sum);
         }
         T::Sum::<L>::total(&[sum, T::Sum::<L>::nothing()])

@@ -36,6 +36,19 @@ impl Record {
     pub const PRESSURE_XY: usize = 6;
     /// Its yy component.
     pub const PRESSURE_YY: usize = 7;
+
+    /// Puts a velocity in, m/s.
+    #[inline(always)]
+    pub fn set_velocity(&mut self, [u, v]: [f64; 2]) {
+        (self.0[Self::VX], self.0[Self::VY]) = (u, v);
+    }
+
+    /// Puts a pressure times its correction in, Pa: xx, xy, yy.
+    #[inline(always)]
+    pub fn set_pressure(&mut self, [xx, xy, yy]: [f64; 3]) {
+        let Record([.., to_xx, to_xy, to_yy]) = self;
+        (*to_xx, *to_xy, *to_yy) = (xx, xy, yy);
+    }
 }
 
 /// A neighbour as [`Record`] has it, in single precision: one cache line, too.

@@ -1,11 +1,9 @@
 //! Particles stay in front of the walls' faces.
 
-use std::ops::Range;
-
 use crate::body::BodyMotion;
 use crate::boundary::Plane;
-use crate::math::simd::{LANES, Lanes, Task};
-use crate::pairs::Fluid;
+use crate::math::simd::SimdPath;
+use crate::pairs::{Double, Fluid, Here, InTurn, in_turn};
 
 /// A particle a spacing behind both walls of a corner of 30° takes some fifty pushes.
 const MOST_PUSHES: usize = 64;
@@ -14,8 +12,6 @@ const MOST_PUSHES: usize = 64;
 pub struct HoldInside<'a> {
     /// The water.
     pub fluid: &'a mut Fluid,
-    /// The particles, whole vectors.
-    pub lanes: Range<usize>,
     /// The walls' faces at the end of the step.
     pub planes: &'a [Plane],
     /// Their motions.
@@ -24,18 +20,21 @@ pub struct HoldInside<'a> {
     pub skin: f64,
 }
 
-impl Task for HoldInside<'_> {
-    type Output = ();
+impl HoldInside<'_> {
+    /// Does so with all particles.
+    pub fn run(mut self, path: SimdPath) {
+        in_turn(path, self.fluid.len(), &mut self);
+    }
+}
 
+impl InTurn for HoldInside<'_> {
     #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let HoldInside { fluid, lanes: some, planes, bodies, skin } = self;
-        for at in some.step_by(LANES) {
-            let place = [eight::<L>(&fluid.x, at), eight(&fluid.y, at)];
-            if any_nearer(planes, place, 0.0) {
-                for k in at..fluid.len().min(at + LANES) {
-                    hold(fluid, k, (planes, bodies), skin);
-                }
+    fn at<D: Double>(&mut self, here: Here, _: &mut D) {
+        let HoldInside { fluid, planes, bodies, skin } = self;
+        if any_nearer(planes, here.all::<D, 2>([&fluid.x, &fluid.y]), 0.0) {
+            let numbers = here.numbers();
+            for k in numbers.start..numbers.end.min(fluid.len()) {
+                hold(fluid, k, (planes, bodies), *skin);
             }
         }
     }
@@ -59,25 +58,19 @@ fn hold(fluid: &mut Fluid, k: usize, (planes, bodies): (&[Plane], &[BodyMotion])
 
 /// Whether one of eight places is nearer than `distance` to a wall's face, or behind it.
 #[inline(always)]
-pub fn any_nearer<L: Lanes>(planes: &[Plane], [x, y]: [L; 2], distance: f64) -> bool {
+pub fn any_nearer<D: Double>(planes: &[Plane], [x, y]: [D; 2], distance: f64) -> bool {
     let mut near = false;
     for Plane { point, normal } in planes {
-        let (across, up) = (x - L::splat(point[0]), y - L::splat(point[1]));
-        let beyond = across * L::splat(normal[0]) + up * L::splat(normal[1]);
-        near |= L::splat(-distance).any_less(beyond);
+        let (across, up) = (x - D::splat(point[0]), y - D::splat(point[1]));
+        let beyond = across * D::splat(normal[0]) + up * D::splat(normal[1]);
+        near |= D::splat(-distance).any_less(beyond);
     }
     near
-}
-
-#[inline(always)]
-fn eight<L: Lanes>(field: &[f64], at: usize) -> L {
-    L::load(field[at..at + LANES].first_chunk().unwrap())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::simd::{SimdPath, dispatch};
 
     /// Holds still particles between a bed and a wall that leans over the water by an angle, and
     /// moves at `speed`.
@@ -88,9 +81,8 @@ mod tests {
         let moving = BodyMotion { velocity: speed, ..BodyMotion::default() };
         let planes = [bed, wall];
         let bodies = &[BodyMotion::default(), moving];
-        let lanes = 0..fluid.padded_len();
-        let hold = HoldInside { fluid: &mut fluid, lanes, planes: &planes, bodies, skin: 1e-3 };
-        dispatch(SimdPath::widest(), hold);
+        let hold = HoldInside { fluid: &mut fluid, planes: &planes, bodies, skin: 1e-3 };
+        hold.run(SimdPath::widest());
         (fluid, planes)
     }
 

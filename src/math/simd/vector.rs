@@ -41,6 +41,11 @@ pub trait Vector:
     fn store_single(self, values: &mut [f32; LANES]);
     /// The values in double precision.
     fn widened(self) -> Self::Wide;
+    /// The sum of the values, in double precision, always in the same order.
+    #[inline(always)]
+    fn total(self) -> f64 {
+        self.widened().sum()
+    }
     /// Whether `self < bound` in any lane.
     fn any_less(self, bound: Self) -> bool;
     /// The same value everywhere.

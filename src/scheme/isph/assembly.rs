@@ -1,140 +1,50 @@
 //! The pressure equation as a matrix.
 
 use super::Isph;
-use super::lists::{Lists, Numbers, load};
 use super::options::Laplacian;
-use super::state::Operators;
 use super::system::System;
-use crate::math::simd::{LANES, Lanes, Task, dispatch};
-use crate::math::sparse::Csr;
+use crate::pairs::{Coupling, Here, Pair, Real};
 
 /// Share of the diagonal that is added so that no part of the water is without hold.
 const HOLD: f64 = 1e-8;
 
-/// Rows of eight particles under way: common columns, with the eight values of each.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Rows {
-    columns: Vec<u32>,
-    values: Vec<[f64; LANES]>,
-    /// Where a column stands among them, if it does.
-    pub slot: Vec<u32>,
-}
-
-impl Rows {
-    /// Takes up a column's values, added to those that an image of it has left.
-    #[inline(always)]
-    fn add<L: Lanes>(&mut self, column: u32, values: L) {
-        let at = self.slot[column as usize] as usize;
-        if self.columns.get(at) == Some(&column) {
-            let sum = L::load(&self.values[at]) + values;
-            sum.store(&mut self.values[at]);
-            return;
-        }
-        self.slot[column as usize] = self.columns.len() as u32;
-        self.columns.push(column);
-        self.values.push(values.to_array());
-    }
-
-    /// Moves the rows of the first few of the eight over to the matrix, without what is zero.
-    #[inline(always)]
-    fn pass_on(&mut self, count: usize, matrix: &mut Csr) {
-        let Csr { starts, columns, values, .. } = matrix;
-        for lane in 0..count {
-            let start = columns.len();
-            columns.resize(start + self.columns.len(), 0);
-            values.resize(start + self.columns.len(), 0.0);
-            let room = (&mut columns[start..], &mut values[start..]);
-            let mut found = 0;
-            // Every entry is written, and the next one over it if it was zero.
-            for (&column, eight) in self.columns.iter().zip(&self.values) {
-                (room.0[found], room.1[found]) = (column, eight[lane]);
-                found += usize::from(eight[lane] != 0.0);
-            }
-            columns.truncate(start + found);
-            values.truncate(start + found);
-            starts.push(columns.len() as u32);
-        }
-        self.columns.clear();
-        self.values.clear();
-    }
-}
-
-struct Assemble<'a> {
-    lists: Lists<'a>,
-    numbers: &'a [Numbers],
-    operators: &'a Operators,
+/// 2 V_i V_j F of Liang et al. 2017, Eq. 4, or what a Laplacian makes of it. F = -g, Δ = r_j - r_i.
+#[derive(Clone, Copy)]
+struct Compact<'a> {
+    /// V_i, padded.
+    volume: &'a [f64],
     /// Least V_i V_j F of a pair that is taken, and what it is scaled by, where not all are.
     narrow: Option<(f64, f64)>,
-    /// Whether 2 s·∇p is taken off.
-    corrected: bool,
-    rows: &'a mut Rows,
-    matrix: &'a mut Csr,
+    /// L s of every particle, padded, where 2 s·∇p is taken off.
+    tilt: Option<&'a [[f64; 2]]>,
 }
 
-impl Assemble<'_> {
-    /// L s of the eight, where it is taken off.
+impl Coupling for Compact<'_> {
+    /// Volume and tilt.
+    type Own<R: Real> = (R, [R; 2]);
+
     #[inline(always)]
-    fn tilt<L: Lanes>(&self, cluster: usize, count: usize) -> [L; 2] {
-        let (mut tilt_x, mut tilt_y) = ([0.0; LANES], [0.0; LANES]);
-        for (lane, (x, y)) in tilt_x.iter_mut().zip(&mut tilt_y).enumerate().take(count) {
-            let i = cluster * LANES + lane;
-            if self.operators.grip[i] == 0.0 {
-                let [sx, sy] = self.operators.sway[i];
-                let [cx, cxy, cy] = self.operators.correction[i];
-                (*x, *y) = (sx * cx + sy * cxy, sx * cxy + sy * cy);
-            }
-        }
-        [L::load(&tilt_x), L::load(&tilt_y)]
+    fn own<R: Real>(&self, here: Here) -> (R, [R; 2]) {
+        let tilt = match self.tilt {
+            Some(tilt) => here.both(tilt),
+            None => [R::splat(0.0); 2],
+        };
+        (here.of(self.volume), tilt)
     }
-}
-
-impl Task for Assemble<'_> {
-    type Output = ();
 
     #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let n = self.operators.grip.len();
-        let zero = L::splat(0.0);
-        for cluster in 0..n.div_ceil(LANES) {
-            let count = LANES.min(n - cluster * LANES);
-            let place = self.lists.place::<L>(cluster);
-            let volume = load::<L>(&self.lists.points.volume, cluster);
-            let tilt = if self.corrected { self.tilt::<L>(cluster, count) } else { [zero; 2] };
-            let mut diagonal = zero;
-            let (near, weights) = self.lists.of(cluster);
-            for (&e, weights) in near.iter().zip(weights) {
-                let mut weight = volume * L::load(weights);
-                if let Some((least, scale)) = self.narrow {
-                    weight = weight.select_less(L::splat(least), zero, weight * L::splat(scale));
-                }
-                if self.corrected {
-                    let at = &self.numbers[e as usize].place;
-                    let (dx, dy) = (L::splat(at[0]) - place[0], L::splat(at[1]) - place[1]);
-                    let off = tilt[0].mul_add(dx, tilt[1] * dy);
-                    weight = off.negated_mul_add(weight, weight);
-                }
-                weight += weight;
-                if self.narrow.is_some() && !zero.any_less(weight) {
-                    continue;
-                }
-                let j = self.lists.points.original[e as usize];
-                if j as usize / LANES == cluster {
-                    // With itself or its own image: the same pressure.
-                    let mut others = weight.to_array();
-                    others[j as usize % LANES] = 0.0;
-                    weight = L::load(&others);
-                }
-                diagonal += weight;
-                self.rows.add(j, zero - weight);
-            }
-            let diagonal = diagonal.to_array();
-            for (lane, diagonal) in diagonal[..count].iter().enumerate() {
-                let i = cluster * LANES + lane;
-                let held = self.lists.points.volume[i] * self.operators.grip[i];
-                self.matrix.diagonal.push(diagonal + held);
-            }
-            self.rows.pass_on(count, self.matrix);
+    fn of<R: Real>(&self, &(volume, tilt): &(R, [R; 2]), pair: &Pair<R>) -> Option<R> {
+        let zero = R::splat(0.0);
+        let mut weight = zero - volume * pair.slope();
+        if let Some((least, scale)) = self.narrow {
+            weight = weight.select_less(R::splat(least), zero, weight * R::splat(scale));
         }
+        if self.tilt.is_some() {
+            let back = tilt[0].mul_add(pair.dx, tilt[1] * pair.dy);
+            weight = back.mul_add(weight, weight);
+        }
+        weight += weight;
+        (self.narrow.is_none() || zero.any_less(weight)).then_some(weight)
     }
 }
 
@@ -147,30 +57,36 @@ impl Isph {
     /// linear fields in any arrangement. For [`Laplacian::Exact`] only near neighbours are taken.
     pub(super) fn assemble(&mut self) {
         let exact = self.options.laplacian == Laplacian::Exact;
+        let tilt = (self.options.laplacian == Laplacian::Schwaiger).then(|| self.tilts());
         let System { matrix, rows, .. } = &mut self.system;
-        let pairs = &self.near.pairs;
-        matrix.clear();
-        if matrix.columns.capacity() == 0 {
-            // Half of all listed pairs are in reach: room for later and longer lists.
-            matrix.columns.reserve(LANES * pairs.len());
-            matrix.values.reserve(LANES * pairs.len());
-        }
-        rows.slot.resize(self.fluid.len(), 0);
-        let assemble = Assemble {
-            lists: self.near.lists(&self.operators),
-            numbers: &self.numbers,
-            operators: &self.operators,
+        let (near, grip) = (&self.near, &self.operators.grip);
+        let coupling = Compact {
+            volume: &near.volume,
             narrow: exact.then_some(self.even.narrow),
-            corrected: self.options.laplacian == Laplacian::Schwaiger,
-            rows,
-            matrix,
+            tilt: tilt.as_deref(),
         };
-        dispatch(self.path, assemble);
+        near.couple(coupling, rows, matrix);
+        for ((diagonal, volume), grip) in matrix.diagonal.iter_mut().zip(&near.volume).zip(grip) {
+            *diagonal += volume * grip;
+        }
         if exact {
             // Parts that nothing holds stay solvable.
-            self.system.matrix.diagonal.iter_mut().for_each(|diagonal| *diagonal *= 1.0 + HOLD);
+            matrix.diagonal.iter_mut().for_each(|diagonal| *diagonal *= 1.0 + HOLD);
         } else {
-            self.system.hold_components(&self.operators.grip);
+            self.system.hold_components(grip);
         }
+    }
+
+    /// L s of all particles away from the surface, padded; zero elsewhere.
+    fn tilts(&self) -> Vec<[f64; 2]> {
+        let operators = &self.operators;
+        let mut tilts = vec![[0.0; 2]; self.fluid.padded_len()];
+        for (i, tilt) in tilts.iter_mut().take(self.fluid.len()).enumerate() {
+            if operators.grip[i] == 0.0 {
+                let ([sx, sy], [cx, cxy, cy]) = (operators.sway[i], operators.correction[i]);
+                *tilt = [sx * cx + sy * cxy, sx * cxy + sy * cy];
+            }
+        }
+        tilts
     }
 }

@@ -54,9 +54,8 @@ impl Scheme for Isph {
             motion.offset + ahead * (motion.velocity + 0.5 * ahead * known)
         }));
         self.list_points(bodies, dt);
-        self.list_neighbours();
         self.lap("neighbours", &mut clock);
-        self.gather();
+        self.find_operators();
         self.turn_corrections();
         self.find_surface();
         self.lap("operators", &mut clock);
@@ -79,7 +78,7 @@ impl Scheme for Isph {
         }
         let gravity = self.options.density * self.options.gravity;
         let level = self.options.still_level;
-        let dynamic = self.pressure.iter().zip(&self.near.points.y);
+        let dynamic = self.pressure.iter().zip(&self.near.places[1]);
         self.total.clear();
         self.total.extend(dynamic.map(|(p, y)| p + gravity * (level - y)));
         self.lap("integration", &mut clock);

@@ -57,7 +57,7 @@ impl Isph {
         self.system.right.extend((0..self.pressure.len()).map(|i| {
             let aimed = self.divergence[i] - exact.aim[i];
             let divergence = aimed - relax * operators.crowding(i, &self.even);
-            factor * self.near.points.volume[i] * divergence
+            factor * self.near.volume[i] * divergence
                 - exact.softness[i] * self.own_pressure[i]
                 - options.compact_share * exact.compact[i]
         }));
@@ -82,7 +82,7 @@ impl Isph {
             // Nothing has moved yet: all of the divergence is to go.
             aim.fill(0.0);
         }
-        let asked = now.iter().zip(&*aim).zip(&self.near.points.volume);
+        let asked = now.iter().zip(&*aim).zip(&self.near.volume);
         let square: f64 = asked.map(|((now, aim), volume)| (volume * (now - aim)).powi(2)).sum();
         self.options.density * square.sqrt()
     }
@@ -98,7 +98,7 @@ impl Isph {
         exact.softness.clear();
         exact.scale.clear();
         for (i, diagonal) in diagonal.iter_mut().enumerate() {
-            let still = gravity * (options.still_level - self.near.points.y[i]);
+            let still = gravity * (options.still_level - self.near.places[1][i]);
             let tense = self.carried.pressure[i] + still < 0.0;
             let completeness = self.operators.completeness[i];
             let share = SLACK.share(completeness, tense).clamp(0.0, SOFTEST);
@@ -117,8 +117,9 @@ impl Isph {
     pub(super) fn exact_laplacian(&mut self) -> ExactLaplacian<'_> {
         ExactLaplacian {
             path: self.path,
-            lists: self.near.lists(&self.operators),
-            numbers: &mut self.numbers,
+            near: &mut self.near,
+            points: &self.points,
+            operators: &self.operators,
             turned: &self.turned,
             compact: self.options.compact_share,
             exact: &mut self.exact,

@@ -7,50 +7,8 @@
 //! image of j is as far from i as the image of i from j.
 
 use super::Isph;
+use super::state::Carried;
 use crate::body::BodyMotion;
-
-/// The water, padded to whole vectors by points without volume, and its images behind it.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Points {
-    pub x: Vec<f64>,
-    pub y: Vec<f64>,
-    /// m².
-    pub volume: Vec<f64>,
-    /// The fluid particle itself, or the original of an image.
-    pub original: Vec<u32>,
-    /// Body of an image; `NO_BODY` for the fluid.
-    pub body: Vec<u8>,
-    /// Reflection of the original, by rows; the identity for the fluid.
-    pub turn: Vec<[f64; 4]>,
-    /// What an image takes from its walls.
-    pub walls: Vec<WallTerms>,
-}
-
-impl Points {
-    /// Number of points, the padding of the water among them.
-    pub fn len(&self) -> usize {
-        self.x.len()
-    }
-
-    pub fn clear(&mut self) {
-        let Points { x, y, volume, original, body, turn, walls } = self;
-        [x, y, volume].into_iter().for_each(Vec::clear);
-        original.clear();
-        body.clear();
-        turn.clear();
-        walls.clear();
-    }
-
-    pub fn push(&mut self, point: &Point) {
-        self.x.push(point.place[0]);
-        self.y.push(point.place[1]);
-        self.volume.push(point.volume);
-        self.original.push(point.original);
-        self.body.push(point.body);
-        self.turn.push(point.turn);
-        self.walls.push(point.walls);
-    }
-}
 
 /// What the walls add to an image, at known accelerations or per unit of an unknown one.
 #[derive(Debug, Clone, Copy, Default)]
@@ -69,15 +27,37 @@ pub(super) struct WallTerms {
 
 pub(super) const NO_BODY: u8 = u8::MAX;
 
-/// One point, before it is sorted in.
+/// A particle or an image of one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Point {
     pub place: [f64; 2],
+    /// m².
     pub volume: f64,
+    /// The fluid particle itself, or the original of an image.
     pub original: u32,
+    /// Body of an image; `NO_BODY` for the fluid.
     pub body: u8,
+    /// Reflection T of the original, by rows; the identity for the fluid.
     pub turn: [f64; 4],
+    /// What an image takes from its walls.
     pub walls: WallTerms,
+}
+
+impl Point {
+    /// T u for a vector of the original.
+    #[inline(always)]
+    pub fn turned(&self, [u, v]: [f64; 2]) -> [f64; 2] {
+        let [a, b, c, d] = self.turn;
+        [a * u + b * v, c * u + d * v]
+    }
+
+    /// T C Tᵀ for a symmetric C of the original, both by components xx, xy, yy.
+    pub fn turned_tensor(&self, [xx, xy, yy]: [f64; 3]) -> [f64; 3] {
+        let [a, b, c, d] = self.turn;
+        let (p, q) = (a * xx + b * xy, a * xy + b * yy);
+        let (r, s) = (c * xx + d * xy, c * xy + d * yy);
+        [p * a + q * b, p * c + q * d, r * c + s * d]
+    }
 }
 
 /// H T with H = I - 2 n nᵀ.
@@ -92,17 +72,25 @@ fn mirrored([nx, ny]: [f64; 2], [u, v]: [f64; 2], w: f64) -> [f64; 2] {
     [u + across * nx, v + across * ny]
 }
 
-/// T C Tᵀ for a symmetric C, both by components xx, xy, yy.
-pub(super) fn turned([a, b, c, d]: [f64; 4], [xx, xy, yy]: [f64; 3]) -> [f64; 3] {
-    let (p, q) = (a * xx + b * xy, a * xy + b * yy);
-    let (r, s) = (c * xx + d * xy, c * xy + d * yy);
-    [p * a + q * b, p * c + q * d, r * c + s * d]
-}
-
 impl Isph {
-    /// The fluid at r* = r + ½ u Δt and its images in the walls where they will then be. Gravity's
-    /// own g Δt² is left out of Eq. 8, so that still water stays exactly where it is.
+    /// Puts the particles into the order of the places that they will have in the middle of the step.
+    pub(super) fn sort(&mut self, dt: f64) {
+        let Carried { pressure, older_pressure, aim, response } = &mut self.carried;
+        let fields = [pressure, older_pressure, aim, response];
+        self.near.sort(&mut self.fluid, fields, 0.5 * dt);
+    }
+
+    /// The fluid at r* = r + ½ u Δt and its images in the walls where they will then be, with the
+    /// neighbours of all particles. Gravity's own g Δt² is left out of Eq. 8, so that still water stays
+    /// exactly where it is.
     pub(super) fn list_points(&mut self, bodies: &[BodyMotion], dt: f64) {
+        self.find_images(bodies, dt);
+        let (water, points) = (self.fluid.len(), &mut self.points);
+        let of = |point: &Point| (point.place, point.volume, point.original);
+        self.near.list(water, &self.loose, points, of);
+    }
+
+    fn find_images(&mut self, bodies: &[BodyMotion], dt: f64) {
         let options = &self.options;
         let fluid = &self.fluid;
         let density = options.density;

@@ -1,10 +1,13 @@
 //! The Laplacian that belongs to the scheme's own divergence and gradient.
 
+use super::divergence::divergence;
 use super::exact::Exact;
-use super::lists::{Lists, Numbers};
-use super::sums::{divergence, gradient};
+use super::gradient::gradient;
+use super::images::Point;
+use super::operators::Operators;
 use crate::math::simd::SimdPath;
 use crate::math::sparse::{Csr, Preconditioner, Product};
+use crate::pairs::Near;
 
 /// -V D G p + C p + ε A p: minus the divergence of the gradient, both as in `project.rs`, never
 /// stored: a product is one pass for the gradient and one for the divergence. It is symmetric and has
@@ -14,9 +17,10 @@ use crate::math::sparse::{Csr, Preconditioner, Product};
 /// Laplacian A does. A, scaled to the same size near the surface, is the preconditioner.
 pub(super) struct ExactLaplacian<'a> {
     pub path: SimdPath,
-    pub lists: Lists<'a>,
-    /// Of the points: p L and ∇p are put there.
-    pub numbers: &'a mut [Numbers],
+    /// p L and ∇p are put into the records.
+    pub near: &'a mut Near,
+    pub points: &'a [Point],
+    pub operators: &'a Operators,
     /// L of every point, turned as its image is.
     pub turned: &'a [[f64; 3]],
     /// ε.
@@ -28,30 +32,28 @@ pub(super) struct ExactLaplacian<'a> {
 
 impl Product for ExactLaplacian<'_> {
     fn multiply(&mut self, x: &[f64], y: &mut [f64]) {
-        let (path, lists, points) = (self.path, self.lists, self.lists.points);
+        let (path, points, operators) = (self.path, self.points, self.operators);
         let Exact { slope, softness, compact, .. } = &mut *self.exact;
         let n = x.len();
-        let (water, images) = self.numbers.split_at_mut(n);
+        let (water, images) = self.near.records.split_at_mut(n);
         for ((at, correction), p) in water.iter_mut().zip(self.turned).zip(x) {
-            at.tensor = correction.map(|c| c * p);
+            at.set_pressure(correction.map(|c| c * p));
         }
-        let rest = self.turned[n..].iter().zip(&points.original[n..]);
-        for (at, (correction, &j)) in images.iter_mut().zip(rest) {
-            at.tensor = correction.map(|c| c * x[j as usize]);
+        for ((at, correction), point) in images.iter_mut().zip(&self.turned[n..]).zip(&points[n..])
+        {
+            at.set_pressure(correction.map(|c| c * x[point.original as usize]));
         }
-        gradient(path, (lists, self.numbers), x, slope);
-        let (water, images) = self.numbers.split_at_mut(n);
+        gradient((self.near, operators), x, slope);
+        let (water, images) = self.near.records.split_at_mut(n);
         for (at, slope) in water.iter_mut().zip(&*slope) {
-            at.velocity = *slope;
+            at.set_velocity(*slope);
         }
-        let rest = points.turn[n..].iter().zip(&points.original[n..]);
-        for (at, ([a, b, c, d], &j)) in images.iter_mut().zip(rest) {
-            let [u, v] = slope[j as usize];
-            at.velocity = [a * u + b * v, c * u + d * v];
+        for (at, point) in images.iter_mut().zip(&points[n..]) {
+            at.set_velocity(point.turned(slope[point.original as usize]));
         }
-        divergence(path, (lists, self.numbers), slope, y);
+        divergence((self.near, operators), slope, y);
         for (i, y) in y.iter_mut().enumerate() {
-            *y = softness[i] * x[i] - points.volume[i] * *y;
+            *y = softness[i] * x[i] - self.near.volume[i] * *y;
         }
         if self.compact > 0.0 {
             self.matrix.multiply(path, x, compact);

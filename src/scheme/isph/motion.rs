@@ -1,7 +1,6 @@
 //! Velocities, places, shifting: the second half of a step.
 
 use super::Isph;
-use crate::math::simd::dispatch;
 use crate::scheme::{Dissipation, StepWalls};
 use crate::water::{HoldInside, SHIFT_LIMIT, shifted_share};
 
@@ -47,14 +46,8 @@ impl Isph {
         if options.shifting_coefficient > 0.0 {
             shifting_work -= self.part(dt);
         }
-        let hold = HoldInside {
-            lanes: 0..self.fluid.padded_len(),
-            fluid: &mut self.fluid,
-            planes: &self.planes,
-            bodies: walls.bodies,
-            skin: 1e-3 * options.spacing,
-        };
-        dispatch(self.path, hold);
+        let (fluid, planes, bodies) = (&mut self.fluid, &*self.planes, walls.bodies);
+        HoldInside { fluid, planes, bodies, skin: 1e-3 * options.spacing }.run(self.path);
         Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }
     }
 

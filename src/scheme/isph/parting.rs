@@ -7,7 +7,6 @@
 //! short of the surface, which it would push outwards.
 
 use super::Isph;
-use crate::math::simd::LANES;
 use crate::water::shifted_share;
 
 /// Pairs closer than this many particle spacings are parted ...
@@ -30,16 +29,17 @@ impl Isph {
         let mut lifted = 0.0;
         for i in 0..self.fluid.len() {
             let own = self.near_surface_share(i);
-            let (x, y) = (self.near.points.x[i], self.near.points.y[i]);
-            let range = self.near.pairs.range(i / LANES);
-            for at in if own > 0.0 { range } else { 0..0 } {
-                let e = self.near.pairs.entries()[at] as usize;
-                let (dx, dy) = (self.near.points.x[e] - x, self.near.points.y[e] - y);
+            if own == 0.0 {
+                continue;
+            }
+            for at in 0..self.near.around(i).len() {
+                let (e, [x, y]) = (self.near.around(i)[at] as usize, &self.near.places);
+                let (dx, dy) = (x[e] - x[i], y[e] - y[i]);
                 let square = dx * dx + dy * dy;
                 if square >= reach * reach || square < 1e-12 * reach * reach {
                     continue;
                 }
-                let j = self.near.points.original[e] as usize;
+                let j = self.points[e].original as usize;
                 let other = self.near_surface_share(j);
                 let length = (0.5 * per_speed * (self.speed(i) + self.speed(j))).min(limit);
                 let factor = 0.5 * (own + other) * length * (1.0 / square.sqrt() - 1.0 / reach);
@@ -47,7 +47,7 @@ impl Isph {
                 lifted += self.shove(i, [-dx, -dy]);
                 if other == 0.0 {
                     // Its own turn passes it by.
-                    let [a, b, c, d] = self.near.points.turn[e];
+                    let [a, b, c, d] = self.points[e].turn;
                     lifted += self.shove(j, [a * dx + c * dy, b * dx + d * dy]);
                 }
             }

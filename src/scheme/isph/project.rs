@@ -1,8 +1,9 @@
 //! Divergence and gradient: two operators, each minus the transpose of the other.
 
 use super::Isph;
-use super::images::{NO_BODY, WallTerms, turned};
-use super::sums::{divergence, gradient};
+use super::divergence::divergence;
+use super::gradient::gradient;
+use super::images::{NO_BODY, Point, WallTerms};
 
 /// Which pressure a gradient is taken of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -16,38 +17,26 @@ pub(super) enum Source {
 }
 
 impl Isph {
-    /// L of every point, turned as its image is.
-    pub(super) fn turn_corrections(&mut self) {
-        let (points, correction) = (&self.near.points, &self.operators.correction);
-        self.turned.clear();
-        self.turned.extend(
-            (points.turn.iter().zip(&points.original))
-                .map(|(&turn, &j)| turned(turn, correction[j as usize])),
-        );
-    }
-
     /// p of the water and p L of every point: what the gradient sums.
     fn stresses(&mut self, source: Source) {
         let options = &self.options;
         let gravity = options.density * options.gravity;
         let carried = &self.carried;
-        let points = &self.near.points;
-        for (e, at) in self.numbers.iter_mut().enumerate() {
-            let j = points.original[e] as usize;
-            let walls = &points.walls[e];
+        let points = self.points.iter().zip(&self.turned);
+        for (at, (point, turned)) in self.near.records.iter_mut().zip(points) {
+            let Point { original, walls, place: [_, y], .. } = point;
+            let j = *original as usize;
             let p = match source {
                 Source::Pressure => {
-                    self.pressure[j]
-                        + walls.pressure
-                        + gravity * (options.still_level - points.y[e])
+                    self.pressure[j] + walls.pressure + gravity * (options.still_level - y)
                 }
                 Source::Walls => walls.pressure_response,
                 Source::Response => carried.response[j] + walls.pressure_response,
             };
-            if points.body[e] == NO_BODY {
+            if point.body == NO_BODY {
                 self.own_pressure[j] = p;
             }
-            at.tensor = self.turned[e].map(|correction| correction * p);
+            at.set_pressure(turned.map(|correction| correction * p));
         }
     }
 
@@ -55,27 +44,25 @@ impl Isph {
     /// pairs, and repelling where particles crowd.
     pub(super) fn accelerate(&mut self, source: Source) {
         self.stresses(source);
-        let near = (self.near.lists(&self.operators), &*self.numbers);
-        gradient(self.path, near, &self.own_pressure, &mut self.accelerations);
+        let near = (&self.near, &self.operators);
+        gradient(near, &self.own_pressure, &mut self.accelerations);
         let per_density = -1.0 / self.options.density;
         self.accelerations.iter_mut().for_each(|slope| *slope = slope.map(|s| per_density * s));
     }
 
     /// The velocities at hand as the walls mirror them.
     pub(super) fn mirror(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2]) {
-        let points = &self.near.points;
-        for (e, at) in self.numbers.iter_mut().enumerate() {
-            let [u, v] = self.velocities[points.original[e] as usize];
-            let [a, b, c, d] = points.turn[e];
-            let [wx, wy] = walls(&points.walls[e]);
-            at.velocity = [a * u + b * v + wx, c * u + d * v + wy];
+        for (at, point) in self.near.records.iter_mut().zip(&self.points) {
+            let [u, v] = point.turned(self.velocities[point.original as usize]);
+            let [wall_u, wall_v] = walls(&point.walls);
+            at.set_velocity([u + wall_u, v + wall_v]);
         }
     }
 
     /// ∇·u = Σ F (u_j - u_i)·L_i Δ of the velocities at hand, images moving as `walls` says.
     pub(super) fn diverge(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2]) {
         self.mirror(walls);
-        let near = (self.near.lists(&self.operators), &*self.numbers);
-        divergence(self.path, near, &self.velocities, &mut self.divergence);
+        let near = (&self.near, &self.operators);
+        divergence(near, &self.velocities, &mut self.divergence);
     }
 }

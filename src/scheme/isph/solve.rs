@@ -3,8 +3,6 @@
 use super::Isph;
 use super::options::Laplacian;
 use super::project::Source;
-use super::sums::Reaction;
-use crate::math::simd::dispatch;
 use crate::math::sparse::StopRule;
 use crate::scheme::StepError;
 
@@ -52,7 +50,7 @@ impl Isph {
         self.diverge(|walls| walls.velocity_response);
         if self.options.laplacian == Laplacian::Exact {
             let factor = -self.options.density / dt;
-            let divergences = self.divergence.iter().zip(&self.near.points.volume);
+            let divergences = self.divergence.iter().zip(&self.near.volume);
             self.system.right.clear();
             self.system.right.extend(divergences.map(|(d, v)| factor * v * d));
         } else {
@@ -65,22 +63,5 @@ impl Isph {
         let solved = self.solve(&mut response, &rule);
         self.carried.response = response;
         solved
-    }
-
-    /// Force of the water on every body along x by the momentum reaction, Liang et al. 2017,
-    /// Eq. 14 with the corrected gradients of the momentum equation, over fluid i and images j:
-    /// the force that the water itself feels, with the opposite sign. Needs the stresses of
-    /// [`Isph::accelerate`].
-    pub(super) fn reaction(&mut self) {
-        self.forces.fill(0.0);
-        let reaction = Reaction {
-            lists: self.near.lists(&self.operators),
-            pressure: &self.own_pressure,
-            volume: &self.near.points.volume,
-            numbers: &self.numbers,
-            body: &self.near.points.body,
-            forces: &mut self.forces,
-        };
-        dispatch(self.path, reaction);
     }
 }

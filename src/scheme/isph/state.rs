@@ -5,12 +5,12 @@ use serde::{Deserialize, Serialize};
 use super::exact::Exact;
 use super::images::Point;
 use super::lattice::{Even, even_water};
-use super::lists::{Near, Numbers};
+use super::operators::Operators;
 use super::options::IsphOptions;
 use super::system::System;
 use crate::boundary::{Ghosts, Plane};
 use crate::math::simd::SimdPath;
-use crate::pairs::Fluid;
+use crate::pairs::{Fluid, Near};
 use crate::scheme::Load;
 
 /// What the solver has done so far.
@@ -47,50 +47,6 @@ pub struct IsphState {
     pub(super) tally: Tally,
 }
 
-/// Operators at r*, one entry per fluid particle.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Operators {
-    /// Σ V W, itself included.
-    pub coverage: Vec<f64>,
-    /// Σ F.
-    pub weight: Vec<f64>,
-    /// s = Σ F Δ.
-    pub sway: Vec<[f64; 2]>,
-    /// Σ F ΔΔᵀ: xx, xy, yy.
-    pub moment: Vec<[f64; 3]>,
-    /// Its inverse, faded to the identity where it is near singular.
-    pub correction: Vec<[f64; 3]>,
-    /// Its smallest eigenvalue: 1 inside the water, 1/2 at a flat surface.
-    pub completeness: Vec<f64>,
-    /// Its surface: whether ∇·r < 1.5, and for those near it what the zero pressure adds to the
-    /// diagonal.
-    pub at_surface: Vec<bool>,
-    pub grip: Vec<f64>,
-}
-
-impl Operators {
-    /// κ_i = ½ tr (Σ F ΔΔᵀ)⁻¹, Schwaiger's (2008) normalisation of a support that is cut off, which
-    /// takes the compact Laplacian to the size of the exact one; its bound below a completeness.
-    pub fn kappa(&self, i: usize, least: f64) -> f64 {
-        const FULLEST: f64 = 3.0;
-        let [xx, xy, yy] = self.moment[i];
-        let determinant = xx * yy - xy * xy;
-        if determinant > 0.0 && self.completeness[i] > least {
-            (0.5 * (xx + yy) / determinant).clamp(1.0 / FULLEST, FULLEST)
-        } else {
-            FULLEST
-        }
-    }
-
-    /// By how much the water around a particle is too dense: Σ V W over its value in even water. Zero
-    /// near the surface.
-    pub fn crowding(&self, i: usize, even: &Even) -> f64 {
-        const INSIDE: f64 = 0.9;
-        let counts = self.completeness[i] > INSIDE && self.grip[i] == 0.0;
-        if counts { self.coverage[i] - even.coverage } else { 0.0 }
-    }
-}
-
 /// ISPH particles with their walls.
 #[derive(Debug)]
 pub struct Isph {
@@ -110,9 +66,9 @@ pub struct Isph {
     pub(super) planes: Vec<Plane>,
     /// The water and its images, before these are sorted.
     pub(super) loose: Vec<Point>,
+    /// The same in the order of the neighbourhood, with some padding between.
+    pub(super) points: Vec<Point>,
     pub(super) near: Near,
-    /// Of the points, what pair loops read.
-    pub(super) numbers: Vec<Numbers>,
     pub(super) operators: Operators,
     /// L of every point, turned as its image is.
     pub(super) turned: Vec<[f64; 3]>,
@@ -165,8 +121,8 @@ impl Isph {
             face_offsets: Vec::new(),
             planes: Vec::new(),
             loose: Vec::new(),
-            near: Near::default(),
-            numbers: Vec::new(),
+            points: Vec::new(),
+            near: Near::new(path, options.kernel, options.support_radius, options.spacing),
             operators: Operators::default(),
             turned: Vec::new(),
             exact: Exact::default(),

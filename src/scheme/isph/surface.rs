@@ -1,9 +1,9 @@
 //! The free surface: which particles are at it, and where its zero pressure takes hold.
 
 use super::Isph;
-use super::images::Points;
-use super::sums::{Entry, Terms, pull, sum};
-use crate::math::simd::Lanes;
+use super::images::Point;
+use super::operators::Operators;
+use crate::pairs::{Eight, Here, Neighbour, Other, Pair, Real, Term};
 
 /// A particle is at the surface where ∇·r is below this (Liang et al. 2017, Eq. 13).
 const SURFACE_DIVERGENCE: f64 = 1.5;
@@ -16,27 +16,39 @@ const CLOSEST: f64 = 0.25;
 /// normal.
 #[derive(Clone, Copy)]
 struct Above<'a> {
-    points: &'a Points,
+    points: &'a [Point],
+    original: &'a [u32],
     at_surface: &'a [bool],
     sway: &'a [[f64; 2]],
 }
 
-impl Terms for Above<'_> {
+impl Term for Above<'_> {
+    type Own<R: Real> = ();
+    type Sum<R: Real> = [R; 4];
+    type Total = [Eight; 4];
+
     #[inline(always)]
-    fn add<L: Lanes>(self, sums: &mut [L; 4], place: [L; 2], (e, weights, at): Entry<'_>) {
-        let original = self.points.original[e] as usize;
+    fn own<R: Real, N: Neighbour>(&self, _: Here) {}
+
+    #[inline(always)]
+    fn add<R: Real, N: Neighbour>(
+        &self,
+        (): &(),
+        pair: &Pair<R>,
+        other: Other<'_, N>,
+        [weight, height, up_x, up_y]: &mut [R; 4],
+    ) {
+        let original = self.original[other.number] as usize;
         if !self.at_surface[original] {
             return;
         }
-        let [nx, ny] = normal(self.sway[original]);
-        let [a, b, c, d] = self.points.turn[e];
-        let to = [L::splat(a * nx + b * ny), L::splat(c * nx + d * ny)];
-        let [gx, gy] = pull(weights, at, place);
-        let f = L::load(weights);
-        sums[0] += f;
-        sums[1] = gx.mul_add(to[0], gy.mul_add(to[1], sums[1]));
-        sums[2] = f.mul_add(to[0], sums[2]);
-        sums[3] = f.mul_add(to[1], sums[3]);
+        let [nx, ny] = self.points[other.number].turned(normal(self.sway[original]));
+        let to = [R::splat(nx), R::splat(ny)];
+        let ([gx, gy], g) = (pair.gradient(), pair.slope());
+        *weight = *weight - g;
+        *height = gx.mul_add(to[0], gy.mul_add(to[1], *height));
+        *up_x = g.negated_mul_add(to[0], *up_x);
+        *up_y = g.negated_mul_add(to[1], *up_y);
     }
 }
 
@@ -64,15 +76,15 @@ impl Isph {
         at_surface.extend(traces.map(|trace| trace < SURFACE_DIVERGENCE));
         let mut grips = std::mem::take(&mut operators.grip);
         let operators = &self.operators;
-        let lists = self.near.lists(operators);
-        let above =
-            Above { points: lists.points, at_surface: &operators.at_surface, sway: lists.sway };
+        let (points, original) = (&*self.points, &*self.near.original);
+        let Operators { at_surface, sway, .. } = operators;
+        let above = Above { points, original, at_surface, sway };
         let (spacing, full) = (self.options.spacing, self.even.weight);
-        sum(self.path, (lists, &self.numbers), above, |i, [sum, height, up_x, up_y]| {
+        self.near.sum(above, |i, [sum, height, up_x, up_y]| {
             if sum > 0.0 {
                 let distance = (SKIN * spacing + height / sum).max(CLOSEST * spacing);
                 let length = (up_x * up_x + up_y * up_y).sqrt().max(1e-300);
-                let [sx, sy] = lists.sway[i];
+                let [sx, sy] = sway[i];
                 let outwards = -(sx * up_x + sy * up_y) / length;
                 let missing = (full - operators.weight[i]).max(0.0);
                 grips[i] = 2.0 * (outwards / distance).max(missing);

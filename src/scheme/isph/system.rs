@@ -1,9 +1,9 @@
 //! The pressure equation with what solves it.
 
 use super::Isph;
-use super::assembly::Rows;
 use super::options::Laplacian;
 use crate::math::sparse::{Csr, Krylov, Preconditioner, PreconditionerChoice, StopRule, Stored};
+use crate::pairs::Rows;
 use crate::scheme::StepError;
 
 /// A solve that takes more iterations than this has failed.

@@ -75,8 +75,7 @@ fn lists(water: &mut Isph) {
     water.sort(1e-9);
     water.face_offsets = vec![0.0; bodies.len()];
     water.list_points(bodies, 1e-9);
-    water.list_neighbours();
-    water.gather();
+    water.find_operators();
     water.turn_corrections();
     water.find_surface();
     water.assemble();
@@ -198,15 +197,15 @@ fn the_exact_laplacian_is_symmetric_and_takes_energy_between_walls_too() {
 fn sums_are_those_over_all_points_and_walls_feel_what_the_water_feels() {
     let mut water = square(13, 0.2, true, Laplacian::Exact);
     let (n, padded) = (water.fluid.len(), water.fluid.padded_len());
-    assert!(n < padded && padded < water.near.points.len());
+    assert!(n < padded && padded < water.near.volume.len());
     let (kernel, radius) = (water.options.kernel, water.options.support_radius);
     let factor = kernel.normalisation() / (radius * radius);
     let around = |[x, y]: [f64; 2]| {
         let (mut coverage, mut sway) = (0.0, [0.0; 2]);
-        for e in (0..n).chain(padded..water.near.points.len()) {
-            let (dx, dy) = (water.near.points.x[e] - x, water.near.points.y[e] - y);
+        for e in (0..n).chain(padded..water.near.volume.len()) {
+            let (dx, dy) = (water.near.places[0][e] - x, water.near.places[1][e] - y);
             let q = dx.hypot(dy) / radius;
-            let volume = factor * water.near.points.volume[e];
+            let volume = factor * water.near.volume[e];
             coverage += volume * kernel.shape_at(q);
             if q > 0.0 {
                 let weight = -volume * kernel.slope_at(q) / (q * radius * radius);
@@ -216,7 +215,7 @@ fn sums_are_those_over_all_points_and_walls_feel_what_the_water_feels() {
         (coverage, sway)
     };
     for i in 0..n {
-        let (coverage, sway) = around([water.near.points.x[i], water.near.points.y[i]]);
+        let (coverage, sway) = around([water.near.places[0][i], water.near.places[1][i]]);
         let found = water.operators.sway[i];
         assert!((water.operators.coverage[i] - coverage).abs() < 1e-9);
         assert!((found[0] - sway[0]).abs() + (found[1] - sway[1]).abs() < 1e-7 / radius);

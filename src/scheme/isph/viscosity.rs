@@ -1,18 +1,20 @@
 //! Viscosity: that of the fluid, and that of the scheme on what a linear velocity leaves.
 
+use std::cell::Cell;
+
 use super::Isph;
-use super::images::{NO_BODY, turned};
-use super::lists::{Lists, Numbers, load};
-use super::sums;
-use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use super::divergence::strain;
+use super::images::Point;
+use crate::pairs::{Eight, Here, Neighbour, Other, Pair, Real, Record, Term};
 
 /// Viscous accelerations: 2 ν Σ F (u_j - u_i), Liang et al. 2017, Eq. 3, and α h c Σ F π Δ with π =
 /// (u_j - u_i)·Δ/r² less what a linear, divergence-free velocity gives, limited so that every pair
-/// dissipates or does nothing.
+/// dissipates or does nothing. F = -g, Δ = r_j - r_i; both signs cancel.
+#[derive(Clone, Copy)]
 struct Drag<'a> {
-    lists: Lists<'a>,
-    /// Of every point, images too: u, and the strain as a tensor.
-    numbers: &'a [Numbers],
+    /// Of every point, images too: u, and the strain in place of the pressure.
+    records: &'a [Record],
+    points: &'a [Point],
     /// α h c.
     artificial: f64,
     /// 2 ν.
@@ -21,82 +23,49 @@ struct Drag<'a> {
     least: f64,
     /// m_i, padded.
     mass: &'a [f64],
-    drag: &'a mut [[f64; 2]],
     /// What the water does to the bodies, whose images do this to the water.
-    on_bodies: &'a mut [f64],
+    on_bodies: &'a [Cell<f64>],
 }
 
-/// The eight, as their drag wants them.
-struct Eight<L> {
-    place: [L; 2],
-    velocity: [L; 2],
-    strain: [L; 2],
-}
+impl Term for Drag<'_> {
+    /// Velocity and strain, and the mass.
+    type Own<R: Real> = ([R; 4], R);
+    type Sum<R: Real> = [R; 2];
+    type Total = [Eight; 2];
 
-impl<L: Lanes> Eight<L> {
     #[inline(always)]
-    fn of(lists: &Lists<'_>, numbers: &[Numbers], cluster: usize) -> Eight<L> {
-        let mut fields = [[0.0; LANES]; 4];
-        for lane in 0..LANES {
-            let at = &numbers[cluster * LANES + lane];
-            let [u, v] = at.velocity;
-            let [p, q, _] = at.tensor;
-            for (field, value) in fields.iter_mut().zip([u, v, p, q]) {
-                field[lane] = value;
-            }
-        }
-        let [u, v, p, q] = &fields;
-        Eight {
-            place: lists.place(cluster),
-            velocity: [L::load(u), L::load(v)],
-            strain: [L::load(p), L::load(q)],
-        }
+    fn own<R: Real, N: Neighbour>(&self, here: Here) -> ([R; 4], R) {
+        let slots = [Record::VX, Record::VY, Record::PRESSURE, Record::PRESSURE_XY];
+        (here.slots(self.records, slots), here.of(self.mass))
     }
-}
 
-impl Drag<'_> {
-    /// What an entry does to the eight, along x and y.
     #[inline(always)]
-    fn of<L: Lanes>(&self, eight: &Eight<L>, at: &Numbers, weights: &[f64; LANES]) -> [L; 2] {
-        let ([x, y], [u, v], [p, q]) = (eight.place, eight.velocity, eight.strain);
-        let (dx, dy) = (L::splat(at.place[0]) - x, L::splat(at.place[1]) - y);
-        let (du, dv) = (L::splat(at.velocity[0]) - u, L::splat(at.velocity[1]) - v);
-        let p = (L::splat(at.tensor[0]) + p) * L::splat(0.5);
-        let q = L::splat(at.tensor[1]) + q;
+    fn add<R: Real, N: Neighbour>(
+        &self,
+        &([u, v, p, q], mass): &([R; 4], R),
+        pair: &Pair<R>,
+        other: Other<'_, N>,
+        [along, up]: &mut [R; 2],
+    ) {
+        let Pair { dx, dy, .. } = *pair;
+        let ([their_u, their_v], [their_p, their_q, _]) =
+            (other.velocity::<R>(), other.pressure::<R>());
+        let (du, dv) = (u - their_u, v - their_v);
+        let (p, q) = ((their_p + p) * R::splat(0.5), their_q + q);
         let approach = du.mul_add(dx, dv * dy);
         let linear = p.mul_add(dx * dx - dy * dy, q * (dx * dy));
-        let zero = L::splat(0.0);
+        let zero = R::splat(0.0);
         let left = (approach - linear).min(approach.max(zero)).max(approach.min(zero));
-        let square = dx.mul_add(dx, dy * dy).max(L::splat(self.least));
-        let f = L::load(weights);
-        let factor = f * (L::splat(self.artificial) * left).div(square);
-        let weight = f * L::splat(self.physical);
-        [factor.mul_add(dx, weight * du), factor.mul_add(dy, weight * dv)]
-    }
-}
-
-impl Task for Drag<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        for cluster in 0..self.drag.len().div_ceil(LANES) {
-            let eight = Eight::<L>::of(&self.lists, self.numbers, cluster);
-            let mass = load::<L>(self.mass, cluster);
-            let mut sums = [L::splat(0.0); 2];
-            let (near, weights) = self.lists.of(cluster);
-            for (&e, weights) in near.iter().zip(weights) {
-                let [x, y] = self.of(&eight, &self.numbers[e as usize], weights);
-                sums = [sums[0] + x, sums[1] + y];
-                let body = self.lists.points.body[e as usize];
-                if body != NO_BODY {
-                    self.on_bodies[body as usize] -= (mass * x).sum();
-                }
-            }
-            let [x, y] = L::to_arrays(sums);
-            for (lane, drag) in self.drag[cluster * LANES..].iter_mut().take(LANES).enumerate() {
-                *drag = [x[lane], y[lane]];
-            }
+        let square = dx.mul_add(dx, dy * dy).max(R::splat(self.least));
+        let factor = pair.slope() * (R::splat(self.artificial) * left).div(square);
+        let weight = pair.slope() * R::splat(self.physical);
+        let (x, y) = (factor.mul_add(dx, weight * du), factor.mul_add(dy, weight * dv));
+        *along += x;
+        *up += y;
+        // The images come behind the water and its padding.
+        if other.number >= self.mass.len() {
+            let force = &self.on_bodies[self.points[other.number].body as usize];
+            force.set(force.get() - (mass * x).total());
         }
     }
 }
@@ -111,29 +80,28 @@ impl Isph {
         self.velocities.clear();
         self.velocities.extend((0..n).map(|i| [self.fluid.vx[i], self.fluid.vy[i]]));
         self.mirror(|walls| walls.start_velocity);
-        let (lists, points) = (self.near.lists(&self.operators), &self.near.points);
         let found = (&mut self.strain[..], &mut self.divergence[..]);
-        sums::strain(self.path, (lists, &self.numbers), &self.velocities, found);
+        strain((&self.near, &self.operators), &self.velocities, found);
         let options = &self.options;
         let smoothing = options.kernel.smoothing_length_ratio() * options.support_radius;
         let artificial = options.artificial_viscosity * smoothing * options.viscous_speed;
         if artificial + options.viscosity == 0.0 {
             return;
         }
-        for (e, at) in self.numbers.iter_mut().enumerate() {
-            let [p, q] = self.strain[points.original[e] as usize];
-            at.tensor = turned(points.turn[e], [p, q, -p]);
+        for (at, point) in self.near.records.iter_mut().zip(&self.points) {
+            let [p, q] = self.strain[point.original as usize];
+            at.set_pressure(point.turned_tensor([p, q, -p]));
         }
-        let pass = Drag {
-            lists,
-            numbers: &self.numbers,
+        let terms = Drag {
+            records: &self.near.records,
+            points: &self.points,
             artificial,
             physical: 2.0 * options.viscosity,
             least: 1e-12 * options.spacing * options.spacing,
             mass: &self.fluid.mass,
-            drag: &mut self.drag,
-            on_bodies: &mut self.drag_on_bodies,
+            on_bodies: Cell::from_mut(&mut self.drag_on_bodies[..]).as_slice_of_cells(),
         };
-        dispatch(self.path, pass);
+        let drag = &mut self.drag;
+        self.near.sum(terms, |i, found| drag[i] = found);
     }
 }

@@ -12,7 +12,7 @@ impl Wcsph {
         let offsets = || bodies.iter().map(|body| body.offset);
         self.look_ahead();
         if self.pairs.are_worn([&self.ahead[0][..n], &self.ahead[1][..n]], offsets()) {
-            let carried = self.work.carried_mut();
+            let carried = self.work.carried.all_mut();
             self.pairs.sort(&mut self.fluid, carried, &mut self.strain, offsets());
             self.look_ahead();
             self.list_neighbours();
@@ -32,8 +32,8 @@ impl Wcsph {
         };
         let [ahead_x, ahead_y] = &mut self.ahead;
         for (ahead, places, velocities, accelerations) in [
-            (ahead_x, &fluid.x, &fluid.vx, &work.last_acceleration_x),
-            (ahead_y, &fluid.y, &fluid.vy, &work.last_acceleration_y),
+            (ahead_x, &fluid.x, &fluid.vx, &work.carried.last_acceleration_x),
+            (ahead_y, &fluid.y, &fluid.vy, &work.carried.last_acceleration_y),
         ] {
             let factors = [lead, half_square];
             dispatch(

@@ -34,30 +34,56 @@ pub use crate::pairs::Precision;
 pub use options::{DensityDiffusion, Shifting, WcsphOptions};
 pub use state::{Timings, Wcsph, WcsphState};
 
+use serde::{Deserialize, Serialize};
+
 use crate::boundary::Water;
 use crate::pairs::{Double, Here, Record, Tally};
 use momentum::FOUND;
 
+/// What one step hands to the next, besides the fluid itself; one entry per (padded) particle.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+struct Carried {
+    /// The kernel gradient's correction, xx, xy, yy.
+    correction_xx: Vec<f64>,
+    correction_xy: Vec<f64>,
+    correction_yy: Vec<f64>,
+    /// How much of a negative pressure counts.
+    tension: Vec<f64>,
+    /// Accelerations of the step before a full one.
+    last_acceleration_x: Vec<f64>,
+    last_acceleration_y: Vec<f64>,
+    density_rate: Vec<f64>,
+    /// tr (∇u)², 1/s²: see [`continuity::Continuity`].
+    turning: Vec<f64>,
+}
+
+impl Carried {
+    fn correction(&self) -> [&[f64]; 3] {
+        [&self.correction_xx, &self.correction_xy, &self.correction_yy]
+    }
+
+    /// All fields, to be put into another order.
+    fn all_mut(&mut self) -> [&mut Vec<f64>; 8] {
+        let [xx, xy, yy] =
+            [&mut self.correction_xx, &mut self.correction_xy, &mut self.correction_yy];
+        let [x, y] = [&mut self.last_acceleration_x, &mut self.last_acceleration_y];
+        [xx, xy, yy, &mut self.tension, x, y, &mut self.density_rate, &mut self.turning]
+    }
+}
+
 /// Arrays that steps fill, one entry per (padded) fluid particle.
 #[derive(Debug, Clone, Default)]
 struct Workspace {
+    carried: Carried,
     /// x over R.
     scaled_x: Vec<f64>,
     /// y over R.
     scaled_y: Vec<f64>,
     pressure: Vec<f64>,
-    /// How much of a negative pressure counts.
-    tension: Vec<f64>,
     acceleration_x: Vec<f64>,
     acceleration_y: Vec<f64>,
     /// 1/ρ of the last full step.
     inverse_density: Vec<f64>,
-    density_rate: Vec<f64>,
-    /// tr (∇u)², 1/s²: see [`continuity::Continuity`].
-    turning: Vec<f64>,
-    /// Accelerations of the step before a full one.
-    last_acceleration_x: Vec<f64>,
-    last_acceleration_y: Vec<f64>,
     /// How much of the density diffusion each particle takes part in.
     diffused_share: Vec<f64>,
     /// Σ g times the neighbours' shares, since the last full step.
@@ -70,11 +96,7 @@ struct Workspace {
     concentration_y: Vec<f64>,
     /// Smallest eigenvalue of Σ V (x_j - x_i) ⊗ ∇W: 1 inside, less near the surface.
     completeness: Vec<f64>,
-    /// The kernel gradient's correction of this step, xx, xy, yy ...
-    correction_xx: Vec<f64>,
-    correction_xy: Vec<f64>,
-    correction_yy: Vec<f64>,
-    /// ... and the next step's.
+    /// The kernel gradient's correction of the next step, xx, xy, yy.
     next_correction_xx: Vec<f64>,
     next_correction_xy: Vec<f64>,
     next_correction_yy: Vec<f64>,
@@ -88,17 +110,22 @@ impl Workspace {
     fn new(padded: usize, bodies: usize) -> Workspace {
         let zeros = || vec![0.0; padded];
         Workspace {
+            carried: Carried {
+                correction_xx: vec![1.0; padded],
+                correction_xy: zeros(),
+                correction_yy: vec![1.0; padded],
+                tension: vec![1.0; padded],
+                last_acceleration_x: zeros(),
+                last_acceleration_y: zeros(),
+                density_rate: zeros(),
+                turning: zeros(),
+            },
             scaled_x: zeros(),
             scaled_y: zeros(),
             pressure: zeros(),
-            tension: vec![1.0; padded],
             acceleration_x: zeros(),
             acceleration_y: zeros(),
             inverse_density: zeros(),
-            density_rate: zeros(),
-            turning: zeros(),
-            last_acceleration_x: zeros(),
-            last_acceleration_y: zeros(),
             diffused_share: zeros(),
             shares: zeros(),
             gradient_x: zeros(),
@@ -106,9 +133,6 @@ impl Workspace {
             concentration_x: zeros(),
             concentration_y: zeros(),
             completeness: vec![1.0; padded],
-            correction_xx: vec![1.0; padded],
-            correction_xy: zeros(),
-            correction_yy: vec![1.0; padded],
             next_correction_xx: vec![1.0; padded],
             next_correction_xy: zeros(),
             next_correction_yy: vec![1.0; padded],
@@ -119,15 +143,14 @@ impl Workspace {
 
     /// What the ghosts read of the water.
     fn water<'a>(&'a self, records: &'a [Record], corrected: bool) -> Water<'a> {
-        let correction: [&[f64]; 3] =
-            [&self.correction_xx, &self.correction_xy, &self.correction_yy];
-        Water { records, pressure: &self.pressure, correction: corrected.then_some(correction) }
+        let correction = corrected.then(|| self.carried.correction());
+        Water { records, pressure: &self.pressure, correction }
     }
 
     /// The kernel gradient's correction: xx, xy, yy.
     #[inline(always)]
     fn correction<D: Double>(&self, here: Here) -> [D; 3] {
-        here.all([&self.correction_xx, &self.correction_xy, &self.correction_yy])
+        here.all(self.carried.correction())
     }
 
     /// What the pass of a full step writes, and does not read.
@@ -158,32 +181,5 @@ impl Workspace {
             self.loads[body][1] += added_mass;
             self.held_loads[body] += viscous;
         }
-    }
-
-    /// What one step hands to the next, besides the fluid itself.
-    fn carried(&self) -> [&Vec<f64>; 8] {
-        [
-            &self.correction_xx,
-            &self.correction_xy,
-            &self.correction_yy,
-            &self.tension,
-            &self.last_acceleration_x,
-            &self.last_acceleration_y,
-            &self.density_rate,
-            &self.turning,
-        ]
-    }
-
-    fn carried_mut(&mut self) -> [&mut Vec<f64>; 8] {
-        [
-            &mut self.correction_xx,
-            &mut self.correction_xy,
-            &mut self.correction_yy,
-            &mut self.tension,
-            &mut self.last_acceleration_x,
-            &mut self.last_acceleration_y,
-            &mut self.density_rate,
-            &mut self.turning,
-        ]
     }
 }

@@ -5,7 +5,7 @@ use super::shifting::Shift;
 use super::{DensityDiffusion, Wcsph};
 use crate::body::BodyMotion;
 use crate::math::simd::dispatch;
-use crate::pairs::{Advance, Fluid, Ramp};
+use crate::pairs::{Advance, Fluid, Ramp, in_turn};
 use crate::water::{HoldInside, Slack};
 
 /// Hydrostatic density diffusion fades in from this completeness: near the surface the discrete
@@ -59,7 +59,7 @@ impl Wcsph {
         let n = self.fluid.len();
         let Fluid { x, y, vx, vy, density, .. } = &mut self.fluid;
         let fields = [
-            (&mut density[..n], &self.work.density_rate[..n]),
+            (&mut density[..n], &self.work.carried.density_rate[..n]),
             (&mut x[..n], &vx[..n]),
             (&mut y[..n], &vy[..n]),
         ];
@@ -81,26 +81,24 @@ impl Wcsph {
     /// Shifts the particles, if they are, for the time since the last full step; returns the energy
     /// that goes.
     pub(super) fn shift(&mut self) -> f64 {
-        dispatch(
-            self.pairs.path,
-            Shift {
-                fluid: &mut self.fluid,
-                work: &self.work,
-                options: &self.options,
-                planes: &self.planes,
-                strain: &self.strain,
-                dt: self.since_full,
-                inverse_radius: self.scaling.inverse_radius,
-            },
-        )
+        let particles = self.fluid.padded_len();
+        let mut shift = Shift {
+            fluid: &mut self.fluid,
+            work: &self.work,
+            options: &self.options,
+            planes: &self.planes,
+            strain: &self.strain,
+            dt: self.since_full,
+            inverse_radius: self.scaling.inverse_radius,
+        };
+        -in_turn(self.pairs.path, particles, &mut shift)
     }
 
     /// Holds the particles in front of the walls.
     pub(super) fn hold_inside(&mut self, bodies: &[BodyMotion]) {
-        let lanes = 0..self.fluid.padded_len();
         let skin = 1e-3 * self.options.spacing;
         let (fluid, planes) = (&mut self.fluid, &*self.planes);
-        dispatch(self.pairs.path, HoldInside { fluid, lanes, planes, bodies, skin });
+        HoldInside { fluid, planes, bodies, skin }.run(self.pairs.path);
     }
 
     /// Finds the particles that [`Wcsph::settle_surface`] may change: few, and the same ones until
@@ -127,7 +125,7 @@ impl Wcsph {
             if share > 0.0 {
                 let rise = rate * share * (state.surface_density - density);
                 // Tension that did no work as it grew takes none away.
-                let acting = if rise > 0.0 { self.work.tension[k] } else { 1.0 };
+                let acting = if rise > 0.0 { self.work.carried.tension[k] } else { 1.0 };
                 let pressure = state.pressure(density) * acting;
                 loss -= self.fluid.mass[k] * pressure / (density * density) * rise;
                 self.fluid.density[k] += rise;
@@ -138,11 +136,11 @@ impl Wcsph {
 
     pub(super) fn take_next_correction(&mut self) {
         let work = &mut self.work;
-        std::mem::swap(&mut work.correction_xx, &mut work.next_correction_xx);
-        std::mem::swap(&mut work.correction_xy, &mut work.next_correction_xy);
-        std::mem::swap(&mut work.correction_yy, &mut work.next_correction_yy);
-        std::mem::swap(&mut work.acceleration_x, &mut work.last_acceleration_x);
-        std::mem::swap(&mut work.acceleration_y, &mut work.last_acceleration_y);
+        std::mem::swap(&mut work.carried.correction_xx, &mut work.next_correction_xx);
+        std::mem::swap(&mut work.carried.correction_xy, &mut work.next_correction_xy);
+        std::mem::swap(&mut work.carried.correction_yy, &mut work.next_correction_yy);
+        std::mem::swap(&mut work.acceleration_x, &mut work.carried.last_acceleration_x);
+        std::mem::swap(&mut work.acceleration_y, &mut work.carried.last_acceleration_y);
         self.set_tension();
     }
 }

@@ -104,25 +104,15 @@ impl Wcsph {
     /// Pressures, and everything about the fluid that the pass of a full step reads.
     pub(super) fn pack(&mut self) {
         let n = self.fluid.padded_len();
-        let Workspace {
-            density_rate,
-            tension,
-            correction_xx,
-            correction_xy,
-            correction_yy,
-            pressure,
-            scaled_x,
-            scaled_y,
-            ..
-        } = &mut self.work;
+        let Workspace { carried, pressure, scaled_x, scaled_y, .. } = &mut self.work;
         let (fluid, scaling) = (&self.fluid, self.scaling);
-        let state = [&**density_rate, &**tension];
+        let state = [&*carried.density_rate, &*carried.tension];
         let whole = Whole {
             pressing: Pressing::of(&self.options, self.bulk_time, fluid, state),
             scaling,
             fluid,
             ahead: [&self.ahead[0], &self.ahead[1]],
-            correction: [correction_xx, correction_xy, correction_yy],
+            correction: carried.correction(),
         };
         let fields =
             [&mut pressure[..n], &mut self.diffused[..n], &mut scaled_x[..n], &mut scaled_y[..n]];
@@ -132,11 +122,11 @@ impl Wcsph {
     /// The new pressures alone.
     pub(super) fn pack_pressures(&mut self) {
         let (n, work) = (self.fluid.padded_len(), &mut self.work);
-        let state = [&*work.density_rate, &*work.tension];
+        let state = [&*work.carried.density_rate, &*work.carried.tension];
         let pressures = Pressures {
             pressing: Pressing::of(&self.options, self.bulk_time, &self.fluid, state),
             places: [&work.scaled_x, &work.scaled_y],
-            correction: [&work.correction_xx, &work.correction_xy, &work.correction_yy],
+            correction: work.carried.correction(),
         };
         let fields = [&mut work.pressure[..n], &mut self.diffused[..n]];
         self.pairs.each((fields, &mut self.numbers[..n]), &pressures);

@@ -57,7 +57,8 @@ impl Wcsph {
     /// How much tension the water bears in the steps to come.
     pub(super) fn set_tension(&mut self) {
         if self.options.corrected_gradients {
-            let (tension, completeness) = (&mut *self.work.tension, &*self.work.completeness);
+            let (tension, completeness) =
+                (&mut *self.work.carried.tension, &*self.work.completeness);
             let first_row = self.options.first_row_share();
             self.pairs.each(tension, &Bearing { completeness, first_row });
         }
@@ -164,9 +165,9 @@ impl Wcsph {
     /// where it is asked for.
     pub(super) fn continuity_pass(&mut self, dt: f64, sample: bool) -> f64 {
         let (options, flow) = (&self.options, self.flow());
-        let mut rate = std::mem::take(&mut self.work.density_rate);
+        let mut rate = std::mem::take(&mut self.work.carried.density_rate);
         let mut shares = std::mem::take(&mut self.work.shares);
-        let mut turning = std::mem::take(&mut self.work.turning);
+        let mut turning = std::mem::take(&mut self.work.carried.turning);
         let rows = (&mut *self.strain, [&mut *rate, &mut *shares, &mut *turning]);
         with_diffusion!(options.density_diffusion, &self.work, &self.slants, formulation => {
             let continuity = Continuity {
@@ -188,7 +189,8 @@ impl Wcsph {
             };
             self.pairs.held_pass(rows, &continuity);
         });
-        (self.work.density_rate, self.work.shares, self.work.turning) = (rate, shares, turning);
+        (self.work.carried.density_rate, self.work.shares, self.work.carried.turning) =
+            (rate, shares, turning);
         self.pairs.power()
     }
 }

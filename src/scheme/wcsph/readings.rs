@@ -1,15 +1,10 @@
 //! Readings of the water: loads on bodies, levels.
 
-use std::marker::PhantomData;
-
 use super::Wcsph;
 use crate::body::BodyMotion;
-use crate::kernel::{Kernel, shape_within};
-use crate::math::simd::{LANES, Lanes, Task, dispatch};
 use crate::pairs::GHOST_MARGIN;
 use crate::scheme::Load;
 use crate::water::first_level;
-use crate::with_kernel;
 
 impl Wcsph {
     /// Force on a body and its added mass, from the last [`Wcsph::prepare`].
@@ -24,7 +19,8 @@ impl Wcsph {
         let (fluid, state) = (&self.fluid, &self.options.state);
         let one = |k: usize| {
             let density = fluid.density[k];
-            let acting = if density < state.surface_density { self.work.tension[k] } else { 1.0 };
+            let acting =
+                if density < state.surface_density { self.work.carried.tension[k] } else { 1.0 };
             fluid.mass[k] * state.elastic_energy(density) * acting
         };
         (0..fluid.len()).map(one).sum()
@@ -57,67 +53,8 @@ impl Wcsph {
                 near.push((self.fluid.x[k] - x) / radius, self.fluid.y[k] / radius, volume);
             }
         });
-        let near = &*near.blocks;
-        let coverage = |y: f64| -> f64 {
-            let y = y / radius;
-            factor
-                * with_kernel!(self.options.kernel, K => {
-                    dispatch(self.pairs.path, Coverage { near, y, kernel: PhantomData::<K> })
-                })
-        };
+        let (path, kernel) = (self.pairs.path, self.options.kernel);
+        let coverage = |y: f64| factor * near.coverage(path, kernel, y / radius);
         first_level(coverage, from, self.options.spacing)
-    }
-}
-
-/// Room from the start for so many blocks of a column, so that runup needs none.
-const COLUMN_ROOM: usize = 128;
-
-/// Particles near an upright line, eight at a time: their distance from it and their height, over
-/// R, and their volume.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Column {
-    blocks: Vec<[[f64; LANES]; 3]>,
-    len: usize,
-}
-
-impl Column {
-    fn clear(&mut self) {
-        self.blocks.clear();
-        self.blocks.reserve(COLUMN_ROOM);
-        self.len = 0;
-    }
-
-    fn push(&mut self, x: f64, y: f64, volume: f64) {
-        let lane = self.len % LANES;
-        if lane == 0 {
-            self.blocks.push([[0.0; LANES]; 3]);
-        }
-        if let Some([xs, ys, volumes]) = self.blocks.last_mut() {
-            (xs[lane], ys[lane], volumes[lane]) = (x, y, volume);
-        }
-        self.len += 1;
-    }
-}
-
-/// Σ w V of a column's particles at a height on its line.
-struct Coverage<'a, K> {
-    near: &'a [[[f64; LANES]; 3]],
-    /// Over R.
-    y: f64,
-    kernel: PhantomData<K>,
-}
-
-impl<K: Kernel> Task for Coverage<'_, K> {
-    type Output = f64;
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) -> f64 {
-        let mut sum = L::splat(0.0);
-        for [x, y, volume] in self.near {
-            let (x, y) = (L::load(x), L::load(y) - L::splat(self.y));
-            let shape = shape_within::<K, L>(x.mul_add(x, y * y));
-            sum = shape.mul_add(L::load(volume), sum);
-        }
-        sum.sum()
     }
 }

@@ -2,8 +2,7 @@
 
 use super::{WcsphOptions, Workspace};
 use crate::boundary::Plane;
-use crate::math::simd::{LANES, Lanes, Task};
-use crate::pairs::{Fluid, all_lanes, lanes, store};
+use crate::pairs::{Double, Fluid, Here, InTurn};
 use crate::water::{SHIFT_FROM, SHIFT_FULL, SHIFT_LIMIT, any_nearer};
 
 /// The speed of a shift is that by which the flow differs over so many support radii.
@@ -27,64 +26,65 @@ pub(super) struct Shift<'a> {
     pub inverse_radius: f64,
 }
 
-impl Task for Shift<'_> {
-    /// The energy that goes, J/m.
-    type Output = f64;
-
+impl Shift<'_> {
+    /// The speed of the shift, m/s.
     #[inline(always)]
-    fn run<L: Lanes>(self) -> f64 {
-        let Shift { fluid, work, options, planes, strain, dt, inverse_radius } = self;
+    fn speed<D: Double>(&self, here: Here) -> D {
+        if self.options.corrected_gradients {
+            // R √(2E:E) is twice √((2 stretch)² + shear²), as the pair pass has them.
+            let [stretch, shear] = here.both::<D>(self.strain);
+            let stretch = stretch + stretch;
+            D::splat(2.0 * ACROSS) * stretch.mul_add(stretch, shear * shear).sqrt()
+        } else {
+            let [vx, vy] = here.all::<D, 2>([&self.fluid.vx, &self.fluid.vy]);
+            (vx * vx + vy * vy).sqrt()
+        }
+    }
+
+    /// The shift, metres.
+    #[inline(always)]
+    fn way<D: Double>(&self, here: Here, place: [D; 2]) -> [D; 2] {
+        let Shift { fluid, work, options, planes, dt, .. } = self;
         let strength = options.shifting_coefficient * options.smoothing_length() * dt;
         let (limit, reach) = (SHIFT_LIMIT * options.spacing, options.spacing);
-        let slope = options.hydrostatic_slope();
-        let (zero, one) = (L::splat(0.0), L::splat(1.0));
-        let mut gained = zero;
-        for at in (0..fluid.padded_len()).step_by(LANES) {
-            let [x, y, vx, vy] = all_lanes::<L, 4>([&fluid.x, &fluid.y, &fluid.vx, &fluid.vy], at);
-            let inside = lanes::<L>(&work.completeness, at) - L::splat(SHIFT_FROM);
-            let inside = inside.div(L::splat(SHIFT_FULL - SHIFT_FROM)).max(zero).min(one);
-            let speed = if options.corrected_gradients {
-                let (mut stretch, mut shear) = ([0.0; LANES], [0.0; LANES]);
-                for lane in 0..LANES {
-                    [stretch[lane], shear[lane]] = strain[at + lane];
-                }
-                // R √(2E:E) is twice √((2 stretch)² + shear²), as the pair pass has them.
-                let (stretch, shear) = (L::load(&stretch) + L::load(&stretch), L::load(&shear));
-                L::splat(2.0 * ACROSS) * stretch.mul_add(stretch, shear * shear).sqrt()
-            } else {
-                (vx * vx + vy * vy).sqrt()
-            };
-            let factor = L::splat(-strength) * speed * inside;
-            let [dx, dy] = all_lanes::<L, 2>([&work.concentration_x, &work.concentration_y], at);
-            let mut dx = (factor * dx).max(L::splat(-limit)).min(L::splat(limit));
-            let mut dy = (factor * dy).max(L::splat(-limit)).min(L::splat(limit));
-            if any_nearer(planes, [x, y], 1.5 * reach) {
-                let (mut shift_x, mut shift_y) = (dx.to_array(), dy.to_array());
-                for lane in 0..LANES {
-                    let place = [fluid.x[at + lane], fluid.y[at + lane]];
-                    let mut shift = [shift_x[lane], shift_y[lane]];
-                    for plane in planes {
-                        let distance = -plane.beyond(place);
-                        if distance < 1.5 * reach {
-                            let fade = (distance / reach - 0.5).clamp(0.0, 1.0);
-                            shift = plane.with_across(shift, |across| across * fade);
-                        }
-                    }
-                    [shift_x[lane], shift_y[lane]] = shift;
-                }
-                (dx, dy) = (L::load(&shift_x), L::load(&shift_y));
-            }
-            let [gradient_x, gradient_y] =
-                all_lanes::<L, 2>([&work.gradient_x, &work.gradient_y], at);
-            let rise = (dx * gradient_x + dy * gradient_y) * L::splat(inverse_radius)
-                - L::splat(slope) * dy;
-            let density = lanes::<L>(&fluid.density, at);
-            let elastic = lanes::<L>(&work.pressure, at).div(density * density) * rise;
-            gained += lanes::<L>(&fluid.mass, at) * (L::splat(options.gravity) * dy + elastic);
-            store(&mut fluid.x, at, x + dx);
-            store(&mut fluid.y, at, y + dy);
-            store(&mut fluid.density, at, density + rise);
+        let inside = here.of::<D>(&work.completeness) - D::splat(SHIFT_FROM);
+        let inside = inside.div(D::splat(SHIFT_FULL - SHIFT_FROM));
+        let inside = inside.max(D::splat(0.0)).min(D::splat(1.0));
+        let factor = D::splat(-strength) * self.speed::<D>(here) * inside;
+        let [dx, dy] = here.all::<D, 2>([&work.concentration_x, &work.concentration_y]);
+        let dx = (factor * dx).max(D::splat(-limit)).min(D::splat(limit));
+        let dy = (factor * dy).max(D::splat(-limit)).min(D::splat(limit));
+        if !any_nearer(planes, place, 1.5 * reach) {
+            return [dx, dy];
         }
-        -gained.sum()
+        here.change([dx, dy], |k, mut shift| {
+            for plane in *planes {
+                let distance = -plane.beyond([fluid.x[k], fluid.y[k]]);
+                if distance < 1.5 * reach {
+                    let fade = (distance / reach - 0.5).clamp(0.0, 1.0);
+                    shift = plane.with_across(shift, |across| across * fade);
+                }
+            }
+            shift
+        })
+    }
+}
+
+impl InTurn for Shift<'_> {
+    /// Adds up the energy gained, J/m.
+    #[inline(always)]
+    fn at<D: Double>(&mut self, here: Here, gained: &mut D) {
+        let (work, options) = (self.work, self.options);
+        let [x, y, density] = here.all::<D, 3>([&self.fluid.x, &self.fluid.y, &self.fluid.density]);
+        let [dx, dy] = self.way(here, [x, y]);
+        let [gradient_x, gradient_y] = here.all::<D, 2>([&work.gradient_x, &work.gradient_y]);
+        let rise = (dx * gradient_x + dy * gradient_y) * D::splat(self.inverse_radius)
+            - D::splat(options.hydrostatic_slope()) * dy;
+        let elastic = here.of::<D>(&work.pressure).div(density * density) * rise;
+        *gained += here.of::<D>(&self.fluid.mass) * (D::splat(options.gravity) * dy + elastic);
+        let Fluid { x: to_x, y: to_y, density: to_density, .. } = &mut *self.fluid;
+        here.put(to_x, x + dx);
+        here.put(to_y, y + dy);
+        here.put(to_density, density + rise);
     }
 }

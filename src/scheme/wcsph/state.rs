@@ -2,13 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::readings::Column;
-use super::{DensityDiffusion, WcsphOptions, Workspace};
+use super::{Carried, DensityDiffusion, WcsphOptions, Workspace};
 use crate::body::BodyMotion;
 use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane};
 use crate::math::simd::SimdPath;
 use crate::math::team::Team;
-use crate::pairs::{Factors, Fluid, Pairs, Record, Scaling, SingleRecord};
+use crate::pairs::{Column, Factors, Fluid, Pairs, Record, Scaling, SingleRecord};
 
 /// Seconds spent in each phase, and pairs evaluated.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -36,7 +35,7 @@ pub struct WcsphState {
     reference_x: Vec<f64>,
     reference_y: Vec<f64>,
     reference_offsets: Vec<f64>,
-    carried: [Vec<f64>; 8],
+    carried: Carried,
     strain: Vec<[f64; 2]>,
     pair_evaluations: u64,
     list_rebuilds: u64,
@@ -180,7 +179,7 @@ impl Wcsph {
             reference_x: x.to_vec(),
             reference_y: y.to_vec(),
             reference_offsets: offsets.to_vec(),
-            carried: self.work.carried().map(Clone::clone),
+            carried: self.work.carried.clone(),
             strain: self.strain.clone(),
             pair_evaluations: self.pair_evaluations,
             list_rebuilds: self.pairs.rebuilds(),
@@ -194,9 +193,7 @@ impl Wcsph {
         self.fluid = state.fluid;
         let reference = [state.reference_x, state.reference_y];
         self.pairs.restore(reference, state.reference_offsets, state.list_rebuilds);
-        for (field, kept) in self.work.carried_mut().into_iter().zip(state.carried) {
-            *field = kept;
-        }
+        self.work.carried = state.carried;
         self.strain = state.strain;
         self.pair_evaluations = state.pair_evaluations;
         self.boundary_fallbacks = state.boundary_fallbacks;

@@ -51,8 +51,8 @@ impl Wcsph {
             // The first step has no correction from one before it: it takes its own. It has looked
             // ahead from rest, and does so again should a trunk end here.
             self.take_next_correction();
-            self.work.last_acceleration_x.fill(0.0);
-            self.work.last_acceleration_y.fill(0.0);
+            self.work.carried.last_acceleration_x.fill(0.0);
+            self.work.carried.last_acceleration_y.fill(0.0);
             // Counted once, as for who goes on from a state kept here.
             self.pairs.take_force_pairs();
             self.find_forces();

@@ -1,0 +1,123 @@
+//! The matrix that pairs make.
+
+use super::Near;
+use crate::math::simd::{LANES, Lanes, Task, Vector, dispatch};
+use crate::math::sparse::Csr;
+use crate::pairs::fields::Here;
+use crate::pairs::geometry::Pair;
+use crate::pairs::term::Eight;
+
+/// How strongly the two of a pair are coupled: w_ij of rows Σ_j w_ij (p_i - p_j).
+pub trait Coupling: Copy {
+    /// What it reads of the particle itself.
+    type Own<R: Vector>: Copy;
+    /// Reads the particle itself.
+    fn own<R: Vector>(&self, here: Here) -> Self::Own<R>;
+    /// The coupling; none where none of the pairs is to have an entry.
+    fn of<R: Vector>(&self, own: &Self::Own<R>, pair: &Pair<R>) -> Option<R>;
+}
+
+/// Rows of eight particles under way: common columns, with the eight values of each.
+#[derive(Debug, Clone, Default)]
+pub struct Rows {
+    columns: Vec<u32>,
+    values: Vec<Eight>,
+    /// Where a column stands among them, if it does.
+    slot: Vec<u32>,
+}
+
+impl Rows {
+    /// Takes up a column's values, added to those that an image of it has left.
+    #[inline(always)]
+    fn add<L: Lanes>(&mut self, column: u32, values: L) {
+        let at = self.slot[column as usize] as usize;
+        if self.columns.get(at) == Some(&column) {
+            let sum = L::load(&self.values[at]) + values;
+            sum.store(&mut self.values[at]);
+            return;
+        }
+        self.slot[column as usize] = self.columns.len() as u32;
+        self.columns.push(column);
+        self.values.push(values.to_array());
+    }
+
+    /// Moves the rows of the first few of the eight over to the matrix, without what is zero.
+    #[inline(always)]
+    fn pass_on(&mut self, count: usize, matrix: &mut Csr) {
+        let Csr { starts, columns, values, .. } = matrix;
+        for lane in 0..count {
+            let start = columns.len();
+            columns.resize(start + self.columns.len(), 0);
+            values.resize(start + self.columns.len(), 0.0);
+            let room = (&mut columns[start..], &mut values[start..]);
+            let mut found = 0;
+            // Every entry is written, and the next one over it if it was zero.
+            for (&column, eight) in self.columns.iter().zip(&self.values) {
+                (room.0[found], room.1[found]) = (column, eight[lane]);
+                found += usize::from(eight[lane] != 0.0);
+            }
+            columns.truncate(start + found);
+            values.truncate(start + found);
+            starts.push(columns.len() as u32);
+        }
+        self.columns.clear();
+        self.values.clear();
+    }
+}
+
+struct Assemble<'a, C> {
+    near: &'a Near,
+    coupling: C,
+    rows: &'a mut Rows,
+    matrix: &'a mut Csr,
+}
+
+impl<C: Coupling> Task for Assemble<'_, C> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let Assemble { near, coupling, rows, matrix } = self;
+        let zero = L::splat(0.0);
+        for cluster in 0..near.list.clusters() {
+            let here = Here::new(cluster, cluster);
+            let (places, own) = (near.eight::<L>(here), coupling.own::<L>(here));
+            let mut diagonal = zero;
+            let range = near.list.range(cluster);
+            let entries = near.list.entries()[range.clone()].iter();
+            for (&e, slope) in entries.zip(&near.slopes[range]) {
+                let Some(mut weight) =
+                    coupling.of(&own, &Near::pair(places, &near.records[e as usize], slope))
+                else {
+                    continue;
+                };
+                let j = near.original[e as usize];
+                if j as usize / LANES == cluster {
+                    // With itself or its own image: the same pressure.
+                    let mut others = weight.to_array();
+                    others[j as usize % LANES] = 0.0;
+                    weight = L::load(&others);
+                }
+                diagonal += weight;
+                rows.add(j, zero - weight);
+            }
+            let count = LANES.min(near.water - cluster * LANES);
+            matrix.diagonal.extend_from_slice(&diagonal.to_array()[..count]);
+            rows.pass_on(count, matrix);
+        }
+    }
+}
+
+impl Near {
+    /// Makes a matrix of the rows Σ_j w_ij (p_i - p_j), the value at a point being that at its original.
+    pub fn couple(&self, coupling: impl Coupling, rows: &mut Rows, matrix: &mut Csr) {
+        matrix.clear();
+        if matrix.columns.capacity() == 0 {
+            // Half of all listed pairs are in reach: room for later and longer lists.
+            matrix.columns.reserve(self.pairs());
+            matrix.values.reserve(self.pairs());
+        }
+        rows.slot.resize(self.water, 0);
+        dispatch(self.path, Assemble { near: self, coupling, rows, matrix });
+    }
+}

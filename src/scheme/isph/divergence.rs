@@ -1,0 +1,65 @@
+//! The divergence of the velocity, and its strain.
+
+use super::operators::Operators;
+use crate::pairs::{Eight, Here, Near, Neighbour, Other, Pair, Real, Term};
+
+/// Σ_j V_j u_j ∇_iW_ij, of Liang et al. 2017, Eq. 5: along x and y, of u and of v.
+#[derive(Clone, Copy)]
+struct Flow;
+
+impl Term for Flow {
+    type Own<R: Real> = ();
+    type Sum<R: Real> = [R; 4];
+    type Total = [Eight; 4];
+
+    #[inline(always)]
+    fn own<R: Real, N: Neighbour>(&self, _: Here) {}
+
+    #[inline(always)]
+    fn add<R: Real, N: Neighbour>(
+        &self,
+        (): &(),
+        pair: &Pair<R>,
+        other: Other<'_, N>,
+        [ux, uy, vx, vy]: &mut [R; 4],
+    ) {
+        let [gx, gy] = pair.gradient();
+        let [u, v] = other.velocity::<R>();
+        *ux = gx.mul_add(u, *ux);
+        *uy = gy.mul_add(u, *uy);
+        *vx = gx.mul_add(v, *vx);
+        *vy = gy.mul_add(v, *vy);
+    }
+}
+
+/// Σ V_j (u_j - u_i)·L_i ∇_iW_ij for the velocities u_i, with u_j in the records.
+pub(super) fn divergence(
+    (near, operators): (&Near, &Operators),
+    own: &[[f64; 2]],
+    divergence: &mut [f64],
+) {
+    near.sum(Flow, |i, [ux, uy, vx, vy]| {
+        let ([sx, sy], [lxx, lxy, lyy], [u, v]) =
+            (operators.sway[i], operators.correction[i], own[i]);
+        divergence[i] =
+            lxx * (ux - sx * u) + lxy * (uy + vx - sx * v - sy * u) + lyy * (vy - sy * v);
+    });
+}
+
+/// ∇u with the correction L: its trace and, trace-free and symmetric, the strain
+/// (½ (∂u/∂x - ∂v/∂y), ½ (∂u/∂y + ∂v/∂x)).
+pub(super) fn strain(
+    (near, operators): (&Near, &Operators),
+    own: &[[f64; 2]],
+    (strain, divergence): (&mut [[f64; 2]], &mut [f64]),
+) {
+    near.sum(Flow, |i, [ux, uy, vx, vy]| {
+        let ([sx, sy], [xx, xy, yy], [u, v]) = (operators.sway[i], operators.correction[i], own[i]);
+        let [ux, uy] = [ux - sx * u, uy - sy * u];
+        let [vx, vy] = [vx - sx * v, vy - sy * v];
+        let (along, across) = (ux * xx + uy * xy, vx * xy + vy * yy);
+        let shear = ux * xy + uy * yy + vx * xx + vy * xy;
+        strain[i] = [0.5 * (along - across), 0.5 * shear];
+        divergence[i] = along + across;
+    });
+}

@@ -1,0 +1,111 @@
+//! What a particle's support is good for: its moments, and the correction of gradients.
+
+use super::Isph;
+use super::lattice::Even;
+
+/// The correction of gradients fades from the moment's inverse, above this eigenvalue, ...
+const CORRECT_FULL: f64 = 0.30;
+/// ... to the identity, below this one.
+const CORRECT_FROM: f64 = 0.20;
+
+/// Operators at r*, one entry per fluid particle.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Operators {
+    /// Σ V W, itself included.
+    pub coverage: Vec<f64>,
+    /// Σ F.
+    pub weight: Vec<f64>,
+    /// s = Σ F Δ.
+    pub sway: Vec<[f64; 2]>,
+    /// Σ F ΔΔᵀ: xx, xy, yy.
+    pub moment: Vec<[f64; 3]>,
+    /// Its inverse, faded to the identity where it is near singular.
+    pub correction: Vec<[f64; 3]>,
+    /// Its smallest eigenvalue: 1 inside the water, 1/2 at a flat surface.
+    pub completeness: Vec<f64>,
+    /// Its surface: whether ∇·r < 1.5, and for those near it what the zero pressure adds to the
+    /// diagonal.
+    pub at_surface: Vec<bool>,
+    pub grip: Vec<f64>,
+}
+
+impl Operators {
+    /// κ_i = ½ tr (Σ F ΔΔᵀ)⁻¹, Schwaiger's (2008) normalisation of a support that is cut off, which
+    /// takes the compact Laplacian to the size of the exact one; its bound below a completeness.
+    pub fn kappa(&self, i: usize, least: f64) -> f64 {
+        const FULLEST: f64 = 3.0;
+        let [xx, xy, yy] = self.moment[i];
+        let determinant = xx * yy - xy * xy;
+        if determinant > 0.0 && self.completeness[i] > least {
+            (0.5 * (xx + yy) / determinant).clamp(1.0 / FULLEST, FULLEST)
+        } else {
+            FULLEST
+        }
+    }
+
+    /// By how much the water around a particle is too dense: Σ V W over its value in even water. Zero
+    /// near the surface.
+    pub fn crowding(&self, i: usize, even: &Even) -> f64 {
+        const INSIDE: f64 = 0.9;
+        let counts = self.completeness[i] > INSIDE && self.grip[i] == 0.0;
+        if counts { self.coverage[i] - even.coverage } else { 0.0 }
+    }
+}
+
+/// The inverse of a moment, faded to the identity, and the moment's smallest eigenvalue.
+fn invert([xx, xy, yy]: [f64; 3]) -> ([f64; 3], f64) {
+    let mean = 0.5 * (xx + yy);
+    let spread = (0.25 * (xx - yy) * (xx - yy) + xy * xy).sqrt();
+    let smallest = mean - spread;
+    let keep = ((smallest - CORRECT_FROM) / (CORRECT_FULL - CORRECT_FROM)).clamp(0.0, 1.0);
+    if keep == 0.0 {
+        return ([1.0, 0.0, 1.0], smallest);
+    }
+    let scale = keep / (xx * yy - xy * xy);
+    ([yy * scale + 1.0 - keep, -xy * scale, xx * scale + 1.0 - keep], smallest)
+}
+
+impl Isph {
+    /// Weighs all pairs, and finds what they make of every support.
+    pub(super) fn find_operators(&mut self) {
+        let n = self.fluid.len();
+        let operators = &mut self.operators;
+        for field in [&mut operators.coverage, &mut operators.weight, &mut operators.completeness] {
+            field.resize(n, 0.0);
+        }
+        operators.sway.resize(n, [0.0; 2]);
+        operators.moment.resize(n, [0.0; 3]);
+        operators.correction.resize(n, [0.0; 3]);
+        operators.grip.clear();
+        operators.grip.resize(n, 0.0);
+        self.near.weigh(|i, of| {
+            operators.coverage[i] = of.coverage;
+            operators.weight[i] = of.weight;
+            operators.sway[i] = of.sway;
+            operators.moment[i] = of.moment;
+            (operators.correction[i], operators.completeness[i]) = invert(of.moment);
+        });
+        self.pending.pair_evaluations += self.near.pairs() as u64;
+    }
+
+    /// L of every point, turned as its image is.
+    pub(super) fn turn_corrections(&mut self) {
+        let correction = &self.operators.correction;
+        let turned = self.points.iter().map(|p| p.turned_tensor(correction[p.original as usize]));
+        self.turned.clear();
+        self.turned.extend(turned);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_whole_moment_is_inverted_and_a_poor_one_left_alone() {
+        let ([xx, xy, yy], least) = invert([1.1, 0.2, 0.7]);
+        assert!((xx * 1.1 + xy * 0.2 - 1.0).abs() < 1e-12 && (xx * 0.2 + xy * 0.7).abs() < 1e-12);
+        assert!((xy * 0.2 + yy * 0.7 - 1.0).abs() < 1e-12 && least > 0.5);
+        assert_eq!(invert([1.0, 0.0, 0.1]).0, [1.0, 0.0, 1.0]);
+    }
+}
