@@ -57,13 +57,16 @@ impl Isph {
     /// linear fields in any arrangement. For [`Laplacian::Exact`] only near neighbours are taken.
     pub(super) fn assemble(&mut self) {
         let exact = self.options.laplacian == Laplacian::Exact;
-        let tilt = (self.options.laplacian == Laplacian::Schwaiger).then(|| self.tilts());
-        let System { matrix, rows, .. } = &mut self.system;
+        let tilted = self.options.laplacian == Laplacian::Schwaiger;
+        if tilted {
+            self.find_tilts();
+        }
+        let System { matrix, rows, tilts, .. } = &mut self.system;
         let (near, grip) = (&self.near, &self.operators.grip);
         let coupling = Compact {
             volume: &near.volume,
             narrow: exact.then_some(self.even.narrow),
-            tilt: tilt.as_deref(),
+            tilt: tilted.then_some(tilts.as_slice()),
         };
         near.couple(coupling, rows, matrix);
         for ((diagonal, volume), grip) in matrix.diagonal.iter_mut().zip(&near.volume).zip(grip) {
@@ -78,15 +81,15 @@ impl Isph {
     }
 
     /// L s of all particles away from the surface, padded; zero elsewhere.
-    fn tilts(&self) -> Vec<[f64; 2]> {
-        let operators = &self.operators;
-        let mut tilts = vec![[0.0; 2]; self.fluid.padded_len()];
+    fn find_tilts(&mut self) {
+        let (operators, tilts) = (&self.operators, &mut self.system.tilts);
+        tilts.clear();
+        tilts.resize(self.fluid.padded_len(), [0.0; 2]);
         for (i, tilt) in tilts.iter_mut().take(self.fluid.len()).enumerate() {
             if operators.grip[i] == 0.0 {
                 let ([sx, sy], [cx, cxy, cy]) = (operators.sway[i], operators.correction[i]);
                 *tilt = [sx * cx + sy * cxy, sx * cxy + sy * cy];
             }
         }
-        tilts
     }
 }

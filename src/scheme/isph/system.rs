@@ -26,6 +26,8 @@ pub(super) struct System {
     /// others.
     pub reached: Vec<bool>,
     pub open: Vec<u32>,
+    /// L s of the particles, for Schwaiger's Laplacian.
+    pub tilts: Vec<[f64; 2]>,
 }
 
 impl System {
@@ -39,6 +41,7 @@ impl System {
             change: Vec::new(),
             reached: Vec::new(),
             open: Vec::new(),
+            tilts: Vec::new(),
         }
     }
 }
