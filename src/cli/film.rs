@@ -61,6 +61,7 @@ pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
     let case = the_case(&study, &args.case)?;
     let set = Set {
         study: &study,
+        records: &finished(&args.dir, &study)?,
         directory: &args.dir,
         colour: args.colour.into(),
         resources: Resources { simd, threads: threads(args.threads) },
@@ -176,6 +177,8 @@ fn same(value: &toml::Value, wanted: &toml::Value) -> bool {
 /// Where and how cases are filmed again.
 pub(super) struct Set<'a> {
     pub(super) study: &'a Study,
+    /// Of its finished cases and companions, in the order of [`Study::runs`].
+    pub(super) records: &'a [Option<CaseRecord>],
     pub(super) directory: &'a Path,
     pub(super) colour: Colour,
     pub(super) resources: Resources,
@@ -200,7 +203,8 @@ impl Set<'_> {
                 return Ok(CASES_FAILED);
             }
         };
-        if let Some(reason) = first_difference(self.directory, self.study, case, &result)? {
+        let (directory, study) = (self.directory, (self.study, self.records));
+        if let Some(reason) = first_difference(directory, study, case, &result)? {
             for path in [path.with_extension("svg"), path] {
                 std::fs::remove_file(path)?;
             }
@@ -212,14 +216,13 @@ impl Set<'_> {
         Ok(SUCCESS)
     }
 
-    fn demand_finished(&self, case: &Case) -> anyhow::Result<()> {
-        let records = finished(self.directory, self.study)?;
-        let reason = match &records[case.index] {
+    fn demand_finished(&self, case: &Case) -> Result<(), BadInput> {
+        let reason = match &self.records[case.index] {
             Some(record) if record.is_ok() => return Ok(()),
             Some(record) => format!("failed in the study: {}", record.reason),
             None => "has not run yet: the study is not finished".to_owned(),
         };
-        Err(BadInput(format!("case {}: {reason}", case.id)).into())
+        Err(BadInput(format!("case {}: {reason}", case.id)))
     }
 }
 

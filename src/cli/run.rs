@@ -126,8 +126,8 @@ fn film_of(
     }
     let resources = Resources { simd: done.directory.simd(), threads: film::threads(args.threads) };
     let (directory, colour) = (done.directory.path(), page.colour);
-    let interrupt = &Interrupt::listen()?;
-    film::Set { study, directory, colour, resources, interrupt }.shoot(case, output)
+    let (records, interrupt) = (done.directory.runs(), &Interrupt::listen()?);
+    film::Set { study, records, directory, colour, resources, interrupt }.shoot(case, output)
 }
 
 fn told(record: &CaseRecord, config: &CaseConfig) -> String {

@@ -215,6 +215,7 @@ fn films(
     }
     let set = film::Set {
         study,
+        records: done.directory.runs(),
         directory: done.directory.path(),
         colour: Colour::Pressure,
         resources: Resources { simd: done.directory.simd(), threads: film::threads(args.threads) },

@@ -190,8 +190,7 @@ fn brief(value: f64) -> f64 {
 }
 
 fn title(config: &CaseConfig) -> String {
-    let kind = serde_json::to_value(&config.scene).unwrap_or_default();
-    let kind = kind["kind"].as_str().unwrap_or("water");
+    let kind = config.scene.kind();
     match config.scene.seawall() {
         Some(scene) => {
             let wave = if scene.wave_train.is_some() { "Waves" } else { "Wave" };

@@ -10,7 +10,7 @@ use super::lists::Pairs;
 use super::parts::{Part, Tally};
 use super::precision::{Neighbour, Other};
 use super::record::Record;
-use super::term::{Eight, Sum, Term};
+use super::term::{Eight, Sum, Term, loaded};
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
 use crate::math::team::Rows;
 
@@ -171,12 +171,7 @@ impl Held<'_, '_> {
     #[inline(always)]
     pub fn sum<D: Lanes, const N: usize>(&self, group: usize, factors: &[Factors]) -> [D; N] {
         let (pairs, cluster) = (self.pairs, self.here.list);
-        let found = D::call(Product::<N> { pairs, factors, cluster, group });
-        let mut sums = [D::splat(0.0); N];
-        for n in 0..N {
-            sums[n] = D::load(&found[n]);
-        }
-        sums
+        loaded(&D::call(Product::<N> { pairs, factors, cluster, group }))
     }
 
     /// Sums of the flow over the water and the ghosts of so many bodies.

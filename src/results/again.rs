@@ -30,17 +30,18 @@ pub fn finished(directory: &Path, study: &Study) -> Result<Vec<Option<CaseRecord
 }
 
 /// The first difference between a case's new result and its row in `summary.csv` and its history in a
-/// directory, in words; `None` where all but the wall time is the same to the bit.
+/// directory, in words; `None` where all but the wall time is the same to the bit. `records` are those
+/// of the study, see [`finished`].
 ///
 /// # Errors
 /// A file that cannot be read.
 pub fn first_difference(
     directory: &Path,
-    study: &Study,
+    (study, records): (&Study, &[Option<CaseRecord>]),
     case: &Case,
     result: &CaseResult,
 ) -> Result<Option<String>, SweepError> {
-    let mut records = finished(directory, study)?;
+    let mut records = records.to_vec();
     let record = CaseRecord::new(study, case, &Ok(result.clone()), 0.0, "");
     if let Some(place) = records.get_mut(case.index) {
         *place = Some(record);
@@ -118,7 +119,9 @@ mod tests {
         directory.write_tables(&study).unwrap();
         let case = &study.cases[1];
         let told = |result: &CaseResult| {
-            first_difference(&path, &study, case, result).unwrap().unwrap_or_default()
+            first_difference(&path, (&study, directory.runs()), case, result)
+                .unwrap()
+                .unwrap_or_default()
         };
         let result = made_up(&case.config);
         assert_eq!(told(&result), "");

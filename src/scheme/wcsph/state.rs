@@ -212,9 +212,4 @@ impl Wcsph {
     pub fn boundary_fallbacks(&self) -> u64 {
         self.boundary_fallbacks
     }
-
-    /// The options.
-    pub fn options(&self) -> &WcsphOptions {
-        &self.options
-    }
 }
