@@ -1,11 +1,11 @@
 //! Frames of particles as bytes.
 //!
 //! A particle has three numbers: x, y and a colour, in quanta. Particles are put in the order of the
-//! first frame: column after column, each from the bed up. What is coded is the difference from a
-//! prediction that the decoder can make, too:
-//! - in the first frame from three neighbours in the lattice: one back, a column back, and both;
-//! - later from the particle's own place in the frame before, moved like the two neighbours that
-//!   are known already.
+//! first frame: column after column, each from the bed up. The decoder can predict each number. What
+//! is coded is the difference from that prediction:
+//! - The first frame predicts from three neighbours in the lattice: one back, a column back, and both.
+//! - Later frames predict from the particle's own place in the frame before. It moves as the two
+//!   neighbours do that are known already.
 //!
 //! After the first frame a difference of less than one quantum is left out, so numbers are right
 //! within a quantum. Still and slow water then costs next to nothing.
