@@ -87,15 +87,15 @@ fn connected(cells: Cells, points: u32) -> (u8, Vec<u32>, Vec<u32>) {
 impl Values {
     /// Appends the array; vectors have three components in VTK.
     fn write(&self, text: &mut String, name: &str) {
-        let (kind, components, bytes) = match self {
-            Values::Scalars(all) => ("Float32", 1, singles(all.iter().copied())),
-            Values::Vectors(all) => {
-                ("Float32", 3, singles(all.iter().flat_map(|&[x, y]| [x, y, 0.0])))
-            }
-            Values::Whole(all) => ("UInt32", 1, bytes(all)),
+        let (kind, bytes) = match self {
+            Values::Scalars(all) => ("Float32\"", singles(all.iter().copied())),
+            Values::Vectors(all) => (
+                "Float32\" NumberOfComponents=\"3\"",
+                singles(all.iter().flat_map(|&[x, y]| [x, y, 0.0])),
+            ),
+            Values::Whole(all) => ("UInt32\"", bytes(all)),
         };
-        let count = format!("NumberOfComponents=\"{components}\"");
-        array(text, &format!("type=\"{kind}\" Name=\"{name}\" {count}"), &bytes);
+        array(text, &format!("type=\"{kind} Name=\"{name}\""), &bytes);
     }
 }
 
