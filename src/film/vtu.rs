@@ -123,7 +123,7 @@ fn array(text: &mut String, attributes: &str, bytes: &[u8]) {
 }
 
 fn compressed(block: &[u8]) -> Vec<u8> {
-    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
+    let mut encoder = ZlibEncoder::new(Vec::new(), Compression::fast());
     let written = encoder.write_all(block).and_then(|()| encoder.finish());
     written.expect("memory takes it all")
 }
