@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from pathlib import Path
 
 import numpy as np
@@ -82,6 +81,7 @@ def test_files_are_written_as_a_hand_would() -> None:
     probe = [{"name": "p", "kind": "pressure", "wall": "right", "y_m": np.float64(0.1)}]
     tables = {"name": 'a "b" ü', "scene": {"wall": "fixed", "flag": True}, "grid": grid, "probe": probe}
     text = _text(tables)
+    tomllib = pytest.importorskip("tomllib", reason="Python 3.10 has no tomllib")
     assert tomllib.loads(text) == tables
     assert "\n[scene]\nwall = " in text
     words = _settings({"grid.wave_height_ratio": np.array([0.1, 0.2]), "name": "x y"})
