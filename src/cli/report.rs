@@ -10,6 +10,7 @@ use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::Output;
 use crate::report::ReportError;
+use crate::results::write_all_histories;
 
 /// Write tables, figures and report.html from a sweep's files; simulate nothing.
 #[derive(Debug, Args)]
@@ -26,6 +27,7 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
         return Err(BadInput(format!("{}: {reason}", args.dir.display())).into());
     }
     let report = crate::report::write(&args.dir).map_err(unusable)?;
+    write_all_histories(&args.dir)?;
     output.result(&format!("report: {}\n", report.display()), &json!({ "report": report }))?;
     Ok(SUCCESS)
 }

@@ -195,7 +195,7 @@ fn energy_table(budget: &EnergyBudget, gap_percent: f64) -> String {
         text.push_str(&format!("{name:<18}{:>10}  {share:>16}\n", short(value)));
     };
     for term in energy::ALL {
-        line(&term.name.replace('_', " "), (term.read)(budget));
+        line(&term.words(), (term.read)(budget));
     }
     line("residual", work - total);
     text.push_str(&format!("reported gap {gap_percent:.2} %\n"));

@@ -13,7 +13,7 @@ use super::{INTERRUPTED, SUCCESS, check, film, max_error};
 use crate::accuracy::MaxError;
 use crate::execute::{Crew, Ending, Interrupt, Launcher, Setup, SphRunner, mpi, threads};
 use crate::film::Colour;
-use crate::results::{OpenMode, counted};
+use crate::results::{OpenMode, counted, write_all_histories};
 use crate::simulation::Resources;
 use crate::study::{Case, Study};
 
@@ -167,6 +167,7 @@ fn lead(
         return Ok(done.exit_code());
     }
     let filmed = films(args, &job.study, &done, interrupt, output);
+    write_all_histories(done.directory.path())?;
     let report = crate::report::write(done.directory.path())?;
     let mut text = told(&job, &done, &report, output.verbose);
     let mut value = done.json(&job, Some(&report));

@@ -128,7 +128,8 @@ mod tests {
         (fluid.vx[0], fluid.vy[0]) = (3.0, 4.0);
         fluid.id[..3].reverse();
         for time_s in [0.0, 0.1, 0.2, 0.0] {
-            camera.shoot(&Film { time_s, walls: [0.1, 0.2], fluid: &fluid, pressure: &[0.0; 3] });
+            let (fluid, pressure) = (&fluid, &[0.0; 3]);
+            camera.shoot(&Film { time_s, walls: [0.1, 0.2], fluid, pressure, faces: &[] });
         }
         assert_eq!(camera.takes.len(), 1);
         let points = &camera.takes[0].points;

@@ -107,21 +107,6 @@ pub(super) fn encode(frames: &[Vec<Point>], order: &[usize], column: usize) -> V
     encoder.finish()
 }
 
-/// Bytes as text.
-pub(super) fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for three in bytes.chunks(3) {
-        let byte = |k: usize| u32::from(three.get(k).copied().unwrap_or(0));
-        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for k in 0..4 {
-            let digit = DIGITS[(bits >> (18 - 6 * k) & 63) as usize];
-            text.push(if k <= three.len() { digit as char } else { '=' });
-        }
-    }
-    text
-}
-
 #[cfg(test)]
 pub(super) mod tests {
     use super::super::coder::decoder::Decoder;
@@ -167,11 +152,5 @@ pub(super) mod tests {
                 }
             }
         }
-    }
-
-    #[test]
-    fn bytes_are_written_as_text() {
-        let told = ["", "f", "fo", "foo", "foob"].map(|text| base64(text.as_bytes()));
-        assert_eq!(told, ["", "Zg==", "Zm8=", "Zm9v", "Zm9vYg=="]);
     }
 }

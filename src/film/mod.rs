@@ -1,7 +1,7 @@
 //! Films of the water. A camera is a [`Monitor`] that a run shows its water to; it reads, and changes
 //! nothing.
 //!
-//! - `vtk`: files for ParaView, with everything that a particle has;
+//! - `vtk` and `vtu`: files for ParaView, with everything that a particle has, and the walls;
 //! - [`PageFilm`]: one page that plays in a browser, and a still of the crest at the wall. `camera`
 //!   keeps what it saw, `codec` and `coder` pack it, `stage` knows what stands around the water,
 //!   `page` and `still` draw.
@@ -14,6 +14,7 @@ mod scale;
 mod stage;
 mod still;
 mod vtk;
+mod vtu;
 
 use std::io;
 use std::sync::{Mutex, PoisonError};
@@ -38,6 +39,11 @@ pub enum Filming {
 trait Camera: Send {
     /// Between two instants, seconds of simulated time.
     fn interval_s(&self) -> f64;
+
+    /// Whether it looks at the faces of walls.
+    fn sees_faces(&self) -> bool {
+        false
+    }
 
     /// Takes an instant.
     fn shoot(&mut self, film: &Film<'_>);
@@ -66,7 +72,8 @@ impl Filming {
             Filming::Vtk(film) => Box::new(film.camera(config).map_err(unwritable)?),
             Filming::Page(film) => Box::new(film.camera(config)),
         };
-        let set = Set { inner, interval_s: camera.interval_s(), camera: Mutex::new(camera) };
+        let (interval_s, faces) = (camera.interval_s(), camera.sees_faces());
+        let set = Set { inner, interval_s, faces, camera: Mutex::new(camera) };
         let result = run(&set)?;
         let camera = set.camera.into_inner().unwrap_or_else(PoisonError::into_inner);
         camera.finish(&result).map_err(unwritable)?;
@@ -78,6 +85,7 @@ impl Filming {
 struct Set<'a> {
     inner: &'a dyn Monitor,
     interval_s: f64,
+    faces: bool,
     camera: Mutex<Box<dyn Camera + 'a>>,
 }
 
@@ -88,6 +96,10 @@ impl Monitor for Set<'_> {
 
     fn film_interval(&self) -> Option<f64> {
         Some(self.interval_s)
+    }
+
+    fn films_faces(&self) -> bool {
+        self.faces
     }
 
     fn film(&self, film: &Film<'_>) {

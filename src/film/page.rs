@@ -3,6 +3,8 @@
 use std::path::PathBuf;
 use std::{fs, io};
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
 use serde_json::{Value, json};
 
 use super::camera::{PageCamera, Take};
@@ -141,7 +143,7 @@ impl Reel<'_> {
         film["right"] = times(|take| take.walls[1]).collect();
         film["colours"] = json!(scale::colours());
         film["history"] = curves(history);
-        film["data"] = json!(codec::base64(&packed.bytes));
+        film["data"] = json!(STANDARD.encode(&packed.bytes));
         film
     }
 

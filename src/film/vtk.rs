@@ -1,15 +1,18 @@
-//! Particles for ParaView: one VTU file per instant and a PVD file that lists them.
+//! Files for ParaView: water, bed and walls as a VTU file each per instant, and a PVD file that says
+//! which belong to which time.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
 use super::Camera;
+use super::vtu::{Cells, Grid, Values};
+use crate::body::Place;
 use crate::scene::CaseConfig;
-use crate::simulation::{CaseResult, Film};
+use crate::simulation::{CaseResult, Face, Film};
 use crate::study::CaseId;
 
-/// Where and how often to film: `<folder>/<case_id>.pvd` and `<folder>/<case_id>/<number>.vtu`.
+/// Where and how often to film: `<folder>/<case_id>.pvd` and `<folder>/<case_id>/<part>_<number>.vtu`.
 #[derive(Debug, Clone)]
 pub struct VtkFilm {
     /// Between two instants, seconds of simulated time.
@@ -20,7 +23,9 @@ pub struct VtkFilm {
 
 impl VtkFilm {
     pub(super) fn camera(&self, config: &CaseConfig) -> io::Result<VtkCamera> {
-        VtkCamera::new(&self.folder, CaseId::of(config).to_string(), self.interval_s)
+        let has_paddle = config.scene.seawall().is_some_and(|scene| scene.paddle().is_some());
+        let id = CaseId::of(config).to_string();
+        VtkCamera::new(&self.folder, id, self.interval_s, has_paddle)
     }
 }
 
@@ -29,14 +34,50 @@ pub(super) struct VtkCamera {
     interval_s: f64,
     folder: PathBuf,
     id: String,
-    taken: io::Result<Vec<f64>>,
+    has_paddle: bool,
+    /// Times and the names of what was there.
+    taken: io::Result<Vec<(f64, Vec<&'static str>)>>,
 }
 
 impl VtkCamera {
-    fn new(folder: &Path, id: String, interval_s: f64) -> io::Result<VtkCamera> {
+    fn new(folder: &Path, id: String, interval_s: f64, has_paddle: bool) -> io::Result<VtkCamera> {
         fs::create_dir_all(folder.join(&id))?;
-        Ok(VtkCamera { interval_s, folder: folder.to_owned(), id, taken: Ok(Vec::new()) })
+        Ok(VtkCamera {
+            interval_s,
+            folder: folder.to_owned(),
+            id,
+            has_paddle,
+            taken: Ok(Vec::new()),
+        })
     }
+
+    /// What a body is called.
+    fn name(&self, place: Place) -> &'static str {
+        match place {
+            Place::Bed => "bed",
+            Place::Left if self.has_paddle => "paddle",
+            Place::Left => "left_wall",
+            Place::Right => "wall",
+            Place::Lid => "lid",
+        }
+    }
+
+    /// Writes the files of an instant, and names them.
+    fn write(&self, number: usize, film: &Film<'_>) -> io::Result<Vec<&'static str>> {
+        let faces = film.faces.iter().map(|seen| (self.name(seen.place), face(seen)));
+        let mut names = Vec::new();
+        for (name, grid) in std::iter::once(("water", water(film))).chain(faces) {
+            let file = self.folder.join(path(&self.id, name, number));
+            fs::write(file, grid.text(film.time_s))?;
+            names.push(name);
+        }
+        Ok(names)
+    }
+}
+
+/// A file's path from the folder.
+fn path(id: &str, name: &str, number: usize) -> String {
+    format!("{id}/{name}_{number:05}.vtu")
 }
 
 impl Camera for VtkCamera {
@@ -44,11 +85,19 @@ impl Camera for VtkCamera {
         self.interval_s
     }
 
+    fn sees_faces(&self) -> bool {
+        true
+    }
+
     fn shoot(&mut self, film: &Film<'_>) {
         let Ok(taken) = &mut self.taken else { return };
-        let name = format!("{:05}.vtu", taken.len());
-        match fs::write(self.folder.join(&self.id).join(name), vtu(film)) {
-            Ok(()) => taken.push(film.time_s),
+        // A run that became unstable starts anew.
+        taken.retain(|(time_s, _)| *time_s < film.time_s);
+        let number = taken.len();
+        match self.write(number, film) {
+            Ok(names) => {
+                self.taken.iter_mut().for_each(|all| all.push((film.time_s, names.clone())))
+            }
             Err(error) => self.taken = Err(error),
         }
     }
@@ -58,56 +107,53 @@ impl Camera for VtkCamera {
         let mut text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n\
             <Collection>\n"
             .to_owned();
-        for (number, time) in self.taken?.iter().enumerate() {
-            let file = format!("{}/{number:05}.vtu", self.id);
-            let _ = writeln!(text, "<DataSet timestep=\"{time}\" file=\"{file}\"/>");
+        for (number, (time, names)) in self.taken?.iter().enumerate() {
+            for (part, name) in names.iter().enumerate() {
+                let file = path(&self.id, name, number);
+                let place = format!("part=\"{part}\" name=\"{name}\"");
+                let _ = writeln!(text, "<DataSet timestep=\"{time}\" {place} file=\"{file}\"/>");
+            }
         }
         text.push_str("</Collection>\n</VTKFile>\n");
         fs::write(self.folder.join(format!("{}.pvd", self.id)), text)
     }
 }
 
-/// One instant: a vertex per particle with velocity, pressure, density and number.
-fn vtu(film: &Film<'_>) -> String {
+/// A vertex per particle with pressure, velocity, density and number, in the order of the numbers.
+fn water(film: &Film<'_>) -> Grid {
     let Film { fluid, pressure, .. } = *film;
-    let n = fluid.len();
-    let mut text = format!(
-        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\">\n\
-         <UnstructuredGrid>\n<Piece NumberOfPoints=\"{n}\" NumberOfCells=\"{n}\">\n<Points>\n"
-    );
-    array(&mut text, "Float64", "", 3, (0..n).flat_map(|k| [fluid.x[k], fluid.y[k], 0.0]));
-    text.push_str("</Points>\n<Cells>\n");
-    array(&mut text, "Int32", "connectivity", 1, 0..n);
-    array(&mut text, "Int32", "offsets", 1, 1..=n);
-    array(&mut text, "UInt8", "types", 1, std::iter::repeat_n(1, n));
-    text.push_str("</Cells>\n<PointData Scalars=\"pressure_pa\" Vectors=\"velocity_m_per_s\">\n");
-    let velocity = (0..n).flat_map(|k| [fluid.vx[k], fluid.vy[k], 0.0]);
-    array(&mut text, "Float64", "velocity_m_per_s", 3, velocity);
-    array(&mut text, "Float64", "pressure_pa", 1, &pressure[..n]);
-    array(&mut text, "Float64", "density_kg_per_m3", 1, &fluid.density[..n]);
-    array(&mut text, "UInt32", "id", 1, &fluid.id[..n]);
-    text.push_str("</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n");
-    text
+    let mut order: Vec<usize> = (0..fluid.len()).collect();
+    order.sort_unstable_by_key(|&k| fluid.id[k]);
+    let scalars = |all: &[f64]| Values::Scalars(order.iter().map(|&k| all[k]).collect());
+    let vectors =
+        |x: &[f64], y: &[f64]| order.iter().map(|&k| [x[k], y[k]]).collect::<Vec<[f64; 2]>>();
+    Grid {
+        cells: Cells::Vertices,
+        points: vectors(&fluid.x, &fluid.y),
+        values: vec![
+            (PRESSURE, scalars(pressure)),
+            (VELOCITY, Values::Vectors(vectors(&fluid.vx, &fluid.vy))),
+            ("density_kg_per_m3", scalars(&fluid.density)),
+            ("id", Values::Whole(order.iter().map(|&k| fluid.id[k]).collect())),
+        ],
+    }
 }
 
-fn array<T: std::fmt::Display>(
-    text: &mut String,
-    kind: &str,
-    name: &str,
-    components: usize,
-    values: impl IntoIterator<Item = T>,
-) {
-    let _ = writeln!(
-        text,
-        "<DataArray type=\"{kind}\" Name=\"{name}\" NumberOfComponents=\"{components}\" \
-         format=\"ascii\">"
-    );
-    for (number, value) in values.into_iter().enumerate() {
-        let end = if (number + 1).is_multiple_of(components) { '\n' } else { ' ' };
-        let _ = write!(text, "{value}{end}");
+/// A body's face as lines, with the water's pressure on it and its own velocity.
+fn face(face: &Face) -> Grid {
+    let velocity = vec![[face.velocity, 0.0]; face.points.len()];
+    Grid {
+        cells: Cells::Lines,
+        points: face.points.clone(),
+        values: vec![
+            (PRESSURE, Values::Scalars(face.pressure.clone())),
+            (VELOCITY, Values::Vectors(velocity)),
+        ],
     }
-    text.push_str("</DataArray>\n");
 }
+
+const PRESSURE: &str = "pressure_pa";
+const VELOCITY: &str = "velocity_m_per_s";
 
 #[cfg(test)]
 mod tests {
@@ -116,24 +162,26 @@ mod tests {
     use crate::results::made_up;
 
     #[test]
-    fn a_film_has_all_particles_and_a_list() {
+    fn a_film_has_a_file_for_every_part_and_a_list() {
         let root = tempfile::tempdir().unwrap();
         let fluid = Fluid::at_rest((0..3).map(|k| [f64::from(k), 0.5, 1000.0, 1.0]));
-        let mut camera = VtkCamera::new(root.path(), "case".to_owned(), 0.1).unwrap();
-        for k in 0..2 {
-            let time_s = 0.1 * f64::from(k);
-            let pressure = &[1.0, 2.5, 3.0, 0.0];
-            camera.shoot(&Film { time_s, fluid: &fluid, pressure, walls: [0.0; 2] });
+        let mut camera = VtkCamera::new(root.path(), "case".to_owned(), 0.1, true).unwrap();
+        let points = vec![[0.0, 0.0], [0.0, 1.0]];
+        let place = Place::Left;
+        let face = Face { place, velocity: 0.5, points, pressure: vec![9.0, 0.0] };
+        // The second attempt of a run takes the place of the first.
+        for time_s in [0.0, 0.1, 0.2, 0.0, 0.15] {
+            let (pressure, faces) = (&[1.0, 2.5, 3.0, 0.0], std::slice::from_ref(&face));
+            camera.shoot(&Film { time_s, fluid: &fluid, pressure, walls: [0.0; 2], faces });
         }
         let result =
             made_up(&CaseConfig::from_tables(&toml::Table::new(), &toml::Table::new()).unwrap());
         Box::new(camera).finish(&result).unwrap();
         let list = fs::read_to_string(root.path().join("case.pvd")).unwrap();
-        assert!(list.contains("<DataSet timestep=\"0.1\" file=\"case/00001.vtu\"/>"), "{list}");
-        let film = fs::read_to_string(root.path().join("case/00001.vtu")).unwrap();
-        assert!(film.contains("NumberOfPoints=\"3\"") && film.contains("\n1\n2.5\n3\n"), "{film}");
-        let (open, close) =
-            (film.matches("<DataArray").count(), film.matches("</DataArray").count());
-        assert_eq!((open, close), (8, 8));
+        let paddle = "timestep=\"0.15\" part=\"1\" name=\"paddle\" file=\"case/paddle_00001.vtu\"";
+        assert!(list.contains(paddle), "{list}");
+        assert_eq!(list.matches("<DataSet").count(), 4, "{list}");
+        let water = fs::read_to_string(root.path().join("case/water_00001.vtu")).unwrap();
+        assert!(water.contains("NumberOfPoints=\"3\"") && water.contains("density_kg_per_m3"));
     }
 }

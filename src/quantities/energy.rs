@@ -13,25 +13,25 @@ const fn term(name: &'static str, read: Read) -> Quantity<Read> {
 
 quantities! { Read;
     /// done on the water by the paddle
-    PADDLE_WORK = term("paddle_work", |budget| budget.paddle_work);
+    PADDLE_WORK = term("paddle_work_j_per_m", |budget| budget.paddle_work);
     /// change of the water's kinetic energy
-    KINETIC = term("kinetic", |budget| budget.kinetic);
+    KINETIC = term("kinetic_j_per_m", |budget| budget.kinetic);
     /// change of the water's potential energy
-    POTENTIAL = term("potential", |budget| budget.potential);
+    POTENTIAL = term("potential_j_per_m", |budget| budget.potential);
     /// change of the water's elastic energy, by compression
-    ELASTIC = term("elastic", |budget| budget.elastic);
+    ELASTIC = term("elastic_j_per_m", |budget| budget.elastic);
     /// kinetic energy of the wall at the end
-    WALL_KINETIC = term("wall_kinetic", |budget| budget.wall_kinetic);
+    WALL_KINETIC = term("wall_kinetic_j_per_m", |budget| budget.wall_kinetic);
     /// energy of the spring at the end
-    SPRING = term("spring", |budget| budget.spring);
+    SPRING = term("spring_j_per_m", |budget| budget.spring);
     /// absorbed by the threshold of the wall's law of motion, and by a coupling other than 1
-    THRESHOLD_DEVICE = term("threshold_device", |budget| budget.threshold_device);
+    THRESHOLD_DEVICE = term("threshold_device_j_per_m", |budget| budget.threshold_device);
     /// lost where the wall hits its stop
-    STOPS = term("stops", |budget| budget.stops);
+    STOPS = term("stops_j_per_m", |budget| budget.stops);
     /// lost to artificial viscosity
-    VISCOUS = term("viscous", |budget| budget.viscous);
+    VISCOUS = term("viscous_j_per_m", |budget| budget.viscous);
     /// lost to density diffusion
-    DENSITY_DIFFUSION = term("density_diffusion", |budget| budget.density_diffusion);
+    DENSITY_DIFFUSION = term("density_diffusion_j_per_m", |budget| budget.density_diffusion);
     /// taken out by particle shifting
-    SHIFTING = term("shifting", |budget| budget.shifting);
+    SHIFTING = term("shifting_j_per_m", |budget| budget.shifting);
 }

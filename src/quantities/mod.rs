@@ -95,6 +95,11 @@ impl<R: Copy> Quantity<R> {
         self
     }
 
+    /// Its name in words, without the unit.
+    pub fn words(&self) -> String {
+        unit::split(self.name).0.replace('_', " ")
+    }
+
     /// What stands above its column: the symbol, or else the name, and the unit.
     pub fn heading(&self) -> String {
         match (self.symbol, self.unit.symbol()) {

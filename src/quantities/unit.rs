@@ -65,15 +65,17 @@ impl Unit {
 }
 
 /// Endings of columns and keys that tell their unit; longer ones before those that they end in.
-const ENDINGS: [(&str, &str); 10] = [
+pub(super) const ENDINGS: [(&str, &str); 12] = [
     ("_n_per_m", "N/m"),
     ("_kg_per_m", "kg/m"),
+    ("_j_per_m", "J/m"),
     ("_kg_per_m3", "kg/m³"),
     ("_m_per_s2", "m/s²"),
+    ("_m2_per_s", "m²/s"),
     ("_m_per_s", "m/s"),
+    ("_per_s", "1/s"),
     ("_percent", "%"),
     ("_deg", "°"),
-    ("_j", "J"),
     ("_m", "m"),
     ("_s", "s"),
 ];
@@ -82,4 +84,23 @@ const ENDINGS: [(&str, &str); 10] = [
 pub(super) fn split(name: &str) -> (&str, &'static str) {
     let known = ENDINGS.iter().find_map(|(ending, unit)| Some((name.strip_suffix(ending)?, *unit)));
     known.unwrap_or((name, ""))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{energy, history, summary};
+    use super::*;
+
+    #[test]
+    fn a_name_ends_in_its_unit() {
+        let summary = summary::ALL.iter().map(|column| (column.name, column.unit));
+        let history = history::ALL.iter().map(|column| (column.name, column.unit));
+        let energy = energy::ALL.iter().map(|term| (term.name, term.unit));
+        for (name, unit) in summary.chain(history).chain(energy) {
+            let told = if unit.is_ratio() { "" } else { unit.symbol() };
+            assert_eq!(split(name).1, told, "{name}");
+        }
+        let keys = ["kinematic_viscosity_m2_per_s", "rotation_rate_per_s", "gravity_m_per_s2"];
+        assert_eq!(keys.map(|key| split(key).1), ["m²/s", "1/s", "m/s²"]);
+    }
 }

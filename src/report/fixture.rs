@@ -77,7 +77,7 @@ fn write(cases: &[(f64, Wall)]) -> TempDir {
     let root = directory.path();
     fs::create_dir(root.join("histories")).unwrap();
     let mut rows = Vec::new();
-    let mut energy = "case_id,paddle_work_j,kinetic_j,spring_j\n".to_owned();
+    let mut energy = "case_id,paddle_work_j_per_m,kinetic_j_per_m,spring_j_per_m\n".to_owned();
     for (index, &(wave, wall)) in cases.iter().enumerate() {
         let id = format!("case-{index:04}");
         if index + 1 == cases.len() && index > 5 && wall.is_some() {

@@ -10,25 +10,35 @@ pub(super) const TEMPORARY: &str = ".partial";
 
 /// Writes a file so that no reader, and no crash, ever sees a part of it.
 pub(super) fn write(path: &Path, content: &[u8]) -> Result<(), SweepError> {
-    put(path, content, File::sync_all)
+    write_with(path, |mut file| file.write_all(content).map_err(SweepError::io(path)))
+}
+
+/// The same for content that is made as it is written.
+pub(super) fn write_with(
+    path: &Path,
+    fill: impl FnOnce(&File) -> Result<(), SweepError>,
+) -> Result<(), SweepError> {
+    put(path, |file| {
+        fill(file)?;
+        file.sync_all().map_err(SweepError::io(path))
+    })
 }
 
 /// The same for readers; a power cut may leave it empty or short, unless it was [synced](sync).
 pub(super) fn write_unsynced(path: &Path, content: &[u8]) -> Result<(), SweepError> {
-    put(path, content, |_| Ok(()))
+    put(path, |mut file| file.write_all(content).map_err(SweepError::io(path)))
 }
 
-fn put(
-    path: &Path,
-    content: &[u8],
-    settle: fn(&File) -> std::io::Result<()>,
-) -> Result<(), SweepError> {
+/// What fails on the way leaves nothing behind.
+fn put(path: &Path, fill: impl FnOnce(&File) -> Result<(), SweepError>) -> Result<(), SweepError> {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(TEMPORARY);
     let temporary = path.with_file_name(name);
-    let mut file = File::create(&temporary).map_err(SweepError::io(&temporary))?;
-    file.write_all(content).map_err(SweepError::io(&temporary))?;
-    settle(&file).map_err(SweepError::io(&temporary))?;
+    let file = File::create(&temporary).map_err(SweepError::io(&temporary))?;
+    if let Err(error) = fill(&file) {
+        let _ = fs::remove_file(&temporary);
+        return Err(error);
+    }
     fs::rename(&temporary, path).map_err(SweepError::io(path))
 }
 

@@ -89,7 +89,7 @@ pub(super) fn clean(directory: &Path) -> Result<(), SweepError> {
 }
 
 /// Where a case's history is.
-pub(super) fn history_path(directory: &Path, id: CaseId) -> PathBuf {
+pub(super) fn history_path(directory: &Path, id: impl std::fmt::Display) -> PathBuf {
     directory.join(HISTORIES).join(format!("{id}.csv"))
 }
 

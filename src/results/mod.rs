@@ -3,9 +3,11 @@
 //!
 //! - [`Directory`] is an output directory, locked; [`Journal`] has a [`CaseRecord`] per finished case;
 //! - the summary, `energy.csv`, and the files of every case are written from records and results;
+//! - [`write_all_histories`] joins the histories of all cases in one table;
 //! - [`Manifest`] says where the results come from.
 
 mod again;
+mod all_histories;
 mod atomic_file;
 mod clock;
 mod directory;
@@ -22,6 +24,7 @@ mod record;
 mod summary;
 
 pub use again::{finished, first_difference};
+pub use all_histories::write_all_histories;
 pub use clock::timestamp;
 pub use directory::{Directory, OpenMode, Opened};
 pub use error::SweepError;

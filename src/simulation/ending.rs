@@ -16,11 +16,13 @@ impl Run {
         if last || time >= interval * self.films as f64 * (1.0 - 1e-12) {
             self.films = (time / interval * (1.0 + 1e-9)) as u64 + 1;
             let bodies = self.tank.motions(time);
+            let faces = if monitor.films_faces() { self.faces(&bodies) } else { Vec::new() };
             monitor.film(&Film {
                 time_s: time,
                 walls: [Place::Left, Place::Right].map(|place| bodies[place].offset),
                 fluid: self.tank.water.fluid(),
                 pressure: self.tank.water.pressures(),
+                faces: &faces,
             });
         }
     }

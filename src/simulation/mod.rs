@@ -6,6 +6,7 @@ mod doubt;
 mod ending;
 mod energy;
 mod face_gaps;
+mod faces;
 mod failure;
 mod first_impact;
 mod gauge;
@@ -23,6 +24,7 @@ mod surface;
 mod watch;
 mod window;
 
+pub use faces::Face;
 pub use failure::{Failure, FailureKind, Stopped};
 pub use health::HealthMargins;
 pub use outcome::{
@@ -41,6 +43,10 @@ pub trait Monitor: Sync {
     /// How often [`Monitor::film`] is called, seconds of simulated time; never by default.
     fn film_interval(&self) -> Option<f64> {
         None
+    }
+    /// Whether [`Film::faces`] are wanted; not by default.
+    fn films_faces(&self) -> bool {
+        false
     }
     /// Called at the first step at or after every such time, and at the end.
     fn film(&self, _film: &Film<'_>) {}
@@ -61,6 +67,8 @@ pub struct Film<'a> {
     pub fluid: &'a Fluid,
     /// Their pressures, Pa.
     pub pressure: &'a [f64],
+    /// The faces that hold the water; empty unless they are wanted.
+    pub faces: &'a [Face],
 }
 
 /// A monitor that never interferes.

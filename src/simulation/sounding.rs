@@ -8,6 +8,8 @@ use crate::water::level_up_to;
 /// A gauge counts as wet from this far below the surface, in particle spacings, and as dry from
 /// as far above it.
 const WATERLINE: f64 = 0.4;
+/// So many points of a face are looked up together.
+const LOOKED_UP: usize = 16;
 
 /// The water around a place, at an instant.
 pub(super) struct Sounding<'a> {
@@ -103,11 +105,7 @@ impl<'a> Sounding<'a> {
         if self.near.water.is_empty() {
             return 0.0;
         }
-        let (kernel, support) = self.water.kernel();
-        let half = WATERLINE * self.spacing / support;
-        let contact = libm::acos(along[0]) / std::f64::consts::PI;
-        let fade = kernel.half_plane_fraction(half) - 0.5;
-        let (wet_at, dry_at) = (contact + fade, (contact - fade).max(0.0));
+        let waterline = self.waterline(along);
         let count = (2.0 * diameter / self.spacing).ceil().max(1.0) as u32;
         let (mut sum, mut weights) = (0.0, 0.0);
         for k in 0..count {
@@ -115,11 +113,43 @@ impl<'a> Sounding<'a> {
             // The disc's width at this height.
             let chord = (1.0 - t * t).sqrt();
             let place = [x + along[0] * t * radius, y + along[1] * t * radius];
-            let (share, pressure) = self.at(place[0], place[1]);
-            sum += chord * pressure * ((share - dry_at) / (wet_at - dry_at)).clamp(0.0, 1.0);
+            sum += chord * self.wet_pressure(place, waterline);
             weights += chord;
         }
         sum / weights
+    }
+
+    /// Pressures at points along a face, as [`Sounding::pressure`] tells them one by one.
+    pub(super) fn pressures(&mut self, points: &[[f64; 2]], along: [f64; 2]) -> Vec<f64> {
+        let waterline = self.waterline(along);
+        let mut all = Vec::with_capacity(points.len());
+        for group in points.chunks(LOOKED_UP) {
+            let range = |axis: usize| {
+                let places = group.iter().map(|point| point[axis]);
+                [
+                    places.clone().fold(f64::INFINITY, f64::min),
+                    places.fold(-f64::INFINITY, f64::max),
+                ]
+            };
+            self.look(range(0), range(1));
+            all.extend(group.iter().map(|&point| self.wet_pressure(point, waterline)));
+        }
+        all
+    }
+
+    /// The shares of water from which a place on a face counts as wet and up to which as dry.
+    fn waterline(&self, along: [f64; 2]) -> [f64; 2] {
+        let (kernel, support) = self.water.kernel();
+        let half = WATERLINE * self.spacing / support;
+        let contact = libm::acos(along[0]) / std::f64::consts::PI;
+        let fade = kernel.half_plane_fraction(half) - 0.5;
+        [contact + fade, (contact - fade).max(0.0)]
+    }
+
+    /// The pressure at a place that was looked up, as far as that is wet.
+    fn wet_pressure(&self, [x, y]: [f64; 2], [wet_at, dry_at]: [f64; 2]) -> f64 {
+        let (share, pressure) = self.at(x, y);
+        pressure * ((share - dry_at) / (wet_at - dry_at)).clamp(0.0, 1.0)
     }
 
     /// Level of the water at x, metres over the bed: upwards from the bed, where its share falls

@@ -62,7 +62,12 @@ pub fn results(out: &Path) -> BTreeMap<String, Vec<u8>> {
             files.insert(name, fs::read(entry.path()).unwrap());
         }
     }
-    files.insert("energy.csv".to_owned(), fs::read(out.join("energy.csv")).unwrap());
+    for name in ["energy.csv", "histories.csv.gz"] {
+        if let Ok(bytes) = fs::read(out.join(name)) {
+            files.insert(name.to_owned(), bytes);
+        }
+    }
+    assert!(files.contains_key("energy.csv"), "{}", out.display());
     let mut reader = csv::Reader::from_path(out.join("summary.csv")).unwrap();
     let headers = reader.headers().unwrap().clone();
     let mut summary = String::new();

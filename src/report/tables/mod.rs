@@ -207,7 +207,7 @@ mod tests {
         assert_eq!(force.rows[0][..2], ["1.25", "0.3"]);
         let energy = named(&tables, "energy");
         assert_eq!(energy.header[..2], ["case_id", "wave_height_ratio"]);
-        assert_eq!(energy.header[4..6], ["force_coupling", "paddle_work_j"]);
+        assert_eq!(energy.header[4..6], ["force_coupling", "paddle_work_j_per_m"]);
         assert!(energy.csv().contains("\ncase-0001,0.3,10,250,1,48.000,"), "{}", energy.csv());
     }
 

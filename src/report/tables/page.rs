@@ -69,7 +69,8 @@ mod tests {
     #[test]
     fn long_numbers_are_cut() {
         let cells = vec![vec!["a".to_owned(), "-8.939208979763524e-6".to_owned()]];
-        let page = Table::new("energy", "Energy", &["case_id", "elastic"], cells).for_page();
+        let page =
+            Table::new("energy", "Energy", &["case_id", "elastic_j_per_m"], cells).for_page();
         assert_eq!(page.rows[0][1], "-8.939×10⁻⁶");
     }
 }

@@ -1,0 +1,114 @@
+//! The faces of walls, bed and lid, and how hard the water presses on them.
+
+use super::run::Run;
+use super::sounding::Sounding;
+use crate::body::{Motions, Place};
+
+/// The face of a body at an instant: a line of points, a particle spacing apart or less.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Face {
+    /// Whose face it is.
+    pub place: Place,
+    /// How fast the body moves along x, m/s.
+    pub velocity: f64,
+    /// x and y, metres: along the bed and the lid from the left, up the walls.
+    pub points: Vec<[f64; 2]>,
+    /// The water's pressure at the points, Pa, read as a pressure probe there would; 0 where it is dry.
+    pub pressure: Vec<f64>,
+}
+
+impl Run {
+    /// The faces of all bodies; none where nothing holds the water.
+    pub(super) fn faces(&mut self, bodies: &Motions) -> Vec<Face> {
+        let Run { tank, near, .. } = self;
+        let ghosts = tank.water.walls();
+        if ghosts.is_empty() {
+            return Vec::new();
+        }
+        let top = ghosts.bodies[Place::Right.number()].faces.clone().next_back();
+        let top = top.map_or(tank.frame.depth, |face| ghosts.target_y[face] + 0.5 * tank.spacing);
+        let scales = (tank.frame.gravity, tank.spacing, tank.frame.density);
+        let mut water = Sounding::new(tank.water.as_ref(), bodies, scales, near);
+        let places = [Place::Bed, Place::Left, Place::Right, Place::Lid];
+        let present = places.into_iter().take(bodies.len());
+        let mut face = |place: Place| {
+            let ends = ends(&water, place, top);
+            let points = between(ends, tank.spacing);
+            let [[x0, y0], [x1, y1]] = ends;
+            let long = (x1 - x0).hypot(y1 - y0);
+            let upright = [0.0, 1.0];
+            let flat = matches!(place, Place::Bed | Place::Lid);
+            let along = if flat { upright } else { [(x1 - x0) / long, (y1 - y0) / long] };
+            let pressure = water.pressures(&points, along);
+            Face { place, velocity: bodies[place].velocity, points, pressure }
+        };
+        present.map(&mut face).collect()
+    }
+}
+
+/// Where a face starts and ends, metres; walls rise to this height.
+fn ends(water: &Sounding<'_>, place: Place, top: f64) -> [[f64; 2]; 2] {
+    let face = water.face(place);
+    let [left, right] = [Place::Left, Place::Right].map(|wall| water.face(wall).point[0]);
+    let ([x, y], [nx, ny]) = (face.point, face.normal);
+    match place {
+        Place::Bed | Place::Lid => [[left, y], [right, y]],
+        Place::Left | Place::Right => [[x, y], [x - (top - y) * ny / nx, top]],
+    }
+}
+
+/// Points on a line, no farther apart than the spacing.
+fn between([from, to]: [[f64; 2]; 2], spacing: f64) -> Vec<[f64; 2]> {
+    let way = [to[0] - from[0], to[1] - from[1]];
+    let pieces = (way[0].hypot(way[1]) / spacing).ceil().max(1.0) as u32;
+    let at = |k: u32| {
+        let share = f64::from(k) / f64::from(pieces);
+        [from[0] + share * way[0], from[1] + share * way[1]]
+    };
+    (0..=pieces).map(at).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::simd::SimdPath;
+    use crate::math::team::Team;
+    use crate::scene::CaseConfig;
+
+    fn faces(scene: &str, numerics: &str) -> Vec<Face> {
+        let [scene, numerics] = [scene, numerics].map(|text| text.parse().unwrap());
+        let config = CaseConfig::from_tables(&scene, &numerics).unwrap();
+        let mut run = Run::start(&config, SimdPath::Portable, &Team::of(1));
+        let bodies = run.tank.motions(0.0);
+        run.tank.water.prepare(&bodies, 1e-4).unwrap();
+        run.faces(&bodies)
+    }
+
+    #[test]
+    fn still_water_presses_with_its_weight_on_every_face() {
+        for (scheme, angle) in [("wcsph", 90), ("wcsph", 120), ("isph", 90)] {
+            let scene = format!("kind = \"hydrostatic\"\nwall_angle_deg = {angle}");
+            let numerics = format!("particle_spacing_m = 0.015\nscheme = \"{scheme}\"");
+            let faces = faces(&scene, &numerics);
+            assert_eq!(faces.iter().map(|face| face.place as usize).collect::<Vec<_>>(), [0, 1, 2]);
+            for face in faces {
+                assert_eq!((face.points.len(), face.velocity), (face.pressure.len(), 0.0));
+                for (&[x, y], pressure) in face.points.iter().zip(&face.pressure) {
+                    let still = 9810.0 * (0.3 - y).max(0.0);
+                    let gap = (pressure - still).abs();
+                    assert!(gap < 0.02 * 9810.0 * 0.3, "{scheme} {angle} {x} {y} {pressure}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_leaning_wall_has_a_leaning_face() {
+        let scene = "kind = \"hydrostatic\"\nwall_angle_deg = 120";
+        let wall = faces(scene, "particle_spacing_m = 0.03").pop().unwrap();
+        let [x, y] = wall.points[wall.points.len() - 1];
+        assert!(((x - 1.0) / y - (30.0_f64).to_radians().tan()).abs() < 1e-9, "{x} {y}");
+        let scene = "kind = \"rotating-patch\"";
+        assert_eq!(faces(scene, "particle_spacing_m = 0.05"), []);
+    }
+}
