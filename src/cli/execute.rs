@@ -105,6 +105,9 @@ pub(super) fn execute(
     let study = &job.study;
     let (mut directory, opened) =
         Directory::open(&job.out, study, job.mode, job.simd, crew.widest_simd())?;
+    for finding in directory.findings() {
+        output.note(finding);
+    }
     if job.retry_failed {
         directory.retry_failed();
     }

@@ -93,7 +93,7 @@ fn read(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     let lacking = || bad("holds no manifest.json: not the output directory of a sweep".to_owned());
     let manifest = Manifest::read(directory).ok_or_else(lacking)?;
     let unfinished = || bad("the sweep was stopped before it began".to_owned());
-    let (header, _) = read_journal(directory)?.ok_or_else(unfinished)?;
+    let header = read_journal(directory)?.header.ok_or_else(unfinished)?;
     if manifest.physics_version != PHYSICS_VERSION {
         let theirs = manifest.physics_version;
         let reason = format!("has physics version {theirs}, this program {PHYSICS_VERSION}");

@@ -3,11 +3,13 @@
 use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, SystemTime};
 
 use super::error::SweepError;
 use super::files::{self, Unsynced};
-use super::journal::{self, Header, Journal};
+use super::entries::{Content, Header};
+use super::journal::{self, Journal};
+use super::manifest::Manifest;
 use super::lock::{self, Lock};
 use super::number::counted;
 use super::record::CaseRecord;
@@ -51,6 +53,7 @@ pub struct Directory {
     records: Vec<Option<CaseRecord>>,
     /// Records before this are cases, the others companions.
     cases: usize,
+    findings: Vec<String>,
 }
 
 impl Directory {
@@ -72,38 +75,55 @@ impl Directory {
             let reason = format!("--simd {simd}: not every rank has it; the widest is {widest}");
             return Err(SweepError::Refused(reason));
         }
-        let found = holds_journal(path)?;
-        if mode == OpenMode::Resume
-            && found
-            && let Some((header, _)) = journal::read_journal(path)?
-        {
+        let before = look(path)?;
+        if let (OpenMode::Resume, Found::Journal(..)) = (mode, &before) {
+            let content = journal::read_journal(path)?;
+            let header = self::header(path, content, study)?;
             check_header(path, &header, study, requested, widest)?;
         }
         fs::create_dir_all(path).map_err(|error| SweepError::refused(path, error))?;
         let mut lock = Lock::hold(path)?;
         let mut opened = Opened::New;
-        if mode == OpenMode::Fresh && found {
-            let aside = move_aside(path)?;
-            fs::create_dir_all(path).map_err(SweepError::io(path))?;
-            lock = Lock::hold(path)?;
+        if mode == OpenMode::Fresh && before != Found::Nothing {
+            demand_same(path, &before)?;
+            let (aside, new) = replace(path)?;
+            lock = new;
             opened = Opened::Moved(aside);
         }
         let mut records = vec![None; study.run_count()];
-        let resumed = if holds_journal(path)? { Journal::resume(path)? } else { None };
-        let (journal, simd) = if let Some((journal, header, lines)) = resumed {
-            check_header(path, &header, study, requested, widest)?;
-            files::clean(path)?;
-            fill(path, study, &mut records, lines);
-            opened = Opened::Resumed(records.iter().flatten().count());
-            (journal, header.simd)
-        } else {
+        let mut findings = Vec::new();
+        let (journal, simd) = if look(path)? == Found::Nothing {
             let simd = requested.unwrap_or(widest);
             let header = Header::new(&study.name, &study.identity, study.cases.len(), simd);
             (Journal::create(path, &header)?, simd)
+        } else {
+            let content = journal::read_journal(path)?;
+            findings.extend(told_damage(&content));
+            let header = self::header(path, content, study)?;
+            check_header(path, &header, study, requested, widest)?;
+            let (journal, lines) = Journal::resume(path, &header)?;
+            files::clean(path)?;
+            findings.extend(fill(path, study, &mut records, lines));
+            opened = Opened::Resumed(records.iter().flatten().count());
+            (journal, header.simd)
         };
         let (path, cases, unsynced) = (path.to_owned(), study.cases.len(), Unsynced::default());
-        let directory = Directory { path, _lock: lock, journal, unsynced, simd, records, cases };
+        let directory =
+            Directory { path, _lock: lock, journal, unsynced, simd, records, cases, findings };
         Ok((directory, opened))
+    }
+
+    /// What was found damaged on opening, in words; the cases in question run again.
+    pub fn findings(&self) -> &[String] {
+        &self.findings
+    }
+
+    /// Makes sure that results still go where they should.
+    ///
+    /// # Errors
+    /// Somebody has deleted or moved the directory or its journal.
+    pub fn demand_in_place(&self) -> Result<(), SweepError> {
+        self.journal.demand_in_place()
     }
 
     /// Where it is.
@@ -153,6 +173,7 @@ impl Directory {
     /// Puts everything recorded on the disk, once it has waited long enough or if `now`.
     pub fn sync(&mut self, now: bool) -> Result<(), SweepError> {
         if self.journal.waits(if now { Duration::ZERO } else { GROUP }) {
+            self.journal.demand_in_place()?;
             self.unsynced.sync(&self.path)?;
             self.journal.sync()?;
         }
@@ -161,18 +182,28 @@ impl Directory {
 
     /// Makes all tables from the journal's records.
     pub fn write_tables(&self, study: &Study) -> Result<(), SweepError> {
+        self.demand_in_place()?;
         summary::write(&self.path, study, &self.records)?;
         energy::write(&self.path, self.records())
     }
 }
 
-/// Whether a path holds a journal, or nothing; anything else is somebody else's.
-fn holds_journal(path: &Path) -> Result<bool, SweepError> {
+/// What a path holds; anything else is somebody else's.
+#[derive(Debug, PartialEq)]
+enum Found {
+    Nothing,
+    /// A journal, which began at this time: it tells a new one from an old one.
+    Journal(Option<SystemTime>),
+}
+
+fn look(path: &Path) -> Result<Found, SweepError> {
     if !path.exists() {
-        return Ok(false);
+        return Ok(Found::Nothing);
     }
-    if path.join(journal::FILE_NAME).is_file() {
-        return Ok(true);
+    let journal = path.join(journal::FILE_NAME);
+    if journal.is_file() {
+        let created = fs::metadata(&journal).and_then(|file| file.created()).ok();
+        return Ok(Found::Journal(created));
     }
     let entries = fs::read_dir(path).map_err(|error| SweepError::refused(path, error))?;
     for entry in entries {
@@ -182,7 +213,47 @@ fn holds_journal(path: &Path) -> Result<bool, SweepError> {
             return Err(SweepError::refused(path, reason));
         }
     }
-    Ok(false)
+    Ok(Found::Nothing)
+}
+
+/// While this process waited for the lock, another may have started over.
+fn demand_same(path: &Path, before: &Found) -> Result<(), SweepError> {
+    if look(path)? == *before {
+        return Ok(());
+    }
+    Err(SweepError::refused(path, "another process has just started over here"))
+}
+
+/// The journal's header. Where its line is lost, the manifest tells the same.
+fn header(path: &Path, content: Content, study: &Study) -> Result<Header, SweepError> {
+    if let Some(header) = content.header {
+        return Ok(header);
+    }
+    let manifest = Manifest::read(path).filter(|manifest| manifest.sweep == study.identity);
+    let simd = manifest.as_ref().and_then(Manifest::simd_path);
+    match simd {
+        Some(simd) if !content.records.is_empty() => {
+            Ok(Header::new(&study.name, &study.identity, study.cases.len(), simd))
+        }
+        _ if content.records.is_empty() && !files::any(path) => {
+            // Stopped before anything was done.
+            let simd = simd.unwrap_or_else(SimdPath::widest);
+            Ok(Header::new(&study.name, &study.identity, study.cases.len(), simd))
+        }
+        _ => {
+            let reason = "journal.jsonl has lost its beginning, though results lie beside it; \
+                          restore it from a copy, or start over with --fresh";
+            Err(SweepError::refused(path, reason))
+        }
+    }
+}
+
+fn told_damage(content: &Content) -> Option<String> {
+    let lines = (content.damaged > 0).then(|| counted(content.damaged, "damaged line"));
+    let told = lines.map(|lines| format!("{lines}, set aside in journal.damaged"));
+    let headless = content.header.is_none() && !content.records.is_empty();
+    let told = told.or_else(|| headless.then(|| "its first line was lost".to_owned()))?;
+    Some(format!("journal.jsonl: {told}; what they held runs again"))
 }
 
 fn check_header(
@@ -222,22 +293,40 @@ fn check_header(
 }
 
 /// Sorts journal lines into the order of the runs; a later line of the same run wins. Companions
-/// are known by their id: asking for other error bars renumbers them.
-fn fill(path: &Path, study: &Study, records: &mut [Option<CaseRecord>], lines: Vec<CaseRecord>) {
+/// are known by their id: asking for other error bars renumbers them. Returns which files are damaged or
+/// missing; their cases are left out.
+fn fill(
+    path: &Path,
+    study: &Study,
+    records: &mut [Option<CaseRecord>],
+    lines: Vec<CaseRecord>,
+) -> Vec<String> {
     let places: HashMap<_, _> = study.runs().map(|case| (case.id, case.index)).collect();
     for record in lines {
         if let Some(&index) = places.get(&record.id) {
             records[index] = Some(CaseRecord { index, ..record });
         }
     }
-    let has_history = |record: &CaseRecord| files::is_there(path, record.id, &record.files);
+    let mut findings = Vec::new();
     for record in &mut records[..study.cases.len()] {
-        let lacks_history =
-            record.as_ref().is_some_and(|record| record.is_ok() && !has_history(record));
-        if lacks_history {
+        let well = record.as_ref().filter(|record| record.is_ok());
+        if let Some((file, what)) = well.and_then(|case| files::damage(path, case.id, &case.files)) {
+            findings.push(format!("{} {what}: its case runs again", file.display()));
             *record = None;
         }
     }
+    findings
+}
+
+/// Moves a directory aside and puts an empty one in its place, which is locked from the start.
+fn replace(path: &Path) -> Result<(PathBuf, Lock), SweepError> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let new = path.with_file_name(format!("{name}.new-{}", std::process::id()));
+    fs::create_dir_all(&new).map_err(SweepError::io(&new))?;
+    let lock = Lock::hold(&new)?;
+    let aside = move_aside(path)?;
+    fs::rename(&new, path).map_err(SweepError::io(path))?;
+    Ok((aside, lock))
 }
 
 fn move_aside(path: &Path) -> Result<PathBuf, SweepError> {

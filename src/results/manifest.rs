@@ -128,6 +128,11 @@ impl Manifest {
         serde_json::from_str(&text).ok()
     }
 
+    /// The instruction set, where this program knows it.
+    pub fn simd_path(&self) -> Option<SimdPath> {
+        serde_json::from_value(self.simd.clone().into()).ok()
+    }
+
     /// Writes it.
     pub fn write(&self, directory: &Path) -> Result<(), SweepError> {
         let text = serde_json::to_string_pretty(self).expect("a manifest has a JSON form");

@@ -7,9 +7,11 @@
 
 mod again;
 mod atomic_file;
+mod checksum;
 mod clock;
 mod directory;
 mod energy;
+mod entries;
 mod error;
 mod error_bars;
 mod files;
@@ -26,7 +28,9 @@ pub use clock::timestamp;
 pub use directory::{Directory, OpenMode, Opened};
 pub use error::SweepError;
 pub use error_bars::{ErrorBars, richardson};
-pub use journal::{Header, Journal, read_journal};
+pub use entries::{Content, Header};
+pub use files::Seal;
+pub use journal::{Journal, read_journal};
 pub use lock::Lock;
 pub use made_up::made_up;
 pub use manifest::{Manifest, RankInfo, Savings, SessionInfo};
