@@ -88,7 +88,7 @@ pub(super) fn page(directory: &Path, colour: Colour) -> PageFilm {
 }
 
 /// The study that a directory holds, and the instruction set that it was computed with.
-fn read(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
+pub(super) fn read(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     let bad = |reason: String| BadInput(format!("{}: {reason}", directory.display()));
     let lacking = || bad("holds no manifest.json: not the output directory of a sweep".to_owned());
     let manifest = Manifest::read(directory).ok_or_else(lacking)?;

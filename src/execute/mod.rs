@@ -9,10 +9,12 @@
 //! An executor gathers a [`Crew`] and hands it to a function that runs on rank 0 only. What a
 //! single process does with its tasks is the same everywhere and lives in `worker`.
 
+pub mod apart;
 mod coordinate;
 pub mod fake;
 mod interrupt;
 mod launcher;
+pub mod memory;
 mod message;
 #[cfg(feature = "mpi")]
 pub mod mpi;

@@ -5,6 +5,7 @@ use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Once;
 
+use super::apart::Apart;
 use crate::film::Filming;
 use crate::scene::CaseConfig;
 use crate::simulation::{
@@ -24,6 +25,11 @@ pub trait Runner: Sync {
         checkpoint: Option<&[u8]>,
         monitor: &dyn Monitor,
     ) -> Result<CaseResult, Stopped>;
+
+    /// The same, each piece of work in a process of its own; `None` where it has none.
+    fn apart(&self) -> Option<Apart> {
+        None
+    }
 }
 
 /// The physics.
@@ -51,6 +57,10 @@ impl Runner for SphRunner {
             None => run(monitor),
             Some(film) => film.shoot(config, monitor, run),
         }
+    }
+
+    fn apart(&self) -> Option<Apart> {
+        self.film.is_none().then_some(Apart(self.resources))
     }
 }
 

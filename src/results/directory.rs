@@ -1,17 +1,16 @@
 //! The output directory: whose it is, who may write, and what it already holds.
 
-use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, SystemTime};
+use std::time::Duration;
 
+use super::attempts::Attempts;
+use super::entries::Header;
 use super::error::SweepError;
 use super::files::{self, Unsynced};
-use super::entries::{Content, Header};
 use super::journal::{self, Journal};
-use super::manifest::Manifest;
-use super::lock::{self, Lock};
-use super::number::counted;
+use super::lock::Lock;
+use super::opening::{self, Found, look};
 use super::record::CaseRecord;
 use super::{energy, summary};
 use crate::math::name::name_of;
@@ -54,6 +53,7 @@ pub struct Directory {
     /// Records before this are cases, the others companions.
     cases: usize,
     findings: Vec<String>,
+    attempts: Attempts,
 }
 
 impl Directory {
@@ -76,17 +76,17 @@ impl Directory {
             return Err(SweepError::Refused(reason));
         }
         let before = look(path)?;
-        if let (OpenMode::Resume, Found::Journal(..)) = (mode, &before) {
-            let content = journal::read_journal(path)?;
-            let header = self::header(path, content, study)?;
-            check_header(path, &header, study, requested, widest)?;
+        if let (OpenMode::Resume, Found::Journal(..)) = (mode, &before)
+            && let Some(header) = journal::read_header(path)?
+        {
+            opening::check_header(path, &header, study, requested, widest)?;
         }
         fs::create_dir_all(path).map_err(|error| SweepError::refused(path, error))?;
         let mut lock = Lock::hold(path)?;
         let mut opened = Opened::New;
         if mode == OpenMode::Fresh && before != Found::Nothing {
-            demand_same(path, &before)?;
-            let (aside, new) = replace(path)?;
+            opening::demand_same(path, &before)?;
+            let (aside, new) = opening::replace(path)?;
             lock = new;
             opened = Opened::Moved(aside);
         }
@@ -98,24 +98,37 @@ impl Directory {
             (Journal::create(path, &header)?, simd)
         } else {
             let content = journal::read_journal(path)?;
-            findings.extend(told_damage(&content));
-            let header = self::header(path, content, study)?;
-            check_header(path, &header, study, requested, widest)?;
-            let (journal, lines) = Journal::resume(path, &header)?;
+            findings.extend(opening::told_damage(&content));
+            let header = opening::header(path, &content, study)?;
+            opening::check_header(path, &header, study, requested, widest)?;
+            let journal = Journal::resume(path, &content, &header)?;
             files::clean(path)?;
-            findings.extend(fill(path, study, &mut records, lines));
+            findings.extend(opening::fill(path, study, &mut records, content.records));
             opened = Opened::Resumed(records.iter().flatten().count());
             (journal, header.simd)
         };
-        let (path, cases, unsynced) = (path.to_owned(), study.cases.len(), Unsynced::default());
-        let directory =
-            Directory { path, _lock: lock, journal, unsynced, simd, records, cases, findings };
+        let directory = Directory {
+            attempts: Attempts::open(path)?,
+            path: path.to_owned(),
+            _lock: lock,
+            journal,
+            unsynced: Unsynced::default(),
+            simd,
+            records,
+            cases: study.cases.len(),
+            findings,
+        };
         Ok((directory, opened))
     }
 
     /// What was found damaged on opening, in words; the cases in question run again.
     pub fn findings(&self) -> &[String] {
         &self.findings
+    }
+
+    /// What has begun and not ended; see [`Attempts`].
+    pub fn attempts(&mut self) -> &mut Attempts {
+        &mut self.attempts
     }
 
     /// Makes sure that results still go where they should.
@@ -186,155 +199,6 @@ impl Directory {
         summary::write(&self.path, study, &self.records)?;
         energy::write(&self.path, self.records())
     }
-}
-
-/// What a path holds; anything else is somebody else's.
-#[derive(Debug, PartialEq)]
-enum Found {
-    Nothing,
-    /// A journal, which began at this time: it tells a new one from an old one.
-    Journal(Option<SystemTime>),
-}
-
-fn look(path: &Path) -> Result<Found, SweepError> {
-    if !path.exists() {
-        return Ok(Found::Nothing);
-    }
-    let journal = path.join(journal::FILE_NAME);
-    if journal.is_file() {
-        let created = fs::metadata(&journal).and_then(|file| file.created()).ok();
-        return Ok(Found::Journal(created));
-    }
-    let entries = fs::read_dir(path).map_err(|error| SweepError::refused(path, error))?;
-    for entry in entries {
-        let entry = entry.map_err(SweepError::io(path))?;
-        if entry.file_name() != lock::FILE_NAME {
-            let reason = "is not empty and holds no journal; choose another --out";
-            return Err(SweepError::refused(path, reason));
-        }
-    }
-    Ok(Found::Nothing)
-}
-
-/// While this process waited for the lock, another may have started over.
-fn demand_same(path: &Path, before: &Found) -> Result<(), SweepError> {
-    if look(path)? == *before {
-        return Ok(());
-    }
-    Err(SweepError::refused(path, "another process has just started over here"))
-}
-
-/// The journal's header. Where its line is lost, the manifest tells the same.
-fn header(path: &Path, content: Content, study: &Study) -> Result<Header, SweepError> {
-    if let Some(header) = content.header {
-        return Ok(header);
-    }
-    let manifest = Manifest::read(path).filter(|manifest| manifest.sweep == study.identity);
-    let simd = manifest.as_ref().and_then(Manifest::simd_path);
-    match simd {
-        Some(simd) if !content.records.is_empty() => {
-            Ok(Header::new(&study.name, &study.identity, study.cases.len(), simd))
-        }
-        _ if content.records.is_empty() && !files::any(path) => {
-            // Stopped before anything was done.
-            let simd = simd.unwrap_or_else(SimdPath::widest);
-            Ok(Header::new(&study.name, &study.identity, study.cases.len(), simd))
-        }
-        _ => {
-            let reason = "journal.jsonl has lost its beginning, though results lie beside it; \
-                          restore it from a copy, or start over with --fresh";
-            Err(SweepError::refused(path, reason))
-        }
-    }
-}
-
-fn told_damage(content: &Content) -> Option<String> {
-    let lines = (content.damaged > 0).then(|| counted(content.damaged, "damaged line"));
-    let told = lines.map(|lines| format!("{lines}, set aside in journal.damaged"));
-    let headless = content.header.is_none() && !content.records.is_empty();
-    let told = told.or_else(|| headless.then(|| "its first line was lost".to_owned()))?;
-    Some(format!("journal.jsonl: {told}; what they held runs again"))
-}
-
-fn check_header(
-    path: &Path,
-    header: &Header,
-    study: &Study,
-    requested: Option<SimdPath>,
-    widest: SimdPath,
-) -> Result<(), SweepError> {
-    if header.sweep != study.identity {
-        let cases = counted(header.cases, "case");
-        let reason = format!(
-            "holds another sweep (\"{}\", {cases}); choose another --out, or --fresh to move it \
-             aside",
-            header.name
-        );
-        return Err(SweepError::refused(path, reason));
-    }
-    let recorded = header.simd;
-    if recorded > widest {
-        let reason = format!(
-            "was computed with {}, but the widest that every rank has is {}",
-            name_of(recorded),
-            name_of(widest)
-        );
-        return Err(SweepError::refused(path, reason));
-    }
-    if let Some(simd) = requested.filter(|&simd| simd != recorded) {
-        let reason = format!(
-            "was computed with {}: --simd {} cannot go on",
-            name_of(recorded),
-            name_of(simd)
-        );
-        return Err(SweepError::refused(path, reason));
-    }
-    Ok(())
-}
-
-/// Sorts journal lines into the order of the runs; a later line of the same run wins. Companions
-/// are known by their id: asking for other error bars renumbers them. Returns which files are damaged or
-/// missing; their cases are left out.
-fn fill(
-    path: &Path,
-    study: &Study,
-    records: &mut [Option<CaseRecord>],
-    lines: Vec<CaseRecord>,
-) -> Vec<String> {
-    let places: HashMap<_, _> = study.runs().map(|case| (case.id, case.index)).collect();
-    for record in lines {
-        if let Some(&index) = places.get(&record.id) {
-            records[index] = Some(CaseRecord { index, ..record });
-        }
-    }
-    let mut findings = Vec::new();
-    for record in &mut records[..study.cases.len()] {
-        let well = record.as_ref().filter(|record| record.is_ok());
-        if let Some((file, what)) = well.and_then(|case| files::damage(path, case.id, &case.files)) {
-            findings.push(format!("{} {what}: its case runs again", file.display()));
-            *record = None;
-        }
-    }
-    findings
-}
-
-/// Moves a directory aside and puts an empty one in its place, which is locked from the start.
-fn replace(path: &Path) -> Result<(PathBuf, Lock), SweepError> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let new = path.with_file_name(format!("{name}.new-{}", std::process::id()));
-    fs::create_dir_all(&new).map_err(SweepError::io(&new))?;
-    let lock = Lock::hold(&new)?;
-    let aside = move_aside(path)?;
-    fs::rename(&new, path).map_err(SweepError::io(path))?;
-    Ok((aside, lock))
-}
-
-fn move_aside(path: &Path) -> Result<PathBuf, SweepError> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let free = (1..).map(|number| path.with_file_name(format!("{name}.old-{number}")));
-    let aside = free.into_iter().find(|aside| !aside.exists()).expect("numbers do not end");
-    fs::rename(path, &aside).map_err(SweepError::io(path))?;
-    Ok(aside)
 }
 
 #[cfg(test)]

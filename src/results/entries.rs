@@ -60,6 +60,8 @@ pub struct Content {
     pub records: Vec<CaseRecord>,
     /// How many lines are damaged.
     pub damaged: usize,
+    /// Whether nothing is torn or damaged.
+    pub(super) intact: bool,
     /// The text of whole lines, and that of damaged ones.
     pub(super) texts: [Vec<u8>; 2],
 }
@@ -90,7 +92,8 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Content, SweepError> {
             match entry {
                 Entry::Header(header) if header.version != VERSION => {
                     let theirs = header.version;
-                    let reason = format!("journal format {theirs} is not this program's, {VERSION}");
+                    let reason =
+                        format!("journal format {theirs} is not this program's, {VERSION}");
                     return Err(refused(&reason));
                 }
                 Entry::Header(header) if at == 0 => content.header = Some(header),
@@ -99,6 +102,7 @@ pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Content, SweepError> {
             }
         }
     }
+    content.intact = content.texts[0] == bytes && content.header.is_some();
     Ok(content)
 }
 

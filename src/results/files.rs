@@ -97,7 +97,11 @@ impl Unsynced {
 }
 
 /// The first file of a case that is not as it was written: its path, and what is wrong with it.
-pub(super) fn damage(directory: &Path, id: CaseId, seals: &Seals) -> Option<(PathBuf, &'static str)> {
+pub(super) fn damage(
+    directory: &Path,
+    id: CaseId,
+    seals: &Seals,
+) -> Option<(PathBuf, &'static str)> {
     let path = |name: &str| directory.join(name).join(format!("{id}.csv"));
     if !path(HISTORIES).is_file() {
         return Some((path(HISTORIES), "is missing"));

@@ -6,7 +6,7 @@
 //! else happens.
 
 use std::fs::{File, OpenOptions};
-use std::io::Write;
+use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -39,27 +39,26 @@ impl Journal {
         Ok(journal)
     }
 
-    /// Opens a journal to go on with it. A torn tail is cut off, damaged lines are set aside. Where the
-    /// first line is lost, `header` takes its place.
+    /// Opens a journal, which holds `content`, to go on with it. A torn tail is cut off, damaged lines are
+    /// set aside. Where the first line is lost, `header` takes its place.
     ///
     /// # Errors
-    /// A file that cannot be read or written, or another program's.
+    /// A file that cannot be written.
     pub fn resume(
         directory: &Path,
+        content: &Content,
         header: &Header,
-    ) -> Result<(Journal, Vec<CaseRecord>), SweepError> {
+    ) -> Result<Journal, SweepError> {
         let path = directory.join(FILE_NAME);
-        let bytes = std::fs::read(&path).map_err(SweepError::io(&path))?;
-        let content = entries::parse(&path, &bytes)?;
-        let [whole, damaged] = &content.texts;
-        if *whole != bytes || content.header.is_none() {
+        if !content.intact {
+            let [whole, damaged] = &content.texts;
             keep_damaged(directory, damaged)?;
             let first = content.header.is_none().then(|| Entry::Header(header.clone()).line());
             let text = [first.unwrap_or_default().as_bytes(), whole].concat();
             atomic_file::write(&path, &text)?;
         }
         let file = OpenOptions::new().append(true).open(&path).map_err(SweepError::io(&path))?;
-        Ok((Journal { path, file, unsynced_since: None }, content.records))
+        Ok(Journal { path, file, unsynced_since: None })
     }
 
     /// Appends a finished case.
@@ -111,6 +110,18 @@ fn keep_damaged(directory: &Path, lines: &[u8]) -> Result<(), SweepError> {
     file.and_then(|mut file| file.write_all(lines)).map_err(SweepError::io(&path))
 }
 
+/// The header alone; `None` where its line is not whole.
+///
+/// # Errors
+/// A file that cannot be read, or another program's.
+pub(super) fn read_header(directory: &Path) -> Result<Option<Header>, SweepError> {
+    let path = directory.join(FILE_NAME);
+    let file = File::open(&path).map_err(SweepError::io(&path))?;
+    let mut line = Vec::new();
+    BufReader::new(file).read_until(b'\n', &mut line).map_err(SweepError::io(&path))?;
+    Ok(entries::parse(&path, &line)?.header)
+}
+
 /// Reads a journal without touching it.
 ///
 /// # Errors
@@ -145,6 +156,11 @@ mod tests {
         (header, records)
     }
 
+    fn resume(directory: &Path, header: &Header) -> (Journal, Vec<CaseRecord>) {
+        let content = read_journal(directory).unwrap();
+        (Journal::resume(directory, &content, header).unwrap(), content.records)
+    }
+
     #[test]
     fn a_journal_round_trips_every_bit() {
         let directory = tempfile::tempdir().unwrap();
@@ -164,7 +180,7 @@ mod tests {
         for length in (0..bytes.len()).filter(|length| length % 97 == 0 || near_an_end(length)) {
             std::fs::write(&path, &bytes[..length]).unwrap();
             let whole = ends.iter().filter(|&&end| end <= length).count();
-            let (mut journal, read) = Journal::resume(directory.path(), &header).unwrap();
+            let (mut journal, read) = resume(directory.path(), &header);
             assert_eq!(read, records[..whole.saturating_sub(1)]);
             journal.record(&records[0]).unwrap();
             let again = read_journal(directory.path()).unwrap();
@@ -185,7 +201,7 @@ mod tests {
             let mut damaged = bytes.clone();
             damaged[at] ^= 1 << bit;
             std::fs::write(&path, &damaged).unwrap();
-            let (_, read) = Journal::resume(directory.path(), &header).unwrap();
+            let (_, read) = resume(directory.path(), &header);
             let lost = breaks.iter().filter(|&&end| end < at).count();
             let kept = |number: usize| {
                 let record = &records[number];
@@ -200,7 +216,7 @@ mod tests {
     #[test]
     fn a_whole_line_of_another_version_is_never_cut_off() {
         let directory = tempfile::tempdir().unwrap();
-        let (header, _) = filled(directory.path());
+        filled(directory.path());
         let path = directory.path().join(FILE_NAME);
         let mut bytes = std::fs::read(&path).unwrap();
         let entry = br#"{"tide":{"level_m":0.2}}"#;
@@ -209,7 +225,7 @@ mod tests {
         bytes.extend(entry);
         bytes.extend(b"}\n");
         std::fs::write(&path, &bytes).unwrap();
-        let error = Journal::resume(directory.path(), &header).unwrap_err();
+        let error = read_journal(directory.path()).unwrap_err();
         assert!(error.is_refusal());
         assert!(error.to_string().contains("line 5: is whole, but written by another"), "{error}");
         assert_eq!(std::fs::read(&path).unwrap(), bytes);
@@ -219,7 +235,7 @@ mod tests {
     fn a_journal_that_is_moved_is_missed() {
         let directory = tempfile::tempdir().unwrap();
         let (header, _) = filled(directory.path());
-        let (journal, _) = Journal::resume(directory.path(), &header).unwrap();
+        let (journal, _) = resume(directory.path(), &header);
         journal.demand_in_place().unwrap();
         let path = directory.path().join(FILE_NAME);
         std::fs::rename(&path, directory.path().join("elsewhere")).unwrap();

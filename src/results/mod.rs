@@ -7,6 +7,7 @@
 
 mod again;
 mod atomic_file;
+mod attempts;
 mod checksum;
 mod clock;
 mod directory;
@@ -20,19 +21,25 @@ mod lock;
 mod made_up;
 mod manifest;
 mod number;
+mod opening;
+mod program;
 mod record;
 mod summary;
+mod verify;
 
 pub use again::{finished, first_difference};
+pub use attempts::Attempts;
 pub use clock::timestamp;
 pub use directory::{Directory, OpenMode, Opened};
+pub use entries::{Content, Header};
 pub use error::SweepError;
 pub use error_bars::{ErrorBars, richardson};
-pub use entries::{Content, Header};
 pub use files::Seal;
 pub use journal::{Journal, read_journal};
 pub use lock::Lock;
 pub use made_up::made_up;
 pub use manifest::{Manifest, RankInfo, Savings, SessionInfo};
 pub use number::counted;
+pub use program::Program;
 pub use record::CaseRecord;
+pub use verify::{renew_summary, verify};
