@@ -30,7 +30,7 @@ use std::process::ExitCode;
 use clap::{Args, ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use self::output::{Format, Output};
-use crate::execute::{Launcher, apart};
+use crate::execute::{Launcher, SphRunner, apart};
 
 const SUCCESS: u8 = 0;
 /// Some case failed; the others' results are complete.
@@ -120,7 +120,9 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         Subcommands::Accuracy(args) => accuracy::main(&args, &output),
         Subcommands::Stress(args) => stress::main(&args, &output),
         Subcommands::Apart => {
-            apart::serve(std::io::stdin().lock(), std::io::stdout().lock()).map(|()| SUCCESS)
+            let runner = |resources| SphRunner { resources, film: None };
+            apart::serve(std::io::stdin().lock(), std::io::stdout().lock(), runner)
+                .map(|()| SUCCESS)
         }
     };
     failure::exit_code(result, launcher)

@@ -23,6 +23,7 @@ pub mod mpi;
 pub mod mpi;
 mod progress;
 mod runner;
+mod sph_runner;
 pub mod threads;
 mod worker;
 
@@ -37,7 +38,8 @@ pub use interrupt::Interrupt;
 pub use launcher::Launcher;
 pub use message::{Order, Report};
 pub use progress::{Progress, ProgressStyle, duration};
-pub use runner::{Runner, SphRunner, guarded};
+pub use runner::{Runner, guarded};
+pub use sph_runner::SphRunner;
 
 /// Makes the runner once the instruction set and a case's threads are known.
 pub type MakeRunner<'a> = &'a (dyn Fn(Resources) -> Box<dyn Runner> + Sync);

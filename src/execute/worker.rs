@@ -157,7 +157,7 @@ impl Worker<'_, '_> {
         let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
         self.scope.spawn(move |_| {
             let child = runner.apart().filter(|_| apart);
-            let runner: &dyn Runner = child.as_ref().map_or(runner, |child| child);
+            let runner = child.as_deref().unwrap_or(runner);
             let result = attempt(cancel, &config, |config| runner.trunk(config, cancel));
             let (result, checkpoint) = match result {
                 Ok(TrunkResult { steps, checkpoint, .. }) => (Ok(steps), Some(checkpoint)),
@@ -173,7 +173,7 @@ impl Worker<'_, '_> {
         self.scope.spawn(move |_| {
             let Task { case, config, apart } = task;
             let child = runner.apart().filter(|_| apart);
-            let runner: &dyn Runner = child.as_ref().map_or(runner, |child| child);
+            let runner = child.as_deref().unwrap_or(runner);
             let (start, cpu_start) = (Instant::now(), thread_processor_time());
             let run = |checkpoint: Option<&[u8]>| {
                 attempt(cancel, &config, |config| runner.case(config, checkpoint, cancel))
