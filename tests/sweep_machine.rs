@@ -122,7 +122,7 @@ fn failures_and_panics_are_rows_like_any_other() {
     };
     let runner = FakeRunner { fate, ..FakeRunner::default() };
     sweep(root.path(), &study, &Run { runner, ..Run::default() });
-    let (_, records) = seawall::results::read_journal(root.path()).unwrap().unwrap();
+    let records = seawall::results::read_journal(root.path()).unwrap().records;
     let count = |kind| records.iter().filter(|record| record.failure == kind).count();
     assert_eq!(count(None), 18);
     assert_eq!(count(Some(FailureKind::RunawaySpeed)), 18);

@@ -154,7 +154,7 @@ fn particle_steps_per_second(scheme: Scheme, simd: SimdPath) -> f64 {
 }
 
 /// Bytes for the human eye: `15.2 MiB`, `28.0 GiB`.
-fn binary(bytes: u64) -> String {
+pub(super) fn binary(bytes: u64) -> String {
     let mebibytes = bytes as f64 / f64::from(1 << 20);
     if mebibytes < 1024.0 {
         format!("{mebibytes:.1} MiB")

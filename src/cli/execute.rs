@@ -5,16 +5,18 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 
+use super::check::binary;
 use super::output::Output;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::{
-    Crew, Ending, Interrupt, Progress, Session, Setup, SphRunner, coordinate, threads,
+    Crew, Ending, Interrupt, Progress, Session, Setup, SphRunner, coordinate, host_name, memory,
+    threads,
 };
 use crate::film::Filming;
 use crate::math::simd::SimdPath;
 use crate::results::{
-    CaseRecord, Directory, Manifest, OpenMode, Opened, RankInfo, Savings, SessionInfo, SweepError,
-    counted, timestamp,
+    CaseRecord, Directory, Manifest, OpenMode, Opened, Program, RankInfo, Savings, SessionInfo,
+    SweepError, counted, timestamp,
 };
 use crate::simulation::cost;
 use crate::study::{Plan, Study};
@@ -105,6 +107,16 @@ pub(super) fn execute(
     let study = &job.study;
     let (mut directory, opened) =
         Directory::open(&job.out, study, job.mode, job.simd, crew.widest_simd())?;
+    for finding in directory.findings() {
+        output.note(finding);
+    }
+    let suspects = directory.attempts().suspects();
+    if suspects > 0 {
+        output.note(format_args!(
+            "{} had begun when an earlier process died: each runs in a process of its own now",
+            counted(suspects, "run")
+        ));
+    }
     if job.retry_failed {
         directory.retry_failed();
     }
@@ -112,16 +124,28 @@ pub(super) fn execute(
     tell_opened(&opened, job, missing, output);
     if missing == 0 {
         directory.write_tables(study)?;
+        if Manifest::read(&job.out).is_none() {
+            output
+                .note("manifest.json is missing or damaged: made again, without earlier sessions");
+            Manifest::new(&job.out, study, &job.overrides, directory.simd()).write(&job.out)?;
+        }
         let savings = Savings::default();
         return Ok(Done { directory, ending: Ending::Finished, savings, wall_time_s: None });
     }
     if job.shares_threads {
         crew.share_threads(missing);
     }
+    demand_memory(study, &directory, crew)?;
     let plan = Plan::new(study, job.branching, cost, |index| directory.runs()[index].is_none());
     let start = Instant::now();
     let mut manifest = Manifest::new(&job.out, study, &job.overrides, directory.simd());
+    if let Some(other) = manifest.other_program() {
+        output.note(format_args!(
+            "note: another build of the same physics version has worked here, {other}"
+        ));
+    }
     manifest.sessions.push(SessionInfo {
+        program: Some(Program::this()),
         executor: crew.executor().to_owned(),
         ranks: crew.ranks().to_vec(),
         started: timestamp(),
@@ -156,6 +180,28 @@ pub(super) fn execute(
     }
     manifest.write(&job.out)?;
     Ok(Done { directory, ending, savings, wall_time_s })
+}
+
+/// Makes sure that as many cases as run at once on this machine fit into it.
+fn demand_memory(study: &Study, directory: &Directory, crew: &dyn Crew) -> Result<(), SweepError> {
+    let here = host_name();
+    let ranks = crew.ranks().iter().filter(|rank| rank.host == here);
+    let places: usize = ranks.map(RankInfo::places).sum();
+    let missing = study.runs().zip(directory.runs()).filter(|(_, record)| record.is_none());
+    let mut sizes: Vec<_> = missing.map(|(case, _)| cost(&case.config).memory_bytes).collect();
+    sizes.sort_unstable_by(|a, b| b.cmp(a));
+    sizes.truncate(places);
+    let needed: u64 = sizes.iter().sum();
+    match memory::available_bytes() {
+        Some(left) if needed > left => Err(SweepError::Refused(format!(
+            "{} at once may take {} of memory, and {here} has {} left: take fewer --threads, or a \
+             larger particle_spacing_m",
+            counted(sizes.len(), "case"),
+            binary(needed),
+            binary(left)
+        ))),
+        _ => Ok(()),
+    }
 }
 
 fn tell_opened(opened: &Opened, job: &Job, missing: usize, output: &Output) {

@@ -88,12 +88,12 @@ pub(super) fn page(directory: &Path, colour: Colour) -> PageFilm {
 }
 
 /// The study that a directory holds, and the instruction set that it was computed with.
-fn read(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
+pub(super) fn read(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     let bad = |reason: String| BadInput(format!("{}: {reason}", directory.display()));
     let lacking = || bad("holds no manifest.json: not the output directory of a sweep".to_owned());
     let manifest = Manifest::read(directory).ok_or_else(lacking)?;
     let unfinished = || bad("the sweep was stopped before it began".to_owned());
-    let (header, _) = read_journal(directory)?.ok_or_else(unfinished)?;
+    let header = read_journal(directory)?.header.ok_or_else(unfinished)?;
     if manifest.physics_version != PHYSICS_VERSION {
         let theirs = manifest.physics_version;
         let reason = format!("has physics version {theirs}, this program {PHYSICS_VERSION}");

@@ -21,6 +21,7 @@ mod status;
 mod stress;
 mod sweep;
 mod table;
+mod verify;
 
 use std::ffi::OsString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -29,7 +30,7 @@ use std::process::ExitCode;
 use clap::{Args, ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use self::output::{Format, Output};
-use crate::execute::Launcher;
+use crate::execute::{Launcher, SphRunner, apart};
 
 const SUCCESS: u8 = 0;
 /// Some case failed; the others' results are complete.
@@ -73,9 +74,13 @@ enum Subcommands {
     Film(film::FilmArgs),
     Check(check::CheckArgs),
     Status(status::StatusArgs),
+    Verify(verify::VerifyArgs),
     Report(report::ReportArgs),
     Accuracy(accuracy::AccuracyArgs),
     Stress(stress::StressArgs),
+    /// Does a piece of a sweep's work, read from standard input.
+    #[command(name = apart::SUBCOMMAND, hide = true)]
+    Apart,
 }
 
 /// Runs the command line and returns the process's exit code.
@@ -110,9 +115,15 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         Subcommands::Film(args) => film::main(&args, &output),
         Subcommands::Check(args) => check::main(&args, &output),
         Subcommands::Status(args) => status::main(&args, &output),
+        Subcommands::Verify(args) => verify::main(&args, &output),
         Subcommands::Report(args) => report::main(&args, &output),
         Subcommands::Accuracy(args) => accuracy::main(&args, &output),
         Subcommands::Stress(args) => stress::main(&args, &output),
+        Subcommands::Apart => {
+            let runner = |resources| SphRunner { resources, film: None };
+            apart::serve(std::io::stdin().lock(), std::io::stdout().lock(), runner)
+                .map(|()| SUCCESS)
+        }
     };
     failure::exit_code(result, launcher)
 }

@@ -6,11 +6,11 @@ use std::path::PathBuf;
 use clap::Args;
 use serde_json::json;
 
-use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::Output;
+use super::{SUCCESS, film};
 use crate::report::ReportError;
-use crate::results::write_all_histories;
+use crate::results::{Lock, Manifest, finished, renew_summary, verify, write_all_histories};
 
 /// Write tables, figures and report.html from a sweep's files; simulate nothing.
 #[derive(Debug, Args)]
@@ -26,10 +26,31 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
         let reason = "holds no summary.csv: not the output directory of a sweep";
         return Err(BadInput(format!("{}: {reason}", args.dir.display())).into());
     }
+    renew(args, output)?;
     let report = crate::report::write(&args.dir).map_err(unusable)?;
     write_all_histories(&args.dir)?;
     output.result(&format!("report: {}\n", report.display()), &json!({ "report": report }))?;
     Ok(SUCCESS)
+}
+
+/// A summary that is not what the journal says is made again. Where the study cannot be made from the
+/// directory alone, the summary is taken as it is.
+fn renew(args: &ReportArgs, output: &Output) -> anyhow::Result<()> {
+    if Lock::is_held(&args.dir) {
+        return Ok(());
+    }
+    if Manifest::read(&args.dir).is_none() {
+        output.note("manifest.json is missing or damaged: the page says nothing of where its numbers come from");
+    }
+    let Ok((study, _)) = film::read(&args.dir) else { return Ok(()) };
+    let records = finished(&args.dir, &study)?;
+    for told in verify(&args.dir, &study, &records)? {
+        output.note(told);
+    }
+    if renew_summary(&args.dir, &study, &records)? {
+        output.note("summary.csv: made again from the journal");
+    }
+    Ok(())
 }
 
 /// A directory that cannot be written is bad input, as for every command with an output directory.

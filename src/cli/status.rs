@@ -28,11 +28,13 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
     if !args.dir.join("journal.jsonl").is_file() {
         return Err(bad("holds no journal.jsonl: not the output directory of a sweep").into());
     }
-    let Some((header, lines)) = read_journal(&args.dir)? else {
-        return Err(bad("the sweep was stopped before it began").into());
+    let content = read_journal(&args.dir)?;
+    let Some(header) = content.header else {
+        let reason = "the sweep was stopped before it began, or the journal's first line is lost";
+        return Err(bad(reason).into());
     };
     let mut latest = BTreeMap::new();
-    for record in lines {
+    for record in content.records {
         latest.insert(record.index, record);
     }
     // Lines beyond the cases are resolution companions.

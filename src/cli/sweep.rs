@@ -167,6 +167,7 @@ fn lead(
         return Ok(done.exit_code());
     }
     let filmed = films(args, &job.study, &done, interrupt, output);
+    done.directory.demand_in_place()?;
     write_all_histories(done.directory.path())?;
     let report = crate::report::write(done.directory.path())?;
     let mut text = told(&job, &done, &report, output.verbose);

@@ -8,7 +8,7 @@ use super::{Link, Order, Report};
 use crate::results::{CaseRecord, Directory, RankInfo, Savings, SweepError};
 use crate::schedule::{Command, Event, Manager, Work};
 use crate::simulation::{CaseResult, Failure, Stopped};
-use crate::study::{Plan, Study};
+use crate::study::{CaseId, Plan, Study};
 
 /// How long to wait for a report before looking at signals and the journal.
 const PATIENCE: Duration = Duration::from_millis(50);
@@ -38,6 +38,21 @@ pub struct Session<'a> {
     pub progress: Progress,
 }
 
+impl Session<'_> {
+    /// A trunk's id is that of the case whose wall stays fixed.
+    fn id(&self, work: Work) -> CaseId {
+        match work {
+            Work::Trunk(trunk) => CaseId::of(&self.plan.trunks[trunk].config),
+            Work::Case(case) => self.study.run(self.plan.cases[case].index).id,
+        }
+    }
+
+    fn ended(&mut self, work: Work) -> Result<(), SweepError> {
+        let id = self.id(work);
+        self.directory.attempts().end(id)
+    }
+}
+
 /// Runs a plan to its end, or until interrupted; everything finished is recorded and on the disk
 /// when this returns.
 pub fn coordinate(
@@ -53,7 +68,7 @@ pub fn coordinate(
         savings: Savings::default(),
     };
     for rank in 0..capacities.len() {
-        loop_.tell(Event::Ready { rank }, link, session);
+        loop_.tell(Event::Ready { rank }, link, session)?;
     }
     let mut told = false;
     while !loop_.manager.finished() {
@@ -64,10 +79,11 @@ pub fn coordinate(
         session.directory.sync(false)?;
         if session.interrupt.is_raised() && !told {
             told = true;
-            loop_.tell(Event::Interrupted, link, session);
+            loop_.tell(Event::Interrupted, link, session)?;
         }
     }
     session.directory.sync(true)?;
+    session.directory.attempts().close()?;
     session.directory.write_tables(session.study)?;
     let finished = loop_.manager.unfinished() == 0;
     let ending = if finished { Ending::Finished } else { Ending::Interrupted };
@@ -84,7 +100,12 @@ struct Loop {
 }
 
 impl Loop {
-    fn tell(&mut self, event: Event, link: &mut dyn Link, session: &Session<'_>) {
+    fn tell(
+        &mut self,
+        event: Event,
+        link: &mut dyn Link,
+        session: &mut Session<'_>,
+    ) -> Result<(), SweepError> {
         self.manager.on(event, &mut self.commands);
         for command in self.commands.drain(..) {
             match command {
@@ -98,7 +119,11 @@ impl Loop {
                     };
                     let config = serde_json::to_string(config);
                     let config = config.expect("a configuration has a JSON form");
-                    link.send(rank, Order::Run { work, config, from });
+                    let id = session.id(work);
+                    let attempts = session.directory.attempts();
+                    let apart = attempts.is_suspect(id);
+                    attempts.begin(id)?;
+                    link.send(rank, Order::Run { work, config, from, apart });
                 }
                 Command::Drop { rank, trunk } => link.send(rank, Order::Drop { trunk }),
                 Command::Cancel => {
@@ -108,6 +133,7 @@ impl Loop {
                 }
             }
         }
+        Ok(())
     }
 
     fn take(
@@ -136,8 +162,8 @@ impl Loop {
                     Err(Stopped::Failed(failure)) => Err(failure),
                     Err(Stopped::Interrupted) => {
                         let work = Work::Case(case);
-                        self.tell(Event::GivenBack { rank, work }, link, session);
-                        return Ok(());
+                        session.ended(work)?;
+                        return self.tell(Event::GivenBack { rank, work }, link, session);
                     }
                 };
                 let ok = self.record(rank, case, &result, (wall_time_s, cpu_time_s), session)?;
@@ -145,8 +171,10 @@ impl Loop {
             }
             Report::Interrupted => Event::Interrupted,
         };
-        self.tell(event, link, session);
-        Ok(())
+        if let Event::Done { work, .. } | Event::GivenBack { work, .. } = event {
+            session.ended(work)?;
+        }
+        self.tell(event, link, session)
     }
 
     fn record(

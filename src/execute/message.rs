@@ -10,8 +10,8 @@ use crate::simulation::{CaseResult, Stopped};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Order {
     /// Do a piece of work. Its configuration is JSON, which carries every bit; the last is the
-    /// checkpoint to start from.
-    Run { work: Work, config: String, from: Option<Held> },
+    /// checkpoint to start from. `apart`: in a process of its own, as an earlier one may have died of it.
+    Run { work: Work, config: String, from: Option<Held>, apart: bool },
     /// Forget a checkpoint.
     Drop { trunk: usize },
     /// Stop what is running and give it back.

@@ -9,10 +9,12 @@
 //! An executor gathers a [`Crew`] and hands it to a function that runs on rank 0 only. What a
 //! single process does with its tasks is the same everywhere and lives in `worker`.
 
+pub mod apart;
 mod coordinate;
 pub mod fake;
 mod interrupt;
 mod launcher;
+pub mod memory;
 mod message;
 #[cfg(feature = "mpi")]
 pub mod mpi;
@@ -21,6 +23,7 @@ pub mod mpi;
 pub mod mpi;
 mod progress;
 mod runner;
+mod sph_runner;
 pub mod threads;
 mod worker;
 
@@ -35,7 +38,8 @@ pub use interrupt::Interrupt;
 pub use launcher::Launcher;
 pub use message::{Order, Report};
 pub use progress::{Progress, ProgressStyle, duration};
-pub use runner::{Runner, SphRunner, guarded};
+pub use runner::{Runner, guarded};
+pub use sph_runner::SphRunner;
 
 /// Makes the runner once the instruction set and a case's threads are known.
 pub type MakeRunner<'a> = &'a (dyn Fn(Resources) -> Box<dyn Runner> + Sync);

@@ -5,11 +5,8 @@ use std::cell::RefCell;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Once;
 
-use crate::film::Filming;
 use crate::scene::CaseConfig;
-use crate::simulation::{
-    CaseResult, Failure, FailureKind, Monitor, Resources, Stopped, TrunkResult, run_case, run_trunk,
-};
+use crate::simulation::{CaseResult, Failure, FailureKind, Monitor, Stopped, TrunkResult};
 
 /// Runs trunks and cases; the same answer for the same configuration, whoever asks and from
 /// whatever checkpoint of its trunk.
@@ -24,33 +21,10 @@ pub trait Runner: Sync {
         checkpoint: Option<&[u8]>,
         monitor: &dyn Monitor,
     ) -> Result<CaseResult, Stopped>;
-}
 
-/// The physics.
-#[derive(Debug, Clone)]
-pub struct SphRunner {
-    /// The instruction set agreed on by all ranks, and a case's threads.
-    pub resources: Resources,
-    /// Whether and how cases are filmed.
-    pub film: Option<Filming>,
-}
-
-impl Runner for SphRunner {
-    fn trunk(&self, config: &CaseConfig, monitor: &dyn Monitor) -> Result<TrunkResult, Stopped> {
-        run_trunk(config, self.resources, monitor)
-    }
-
-    fn case(
-        &self,
-        config: &CaseConfig,
-        checkpoint: Option<&[u8]>,
-        monitor: &dyn Monitor,
-    ) -> Result<CaseResult, Stopped> {
-        let run = |monitor: &dyn Monitor| run_case(config, checkpoint, self.resources, monitor);
-        match &self.film {
-            None => run(monitor),
-            Some(film) => film.shoot(config, monitor, run),
-        }
+    /// The same, each piece of work in a process of its own; `None` where it has none.
+    fn apart(&self) -> Option<Box<dyn Runner>> {
+        None
     }
 }
 

@@ -26,10 +26,12 @@ impl Monitor for Cancel {
     }
 }
 
-/// A case that waits for its checkpoint.
-struct Parked {
+/// A case to run.
+struct Task {
     case: usize,
     config: String,
+    /// In a process of its own.
+    apart: bool,
 }
 
 /// What ended on a thread, on its way to the thread that talks, and the checkpoint it has left.
@@ -41,7 +43,7 @@ pub(super) struct Worker<'run, 'scope> {
     cancel: &'scope Cancel,
     rank: usize,
     checkpoints: HashMap<usize, Arc<[u8]>>,
-    parked: HashMap<usize, Vec<Parked>>,
+    parked: HashMap<usize, Vec<Task>>,
     sender: Sender<Ended>,
     receiver: Receiver<Ended>,
 }
@@ -88,12 +90,15 @@ impl Worker<'_, '_> {
     /// [`Worker::arrive`].
     pub(super) fn take(&mut self, order: Order) -> Option<Held> {
         match order {
-            Order::Run { work: Work::Trunk(trunk), config, .. } => self.start_trunk(trunk, config),
-            Order::Run { work: Work::Case(case), config, from: None } => {
-                self.start_case(case, config, None);
+            Order::Run { work: Work::Trunk(trunk), config, apart, .. } => {
+                self.start_trunk(trunk, config, apart);
             }
-            Order::Run { work: Work::Case(case), config, from: Some(from) } => {
-                return self.start_branch(case, config, from);
+            Order::Run { work: Work::Case(case), config, from, apart } => {
+                let task = Task { case, config, apart };
+                match from {
+                    Some(from) => return self.start_branch(task, from),
+                    None => self.start_case(task, None),
+                }
             }
             Order::Drop { trunk } => {
                 self.checkpoints.remove(&trunk);
@@ -116,7 +121,7 @@ impl Worker<'_, '_> {
             self.checkpoints.insert(trunk, bytes.clone());
         }
         for parked in self.parked.remove(&trunk).unwrap_or_default() {
-            self.start_case(parked.case, parked.config, bytes.clone());
+            self.start_case(parked, bytes.clone());
         }
     }
 
@@ -133,24 +138,26 @@ impl Worker<'_, '_> {
         Some(report)
     }
 
-    fn start_branch(&mut self, case: usize, config: String, from: Held) -> Option<Held> {
+    fn start_branch(&mut self, task: Task, from: Held) -> Option<Held> {
         if let Some(bytes) = self.checkpoint(from.trunk) {
-            self.start_case(case, config, Some(bytes));
+            self.start_case(task, Some(bytes));
             return None;
         }
         // A checkpoint on its way here counts as held here.
         if from.holder == self.rank && !self.parked.contains_key(&from.trunk) {
-            self.start_case(case, config, None);
+            self.start_case(task, None);
             return None;
         }
         let waiting = self.parked.entry(from.trunk).or_default();
-        waiting.push(Parked { case, config });
+        waiting.push(task);
         (waiting.len() == 1).then_some(from)
     }
 
-    fn start_trunk(&self, trunk: usize, config: String) {
+    fn start_trunk(&self, trunk: usize, config: String, apart: bool) {
         let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
         self.scope.spawn(move |_| {
+            let child = runner.apart().filter(|_| apart);
+            let runner = child.as_deref().unwrap_or(runner);
             let result = attempt(cancel, &config, |config| runner.trunk(config, cancel));
             let (result, checkpoint) = match result {
                 Ok(TrunkResult { steps, checkpoint, .. }) => (Ok(steps), Some(checkpoint)),
@@ -161,9 +168,12 @@ impl Worker<'_, '_> {
         });
     }
 
-    fn start_case(&self, case: usize, config: String, checkpoint: Option<Arc<[u8]>>) {
+    fn start_case(&self, task: Task, checkpoint: Option<Arc<[u8]>>) {
         let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
         self.scope.spawn(move |_| {
+            let Task { case, config, apart } = task;
+            let child = runner.apart().filter(|_| apart);
+            let runner = child.as_deref().unwrap_or(runner);
             let (start, cpu_start) = (Instant::now(), thread_processor_time());
             let run = |checkpoint: Option<&[u8]>| {
                 attempt(cancel, &config, |config| runner.case(config, checkpoint, cancel))
@@ -242,7 +252,7 @@ mod tests {
             let mut order = |case, holder| {
                 let config = serde_json::to_string(&config).unwrap();
                 let from = Some(Held { trunk: 7, holder });
-                worker.take(Order::Run { work: Work::Case(case), config, from })
+                worker.take(Order::Run { work: Work::Case(case), config, from, apart: false })
             };
             assert_eq!(order(0, 0), Some(Held { trunk: 7, holder: 0 }));
             assert_eq!(order(1, 1), None);

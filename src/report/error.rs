@@ -22,9 +22,6 @@ pub enum ReportError {
     /// A cell holds something that is not what its column holds.
     #[error("{}, line {line}, column {column:?}: {reason}", path.display())]
     Cell { path: PathBuf, line: u64, column: String, reason: String },
-    /// `manifest.json` is not JSON.
-    #[error("{}: {source}", path.display())]
-    Manifest { path: PathBuf, source: serde_json::Error },
     /// A figure could not be drawn: a fault of the program, not of the data.
     #[error("cannot draw {figure}: {reason}")]
     Draw { figure: String, reason: String },

@@ -29,7 +29,7 @@ pub struct Loaded {
     pub rows: Vec<Row>,
     /// `energy.csv`, where there is one.
     pub energy: Option<RawTable>,
-    /// `manifest.json`, where there is one.
+    /// `manifest.json`, where there is one that can be read.
     pub manifest: Option<Value>,
     /// What was swept, in the grid's order; empty without a manifest.
     pub keys: Vec<Key>,
@@ -40,9 +40,8 @@ impl Loaded {
     /// Reads everything but what each case has left in files of its own.
     pub fn read(directory: &Path) -> Result<Loaded, ReportError> {
         let energy = directory.join("energy.csv");
-        let manifest = directory.join("manifest.json");
         let energy = if energy.exists() { Some(read_raw(&energy, &["case_id"])?) } else { None };
-        let manifest = if manifest.exists() { Some(read_manifest(&manifest)?) } else { None };
+        let manifest = read_manifest(&directory.join("manifest.json"));
         let (mut rows, keys) = read_summary(&directory.join("summary.csv"), manifest.as_ref())?;
         let angle = manifest.as_ref().and_then(|manifest| scene_number(manifest, "wall_angle_deg"));
         for row in &mut rows {
@@ -126,10 +125,9 @@ pub(super) fn read_raw(path: &Path, needed: &[&'static str]) -> Result<RawTable,
     Ok(RawTable { header: cells(&header), rows: records.iter().map(cells).collect() })
 }
 
-fn read_manifest(path: &Path) -> Result<Value, ReportError> {
-    let text = read(path)?;
-    serde_json::from_slice(&text)
-        .map_err(|source| ReportError::Manifest { path: path.to_owned(), source })
+/// Provenance is no answer: a report can do without one that is damaged.
+fn read_manifest(path: &Path) -> Option<Value> {
+    serde_json::from_slice(&std::fs::read(path).ok()?).ok()
 }
 
 pub(super) fn read(path: &Path) -> Result<Vec<u8>, ReportError> {

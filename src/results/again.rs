@@ -18,7 +18,7 @@ use crate::study::{Case, Study};
 /// # Errors
 /// A journal that cannot be read.
 pub fn finished(directory: &Path, study: &Study) -> Result<Vec<Option<CaseRecord>>, SweepError> {
-    let lines = journal::read_journal(directory)?.map_or_else(Vec::new, |(_, lines)| lines);
+    let lines = journal::read_journal(directory)?.records;
     let places: HashMap<_, _> = study.runs().map(|case| (case.id, case.index)).collect();
     let mut records = vec![None; study.run_count()];
     for record in lines {

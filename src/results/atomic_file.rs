@@ -48,6 +48,25 @@ pub(super) fn sync(path: &Path) -> Result<(), SweepError> {
     file.sync_all().map_err(SweepError::io(path))
 }
 
+/// Whether a path still leads to an open file.
+pub(super) fn is_same(file: &File, path: &Path) -> bool {
+    let [open, named] = [file.metadata(), fs::metadata(path)];
+    open.is_ok_and(|open| named.is_ok_and(|named| identity(&open) == identity(&named)))
+}
+
+/// Device and number.
+#[cfg(unix)]
+fn identity(file: &fs::Metadata) -> [u64; 2] {
+    use std::os::unix::fs::MetadataExt;
+    [file.dev(), file.ino()]
+}
+
+/// There is nothing to compare elsewhere.
+#[cfg(not(unix))]
+fn identity(_file: &fs::Metadata) -> [u64; 2] {
+    [0; 2]
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,15 +1,16 @@
 //! The output directory: whose it is, who may write, and what it already holds.
 
-use std::collections::HashMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use super::attempts::Attempts;
+use super::entries::Header;
 use super::error::SweepError;
 use super::files::{self, Unsynced};
-use super::journal::{self, Header, Journal};
-use super::lock::{self, Lock};
-use super::number::counted;
+use super::journal::{self, Journal};
+use super::lock::Lock;
+use super::opening::{self, Found, look};
 use super::record::CaseRecord;
 use super::{energy, summary};
 use crate::math::name::name_of;
@@ -51,6 +52,8 @@ pub struct Directory {
     records: Vec<Option<CaseRecord>>,
     /// Records before this are cases, the others companions.
     cases: usize,
+    findings: Vec<String>,
+    attempts: Attempts,
 }
 
 impl Directory {
@@ -72,38 +75,68 @@ impl Directory {
             let reason = format!("--simd {simd}: not every rank has it; the widest is {widest}");
             return Err(SweepError::Refused(reason));
         }
-        let found = holds_journal(path)?;
-        if mode == OpenMode::Resume
-            && found
-            && let Some((header, _)) = journal::read_journal(path)?
+        let before = look(path)?;
+        if let (OpenMode::Resume, Found::Journal(..)) = (mode, &before)
+            && let Some(header) = journal::read_header(path)?
         {
-            check_header(path, &header, study, requested, widest)?;
+            opening::check_header(path, &header, study, requested, widest)?;
         }
         fs::create_dir_all(path).map_err(|error| SweepError::refused(path, error))?;
         let mut lock = Lock::hold(path)?;
         let mut opened = Opened::New;
-        if mode == OpenMode::Fresh && found {
-            let aside = move_aside(path)?;
-            fs::create_dir_all(path).map_err(SweepError::io(path))?;
-            lock = Lock::hold(path)?;
+        if mode == OpenMode::Fresh && before != Found::Nothing {
+            opening::demand_same(path, &before)?;
+            let (aside, new) = opening::replace(path)?;
+            lock = new;
             opened = Opened::Moved(aside);
         }
         let mut records = vec![None; study.run_count()];
-        let resumed = if holds_journal(path)? { Journal::resume(path)? } else { None };
-        let (journal, simd) = if let Some((journal, header, lines)) = resumed {
-            check_header(path, &header, study, requested, widest)?;
-            files::clean(path)?;
-            fill(path, study, &mut records, lines);
-            opened = Opened::Resumed(records.iter().flatten().count());
-            (journal, header.simd)
-        } else {
+        let mut findings = Vec::new();
+        let (journal, simd) = if look(path)? == Found::Nothing {
             let simd = requested.unwrap_or(widest);
             let header = Header::new(&study.name, &study.identity, study.cases.len(), simd);
             (Journal::create(path, &header)?, simd)
+        } else {
+            let content = journal::read_journal(path)?;
+            findings.extend(opening::told_damage(&content));
+            let header = opening::header(path, &content, study)?;
+            opening::check_header(path, &header, study, requested, widest)?;
+            let journal = Journal::resume(path, &content, &header)?;
+            files::clean(path)?;
+            findings.extend(opening::fill(path, study, &mut records, content.records));
+            opened = Opened::Resumed(records.iter().flatten().count());
+            (journal, header.simd)
         };
-        let (path, cases, unsynced) = (path.to_owned(), study.cases.len(), Unsynced::default());
-        let directory = Directory { path, _lock: lock, journal, unsynced, simd, records, cases };
+        let directory = Directory {
+            attempts: Attempts::open(path)?,
+            path: path.to_owned(),
+            _lock: lock,
+            journal,
+            unsynced: Unsynced::default(),
+            simd,
+            records,
+            cases: study.cases.len(),
+            findings,
+        };
         Ok((directory, opened))
+    }
+
+    /// What was found damaged on opening, in words; the cases in question run again.
+    pub fn findings(&self) -> &[String] {
+        &self.findings
+    }
+
+    /// What has begun and not ended; see [`Attempts`].
+    pub fn attempts(&mut self) -> &mut Attempts {
+        &mut self.attempts
+    }
+
+    /// Makes sure that results still go where they should.
+    ///
+    /// # Errors
+    /// Somebody has deleted or moved the directory or its journal.
+    pub fn demand_in_place(&self) -> Result<(), SweepError> {
+        self.journal.demand_in_place()
     }
 
     /// Where it is.
@@ -153,6 +186,7 @@ impl Directory {
     /// Puts everything recorded on the disk, once it has waited long enough or if `now`.
     pub fn sync(&mut self, now: bool) -> Result<(), SweepError> {
         if self.journal.waits(if now { Duration::ZERO } else { GROUP }) {
+            self.journal.demand_in_place()?;
             self.unsynced.sync(&self.path)?;
             self.journal.sync()?;
         }
@@ -161,91 +195,10 @@ impl Directory {
 
     /// Makes all tables from the journal's records.
     pub fn write_tables(&self, study: &Study) -> Result<(), SweepError> {
+        self.demand_in_place()?;
         summary::write(&self.path, study, &self.records)?;
         energy::write(&self.path, self.records())
     }
-}
-
-/// Whether a path holds a journal, or nothing; anything else is somebody else's.
-fn holds_journal(path: &Path) -> Result<bool, SweepError> {
-    if !path.exists() {
-        return Ok(false);
-    }
-    if path.join(journal::FILE_NAME).is_file() {
-        return Ok(true);
-    }
-    let entries = fs::read_dir(path).map_err(|error| SweepError::refused(path, error))?;
-    for entry in entries {
-        let entry = entry.map_err(SweepError::io(path))?;
-        if entry.file_name() != lock::FILE_NAME {
-            let reason = "is not empty and holds no journal; choose another --out";
-            return Err(SweepError::refused(path, reason));
-        }
-    }
-    Ok(false)
-}
-
-fn check_header(
-    path: &Path,
-    header: &Header,
-    study: &Study,
-    requested: Option<SimdPath>,
-    widest: SimdPath,
-) -> Result<(), SweepError> {
-    if header.sweep != study.identity {
-        let cases = counted(header.cases, "case");
-        let reason = format!(
-            "holds another sweep (\"{}\", {cases}); choose another --out, or --fresh to move it \
-             aside",
-            header.name
-        );
-        return Err(SweepError::refused(path, reason));
-    }
-    let recorded = header.simd;
-    if recorded > widest {
-        let reason = format!(
-            "was computed with {}, but the widest that every rank has is {}",
-            name_of(recorded),
-            name_of(widest)
-        );
-        return Err(SweepError::refused(path, reason));
-    }
-    if let Some(simd) = requested.filter(|&simd| simd != recorded) {
-        let reason = format!(
-            "was computed with {}: --simd {} cannot go on",
-            name_of(recorded),
-            name_of(simd)
-        );
-        return Err(SweepError::refused(path, reason));
-    }
-    Ok(())
-}
-
-/// Sorts journal lines into the order of the runs; a later line of the same run wins. Companions
-/// are known by their id: asking for other error bars renumbers them.
-fn fill(path: &Path, study: &Study, records: &mut [Option<CaseRecord>], lines: Vec<CaseRecord>) {
-    let places: HashMap<_, _> = study.runs().map(|case| (case.id, case.index)).collect();
-    for record in lines {
-        if let Some(&index) = places.get(&record.id) {
-            records[index] = Some(CaseRecord { index, ..record });
-        }
-    }
-    let has_history = |record: &CaseRecord| files::is_there(path, record.id, &record.files);
-    for record in &mut records[..study.cases.len()] {
-        let lacks_history =
-            record.as_ref().is_some_and(|record| record.is_ok() && !has_history(record));
-        if lacks_history {
-            *record = None;
-        }
-    }
-}
-
-fn move_aside(path: &Path) -> Result<PathBuf, SweepError> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let free = (1..).map(|number| path.with_file_name(format!("{name}.old-{number}")));
-    let aside = free.into_iter().find(|aside| !aside.exists()).expect("numbers do not end");
-    fs::rename(path, &aside).map_err(SweepError::io(path))?;
-    Ok(aside)
 }
 
 #[cfg(test)]

@@ -4,14 +4,46 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use serde::{Deserialize, Serialize};
+
+use super::checksum::checksum;
 use super::error::SweepError;
 use super::{atomic_file, number};
 use crate::quantities;
 use crate::simulation::{CaseResult, HistoryRow, NamedReading, ProbeColumn, ProbeTable};
 use crate::study::CaseId;
 
-/// Lengths of a case's files by their folders, bytes.
-pub(super) type Lengths = BTreeMap<String, u64>;
+/// What a file was when it was written.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Seal {
+    /// Its length, bytes, and the start of its SHA-256.
+    Whole {
+        /// Length.
+        bytes: u64,
+        /// 16 hex digits.
+        sum: String,
+    },
+    /// Its length alone, as earlier versions wrote it.
+    Length(u64),
+}
+
+impl Seal {
+    fn of(content: &[u8]) -> Seal {
+        Seal::Whole { bytes: content.len() as u64, sum: checksum(content) }
+    }
+
+    /// Whether this is the content that was written.
+    fn fits(&self, content: &[u8]) -> bool {
+        match self {
+            Seal::Length(bytes) => *bytes == content.len() as u64,
+            whole => *whole == Seal::of(content),
+        }
+    }
+}
+
+/// Seals of a case's files by their folders.
+pub(super) type Seals = BTreeMap<String, Seal>;
 
 const HISTORIES: &str = "histories";
 const PROBES: &str = "probes";
@@ -23,13 +55,13 @@ const READINGS: &str = "readings";
 pub(super) struct Unsynced(Vec<PathBuf>);
 
 impl Unsynced {
-    /// Writes what a case leaves besides its journal line, and tells the lengths of the files.
+    /// Writes what a case leaves besides its journal line, and tells what was written.
     pub(super) fn write(
         &mut self,
         directory: &Path,
         id: CaseId,
         result: &CaseResult,
-    ) -> Result<Lengths, SweepError> {
+    ) -> Result<Seals, SweepError> {
         let mut texts = vec![(HISTORIES, history(&result.history))];
         if let Some(probes) = &result.probes {
             texts.push((PROBES, probe_table(probes)));
@@ -37,14 +69,14 @@ impl Unsynced {
         if !result.readings.is_empty() {
             texts.push((READINGS, reading_table(&result.readings)));
         }
-        let mut lengths = Lengths::new();
+        let mut seals = Seals::new();
         for (name, text) in texts {
             let folder = directory.join(name);
             fs::create_dir_all(&folder).map_err(SweepError::io(&folder))?;
             let path = folder.join(format!("{id}.csv"));
             atomic_file::write_unsynced(&path, text.as_bytes())?;
             self.0.push(path);
-            lengths.insert(name.to_owned(), text.len() as u64);
+            seals.insert(name.to_owned(), Seal::of(text.as_bytes()));
         }
         let columns = directory.join(PROBES).join("columns.csv");
         if let Some(probes) = &result.probes
@@ -53,7 +85,7 @@ impl Unsynced {
             // The same for all cases of a sweep.
             atomic_file::write(&columns, probe_columns(probes).as_bytes())?;
         }
-        Ok(lengths)
+        Ok(seals)
     }
 
     pub(super) fn sync(&mut self, directory: &Path) -> Result<(), SweepError> {
@@ -64,14 +96,26 @@ impl Unsynced {
     }
 }
 
-/// Whether a case that the journal calls well has its history, and all files the lengths that the journal
-/// knows.
-pub(super) fn is_there(directory: &Path, id: CaseId, lengths: &Lengths) -> bool {
-    let length = |name: &str| {
-        let file = fs::metadata(directory.join(name).join(format!("{id}.csv"))).ok();
-        file.filter(|file| file.is_file()).map(|file| file.len())
-    };
-    length(HISTORIES).is_some() && lengths.iter().all(|(name, &of)| length(name) == Some(of))
+/// The first file of a case that is not as it was written: its path, and what is wrong with it.
+pub(super) fn damage(
+    directory: &Path,
+    id: CaseId,
+    seals: &Seals,
+) -> Option<(PathBuf, &'static str)> {
+    let path = |name: &str| directory.join(name).join(format!("{id}.csv"));
+    if !path(HISTORIES).is_file() {
+        return Some((path(HISTORIES), "is missing"));
+    }
+    seals.iter().find_map(|(name, seal)| match fs::read(path(name)) {
+        Ok(content) if seal.fits(&content) => None,
+        Ok(_) => Some((path(name), "is damaged")),
+        Err(_) => Some((path(name), "is missing")),
+    })
+}
+
+/// Whether there is any history.
+pub(super) fn any(directory: &Path) -> bool {
+    fs::read_dir(directory.join(HISTORIES)).is_ok_and(|mut entries| entries.next().is_some())
 }
 
 /// Removes what a killed process left half written.

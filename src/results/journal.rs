@@ -1,53 +1,23 @@
 //! The journal: the truth about a sweep, one line of JSON per finished case.
 //!
-//! Every line is `{"sum":"<16 hex digits>","entry":<entry>}`, the sum being the start of SHA-256
-//! over the entry's text. The first entry is the [`Header`]. Lines are only ever appended; a torn
-//! last line (the process or the machine died) is cut off on reopening, damage anywhere before it
-//! is an error. Lines reach the disk in groups: within 0.2 s, or as soon as nothing else happens.
+//! The first line is the [`Header`]. Lines are only ever appended. A torn last line (the process or
+//! the machine died) is cut off on reopening. A damaged line costs its case alone: the line is set
+//! aside, and the case runs again. Lines reach the disk in groups: within 0.2 s, or as soon as nothing
+//! else happens.
 
 use std::fs::{File, OpenOptions};
-use std::io::Write;
+use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use serde::{Deserialize, Serialize};
-use sha2::{Digest, Sha256};
-
+use super::atomic_file;
+use super::entries::{self, Content, Entry, Header};
 use super::error::SweepError;
 use super::record::CaseRecord;
-use crate::math::simd::SimdPath;
 
 pub(super) const FILE_NAME: &str = "journal.jsonl";
-const VERSION: u32 = 1;
-
-/// What the journal belongs to.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Header {
-    /// Version of the journal's own format.
-    pub version: u32,
-    /// Name of the study.
-    pub name: String,
-    /// Identity of the study.
-    pub sweep: String,
-    /// Number of its cases.
-    pub cases: usize,
-    /// The instruction set that all its cases are computed with.
-    pub simd: SimdPath,
-}
-
-impl Header {
-    /// A header in the present format.
-    pub fn new(name: &str, sweep: &str, cases: usize, simd: SimdPath) -> Header {
-        Header { version: VERSION, name: name.to_owned(), sweep: sweep.to_owned(), cases, simd }
-    }
-}
-
-#[derive(Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-enum JournalEntry {
-    Header(Header),
-    Case(Box<CaseRecord>),
-}
+/// Where damaged lines go.
+const DAMAGED: &str = "journal.damaged";
 
 /// An open journal.
 #[derive(Debug)]
@@ -63,41 +33,41 @@ impl Journal {
         let path = directory.join(FILE_NAME);
         let file = File::create(&path).map_err(SweepError::io(&path))?;
         let mut journal = Journal { path, file, unsynced_since: None };
-        journal.append(&JournalEntry::Header(header.clone()))?;
+        journal.append(&Entry::Header(header.clone()))?;
         journal.sync()?;
-        super::atomic_file::sync(directory)?;
+        atomic_file::sync(directory)?;
         Ok(journal)
     }
 
-    /// Opens a journal to go on with it, cutting a torn tail off. `None` where not even the
-    /// header is whole.
+    /// Opens a journal, which holds `content`, to go on with it. A torn tail is cut off, damaged lines are
+    /// set aside. Where the first line is lost, `header` takes its place.
     ///
     /// # Errors
-    /// Damage before the tail, or a file that cannot be read or written.
+    /// A file that cannot be written.
     pub fn resume(
         directory: &Path,
-    ) -> Result<Option<(Journal, Header, Vec<CaseRecord>)>, SweepError> {
+        content: &Content,
+        header: &Header,
+    ) -> Result<Journal, SweepError> {
         let path = directory.join(FILE_NAME);
-        let bytes = std::fs::read(&path).map_err(SweepError::io(&path))?;
-        let content = parse(&path, &bytes)?;
-        let Some(header) = content.header else { return Ok(None) };
-        let file = OpenOptions::new().append(true).open(&path).map_err(SweepError::io(&path))?;
-        if content.whole < bytes.len() {
-            file.set_len(content.whole as u64).map_err(SweepError::io(&path))?;
-            file.sync_all().map_err(SweepError::io(&path))?;
+        if !content.intact {
+            let [whole, damaged] = &content.texts;
+            keep_damaged(directory, damaged)?;
+            let first = content.header.is_none().then(|| Entry::Header(header.clone()).line());
+            let text = [first.unwrap_or_default().as_bytes(), whole].concat();
+            atomic_file::write(&path, &text)?;
         }
-        Ok(Some((Journal { path, file, unsynced_since: None }, header, content.records)))
+        let file = OpenOptions::new().append(true).open(&path).map_err(SweepError::io(&path))?;
+        Ok(Journal { path, file, unsynced_since: None })
     }
 
     /// Appends a finished case.
     pub fn record(&mut self, record: &CaseRecord) -> Result<(), SweepError> {
-        self.append(&JournalEntry::Case(Box::new(record.clone())))
+        self.append(&Entry::Case(Box::new(record.clone())))
     }
 
-    fn append(&mut self, entry: &JournalEntry) -> Result<(), SweepError> {
-        let entry = serde_json::to_string(entry).expect("an entry has a JSON form");
-        let line = format!("{{\"sum\":\"{}\",\"entry\":{entry}}}\n", checksum(entry.as_bytes()));
-        self.file.write_all(line.as_bytes()).map_err(SweepError::io(&self.path))?;
+    fn append(&mut self, entry: &Entry) -> Result<(), SweepError> {
+        self.file.write_all(entry.line().as_bytes()).map_err(SweepError::io(&self.path))?;
         self.unsynced_since.get_or_insert_with(Instant::now);
         Ok(())
     }
@@ -115,87 +85,58 @@ impl Journal {
         }
         Ok(())
     }
+
+    /// Makes sure that the file which is written to is still the one that has its name.
+    ///
+    /// # Errors
+    /// Somebody has deleted or moved it, or the directory with it.
+    pub fn demand_in_place(&self) -> Result<(), SweepError> {
+        if atomic_file::is_same(&self.file, &self.path) {
+            return Ok(());
+        }
+        let reason = "was deleted, moved or replaced while the sweep ran; what finished since then \
+                      is lost";
+        Err(SweepError::Executor(format!("{}: {reason}", self.path.display())))
+    }
 }
 
-/// Reads a journal without touching it: header and records in the order of writing.
+/// Adds lines to those that were set aside earlier.
+fn keep_damaged(directory: &Path, lines: &[u8]) -> Result<(), SweepError> {
+    if lines.is_empty() {
+        return Ok(());
+    }
+    let path = directory.join(DAMAGED);
+    let file = OpenOptions::new().append(true).create(true).open(&path);
+    file.and_then(|mut file| file.write_all(lines)).map_err(SweepError::io(&path))
+}
+
+/// The header alone; `None` where its line is not whole.
 ///
 /// # Errors
-/// Damage before the tail, or a file that cannot be read.
-pub fn read_journal(directory: &Path) -> Result<Option<(Header, Vec<CaseRecord>)>, SweepError> {
+/// A file that cannot be read, or another program's.
+pub(super) fn read_header(directory: &Path) -> Result<Option<Header>, SweepError> {
+    let path = directory.join(FILE_NAME);
+    let file = File::open(&path).map_err(SweepError::io(&path))?;
+    let mut line = Vec::new();
+    BufReader::new(file).read_until(b'\n', &mut line).map_err(SweepError::io(&path))?;
+    Ok(entries::parse(&path, &line)?.header)
+}
+
+/// Reads a journal without touching it.
+///
+/// # Errors
+/// A file that cannot be read, or another program's.
+pub fn read_journal(directory: &Path) -> Result<Content, SweepError> {
     let path = directory.join(FILE_NAME);
     let bytes = std::fs::read(&path).map_err(SweepError::io(&path))?;
-    let content = parse(&path, &bytes)?;
-    Ok(content.header.map(|header| (header, content.records)))
-}
-
-#[derive(Default)]
-struct Content {
-    header: Option<Header>,
-    records: Vec<CaseRecord>,
-    /// Bytes that are whole lines.
-    whole: usize,
-}
-
-fn parse(path: &Path, bytes: &[u8]) -> Result<Content, SweepError> {
-    let mut content = Content::default();
-    let mut lines = bytes.split_inclusive(|&byte| byte == b'\n').enumerate().peekable();
-    while let Some((number, line)) = lines.next() {
-        let last = lines.peek().is_none();
-        let Some(entry) = read_line(line) else {
-            if last {
-                break;
-            }
-            return Err(SweepError::refused(
-                path,
-                format_args!(
-                    "line {}: damaged, though lines follow it; restore the file from a copy, or start over with --fresh",
-                    number + 1
-                ),
-            ));
-        };
-        match (entry, &content.header) {
-            (JournalEntry::Header(header), None) if header.version == VERSION => {
-                content.header = Some(header);
-            }
-            (JournalEntry::Header(header), None) => {
-                let reason = format_args!(
-                    "line 1: journal format {} is not the one this program writes ({VERSION})",
-                    header.version
-                );
-                return Err(SweepError::refused(path, reason));
-            }
-            (JournalEntry::Case(record), Some(_)) => content.records.push(*record),
-            _ => {
-                let reason = format_args!("line {}: out of place", number + 1);
-                return Err(SweepError::refused(path, reason));
-            }
-        }
-        content.whole += line.len();
-    }
-    Ok(content)
-}
-
-const PREFIX: &[u8] = b"{\"sum\":\"";
-const MIDDLE: &[u8] = b"\",\"entry\":";
-
-fn read_line(line: &[u8]) -> Option<JournalEntry> {
-    let rest = line.strip_suffix(b"}\n")?.strip_prefix(PREFIX)?;
-    let (sum, rest) = rest.split_at_checked(16)?;
-    let entry = rest.strip_prefix(MIDDLE)?;
-    if checksum(entry).as_bytes() != sum {
-        return None;
-    }
-    serde_json::from_slice(entry).ok()
-}
-
-fn checksum(entry: &[u8]) -> String {
-    Sha256::digest(entry)[..8].iter().map(|byte| format!("{byte:02x}")).collect()
+    entries::parse(&path, &bytes)
 }
 
 #[cfg(test)]
 mod tests {
     use super::super::made_up::made_up;
     use super::*;
+    use crate::math::simd::SimdPath;
     use crate::study::{Study, SweepFile};
 
     fn filled(directory: &Path) -> (Header, Vec<CaseRecord>) {
@@ -215,18 +156,23 @@ mod tests {
         (header, records)
     }
 
+    fn resume(directory: &Path, header: &Header) -> (Journal, Vec<CaseRecord>) {
+        let content = read_journal(directory).unwrap();
+        (Journal::resume(directory, &content, header).unwrap(), content.records)
+    }
+
     #[test]
     fn a_journal_round_trips_every_bit() {
         let directory = tempfile::tempdir().unwrap();
         let (header, records) = filled(directory.path());
-        let (_, read_header, read) = Journal::resume(directory.path()).unwrap().unwrap();
-        assert_eq!((read_header, read), (header, records));
+        let content = read_journal(directory.path()).unwrap();
+        assert_eq!((content.header, content.records), (Some(header), records));
     }
 
     #[test]
     fn a_torn_tail_is_cut_wherever_it_tore() {
         let directory = tempfile::tempdir().unwrap();
-        let (_, records) = filled(directory.path());
+        let (header, records) = filled(directory.path());
         let path = directory.path().join(FILE_NAME);
         let bytes = std::fs::read(&path).unwrap();
         let ends: Vec<_> = (1..=bytes.len()).filter(|&end| bytes[end - 1] == b'\n').collect();
@@ -234,30 +180,67 @@ mod tests {
         for length in (0..bytes.len()).filter(|length| length % 97 == 0 || near_an_end(length)) {
             std::fs::write(&path, &bytes[..length]).unwrap();
             let whole = ends.iter().filter(|&&end| end <= length).count();
-            let resumed = Journal::resume(directory.path()).unwrap();
-            match resumed {
-                None => assert_eq!(whole, 0),
-                Some((mut journal, _, read)) => {
-                    assert_eq!(read, records[..whole - 1]);
-                    journal.record(&records[0]).unwrap();
-                    let (_, again) = read_journal(directory.path()).unwrap().unwrap();
-                    assert_eq!(again.len(), whole);
-                }
-            }
+            let (mut journal, read) = resume(directory.path(), &header);
+            assert_eq!(read, records[..whole.saturating_sub(1)]);
+            journal.record(&records[0]).unwrap();
+            let again = read_journal(directory.path()).unwrap();
+            assert_eq!((again.records.len(), again.damaged), (whole.max(1), 0));
         }
     }
 
     #[test]
-    fn damage_in_the_middle_is_told_with_its_line() {
+    fn a_flipped_bit_costs_its_record_alone() {
+        let directory = tempfile::tempdir().unwrap();
+        let (header, records) = filled(directory.path());
+        let path = directory.path().join(FILE_NAME);
+        let bytes = std::fs::read(&path).unwrap();
+        let breaks: Vec<_> = (0..bytes.len()).filter(|&at| bytes[at] == b'\n').collect();
+        let near_a_break = |at: &usize| breaks.iter().any(|other| other.abs_diff(*at) <= 1);
+        let places = (0..bytes.len()).filter(|at| at % 101 == 0 || near_a_break(at));
+        for (at, bit) in places.flat_map(|at| (0..8).map(move |bit| (at, bit))) {
+            let mut damaged = bytes.clone();
+            damaged[at] ^= 1 << bit;
+            std::fs::write(&path, &damaged).unwrap();
+            let (_, read) = resume(directory.path(), &header);
+            let lost = breaks.iter().filter(|&&end| end < at).count();
+            let kept = |number: usize| {
+                let record = &records[number];
+                read.contains(record) || (lost == number + 1 && !breaks.contains(&at))
+            };
+            assert!((0..records.len()).all(kept), "byte {at}, bit {bit}");
+            let again = read_journal(directory.path()).unwrap();
+            assert_eq!((again.header.as_ref(), again.records), (Some(&header), read));
+        }
+    }
+
+    #[test]
+    fn a_whole_line_of_another_version_is_never_cut_off() {
         let directory = tempfile::tempdir().unwrap();
         filled(directory.path());
         let path = directory.path().join(FILE_NAME);
         let mut bytes = std::fs::read(&path).unwrap();
-        let line_two = bytes.iter().position(|&byte| byte == b'\n').unwrap() + 200;
-        bytes[line_two] ^= 1;
+        let entry = br#"{"tide":{"level_m":0.2}}"#;
+        let sum = super::super::checksum::checksum(entry);
+        bytes.extend(format!("{{\"sum\":\"{sum}\",\"entry\":").into_bytes());
+        bytes.extend(entry);
+        bytes.extend(b"}\n");
         std::fs::write(&path, &bytes).unwrap();
-        let error = Journal::resume(directory.path()).unwrap_err();
+        let error = read_journal(directory.path()).unwrap_err();
         assert!(error.is_refusal());
-        assert!(error.to_string().contains("journal.jsonl: line 2: damaged"), "{error}");
+        assert!(error.to_string().contains("line 5: is whole, but written by another"), "{error}");
+        assert_eq!(std::fs::read(&path).unwrap(), bytes);
+    }
+
+    #[test]
+    fn a_journal_that_is_moved_is_missed() {
+        let directory = tempfile::tempdir().unwrap();
+        let (header, _) = filled(directory.path());
+        let (journal, _) = resume(directory.path(), &header);
+        journal.demand_in_place().unwrap();
+        let path = directory.path().join(FILE_NAME);
+        std::fs::rename(&path, directory.path().join("elsewhere")).unwrap();
+        assert!(journal.demand_in_place().is_err());
+        std::fs::copy(directory.path().join("elsewhere"), &path).unwrap();
+        assert!(journal.demand_in_place().is_err());
     }
 }

@@ -1,13 +1,16 @@
 //! One process per output directory: an advisory lock that dies with its holder.
 
 use std::fs::{File, OpenOptions, TryLockError};
+use std::io::ErrorKind::NotFound;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use super::atomic_file;
 use super::error::SweepError;
 
 pub(super) const FILE_NAME: &str = "lock";
 const PATIENCE: Duration = Duration::from_secs(5);
+const PAUSE: Duration = Duration::from_millis(50);
 
 /// A held lock; dropping it releases it.
 #[derive(Debug)]
@@ -26,15 +29,24 @@ impl Lock {
 
     fn hold_within(directory: &Path, patience: Duration) -> Result<Lock, SweepError> {
         let path = directory.join(FILE_NAME);
-        let open = OpenOptions::new().write(true).create(true).truncate(false).open(&path);
-        // Not the machine failing: somebody else's directory, or a read-only one.
-        let file = open.map_err(|error| SweepError::refused(&path, error))?;
+        let open = || OpenOptions::new().write(true).create(true).truncate(false).open(&path);
         let start = Instant::now();
         loop {
+            // Not the machine failing: somebody else's directory, or a read-only one.
+            let file = match open() {
+                // Somebody has moved the directory aside and is about to put a new one in its place.
+                Err(error) if error.kind() == NotFound && start.elapsed() < patience => {
+                    std::thread::sleep(PAUSE);
+                    continue;
+                }
+                open => open.map_err(|error| SweepError::refused(&path, error))?,
+            };
             match file.try_lock() {
+                // Its holder may have moved the directory aside.
+                Ok(()) if !atomic_file::is_same(&file, &path) => {}
                 Ok(()) => return Ok(Lock { _file: file }),
                 Err(TryLockError::WouldBlock) if start.elapsed() < patience => {
-                    std::thread::sleep(Duration::from_millis(50));
+                    std::thread::sleep(PAUSE);
                 }
                 Err(TryLockError::WouldBlock) => {
                     return Err(SweepError::refused(directory, "another process is at work here"));

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::atomic_file;
 use super::error::SweepError;
+use super::program::Program;
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::study::{PHYSICS_VERSION, Study};
@@ -45,6 +46,9 @@ pub struct Manifest {
 /// One process at work on a directory.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct SessionInfo {
+    /// The build that worked; absent where an earlier version did not tell.
+    #[serde(default)]
+    pub program: Option<Program>,
     /// `threads` or `mpi`.
     pub executor: String,
     /// The ranks.
@@ -106,9 +110,10 @@ impl Manifest {
     /// The manifest of a directory, with the sessions that it already has.
     pub fn new(directory: &Path, study: &Study, overrides: &[String], simd: SimdPath) -> Manifest {
         let sessions = Manifest::read(directory).map_or_else(Vec::new, |earlier| earlier.sessions);
+        let program = Program::this();
         Manifest {
-            version: env!("CARGO_PKG_VERSION").to_owned(),
-            git_commit: option_env!("SEAWALL_GIT_COMMIT").unwrap_or("unknown").to_owned(),
+            version: program.version,
+            git_commit: program.git_commit,
             physics_version: PHYSICS_VERSION,
             name: study.name.clone(),
             sweep: study.identity.clone(),
@@ -122,10 +127,25 @@ impl Manifest {
         }
     }
 
+    /// Another build that has worked here before this one.
+    pub fn other_program(&self) -> Option<&Program> {
+        let this = Program::this();
+        self.sessions
+            .iter()
+            .rev()
+            .filter_map(|session| session.program.as_ref())
+            .find(|p| **p != this)
+    }
+
     /// Reads a directory's manifest, `None` where there is none that can be read.
     pub fn read(directory: &Path) -> Option<Manifest> {
         let text = std::fs::read_to_string(directory.join(FILE_NAME)).ok()?;
         serde_json::from_str(&text).ok()
+    }
+
+    /// The instruction set, where this program knows it.
+    pub fn simd_path(&self) -> Option<SimdPath> {
+        serde_json::from_value(self.simd.clone().into()).ok()
     }
 
     /// Writes it.

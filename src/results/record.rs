@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use super::files::Seal;
 use crate::simulation::{
     CaseResult, EnergyBudget, Failure, FailureKind, NamedReading, Outcome, PhaseShare,
 };
@@ -38,9 +39,9 @@ pub struct CaseRecord {
     pub cpu_time_s: Option<f64>,
     /// Where it ran.
     pub host: String,
-    /// Lengths of the files that it has left, by their folders, bytes.
+    /// What the files that it has left were when they were written, by their folders.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub files: BTreeMap<String, u64>,
+    pub files: BTreeMap<String, Seal>,
 }
 
 impl CaseRecord {

@@ -33,6 +33,8 @@ pub enum FailureKind {
     CheckpointUnreadable,
     /// The program itself failed (a caught panic).
     Internal,
+    /// The process that ran it was ended: out of memory, a stack overflow, a signal.
+    EndedTheProcess,
 }
 
 impl FailureKind {
@@ -40,7 +42,10 @@ impl FailureKind {
     pub fn is_instability(self) -> bool {
         !matches!(
             self,
-            FailureKind::InvalidScene | FailureKind::CheckpointUnreadable | FailureKind::Internal
+            FailureKind::InvalidScene
+                | FailureKind::CheckpointUnreadable
+                | FailureKind::Internal
+                | FailureKind::EndedTheProcess
         )
     }
 }

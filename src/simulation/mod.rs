@@ -32,6 +32,8 @@ pub use outcome::{
     ProbeTable, TrunkResult,
 };
 
+use serde::{Deserialize, Serialize};
+
 use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::pairs::Fluid;
@@ -77,7 +79,7 @@ pub struct Unwatched;
 impl Monitor for Unwatched {}
 
 /// What a run may use.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Resources {
     /// Instruction set of the hot loops.
     pub simd: SimdPath,

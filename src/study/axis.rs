@@ -1,5 +1,7 @@
 //! One axis of the grid: a list of values, or a range.
 
+use std::collections::HashSet;
+
 use toml::{Table, Value};
 
 use crate::keys::number;
@@ -32,7 +34,8 @@ impl GridAxis {
         if values.is_empty() {
             return Err(ConfigError::new(&path, "[]", "must have at least one value"));
         }
-        for (index, value) in values.iter().enumerate() {
+        let mut seen = HashSet::with_capacity(values.len());
+        for value in &values {
             if let Value::Float(number) = value
                 && !number.is_finite()
             {
@@ -42,7 +45,7 @@ impl GridAxis {
                 let allowed = "must be numbers, strings or booleans";
                 return Err(ConfigError::new(&path, value, allowed));
             }
-            if values[..index].iter().any(|earlier| same(earlier, value)) {
+            if !seen.insert(meaning(value)) {
                 return Err(ConfigError::new(&path, value, "stands in the list twice"));
             }
         }
@@ -50,12 +53,9 @@ impl GridAxis {
     }
 }
 
-/// Equal as settings: `1` and `1.0` are the same.
-fn same(a: &Value, b: &Value) -> bool {
-    match (number(a), number(b)) {
-        (Some(a), Some(b)) => a == b,
-        _ => a == b,
-    }
+/// Equal for values that are equal as settings: `1` and `1.0` are the same, and 0 and -0.
+fn meaning(value: &Value) -> String {
+    number(value).map_or_else(|| value.to_string(), |number| format!("{:?}", number + 0.0))
 }
 
 pub(super) const RANGE_KEYS: [&str; 4] = ["from", "to", "points", "spacing"];

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::execute::{available_cores, host_name};
 use crate::math::simd::SimdPath;
-use crate::results::RankInfo;
+use crate::results::{Program, RankInfo};
 
 /// What rank 0 has to know of a rank.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -21,9 +21,8 @@ impl Hello {
     pub(super) fn of_this_process() -> Hello {
         let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
         let allowed = status.lines().find_map(|line| line.strip_prefix("Cpus_allowed_list:"));
-        let commit = option_env!("SEAWALL_GIT_COMMIT").unwrap_or("unknown");
         Hello {
-            build: format!("{} ({commit})", env!("CARGO_PKG_VERSION")),
+            build: Program::this().to_string(),
             host: host_name(),
             simd: SimdPath::widest(),
             cores: available_cores(),

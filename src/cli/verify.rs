@@ -1,0 +1,69 @@
+//! `seawall verify`: whether a directory still holds what was written into it.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use serde_json::json;
+
+use super::failure::BadInput;
+use super::output::Output;
+use super::{CASES_FAILED, SUCCESS, film};
+use crate::results::{CaseRecord, counted, finished, first_difference, verify};
+use crate::simulation::{Resources, Unwatched, run_case};
+use crate::study::Study;
+
+/// Check every file of a sweep's directory against its checksum, and on request run some cases again.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  seawall verify results/runs/nightly
+  seawall verify results/runs/nightly --rerun 3")]
+pub(super) struct VerifyArgs {
+    /// The output directory of a sweep or a run.
+    dir: PathBuf,
+    /// Run so many finished cases again, spread over the grid, and compare every bit.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    rerun: usize,
+    /// Threads that share the work; the results are the same for any number [default: all].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+}
+
+pub(super) fn main(args: &VerifyArgs, output: &Output) -> anyhow::Result<u8> {
+    if !args.dir.join("journal.jsonl").is_file() {
+        let reason = "holds no journal.jsonl: not the output directory of a sweep";
+        return Err(BadInput(format!("{}: {reason}", args.dir.display())).into());
+    }
+    let (study, simd) = film::read(&args.dir)?;
+    let records = finished(&args.dir, &study)?;
+    let mut told = verify(&args.dir, &study, &records)?;
+    let resources = Resources { simd, threads: film::threads(args.threads) };
+    let again = sample(&study, &records, args.rerun);
+    for &place in &again {
+        let case = &study.cases[place];
+        output.note(format_args!("running {} again", case.id));
+        let difference = match run_case(&case.config, None, resources, &Unwatched) {
+            Ok(result) => first_difference(&args.dir, (&study, &records), case, &result)?,
+            Err(stopped) => Some(format!("it ended with {stopped}")),
+        };
+        told.extend(difference.map(|difference| format!("{} run again: {difference}", case.id)));
+    }
+    let cases = counted(records[..study.cases.len()].iter().flatten().count(), "case");
+    let mut text: String = told.iter().map(|line| format!("{line}\n")).collect();
+    if told.is_empty() {
+        text = format!("{cases}: every file is as it was written\n");
+    }
+    if !again.is_empty() {
+        text.push_str(&format!("{} again, from rest\n", counted(again.len(), "case ran")));
+    }
+    let value = json!({ "cases": study.cases.len(), "rerun": again.len(), "damage": told });
+    output.result(&text, &value)?;
+    Ok(if told.is_empty() { SUCCESS } else { CASES_FAILED })
+}
+
+/// Places of so many well cases, spread evenly.
+fn sample(study: &Study, records: &[Option<CaseRecord>], number: usize) -> Vec<usize> {
+    let well = |record: &Option<CaseRecord>| record.as_ref().is_some_and(CaseRecord::is_ok);
+    let places: Vec<_> = (0..study.cases.len()).filter(|&at| well(&records[at])).collect();
+    let number = number.min(places.len());
+    (0..number).map(|k| places[(2 * k + 1) * places.len() / (2 * number)]).collect()
+}

@@ -1,0 +1,182 @@
+//! Work that a process may have died of, in a process of its own.
+//!
+//! The child is this program, with the hidden subcommand `apart`. It reads a [`Task`] from standard
+//! input and writes a [`Result`] to standard output. If it dies, its work has failed and nothing else.
+
+use std::io::{Read, Write};
+use std::process::{Child, Command, Stdio};
+use std::time::Duration;
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+
+use super::runner::{Runner, guarded};
+use crate::scene::CaseConfig;
+use crate::simulation::{
+    CaseResult, Failure, FailureKind, Monitor, Resources, Stopped, TrunkResult, Unwatched,
+};
+
+/// The hidden subcommand.
+pub const SUBCOMMAND: &str = "apart";
+/// Between two looks at a child.
+const PAUSE: Duration = Duration::from_millis(5);
+
+/// What a child is to do.
+#[derive(Debug, Serialize, Deserialize)]
+struct Task {
+    trunk: bool,
+    /// JSON, which carries every bit.
+    config: String,
+    checkpoint: Option<Vec<u8>>,
+    resources: Resources,
+}
+
+/// Runs each piece of work in a child.
+#[derive(Debug, Clone, Copy)]
+pub struct Apart(pub Resources);
+
+impl Runner for Apart {
+    fn trunk(&self, config: &CaseConfig, monitor: &dyn Monitor) -> Result<TrunkResult, Stopped> {
+        self.ask(true, config, None, monitor)
+    }
+
+    fn case(
+        &self,
+        config: &CaseConfig,
+        checkpoint: Option<&[u8]>,
+        monitor: &dyn Monitor,
+    ) -> Result<CaseResult, Stopped> {
+        self.ask(false, config, checkpoint, monitor)
+    }
+}
+
+impl Apart {
+    fn ask<T: DeserializeOwned + Send>(
+        &self,
+        trunk: bool,
+        config: &CaseConfig,
+        checkpoint: Option<&[u8]>,
+        monitor: &dyn Monitor,
+    ) -> Result<T, Stopped> {
+        let config = serde_json::to_string(config).expect("a configuration has a JSON form");
+        let checkpoint = checkpoint.map(<[u8]>::to_vec);
+        let task = Task { trunk, config, checkpoint, resources: self.0 };
+        let task = postcard::to_stdvec(&task).expect("a task is plain data");
+        let failed = |kind: FailureKind, detail: String| {
+            Stopped::Failed(Failure { kind, time_s: 0.0, detail })
+        };
+        let broken = |error: std::io::Error| {
+            failed(FailureKind::Internal, format!("a process of its own: {error}"))
+        };
+        let mut child = start().map_err(broken)?;
+        let heard = talk(&mut child, &task, monitor).map_err(broken)?;
+        let Heard { answer, complaint, status } = heard.ok_or(Stopped::Interrupted)?;
+        match postcard::from_bytes::<Result<T, Stopped>>(&answer) {
+            Ok(result) if status.success() => result,
+            _ => {
+                let first = complaint.lines().find(|line| !line.trim().is_empty());
+                let first = first.map(|line| format!(": {}", line.trim())).unwrap_or_default();
+                Err(failed(FailureKind::EndedTheProcess, format!("{status}{first}")))
+            }
+        }
+    }
+}
+
+/// A child that is no part of an MPI job.
+fn start() -> std::io::Result<Child> {
+    let mut command = Command::new(std::env::current_exe()?);
+    for (name, _) in std::env::vars_os() {
+        let text = name.to_string_lossy();
+        if ["OMPI_", "PMI", "MPI", "SLURM_"].iter().any(|start| text.starts_with(start)) {
+            command.env_remove(&name);
+        }
+    }
+    let pipes = command.arg(SUBCOMMAND).stdin(Stdio::piped()).stdout(Stdio::piped());
+    pipes.stderr(Stdio::piped()).spawn()
+}
+
+/// What is left of a child.
+struct Heard {
+    answer: Vec<u8>,
+    complaint: String,
+    status: std::process::ExitStatus,
+}
+
+/// Hands a child its task and waits for it; `None` where it was told to stop.
+fn talk(child: &mut Child, task: &[u8], monitor: &dyn Monitor) -> std::io::Result<Option<Heard>> {
+    let (input, output, errors) = (child.stdin.take(), child.stdout.take(), child.stderr.take());
+    std::thread::scope(|scope| {
+        let answer = scope.spawn(move || read_all(output));
+        let complaint = scope.spawn(move || read_all(errors));
+        // A child that dies before it has read all breaks the pipe: its status tells.
+        let _ = input.map(|mut input| input.write_all(task));
+        let status = loop {
+            if let Some(status) = child.try_wait()? {
+                break Some(status);
+            }
+            if monitor.cancelled() {
+                child.kill()?;
+                child.wait()?;
+                break None;
+            }
+            std::thread::sleep(PAUSE);
+        };
+        let [answer, complaint] =
+            [answer, complaint].map(|reader| reader.join().unwrap_or_default());
+        let complaint = String::from_utf8_lossy(&complaint).into_owned();
+        Ok(status.map(|status| Heard { answer, complaint, status }))
+    })
+}
+
+fn read_all(pipe: Option<impl Read>) -> Vec<u8> {
+    let mut bytes = Vec::new();
+    // What came before an error is all that there is.
+    let _ = pipe.map(|mut pipe| pipe.read_to_end(&mut bytes));
+    bytes
+}
+
+/// The child's side: a task from `input`, which the runner that `make_runner` makes does, and its answer to
+/// `output`.
+///
+/// # Errors
+/// A task that cannot be read, or nobody who listens.
+pub fn serve<R: Runner>(
+    mut input: impl Read,
+    mut output: impl Write,
+    make_runner: impl FnOnce(Resources) -> R,
+) -> anyhow::Result<()> {
+    let mut bytes = Vec::new();
+    input.read_to_end(&mut bytes)?;
+    let task: Task = postcard::from_bytes(&bytes)?;
+    let config: CaseConfig = serde_json::from_str(&task.config)?;
+    let runner = make_runner(task.resources);
+    let checkpoint = task.checkpoint.as_deref();
+    let answer = if task.trunk {
+        postcard::to_stdvec(&guarded(|| runner.trunk(&config, &Unwatched)))?
+    } else {
+        postcard::to_stdvec(&guarded(|| runner.case(&config, checkpoint, &Unwatched)))?
+    };
+    output.write_all(&answer)?;
+    Ok(output.flush()?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::execute::fake::FakeRunner;
+    use crate::math::simd::SimdPath;
+
+    #[test]
+    fn a_child_gives_the_same_bits() {
+        let scene = "kind = \"hydrostatic\"".parse().unwrap();
+        let config = CaseConfig::from_tables(&scene, &toml::Table::new()).unwrap();
+        let resources = Resources { simd: SimdPath::Portable, threads: 1 };
+        let text = serde_json::to_string(&config).unwrap();
+        let task = Task { trunk: false, config: text, checkpoint: None, resources };
+        let mut answer = Vec::new();
+        let task = postcard::to_stdvec(&task).unwrap();
+        serve(&task[..], &mut answer, |_| FakeRunner::default()).unwrap();
+        let answer: Result<CaseResult, Stopped> = postcard::from_bytes(&answer).unwrap();
+        assert_eq!(answer, FakeRunner::default().case(&config, None, &Unwatched));
+    }
+}

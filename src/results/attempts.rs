@@ -1,0 +1,138 @@
+//! What has begun and not yet ended, on disk: it tells which work a process died of.
+//!
+//! A line `+<id>` is written before a case or a trunk starts, `-<id>` when it has ended. What has begun
+//! and not ended when a directory is opened is a suspect: it may have taken its process with it. A
+//! suspect runs in a process of its own, whose death costs nothing but the suspect.
+
+use std::collections::BTreeSet;
+use std::fs::{self, File, OpenOptions};
+use std::io::Write;
+use std::path::{Path, PathBuf};
+
+use super::error::SweepError;
+use crate::study::CaseId;
+
+const FILE_NAME: &str = "running";
+
+/// An open list of what runs.
+#[derive(Debug)]
+pub struct Attempts {
+    path: PathBuf,
+    file: Option<File>,
+    running: BTreeSet<CaseId>,
+    suspects: BTreeSet<CaseId>,
+}
+
+impl Attempts {
+    /// Reads what an earlier process had begun and not ended.
+    ///
+    /// # Errors
+    /// A file that cannot be read.
+    pub(super) fn open(directory: &Path) -> Result<Attempts, SweepError> {
+        let path = directory.join(FILE_NAME);
+        let bytes = if path.exists() { fs::read(&path) } else { Ok(Vec::new()) };
+        let bytes = bytes.map_err(SweepError::io(&path))?;
+        let suspects = begun(&String::from_utf8_lossy(&bytes));
+        Ok(Attempts { path, file: None, running: suspects.clone(), suspects })
+    }
+
+    /// Whether a process may have died of this case or trunk.
+    pub fn is_suspect(&self, id: CaseId) -> bool {
+        self.suspects.contains(&id)
+    }
+
+    /// How many suspects there are.
+    pub fn suspects(&self) -> usize {
+        self.suspects.len()
+    }
+
+    /// A case or trunk is about to start.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn begin(&mut self, id: CaseId) -> Result<(), SweepError> {
+        if self.running.insert(id) { self.append('+', id) } else { Ok(()) }
+    }
+
+    /// It has ended, well or not, or was given back.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn end(&mut self, id: CaseId) -> Result<(), SweepError> {
+        self.suspects.remove(&id);
+        if self.running.remove(&id) { self.append('-', id) } else { Ok(()) }
+    }
+
+    /// Everything has ended in good order.
+    ///
+    /// # Errors
+    /// A file that cannot be removed.
+    pub fn close(&mut self) -> Result<(), SweepError> {
+        self.running.clear();
+        self.file = None;
+        if self.path.exists() {
+            fs::remove_file(&self.path).map_err(SweepError::io(&self.path))?;
+        }
+        Ok(())
+    }
+
+    fn append(&mut self, sign: char, id: CaseId) -> Result<(), SweepError> {
+        let file = match &mut self.file {
+            Some(file) => Ok(file),
+            none => {
+                let open = OpenOptions::new().append(true).create(true).open(&self.path);
+                open.map(|file| none.insert(file))
+            }
+        };
+        let written = file.and_then(|file| file.write_all(format!("{sign}{id}\n").as_bytes()));
+        written.map_err(SweepError::io(&self.path))
+    }
+}
+
+/// What a list says has begun and not ended. Lines that are none count for nothing.
+fn begun(text: &str) -> BTreeSet<CaseId> {
+    let mut ids = BTreeSet::new();
+    for line in text.lines() {
+        let id = |rest: &str| rest.parse::<CaseId>().ok();
+        if let Some(id) = line.strip_prefix('+').and_then(id) {
+            ids.insert(id);
+        } else if let Some(id) = line.strip_prefix('-').and_then(id) {
+            ids.remove(&id);
+        }
+    }
+    ids
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn id(number: u64) -> CaseId {
+        format!("{number:016x}").parse().unwrap()
+    }
+
+    #[test]
+    fn what_has_begun_and_not_ended_is_a_suspect() {
+        let directory = tempfile::tempdir().unwrap();
+        let mut first = Attempts::open(directory.path()).unwrap();
+        first.begin(id(1)).unwrap();
+        first.begin(id(2)).unwrap();
+        first.end(id(1)).unwrap();
+        drop(first); // as a killed process would
+        let mut second = Attempts::open(directory.path()).unwrap();
+        assert!(second.is_suspect(id(2)) && !second.is_suspect(id(1)));
+        second.begin(id(2)).unwrap();
+        drop(second);
+        let mut third = Attempts::open(directory.path()).unwrap();
+        assert!(third.is_suspect(id(2)));
+        third.end(id(2)).unwrap();
+        assert!(!Attempts::open(directory.path()).unwrap().is_suspect(id(2)));
+        third.close().unwrap();
+        assert_eq!(fs::read_dir(directory.path()).unwrap().count(), 0);
+    }
+
+    #[test]
+    fn torn_and_foreign_lines_count_for_nothing() {
+        assert_eq!(begun("+0000000000000001\nhello\n-\n+00000000"), BTreeSet::from([id(1)]));
+    }
+}

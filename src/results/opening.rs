@@ -1,0 +1,167 @@
+//! Opening an output directory: what it holds, whether it fits, what of it is damaged.
+
+use std::collections::HashMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::SystemTime;
+
+use super::entries::{Content, Header};
+use super::error::SweepError;
+use super::lock::{self, Lock};
+use super::manifest::Manifest;
+use super::number::counted;
+use super::record::CaseRecord;
+use super::{files, journal};
+use crate::math::name::name_of;
+use crate::math::simd::SimdPath;
+use crate::study::Study;
+
+/// What a path holds; anything else is somebody else's.
+#[derive(Debug, PartialEq)]
+pub(super) enum Found {
+    Nothing,
+    /// A journal, which began at this time: it tells a new one from an old one.
+    Journal(Option<SystemTime>),
+}
+
+pub(super) fn look(path: &Path) -> Result<Found, SweepError> {
+    if !path.exists() {
+        return Ok(Found::Nothing);
+    }
+    let journal = path.join(journal::FILE_NAME);
+    if journal.is_file() {
+        let created = fs::metadata(&journal).and_then(|file| file.created()).ok();
+        return Ok(Found::Journal(created));
+    }
+    let entries = fs::read_dir(path).map_err(|error| SweepError::refused(path, error))?;
+    for entry in entries {
+        let entry = entry.map_err(SweepError::io(path))?;
+        if entry.file_name() != lock::FILE_NAME {
+            let reason = "is not empty and holds no journal; choose another --out";
+            return Err(SweepError::refused(path, reason));
+        }
+    }
+    Ok(Found::Nothing)
+}
+
+/// While this process waited for the lock, another may have started over.
+pub(super) fn demand_same(path: &Path, before: &Found) -> Result<(), SweepError> {
+    if look(path)? == *before {
+        return Ok(());
+    }
+    Err(SweepError::refused(path, "another process has just started over here"))
+}
+
+/// The journal's header. Where its line is lost, the manifest tells the same.
+pub(super) fn header(path: &Path, content: &Content, study: &Study) -> Result<Header, SweepError> {
+    if let Some(header) = &content.header {
+        return Ok(header.clone());
+    }
+    let manifest = Manifest::read(path).filter(|manifest| manifest.sweep == study.identity);
+    let simd = manifest.as_ref().and_then(Manifest::simd_path);
+    match simd {
+        Some(simd) if !content.records.is_empty() => {
+            Ok(Header::new(&study.name, &study.identity, study.cases.len(), simd))
+        }
+        _ if content.records.is_empty() && !files::any(path) => {
+            // Stopped before anything was done.
+            let simd = simd.unwrap_or_else(SimdPath::widest);
+            Ok(Header::new(&study.name, &study.identity, study.cases.len(), simd))
+        }
+        _ => {
+            let reason = "journal.jsonl has lost its beginning, though results lie beside it; \
+                          restore it from a copy, or start over with --fresh";
+            Err(SweepError::refused(path, reason))
+        }
+    }
+}
+
+pub(super) fn told_damage(content: &Content) -> Option<String> {
+    let lines = (content.damaged > 0).then(|| counted(content.damaged, "damaged line"));
+    let told = lines.map(|lines| format!("{lines}, set aside in journal.damaged"));
+    let headless = content.header.is_none() && !content.records.is_empty();
+    let told = told.or_else(|| headless.then(|| "its first line was lost".to_owned()))?;
+    Some(format!("journal.jsonl: {told}; what they held runs again"))
+}
+
+pub(super) fn check_header(
+    path: &Path,
+    header: &Header,
+    study: &Study,
+    requested: Option<SimdPath>,
+    widest: SimdPath,
+) -> Result<(), SweepError> {
+    if header.sweep != study.identity {
+        let cases = counted(header.cases, "case");
+        let reason = format!(
+            "holds another sweep (\"{}\", {cases}); choose another --out, or --fresh to move it \
+             aside",
+            header.name
+        );
+        return Err(SweepError::refused(path, reason));
+    }
+    let recorded = header.simd;
+    if recorded > widest {
+        let reason = format!(
+            "was computed with {}, but the widest that every rank has is {}",
+            name_of(recorded),
+            name_of(widest)
+        );
+        return Err(SweepError::refused(path, reason));
+    }
+    if let Some(simd) = requested.filter(|&simd| simd != recorded) {
+        let reason = format!(
+            "was computed with {}: --simd {} cannot go on",
+            name_of(recorded),
+            name_of(simd)
+        );
+        return Err(SweepError::refused(path, reason));
+    }
+    Ok(())
+}
+
+/// Sorts journal lines into the order of the runs; a later line of the same run wins. Companions
+/// are known by their id: asking for other error bars renumbers them. Returns which files are damaged or
+/// missing; their cases are left out.
+pub(super) fn fill(
+    path: &Path,
+    study: &Study,
+    records: &mut [Option<CaseRecord>],
+    lines: Vec<CaseRecord>,
+) -> Vec<String> {
+    let places: HashMap<_, _> = study.runs().map(|case| (case.id, case.index)).collect();
+    for record in lines {
+        if let Some(&index) = places.get(&record.id) {
+            records[index] = Some(CaseRecord { index, ..record });
+        }
+    }
+    let mut findings = Vec::new();
+    for record in &mut records[..study.cases.len()] {
+        let well = record.as_ref().filter(|record| record.is_ok());
+        if let Some((file, what)) = well.and_then(|case| files::damage(path, case.id, &case.files))
+        {
+            findings.push(format!("{} {what}: its case runs again", file.display()));
+            *record = None;
+        }
+    }
+    findings
+}
+
+/// Moves a directory aside and puts an empty one in its place, which is locked from the start.
+pub(super) fn replace(path: &Path) -> Result<(PathBuf, Lock), SweepError> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let new = path.with_file_name(format!("{name}.new-{}", std::process::id()));
+    fs::create_dir_all(&new).map_err(SweepError::io(&new))?;
+    let lock = Lock::hold(&new)?;
+    let aside = move_aside(path)?;
+    fs::rename(&new, path).map_err(SweepError::io(path))?;
+    Ok((aside, lock))
+}
+
+fn move_aside(path: &Path) -> Result<PathBuf, SweepError> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let free = (1..).map(|number| path.with_file_name(format!("{name}.old-{number}")));
+    let aside = free.into_iter().find(|aside| !aside.exists()).expect("numbers do not end");
+    fs::rename(path, &aside).map_err(SweepError::io(path))?;
+    Ok(aside)
+}

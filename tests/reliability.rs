@@ -1,0 +1,185 @@
+//! Faults, caused for real: what the user sees, and that nothing is lost or wrong unseen.
+
+mod common;
+
+use std::fs;
+use std::path::Path;
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+use common::{
+    TINY, TINY_CASES, assert_same, expect_code, journal_lines, results, run, seawall, write_file,
+};
+
+/// Three cases; the second one needs more memory than `ulimit` leaves.
+const POISON: &str = r#"
+name = "poison"
+[scene]
+kind = "hydrostatic"
+end_time_s = 0.01
+[grid]
+particle_spacing_m = [0.02, 0.0008, 0.025]
+"#;
+/// Kilobytes of address space.
+const LITTLE: u32 = 450_000;
+
+fn sweep(file: &Path, out: &Path, more: &[&str]) -> Output {
+    let (file, out) = (file.to_str().unwrap(), out.to_str().unwrap());
+    run(&[&["sweep", file, "--out", out, "--threads", "2"], more].concat())
+}
+
+fn start(file: &Path, out: &Path, more: &[&str]) -> Child {
+    let mut command = seawall();
+    command.arg("sweep").arg(file).arg("--out").arg(out).args(["--threads", "2"]).args(more);
+    command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
+}
+
+/// Waits until so many lines are in the journal.
+fn wait_for(out: &Path, lines: usize) {
+    let start = Instant::now();
+    while journal_lines(out) < lines {
+        assert!(start.elapsed() < Duration::from_secs(120), "the sweep does not get on");
+        std::thread::sleep(Duration::from_millis(2));
+    }
+}
+
+fn told(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_case_that_ends_its_process_is_recorded_and_the_sweep_goes_on() {
+    let root = tempfile::tempdir().unwrap();
+    let (file, out) = (write_file(root.path(), POISON), root.path().join("out"));
+    let limited = || {
+        let script = format!("ulimit -v {LITTLE}; exec \"$0\" \"$@\"");
+        let mut command = Command::new("sh");
+        command.args(["-c", &script, env!("CARGO_BIN_EXE_seawall"), "sweep"]);
+        command.arg(&file).arg("--out").arg(&out).args(["--threads", "2"]).output().unwrap()
+    };
+    let first = limited();
+    assert_eq!(first.status.code(), None, "the process itself should have died: {}", told(&first));
+    let second = limited();
+    expect_code(&second, 1);
+    let summary = fs::read_to_string(out.join("summary.csv")).unwrap();
+    let failed: Vec<_> = summary.lines().filter(|line| line.contains("failed")).collect();
+    assert_eq!((summary.lines().count(), failed.len()), (4, 1), "{summary}");
+    assert!(failed[0].contains("ended-the-process"), "{summary}");
+    assert!(failed[0].contains("memory allocation"), "{summary}");
+    assert!(!out.join("running").exists());
+    // With memory enough it is well.
+    expect_code(&sweep(&file, &out, &["--retry-failed"]), 0);
+}
+
+#[test]
+fn kills_in_quick_succession_make_no_case_fail() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let (whole, out) = (root.path().join("whole"), root.path().join("out"));
+    expect_code(&sweep(&file, &whole, &[]), 0);
+    for lines in [0, 1, 1, 2, 2, 3, 4] {
+        let mut child = start(&file, &out, &[]);
+        wait_for(&out, lines);
+        child.kill().unwrap();
+        child.wait().unwrap();
+    }
+    expect_code(&sweep(&file, &out, &[]), 0);
+    assert_same(&whole, &out);
+}
+
+#[test]
+fn a_directory_that_goes_away_is_never_called_well() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let ways: [fn(&Path); 3] = [
+        |out| fs::rename(out, out.with_extension("gone")).unwrap(),
+        |out| fs::remove_file(out.join("journal.jsonl")).unwrap(),
+        |out| while fs::remove_dir_all(out).is_err() {},
+    ];
+    for (number, way) in ways.iter().enumerate() {
+        let out = root.path().join(format!("out{number}"));
+        let child = start(&file, &out, &[]);
+        wait_for(&out, 2);
+        way(&out);
+        let output = child.wait_with_output().unwrap();
+        expect_code(&output, 70);
+        assert!(told(&output).contains("error: "), "{}", told(&output));
+    }
+}
+
+#[test]
+fn many_that_start_over_at_once_leave_one_whole_result() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let out = root.path().join("out");
+    expect_code(&sweep(&file, &out, &[]), 0);
+    let before = results(&out);
+    let children: Vec<_> = (0..6).map(|_| start(&file, &out, &["--fresh"])).collect();
+    let mut well = 0;
+    for child in children {
+        let output = child.wait_with_output().unwrap();
+        match output.status.code() {
+            Some(0) => well += 1,
+            code => assert_eq!(code, Some(2), "{}", told(&output)),
+        }
+    }
+    assert!(well >= 1);
+    assert_eq!(results(&out), before);
+    let folders = fs::read_dir(root.path())
+        .unwrap()
+        .filter(|entry| entry.as_ref().unwrap().file_name().to_string_lossy().starts_with("out"));
+    assert_eq!(folders.count(), 1 + well, "one moved aside for each that started over");
+}
+
+#[test]
+fn flipped_bits_are_told_and_mended() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let out = root.path().join("out");
+    let directory = out.to_str().unwrap();
+    expect_code(&sweep(&file, &out, &[]), 0);
+    let before = results(&out);
+    expect_code(&run(&["verify", directory, "--rerun", "2"]), 0);
+    let history = fs::read_dir(out.join("histories")).unwrap().next().unwrap().unwrap().path();
+    for path in [history, out.join("journal.jsonl"), out.join("summary.csv")] {
+        let mut bytes = fs::read(&path).unwrap();
+        let place = bytes.len() * 2 / 3;
+        bytes[place] ^= 2;
+        fs::write(&path, bytes).unwrap();
+        expect_code(&run(&["verify", directory]), 1);
+        expect_code(&sweep(&file, &out, &[]), 0);
+        assert_eq!(results(&out), before, "{}", path.display());
+        expect_code(&run(&["verify", directory]), 0);
+    }
+    fs::write(out.join("summary.csv"), "case_id\n").unwrap();
+    let report = run(&["report", directory]);
+    expect_code(&report, 0);
+    assert!(told(&report).contains("made again from the journal"), "{}", told(&report));
+    assert_eq!(results(&out), before);
+    for damaged in ["", "{"] {
+        fs::write(out.join("manifest.json"), damaged).unwrap();
+        expect_code(&sweep(&file, &out, &[]), 0);
+        expect_code(&run(&["status", directory]), 0);
+    }
+}
+
+#[test]
+fn a_journal_without_a_beginning_is_not_started_over() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let out = root.path().join("out");
+    expect_code(&sweep(&file, &out, &[]), 0);
+    let before = results(&out);
+    let journal = fs::read_to_string(out.join("journal.jsonl")).unwrap();
+    let (_, cases) = journal.split_once('\n').unwrap();
+    fs::write(out.join("journal.jsonl"), cases).unwrap();
+    expect_code(&sweep(&file, &out, &[]), 0);
+    assert_eq!(results(&out), before);
+    assert_eq!(journal_lines(&out), TINY_CASES + 1);
+    fs::write(out.join("journal.jsonl"), "").unwrap();
+    let refused = sweep(&file, &out, &[]);
+    expect_code(&refused, 2);
+    assert!(told(&refused).contains("has lost its beginning"), "{}", told(&refused));
+    assert_eq!(results(&out), before);
+}
