@@ -32,7 +32,8 @@ pub fn verify(
     Ok(told)
 }
 
-/// Makes `summary.csv` again where it is not what the journal says; whether it was not.
+/// Makes `summary.csv` again where it is not what the journal says; whether it did. A summary with more
+/// rows than the journal knows stays: the sweep's next run brings both together.
 ///
 /// # Errors
 /// A file that cannot be read or written.
@@ -41,11 +42,18 @@ pub fn renew_summary(
     study: &Study,
     records: &[Option<CaseRecord>],
 ) -> Result<bool, SweepError> {
-    let renew = !summary_fits(directory, study, records)?;
+    let known = records[..study.cases.len()].iter().flatten().count();
+    let renew = !summary_fits(directory, study, records)? && rows(directory) <= known;
     if renew {
         summary::write(directory, study, records)?;
     }
     Ok(renew)
+}
+
+/// Rows of `summary.csv`, damaged or not.
+fn rows(directory: &Path) -> usize {
+    let text = std::fs::read(directory.join("summary.csv")).unwrap_or_default();
+    text.iter().filter(|&&byte| byte == b'\n').count().saturating_sub(1)
 }
 
 fn summary_fits(

@@ -1,0 +1,149 @@
+//! The sweep that is tortured, and how its results are compared.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, Result, bail, ensure};
+
+/// Two waves on movable walls in a short, coarse tank.
+const SWEEP: &str = r#"
+name = "torture"
+[scene]
+tank_length_m = 1.0
+wave_gauge_m = 0.5
+end_after_stroke_centre_s = 0.8
+wall = "movable"
+[numerics]
+particle_spacing_m = 0.025
+[grid]
+wave_height_ratio = [0.4, 0.5]
+spring_stiffness_n_per_m = [10, 1e4]
+seawall_mass_kg_per_m = [50, 250]
+"#;
+/// Longer than any of its runs on any machine.
+const PATIENCE: Duration = Duration::from_secs(300);
+
+/// Files by their names.
+type Files = BTreeMap<String, Vec<u8>>;
+
+/// A sweep, its undisturbed results, and room for trials.
+pub struct Study {
+    seawall: PathBuf,
+    root: tempfile::TempDir,
+    file: PathBuf,
+    /// What an undisturbed sweep leaves.
+    pub undisturbed: Files,
+    /// How long it takes.
+    pub time: Duration,
+}
+
+impl Study {
+    /// Runs it undisturbed.
+    pub fn new(seawall: &Path) -> Result<Study> {
+        let root = tempfile::tempdir()?;
+        let file = root.path().join("torture.toml");
+        fs::write(&file, SWEEP)?;
+        let seawall = fs::canonicalize(seawall).context("no such program")?;
+        let mut study =
+            Study { seawall, root, file, undisturbed: Files::new(), time: Duration::ZERO };
+        let out = study.room("undisturbed")?;
+        let start = Instant::now();
+        let output = study.sweep(&out, &[])?;
+        ensure!(output.status.success(), "the undisturbed sweep failed: {}", told(&output));
+        study.time = start.elapsed();
+        study.undisturbed = study.results(&out)?;
+        Ok(study)
+    }
+
+    /// A place for a trial's results, where nothing is yet.
+    pub fn room(&self, name: &str) -> Result<PathBuf> {
+        let room = self.root.path().join("trial");
+        if room.exists() {
+            fs::remove_dir_all(&room)?;
+        }
+        fs::create_dir_all(&room)?;
+        Ok(room.join(name))
+    }
+
+    /// The sweep, to be started.
+    pub fn command(&self, out: &Path, more: &[&str]) -> Command {
+        let mut command = Command::new(&self.seawall);
+        command.arg("sweep").arg(&self.file).args(["--executor", "threads", "--threads", "2"]);
+        command.arg("--out").arg(out).args(more).stdout(Stdio::null()).stderr(Stdio::piped());
+        command
+    }
+
+    /// The sweep, to its end.
+    pub fn sweep(&self, out: &Path, more: &[&str]) -> Result<Output> {
+        Ok(self.command(out, more).output()?)
+    }
+
+    /// A finished sweep that nobody has disturbed.
+    pub fn finished(&self, name: &str) -> Result<PathBuf> {
+        let out = self.room(name)?;
+        let output = self.sweep(&out, &[])?;
+        ensure!(output.status.success(), "a sweep failed: {}", told(&output));
+        Ok(out)
+    }
+
+    /// Another subcommand on its results.
+    pub fn ask(&self, subcommand: &str, out: &Path) -> Result<Output> {
+        Ok(Command::new(&self.seawall).arg(subcommand).arg(out).output()?)
+    }
+
+    /// What must be the same to the byte: summary without times, histories, energies.
+    pub fn results(&self, out: &Path) -> Result<Files> {
+        let mut files = Files::new();
+        for entry in fs::read_dir(out.join("histories"))? {
+            let path = entry?.path();
+            files.insert(
+                path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+                fs::read(&path)?,
+            );
+        }
+        files.insert("energy.csv".to_owned(), fs::read(out.join("energy.csv"))?);
+        files.insert("summary.csv".to_owned(), timeless(&out.join("summary.csv"))?);
+        Ok(files)
+    }
+}
+
+/// A table without the column of wall times.
+fn timeless(path: &Path) -> Result<Vec<u8>> {
+    let mut reader = csv::Reader::from_path(path)?;
+    let header = reader.headers()?.clone();
+    let time = header.iter().position(|name| name == "wall_time_s");
+    let mut text = Vec::new();
+    for row in std::iter::once(Ok(header)).chain(reader.records()) {
+        for (at, cell) in row?.iter().enumerate().filter(|(at, _)| Some(*at) != time) {
+            text.extend(format!("{at}:{cell};").into_bytes());
+        }
+    }
+    Ok(text)
+}
+
+/// What a process told on standard error, in one line.
+pub fn told(output: &Output) -> String {
+    let text = String::from_utf8_lossy(&output.stderr);
+    text.lines().map(str::trim).collect::<Vec<_>>().join(" / ")
+}
+
+/// Its exit code, or how else it ended.
+pub fn code(output: &Output) -> String {
+    output.status.code().map_or_else(|| output.status.to_string(), |code| code.to_string())
+}
+
+/// Waits for a process, but not for ever.
+pub fn wait(mut child: Child) -> Result<Output> {
+    let start = Instant::now();
+    while child.try_wait()?.is_none() {
+        if start.elapsed() > PATIENCE {
+            child.kill()?;
+            bail!("a process hung");
+        }
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    Ok(child.wait_with_output()?)
+}
