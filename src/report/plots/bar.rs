@@ -4,10 +4,9 @@ use colorous::VIRIDIS;
 use svg::node::element::{Group, Rectangle};
 
 use super::axes::Axis;
-use super::pen::{Align, INK, drawn, group, strokes, text};
+use super::pen::{Align, INK, drawn, group, hex, strokes, text};
 use super::shape::tidy;
 use super::text::{NORMAL, SMALL, width};
-use super::trace::hex;
 
 /// Height of the coloured strip, of all of it, and width of the strip, CSS pixels.
 const STRIP: f64 = 12.0;

@@ -3,9 +3,8 @@
 use svg::node::element::{Group, SVG};
 
 use super::look::Look;
-use super::pen::{Align, INK, line, text};
+use super::pen::{Align, INK, arrow, bare, line, text};
 use super::text::{NORMAL, width};
-use super::trace::arrow;
 
 const ROW: f64 = 20.0;
 const SAMPLE: f64 = 34.0;
@@ -95,12 +94,17 @@ pub fn list(entries: &[Entry]) -> String {
             .set("viewBox", (0.0, 0.0, SAMPLE, ROW))
             .set("aria-hidden", "true")
             .add(entry.sample(0.0, ROW / 2.0));
-        let sample = super::sheet::bare(&sample);
-        let words = crate::report::grid::escape(&entry.label);
-        let key = crate::report::grid::escape(&entry.key);
+        let sample = bare(&sample);
+        let words = escaped(&entry.label);
+        let key = escaped(&entry.key);
         format!("<li data-series=\"{key}\">{sample}{words}</li>")
     };
     format!("<ul class=\"legend\">{}</ul>", entries.iter().map(item).collect::<String>())
+}
+
+/// Text as it may stand between tags and in attributes.
+fn escaped(text: &str) -> String {
+    svg::node::Text::new(text).to_string().replace('"', "&quot;")
 }
 
 #[cfg(test)]

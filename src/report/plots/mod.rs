@@ -9,6 +9,7 @@ mod chart;
 #[cfg(test)]
 mod eyes;
 mod fixed_wall;
+mod frame;
 mod history;
 mod labels;
 mod legend;

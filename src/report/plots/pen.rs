@@ -1,7 +1,7 @@
 //! Small pieces of drawings. They stand in groups of [`drawn`] strokes, in `currentColor`, which comes from the nearest
 //! group: a colour of its own in a file, a colour of the page's in a page.
 
-use svg::node::element::{Group, Path, Polyline, Text, Title};
+use svg::node::element::{Group, Path, Polyline, SVG, Text, Title};
 
 use super::shape::tidy;
 
@@ -72,4 +72,21 @@ pub fn strokes(class: &str, ends: &[[(f64, f64); 2]], width: f64) -> Path {
 /// What a pointer that rests on a drawing is told.
 pub fn told(words: &str) -> Title {
     Title::new(words)
+}
+
+/// An arrow that points upwards from a marker.
+pub fn arrow((x, y): (f64, f64)) -> Path {
+    let path = format!("M{} {}v-9m-2.6 3.6l2.6-3.6l2.6 3.6", tidy(x), tidy(y - 3.0));
+    Path::new().set("class", "arrow").set("d", path)
+}
+
+/// A colour as files write it.
+pub fn hex([red, green, blue]: [u8; 3]) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+/// An SVG as it stands in a page: without a namespace, and without breaks between its elements.
+pub fn bare(svg: &SVG) -> String {
+    let text = svg.to_string().replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
+    text.replace(">\n", ">").replace("\n<", "<")
 }

@@ -5,9 +5,10 @@ use svg::node::element::{Group, Rectangle, SVG};
 
 use super::bar::{self, Bar};
 use super::chart::Chart;
+use super::frame::{Frame, Margins};
 use super::legend::{Entry, list, rows};
-use super::panel::{Frame, Margins};
-use super::pen::{GROUND, INK};
+use super::panel::panel;
+use super::pen::{GROUND, INK, bare};
 use super::shape::tidy;
 use super::text::FAMILY;
 
@@ -87,7 +88,7 @@ impl Drawing {
         for (index, chart) in self.charts.iter().enumerate() {
             let left = EDGE + (wide + GAP) * (index % columns) as f64;
             let above = top + (high + GAP) * (index / columns) as f64;
-            let panel = Frame::new(chart, margins, self.layout.size).draw();
+            let panel = panel(&Frame::new(chart, margins, self.layout.size));
             panels = panels.add(panel.set("transform", format!("translate({left} {above})")));
         }
         let lines = self.charts.len().div_ceil(columns) as f64;
@@ -102,15 +103,15 @@ impl Drawing {
     /// The drawing for a page: a legend and panels, each of them an SVG.
     pub fn inline(&self, label: &str) -> String {
         let margins = Margins::of(&self.charts);
-        let panel = |chart: &Chart| {
+        let drawn = |chart: &Chart| {
             let said = format!("{label} {}", chart.heading).replace('"', "'");
             let panel = root(self.layout.size, Some(chart))
                 .set("role", "img")
                 .set("aria-label", said.trim_end())
-                .add(Frame::new(chart, margins, self.layout.size).draw());
+                .add(panel(&Frame::new(chart, margins, self.layout.size)));
             bare(&panel)
         };
-        let panels: String = self.charts.iter().map(panel).collect();
+        let panels: String = self.charts.iter().map(drawn).collect();
         let entries = self.entries();
         let mut legend = if entries.is_empty() { String::new() } else { list(&entries) };
         if let Some(bar) = &self.bar {
@@ -132,12 +133,6 @@ impl Drawing {
         }
         entries
     }
-}
-
-/// An SVG as it stands in a page: without a namespace, and without breaks between its elements.
-pub fn bare(svg: &SVG) -> String {
-    let text = svg.to_string().replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
-    text.replace(">\n", ">").replace("\n<", "<")
 }
 
 fn root(size: (f64, f64), chart: Option<&Chart>) -> SVG {

@@ -3,10 +3,10 @@
 use svg::node::element::{Group, Path, Polyline};
 
 use super::chart::{Cell, Curve, Point};
+use super::frame::Frame;
 use super::labels::place;
 use super::look::{DOTS, Look};
-use super::panel::Frame;
-use super::pen::{Align, drawn, group, line, strokes, text, told};
+use super::pen::{Align, arrow, drawn, group, hex, line, strokes, text, told};
 use super::shape::tidy;
 use super::text::{SMALL, width};
 
@@ -94,12 +94,6 @@ fn bar(frame: &Frame, point: &Point) -> String {
     if point.bound { foot } else { format!("{foot}M{} {high}h5", tidy(x - 2.5)) }
 }
 
-/// An arrow that points upwards from a marker.
-pub fn arrow((x, y): (f64, f64)) -> Path {
-    let path = format!("M{} {}v-9m-2.6 3.6l2.6-3.6l2.6 3.6", tidy(x), tidy(y - 3.0));
-    Path::new().set("class", "arrow").set("d", path)
-}
-
 /// A field of a map with its number.
 pub fn field(frame: &Frame, cell: &Cell) -> Group {
     let (column, row) = (cell.at.0 as f64, cell.at.1 as f64);
@@ -121,11 +115,6 @@ pub fn field(frame: &Frame, cell: &Cell) -> Group {
         field = field.add(text(middle, &cell.label, SMALL, Align::Centre));
     }
     field
-}
-
-/// A colour as files write it.
-pub fn hex([red, green, blue]: [u8; 3]) -> String {
-    format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
 /// Black or white, whichever can be read on a colour.
