@@ -1,0 +1,93 @@
+//! Where a panel's axes lie, and where a value lies between them.
+
+use super::chart::Chart;
+use super::labels::Field;
+use super::text::{NORMAL, SMALL, width};
+
+/// From the frame to tick labels, and from those to the title, CSS pixels.
+pub const GAP: f64 = 7.0;
+/// Length of a tick's stroke, CSS pixels.
+pub const STROKE: f64 = 4.0;
+
+/// Room around a panel's frame, CSS pixels.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Margins {
+    /// For labels and title of the vertical axis.
+    pub left: f64,
+    /// For what stands beside the last points.
+    pub right: f64,
+    /// For the heading.
+    pub top: f64,
+    /// For labels and title of the horizontal axis.
+    pub bottom: f64,
+}
+
+impl Margins {
+    /// What all of the panels have room in.
+    pub fn of(charts: &[Chart]) -> Margins {
+        let widest = |labels: &mut dyn Iterator<Item = &str>| {
+            labels.map(|label| width(label, SMALL)).fold(0.0, f64::max)
+        };
+        let left =
+            widest(&mut charts.iter().flat_map(|chart| &chart.y.ticks).map(|t| t.label.as_str()));
+        let last = charts.iter().filter_map(|chart| chart.x.ticks.last());
+        let right = widest(&mut last.map(|tick| tick.label.as_str())) / 2.0;
+        let headed = charts.iter().any(|chart| !chart.heading.is_empty());
+        Margins {
+            left: 3.0 + NORMAL + GAP + left + GAP,
+            right: right.max(6.0) + 2.0,
+            top: if headed { 22.0 } else { 10.0 },
+            bottom: STROKE + 4.0 + SMALL + 6.0 + NORMAL + 5.0,
+        }
+    }
+}
+
+/// Where a panel's axes lie, CSS pixels.
+#[derive(Debug, Clone)]
+pub struct Frame<'a> {
+    /// What is drawn.
+    pub chart: &'a Chart,
+    /// Left edge.
+    pub left: f64,
+    /// Upper edge.
+    pub top: f64,
+    /// Width.
+    pub wide: f64,
+    /// Height.
+    pub high: f64,
+}
+
+impl<'a> Frame<'a> {
+    /// The frame in a panel of the given outer size.
+    pub fn new(chart: &'a Chart, margins: Margins, size: (f64, f64)) -> Frame<'a> {
+        let (wide, high) =
+            (size.0 - margins.left - margins.right, size.1 - margins.top - margins.bottom);
+        Frame { chart, left: margins.left, top: margins.top, wide, high }
+    }
+
+    /// Where a pair of values lies; values beyond the axes lie on the frame.
+    pub fn at(&self, x: f64, y: f64) -> (f64, f64) {
+        let (right, up) = (self.chart.x.share(x), self.chart.y.share(y));
+        (self.left + self.wide * right, self.top + self.high * (1.0 - up))
+    }
+
+    /// Whether a pair of values has a place on both axes.
+    pub fn holds(&self, x: f64, y: f64) -> bool {
+        self.chart.x.holds(x) && self.chart.y.holds(y)
+    }
+
+    /// The rectangle of the axes.
+    pub fn field(&self) -> Field {
+        Field([self.left + 2.0, self.top, self.left + self.wide, self.top + self.high - 2.0])
+    }
+
+    /// Where a value lies from the left.
+    pub fn x(&self, value: f64) -> f64 {
+        self.left + self.wide * self.chart.x.share(value)
+    }
+
+    /// Where a value lies from the top.
+    pub fn y(&self, value: f64) -> f64 {
+        self.top + self.high * (1.0 - self.chart.y.share(value))
+    }
+}
