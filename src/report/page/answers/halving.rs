@@ -1,0 +1,152 @@
+//! Which walls halve the force on the stiffest wall of the same wave.
+
+use super::force::{column, most};
+use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
+use crate::report::curves::distinct;
+use crate::report::load::Loaded;
+use crate::report::number;
+use crate::report::page::words::{at, listed, percent};
+use crate::report::row::{Row, label};
+
+/// Keys that tell walls of one wave apart.
+const OF_THE_WALL: [&str; 3] = [SPRING_STIFFNESS.name, SEAWALL_MASS.name, "wall"];
+
+/// Finished cases that differ in their wall alone, and the one that they are compared with.
+struct Group<'a> {
+    rows: Vec<&'a Row>,
+    /// The fixed wall, or else the stiffest under its largest force.
+    stiffest: &'a Row,
+}
+
+/// Which stiffness and mass halve the largest force, for the wave of the largest force in full;
+/// `None` where no walls can be compared.
+pub fn half(data: &Loaded) -> Option<String> {
+    let mut groups = groups(data);
+    groups.sort_by(|a, b| force(b.stiffest).total_cmp(&force(a.stiffest)));
+    let (first, others) = groups.split_first()?;
+    let mut text = first.in_full();
+    if !others.is_empty() {
+        text.push_str(&in_brief(others));
+    }
+    Some(text)
+}
+
+fn force(row: &Row) -> f64 {
+    row.number(column(row)).unwrap_or(f64::NAN)
+}
+
+/// The cases by all that is swept but the wall, where a wall has another to be compared with.
+fn groups(data: &Loaded) -> Vec<Group<'_>> {
+    let mut groups: Vec<(Vec<&str>, Vec<&Row>)> = Vec::new();
+    for (index, row) in data.rows.iter().enumerate().filter(|(_, row)| row.is_ok()) {
+        let swept = data.keys.iter().filter(|key| !OF_THE_WALL.contains(&key.name.as_str()));
+        let mut key: Vec<_> = swept.map(|key| key.cells[index].as_str()).collect();
+        key.extend([row.text(&WAVE_HEIGHT_RATIO), row.variant.as_str()]);
+        match groups.iter_mut().find(|(known, _)| *known == key) {
+            Some((_, rows)) => rows.push(row),
+            None => groups.push((key, vec![row])),
+        }
+    }
+    groups.into_iter().filter_map(|(_, rows)| Group::of(rows)).collect()
+}
+
+impl<'a> Group<'a> {
+    fn of(rows: Vec<&'a Row>) -> Option<Group<'a>> {
+        let known = || rows.iter().copied().filter(|row| force(row).is_finite());
+        let softer = |than: f64| {
+            known().any(|row| row.number(&SPRING_STIFFNESS).is_some_and(|value| value < than))
+        };
+        let fixed = most(known().filter(|row| row.is_fixed()), |row| Some(force(row)));
+        let stiffness = distinct(known(), &SPRING_STIFFNESS).last().copied();
+        let top = known().filter(|row| row.number(&SPRING_STIFFNESS) == stiffness);
+        let (stiffest, _) = fixed.or_else(|| most(top, |row| Some(force(row))))?;
+        let least = stiffest.number(&SPRING_STIFFNESS).unwrap_or(f64::INFINITY);
+        softer(least).then(|| Group { rows: known().collect(), stiffest })
+    }
+
+    /// The movable walls under at most half of the stiffest one's force.
+    fn halved(&self) -> impl Iterator<Item = &'a Row> {
+        let half = 0.5 * force(self.stiffest);
+        self.rows.iter().copied().filter(move |row| !row.is_fixed() && force(row) <= half)
+    }
+
+    fn in_full(&self) -> String {
+        let whole = force(self.stiffest);
+        let kind = if self.stiffest.is_fixed() { "the fixed wall" } else { "the stiffest wall" };
+        let held = format!("{kind}{} (F* = {})", at(self.stiffest), number::plain(whole));
+        let walls = self.walls();
+        if !walls.is_empty() {
+            return format!("Compared with {held}, the force is halved by {}.", walls.join("; "));
+        }
+        let least = |row: &Row| Some(-force(row));
+        let lowest = most(self.rows.iter().copied().filter(|row| !row.is_fixed()), least);
+        let told = lowest.map(|(row, _)| {
+            let share = percent(force(row) / whole);
+            format!(": the least is {share} of it{}", at(row))
+        });
+        format!("No wall halves the force on {held}{}.", told.unwrap_or_default())
+    }
+
+    /// Masses, each with the stiffnesses that halve the force; equal ones together.
+    fn walls(&self) -> Vec<String> {
+        let mut walls: Vec<(String, Vec<f64>)> = Vec::new();
+        for mass in distinct(self.halved(), &SEAWALL_MASS) {
+            let of_mass = |row: &&Row| row.number(&SEAWALL_MASS) == Some(mass);
+            let all = distinct(self.rows.iter().copied().filter(of_mass), &SPRING_STIFFNESS);
+            let these = distinct(self.halved().filter(of_mass), &SPRING_STIFFNESS);
+            let words = stiffnesses(&these, &all);
+            match walls.last_mut().filter(|(known, _)| *known == words) {
+                Some((_, masses)) => masses.push(mass),
+                None => walls.push((words, vec![mass])),
+            }
+        }
+        let masses = |masses: &[f64]| {
+            let (last, first) = masses.split_last().expect("a wall has a mass");
+            let first: Vec<_> = first.iter().map(|mass| number::plain(*mass)).collect();
+            match &first[..] {
+                [] => label(&SEAWALL_MASS, *last),
+                [from, ..] if first.len() > 1 => {
+                    format!("m = {from} to {} kg/m", number::plain(*last))
+                }
+                [one, ..] => format!("m = {one} and {} kg/m", number::plain(*last)),
+            }
+        };
+        walls.iter().map(|(words, of)| format!("{words} with {}", masses(of))).collect()
+    }
+}
+
+/// Stiffnesses among all that there are: up to the stiffest of them, or each by its value.
+fn stiffnesses(these: &[f64], all: &[f64]) -> String {
+    let words: Vec<_> = these.iter().map(|value| number::plain(*value)).collect();
+    match words.last() {
+        Some(last) if these.len() > 1 && all.starts_with(these) => format!("k up to {last} N/m"),
+        _ => format!("k = {} N/m", listed(&words)),
+    }
+}
+
+/// The other waves in one sentence.
+fn in_brief(groups: &[Group<'_>]) -> String {
+    let waves: Vec<_> =
+        groups.iter().map(|group| group.stiffest.number(&WAVE_HEIGHT_RATIO)).collect();
+    let mut sorted: Vec<f64> = waves.iter().copied().flatten().collect();
+    sorted.sort_by(f64::total_cmp);
+    sorted.dedup();
+    let of = |halved: bool| {
+        let has = |group: &&Group<'_>| (group.halved().count() > 0) == halved;
+        let found: Vec<_> = groups.iter().filter(has).collect();
+        let mut waves: Vec<f64> =
+            found.iter().filter_map(|group| group.stiffest.number(&WAVE_HEIGHT_RATIO)).collect();
+        waves.sort_by(f64::total_cmp);
+        let words: Vec<_> = waves.iter().map(|wave| number::plain(*wave)).collect();
+        (found.len(), listed(&words))
+    };
+    let ((some, with), (none, without)) = (of(true), of(false));
+    if sorted.len() == groups.len() {
+        return match (some, none) {
+            (0, _) => format!(" Nor does any wall at H/h = {without}."),
+            (_, 0) => format!(" Some wall does so at H/h = {with}, too."),
+            _ => format!(" Some wall does so at H/h = {with}, none at H/h = {without}."),
+        };
+    }
+    format!(" Some wall does so in {some} of {} other comparisons.", groups.len())
+}
