@@ -59,8 +59,8 @@ pub fn write(directory: &Path, about: &[(String, String)]) -> Result<PathBuf, Re
     let dots: Vec<_> = all.filter_map(dot).collect();
     let figures = directory.join("figures");
     make(&figures)?;
-    if let Some(figure) = plots::error_against_time(&dots)? {
-        save(&figures.join(format!("{}.svg", figure.name)), &figure.standalone())?;
+    if let Some(figure) = plots::error_against_time(&dots) {
+        save(&figures.join(format!("{}.svg", figure.name)), &figure.svg())?;
     }
     let path = directory.join("accuracy.md");
     save(&path, &page(&lines, about))?;

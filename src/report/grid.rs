@@ -20,7 +20,7 @@ pub(super) fn grid(table: &Table) -> String {
         return text + &file;
     }
     let name = &table.name;
-    format!("<div class=\"grid\" data-table=\"{name}\"><noscript>{text}</noscript></div>{file}")
+    format!("<div class=\"listing\" data-table=\"{name}\"><noscript>{text}</noscript></div>{file}")
 }
 
 /// Head and body. A case's id comes last: it is needed less than all else.

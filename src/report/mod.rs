@@ -38,7 +38,7 @@ pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
     make(&figures_dir)?;
     make(&tables_dir)?;
     for figure in &figures {
-        save(&figures_dir.join(format!("{}.svg", figure.name)), &figure.standalone())?;
+        save(&figures_dir.join(format!("{}.svg", figure.name)), &figure.svg())?;
     }
     for table in &tables {
         save(&tables_dir.join(format!("{}.csv", table.name)), &table.csv())?;

@@ -16,12 +16,13 @@ use std::fmt::Write as _;
 use super::error::ReportError;
 use super::grid::{escape, grid};
 use super::load::Loaded;
-use super::plots::Figure;
+use super::plots::{self, Figure};
 use super::scene_file::SceneFile;
 use super::tables::{self, Table, across};
 use crate::quantities::summary::{ENERGY_GAP, FORCE_GAP, PARTICLES_LOST};
 
-const STYLE: &str = concat!(include_str!("../../palette.css"), include_str!("style.css"));
+const STYLE: [&str; 3] =
+    [include_str!("../../palette.css"), include_str!("style.css"), plots::STYLE];
 const SCRIPT: [&str; 5] = [
     include_str!("script/choice.js"),
     include_str!("script/table.js"),
@@ -71,11 +72,11 @@ pub fn page(
         section(&mut body, "Provenance", &provenance::provenance(manifest));
     }
     let json = data::data(data, file.as_ref())?;
-    let script = SCRIPT.concat();
+    let (style, script) = (STYLE.concat(), SCRIPT.concat());
     Ok(format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{name}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n{body}</main>\n\
+         <title>{name}</title>\n<style>\n{style}</style>\n</head>\n<body>\n<main>\n{body}</main>\n\
          <aside id=\"case\" aria-label=\"One case\" hidden></aside>\n\
          <script type=\"application/json\" id=\"data\">{json}</script>\n\
          <script>\n(() => {{\n\"use strict\";\n{script}}})();\n</script>\n</body>\n</html>\n"
@@ -165,7 +166,7 @@ fn health_line(data: &Loaded) -> String {
 mod tests {
     use super::*;
     use crate::quantities::summary::CASE_ID;
-    use crate::report::{fixture, plots};
+    use crate::report::fixture;
 
     fn page_of(directory: &tempfile::TempDir) -> String {
         let data = Loaded::read(directory.path()).unwrap();

@@ -4,21 +4,30 @@
 
 mod accuracy;
 mod axes;
+mod chart;
 mod fixed_wall;
 mod history;
 mod legend;
+mod look;
+mod marks;
 mod over_time;
+mod panel;
 mod pen;
 mod probes;
 mod response;
+mod shape;
 mod sheet;
 mod swept;
+mod text;
+mod ticks;
+mod trace;
 
 pub use accuracy::{Dot, error_against_time};
 pub(super) use fixed_wall::walls as fixed_walls;
 
 use super::error::ReportError;
 use super::load::Loaded;
+use sheet::Drawing;
 
 /// A finished drawing.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,35 +38,35 @@ pub struct Figure {
     pub title: String,
     /// What is drawn, in a sentence or two.
     pub caption: String,
-    /// The drawing: a whole SVG document on a transparent ground, in black ink.
-    pub svg: String,
+    /// What it shows.
+    pub drawing: Drawing,
 }
+
+/// Series in a panel, and panels of one figure, at most: more than that nobody tells apart.
+const SERIES: usize = 6;
+
+/// What a page needs to show figures, in light and in dark.
+pub const STYLE: &str = include_str!("plots.css");
 
 impl Figure {
     /// The drawing as a file of its own, on white.
-    pub fn standalone(&self) -> String {
-        let ground = "<rect width=\"100%\" height=\"100%\" fill=\"#FFFFFF\"/>\n";
-        self.svg.replacen(">\n", &format!(">\n{ground}"), 1)
+    pub fn svg(&self) -> String {
+        self.drawing.svg(self.drawing.layout.columns)
     }
 
-    /// The drawing for use inside a page: ink takes the page's colour, the inside of open markers
-    /// the page's ground.
+    /// The drawing for use inside a page that has [`STYLE`].
     pub fn inline(&self) -> String {
-        let label = format!("role=\"img\" aria-label=\"{}\"", self.title);
-        self.svg
-            .replacen("xmlns=\"http://www.w3.org/2000/svg\"", &label, 1)
-            .replace("\"#000000\"", "\"currentColor\"")
-            .replace("fill=\"#FFFFFF\"", "class=\"ground\"")
+        self.drawing.inline(&self.title)
     }
 }
 
 /// Every figure that the sweep's files can fill.
 pub fn all(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut figures = match swept::key(data) {
-        Some(key) => swept::figures(data, key)?,
-        None => response::figures(data)?,
+        Some(key) => swept::figures(data, key),
+        None => response::figures(data),
     };
-    figures.extend(fixed_wall::figures(data)?);
+    figures.extend(fixed_wall::figures(data));
     figures.extend(history::figures(data)?);
     figures.extend(probes::figures(data)?);
     Ok(figures)
@@ -93,7 +102,7 @@ mod tests {
     fn every_figure_is_well_formed_alone_and_inline() {
         for directory in [fixture::sweep(), fixture::fixed()] {
             for figure in drawn(&directory) {
-                let alone = figure.standalone();
+                let alone = figure.svg();
                 let tree = roxmltree::Document::parse(&alone).unwrap();
                 assert!(tree.descendants().any(|node| node.has_tag_name((SVG, "text"))));
                 let page = figure.inline();
@@ -108,7 +117,7 @@ mod tests {
     #[test]
     fn nothing_leaves_the_sheet() {
         for figure in drawn(&fixture::sweep()) {
-            let tree = roxmltree::Document::parse(&figure.svg).unwrap();
+            let tree = roxmltree::Document::parse(&figure.svg()).unwrap();
             let sheet = tree.root_element().attribute("viewBox").unwrap();
             let size: Vec<f64> = sheet.split(' ').map(|n| n.parse().unwrap()).collect();
             for line in tree.descendants().filter_map(|node| node.attribute("points")) {
@@ -139,14 +148,14 @@ mod tests {
         let figures = drawn(&fixture::movable(&[0.5], &[500.0], &[250.0]));
         assert_eq!(figures.len(), 4);
         for figure in figures {
-            assert!(!figure.svg.contains("NaN"), "{}", figure.name);
+            assert!(!figure.svg().contains("NaN"), "{}", figure.name);
         }
     }
 
     #[test]
     fn only_truncated_displacements_have_open_markers() {
         for figure in drawn(&fixture::sweep()) {
-            let open = figure.svg.contains("fill=\"#FFFFFF\"");
+            let open = figure.svg().contains("fill=\"#FFFFFF\"");
             assert_eq!(open, figure.name == "response-displacement", "{}", figure.name);
         }
     }

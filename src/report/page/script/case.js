@@ -20,13 +20,12 @@ function curves(row) {
   return found;
 }
 
-// Round values within a range, some four of them.
+// Round values within a range, at least four of them.
 function ticks(low, high) {
-  const rough = (high - low) / 4, power = 10 ** Math.floor(Math.log10(rough));
-  const step = power * [1, 2, 5, 10].find((factor) => factor * power >= rough);
-  const values = [];
-  for (let k = Math.ceil(low / step); k * step <= high + 1e-9 * step; k++) values.push(Number((k * step).toPrecision(6)));
-  return values;
+  const span = high - low, power = 10 ** Math.floor(Math.log10(span / 3));
+  const inside = (step) => Math.floor(high / step + 1e-9) - Math.ceil(low / step - 1e-9) + 1;
+  const step = [5, 2, 1, 0.5, 0.2].map((factor) => factor * power).find((one) => inside(one) >= 4);
+  return Array.from({ length: inside(step) }, (_, k) => Number(((Math.ceil(low / step - 1e-9) + k) * step).toPrecision(6)));
 }
 
 function chart({ symbol, first, last, low, high, points }) {

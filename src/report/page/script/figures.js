@@ -44,7 +44,7 @@ function fade() {
     }
   }
   // What has no points of its own, such as an entry of a legend, follows its key.
-  for (const element of document.querySelectorAll("figure svg [data-series]")) {
+  for (const element of document.querySelectorAll("figure [data-series]")) {
     if (element.dataset.case || element.querySelector("[data-case]")) continue;
     const [name, value] = element.dataset.series.split("=");
     const k = data.keys.findIndex((key) => key.name === name);

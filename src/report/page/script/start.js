@@ -1,5 +1,5 @@
 // Puts it all to work.
-const grids = [...document.querySelectorAll(".grid")].map((box) => new Grid(box));
+const grids = [...document.querySelectorAll(".listing")].map((box) => new Grid(box));
 watchers.push(fade);
 chooser();
 document.body.append(tip);
@@ -26,4 +26,4 @@ addEventListener("hashchange", () => {
   restore();
 });
 restore();
-document.documentElement.classList.add("scripted");
+document.documentElement.classList.add("alive");

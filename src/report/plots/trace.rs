@@ -1,0 +1,123 @@
+//! Draws a curve: its line, its bars, its markers.
+
+use svg::node::element::{Group, Polyline};
+
+use super::chart::{Cell, Curve, Point};
+use super::look::{DOTS, Look};
+use super::panel::Frame;
+use super::pen::{Align, group, line, strokes, text, told};
+use super::shape::tidy;
+use super::text::SMALL;
+
+/// Length of the arrow on a bound, and half the width of its head, CSS pixels.
+const ARROW: f64 = 12.0;
+const HEAD: f64 = 2.6;
+
+/// All that a curve has in a panel.
+pub fn series(frame: &Frame, curve: &Curve) -> Group {
+    let entry = &curve.entry;
+    let mut series = entry.look.group("series").set("data-series", entry.key.as_str());
+    let seen = |point: &&Point| frame.holds(point.x, point.y);
+    let points: Vec<&Point> = curve.points.iter().filter(seen).collect();
+    if entry.line {
+        let width = if entry.marker.is_some() { 1.5 } else { 1.4 };
+        for piece in pieces(frame, &points, entry.look, width) {
+            series = series.add(piece);
+        }
+    }
+    if entry.marker.is_some() {
+        for point in &points {
+            series = series.add(marked(frame, point, entry.look));
+        }
+    }
+    series
+}
+
+/// The line in pieces: as the series has it between values, dotted to and from bounds.
+fn pieces(frame: &Frame, points: &[&Point], look: Look, width: f64) -> Vec<Polyline> {
+    let at = |point: &&Point| frame.at(point.x, point.y);
+    let piece = |run: &[&Point], class: &str, dash: &str, width: f64| {
+        let drawn = line(class, &run.iter().map(at).collect::<Vec<_>>(), width);
+        if dash.is_empty() { drawn } else { drawn.set("stroke-dasharray", dash) }
+    };
+    let sound = points.split(|point| point.bound).filter(|run| run.len() > 1);
+    let mut pieces: Vec<_> = sound.map(|run| piece(run, "line", look.dash(), width)).collect();
+    let loose = points.windows(2).filter(|pair| pair.iter().any(|point| point.bound));
+    let dots =
+        loose.map(|pair| piece(pair, "line loose", DOTS, 1.2).set("stroke-linecap", "round"));
+    pieces.extend(dots);
+    pieces
+}
+
+/// A marker with its bar, its arrow and its note.
+fn marked(frame: &Frame, point: &Point, look: Look) -> Group {
+    let (x, y) = frame.at(point.x, point.y);
+    let mut marked = group("point").set("data-case", point.case.as_str());
+    if !point.told.is_empty() {
+        marked = marked.add(told(&point.told));
+    }
+    if point.error > 0.0 {
+        marked = marked.add(strokes("bar", &bar(frame, point), 1.1));
+    }
+    if point.bound {
+        marked = marked.add(strokes("arrow", &arrow((x, y)), 1.2));
+    }
+    marked = marked.add(look.marker((x, y), point.open || point.bound));
+    if !point.note.is_empty() {
+        marked = marked.add(text((x + 7.0, y - 6.0), &point.note, SMALL, Align::Left));
+    }
+    marked
+}
+
+/// An error bar with its ends; that of a bound reaches down alone.
+fn bar(frame: &Frame, point: &Point) -> Vec<[(f64, f64); 2]> {
+    let up = if point.bound { 0.0 } else { point.error };
+    let (x, low) = frame.at(point.x, point.y - point.error);
+    let (_, high) = frame.at(point.x, point.y + up);
+    let end = |y: f64| [(x - 2.5, y), (x + 2.5, y)];
+    let mut bar = vec![[(x, low), (x, high)], end(low)];
+    bar.extend((!point.bound).then(|| end(high)));
+    bar
+}
+
+/// An arrow that points upwards from a marker.
+pub fn arrow((x, y): (f64, f64)) -> [[(f64, f64); 2]; 3] {
+    let tip = (x, y - ARROW);
+    let wing = |side: f64| [(x + side * HEAD, tip.1 + 1.4 * HEAD), tip];
+    [[(x, y - 3.0), tip], wing(-1.0), wing(1.0)]
+}
+
+/// A field of a map with its number.
+pub fn field(frame: &Frame, cell: &Cell) -> Group {
+    let (column, row) = (cell.at.0 as f64, cell.at.1 as f64);
+    let (left, bottom) = frame.at(column - 0.5, row - 0.5);
+    let (right, top) = frame.at(column + 0.5, row + 0.5);
+    let square = svg::node::element::Rectangle::new()
+        .set("x", tidy(left))
+        .set("y", tidy(top))
+        .set("width", tidy(right - left))
+        .set("height", tidy(bottom - top))
+        .set("fill", hex(cell.colour));
+    let mut field = group("point field")
+        .set("data-case", cell.case.as_str())
+        .set("color", on(cell.colour))
+        .add(told(&cell.told))
+        .add(square);
+    if !cell.label.is_empty() {
+        let middle = ((left + right) / 2.0, (top + bottom) / 2.0);
+        field = field.add(text(middle, &cell.label, SMALL, Align::Centre));
+    }
+    field
+}
+
+/// A colour as files write it.
+pub fn hex([red, green, blue]: [u8; 3]) -> String {
+    format!("#{red:02x}{green:02x}{blue:02x}")
+}
+
+/// Black or white, whichever can be read on a colour.
+fn on([red, green, blue]: [u8; 3]) -> &'static str {
+    let light = |channel: u8| libm::pow(f64::from(channel) / 255.0, 2.2);
+    let shine = 0.2126 * light(red) + 0.7152 * light(green) + 0.0722 * light(blue);
+    if shine > 0.18 { "#000000" } else { "#ffffff" }
+}
