@@ -109,6 +109,7 @@ impl Chromium {
         let url = format!("file://{}{hash}", file.display());
         self.call("Page.navigate", json!({ "url": url }));
         self.wait("Page.loadEventFired");
+        self.settle();
         let read = "performance.timing.loadEventStart - performance.timing.navigationStart";
         self.run(read).as_f64().unwrap_or(f64::NAN)
     }
@@ -118,6 +119,14 @@ impl Chromium {
             let told = self.read();
             self.events.push(told);
         }
+    }
+
+    /// Waits until the page has followed a choice everywhere.
+    pub fn settle(&mut self) {
+        self.run(
+            "new Promise((done) => { const wait = () =>
+            document.body.ariaBusy === 'true' ? setTimeout(wait, 5) : done(); wait(); })",
+        );
     }
 
     /// Runs a script in the page, and waits for its promise; returns its value.
@@ -145,6 +154,7 @@ impl Chromium {
                 json!({ "type": kind, "x": at[0], "y": at[1], "button": button, "clickCount": 1 });
             self.call("Input.dispatchMouseEvent", event);
         }
+        self.settle();
     }
 
     /// Presses a key.
@@ -158,6 +168,7 @@ impl Chromium {
             }
             self.call("Input.dispatchKeyEvent", event);
         }
+        self.settle();
     }
 
     /// A window of this size, CSS pixels.

@@ -7,8 +7,9 @@ const picked = data.keys.map(() => new Set());
 const filters = new Map();
 const sorts = new Map();
 const chosen = new Uint8Array(count).fill(1);
+// What follows a choice: an act, and where on the page it shows; null for always.
 const watchers = [];
-let opened = -1;
+let opened = -1, waiting = [], timer = 0;
 
 function make(tag, properties, ...children) {
   const element = Object.assign(document.createElement(tag), properties);
@@ -30,6 +31,7 @@ function words(row) {
 // Tests of rows by the names of their filters; tables put theirs in.
 const testers = new Map();
 
+// Marks the chosen rows. What is seen follows at once, all else right after it.
 function choose() {
   const tests = [];
   for (const [name, text] of filters) {
@@ -40,8 +42,29 @@ function choose() {
   for (let row = 0; row < count; row++) {
     chosen[row] = keys.every(([at, values]) => values.has(at[row])) && tests.every((test) => test(row)) ? 1 : 0;
   }
-  for (const watch of watchers) watch();
-  remember();
+  const seen = (box) => {
+    const at = box?.getBoundingClientRect();
+    return !at || (at.bottom > 0 && at.top < innerHeight);
+  };
+  const now = new Set(watchers.filter((watcher) => seen(watcher.box)));
+  for (const watcher of now) watcher.act();
+  waiting = watchers.filter((watcher) => !now.has(watcher)).map((watcher) => watcher.act).concat(remember);
+  document.body.setAttribute("aria-busy", "true");
+  clearTimeout(timer);
+  timer = setTimeout(next);
+}
+
+function next() {
+  waiting.shift()?.();
+  if (waiting.length) timer = setTimeout(next);
+  else document.body.removeAttribute("aria-busy");
+}
+
+// Does at once what is still to be done.
+function settle() {
+  clearTimeout(timer);
+  while (waiting.length) next();
+  clearTimeout(timer);
 }
 
 function remember() {
@@ -97,13 +120,14 @@ function chooser() {
     filters.clear();
     choose();
   });
-  watchers.push(() => {
+  const tell = () => {
     const shown = chosen.reduce((sum, one) => sum + one, 0);
     told.textContent = shown === count ? "All " + count + " cases are shown" : shown + " of " + count + " cases are shown";
     clear.hidden = shown === count && !filters.size;
     lines.forEach((line) => line.mark());
-  });
+  };
   const box = document.getElementById("choose");
+  watchers.push({ box: null, act: tell });
   box.append(make("summary", {}, "Choose cases. ", told), ...lines.map((line) => line.line), clear);
   told.setAttribute("aria-live", "polite");
   box.open = matchMedia("(min-width: 40rem)").matches;

@@ -1,35 +1,29 @@
 // Figures: points tell what they are, show their case, and fade where it is not chosen.
 const NEAR = 14;
-let groups = null, pointed = [], marksOf = null, under = null;
+let pointed = [], under = null, marksOf = null;
 const tip = make("div", { className: "tip", hidden: true });
 tip.setAttribute("role", "status");
 
-// Marks by their group, read from the page once.
-function read() {
-  if (groups) return groups;
-  groups = [];
-  marksOf = new Map();
-  const known = new Map();
-  for (const element of document.querySelectorAll("figure svg [data-case]")) {
-    const rows = element.dataset.case.split(" ").map((id) => rowOf.get(id)).filter((row) => row !== undefined);
-    if (!rows.length) continue;
-    const box = element.closest(".series") || element.parentNode;
-    if (!known.has(box)) groups.push(known.set(box, { box, marks: [], state: "" }).get(box));
-    const mark = { element, rows, group: known.get(box), off: false };
-    mark.group.marks.push(mark);
-    for (const row of rows) {
-      if (!marksOf.has(row)) marksOf.set(row, []);
-      marksOf.get(row).push(mark);
-    }
-  }
-  return groups;
-}
-
+const rowsOf = (element) => element.dataset.case.split(" ").map((id) => rowOf.get(id)).filter((row) => row !== undefined);
 const isOn = (mark) => mark.rows.some((row) => chosen[row]);
 
-function fade() {
-  if (!groups && chosen.every(Boolean)) return;
-  for (const group of read()) {
+// A figure's marks by their series, read from the page once.
+function groupsOf(figure) {
+  if (figure.groups) return figure.groups;
+  const known = new Map();
+  for (const element of figure.querySelectorAll("svg [data-case]")) {
+    const rows = rowsOf(element);
+    if (!rows.length) continue;
+    const box = element.closest(".series") || element.parentNode;
+    if (!known.has(box)) known.set(box, { box, marks: [], state: "" });
+    known.get(box).marks.push({ element, rows, off: false });
+  }
+  return (figure.groups = [...known.values()]);
+}
+
+function fade(figure) {
+  if (!figure.groups && chosen.every(Boolean)) return;
+  for (const group of groupsOf(figure)) {
     let on = 0;
     for (const mark of group.marks) on += isOn(mark);
     const state = on === 0 ? "off" : on === group.marks.length ? "" : "some";
@@ -40,11 +34,11 @@ function fade() {
     }
     for (const mark of group.marks) {
       const off = state === "some" && !isOn(mark);
-      if (off !== mark.off) mark.element.classList.toggle("off", mark.off = off);
+      if (off !== mark.off) mark.element.classList.toggle("off", (mark.off = off));
     }
   }
   // What has no points of its own, such as an entry of a legend, follows its key.
-  for (const element of document.querySelectorAll("figure [data-series]")) {
+  for (const element of figure.querySelectorAll("[data-series]")) {
     if (element.dataset.case || element.querySelector("[data-case]")) continue;
     const [name, value] = element.dataset.series.split("=");
     const k = data.keys.findIndex((key) => key.name === name);
@@ -57,8 +51,13 @@ function fade() {
 // The same case everywhere.
 function point(row) {
   for (const element of pointed) element.classList.remove("here");
-  read();
-  pointed = row < 0 ? [] : (marksOf.get(row) || []).map((mark) => mark.element);
+  if (!marksOf) {
+    marksOf = new Map();
+    for (const { element, rows } of figures.flatMap(groupsOf).flatMap((group) => group.marks)) {
+      for (const one of rows) marksOf.set(one, (marksOf.get(one) || []).concat(element));
+    }
+  }
+  pointed = marksOf.get(row) || [];
   for (const element of pointed) element.classList.add("here");
 }
 
@@ -72,7 +71,7 @@ function told(element) {
 }
 
 function rowUnder(element) {
-  const rows = element.dataset.case.split(" ").map((id) => rowOf.get(id)).filter((row) => row !== undefined);
+  const rows = rowsOf(element);
   return rows.find((row) => chosen[row]) ?? rows[0] ?? -1;
 }
 
@@ -117,8 +116,9 @@ function markAt(svg, event) {
 
 // Arrows go along a series, and from one to the next.
 function step(element, key) {
-  const group = read().find((one) => one.marks.some((mark) => mark.element === element));
-  const svg = element.closest("svg"), own = groups.filter((one) => svg.contains(one.box) && one.state !== "off");
+  const svg = element.closest("svg"), own = groupsOf(element.closest("figure")).filter((one) => svg.contains(one.box) && one.state !== "off");
+  const group = own.find((one) => one.marks.some((mark) => mark.element === element));
+  if (!group) return null;
   const at = group.marks.findIndex((mark) => mark.element === element), g = own.indexOf(group);
   const along = { ArrowRight: 1, ArrowLeft: -1 }[key], across = { ArrowDown: 1, ArrowUp: -1 }[key];
   const marks = across ? own[g + across]?.marks : group.marks;

@@ -1,9 +1,10 @@
 // Puts it all to work.
 const grids = [...document.querySelectorAll(".listing")].map((box) => new Grid(box));
-watchers.push(fade);
+const figures = [...document.querySelectorAll("figure")].filter((figure) => figure.querySelector("[data-case]"));
+for (const figure of figures) watchers.push({ box: figure, act: () => fade(figure) });
 chooser();
 document.body.append(tip);
-document.querySelectorAll("figure svg").forEach(enter);
+figures.flatMap((figure) => [...figure.querySelectorAll("svg")]).forEach(enter);
 document.querySelectorAll("figure.film").forEach((figure) => {
   const poster = figure.querySelector(".poster"), id = figure.dataset.film;
   if (!document.getElementById("film-" + id)) return;

@@ -50,9 +50,16 @@ class Grid {
     this.copies = this.name === "summary" && data.scenes;
     this.head();
     testers.set(this.name, (column, text) => this.test(column, text));
-    watchers.push(() => this.renew());
-    this.scroll.addEventListener("scroll", () => this.fill());
-    addEventListener("beforeprint", () => this.fill(true));
+    this.top = 0;
+    watchers.push({ box: this.scroll, act: () => this.renew() });
+    this.scroll.addEventListener("scroll", () => {
+      this.top = this.scroll.scrollTop;
+      this.fill();
+    });
+    addEventListener("beforeprint", () => {
+      settle();
+      this.fill(true);
+    });
     addEventListener("afterprint", () => this.fill());
     this.listen();
     if (this.lines.length > WHOLE) this.fix();
@@ -144,7 +151,7 @@ class Grid {
       if (this.fields[at].value.trim() !== value) this.fields[at].value = value;
     });
     this.from = -1;
-    if (this.scroll.scrollTop) this.scroll.scrollTop = 0;
+    if (this.top) this.scroll.scrollTop = this.top = 0;
     this.fill();
   }
 
@@ -153,7 +160,7 @@ class Grid {
     const lines = this.order, tall = this.tall || 24;
     let from = 0, to = lines.length;
     if (!all && lines.length > WHOLE) {
-      const first = Math.floor(this.scroll.scrollTop / tall);
+      const first = Math.floor(this.top / tall);
       from = Math.max(0, first - AROUND - (first % AROUND));
       to = Math.min(lines.length, from + 4 * AROUND);
     }
