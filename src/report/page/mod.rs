@@ -19,7 +19,7 @@ use super::load::Loaded;
 use super::plots::{self, Figure};
 use super::scene_file::SceneFile;
 use super::tables::{self, Table, across};
-use crate::quantities::summary::{ENERGY_GAP, FORCE_GAP, PARTICLES_LOST};
+use crate::quantities::summary::{ENERGY_GAP, FORCE_MAX_GAP, PARTICLES_LOST};
 
 const STYLE: [&str; 3] =
     [include_str!("../../palette.css"), include_str!("style.css"), plots::STYLE];
@@ -150,15 +150,21 @@ fn tabled(body: &mut String, data: &Loaded, tables: &[Table]) {
 const BARS: &str = "<p>± is the estimated error bar, where bars were asked for. ≥ is a lower bound: \
     the wall was still moving when the run ended, and the bar behind it can only lower it.</p>";
 
+/// The largest gaps of all finished cases: of the force where it is largest, as elsewhere it touches
+/// no number that is quoted.
 fn health_line(data: &Loaded) -> String {
     let numbers = |column| data.finished().filter_map(move |row| row.number(column));
-    let largest = |column| numbers(column).map(f64::abs).fold(0.0, f64::max);
+    let largest = |column| numbers(column).map(f64::abs).max_by(f64::total_cmp);
     let lost: f64 = numbers(&PARTICLES_LOST).sum();
+    let force = largest(&FORCE_MAX_GAP).map(|gap| {
+        format!("Where the force is largest, its two readings differ by up to {gap:.2} %. ")
+    });
+    let energy =
+        largest(&ENERGY_GAP).map(|gap| format!("The energy budget is off by up to {gap:.2} %. "));
     format!(
-        "Largest gap between the two force readings {:.2} %, of the energy budget {:.2} %; \
-         {lost} particles lost. In the table, the reasons for doubt stand out.",
-        largest(&FORCE_GAP),
-        largest(&ENERGY_GAP)
+        "{}{}{lost} particles were lost. In the table, the reasons for doubt stand out.",
+        force.unwrap_or_default(),
+        energy.unwrap_or_default()
     )
 }
 
