@@ -51,9 +51,6 @@ pub fn error_against_time(dots: &[Dot]) -> Option<Figure> {
         caption: "Root mean square error over all cases against the processor time that they \
                   take together. Filled: nothing is both cheaper and more accurate."
             .to_owned(),
-        drawing: Drawing {
-            charts: vec![chart],
-            layout: Layout { columns: 1, size: (760.0, 520.0) },
-        },
+        drawing: Drawing::new(vec![chart], Layout { columns: 1, size: (900.0, 620.0) }),
     })
 }

@@ -40,9 +40,9 @@ pub struct Curve {
 }
 
 impl Curve {
-    /// The lower and upper ends of all points; a bound has no upper end.
+    /// The lower and upper ends of all points; a bound has no upper end, but an arrow.
     pub fn reach(&self) -> impl Iterator<Item = f64> {
-        let up = |point: &Point| if point.bound { 0.0 } else { point.error };
+        let up = |point: &Point| if point.bound { 0.06 * point.y } else { point.error };
         self.points.iter().flat_map(move |point| [point.y - point.error, point.y + up(point)])
     }
 }

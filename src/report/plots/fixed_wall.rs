@@ -98,7 +98,7 @@ fn drawing(rows: &[&Row], measured: bool, vertical: bool) -> Drawing {
         let title = wave.heading();
         Some(Chart::new((x, &title, wave.name), (y, column.unit.axis(), column.name), curves))
     };
-    Drawing { charts: SIDES.into_iter().filter_map(chart).collect(), layout: PANELS }
+    Drawing::new(SIDES.into_iter().filter_map(chart).collect(), PANELS)
 }
 
 #[cfg(test)]

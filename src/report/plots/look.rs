@@ -5,14 +5,14 @@
 
 use svg::node::element::{Group, Path};
 
-use super::pen::{INK, group};
+use super::pen::{GROUND, INK, drawn, group};
 use super::shape::{self, outline};
 
 /// Hues on a white ground. A page has a second set for a dark one, in `plots.css`.
 const HUES: [&str; 6] = ["#5360ff", "#943909", "#00492a", "#c60d58", "#079bb3", "#5e0156"];
 
 /// Dashes of lines; the first is solid.
-const DASHES: [&str; 6] = ["", "7 2.5", "2.5 2", "9 2.5 2 2.5", "4.5 2.5", "9 2 2 2 2 2"];
+const DASHES: [&str; 6] = ["", "8 3", "4 2", "9 2.5 2 2.5", "15 3", "6 2 1.5 2 1.5 2"];
 
 /// Line through a lower bound: dots, which no series has.
 pub const DOTS: &str = "0.8 3.4";
@@ -41,7 +41,7 @@ impl Look {
             Some(index) => (HUES[index % HUES.len()], format!("hue-{}", index % HUES.len())),
             None => (INK, "ink".to_owned()),
         };
-        group(&format!("{class} {name}")).set("color", hue)
+        drawn(group(&format!("{class} {name}")).set("color", hue))
     }
 
     /// The dashes of its line; empty for a solid one.
@@ -52,12 +52,9 @@ impl Look {
     /// A marker; open ones show the ground inside.
     pub fn marker(self, at: (f64, f64), open: bool) -> Path {
         let shape = self.series.map_or(0, |index| index % shape::COUNT);
-        let path = Path::new()
-            .set("d", outline(shape, at))
-            .set("stroke", "currentColor")
-            .set("stroke-width", 1.3);
+        let path = Path::new().set("d", outline(shape, at)).set("stroke-width", 1.3);
         if open {
-            return path.set("class", "mark open").set("fill", super::pen::GROUND);
+            return path.set("class", "mark open").set("fill", GROUND);
         }
         path.set("class", "mark").set("fill", "currentColor")
     }

@@ -4,11 +4,14 @@
 
 mod accuracy;
 mod axes;
+mod bar;
 mod chart;
 mod fixed_wall;
 mod history;
+mod labels;
 mod legend;
 mod look;
+mod map;
 mod marks;
 mod over_time;
 mod panel;
@@ -17,6 +20,7 @@ mod probes;
 mod response;
 mod shape;
 mod sheet;
+mod slices;
 mod swept;
 mod text;
 mod ticks;
@@ -28,6 +32,8 @@ pub(super) use fixed_wall::walls as fixed_walls;
 use super::error::ReportError;
 use super::load::Loaded;
 use sheet::Drawing;
+#[cfg(feature = "print")]
+pub use text::FONT;
 
 /// A finished drawing.
 #[derive(Debug, Clone, PartialEq)]
@@ -64,7 +70,7 @@ impl Figure {
 pub fn all(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut figures = match swept::key(data) {
         Some(key) => swept::figures(data, key),
-        None => response::figures(data),
+        None => [response::figures(data), slices::figures(data), map::figures(data)].concat(),
     };
     figures.extend(fixed_wall::figures(data));
     figures.extend(history::figures(data)?);

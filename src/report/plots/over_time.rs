@@ -7,7 +7,8 @@ use super::look::Look;
 use super::sheet::{Drawing, PANELS};
 use crate::quantities::history::TIME;
 
-const BUCKETS: usize = 250;
+/// A panel is some 250 pixels wide: two points in every pixel or so.
+const BUCKETS: usize = 150;
 
 /// Points over time: time in seconds and value.
 type Points = Vec<(f64, f64)>;
@@ -77,7 +78,7 @@ pub fn strips(strips: &[Strip]) -> Drawing {
     let times = strips.iter().flat_map(Strip::points).map(|point| point.0);
     let x = Axis::within(times, 6.0);
     let charts = x.iter().flat_map(|x| strips.iter().filter_map(|strip| strip.chart(x)));
-    Drawing { charts: charts.collect(), layout: PANELS }
+    Drawing::new(charts.collect(), PANELS)
 }
 
 /// Medians of five values each: those that last. An axis made for these is not squashed by the

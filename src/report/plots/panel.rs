@@ -3,9 +3,10 @@
 use svg::node::element::Group;
 
 use super::chart::Chart;
-use super::pen::{Align, group, line, strokes, text};
+use super::labels::Field;
+use super::pen::{Align, drawn, group, line, strokes, text};
 use super::text::{NORMAL, SMALL, width};
-use super::trace::{field, series};
+use super::trace::{field, notes, series};
 
 /// From the frame to tick labels, and from those to the title, CSS pixels.
 const GAP: f64 = 7.0;
@@ -73,6 +74,11 @@ impl<'a> Frame<'a> {
         self.chart.x.holds(x) && self.chart.y.holds(y)
     }
 
+    /// The rectangle of the axes.
+    pub fn field(&self) -> Field {
+        Field([self.left + 2.0, self.top, self.left + self.wide, self.top + self.high - 2.0])
+    }
+
     /// Axes, fields and curves.
     pub fn draw(&self) -> Group {
         let chart = self.chart;
@@ -84,6 +90,9 @@ impl<'a> Frame<'a> {
         panel = panel.add(self.axis_x()).add(self.axis_y());
         for curve in chart.curves.iter().filter(|curve| !curve.points.is_empty()) {
             panel = panel.add(series(self, curve));
+        }
+        if let Some(notes) = notes(self, &chart.curves) {
+            panel = panel.add(notes);
         }
         if chart.heading.is_empty() {
             return panel;
@@ -100,7 +109,7 @@ impl<'a> Frame<'a> {
         let ys = self.chart.y.ticks.iter().map(|tick| level(self.y(tick.at)));
         let lines: Vec<_> =
             if self.chart.cells.is_empty() { xs.chain(ys).collect() } else { Vec::new() };
-        group("grid").add(strokes("", &lines, 1.0).set("stroke-opacity", 0.13))
+        drawn(group("grid")).add(strokes("", &lines, 1.0).set("stroke-opacity", 0.13))
     }
 
     fn x(&self, value: f64) -> f64 {
@@ -113,7 +122,7 @@ impl<'a> Frame<'a> {
 
     fn axis_x(&self) -> Group {
         let (chart, bottom) = (self.chart, self.top + self.high);
-        let mut axis = group("axis x").set("data-name", chart.names[0].as_str());
+        let mut axis = drawn(group("axis x")).set("data-name", chart.names[0].as_str());
         axis = axis.add(line("", &[(self.left, bottom), (self.left + self.wide, bottom)], 1.0));
         let stroke = |at: f64, long: f64| [(self.x(at), bottom), (self.x(at), bottom + long)];
         let long = chart.x.ticks.iter().map(|tick| stroke(tick.at, STROKE));
@@ -131,7 +140,7 @@ impl<'a> Frame<'a> {
 
     fn axis_y(&self) -> Group {
         let chart = self.chart;
-        let mut axis = group("axis y").set("data-name", chart.names[1].as_str());
+        let mut axis = drawn(group("axis y")).set("data-name", chart.names[1].as_str());
         axis = axis.add(line("", &[(self.left, self.top), (self.left, self.top + self.high)], 1.0));
         let stroke = |at: f64, long: f64| [(self.left, self.y(at)), (self.left - long, self.y(at))];
         let long = chart.y.ticks.iter().map(|tick| stroke(tick.at, STROKE));

@@ -1,4 +1,4 @@
-//! Small pieces of drawings. Everything is drawn in `currentColor`, which comes from the nearest
+//! Small pieces of drawings. They stand in groups of [`drawn`] strokes, in `currentColor`, which comes from the nearest
 //! group: a colour of its own in a file, a colour of the page's in a page.
 
 use svg::node::element::{Group, Path, Polyline, Text, Title};
@@ -28,6 +28,11 @@ pub fn group(class: &str) -> Group {
     Group::new().set("class", class)
 }
 
+/// A group of strokes, drawn in its colour.
+pub fn drawn(group: Group) -> Group {
+    group.set("fill", "none").set("stroke", "currentColor").set("stroke-linejoin", "round")
+}
+
 /// One line of text, `size` pixels high, centred vertically on its point.
 pub fn text((x, y): (f64, f64), words: &str, size: f64, align: Align) -> Text {
     let anchor = match align {
@@ -40,7 +45,8 @@ pub fn text((x, y): (f64, f64), words: &str, size: f64, align: Align) -> Text {
     let text = Text::new(words)
         .set("font-size", size)
         .set("text-anchor", anchor)
-        .set("fill", "currentColor");
+        .set("fill", "currentColor")
+        .set("stroke", "none");
     if align == Align::Upwards {
         return text.set("transform", format!("translate({x} {y}) rotate(-90)")).set("y", drop);
     }
@@ -50,13 +56,7 @@ pub fn text((x, y): (f64, f64), words: &str, size: f64, align: Align) -> Text {
 /// A line through points.
 pub fn line(class: &str, points: &[(f64, f64)], width: f64) -> Polyline {
     let words: Vec<_> = points.iter().map(|(x, y)| format!("{},{}", tidy(*x), tidy(*y))).collect();
-    Polyline::new()
-        .set("class", class)
-        .set("points", words.join(" "))
-        .set("fill", "none")
-        .set("stroke", "currentColor")
-        .set("stroke-width", width)
-        .set("stroke-linejoin", "round")
+    Polyline::new().set("class", class).set("points", words.join(" ")).set("stroke-width", width)
 }
 
 /// Straight strokes, each from one point to another, in one path.
@@ -64,12 +64,8 @@ pub fn strokes(class: &str, ends: &[[(f64, f64); 2]], width: f64) -> Path {
     let stroke = |[a, b]: &[(f64, f64); 2]| {
         format!("M{} {}L{} {}", tidy(a.0), tidy(a.1), tidy(b.0), tidy(b.1))
     };
-    Path::new()
-        .set("class", class)
-        .set("d", ends.iter().map(stroke).collect::<String>())
-        .set("fill", "none")
-        .set("stroke", "currentColor")
-        .set("stroke-width", width)
+    let path = Path::new().set("class", class);
+    path.set("d", ends.iter().map(stroke).collect::<String>()).set("stroke-width", width)
 }
 
 /// What a pointer that rests on a drawing is told.

@@ -69,7 +69,7 @@ fn drawing(response: &Column, masses: &[&[&Row]], waves: &[f64]) -> Drawing {
         Chart::new(x, (y.clone(), up, response.name), curves)
             .under(label(&M_STAR, mass), key(&M_STAR, mass))
     };
-    Drawing { charts: masses.iter().map(chart).collect(), layout: PANELS }
+    Drawing::new(masses.iter().map(chart).collect(), PANELS)
 }
 
 #[cfg(test)]

@@ -1,35 +1,15 @@
 //! The shapes of markers.
 
-use std::fmt::Write;
-
-/// Size of a marker: half of its width, CSS pixels.
-const REACH: f64 = 3.3;
-
-/// Corners of each shape around the point, in units of [`REACH`]; none for a circle.
-const SHAPES: [&[[f64; 2]]; 8] = [
-    &[],
-    &[[-0.92, -0.92], [0.92, -0.92], [0.92, 0.92], [-0.92, 0.92]],
-    &[[0.0, -1.3], [1.2, 0.85], [-1.2, 0.85]],
-    &[[0.0, -1.35], [1.35, 0.0], [0.0, 1.35], [-1.35, 0.0]],
-    &[[0.0, 1.3], [1.2, -0.85], [-1.2, -0.85]],
-    PLUS,
-    &[[-1.3, -0.62], [1.3, -0.62], [1.3, 0.62], [-1.3, 0.62]],
-    &[[-0.62, -1.3], [0.62, -1.3], [0.62, 1.3], [-0.62, 1.3]],
-];
-
-const PLUS: &[[f64; 2]] = &[
-    [-0.45, -1.35],
-    [0.45, -1.35],
-    [0.45, -0.45],
-    [1.35, -0.45],
-    [1.35, 0.45],
-    [0.45, 0.45],
-    [0.45, 1.35],
-    [-0.45, 1.35],
-    [-0.45, 0.45],
-    [-1.35, 0.45],
-    [-1.35, -0.45],
-    [-0.45, -0.45],
+/// Each shape as a path that starts at its point.
+const SHAPES: [&str; 8] = [
+    "m-3.3 0a3.3 3.3 0 1 0 6.6 0a3.3 3.3 0 1 0-6.6 0z",
+    "m-3-3h6v6h-6z",
+    "m0-4.3l4 7.1h-8z",
+    "m0-4.5l4.5 4.5l-4.5 4.5l-4.5-4.5z",
+    "m0 4.3l4-7.1h-8z",
+    "m-1.5-4.5h3v3h3v3h-3v3h-3v-3h-3v-3h3z",
+    "m-4.3-2h8.6v4h-8.6z",
+    "m-2-4.3h4v8.6h-4z",
 ];
 
 /// How many shapes there are.
@@ -37,24 +17,12 @@ pub const COUNT: usize = SHAPES.len();
 
 /// The outline of a shape around a point, as the `d` of a path.
 pub fn outline(shape: usize, (x, y): (f64, f64)) -> String {
-    let corners = SHAPES[shape % COUNT];
-    if corners.is_empty() {
-        let (r, across) = (REACH, 2.0 * REACH);
-        let half = |side: f64| format!("a{r} {r} 0 1 0 {} 0", side * across);
-        return format!("M{} {}{}{}Z", tidy(x - r), tidy(y), half(1.0), half(-1.0));
-    }
-    let mut path = String::new();
-    for (index, corner) in corners.iter().enumerate() {
-        let letter = if index == 0 { 'M' } else { 'L' };
-        let (x, y) = (tidy(x + REACH * corner[0]), tidy(y + REACH * corner[1]));
-        write!(path, "{letter}{x} {y}").expect("a string grows");
-    }
-    path + "Z"
+    format!("M{} {}{}", tidy(x), tidy(y), SHAPES[shape % COUNT])
 }
 
-/// A length to the hundredth of a pixel.
+/// A length to the tenth of a pixel: on paper some 0.03 mm.
 pub fn tidy(length: f64) -> f64 {
-    let rounded = (length * 100.0).round() / 100.0;
+    let rounded = (length * 10.0).round() / 10.0;
     if rounded == 0.0 { 0.0 } else { rounded }
 }
 
@@ -67,7 +35,7 @@ mod tests {
         let outlines: Vec<_> = (0..COUNT).map(|shape| outline(shape, (0.0, 0.0))).collect();
         for (index, path) in outlines.iter().enumerate() {
             assert!(!outlines[..index].contains(path));
-            assert!(path.starts_with('M') && path.ends_with('Z'));
+            assert!(path.starts_with('M') && path.ends_with('z'));
         }
     }
 }

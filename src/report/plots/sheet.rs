@@ -3,6 +3,7 @@
 
 use svg::node::element::{Group, Rectangle, SVG};
 
+use super::bar::{self, Bar};
 use super::chart::Chart;
 use super::legend::{Entry, list, rows};
 use super::panel::{Frame, Margins};
@@ -33,16 +34,47 @@ pub struct Drawing {
     pub charts: Vec<Chart>,
     /// Their place in a file.
     pub layout: Layout,
+    /// What the colours of fields are worth.
+    pub bar: Option<Bar>,
 }
 
 impl Drawing {
+    /// Panels without fields.
+    pub fn new(charts: Vec<Chart>, layout: Layout) -> Drawing {
+        Drawing { charts, layout, bar: None }
+    }
+
+    /// The drawing on one sheet or, where that were higher than `tallest` times its width, on several;
+    /// each with the legend, and its width in pixels.
+    pub fn pages(&self, columns: usize, tallest: f64) -> Vec<(String, f64)> {
+        let columns = columns.min(self.charts.len()).max(1);
+        let (wide, high) = (self.layout.size.0 + GAP, self.layout.size.1 + GAP);
+        let sheet = 2.0 * EDGE + columns as f64 * wide - GAP;
+        let (_, legend) = rows(&self.entries(), EDGE + 6.0, sheet - EDGE);
+        let above = legend + if self.bar.is_some() { bar::HEIGHT } else { 0.0 };
+        let room = (tallest * sheet - 2.0 * EDGE - above + GAP) / high;
+        let page = |charts: &[Chart]| {
+            let part = Drawing { charts: charts.to_vec(), ..self.clone() };
+            (part.sheet(columns, self.entries()), sheet)
+        };
+        self.charts.chunks(columns * (room.max(1.0) as usize)).map(page).collect()
+    }
+
     /// The whole drawing as a file, with at most so many panels in a row.
     pub fn svg(&self, columns: usize) -> String {
+        self.sheet(columns, self.entries())
+    }
+
+    fn sheet(&self, columns: usize, entries: Vec<Entry>) -> String {
         let (wide, high) = self.layout.size;
         let columns = columns.min(self.charts.len()).max(1);
         let across = |count: usize| count as f64 * (wide + GAP) - GAP;
         let sheet = 2.0 * EDGE + across(columns);
-        let (legend, top) = rows(&self.entries(), EDGE + 6.0, sheet - EDGE);
+        let (mut legend, mut top) = rows(&entries, EDGE + 6.0, sheet - EDGE);
+        if let Some(bar) = &self.bar {
+            legend = legend.add(bar.draw(EDGE + 6.0));
+            top += bar::HEIGHT;
+        }
         let top = EDGE + top;
         let margins = Margins::of(&self.charts);
         let mut panels = Group::new();
@@ -74,7 +106,11 @@ impl Drawing {
         };
         let panels: String = self.charts.iter().map(panel).collect();
         let entries = self.entries();
-        let legend = if entries.is_empty() { String::new() } else { list(&entries) };
+        let mut legend = if entries.is_empty() { String::new() } else { list(&entries) };
+        if let Some(bar) = &self.bar {
+            let svg = root((bar.width(), bar::HEIGHT), None).add(bar.draw(2.0)).to_string();
+            legend.push_str(&svg.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1));
+        }
         format!("<div class=\"plot\">{legend}<div class=\"panels\">{panels}</div></div>")
     }
 

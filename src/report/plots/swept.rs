@@ -141,7 +141,7 @@ fn drawing(key: &Key, group: &[Case], waves: &[f64]) -> Option<Drawing> {
         Some(Chart::new(x, (y, column.unit.axis(), column.name), curves))
     };
     let charts: Vec<_> = DRAWN.into_iter().filter_map(chart).collect();
-    (!charts.is_empty()).then_some(Drawing { charts, layout: PANELS })
+    (!charts.is_empty()).then_some(Drawing::new(charts, PANELS))
 }
 
 #[cfg(test)]

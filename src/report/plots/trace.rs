@@ -3,11 +3,12 @@
 use svg::node::element::{Group, Polyline};
 
 use super::chart::{Cell, Curve, Point};
+use super::labels::place;
 use super::look::{DOTS, Look};
 use super::panel::Frame;
-use super::pen::{Align, group, line, strokes, text, told};
+use super::pen::{Align, drawn, group, line, strokes, text, told};
 use super::shape::tidy;
-use super::text::SMALL;
+use super::text::{SMALL, width};
 
 /// Length of the arrow on a bound, and half the width of its head, CSS pixels.
 const ARROW: f64 = 12.0;
@@ -62,11 +63,29 @@ fn marked(frame: &Frame, point: &Point, look: Look) -> Group {
     if point.bound {
         marked = marked.add(strokes("arrow", &arrow((x, y)), 1.2));
     }
-    marked = marked.add(look.marker((x, y), point.open || point.bound));
-    if !point.note.is_empty() {
-        marked = marked.add(text((x + 7.0, y - 6.0), &point.note, SMALL, Align::Left));
+    marked.add(look.marker((x, y), point.open || point.bound))
+}
+
+/// The words beside the points of a panel, those of filled markers first, as they matter more.
+pub fn notes(frame: &Frame, curves: &[Curve]) -> Option<Group> {
+    let noted = |curve: &&Curve| curve.entry.marker.is_some();
+    let points = curves.iter().filter(noted).flat_map(|curve| &curve.points);
+    let mut points: Vec<&Point> = points.filter(|point| !point.note.is_empty()).collect();
+    points.sort_by_key(|point| point.open);
+    let at = |point: &Point| frame.at(point.x, point.y);
+    let words: Vec<_> = points.iter().map(|p| (at(p), width(&p.note, SMALL))).collect();
+    let lines = curves.iter().filter(|curve| curve.entry.line).flat_map(|curve| &curve.points);
+    let lines: Vec<_> = lines.map(at).collect();
+    let mut notes = drawn(group("notes"));
+    for (point, placed) in points.iter().zip(place(&words, SMALL, frame.field(), &lines)) {
+        let Some(placed) = placed else { continue };
+        let lead: Vec<_> = placed.lead.into_iter().collect();
+        if !lead.is_empty() {
+            notes = notes.add(strokes("lead", &lead, 0.7).set("stroke-opacity", 0.6));
+        }
+        notes = notes.add(text(placed.middle, &point.note, SMALL, Align::Centre));
     }
-    marked
+    (!words.is_empty()).then_some(notes)
 }
 
 /// An error bar with its ends; that of a bound reaches down alone.
