@@ -22,7 +22,7 @@ use super::tables::{self, Table, across};
 use crate::quantities::summary::{ENERGY_GAP, FORCE_MAX_GAP, PARTICLES_LOST};
 
 const STYLE: [&str; 3] =
-    [include_str!("../../palette.css"), include_str!("style.css"), plots::STYLE];
+    [include_str!("../../palette.css"), plots::STYLE, include_str!("style.css")];
 const SCRIPT: [&str; 5] = [
     include_str!("script/choice.js"),
     include_str!("script/table.js"),
@@ -181,9 +181,11 @@ mod tests {
 
     #[test]
     fn nothing_is_fetched() {
-        let page = page_of(&fixture::sweep());
+        // The namespace of drawings is a name, not an address.
+        let page = page_of(&fixture::sweep()).replace("http://www.w3.org/2000/svg", "");
         for word in ["http:", "https:", "<link", "@import", "url(", "src="] {
-            assert!(!page.contains(word), "{word}");
+            let found = page.split_once(word).map(|(_, rest)| rest.get(..80));
+            assert_eq!(found, None, "{word}");
         }
     }
 
@@ -219,7 +221,7 @@ mod tests {
     #[test]
     fn films_that_are_there_are_linked() {
         let directory = fixture::sweep();
-        assert!(!page_of(&directory).contains("films/"));
+        assert!(!page_of(&directory).contains("<h2>Films</h2>"));
         let data = Loaded::read(directory.path()).unwrap();
         let row = data.finished().next().unwrap();
         let film = format!("films/{}.html", row.text(&CASE_ID));

@@ -123,7 +123,8 @@ mod tests {
     #[test]
     fn nothing_leaves_the_sheet() {
         for figure in drawn(&fixture::sweep()) {
-            let tree = roxmltree::Document::parse(&figure.svg()).unwrap();
+            let alone = figure.svg();
+            let tree = roxmltree::Document::parse(&alone).unwrap();
             let sheet = tree.root_element().attribute("viewBox").unwrap();
             let size: Vec<f64> = sheet.split(' ').map(|n| n.parse().unwrap()).collect();
             for line in tree.descendants().filter_map(|node| node.attribute("points")) {

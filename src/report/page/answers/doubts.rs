@@ -20,6 +20,10 @@ pub fn bounds(data: &Loaded) -> Option<String> {
             "No maximum is a bound: every wall had turned before its run ended.".to_owned(),
         );
     }
+    if all == 1 {
+        let why = "the wall still moved outwards when the run ended";
+        return Some(format!("The largest displacement is no more than a lower bound (≥): {why}."));
+    }
     let softest = distinct(bounds(), &SPRING_STIFFNESS);
     let up_to = softest.last().map(|stiffest| {
         let up_to = if softest.len() > 1 { "k up to" } else { "k =" };
@@ -98,6 +102,26 @@ fn without_numbers(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::fixture;
+
+    #[test]
+    fn doubtful_results_are_counted_by_reason() {
+        let directory = fixture::movable(&[0.3], &[10.0, 500.0, 1e5], &[50.0]);
+        let mut data = Loaded::read(directory.path()).unwrap();
+        for row in &mut data.rows {
+            *row = row.clone().with(&DOUBTFUL, "false");
+        }
+        assert_eq!(doubtful(&data).unwrap(), "No result is doubtful.");
+        let reasons = ["energy gap +3.1 %; the water is compressed by 6.1 %", "energy gap -5 %"];
+        for (row, reason) in data.rows.iter_mut().zip(reasons) {
+            *row = row.clone().with(&DOUBTFUL, "true").with(&DOUBTFUL_REASON, reason);
+        }
+        assert_eq!(
+            doubtful(&data).unwrap(),
+            "2 of 3 results are doubtful: energy gap … % (2) and the water is compressed by … % \
+             (1). Look at their histories first."
+        );
+    }
 
     #[test]
     fn reasons_are_told_apart_by_their_words() {

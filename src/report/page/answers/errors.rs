@@ -63,3 +63,28 @@ fn bar(data: &Loaded, &(symbol, column, relative): &(&str, &Column, bool)) -> Op
         at(worst).trim_start_matches(" at ")
     ))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantities::summary::{FORCE_ERROR, RUNUP_ERROR};
+    use crate::report::fixture;
+
+    #[test]
+    fn the_middle_and_the_worst_bar_are_told() {
+        let directory = fixture::movable(&[0.3, 0.5], &[10.0], &[50.0]);
+        let mut data = Loaded::read(directory.path()).unwrap();
+        data.rows.push(data.rows[0].clone());
+        let bars = [0.01, 0.05];
+        for (row, bar) in data.rows.iter_mut().zip(bars) {
+            *row = row.clone().with(&FIRST_FORCE_MAX, 2).with(&FORCE_ERROR, bar);
+            *row = row.clone().with(&RUNUP_ERROR, bar);
+        }
+        assert_eq!(
+            super::bars(&data).unwrap(),
+            "Error bars, in the median and at worst: F* ± 1.5 %, ± 2.5 % (H/h = 0.5, k = 10 N/m, \
+             m = 50 kg/m) and R* ± 0.03 h, ± 0.05 h (H/h = 0.5, k = 10 N/m, m = 50 kg/m). 1 case \
+             has no bar of F*."
+        );
+    }
+}

@@ -67,3 +67,31 @@ fn newtons(data: &Loaded, file: Option<&SceneFile>, row: &Row, force: f64) -> St
     };
     scale().map(told).unwrap_or_default()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::fixture;
+    use crate::report::study::Key;
+    use serde_json::json;
+
+    #[test]
+    fn a_force_is_told_in_newtons_and_a_later_one_too() {
+        let directory = fixture::movable(&[0.5], &[500.0], &[250.0]);
+        let mut data = Loaded::read(directory.path()).unwrap();
+        let text = "[scene]\nwall = \"movable\"\nstill_water_depth_m = 0.4\n[grid]";
+        data.manifest = Some(json!({ "name": "a", "sweep_file": text }));
+        let key =
+            |name: &str, cell: &str| Key { name: name.to_owned(), cells: vec![cell.to_owned()] };
+        data.keys =
+            vec![key("spring_stiffness_n_per_m", "500"), key("seawall_mass_kg_per_m", "250")];
+        data.rows[0] = data.rows[0].clone().with(&FIRST_FORCE_MAX, 2.0).with(&FORCE_MAX, 2.5);
+        let file = SceneFile::of(&data);
+        assert_eq!(
+            largest(&data, file.as_ref()).unwrap(),
+            "The largest force is F* = 2, that is 1.57 kN per metre of wall, at H/h = 0.5, k = 500 \
+             N/m, m = 250 kg/m. It is that of the first impact. A later one reaches F* = 2.5 at \
+             H/h = 0.5, k = 500 N/m, m = 250 kg/m."
+        );
+    }
+}

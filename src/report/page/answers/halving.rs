@@ -150,3 +150,60 @@ fn in_brief(groups: &[Group<'_>]) -> String {
     }
     format!(" Some wall does so in {some} of {} other comparisons.", groups.len())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantities::summary::{FIRST_FORCE_MAX, STATUS};
+
+    fn wall(wave: f64, spring: Option<(f64, f64)>, force: f64) -> Row {
+        let row = Row::default().with(&STATUS, "ok").with(&WAVE_HEIGHT_RATIO, wave);
+        let row = row.with(&FIRST_FORCE_MAX, force);
+        spring
+            .into_iter()
+            .fold(row, |row, (k, m)| row.with(&SPRING_STIFFNESS, k).with(&SEAWALL_MASS, m))
+    }
+
+    fn said(rows: &[Row]) -> Option<String> {
+        half(&Loaded { rows: rows.to_vec(), ..Loaded::default() })
+    }
+
+    /// Three stiffnesses and three masses; light and soft walls halve the force of the larger wave.
+    fn walls() -> Vec<Row> {
+        let soft = |k: f64, m: f64| if k * m <= 5000.0 { 1.9 } else { 2.5 };
+        let mut rows = Vec::new();
+        for m in [50.0, 100.0, 500.0] {
+            rows.extend([10.0, 100.0].map(|k| wall(0.5, Some((k, m)), soft(k, m))));
+            rows.push(wall(0.5, Some((1e5, m)), 4.0));
+            rows.push(wall(0.2, Some((10.0, m)), 1.5));
+            rows.push(wall(0.2, Some((1e5, m)), 1.8));
+        }
+        rows
+    }
+
+    #[test]
+    fn masses_of_the_same_stiffnesses_are_told_together() {
+        let told = "Compared with the stiffest wall at H/h = 0.5, k = 10⁵ N/m, m = 500 kg/m (F* = 4), \
+                    the force is halved by k up to 100 N/m with m = 50 kg/m; k = 10 N/m with m = 100 \
+                    and 500 kg/m. Nor does any wall at H/h = 0.2.";
+        assert_eq!(said(&walls()).unwrap(), told);
+    }
+
+    #[test]
+    fn a_fixed_wall_is_what_others_are_compared_with() {
+        let mut rows = walls();
+        rows.push(wall(0.5, None, 3.6));
+        let told = said(&rows).unwrap();
+        assert!(
+            told.starts_with("No wall halves the force on the fixed wall at H/h = 0.5"),
+            "{told}"
+        );
+        assert!(told.contains("the least is 53 % of it at H/h = 0.5, k = 10 N/m"), "{told}");
+    }
+
+    #[test]
+    fn one_stiffness_is_compared_with_nothing() {
+        assert_eq!(said(&[50.0, 100.0].map(|m| wall(0.5, Some((10.0, m)), 2.0))), None);
+        assert_eq!(said(&[]), None);
+    }
+}
