@@ -67,7 +67,8 @@ fn a_point_tells_its_case_and_opens_its_history_and_film() {
     for word in ["H/h = 0.", "N/m", "±", "Click for its history and film"] {
         assert!(tip.contains(word), "{tip}");
     }
-    assert!(number(&mut browser, "document.querySelectorAll('svg .here').length") > 1);
+    let here = format!("document.querySelectorAll(`svg .here[data-case='{id}']`).length");
+    assert!(number(&mut browser, &here) > 3, "in the histories, too");
     browser.point_at(&point, true);
     let told = browser.run("document.querySelector('#case').innerText").to_string();
     for word in ["F*", "R*", "X*", "particle_spacing_m = 0.02", "Play its film"] {

@@ -11,7 +11,7 @@ const isOn = (mark) => mark.rows.some((row) => chosen[row]);
 function groupsOf(figure) {
   if (figure.groups) return figure.groups;
   const known = new Map();
-  for (const element of figure.querySelectorAll("svg [data-case]")) {
+  for (const element of figure.querySelectorAll("[data-case]")) {
     const rows = rowsOf(element);
     if (!rows.length) continue;
     const box = element.closest(".series") || element.parentNode;
@@ -96,9 +96,9 @@ function middles(svg) {
   const box = svg.getBoundingClientRect();
   const middle = (element) => {
     const at = element.getBoundingClientRect();
-    return { element, x: ((at.left + at.right) / 2 - box.left) / box.width, y: ((at.top + at.bottom) / 2 - box.top) / box.height, small: at.width < 40 };
+    return { element, x: ((at.left + at.right) / 2 - box.left) / box.width, y: ((at.top + at.bottom) / 2 - box.top) / box.height };
   };
-  return (svg.middles = [...svg.querySelectorAll("[data-case]")].map(middle));
+  return (svg.middles = [...svg.querySelectorAll("[data-case]:not(.series)")].map(middle));
 }
 
 // The mark under the pointer, or the nearest one within a few pixels.
@@ -107,9 +107,9 @@ function markAt(svg, event) {
   if (direct && !direct.closest(".off")) return direct;
   const box = svg.getBoundingClientRect();
   let best = null, least = NEAR;
-  for (const { element, x, y, small } of middles(svg)) {
+  for (const { element, x, y } of middles(svg)) {
     const away = Math.hypot(box.left + x * box.width - event.clientX, box.top + y * box.height - event.clientY);
-    if (small && away < least && !element.closest(".off")) [best, least] = [element, away];
+    if (away < least && !element.closest(".off")) [best, least] = [element, away];
   }
   return best;
 }
@@ -126,6 +126,16 @@ function step(element, key) {
   let to = across ? Math.min(at, marks.length - 1) : at + along;
   while (marks[to]?.off) to += along || 1;
   return marks[to]?.element || null;
+}
+
+// A curve that is one case: as wide to the pointer as a point, and with its entry in the legend.
+function widen(element) {
+  element.dataset.case = element.dataset.series.slice("case=".length);
+  for (const line of element.querySelectorAll("polyline")) {
+    const reach = line.cloneNode();
+    reach.setAttribute("class", "reach");
+    line.after(reach);
+  }
 }
 
 function enter(svg) {

@@ -1,5 +1,6 @@
 // Puts it all to work.
 const grids = [...document.querySelectorAll(".listing")].map((box) => new Grid(box));
+document.querySelectorAll("figure [data-series^='case=']").forEach(widen);
 const figures = [...document.querySelectorAll("figure")].filter((figure) => figure.querySelector("[data-case]"));
 for (const figure of figures) watchers.push({ box: figure, act: () => fade(figure) });
 chooser();
