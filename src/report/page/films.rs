@@ -8,16 +8,13 @@ use crate::report::grid::escape;
 use crate::report::load::Loaded;
 use crate::report::row::Row;
 
-/// All films inside a page together, bytes.
-const ROOM: usize = 3_600_000;
-
-/// The films as one section's content; `None` where there are none.
-pub fn films(data: &Loaded) -> Option<String> {
+/// The films as one section's content, with as many of them inside as there is room for, bytes;
+/// `None` where there are none.
+pub fn films(data: &Loaded, mut room: usize) -> Option<String> {
     let filmed: Vec<_> = data.finished().filter(|row| data.has_film(row)).collect();
     if filmed.is_empty() {
         return None;
     }
-    let mut room = ROOM;
     let figures: String = filmed.iter().map(|row| figure(data, row, &mut room)).collect();
     Some(format!(
         "<p class=\"scripted\">Press Play to see the water move; the arrow keys then go from frame to \

@@ -31,6 +31,9 @@ const SCRIPT: [&str; 5] = [
     include_str!("script/start.js"),
 ];
 
+/// A page that holds films has at most so many bytes, about; what does not fit is linked.
+const MOST: usize = 4_700_000;
+
 /// What the page says of the values that papers print.
 #[derive(Debug, Clone, Default)]
 pub struct Papers {
@@ -52,7 +55,7 @@ pub fn page(
 ) -> Result<String, ReportError> {
     let name = escape(data.name().unwrap_or("seawall sweep"));
     let file = SceneFile::of(data);
-    let mut body = String::new();
+    let (mut body, mut rest) = (String::new(), String::new());
     head(&mut body, data, &name, file.as_ref(), papers);
     failures(&mut body, data);
     for figure in figures {
@@ -61,18 +64,21 @@ pub fn page(
     if let Some(papers) = papers {
         section(&mut body, "The papers", &papers.content);
     }
-    if let Some(films) = films::films(data) {
-        section(&mut body, "Films", &films);
-    }
-    tabled(&mut body, data, tables);
+    tabled(&mut rest, data, tables);
     if let Some(cost) = provenance::cost(data) {
-        section(&mut body, "Cost", &cost);
+        section(&mut rest, "Cost", &cost);
     }
     if let Some(manifest) = &data.manifest {
-        section(&mut body, "Provenance", &provenance::provenance(manifest));
+        section(&mut rest, "Provenance", &provenance::provenance(manifest));
     }
     let json = data::data(data, file.as_ref())?;
     let (style, script) = (STYLE.concat(), SCRIPT.concat());
+    let written = [&body, &rest, &json, &style, &script].map(|text| text.len());
+    let room = MOST.saturating_sub(written.iter().sum());
+    if let Some(films) = films::films(data, room) {
+        section(&mut body, "Films", &films);
+    }
+    body.push_str(&rest);
     Ok(format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\

@@ -61,7 +61,7 @@ pub fn doubtful(data: &Loaded) -> Option<String> {
             }
         }
     }
-    reasons.sort_by(|a, b| b.1.cmp(&a.1));
+    reasons.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
     let words: Vec<_> =
         reasons.iter().map(|(reason, count)| format!("{reason} ({count})")).collect();
     let are = if doubtful.len() == 1 { "is" } else { "are" };
