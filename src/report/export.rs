@@ -14,8 +14,8 @@ use super::Print;
 use super::error::ReportError;
 use super::plots::{FONT, Figure};
 
-/// Width in millimetres, and panels side by side.
-const WIDTHS: [(f64, usize); 2] = [(84.0, 1), (174.0, 2)];
+/// Width in millimetres, and panels side by side, at most.
+const WIDTHS: [(f64, usize); 2] = [(84.0, 1), (174.0, 3)];
 /// What a journal's page has room for, millimetres.
 const TALLEST: f64 = 230.0;
 /// Of PNG, dots in an inch: what journals ask for line drawings.
@@ -30,7 +30,10 @@ pub fn write(
 ) -> Result<Vec<PathBuf>, ReportError> {
     let mut paths = Vec::new();
     for (width, columns) in WIDTHS {
-        if columns > figure.drawing.charts.len() {
+        let (charts, most) = (figure.drawing.charts.len(), figure.drawing.layout.columns);
+        let columns = columns.min(most);
+        // One panel over the whole page would be all too large.
+        if columns > 1 && charts == 1 {
             continue;
         }
         let pages = figure.drawing.pages(columns, TALLEST / width);
@@ -128,7 +131,7 @@ mod tests {
         reader.next_frame(&mut bytes).unwrap();
         // The title of the first vertical axis stands at the left edge, and nothing else does.
         let wide = reader.info().width as usize * 3;
-        let dark = bytes.chunks(wide).flat_map(|row| &row[60..120]).filter(|c| **c < 90).count();
+        let dark = bytes.chunks(wide).flat_map(|row| &row[170..390]).filter(|c| **c < 90).count();
         assert!(dark > 500, "{dark}");
     }
 

@@ -47,7 +47,7 @@ impl Bar {
     pub fn draw(&self, left: f64) -> Group {
         let from = left + width(&self.title, NORMAL) + 10.0;
         let middle = 2.0 + STRIP / 2.0;
-        let mut bar = drawn(group("axis bar").set("color", INK));
+        let mut bar = drawn(group("axis bar ink").set("color", INK));
         bar = bar.add(text((left, middle), &self.title, NORMAL, Align::Left).set("class", "title"));
         let piece = WIDE / PIECES as f64;
         for index in 0..PIECES {

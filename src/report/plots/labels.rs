@@ -5,10 +5,12 @@ const MARKER: f64 = 6.0;
 /// Air around words, CSS pixels.
 const AIR: f64 = 2.0;
 /// How far from their point words may stand, the nearest first, CSS pixels.
-const DISTANCES: [f64; 14] =
-    [8.0, 12.0, 17.0, 23.0, 30.0, 38.0, 47.0, 57.0, 68.0, 80.0, 95.0, 115.0, 140.0, 170.0];
+const DISTANCES: [f64; 18] = [
+    8.0, 12.0, 17.0, 23.0, 30.0, 38.0, 47.0, 57.0, 68.0, 80.0, 95.0, 115.0, 140.0, 170.0, 205.0,
+    245.0, 290.0, 340.0,
+];
 /// Directions that are tried, of a full turn.
-const DIRECTIONS: usize = 24;
+const DIRECTIONS: usize = 36;
 /// From here on a line leads from the point to its words, CSS pixels.
 const LED: f64 = 13.0;
 
@@ -29,6 +31,11 @@ impl Field {
     fn is_in(&self, Field(b): &Field) -> bool {
         let Field(a) = self;
         a[0] >= b[0] && a[1] >= b[1] && a[2] <= b[2] && a[3] <= b[3]
+    }
+
+    fn holds(&self, (x, y): (f64, f64)) -> bool {
+        let Field(a) = self;
+        a[0] <= x && x <= a[2] && a[1] <= y && y <= a[3]
     }
 
     /// The place in it that is nearest to a point.
@@ -62,15 +69,24 @@ pub fn place(
     let mut placed = Vec::new();
     for &(point, wide) in words {
         let size = (wide + 2.0 * AIR, high + AIR);
-        let found = candidates(point, size).find(|(field, distance)| {
-            let free = |taken: &[Field]| !taken.iter().any(|other| field.meets(other));
-            let lead = along(&[point, field.nearest(point)]).collect::<Vec<_>>();
-            let crosses = *distance >= LED
-                && lead
-                    .iter()
-                    .any(|at| said.iter().any(|other| Field::around(*at, 1.0, 1.0).meets(other)));
-            field.is_in(&inside) && free(&taken) && free(&said) && !crosses
-        });
+        let away = away(point, words);
+        let free = |field: &Field, fields: &[Field]| !fields.iter().any(|other| field.meets(other));
+        let fits = |(field, _): &(Field, f64)| {
+            field.is_in(&inside) && free(field, &taken) && free(field, &said)
+        };
+        // A line from a point to its words crosses no words; and nothing else, if that can be had.
+        let leads = |(field, distance): &(Field, f64), others: &[&[Field]]| {
+            let lead: Vec<_> = along(&[point, field.nearest(point)]).collect();
+            let beyond = lead.iter().filter(|at| !Field::around(point, 8.0, 8.0).holds(**at));
+            let clear = |at: &(f64, f64)| {
+                others.iter().all(|fields| free(&Field::around(*at, 1.0, 1.0), fields))
+            };
+            *distance < LED || beyond.into_iter().all(clear)
+        };
+        let search = |others: &[&[Field]]| {
+            candidates(point, size, away).find(|place| fits(place) && leads(place, others))
+        };
+        let found = search(&[&said, &taken]).or_else(|| search(&[&said])).or_else(|| search(&[]));
         placed.push(found.map(|(field, distance)| {
             said.push(field);
             let end = field.nearest(point);
@@ -85,13 +101,29 @@ pub fn place(
     placed
 }
 
-/// Fields around a point, the nearest first, with their distance.
-fn candidates((x, y): (f64, f64), (wide, high): (f64, f64)) -> impl Iterator<Item = (Field, f64)> {
+/// The direction in which a point has the fewest others, so that lines lead out of a crowd; to the
+/// right and a little up where it stands alone.
+fn away((x, y): (f64, f64), words: &[((f64, f64), f64)]) -> f64 {
+    let push = |sum: (f64, f64), ((a, b), _): &((f64, f64), f64)| {
+        let (dx, dy) = (x - a, y - b);
+        let square = dx * dx + dy * dy;
+        if square < 1e-9 { sum } else { (sum.0 + dx / square, sum.1 + dy / square) }
+    };
+    let (dx, dy) = words.iter().fold((0.0, 0.0), push);
+    if libm::hypot(dx, dy) < 0.1 { -0.4 } else { libm::atan2(dy, dx) }
+}
+
+/// Fields around a point, the nearest first and those in the wanted direction before others, with
+/// their distance.
+fn candidates(
+    (x, y): (f64, f64),
+    (wide, high): (f64, f64),
+    wanted: f64,
+) -> impl Iterator<Item = (Field, f64)> {
     DISTANCES.into_iter().flat_map(move |distance| {
         (0..DIRECTIONS).map(move |index| {
-            // To the right and a little up is where one looks first.
             let turn = (index as f64 / 2.0).ceil() * if index % 2 == 0 { 1.0 } else { -1.0 };
-            let angle = std::f64::consts::TAU * (turn / DIRECTIONS as f64) - 0.4;
+            let angle = std::f64::consts::TAU * (turn / DIRECTIONS as f64) + wanted;
             let (sine, cosine) = libm::sincos(angle);
             let aside = |share: f64, size: f64| (1.6 * share).clamp(-1.0, 1.0) * size / 2.0;
             let middle = (
@@ -121,10 +153,10 @@ mod tests {
 
     #[test]
     fn sixty_words_in_a_crowd_cover_nothing() {
-        // Points of a low-discrepancy sequence, drawn together towards a corner.
+        // Points of a low-discrepancy sequence, drawn together towards a side.
         let point = |index: u32| {
             let (a, b) = (f64::from(index) * 0.618_034 % 1.0, f64::from(index) * 0.754_878 % 1.0);
-            ((60.0 + 640.0 * a * a, 30.0 + 420.0 * b * b), 70.0)
+            ((60.0 + 640.0 * a * a, 30.0 + 420.0 * b), 70.0)
         };
         let words: Vec<_> = (1..=60).map(point).collect();
         let inside = Field([0.0, 0.0, 760.0, 520.0]);

@@ -3,7 +3,7 @@
 use svg::node::element::{Group, SVG};
 
 use super::look::Look;
-use super::pen::{Align, INK, line, strokes, text};
+use super::pen::{Align, INK, line, text};
 use super::text::{NORMAL, width};
 use super::trace::arrow;
 
@@ -62,7 +62,7 @@ impl Entry {
         let Some(bound) = self.marker else { return sample };
         let (x, y) = (left + SAMPLE / 2.0, if bound { y + 4.0 } else { y });
         if bound {
-            sample = sample.add(strokes("arrow", &arrow((x, y)), 1.2));
+            sample = sample.add(arrow((x, y)));
         }
         sample.add(self.look.marker((x, y), bound))
     }
@@ -95,6 +95,7 @@ pub fn list(entries: &[Entry]) -> String {
             .set("viewBox", (0.0, 0.0, SAMPLE, ROW))
             .set("aria-hidden", "true")
             .add(entry.sample(0.0, ROW / 2.0));
+        let sample = super::sheet::bare(&sample);
         let words = crate::report::grid::escape(&entry.label);
         let key = crate::report::grid::escape(&entry.key);
         format!("<li data-series=\"{key}\">{sample}{words}</li>")

@@ -52,10 +52,81 @@ impl Look {
     /// A marker; open ones show the ground inside.
     pub fn marker(self, at: (f64, f64), open: bool) -> Path {
         let shape = self.series.map_or(0, |index| index % shape::COUNT);
-        let path = Path::new().set("d", outline(shape, at)).set("stroke-width", 1.3);
+        let path = Path::new().set("d", outline(shape, at));
         if open {
             return path.set("class", "mark open").set("fill", GROUND);
         }
         path.set("class", "mark").set("fill", "currentColor")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::eyes::{EYES, apart, contrast, grey, parse};
+    use super::*;
+
+    /// The second set of hues, as the page's style has them.
+    fn dark() -> Vec<String> {
+        let style = super::super::STYLE.split("prefers-color-scheme: dark").nth(1).unwrap();
+        let hue = |index: usize| {
+            let after = style.split(&format!("--hue-{index}: ")).nth(1).unwrap();
+            after.split(';').next().unwrap().to_owned()
+        };
+        (0..HUES.len()).map(hue).collect()
+    }
+
+    fn sets() -> [(Vec<String>, &'static str); 2] {
+        [(HUES.map(str::to_owned).to_vec(), GROUND), (dark(), "#14181c")]
+    }
+
+    #[test]
+    fn hues_differ_to_every_eye_and_in_grey() {
+        for (hues, _) in sets() {
+            let hues: Vec<_> = hues.iter().map(|hue| parse(hue)).collect();
+            for (index, a) in hues.iter().enumerate() {
+                for b in &hues[..index] {
+                    for (eye, matrix) in EYES {
+                        let apart = apart(*a, *b, matrix);
+                        assert!(apart > 20.0, "{eye}: {a:?} and {b:?} are {apart:.1} apart");
+                    }
+                    assert!((grey(*a) - grey(*b)).abs() > 5.0, "grey: {a:?} and {b:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn hues_stand_out_from_the_ground() {
+        for (hues, ground) in sets() {
+            for hue in hues {
+                let ratio = contrast(parse(&hue), parse(ground));
+                assert!(ratio >= 3.0, "{hue} on {ground}: {ratio:.2}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_page_in_light_has_the_hues_of_a_file() {
+        for (index, hue) in HUES.iter().enumerate() {
+            assert!(super::super::STYLE.contains(&format!("--hue-{index}: {hue};")), "{hue}");
+        }
+    }
+
+    #[test]
+    fn no_two_of_24_series_look_alike_and_no_two_of_six_share_a_trait() {
+        let traits = |index: usize| {
+            let look = Look::of(index);
+            let shape = look.marker((0.0, 0.0), false).to_string();
+            (look.group("a").to_string(), look.dash(), shape)
+        };
+        for a in 0..24 {
+            for b in 0..a {
+                let (a_has, b_has) = (traits(a), traits(b));
+                assert_ne!(a_has, b_has, "{a} {b}");
+                let shared = a_has.0 == b_has.0 || a_has.1 == b_has.1 || a_has.2 == b_has.2;
+                assert!(a >= 6 || !shared, "{a} {b}");
+            }
+        }
+        assert!(!DASHES.contains(&DOTS));
     }
 }

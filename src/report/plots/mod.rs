@@ -6,6 +6,8 @@ mod accuracy;
 mod axes;
 mod bar;
 mod chart;
+#[cfg(test)]
+mod eyes;
 mod fixed_wall;
 mod history;
 mod labels;
@@ -113,7 +115,7 @@ mod tests {
                 assert!(tree.descendants().any(|node| node.has_tag_name((SVG, "text"))));
                 let page = figure.inline();
                 roxmltree::Document::parse(&page).unwrap();
-                assert!(!page.contains("http") && !page.contains("#000000"), "{}", figure.name);
+                assert!(!page.contains("http") && !page.contains("NaN"), "{}", figure.name);
             }
         }
     }
@@ -142,8 +144,8 @@ mod tests {
         let names = |directory: &_| -> String {
             drawn(directory).iter().map(|figure| format!("{} ", figure.name)).collect()
         };
-        let movable = "response-displacement response-force response-runup history-wave-0.3 \
-                       history-wave-0.5 ";
+        let movable = "response-displacement response-force response-runup against-stiffness \
+                       against-mass against-wave history-wave-0.3 history-wave-0.5 ";
         assert_eq!(names(&fixture::sweep()), movable);
         let fixed = "fixed-wall history-wave-0.1 history-wave-0.2 history-wave-0.3 \
                      history-wave-0.4 history-wave-0.5 history-wave-0.6 ";
@@ -160,10 +162,47 @@ mod tests {
     }
 
     #[test]
-    fn only_truncated_displacements_have_open_markers() {
+    fn bounds_are_open_with_an_arrow_and_only_dots_go_through_them() {
+        let mut seen = 0;
         for figure in drawn(&fixture::sweep()) {
-            let open = figure.svg().contains("fill=\"#FFFFFF\"");
-            assert_eq!(open, figure.name == "response-displacement", "{}", figure.name);
+            let alone = figure.svg();
+            let tree = roxmltree::Document::parse(&alone).unwrap();
+            let class = |node: &roxmltree::Node, class: &str| {
+                node.attribute("class").is_some_and(|own| own.split(' ').any(|one| one == class))
+            };
+            for series in tree.descendants().filter(|node| class(node, "series")) {
+                let solid = |node: &roxmltree::Node| class(node, "line") && !class(node, "loose");
+                let lines: Vec<_> = series.children().filter(solid).collect();
+                for point in series.children().filter(|node| class(node, "point")) {
+                    let told = point.descendants().find(|node| node.has_tag_name((SVG, "title")));
+                    let bound = told.unwrap().text().unwrap().contains('≥');
+                    let mark = point.children().find(|node| class(node, "mark")).unwrap();
+                    assert_eq!(bound, class(&mark, "open"));
+                    assert_eq!(bound, point.children().any(|node| class(&node, "arrow")));
+                    let at = mark.attribute("d").unwrap().split('m').next().unwrap();
+                    let at = at.trim_start_matches('M').replace(' ', ",");
+                    let through = |line: &roxmltree::Node| {
+                        line.attribute("points").unwrap().split(' ').any(|corner| corner == at)
+                    };
+                    assert!(!bound || !lines.iter().any(through), "{at}");
+                    seen += usize::from(bound);
+                }
+            }
+        }
+        assert!(seen > 3, "{seen}");
+    }
+
+    #[test]
+    fn points_and_panels_say_what_they_stand_for() {
+        let page = drawn(&fixture::sweep())[0].inline();
+        for word in [
+            "data-x=\"log10_k_star\" data-y=\"displacement_max\"",
+            "data-panel=\"m_star=1.25\"",
+            "data-series=\"wave_height_ratio=0.5\"",
+            "data-case=\"case-0000\"",
+            "<title>H/h = 0.3, k = 10 N/m, m = 50 kg/m: X* max ",
+        ] {
+            assert!(page.contains(word), "{word}");
         }
     }
 

@@ -129,8 +129,15 @@ impl<'a> Frame<'a> {
         let short = chart.x.minor.iter().map(|at| stroke(*at, 0.5 * STROKE));
         axis = axis.add(strokes("strokes", &long.chain(short).collect::<Vec<_>>(), 1.0));
         let below = bottom + STROKE + 4.0 + SMALL / 2.0;
+        let mut free = f64::NEG_INFINITY;
         for tick in &chart.x.ticks {
-            let label = text((self.x(tick.at), below), &tick.label, SMALL, Align::Centre);
+            let (x, half) = (self.x(tick.at), width(&tick.label, SMALL) / 2.0);
+            // Words that would run into those before are left out; their stroke stays.
+            if tick.label.is_empty() || x - half < free {
+                continue;
+            }
+            free = x + half + 3.0;
+            let label = text((x, below), &tick.label, SMALL, Align::Centre);
             axis = axis.add(label.set("class", "tick"));
         }
         let under = below + SMALL / 2.0 + 6.0 + NORMAL / 2.0;

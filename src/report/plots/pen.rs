@@ -30,7 +30,8 @@ pub fn group(class: &str) -> Group {
 
 /// A group of strokes, drawn in its colour.
 pub fn drawn(group: Group) -> Group {
-    group.set("fill", "none").set("stroke", "currentColor").set("stroke-linejoin", "round")
+    let group = group.set("fill", "none").set("stroke", "currentColor");
+    group.set("stroke-width", 1.2).set("stroke-linejoin", "round")
 }
 
 /// One line of text, `size` pixels high, centred vertically on its point.

@@ -27,6 +27,9 @@ pub struct Layout {
 /// Three panels in a row of a page, one on a telephone.
 pub const PANELS: Layout = Layout { columns: 3, size: (296.0, 226.0) };
 
+/// A panel of three in a row of a journal's page.
+const SMALL: (f64, f64) = (214.0, 186.0);
+
 /// Panels and their legend.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drawing {
@@ -45,16 +48,19 @@ impl Drawing {
     }
 
     /// The drawing on one sheet or, where that were higher than `tallest` times its width, on several;
-    /// each with the legend, and its width in pixels.
+    /// each with the legend, and its width in pixels. Three panels in a row are drawn small, so that
+    /// words are large enough on paper.
     pub fn pages(&self, columns: usize, tallest: f64) -> Vec<(String, f64)> {
         let columns = columns.min(self.charts.len()).max(1);
-        let (wide, high) = (self.layout.size.0 + GAP, self.layout.size.1 + GAP);
+        let size = if columns > 2 { SMALL } else { self.layout.size };
+        let layout = Layout { size, ..self.layout };
+        let (wide, high) = (size.0 + GAP, size.1 + GAP);
         let sheet = 2.0 * EDGE + columns as f64 * wide - GAP;
         let (_, legend) = rows(&self.entries(), EDGE + 6.0, sheet - EDGE);
         let above = legend + if self.bar.is_some() { bar::HEIGHT } else { 0.0 };
         let room = (tallest * sheet - 2.0 * EDGE - above + GAP) / high;
         let page = |charts: &[Chart]| {
-            let part = Drawing { charts: charts.to_vec(), ..self.clone() };
+            let part = Drawing { charts: charts.to_vec(), layout, ..self.clone() };
             (part.sheet(columns, self.entries()), sheet)
         };
         self.charts.chunks(columns * (room.max(1.0) as usize)).map(page).collect()
@@ -102,16 +108,18 @@ impl Drawing {
                 .set("role", "img")
                 .set("aria-label", said.trim_end())
                 .add(Frame::new(chart, margins, self.layout.size).draw());
-            panel.to_string().replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1)
+            bare(&panel)
         };
         let panels: String = self.charts.iter().map(panel).collect();
         let entries = self.entries();
         let mut legend = if entries.is_empty() { String::new() } else { list(&entries) };
         if let Some(bar) = &self.bar {
-            let svg = root((bar.width(), bar::HEIGHT), None).add(bar.draw(2.0)).to_string();
-            legend.push_str(&svg.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1));
+            legend.push_str(&bare(&root((bar.width(), bar::HEIGHT), None).add(bar.draw(2.0))));
         }
-        format!("<div class=\"plot\">{legend}<div class=\"panels\">{panels}</div></div>")
+        let wide = self.layout.size.0;
+        format!(
+            "<div class=\"plot\" style=\"--panel: {wide}px\">{legend}<div class=\"panels\">{panels}</div></div>"
+        )
     }
 
     /// What the legend says: every curve with words, once.
@@ -124,6 +132,12 @@ impl Drawing {
         }
         entries
     }
+}
+
+/// An SVG as it stands in a page: without a namespace, and without breaks between its elements.
+pub fn bare(svg: &SVG) -> String {
+    let text = svg.to_string().replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
+    text.replace(">\n", ">").replace("\n<", "<")
 }
 
 fn root(size: (f64, f64), chart: Option<&Chart>) -> SVG {

@@ -179,7 +179,7 @@ mod tests {
         let labels = |axis: &Axis| -> Vec<String> {
             axis.ticks.iter().map(|tick| tick.label.clone()).collect()
         };
-        assert_eq!(labels(&chart.x), ["0.1", "1", "10", "100", "1000", "10⁴", "10⁵"][..].to_vec());
+        assert_eq!(labels(&chart.x), ["0.1", "10", "1000", "10⁵"]);
         assert!(chart.y.ticks.len() >= 4 && !chart.y.holds(0.0));
     }
 

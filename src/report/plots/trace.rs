@@ -1,6 +1,6 @@
 //! Draws a curve: its line, its bars, its markers.
 
-use svg::node::element::{Group, Polyline};
+use svg::node::element::{Group, Path, Polyline};
 
 use super::chart::{Cell, Curve, Point};
 use super::labels::place;
@@ -9,10 +9,6 @@ use super::panel::Frame;
 use super::pen::{Align, drawn, group, line, strokes, text, told};
 use super::shape::tidy;
 use super::text::{SMALL, width};
-
-/// Length of the arrow on a bound, and half the width of its head, CSS pixels.
-const ARROW: f64 = 12.0;
-const HEAD: f64 = 2.6;
 
 /// All that a curve has in a panel.
 pub fn series(frame: &Frame, curve: &Curve) -> Group {
@@ -58,10 +54,10 @@ fn marked(frame: &Frame, point: &Point, look: Look) -> Group {
         marked = marked.add(told(&point.told));
     }
     if point.error > 0.0 {
-        marked = marked.add(strokes("bar", &bar(frame, point), 1.1));
+        marked = marked.add(Path::new().set("class", "bar").set("d", bar(frame, point)));
     }
     if point.bound {
-        marked = marked.add(strokes("arrow", &arrow((x, y)), 1.2));
+        marked = marked.add(arrow((x, y)));
     }
     marked.add(look.marker((x, y), point.open || point.bound))
 }
@@ -89,21 +85,19 @@ pub fn notes(frame: &Frame, curves: &[Curve]) -> Option<Group> {
 }
 
 /// An error bar with its ends; that of a bound reaches down alone.
-fn bar(frame: &Frame, point: &Point) -> Vec<[(f64, f64); 2]> {
+fn bar(frame: &Frame, point: &Point) -> String {
     let up = if point.bound { 0.0 } else { point.error };
     let (x, low) = frame.at(point.x, point.y - point.error);
     let (_, high) = frame.at(point.x, point.y + up);
-    let end = |y: f64| [(x - 2.5, y), (x + 2.5, y)];
-    let mut bar = vec![[(x, low), (x, high)], end(low)];
-    bar.extend((!point.bound).then(|| end(high)));
-    bar
+    let (x, low, high) = (tidy(x), tidy(low), tidy(high));
+    let foot = format!("M{x} {high}V{low}m-2.5 0h5");
+    if point.bound { foot } else { format!("{foot}M{} {high}h5", tidy(x - 2.5)) }
 }
 
 /// An arrow that points upwards from a marker.
-pub fn arrow((x, y): (f64, f64)) -> [[(f64, f64); 2]; 3] {
-    let tip = (x, y - ARROW);
-    let wing = |side: f64| [(x + side * HEAD, tip.1 + 1.4 * HEAD), tip];
-    [[(x, y - 3.0), tip], wing(-1.0), wing(1.0)]
+pub fn arrow((x, y): (f64, f64)) -> Path {
+    let path = format!("M{} {}v-9m-2.6 3.6l2.6-3.6l2.6 3.6", tidy(x), tidy(y - 3.0));
+    Path::new().set("class", "arrow").set("d", path)
 }
 
 /// A field of a map with its number.
