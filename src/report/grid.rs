@@ -3,6 +3,7 @@
 
 use std::fmt::Write as _;
 
+use super::markup::escape;
 use super::number;
 use super::tables::Table;
 use crate::quantities::heading;
@@ -66,11 +67,6 @@ fn is_numeric(table: &Table, column: usize) -> bool {
 
 fn doubtful(column: &str, cell: &str) -> bool {
     column == DOUBTFUL_REASON.name && !cell.is_empty()
-}
-
-/// Text as it may stand between tags and in attributes.
-pub(super) fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]

@@ -4,8 +4,8 @@
 use serde_json::Value;
 
 use crate::quantities::summary::CASE_ID;
-use crate::report::grid::escape;
 use crate::report::load::Loaded;
+use crate::report::markup::escape;
 use crate::report::row::Row;
 
 /// The films as one section's content, with as many of them inside as there is room for, bytes;

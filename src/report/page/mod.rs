@@ -14,8 +14,9 @@ mod words;
 use std::fmt::Write as _;
 
 use super::error::ReportError;
-use super::grid::{escape, grid};
+use super::grid::grid;
 use super::load::Loaded;
+use super::markup::escape;
 use super::plots::{self, Figure};
 use super::scene_file::SceneFile;
 use super::tables::{self, Table, across};

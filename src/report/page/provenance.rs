@@ -7,8 +7,8 @@ use serde_json::Value;
 use super::answers::most;
 use super::words::{at, counted, median};
 use crate::quantities::summary::{PAIR_EVALUATIONS, PARTICLES, STEPS, WALL_TIME};
-use crate::report::grid::escape;
 use crate::report::load::Loaded;
+use crate::report::markup::escape;
 use crate::report::number::{plain, significant};
 
 /// What the cases cost; `None` where no case says.
@@ -76,9 +76,8 @@ pub fn provenance(manifest: &Value) -> String {
     lines.retain(|(_, value)| !value.is_empty());
     let list = format!("<dl>{}</dl>", lines.iter().map(line).collect::<String>());
     let file = manifest.get("sweep_file").and_then(Value::as_str).filter(|file| !file.is_empty());
-    let file = file.map(|file| {
-        format!("<h3>The file as written</h3>\n<pre class=\"wide\">{}</pre>", escape(file))
-    });
+    let file =
+        file.map(|file| format!("<h3>The file as written</h3>\n<pre>{}</pre>", escape(file)));
     list + &file.unwrap_or_default()
 }
 
@@ -128,7 +127,7 @@ mod tests {
         let text = provenance(&manifest);
         assert!(text.contains("<dt>git commit</dt><dd>abc</dd>"), "{text}");
         assert!(text.contains("<dd>2026-01-01T00:00:00Z, 12.3 s, threads, here (2 threads)</dd>"));
-        assert!(text.contains("<pre class=\"wide\">name = &quot;a&quot;\n# k &lt; 5\n</pre>"));
+        assert!(text.contains("<pre>name = &quot;a&quot;\n# k &lt; 5\n</pre>"));
         assert!(!text.contains("overrides"), "what is empty is left out: {text}");
     }
 }

@@ -96,8 +96,8 @@ pub fn list(entries: &[Entry]) -> String {
             .set("aria-hidden", "true")
             .add(entry.sample(0.0, ROW / 2.0));
         let sample = super::sheet::bare(&sample);
-        let words = crate::report::grid::escape(&entry.label);
-        let key = crate::report::grid::escape(&entry.key);
+        let words = crate::report::markup::escape(&entry.label);
+        let key = crate::report::markup::escape(&entry.key);
         format!("<li data-series=\"{key}\">{sample}{words}</li>")
     };
     format!("<ul class=\"legend\">{}</ul>", entries.iter().map(item).collect::<String>())

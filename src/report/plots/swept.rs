@@ -18,7 +18,7 @@ use crate::report::row::Row;
 use crate::report::study::Key;
 
 /// What is drawn, and what stands in for it where a case has no first impact.
-const DRAWN: [(&'static Column, Option<&'static Column>); 3] = [
+const DRAWN: [(&Column, Option<&Column>); 3] = [
     (&FIRST_FORCE_MAX, Some(&FORCE_MAX)),
     (&FIRST_RUNUP_MAX, Some(&RUNUP_MAX)),
     (&DISPLACEMENT_MAX, None),

@@ -132,7 +132,7 @@ function show(row, from) {
   if (data.scenes) {
     const copy = make("button", { type: "button", className: "copy", textContent: "Copy scene file" });
     copy.addEventListener("click", () => copyScene(row, copy));
-    parts.push(make("h3", { textContent: "For seawall run" }), copy, make("pre", { className: "wide", tabIndex: 0, textContent: scene(row) }));
+    parts.push(make("h3", { textContent: "For seawall run" }), copy, make("pre", { tabIndex: 0, textContent: scene(row) }));
   }
   const file = "histories/" + id + ".csv";
   if (drawn.length || data.cut) parts.push(make("p", { className: "file" }, make("a", { href: file, textContent: file })));
