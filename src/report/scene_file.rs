@@ -40,6 +40,11 @@ impl SceneFile {
         })
     }
 
+    /// The kind of the scene, as the file states it.
+    pub fn kind(&self) -> Option<&str> {
+        self.scene.get("kind")?.as_str()
+    }
+
     /// The case of a row, whose swept keys have these cells; `None` where it is not a valid one.
     pub fn config(&self, cells: &[&str]) -> Option<CaseConfig> {
         let (scene, numerics) = self.tables(cells);

@@ -52,6 +52,10 @@ pub fn doubtful(data: &Loaded) -> Option<String> {
     if doubtful.is_empty() {
         return Some("No result is doubtful.".to_owned());
     }
+    if all == 1 {
+        let why = doubtful[0].text(&DOUBTFUL_REASON);
+        return Some(format!("The result is doubtful: {why}. Look at its history first."));
+    }
     let mut reasons: Vec<(String, usize)> = Vec::new();
     for row in &doubtful {
         for reason in kinds(row.text(&DOUBTFUL_REASON)) {

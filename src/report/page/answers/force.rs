@@ -30,12 +30,9 @@ pub fn largest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
     let (row, force) = most(data.finished(), |row| row.number(column(row)))?;
     let alone = data.rows.len() == 1;
     let is = if alone { "The largest force is" } else { "The largest force of all is" };
-    let mut text = format!(
-        "{is} {}{}{}.",
-        result("F*", row, column(row))?,
-        newtons(data, file, row, force),
-        at(row)
-    );
+    let (newtons, place) = (newtons(data, file, row, force), at(row));
+    let comma = if newtons.is_empty() || place.is_empty() { "" } else { "," };
+    let mut text = format!("{is} {}{newtons}{comma}{place}.", result("F*", row, column(row))?);
     if column(row) == &FIRST_FORCE_MAX {
         text.push_str(" It is that of the first impact.");
         text.push_str(&later(data, force).unwrap_or_default());
@@ -63,7 +60,7 @@ fn newtons(data: &Loaded, file: Option<&SceneFile>, row: &Row, force: f64) -> St
     };
     let told = |scale: f64| {
         let force = number::significant(force * scale / 1000.0, 3);
-        format!(", that is {force} kN per metre of wall,")
+        format!(", that is {force} kN per metre of wall")
     };
     scale().map(told).unwrap_or_default()
 }

@@ -5,11 +5,14 @@ use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RAT
 use crate::report::curves::distinct;
 use crate::report::load::Loaded;
 use crate::report::number;
-use crate::report::page::words::{at, listed, percent};
+use crate::report::page::words::{at, listed, percent, range};
 use crate::report::row::{Row, label};
 
 /// Keys that tell walls of one wave apart.
 const OF_THE_WALL: [&str; 3] = [SPRING_STIFFNESS.name, SEAWALL_MASS.name, "wall"];
+
+/// Walls are told one by one up to so many letters.
+const LONG: usize = 240;
 
 /// Finished cases that differ in their wall alone, and the one that they are compared with.
 struct Group<'a> {
@@ -75,6 +78,16 @@ impl<'a> Group<'a> {
         let kind = if self.stiffest.is_fixed() { "the fixed wall" } else { "the stiffest wall" };
         let held = format!("{kind}{} (F* = {})", at(self.stiffest), number::plain(whole));
         let walls = self.walls();
+        if walls.iter().map(String::len).sum::<usize>() > LONG {
+            let stiffest = most(self.halved(), |row| row.number(&SPRING_STIFFNESS));
+            return format!(
+                "Compared with {held}, the force is halved by {} of {} walls; the stiffest of them is \
+                 that{}.",
+                self.halved().count(),
+                self.rows.iter().filter(|row| !row.is_fixed()).count(),
+                stiffest.map(|(row, _)| at(row)).unwrap_or_default()
+            );
+        }
         if !walls.is_empty() {
             return format!("Compared with {held}, the force is halved by {}.", walls.join("; "));
         }
@@ -126,29 +139,22 @@ fn stiffnesses(these: &[f64], all: &[f64]) -> String {
 
 /// The other waves in one sentence.
 fn in_brief(groups: &[Group<'_>]) -> String {
-    let waves: Vec<_> =
-        groups.iter().map(|group| group.stiffest.number(&WAVE_HEIGHT_RATIO)).collect();
-    let mut sorted: Vec<f64> = waves.iter().copied().flatten().collect();
-    sorted.sort_by(f64::total_cmp);
-    sorted.dedup();
-    let of = |halved: bool| {
-        let has = |group: &&Group<'_>| (group.halved().count() > 0) == halved;
-        let found: Vec<_> = groups.iter().filter(has).collect();
-        let mut waves: Vec<f64> =
-            found.iter().filter_map(|group| group.stiffest.number(&WAVE_HEIGHT_RATIO)).collect();
-        waves.sort_by(f64::total_cmp);
-        let words: Vec<_> = waves.iter().map(|wave| number::plain(*wave)).collect();
-        (found.len(), listed(&words))
+    let waves = |halved: bool| {
+        let is = |group: &&Group<'_>| group.halved().next().is_some() == halved;
+        distinct(groups.iter().filter(is).map(|group| group.stiffest), &WAVE_HEIGHT_RATIO)
     };
-    let ((some, with), (none, without)) = (of(true), of(false));
-    if sorted.len() == groups.len() {
-        return match (some, none) {
-            (0, _) => format!(" Nor does any wall at H/h = {without}."),
-            (_, 0) => format!(" Some wall does so at H/h = {with}, too."),
-            _ => format!(" Some wall does so at H/h = {with}, none at H/h = {without}."),
-        };
+    let (some, none) = (waves(true), waves(false));
+    if some.len() + none.len() < groups.len() {
+        let halved = groups.iter().filter(|group| group.halved().next().is_some()).count();
+        return format!(" Some wall does so in {halved} of {} other comparisons.", groups.len());
     }
-    format!(" Some wall does so in {some} of {} other comparisons.", groups.len())
+    match (range(&some, ""), range(&none, "")) {
+        (_, without) if some.is_empty() => format!(" Nor does any wall at H/h = {without}."),
+        (with, _) if none.is_empty() => format!(" Some wall does so at H/h = {with}, too."),
+        (with, without) => {
+            format!(" Some wall does so at H/h = {with}, none at H/h = {without}.")
+        }
+    }
 }
 
 #[cfg(test)]
@@ -199,6 +205,18 @@ mod tests {
             "{told}"
         );
         assert!(told.contains("the least is 53 % of it at H/h = 0.5, k = 10 N/m"), "{told}");
+    }
+
+    #[test]
+    fn many_walls_are_counted() {
+        let mut rows = vec![wall(0.5, Some((1e5, 50.0)), 4.0)];
+        for index in 0..200 {
+            let force = if index % 3 == 0 { 1.5 } else { 2.5 };
+            rows.push(wall(0.5, Some((10.0 + f64::from(index), 50.0)), force));
+        }
+        let told = "the force is halved by 67 of 201 walls; the stiffest of them is that at H/h = 0.5, \
+                    k = 208 N/m, m = 50 kg/m.";
+        assert!(said(&rows).unwrap().ends_with(told), "{:?}", said(&rows));
     }
 
     #[test]

@@ -24,7 +24,7 @@ pub struct Answer {
 /// All that can be said.
 pub fn all(data: &Loaded, file: Option<&SceneFile>) -> Vec<Answer> {
     let answers = [
-        ("What was run", Some(run::what(data))),
+        ("What was run", Some(run::what(data, file))),
         ("Failed", run::failed(data)),
         ("Largest force", force::largest(data, file)),
         ("Half the force", halving::half(data)),

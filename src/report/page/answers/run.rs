@@ -9,12 +9,16 @@ use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::page::words::{counted, listed, range};
 use crate::report::row::PLACE;
+use crate::report::scene_file::SceneFile;
 use crate::report::study::Key;
 
 /// How many cases, of what, and how many of them are finished.
-pub fn what(data: &Loaded) -> String {
+pub fn what(data: &Loaded, file: Option<&SceneFile>) -> String {
     let cases = data.rows.len() + data.left();
-    let over: Vec<_> = swept(data);
+    // What waves and walls do not tell by themselves.
+    let kind = file.and_then(SceneFile::kind).filter(|kind| *kind != "seawall");
+    let over: Vec<_> =
+        kind.map(|kind| kind.replace('-', " ")).into_iter().chain(swept(data)).collect();
     let over = if over.is_empty() { String::new() } else { format!(": {}", over.join("; ")) };
     format!("{}{over}.{} {}", counted(cases, "case"), spacing(data), ended(data, cases))
 }
