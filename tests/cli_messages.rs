@@ -177,3 +177,30 @@ fn a_method_with_a_comma_in_its_name_can_be_chosen() {
     assert!(told(&output.stderr).contains("--case = \"no such case\""));
     assert!(!out.exists());
 }
+
+#[test]
+fn figures_for_print_come_in_two_widths_and_no_other_format() {
+    let root = tempfile::tempdir().unwrap();
+    let stored = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("results/nightly");
+    for name in ["summary.csv", "manifest.json"] {
+        fs::copy(stored.join(name), root.path().join(name)).unwrap();
+    }
+    let directory = root.path().to_str().unwrap();
+    let refused = run(&["report", directory, "--figures", "pdf,tiff"]);
+    expect_code(&refused, 2);
+    let words = told(&refused.stderr);
+    assert!(words.contains("tiff") && words.contains("svg, pdf, png"), "{words}");
+    assert!(!root.path().join("figures").exists(), "nothing is written");
+    let output = run(&["report", directory, "--figures", "pdf"]);
+    if !cfg!(feature = "print") {
+        expect_code(&output, 2);
+        assert!(told(&output.stderr).contains("--features print"));
+        return;
+    }
+    expect_code(&output, 0);
+    for width in ["84mm", "174mm"] {
+        let file = root.path().join(format!("figures/response-force-{width}.pdf"));
+        assert!(fs::read(file).unwrap().starts_with(b"%PDF"));
+    }
+    assert!(!root.path().join("figures/response-force-84mm.png").exists());
+}

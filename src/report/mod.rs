@@ -91,7 +91,7 @@ fn make(directory: &Path) -> Result<(), ReportError> {
     fs::create_dir_all(directory).map_err(wrong)
 }
 
-fn save(path: &Path, content: impl AsRef<[u8]>) -> Result<(), ReportError> {
+fn save(path: &Path, content: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), ReportError> {
     fs::write(path, content).map_err(|source| ReportError::Write { path: path.to_owned(), source })
 }
 

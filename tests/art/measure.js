@@ -158,7 +158,7 @@ function checkBounds(document) {
 
 // With the rules of print in force: nothing that belongs together is torn apart.
 function checkPrint(document) {
-  const rules = [["h1, h2, h3", "breakAfter"], ["figure, tr, .panels svg", "breakInside"]];
+  const rules = [["h1, h2, h3, .plot .legend", "breakAfter"], ["tr, .plot .legend, .panels svg", "breakInside"]];
   for (const [selector, rule] of rules) {
     for (const element of document.querySelectorAll(selector)) {
       count(rule);
