@@ -60,10 +60,10 @@ pub fn write(directory: &Path, about: &[(String, String)]) -> Result<PathBuf, Re
     let figures = directory.join("figures");
     make(&figures)?;
     if let Some(figure) = plots::error_against_time(&dots) {
-        save(&figures.join(format!("{}.svg", figure.name)), figure.svg())?;
+        save(&figures.join(format!("{}.svg", figure.name)), &figure.svg())?;
     }
     let path = directory.join("accuracy.md");
-    save(&path, page(&lines, about))?;
+    save(&path, &page(&lines, about))?;
     Ok(path)
 }
 

@@ -41,10 +41,10 @@ pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
     make(&figures_dir)?;
     make(&tables_dir)?;
     for figure in &figures {
-        save(&figures_dir.join(format!("{}.svg", figure.name)), figure.svg())?;
+        save(&figures_dir.join(format!("{}.svg", figure.name)), &figure.svg())?;
     }
     for table in &tables {
-        save(&tables_dir.join(format!("{}.csv", table.name)), table.csv())?;
+        save(&tables_dir.join(format!("{}.csv", table.name)), &table.csv())?;
     }
     let path = out_dir.join("report.html");
     save(&path, &page::page(&data, &figures, &tables, None)?)?;
