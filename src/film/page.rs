@@ -84,7 +84,10 @@ impl PageFilm {
         let fields = [
             ("{title}", title(config)),
             ("{about}", about(config)),
-            ("{style}", include_str!("page.css").to_owned()),
+            (
+                "{style}",
+                concat!(include_str!("../palette.css"), include_str!("page.css")).to_owned(),
+            ),
             ("{colour}", colour.to_owned()),
             ("{unit}", unit.to_owned()),
             ("{end}", significant(end / units, 3).to_string()),

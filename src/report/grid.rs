@@ -1,46 +1,63 @@
-//! Tables as HTML: headings in symbols, numbers to the right, doubtful values marked.
+//! Tables as HTML: headings in symbols, numbers to the right, doubtful values marked, a row to a
+//! line, as the page's script expects it.
 
 use std::fmt::Write as _;
 
+use super::markup::escape;
 use super::number;
 use super::tables::Table;
 use crate::quantities::heading;
-use crate::quantities::summary::DOUBTFUL_REASON;
+use crate::quantities::summary::{CASE_ID, DOUBTFUL_REASON};
 
-/// Lists longer than this are folded.
-pub(super) const LONG: usize = 30;
-
-/// A table as HTML, folded where it is long.
+/// A table as HTML. One with a row per case stands where scripts are off as it is; where they are
+/// on, they make of the same text a table that can be sorted and filtered.
 pub(super) fn grid(table: &Table) -> String {
+    let text = format!("<div class=\"wide\"><table>\n{}</table></div>", whole(table));
+    let file = match table.name.as_str() {
+        "" => String::new(),
+        name => format!("<p class=\"file\">tables/{name}.csv</p>"),
+    };
+    if table.header.first().is_none_or(|name| name != CASE_ID.name) || table.name.is_empty() {
+        return text + &file;
+    }
+    let name = &table.name;
+    format!("<div class=\"listing\" data-table=\"{name}\"><noscript>{text}</noscript></div>{file}")
+}
+
+/// Head and body. A case's id comes last: it is needed less than all else.
+fn whole(table: &Table) -> String {
+    let mut order: Vec<usize> = (0..table.header.len()).collect();
+    if table.header.first().is_some_and(|name| name == CASE_ID.name) {
+        order.rotate_left(1);
+    }
     let numeric: Vec<_> = (0..table.header.len()).map(|at| is_numeric(table, at)).collect();
-    let mut text = "<div class=\"wide\"><table>\n<thead><tr>".to_owned();
-    for (name, numeric) in table.header.iter().zip(&numeric) {
-        let class = if *numeric { " class=\"number\"" } else { "" };
-        write!(text, "<th{class}>{}</th>", escape(&heading(name))).expect("a string grows");
+    let mut text = "<thead><tr>".to_owned();
+    for &at in &order {
+        let (name, class) = (&table.header[at], if numeric[at] { "number" } else { "words" });
+        let title = escape(&heading(name));
+        let name = escape(name);
+        write!(text, "<th class=\"{class}\" data-column=\"{name}\">{title}</th>").expect(GROWS);
     }
     text.push_str("</tr></thead>\n<tbody>\n");
     for row in &table.rows {
-        text.push_str("<tr>");
-        for ((name, cell), numeric) in table.header.iter().zip(row).zip(&numeric) {
-            let class = match (doubtful(name, cell), numeric) {
+        match order.last().filter(|last| **last == 0) {
+            Some(_) => write!(text, "<tr data-case=\"{}\">", escape(&row[0])).expect(GROWS),
+            None => text.push_str("<tr>"),
+        }
+        for &at in &order {
+            let class = match (doubtful(&table.header[at], &row[at]), numeric[at]) {
                 (true, _) => " class=\"doubtful\"",
                 (false, true) => " class=\"number\"",
                 (false, false) => "",
             };
-            write!(text, "<td{class}>{}</td>", escape(cell)).expect("a string grows");
+            write!(text, "<td{class}>{}</td>", escape(&row[at])).expect(GROWS);
         }
         text.push_str("</tr>\n");
     }
-    text.push_str("</tbody></table></div>");
-    if !table.name.is_empty() {
-        write!(text, "<p class=\"file\">tables/{}.csv</p>", table.name).expect("a string grows");
-    }
-    if table.rows.len() > LONG {
-        let count = table.rows.len();
-        text = format!("<details><summary>{count} rows</summary>{text}</details>");
-    }
-    text
+    text + "</tbody>"
 }
+
+const GROWS: &str = "a string grows";
 
 /// Whether a column holds numbers and nothing else, be they written out or as powers of ten.
 fn is_numeric(table: &Table, column: usize) -> bool {
@@ -50,11 +67,6 @@ fn is_numeric(table: &Table, column: usize) -> bool {
 
 fn doubtful(column: &str, cell: &str) -> bool {
     column == DOUBTFUL_REASON.name && !cell.is_empty()
-}
-
-/// Text as it may stand between tags and in attributes.
-pub(super) fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]

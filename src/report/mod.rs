@@ -12,11 +12,13 @@ mod export;
 #[cfg(test)]
 mod fixture;
 mod grid;
-mod html;
 pub mod load;
+mod markup;
 mod number;
+mod page;
 pub mod plots;
 mod row;
+mod scene_file;
 pub mod series;
 pub mod study;
 pub mod tables;
@@ -45,7 +47,7 @@ pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
         save(&tables_dir.join(format!("{}.csv", table.name)), &table.csv())?;
     }
     let path = out_dir.join("report.html");
-    save(&path, &html::page(&data, &figures, &tables))?;
+    save(&path, &page::page(&data, &figures, &tables, None)?)?;
     Ok(path)
 }
 
@@ -117,6 +119,6 @@ mod tests {
         let lines: Vec<_> = text.lines().collect();
         fs::write(&path, format!("{}\n{}\n", lines[0], lines[lines.len() - 1])).unwrap();
         let page = fs::read_to_string(write(directory.path()).unwrap()).unwrap();
-        assert!(page.contains("0 finished, 1 failed"));
+        assert!(page.contains("None came to its end"));
     }
 }

@@ -40,6 +40,11 @@ pub fn with_error(value: f64, error: f64) -> String {
     format!("{value:.decimals$} ± {error:.decimals$}")
 }
 
+/// A lower bound with its error bar, which can lower it and no more: `≥ 2.41 − 0.03`, `≥ 2.41`.
+pub fn bound_with_error(value: f64, error: f64) -> String {
+    format!("≥ {}", with_error(value, error).replace(" ± ", " − "))
+}
+
 /// The largest power of ten that is not above a positive number.
 fn power_of_ten_below(value: f64) -> f64 {
     let text = format!("{value:e}");
@@ -47,9 +52,11 @@ fn power_of_ten_below(value: f64) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(1.0)
 }
 
-/// Whether a text is a number, written out, with an error bar or as [`plain`] writes it.
+/// Whether a text is a number, written out, with an error bar, as a bound or as [`plain`] writes it.
 pub fn is_number(text: &str) -> bool {
-    let text = text.split_once(" ± ").map_or(text, |(value, _)| value);
+    let text = text.strip_prefix("≥ ").unwrap_or(text);
+    let bar = text.split_once(" ± ").or_else(|| text.split_once(" − "));
+    let text = bar.map_or(text, |(value, _)| value);
     let mantissa =
         text.split_once("10").filter(|(_, power)| power.starts_with(|c: char| !c.is_ascii()));
     match mantissa {
@@ -102,6 +109,9 @@ mod tests {
         let written = pairs.map(|(value, error)| with_error(value, error));
         assert_eq!(written, ["2.41 ± 0.03", "1.224 ± 0.012", "3.40 ± 0.10", "13 ± 2", "0.5"]);
         assert!(is_number("2.41 ± 0.03"));
+        let bounds = [0.0312, 0.0].map(|error| bound_with_error(2.4137, error));
+        assert_eq!(bounds, ["≥ 2.41 − 0.03", "≥ 2.414"]);
+        assert!(bounds.iter().all(|bound| is_number(bound)));
     }
 
     #[test]

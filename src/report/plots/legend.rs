@@ -5,6 +5,7 @@ use svg::node::element::{Group, SVG};
 use super::look::Look;
 use super::pen::{Align, INK, arrow, bare, line, text};
 use super::text::{NORMAL, width};
+use crate::report::markup::escape;
 
 const ROW: f64 = 20.0;
 const SAMPLE: f64 = 34.0;
@@ -95,16 +96,11 @@ pub fn list(entries: &[Entry]) -> String {
             .set("aria-hidden", "true")
             .add(entry.sample(0.0, ROW / 2.0));
         let sample = bare(&sample);
-        let words = escaped(&entry.label);
-        let key = escaped(&entry.key);
+        let words = escape(&entry.label);
+        let key = escape(&entry.key);
         format!("<li data-series=\"{key}\">{sample}{words}</li>")
     };
     format!("<ul class=\"legend\">{}</ul>", entries.iter().map(item).collect::<String>())
-}
-
-/// Text as it may stand between tags and in attributes.
-fn escaped(text: &str) -> String {
-    svg::node::Text::new(text).to_string().replace('"', "&quot;")
 }
 
 #[cfg(test)]

@@ -1,22 +1,24 @@
-//! A table as the page shows it: only columns that hold anything, error bars beside their values,
-//! no more digits than one reads.
+//! A table as the page shows it: only columns that tell anything, error bars beside their values,
+//! bounds as such, no more digits than one reads.
 
 use super::{Table, VARIANT};
+use crate::quantities::summary::{FORCE_COUPLING, STATUS};
 use crate::quantities::{Column, named};
 use crate::report::number;
 
+/// Columns that tell nothing where all cases have the same in them.
+const ALIKE: [&Column; 2] = [&STATUS, &FORCE_COUPLING];
+
 impl Table {
-    /// The table without empty columns, with bars beside values (`2.41 ± 0.03`) and numbers cut
-    /// to a few digits.
+    /// The table without empty columns, with bars beside values (`2.41 ± 0.03`), bounds as such
+    /// (`≥ 2.41 − 0.03`) and numbers cut to a few digits.
     pub fn for_page(&self) -> Table {
         let mut table = self.clone();
-        for column in &self.header {
-            if let Some(bar) = named(column).and_then(|column| column.bar) {
-                table.join(column, bar);
-            }
+        for column in self.header.iter().filter_map(|name| named(name)) {
+            table.join(column);
         }
-        let filled = |column: usize| has_cells(&table, column);
-        let kept: Vec<_> = (0..table.header.len()).filter(|column| filled(*column)).collect();
+        let told = |at: usize| has_cells(&table, at) && !self.is_alike(at);
+        let kept: Vec<_> = (0..table.header.len()).filter(|at| told(*at)).collect();
         let words = |name: &str| name == VARIANT || named(name).is_some_and(Column::is_text);
         let cell = |row: &[String], column: usize| {
             let text = &row[column];
@@ -27,15 +29,29 @@ impl Table {
         Table { rows: rows.collect(), header, ..table.clone() }
     }
 
-    /// Puts the cells of an error's column behind those of its value, and empties them.
-    fn join(&mut self, value: &str, error: &str) {
-        let place = |name: &str| self.header.iter().position(|column| column == name);
-        let Some((value, error)) = place(value).zip(place(error)) else { return };
+    fn is_alike(&self, at: usize) -> bool {
+        let name = &self.header[at];
+        ALIKE.iter().any(|column| column.name == *name)
+            && self.rows.iter().all(|row| row[at] == self.rows[0][at])
+    }
+
+    /// Puts error bar and flag of a bound into the cells of their value, and empties theirs.
+    fn join(&mut self, column: &Column) {
+        let place =
+            |name: Option<&str>| self.header.iter().position(|known| Some(&**known) == name);
+        let Some(value) = place(Some(column.name)) else { return };
+        let (error, flag) = (place(column.bar), place(column.bound));
         for row in &mut self.rows {
-            let bar = std::mem::take(&mut row[error]);
-            if let (Ok(value_read), Ok(bar)) = (row[value].parse(), bar.parse()) {
-                row[value] = number::with_error(value_read, bar);
-            }
+            let mut take = |at: Option<usize>| at.map(|at| std::mem::take(&mut row[at]));
+            let bar = take(error).and_then(|cell| cell.parse().ok());
+            let is_bound = take(flag).is_some_and(|cell| cell == "true");
+            let Ok(read) = row[value].parse() else { continue };
+            row[value] = match (is_bound, bar) {
+                (true, Some(bar)) => number::bound_with_error(read, bar),
+                (true, None) => format!("≥ {}", number::brief(&row[value])),
+                (false, Some(bar)) => number::with_error(read, bar),
+                (false, None) => continue,
+            };
         }
     }
 }
@@ -64,6 +80,27 @@ mod tests {
         assert_eq!(page.header, ["case_id", "first_force_max", "steps"]);
         assert_eq!(page.rows[0], ["1234567e1", "2.41 ± 0.03", "1234567"]);
         assert_eq!(page.rows[1], ["b", "2.4137", "5"]);
+    }
+
+    #[test]
+    fn bounds_are_told_and_columns_that_are_alike_go() {
+        let header = [
+            "case_id",
+            "status",
+            "displacement_max",
+            "displacement_truncated",
+            "displacement_error",
+        ];
+        let row = |cells: [&str; 5]| cells.map(str::to_owned).to_vec();
+        let rows = vec![
+            row(["a", "ok", "2.4137", "true", "0.0312"]),
+            row(["b", "ok", "2.4137", "true", ""]),
+            row(["c", "ok", "2.4137", "false", ""]),
+        ];
+        let page = Table::new("summary", "Cases", &header, rows).for_page();
+        assert_eq!(page.header, ["case_id", "displacement_max"]);
+        let cells: Vec<_> = page.rows.iter().map(|row| row[1].as_str()).collect();
+        assert_eq!(cells, ["≥ 2.41 − 0.03", "≥ 2.4137", "2.4137"]);
     }
 
     #[test]

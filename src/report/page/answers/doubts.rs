@@ -1,0 +1,136 @@
+//! Which numbers are bounds, and which results are doubtful.
+
+use crate::quantities::named;
+use crate::quantities::summary::{DISPLACEMENT_MAX, DOUBTFUL, DOUBTFUL_REASON, SPRING_STIFFNESS};
+use crate::report::curves::distinct;
+use crate::report::load::Loaded;
+use crate::report::number;
+use crate::report::page::words::{counted, listed};
+
+/// How many largest displacements are lower bounds; `None` where nothing moves.
+pub fn bounds(data: &Loaded) -> Option<String> {
+    let moving = || data.finished().filter(|row| row.number(&DISPLACEMENT_MAX).is_some());
+    let bounds = || moving().filter(|row| row.is_bound(&DISPLACEMENT_MAX));
+    let (all, open) = (moving().count(), bounds().count());
+    if all == 0 {
+        return None;
+    }
+    if open == 0 {
+        return Some(
+            "No maximum is a bound: every wall had turned before its run ended.".to_owned(),
+        );
+    }
+    if all == 1 {
+        let why = "the wall still moved outwards when the run ended";
+        return Some(format!("The largest displacement is no more than a lower bound (≥): {why}."));
+    }
+    let softest = distinct(bounds(), &SPRING_STIFFNESS);
+    let up_to = softest.last().map(|stiffest| {
+        let up_to = if softest.len() > 1 { "k up to" } else { "k =" };
+        format!(" ({up_to} {} N/m)", number::plain(*stiffest))
+    });
+    Some(format!(
+        "{open} of {} {} no more than a lower bound (≥): the wall still moved outwards when the run \
+         ended{}.",
+        counted(all, "largest displacement"),
+        if open == 1 { "is" } else { "are" },
+        up_to.unwrap_or_default()
+    ))
+}
+
+/// How many results are doubtful, and why.
+pub fn doubtful(data: &Loaded) -> Option<String> {
+    let all = data.finished().count();
+    let judged = data.finished().any(|row| !row.text(&DOUBTFUL).is_empty());
+    if all == 0 {
+        return None;
+    }
+    if !judged {
+        return Some("These files do not say which results are doubtful.".to_owned());
+    }
+    let doubtful: Vec<_> = data.finished().filter(|row| row.is(&DOUBTFUL)).collect();
+    if doubtful.is_empty() {
+        return Some("No result is doubtful.".to_owned());
+    }
+    if all == 1 {
+        let why = doubtful[0].text(&DOUBTFUL_REASON);
+        return Some(format!("The result is doubtful: {why}. Look at its history first."));
+    }
+    let mut reasons: Vec<(String, usize)> = Vec::new();
+    for row in &doubtful {
+        for reason in kinds(row.text(&DOUBTFUL_REASON)) {
+            match reasons.iter_mut().find(|(known, _)| *known == reason) {
+                Some((_, count)) => *count += 1,
+                None => reasons.push((reason, 1)),
+            }
+        }
+    }
+    reasons.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    let words: Vec<_> =
+        reasons.iter().map(|(reason, count)| format!("{reason} ({count})")).collect();
+    let are = if doubtful.len() == 1 { "is" } else { "are" };
+    Some(format!(
+        "{} of {} {are} doubtful: {}. Look at their histories first.",
+        doubtful.len(),
+        counted(all, "result"),
+        listed(&words)
+    ))
+}
+
+/// The reasons of a case without their numbers and without the quantities that they touch, each
+/// once.
+fn kinds(reasons: &str) -> Vec<String> {
+    let mut kinds: Vec<String> = Vec::new();
+    for reason in reasons.split("; ") {
+        let reason = match reason.split_once(": ") {
+            Some((name, rest)) if named(name).is_some() => rest,
+            _ => reason,
+        };
+        let kind = without_numbers(reason);
+        if !kinds.contains(&kind) {
+            kinds.push(kind);
+        }
+    }
+    kinds
+}
+
+fn without_numbers(text: &str) -> String {
+    let words = text.split(' ').filter(|word| !word.is_empty());
+    let blank = |word: &str| {
+        let digits = word.trim_matches(|c: char| !c.is_ascii_digit());
+        if digits.parse::<f64>().is_ok() { "…".to_owned() } else { word.to_owned() }
+    };
+    words.map(blank).collect::<Vec<_>>().join(" ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::fixture;
+
+    #[test]
+    fn doubtful_results_are_counted_by_reason() {
+        let directory = fixture::movable(&[0.3], &[10.0, 500.0, 1e5], &[50.0]);
+        let mut data = Loaded::read(directory.path()).unwrap();
+        for row in &mut data.rows {
+            *row = row.clone().with(&DOUBTFUL, "false");
+        }
+        assert_eq!(doubtful(&data).unwrap(), "No result is doubtful.");
+        let reasons = ["energy gap +3.1 %; the water is compressed by 6.1 %", "energy gap -5 %"];
+        for (row, reason) in data.rows.iter_mut().zip(reasons) {
+            *row = row.clone().with(&DOUBTFUL, "true").with(&DOUBTFUL_REASON, reason);
+        }
+        assert_eq!(
+            doubtful(&data).unwrap(),
+            "2 of 3 results are doubtful: energy gap … % (2) and the water is compressed by … % \
+             (1). Look at their histories first."
+        );
+    }
+
+    #[test]
+    fn reasons_are_told_apart_by_their_words() {
+        let reasons = "force_max: the pressure on the face is +2.1 % off; first_force_max: the \
+                       pressure on the face is -3.4 % off; energy gap +3.1 %";
+        assert_eq!(kinds(reasons), ["the pressure on the face is … % off", "energy gap … %"]);
+    }
+}

@@ -1,0 +1,90 @@
+//! How large the error bars are.
+
+use super::force::most;
+use crate::quantities::Column;
+use crate::quantities::summary::{DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX};
+use crate::report::load::Loaded;
+use crate::report::number::significant;
+use crate::report::page::words::{at, counted, listed, median, percent};
+use crate::report::row::Row;
+
+/// Symbol and column of each number that gets a bar, and whether the bar is told in percent of it:
+/// runups are told in depths, as still water has none.
+const NUMBERS: [(&str, &Column, bool); 3] = [
+    ("F*", &FIRST_FORCE_MAX, true),
+    ("R*", &FIRST_RUNUP_MAX, false),
+    ("X*", &DISPLACEMENT_MAX, true),
+];
+
+/// The bar in the middle and the widest one, of each number; or that there are none.
+pub fn bars(data: &Loaded) -> Option<String> {
+    let finished = data.finished().count();
+    if finished == 0 {
+        return None;
+    }
+    let told: Vec<_> = NUMBERS.iter().filter_map(|number| bar(data, number)).collect();
+    if told.is_empty() {
+        let how = "error_bars = \"pair\" in [numerics] estimates how far each number may be off";
+        return Some(format!("No error bars were asked for: {how}."));
+    }
+    let with = data.finished().filter(|row| row.error(&FIRST_FORCE_MAX).is_some()).count();
+    let without = match finished - with {
+        0 => String::new(),
+        cases => format!(
+            " {} no bar of F*.",
+            if cases == 1 {
+                "1 case has".to_owned()
+            } else {
+                format!("{} have", counted(cases, "case"))
+            }
+        ),
+    };
+    Some(format!("Error bars, in the median and at worst: {}.{without}", listed(&told)))
+}
+
+fn bar(data: &Loaded, &(symbol, column, relative): &(&str, &Column, bool)) -> Option<String> {
+    let read = |row: &Row| {
+        let (bar, value) = (row.error(column)?, row.number(column)?);
+        let bar = if relative { bar / value } else { bar };
+        bar.is_finite().then_some(bar.abs())
+    };
+    let bars: Vec<_> = data.finished().filter_map(read).collect();
+    let words = |bar: f64| {
+        if relative { percent(bar) } else { format!("{} h", significant(bar, 2)) }
+    };
+    let (worst, widest) = most(data.finished(), read)?;
+    let middle = words(median(&bars)?);
+    if data.rows.len() == 1 {
+        return Some(format!("{symbol} ± {middle}"));
+    }
+    Some(format!(
+        "{symbol} ± {middle}, ± {} ({})",
+        words(widest),
+        at(worst).trim_start_matches(" at ")
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantities::summary::{FORCE_ERROR, RUNUP_ERROR};
+    use crate::report::fixture;
+
+    #[test]
+    fn the_middle_and_the_worst_bar_are_told() {
+        let directory = fixture::movable(&[0.3, 0.5], &[10.0], &[50.0]);
+        let mut data = Loaded::read(directory.path()).unwrap();
+        data.rows.push(data.rows[0].clone());
+        let bars = [0.01, 0.05];
+        for (row, bar) in data.rows.iter_mut().zip(bars) {
+            *row = row.clone().with(&FIRST_FORCE_MAX, 2).with(&FORCE_ERROR, bar);
+            *row = row.clone().with(&RUNUP_ERROR, bar);
+        }
+        assert_eq!(
+            super::bars(&data).unwrap(),
+            "Error bars, in the median and at worst: F* ± 1.5 %, ± 2.5 % (H/h = 0.5, k = 10 N/m, \
+             m = 50 kg/m) and R* ± 0.03 h, ± 0.05 h (H/h = 0.5, k = 10 N/m, m = 50 kg/m). 1 case \
+             has no bar of F*."
+        );
+    }
+}

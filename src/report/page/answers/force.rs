@@ -1,0 +1,94 @@
+//! The largest force, and where it is.
+
+use crate::quantities::Column;
+use crate::quantities::summary::{CASE_ID, FIRST_FORCE_MAX, FORCE_MAX, FORCE_MAX_ERROR};
+use crate::report::load::Loaded;
+use crate::report::number;
+use crate::report::page::words::{at, result};
+use crate::report::row::Row;
+use crate::report::scene_file::SceneFile;
+
+/// A later force is told where it is larger than that of the first impact by more than this share.
+const NOTABLE: f64 = 0.02;
+
+/// The largest force of a case: that of the first impact, or of the whole run where it has none.
+pub fn column(row: &Row) -> &'static Column {
+    if row.number(&FIRST_FORCE_MAX).is_some() { &FIRST_FORCE_MAX } else { &FORCE_MAX }
+}
+
+/// The row that has the most of something.
+pub fn most<'a>(
+    rows: impl Iterator<Item = &'a Row>,
+    read: impl Fn(&Row) -> Option<f64>,
+) -> Option<(&'a Row, f64)> {
+    let values = rows.filter_map(|row| Some((row, read(row)?)));
+    values.filter(|(_, value)| value.is_finite()).max_by(|a, b| a.1.total_cmp(&b.1))
+}
+
+/// The largest force as F* and in kN/m, and the case that has it.
+pub fn largest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
+    let (row, force) = most(data.finished(), |row| row.number(column(row)))?;
+    let alone = data.rows.len() == 1;
+    let is = if alone { "The largest force is" } else { "The largest force of all is" };
+    let (newtons, place) = (newtons(data, file, row, force), at(row));
+    let comma = if newtons.is_empty() || place.is_empty() { "" } else { "," };
+    let mut text = format!("{is} {}{newtons}{comma}{place}.", result("F*", row, column(row))?);
+    if column(row) == &FIRST_FORCE_MAX {
+        text.push_str(" It is that of the first impact.");
+        text.push_str(&later(data, force).unwrap_or_default());
+    }
+    Some(text)
+}
+
+/// A force of later in a run that is larger still.
+fn later(data: &Loaded, first: f64) -> Option<String> {
+    let (row, force) = most(data.finished(), |row| row.number(&FORCE_MAX))?;
+    if force <= first * (1.0 + NOTABLE) {
+        return None;
+    }
+    let bar = row.number(&FORCE_MAX_ERROR).unwrap_or(0.0);
+    Some(format!(" A later one reaches F* = {}{}.", number::with_error(force, bar), at(row)))
+}
+
+/// `, that is 0.77 kN per metre of wall`: F* times ½ρgh² of the row's own scene.
+fn newtons(data: &Loaded, file: Option<&SceneFile>, row: &Row, force: f64) -> String {
+    let scale = || {
+        let index = data.rows.iter().position(|r| r.text(&CASE_ID) == row.text(&CASE_ID))?;
+        let cells: Vec<_> = data.keys.iter().map(|key| key.cells[index].as_str()).collect();
+        let frame = file?.config(&cells)?.scene.frame();
+        Some(0.5 * frame.density * frame.acceleration() * frame.depth * frame.depth)
+    };
+    let told = |scale: f64| {
+        let force = number::significant(force * scale / 1000.0, 3);
+        format!(", that is {force} kN per metre of wall")
+    };
+    scale().map(told).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::fixture;
+    use crate::report::study::Key;
+    use serde_json::json;
+
+    #[test]
+    fn a_force_is_told_in_newtons_and_a_later_one_too() {
+        let directory = fixture::movable(&[0.5], &[500.0], &[250.0]);
+        let mut data = Loaded::read(directory.path()).unwrap();
+        let text = "[scene]\nwall = \"movable\"\nstill_water_depth_m = 0.4\n[grid]";
+        data.manifest = Some(json!({ "name": "a", "sweep_file": text }));
+        let key =
+            |name: &str, cell: &str| Key { name: name.to_owned(), cells: vec![cell.to_owned()] };
+        data.keys =
+            vec![key("spring_stiffness_n_per_m", "500"), key("seawall_mass_kg_per_m", "250")];
+        data.rows[0] = data.rows[0].clone().with(&FIRST_FORCE_MAX, 2.0).with(&FORCE_MAX, 2.5);
+        let file = SceneFile::of(&data);
+        assert_eq!(
+            largest(&data, file.as_ref()).unwrap(),
+            "The largest force is F* = 2, that is 1.57 kN per metre of wall, at H/h = 0.5, k = 500 \
+             N/m, m = 250 kg/m. It is that of the first impact. A later one reaches F* = 2.5 at \
+             H/h = 0.5, k = 500 N/m, m = 250 kg/m."
+        );
+    }
+}

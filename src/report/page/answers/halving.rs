@@ -1,0 +1,227 @@
+//! Which walls halve the force on the stiffest wall of the same wave.
+
+use super::force::{column, most};
+use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
+use crate::report::curves::distinct;
+use crate::report::load::Loaded;
+use crate::report::number;
+use crate::report::page::words::{at, listed, percent, range};
+use crate::report::row::{Row, label};
+
+/// Keys that tell walls of one wave apart.
+const OF_THE_WALL: [&str; 3] = [SPRING_STIFFNESS.name, SEAWALL_MASS.name, "wall"];
+
+/// Walls are told one by one up to so many letters.
+const LONG: usize = 240;
+
+/// Finished cases that differ in their wall alone, and the one that they are compared with.
+struct Group<'a> {
+    rows: Vec<&'a Row>,
+    /// The fixed wall, or else the stiffest under its largest force.
+    stiffest: &'a Row,
+}
+
+/// Which stiffness and mass halve the largest force, for the wave of the largest force in full;
+/// `None` where no walls can be compared.
+pub fn half(data: &Loaded) -> Option<String> {
+    let mut groups = groups(data);
+    groups.sort_by(|a, b| force(b.stiffest).total_cmp(&force(a.stiffest)));
+    let (first, others) = groups.split_first()?;
+    let mut text = first.in_full();
+    if !others.is_empty() {
+        text.push_str(&in_brief(others));
+    }
+    Some(text)
+}
+
+fn force(row: &Row) -> f64 {
+    row.number(column(row)).unwrap_or(f64::NAN)
+}
+
+/// The cases by all that is swept but the wall, where a wall has another to be compared with.
+fn groups(data: &Loaded) -> Vec<Group<'_>> {
+    let mut groups: Vec<(Vec<&str>, Vec<&Row>)> = Vec::new();
+    for (index, row) in data.rows.iter().enumerate().filter(|(_, row)| row.is_ok()) {
+        let swept = data.keys.iter().filter(|key| !OF_THE_WALL.contains(&key.name.as_str()));
+        let mut key: Vec<_> = swept.map(|key| key.cells[index].as_str()).collect();
+        key.extend([row.text(&WAVE_HEIGHT_RATIO), row.variant.as_str()]);
+        match groups.iter_mut().find(|(known, _)| *known == key) {
+            Some((_, rows)) => rows.push(row),
+            None => groups.push((key, vec![row])),
+        }
+    }
+    groups.into_iter().filter_map(|(_, rows)| Group::of(rows)).collect()
+}
+
+impl<'a> Group<'a> {
+    fn of(rows: Vec<&'a Row>) -> Option<Group<'a>> {
+        let known = || rows.iter().copied().filter(|row| force(row).is_finite());
+        let softer = |than: f64| {
+            known().any(|row| row.number(&SPRING_STIFFNESS).is_some_and(|value| value < than))
+        };
+        let fixed = most(known().filter(|row| row.is_fixed()), |row| Some(force(row)));
+        let stiffness = distinct(known(), &SPRING_STIFFNESS).last().copied();
+        let top = known().filter(|row| row.number(&SPRING_STIFFNESS) == stiffness);
+        let (stiffest, _) = fixed.or_else(|| most(top, |row| Some(force(row))))?;
+        let least = stiffest.number(&SPRING_STIFFNESS).unwrap_or(f64::INFINITY);
+        softer(least).then(|| Group { rows: known().collect(), stiffest })
+    }
+
+    /// The movable walls under at most half of the stiffest one's force.
+    fn halved(&self) -> impl Iterator<Item = &'a Row> {
+        let half = 0.5 * force(self.stiffest);
+        self.rows.iter().copied().filter(move |row| !row.is_fixed() && force(row) <= half)
+    }
+
+    fn in_full(&self) -> String {
+        let whole = force(self.stiffest);
+        let kind = if self.stiffest.is_fixed() { "the fixed wall" } else { "the stiffest wall" };
+        let held = format!("{kind}{} (F* = {})", at(self.stiffest), number::plain(whole));
+        let walls = self.walls();
+        if walls.iter().map(String::len).sum::<usize>() > LONG {
+            let stiffest = most(self.halved(), |row| row.number(&SPRING_STIFFNESS));
+            return format!(
+                "Compared with {held}, the force is halved by {} of {} walls; the stiffest of them is \
+                 that{}.",
+                self.halved().count(),
+                self.rows.iter().filter(|row| !row.is_fixed()).count(),
+                stiffest.map(|(row, _)| at(row)).unwrap_or_default()
+            );
+        }
+        if !walls.is_empty() {
+            return format!("Compared with {held}, the force is halved by {}.", walls.join("; "));
+        }
+        let least = |row: &Row| Some(-force(row));
+        let lowest = most(self.rows.iter().copied().filter(|row| !row.is_fixed()), least);
+        let told = lowest.map(|(row, _)| {
+            let share = percent(force(row) / whole);
+            format!(": the least is {share} of it{}", at(row))
+        });
+        format!("No wall halves the force on {held}{}.", told.unwrap_or_default())
+    }
+
+    /// Masses, each with the stiffnesses that halve the force; equal ones together.
+    fn walls(&self) -> Vec<String> {
+        let mut walls: Vec<(String, Vec<f64>)> = Vec::new();
+        for mass in distinct(self.halved(), &SEAWALL_MASS) {
+            let of_mass = |row: &&Row| row.number(&SEAWALL_MASS) == Some(mass);
+            let all = distinct(self.rows.iter().copied().filter(of_mass), &SPRING_STIFFNESS);
+            let these = distinct(self.halved().filter(of_mass), &SPRING_STIFFNESS);
+            let words = stiffnesses(&these, &all);
+            match walls.last_mut().filter(|(known, _)| *known == words) {
+                Some((_, masses)) => masses.push(mass),
+                None => walls.push((words, vec![mass])),
+            }
+        }
+        let masses = |masses: &[f64]| {
+            let (last, first) = masses.split_last().expect("a wall has a mass");
+            let first: Vec<_> = first.iter().map(|mass| number::plain(*mass)).collect();
+            match &first[..] {
+                [] => label(&SEAWALL_MASS, *last),
+                [from, ..] if first.len() > 1 => {
+                    format!("m = {from} to {} kg/m", number::plain(*last))
+                }
+                [one, ..] => format!("m = {one} and {} kg/m", number::plain(*last)),
+            }
+        };
+        walls.iter().map(|(words, of)| format!("{words} with {}", masses(of))).collect()
+    }
+}
+
+/// Stiffnesses among all that there are: up to the stiffest of them, or each by its value.
+fn stiffnesses(these: &[f64], all: &[f64]) -> String {
+    let words: Vec<_> = these.iter().map(|value| number::plain(*value)).collect();
+    match words.last() {
+        Some(last) if these.len() > 1 && all.starts_with(these) => format!("k up to {last} N/m"),
+        _ => format!("k = {} N/m", listed(&words)),
+    }
+}
+
+/// The other waves in one sentence.
+fn in_brief(groups: &[Group<'_>]) -> String {
+    let waves = |halved: bool| {
+        let is = |group: &&Group<'_>| group.halved().next().is_some() == halved;
+        distinct(groups.iter().filter(is).map(|group| group.stiffest), &WAVE_HEIGHT_RATIO)
+    };
+    let (some, none) = (waves(true), waves(false));
+    if some.len() + none.len() < groups.len() {
+        let halved = groups.iter().filter(|group| group.halved().next().is_some()).count();
+        return format!(" Some wall does so in {halved} of {} other comparisons.", groups.len());
+    }
+    match (range(&some, ""), range(&none, "")) {
+        (_, without) if some.is_empty() => format!(" Nor does any wall at H/h = {without}."),
+        (with, _) if none.is_empty() => format!(" Some wall does so at H/h = {with}, too."),
+        (with, without) => {
+            format!(" Some wall does so at H/h = {with}, none at H/h = {without}.")
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantities::summary::{FIRST_FORCE_MAX, STATUS};
+
+    fn wall(wave: f64, spring: Option<(f64, f64)>, force: f64) -> Row {
+        let row = Row::default().with(&STATUS, "ok").with(&WAVE_HEIGHT_RATIO, wave);
+        let row = row.with(&FIRST_FORCE_MAX, force);
+        spring
+            .into_iter()
+            .fold(row, |row, (k, m)| row.with(&SPRING_STIFFNESS, k).with(&SEAWALL_MASS, m))
+    }
+
+    fn said(rows: &[Row]) -> Option<String> {
+        half(&Loaded { rows: rows.to_vec(), ..Loaded::default() })
+    }
+
+    /// Three stiffnesses and three masses; light and soft walls halve the force of the larger wave.
+    fn walls() -> Vec<Row> {
+        let soft = |k: f64, m: f64| if k * m <= 5000.0 { 1.9 } else { 2.5 };
+        let mut rows = Vec::new();
+        for m in [50.0, 100.0, 500.0] {
+            rows.extend([10.0, 100.0].map(|k| wall(0.5, Some((k, m)), soft(k, m))));
+            rows.push(wall(0.5, Some((1e5, m)), 4.0));
+            rows.push(wall(0.2, Some((10.0, m)), 1.5));
+            rows.push(wall(0.2, Some((1e5, m)), 1.8));
+        }
+        rows
+    }
+
+    #[test]
+    fn masses_of_the_same_stiffnesses_are_told_together() {
+        let told = "Compared with the stiffest wall at H/h = 0.5, k = 10⁵ N/m, m = 500 kg/m (F* = 4), \
+                    the force is halved by k up to 100 N/m with m = 50 kg/m; k = 10 N/m with m = 100 \
+                    and 500 kg/m. Nor does any wall at H/h = 0.2.";
+        assert_eq!(said(&walls()).unwrap(), told);
+    }
+
+    #[test]
+    fn a_fixed_wall_is_what_others_are_compared_with() {
+        let mut rows = walls();
+        rows.push(wall(0.5, None, 3.6));
+        let told = said(&rows).unwrap();
+        assert!(
+            told.starts_with("No wall halves the force on the fixed wall at H/h = 0.5"),
+            "{told}"
+        );
+        assert!(told.contains("the least is 53 % of it at H/h = 0.5, k = 10 N/m"), "{told}");
+    }
+
+    #[test]
+    fn many_walls_are_counted() {
+        let mut rows = vec![wall(0.5, Some((1e5, 50.0)), 4.0)];
+        for index in 0..200 {
+            let force = if index % 3 == 0 { 1.5 } else { 2.5 };
+            rows.push(wall(0.5, Some((10.0 + f64::from(index), 50.0)), force));
+        }
+        let told = "the force is halved by 67 of 201 walls; the stiffest of them is that at H/h = 0.5, \
+                    k = 208 N/m, m = 50 kg/m.";
+        assert!(said(&rows).unwrap().ends_with(told), "{:?}", said(&rows));
+    }
+
+    #[test]
+    fn one_stiffness_is_compared_with_nothing() {
+        assert_eq!(said(&[50.0, 100.0].map(|m| wall(0.5, Some((10.0, m)), 2.0))), None);
+        assert_eq!(said(&[]), None);
+    }
+}

@@ -1,0 +1,109 @@
+//! What was run, and what failed.
+
+use std::collections::BTreeMap;
+
+use crate::quantities::summary::{PARTICLE_SPACING, REASON};
+use crate::quantities::{Column, heading, named};
+use crate::report::curves::distinct;
+use crate::report::load::Loaded;
+use crate::report::number;
+use crate::report::page::words::{counted, listed, range};
+use crate::report::row::PLACE;
+use crate::report::scene_file::SceneFile;
+use crate::report::study::Key;
+
+/// How many cases, of what, and how many of them are finished.
+pub fn what(data: &Loaded, file: Option<&SceneFile>) -> String {
+    let cases = data.rows.len() + data.left();
+    // What waves and walls do not tell by themselves.
+    let kind = file.and_then(SceneFile::kind).filter(|kind| *kind != "seawall");
+    let over: Vec<_> =
+        kind.map(|kind| kind.replace('-', " ")).into_iter().chain(swept(data)).collect();
+    let over = if over.is_empty() { String::new() } else { format!(": {}", over.join("; ")) };
+    format!("{}{over}.{} {}", counted(cases, "case"), spacing(data), ended(data, cases))
+}
+
+/// What was swept and over which values, a phrase per key.
+fn swept(data: &Loaded) -> Vec<String> {
+    if data.keys.is_empty() {
+        let told = |column: &&Column| {
+            let values = distinct(data.rows.iter(), column);
+            let words = || numbers(column.symbol, &values, column.unit.symbol());
+            (!values.is_empty()).then(words)
+        };
+        return PLACE.iter().filter_map(told).collect();
+    }
+    data.keys.iter().map(key).collect()
+}
+
+fn numbers(symbol: &str, values: &[f64], unit: &str) -> String {
+    format!("{symbol} = {}", range(values, unit))
+}
+
+/// A swept key: a range of numbers, or the words that it took.
+fn key(key: &Key) -> String {
+    let cells: Vec<_> = key.cells.iter().filter(|cell| !cell.is_empty()).collect();
+    let read: Option<Vec<f64>> = cells.iter().map(|cell| cell.parse().ok()).collect();
+    if let Some(mut values) = read {
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+        let (symbol, unit) = symbol(&key.name);
+        return numbers(&symbol, &values, &unit);
+    }
+    let mut words: Vec<String> = Vec::new();
+    for cell in cells {
+        if !words.contains(cell) {
+            words.push(cell.clone());
+        }
+    }
+    format!("{} = {}", symbol(&key.name).0, listed(&words))
+}
+
+/// How a key is written in a sentence, and its unit.
+fn symbol(key: &str) -> (String, String) {
+    if let Some(column) = named(key).filter(|column| !column.symbol.is_empty()) {
+        return (column.symbol.to_owned(), column.unit.symbol().to_owned());
+    }
+    let heading = heading(key);
+    let (name, unit) = heading.rsplit_once(", ").unwrap_or((&heading, ""));
+    (name.to_owned(), unit.to_owned())
+}
+
+fn spacing(data: &Loaded) -> String {
+    if data.keys.iter().any(|key| key.name == PARTICLE_SPACING.name) {
+        return String::new();
+    }
+    let spacings = distinct(data.rows.iter(), &PARTICLE_SPACING);
+    let words: Vec<_> = spacings.iter().map(|spacing| 1000.0 * spacing).collect();
+    match &words[..] {
+        [] => String::new(),
+        [one] => format!(" Particles stand {} mm apart.", number::plain(*one)),
+        many => format!(" Particles stand {} apart.", range(many, "mm")),
+    }
+}
+
+fn ended(data: &Loaded, cases: usize) -> String {
+    let (done, failed) = (data.finished().count(), data.failed().count());
+    match (done, failed, data.left()) {
+        (_, 0, 0) if cases == 1 => "It is finished.".to_owned(),
+        (_, 0, 0) if cases > 0 => "All are finished.".to_owned(),
+        (0, 0, _) => "None is finished yet.".to_owned(),
+        (0, _, 0) => "None came to its end.".to_owned(),
+        (_, _, 0) => format!("{done} finished, {failed} failed."),
+        (_, _, left) => format!("{done} finished, {failed} failed, {left} left to run."),
+    }
+}
+
+/// How many cases failed, by the kind of failure.
+pub fn failed(data: &Loaded) -> Option<String> {
+    let mut kinds = BTreeMap::new();
+    for row in data.failed() {
+        let reason = row.text(&REASON);
+        let kind = reason.split(" at t = ").next().unwrap_or(reason);
+        *kinds.entry(kind.split(':').next().unwrap_or(kind)).or_insert(0) += 1;
+    }
+    let kinds: Vec<_> = kinds.iter().map(|(kind, count)| format!("{kind} ({count})")).collect();
+    let cases = counted(data.failed().count(), "case");
+    let they = if cases == "1 case" { "It has" } else { "They have" };
+    (!kinds.is_empty()).then(|| format!("{cases} failed: {}. {they} no results.", listed(&kinds)))
+}

@@ -1,0 +1,137 @@
+//! What the page's script works with, beside the tables that it reads from the page: which values
+//! of which swept keys a case has, its history for the eye, and its scene as a file.
+
+use serde_json::{Value, json};
+
+use super::thin;
+use crate::quantities::summary::CASE_ID;
+use crate::quantities::{heading, named};
+use crate::report::error::ReportError;
+use crate::report::load::Loaded;
+use crate::report::number;
+use crate::report::row::PLACE;
+use crate::report::scene_file::SceneFile;
+use crate::report::study::{Key, literal};
+
+/// All histories together, bytes.
+const ROOM: usize = 1_400_000;
+
+/// The data as JSON that may stand inside a script's tags.
+///
+/// # Errors
+/// A history that cannot be read.
+pub fn data(loaded: &Loaded, file: Option<&SceneFile>) -> Result<String, ReportError> {
+    let ids: Vec<_> = loaded.rows.iter().map(|row| row.text(&CASE_ID)).collect();
+    let keys = keys(loaded);
+    let keys: Vec<Value> = keys.iter().map(key).collect();
+    let (histories, cut) = histories(loaded)?;
+    let value = json!({
+        "ids": ids,
+        "keys": keys,
+        "scenes": scenes(loaded, file),
+        "histories": histories,
+        "cut": cut,
+    });
+    Ok(value.to_string().replace('<', "\\u003c"))
+}
+
+/// What was swept; without a manifest wave, stiffness and mass.
+fn keys(loaded: &Loaded) -> Vec<Key> {
+    if !loaded.keys.is_empty() {
+        return loaded.keys.clone();
+    }
+    let key = |column: &'static crate::quantities::Column| Key {
+        name: column.name.to_owned(),
+        cells: loaded.rows.iter().map(|row| row.text(column).to_owned()).collect(),
+    };
+    let keys = PLACE.iter().map(|column| key(column));
+    keys.filter(|key| key.cells.iter().any(|cell| !cell.is_empty())).collect()
+}
+
+/// A key: its name, its heading, its values as in a file and as shown, and the place of each row's
+/// among them, -1 for none.
+fn key(key: &Key) -> Value {
+    let mut values: Vec<&str> = Vec::new();
+    for cell in &key.cells {
+        if !cell.is_empty() && !values.contains(&cell.as_str()) {
+            values.push(cell);
+        }
+    }
+    let rising = |cell: &&str| cell.parse::<f64>().unwrap_or(f64::INFINITY);
+    values.sort_by(|a, b| rising(a).total_cmp(&rising(b)));
+    let at = |cell: &String| {
+        let place = values.iter().position(|value| value == cell);
+        place.map_or(-1, |place| place as i64)
+    };
+    let shown = |cell: &&str| cell.parse().map_or((*cell).to_owned(), number::plain);
+    let symbol = named(&key.name).map_or("", |column| column.symbol);
+    json!({
+        "name": key.name,
+        "heading": heading(&key.name),
+        "symbol": if symbol.is_empty() { heading(&key.name) } else { symbol.to_owned() },
+        "literals": values.iter().map(|cell| literal(cell).to_string()).collect::<Vec<_>>(),
+        "shown": values.iter().map(shown).collect::<Vec<_>>(),
+        "at": key.cells.iter().map(at).collect::<Vec<_>>(),
+    })
+}
+
+/// The different texts of scene files, and which of them each row has.
+fn scenes(loaded: &Loaded, file: Option<&SceneFile>) -> Value {
+    let Some(file) = file else { return Value::Null };
+    let mut texts: Vec<String> = Vec::new();
+    let mut of = |index: usize| {
+        let cells: Vec<_> = loaded.keys.iter().map(|key| key.cells[index].as_str()).collect();
+        let text = file.template(&cells);
+        texts.iter().position(|known| *known == text).unwrap_or_else(|| {
+            texts.push(text);
+            texts.len() - 1
+        })
+    };
+    let at: Vec<_> = (0..loaded.rows.len()).map(&mut of).collect();
+    json!({ "texts": texts, "at": at })
+}
+
+/// The histories of finished cases, filmed ones first, as long as there is room; and whether there
+/// was too little.
+fn histories(loaded: &Loaded) -> Result<(Value, bool), ReportError> {
+    let mut histories = serde_json::Map::new();
+    let mut room = ROOM;
+    let filmed = loaded.finished().filter(|row| loaded.has_film(row));
+    for row in filmed.chain(loaded.finished()) {
+        let id = row.text(&CASE_ID);
+        if histories.contains_key(id) {
+            continue;
+        }
+        let text = thin::history(&loaded.history(id)?);
+        if text.len() > room {
+            return Ok((histories.into(), true));
+        }
+        room -= text.len();
+        if !text.is_empty() {
+            histories.insert(id.to_owned(), Value::String(text));
+        }
+    }
+    Ok((histories.into(), false))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::fixture;
+
+    #[test]
+    fn keys_hold_their_values_once_and_rows_their_places() {
+        let directory = fixture::sweep();
+        let loaded = Loaded::read(directory.path()).unwrap();
+        let text = data(&loaded, None).unwrap();
+        assert!(!text.contains('<'));
+        let read: Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(read["ids"].as_array().unwrap().len(), 12);
+        let stiffness = &read["keys"][1];
+        assert_eq!(stiffness["literals"], json!(["10", "500", "100000"]));
+        assert_eq!(stiffness["shown"], json!(["10", "500", "10⁵"]));
+        assert_eq!(stiffness["at"].as_array().unwrap()[..4], [0, 0, 1, 1]);
+        assert_eq!(read["histories"].as_object().unwrap().len(), 11, "a failed case has none");
+        assert!(read["scenes"].is_null() && read["cut"] == json!(false));
+    }
+}

@@ -1,0 +1,74 @@
+//! The films of a study: a still of each, a link to its page, and the film itself inside this page
+//! as long as that stays small.
+
+use serde_json::Value;
+
+use crate::quantities::summary::CASE_ID;
+use crate::report::load::Loaded;
+use crate::report::markup::escape;
+use crate::report::row::Row;
+
+/// The films as one section's content, with as many of them inside as there is room for, bytes;
+/// `None` where there are none.
+pub fn films(data: &Loaded, mut room: usize) -> Option<String> {
+    let filmed: Vec<_> = data.finished().filter(|row| data.has_film(row)).collect();
+    if filmed.is_empty() {
+        return None;
+    }
+    let figures: String = filmed.iter().map(|row| figure(data, row, &mut room)).collect();
+    Some(format!(
+        "<p class=\"scripted\">Press Play to see the water move; the arrow keys then go from frame to \
+         frame.</p>\n<div class=\"films\">{figures}</div>"
+    ))
+}
+
+/// The still, what is seen, and the film for the script.
+fn figure(data: &Loaded, row: &Row, room: &mut usize) -> String {
+    let id = escape(row.text(&CASE_ID));
+    let words = Some(row.words()).filter(|words| !words.is_empty());
+    let words = words.map_or_else(|| id.clone(), |words| escape(&words));
+    let page = data.film(row, "html").unwrap_or_default();
+    let film = embedded(&page, &id, room);
+    let still = data.film(row, "svg").unwrap_or_default();
+    let still = still.find("<svg").map_or("", |start| &still[start..]);
+    format!(
+        "<figure class=\"film\" data-film=\"{id}\"><div class=\"poster\">{still}</div>\
+         <figcaption>{words} <a href=\"films/{id}.html\">films/{id}.html</a></figcaption>\
+         {film}</figure>\n"
+    )
+}
+
+/// A film's page as data, without the still that it shows where scripts are off; nothing where
+/// there is no room.
+fn embedded(page: &str, id: &str, room: &mut usize) -> String {
+    let page = match (page.find("<noscript>"), page.find("</noscript>")) {
+        (Some(start), Some(end)) if start < end => page[..start].to_owned() + &page[end + 11..],
+        _ => page.to_owned(),
+    };
+    let text = Value::String(page.clone()).to_string().replace('<', "\\u003c");
+    if page.is_empty() || text.len() > *room {
+        return String::new();
+    }
+    *room -= text.len();
+    format!("<script type=\"application/json\" id=\"film-{id}\">{text}</script>")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_film_is_inside_the_page_as_long_as_there_is_room() {
+        let page = "<p>a</p><noscript><svg/></noscript><script>x < \"1\"</script>";
+        let mut room = 100;
+        let text = embedded(page, "7", &mut room);
+        let data = text.strip_prefix("<script type=\"application/json\" id=\"film-7\">").unwrap();
+        let data = data.strip_suffix("</script>").unwrap();
+        assert!(!data.contains('<'), "{data}");
+        let read: String = serde_json::from_str(data).unwrap();
+        assert_eq!(read, "<p>a</p><script>x < \"1\"</script>");
+        assert_eq!(room, 100 - data.len());
+        assert_eq!(embedded(page, "8", &mut room), "");
+        assert_eq!(embedded("", "9", &mut room), "");
+    }
+}

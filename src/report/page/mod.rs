@@ -1,0 +1,250 @@
+//! The page: one file that opens from disk, with answers, figures, films and tables, style and
+//! script inside. It is whole without its script.
+//!
+//! [`answers`] are generated sentences. `data` is what the script works with, `films` and
+//! `provenance` are sections. The script is in `script/`, a file to each of its tasks.
+
+mod answers;
+mod data;
+mod films;
+mod provenance;
+mod thin;
+mod words;
+
+use std::fmt::Write as _;
+
+use super::error::ReportError;
+use super::grid::grid;
+use super::load::Loaded;
+use super::markup::escape;
+use super::plots::{self, Figure};
+use super::scene_file::SceneFile;
+use super::tables::{self, Table, across};
+use crate::quantities::summary::{ENERGY_GAP, FORCE_MAX_GAP, PARTICLES_LOST};
+
+const STYLE: [&str; 3] =
+    [include_str!("../../palette.css"), plots::STYLE, include_str!("style.css")];
+const SCRIPT: [&str; 5] = [
+    include_str!("script/choice.js"),
+    include_str!("script/table.js"),
+    include_str!("script/figures.js"),
+    include_str!("script/case.js"),
+    include_str!("script/start.js"),
+];
+
+/// A page that holds films has at most so many bytes, about; what does not fit is linked.
+const MOST: usize = 4_700_000;
+
+/// What the page says of the values that papers print.
+#[derive(Debug, Clone, Default)]
+pub struct Papers {
+    /// An answer at the page's top, as plain text.
+    pub answer: String,
+    /// The section, as HTML.
+    pub content: String,
+}
+
+/// The whole page.
+///
+/// # Errors
+/// A history that cannot be read.
+pub fn page(
+    data: &Loaded,
+    figures: &[Figure],
+    tables: &[Table],
+    papers: Option<&Papers>,
+) -> Result<String, ReportError> {
+    let name = escape(data.name().unwrap_or("seawall sweep"));
+    let file = SceneFile::of(data);
+    let (mut body, mut rest) = (String::new(), String::new());
+    head(&mut body, data, &name, file.as_ref(), papers);
+    failures(&mut body, data);
+    for figure in figures {
+        section(&mut body, &figure.title, &drawn(figure));
+    }
+    if let Some(papers) = papers {
+        section(&mut body, "The papers", &papers.content);
+    }
+    tabled(&mut rest, data, tables);
+    if let Some(cost) = provenance::cost(data) {
+        section(&mut rest, "Cost", &cost);
+    }
+    if let Some(manifest) = &data.manifest {
+        section(&mut rest, "Provenance", &provenance::provenance(manifest));
+    }
+    let json = data::data(data, file.as_ref())?;
+    let (style, script) = (STYLE.concat(), SCRIPT.concat());
+    let written = [&body, &rest, &json, &style, &script].map(|text| text.len());
+    let room = MOST.saturating_sub(written.iter().sum());
+    if let Some(films) = films::films(data, room) {
+        section(&mut body, "Films", &films);
+    }
+    body.push_str(&rest);
+    Ok(format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
+         <title>{name}</title>\n<style>\n{style}</style>\n</head>\n<body>\n<main>\n{body}</main>\n\
+         <aside id=\"case\" aria-label=\"One case\" hidden></aside>\n\
+         <script type=\"application/json\" id=\"data\">{json}</script>\n\
+         <script>\n(() => {{\n\"use strict\";\n{script}}})();\n</script>\n</body>\n</html>\n"
+    ))
+}
+
+fn section(body: &mut String, title: &str, content: &str) {
+    let (id, title) =
+        (title.to_lowercase().replace(|c: char| !c.is_alphanumeric(), "-"), escape(title));
+    writeln!(body, "<section id=\"{id}\">\n<h2>{title}</h2>\n{content}\n</section>")
+        .expect("a string grows");
+}
+
+/// The name, the answers, and the place of the script's bar.
+fn head(
+    body: &mut String,
+    data: &Loaded,
+    name: &str,
+    file: Option<&SceneFile>,
+    papers: Option<&Papers>,
+) {
+    let mut answers = answers::all(data, file);
+    answers.extend(
+        papers.map(|papers| answers::Answer { about: "The papers", text: papers.answer.clone() }),
+    );
+    let answer = |answer: &answers::Answer| {
+        format!("<dt>{}</dt><dd>{}</dd>\n", answer.about, escape(&answer.text))
+    };
+    let list: String = answers.iter().map(answer).collect();
+    writeln!(
+        body,
+        "<h1>{name}</h1>\n<dl class=\"answers\">\n{list}</dl>\n\
+         <details id=\"choose\" hidden></details>"
+    )
+    .expect("a string grows");
+}
+
+fn failures(body: &mut String, data: &Loaded) {
+    let table = tables::failed(data).for_page();
+    if !table.rows.is_empty() {
+        section(body, &table.title, &grid(&table));
+    }
+}
+
+fn drawn(figure: &Figure) -> String {
+    let (svg, caption, file) = (figure.inline(), escape(&figure.caption), &figure.name);
+    format!(
+        "<figure><div class=\"wide\">{svg}</div><figcaption>{caption} \
+         <span class=\"file\">figures/{file}.svg</span></figcaption></figure>"
+    )
+}
+
+fn tabled(body: &mut String, data: &Loaded, tables: &[Table]) {
+    let find = |name: &str| tables.iter().find(|t| t.name == name && !t.rows.is_empty());
+    if let Some(table) = find("summary") {
+        section(body, &table.title, &format!("{BARS}{}", grid(&table.for_page())));
+    }
+    if let Some(table) = find("readings") {
+        section(body, &table.title, &grid(&across(table)));
+    }
+    if let Some(table) = find("health") {
+        let text = format!("<p>{}</p>{}", health_line(data), grid(&table.for_page()));
+        section(body, &table.title, &text);
+    }
+    if let Some(table) = find("energy") {
+        section(body, &table.title, &grid(&table.for_page()));
+    }
+}
+
+/// What stands before the table of cases.
+const BARS: &str = "<p>± is the estimated error bar, where bars were asked for. ≥ is a lower bound: \
+    the wall was still moving when the run ended, and the bar behind it can only lower it.</p>";
+
+/// The largest gaps of all finished cases: of the force where it is largest, as elsewhere it touches
+/// no number that is quoted.
+fn health_line(data: &Loaded) -> String {
+    let numbers = |column| data.finished().filter_map(move |row| row.number(column));
+    let largest = |column| numbers(column).map(f64::abs).max_by(f64::total_cmp);
+    let lost: f64 = numbers(&PARTICLES_LOST).sum();
+    let force = largest(&FORCE_MAX_GAP).map(|gap| {
+        format!("Where the force is largest, its two readings differ by up to {gap:.2} %. ")
+    });
+    let energy =
+        largest(&ENERGY_GAP).map(|gap| format!("The energy budget is off by up to {gap:.2} %. "));
+    format!(
+        "{}{}{lost} particles were lost. In the table, the reasons for doubt stand out.",
+        force.unwrap_or_default(),
+        energy.unwrap_or_default()
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantities::summary::CASE_ID;
+    use crate::report::fixture;
+
+    fn page_of(directory: &tempfile::TempDir) -> String {
+        let data = Loaded::read(directory.path()).unwrap();
+        super::page(&data, &plots::all(&data).unwrap(), &tables::all(&data).unwrap(), None).unwrap()
+    }
+
+    #[test]
+    fn nothing_is_fetched() {
+        // The namespace of drawings is a name, not an address.
+        let page = page_of(&fixture::sweep()).replace("http://www.w3.org/2000/svg", "");
+        for word in ["http:", "https:", "<link", "@import", "url(", "src="] {
+            let found = page.split_once(word).map(|(_, rest)| rest.get(..80));
+            assert_eq!(found, None, "{word}");
+        }
+    }
+
+    #[test]
+    fn the_papers_have_their_answer_and_their_section() {
+        let data = Loaded::read(fixture::fixed().path()).unwrap();
+        let papers =
+            Papers { answer: "7 values < 3 % off.".to_owned(), content: "<p>a</p>".to_owned() };
+        let page = super::page(&data, &[], &[], Some(&papers)).unwrap();
+        assert!(page.contains("<dt>The papers</dt><dd>7 values &lt; 3 % off.</dd>"));
+        assert!(page.contains("<h2>The papers</h2>\n<p>a</p>"));
+    }
+
+    #[test]
+    fn failed_cases_stand_with_their_reasons_escaped() {
+        let page = page_of(&fixture::sweep());
+        assert!(page.contains("particle 12, 31 m/s &lt;"));
+        assert!(page.contains("a &lt;b&gt; &amp; c"), "the manifest is escaped, too");
+        assert!(!page_of(&fixture::fixed()).contains("Failed cases"));
+    }
+
+    #[test]
+    fn a_scene_without_waves_shows_what_it_has_and_no_empty_column() {
+        let page = page_of(&fixture::dam_breaks(1));
+        for word in ["Histories", "Gauges", "Readings", "front_at_wall", "F* max"] {
+            assert!(page.contains(word), "{word}");
+        }
+        for word in ["H/h", "first F*", "k, N/m", "still moving"] {
+            assert!(!page.contains(&format!("\">{word}</th>")), "{word}");
+        }
+    }
+
+    #[test]
+    fn films_that_are_there_are_linked() {
+        let directory = fixture::sweep();
+        assert!(!page_of(&directory).contains("<h2>Films</h2>"));
+        let data = Loaded::read(directory.path()).unwrap();
+        let row = data.finished().next().unwrap();
+        let film = format!("films/{}.html", row.text(&CASE_ID));
+        std::fs::create_dir(directory.path().join("films")).unwrap();
+        std::fs::write(directory.path().join(&film), "").unwrap();
+        let page = page_of(&directory);
+        let told = format!("{} <a href=\"{film}\">{film}</a>", escape(&row.words()));
+        assert!(page.contains(&told));
+    }
+
+    #[test]
+    fn an_interrupted_sweep_says_how_many_cases_are_left() {
+        let directory = fixture::sweep();
+        assert!(page_of(&directory).contains("11 finished, 1 failed."));
+        let manifest = r#"{"name": "fixture", "cases": 15}"#;
+        std::fs::write(directory.path().join("manifest.json"), manifest).unwrap();
+        assert!(page_of(&directory).contains("11 finished, 1 failed, 3 left to run."));
+    }
+}

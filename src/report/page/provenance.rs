@@ -1,0 +1,133 @@
+//! What the study cost and where its numbers come from, in words and lists.
+
+use std::fmt::Write as _;
+
+use serde_json::Value;
+
+use super::answers::most;
+use super::words::{at, counted, median};
+use crate::quantities::summary::{PAIR_EVALUATIONS, PARTICLES, STEPS, WALL_TIME};
+use crate::report::load::Loaded;
+use crate::report::markup::escape;
+use crate::report::number::{plain, significant};
+
+/// What the cases cost; `None` where no case says.
+pub fn cost(data: &Loaded) -> Option<String> {
+    let all = |column| data.finished().filter_map(|row| row.number(column)).collect::<Vec<f64>>();
+    let times = all(&WALL_TIME);
+    let middle = median(&times)?;
+    let (slowest, longest) = most(data.finished(), |row| row.number(&WALL_TIME))?;
+    let time = |seconds: f64| format!("{} s", significant(seconds, 3));
+    let mut text = match times.len() {
+        1 => format!("The case took {}", time(middle)),
+        count => format!(
+            "{} took {} together: {} in the median, {} at most{}",
+            counted(count, "case"),
+            time(times.iter().sum()),
+            time(middle),
+            time(longest),
+            at(slowest)
+        ),
+    };
+    text.push_str(". These are wall times of cases, stretches that they share left out.");
+    if let (Some(particles), Some(steps)) = (median(&all(&PARTICLES)), median(&all(&STEPS))) {
+        let particles = particles.round();
+        write!(text, " A case in the median has {particles} particles and {steps:.0} steps.")
+            .ok()?;
+    }
+    let pairs: f64 = all(&PAIR_EVALUATIONS).iter().sum();
+    if pairs > 0.0 {
+        write!(text, " Pairs of particles were summed over {} times.", plain(pairs)).ok()?;
+    }
+    Some(format!("<p>{}{}</p>", escape(&text), escape(&saved(data).unwrap_or_default())))
+}
+
+/// How many steps sharing spared.
+fn saved(data: &Loaded) -> Option<String> {
+    let sessions = data.manifest.as_ref()?.get("sessions")?.as_array()?;
+    let sum = |name: &str| -> f64 {
+        let read = |session: &Value| session.get("savings")?.get(name)?.as_f64();
+        sessions.iter().filter_map(read).sum()
+    };
+    let (computed, from_rest) = (sum("steps_computed"), sum("steps_from_rest"));
+    let share = 100.0 * (1.0 - computed / from_rest);
+    (from_rest > computed && computed > 0.0).then(|| {
+        format!(" Stretches that cases share were computed once, which spared {share:.0} % of the steps.")
+    })
+}
+
+/// The manifest as a list, its sessions a line each, and the sweep file as written.
+pub fn provenance(manifest: &Value) -> String {
+    let mut lines = Vec::new();
+    for (name, value) in manifest.as_object().into_iter().flatten() {
+        match name.as_str() {
+            "sweep_file" => (),
+            "sessions" => {
+                for session in value.as_array().into_iter().flatten() {
+                    lines.push(("worked on".to_owned(), told(session)));
+                }
+            }
+            _ => lines.push((name.replace('_', " "), word(value))),
+        }
+    }
+    let line = |(name, value): &(String, String)| {
+        format!("<dt>{}</dt><dd>{}</dd>", escape(name), escape(value))
+    };
+    lines.retain(|(_, value)| !value.is_empty());
+    let list = format!("<dl>{}</dl>", lines.iter().map(line).collect::<String>());
+    let file = manifest.get("sweep_file").and_then(Value::as_str).filter(|file| !file.is_empty());
+    let file =
+        file.map(|file| format!("<h3>The file as written</h3>\n<pre>{}</pre>", escape(file)));
+    list + &file.unwrap_or_default()
+}
+
+/// One process that worked on the study.
+fn told(session: &Value) -> String {
+    let text = |name: &str| session.get(name).and_then(Value::as_str).unwrap_or("");
+    let ranks = session.get("ranks").and_then(Value::as_array);
+    let rank = |rank: &Value| {
+        let threads = rank.get("threads").and_then(Value::as_u64).unwrap_or(1) as usize;
+        format!("{} ({})", word(&rank["host"]), counted(threads, "thread"))
+    };
+    let ranks: Vec<_> = ranks.into_iter().flatten().map(rank).collect();
+    let time = session.get("wall_time_s").and_then(Value::as_f64);
+    let parts = [
+        text("started").to_owned(),
+        time.map(|time| format!("{} s", significant(time, 3))).unwrap_or_default(),
+        text("executor").to_owned(),
+        ranks.join(", "),
+        text("ending").to_owned(),
+    ];
+    parts.into_iter().filter(|part| !part.is_empty()).collect::<Vec<_>>().join(", ")
+}
+
+fn word(value: &Value) -> String {
+    match value {
+        Value::String(text) => text.clone(),
+        Value::Array(items) => items.iter().map(word).collect::<Vec<_>>().join(", "),
+        Value::Null => String::new(),
+        other => other.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn sessions_are_told_in_a_line_and_the_file_as_it_is_written() {
+        let manifest = json!({
+            "version": "0.1.0", "git_commit": "abc", "overrides": [],
+            "sweep_file": "name = \"a\"\n# k < 5\n",
+            "sessions": [{ "executor": "threads", "started": "2026-01-01T00:00:00Z",
+                "wall_time_s": 12.345, "ending": null,
+                "ranks": [{ "host": "here", "threads": 2 }] }],
+        });
+        let text = provenance(&manifest);
+        assert!(text.contains("<dt>git commit</dt><dd>abc</dd>"), "{text}");
+        assert!(text.contains("<dd>2026-01-01T00:00:00Z, 12.3 s, threads, here (2 threads)</dd>"));
+        assert!(text.contains("<pre>name = &quot;a&quot;\n# k &lt; 5\n</pre>"));
+        assert!(!text.contains("overrides"), "what is empty is left out: {text}");
+    }
+}

@@ -1,0 +1,31 @@
+// Puts it all to work.
+const grids = [...document.querySelectorAll(".listing")].map((box) => new Grid(box));
+document.querySelectorAll("figure [data-series^='case=']").forEach(widen);
+const figures = [...document.querySelectorAll("figure")].filter((figure) => figure.querySelector("[data-case]"));
+for (const figure of figures) watchers.push({ box: figure, act: () => fade(figure) });
+chooser();
+document.body.append(tip);
+figures.flatMap((figure) => [...figure.querySelectorAll("svg")]).forEach(enter);
+document.querySelectorAll("figure.film").forEach((figure) => {
+  const poster = figure.querySelector(".poster"), id = figure.dataset.film;
+  if (!document.getElementById("film-" + id)) return;
+  const play = make("button", { type: "button", className: "play", textContent: "Play" });
+  play.addEventListener("click", () => poster.replaceWith(player(id)) || play.remove());
+  figure.querySelector("figcaption").prepend(play);
+});
+document.addEventListener("keydown", (event) => {
+  if (event.key === "Escape" && !pane.hidden) hide();
+});
+function restore() {
+  recall();
+  const open = opened;
+  choose();
+  if (open >= 0) show(open);
+  else if (!pane.hidden) hide();
+}
+addEventListener("hashchange", () => {
+  if (location.hash.length > 1 && !location.hash.includes("=")) return remember(); // a link within the page
+  restore();
+});
+restore();
+document.documentElement.classList.add("alive");

@@ -1,0 +1,86 @@
+//! Words and numbers of generated sentences.
+
+use crate::quantities::Column;
+use crate::report::number;
+use crate::report::row::Row;
+
+/// `1 case`, `12 cases`.
+pub fn counted(count: usize, noun: &str) -> String {
+    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
+}
+
+/// `a`, `a and b`, `a, b and c`.
+pub fn listed(words: &[String]) -> String {
+    match words {
+        [] => String::new(),
+        [word] => word.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+/// Rising values: all of them where they are few, or else both ends and how many there are.
+pub fn range(values: &[f64], unit: &str) -> String {
+    let space = if unit.is_empty() { "" } else { " " };
+    let words: Vec<_> = values.iter().map(|value| number::plain(*value)).collect();
+    match &words[..] {
+        [first, .., last] if words.len() > 3 => {
+            format!("{first} to {last}{space}{unit} ({} values)", words.len())
+        }
+        _ => format!("{}{space}{unit}", listed(&words)),
+    }
+}
+
+/// The value in the middle; the mean of two where their number is even.
+pub fn median(values: &[f64]) -> Option<f64> {
+    let mut values = values.to_vec();
+    values.sort_by(f64::total_cmp);
+    let (low, high) = (values.len().checked_sub(1)? / 2, values.len() / 2);
+    Some(0.5 * (values[low] + values[high]))
+}
+
+/// `F* = 3.92 ± 0.04`, and `X* ≥ 3.1` for a lower bound.
+pub fn result(symbol: &str, row: &Row, column: &Column) -> Option<String> {
+    let value = row.number(column)?;
+    let error = row.error(column).unwrap_or(0.0);
+    Some(if row.is_bound(column) {
+        format!("{symbol} {}", number::bound_with_error(value, error))
+    } else {
+        format!("{symbol} = {}", number::with_error(value, error))
+    })
+}
+
+/// `at H/h = 0.5, k = 10 N/m`; nothing where there is one case only.
+pub fn at(row: &Row) -> String {
+    let words = row.words();
+    if words.is_empty() { words } else { format!(" at {words}") }
+}
+
+/// A share in percent with two digits: `0.42 %`, `3.1 %`, `12 %`.
+pub fn percent(share: f64) -> String {
+    format!("{} %", number::significant(100.0 * share, 2))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lists_and_ranges_read_as_written_by_hand() {
+        let words = |count: usize| {
+            ["a", "b", "c"][..count].iter().map(ToString::to_string).collect::<Vec<_>>()
+        };
+        let told = [0, 1, 2, 3].map(|count| listed(&words(count)));
+        assert_eq!(told, ["", "a", "a and b", "a, b and c"]);
+        assert_eq!(range(&[0.01, 10.0, 500.0, 1e7], "N/m"), "0.01 to 10⁷ N/m (4 values)");
+        assert_eq!(range(&[0.3, 0.5], ""), "0.3 and 0.5");
+        assert_eq!((counted(1, "case"), counted(2, "case")), ("1 case".into(), "2 cases".into()));
+    }
+
+    #[test]
+    fn the_middle_of_an_even_number_of_values_is_between_two() {
+        assert_eq!(median(&[3.0, 1.0, 2.0]), Some(2.0));
+        assert_eq!(median(&[4.0, 1.0, 2.0, 3.0]), Some(2.5));
+        assert_eq!(median(&[]), None);
+        assert_eq!([0.0042, 0.031, 0.123].map(percent), ["0.42 %", "3.1 %", "12 %"]);
+    }
+}
