@@ -8,6 +8,7 @@ use super::curves::distinct;
 use super::grid::{LONG, escape, grid};
 use super::load::Loaded;
 use super::number;
+use super::papers::Papers;
 use super::plots::Figure;
 use super::row::{PLACE, Row};
 use super::tables::{self, Table, across};
@@ -19,7 +20,12 @@ use crate::quantities::summary::{
 const STYLE: &str = include_str!("style.css");
 
 /// The whole page.
-pub fn page(data: &Loaded, figures: &[Figure], tables: &[Table]) -> String {
+pub fn page(
+    data: &Loaded,
+    figures: &[Figure],
+    tables: &[Table],
+    papers: Option<&Papers>,
+) -> String {
     let name = escape(data.name().unwrap_or("seawall sweep"));
     let mut body = String::new();
     head(&mut body, data, &name);
@@ -37,6 +43,9 @@ pub fn page(data: &Loaded, figures: &[Figure], tables: &[Table]) -> String {
              <span class=\"file\">figures/{file}.svg</span></figcaption></figure>"
             ),
         );
+    }
+    if let Some(papers) = papers {
+        section(&mut body, "The papers", &papers.section());
     }
     for table in tables {
         let shown = match table.name.as_str() {
@@ -178,7 +187,7 @@ mod tests {
 
     fn page_of(directory: &tempfile::TempDir) -> String {
         let data = Loaded::read(directory.path()).unwrap();
-        page(&data, &plots::all(&data).unwrap(), &tables::all(&data).unwrap())
+        page(&data, &plots::all(&data).unwrap(), &tables::all(&data).unwrap(), None)
     }
 
     #[test]

@@ -5,6 +5,7 @@
 //! a page joins them. The same files give the same bytes.
 
 pub mod accuracy;
+mod config;
 pub mod curves;
 mod error;
 #[cfg(test)]
@@ -13,7 +14,9 @@ mod grid;
 mod html;
 pub mod load;
 mod number;
+pub mod papers;
 pub mod plots;
+pub mod reproduce;
 mod row;
 pub mod series;
 pub mod study;
@@ -31,19 +34,20 @@ use load::Loaded;
 /// at least a `summary.csv`, and returns the page's path.
 pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
     let data = Loaded::read(out_dir)?;
-    let figures = plots::all(&data)?;
-    let tables = tables::all(&data)?;
+    let (figures, tables) = (plots::all(&data)?, tables::all(&data)?);
+    let papers = papers::papers(&data)?;
     let (figures_dir, tables_dir) = (out_dir.join("figures"), out_dir.join("tables"));
     make(&figures_dir)?;
     make(&tables_dir)?;
-    for figure in &figures {
+    let theirs = papers.iter().flat_map(|papers| &papers.figures);
+    for figure in figures.iter().chain(theirs) {
         save(&figures_dir.join(format!("{}.svg", figure.name)), &figure.standalone())?;
     }
-    for table in &tables {
+    for table in tables.iter().chain(papers.iter().map(|papers| &papers.tidy)) {
         save(&tables_dir.join(format!("{}.csv", table.name)), &table.csv())?;
     }
     let path = out_dir.join("report.html");
-    save(&path, &html::page(&data, &figures, &tables))?;
+    save(&path, &html::page(&data, &figures, &tables, papers.as_ref()))?;
     Ok(path)
 }
 

@@ -5,7 +5,7 @@ use super::axes::Axis;
 use super::legend::Entry;
 use super::pen::Look;
 use super::sheet::{Chart, Curve, Layout, Point, sheet};
-use super::{Figure, file_name, of_variant, swept};
+use super::{Figure, file_name, of_variant, printed, swept};
 use crate::quantities::Column;
 use crate::quantities::summary::{
     FIRST_FORCE_MAX, FIRST_RUNUP_MAX, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO,
@@ -56,7 +56,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
         let has_bar = |row: &&Row| SIDES.iter().any(|(column, _)| row.error(column).is_some());
         let bars = if rows.iter().any(has_bar) { " Bars: estimated errors." } else { "" };
         figures.push(Figure {
-            svg: drawing(&name, &rows, measured, vertical)?,
+            svg: drawing(data, &name, &rows, measured, vertical)?,
             title: format!("Runup and force at a fixed wall{}", of_variant(&variant)),
             caption: format!(
                 "Largest runup and force of the first impact on a fixed wall against the wave \
@@ -80,6 +80,7 @@ pub fn walls<'a>(data: &'a Loaded, variant: &str) -> impl Iterator<Item = &'a Ro
 
 /// A pair of panels; with the exact wave where the walls are `vertical`.
 fn drawing(
+    data: &Loaded,
     name: &str,
     rows: &[&Row],
     measured: bool,
@@ -100,6 +101,7 @@ fn drawing(
         }
         let entry = Entry::dots("computed", Look::of(0), false);
         curves.push(Curve { entry, points: rows.iter().filter_map(point).collect() });
+        curves.extend(printed::at_fixed_walls(data, column, rows, measured));
         let places = curves.iter().flat_map(|curve| &curve.points).map(|point| point.x);
         Some(Chart {
             heading: String::new(),

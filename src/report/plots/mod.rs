@@ -9,13 +9,20 @@ mod history;
 mod legend;
 mod over_time;
 mod pen;
+mod printed;
 mod probes;
 mod response;
 mod sheet;
 mod swept;
 
 pub use accuracy::{Dot, error_against_time};
-pub(super) use fixed_wall::walls as fixed_walls;
+pub(super) use axes::Axis;
+pub(super) use fixed_wall::{figures as at_fixed_walls, walls as fixed_walls};
+pub(super) use legend::Entry;
+pub(super) use over_time::lasting;
+pub(super) use pen::Look;
+pub(super) use printed::{PRINTED, entry as printed_entry};
+pub(super) use sheet::{Chart, Curve, Layout, Point, sheet};
 
 use super::error::ReportError;
 use super::load::Loaded;

@@ -48,6 +48,11 @@ impl Look {
         Look { colour: COLOURS[index % COLOURS.len()], corners, turn }
     }
 
+    /// What a paper prints: an upright square in ink, on its corner.
+    pub fn printed() -> Look {
+        Look { colour: INK, corners: 4, turn: 0.0 }
+    }
+
     /// A round marker in ink.
     pub fn plain() -> Look {
         Look { colour: INK, corners: 0, turn: 0.0 }

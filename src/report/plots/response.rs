@@ -5,7 +5,7 @@ use super::axes::Axis;
 use super::legend::Entry;
 use super::pen::Look;
 use super::sheet::{Chart, Curve, Layout, Point, sheet};
-use super::{Figure, file_name, of_variant};
+use super::{Figure, file_name, of_variant, printed};
 use crate::quantities::summary::{FORCE_COUPLING, LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, Unit};
 use crate::report::curves::{RESPONSES, by_mass, distinct, responses, stem, variants};
@@ -27,7 +27,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
             let law = coupling(data.finished().filter(|row| row.variant == variant));
             let what = capitalised(response.meaning);
             figures.push(Figure {
-                svg: drawing(&name, response, &rows, &waves)?,
+                svg: drawing(data, &name, response, &rows, &waves)?,
                 caption: format!(
                     "{what} against the spring stiffness k* = k/(ρgh²), one panel per wall mass \
                      m* = m/(ρh²), one curve per nominal wave height.{}{law}",
@@ -103,6 +103,7 @@ pub fn by_wave(
 }
 
 fn drawing(
+    data: &Loaded,
     name: &str,
     response: &Column,
     rows: &[&Row],
@@ -111,7 +112,9 @@ fn drawing(
     let curves = |rows: &[&Row]| {
         let places = rows.iter().filter_map(|row| Some((row.number(&LOG10_K_STAR)?, *row)));
         let cases: Vec<_> = places.collect();
-        by_wave(&cases, waves, response, |row| row.number(response))
+        let mut curves = by_wave(&cases, waves, response, |row| row.number(response));
+        curves.extend(printed::of_response(data, response, rows));
+        curves
     };
     let all = curves(rows);
     let places = all.iter().flat_map(|curve| &curve.points).map(|point| point.x);

@@ -1,0 +1,168 @@
+//! A study beside the papers: every printed number that it has a case for.
+//!
+//! [`confront`] finds them. From there come the table `papers`, the sentences and the figure of the page's
+//! section "The papers", and markers in other figures. The numbers themselves are in [`crate::papers`].
+
+mod agreement;
+mod collective;
+mod computed;
+mod sentences;
+mod table;
+
+use super::config::{Config, configs};
+use super::error::ReportError;
+use super::grid::{escape, grid};
+use super::load::Loaded;
+use super::plots::Figure;
+use super::row::{PLACE, Row};
+use super::tables::Table;
+use crate::papers::{Printed, Read, printed, scenes};
+use crate::quantities::summary::FORCE_COUPLING;
+
+pub(super) use computed::{at, column, on_their_clock, step_time};
+pub use sentences::sentences;
+pub use table::{beside, tidy};
+
+/// A printed number and what a case has in its place.
+#[derive(Debug, Clone)]
+pub struct Found<'a> {
+    /// The number.
+    pub printed: &'static Printed,
+    /// The case.
+    pub row: &'a Row,
+    /// What it was.
+    pub config: &'a Config,
+    /// What it has.
+    pub computed: f64,
+    /// The error bar.
+    pub error: Option<f64>,
+    /// What it has is only a lower bound.
+    pub bound: bool,
+}
+
+impl Found<'_> {
+    /// Computed less printed, in the printed unit.
+    pub fn difference(&self) -> f64 {
+        self.computed - self.printed.value
+    }
+
+    /// The same over what is printed, percent; none of a printed zero.
+    pub fn percent(&self) -> Option<f64> {
+        let printed = self.printed.value;
+        (printed != 0.0).then(|| 100.0 * self.difference() / printed.abs())
+    }
+
+    /// Whether the difference is within the number's tolerance or the error bar.
+    pub fn is_met(&self) -> bool {
+        let allowed = self.printed.tolerance().max(self.error.unwrap_or(0.0));
+        let enough = self.printed.read == Read::AtLeast && self.difference() > 0.0;
+        enough || self.difference().abs() <= allowed
+    }
+
+    /// The factor s, where the wall moves.
+    pub fn coupling(&self) -> Option<f64> {
+        self.row.number(&FORCE_COUPLING).filter(|_| self.printed.scene == "movable")
+    }
+}
+
+/// All values of a study's cases.
+#[derive(Debug)]
+pub struct Cases<'a> {
+    data: &'a Loaded,
+    configs: Vec<Option<Config>>,
+}
+
+impl<'a> Cases<'a> {
+    /// Those of a study.
+    pub fn of(data: &'a Loaded) -> Cases<'a> {
+        Cases { data, configs: configs(data) }
+    }
+
+    /// Finished cases with their values.
+    fn finished(&self) -> impl Iterator<Item = (&'a Row, &Config)> {
+        let pairs = self.data.rows.iter().zip(&self.configs);
+        pairs
+            .filter_map(|(row, config)| Some((row, config.as_ref()?)))
+            .filter(|(row, _)| row.is_ok())
+    }
+}
+
+/// Every printed number that the study has a case for, in the papers' order.
+///
+/// # Errors
+/// A history or a table of readings that cannot be read.
+pub fn confront<'a>(cases: &'a Cases<'a>) -> Result<Vec<Found<'a>>, ReportError> {
+    let mut all = Vec::new();
+    for (row, config) in cases.finished() {
+        all.extend(scenes(&config.scene).map(|scene| (scene, row, config)));
+    }
+    let mut found = Vec::new();
+    for number in printed() {
+        let own: Vec<_> = all
+            .iter()
+            .filter(|(scene, row, _)| {
+                *scene == number.scene && number.holds_at(PLACE.map(|column| row.number(column)))
+            })
+            .map(|&(_, row, config)| (row, config))
+            .collect();
+        if let Some(kind) = collective::Kind::of(&number.quantity) {
+            found.extend(kind.found(number, &own));
+            continue;
+        }
+        for &(row, config) in &own {
+            let Some(computed) = computed::of(cases.data, number, row, &own)? else { continue };
+            let column = computed::column(number);
+            let error = column.and_then(|column| row.error(column));
+            let bound = column.is_some_and(|column| row.is_bound(column));
+            found.push(Found { printed: number, row, config, computed, error, bound });
+        }
+    }
+    Ok(found)
+}
+
+/// What a study says of the papers.
+#[derive(Debug, Clone)]
+pub struct Papers {
+    /// One line per number and case.
+    pub tidy: Table,
+    /// The same for the page: the factors s beside one another.
+    pub beside: Table,
+    /// What agrees, what does not, and why.
+    pub sentences: Vec<String>,
+    /// Printed against computed.
+    pub figures: Vec<Figure>,
+}
+
+/// What the study says of the papers; `None` where it has no case of theirs.
+///
+/// # Errors
+/// A file that cannot be read; a figure that cannot be drawn.
+pub fn papers(data: &Loaded) -> Result<Option<Papers>, ReportError> {
+    let cases = Cases::of(data);
+    let found = confront(&cases)?;
+    if found.is_empty() {
+        return Ok(None);
+    }
+    Ok(Some(Papers {
+        tidy: tidy(&found),
+        beside: beside(&found),
+        sentences: sentences(&found),
+        figures: agreement::figure(&found)?.into_iter().collect(),
+    }))
+}
+
+impl Papers {
+    /// The section of the page.
+    pub fn section(&self) -> String {
+        let mut text: String =
+            self.sentences.iter().map(|said| format!("<p>{}</p>\n", escape(said))).collect();
+        for figure in &self.figures {
+            let (svg, caption, file) = (figure.inline(), escape(&figure.caption), &figure.name);
+            text.push_str(&format!(
+                "<figure><div class=\"wide\">{svg}</div><figcaption>{caption} \
+                 <span class=\"file\">figures/{file}.svg</span></figcaption></figure>\n"
+            ));
+        }
+        text + &grid(&self.beside)
+    }
+}
