@@ -96,16 +96,16 @@ impl Printed {
         matches!(self.unit.as_str(), "h" | "½ρgh²" | "m") && self.read != Read::Words
     }
 
-    /// How far a computed value may be from it and count as the same: 5 % of it, and no less than what
-    /// its unit is worth telling.
+    /// How far a computed value may be from it and count as the same: 0.05 s, five points of a percentage,
+    /// and otherwise 5 % of it, though no less than 0.02 of a force, a runup or a displacement.
     pub fn tolerance(&self) -> f64 {
-        let least = match self.unit.as_str() {
-            "h" | "½ρgh²" => 0.02,
-            "m" => 0.01,
+        let share = 0.05 * self.value.abs();
+        match self.unit.as_str() {
+            "s" => 0.05,
             "%" => 5.0,
-            _ => 0.05,
-        };
-        (0.05 * self.value.abs()).max(least)
+            "h" | "½ρgh²" => share.max(0.02),
+            _ => share,
+        }
     }
 }
 

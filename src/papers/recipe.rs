@@ -104,6 +104,13 @@ pub fn recipes() -> &'static [Recipe] {
     &ALL
 }
 
+impl Draw {
+    /// Whether it shows how long runs took, so that they should run one at a time.
+    pub fn tells_times(&self) -> bool {
+        *self == Draw::StepTime
+    }
+}
+
 impl Recipe {
     /// As one names it: `Fig. 13`, `Table 1`.
     pub fn title(&self) -> String {

@@ -7,6 +7,7 @@ use toml::{Table, Value};
 use super::load::Loaded;
 use crate::keys::{Override, Section, number, value_of};
 use crate::quantities::Column;
+use crate::quantities::summary::{BOUNDARY, KERNEL, PARTICLE_SPACING, SCHEME};
 use crate::scene::{CaseConfig, Place, SeawallScene, place_of};
 
 /// All values of one case, those that the program chose included.
@@ -105,11 +106,22 @@ fn config(file: &Table, data: &Loaded, row: usize) -> Option<Config> {
         }
     }
     let config = CaseConfig::with_probes(&scene, &numerics, &probes(file)).ok()?;
+    let row = &data.rows[row];
     let table = |value: Option<Value>| value?.as_table().cloned();
-    Some(Config {
-        scene: table(value_of(&config.scene))?,
-        numerics: table(value_of(&config.numerics))?,
-    })
+    let mut numerics = table(value_of(&config.numerics))?;
+    // What --max-error chose for the case.
+    for column in [&SCHEME, &BOUNDARY, &KERNEL] {
+        set(&mut numerics, column, Some(row.text(column)).filter(|text| !text.is_empty()));
+    }
+    set(&mut numerics, &PARTICLE_SPACING, row.number(&PARTICLE_SPACING));
+    Some(Config { scene: table(value_of(&config.scene))?, numerics })
+}
+
+/// Sets what the case has anyway.
+fn set(table: &mut Table, column: &Column, value: Option<impl Into<Value>>) {
+    if let Some((place, value)) = table.get_mut(column.name).zip(value) {
+        *place = value.into();
+    }
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 //! a page joins them. The same files give the same bytes.
 
 pub mod accuracy;
+pub mod compare;
 mod config;
 pub mod curves;
 mod error;
@@ -26,6 +27,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 pub use error::ReportError;
+pub use plots::Figure;
+pub use reproduce::Reproduced;
 pub use row::Row;
 
 use load::Loaded;

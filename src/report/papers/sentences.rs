@@ -3,6 +3,8 @@
 use super::Found;
 use super::table::{couplings, words};
 use crate::papers::{Read, cause, paper};
+use crate::quantities::summary::{PARTICLE_SPACING, SCHEME};
+use crate::report::curves::distinct;
 use crate::report::number;
 use crate::report::row::{PLACE, label};
 
@@ -51,19 +53,30 @@ fn opening(found: &[Found]) -> String {
     numbers.dedup();
     let are = if numbers.len() == 1 { "number has" } else { "numbers have" };
     format!(
-        "{} printed {are} a case in this study ({}). A number counts as met where the difference is at \
-         most 5 %, or 0.02 of F*, R* and X*, or 0.05 s, or within the error bar. No curve was read off: \
-         these are the numbers that the papers print.",
+        "{} printed {are} a case here ({}), computed by {}. A number counts as met where the difference is \
+         at most 5 % (or 0.02 of F*, R* and X*, 0.05 s, 5 points of a percentage), or within the error bar. \
+         No curve was read off: these are the numbers that the papers print.",
         numbers.len(),
-        names.join("; ")
+        names.join("; "),
+        method(found)
     )
+}
+
+/// The schemes and spacings of the cases.
+fn method(found: &[Found]) -> String {
+    let mut schemes: Vec<&str> = found.iter().map(|one| one.row.text(&SCHEME)).collect();
+    schemes.sort_unstable();
+    schemes.dedup();
+    let spacings = distinct(found.iter().map(|one| one.row), &PARTICLE_SPACING);
+    let spacings: Vec<_> = spacings.into_iter().map(number::plain).collect();
+    format!("{} with particles {} m apart", schemes.join(" and "), spacings.join(", "))
 }
 
 /// How many of a kind are met, how far off they are as a rule and at worst.
 fn counted(what: &str, found: &[&Found]) -> Option<String> {
     let first = found.first()?;
     let met = found.iter().filter(|one| one.is_met()).count();
-    let mut text = format!("{what}: {met} of {} are met", found.len());
+    let mut text = format!("{what}: {met} of {} numbers are met", found.len());
     let by = |one: &Found| one.percent().unwrap_or(0.0).abs();
     let in_percent = first.printed.is_size() || first.printed.quantity.starts_with("step_time");
     let size = |one: &Found| if in_percent { by(one) } else { one.difference().abs() };

@@ -128,12 +128,12 @@ fn source(printed: &Printed) -> String {
     format!("{name}, Fig. {}", printed.figure)
 }
 
-/// What a number is, in a few words: `first F*`, `time of first F*`, `X* at 4 s`.
+/// What a number is, in a few words: `first F*`, `t of first F*`, `X* at 4 s`.
 pub(super) fn words(printed: &Printed) -> String {
     let name = printed.quantity.as_str();
     let time = printed.time_s.map(|time| format!(" at {time} s")).unwrap_or_default();
     if let Some(maximum) = name.strip_suffix("_time_s").and_then(named) {
-        return format!("time of {}", maximum.symbol);
+        return format!("t of {}", maximum.symbol);
     }
     if let Some(column) = named(name) {
         return column.symbol.to_owned();
@@ -150,7 +150,7 @@ pub(super) fn words(printed: &Printed) -> String {
     if name == "displacement_above" {
         return format!("X* max above log₁₀ k* = {limit}");
     }
-    let plain = name.trim_end_matches("_m").replace('_', " ");
+    let plain = name.trim_end_matches("_position_m").replace('_', " ");
     format!("{plain}{time}")
 }
 
@@ -180,7 +180,7 @@ fn others(row: &Row) -> impl Iterator<Item = String> {
 
 fn printed(printed: &Printed) -> String {
     let mark = match printed.read {
-        Read::About => "about ",
+        Read::About => "≈ ",
         Read::AtLeast => "≥ ",
         _ => "",
     };

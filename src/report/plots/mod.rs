@@ -21,7 +21,7 @@ pub(super) use fixed_wall::{figures as at_fixed_walls, walls as fixed_walls};
 pub(super) use legend::Entry;
 pub(super) use over_time::lasting;
 pub(super) use pen::Look;
-pub(super) use printed::{PRINTED, entry as printed_entry};
+pub(super) use printed::{PRINTED, entry as printed_entry, point as printed_point};
 pub(super) use sheet::{Chart, Curve, Layout, Point, sheet};
 
 use super::error::ReportError;

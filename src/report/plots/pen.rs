@@ -48,9 +48,9 @@ impl Look {
         Look { colour: COLOURS[index % COLOURS.len()], corners, turn }
     }
 
-    /// What a paper prints: an upright square in ink, on its corner.
-    pub fn printed() -> Look {
-        Look { colour: INK, corners: 4, turn: 0.0 }
+    /// The same colour with the marker of printed numbers: a square on its corner.
+    pub fn printed(self) -> Look {
+        Look { corners: 4, turn: 0.0, ..self }
     }
 
     /// A round marker in ink.

@@ -32,7 +32,12 @@ pub fn at_fixed_walls(
 
 /// How they look everywhere.
 pub(in crate::report) fn entry() -> Entry {
-    Entry::dots(PRINTED, Look::printed(), true)
+    Entry::dots(PRINTED, Look::plain().printed(), true)
+}
+
+/// A printed number as a point.
+pub(in crate::report) fn point(place: (f64, f64)) -> Point {
+    Point { open: true, ..place.into() }
 }
 
 fn curve(data: &Loaded, column: &Column, rows: &[&Row], x: &Column) -> Option<Curve> {
@@ -40,7 +45,7 @@ fn curve(data: &Loaded, column: &Column, rows: &[&Row], x: &Column) -> Option<Cu
     for number in printed().iter().filter(|number| number.quantity == column.name) {
         let own = rows.iter().filter(|row| number.holds_at(PLACE.map(|c| row.number(c))));
         for row in own.filter(|row| is_theirs(data, row, number)) {
-            let point = row.number(x).map(|x| Point::from((x, number.value)));
+            let point = row.number(x).map(|x| point((x, number.value)));
             points.extend(point.filter(|point| !points.contains(point)));
         }
     }

@@ -6,7 +6,9 @@ use crate::keys::number;
 use crate::quantities::summary::CASE_ID;
 use crate::report::config::configs;
 use crate::report::error::ReportError;
-use crate::report::plots::{Axis, Chart, Curve, Entry, Layout, Look, Point, printed_entry, sheet};
+use crate::report::plots::{
+    Axis, Chart, Curve, Entry, Layout, Look, Point, printed_entry, printed_point, sheet,
+};
 
 /// Readings of the front's place: after this prefix stands the time over √(H/g).
 const FRONT: &str = "front_at_";
@@ -47,7 +49,7 @@ pub fn drawing(material: &Material) -> Result<Option<Drawing>, ReportError> {
     let theirs = material.found.iter().map(|found| found.printed);
     let theirs = theirs.filter(|printed| printed.quantity == "front_at_wall");
     let marks: Vec<_> =
-        theirs.filter_map(|printed| Some((printed.value, wall?).into())).take(1).collect();
+        theirs.filter_map(|printed| Some(printed_point((printed.value, wall?)))).take(1).collect();
     curves.push(Curve { entry: printed_entry(), points: marks });
     let points = || curves.iter().flat_map(|curve| &curve.points);
     let axes =

@@ -10,7 +10,7 @@ use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::papers::{self, Found, on_their_clock};
 use crate::report::plots::{
-    Axis, Chart, Curve, Entry, Layout, Look, Point, lasting, printed_entry, sheet,
+    Axis, Chart, Curve, Entry, Layout, Look, Point, lasting, printed_entry, printed_point, sheet,
 };
 use crate::report::row::Row;
 
@@ -42,12 +42,17 @@ pub fn drawing(
     let on_clock = rows.iter().any(|row| row.number(&STROKE_CENTRE).is_some());
     let clock = if on_clock { "t, s, on the papers' clock" } else { "t, s" };
     let mut charts = Vec::new();
-    for (name, law, mut panel) in panels {
+    let heights = |name: &str| {
+        let own = panels.iter().filter(|(other, ..)| *other == name);
+        own.flat_map(|(.., panel)| panel.heights.clone()).collect::<Vec<_>>()
+    };
+    let heights: Vec<_> = panels.iter().map(|(name, ..)| heights(name)).collect();
+    for ((name, law, mut panel), heights) in panels.into_iter().zip(heights) {
         if let Some(level) = line.filter(|_| *name == columns[0]) {
             panel.curves.push(threshold(level, &panel.curves));
         }
         let unit = history::ALL.iter().find(|column| column.name == *name);
-        let Some(y) = Axis::around(panel.heights.into_iter().chain(line), 5.0) else { continue };
+        let Some(y) = Axis::around(heights.into_iter().chain(line), 5.0) else { continue };
         charts.push(Chart {
             heading: if *name == columns[0] { heading(law) } else { String::new() },
             titles: [clock.to_owned(), unit.map_or("", |column| column.unit.axis()).to_owned()],
@@ -87,23 +92,23 @@ fn panel(
 ) -> Result<Panel, ReportError> {
     let order = order(words);
     let mut panel = Panel { curves: Vec::new(), heights: Vec::new() };
-    let mut marks: Vec<Point> = Vec::new();
+    let mut marks: Vec<Curve> = Vec::new();
     for ((data, row), word) in cases.iter().zip(words).filter(|((_, row), _)| stands(row, law)) {
         let look = order.iter().position(|other| *other == word).unwrap_or(0);
         let points = points(data, row, name)?;
         panel.heights.extend(lasting(&points));
         let points = points.into_iter().map(Point::from).collect();
         panel.curves.push(Curve { entry: Entry::line(word.clone(), Look::of(look)), points });
-        for mark in material.of(row).filter_map(|found| mark(found, name)) {
-            if !marks.contains(&mark) {
-                marks.push(mark);
-            }
-        }
+        let own = material.of(row).filter_map(|found| mark(found, name));
+        let own: Vec<Point> = own.map(printed_point).collect();
+        panel.heights.extend(own.iter().map(|mark| mark.y));
+        let entry = Entry::dots("", Look::of(look).printed(), true);
+        marks.push(Curve { entry, points: own });
     }
-    panel.heights.extend(marks.iter().map(|mark| mark.y));
-    if !marks.is_empty() {
-        panel.curves.push(Curve { entry: printed_entry(), points: marks });
+    if marks.iter().any(|curve| !curve.points.is_empty()) {
+        marks.push(Curve { entry: printed_entry(), points: Vec::new() });
     }
+    panel.curves.extend(marks);
     Ok(panel)
 }
 
@@ -118,20 +123,20 @@ fn points(data: &Loaded, row: &Row, name: &str) -> Result<Vec<(f64, f64)>, Repor
     Ok(shifted.filter(|point| point.0 >= FROM_S).collect())
 }
 
-/// A printed number as a point of a panel.
-fn mark(found: &Found, name: &str) -> Option<Point> {
+/// Where a printed number stands in a panel.
+fn mark(found: &Found, name: &str) -> Option<(f64, f64)> {
     let printed = found.printed;
     if printed.quantity == name {
-        return Some((printed.time_s?, printed.value).into());
+        return Some((printed.time_s?, printed.value));
     }
     if printed.quantity == "onset_time_s" && name == history::DISPLACEMENT.name {
-        return Some((printed.value, 0.0).into());
+        return Some((printed.value, 0.0));
     }
     let column = papers::column(printed)?;
     let drawn = column.name.trim_start_matches("first_").strip_suffix("_max")? == name;
     let own = || on_their_clock(found.row, found.row.time(column));
     let time = printed_time(printed).or_else(own).filter(|_| drawn)?;
-    Some((time, printed.value).into())
+    Some((time, printed.value))
 }
 
 /// The time that is printed of a maximum.

@@ -7,7 +7,9 @@ use crate::quantities::summary::{LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, Unit, named};
 use crate::report::curves::distinct;
 use crate::report::error::ReportError;
-use crate::report::plots::{Axis, Chart, Curve, Entry, Layout, Look, Point, printed_entry, sheet};
+use crate::report::plots::{
+    Axis, Chart, Curve, Entry, Layout, Look, Point, printed_entry, printed_point, sheet,
+};
 use crate::report::row::{Row, label};
 
 pub fn drawing(material: &Material, column: &str) -> Result<Option<Drawing>, ReportError> {
@@ -17,7 +19,7 @@ pub fn drawing(material: &Material, column: &str) -> Result<Option<Drawing>, Rep
     let marks = material.found.iter().filter(|one| one.printed.quantity == column.name);
     let marks: Vec<(&Row, Point)> = marks
         .filter_map(|one| {
-            Some((one.row, (one.row.number(&LOG10_K_STAR)?, one.printed.value).into()))
+            Some((one.row, printed_point((one.row.number(&LOG10_K_STAR)?, one.printed.value))))
         })
         .collect();
     let points = || rows.iter().filter_map(|row| point(row, column));
@@ -33,8 +35,11 @@ pub fn drawing(material: &Material, column: &str) -> Result<Option<Drawing>, Rep
             let here = |row: &Row| row.number(&M_STAR) == Some(mass) && stands(row, law);
             let own: Vec<_> = rows.iter().copied().filter(|row| here(row)).collect();
             let mut curves = by_wave(&own, &waves, column);
-            let points = marks.iter().filter(|(row, _)| here(row)).map(|(_, point)| point.clone());
-            curves.push(Curve { entry: printed_entry(), points: points.collect() });
+            let own = marks.iter().filter(|(row, _)| here(row));
+            curves.extend(own.map(|(row, mark)| marked(row, mark, &waves)));
+            if !marks.is_empty() {
+                curves.push(Curve { entry: printed_entry(), points: Vec::new() });
+            }
             charts.push(Chart {
                 heading: [label(&M_STAR, mass), heading(law)]
                     .join(", ")
@@ -58,6 +63,13 @@ pub fn drawing(material: &Material, column: &str) -> Result<Option<Drawing>, Rep
          the force above the threshold.{bounds}"
     );
     Ok(Some(Drawing { svg, caption }))
+}
+
+/// A printed number in the colour of its wave.
+fn marked(row: &Row, mark: &Point, waves: &[f64]) -> Curve {
+    let wave = waves.iter().position(|wave| row.number(&WAVE_HEIGHT_RATIO) == Some(*wave));
+    let entry = Entry::dots("", Look::of(wave.unwrap_or(0)).printed(), true);
+    Curve { entry, points: vec![mark.clone()] }
 }
 
 fn point(row: &Row, column: &Column) -> Option<Point> {

@@ -5,7 +5,9 @@ use super::{Drawing, Material};
 use crate::quantities::summary::{BOUNDARY, PARTICLES};
 use crate::report::error::ReportError;
 use crate::report::papers::step_time;
-use crate::report::plots::{Axis, Chart, Curve, Entry, Layout, Look, Point, printed_entry, sheet};
+use crate::report::plots::{
+    Axis, Chart, Curve, Entry, Layout, Look, Point, printed_entry, printed_point, sheet,
+};
 use crate::report::row::Row;
 
 /// The interpolator that the others are told over.
@@ -67,7 +69,8 @@ fn marks(material: &Material, particles: f64) -> Vec<Point> {
     let mut marks: Vec<Point> = Vec::new();
     for found in material.found {
         let Some(name) = found.printed.quantity.strip_prefix("step_time_of_") else { continue };
-        let mark = Point { note: name.to_owned(), ..(particles, found.printed.value).into() };
+        let mark =
+            Point { note: name.to_owned(), ..printed_point((particles, found.printed.value)) };
         if !marks.contains(&mark) {
             marks.push(mark);
         }
