@@ -9,11 +9,10 @@ use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::{Output, short};
 use super::table::Table;
+use crate::math::decimal::significant;
 use crate::quantities::Unit;
 use crate::report::Figure;
-use crate::report::compare::{
-    COMPARED, Comparison, Difference, Pair, Tally, compare, figure, table,
-};
+use crate::report::compare::{COMPARED, Comparison, Difference, Pair, compare, figure, table};
 use crate::results::counted;
 
 /// Put two studies side by side: the same waves and walls, whatever their numerics.
@@ -71,7 +70,10 @@ fn nothing_in_common([a, b]: [&Path; 2], comparison: &Comparison) -> BadInput {
 }
 
 fn write(out: &Path, comparison: &Comparison) -> anyhow::Result<Vec<PathBuf>> {
-    let bad = |error: std::io::Error| BadInput(format!("--out {}: {error}", out.display()));
+    let bad = |error: std::io::Error| {
+        let out = out.display();
+        BadInput(format!("--out {out}: must be a directory that can be written to ({error})"))
+    };
     std::fs::create_dir_all(out).map_err(bad)?;
     let mut files = vec![out.join("compare.csv")];
     std::fs::write(&files[0], table(comparison).csv()).map_err(bad)?;
@@ -127,18 +129,25 @@ fn tallies(comparison: &Comparison) -> String {
     let mut table = Table::new(["", "cases", "median", "worst", "within bars", "worst at"]);
     for (at, (column, _)) in COMPARED.iter().enumerate() {
         let Some(tally) = Pair::tally(&comparison.pairs, at) else { continue };
-        let unit = unit(column.unit);
-        let Tally { count, median, worst, .. } = tally;
         let within = match tally.with_bars {
             0 => "no bars".to_owned(),
             bars => format!("{} of {bars}", tally.within),
         };
-        let place = comparison.pairs[tally.worst_pair].words.clone();
-        let sizes = [median, worst].map(|size| format!("{} {unit}", short(size)));
-        let [median, worst] = sizes;
-        table.row([column.symbol.to_owned(), count.to_string(), median, worst, within, place]);
+        let place = place(comparison, &comparison.pairs[tally.worst_pair]);
+        let [median, worst] = [tally.median, tally.worst]
+            .map(|size| format!("{} {}", significant(size, 2), unit(column.unit)));
+        let count = tally.count.to_string();
+        table.row([column.symbol.to_owned(), count, median, worst, within, place]);
     }
     table.render()
+}
+
+/// A pair's point without what all pairs have in common.
+fn place(comparison: &Comparison, pair: &Pair) -> String {
+    let parts = |pair: &Pair| pair.words.split(", ").map(str::to_owned).collect::<Vec<_>>();
+    let shared = |part: &String| comparison.pairs.iter().all(|other| parts(other).contains(part));
+    let told: Vec<_> = parts(pair).into_iter().filter(|part| !shared(part)).collect();
+    if told.is_empty() { pair.words.clone() } else { told.join(", ") }
 }
 
 /// What sizes are told in.
@@ -146,30 +155,38 @@ fn unit(unit: Unit) -> &'static str {
     if unit == Unit::Runup { "h" } else { "%" }
 }
 
-/// The pairs with the largest differences of the force first.
+/// A difference in percent, or of a runup in h.
+fn told_size(one: &Difference, unit: Unit) -> Option<f64> {
+    if unit == Unit::Runup { Some(one.absolute()) } else { one.percent() }
+}
+
+/// The pairs with the largest differences first; a hundredth of the depth counts as a percent.
 fn cases(comparison: &Comparison, all: bool) -> String {
     let mut pairs: Vec<&Pair> = comparison.pairs.iter().collect();
     let size = |pair: &Pair| {
-        let sizes = pair.differences.iter().flatten();
-        sizes.filter_map(Difference::percent).map(f64::abs).fold(0.0, f64::max)
+        let sizes = pair.differences.iter().zip(COMPARED).filter_map(|(one, (column, _))| {
+            let scale = if column.unit == Unit::Runup { 100.0 } else { 1.0 };
+            Some(scale * told_size(one.as_ref()?, column.unit)?.abs())
+        });
+        sizes.fold(0.0, f64::max)
     };
     pairs.sort_by(|a, b| size(b).total_cmp(&size(a)));
     let rows = if all { pairs.len() } else { pairs.len().min(ROWS) };
     let heads = COMPARED.iter().flat_map(|(column, _)| {
-        [format!("{}, A", column.symbol), format!("B less A, {}", unit(column.unit))]
+        let symbol = column.symbol.trim_start_matches("first ").trim_end_matches(" max");
+        [format!("{symbol} of A"), format!("B - A, {}", unit(column.unit))]
     });
     let mut table = Table::new(["case".to_owned()].into_iter().chain(heads));
     for pair in &pairs[..rows] {
         let cells = pair.differences.iter().zip(COMPARED).flat_map(|(one, (column, _))| {
             let Some(one) = one else { return ["-".to_owned(), "-".to_owned()] };
             let mark = if one.is_within() == Some(false) { " !" } else { "" };
-            let size =
-                if column.unit == Unit::Runup { Some(one.absolute()) } else { one.percent() };
+            let size = told_size(one, column.unit);
             let size = size.map_or_else(|| "-".to_owned(), |size| format!("{size:+.3}{mark}"));
             let bound = if one.bounds[0] { "≥ " } else { "" };
             [format!("{bound}{}", short(one.values[0])), size]
         });
-        table.row([pair.words.clone()].into_iter().chain(cells));
+        table.row([place(comparison, pair)].into_iter().chain(cells));
     }
     let mut text = table.render();
     if rows < pairs.len() {

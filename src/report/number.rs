@@ -47,6 +47,12 @@ fn power_of_ten_below(value: f64) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(1.0)
 }
 
+/// The middle of numbers that rise; the mean of the two in the middle where their count is even.
+pub fn median(rising: &[f64]) -> Option<f64> {
+    let (low, high) = (rising.len().checked_sub(1)? / 2, rising.len() / 2);
+    Some((rising[low] + rising[high]) / 2.0)
+}
+
 /// Whether a text is a number, written out, with an error bar or as [`plain`] writes it.
 pub fn is_number(text: &str) -> bool {
     let text = text.split_once(" ± ").map_or(text, |(value, _)| value);
@@ -102,6 +108,12 @@ mod tests {
         let written = pairs.map(|(value, error)| with_error(value, error));
         assert_eq!(written, ["2.41 ± 0.03", "1.224 ± 0.012", "3.40 ± 0.10", "13 ± 2", "0.5"]);
         assert!(is_number("2.41 ± 0.03"));
+    }
+
+    #[test]
+    fn the_median_is_in_the_middle() {
+        let found = [&[][..], &[3.0], &[1.0, 2.0], &[1.0, 2.0, 9.0]].map(median);
+        assert_eq!(found, [None, Some(3.0), Some(1.5), Some(2.0)]);
     }
 
     #[test]

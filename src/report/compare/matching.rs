@@ -56,10 +56,13 @@ fn number_text(value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_owned(), |value| format!("{value:.8e}"))
 }
 
+/// A section by its name, and where its values are.
+type Section = (&'static str, fn(&Config) -> &Table);
+
 /// Keys that differ in some pair, those of the scene first.
 pub fn different_keys(sides: &[Vec<Side<'_>>; 2], pairs: &[(usize, usize)]) -> Vec<DifferentKey> {
     let mut keys = Vec::new();
-    let tables: [(&'static str, fn(&Config) -> &Table); 2] =
+    let tables: [Section; 2] =
         [("scene", |config| &config.scene), ("numerics", |config| &config.numerics)];
     for (section, table) in tables {
         let of = |one: usize, at: usize| sides[one][at].config.map(table);

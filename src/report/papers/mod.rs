@@ -21,7 +21,7 @@ use crate::quantities::summary::FORCE_COUPLING;
 
 pub(super) use computed::{at, column, on_their_clock, step_time};
 pub use sentences::sentences;
-pub use table::{beside, tidy};
+pub use table::{beside, others, tidy};
 
 /// A printed number and what a case has in its place.
 #[derive(Debug, Clone)]
@@ -164,5 +164,81 @@ impl Papers {
             ));
         }
         text + &grid(&self.beside)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::fixture;
+
+    /// Two made-up cases of Liang's Fig. 10, in a tank of this length, m.
+    fn study(length: f64, s: f64) -> tempfile::TempDir {
+        let directory = fixture::movable(&[0.3], &[100.0, 1000.0], &[50.0]);
+        let file = format!(
+            "name = \"a\"\n[scene]\nwall = \"movable\"\ntank_length_m = {length:?}\n\
+             wave_height_ratio = 0.3\nseawall_mass_kg_per_m = 50\nforce_coupling = {s:?}\n\
+             [grid]\nspring_stiffness_n_per_m = [100, 1000]\n"
+        );
+        let manifest = serde_json::json!({
+            "name": "a", "keys": ["spring_stiffness_n_per_m"], "sweep_file": file, "overrides": [],
+        });
+        std::fs::write(directory.path().join("manifest.json"), manifest.to_string()).unwrap();
+        directory
+    }
+
+    #[test]
+    fn a_study_in_the_papers_tank_meets_their_numbers() {
+        let directory = study(2.5, 1.0);
+        let data = Loaded::read(directory.path()).unwrap();
+        let cases = Cases::of(&data);
+        let found = confront(&cases).unwrap();
+        let max = |found: &&Found| found.printed.quantity == "displacement_max";
+        let values: Vec<_> = found.iter().filter(max).map(|one| one.printed.value).collect();
+        assert_eq!(values, [1.64, 0.55]);
+        let at_4_s = found.iter().find(|one| one.printed.quantity == "displacement").unwrap();
+        assert_eq!((at_4_s.printed.value, at_4_s.coupling()), (1.36, Some(1.0)));
+        assert!(!at_4_s.is_met(), "the made-up wall comes out elsewhere: {}", at_4_s.computed);
+    }
+
+    #[test]
+    fn another_tank_is_none_of_theirs() {
+        let papers = |length: f64| {
+            let directory = study(length, 1.0);
+            papers(&Loaded::read(directory.path()).unwrap()).unwrap()
+        };
+        assert!(papers(2.5).is_some());
+        assert!(papers(3.0).is_none());
+    }
+
+    #[test]
+    fn the_page_has_a_section_and_the_folder_its_files() {
+        let directory = study(2.5, 0.4);
+        let page =
+            std::fs::read_to_string(crate::report::write(directory.path()).unwrap()).unwrap();
+        assert!(
+            page.contains("<h2>The papers</h2>") && page.contains("Movable walls with s = 0.4")
+        );
+        assert!(page.contains("printed in the papers"), "markers in the response curves");
+        let table = std::fs::read_to_string(directory.path().join("tables/papers.csv")).unwrap();
+        assert!(
+            table.starts_with("paper,figure,quantity,") && table.contains(",displacement_max,")
+        );
+        assert!(directory.path().join("figures/papers_agreement.svg").exists());
+    }
+
+    #[test]
+    fn a_number_is_met_within_its_tolerance_or_the_bar() {
+        let directory = study(2.5, 1.0);
+        let data = Loaded::read(directory.path()).unwrap();
+        let cases = Cases::of(&data);
+        let mut one = confront(&cases).unwrap().remove(0);
+        let printed = one.printed.value;
+        for (off, error, met) in [(0.04, None, true), (0.06, None, false), (0.06, Some(0.1), true)]
+        {
+            one.computed = printed * (1.0 + off);
+            one.error = error.map(|share: f64| share * printed);
+            assert_eq!(one.is_met(), met, "{off} {error:?}");
+        }
     }
 }

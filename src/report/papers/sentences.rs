@@ -88,7 +88,7 @@ fn counted(what: &str, found: &[&Found]) -> Option<String> {
     let at = if place.is_empty() { String::new() } else { format!(" at {}", place.join(", ")) };
     text.push_str(&format!(
         ". The differences have a median of {} {unit}; the largest is {} {unit}, of {} (Fig. {}){at}.",
-        number::significant(all[all.len() / 2], 2),
+        number::significant(number::median(&all)?, 2),
         number::significant(size(worst), 2),
         words(worst.printed),
         worst.printed.figure,

@@ -3,10 +3,10 @@
 use super::Found;
 use crate::papers::{Printed, Read, paper};
 use crate::quantities::summary::{
-    CASE_ID, FORCE_COUPLING, LOG10_K_STAR, SCHEME, SEAWALL_MASS, SPRING_STIFFNESS,
+    BOUNDARY, CASE_ID, FORCE_COUPLING, LOG10_K_STAR, SCHEME, SEAWALL_MASS, SPRING_STIFFNESS,
     WAVE_HEIGHT_RATIO,
 };
-use crate::quantities::{Column, Unit, history, named};
+use crate::quantities::{Column, Unit, heading, history, named};
 use crate::report::config::Config;
 use crate::report::number;
 use crate::report::row::{PLACE, Row, label};
@@ -168,14 +168,23 @@ fn place(found: &Found) -> String {
     let row = found.row;
     let parts = PLACE.iter().filter_map(|column| Some(label(column, row.number(column)?)));
     let mut parts: Vec<String> = parts.collect();
-    parts.extend(others(row));
+    let told = [&BOUNDARY];
+    let tells_boundary = found.printed.quantity.starts_with("step_time");
+    parts.extend(others(row, if tells_boundary { &told } else { &[] }));
     parts.join(", ")
 }
 
-/// What else tells the case from others, but for its factor s, which has a column of its own.
-fn others(row: &Row) -> impl Iterator<Item = String> {
-    let parts = row.variant.split(", ").filter(|part| !part.starts_with(FORCE_COUPLING.name));
-    parts.filter(|part| !part.is_empty()).map(str::to_owned)
+/// What else tells a case from others of its study, but for its factor s and what is `told` anyway, as one
+/// writes it: `still water depth = 0.2 m`.
+pub fn others(row: &Row, told: &[&Column]) -> Vec<String> {
+    let part = |part: &str| {
+        let (name, value) = part.split_once(" = ")?;
+        let heading = heading(name);
+        let (stem, unit) = heading.split_once(", ").unwrap_or((&heading, ""));
+        let told = name == FORCE_COUPLING.name || told.iter().any(|column| column.name == name);
+        (!told).then(|| format!("{stem} = {value} {unit}").trim_end().to_owned())
+    };
+    row.variant.split(", ").filter_map(part).collect()
 }
 
 fn printed(printed: &Printed) -> String {
@@ -209,4 +218,18 @@ fn difference(found: &Found) -> String {
         None => format!("{:+} {}", number::significant(found.difference(), 2), unit(found.printed)),
     };
     format!("{}{met}", text.trim_end().replace('-', "\u{2212}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_variant_is_told_in_words() {
+        let variant = "boundary = sfdi, still_water_depth_m = 0.2, force_coupling = 1";
+        let mut row = Row::default();
+        row.variant = variant.to_owned();
+        assert_eq!(others(&row, &[]), ["boundary = sfdi", "still water depth = 0.2 m"]);
+        assert_eq!(others(&row, &[&BOUNDARY]), ["still water depth = 0.2 m"]);
+    }
 }

@@ -48,9 +48,9 @@ impl Look {
         Look { colour: COLOURS[index % COLOURS.len()], corners, turn }
     }
 
-    /// The same colour with the marker of printed numbers: a square on its corner.
+    /// The same colour with the marker of printed numbers: a star, which no curve has.
     pub fn printed(self) -> Look {
-        Look { corners: 4, turn: 0.0, ..self }
+        Look { corners: STAR, turn: 0.0, ..self }
     }
 
     /// A round marker in ink.
@@ -154,10 +154,15 @@ impl Pen<'_> {
 /// Size of markers, CSS pixels.
 const RADIUS: f64 = 3.2;
 
+/// Corners of a star, every other one of which lies inside.
+const STAR: usize = 10;
+
 /// Corners of a marker; those of few corners reach further out, to look equally large.
 fn outline(at: (f64, f64), look: Look) -> Vec<(i32, i32)> {
-    let reach = RADIUS * 1.3;
+    let is_star = look.corners == STAR;
     let corner = |index: usize| {
+        let stretch = if is_star { [1.75, 0.75][index % 2] } else { 1.3 };
+        let reach = RADIUS * stretch;
         let turns = (index as f64 + 2.0 * look.turn) / look.corners as f64;
         let (sine, cosine) = libm::sincos(std::f64::consts::TAU * turns);
         fine_point((at.0 + reach * sine, at.1 - reach * cosine))

@@ -51,11 +51,7 @@ pub fn drawing(
         let (mut curves, mut reach) = (Vec::new(), Vec::new());
         for (case, word) in cases.iter().zip(&words) {
             let points = case.points(name, column);
-            reach.extend(if measured {
-                points.iter().map(|p| p.1).collect()
-            } else {
-                lasting(&points)
-            });
+            reach.extend(lasting(&points));
             let look = Look::of(order.iter().position(|other| *other == word).unwrap_or(0));
             let points = thin(&points).into_iter().map(Point::from).collect();
             curves.push(Curve { entry: Entry::line(word.clone(), look), points });
@@ -63,7 +59,9 @@ pub fn drawing(
         let ends = curves.iter().flat_map(|curve| &curve.points).map(|point| point.x);
         let Some(x) = Axis::within(ends, 7.0) else { continue };
         if measured {
-            curves.push(measurements());
+            let measured = measurements();
+            reach.extend(measured.points.iter().map(|point| point.y));
+            curves.push(measured);
         } else if let Some(level) = still(name) {
             curves.push(at_rest(level, &curves));
             reach.push(level);
@@ -136,7 +134,8 @@ fn at_rest(level: f64, curves: &[Curve]) -> Curve {
 fn measurements() -> Curve {
     let numbers = MEASURED.lines().filter_map(|line| {
         let (time, pressure) = line.split_once(',')?;
-        Some(Point::from((time.parse().ok()?, pressure.parse().ok()?)))
+        let (x, y) = (time.parse().ok()?, pressure.parse().ok()?);
+        Some(Point { x, y, open: true, ..Point::default() })
     });
     Curve { entry: Entry::dots("measured", Look::plain(), true), points: numbers.collect() }
 }

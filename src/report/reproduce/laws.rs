@@ -3,6 +3,7 @@
 use crate::quantities::summary::{BOUNDARY, FORCE_COUPLING, SCHEME};
 use crate::report::curves::distinct;
 use crate::report::number;
+use crate::report::papers::others;
 use crate::report::row::{PLACE, Row, label};
 
 /// The factors s of the movable walls, the law as printed first; one without a value where none moves.
@@ -45,6 +46,7 @@ pub fn words(rows: &[&Row]) -> Vec<String> {
         } else if mixed && parts.is_empty() {
             parts.push("movable wall".to_owned());
         }
+        parts.extend(others(row, &[&SCHEME, &BOUNDARY]));
         for (column, _) in texts.iter().zip(varied).filter(|(_, varied)| *varied) {
             parts.push(row.text(column).to_owned());
         }

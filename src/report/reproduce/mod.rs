@@ -99,7 +99,7 @@ pub fn reproduce(recipe: &Recipe, directories: &[PathBuf]) -> Result<Reproduced,
     let words = paper(&recipe.paper).map_or(recipe.paper.as_str(), |paper| &paper.words);
     let here = if recipe.here.is_empty() { String::new() } else { format!(" ({})", recipe.here) };
     let marks = if drawing.svg.contains(plots::PRINTED) {
-        " Open diamonds: numbers that the papers print."
+        " Stars: numbers that the papers print."
     } else {
         ""
     };
