@@ -78,6 +78,15 @@ need_mpi() {
   }
 }
 
+# need_chromium: what the tests of the page's figures look with; they skip themselves without it.
+need_chromium() {
+  local name
+  for name in "${CHROMIUM:-chromium}" chromium-browser google-chrome chrome-headless-shell; do
+    command -v "$name" >/dev/null && chromium=$name && return 0
+  done
+  install_packages chromium && chromium=chromium
+}
+
 # cores: what this process may use, no more than a container's quota allows.
 cores() {
   local count quota period limit

@@ -11,7 +11,6 @@ use super::output::{Output, short};
 use super::table::Table;
 use crate::math::decimal::significant;
 use crate::quantities::Unit;
-use crate::report::Figure;
 use crate::report::compare::{COMPARED, Comparison, Difference, Pair, compare, figure, table};
 use crate::results::counted;
 
@@ -77,9 +76,9 @@ fn write(out: &Path, comparison: &Comparison) -> anyhow::Result<Vec<PathBuf>> {
     std::fs::create_dir_all(out).map_err(bad)?;
     let mut files = vec![out.join("compare.csv")];
     std::fs::write(&files[0], table(comparison).csv()).map_err(bad)?;
-    if let Some(figure) = figure(comparison)? {
+    if let Some(figure) = figure(comparison) {
         let path = out.join("compare.svg");
-        std::fs::write(&path, Figure::standalone(&figure)).map_err(bad)?;
+        std::fs::write(&path, figure.svg()).map_err(bad)?;
         files.push(path);
     }
     Ok(files)

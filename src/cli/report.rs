@@ -3,21 +3,43 @@
 use std::io::ErrorKind;
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use serde_json::json;
 
 use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::Output;
-use crate::report::ReportError;
+use crate::report::{Print, ReportError};
 
 /// Write tables, figures and report.html from a sweep's files; simulate nothing.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
-  seawall report results/runs/nightly")]
+  seawall report results/runs/nightly
+  seawall report results/runs/nightly --figures pdf,png")]
 pub(super) struct ReportArgs {
     /// The output directory of a sweep.
     dir: PathBuf,
+    /// Formats of the figures; pdf and png come in a journal's widths of 84 and 174 mm.
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMAT", default_value = "svg")]
+    figures: Vec<FigureFormat>,
+}
+
+/// SVG files are always written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum FigureFormat {
+    Svg,
+    Pdf,
+    Png,
+}
+
+impl FigureFormat {
+    fn print(self) -> Option<Print> {
+        match self {
+            FigureFormat::Svg => None,
+            FigureFormat::Pdf => Some(Print::Pdf),
+            FigureFormat::Png => Some(Print::Png),
+        }
+    }
 }
 
 pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
@@ -25,8 +47,25 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
         let reason = "holds no summary.csv: not the output directory of a sweep";
         return Err(BadInput(format!("{}: {reason}", args.dir.display())).into());
     }
+    let formats: Vec<_> = args.figures.iter().filter_map(|format| format.print()).collect();
+    if let Some(format) = formats.first().filter(|_| !Print::BUILT) {
+        let reason = "this build of seawall writes svg alone: build it with --features print";
+        return Err(BadInput(format!("--figures {}: {reason}", format.ending())).into());
+    }
     let report = crate::report::write(&args.dir).map_err(unusable)?;
-    output.result(&format!("report: {}\n", report.display()), &json!({ "report": report }))?;
+    let mut figures = Vec::new();
+    for format in formats {
+        figures.extend(crate::report::print(&args.dir, format).map_err(unusable)?);
+    }
+    let mut told = format!("report: {}\n", report.display());
+    if !figures.is_empty() {
+        let count = figures.len();
+        told.push_str(&format!(
+            "figures for print: {count} files in {}\n",
+            args.dir.join("figures").display()
+        ));
+    }
+    output.result(&told, &json!({ "report": report, "figures": figures }))?;
     Ok(SUCCESS)
 }
 

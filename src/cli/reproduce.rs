@@ -154,7 +154,7 @@ fn write(out: &Path, made: &Reproduced) -> Result<Vec<PathBuf>, BadInput> {
     let table = if made.beside.rows.is_empty() { String::new() } else { made.beside.markdown() };
     let text = format!("{}\n\n{table}", prose.join("\n\n"));
     let mut files = Vec::new();
-    let texts = [("svg", figure.standalone()), ("csv", made.tidy.csv()), ("md", text)];
+    let texts = [("svg", figure.svg()), ("csv", made.tidy.csv()), ("md", text)];
     for (ending, text) in texts {
         if ending == "csv" && made.tidy.rows.is_empty() {
             continue;

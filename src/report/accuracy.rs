@@ -59,8 +59,8 @@ pub fn write(directory: &Path, about: &[(String, String)]) -> Result<PathBuf, Re
     let dots: Vec<_> = all.filter_map(dot).collect();
     let figures = directory.join("figures");
     make(&figures)?;
-    if let Some(figure) = plots::error_against_time(&dots)? {
-        save(&figures.join(format!("{}.svg", figure.name)), &figure.standalone())?;
+    if let Some(figure) = plots::error_against_time(&dots) {
+        save(&figures.join(format!("{}.svg", figure.name)), &figure.svg())?;
     }
     let path = directory.join("accuracy.md");
     save(&path, &page(&lines, about))?;
@@ -148,6 +148,23 @@ fn short(value: Option<f64>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_method_of_the_stored_table_has_room_for_its_name() {
+        let root = tempfile::tempdir().unwrap();
+        let table = include_str!("../../data/accuracy.csv");
+        std::fs::write(root.path().join("accuracy.csv"), table).unwrap();
+        write(root.path(), &[]).unwrap();
+        let svg = std::fs::read_to_string(root.path().join("figures/error-against-time.svg"));
+        let svg = svg.unwrap();
+        let is_drawn = |line: &&str| line.starts_with("all,") && line.split(',').nth(6) != Some("");
+        let drawn: Vec<_> = table.lines().filter(is_drawn).collect();
+        assert!(drawn.len() > 30);
+        for line in drawn {
+            let method = line.split(',').nth(1).unwrap();
+            assert!(svg.contains(&format!("\n{method}\n")), "{method} has no words");
+        }
+    }
 
     #[test]
     fn a_table_becomes_a_page_and_a_figure() {

@@ -18,6 +18,7 @@ use crate::quantities::summary::{
 };
 
 const STYLE: &str = include_str!("style.css");
+const PLOTS: &str = super::plots::STYLE;
 
 /// The whole page.
 pub fn page(
@@ -70,7 +71,7 @@ pub fn page(
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{name}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n<main>\n{body}</main>\n\
+         <title>{name}</title>\n<style>\n{STYLE}{PLOTS}</style>\n</head>\n<body>\n<main>\n{body}</main>\n\
          </body>\n</html>\n"
     )
 }

@@ -9,6 +9,8 @@ pub mod compare;
 mod config;
 pub mod curves;
 mod error;
+#[cfg(feature = "print")]
+mod export;
 #[cfg(test)]
 mod fixture;
 mod grid;
@@ -44,7 +46,7 @@ pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
     make(&tables_dir)?;
     let theirs = papers.iter().flat_map(|papers| &papers.figures);
     for figure in figures.iter().chain(theirs) {
-        save(&figures_dir.join(format!("{}.svg", figure.name)), &figure.standalone())?;
+        save(&figures_dir.join(format!("{}.svg", figure.name)), &figure.svg())?;
     }
     for table in tables.iter().chain(papers.iter().map(|papers| &papers.tidy)) {
         save(&tables_dir.join(format!("{}.csv", table.name)), &table.csv())?;
@@ -54,13 +56,48 @@ pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
     Ok(path)
 }
 
+/// A format of figures for print.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Print {
+    /// Strokes and outlines.
+    Pdf,
+    /// Dots, 600 in an inch.
+    Png,
+}
+
+impl Print {
+    /// Whether this build of the program can write figures for print.
+    pub const BUILT: bool = cfg!(feature = "print");
+
+    /// How its files' names end.
+    pub fn ending(self) -> &'static str {
+        match self {
+            Print::Pdf => "pdf",
+            Print::Png => "png",
+        }
+    }
+}
+
+/// Writes every figure of an output directory for print, in the widths of a journal's column (84 mm)
+/// and page (174 mm), and returns the files' paths; none where the program was built without.
+#[cfg_attr(not(feature = "print"), expect(unused_variables))]
+pub fn print(out_dir: &Path, format: Print) -> Result<Vec<PathBuf>, ReportError> {
+    let mut paths = Vec::new();
+    #[cfg(feature = "print")]
+    for figure in plots::all(&Loaded::read(out_dir)?)? {
+        paths.extend(export::write(&figure, format, &out_dir.join("figures"))?);
+    }
+    paths.sort();
+    Ok(paths)
+}
+
 fn make(directory: &Path) -> Result<(), ReportError> {
     let wrong = |source| ReportError::Write { path: directory.to_owned(), source };
     fs::create_dir_all(directory).map_err(wrong)
 }
 
-fn save(path: &Path, text: &str) -> Result<(), ReportError> {
-    fs::write(path, text).map_err(|source| ReportError::Write { path: path.to_owned(), source })
+fn save(path: &Path, content: impl AsRef<[u8]>) -> Result<(), ReportError> {
+    fs::write(path, content).map_err(|source| ReportError::Write { path: path.to_owned(), source })
 }
 
 #[cfg(test)]

@@ -1,11 +1,11 @@
 //! Printed against computed: one panel for each of force, runup and displacement.
 
 use super::Found;
-use super::table::couplings;
+use super::table::{couplings, words};
 use crate::quantities::Unit;
-use crate::report::error::ReportError;
+use crate::quantities::summary::{CASE_ID, FORCE_COUPLING};
 use crate::report::number;
-use crate::report::plots::{Axis, Chart, Curve, Entry, Figure, Layout, Look, Point, sheet};
+use crate::report::plots::{Axis, Chart, Curve, Drawing, Entry, Figure, Layout, Look, Point, key};
 
 /// What stands in a panel: how the names of its quantities begin, and their unit.
 const PANELS: [(&[&str], Unit); 3] = [
@@ -15,22 +15,21 @@ const PANELS: [(&[&str], Unit); 3] = [
 ];
 
 /// The figure; none where no size is compared.
-pub fn figure(found: &[Found]) -> Result<Option<Figure>, ReportError> {
+pub fn figure(found: &[Found]) -> Option<Figure> {
     let charts: Vec<_> =
         PANELS.iter().filter_map(|(names, unit)| chart(found, names, *unit)).collect();
     if charts.is_empty() {
-        return Ok(None);
+        return None;
     }
-    let name = "papers_agreement";
-    Ok(Some(Figure {
-        svg: sheet(name, &charts, Layout { columns: 3, size: (230.0, 210.0) })?,
-        name: name.to_owned(),
+    Some(Figure {
+        drawing: Drawing::new(charts, Layout { columns: 3, size: (296.0, 250.0) }),
+        name: "papers_agreement".to_owned(),
         title: "Printed and computed".to_owned(),
         caption:
             "What the papers print against what this study computes. On the line both are the \
                   same. Bars: estimated errors. Open markers: lower bounds."
                 .to_owned(),
-    }))
+    })
 }
 
 fn chart(found: &[Found], names: &[&str], unit: Unit) -> Option<Chart> {
@@ -42,7 +41,9 @@ fn chart(found: &[Found], names: &[&str], unit: Unit) -> Option<Chart> {
     let own: Vec<_> = found.iter().filter(is_size).collect();
     let of_walls = |label: &str, index: usize, s: Option<f64>| {
         let points = own.iter().filter(|one| one.coupling() == s).map(|one| point(one));
-        Curve { entry: Entry::dots(label, Look::of(index), false), points: points.collect() }
+        let key = s.map_or_else(|| "wall=fixed".to_owned(), |s| key(&FORCE_COUPLING, s));
+        let entry = Entry::dots(label, Look::of(index), false).keyed(key);
+        Curve { entry, points: points.collect() }
     };
     let mut curves = vec![of_walls("fixed wall", 2, None)];
     for (index, s) in couplings(found).into_iter().enumerate() {
@@ -54,16 +55,19 @@ fn chart(found: &[Found], names: &[&str], unit: Unit) -> Option<Chart> {
     let (low, high) = ends.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
     let same = Entry::line("the same".to_owned(), Look::plain());
     curves.insert(0, Curve { entry: same, points: vec![(low, low).into(), (high, high).into()] });
-    Some(Chart {
-        heading: String::new(),
-        titles: [format!("{} printed", unit.axis()), format!("{} computed", unit.axis())],
-        x: axis.clone(),
-        y: axis,
-        curves,
-    })
+    let titles = ["printed", "computed"].map(|what| format!("{} {what}", unit.axis()));
+    let x = (axis.clone(), titles[0].as_str(), "printed");
+    Some(Chart::new(x, (axis, &titles[1], "computed"), curves))
 }
 
 fn point(found: &Found) -> Point {
     let (x, y) = (found.printed.value, found.computed);
-    Point { x, y, error: found.error.unwrap_or(0.0), open: found.bound, ..Point::default() }
+    let source = format!("{}, Fig. {}", words(found.printed), found.printed.figure);
+    Point {
+        error: found.error.unwrap_or(0.0),
+        bound: found.bound,
+        case: found.row.text(&CASE_ID).to_owned(),
+        told: format!("{source}: printed {x}, computed {}", number::significant(y, 4)),
+        ..(x, y).into()
+    }
 }

@@ -147,7 +147,7 @@ pub fn papers(data: &Loaded) -> Result<Option<Papers>, ReportError> {
         tidy: tidy(&found),
         beside: beside(&found),
         sentences: sentences(&found),
-        figures: agreement::figure(&found)?.into_iter().collect(),
+        figures: agreement::figure(&found).into_iter().collect(),
     }))
 }
 
@@ -159,7 +159,7 @@ impl Papers {
         for figure in &self.figures {
             let (svg, caption, file) = (figure.inline(), escape(&figure.caption), &figure.name);
             text.push_str(&format!(
-                "<figure><div class=\"wide\">{svg}</div><figcaption>{caption} \
+                "<figure>{svg}<figcaption>{caption} \
                  <span class=\"file\">figures/{file}.svg</span></figcaption></figure>\n"
             ));
         }

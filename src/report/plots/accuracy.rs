@@ -2,10 +2,10 @@
 
 use super::Figure;
 use super::axes::Axis;
+use super::chart::{Chart, Curve, Point};
 use super::legend::Entry;
-use super::pen::Look;
-use super::sheet::{Chart, Curve, Layout, Point, sheet};
-use crate::report::error::ReportError;
+use super::look::Look;
+use super::sheet::{Drawing, Layout};
 
 /// A method.
 #[derive(Debug, Clone)]
@@ -21,40 +21,36 @@ pub struct Dot {
 }
 
 /// The figure; `None` without dots.
-pub fn error_against_time(dots: &[Dot]) -> Result<Option<Figure>, ReportError> {
-    let name = "error-against-time";
-    let good = || dots.iter().filter(|dot| dot.x > 0.0 && dot.y > 0.0);
+pub fn error_against_time(dots: &[Dot]) -> Option<Figure> {
     let point = |dot: &Dot| Point {
-        x: libm::log10(dot.x),
-        y: libm::log10(dot.y),
+        x: dot.x,
+        y: dot.y,
         open: !dot.filled,
+        told: format!("{}: {} s, {} %", dot.name, dot.x, dot.y),
         note: dot.name.clone(),
         ..Point::default()
     };
-    let points: Vec<_> = good().map(point).collect();
-    let x = Axis::around(points.iter().map(|point| point.x), 6.0);
-    let y = Axis::around(points.iter().map(|point| point.y), 6.0);
-    let Some((x, y)) = x.zip(y) else { return Ok(None) };
+    let points: Vec<_> = dots.iter().filter(|dot| dot.x > 0.0 && dot.y > 0.0).map(point).collect();
+    let x = Axis::logarithmic(points.iter().map(|point| point.x))?;
+    let y = Axis::logarithmic(points.iter().map(|point| point.y))?;
     let mut front: Vec<_> = points.iter().filter(|point| !point.open).cloned().collect();
     front.sort_by(|a, b| a.x.total_cmp(&b.x));
     let look = Look::of(0);
-    let chart = Chart {
-        heading: String::new(),
-        titles: ["log₁₀ of the processor time, s", "log₁₀ of the error, %"].map(str::to_owned),
-        x,
-        y,
-        curves: vec![
-            Curve { entry: Entry::line(String::new(), look), points: front },
-            Curve { entry: Entry::dots("", look, false), points },
-        ],
-    };
-    let svg = sheet(name, &[chart], Layout { columns: 1, size: (620.0, 420.0) })?;
-    Ok(Some(Figure {
-        name: name.to_owned(),
+    let curves = vec![
+        Curve { entry: Entry::line(String::new(), look), points: front },
+        Curve { entry: Entry::dots("", look, false), points },
+    ];
+    let chart = Chart::new(
+        (x, "processor time, s", "cpu_time_s"),
+        (y, "error, %", "error_percent"),
+        curves,
+    );
+    Some(Figure {
+        name: "error-against-time".to_owned(),
         title: "Error against processor time".to_owned(),
         caption: "Root mean square error over all cases against the processor time that they \
                   take together. Filled: nothing is both cheaper and more accurate."
             .to_owned(),
-        svg,
-    }))
+        drawing: Drawing::new(vec![chart], Layout { columns: 1, size: (900.0, 620.0) }),
+    })
 }

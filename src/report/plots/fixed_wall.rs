@@ -2,16 +2,17 @@
 //! solitary wave.
 
 use super::axes::Axis;
+use super::chart::{Chart, Curve};
 use super::legend::Entry;
-use super::pen::Look;
-use super::sheet::{Chart, Curve, Layout, Point, sheet};
+use super::look::Look;
+use super::marks::point;
+use super::sheet::{Drawing, PANELS};
 use super::{Figure, file_name, of_variant, printed, swept};
 use crate::quantities::Column;
 use crate::quantities::summary::{
     FIRST_FORCE_MAX, FIRST_RUNUP_MAX, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO,
 };
 use crate::report::curves::variants;
-use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::row::Row;
 
@@ -31,7 +32,7 @@ const EXACT: [[f64; 3]; 7] = [
 ];
 
 /// The figure of every variant with fixed walls and waves.
-pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
+pub fn figures(data: &Loaded) -> Vec<Figure> {
     let key = swept::key(data);
     let mut figures = Vec::new();
     for variant in variants(&data.rows) {
@@ -56,7 +57,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
         let has_bar = |row: &&Row| SIDES.iter().any(|(column, _)| row.error(column).is_some());
         let bars = if rows.iter().any(has_bar) { " Bars: estimated errors." } else { "" };
         figures.push(Figure {
-            svg: drawing(data, &name, &rows, measured, vertical)?,
+            drawing: drawing(data, &rows, measured, vertical),
             title: format!("Runup and force at a fixed wall{}", of_variant(&variant)),
             caption: format!(
                 "Largest runup and force of the first impact on a fixed wall against the wave \
@@ -65,7 +66,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
             name,
         });
     }
-    Ok(figures)
+    figures
 }
 
 /// Finished cases of one variant with a wave and a fixed wall.
@@ -79,40 +80,26 @@ pub fn walls<'a>(data: &'a Loaded, variant: &str) -> impl Iterator<Item = &'a Ro
 }
 
 /// A pair of panels; with the exact wave where the walls are `vertical`.
-fn drawing(
-    data: &Loaded,
-    name: &str,
-    rows: &[&Row],
-    measured: bool,
-    vertical: bool,
-) -> Result<String, ReportError> {
+fn drawing(data: &Loaded, rows: &[&Row], measured: bool, vertical: bool) -> Drawing {
     let wave = if measured { &MEASURED_WAVE_HEIGHT_RATIO } else { &WAVE_HEIGHT_RATIO };
     let chart = |(column, exact): (&Column, usize)| {
-        let point = |row: &&Row| {
-            let (x, y) = (row.number(wave)?, row.number(column)?);
-            let error = row.error(column).unwrap_or(0.0);
-            Some(Point { x, y, error, ..Point::default() })
-        };
         let mut curves = Vec::new();
         if vertical {
             let entry = Entry::line("exact solitary wave".to_owned(), Look::plain());
             let points = EXACT.iter().map(|known| (known[0], known[exact]).into());
             curves.push(Curve { entry, points: points.collect() });
         }
+        let points = rows.iter().filter_map(|row| point(row, row.number(wave)?, column));
         let entry = Entry::dots("computed", Look::of(0), false);
-        curves.push(Curve { entry, points: rows.iter().filter_map(point).collect() });
+        curves.push(Curve { entry, points: points.collect() });
         curves.extend(printed::at_fixed_walls(data, column, rows, measured));
         let places = curves.iter().flat_map(|curve| &curve.points).map(|point| point.x);
-        Some(Chart {
-            heading: String::new(),
-            titles: [wave.heading(), column.unit.axis().to_owned()],
-            x: Axis::around(places, 8.0)?,
-            y: Axis::around(curves.iter().flat_map(Curve::reach), 6.0)?,
-            curves,
-        })
+        let x = Axis::around(places, 6.0)?;
+        let y = Axis::around(curves.iter().flat_map(Curve::reach), 6.0)?;
+        let title = wave.heading();
+        Some(Chart::new((x, &title, wave.name), (y, column.unit.axis(), column.name), curves))
     };
-    let charts: Vec<_> = SIDES.into_iter().filter_map(chart).collect();
-    sheet(name, &charts, Layout { columns: 2, size: (300.0, 240.0) })
+    Drawing::new(SIDES.into_iter().filter_map(chart).collect(), PANELS)
 }
 
 #[cfg(test)]
@@ -124,14 +111,14 @@ mod tests {
     fn an_inclined_wall_is_not_drawn_against_an_upright_ones_answer() {
         let directory = fixture::fixed();
         let mut data = Loaded::read(directory.path()).unwrap();
-        let upright = figures(&data).unwrap().remove(0);
-        assert!(upright.svg.contains("exact solitary wave"));
+        let upright = figures(&data).remove(0);
+        assert!(upright.svg().contains("exact solitary wave"));
         assert!(upright.caption.contains("reflected by a vertical wall"));
         for row in &mut data.rows {
             row.wall_angle_deg = Some(120.0);
         }
-        let inclined = figures(&data).unwrap().remove(0);
-        assert!(!inclined.svg.contains("exact solitary wave"));
+        let inclined = figures(&data).remove(0);
+        assert!(!inclined.svg().contains("exact solitary wave"));
         assert!(inclined.caption.contains("inclined") && !inclined.caption.contains("Line"));
     }
 }

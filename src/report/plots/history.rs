@@ -2,6 +2,7 @@
 //! height with a few curves spread over the stiffnesses (or over the masses, where there is one
 //! stiffness); without, one figure of a few cases.
 
+use super::look::Look;
 use super::over_time::{self, Strip};
 use super::{Figure, file_name, of_variant};
 use crate::quantities::history::{DISPLACEMENT, FORCE, RUNUP};
@@ -18,6 +19,7 @@ const CURVES: usize = 6;
 /// One case's history with its words in the legend.
 struct Line {
     label: String,
+    case: String,
     series: Vec<Series>,
 }
 
@@ -40,7 +42,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
             let name = file_name(&format!("history-wave-{wave}"), &variant);
             let drop = dropped(lines.len(), rows.len(), "of this wave height", &picked);
             figures.push(Figure {
-                svg: over_time::strips(&name, &strips(&lines))?,
+                drawing: over_time::strips(&strips(&lines)),
                 caption: format!(
                     "Force (unfiltered), runup{} at the wall{common}, over the time since the \
                      paddle's start. Spikes of one or two samples may leave the panel.{drop}",
@@ -68,7 +70,7 @@ fn without_wave(data: &Loaded) -> Result<Option<Figure>, ReportError> {
     }
     let drop = dropped(lines.len(), rows.len(), "without a wave", "spread over their order");
     Ok(Some(Figure {
-        svg: over_time::strips("history", &strips)?,
+        drawing: over_time::strips(&strips),
         name: "history".to_owned(),
         title: "Histories".to_owned(),
         caption: format!(
@@ -91,9 +93,10 @@ fn dropped(shown: usize, cases: usize, whose: &str, picked: &str) -> String {
 fn read(data: &Loaded, chosen: Vec<(String, &Row)>) -> Result<Vec<Line>, ReportError> {
     let mut lines = Vec::new();
     for (label, row) in chosen {
-        let series = data.history(row.text(&CASE_ID))?;
+        let case = row.text(&CASE_ID).to_owned();
+        let series = data.history(&case)?;
         if series.iter().any(|series| series.points.len() > 1) {
-            lines.push(Line { label, series });
+            lines.push(Line { label, case, series });
         }
     }
     Ok(lines)
@@ -147,9 +150,19 @@ fn moves(lines: &[Line]) -> bool {
 fn strips(lines: &[Line]) -> Vec<Strip> {
     let all = [&FORCE, &RUNUP, &DISPLACEMENT];
     let drawn = if moves(lines) { &all[..] } else { &all[..2] };
+    let curve = |(index, line): (usize, &Line), name: &str| {
+        let mut curve =
+            over_time::Line::new(index, &line.label, &line.case, line.points(name).to_vec());
+        // More curves than that have no look of their own: the fixed wall is drawn in ink.
+        if index >= CURVES {
+            curve.entry.look = Look::plain();
+        }
+        curve
+    };
     let strip = |name: &str, title: &str| Strip {
         title: title.to_owned(),
-        curves: lines.iter().map(|line| (line.label.clone(), line.points(name).to_vec())).collect(),
+        name: name.to_owned(),
+        curves: lines.iter().enumerate().map(|line| curve(line, name)).collect(),
         peaks: false,
     };
     drawn.iter().map(|column| strip(column.name, column.unit.axis())).collect()
@@ -180,12 +193,12 @@ mod tests {
         let figures = drawn(&fixture::dam_breaks(1));
         assert_eq!(figures.len(), 1);
         assert_eq!(figures[0].name, "history");
-        assert!(figures[0].svg.contains("F / (½ρgh²)") && figures[0].svg.contains("R / h"));
+        assert!(figures[0].svg().contains("F / (½ρgh²)") && figures[0].svg().contains("R / h"));
         assert!(!figures[0].caption.contains("Shown"), "{}", figures[0].caption);
         let many = drawn(&fixture::dam_breaks(9));
         let told = "Shown are 6 of 9 finished cases without a wave: spread over their order.";
         assert!(many[0].caption.ends_with(told), "{}", many[0].caption);
-        assert!(many[0].svg.contains("column_height_m = 0.6"), "a legend tells them apart");
+        assert!(many[0].svg().contains("column_height_m = 0.6"), "a legend tells them apart");
     }
 
     #[test]
@@ -194,6 +207,6 @@ mod tests {
         let history = "time_s,force,runup,displacement\n0,1,0,0\n1,1.1,0,0\n";
         std::fs::write(directory.path().join("histories/case-0000.csv"), history).unwrap();
         let figures = drawn(&directory);
-        assert!(figures[0].svg.contains("F / (½ρgh²)") && !figures[0].svg.contains("R / h"));
+        assert!(figures[0].svg().contains("F / (½ρgh²)") && !figures[0].svg().contains("R / h"));
     }
 }

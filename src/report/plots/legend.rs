@@ -1,66 +1,106 @@
-//! A legend above the panels: entries side by side, wrapped to the sheet's width.
+//! What the looks mean: a row of samples and words above the panels.
 
-use super::pen::{Align, Fault, Look, Pen};
+use svg::node::element::{Group, SVG};
 
-const SIZE: f64 = 12.0;
+use super::look::Look;
+use super::pen::{Align, INK, line, text};
+use super::text::{NORMAL, width};
+use super::trace::arrow;
+
 const ROW: f64 = 20.0;
-const SAMPLE: f64 = 28.0;
+const SAMPLE: f64 = 34.0;
 
 /// One entry.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
     /// What it says.
     pub label: String,
+    /// What its points have in common, as `key=value`; may be empty.
+    pub key: String,
     /// How it looks.
     pub look: Look,
     /// With a line through it.
     pub line: bool,
-    /// With a marker: filled, or open.
+    /// With a marker: filled, or that of a bound.
     pub marker: Option<bool>,
 }
 
-/// Entries placed in rows.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Legend {
-    placed: Vec<(f64, f64, Entry)>,
-    rows: usize,
+impl Entry {
+    /// A line with filled markers.
+    pub fn marked(label: String, look: Look) -> Entry {
+        Entry { label, key: String::new(), look, line: true, marker: Some(false) }
+    }
+
+    /// A line without markers.
+    pub fn line(label: String, look: Look) -> Entry {
+        Entry { marker: None, ..Entry::marked(label, look) }
+    }
+
+    /// Markers without a line, filled or of bounds.
+    pub fn dots(label: &str, look: Look, bound: bool) -> Entry {
+        Entry { line: false, marker: Some(bound), ..Entry::marked(label.to_owned(), look) }
+    }
+
+    /// With what its points have in common.
+    pub fn keyed(mut self, key: String) -> Entry {
+        self.key = key;
+        self
+    }
+
+    /// A short piece of it.
+    fn sample(&self, left: f64, y: f64) -> Group {
+        let mut sample = self.look.group("sample");
+        if self.line {
+            let drawn = line("line", &[(left, y), (left + SAMPLE, y)], 1.5);
+            let dash = self.look.dash();
+            sample = sample.add(if dash.is_empty() {
+                drawn
+            } else {
+                drawn.set("stroke-dasharray", dash)
+            });
+        }
+        let Some(bound) = self.marker else { return sample };
+        let (x, y) = (left + SAMPLE / 2.0, if bound { y + 4.0 } else { y });
+        if bound {
+            sample = sample.add(arrow((x, y)));
+        }
+        sample.add(self.look.marker((x, y), bound))
+    }
 }
 
-impl Legend {
-    /// Places entries between the given left and right edges.
-    pub fn new(entries: Vec<Entry>, left: f64, right: f64) -> Legend {
-        let (mut x, mut row) = (left, 0);
-        let mut placed = Vec::new();
-        for entry in entries {
-            let width = SAMPLE + 8.0 + 0.58 * SIZE * entry.label.chars().count() as f64 + 18.0;
-            if x > left && x + width > right {
-                (x, row) = (left, row + 1);
-            }
-            placed.push((x, ROW * (row as f64 + 0.5), entry));
-            x += width;
+/// The rows of a legend as one group, and its height; wrapped before the right edge.
+pub fn rows(entries: &[Entry], left: f64, right: f64) -> (Group, f64) {
+    let mut legend = super::pen::group("legend").set("color", INK);
+    let (mut x, mut row) = (left, 0);
+    for entry in entries {
+        let wide = SAMPLE + 6.0 + width(&entry.label, NORMAL);
+        if x > left && x + wide > right {
+            (x, row) = (left, row + 1);
         }
-        Legend { placed, rows: row + 1 }
+        let y = ROW * (f64::from(row) + 0.5);
+        let words = text((x + SAMPLE + 6.0, y), &entry.label, NORMAL, Align::Left);
+        legend = legend.add(entry.sample(x, y)).add(words);
+        x += wide + 18.0;
     }
+    let height = if entries.is_empty() { 0.0 } else { ROW * f64::from(row + 1) };
+    (legend, height)
+}
 
-    /// Its height.
-    pub fn height(&self) -> f64 {
-        ROW * self.rows as f64
-    }
-
-    /// Draws it with its upper edge at `top`.
-    pub fn draw(&self, pen: &Pen, top: f64) -> Result<(), Fault> {
-        for (x, y, entry) in &self.placed {
-            let y = top + y;
-            if entry.line {
-                pen.line(&[(*x, y), (x + SAMPLE, y)], entry.look.colour, 1.8)?;
-            }
-            if let Some(open) = entry.marker {
-                pen.marker((x + SAMPLE / 2.0, y), entry.look, open)?;
-            }
-            pen.text((x + SAMPLE + 8.0, y), &entry.label, SIZE, Align::Left)?;
-        }
-        Ok(())
-    }
+/// The same as a list of a page, which wraps by itself.
+pub fn list(entries: &[Entry]) -> String {
+    let item = |entry: &Entry| {
+        let sample = SVG::new()
+            .set("width", SAMPLE)
+            .set("height", ROW)
+            .set("viewBox", (0.0, 0.0, SAMPLE, ROW))
+            .set("aria-hidden", "true")
+            .add(entry.sample(0.0, ROW / 2.0));
+        let sample = super::sheet::bare(&sample);
+        let words = crate::report::grid::escape(&entry.label);
+        let key = crate::report::grid::escape(&entry.key);
+        format!("<li data-series=\"{key}\">{sample}{words}</li>")
+    };
+    format!("<ul class=\"legend\">{}</ul>", entries.iter().map(item).collect::<String>())
 }
 
 #[cfg(test)]
@@ -69,10 +109,9 @@ mod tests {
 
     #[test]
     fn entries_wrap_before_the_right_edge() {
-        let entry =
-            Entry { label: "k = 10 N/m".to_owned(), look: Look::of(0), line: true, marker: None };
-        let legend = Legend::new(vec![entry; 9], 10.0, 400.0);
-        assert!(legend.rows > 1);
-        assert!(legend.placed.iter().all(|(x, ..)| *x < 400.0 - 100.0));
+        let entry = Entry::line("k = 10 N/m".to_owned(), Look::of(0));
+        let heights = [400.0, 2000.0].map(|right| rows(&vec![entry.clone(); 9], 10.0, right).1);
+        assert_eq!(heights, [3.0 * ROW, ROW]);
+        assert_eq!(rows(&[], 10.0, 400.0).1, 0.0);
     }
 }

@@ -4,28 +4,46 @@
 
 mod accuracy;
 mod axes;
+mod bar;
+mod chart;
+#[cfg(test)]
+mod eyes;
 mod fixed_wall;
 mod history;
+mod labels;
 mod legend;
+mod look;
+mod map;
+mod marks;
 mod over_time;
+mod panel;
 mod pen;
 mod printed;
 mod probes;
 mod response;
+mod shape;
 mod sheet;
+mod slices;
 mod swept;
+mod text;
+mod ticks;
+mod trace;
 
 pub use accuracy::{Dot, error_against_time};
 pub(super) use axes::Axis;
+pub(super) use chart::{Chart, Curve, Point};
 pub(super) use fixed_wall::{figures as at_fixed_walls, walls as fixed_walls};
 pub(super) use legend::Entry;
+pub(super) use look::Look;
+pub(super) use marks::{key, point as case_point};
 pub(super) use over_time::lasting;
-pub(super) use pen::Look;
 pub(super) use printed::{PRINTED, entry as printed_entry, point as printed_point};
-pub(super) use sheet::{Chart, Curve, Layout, Point, sheet};
+pub(super) use sheet::{Drawing, Layout};
 
 use super::error::ReportError;
 use super::load::Loaded;
+#[cfg(feature = "print")]
+pub use text::FONT;
 
 /// A finished drawing.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,35 +54,35 @@ pub struct Figure {
     pub title: String,
     /// What is drawn, in a sentence or two.
     pub caption: String,
-    /// The drawing: a whole SVG document on a transparent ground, in black ink.
-    pub svg: String,
+    /// What it shows.
+    pub drawing: Drawing,
 }
+
+/// Series in a panel, and panels of one figure, at most: more than that nobody tells apart.
+const SERIES: usize = 6;
+
+/// What a page needs to show figures, in light and in dark.
+pub const STYLE: &str = include_str!("plots.css");
 
 impl Figure {
     /// The drawing as a file of its own, on white.
-    pub fn standalone(&self) -> String {
-        let ground = "<rect width=\"100%\" height=\"100%\" fill=\"#FFFFFF\"/>\n";
-        self.svg.replacen(">\n", &format!(">\n{ground}"), 1)
+    pub fn svg(&self) -> String {
+        self.drawing.svg(self.drawing.layout.columns)
     }
 
-    /// The drawing for use inside a page: ink takes the page's colour, the inside of open markers
-    /// the page's ground.
+    /// The drawing for use inside a page that has [`STYLE`].
     pub fn inline(&self) -> String {
-        let label = format!("role=\"img\" aria-label=\"{}\"", self.title);
-        self.svg
-            .replacen("xmlns=\"http://www.w3.org/2000/svg\"", &label, 1)
-            .replace("\"#000000\"", "\"currentColor\"")
-            .replace("fill=\"#FFFFFF\"", "class=\"ground\"")
+        self.drawing.inline(&self.title)
     }
 }
 
 /// Every figure that the sweep's files can fill.
 pub fn all(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut figures = match swept::key(data) {
-        Some(key) => swept::figures(data, key)?,
-        None => response::figures(data)?,
+        Some(key) => swept::figures(data, key),
+        None => [response::figures(data), slices::figures(data), map::figures(data)].concat(),
     };
-    figures.extend(fixed_wall::figures(data)?);
+    figures.extend(fixed_wall::figures(data));
     figures.extend(history::figures(data)?);
     figures.extend(probes::figures(data)?);
     Ok(figures)
@@ -100,12 +118,12 @@ mod tests {
     fn every_figure_is_well_formed_alone_and_inline() {
         for directory in [fixture::sweep(), fixture::fixed()] {
             for figure in drawn(&directory) {
-                let alone = figure.standalone();
+                let alone = figure.svg();
                 let tree = roxmltree::Document::parse(&alone).unwrap();
                 assert!(tree.descendants().any(|node| node.has_tag_name((SVG, "text"))));
                 let page = figure.inline();
                 roxmltree::Document::parse(&page).unwrap();
-                assert!(!page.contains("http") && !page.contains("#000000"), "{}", figure.name);
+                assert!(!page.contains("http") && !page.contains("NaN"), "{}", figure.name);
             }
         }
     }
@@ -115,7 +133,8 @@ mod tests {
     #[test]
     fn nothing_leaves_the_sheet() {
         for figure in drawn(&fixture::sweep()) {
-            let tree = roxmltree::Document::parse(&figure.svg).unwrap();
+            let alone = figure.svg();
+            let tree = roxmltree::Document::parse(&alone).unwrap();
             let sheet = tree.root_element().attribute("viewBox").unwrap();
             let size: Vec<f64> = sheet.split(' ').map(|n| n.parse().unwrap()).collect();
             for line in tree.descendants().filter_map(|node| node.attribute("points")) {
@@ -133,8 +152,8 @@ mod tests {
         let names = |directory: &_| -> String {
             drawn(directory).iter().map(|figure| format!("{} ", figure.name)).collect()
         };
-        let movable = "response-displacement response-force response-runup history-wave-0.3 \
-                       history-wave-0.5 ";
+        let movable = "response-displacement response-force response-runup against-stiffness \
+                       against-mass against-wave history-wave-0.3 history-wave-0.5 ";
         assert_eq!(names(&fixture::sweep()), movable);
         let fixed = "fixed-wall history-wave-0.1 history-wave-0.2 history-wave-0.3 \
                      history-wave-0.4 history-wave-0.5 history-wave-0.6 ";
@@ -146,15 +165,52 @@ mod tests {
         let figures = drawn(&fixture::movable(&[0.5], &[500.0], &[250.0]));
         assert_eq!(figures.len(), 4);
         for figure in figures {
-            assert!(!figure.svg.contains("NaN"), "{}", figure.name);
+            assert!(!figure.svg().contains("NaN"), "{}", figure.name);
         }
     }
 
     #[test]
-    fn only_truncated_displacements_have_open_markers() {
+    fn bounds_are_open_with_an_arrow_and_only_dots_go_through_them() {
+        let mut seen = 0;
         for figure in drawn(&fixture::sweep()) {
-            let open = figure.svg.contains("fill=\"#FFFFFF\"");
-            assert_eq!(open, figure.name == "response-displacement", "{}", figure.name);
+            let alone = figure.svg();
+            let tree = roxmltree::Document::parse(&alone).unwrap();
+            let class = |node: &roxmltree::Node, class: &str| {
+                node.attribute("class").is_some_and(|own| own.split(' ').any(|one| one == class))
+            };
+            for series in tree.descendants().filter(|node| class(node, "series")) {
+                let solid = |node: &roxmltree::Node| class(node, "line") && !class(node, "loose");
+                let lines: Vec<_> = series.children().filter(solid).collect();
+                for point in series.children().filter(|node| class(node, "point")) {
+                    let told = point.descendants().find(|node| node.has_tag_name((SVG, "title")));
+                    let bound = told.unwrap().text().unwrap().contains('≥');
+                    let mark = point.children().find(|node| class(node, "mark")).unwrap();
+                    assert_eq!(bound, class(&mark, "open"));
+                    assert_eq!(bound, point.children().any(|node| class(&node, "arrow")));
+                    let at = mark.attribute("d").unwrap().split('m').next().unwrap();
+                    let at = at.trim_start_matches('M').replace(' ', ",");
+                    let through = |line: &roxmltree::Node| {
+                        line.attribute("points").unwrap().split(' ').any(|corner| corner == at)
+                    };
+                    assert!(!bound || !lines.iter().any(through), "{at}");
+                    seen += usize::from(bound);
+                }
+            }
+        }
+        assert!(seen > 3, "{seen}");
+    }
+
+    #[test]
+    fn points_and_panels_say_what_they_stand_for() {
+        let page = drawn(&fixture::sweep())[0].inline();
+        for word in [
+            "data-x=\"log10_k_star\" data-y=\"displacement_max\"",
+            "data-panel=\"m_star=1.25\"",
+            "data-series=\"wave_height_ratio=0.5\"",
+            "data-case=\"case-0000\"",
+            "<title>H/h = 0.3, k = 10 N/m, m = 50 kg/m: X* max ",
+        ] {
+            assert!(page.contains(word), "{word}");
         }
     }
 

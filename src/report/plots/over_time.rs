@@ -1,22 +1,44 @@
 //! Panels of curves over time, one below the other on one axis of time.
 
 use super::axes::Axis;
+use super::chart::{Chart, Curve};
 use super::legend::Entry;
-use super::pen::Look;
-use super::sheet::{Chart, Curve, Layout, sheet};
+use super::look::Look;
+use super::sheet::{Drawing, PANELS};
 use crate::quantities::history::TIME;
-use crate::report::error::ReportError;
 
-const BUCKETS: usize = 250;
+/// A panel is some 250 pixels wide: two points in every pixel or so.
+const BUCKETS: usize = 150;
 
-/// A curve's words in the legend and its points: time in seconds and value.
-type Line = (String, Vec<(f64, f64)>);
+/// Points over time: time in seconds and value.
+type Points = Vec<(f64, f64)>;
+
+/// A curve over time.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Line {
+    /// Its words in the legend.
+    pub entry: Entry,
+    /// The id of its case.
+    pub case: String,
+    /// What it shows.
+    pub points: Points,
+}
+
+impl Line {
+    /// The `index`-th line of a figure.
+    pub fn new(index: usize, label: &str, case: &str, points: Points) -> Line {
+        let entry = Entry::line(label.to_owned(), Look::of(index)).keyed(format!("case={case}"));
+        Line { entry, case: case.to_owned(), points }
+    }
+}
 
 /// Curves over time in one panel.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Strip {
     /// Title of the vertical axis.
     pub title: String,
+    /// Name of the quantity.
+    pub name: String,
     /// One without points keeps the colours of the others as they are in the next panel.
     pub curves: Vec<Line>,
     /// The axis reaches to every peak, and not only to what lasts.
@@ -30,38 +52,33 @@ impl Strip {
     }
 
     fn points(&self) -> impl Iterator<Item = &(f64, f64)> {
-        self.curves.iter().flat_map(|(_, points)| points)
+        self.curves.iter().flat_map(|line| &line.points)
     }
 
     fn axis(&self) -> Option<Axis> {
         if self.peaks {
             return Axis::around(self.points().map(|point| point.1), 4.0);
         }
-        Axis::around(self.curves.iter().flat_map(|(_, points)| lasting(points)), 4.0)
+        Axis::around(self.curves.iter().flat_map(|line| lasting(&line.points)), 4.0)
     }
 
     fn chart(&self, x: &Axis) -> Option<Chart> {
-        let curve = |(index, (label, points)): (usize, &Line)| Curve {
-            entry: Entry::line(label.clone(), Look::of(index)),
-            points: thin(points).into_iter().map(Into::into).collect(),
+        let curve = |line: &Line| Curve {
+            entry: line.entry.clone(),
+            points: thin(&line.points).into_iter().map(Into::into).collect(),
         };
-        Some(Chart {
-            heading: String::new(),
-            titles: [TIME.unit.axis().to_owned(), self.title.clone()],
-            x: x.clone(),
-            y: self.axis()?,
-            curves: self.curves.iter().enumerate().map(curve).collect(),
-        })
+        let curves = self.curves.iter().map(curve).collect();
+        let x = (x.clone(), TIME.unit.axis(), TIME.name);
+        Some(Chart::new(x, (self.axis()?, &self.title, &self.name), curves))
     }
 }
 
-/// The drawing of panels that hold points, from the top down.
-pub fn strips(name: &str, strips: &[Strip]) -> Result<String, ReportError> {
+/// The drawing of panels that hold points, side by side.
+pub fn strips(strips: &[Strip]) -> Drawing {
     let times = strips.iter().flat_map(Strip::points).map(|point| point.0);
-    let x = Axis::within(times, 8.0);
+    let x = Axis::within(times, 6.0);
     let charts = x.iter().flat_map(|x| strips.iter().filter_map(|strip| strip.chart(x)));
-    let layout = Layout { columns: 1, size: (640.0, 140.0) };
-    sheet(name, &charts.collect::<Vec<_>>(), layout)
+    Drawing::new(charts.collect(), PANELS)
 }
 
 /// Medians of five values each: those that last. An axis made for these is not squashed by the

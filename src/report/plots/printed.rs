@@ -1,11 +1,13 @@
 //! What the papers print, as markers in a study's figures.
 
+use super::chart::{Curve, Point};
 use super::legend::Entry;
-use super::pen::Look;
-use super::sheet::{Curve, Point};
+use super::look::Look;
 use crate::papers::{Printed, printed, scenes};
 use crate::quantities::Column;
-use crate::quantities::summary::{LOG10_K_STAR, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO};
+use crate::quantities::summary::{
+    CASE_ID, LOG10_K_STAR, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO,
+};
 use crate::report::config::some_configs;
 use crate::report::load::Loaded;
 use crate::report::row::{PLACE, Row};
@@ -32,12 +34,14 @@ pub fn at_fixed_walls(
 
 /// How they look everywhere.
 pub(in crate::report) fn entry() -> Entry {
-    Entry::dots(PRINTED, Look::plain().printed(), true)
+    Entry::dots(PRINTED, Look::plain().printed(), false).keyed("printed".to_owned())
 }
 
 /// A printed number as a point.
-pub(in crate::report) fn point(place: (f64, f64)) -> Point {
-    Point { open: true, ..place.into() }
+pub(in crate::report) fn point(place: (f64, f64), row: &Row, printed: &Printed) -> Point {
+    let told = format!("printed in Fig. {}: {} {}", printed.figure, printed.value, printed.unit);
+    let case = row.text(&CASE_ID).to_owned();
+    Point { open: true, case, told: told.trim_end().to_owned(), ..place.into() }
 }
 
 fn curve(data: &Loaded, column: &Column, rows: &[&Row], x: &Column) -> Option<Curve> {
@@ -45,7 +49,7 @@ fn curve(data: &Loaded, column: &Column, rows: &[&Row], x: &Column) -> Option<Cu
     for number in printed().iter().filter(|number| number.quantity == column.name) {
         let own = rows.iter().filter(|row| number.holds_at(PLACE.map(|c| row.number(c))));
         for row in own.filter(|row| is_theirs(data, row, number)) {
-            let point = row.number(x).map(|x| point((x, number.value)));
+            let point = row.number(x).map(|x| point((x, number.value), row, number));
             points.extend(point.filter(|point| !points.contains(point)));
         }
     }

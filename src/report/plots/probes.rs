@@ -1,8 +1,8 @@
 //! What pressure, level and void gauges recorded over time: one figure per case, one panel per
-//! unit and seven gauges.
+//! unit and six gauges.
 
 use super::Figure;
-use super::over_time::{self, Strip};
+use super::over_time::{self, Line, Strip};
 use crate::quantities::summary::CASE_ID;
 use crate::report::curves::spread;
 use crate::report::error::ReportError;
@@ -11,7 +11,7 @@ use crate::report::series::Series;
 
 const CASES: usize = 4;
 /// Curves in a panel: as many as there are colours.
-const CURVES: usize = 7;
+const CURVES: usize = 6;
 
 /// The figures of a few cases with gauges, spread over the sweep.
 pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
@@ -30,7 +30,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut figures = Vec::new();
     for row in chosen {
         let case_id = row.text(&CASE_ID);
-        let strips = strips(&data.gauges(case_id)?);
+        let strips = strips(case_id, &data.gauges(case_id)?);
         if strips.is_empty() {
             continue;
         }
@@ -38,7 +38,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
         let case = if words.is_empty() { String::new() } else { format!(", {words}") };
         let name = format!("probes-{case_id}");
         figures.push(Figure {
-            svg: over_time::strips(&name, &strips)?,
+            drawing: over_time::strips(&strips),
             title: format!("Gauges{case}"),
             caption: format!(
                 "What the gauges of case {case_id} recorded; probes/columns.csv says where each \
@@ -51,7 +51,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
 }
 
 /// Gauges by unit, in the order of their first column, at most [`CURVES`] together.
-fn strips(gauges: &[Series]) -> Vec<Strip> {
+fn strips(case_id: &str, gauges: &[Series]) -> Vec<Strip> {
     let mut units: Vec<&str> = Vec::new();
     for gauge in gauges.iter().filter(|gauge| gauge.points.len() > 1) {
         if !units.contains(&gauge.unit.as_str()) {
@@ -61,13 +61,14 @@ fn strips(gauges: &[Series]) -> Vec<Strip> {
     let strips = |unit: &str| {
         let alike: Vec<_> = gauges.iter().filter(|gauge| gauge.unit == unit).collect();
         let (title, scale) = scale(unit);
-        let curve = |gauge: &&Series| {
+        let curve = |(index, gauge): (usize, &&Series)| {
             let points = gauge.points.iter().map(|(time, value)| (*time, value * scale));
-            (gauge.name.clone(), points.collect())
+            Line::new(index, &gauge.name, case_id, points.collect())
         };
         let strip = |gauges: &[&Series]| Strip {
             title: title.clone(),
-            curves: gauges.iter().map(curve).collect(),
+            name: unit.to_owned(),
+            curves: gauges.iter().enumerate().map(curve).collect(),
             peaks: true,
         };
         alike.chunks(CURVES).map(strip).collect::<Vec<_>>()
@@ -100,7 +101,7 @@ mod tests {
         let figures = figures(&data).unwrap();
         assert_eq!(figures.len(), 1);
         for word in ["p, kPa", "level, m", "P1", "front"] {
-            assert!(figures[0].svg.contains(word), "{word}");
+            assert!(figures[0].svg().contains(word), "{word}");
         }
         assert!(!figures[0].caption.contains("Shown"));
     }
@@ -124,8 +125,8 @@ mod tests {
             points: vec![(0.0, 2e3), (1.0, 1e3)],
         };
         let gauges: Vec<_> = (0..9).map(gauge).collect();
-        let strips = strips(&gauges);
-        assert_eq!(strips.iter().map(|s| s.curves.len()).collect::<Vec<_>>(), [7, 2]);
-        assert_eq!(strips[1].curves[0].1[0], (0.0, 2.0));
+        let strips = strips("a", &gauges);
+        assert_eq!(strips.iter().map(|s| s.curves.len()).collect::<Vec<_>>(), [6, 3]);
+        assert_eq!(strips[1].curves[0].points[0], (0.0, 2.0));
     }
 }

@@ -2,20 +2,19 @@
 //! against the spring's stiffness, one panel per mass, one curve per wave height.
 
 use super::axes::Axis;
-use super::legend::Entry;
-use super::pen::Look;
-use super::sheet::{Chart, Curve, Layout, Point, sheet};
-use super::{Figure, file_name, of_variant, printed};
-use crate::quantities::summary::{FORCE_COUPLING, LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
+use super::chart::{Chart, Curve};
+use super::marks::{bounds, by, coupling, key, marks, picked, point};
+use super::sheet::{Drawing, PANELS};
+use super::{Figure, SERIES, file_name, of_variant, printed};
+use crate::quantities::summary::{LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, Unit};
-use crate::report::curves::{RESPONSES, by_mass, distinct, responses, stem, variants};
-use crate::report::error::ReportError;
+use crate::report::curves::{RESPONSES, by_mass, distinct, responses, spread, stem, variants};
 use crate::report::load::Loaded;
 use crate::report::row::{Row, label};
 
 /// The figures of every response and variant that has points.
-pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
-    let waves = distinct(data.rows.iter(), &WAVE_HEIGHT_RATIO);
+pub fn figures(data: &Loaded) -> Vec<Figure> {
+    let waves = spread(&distinct(data.rows.iter(), &WAVE_HEIGHT_RATIO), SERIES);
     let mut figures = Vec::new();
     for variant in variants(&data.rows) {
         for response in RESPONSES {
@@ -23,22 +22,26 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
             if rows.is_empty() {
                 continue;
             }
-            let name = file_name(&format!("response-{}", stem(response)), &variant);
+            let all: Vec<_> = by_mass(&rows).collect();
+            let shown = spread(&all, SERIES);
             let law = coupling(data.finished().filter(|row| row.variant == variant));
             let what = capitalised(response.meaning);
+            let of_masses = picked(shown.len(), all.len(), "masses");
+            let count = distinct(rows.iter().copied(), &WAVE_HEIGHT_RATIO).len();
+            let of_waves = picked(waves.len(), count, "wave heights");
             figures.push(Figure {
-                svg: drawing(data, &name, response, &rows, &waves)?,
+                drawing: drawing(data, response, &shown, &waves),
                 caption: format!(
                     "{what} against the spring stiffness k* = k/(ρgh²), one panel per wall mass \
-                     m* = m/(ρh²), one curve per nominal wave height.{}{law}",
+                     m* = m/(ρh²), one curve per nominal wave height.{}{law}{of_masses}{of_waves}",
                     marks(&rows, &[response])
                 ),
                 title: format!("{what}{}", of_variant(&variant)),
-                name,
+                name: file_name(&format!("response-{}", stem(response)), &variant),
             });
         }
     }
-    Ok(figures)
+    figures
 }
 
 fn capitalised(text: &str) -> String {
@@ -46,91 +49,28 @@ fn capitalised(text: &str) -> String {
     letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
-/// The motion law that cases follow, as every figure of a movable wall has to say.
-pub fn coupling<'a>(rows: impl Iterator<Item = &'a Row>) -> String {
-    let factors = distinct(rows.filter(|row| !row.is_fixed()), &FORCE_COUPLING);
-    let factors: Vec<_> = factors.into_iter().map(crate::report::number::plain).collect();
-    if factors.is_empty() {
-        return String::new();
-    }
-    format!(" Force coupling s = {}.", factors.join(", "))
-}
-
-/// What a caption says of error bars and of open markers, as far as there are any.
-pub fn marks(rows: &[&Row], columns: &[&Column]) -> String {
-    let any = |has: &dyn Fn(&Row, &Column) -> bool| {
-        rows.iter().any(|row| columns.iter().any(|column| has(row, column)))
-    };
-    let mut text = String::new();
-    if any(&|row, column| row.error(column).is_some()) {
-        text.push_str(" Bars: estimated errors.");
-    }
-    if any(&|row, column| row.is_bound(column)) {
-        text.push_str(
-            " Open markers: the wall was still moving outwards when the run ended, so that the \
-             value is a lower bound.",
-        );
-    }
-    text
-}
-
-/// One curve per wave height that occurs, coloured by its place among `waves`, and one of cases
-/// without a wave. A case stands at its `x`.
-pub fn by_wave(
-    cases: &[(f64, &Row)],
-    waves: &[f64],
-    column: &Column,
-    value: impl Fn(&Row) -> Option<f64>,
-) -> Vec<Curve> {
-    let all = waves.iter().map(|wave| Some(*wave)).chain([None]).enumerate();
-    let curve = |(index, wave): (usize, Option<f64>)| {
-        let own = cases.iter().filter(|(_, row)| row.number(&WAVE_HEIGHT_RATIO) == wave);
-        let point = |(x, row): &(f64, &Row)| {
-            let (y, error) = (value(row)?, row.error(column).unwrap_or(0.0));
-            Some(Point { x: *x, y, error, open: row.is_bound(column), ..Point::default() })
-        };
-        let points: Vec<_> = own.filter_map(point).collect();
-        let words = wave.map(|wave| label(&WAVE_HEIGHT_RATIO, wave)).unwrap_or_default();
-        let look = Look::of(if wave.is_some() { index } else { 0 });
-        (!points.is_empty()).then_some(Curve { entry: Entry::marked(words, look), points })
-    };
-    let mut curves: Vec<_> = all.filter_map(curve).collect();
-    if cases.iter().any(|(_, row)| row.is_bound(column)) {
-        let entry = Entry::dots("still moving at the end", Look::plain(), true);
-        curves.push(Curve { entry, points: Vec::new() });
-    }
-    curves
-}
-
-fn drawing(
-    data: &Loaded,
-    name: &str,
-    response: &Column,
-    rows: &[&Row],
-    waves: &[f64],
-) -> Result<String, ReportError> {
+fn drawing(data: &Loaded, response: &Column, masses: &[&[&Row]], waves: &[f64]) -> Drawing {
     let curves = |rows: &[&Row]| {
         let places = rows.iter().filter_map(|row| Some((row.number(&LOG10_K_STAR)?, *row)));
         let cases: Vec<_> = places.collect();
-        let mut curves = by_wave(&cases, waves, response, |row| row.number(response));
-        curves.extend(printed::of_response(data, response, rows));
-        curves
+        let curves = by(&WAVE_HEIGHT_RATIO, waves, &cases, |x, row| point(row, x, response));
+        curves.into_iter().chain(printed::of_response(data, response, rows)).collect::<Vec<_>>()
     };
-    let all = curves(rows);
+    let all: Vec<Curve> = masses.iter().flat_map(|rows| curves(rows)).collect();
     let places = all.iter().flat_map(|curve| &curve.points).map(|point| point.x);
     let floor = if response.unit == Unit::Force { 1.0 } else { 0.0 };
     let x = Axis::around(places, 6.0);
-    let y = Axis::around(all.iter().flat_map(Curve::reach).chain([floor]), 7.0);
+    let y = Axis::around(all.iter().flat_map(Curve::reach).chain([floor]), 6.0);
     let (x, y) = x.zip(y).expect("a response has points, and points are finite");
-    let chart = |rows: &[&Row]| Chart {
-        heading: rows[0].number(&M_STAR).map(|mass| label(&M_STAR, mass)).unwrap_or_default(),
-        titles: [LOG10_K_STAR.heading(), response.unit.axis().to_owned()],
-        x: x.clone(),
-        y: y.clone(),
-        curves: curves(rows),
+    let chart = |rows: &&[&Row]| {
+        let mass = rows[0].number(&M_STAR).unwrap_or_default();
+        let (title, up) = (LOG10_K_STAR.heading(), response.unit.axis());
+        let x = (x.clone(), title.as_str(), LOG10_K_STAR.name);
+        let curves = curves(rows).into_iter().chain(bounds(&all)).collect();
+        Chart::new(x, (y.clone(), up, response.name), curves)
+            .under(label(&M_STAR, mass), key(&M_STAR, mass))
     };
-    let charts: Vec<_> = by_mass(rows).map(chart).collect();
-    sheet(name, &charts, Layout { columns: 3, size: (250.0, 185.0) })
+    Drawing::new(masses.iter().map(chart).collect(), PANELS)
 }
 
 #[cfg(test)]
@@ -143,13 +83,14 @@ mod tests {
     fn bars_are_told_where_there_are_any() {
         let directory = fixture::sweep();
         let mut data = Loaded::read(directory.path()).unwrap();
-        assert!(figures(&data).unwrap().iter().all(|f| !f.caption.contains("Bars")));
+        assert!(figures(&data).iter().all(|f| !f.caption.contains("Bars")));
         for row in &mut data.rows {
             *row = row.clone().with(&FORCE_ERROR, 0.03);
         }
-        for figure in figures(&data).unwrap() {
+        for figure in figures(&data) {
             let told = figure.caption.contains("Bars: estimated errors.");
             assert_eq!(told, figure.name == "response-force", "{}", figure.caption);
+            assert_eq!(told, figure.svg().contains("± 0.03"), "{}", figure.name);
         }
     }
 
@@ -157,9 +98,19 @@ mod tests {
     fn masses_and_waves_of_a_range_are_rounded_in_labels() {
         let directory = fixture::movable(&[0.3, 0.316_227_766], &[10.0, 500.0], &[46.415_888_3]);
         let data = Loaded::read(directory.path()).unwrap();
-        let svg = &figures(&data).unwrap()[0].svg;
-        assert!(svg.contains("H/h = 0.3162<") || svg.contains("H/h = 0.3162\n"), "{svg}");
-        assert!(svg.contains("m* = 1.16"));
-        assert!(!svg.contains("0.316227766") && !svg.contains("1.1603"));
+        let svg = figures(&data)[0].inline();
+        assert!(svg.contains(">H/h = 0.3162<") && svg.contains(">m* = 1.16<"), "{svg}");
+        assert!(!svg.contains(">H/h = 0.316227766<") && !svg.contains(">m* = 1.1603"));
+    }
+
+    #[test]
+    fn of_many_masses_and_waves_six_are_drawn_and_the_caption_says_so() {
+        let many: Vec<f64> = (1..=9).map(f64::from).collect();
+        let waves: Vec<f64> = many.iter().map(|wave| wave * 0.05).collect();
+        let directory = fixture::movable(&waves, &[10.0, 500.0], &many);
+        let figure = figures(&Loaded::read(directory.path()).unwrap()).remove(0);
+        assert_eq!(figure.drawing.charts.len(), 6);
+        let told = "Shown are 6 of 9 masses. Shown are 6 of 9 wave heights.";
+        assert!(figure.caption.ends_with(told), "{}", figure.caption);
     }
 }

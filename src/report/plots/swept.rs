@@ -2,23 +2,23 @@
 //! was not: a panel for each of force, runup and displacement, one curve per wave height.
 
 use super::axes::Axis;
-use super::response::{by_wave, coupling, marks};
-use super::sheet::{Chart, Curve, Layout, sheet};
-use super::{Figure, file_name, of_variant};
+use super::chart::{Chart, Curve};
+use super::marks::{bounds, by, coupling, marks, picked, point};
+use super::sheet::{Drawing, PANELS};
+use super::{Figure, SERIES, file_name, of_variant};
 use crate::quantities::summary::{
     CASE_ID, DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, LOG10_K_STAR,
     RUNUP_MAX, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, heading};
-use crate::report::curves::{by_mass, distinct, responses, variants};
-use crate::report::error::ReportError;
+use crate::report::curves::{by_mass, distinct, responses, spread, variants};
 use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::row::Row;
 use crate::report::study::Key;
 
 /// What is drawn, and what stands in for it where a case has no first impact.
-const DRAWN: [(&Column, Option<&Column>); 3] = [
+const DRAWN: [(&'static Column, Option<&'static Column>); 3] = [
     (&FIRST_FORCE_MAX, Some(&FORCE_MAX)),
     (&FIRST_RUNUP_MAX, Some(&RUNUP_MAX)),
     (&DISPLACEMENT_MAX, None),
@@ -61,8 +61,8 @@ pub fn holds(data: &Loaded, key: &Key, row: &Row) -> bool {
 }
 
 /// The figures of every combination of what else was swept.
-pub fn figures(data: &Loaded, key: &Key) -> Result<Vec<Figure>, ReportError> {
-    let waves = distinct(data.rows.iter(), &WAVE_HEIGHT_RATIO);
+pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
+    let waves = spread(&distinct(data.rows.iter(), &WAVE_HEIGHT_RATIO), SERIES);
     let cases = cases(data, key);
     let mut groups: Vec<(String, Vec<Case>)> = Vec::new();
     for case in cases {
@@ -77,17 +77,17 @@ pub fn figures(data: &Loaded, key: &Key) -> Result<Vec<Figure>, ReportError> {
         group.sort_by(|a, b| a.0.total_cmp(&b.0));
         let stem = format!("swept-{}", key.name.replace('_', "-"));
         let name = file_name(&stem, &words);
-        let Some(svg) = drawing(&name, key, &group, &waves)? else { continue };
+        let Some(drawing) = drawing(key, &group, &waves) else { continue };
         let heading = heading(&key.name);
         let what = heading.split(", ").next().unwrap_or(&heading);
         figures.push(Figure {
-            svg,
+            drawing,
             title: format!("Responses against {what}{}", of_variant(&words)),
             caption: caption(what, &group),
             name,
         });
     }
-    Ok(figures)
+    figures
 }
 
 /// What else was swept, as far as it varies.
@@ -116,44 +116,32 @@ fn caption(what: &str, group: &[Case]) -> String {
         if moves { ", and largest displacement of the run" } else { "" }
     );
     let waves = distinct(rows.iter().copied(), &WAVE_HEIGHT_RATIO);
+    let shown = picked(SERIES, waves.len(), "wave heights");
     text.push_str(if waves.is_empty() { "." } else { "; one curve per nominal wave height." });
     text.push_str(&coupling(rows.iter().copied()));
     text.push_str(&marks(&rows, &DRAWN.map(|(column, _)| column)));
+    text.push_str(&shown);
     text
 }
 
 /// The drawing; `None` where no case has a response.
-fn drawing(
-    name: &str,
-    key: &Key,
-    group: &[Case],
-    waves: &[f64],
-) -> Result<Option<String>, ReportError> {
+fn drawing(key: &Key, group: &[Case], waves: &[f64]) -> Option<Drawing> {
     let (low, high) = (group[0].0, group[group.len() - 1].0);
-    let logarithmic = low > 0.0 && high >= DECADES * low;
-    let x_of = |x: f64| if logarithmic { libm::log10(x) } else { x };
-    let cases: Vec<_> = group.iter().map(|(x, row)| (x_of(*x), *row)).collect();
+    let places = || group.iter().map(|(x, _)| *x);
+    let wide = low > 0.0 && high >= DECADES * low;
+    let x = if wide { Axis::logarithmic(places()) } else { Axis::around(places(), 5.0) }?;
     let title = heading(&key.name);
-    let title = if logarithmic { format!("log₁₀ of {title}") } else { title };
-    let chart = |(column, whole): (&Column, Option<&Column>)| {
-        let value = |row: &Row| {
-            let value = row.number(column).or_else(|| row.number(whole?));
-            value.filter(|value| value.is_finite())
-        };
-        let curves = by_wave(&cases, waves, column, value);
-        Some(Chart {
-            heading: String::new(),
-            titles: [title.clone(), column.unit.axis().to_owned()],
-            x: Axis::around(cases.iter().map(|(x, _)| *x), 5.0)?,
-            y: Axis::around(curves.iter().flat_map(Curve::reach), 6.0)?,
-            curves,
-        })
+    let chart = |(column, whole): (&'static Column, Option<&'static Column>)| {
+        let whole = whole.unwrap_or(column);
+        let point = |x: f64, row: &Row| point(row, x, column).or_else(|| point(row, x, whole));
+        let mut curves = by(&WAVE_HEIGHT_RATIO, waves, group, point);
+        let y = Axis::around(curves.iter().flat_map(Curve::reach), 6.0)?;
+        curves.extend(bounds(&curves));
+        let x = (x.clone(), title.as_str(), key.name.as_str());
+        Some(Chart::new(x, (y, column.unit.axis(), column.name), curves))
     };
     let charts: Vec<_> = DRAWN.into_iter().filter_map(chart).collect();
-    if charts.is_empty() {
-        return Ok(None);
-    }
-    sheet(name, &charts, Layout { columns: 3, size: (230.0, 200.0) }).map(Some)
+    (!charts.is_empty()).then_some(Drawing::new(charts, PANELS))
 }
 
 #[cfg(test)]
@@ -175,12 +163,12 @@ mod tests {
         let data = Loaded::read(directory.path()).unwrap();
         let key = key(&data).unwrap();
         assert_eq!(key.name, "seawall_mass_kg_per_m");
-        let figures = figures(&data, key).unwrap();
+        let figures = figures(&data, key);
         let names: Vec<_> = figures.iter().map(|figure| figure.name.as_str()).collect();
         assert_eq!(names, ["swept-seawall-mass-kg-per-m"]);
         assert!(figures[0].caption.contains("Force coupling s = 1."), "{}", figures[0].caption);
         for word in ["m, kg/m", "F / (½ρgh²)", "R / h", "X / h", "H/h = 0.3"] {
-            assert!(figures[0].svg.contains(word), "{word}");
+            assert!(figures[0].svg().contains(word), "{word}");
         }
         let all = super::super::all(&data).unwrap();
         assert!(!all.iter().any(|figure| figure.name.starts_with("response")));
@@ -196,10 +184,10 @@ mod tests {
     fn scenes_without_a_wave_have_one_curve() {
         let directory = fixture::dam_breaks(5);
         let data = Loaded::read(directory.path()).unwrap();
-        let figures = figures(&data, key(&data).unwrap()).unwrap();
+        let figures = figures(&data, key(&data).unwrap());
         assert_eq!(figures.len(), 1);
-        assert!(figures[0].svg.contains("column height, m"));
-        assert!(!figures[0].svg.contains("H/h"));
+        assert!(figures[0].svg().contains("column height, m"));
+        assert!(!figures[0].svg().contains("H/h"));
         assert!(!figures[0].caption.contains("wave height"));
     }
 }

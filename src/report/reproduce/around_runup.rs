@@ -1,12 +1,12 @@
 //! Fig. 5 of Liang et al. 2017: the force on a fixed wall around the largest runup, one panel for low and
 //! one for high waves.
 
-use super::{Drawing, Material};
+use super::{Drawn, Material, drawn, panel};
 use crate::quantities::history::FORCE;
 use crate::quantities::summary::{CASE_ID, RUNUP_MAX, WAVE_HEIGHT_RATIO};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
-use crate::report::plots::{Axis, Chart, Curve, Entry, Layout, Look, lasting, sheet};
+use crate::report::plots::{Axis, Curve, Entry, Layout, Look, key, lasting};
 use crate::report::row::{Row, label};
 
 /// How far around, over √(h/g).
@@ -16,7 +16,7 @@ fn unit_s() -> f64 {
     (0.2_f64 / 9.81).sqrt()
 }
 
-pub fn drawing(material: &Material, panels: &[Vec<f64>]) -> Result<Option<Drawing>, ReportError> {
+pub fn drawing(material: &Material, panels: &[Vec<f64>]) -> Result<Option<Drawn>, ReportError> {
     let mut charts = Vec::new();
     for waves in panels {
         let mut curves = Vec::new();
@@ -26,6 +26,7 @@ pub fn drawing(material: &Material, panels: &[Vec<f64>]) -> Result<Option<Drawin
             let index = waves.iter().position(|other| *other == wave).unwrap_or(0);
             let points = points(data, row)?;
             let entry = Entry::line(label(&WAVE_HEIGHT_RATIO, wave), Look::of(index));
+            let entry = entry.keyed(key(&WAVE_HEIGHT_RATIO, wave));
             curves.push((
                 Curve { entry, points: points.iter().map(|&p| p.into()).collect() },
                 points,
@@ -37,13 +38,14 @@ pub fn drawing(material: &Material, panels: &[Vec<f64>]) -> Result<Option<Drawin
         let titles = ["(t − t₀) / √(h/g), t₀ at the largest runup", FORCE.unit.axis()];
         let (curves, heading) =
             (curves.into_iter().map(|(curve, _)| curve).collect(), String::new());
-        charts.push(Chart { heading, titles: titles.map(str::to_owned), x, y, curves });
+        let names = ["time_from_largest_runup", FORCE.name];
+        charts.push(panel(heading, titles.map(str::to_owned), names, (x, y), curves));
     }
     if charts.is_empty() {
         return Ok(None);
     }
-    let svg = sheet(&material.name, &charts, Layout { columns: 1, size: (520.0, 210.0) })?;
-    Ok(Some(Drawing { svg, caption: "The force is unfiltered.".to_owned() }))
+    let layout = Layout { columns: 1, size: (560.0, 260.0) };
+    Ok(drawn(charts, layout, "The force is unfiltered.".to_owned()))
 }
 
 /// The force around the largest runup of a case.

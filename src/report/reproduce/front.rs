@@ -1,20 +1,20 @@
 //! Fig. 6 of Huang et al. 2019, as far as numbers tell it: the front of a dam break on its way to the wall.
 
 use super::laws::{order, words};
-use super::{Drawing, Material};
+use super::{Drawn, Material, drawn, panel};
 use crate::keys::number;
 use crate::quantities::summary::CASE_ID;
 use crate::report::config::configs;
 use crate::report::error::ReportError;
-use crate::report::plots::{
-    Axis, Chart, Curve, Entry, Layout, Look, Point, printed_entry, printed_point, sheet,
-};
+use crate::report::papers::Found;
+use crate::report::plots::{Axis, Curve, Entry, Layout, Look, Point, printed_entry, printed_point};
+use crate::report::row::Row;
 
 /// Readings of the front's place: after this prefix stands the time over √(H/g).
 const FRONT: &str = "front_at_";
 const RITTER: &str = "ritter_front_at_";
 
-pub fn drawing(material: &Material) -> Result<Option<Drawing>, ReportError> {
+pub fn drawing(material: &Material) -> Result<Option<Drawn>, ReportError> {
     let (mut rows, mut fronts, mut ritter, mut wall) = (Vec::new(), Vec::new(), Vec::new(), None);
     for data in material.studies {
         for (row, config) in data.rows.iter().zip(configs(data)).filter(|(row, _)| row.is_ok()) {
@@ -46,21 +46,22 @@ pub fn drawing(material: &Material) -> Result<Option<Drawing>, ReportError> {
     ritter.dedup();
     let entry = Entry::line("Ritter's front".to_owned(), Look::plain());
     curves.insert(0, Curve { entry, points: ritter });
-    let theirs = material.found.iter().map(|found| found.printed);
-    let theirs = theirs.filter(|printed| printed.quantity == "front_at_wall");
-    let marks: Vec<_> =
-        theirs.filter_map(|printed| Some(printed_point((printed.value, wall?)))).take(1).collect();
+    let theirs = material.found.iter().filter(|one| one.printed.quantity == "front_at_wall");
+    let mark = |found: &Found| {
+        Some(printed_point((found.printed.value, wall?), &Row::default(), found.printed))
+    };
+    let marks: Vec<_> = theirs.filter_map(mark).take(1).collect();
     curves.push(Curve { entry: printed_entry(), points: marks });
     let points = || curves.iter().flat_map(|curve| &curve.points);
     let axes =
         Axis::around(points().map(|p| p.x), 6.0).zip(Axis::around(points().map(|p| p.y), 6.0));
     let Some((x, y)) = axes else { return Ok(None) };
     let titles = ["t √(g/H)", "front / H"].map(str::to_owned);
-    let chart = Chart { heading: String::new(), titles, x, y, curves };
-    let svg = sheet(&material.name, &[chart], Layout { columns: 1, size: (460.0, 260.0) })?;
+    let charts = vec![panel(String::new(), titles, ["time", "front"], (x, y), curves)];
+    let layout = Layout { columns: 1, size: (520.0, 320.0) };
     let caption =
         "The front over the column's height H at the times that are told of it. Ritter's front \
                    is that of water without friction from a column without an end."
             .to_owned();
-    Ok(Some(Drawing { svg, caption }))
+    Ok(drawn(charts, layout, caption))
 }

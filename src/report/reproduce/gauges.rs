@@ -1,13 +1,13 @@
 //! What gauges recorded, one panel for each, one curve per case: Figs. 3, 7 and 11 of Huang et al. 2019.
 
 use super::laws::{order, words};
-use super::{Drawing, Material};
+use super::{Drawn, Material, drawn, panel};
 use crate::keys::number;
 use crate::papers::PAPER_CLOCK_CENTRE_S;
 use crate::quantities::summary::{CASE_ID, STROKE_CENTRE};
 use crate::report::config::{Config, configs, gauges};
 use crate::report::error::ReportError;
-use crate::report::plots::{Axis, Chart, Curve, Entry, Layout, Look, Point, lasting, sheet};
+use crate::report::plots::{Axis, Curve, Entry, Layout, Look, Point, lasting};
 use crate::report::row::Row;
 use crate::report::series::Series;
 
@@ -29,7 +29,7 @@ pub fn drawing(
     names: &[String],
     column: bool,
     measured: bool,
-) -> Result<Option<Drawing>, ReportError> {
+) -> Result<Option<Drawn>, ReportError> {
     let (mut cases, mut heights) = (Vec::new(), Vec::new());
     for data in material.studies {
         for (row, config) in data.rows.iter().zip(configs(data)).filter(|(row, _)| row.is_ok()) {
@@ -54,7 +54,9 @@ pub fn drawing(
             reach.extend(lasting(&points));
             let look = Look::of(order.iter().position(|other| *other == word).unwrap_or(0));
             let points = thin(&points).into_iter().map(Point::from).collect();
-            curves.push(Curve { entry: Entry::line(word.clone(), look), points });
+            let key = format!("case={}", case.row.text(&CASE_ID));
+            let entry = Entry::line(word.clone(), look).keyed(key);
+            curves.push(Curve { entry, points });
         }
         let ends = curves.iter().flat_map(|curve| &curve.points).map(|point| point.x);
         let Some(x) = Axis::within(ends, 7.0) else { continue };
@@ -68,27 +70,22 @@ pub fn drawing(
         }
         let Some(y) = Axis::around(reach.into_iter(), 4.0) else { continue };
         let titles = if column { ["t √(g/H)", "p / (ρgH)"] } else { ["t, s", "p / (ρgh)"] };
-        charts.push(Chart {
-            heading: name.clone(),
-            titles: titles.map(str::to_owned),
-            x,
-            y,
-            curves,
-        });
+        let names = ["time", name.as_str()];
+        charts.push(panel(name.clone(), titles.map(str::to_owned), names, (x, y), curves));
     }
     if charts.is_empty() {
         return Ok(None);
     }
     let columns = if charts.len() > 2 { 2 } else { 1 };
-    let size = if columns == 2 { (330.0, 160.0) } else { (600.0, 200.0) };
-    let svg = sheet(&material.name, &charts, Layout { columns, size })?;
+    let size = if columns == 2 { (390.0, 210.0) } else { (640.0, 250.0) };
+    let layout = Layout { columns, size };
     let beside = if measured {
         " Measured: Buchner 2002, digitised, at 0.2 H by some sources and 0.267 H by others."
     } else {
         ""
     };
     let caption = format!("Pressure at the gauges {}.{beside}", names.join(", "));
-    Ok(Some(Drawing { svg, caption }))
+    Ok(drawn(charts, layout, caption))
 }
 
 impl Case<'_> {
@@ -137,7 +134,7 @@ fn measurements() -> Curve {
         let (x, y) = (time.parse().ok()?, pressure.parse().ok()?);
         Some(Point { x, y, open: true, ..Point::default() })
     });
-    Curve { entry: Entry::dots("measured", Look::plain(), true), points: numbers.collect() }
+    Curve { entry: Entry::dots("measured", Look::plain(), false), points: numbers.collect() }
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 //! 9 to 12 of Liang et al. 2017, Fig. 15 of Huang et al. 2019.
 
 use super::laws::{heading, laws, order, stands, words};
-use super::{Drawing, Material};
+use super::{Drawn, Material, drawn, panel};
 use crate::papers::{PAPER_CLOCK_CENTRE_S, Printed, printed};
 use crate::quantities::history;
 use crate::quantities::summary::{CASE_ID, STROKE_CENTRE};
@@ -10,7 +10,7 @@ use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::papers::{self, Found, on_their_clock};
 use crate::report::plots::{
-    Axis, Chart, Curve, Entry, Layout, Look, Point, lasting, printed_entry, printed_point, sheet,
+    Axis, Curve, Entry, Layout, Look, Point, lasting, printed_entry, printed_point,
 };
 use crate::report::row::Row;
 
@@ -18,7 +18,7 @@ use crate::report::row::Row;
 const FROM_S: f64 = 1.5;
 
 /// The curves and marks of one panel.
-struct Panel {
+struct Strip {
     curves: Vec<Curve>,
     heights: Vec<f64>,
 }
@@ -27,14 +27,14 @@ pub fn drawing(
     material: &Material,
     columns: &[String],
     line: Option<f64>,
-) -> Result<Option<Drawing>, ReportError> {
+) -> Result<Option<Drawn>, ReportError> {
     let cases = material.cases();
     let rows: Vec<&Row> = cases.iter().map(|(_, row)| *row).collect();
     let words = words(&rows);
     let mut panels = Vec::new();
     for name in columns {
         for law in laws(rows.iter().copied()) {
-            panels.push((name, law, panel(material, &cases, &words, name, law)?));
+            panels.push((name, law, strip(material, &cases, &words, name, law)?));
         }
     }
     let times = panels.iter().flat_map(|(.., panel)| &panel.curves).flat_map(|curve| &curve.points);
@@ -47,23 +47,19 @@ pub fn drawing(
         own.flat_map(|(.., panel)| panel.heights.clone()).collect::<Vec<_>>()
     };
     let heights: Vec<_> = panels.iter().map(|(name, ..)| heights(name)).collect();
-    for ((name, law, mut panel), heights) in panels.into_iter().zip(heights) {
+    for ((name, law, mut strip), heights) in panels.into_iter().zip(heights) {
         if let Some(level) = line.filter(|_| *name == columns[0]) {
-            panel.curves.push(threshold(level, &panel.curves));
+            strip.curves.push(threshold(level, &strip.curves));
         }
         let unit = history::ALL.iter().find(|column| column.name == *name);
         let Some(y) = Axis::around(heights.into_iter().chain(line), 5.0) else { continue };
-        charts.push(Chart {
-            heading: if *name == columns[0] { heading(law) } else { String::new() },
-            titles: [clock.to_owned(), unit.map_or("", |column| column.unit.axis()).to_owned()],
-            x: x.clone(),
-            y,
-            curves: panel.curves,
-        });
+        let heading = if *name == columns[0] { heading(law) } else { String::new() };
+        let titles = [clock.to_owned(), unit.map_or("", |column| column.unit.axis()).to_owned()];
+        charts.push(panel(heading, titles, ["time_s", name], (x.clone(), y), strip.curves));
     }
     let columns = laws(rows.iter().copied()).len();
-    let size = if columns > 1 { (330.0, 150.0) } else { (560.0, 170.0) };
-    let svg = sheet(&material.name, &charts, Layout { columns, size })?;
+    let size = if columns > 1 { (390.0, 210.0) } else { (620.0, 240.0) };
+    let layout = Layout { columns, size };
     let when = if on_clock {
         format!(
             " Times are the papers', on which the paddle passes the middle of its stroke at {PAPER_CLOCK_CENTRE_S} s."
@@ -72,7 +68,7 @@ pub fn drawing(
         String::new()
     };
     let caption = format!("Forces are unfiltered; spikes may leave the panel.{when}");
-    Ok(Some(Drawing { svg, caption }))
+    Ok(drawn(charts, layout, caption))
 }
 
 /// A level over the whole of the axis.
@@ -83,33 +79,40 @@ fn threshold(level: f64, curves: &[Curve]) -> Curve {
     Curve { entry, points: vec![(low, level).into(), (high, level).into()] }
 }
 
-fn panel(
+fn strip(
     material: &Material,
     cases: &[(&Loaded, &Row)],
     words: &[String],
     name: &str,
     law: Option<f64>,
-) -> Result<Panel, ReportError> {
+) -> Result<Strip, ReportError> {
     let order = order(words);
-    let mut panel = Panel { curves: Vec::new(), heights: Vec::new() };
+    let first = laws(cases.iter().map(|(_, row)| *row)).into_iter().next().flatten();
+    let mut strip = Strip { curves: Vec::new(), heights: Vec::new() };
     let mut marks: Vec<Curve> = Vec::new();
     for ((data, row), word) in cases.iter().zip(words).filter(|((_, row), _)| stands(row, law)) {
         let look = order.iter().position(|other| *other == word).unwrap_or(0);
         let points = points(data, row, name)?;
-        panel.heights.extend(lasting(&points));
+        strip.heights.extend(lasting(&points));
         let points = points.into_iter().map(Point::from).collect();
-        panel.curves.push(Curve { entry: Entry::line(word.clone(), Look::of(look)), points });
-        let own = material.of(row).filter_map(|found| mark(found, name));
-        let own: Vec<Point> = own.map(printed_point).collect();
-        panel.heights.extend(own.iter().map(|mark| mark.y));
-        let entry = Entry::dots("", Look::of(look).printed(), true);
+        let key = format!("case={}", row.text(&CASE_ID));
+        // One line of the legend stands for the same wall in every column.
+        let label = if law == first { word.clone() } else { String::new() };
+        let entry = Entry::line(label, Look::of(look)).keyed(key);
+        strip.curves.push(Curve { entry, points });
+        let own = material.of(row).filter_map(|found| {
+            mark(found, name).map(|place| printed_point(place, row, found.printed))
+        });
+        let own: Vec<Point> = own.collect();
+        strip.heights.extend(own.iter().map(|mark| mark.y));
+        let entry = Entry::dots("", Look::of(look).printed(), false).keyed("printed".to_owned());
         marks.push(Curve { entry, points: own });
     }
     if marks.iter().any(|curve| !curve.points.is_empty()) {
         marks.push(Curve { entry: printed_entry(), points: Vec::new() });
     }
-    panel.curves.extend(marks);
-    Ok(panel)
+    strip.curves.extend(marks);
+    Ok(strip)
 }
 
 /// A column of a case's history on the papers' clock, or on its own where no paddle moves.

@@ -18,7 +18,7 @@ use std::path::PathBuf;
 use super::error::ReportError;
 use super::load::Loaded;
 use super::papers::{self, Cases, Found, confront};
-use super::plots::{self, Figure};
+use super::plots::{self, Axis, Chart, Curve, Drawing, Figure, Layout};
 use super::row::Row;
 use super::tables::Table;
 use crate::papers::{Draw, Recipe, paper};
@@ -37,14 +37,31 @@ pub struct Reproduced {
 }
 
 /// A drawing and what its caption says of it.
-struct Drawing {
-    svg: String,
+struct Drawn {
+    drawing: Drawing,
     caption: String,
+}
+
+/// Panels of this outer size, so many in a row; nothing without panels.
+fn drawn(charts: Vec<Chart>, layout: Layout, caption: String) -> Option<Drawn> {
+    let any = !charts.is_empty();
+    any.then(|| Drawn { drawing: Drawing::new(charts, layout), caption })
+}
+
+/// A panel: what stands above it, titles of the axes, names of their quantities.
+fn panel(
+    heading: String,
+    titles: [String; 2],
+    names: [&str; 2],
+    (x, y): (Axis, Axis),
+    curves: Vec<Curve>,
+) -> Chart {
+    let (x, y) = ((x, titles[0].as_str(), names[0]), (y, titles[1].as_str(), names[1]));
+    Chart::new(x, y, curves).under(heading, String::new())
 }
 
 /// What drawings are made from.
 struct Material<'a> {
-    name: String,
     studies: &'a [Loaded],
     found: &'a [Found<'a>],
 }
@@ -76,7 +93,7 @@ pub fn reproduce(recipe: &Recipe, directories: &[PathBuf]) -> Result<Reproduced,
     }
     let draw = recipe.draw.as_ref();
     found.retain(|one| draw.is_some_and(|draw| belongs(recipe, draw, one)));
-    let material = Material { name: recipe.stem(), studies: &studies, found: &found };
+    let material = Material { studies: &studies, found: &found };
     let nothing = || ReportError::Draw {
         figure: recipe.title(),
         reason: "no finished case fills it".to_owned(),
@@ -98,11 +115,8 @@ pub fn reproduce(recipe: &Recipe, directories: &[PathBuf]) -> Result<Reproduced,
     let drawing = drawing.ok_or_else(nothing)?;
     let words = paper(&recipe.paper).map_or(recipe.paper.as_str(), |paper| &paper.words);
     let here = if recipe.here.is_empty() { String::new() } else { format!(" ({})", recipe.here) };
-    let marks = if drawing.svg.contains(plots::PRINTED) {
-        " Stars: numbers that the papers print."
-    } else {
-        ""
-    };
+    let starred = drawing.drawing.svg(1).contains(plots::PRINTED);
+    let marks = if starred { " Stars: numbers that the papers print." } else { "" };
     let caption = format!(
         "{} of {words}: {}{here}. {}{marks}",
         recipe.title(),
@@ -114,7 +128,7 @@ pub fn reproduce(recipe: &Recipe, directories: &[PathBuf]) -> Result<Reproduced,
             name: recipe.stem(),
             title: format!("{words}, {}", recipe.title()),
             caption,
-            svg: drawing.svg,
+            drawing: drawing.drawing,
         },
         tidy: papers::tidy(&found),
         beside: papers::beside(&found),

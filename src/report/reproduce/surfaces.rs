@@ -2,7 +2,7 @@
 //! Fig. 14 of Huang et al. 2019.
 
 use super::laws::{heading, order, words};
-use super::{Drawing, Material};
+use super::{Drawn, Material, drawn, panel};
 use crate::keys::number;
 use crate::papers::PAPER_CLOCK_CENTRE_S;
 use crate::quantities::history::{DISPLACEMENT, RUNUP};
@@ -11,7 +11,7 @@ use crate::report::config::{Gauge, configs, gauges};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::papers::at;
-use crate::report::plots::{Axis, Chart, Curve, Entry, Layout, Look, Point, sheet};
+use crate::report::plots::{Axis, Curve, Entry, Layout, Look, Point};
 use crate::report::row::Row;
 use crate::report::series::Series;
 use crate::theory::solitary_wave::SolitaryWave;
@@ -31,7 +31,7 @@ pub fn drawing(
     material: &Material,
     times: &[f64],
     first_order: bool,
-) -> Result<Option<Drawing>, ReportError> {
+) -> Result<Option<Drawn>, ReportError> {
     let mut cases = Vec::new();
     for data in material.studies {
         cases.extend(read(data)?);
@@ -53,20 +53,18 @@ pub fn drawing(
     let all = || panels.iter().flat_map(|(_, curves)| curves).flat_map(|curve| &curve.points);
     let axes = Axis::around(all().map(|p| p.x), 6.0).zip(Axis::around(all().map(|p| p.y), 4.0));
     let Some((x, y)) = axes else { return Ok(None) };
-    let chart = |(time, curves): (f64, Vec<Curve>)| Chart {
-        heading: format!("t = {time:.2} s"),
-        titles: ["x, m", "surface over still water / h"].map(str::to_owned),
-        x: x.clone(),
-        y: y.clone(),
-        curves,
+    let titles = ["x, m", "surface over still water / h"].map(str::to_owned);
+    let chart = |(time, curves): (f64, Vec<Curve>)| {
+        let (axes, heading) = ((x.clone(), y.clone()), format!("t = {time:.2} s"));
+        panel(heading, titles.clone(), ["x_m", "surface"], axes, curves)
     };
     let charts: Vec<_> = panels.into_iter().map(chart).collect();
-    let svg = sheet(&material.name, &charts, Layout { columns: 2, size: (300.0, 130.0) })?;
+    let layout = Layout { columns: 2, size: (370.0, 190.0) };
     let beside = if first_order { " Beside it the first-order solitary wave." } else { "" };
     let caption = format!(
         "The surface at the gauges, and at the wall, at times on the papers' clock.{beside}"
     );
-    Ok(Some(Drawing { svg, caption }))
+    Ok(drawn(charts, layout, caption))
 }
 
 /// The finished cases of a study that have gauges of levels.
@@ -126,7 +124,8 @@ impl Case<'_> {
         points.push((wall, top).into());
         let low = points.iter().map(|point| point.y).fold(0.0, f64::min) - 0.1;
         let upright = vec![(wall, top).into(), (wall, low).into()];
-        let water = Curve { entry: Entry::line(self.words.clone(), look), points };
+        let key = format!("case={}", self.row.text(&CASE_ID));
+        let water = Curve { entry: Entry::line(self.words.clone(), look).keyed(key), points };
         vec![water, Curve { entry: Entry::line(String::new(), look), points: upright }]
     }
 

@@ -1,0 +1,151 @@
+//! Figures for print: PDF and PNG in the widths of a journal's column and page.
+//!
+//! The font is part of the program, so that a machine without fonts draws the same.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::fontdb::Database;
+use resvg::usvg::{Options, Tree};
+use svg2pdf::{ConversionOptions, PageOptions};
+
+use super::Print;
+use super::error::ReportError;
+use super::plots::{FONT, Figure};
+
+/// Width in millimetres, and panels side by side, at most.
+const WIDTHS: [(f64, usize); 2] = [(84.0, 1), (174.0, 3)];
+/// What a journal's page has room for, millimetres.
+const TALLEST: f64 = 230.0;
+/// Of PNG, dots in an inch: what journals ask for line drawings.
+const DOTS: f64 = 600.0;
+const INCH: f64 = 25.4;
+
+/// Writes a figure in every width. One that is higher than a page becomes several files.
+pub fn write(
+    figure: &Figure,
+    format: Print,
+    directory: &Path,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let mut paths = Vec::new();
+    for (width, columns) in WIDTHS {
+        let (charts, most) = (figure.drawing.charts.len(), figure.drawing.layout.columns);
+        let columns = columns.min(most);
+        // One panel over the whole page would be all too large.
+        if columns > 1 && charts == 1 {
+            continue;
+        }
+        let pages = figure.drawing.pages(columns, TALLEST / width);
+        let count = pages.len();
+        for (index, (svg, pixels)) in pages.into_iter().enumerate() {
+            let part = if count > 1 { format!("-{}", index + 1) } else { String::new() };
+            let name = format!("{}-{width}mm{part}.{}", figure.name, format.ending());
+            let bytes = draw(&svg, format, pixels / (width / INCH))
+                .map_err(|reason| ReportError::Draw { figure: name.clone(), reason })?;
+            let path = directory.join(name);
+            super::save(&path, &bytes)?;
+            paths.push(path);
+        }
+    }
+    Ok(paths)
+}
+
+/// A drawing of so many pixels in an inch as a file.
+fn draw(svg: &str, format: Print, pixels: f64) -> Result<Vec<u8>, String> {
+    let tree = Tree::from_str(svg, &options()).map_err(|error| error.to_string())?;
+    match format {
+        Print::Pdf => {
+            let page = PageOptions { dpi: pixels as f32 };
+            svg2pdf::to_pdf(&tree, ConversionOptions::default(), page).map_err(|e| e.to_string())
+        }
+        Print::Png => png(&tree, DOTS / pixels),
+    }
+}
+
+fn options() -> Options<'static> {
+    let mut fonts = Database::new();
+    fonts.load_font_data(FONT.to_vec());
+    Options { fontdb: Arc::new(fonts), font_family: "DejaVu Sans".to_owned(), ..Options::default() }
+}
+
+fn png(tree: &Tree, scale: f64) -> Result<Vec<u8>, String> {
+    let size = [tree.size().width(), tree.size().height()];
+    let [wide, high] = size.map(|pixels| (f64::from(pixels) * scale).round() as u32);
+    let mut pixmap = Pixmap::new(wide, high).ok_or("no room for its pixels")?;
+    resvg::render(tree, Transform::from_scale(scale as f32, scale as f32), &mut pixmap.as_mut());
+    // The ground is white throughout: there is nothing to be seen through.
+    let colours: Vec<u8> = pixmap.data().chunks(4).flat_map(|pixel| pixel[..3].to_vec()).collect();
+    let mut bytes = Vec::new();
+    let mut encoder = png::Encoder::new(&mut bytes, wide, high);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::Best);
+    let per_metre = (DOTS / INCH * 1000.0).round() as u32;
+    encoder.set_pixel_dims(Some(png::PixelDimensions {
+        xppu: per_metre,
+        yppu: per_metre,
+        unit: png::Unit::Meter,
+    }));
+    let written = encoder.write_header().and_then(|mut header| header.write_image_data(&colours));
+    written.map_err(|error| error.to_string())?;
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::load::Loaded;
+    use crate::report::{fixture, plots};
+
+    fn figure() -> Figure {
+        let directory = fixture::movable(&[0.3, 0.5], &[10.0, 500.0, 1e5], &[50.0, 100.0, 250.0]);
+        plots::all(&Loaded::read(directory.path()).unwrap()).unwrap().remove(0)
+    }
+
+    #[test]
+    fn a_pdf_has_the_width_of_a_column_and_of_a_page() {
+        let directory = tempfile::tempdir().unwrap();
+        let paths = write(&figure(), Print::Pdf, directory.path()).unwrap();
+        let widths: Vec<f64> = paths
+            .iter()
+            .map(|path| {
+                let text = String::from_utf8_lossy(&std::fs::read(path).unwrap()).into_owned();
+                let frame = text.split("/MediaBox [").nth(1).unwrap().split(']').next().unwrap();
+                frame.split_whitespace().nth(2).unwrap().parse::<f64>().unwrap() / 72.0 * INCH
+            })
+            .collect();
+        assert_eq!(widths.len(), 2);
+        assert!((widths[0] - 84.0).abs() < 0.01 && (widths[1] - 174.0).abs() < 0.01, "{widths:?}");
+    }
+
+    #[test]
+    fn a_png_has_600_dots_in_an_inch_and_words() {
+        let directory = tempfile::tempdir().unwrap();
+        let path = write(&figure(), Print::Png, directory.path()).unwrap().remove(0);
+        let decoder = png::Decoder::new(std::fs::File::open(path).unwrap());
+        let mut reader = decoder.read_info().unwrap();
+        let dots = reader.info().pixel_dims.unwrap();
+        assert!((f64::from(dots.xppu) / 1000.0 * INCH - 600.0).abs() < 0.1);
+        assert_eq!(reader.info().width, (84.0 / INCH * DOTS).round() as u32);
+        let mut bytes = vec![0; reader.output_buffer_size()];
+        reader.next_frame(&mut bytes).unwrap();
+        // The title of the first vertical axis stands at the left edge, and nothing else does.
+        let wide = reader.info().width as usize * 3;
+        let dark = bytes.chunks(wide).flat_map(|row| &row[170..390]).filter(|c| **c < 90).count();
+        assert!(dark > 500, "{dark}");
+    }
+
+    #[test]
+    fn what_is_higher_than_a_page_becomes_several_files() {
+        let masses: Vec<f64> = (1..=6).map(|mass| 50.0 * f64::from(mass)).collect();
+        let directory = fixture::movable(&[0.3], &[10.0, 500.0], &masses);
+        let figure = plots::all(&Loaded::read(directory.path()).unwrap()).unwrap().remove(0);
+        let paths = write(&figure, Print::Pdf, directory.path()).unwrap();
+        let names: Vec<_> =
+            paths.iter().map(|p| p.file_name().unwrap().to_str().unwrap()).collect();
+        assert_eq!(
+            names,
+            ["84mm-1", "84mm-2", "174mm"].map(|end| format!("response-displacement-{end}.pdf"))
+        );
+    }
+}

@@ -1,0 +1,195 @@
+//! Responses against one parameter in its own unit: the spring's stiffness k on a logarithmic axis,
+//! the wall's mass m*, the wave's height. Force, runup and displacement stand side by side; what is
+//! below is the same at another value of a second parameter; curves are of the third.
+
+use super::axes::Axis;
+use super::chart::{Chart, Curve};
+use super::marks::{bounds, by, coupling, key, marks, picked, point};
+use super::sheet::{Drawing, PANELS};
+use super::{Figure, SERIES, file_name, of_variant};
+use crate::quantities::summary::{
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, M_STAR, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO,
+};
+use crate::quantities::{Column, Unit};
+use crate::report::curves::{distinct, spread, variants};
+use crate::report::load::Loaded;
+use crate::report::row::{Row, label};
+
+/// What is drawn, from the left.
+const DRAWN: [&Column; 3] = [&FIRST_FORCE_MAX, &FIRST_RUNUP_MAX, &DISPLACEMENT_MAX];
+/// Values of the second parameter, at most.
+const ROWS: usize = 3;
+
+/// One cut through a study.
+struct Slice {
+    name: &'static str,
+    /// What is on the horizontal axis, and its words.
+    along: &'static Column,
+    what: &'static str,
+    /// What tells curves apart, and their words.
+    series: &'static Column,
+    curves: &'static str,
+    /// What tells rows of panels apart, and their words.
+    rows: &'static Column,
+    held: &'static str,
+    /// The axes of the parameter and of the displacement are logarithmic.
+    logarithmic: bool,
+}
+
+const SLICES: [Slice; 3] = [
+    Slice {
+        name: "stiffness",
+        along: &SPRING_STIFFNESS,
+        what: "the spring stiffness k",
+        series: &M_STAR,
+        curves: "masses",
+        rows: &WAVE_HEIGHT_RATIO,
+        held: "wave heights",
+        logarithmic: true,
+    },
+    Slice {
+        name: "mass",
+        along: &M_STAR,
+        what: "the wall mass m* = m/(ρh²)",
+        series: &SPRING_STIFFNESS,
+        curves: "stiffnesses",
+        rows: &WAVE_HEIGHT_RATIO,
+        held: "wave heights",
+        logarithmic: false,
+    },
+    Slice {
+        name: "wave",
+        along: &WAVE_HEIGHT_RATIO,
+        what: "the nominal wave height H/h",
+        series: &SPRING_STIFFNESS,
+        curves: "stiffnesses",
+        rows: &M_STAR,
+        held: "masses",
+        logarithmic: false,
+    },
+];
+
+/// The figures of every variant in which a parameter has more than one value.
+pub fn figures(data: &Loaded) -> Vec<Figure> {
+    let mut figures = Vec::new();
+    for variant in variants(&data.rows) {
+        let rows: Vec<_> = data.finished().filter(|row| row.variant == variant).collect();
+        figures.extend(SLICES.iter().filter_map(|slice| slice.figure(&rows, &variant)));
+    }
+    figures
+}
+
+impl Slice {
+    fn figure(&self, rows: &[&Row], variant: &str) -> Option<Figure> {
+        let needed = [self.along, self.series, self.rows];
+        let has = |row: &&&Row| needed.iter().all(|column| row.number(column).is_some());
+        let rows: Vec<&Row> = rows.iter().filter(has).copied().collect();
+        let values = |column: &Column| distinct(rows.iter().copied(), column);
+        if values(self.along).len() < 2 {
+            return None;
+        }
+        let (series, held) = (values(self.series), values(self.rows));
+        let shown = [spread(&series, SERIES), spread(&held, ROWS)];
+        let charts = self.charts(&rows, &shown);
+        if charts.is_empty() {
+            return None;
+        }
+        let scale = if self.logarithmic { " X* stands on a logarithmic axis." } else { "" };
+        let counts = picked(shown[0].len(), series.len(), self.curves)
+            + &picked(shown[1].len(), held.len(), self.held);
+        Some(Figure {
+            title: format!("Responses against {}{}", self.what, of_variant(variant)),
+            caption: format!(
+                "Largest force and runup of the first impact and largest displacement of the run \
+                 against {}.{scale}{}{}{counts}",
+                self.what,
+                marks(&rows, &DRAWN),
+                coupling(rows.iter().copied()),
+            ),
+            name: file_name(&format!("against-{}", self.name), variant),
+            drawing: Drawing::new(charts, PANELS),
+        })
+    }
+
+    /// A row of panels for every value of the second parameter. A column has one pair of axes.
+    fn charts(&self, rows: &[&Row], [series, held]: &[Vec<f64>; 2]) -> Vec<Chart> {
+        let curves = |value: f64, column: &'static Column| {
+            let of_value = rows.iter().filter(|row| row.number(self.rows) == Some(value));
+            let mut cases: Vec<_> =
+                of_value.filter_map(|row| Some((row.number(self.along)?, *row))).collect();
+            cases.sort_by(|a, b| a.0.total_cmp(&b.0));
+            by(self.series, series, &cases, |x, row| point(row, x, column))
+        };
+        let title = self.along.heading();
+        let panel = |value: f64, column: &'static Column| {
+            let all: Vec<_> = held.iter().flat_map(|held| curves(*held, column)).collect();
+            let (x, y) = self.axes(column, &all)?;
+            let drawn = curves(value, column).into_iter().chain(bounds(&all)).collect();
+            let y = (y, column.unit.axis(), column.name);
+            let chart = Chart::new((x, title.as_str(), self.along.name), y, drawn);
+            Some(chart.under(label(self.rows, value), key(self.rows, value)))
+        };
+        let cells = held.iter().flat_map(|value| DRAWN.map(|column| panel(*value, column)));
+        cells.flatten().collect()
+    }
+
+    fn axes(&self, column: &Column, curves: &[Curve]) -> Option<(Axis, Axis)> {
+        let points = || curves.iter().flat_map(|curve| &curve.points);
+        let places = || points().map(|point| point.x);
+        let x = if self.logarithmic {
+            Axis::logarithmic(places())
+        } else {
+            Axis::around(places(), 5.0)
+        };
+        let y = if self.logarithmic && column.unit == Unit::Displacement {
+            Axis::logarithmic(points().map(|point| point.y))
+        } else {
+            Axis::around(curves.iter().flat_map(Curve::reach), 6.0)
+        };
+        x.zip(y)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::fixture;
+
+    fn drawn(waves: &[f64], stiffnesses: &[f64], masses: &[f64]) -> Vec<Figure> {
+        let directory = fixture::movable(waves, stiffnesses, masses);
+        figures(&Loaded::read(directory.path()).unwrap())
+    }
+
+    #[test]
+    fn a_parameter_of_one_value_has_no_figure() {
+        let names = |figures: &[Figure]| -> Vec<String> {
+            figures.iter().map(|figure| figure.name.clone()).collect()
+        };
+        let all = drawn(&[0.3, 0.5], &[10.0, 500.0, 1e5], &[50.0, 250.0]);
+        assert_eq!(names(&all), ["against-stiffness", "against-mass", "against-wave"]);
+        let one = drawn(&[0.5], &[10.0, 500.0, 1e5], &[250.0]);
+        assert_eq!(names(&one), ["against-stiffness"]);
+        assert_eq!(one[0].drawing.charts.len(), 3);
+    }
+
+    #[test]
+    fn displacements_and_stiffnesses_stand_on_logarithmic_axes_of_real_numbers() {
+        let figure = drawn(&[0.5], &[0.1, 10.0, 1e3, 1e5], &[250.0]).remove(0);
+        let chart = &figure.drawing.charts[2];
+        let labels = |axis: &Axis| -> Vec<String> {
+            axis.ticks.iter().map(|tick| tick.label.clone()).collect()
+        };
+        assert_eq!(labels(&chart.x), ["0.1", "10", "1000", "10⁵"]);
+        assert!(chart.y.ticks.len() >= 4 && !chart.y.holds(0.0));
+    }
+
+    #[test]
+    fn of_many_values_a_few_are_drawn_and_the_caption_says_so() {
+        let many: Vec<f64> = (1..=9).map(f64::from).collect();
+        let waves: Vec<f64> = many.iter().map(|wave| wave * 0.05).collect();
+        let figure = drawn(&waves, &[10.0, 500.0], &many).remove(0);
+        assert_eq!(figure.drawing.charts.len(), 9);
+        let told = "Shown are 6 of 9 masses. Shown are 3 of 9 wave heights.";
+        assert!(figure.caption.ends_with(told), "{}", figure.caption);
+    }
+}
