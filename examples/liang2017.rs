@@ -16,16 +16,17 @@ use std::path::Path;
 use anyhow::{Result, ensure};
 use common::{KEYS, Row, number, read};
 use runs::{Table, markdown};
+use seawall::papers::{Printed, Span, printed};
 
-/// Quantities as the paper names them, our columns at the maximum and at the end, and symbols.
-const PRINTED: [[&str; 4]; 3] = [
-    ["force_max_over_static", "first_force_max", "", "F*"],
-    ["runup_max_over_h", "first_runup_max", "", "R*"],
-    ["displacement_over_h", "displacement_max", "displacement_end", "X*"],
+/// What the paper prints, our columns, and how it is told; what stands at a time is printed of the end.
+const PRINTED: [[&str; 3]; 6] = [
+    ["first_force_max", "first_force_max", "F*"],
+    ["first_runup_max", "first_runup_max", "R*"],
+    ["displacement_max", "displacement_max", "X*"],
+    ["force", "force_end", "F* at the end"],
+    ["runup", "runup_end", "R* at the end"],
+    ["displacement", "displacement_end", "X* at the end"],
 ];
-
-/// When the runs end, on the paper's clock, s.
-const END: f64 = 4.0;
 
 fn rounded(value: Option<f64>, digits: usize) -> String {
     value.map(|value| format!("{value:.digits$}")).unwrap_or_default()
@@ -101,7 +102,7 @@ fn schemes(rows: &[Row], truths: &[Row]) -> Table {
 }
 
 /// Every printed number of a movable wall beside ours with both factors, and potential theory's.
-fn movable(published: &[Row], ours: &[Row], truths: &[Row]) -> Table {
+fn movable(ours: &[Row], truths: &[Row]) -> Table {
     let mut table = vec![header(&[
         "source",
         "H/h, k, m",
@@ -111,35 +112,46 @@ fn movable(published: &[Row], ours: &[Row], truths: &[Row]) -> Table {
         "s = 0.4",
         "theory, s = 1",
     ])];
-    for row in published {
-        let keys = [("H_over_h", KEYS[0]), ("k_N_per_m", KEYS[1]), ("m_kg_per_m", KEYS[2])];
-        let case: Row = keys.map(|(theirs, key)| (key.to_owned(), row[theirs].clone())).into();
-        let Some([_, max, end, symbol]) = PRINTED.into_iter().find(|of| of[0] == row["quantity"])
-        else {
+    let theirs = |number: &&Printed| number.paper == "liang2017" && number.scene == "movable";
+    for row in printed().iter().filter(theirs) {
+        let Some(case) = case(row) else { continue };
+        let Some([_, column, words]) = PRINTED.into_iter().find(|of| of[0] == row.quantity) else {
             continue;
         };
-        let at_end = !end.is_empty() && number(row, "time_s") == Some(END);
-        let column = if at_end { end } else { max };
         let of = |coupling: f64| {
             let coupled = |ours: &&Row| number(ours, "force_coupling") == Some(coupling);
             let ours: Vec<Row> = ours.iter().filter(coupled).cloned().collect();
             number(beside(&case, &ours)?, column)
         };
-        if case[KEYS[1]].is_empty() || of(1.0).is_none() {
-            continue; // a fixed wall, or one that was not run
+        if of(1.0).is_none() {
+            continue; // one that was not run
         }
         let truth = beside(&case, truths);
         table.push(vec![
-            row["case"].clone(),
+            format!("Fig. {}", row.figure),
             KEYS.map(|key| case[key].clone()).join(", "),
-            if at_end { format!("{symbol} at the end") } else { symbol.to_owned() },
-            row["value"].clone(),
+            words.to_owned(),
+            row.value.to_string(),
             rounded(of(1.0), 3),
             rounded(of(0.4), 3),
             rounded(truth.and_then(|truth| number(truth, column)), 3),
         ]);
     }
     table
+}
+
+/// The case that a number is printed for; of a range the end that is told.
+fn case(printed: &Printed) -> Option<Row> {
+    let told = |span: Option<Span>| {
+        let Span { low, high } = span?;
+        Some(if low.is_finite() { low } else { high }.to_string())
+    };
+    let values = [
+        told(printed.wave_height_ratio)?,
+        told(printed.spring_stiffness_n_per_m)?,
+        told(printed.seawall_mass_kg_per_m)?,
+    ];
+    Some(KEYS.iter().zip(values).map(|(key, value)| ((*key).to_owned(), value)).collect())
 }
 
 /// Force and level of still water at the end.
@@ -192,7 +204,7 @@ fn page(results: &Path, potential: &Path) -> Result<String> {
         );
     }
     let ours = tables(&["single_wall", "wave_height", "stiffness", "mass"])?;
-    let printed = movable(&read(&results.join("published.csv"))?, &ours, &truths);
+    let printed = movable(&ours, &truths);
     text += &format!("\n## Movable walls beside what the paper prints\n\n{}", markdown(&printed));
     for [name, title] in [
         ["hydrostatic_10mm", "Still water after 0.6 s in a tank of 1 m (Fig. 4), 10 mm"],
@@ -223,32 +235,23 @@ mod tests {
 
     #[test]
     fn a_printed_value_stands_beside_the_same_wall_and_moment() {
-        let ours = |coupling, max| {
+        let ours = |coupling, max, end| {
             let wall = [
-                ("wave_height_ratio", "0.5"),
-                ("spring_stiffness_n_per_m", "10"),
-                ("seawall_mass_kg_per_m", "250"),
+                ("wave_height_ratio", "0.3"),
+                ("spring_stiffness_n_per_m", "100"),
+                ("seawall_mass_kg_per_m", "50"),
             ];
             let cells = [
                 ("force_coupling", coupling),
                 ("displacement_max", max),
-                ("displacement_end", "2.0"),
+                ("displacement_end", end),
             ];
             row(&[&wall[..], &cells[..]].concat())
         };
-        let printed = |time| {
-            let wall = [("H_over_h", "0.5"), ("k_N_per_m", "10"), ("m_kg_per_m", "250")];
-            let cells = [
-                ("case", "Fig.9"),
-                ("quantity", "displacement_over_h"),
-                ("value", "2.16"),
-                ("time_s", time),
-            ];
-            row(&[&wall[..], &cells[..]].concat())
-        };
-        let table =
-            movable(&[printed("4.00"), printed("")], &[ours("1", "3.9"), ours("0.4", "2.1")], &[]);
-        assert_eq!(table[1][2..6], ["X* at the end", "2.16", "2.000", "2.000"]);
-        assert_eq!(table[2][2..6], ["X*", "2.16", "3.900", "2.100"]);
+        let table = movable(&[ours("1", "2.2", "1.8"), ours("0.4", "1.6", "1.3")], &[]);
+        assert_eq!(table[1][..2], ["Fig. 10", "0.3, 100, 50"]);
+        assert_eq!(table[1][2..6], ["X*", "1.64", "2.200", "1.600"]);
+        assert_eq!(table[2][2..6], ["X* at the end", "1.36", "1.800", "1.300"]);
+        assert_eq!(table.len(), 1 + 2, "no other number is printed of this wall");
     }
 }

@@ -13,7 +13,7 @@
 //! | 6 | [`scheme`] | δ-SPH and incompressible SPH |
 //! | 7 | [`scene`] | scene files: parsing, validation, construction |
 //! | 8 | [`simulation`] | driver, checkpoint, measures, outcome of one case |
-//! | 9 | [`quantities`] | what is reported of a case: names, units, where values are read |
+//! | 9 | [`quantities`], [`papers`] | what is reported of a case: names, units, where values are read; what the papers print |
 //! | 10 | [`study`] | sweep files, the grid, case identity, plan |
 //! | 11 | [`schedule`] | what runs where and when: a pure state machine |
 //! | 12 | [`results`] | the output directory: journal, records, tables |
@@ -36,6 +36,7 @@ pub mod kernel;
 pub mod keys;
 pub mod math;
 pub mod pairs;
+pub mod papers;
 pub mod quantities;
 pub mod report;
 pub mod results;

@@ -14,7 +14,7 @@ const LAYERS: &[&[&str]] = &[
     &["scheme"],
     &["scene"],
     &["simulation"],
-    &["quantities"],
+    &["quantities", "papers"],
     &["study"],
     &["schedule"],
     &["results"],

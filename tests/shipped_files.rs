@@ -25,6 +25,7 @@ fn every_corner_of_every_sweep_is_valid() {
     assert!(shipped.len() >= 6);
     shipped.extend(files("sweeps/boundary_comparison"));
     shipped.extend(files("sweeps/liang2017"));
+    shipped.extend(files("sweeps/huang2019"));
     for path in shipped {
         let file = read(&path);
         if file.contains_key("case") {
@@ -46,7 +47,8 @@ fn every_corner_of_every_sweep_is_valid() {
 
 #[test]
 fn names_are_the_files_own_and_differ() {
-    let mut names: Vec<_> = ["sweeps", "sweeps/scenes", "sweeps/boundary_comparison"]
+    let folders = ["sweeps", "sweeps/scenes", "sweeps/boundary_comparison", "sweeps/huang2019"];
+    let mut names: Vec<_> = folders
         .into_iter()
         .flat_map(files)
         .map(|path| read(&path)["name"].as_str().unwrap().to_owned())

@@ -127,6 +127,14 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
     Ok(SUCCESS)
 }
 
+/// Seconds that a study takes on this machine's cores, or on so many threads.
+pub(super) fn expected_seconds(study: &Study, threads: Option<usize>) -> f64 {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let at_once = threads.unwrap_or(cores).min(cores).min(study.run_count()).max(1);
+    let plan = Plan::new(study, true, cost, |_| true);
+    processor_time(study, &plan, SimdPath::widest()) / at_once as f64
+}
+
 /// Seconds that one core takes for a plan. Within a factor of two on the machines that it was
 /// measured on: an AMD EPYC (Zen 5) is faster, an Intel Xeon (Sapphire Rapids) slower.
 fn processor_time(study: &Study, plan: &Plan, simd: SimdPath) -> f64 {

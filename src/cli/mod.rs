@@ -6,6 +6,7 @@
 
 mod accuracy;
 mod check;
+mod compare;
 mod execute;
 mod failure;
 mod film;
@@ -16,6 +17,7 @@ mod output;
 mod overview;
 mod physics;
 mod report;
+mod reproduce;
 mod run;
 mod status;
 mod stress;
@@ -76,6 +78,8 @@ enum Subcommands {
     Status(status::StatusArgs),
     Verify(verify::VerifyArgs),
     Report(report::ReportArgs),
+    Compare(compare::CompareArgs),
+    Reproduce(reproduce::ReproduceArgs),
     Accuracy(accuracy::AccuracyArgs),
     Stress(stress::StressArgs),
     /// Does a piece of a sweep's work, read from standard input.
@@ -117,6 +121,8 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         Subcommands::Status(args) => status::main(&args, &output),
         Subcommands::Verify(args) => verify::main(&args, &output),
         Subcommands::Report(args) => report::main(&args, &output),
+        Subcommands::Compare(args) => compare::main(&args, &output),
+        Subcommands::Reproduce(args) => reproduce::main(&args, &output),
         Subcommands::Accuracy(args) => accuracy::main(&args, &output),
         Subcommands::Stress(args) => stress::main(&args, &output),
         Subcommands::Apart => {

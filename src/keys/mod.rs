@@ -40,6 +40,7 @@
 
 mod error;
 mod key;
+mod overrides;
 mod schema;
 mod section;
 mod shape;
@@ -47,6 +48,7 @@ mod table;
 
 pub use error::ConfigError;
 pub use key::{Key, Range, Rule, When, number, plain, unit};
+pub use overrides::Override;
 pub use schema::schema;
 pub(crate) use section::section;
 pub use section::{Section, check_conditions, read_alone, store, value, value_of};

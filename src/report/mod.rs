@@ -5,6 +5,8 @@
 //! a page joins them. The same files give the same bytes.
 
 pub mod accuracy;
+pub mod compare;
+mod config;
 pub mod curves;
 mod error;
 #[cfg(feature = "print")]
@@ -16,7 +18,9 @@ pub mod load;
 mod markup;
 mod number;
 mod page;
+pub mod papers;
 pub mod plots;
+pub mod reproduce;
 mod row;
 mod scene_file;
 pub mod series;
@@ -27,6 +31,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 pub use error::ReportError;
+pub use plots::Figure;
+pub use reproduce::Reproduced;
 pub use row::Row;
 
 use load::Loaded;
@@ -35,19 +41,24 @@ use load::Loaded;
 /// at least a `summary.csv`, and returns the page's path.
 pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
     let data = Loaded::read(out_dir)?;
-    let figures = plots::all(&data)?;
-    let tables = tables::all(&data)?;
+    let (figures, tables) = (plots::all(&data)?, tables::all(&data)?);
+    let papers = papers::papers(&data)?;
     let (figures_dir, tables_dir) = (out_dir.join("figures"), out_dir.join("tables"));
     make(&figures_dir)?;
     make(&tables_dir)?;
-    for figure in &figures {
+    let theirs = papers.iter().flat_map(|papers| &papers.figures);
+    for figure in figures.iter().chain(theirs) {
         save(&figures_dir.join(format!("{}.svg", figure.name)), &figure.svg())?;
     }
-    for table in &tables {
+    for table in tables.iter().chain(papers.iter().map(|papers| &papers.tidy)) {
         save(&tables_dir.join(format!("{}.csv", table.name)), &table.csv())?;
     }
     let path = out_dir.join("report.html");
-    save(&path, &page::page(&data, &figures, &tables, None)?)?;
+    let said = papers.as_ref().map(|papers| page::Papers {
+        answer: papers.sentences.first().cloned().unwrap_or_default(),
+        content: papers.section(),
+    });
+    save(&path, &page::page(&data, &figures, &tables, said.as_ref())?)?;
     Ok(path)
 }
 

@@ -17,6 +17,8 @@ pub(super) const PLACE: [&Column; 3] = [&WAVE_HEIGHT_RATIO, &SPRING_STIFFNESS, &
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Row {
     cells: BTreeMap<&'static str, String>,
+    /// When maxima were reached, seconds, by the names of their columns.
+    times: BTreeMap<&'static str, f64>,
     /// Of a fixed wall; upright where nothing says otherwise.
     pub wall_angle_deg: Option<f64>,
     /// Which of several runs with the same wave and wall this is, such as `boundary = sfdi`;
@@ -29,6 +31,9 @@ impl Row {
     pub fn take(&mut self, name: &str, cell: &str) -> Result<(), String> {
         if name == "wall_angle_deg" {
             self.wall_angle_deg = cell.parse().ok();
+        }
+        if let Some(maximum) = name.strip_suffix("_time_s").and_then(named) {
+            self.times.extend(cell.parse().ok().map(|time: f64| (maximum.name, time)));
         }
         let Some(column) = named(name) else { return Ok(()) };
         if column.is_number() && !cell.is_empty() && cell.parse::<f64>().is_err() {
@@ -46,6 +51,11 @@ impl Row {
     /// A number; `None` where the cell is empty.
     pub fn number(&self, column: &Column) -> Option<f64> {
         self.text(column).parse().ok()
+    }
+
+    /// When a maximum was reached, seconds.
+    pub fn time(&self, column: &Column) -> Option<f64> {
+        self.times.get(column.name).copied()
     }
 
     /// A flag.

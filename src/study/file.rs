@@ -3,8 +3,8 @@
 use toml::{Table, Value};
 
 use super::axis::GridAxis;
-use super::overrides::Override;
-use crate::keys::{Section, read_alone, section};
+
+use crate::keys::{Override, Section, read_alone, section};
 use crate::scene::{ConfigError, place_of};
 
 /// A parsed sweep file; the values inside its tables are checked case by case in

@@ -10,16 +10,16 @@ mod case;
 mod companions;
 mod file;
 mod grid;
-mod overrides;
 mod plan;
 mod schema;
 
 pub use axis::GridAxis;
 pub use case::{Case, CaseId, PHYSICS_VERSION, trunk_key};
 pub use file::SweepFile;
-pub use overrides::Override;
 pub use plan::{Plan, PlannedCase, PlannedTrunk};
 pub use schema::schema;
+
+pub use crate::keys::Override;
 
 use sha2::{Digest, Sha256};
 

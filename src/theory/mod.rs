@@ -6,5 +6,6 @@ pub mod elliptic_drop;
 pub mod hydrostatics;
 pub mod oscillator;
 pub mod rotating_patch;
+pub mod solitary_wave;
 pub mod standing_wave;
 pub mod taylor_green;

@@ -34,8 +34,7 @@ pub fn range(values: &[f64], unit: &str) -> String {
 pub fn median(values: &[f64]) -> Option<f64> {
     let mut values = values.to_vec();
     values.sort_by(f64::total_cmp);
-    let (low, high) = (values.len().checked_sub(1)? / 2, values.len() / 2);
-    Some(0.5 * (values[low] + values[high]))
+    number::median(&values)
 }
 
 /// `F* = 3.92 ± 0.04`, and `X* ≥ 3.1` for a lower bound.

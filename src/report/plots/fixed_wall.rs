@@ -7,7 +7,7 @@ use super::legend::Entry;
 use super::look::Look;
 use super::marks::point;
 use super::sheet::{Drawing, PANELS};
-use super::{Figure, file_name, of_variant, swept};
+use super::{Figure, file_name, of_variant, printed, swept};
 use crate::quantities::Column;
 use crate::quantities::summary::{
     FIRST_FORCE_MAX, FIRST_RUNUP_MAX, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO,
@@ -57,7 +57,7 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
         let has_bar = |row: &&Row| SIDES.iter().any(|(column, _)| row.error(column).is_some());
         let bars = if rows.iter().any(has_bar) { " Bars: estimated errors." } else { "" };
         figures.push(Figure {
-            drawing: drawing(&rows, measured, vertical),
+            drawing: drawing(data, &rows, measured, vertical),
             title: format!("Runup and force at a fixed wall{}", of_variant(&variant)),
             caption: format!(
                 "Largest runup and force of the first impact on a fixed wall against the wave \
@@ -80,7 +80,7 @@ pub fn walls<'a>(data: &'a Loaded, variant: &str) -> impl Iterator<Item = &'a Ro
 }
 
 /// A pair of panels; with the exact wave where the walls are `vertical`.
-fn drawing(rows: &[&Row], measured: bool, vertical: bool) -> Drawing {
+fn drawing(data: &Loaded, rows: &[&Row], measured: bool, vertical: bool) -> Drawing {
     let wave = if measured { &MEASURED_WAVE_HEIGHT_RATIO } else { &WAVE_HEIGHT_RATIO };
     let chart = |(column, exact): (&Column, usize)| {
         let mut curves = Vec::new();
@@ -92,6 +92,7 @@ fn drawing(rows: &[&Row], measured: bool, vertical: bool) -> Drawing {
         let points = rows.iter().filter_map(|row| point(row, row.number(wave)?, column));
         let entry = Entry::dots("computed", Look::of(0), false);
         curves.push(Curve { entry, points: points.collect() });
+        curves.extend(printed::at_fixed_walls(data, column, rows, measured));
         let places = curves.iter().flat_map(|curve| &curve.points).map(|point| point.x);
         let x = Axis::around(places, 6.0)?;
         let y = Axis::around(curves.iter().flat_map(Curve::reach), 6.0)?;

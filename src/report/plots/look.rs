@@ -21,18 +21,24 @@ pub const DOTS: &str = "0.8 3.4";
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Look {
     series: Option<usize>,
+    printed: bool,
 }
 
 impl Look {
     /// The look of the `index`-th series. The first 24 differ in hue, shape or dash; the first six in
     /// all three.
     pub fn of(index: usize) -> Look {
-        Look { series: Some(index) }
+        Look { series: Some(index), printed: false }
     }
 
     /// A round marker and a solid line in ink, for what is compared with.
     pub fn plain() -> Look {
-        Look { series: None }
+        Look { series: None, printed: false }
+    }
+
+    /// The same colour with the marker of numbers that a paper prints: a star, which no series has.
+    pub fn printed(self) -> Look {
+        Look { printed: true, ..self }
     }
 
     /// A group in this colour; what is in it is drawn in `currentColor`.
@@ -52,7 +58,8 @@ impl Look {
     /// A marker; open ones show the ground inside.
     pub fn marker(self, at: (f64, f64), open: bool) -> Path {
         let shape = self.series.map_or(0, |index| index % shape::COUNT);
-        let path = Path::new().set("d", outline(shape, at));
+        let outline = if self.printed { shape::star(at) } else { outline(shape, at) };
+        let path = Path::new().set("d", outline);
         if open {
             return path.set("class", "mark open").set("fill", GROUND);
         }

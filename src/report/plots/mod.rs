@@ -19,6 +19,7 @@ mod marks;
 mod over_time;
 mod panel;
 mod pen;
+mod printed;
 mod probes;
 mod response;
 mod shape;
@@ -30,11 +31,18 @@ mod ticks;
 mod trace;
 
 pub use accuracy::{Dot, error_against_time};
-pub(super) use fixed_wall::walls as fixed_walls;
+pub(super) use axes::Axis;
+pub(super) use chart::{Chart, Curve, Point};
+pub(super) use fixed_wall::{figures as at_fixed_walls, walls as fixed_walls};
+pub(super) use legend::Entry;
+pub(super) use look::Look;
+pub(super) use marks::{key, point as case_point};
+pub(super) use over_time::lasting;
+pub(super) use printed::{PRINTED, entry as printed_entry, point as printed_point};
+pub(super) use sheet::{Drawing, Layout};
 
 use super::error::ReportError;
 use super::load::Loaded;
-use sheet::Drawing;
 #[cfg(feature = "print")]
 pub use text::FONT;
 

@@ -83,7 +83,7 @@ pub fn strips(strips: &[Strip]) -> Drawing {
 
 /// Medians of five values each: those that last. An axis made for these is not squashed by the
 /// pulse of a wall that comes back onto its stop.
-fn lasting(points: &[(f64, f64)]) -> Vec<f64> {
+pub fn lasting(points: &[(f64, f64)]) -> Vec<f64> {
     let values: Vec<f64> = points.iter().map(|point| point.1).collect();
     let middle = |window: &[f64]| {
         let mut window = window.to_vec();

@@ -5,7 +5,7 @@ use super::axes::Axis;
 use super::chart::{Chart, Curve};
 use super::marks::{bounds, by, coupling, key, marks, picked, point};
 use super::sheet::{Drawing, PANELS};
-use super::{Figure, SERIES, file_name, of_variant};
+use super::{Figure, SERIES, file_name, of_variant, printed};
 use crate::quantities::summary::{LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, Unit};
 use crate::report::curves::{RESPONSES, by_mass, distinct, responses, spread, stem, variants};
@@ -30,7 +30,7 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
             let count = distinct(rows.iter().copied(), &WAVE_HEIGHT_RATIO).len();
             let of_waves = picked(waves.len(), count, "wave heights");
             figures.push(Figure {
-                drawing: drawing(response, &shown, &waves),
+                drawing: drawing(data, response, &shown, &waves),
                 caption: format!(
                     "{what} against the spring stiffness k* = k/(ρgh²), one panel per wall mass \
                      m* = m/(ρh²), one curve per nominal wave height.{}{law}{of_masses}{of_waves}",
@@ -49,11 +49,12 @@ fn capitalised(text: &str) -> String {
     letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
-fn drawing(response: &Column, masses: &[&[&Row]], waves: &[f64]) -> Drawing {
+fn drawing(data: &Loaded, response: &Column, masses: &[&[&Row]], waves: &[f64]) -> Drawing {
     let curves = |rows: &[&Row]| {
         let places = rows.iter().filter_map(|row| Some((row.number(&LOG10_K_STAR)?, *row)));
         let cases: Vec<_> = places.collect();
-        by(&WAVE_HEIGHT_RATIO, waves, &cases, |x, row| point(row, x, response))
+        let curves = by(&WAVE_HEIGHT_RATIO, waves, &cases, |x, row| point(row, x, response));
+        curves.into_iter().chain(printed::of_response(data, response, rows)).collect::<Vec<_>>()
     };
     let all: Vec<Curve> = masses.iter().flat_map(|rows| curves(rows)).collect();
     let places = all.iter().flat_map(|curve| &curve.points).map(|point| point.x);

@@ -12,12 +12,21 @@ const SHAPES: [&str; 8] = [
     "m-2-4.3h4v8.6h-4z",
 ];
 
+/// A star, which no series has.
+const STAR: &str =
+    "m0.0 -5.4l1.4 3.5l3.7 0.2l-2.9 2.4l1 3.7l-3.2 -2.1l-3.2 2.1l1 -3.7l-2.9 -2.4l3.7 -0.2z";
+
 /// How many shapes there are.
 pub const COUNT: usize = SHAPES.len();
 
 /// The outline of a shape around a point, as the `d` of a path.
 pub fn outline(shape: usize, (x, y): (f64, f64)) -> String {
     format!("M{} {}{}", tidy(x), tidy(y), SHAPES[shape % COUNT])
+}
+
+/// The outline of a star around a point.
+pub fn star((x, y): (f64, f64)) -> String {
+    format!("M{} {}{STAR}", tidy(x), tidy(y))
 }
 
 /// A length to the tenth of a pixel: on paper some 0.03 mm.

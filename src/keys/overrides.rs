@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use toml::{Table, Value};
 
-use crate::scene::ConfigError;
+use super::error::ConfigError;
 
 /// One `KEY=VALUE`: a path into the file and the value that goes there.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,0 +1,253 @@
+//! `seawall compare`: two studies side by side, from their files alone.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde_json::{Value, json};
+
+use super::SUCCESS;
+use super::failure::BadInput;
+use super::output::{Output, short};
+use super::table::Table;
+use crate::math::decimal::significant;
+use crate::quantities::Unit;
+use crate::report::compare::{COMPARED, Comparison, Difference, Pair, compare, figure, table};
+use crate::results::counted;
+
+/// Put two studies side by side: the same waves and walls, whatever their numerics.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  seawall compare results/runs/coarse results/runs/fine
+  seawall compare results/runs/coarse results/runs/fine --out results/runs/difference
+  seawall compare results/runs/liang2017 results/runs/liang2017_as_published --format json
+
+F* and R* are those of the first impact, X* of the whole run; differences are the second study less the
+first. Exit code: 0 where it could compare, 2 where the studies have no case in common or cannot be read.")]
+pub(super) struct CompareArgs {
+    /// The output directory of the first study.
+    first: PathBuf,
+    /// The output directory of the second.
+    second: PathBuf,
+    /// Writes compare.csv and compare.svg there.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+/// Cases shown without `-v`.
+const ROWS: usize = 10;
+
+pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<u8> {
+    let directories = [args.first.as_path(), args.second.as_path()];
+    for directory in directories {
+        if !directory.join("summary.csv").is_file() {
+            let reason = "holds no summary.csv: not the output directory of a sweep";
+            return Err(BadInput(format!("{}: {reason}", directory.display())).into());
+        }
+    }
+    let comparison = compare(directories).map_err(|error| BadInput(error.to_string()))?;
+    if comparison.pairs.is_empty() {
+        return Err(nothing_in_common(directories, &comparison).into());
+    }
+    let files = args.out.as_ref().map(|out| write(out, &comparison)).transpose()?;
+    let mut text = told(directories, &comparison, output.verbose);
+    for file in files.iter().flatten() {
+        text.push_str(&format!("{}\n", file.display()));
+    }
+    output.result(&text, &value(directories, &comparison, files.as_deref()))?;
+    Ok(SUCCESS)
+}
+
+fn nothing_in_common([a, b]: [&Path; 2], comparison: &Comparison) -> BadInput {
+    let one = |one: usize| comparison.only[one].first().map_or("none finished", String::as_str);
+    BadInput(format!(
+        "{} and {} have no case in common: the first of the one is {}, of the other {}",
+        a.display(),
+        b.display(),
+        one(0),
+        one(1)
+    ))
+}
+
+fn write(out: &Path, comparison: &Comparison) -> anyhow::Result<Vec<PathBuf>> {
+    let bad = |error: std::io::Error| {
+        let out = out.display();
+        BadInput(format!("--out {out}: must be a directory that can be written to ({error})"))
+    };
+    std::fs::create_dir_all(out).map_err(bad)?;
+    let mut files = vec![out.join("compare.csv")];
+    std::fs::write(&files[0], table(comparison).csv()).map_err(bad)?;
+    if let Some(figure) = figure(comparison) {
+        let path = out.join("compare.svg");
+        std::fs::write(&path, figure.svg()).map_err(bad)?;
+        files.push(path);
+    }
+    Ok(files)
+}
+
+fn told(directories: [&Path; 2], comparison: &Comparison, all: bool) -> String {
+    let mut text = String::new();
+    for (one, directory) in directories.iter().enumerate() {
+        let (name, finished) = (&comparison.names[one], comparison.finished[one]);
+        let letter = ['A', 'B'][one];
+        let cases = counted(finished, "finished case");
+        text.push_str(&format!("{letter}  {} ({name}, {cases})\n", directory.display()));
+    }
+    let [a, b] = comparison.only.each_ref().map(Vec::len);
+    let pairs = counted(comparison.pairs.len(), "pair");
+    text.push_str(&format!("\n{pairs} of cases at the same point; {a} only in A, {b} only in B\n"));
+    if !comparison.keys.is_empty() {
+        text.push_str("\nThey differ in\n");
+        let mut table = Table::new(["key", "A", "B"]);
+        for key in &comparison.keys {
+            let [a, b] = key.values.each_ref().map(|v| if v.is_empty() { "-" } else { v.as_str() });
+            table.row([&format!("{}.{}", key.section, key.key), a, b]);
+        }
+        text.push_str(&table.render());
+    }
+    text.push_str("\nB less A\n");
+    text.push_str(&tallies(comparison));
+    text.push('\n');
+    text.push_str(&cases(comparison, all));
+    for (one, letter) in ["A", "B"].iter().enumerate() {
+        let only = &comparison.only[one];
+        let shown = if all { only.len() } else { only.len().min(3) };
+        for case in &only[..shown] {
+            text.push_str(&format!("only in {letter}: {case}\n"));
+        }
+        if shown < only.len() {
+            text.push_str(&format!(
+                "only in {letter}: {} more (-v shows all)\n",
+                only.len() - shown
+            ));
+        }
+    }
+    text
+}
+
+fn tallies(comparison: &Comparison) -> String {
+    let mut table = Table::new(["", "cases", "median", "worst", "within bars", "worst at"]);
+    for (at, (column, _)) in COMPARED.iter().enumerate() {
+        let Some(tally) = Pair::tally(&comparison.pairs, at) else { continue };
+        let within = match tally.with_bars {
+            0 => "no bars".to_owned(),
+            bars => format!("{} of {bars}", tally.within),
+        };
+        let place = place(comparison, &comparison.pairs[tally.worst_pair]);
+        let [median, worst] = [tally.median, tally.worst]
+            .map(|size| format!("{} {}", significant(size, 2), unit(column.unit)));
+        let count = tally.count.to_string();
+        table.row([column.symbol.to_owned(), count, median, worst, within, place]);
+    }
+    table.render()
+}
+
+/// A pair's point without what all pairs have in common.
+fn place(comparison: &Comparison, pair: &Pair) -> String {
+    let parts = |pair: &Pair| pair.words.split(", ").map(str::to_owned).collect::<Vec<_>>();
+    let shared = |part: &String| comparison.pairs.iter().all(|other| parts(other).contains(part));
+    let told: Vec<_> = parts(pair).into_iter().filter(|part| !shared(part)).collect();
+    if told.is_empty() { pair.words.clone() } else { told.join(", ") }
+}
+
+/// What sizes are told in.
+fn unit(unit: Unit) -> &'static str {
+    if unit == Unit::Runup { "h" } else { "%" }
+}
+
+/// A difference in percent, or of a runup in h.
+fn told_size(one: &Difference, unit: Unit) -> Option<f64> {
+    if unit == Unit::Runup { Some(one.absolute()) } else { one.percent() }
+}
+
+/// The pairs with the largest differences first; a hundredth of the depth counts as a percent.
+fn cases(comparison: &Comparison, all: bool) -> String {
+    let mut pairs: Vec<&Pair> = comparison.pairs.iter().collect();
+    let size = |pair: &Pair| {
+        let sizes = pair.differences.iter().zip(COMPARED).filter_map(|(one, (column, _))| {
+            let scale = if column.unit == Unit::Runup { 100.0 } else { 1.0 };
+            Some(scale * told_size(one.as_ref()?, column.unit)?.abs())
+        });
+        sizes.fold(0.0, f64::max)
+    };
+    pairs.sort_by(|a, b| size(b).total_cmp(&size(a)));
+    let rows = if all { pairs.len() } else { pairs.len().min(ROWS) };
+    let heads = COMPARED.iter().flat_map(|(column, _)| {
+        let symbol = column.symbol.trim_start_matches("first ").trim_end_matches(" max");
+        [format!("{symbol} of A"), format!("B - A, {}", unit(column.unit))]
+    });
+    let mut table = Table::new(["case".to_owned()].into_iter().chain(heads));
+    for pair in &pairs[..rows] {
+        let cells = pair.differences.iter().zip(COMPARED).flat_map(|(one, (column, _))| {
+            let Some(one) = one else { return ["-".to_owned(), "-".to_owned()] };
+            let mark = if one.is_within() == Some(false) { " !" } else { "" };
+            let size = told_size(one, column.unit);
+            let size = size.map_or_else(|| "-".to_owned(), |size| format!("{size:+.3}{mark}"));
+            let bound = if one.bounds[0] { "≥ " } else { "" };
+            [format!("{bound}{}", short(one.values[0])), size]
+        });
+        table.row([place(comparison, pair)].into_iter().chain(cells));
+    }
+    let mut text = table.render();
+    if rows < pairs.len() {
+        text.push_str(&format!("... and {} more (-v shows all)\n", pairs.len() - rows));
+    }
+    if text.contains('!') {
+        text.push_str("!: the difference is larger than both error bars together\n");
+    }
+    text
+}
+
+fn value(directories: [&Path; 2], comparison: &Comparison, files: Option<&[PathBuf]>) -> Value {
+    let difference = |one: &Option<Difference>| match one {
+        None => Value::Null,
+        Some(one) => json!({
+            "a": one.values[0],
+            "b": one.values[1],
+            "difference": one.absolute(),
+            "percent": one.percent(),
+            "error_a": one.bars[0],
+            "error_b": one.bars[1],
+            "within_bars": one.is_within(),
+            "bound": one.bounds[0] || one.bounds[1],
+        }),
+    };
+    let names = COMPARED.map(|(column, _)| column.name);
+    let pair = |pair: &Pair| {
+        let differences = names.iter().zip(&pair.differences);
+        let values: serde_json::Map<_, _> =
+            differences.map(|(name, one)| ((*name).to_owned(), difference(one))).collect();
+        json!({ "case": pair.words, "case_ids": pair.ids, "differences": values })
+    };
+    let tally = |at: usize| {
+        let tally = Pair::tally(&comparison.pairs, at)?;
+        let unit = unit(COMPARED[at].0.unit);
+        Some(json!({
+            "cases": tally.count,
+            "median": tally.median,
+            "worst": tally.worst,
+            "unit": unit,
+            "worst_case": comparison.pairs[tally.worst_pair].words,
+            "with_bars": tally.with_bars,
+            "within_bars": tally.within,
+        }))
+    };
+    let tallies: serde_json::Map<_, _> = names
+        .iter()
+        .enumerate()
+        .filter_map(|(at, n)| Some(((*n).to_owned(), tally(at)?)))
+        .collect();
+    let keys = comparison.keys.iter().map(|key| {
+        json!({ "section": key.section, "key": key.key, "a": key.values[0], "b": key.values[1] })
+    });
+    json!({
+        "directories": directories,
+        "names": comparison.names,
+        "pairs": comparison.pairs.len(),
+        "only_in_a": comparison.only[0],
+        "only_in_b": comparison.only[1],
+        "keys": keys.collect::<Vec<_>>(),
+        "summary": tallies,
+        "cases": comparison.pairs.iter().map(pair).collect::<Vec<_>>(),
+        "files": files,
+    })
+}

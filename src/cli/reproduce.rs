@@ -1,0 +1,288 @@
+//! `seawall reproduce`: a figure of a paper, from the runs that it needs.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde_json::{Value, json};
+
+use super::execute::{Job, on_threads};
+use super::failure::BadInput;
+use super::input::Setting;
+use super::output::{Output, duration};
+use super::table::Table;
+use super::{INTERRUPTED, SUCCESS, check};
+use crate::papers::{Recipe, Run, files, paper, recipes};
+use crate::report::Reproduced;
+use crate::results::{OpenMode, counted};
+use crate::scene::ConfigError;
+use crate::study::{Study, SweepFile};
+
+/// Make a figure of a paper: run what it needs, draw it, and set the printed numbers beside it.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  seawall reproduce --list
+  seawall reproduce liang2017 --figure 12
+  seawall reproduce huang2019 --figure 9
+  seawall reproduce liang2017 --figure 13 --set numerics.particle_spacing_m=0.016 --out results/runs/coarse13
+
+The files of the runs are inside the program. A run that was broken off goes on; figures that need the same
+run share it.")]
+pub(super) struct ReproduceArgs {
+    /// liang2017 or huang2019.
+    #[arg(required_unless_present = "list")]
+    paper: Option<String>,
+    /// The number of the figure.
+    #[arg(long, value_name = "N", required_unless_present = "list")]
+    figure: Option<String>,
+    /// Show the figures and tables, what they show and what they cost; run nothing.
+    #[arg(long, conflicts_with_all = ["figure", "out", "threads", "fresh"])]
+    list: bool,
+    /// Where figures and runs go [default: results/runs/reproduce_<paper>].
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Threads [default: all; 1 where the figure tells times].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+    /// Move earlier runs aside and start over.
+    #[arg(long)]
+    fresh: bool,
+    /// Set a value by its path in every run, such as numerics.particle_spacing_m=0.02; repeatable.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    settings: Vec<Setting>,
+}
+
+/// Columns of a terminal.
+const WIDTH: usize = 80;
+
+pub(super) fn main(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> {
+    if let Some(name) = args.paper.as_deref().filter(|name| paper(name).is_none()) {
+        let mut known: Vec<_> = recipes().iter().map(|recipe| recipe.paper.as_str()).collect();
+        known.dedup();
+        return Err(BadInput(
+            ConfigError::one_of("PAPER", &toml::Value::from(name), &known).to_string(),
+        )
+        .into());
+    }
+    if args.list {
+        return list(args, output);
+    }
+    let recipe = recipe(args)?;
+    if !recipe.why_not.is_empty() {
+        let reason =
+            format!("{} of {} is not made: {}", recipe.title(), recipe.paper, recipe.why_not);
+        return Err(BadInput(reason).into());
+    }
+    let studies: Vec<_> =
+        recipe.run.iter().map(|run| study(run, &args.settings)).collect::<Result<_, _>>()?;
+    let default = || Path::new("results").join("runs").join(format!("reproduce_{}", recipe.paper));
+    let out = args.out.clone().unwrap_or_else(default);
+    let times = recipe.draw.as_ref().is_some_and(|draw| draw.tells_times());
+    let threads = args.threads.or(times.then_some(1));
+    let (mut directories, mut code) = (Vec::new(), SUCCESS);
+    for (run, study) in recipe.run.iter().zip(studies) {
+        let seconds = check::expected_seconds(&study, threads.map(usize::from));
+        let cases = counted(study.cases.len(), "case");
+        output.note(format_args!("{}: {cases}, about {} in all", run.name, duration(seconds)));
+        let job = job(args, run, study, out.join(&run.name), !times);
+        let done = on_threads(&job, threads, None, output)?;
+        if done.exit_code() == INTERRUPTED {
+            output.note("interrupted: the same command goes on");
+            return Ok(INTERRUPTED);
+        }
+        code = code.max(done.exit_code());
+        crate::report::write(&job.out)?;
+        directories.push(job.out);
+    }
+    let made = crate::report::reproduce::reproduce(recipe, &directories)?;
+    let files = write(&out, &made)?;
+    let mut text = told(&made);
+    for file in &files {
+        text.push_str(&format!("{}\n", file.display()));
+    }
+    output.result(&text, &value(recipe, &made, &files, &directories))?;
+    Ok(code)
+}
+
+fn recipe(args: &ReproduceArgs) -> Result<&'static Recipe, BadInput> {
+    let (paper, figure) = (args.paper.as_deref(), args.figure.as_deref().unwrap_or_default());
+    let own = || recipes().iter().filter(|recipe| Some(recipe.paper.as_str()) == paper);
+    own().find(|recipe| recipe.number == figure).ok_or_else(|| {
+        let known: Vec<_> = own().map(|recipe| recipe.number.as_str()).collect();
+        BadInput(format!(
+            "--figure {figure}: {} has {} (seawall reproduce --list tells what they show)",
+            paper.unwrap_or_default(),
+            known.join(", ")
+        ))
+    })
+}
+
+/// The study of a run with what the recipe and the user set.
+fn study(run: &Run, settings: &[Setting]) -> Result<Study, BadInput> {
+    let bad = |reason: &dyn std::fmt::Display| {
+        BadInput(format!("{} (inside the program): {reason}", run.file))
+    };
+    let text = files::text(&run.file).ok_or_else(|| bad(&"is not there"))?;
+    let mut sets = vec![format!("name={}", run.name).parse().map_err(|e| bad(&e))?];
+    for set in &run.set {
+        sets.push(set.parse().map_err(|e: String| bad(&e))?);
+    }
+    sets.extend(settings.iter().map(|setting| setting.set.clone()));
+    let file = SweepFile::read(text, &sets).map_err(|error| bad(&error))?;
+    Study::new(&file).map_err(|error| bad(&error))
+}
+
+fn job(args: &ReproduceArgs, run: &Run, study: Study, out: PathBuf, shares_threads: bool) -> Job {
+    let own = [format!("name={}", run.name)].into_iter().chain(run.set.iter().cloned());
+    let theirs = args.settings.iter().map(|setting| setting.text.clone());
+    Job {
+        study,
+        out,
+        mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
+        retry_failed: false,
+        branching: true,
+        shares_threads,
+        simd: None,
+        overrides: own.chain(theirs).collect(),
+    }
+}
+
+/// `<stem>.svg`, `<stem>.csv` and `<stem>.md`.
+fn write(out: &Path, made: &Reproduced) -> Result<Vec<PathBuf>, BadInput> {
+    let figure = &made.figure;
+    let prose =
+        [&[format!("# {}", figure.title), figure.caption.clone()], &made.sentences[..]].concat();
+    let table = if made.beside.rows.is_empty() { String::new() } else { made.beside.markdown() };
+    let text = format!("{}\n\n{table}", prose.join("\n\n"));
+    let mut files = Vec::new();
+    let texts = [("svg", figure.svg()), ("csv", made.tidy.csv()), ("md", text)];
+    for (ending, text) in texts {
+        if ending == "csv" && made.tidy.rows.is_empty() {
+            continue;
+        }
+        let path = out.join(format!("{}.{ending}", figure.name));
+        std::fs::write(&path, text).map_err(|e| BadInput(format!("{}: {e}", path.display())))?;
+        files.push(path);
+    }
+    Ok(files)
+}
+
+fn told(made: &Reproduced) -> String {
+    let mut text = wrapped(&made.figure.caption);
+    if !made.beside.rows.is_empty() {
+        text.push_str(&format!("\n{}", numbers(made)));
+        made.sentences.iter().for_each(|said| text.push_str(&format!("\n{}", wrapped(said))));
+    }
+    text + "\n"
+}
+
+/// Prose in lines of a terminal's width.
+fn wrapped(text: &str) -> String {
+    let (mut lines, mut width) = (String::new(), 0);
+    for word in text.split(' ') {
+        let length = word.chars().count();
+        if width > 0 && width + 1 + length > WIDTH {
+            lines.push('\n');
+            width = 0;
+        } else if width > 0 {
+            lines.push(' ');
+            width += 1;
+        }
+        lines.push_str(word);
+        width += length;
+    }
+    lines + "\n"
+}
+
+/// Printed and computed numbers, a difference beside each; what all movable walls or all fixed ones have in
+/// common is left out.
+fn numbers(made: &Reproduced) -> String {
+    let (header, rows) = (&made.beside.header, &made.beside.rows);
+    let first = rows[0][0].split(',').next().unwrap_or_default();
+    let source = |row: &[String]| row[0].replace(&format!("{first}, "), "").replace("Fig. ", "");
+    let parts = |row: &[String]| row[2].split(", ").map(str::to_owned).collect::<Vec<_>>();
+    let count = |row: &[String]| parts(row).len();
+    let cases = rows.iter().map(|row| {
+        let alike = || rows.iter().filter(|other| count(other) == count(row));
+        let told = |part: &String| alike().any(|other| !parts(other).contains(part));
+        let told: Vec<_> = parts(row).into_iter().filter(told).collect();
+        let mixed = alike().count() < rows.len();
+        let kind = if row[2].contains("m = ") { "movable" } else { "fixed" };
+        if told.is_empty() && mixed { kind.to_owned() } else { told.join(", ") }
+    });
+    let heads = ["Fig.", "", "case", "printed"].map(str::to_owned).into_iter();
+    let laws = header[4..].iter().step_by(2).map(|name| name.replace("computed, ", ""));
+    let mut table = Table::new(heads.chain(laws));
+    for (row, case) in rows.iter().zip(cases) {
+        let cells = [source(row), row[1].clone(), case, row[3].clone()].into_iter();
+        let pairs = row[4..].chunks(2).map(|pair| pair.join(" ").trim().to_owned());
+        table.row(cells.chain(pairs));
+    }
+    table.render() + "✗: not met\n"
+}
+
+fn value(recipe: &Recipe, made: &Reproduced, files: &[PathBuf], directories: &[PathBuf]) -> Value {
+    let line = |row: &Vec<String>| -> serde_json::Map<String, Value> {
+        let cells = made.tidy.header.iter().cloned().zip(row.iter().cloned().map(Value::from));
+        cells.collect()
+    };
+    json!({
+        "paper": recipe.paper,
+        "figure": recipe.number,
+        "caption": made.figure.caption,
+        "sentences": made.sentences,
+        "numbers": made.tidy.rows.iter().map(line).collect::<Vec<_>>(),
+        "files": files,
+        "studies": directories,
+    })
+}
+
+/// Every figure and table, what it shows, and how long it takes or why it is not made.
+fn list(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> {
+    let wanted = args.paper.as_deref();
+    let (mut text, mut values, mut last) = (String::new(), Vec::new(), "");
+    for recipe in recipes().iter().filter(|r| wanted.is_none_or(|paper| paper == r.paper)) {
+        if recipe.paper != last {
+            let about = paper(&recipe.paper);
+            let words = about.map_or_else(String::new, |p| format!("{}, {}", p.words, p.title));
+            text.push_str(&format!(
+                "{}{}: {words}\n",
+                if last.is_empty() { "" } else { "\n" },
+                recipe.paper
+            ));
+            last = &recipe.paper;
+        }
+        let (mut seconds, mut cases) = (0.0, 0);
+        for run in &recipe.run {
+            let study = study(run, &args.settings)?;
+            let times = recipe.draw.as_ref().is_some_and(|draw| draw.tells_times());
+            seconds += check::expected_seconds(&study, times.then_some(1));
+            cases += study.cases.len();
+        }
+        text.push_str(&format!("\n  {}: {}", recipe.title(), recipe.shows));
+        let made = recipe.why_not.is_empty();
+        if !recipe.here.is_empty() {
+            text.push_str(&format!("\n      here: {}", recipe.here));
+        }
+        if made {
+            text.push_str(&format!(
+                "\n      {}, about {}\n",
+                counted(cases, "case"),
+                duration(seconds)
+            ));
+        } else {
+            text.push_str(&format!("\n      not made: {}\n", recipe.why_not));
+        }
+        values.push(json!({
+            "paper": recipe.paper,
+            "figure": recipe.number,
+            "shows": recipe.shows,
+            "here": recipe.here,
+            "made": made,
+            "why_not": recipe.why_not,
+            "cases": cases,
+            "expected_time_s": made.then_some(seconds),
+        }));
+    }
+    output.result(&text, &values)?;
+    Ok(SUCCESS)
+}

@@ -1,0 +1,49 @@
+//! A comparison as a figure: what cases differ by against their value in the first study.
+
+use super::{COMPARED, Comparison};
+use crate::quantities::Column;
+use crate::report::plots::{Axis, Chart, Curve, Drawing, Entry, Figure, Layout, Look, Point};
+
+/// The figure; none where no pair has a number of each.
+pub fn figure(comparison: &Comparison) -> Option<Figure> {
+    let columns = COMPARED.iter().map(|(column, _)| *column).enumerate();
+    let charts: Vec<_> = columns.filter_map(|(at, column)| chart(comparison, at, column)).collect();
+    if charts.is_empty() {
+        return None;
+    }
+    let [a, b] = &comparison.names;
+    Some(Figure {
+        drawing: Drawing::new(charts, Layout { columns: 3, size: (296.0, 236.0) }),
+        name: "compare".to_owned(),
+        title: format!("{b} less {a}"),
+        caption:
+            "What cases of the same point differ by, against their value in the first study. Bars: \
+                  the error bars of both added up. Open markers: lower bounds."
+                .to_owned(),
+    })
+}
+
+fn chart(comparison: &Comparison, at: usize, column: &Column) -> Option<Chart> {
+    let point = |pair: &super::Pair| {
+        let one = pair.differences[at]?;
+        let (x, y) = (one.values[0], one.absolute());
+        let case = pair.ids.join(" ");
+        let told = format!("{}: {} and {}", pair.words, one.values[0], one.values[1]);
+        let (error, open) = (one.bar().unwrap_or(0.0), one.bounds.iter().any(|bound| *bound));
+        Some(Point { error, open, case, told, ..(x, y).into() })
+    };
+    let points: Vec<Point> = comparison.pairs.iter().filter_map(point).collect();
+    let x = Axis::around(points.iter().map(|point| point.x), 5.0)?;
+    let ends = points.iter().map(|point| point.x);
+    let (low, high) = ends.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
+    let none = vec![(low, 0.0).into(), (high, 0.0).into()];
+    let dots =
+        Curve { entry: Entry::dots("", Look::of(0), false).keyed("difference".to_owned()), points };
+    let y = Axis::around(dots.reach().chain([0.0]), 5.0)?;
+    let same = Entry::line("no difference".to_owned(), Look::plain());
+    let title = column.unit.axis();
+    let titles = [format!("{title}, first study"), format!("second less first, {title}")];
+    let curves = vec![Curve { entry: same, points: none }, dots];
+    let chart = Chart::new((x, &titles[0], column.name), (y, &titles[1], "difference"), curves);
+    Some(chart.under(column.symbol.to_owned(), String::new()))
+}

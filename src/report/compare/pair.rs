@@ -1,0 +1,192 @@
+//! Two cases of the same point: what they differ by.
+
+use super::Side;
+use crate::quantities::summary::{
+    CASE_ID, DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX,
+};
+use crate::quantities::{Column, Unit};
+use crate::report::number;
+use crate::report::row::{PLACE, Row, label};
+
+/// What is compared, and what stands in for it where one of the cases has no first impact.
+pub const COMPARED: [(&Column, Option<&Column>); 3] = [
+    (&FIRST_FORCE_MAX, Some(&FORCE_MAX)),
+    (&FIRST_RUNUP_MAX, Some(&RUNUP_MAX)),
+    (&DISPLACEMENT_MAX, None),
+];
+
+/// A wall that moves by less than this share of the depth has no displacement to compare in percent.
+const LEAST: f64 = 0.01;
+
+/// A value in both cases.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Difference {
+    /// The values.
+    pub values: [f64; 2],
+    /// Their error bars.
+    pub bars: [Option<f64>; 2],
+    /// Whether they are lower bounds.
+    pub bounds: [bool; 2],
+    /// In percent it means something: runups are told in h alone.
+    relative: bool,
+}
+
+/// Two cases of the same point.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pair {
+    /// The point in words.
+    pub words: String,
+    /// H/h, k, m; empty where there is none.
+    pub place: [String; 3],
+    /// The cases' identities.
+    pub ids: [String; 2],
+    /// What differs, in the order of [`COMPARED`].
+    pub differences: [Option<Difference>; 3],
+}
+
+/// The differences of one quantity in all pairs.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Tally {
+    /// How many pairs have it.
+    pub count: usize,
+    /// The median size: percent, or h for runups.
+    pub median: f64,
+    /// The worst size.
+    pub worst: f64,
+    /// The pair that has it.
+    pub worst_pair: usize,
+    /// Pairs with an error bar, and those within it.
+    pub with_bars: usize,
+    /// Pairs whose difference is within their bars.
+    pub within: usize,
+}
+
+impl Difference {
+    /// The second less the first, in the quantity's unit.
+    pub fn absolute(&self) -> f64 {
+        self.values[1] - self.values[0]
+    }
+
+    /// The same over the first, percent; none where the wall hardly moves.
+    pub fn percent(&self) -> Option<f64> {
+        let first = self.values[0];
+        (first.abs() > LEAST).then(|| 100.0 * self.absolute() / first.abs())
+    }
+
+    /// The two bars added up; none where neither case has one.
+    pub fn bar(&self) -> Option<f64> {
+        let [a, b] = self.bars;
+        a.or(b)?;
+        Some(a.unwrap_or(0.0) + b.unwrap_or(0.0))
+    }
+
+    /// Whether the bars reach each other.
+    pub fn is_within(&self) -> Option<bool> {
+        self.bar().map(|bar| self.absolute().abs() <= bar)
+    }
+
+    /// What is tallied: percent, or h for runups.
+    fn size(&self) -> Option<f64> {
+        if self.relative { self.percent() } else { Some(self.absolute()) }.map(f64::abs)
+    }
+}
+
+impl Pair {
+    pub(super) fn of(a: &Side, b: &Side) -> Pair {
+        let rows = [a.row, b.row];
+        let difference = |(column, instead): (&'static Column, Option<&'static Column>)| {
+            let lacks = rows.iter().any(|row| row.number(column).is_none());
+            let column = if lacks { instead? } else { column };
+            let values = [a.row.number(column)?, b.row.number(column)?];
+            Some(Difference {
+                values,
+                bars: rows.map(|row| row.error(column)),
+                bounds: rows.map(|row| row.is_bound(column)),
+                relative: column.unit != Unit::Runup,
+            })
+        };
+        Pair {
+            words: point(a, b),
+            place: PLACE.map(|column| a.row.cell(column)),
+            ids: rows.map(|row| row.text(&CASE_ID).to_owned()),
+            differences: COMPARED.map(difference),
+        }
+    }
+
+    /// The differences of one quantity; none where no pair has it.
+    pub fn tally(pairs: &[Pair], quantity: usize) -> Option<Tally> {
+        let sized = pairs.iter().enumerate().filter_map(|(at, pair)| {
+            let difference = pair.differences[quantity]?;
+            Some((at, difference.size()?, difference))
+        });
+        let mut sized: Vec<_> = sized.collect();
+        sized.sort_by(|a, b| a.1.total_cmp(&b.1));
+        let &(worst_pair, worst, _) = sized.last()?;
+        let within =
+            |is: bool| sized.iter().filter(move |(.., one)| one.is_within() == Some(is)).count();
+        Some(Tally {
+            count: sized.len(),
+            median: number::median(&sized.iter().map(|one| one.1).collect::<Vec<_>>())?,
+            worst,
+            worst_pair,
+            with_bars: within(true) + within(false),
+            within: within(true),
+        })
+    }
+}
+
+/// A case in words, or its identity where nothing tells it from others.
+pub(super) fn words(row: &Row) -> String {
+    let words = row.words();
+    if words.is_empty() { row.text(&CASE_ID).to_owned() } else { words }
+}
+
+/// Both cases in words.
+fn point(a: &Side, b: &Side) -> String {
+    let parts = PLACE.iter().filter_map(|column| Some(label(column, a.row.number(column)?)));
+    let mut parts: Vec<String> = parts.collect();
+    let variants = [&a.row.variant, &b.row.variant];
+    if variants.iter().any(|variant| !variant.is_empty()) {
+        let shown = variants.map(|variant| if variant.is_empty() { "-" } else { variant });
+        parts.push(if shown[0] == shown[1] { shown[0].to_owned() } else { shown.join(" | ") });
+    }
+    if parts.is_empty() { a.row.text(&CASE_ID).to_owned() } else { parts.join(", ") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantities::summary::{FORCE_ERROR, WAVE_HEIGHT_RATIO};
+
+    fn pair(a: f64, b: f64, bar: Option<f64>) -> Pair {
+        let row = |force: f64| {
+            let row = Row::default().with(&WAVE_HEIGHT_RATIO, 0.3).with(&FIRST_FORCE_MAX, force);
+            bar.into_iter().fold(row, |row, bar| row.with(&FORCE_ERROR, bar))
+        };
+        let rows = [row(a), row(b)];
+        let [a, b] = [0, 1].map(|one| Side { row: &rows[one], config: None });
+        Pair::of(&a, &b)
+    }
+
+    #[test]
+    fn differences_are_judged_by_both_bars() {
+        let one = pair(2.0, 2.1, Some(0.06));
+        let force = one.differences[0].unwrap();
+        assert!((force.absolute() - 0.1).abs() < 1e-12);
+        assert!((force.percent().unwrap() - 5.0).abs() < 1e-9);
+        assert_eq!(force.is_within(), Some(true));
+        assert_eq!(pair(2.0, 2.1, Some(0.04)).differences[0].unwrap().is_within(), Some(false));
+        assert_eq!(pair(2.0, 2.1, None).differences[0].unwrap().is_within(), None);
+        assert_eq!(one.differences[2], None, "no displacement");
+    }
+
+    #[test]
+    fn a_tally_names_its_worst_pair() {
+        let pairs = [pair(2.0, 2.0, None), pair(2.0, 1.0, Some(0.1)), pair(2.0, 2.02, Some(0.1))];
+        let tally = Pair::tally(&pairs, 0).unwrap();
+        assert_eq!((tally.count, tally.worst, tally.worst_pair), (3, 50.0, 1));
+        assert!((tally.median - 1.0).abs() < 1e-9);
+        assert_eq!((tally.with_bars, tally.within), (2, 1));
+        assert_eq!(Pair::tally(&pairs, 2), None);
+    }
+}

@@ -1,0 +1,178 @@
+//! What every case was: all values of its `[scene]` and `[numerics]`, from the manifest and from the
+//! swept keys in its row.
+
+use serde_json::Value as Json;
+use toml::{Table, Value};
+
+use super::load::Loaded;
+use crate::keys::{Override, Section, number, value_of};
+use crate::quantities::Column;
+use crate::quantities::summary::{BOUNDARY, KERNEL, PARTICLE_SPACING, SCHEME};
+use crate::scene::{CaseConfig, Place, SeawallScene, place_of};
+
+/// All values of one case, those that the program chose included.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Config {
+    /// `[scene]`.
+    pub scene: Table,
+    /// `[numerics]`.
+    pub numerics: Table,
+}
+
+impl Config {
+    /// The number of a key of the scene that is also a column.
+    pub fn number(&self, column: &Column) -> Option<f64> {
+        number(self.scene.get(column.name)?)
+    }
+}
+
+/// One for every row of the summary; `None` where the files do not tell it: without a manifest, or with
+/// one whose file is no sweep that this program reads.
+pub fn configs(data: &Loaded) -> Vec<Option<Config>> {
+    some_configs(data, 0..data.rows.len())
+}
+
+/// Likewise, of some rows by their places.
+pub fn some_configs(data: &Loaded, rows: impl Iterator<Item = usize>) -> Vec<Option<Config>> {
+    let file = data.manifest.as_ref().and_then(file);
+    rows.map(|row| config(file.as_ref()?, data, row)).collect()
+}
+
+/// A gauge of a study.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gauge {
+    /// Its column.
+    pub name: String,
+    /// `pressure`, `level` or `void`.
+    pub kind: String,
+    /// Place along the tank, m, of a gauge in no wall.
+    pub x_m: Option<f64>,
+    /// Height above the bed, m.
+    pub y_m: Option<f64>,
+}
+
+/// The gauges of a study.
+pub fn gauges(data: &Loaded) -> Vec<Gauge> {
+    let file = data.manifest.as_ref().and_then(file).unwrap_or_default();
+    let gauge = |table: &Table| {
+        let word = |key: &str| Some(table.get(key)?.as_str()?.to_owned());
+        let place = |key: &str| table.get(key).and_then(number);
+        Some(Gauge {
+            name: word("name")?,
+            kind: word("kind")?,
+            x_m: place("x_m"),
+            y_m: place("y_m"),
+        })
+    };
+    probes(&file).iter().filter_map(gauge).collect()
+}
+
+/// The sweep file with what the command line set.
+fn file(manifest: &Json) -> Option<Table> {
+    let mut file: Table = manifest.get("sweep_file")?.as_str()?.parse().ok()?;
+    for set in manifest.get("overrides").and_then(Json::as_array).into_iter().flatten() {
+        set.as_str()?.parse::<Override>().ok()?.apply(&mut file).ok()?;
+    }
+    Some(file)
+}
+
+fn table(file: &Table, key: &str) -> Table {
+    file.get(key).and_then(Value::as_table).cloned().unwrap_or_default()
+}
+
+fn probes(file: &Table) -> Vec<Table> {
+    let probes = file.get("probe").and_then(Value::as_array);
+    probes.into_iter().flatten().filter_map(Value::as_table).cloned().collect()
+}
+
+fn config(file: &Table, data: &Loaded, row: usize) -> Option<Config> {
+    let (mut scene, mut numerics) = (table(file, "scene"), table(file, "numerics"));
+    for key in &data.keys {
+        let table = match place_of(&key.name, &scene).ok()? {
+            Place::Scene => &mut scene,
+            Place::Numerics => &mut numerics,
+        };
+        table.remove(&key.name);
+        if !key.cells[row].is_empty() {
+            let set: Override = format!("{}={}", key.name, key.cells[row]).parse().ok()?;
+            table.insert(key.name.clone(), set.value().clone());
+        }
+    }
+    // What another wall or paddle of the same sweep needs.
+    let swept = |name: &str| data.keys.iter().any(|key| key.name == name);
+    for key in SeawallScene::keys() {
+        if !key.conditions().all(|when| !swept(when.key) || when.holds(&scene)) {
+            scene.remove(key.name);
+        }
+    }
+    let config = CaseConfig::with_probes(&scene, &numerics, &probes(file)).ok()?;
+    let row = &data.rows[row];
+    let table = |value: Option<Value>| value?.as_table().cloned();
+    let mut numerics = table(value_of(&config.numerics))?;
+    // What --max-error chose for the case.
+    for column in [&SCHEME, &BOUNDARY, &KERNEL] {
+        set(&mut numerics, column, Some(row.text(column)).filter(|text| !text.is_empty()));
+    }
+    set(&mut numerics, &PARTICLE_SPACING, row.number(&PARTICLE_SPACING));
+    Some(Config { scene: table(value_of(&config.scene))?, numerics })
+}
+
+/// Sets what the case has anyway.
+fn set(table: &mut Table, column: &Column, value: Option<impl Into<Value>>) {
+    if let Some((place, value)) = table.get_mut(column.name).zip(value) {
+        *place = value.into();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantities::summary::{FORCE_COUPLING, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
+    use crate::report::study::Key;
+    use serde_json::json;
+
+    fn of(file: &str, overrides: &[&str], keys: &[(&str, &[&str])]) -> Vec<Option<Config>> {
+        let key = |(name, cells): &(&str, &[&str])| Key {
+            name: (*name).to_owned(),
+            cells: cells.iter().map(|cell| (*cell).to_owned()).collect(),
+        };
+        let keys: Vec<_> = keys.iter().map(key).collect();
+        let rows = vec![Default::default(); keys.first().map_or(1, |key| key.cells.len())];
+        let manifest = Some(json!({ "sweep_file": file, "overrides": overrides }));
+        configs(&Loaded { rows, keys, manifest, ..Loaded::default() })
+    }
+
+    #[test]
+    fn file_command_line_and_row_say_what_a_case_was() {
+        let file = "name = \"a\"\n[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n\
+                    [grid]\nwave_height_ratio = [0.2]";
+        let waves: &[&str] = &["0.2", "0.3"];
+        let stiffness: &[&str] = &["10", "1000000"];
+        let keys = [("wave_height_ratio", waves), ("spring_stiffness_n_per_m", stiffness)];
+        let configs = of(file, &["scene.force_coupling=0.4"], &keys);
+        let last = configs[1].as_ref().unwrap();
+        let read = [&WAVE_HEIGHT_RATIO, &SPRING_STIFFNESS, &FORCE_COUPLING];
+        assert_eq!(read.map(|column| last.number(column)), [Some(0.3), Some(1e6), Some(0.4)]);
+        assert_eq!(last.scene["still_water_depth_m"].as_float(), Some(0.2), "a default");
+        assert_eq!(last.numerics["support_radius_ratio"].as_float(), Some(5.0), "of a preset");
+    }
+
+    #[test]
+    fn a_fixed_wall_among_movable_ones_has_no_spring() {
+        let file = "[scene]\nseawall_mass_kg_per_m = 50\n[grid]\nwall = [\"fixed\"]";
+        let walls: &[&str] = &["fixed", "movable"];
+        let stiffness: &[&str] = &["", "10"];
+        let configs = of(file, &[], &[("wall", walls), ("spring_stiffness_n_per_m", stiffness)]);
+        let numbers = configs.iter().map(|c| c.as_ref().unwrap().number(&SPRING_STIFFNESS));
+        assert_eq!(numbers.collect::<Vec<_>>(), [None, Some(10.0)]);
+    }
+
+    #[test]
+    fn what_is_no_sweep_file_tells_nothing() {
+        assert_eq!(of("[[case]]\nname = \"x\"", &[], &[("case", &["x"])]), [None]);
+        assert_eq!(
+            configs(&Loaded { rows: vec![Default::default()], ..Loaded::default() }),
+            [None]
+        );
+    }
+}

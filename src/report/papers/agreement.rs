@@ -1,0 +1,73 @@
+//! Printed against computed: one panel for each of force, runup and displacement.
+
+use super::Found;
+use super::table::{couplings, words};
+use crate::quantities::Unit;
+use crate::quantities::summary::{CASE_ID, FORCE_COUPLING};
+use crate::report::number;
+use crate::report::plots::{Axis, Chart, Curve, Drawing, Entry, Figure, Layout, Look, Point, key};
+
+/// What stands in a panel: how the names of its quantities begin, and their unit.
+const PANELS: [(&[&str], Unit); 3] = [
+    (&["first_force", "force"], Unit::Force),
+    (&["first_runup", "runup"], Unit::Runup),
+    (&["displacement"], Unit::Displacement),
+];
+
+/// The figure; none where no size is compared.
+pub fn figure(found: &[Found]) -> Option<Figure> {
+    let charts: Vec<_> =
+        PANELS.iter().filter_map(|(names, unit)| chart(found, names, *unit)).collect();
+    if charts.is_empty() {
+        return None;
+    }
+    Some(Figure {
+        drawing: Drawing::new(charts, Layout { columns: 3, size: (296.0, 250.0) }),
+        name: "papers_agreement".to_owned(),
+        title: "Printed and computed".to_owned(),
+        caption:
+            "What the papers print against what this study computes. On the line both are the \
+                  same. Bars: estimated errors. Open markers: lower bounds."
+                .to_owned(),
+    })
+}
+
+fn chart(found: &[Found], names: &[&str], unit: Unit) -> Option<Chart> {
+    let is_size = |one: &&Found| {
+        let name = one.printed.quantity.as_str();
+        let size = one.printed.is_size() && one.printed.unit != "m";
+        size && names.iter().any(|start| name.starts_with(start))
+    };
+    let own: Vec<_> = found.iter().filter(is_size).collect();
+    let of_walls = |label: &str, index: usize, s: Option<f64>| {
+        let points = own.iter().filter(|one| one.coupling() == s).map(|one| point(one));
+        let key = s.map_or_else(|| "wall=fixed".to_owned(), |s| key(&FORCE_COUPLING, s));
+        let entry = Entry::dots(label, Look::of(index), false).keyed(key);
+        Curve { entry, points: points.collect() }
+    };
+    let mut curves = vec![of_walls("fixed wall", 2, None)];
+    for (index, s) in couplings(found).into_iter().enumerate() {
+        curves.push(of_walls(&format!("s = {}", number::plain(s)), index, Some(s)));
+    }
+    curves.retain(|curve| !curve.points.is_empty());
+    let ends = curves.iter().flat_map(|curve| &curve.points).flat_map(|p| [p.x, p.y]);
+    let axis = Axis::around(ends.clone(), 5.0)?;
+    let (low, high) = ends.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
+    let same = Entry::line("the same".to_owned(), Look::plain());
+    curves.insert(0, Curve { entry: same, points: vec![(low, low).into(), (high, high).into()] });
+    let titles = ["printed", "computed"].map(|what| format!("{} {what}", unit.axis()));
+    let x = (axis.clone(), titles[0].as_str(), "printed");
+    Some(Chart::new(x, (axis, &titles[1], "computed"), curves))
+}
+
+fn point(found: &Found) -> Point {
+    let (x, y) = (found.printed.value, found.computed);
+    let source = format!("{}, Fig. {}", words(found.printed), found.printed.figure);
+    Point {
+        error: found.error.unwrap_or(0.0),
+        bound: found.bound,
+        case: found.row.text(&CASE_ID).to_owned(),
+        told: format!("{source}: printed {x}, computed {}", number::significant(y, 4)),
+        ..(x, y).into()
+    }
+}

@@ -1,0 +1,123 @@
+//! Numbers that the papers print of many cases at once: how much a response changes with the spring's
+//! stiffness.
+
+use super::Found;
+use crate::papers::Printed;
+use crate::quantities::Column;
+use crate::quantities::summary::{
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, LOG10_K_STAR, SEAWALL_MASS,
+    WAVE_HEIGHT_RATIO,
+};
+use crate::report::config::Config;
+use crate::report::row::Row;
+
+/// Limits are printed with two digits.
+const SLACK: f64 = 0.01;
+/// A wall is free below this log₁₀ k*, and as good as fixed above its opposite.
+const FREE: f64 = -4.0;
+
+/// What is told of many cases.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// The largest change of a response on one side of a stiffness, percent of its value at the far end.
+    Change { of: &'static Column, below: bool },
+    /// The largest value from a stiffness on.
+    Above { of: &'static Column },
+    /// The runup at a wall as good as fixed over that at a free one, less one, percent.
+    Rise,
+}
+
+type Case<'a> = (&'a Row, &'a Config);
+
+impl Kind {
+    /// By the name in `data/paper_values.csv`.
+    pub fn of(quantity: &str) -> Option<Kind> {
+        let (x, f, r) = (&DISPLACEMENT_MAX, &FIRST_FORCE_MAX, &FIRST_RUNUP_MAX);
+        Some(match quantity {
+            "displacement_change_below" => Kind::Change { of: x, below: true },
+            "displacement_above" => Kind::Above { of: x },
+            "first_force_change_below" => Kind::Change { of: f, below: true },
+            "first_force_change_above" => Kind::Change { of: f, below: false },
+            "first_runup_change_below" => Kind::Change { of: r, below: true },
+            "first_runup_change_above" => Kind::Change { of: r, below: false },
+            "runup_rise" => Kind::Rise,
+            _ => return None,
+        })
+    }
+
+    /// For every way in which the cases were computed the wave and mass at which it is largest.
+    pub fn found<'a>(self, printed: &'static Printed, cases: &[Case<'a>]) -> Vec<Found<'a>> {
+        let mut found: Vec<Found> = Vec::new();
+        for group in groups(cases) {
+            let Some((computed, (row, config))) = self.read(printed, &group) else { continue };
+            let new = Found { printed, row, config, computed, error: None, bound: false };
+            match found.iter_mut().find(|old| old.row.variant == row.variant) {
+                Some(old) if old.computed >= computed => {}
+                Some(old) => *old = new,
+                None => found.push(new),
+            }
+        }
+        found
+    }
+
+    /// Of the cases of one wave and mass: the value, and the case that it is told of.
+    fn read<'a>(self, printed: &Printed, group: &[Case<'a>]) -> Option<(f64, Case<'a>)> {
+        match self {
+            Kind::Change { of, below } => {
+                let limit = printed.log10_k_star?;
+                let side = |k: f64| if below { k <= limit + SLACK } else { k >= limit - SLACK };
+                let mut values = values(group, of, side);
+                if !below {
+                    values.reverse();
+                }
+                let (_, outer, _) = *values.first().filter(|_| values.len() > 1)?;
+                let change = |value: f64| 100.0 * ((value - outer) / outer).abs();
+                let changes = values.iter().map(|&(_, value, case)| (change(value), case));
+                changes.filter(|change| change.0.is_finite()).max_by(|a, b| a.0.total_cmp(&b.0))
+            }
+            Kind::Above { of } => {
+                let limit = printed.log10_k_star?;
+                let values = values(group, of, |k| k >= limit - SLACK).into_iter();
+                values.map(|(_, value, case)| (value, case)).max_by(|a, b| a.0.total_cmp(&b.0))
+            }
+            Kind::Rise => {
+                let free = values(group, &FIRST_RUNUP_MAX, |k| k < FREE);
+                let fixed = values(group, &FIRST_RUNUP_MAX, |k| k > -FREE);
+                let ((_, free, case), (_, fixed, _)) = (*free.first()?, *fixed.last()?);
+                Some((100.0 * (fixed / free - 1.0), case))
+            }
+        }
+    }
+}
+
+/// Stiffness, value and case, by rising stiffness.
+fn values<'a>(
+    group: &[Case<'a>],
+    column: &Column,
+    side: impl Fn(f64) -> bool,
+) -> Vec<(f64, f64, Case<'a>)> {
+    let value = |&(row, config): &Case<'a>| {
+        let stiffness = row.number(&LOG10_K_STAR).filter(|&k| side(k))?;
+        Some((stiffness, row.number(column)?, (row, config)))
+    };
+    let mut values: Vec<_> = group.iter().filter_map(value).collect();
+    values.sort_by(|a, b| a.0.total_cmp(&b.0));
+    values
+}
+
+/// Cases of the same wave, mass and variant.
+fn groups<'a>(cases: &[Case<'a>]) -> Vec<Vec<Case<'a>>> {
+    let same = |a: &Row, b: &Row| {
+        a.variant == b.variant
+            && a.number(&WAVE_HEIGHT_RATIO) == b.number(&WAVE_HEIGHT_RATIO)
+            && a.number(&SEAWALL_MASS) == b.number(&SEAWALL_MASS)
+    };
+    let mut groups: Vec<Vec<Case>> = Vec::new();
+    for &case in cases {
+        match groups.iter_mut().find(|group| same(group[0].0, case.0)) {
+            Some(group) => group.push(case),
+            None => groups.push(vec![case]),
+        }
+    }
+    groups
+}

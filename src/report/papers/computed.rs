@@ -1,0 +1,128 @@
+//! What a case has in the place of a printed number.
+
+use crate::papers::{PAPER_CLOCK_CENTRE_S, Printed};
+use crate::quantities::summary::{BOUNDARY, CASE_ID, STEPS, STROKE_CENTRE, WALL_TIME};
+use crate::quantities::{Column, Unit, named};
+use crate::report::config::Config;
+use crate::report::error::ReportError;
+use crate::report::load::Loaded;
+use crate::report::row::Row;
+
+/// The interpolator of walls that costs are told over.
+const REFERENCE: &str = "improved-shepard";
+
+/// The column of the summary that a number stands for itself.
+pub fn column(printed: &Printed) -> Option<&'static Column> {
+    named(&printed.quantity)
+}
+
+/// What a case has; `None` where it does not tell. `all` are the cases that the number is printed for.
+pub fn of(
+    data: &Loaded,
+    printed: &Printed,
+    row: &Row,
+    all: &[(&Row, &Config)],
+) -> Result<Option<f64>, ReportError> {
+    let name = printed.quantity.as_str();
+    if let Some(column) = column(printed) {
+        let value = row.number(column);
+        return Ok(if column.unit == Unit::Seconds { on_their_clock(row, value) } else { value });
+    }
+    if let Some(maximum) = name.strip_suffix("_time_s").and_then(named) {
+        return Ok(on_their_clock(row, row.time(maximum)));
+    }
+    if let Some(boundary) = name.strip_prefix("step_time_of_") {
+        return Ok(step_time_ratio(row, boundary, all));
+    }
+    let id = row.text(&CASE_ID);
+    if let Some(time) = printed.time_s {
+        let Some(time) = off_their_clock(row, time) else { return Ok(None) };
+        let (series, wall) = match name {
+            "wall_position_m" => ("displacement", true),
+            name => (name, false),
+        };
+        let history = data.history(id)?;
+        let points = history.iter().find(|one| one.name == series).map(|one| &one.points[..]);
+        let value = points.and_then(|points| at(points, time));
+        let config =
+            all.iter().find(|(other, _)| std::ptr::eq(*other, row)).map(|(_, config)| *config);
+        return Ok(if wall { value.zip(config).and_then(|(x, c)| place(x, c)) } else { value });
+    }
+    let readings = data.readings(id)?;
+    Ok(readings.into_iter().find(|reading| reading.name == name).and_then(|reading| reading.value))
+}
+
+/// A time of this program on the papers' clock.
+pub fn on_their_clock(row: &Row, time: Option<f64>) -> Option<f64> {
+    Some(time? - row.number(&STROKE_CENTRE)? + PAPER_CLOCK_CENTRE_S)
+}
+
+fn off_their_clock(row: &Row, time: f64) -> Option<f64> {
+    Some(time + row.number(&STROKE_CENTRE)? - PAPER_CLOCK_CENTRE_S)
+}
+
+/// The value at a time, between the samples around it; `None` where the run had ended by then.
+pub fn at(points: &[(f64, f64)], time: f64) -> Option<f64> {
+    /// The last sample may be a step before the end.
+    const SLACK_S: f64 = 0.02;
+    let after = points.partition_point(|point| point.0 < time);
+    let last = points.last().filter(|last| time <= last.0 + SLACK_S)?;
+    let next = points.get(after).unwrap_or(last);
+    let before = points[after.saturating_sub(1).min(points.len() - 1)];
+    let share = if next.0 > before.0 { (time - before.0) / (next.0 - before.0) } else { 0.0 };
+    Some(before.1 + share.clamp(0.0, 1.0) * (next.1 - before.1))
+}
+
+/// Where the wall stands, m from the paddle at rest.
+fn place(displacement: f64, config: &Config) -> Option<f64> {
+    let length = |key: &str| config.scene.get(key).and_then(crate::keys::number);
+    Some(length("tank_length_m")? + displacement * length("still_water_depth_m")?)
+}
+
+/// The time of a step over that of the same case with the interpolator that costs are told over.
+fn step_time_ratio(row: &Row, boundary: &str, all: &[(&Row, &Config)]) -> Option<f64> {
+    if row.text(&BOUNDARY) != boundary {
+        return None;
+    }
+    let own = all.iter().find(|(other, _)| std::ptr::eq(*other, row))?.1;
+    let without = |config: &Config| {
+        let mut config = config.clone();
+        config.numerics.remove(BOUNDARY.name);
+        config
+    };
+    let wanted = without(own);
+    let reference = all
+        .iter()
+        .find(|(other, config)| other.text(&BOUNDARY) == REFERENCE && without(config) == wanted)?;
+    Some(step_time(row)? / step_time(reference.0)?)
+}
+
+/// Wall time of a step, seconds.
+pub fn step_time(row: &Row) -> Option<f64> {
+    let steps = row.number(&STEPS).filter(|&steps| steps > 0.0)?;
+    row.number(&WALL_TIME).map(|time| time / steps).filter(|&time| time > 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn values_lie_between_samples_and_end_with_the_run() {
+        let points = [(0.0, 1.0), (1.0, 3.0), (2.0, 2.0)];
+        assert_eq!(at(&points, 0.5), Some(2.0));
+        assert_eq!(at(&points, 2.0), Some(2.0));
+        assert_eq!(at(&points, 2.01), Some(2.0), "a step before the end");
+        assert_eq!(at(&points, 2.5), None);
+        assert_eq!(at(&[], 0.0), None);
+    }
+
+    #[test]
+    fn their_clock_starts_a_second_before_the_middle_of_the_stroke() {
+        let row = Row::default().with(&STROKE_CENTRE, 0.8);
+        let there = on_their_clock(&row, Some(1.8)).unwrap();
+        assert!((there - 2.0).abs() < 1e-12);
+        assert!((off_their_clock(&row, there).unwrap() - 1.8).abs() < 1e-12);
+        assert_eq!(on_their_clock(&Row::default(), Some(1.8)), None);
+    }
+}

@@ -1,0 +1,249 @@
+//! A study beside the papers: every printed number that it has a case for.
+//!
+//! [`confront`] finds them. From there come the table `papers`, the sentences and the figure of the page's
+//! section "The papers", and markers in other figures. The numbers themselves are in [`crate::papers`].
+
+mod agreement;
+mod collective;
+mod computed;
+mod sentences;
+mod table;
+
+use super::config::{Config, configs};
+use super::error::ReportError;
+use super::grid::grid;
+use super::load::Loaded;
+use super::markup::escape;
+use super::plots::Figure;
+use super::row::{PLACE, Row};
+use super::tables::Table;
+use crate::papers::{Printed, Read, printed, scenes};
+use crate::quantities::summary::FORCE_COUPLING;
+
+pub(super) use computed::{at, column, on_their_clock, step_time};
+pub use sentences::sentences;
+pub use table::{beside, others, tidy};
+
+/// A printed number and what a case has in its place.
+#[derive(Debug, Clone)]
+pub struct Found<'a> {
+    /// The number.
+    pub printed: &'static Printed,
+    /// The case.
+    pub row: &'a Row,
+    /// What it was.
+    pub config: &'a Config,
+    /// What it has.
+    pub computed: f64,
+    /// The error bar.
+    pub error: Option<f64>,
+    /// What it has is only a lower bound.
+    pub bound: bool,
+}
+
+impl Found<'_> {
+    /// Computed less printed, in the printed unit.
+    pub fn difference(&self) -> f64 {
+        self.computed - self.printed.value
+    }
+
+    /// The same over what is printed, percent; none of a printed zero.
+    pub fn percent(&self) -> Option<f64> {
+        let printed = self.printed.value;
+        (printed != 0.0).then(|| 100.0 * self.difference() / printed.abs())
+    }
+
+    /// Whether the difference is within the number's tolerance or the error bar.
+    pub fn is_met(&self) -> bool {
+        let allowed = self.printed.tolerance().max(self.error.unwrap_or(0.0));
+        let enough = self.printed.read == Read::AtLeast && self.difference() > 0.0;
+        enough || self.difference().abs() <= allowed
+    }
+
+    /// The factor s, where the wall moves.
+    pub fn coupling(&self) -> Option<f64> {
+        self.config.number(&FORCE_COUPLING).filter(|_| self.printed.scene == "movable")
+    }
+}
+
+/// All values of a study's cases.
+#[derive(Debug)]
+pub struct Cases<'a> {
+    data: &'a Loaded,
+    configs: Vec<Option<Config>>,
+}
+
+impl<'a> Cases<'a> {
+    /// Those of a study.
+    pub fn of(data: &'a Loaded) -> Cases<'a> {
+        Cases { data, configs: configs(data) }
+    }
+
+    /// Finished cases with their values.
+    fn finished(&self) -> impl Iterator<Item = (&'a Row, &Config)> {
+        let pairs = self.data.rows.iter().zip(&self.configs);
+        pairs
+            .filter_map(|(row, config)| Some((row, config.as_ref()?)))
+            .filter(|(row, _)| row.is_ok())
+    }
+}
+
+/// Every printed number that the study has a case for, in the papers' order.
+///
+/// # Errors
+/// A history or a table of readings that cannot be read.
+pub fn confront<'a>(cases: &'a Cases<'a>) -> Result<Vec<Found<'a>>, ReportError> {
+    let mut all = Vec::new();
+    for (row, config) in cases.finished() {
+        all.extend(scenes(&config.scene).map(|scene| (scene, row, config)));
+    }
+    let mut found = Vec::new();
+    for number in printed() {
+        let own: Vec<_> = all
+            .iter()
+            .filter(|(scene, row, _)| {
+                *scene == number.scene && number.holds_at(PLACE.map(|column| row.number(column)))
+            })
+            .map(|&(_, row, config)| (row, config))
+            .collect();
+        if let Some(kind) = collective::Kind::of(&number.quantity) {
+            found.extend(kind.found(number, &own));
+            continue;
+        }
+        for &(row, config) in &own {
+            let Some(computed) = computed::of(cases.data, number, row, &own)? else { continue };
+            let column = computed::column(number);
+            let error = column.and_then(|column| row.error(column));
+            let bound = column.is_some_and(|column| row.is_bound(column));
+            found.push(Found { printed: number, row, config, computed, error, bound });
+        }
+    }
+    Ok(found)
+}
+
+/// What a study says of the papers.
+#[derive(Debug, Clone)]
+pub struct Papers {
+    /// One line per number and case.
+    pub tidy: Table,
+    /// The same for the page: the factors s beside one another.
+    pub beside: Table,
+    /// What agrees, what does not, and why.
+    pub sentences: Vec<String>,
+    /// Printed against computed.
+    pub figures: Vec<Figure>,
+}
+
+/// What the study says of the papers; `None` where it has no case of theirs.
+///
+/// # Errors
+/// A file that cannot be read; a figure that cannot be drawn.
+pub fn papers(data: &Loaded) -> Result<Option<Papers>, ReportError> {
+    let cases = Cases::of(data);
+    let found = confront(&cases)?;
+    if found.is_empty() {
+        return Ok(None);
+    }
+    Ok(Some(Papers {
+        tidy: tidy(&found),
+        beside: beside(&found),
+        sentences: sentences(&found),
+        figures: agreement::figure(&found).into_iter().collect(),
+    }))
+}
+
+impl Papers {
+    /// The section of the page.
+    pub fn section(&self) -> String {
+        let mut text: String =
+            self.sentences.iter().map(|said| format!("<p>{}</p>\n", escape(said))).collect();
+        for figure in &self.figures {
+            let (svg, caption, file) = (figure.inline(), escape(&figure.caption), &figure.name);
+            text.push_str(&format!(
+                "<figure>{svg}<figcaption>{caption} \
+                 <span class=\"file\">figures/{file}.svg</span></figcaption></figure>\n"
+            ));
+        }
+        text + &grid(&self.beside)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantities::summary::STROKE_CENTRE;
+    use crate::report::fixture;
+
+    /// Two made-up cases of Liang's Fig. 10, in a tank of this length, m.
+    fn study(length: f64, s: f64) -> tempfile::TempDir {
+        let directory = fixture::movable(&[0.3], &[100.0, 1000.0], &[50.0]);
+        let file = format!(
+            "name = \"a\"\n[scene]\nwall = \"movable\"\ntank_length_m = {length:?}\n\
+             wave_height_ratio = 0.3\nseawall_mass_kg_per_m = 50\nforce_coupling = {s:?}\n\
+             [grid]\nspring_stiffness_n_per_m = [100, 1000]\n"
+        );
+        let manifest = serde_json::json!({
+            "name": "a", "keys": ["spring_stiffness_n_per_m"], "sweep_file": file, "overrides": [],
+        });
+        std::fs::write(directory.path().join("manifest.json"), manifest.to_string()).unwrap();
+        directory
+    }
+
+    #[test]
+    fn a_study_in_the_papers_tank_meets_their_numbers() {
+        let directory = study(2.5, 1.0);
+        let mut data = Loaded::read(directory.path()).unwrap();
+        for row in &mut data.rows {
+            *row = row.clone().with(&STROKE_CENTRE, 1.0);
+        }
+        let cases = Cases::of(&data);
+        let found = confront(&cases).unwrap();
+        let max = |found: &&Found| found.printed.quantity == "displacement_max";
+        let values: Vec<_> = found.iter().filter(max).map(|one| one.printed.value).collect();
+        assert_eq!(values, [1.64, 0.55]);
+        let at_4_s = found.iter().find(|one| one.printed.quantity == "displacement").unwrap();
+        assert_eq!((at_4_s.printed.value, at_4_s.coupling()), (1.36, Some(1.0)));
+        assert!(!at_4_s.is_met(), "the made-up wall comes out elsewhere: {}", at_4_s.computed);
+    }
+
+    #[test]
+    fn another_tank_is_none_of_theirs() {
+        let papers = |length: f64| {
+            let directory = study(length, 1.0);
+            papers(&Loaded::read(directory.path()).unwrap()).unwrap()
+        };
+        assert!(papers(2.5).is_some());
+        assert!(papers(3.0).is_none());
+    }
+
+    #[test]
+    fn the_page_has_a_section_and_the_folder_its_files() {
+        let directory = study(2.5, 0.4);
+        let page =
+            std::fs::read_to_string(crate::report::write(directory.path()).unwrap()).unwrap();
+        assert!(
+            page.contains("<h2>The papers</h2>") && page.contains("Movable walls with s = 0.4")
+        );
+        assert!(page.contains("printed in the papers"), "markers in the response curves");
+        let table = std::fs::read_to_string(directory.path().join("tables/papers.csv")).unwrap();
+        assert!(
+            table.starts_with("paper,figure,quantity,") && table.contains(",displacement_max,")
+        );
+        assert!(directory.path().join("figures/papers_agreement.svg").exists());
+    }
+
+    #[test]
+    fn a_number_is_met_within_its_tolerance_or_the_bar() {
+        let directory = study(2.5, 1.0);
+        let data = Loaded::read(directory.path()).unwrap();
+        let cases = Cases::of(&data);
+        let mut one = confront(&cases).unwrap().remove(0);
+        let printed = one.printed.value;
+        for (off, error, met) in [(0.04, None, true), (0.06, None, false), (0.06, Some(0.1), true)]
+        {
+            one.computed = printed * (1.0 + off);
+            one.error = error.map(|share: f64| share * printed);
+            assert_eq!(one.is_met(), met, "{off} {error:?}");
+        }
+    }
+}

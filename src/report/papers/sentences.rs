@@ -1,0 +1,119 @@
+//! What agrees with the papers, what does not, and why: sentences from the numbers.
+
+use super::Found;
+use super::table::{couplings, words};
+use crate::papers::{Read, cause, paper};
+use crate::quantities::summary::{PARTICLE_SPACING, SCHEME};
+use crate::report::curves::distinct;
+use crate::report::number;
+use crate::report::row::{PLACE, label};
+
+/// A paragraph of what was compared, one of each kind of number, and one of each reason.
+pub fn sentences(found: &[Found]) -> Vec<String> {
+    let mut said = vec![opening(found)];
+    let sizes = |scene: &str, s: Option<f64>| {
+        let wanted = scene.to_owned();
+        move |found: &&Found| {
+            found.printed.is_size() && found.printed.scene == wanted && found.coupling() == s
+        }
+    };
+    let fixed: Vec<_> = found.iter().filter(sizes("fixed", None)).collect();
+    said.extend(counted("Fixed walls", &fixed));
+    for s in couplings(found) {
+        let law = if s == 1.0 { ", the law as printed" } else { "" };
+        let own: Vec<_> = found.iter().filter(sizes("movable", Some(s))).collect();
+        said.extend(counted(&format!("Movable walls with s = {}{law}", number::plain(s)), &own));
+    }
+    let is_time = |found: &&Found| found.printed.unit == "s";
+    let flat = |found: &&Found| found.printed.unit == "%" || found.printed.read == Read::Words;
+    let step = |found: &&Found| found.printed.quantity.starts_with("step_time");
+    let front = |found: &&Found| found.printed.scene == "dam-break" && !step(found);
+    said.extend(counted(
+        "Times on the papers' clock",
+        &found.iter().filter(is_time).collect::<Vec<_>>(),
+    ));
+    let many: Vec<_> = found.iter().filter(|f| !is_time(f)).filter(flat).collect();
+    said.extend(counted("What is said of many stiffnesses at once", &many));
+    said.extend(counted("The dam break", &found.iter().filter(front).collect::<Vec<_>>()));
+    said.extend(counted("Times per step", &found.iter().filter(step).collect::<Vec<_>>()));
+    said.extend(reasons(found));
+    said
+}
+
+fn opening(found: &[Found]) -> String {
+    let mut names: Vec<&str> = Vec::new();
+    for one in found {
+        let name = paper(&one.printed.paper).map_or("", |paper| paper.words.as_str());
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    let mut numbers: Vec<_> = found.iter().map(|one| std::ptr::from_ref(one.printed)).collect();
+    numbers.sort_unstable();
+    numbers.dedup();
+    let are = if numbers.len() == 1 { "number has" } else { "numbers have" };
+    format!(
+        "{} printed {are} a case here ({}), computed by {}. A number counts as met where the difference is \
+         at most 5 % (or 0.02 of F*, R* and X*, 0.05 s, 5 points of a percentage), or within the error bar. \
+         No curve was read off: these are the numbers that the papers print.",
+        numbers.len(),
+        names.join("; "),
+        method(found)
+    )
+}
+
+/// The schemes and spacings of the cases.
+fn method(found: &[Found]) -> String {
+    let mut schemes: Vec<&str> = found.iter().map(|one| one.row.text(&SCHEME)).collect();
+    schemes.sort_unstable();
+    schemes.dedup();
+    let spacings = distinct(found.iter().map(|one| one.row), &PARTICLE_SPACING);
+    let spacings: Vec<_> = spacings.into_iter().map(number::plain).collect();
+    format!("{} with particles {} m apart", schemes.join(" and "), spacings.join(", "))
+}
+
+/// How many of a kind are met, how far off they are as a rule and at worst.
+fn counted(what: &str, found: &[&Found]) -> Option<String> {
+    let first = found.first()?;
+    let met = found.iter().filter(|one| one.is_met()).count();
+    let mut text = format!("{what}: {met} of {} numbers are met", found.len());
+    let by = |one: &Found| one.percent().unwrap_or(0.0).abs();
+    let in_percent = first.printed.is_size() || first.printed.quantity.starts_with("step_time");
+    let size = |one: &Found| if in_percent { by(one) } else { one.difference().abs() };
+    let mut all: Vec<f64> = found.iter().map(|one| size(one)).collect();
+    all.sort_by(f64::total_cmp);
+    let worst = found.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?;
+    let unit = if in_percent { "%" } else { first.printed.unit.as_str() };
+    let place: Vec<_> = PLACE.iter().filter_map(|c| Some(label(c, worst.row.number(c)?))).collect();
+    let at = if place.is_empty() { String::new() } else { format!(" at {}", place.join(", ")) };
+    text.push_str(&format!(
+        ". The differences have a median of {} {unit}; the largest is {} {unit}, of {} (Fig. {}){at}.",
+        number::significant(number::median(&all)?, 2),
+        number::significant(size(worst), 2),
+        words(worst.printed),
+        worst.printed.figure,
+    ));
+    Some(text)
+}
+
+/// Why numbers are not met, each reason once, those of most numbers first.
+fn reasons(found: &[Found]) -> Vec<String> {
+    let mut counts: Vec<(&str, usize)> = Vec::new();
+    for one in found.iter().filter(|one| !one.is_met()) {
+        // With a fitted factor the law as printed is no reason any more.
+        let name = one.printed.cause.as_str();
+        let fitted = name == "coupling" && one.coupling().is_some_and(|s| s != 1.0);
+        let name = if fitted { "fitted" } else { name };
+        match counts.iter_mut().find(|(other, _)| *other == name) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((name, 1)),
+        }
+    }
+    counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    let said = |(name, count): (&str, usize)| {
+        let why = cause(name).unwrap_or("no reason is known.");
+        let are = if count == 1 { "is" } else { "are" };
+        format!("Why {count} {are} not met: {why}")
+    };
+    counts.into_iter().map(said).collect()
+}

@@ -1,0 +1,157 @@
+//! Columns of histories over time, one row of panels for each, one column for each factor s: Figs. 4, 7 and
+//! 9 to 12 of Liang et al. 2017, Fig. 15 of Huang et al. 2019.
+
+use super::laws::{heading, laws, order, stands, words};
+use super::{Drawn, Material, drawn, panel};
+use crate::papers::{PAPER_CLOCK_CENTRE_S, Printed, printed};
+use crate::quantities::history;
+use crate::quantities::summary::{CASE_ID, STROKE_CENTRE};
+use crate::report::error::ReportError;
+use crate::report::load::Loaded;
+use crate::report::papers::{self, Found, on_their_clock};
+use crate::report::plots::{
+    Axis, Curve, Entry, Layout, Look, Point, lasting, printed_entry, printed_point,
+};
+use crate::report::row::Row;
+
+/// Where the papers' clock starts to show anything, seconds.
+const FROM_S: f64 = 1.5;
+
+/// The curves and marks of one panel.
+struct Strip {
+    curves: Vec<Curve>,
+    heights: Vec<f64>,
+}
+
+pub fn drawing(
+    material: &Material,
+    columns: &[String],
+    line: Option<f64>,
+) -> Result<Option<Drawn>, ReportError> {
+    let cases = material.cases();
+    let rows: Vec<&Row> = cases.iter().map(|(_, row)| *row).collect();
+    let words = words(&rows);
+    let mut panels = Vec::new();
+    for name in columns {
+        for law in laws(rows.iter().copied()) {
+            panels.push((name, law, strip(material, &cases, &words, name, law)?));
+        }
+    }
+    let times = panels.iter().flat_map(|(.., panel)| &panel.curves).flat_map(|curve| &curve.points);
+    let Some(x) = Axis::within(times.map(|point| point.x), 6.0) else { return Ok(None) };
+    let on_clock = rows.iter().any(|row| row.number(&STROKE_CENTRE).is_some());
+    let clock = if on_clock { "t, s, on the papers' clock" } else { "t, s" };
+    let mut charts = Vec::new();
+    let heights = |name: &str| {
+        let own = panels.iter().filter(|(other, ..)| *other == name);
+        own.flat_map(|(.., panel)| panel.heights.clone()).collect::<Vec<_>>()
+    };
+    let heights: Vec<_> = panels.iter().map(|(name, ..)| heights(name)).collect();
+    for ((name, law, mut strip), heights) in panels.into_iter().zip(heights) {
+        if let Some(level) = line.filter(|_| *name == columns[0]) {
+            strip.curves.push(threshold(level, &strip.curves));
+        }
+        let unit = history::ALL.iter().find(|column| column.name == *name);
+        let Some(y) = Axis::around(heights.into_iter().chain(line), 5.0) else { continue };
+        let heading = if *name == columns[0] { heading(law) } else { String::new() };
+        let titles = [clock.to_owned(), unit.map_or("", |column| column.unit.axis()).to_owned()];
+        charts.push(panel(heading, titles, ["time_s", name], (x.clone(), y), strip.curves));
+    }
+    let columns = laws(rows.iter().copied()).len();
+    let size = if columns > 1 { (390.0, 210.0) } else { (620.0, 240.0) };
+    let layout = Layout { columns, size };
+    let when = if on_clock {
+        format!(
+            " Times are the papers', on which the paddle passes the middle of its stroke at {PAPER_CLOCK_CENTRE_S} s."
+        )
+    } else {
+        String::new()
+    };
+    let caption = format!("Forces are unfiltered; spikes may leave the panel.{when}");
+    Ok(drawn(charts, layout, caption))
+}
+
+/// A level over the whole of the axis.
+fn threshold(level: f64, curves: &[Curve]) -> Curve {
+    let times = curves.iter().flat_map(|curve| &curve.points).map(|point| point.x);
+    let (low, high) = times.fold((f64::MAX, f64::MIN), |(l, h), t| (l.min(t), h.max(t)));
+    let entry = Entry::line(format!("threshold, {level}"), Look::plain());
+    Curve { entry, points: vec![(low, level).into(), (high, level).into()] }
+}
+
+fn strip(
+    material: &Material,
+    cases: &[(&Loaded, &Row)],
+    words: &[String],
+    name: &str,
+    law: Option<f64>,
+) -> Result<Strip, ReportError> {
+    let order = order(words);
+    let first = laws(cases.iter().map(|(_, row)| *row)).into_iter().next().flatten();
+    let mut strip = Strip { curves: Vec::new(), heights: Vec::new() };
+    let mut marks: Vec<Curve> = Vec::new();
+    for ((data, row), word) in cases.iter().zip(words).filter(|((_, row), _)| stands(row, law)) {
+        let look = order.iter().position(|other| *other == word).unwrap_or(0);
+        let points = points(data, row, name)?;
+        strip.heights.extend(lasting(&points));
+        let points = points.into_iter().map(Point::from).collect();
+        let key = format!("case={}", row.text(&CASE_ID));
+        // One line of the legend stands for the same wall in every column.
+        let label = if law == first { word.clone() } else { String::new() };
+        let entry = Entry::line(label, Look::of(look)).keyed(key);
+        strip.curves.push(Curve { entry, points });
+        let own = material.of(row).filter_map(|found| {
+            mark(found, name).map(|place| printed_point(place, row, found.printed))
+        });
+        let own: Vec<Point> = own.collect();
+        strip.heights.extend(own.iter().map(|mark| mark.y));
+        let entry = Entry::dots("", Look::of(look).printed(), false).keyed("printed".to_owned());
+        marks.push(Curve { entry, points: own });
+    }
+    if marks.iter().any(|curve| !curve.points.is_empty()) {
+        marks.push(Curve { entry: printed_entry(), points: Vec::new() });
+    }
+    strip.curves.extend(marks);
+    Ok(strip)
+}
+
+/// A column of a case's history on the papers' clock, or on its own where no paddle moves.
+fn points(data: &Loaded, row: &Row, name: &str) -> Result<Vec<(f64, f64)>, ReportError> {
+    let history = data.history(row.text(&CASE_ID))?;
+    let Some(series) = history.into_iter().find(|series| series.name == name) else {
+        return Ok(Vec::new());
+    };
+    let Some(centre) = row.number(&STROKE_CENTRE) else { return Ok(series.points) };
+    let shifted = series.points.into_iter().map(|(t, y)| (t - centre + PAPER_CLOCK_CENTRE_S, y));
+    Ok(shifted.filter(|point| point.0 >= FROM_S).collect())
+}
+
+/// Where a printed number stands in a panel.
+fn mark(found: &Found, name: &str) -> Option<(f64, f64)> {
+    let printed = found.printed;
+    if printed.quantity == name {
+        return Some((printed.time_s?, printed.value));
+    }
+    if printed.quantity == "onset_time_s" && name == history::DISPLACEMENT.name {
+        return Some((printed.value, 0.0));
+    }
+    let column = papers::column(printed)?;
+    let drawn = column.name.trim_start_matches("first_").strip_suffix("_max")? == name;
+    let own = || on_their_clock(found.row, found.row.time(column));
+    let time = printed_time(printed).or_else(own).filter(|_| drawn)?;
+    Some((time, printed.value))
+}
+
+/// The time that is printed of a maximum.
+fn printed_time(maximum: &Printed) -> Option<f64> {
+    let name = format!("{}_time_s", maximum.quantity);
+    let same = |other: &&Printed| {
+        other.quantity == name
+            && (&other.paper, &other.figure, &other.scene)
+                == (&maximum.paper, &maximum.figure, &maximum.scene)
+            && other.wave_height_ratio == maximum.wave_height_ratio
+            && other.spring_stiffness_n_per_m == maximum.spring_stiffness_n_per_m
+            && other.seawall_mass_kg_per_m == maximum.seawall_mass_kg_per_m
+    };
+    printed().iter().find(same).map(|other| other.value)
+}

@@ -1,0 +1,152 @@
+//! The figures of the papers, drawn from the studies that they need.
+//!
+//! A [`Recipe`] says which kind of drawing a figure is. Each kind has a file here. What the papers print of
+//! the cases stands in it as markers, and in the table beside it.
+
+mod around_runup;
+mod front;
+mod gauges;
+mod histories;
+mod laws;
+mod response;
+mod step_time;
+mod surfaces;
+mod walls;
+
+use std::path::PathBuf;
+
+use super::error::ReportError;
+use super::load::Loaded;
+use super::papers::{self, Cases, Found, confront};
+use super::plots::{self, Axis, Chart, Curve, Drawing, Figure, Layout};
+use super::row::Row;
+use super::tables::Table;
+use crate::papers::{Draw, Recipe, paper};
+
+/// A figure of a paper, as this program makes it.
+#[derive(Debug, Clone)]
+pub struct Reproduced {
+    /// The drawing.
+    pub figure: Figure,
+    /// Printed and computed numbers, one line for each.
+    pub tidy: Table,
+    /// The same for the eye.
+    pub beside: Table,
+    /// What agrees, what does not, and why; empty where the paper prints no number of it.
+    pub sentences: Vec<String>,
+}
+
+/// A drawing and what its caption says of it.
+struct Drawn {
+    drawing: Drawing,
+    caption: String,
+}
+
+/// Panels of this outer size, so many in a row; nothing without panels.
+fn drawn(charts: Vec<Chart>, layout: Layout, caption: String) -> Option<Drawn> {
+    let any = !charts.is_empty();
+    any.then(|| Drawn { drawing: Drawing::new(charts, layout), caption })
+}
+
+/// A panel: what stands above it, titles of the axes, names of their quantities.
+fn panel(
+    heading: String,
+    titles: [String; 2],
+    names: [&str; 2],
+    (x, y): (Axis, Axis),
+    curves: Vec<Curve>,
+) -> Chart {
+    let (x, y) = ((x, titles[0].as_str(), names[0]), (y, titles[1].as_str(), names[1]));
+    Chart::new(x, y, curves).under(heading, String::new())
+}
+
+/// What drawings are made from.
+struct Material<'a> {
+    studies: &'a [Loaded],
+    found: &'a [Found<'a>],
+}
+
+impl<'a> Material<'a> {
+    /// All finished cases, each with its study.
+    fn cases(&self) -> Vec<(&'a Loaded, &'a Row)> {
+        let cases = |data: &'a Loaded| data.finished().map(move |row| (data, row));
+        self.studies.iter().flat_map(cases).collect()
+    }
+
+    /// What is printed of a case.
+    fn of(&self, row: &'a Row) -> impl Iterator<Item = &'a Found<'a>> {
+        self.found.iter().filter(move |found| std::ptr::eq(found.row, row))
+    }
+}
+
+/// Draws a figure from the output directories of the studies that it needs, in their order.
+///
+/// # Errors
+/// Files that cannot be read; cases that do not fill the figure, as when all of them failed.
+pub fn reproduce(recipe: &Recipe, directories: &[PathBuf]) -> Result<Reproduced, ReportError> {
+    let studies: Vec<_> =
+        directories.iter().map(|path| Loaded::read(path)).collect::<Result<_, _>>()?;
+    let cases: Vec<_> = studies.iter().map(Cases::of).collect();
+    let mut found = Vec::new();
+    for cases in &cases {
+        found.extend(confront(cases)?);
+    }
+    let draw = recipe.draw.as_ref();
+    found.retain(|one| draw.is_some_and(|draw| belongs(recipe, draw, one)));
+    let material = Material { studies: &studies, found: &found };
+    let nothing = || ReportError::Draw {
+        figure: recipe.title(),
+        reason: "no finished case fills it".to_owned(),
+    };
+    let drawing = match draw.ok_or_else(nothing)? {
+        Draw::Response { column } => response::drawing(&material, column)?,
+        Draw::Histories { columns, line } => histories::drawing(&material, columns, *line)?,
+        Draw::Walls => walls::drawing(&material)?,
+        Draw::AroundRunup { panels } => around_runup::drawing(&material, panels)?,
+        Draw::Surfaces { times_s, first_order } => {
+            surfaces::drawing(&material, times_s, *first_order)?
+        }
+        Draw::Gauges { names, column, measured } => {
+            gauges::drawing(&material, names, *column, *measured)?
+        }
+        Draw::Front => front::drawing(&material)?,
+        Draw::StepTime => step_time::drawing(&material)?,
+    };
+    let drawing = drawing.ok_or_else(nothing)?;
+    let words = paper(&recipe.paper).map_or(recipe.paper.as_str(), |paper| &paper.words);
+    let here = if recipe.here.is_empty() { String::new() } else { format!(" ({})", recipe.here) };
+    let starred = drawing.drawing.svg(1).contains(plots::PRINTED);
+    let marks = if starred { " Stars: numbers that the papers print." } else { "" };
+    let caption = format!(
+        "{} of {words}: {}{here}. {}{marks}",
+        recipe.title(),
+        recipe.shows,
+        drawing.caption
+    );
+    Ok(Reproduced {
+        figure: Figure {
+            name: recipe.stem(),
+            title: format!("{words}, {}", recipe.title()),
+            caption,
+            drawing: drawing.drawing,
+        },
+        tidy: papers::tidy(&found),
+        beside: papers::beside(&found),
+        sentences: if found.is_empty() { Vec::new() } else { papers::sentences(&found) },
+    })
+}
+
+/// Whether a printed number belongs beside a figure: its own, and those of the same cases that it draws.
+fn belongs(recipe: &Recipe, draw: &Draw, found: &Found) -> bool {
+    let (printed, name) = (found.printed, found.printed.quantity.as_str());
+    let own = printed.paper == recipe.paper && printed.figure == recipe.number;
+    let drawn = match draw {
+        Draw::Response { column } => name == column,
+        Draw::Histories { .. } => {
+            !name.starts_with("step_time") && printed.log10_k_star.is_none() && printed.unit != "%"
+        }
+        Draw::Walls => printed.scene == "fixed" && printed.is_size(),
+        _ => false,
+    };
+    own || drawn
+}

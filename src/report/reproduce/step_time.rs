@@ -1,0 +1,80 @@
+//! Figs. 4, 9 and 12 of Huang et al. 2019: the time of a step against the number of particles for each
+//! interpolator at walls, and the same over that of improved Shepard.
+
+use super::{Drawn, Material, drawn, panel};
+use crate::quantities::summary::{BOUNDARY, CASE_ID, PARTICLES};
+use crate::report::error::ReportError;
+use crate::report::papers::step_time;
+use crate::report::plots::{Axis, Curve, Entry, Layout, Look, Point, printed_entry, printed_point};
+use crate::report::row::Row;
+
+/// The interpolator that the others are told over.
+const REFERENCE: &str = "improved-shepard";
+
+pub fn drawing(material: &Material) -> Result<Option<Drawn>, ReportError> {
+    let rows: Vec<&Row> = material.cases().into_iter().map(|(_, row)| row).collect();
+    let mut names: Vec<&str> = rows.iter().map(|row| row.text(&BOUNDARY)).collect();
+    names.sort_unstable();
+    names.dedup();
+    let reference = |particles: f64| {
+        let same = |row: &&&Row| {
+            row.text(&BOUNDARY) == REFERENCE && row.number(&PARTICLES) == Some(particles)
+        };
+        rows.iter().find(same).and_then(|row| step_time(row))
+    };
+    let milliseconds = |_: f64, seconds: f64| Some(1000.0 * seconds);
+    let over = |particles: f64, seconds: f64| Some(seconds / reference(particles)?);
+    let mut ratios = curves(&rows, &names, over);
+    let most = rows.iter().filter_map(|row| row.number(&PARTICLES)).fold(0.0, f64::max);
+    ratios.push(Curve { entry: printed_entry(), points: marks(material, most) });
+    let all = [curves(&rows, &names, milliseconds), ratios];
+    let titles = ["time per step, ms", "over improved Shepard"];
+    let chart = |(curves, title): (Vec<Curve>, &str)| {
+        let points = || curves.iter().flat_map(|curve| &curve.points);
+        let x = Axis::around(points().map(|point| point.x), 5.0)?;
+        let y = Axis::around(points().map(|point| point.y).chain([0.0]), 6.0)?;
+        let titles = ["particles", title].map(str::to_owned);
+        Some(panel(String::new(), titles, [PARTICLES.name, "step_time"], (x, y), curves))
+    };
+    let charts: Vec<_> = all.into_iter().zip(titles).filter_map(chart).collect();
+    if charts.is_empty() {
+        return Ok(None);
+    }
+    let layout = Layout { columns: 2, size: (370.0, 290.0) };
+    let caption =
+        "Wall times of whole runs over their steps, as they came out on this machine; cases that \
+                   run at the same time slow each other (--threads 1 runs one at a time)."
+            .to_owned();
+    Ok(drawn(charts, layout, caption))
+}
+
+fn curves(rows: &[&Row], names: &[&str], y: impl Fn(f64, f64) -> Option<f64>) -> Vec<Curve> {
+    let curve = |(index, name): (usize, &&str)| {
+        let own = rows.iter().filter(|row| row.text(&BOUNDARY) == *name);
+        let point = |row: &&Row| {
+            let particles = row.number(&PARTICLES)?;
+            let case = row.text(&CASE_ID).to_owned();
+            Some(Point { case, ..(particles, y(particles, step_time(row)?)?).into() })
+        };
+        let mut points: Vec<_> = own.filter_map(point).collect();
+        points.sort_by(|a, b| a.x.total_cmp(&b.x));
+        let entry = Entry::marked((*name).to_owned(), Look::of(index));
+        Curve { entry: entry.keyed(format!("{}={name}", BOUNDARY.name)), points }
+    };
+    names.iter().enumerate().map(curve).collect()
+}
+
+/// Printed ratios at the right end, each once with the name of its interpolator.
+fn marks(material: &Material, particles: f64) -> Vec<Point> {
+    let mut marks: Vec<Point> = Vec::new();
+    for found in material.found {
+        let Some(name) = found.printed.quantity.strip_prefix("step_time_of_") else { continue };
+        let place = (particles, found.printed.value);
+        let mark = printed_point(place, &Row::default(), found.printed);
+        let mark = Point { note: name.to_owned(), ..mark };
+        if !marks.contains(&mark) {
+            marks.push(mark);
+        }
+    }
+    marks
+}

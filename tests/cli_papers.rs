@@ -1,0 +1,220 @@
+//! The papers through the command line: their figures made again, a study beside their numbers, and two
+//! studies side by side.
+
+mod common;
+
+use std::fs;
+use std::path::Path;
+
+use common::{TINY, expect_code, run, write_file};
+use serde_json::Value;
+
+fn json(output: &std::process::Output) -> Value {
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn told(output: &std::process::Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+#[test]
+fn every_figure_of_both_papers_is_listed() {
+    let output = run(&["reproduce", "--list", "--format", "json"]);
+    expect_code(&output, 0);
+    let list = json(&output);
+    let list = list.as_array().unwrap();
+    assert_eq!(list.len(), 32, "fifteen figures and a table of each");
+    for figure in list {
+        let made = figure["made"] == true;
+        assert_eq!(made, figure["why_not"] == "", "{figure}");
+        assert_eq!(made, figure["expected_time_s"].as_f64().is_some_and(|s| s > 0.0), "{figure}");
+    }
+    assert_eq!(list.iter().filter(|figure| figure["made"] == true).count(), 14 + 9);
+    let one = run(&["reproduce", "huang2019", "--list"]);
+    let text = String::from_utf8(one.stdout).unwrap();
+    assert!(text.starts_with("huang2019: Huang et al. 2019") && !text.contains("liang2017:"));
+    assert!(text.contains("not made: It is a drawing of the set-up."), "{text}");
+}
+
+#[test]
+fn a_figure_of_liang_is_made_and_made_again_without_a_run() {
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().join("out");
+    let set = "numerics.particle_spacing_m=0.025";
+    let figure = ["reproduce", "liang2017", "--figure", "9", "--out", out.to_str().unwrap()];
+    let command = [&figure[..], &["--set", set, "--format", "json"]].concat();
+    let first = run(&command);
+    expect_code(&first, 0);
+    let value = json(&first);
+    let numbers = value["numbers"].as_array().unwrap();
+    // The largest force of the movable wall: 2.73 are printed, with either factor s.
+    let force = |s: &str| {
+        let wanted = |n: &&Value| {
+            n["quantity"] == "first_force_max" && n["force_coupling"] == s && n["figure"] == "9"
+        };
+        let number = numbers.iter().find(wanted).unwrap_or_else(|| panic!("{numbers:#?}"));
+        assert_eq!(number["printed"], "2.73");
+        number["computed"].as_str().unwrap().parse::<f64>().unwrap()
+    };
+    let (as_printed, fitted) = (force("1"), force("0.4"));
+    assert!((as_printed / 2.32 - 1.0).abs() < 0.02, "potential theory has 2.320: {as_printed}");
+    assert!((fitted / 2.73 - 1.0).abs() < 0.05, "{fitted}");
+    let sentences = value["sentences"].to_string();
+    assert!(sentences.contains("the law as printed: 0 of 7 numbers are met"), "{sentences}");
+
+    let files = ["figure-9.svg", "figure-9.csv", "figure-9.md"].map(|name| out.join(name));
+    let svg = fs::read_to_string(&files[0]).unwrap();
+    roxmltree::Document::parse(&svg).unwrap();
+    assert!(svg.contains("printed in the papers") && svg.contains("s = 0.4"));
+    let page = fs::read_to_string(out.join("single_wall/report.html")).unwrap();
+    assert!(page.contains("<h2>The papers</h2>"));
+
+    let before = files.clone().map(|file| fs::read(file).unwrap());
+    let again = run(&command);
+    expect_code(&again, 0);
+    assert!(told(&again).contains("is finished"), "{}", told(&again));
+    assert_eq!(before, files.map(|file| fs::read(file).unwrap()));
+
+    let other = run(&[&figure[..], &["--set", "numerics.particle_spacing_m=0.02"]].concat());
+    expect_code(&other, 2);
+    assert!(told(&other).contains("single_wall"), "{}", told(&other));
+}
+
+#[test]
+fn a_figure_of_huang_tells_times_per_step() {
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().join("out");
+    let sets = ["grid.particle_spacing_m=[0.06, 0.05]", "scene.end_time_s=0.05"];
+    let mut command = vec!["reproduce", "huang2019", "--figure", "9", "--format", "json"];
+    command.extend(["--out", out.to_str().unwrap()]);
+    sets.iter().for_each(|set| command.extend(["--set", set]));
+    let output = run(&command);
+    expect_code(&output, 0);
+    let numbers = json(&output)["numbers"].as_array().unwrap().clone();
+    assert_eq!(numbers.len(), 4 * 2, "four ratios are printed, at two spacings each");
+    for number in &numbers {
+        let ratio: f64 = number["computed"].as_str().unwrap().parse().unwrap();
+        assert!(ratio > 0.05 && ratio < 20.0, "{number}");
+    }
+    let svg = fs::read_to_string(out.join("figure-9.svg")).unwrap();
+    assert!(svg.contains("over improved Shepard") && svg.contains("mls-quadratic"));
+}
+
+#[test]
+fn what_cannot_be_made_is_told() {
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().join("out");
+    let bad: [(&[&str], &str); 6] = [
+        (
+            &["liang2018", "--figure", "9"],
+            "PAPER = \"liang2018\": must be one of liang2017, huang2019",
+        ),
+        (&["liang2017", "--figure", "16"], "--figure 16: liang2017 has 1, 2, 3"),
+        (&["liang2017", "--figure", "6"], "Fig. 6 of liang2017 is not made: It is a drawing"),
+        (&["huang2019", "--figure", "table-1"], "Table 1 of huang2019 is not made: "),
+        (&["liang2017"], "--figure <N>"),
+        (
+            &["liang2017", "--figure", "9", "--set", "numerics.kernel=round"],
+            "sweeps/liang2017/single_wall.toml (inside the program): numerics.kernel = \"round\"",
+        ),
+    ];
+    for (arguments, message) in bad {
+        let command = [&["reproduce", "--out", out.to_str().unwrap()], arguments].concat();
+        let output = run(&command);
+        expect_code(&output, 2);
+        assert!(told(&output).contains(message), "{}", told(&output));
+    }
+    assert!(!out.exists(), "nothing was written");
+}
+
+/// A study of the tiny tank with other values.
+fn sweep(root: &Path, name: &str, changes: &[(&str, &str)]) -> String {
+    let folder = root.join(name);
+    fs::create_dir(&folder).unwrap();
+    let start = TINY.replace("[50, 250]", "[50]");
+    let text = changes.iter().fold(start, |text, (old, new)| {
+        assert!(text.contains(old), "{old}");
+        text.replace(old, new)
+    });
+    let (file, out) = (write_file(&folder, &text), folder.join("out"));
+    expect_code(&run(&["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()]), 0);
+    out.to_str().unwrap().to_owned()
+}
+
+#[test]
+fn two_studies_stand_side_by_side() {
+    let root = tempfile::tempdir().unwrap();
+    let spacing = "particle_spacing_m = 0.025";
+    let with_bars = format!("{spacing}\nerror_bars = \"pair\"");
+    let fine = sweep(root.path(), "fine", &[(spacing, &with_bars)]);
+    let changes = [(spacing, "particle_spacing_m = 0.03125"), ("[10, 1e4]", "[10.0, 1e5]")];
+    let coarse = sweep(root.path(), "coarse", &changes);
+    let out = root.path().join("difference");
+    let arguments = ["compare", &fine, &coarse];
+    let output =
+        run(&[&arguments[..], &["--format", "json", "--out", out.to_str().unwrap()]].concat());
+    expect_code(&output, 0);
+    let value = json(&output);
+    assert_eq!(value["pairs"], 2, "two waves on the soft spring: {value:#}");
+    let keys = value["keys"].as_array().unwrap();
+    let keys: Vec<_> =
+        keys.iter().map(|key| ["key", "a", "b"].map(|s| key[s].as_str().unwrap())).collect();
+    assert_eq!(keys, [["error_bars", "pair", "none"], ["particle_spacing_m", "0.025", "0.03125"]]);
+    assert!(value["only_in_a"][0].as_str().unwrap().contains("k = 10⁴ N/m"));
+    assert_eq!(value["only_in_b"].as_array().unwrap().len(), 2);
+    let tally = &value["summary"]["displacement_max"];
+    assert_eq!((&tally["cases"], &tally["unit"]), (&Value::from(2), &Value::from("%")));
+    assert!(tally["worst"].as_f64().unwrap() >= tally["median"].as_f64().unwrap());
+    // The sizes are those of the two summaries.
+    let displacement =
+        |case: &Value, side: &str| case["differences"]["displacement_max"][side].as_f64().unwrap();
+    for case in value["cases"].as_array().unwrap() {
+        let [a, b, difference, percent] =
+            ["a", "b", "difference", "percent"].map(|s| displacement(case, s));
+        assert!(
+            (b - a - difference).abs() < 1e-12 && (100.0 * difference / a - percent).abs() < 1e-9
+        );
+        assert!(percent.abs() > 1e-6 && percent.abs() < 20.0, "{case}");
+        let force = &case["differences"]["displacement_max"];
+        assert!(
+            force["error_a"].is_f64()
+                && force["error_b"].is_null()
+                && force["within_bars"].is_boolean()
+        );
+    }
+    let table = fs::read_to_string(out.join("compare.csv")).unwrap();
+    assert_eq!(table.lines().count(), 1 + 2);
+    roxmltree::Document::parse(&fs::read_to_string(out.join("compare.svg")).unwrap()).unwrap();
+
+    let text = run(&arguments);
+    expect_code(&text, 0);
+    let text = String::from_utf8(text.stdout).unwrap();
+    assert!(
+        text.contains("2 pairs of cases at the same point; 2 only in A, 2 only in B"),
+        "{text}"
+    );
+    assert!(text.contains("numerics.particle_spacing_m"), "{text}");
+    assert!(!Path::new(&fine).join("tables/papers.csv").exists(), "this is not the papers' tank");
+}
+
+#[test]
+fn what_cannot_be_compared_is_told() {
+    let root = tempfile::tempdir().unwrap();
+    let one = sweep(root.path(), "one", &[("[0.4, 0.5]", "[0.4]"), ("[10, 1e4]", "[10]")]);
+    let other = sweep(root.path(), "other", &[("[0.4, 0.5]", "[0.5]"), ("[10, 1e4]", "[10]")]);
+    let apart = run(&["compare", &one, &other]);
+    expect_code(&apart, 2);
+    assert!(told(&apart).contains("have no case in common"), "{}", told(&apart));
+    assert!(told(&apart).contains("H/h = 0.4") && told(&apart).contains("H/h = 0.5"));
+    let nowhere = root.path().join("nowhere");
+    let missing = run(&["compare", &one, nowhere.to_str().unwrap()]);
+    expect_code(&missing, 2);
+    assert!(told(&missing).contains("holds no summary.csv"), "{}", told(&missing));
+    let file = root.path().join("one/sweep.toml");
+    let unwritable = run(&["compare", &one, &one, "--out", file.to_str().unwrap()]);
+    expect_code(&unwritable, 2);
+    assert!(told(&unwritable).contains("--out"), "{}", told(&unwritable));
+    let same = run(&["compare", &one, &one]);
+    expect_code(&same, 0);
+    assert!(!String::from_utf8(same.stdout).unwrap().contains("They differ in"));
+}
