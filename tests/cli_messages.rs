@@ -29,7 +29,7 @@ fn more_particles_than_a_machine_holds_are_refused_by_every_command() {
     let refuse = |command: &[&str]| {
         let output = run(&[command, &fine].concat());
         expect_code(&output, 2);
-        assert!(told(&output.stderr).contains("20000000 are the most: 0.0001"));
+        assert!(told(&output.stderr).contains("20,000,000 are the most: choose 0.0001"));
     };
     refuse(&["sweep", &file, "--out", out]);
     refuse(&["check", &file]);

@@ -10,6 +10,17 @@ use crate::accuracy::{Choices, MaxError};
 use crate::results::counted;
 use crate::study::Study;
 
+/// Reads the argument of `--max-error`.
+pub(super) fn percent(text: &str) -> Result<f64, String> {
+    let allowed = "a percentage above 0, as a number alone: 2 stands for 2 %";
+    let number = text.trim_end_matches(['%', ' ']);
+    match number.parse::<f64>().ok().filter(|percent| percent.is_finite() && *percent > 0.0) {
+        Some(percent) if number == text => Ok(percent),
+        Some(percent) => Err(format!("write {percent}: it is {allowed}")),
+        None => Err(format!("must be {allowed}")),
+    }
+}
+
 /// The study with the numerics that are expected to do, and why, told.
 pub(super) fn first(aim: &MaxError, study: &Study, output: &Output) -> Study {
     let choices = aim.first(study);

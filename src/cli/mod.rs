@@ -6,6 +6,7 @@
 
 mod accuracy;
 mod check;
+mod cost;
 mod execute;
 mod failure;
 mod film;
@@ -15,12 +16,14 @@ mod max_error;
 mod output;
 mod overview;
 mod physics;
+mod pick;
 mod report;
 mod run;
 mod status;
 mod stress;
 mod sweep;
 mod table;
+mod warnings;
 
 use std::ffi::OsString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -82,21 +85,43 @@ enum Subcommands {
 pub fn main() -> ExitCode {
     let launcher = Launcher::detect();
     let code = catch_unwind(AssertUnwindSafe(|| main_with(std::env::args_os(), launcher)));
-    ExitCode::from(code.unwrap_or(INTERNAL))
+    ExitCode::from(code.unwrap_or_else(|panic| {
+        if asks_for_json(std::env::args_os()) && launcher.rank == 0 {
+            let message = panic.downcast_ref::<String>().map(String::as_str);
+            let message = message.or_else(|| panic.downcast_ref::<&str>().copied());
+            failure::print_internal(message.unwrap_or("the program has failed"));
+        }
+        INTERNAL
+    }))
+}
+
+/// Whether `--format json` is among the arguments, for errors before they are understood.
+fn asks_for_json(arguments: impl Iterator<Item = OsString>) -> bool {
+    let words: Vec<_> = arguments.collect();
+    let pair = |pair: &[OsString]| pair[0] == "--format" && pair[1] == "json";
+    words.windows(2).any(pair) || words.iter().any(|word| word == "--format=json")
+}
+
+/// What the command line may be.
+fn command(launcher: Launcher) -> clap::Command {
+    let never = launcher.present || std::env::var_os("NO_COLOR").is_some_and(|set| !set.is_empty());
+    // Under mpirun standard output is a pseudo-terminal even when it ends in a file.
+    if never { Cli::command().color(ColorChoice::Never) } else { Cli::command() }
 }
 
 fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) -> u8 {
-    let mut command = Cli::command();
-    if launcher.present {
-        // Under mpirun standard output is a pseudo-terminal even when it ends in a file.
-        command = command.color(ColorChoice::Never);
-    }
-    let parsed =
-        command.try_get_matches_from(arguments).and_then(|matches| Cli::from_arg_matches(&matches));
+    let arguments: Vec<_> = arguments.into_iter().collect();
+    let as_json = asks_for_json(arguments.iter().cloned());
+    let parsed = command(launcher)
+        .try_get_matches_from(arguments)
+        .and_then(|matches| Cli::from_arg_matches(&matches));
     let cli = match parsed {
         Ok(cli) => cli,
         Err(_) if launcher.rank > 0 => return SUCCESS,
         Err(error) => {
+            if as_json && error.use_stderr() {
+                failure::print_usage(&error.to_string());
+            }
             // Where nobody listens there is nobody to tell.
             let _ = error.print();
             return if error.use_stderr() { BAD_INPUT } else { SUCCESS };
@@ -114,7 +139,7 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         Subcommands::Accuracy(args) => accuracy::main(&args, &output),
         Subcommands::Stress(args) => stress::main(&args, &output),
     };
-    failure::exit_code(result, launcher)
+    failure::exit_code(result, launcher, output.is_json())
 }
 
 #[cfg(test)]

@@ -49,6 +49,11 @@ impl Output {
         Ok(out.flush()?)
     }
 
+    /// Whether a program reads the results.
+    pub(super) fn is_json(&self) -> bool {
+        self.format == Format::Json
+    }
+
     /// Tells something in passing.
     pub(super) fn note(&self, text: impl std::fmt::Display) {
         if !self.quiet {

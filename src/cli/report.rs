@@ -8,6 +8,7 @@ use serde_json::json;
 
 use super::SUCCESS;
 use super::failure::BadInput;
+use super::input::demand_output_of_study;
 use super::output::Output;
 use crate::report::ReportError;
 
@@ -21,10 +22,7 @@ pub(super) struct ReportArgs {
 }
 
 pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
-    if !args.dir.join("summary.csv").is_file() {
-        let reason = "holds no summary.csv: not the output directory of a sweep";
-        return Err(BadInput(format!("{}: {reason}", args.dir.display())).into());
-    }
+    demand_output_of_study(&args.dir, "summary.csv")?;
     let report = crate::report::write(&args.dir).map_err(unusable)?;
     output.result(&format!("report: {}\n", report.display()), &json!({ "report": report }))?;
     Ok(SUCCESS)

@@ -44,6 +44,7 @@ mod schema;
 mod section;
 mod shape;
 mod table;
+mod written;
 
 pub use error::ConfigError;
 pub use key::{Key, Range, Rule, When, number, plain, unit};

@@ -79,7 +79,7 @@ impl Directory {
         {
             check_header(path, &header, study, requested, widest)?;
         }
-        fs::create_dir_all(path).map_err(|error| SweepError::refused(path, error))?;
+        fs::create_dir_all(path).map_err(|error| SweepError::unusable(path, &error))?;
         let mut lock = Lock::hold(path)?;
         let mut opened = Opened::New;
         if mode == OpenMode::Fresh && found {
@@ -174,7 +174,7 @@ fn holds_journal(path: &Path) -> Result<bool, SweepError> {
     if path.join(journal::FILE_NAME).is_file() {
         return Ok(true);
     }
-    let entries = fs::read_dir(path).map_err(|error| SweepError::refused(path, error))?;
+    let entries = fs::read_dir(path).map_err(|error| SweepError::unusable(path, &error))?;
     for entry in entries {
         let entry = entry.map_err(SweepError::io(path))?;
         if entry.file_name() != lock::FILE_NAME {

@@ -28,7 +28,7 @@ impl Lock {
         let path = directory.join(FILE_NAME);
         let open = OpenOptions::new().write(true).create(true).truncate(false).open(&path);
         // Not the machine failing: somebody else's directory, or a read-only one.
-        let file = open.map_err(|error| SweepError::refused(&path, error))?;
+        let file = open.map_err(|error| SweepError::unusable(directory, &error))?;
         let start = Instant::now();
         loop {
             match file.try_lock() {

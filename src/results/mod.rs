@@ -24,7 +24,7 @@ mod summary;
 pub use again::{finished, first_difference};
 pub use clock::timestamp;
 pub use directory::{Directory, OpenMode, Opened};
-pub use error::SweepError;
+pub use error::{SweepError, in_words};
 pub use error_bars::{ErrorBars, richardson};
 pub use journal::{Header, Journal, read_journal};
 pub use lock::Lock;

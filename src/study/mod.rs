@@ -13,6 +13,7 @@ mod grid;
 mod overrides;
 mod plan;
 mod schema;
+mod single;
 
 pub use axis::GridAxis;
 pub use case::{Case, CaseId, PHYSICS_VERSION, trunk_key};
