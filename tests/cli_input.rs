@@ -45,7 +45,10 @@ fn bad_input_is_told_in_plain_words_and_nothing_is_written() {
         (&["check", "."], ".: is a directory; give a sweep or scene file"),
         (&["run", "scene.toml", "--out", "plain"], "--out plain: is a file; give a directory"),
         (&["sweep", "tiny.toml", "--out", "plain/x"], "--out plain/x: plain is a file"),
-        (&["run", "scene.toml", "--out", "/dev/null/x"], "--out /dev/null/x: nothing can be written there"),
+        (
+            &["run", "scene.toml", "--out", "/dev/null/x"],
+            "--out /dev/null/x: nothing can be written there",
+        ),
         (&["status", "nope"], "nope: no such directory; give the output directory of a study"),
         (&["report", "plain"], "plain: is a file; give the output directory of a study"),
         (&["film", "empty"], "empty: holds no manifest.json: not the output directory of a study"),

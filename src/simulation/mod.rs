@@ -8,6 +8,7 @@ mod energy;
 mod face_gaps;
 mod failure;
 mod first_impact;
+mod found;
 mod gauge;
 mod health;
 mod logbook;
@@ -23,6 +24,7 @@ mod surface;
 mod watch;
 mod window;
 
+pub use doubt::kinds_of_doubt;
 pub use failure::{Failure, FailureKind, Stopped};
 pub use health::HealthMargins;
 pub use outcome::{

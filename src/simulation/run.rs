@@ -181,7 +181,11 @@ impl Run {
     /// alike: about (Δx/h)² of it at rest, with supports of 5 spacings. The first force of a run tells how much.
     fn wall_load(&mut self) -> Load {
         let load = self.tank.water.load(Place::Right.number());
-        self.logbook.force_at_rest.get_or_insert(load.force);
+        if self.logbook.force_at_rest.is_none() {
+            let paddle = self.tank.water.load(Place::Left.number()).force;
+            self.logbook.force_at_rest = Some(load.force);
+            self.logbook.lopsided = Some((load.force + paddle) / self.tank.static_force);
+        }
         Load { force: load.force + self.lacking_at_rest(), ..load }
     }
 
