@@ -23,6 +23,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 pub use error::ReportError;
+pub use number::{plain, with_error};
 pub use row::Row;
 
 use load::Loaded;

@@ -25,7 +25,7 @@ pub use again::{finished, first_difference};
 pub use clock::timestamp;
 pub use directory::{Directory, OpenMode, Opened};
 pub use error::{SweepError, in_words};
-pub use error_bars::{ErrorBars, richardson};
+pub use error_bars::{ErrorBars, narrowest_bar_percent, richardson};
 pub use journal::{Header, Journal, read_journal};
 pub use lock::Lock;
 pub use made_up::made_up;

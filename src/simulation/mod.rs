@@ -46,6 +46,8 @@ pub trait Monitor: Sync {
     }
     /// Called at the first step at or after every such time, and at the end.
     fn film(&self, _film: &Film<'_>) {}
+    /// Called now and then with the simulated time that is reached, seconds.
+    fn reached(&self, _time_s: f64) {}
     /// True when the run should stop at the next step.
     fn cancelled(&self) -> bool {
         false

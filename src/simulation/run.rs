@@ -141,6 +141,7 @@ impl Run {
                     self.film(monitor, time, true);
                     return Ok(());
                 }
+                monitor.reached(time);
                 if monitor.cancelled() {
                     return Err(Stopped::Interrupted);
                 }
