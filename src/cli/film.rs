@@ -90,11 +90,22 @@ pub(super) fn page(directory: &Path, colour: Colour) -> PageFilm {
 /// The study that a directory holds, and the instruction set that it was computed with.
 fn read(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     let bad = |reason: String| BadInput(format!("{}: {reason}", directory.display()));
+    let (_, study) = study_of(directory)?;
+    let unfinished = || bad("the sweep was stopped before it began".to_owned());
+    let (header, _) = read_journal(directory)?.ok_or_else(unfinished)?;
+    if !header.simd.is_supported() {
+        let simd = crate::math::name::name_of(header.simd);
+        return Err(bad(format!("was computed with {simd}, which this machine lacks")).into());
+    }
+    Ok((study, header.simd))
+}
+
+/// The file that a directory was made from, with what the command line set, and its study.
+pub(super) fn study_of(directory: &Path) -> anyhow::Result<(SweepFile, Study)> {
+    let bad = |reason: String| BadInput(format!("{}: {reason}", directory.display()));
     demand_output_of_study(directory, "manifest.json")?;
     let lacking = || bad("manifest.json cannot be read".to_owned());
     let manifest = Manifest::read(directory).ok_or_else(lacking)?;
-    let unfinished = || bad("the sweep was stopped before it began".to_owned());
-    let (header, _) = read_journal(directory)?.ok_or_else(unfinished)?;
     if manifest.physics_version != PHYSICS_VERSION {
         let theirs = manifest.physics_version;
         let reason = format!("has physics version {theirs}, this program {PHYSICS_VERSION}");
@@ -103,18 +114,14 @@ fn read(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     let set = |text: &String| text.parse::<Override>();
     let overrides: Vec<_> =
         manifest.overrides.iter().map(set).collect::<Result<_, _>>().map_err(bad)?;
-    let study = SweepFile::read(&manifest.sweep_file, &overrides)
-        .and_then(|file| Study::new(&file))
-        .map_err(|error| bad(format!("sweep_file in manifest.json: {error}")))?;
-    if study.identity != header.sweep {
+    let told = |error| bad(format!("sweep_file in manifest.json: {error}"));
+    let file = SweepFile::read(&manifest.sweep_file, &overrides).map_err(told)?;
+    let study = Study::new(&file).map_err(told)?;
+    if study.identity != manifest.sweep {
         let reason = "its cases cannot be made from its manifest alone, as with --max-error";
         return Err(bad(format!("{reason}; film one with `seawall run --film`")).into());
     }
-    if !header.simd.is_supported() {
-        let simd = crate::math::name::name_of(header.simd);
-        return Err(bad(format!("was computed with {simd}, which this machine lacks")).into());
-    }
-    Ok((study, header.simd))
+    Ok((file, study))
 }
 
 /// Where and how cases are filmed again.

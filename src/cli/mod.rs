@@ -6,10 +6,14 @@
 
 mod accuracy;
 mod check;
+mod completions;
 mod cost;
 mod execute;
+mod explain;
 mod failure;
 mod film;
+mod glossary;
+mod init;
 mod input;
 mod matrix;
 mod max_error;
@@ -19,6 +23,7 @@ mod physics;
 mod pick;
 mod report;
 mod run;
+mod show;
 mod status;
 mod stress;
 mod sweep;
@@ -47,7 +52,7 @@ const INTERNAL: u8 = 70;
 /// Parameter sweeps of SPH simulations of solitary waves on fixed and spring-mounted seawalls.
 #[derive(Debug, Parser)]
 #[command(name = "seawall", version, propagate_version = true)]
-#[command(after_help = "Start with: seawall check sweeps/smoke.toml")]
+#[command(after_help = "Start with: seawall init my_study")]
 struct Cli {
     #[command(flatten)]
     global: Global,
@@ -75,10 +80,15 @@ enum Subcommands {
     Run(run::RunArgs),
     Film(film::FilmArgs),
     Check(check::CheckArgs),
+    Init(init::InitArgs),
+    Explain(explain::ExplainArgs),
     Status(status::StatusArgs),
+    Show(show::ShowArgs),
     Report(report::ReportArgs),
     Accuracy(accuracy::AccuracyArgs),
     Stress(stress::StressArgs),
+    Completions(completions::CompletionsArgs),
+    Man(completions::ManArgs),
 }
 
 /// Runs the command line and returns the process's exit code.
@@ -134,10 +144,15 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         Subcommands::Run(args) => run::main(&args, &output),
         Subcommands::Film(args) => film::main(&args, &output),
         Subcommands::Check(args) => check::main(&args, &output),
+        Subcommands::Init(args) => init::main(&args, &output),
+        Subcommands::Explain(args) => explain::main(&args, &output),
         Subcommands::Status(args) => status::main(&args, &output),
+        Subcommands::Show(args) => show::main(&args, &output),
         Subcommands::Report(args) => report::main(&args, &output),
         Subcommands::Accuracy(args) => accuracy::main(&args, &output),
         Subcommands::Stress(args) => stress::main(&args, &output),
+        Subcommands::Completions(args) => completions::completions(&args, Cli::command(), &output),
+        Subcommands::Man(args) => completions::man(&args, Cli::command(), &output),
     };
     failure::exit_code(result, launcher, output.is_json())
 }

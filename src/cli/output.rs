@@ -104,6 +104,23 @@ pub(super) fn with_bar(value: f64, bar: f64) -> String {
     format!("{} e{power}", crate::report::with_error(value / unit, bar / unit))
 }
 
+/// A text in lines of so many characters at most, broken between words.
+pub(super) fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        let line = lines.last_mut().expect("there is always a line");
+        if line.is_empty() {
+            line.push_str(word);
+        } else if line.chars().count() + 1 + word.chars().count() <= width {
+            line.push(' ');
+            line.push_str(word);
+        } else {
+            lines.push(word.to_owned());
+        }
+    }
+    lines
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -123,5 +140,11 @@ mod tests {
         let told = [(3.3328, 0.0241), (0.00011444, 0.0000012), (0.0, 0.1)];
         let told = told.map(|(value, bar)| with_bar(value, bar));
         assert_eq!(told, ["3.33 ± 0.02", "1.144 ± 0.012 e-4", "0.00 ± 0.10"]);
+    }
+
+    #[test]
+    fn lines_are_broken_between_words() {
+        assert_eq!(wrapped("one two  three", 7), ["one two", "three"]);
+        assert_eq!(wrapped("", 7), [""]);
     }
 }

@@ -44,9 +44,10 @@ mod schema;
 mod section;
 mod shape;
 mod table;
+mod words;
 mod written;
 
-pub use error::ConfigError;
+pub use error::{ConfigError, nearest};
 pub use key::{Key, Range, Rule, When, number, plain, unit};
 pub use schema::schema;
 pub(crate) use section::section;

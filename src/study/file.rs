@@ -4,7 +4,7 @@ use toml::{Table, Value};
 
 use super::axis::GridAxis;
 use super::overrides::Override;
-use crate::keys::{Section, read_alone, section};
+use crate::keys::{Key, Section, read_alone, section};
 use crate::scene::{ConfigError, Kind, numerics_keys, place_of, scene_keys};
 
 /// A parsed sweep file; the values inside its tables are checked case by case in
@@ -33,6 +33,11 @@ section! {
         /// `--max-error` in the file: the largest error bar that is taken for force and displacement.
         max_error_percent: Option<f64> = None, unit("%").above_zero();
     }
+}
+
+/// The keys of `[accuracy]`.
+pub fn accuracy_keys() -> Vec<&'static Key> {
+    Accuracy::keys()
 }
 
 const KEYS: [&str; 6] = ["name", "scene", "numerics", "probe", "accuracy", "grid"];

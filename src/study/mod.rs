@@ -17,7 +17,7 @@ mod single;
 
 pub use axis::GridAxis;
 pub use case::{Case, CaseId, PHYSICS_VERSION, trunk_key};
-pub use file::SweepFile;
+pub use file::{SweepFile, accuracy_keys};
 pub use overrides::Override;
 pub use plan::{Plan, PlannedCase, PlannedTrunk};
 pub use schema::schema;
