@@ -14,6 +14,8 @@ mod health;
 mod logbook;
 mod measures;
 mod outcome;
+#[cfg(test)]
+mod planted;
 mod probes;
 mod readings;
 mod run;
