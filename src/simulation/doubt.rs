@@ -4,6 +4,7 @@ use super::blows::Blows;
 use super::face_gaps::FaceGaps;
 use super::found::Found;
 use super::outcome::{Maximum, Outcome};
+use super::quoted::{forces, others};
 
 /// A gap of force above this, percent, is doubtful where a largest force is ...
 const FORCE_GAP_PERCENT: f64 = 1.5;
@@ -126,27 +127,6 @@ impl Evidence<'_> {
         let set_off = kicked.then(|| set_off.to_owned());
         forces(outcome).chain(others(outcome)).filter_map(told).chain(set_off)
     }
-}
-
-/// The largest force of the run, and that of the first impact where it is another one.
-fn forces(outcome: &Outcome) -> impl Iterator<Item = (&'static str, Maximum)> {
-    let other = outcome.first_force_max.filter(|first| first.time_s != outcome.force_max.time_s);
-    told([("force_max", Some(outcome.force_max)), ("first_force_max", other)])
-}
-
-fn others(outcome: &Outcome) -> impl Iterator<Item = (&'static str, Maximum)> {
-    told([
-        ("runup_max", Some(outcome.runup_max)),
-        ("displacement_max", outcome.displacement_max),
-        ("first_runup_max", outcome.first_runup_max),
-        ("first_displacement_max", outcome.first_displacement_max),
-    ])
-}
-
-fn told<const N: usize>(
-    maxima: [(&'static str, Option<Maximum>); N],
-) -> impl Iterator<Item = (&'static str, Maximum)> {
-    maxima.into_iter().filter_map(|(name, maximum)| Some((name, maximum?)))
 }
 
 /// The kinds of the reasons that [`Evidence::doubt`] gives for a case.

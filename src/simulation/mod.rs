@@ -17,6 +17,7 @@ mod outcome;
 #[cfg(test)]
 mod planted;
 mod probes;
+mod quoted;
 mod readings;
 mod run;
 mod sampling;
