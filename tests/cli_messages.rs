@@ -29,7 +29,7 @@ fn more_particles_than_a_machine_holds_are_refused_by_every_command() {
     let refuse = |command: &[&str]| {
         let output = run(&[command, &fine].concat());
         expect_code(&output, 2);
-        assert!(told(&output.stderr).contains("20000000 are the most: 0.0001"));
+        assert!(told(&output.stderr).contains("20,000,000 are the most: choose 0.0001"));
     };
     refuse(&["sweep", &file, "--out", out]);
     refuse(&["check", &file]);
@@ -98,7 +98,7 @@ fn lower_bounds_are_marked_and_nothing_is_filmed_twice() {
     let first = run(&command);
     expect_code(&first, 0);
     let (text, notes) = (told(&first.stdout), told(&first.stderr));
-    assert!(notes.contains("1 run on 1 thread,"), "{notes}");
+    assert!(notes.contains("1 case on 1 thread,"), "{notes}");
     let line = text.lines().find(|line| line.starts_with("X* max")).unwrap();
     assert!(line.contains("≥ ") && line.ends_with(" s, still moving at the end"), "{line}");
     let again = run(&[&command[..], &["--vtk"]].concat());

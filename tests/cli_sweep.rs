@@ -162,7 +162,7 @@ const BAD: &[(&str, &[&str], &str)] = &[
     (
         "name = \"a\"\n[grid]\nwave_height_ratio = [0.2, nan]",
         &[],
-        "grid.wave_height_ratio = NaN: must be finite",
+        "grid.wave_height_ratio = nan: must be a finite",
     ),
     (
         "name = \"a\"\n[grid]\nwave_height_ratio = [0.2, 0.2]",

@@ -68,7 +68,11 @@ fn sweep(out: &Path, study: &Study, run: &Run) -> (Ending, Savings) {
                 directory: &mut directory,
                 ranks: &ranks,
                 interrupt: &run.interrupt,
-                progress: Progress::new(ProgressStyle::Quiet, plan.cases.len(), plan.total_cost()),
+                progress: Progress::new(
+                    ProgressStyle::Quiet,
+                    Default::default(),
+                    plan.total_cost(),
+                ),
             };
             ended = Some(coordinate(link, &mut session)?);
             Ok(())

@@ -7,7 +7,7 @@ use sha2::{Digest, Sha256};
 
 use super::table::{AccuracyTable, Choice, differences};
 use crate::quantities::summary::{CASE_ID, PARTICLE_SPACING};
-use crate::results::{CaseRecord, ErrorBars};
+use crate::results::{CaseRecord, ErrorBars, narrowest_bar_percent};
 use crate::scene::CaseConfig;
 use crate::simulation::Maximum;
 use crate::study::{Case, CaseId, Study};
@@ -74,10 +74,27 @@ impl MaxError {
         let choose = |verified: &Verified| {
             verified.bar_percent.filter(|&bar| bar > self.percent)?;
             let case = &study.cases[verified.index];
+            if self.is_out_of_reach(case) {
+                return None; // finer particles would make its bar no narrower
+            }
             let depth = case.config.scene.seawall()?.still_water_depth_m;
             Some((case.index, self.choose(study, case, 0.99 * verified.spacing_m / depth)?))
         };
         self.verify(study, records).iter().filter_map(choose).collect()
+    }
+
+    /// The narrowest bar, percent, of the cases whose bars cannot be as narrow as wanted, and how many
+    /// these are; `None` where there are none.
+    pub fn floor(&self, study: &Study) -> Option<(f64, usize)> {
+        let beyond = study.cases.iter().filter(|case| self.is_out_of_reach(case));
+        let floors: Vec<_> =
+            beyond.filter_map(|case| narrowest_bar_percent(&case.config)).collect();
+        let least = floors.iter().copied().min_by(f64::total_cmp)?;
+        Some((least, floors.len()))
+    }
+
+    fn is_out_of_reach(&self, case: &Case) -> bool {
+        narrowest_bar_percent(&case.config).is_some_and(|floor| floor > self.percent)
     }
 
     fn choose(&self, study: &Study, case: &Case, at_most: f64) -> Option<Choice> {

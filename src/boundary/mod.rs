@@ -37,6 +37,8 @@ pub use mls_quadratic::MlsQuadratic;
 pub use normalized::Normalized;
 pub use sfdi::{Sfdi, SfdiMatrix};
 pub use sums::Water;
+#[cfg(test)]
+pub use tank::MISSING_ROW;
 pub use tank::{TankLayout, tank_ghosts};
 pub use weighing::{Stencil, Weighing};
 

@@ -5,12 +5,12 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 
-use super::check::binary;
+use super::cost::binary;
 use super::output::Output;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::{
-    Crew, Ending, Interrupt, Progress, Session, Setup, SphRunner, coordinate, host_name, memory,
-    threads,
+    Crew, Ending, Interrupt, Progress, Session, Setup, SphRunner, Tally, coordinate, host_name,
+    memory, threads,
 };
 use crate::film::Filming;
 use crate::math::simd::SimdPath;
@@ -49,8 +49,13 @@ impl Done {
 
     /// Finished cases of which something touches a quoted number.
     pub(super) fn doubtful(&self) -> usize {
+        self.doubts().count()
+    }
+
+    /// What touches a quoted number, of every finished case of which something does.
+    pub(super) fn doubts(&self) -> impl Iterator<Item = &str> {
         let outcomes = self.records().filter_map(|record| record.outcome.as_ref());
-        outcomes.filter(|outcome| outcome.doubtful_reason.is_some()).count()
+        outcomes.filter_map(|outcome| outcome.doubtful_reason.as_deref())
     }
 
     pub(super) fn failed(&self) -> usize {
@@ -121,7 +126,8 @@ pub(super) fn execute(
         directory.retry_failed();
     }
     let missing = directory.runs().iter().filter(|record| record.is_none()).count();
-    tell_opened(&opened, job, missing, output);
+    let tallies = tallies(&directory);
+    tell_opened(&opened, job, tallies, output);
     if missing == 0 {
         directory.write_tables(study)?;
         if Manifest::read(&job.out).is_none() {
@@ -152,12 +158,12 @@ pub(super) fn execute(
         ..SessionInfo::default()
     });
     manifest.write(&job.out)?;
-    tell_start(crew, &directory, missing, output);
+    tell_start(crew, &directory, tallies, output);
     let ranks = crew.ranks().to_vec();
     let simd = directory.simd();
     let mut ended = None;
     crew.work(simd, &mut |link| {
-        let progress = Progress::new(output.progress_style(), plan.cases.len(), plan.total_cost());
+        let progress = Progress::new(output.progress_style(), tallies, plan.total_cost());
         let mut session = Session {
             study,
             plan: &plan,
@@ -204,22 +210,50 @@ fn demand_memory(study: &Study, directory: &Directory, crew: &dyn Crew) -> Resul
     }
 }
 
-fn tell_opened(opened: &Opened, job: &Job, missing: usize, output: &Output) {
+/// Cases and companions, and how many of them are done.
+fn tallies(directory: &Directory) -> [Tally; 2] {
+    let (cases, companions) = directory.runs().split_at(directory.records().len());
+    [cases, companions].map(|runs| Tally {
+        all: runs.len(),
+        done: runs.iter().filter(|record| record.is_some()).count(),
+    })
+}
+
+/// Cases, and companions where there are any: `8 cases and 8 companions for error bars`.
+fn in_words(cases: usize, companions: usize) -> String {
+    let cases = counted(cases, "case");
+    match companions {
+        0 => cases,
+        companions => format!("{cases} and {} for error bars", counted(companions, "companion")),
+    }
+}
+
+fn tell_opened(opened: &Opened, job: &Job, [cases, companions]: [Tally; 2], output: &Output) {
     let out = job.out.display();
+    let all_done = cases.done == cases.all && companions.done == companions.all;
     match opened {
         Opened::New => {}
         Opened::Moved(aside) => output.note(format_args!("moved {out} to {}", aside.display())),
-        Opened::Resumed(_) if missing == 0 => {
+        Opened::Resumed(_) if all_done => {
             output.note(format_args!("{out} is finished; --fresh would run it again"));
         }
         Opened::Resumed(_) => {
-            let done = counted(job.study.run_count() - missing, "run");
-            output.note(format_args!("resuming {out}: {done} done, {missing} left"));
+            let all = in_words(cases.all, companions.all);
+            let done = match companions.all {
+                0 => cases.done.to_string(),
+                _ => format!("{} and {}", cases.done, companions.done),
+            };
+            output.note(format_args!("resuming {out}: {done} of {all} done"));
         }
     }
 }
 
-fn tell_start(crew: &dyn Crew, directory: &Directory, missing: usize, output: &Output) {
+fn tell_start(
+    crew: &dyn Crew,
+    directory: &Directory,
+    [cases, companions]: [Tally; 2],
+    output: &Output,
+) {
     let ranks = crew.ranks();
     let places: usize = ranks.iter().map(RankInfo::places).sum();
     let threads: usize = ranks.iter().map(|rank| rank.threads).sum();
@@ -235,7 +269,7 @@ fn tell_start(crew: &dyn Crew, directory: &Directory, missing: usize, output: &O
     };
     output.note(format_args!(
         "{} on {who}, {}, into {}",
-        counted(missing, "run"),
+        in_words(cases.all - cases.done, companions.all - companions.done),
         crate::math::name::name_of(directory.simd()),
         directory.path().display()
     ));

@@ -1,18 +1,37 @@
-//! From an error to one line on standard error and an exit code.
+//! From an error to one line on standard error, an object for programs, and an exit code.
 
 use std::io::{ErrorKind, Write};
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value, json};
 
 use super::{BAD_INPUT, INTERNAL, SUCCESS};
 use crate::execute::Launcher;
 use crate::results::SweepError;
+use crate::scene::ConfigError;
 
 /// Something that the user can put right.
 #[derive(Debug, thiserror::Error)]
 #[error("{0}")]
 pub(super) struct BadInput(pub(super) String);
 
+/// A value in a file that the user can put right.
+#[derive(Debug, thiserror::Error)]
+#[error("{}: {error}", path.display())]
+pub(super) struct BadFile {
+    path: PathBuf,
+    error: ConfigError,
+}
+
+impl BadFile {
+    /// Wraps an error with the file that it is in.
+    pub(super) fn of(path: &Path) -> impl Fn(ConfigError) -> BadFile + '_ {
+        move |error| BadFile { path: path.to_owned(), error }
+    }
+}
+
 /// Tells an error, on rank 0 only, and turns it into the exit code.
-pub(super) fn exit_code(result: anyhow::Result<u8>, launcher: Launcher) -> u8 {
+pub(super) fn exit_code(result: anyhow::Result<u8>, launcher: Launcher, as_json: bool) -> u8 {
     let error = match result {
         Ok(code) => return code,
         Err(error) => error,
@@ -21,10 +40,52 @@ pub(super) fn exit_code(result: anyhow::Result<u8>, launcher: Launcher) -> u8 {
         return SUCCESS;
     }
     let line = told(&error).replace('\n', " ");
+    let code = if is_bad_input(&error) { BAD_INPUT } else { INTERNAL };
+    if as_json {
+        print(&object(&error, &line, code));
+    }
     // Where nobody listens there is nobody to tell.
     let _ = writeln!(std::io::stderr(), "error: {line}");
+    code
+}
+
+/// Tells a command line that was not understood to a program that reads JSON.
+pub(super) fn print_usage(message: &str) {
+    let lines = message.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:"));
+    let words: Vec<_> = lines.filter(|line| !line.is_empty()).collect();
+    let message = words.join(" ");
+    let message = message.trim_start_matches("error: ");
+    print(&json!({ "error": { "kind": "usage", "message": message, "exit_code": BAD_INPUT } }));
+}
+
+/// Tells a panic to a program that reads JSON.
+pub(super) fn print_internal(message: &str) {
+    print(&json!({ "error": { "kind": "internal", "message": message, "exit_code": INTERNAL } }));
+}
+
+fn print(value: &Value) {
+    let _ = writeln!(std::io::stdout(), "{value:#}");
+}
+
+fn is_bad_input(error: &anyhow::Error) -> bool {
     let refused = error.downcast_ref::<SweepError>().is_some_and(SweepError::is_refusal);
-    if refused || error.is::<BadInput>() { BAD_INPUT } else { INTERNAL }
+    refused || error.is::<BadInput>() || error.is::<BadFile>()
+}
+
+/// The error as an object: file, key, value and what is allowed where they are known.
+fn object(error: &anyhow::Error, message: &str, code: u8) -> Value {
+    let kind = if code == BAD_INPUT { "bad-input" } else { "internal" };
+    let mut told = json!({ "kind": kind, "message": message, "exit_code": code });
+    if let Some(BadFile { path, error }) = error.downcast_ref() {
+        told["file"] = json!(path);
+        told["key"] = json!(error.key);
+        told["value"] = json!(error.value);
+        told["allowed"] = json!(error.allowed);
+    }
+    if let Some(SweepError::Io { path, .. }) = error.downcast_ref() {
+        told["file"] = json!(path);
+    }
+    json!({ "error": told })
 }
 
 /// An error and its causes, without those that it names itself.
@@ -52,8 +113,10 @@ mod tests {
 
     #[test]
     fn errors_have_their_codes() {
-        let code = |error: anyhow::Error| exit_code(Err(error), Launcher::default());
+        let code = |error: anyhow::Error| exit_code(Err(error), Launcher::default(), false);
         assert_eq!(code(BadInput("x".into()).into()), BAD_INPUT);
+        let bad_file = BadFile::of(Path::new("a"))(ConfigError::new("k", 1, "must be 2"));
+        assert_eq!(code(bad_file.into()), BAD_INPUT);
         assert_eq!(code(SweepError::Refused("x".into()).into()), BAD_INPUT);
         assert_eq!(code(SweepError::Executor("x".into()).into()), INTERNAL);
         assert_eq!(code(std::io::Error::from(ErrorKind::BrokenPipe).into()), SUCCESS);

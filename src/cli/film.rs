@@ -1,19 +1,19 @@
 //! `seawall film`: one case of a finished study again, filmed.
 
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 use serde_json::json;
 
 use super::failure::BadInput;
+use super::input::demand_output_of_study;
 use super::output::Output;
+use super::pick::the_case;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::Interrupt;
 use crate::film::{Colour, Filming, PageFilm};
 use crate::math::simd::SimdPath;
-use crate::results::{CaseRecord, Manifest, counted, finished, first_difference, read_journal};
-use crate::scene::ConfigError;
+use crate::results::{CaseRecord, Manifest, finished, first_difference, read_journal};
 use crate::simulation::{Outcome, Resources, Stopped, run_case};
 use crate::study::{Case, Override, PHYSICS_VERSION, Study, SweepFile};
 
@@ -90,10 +90,22 @@ pub(super) fn page(directory: &Path, colour: Colour) -> PageFilm {
 /// The study that a directory holds, and the instruction set that it was computed with.
 pub(super) fn read(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     let bad = |reason: String| BadInput(format!("{}: {reason}", directory.display()));
-    let lacking = || bad("holds no manifest.json: not the output directory of a sweep".to_owned());
-    let manifest = Manifest::read(directory).ok_or_else(lacking)?;
+    let (_, study) = study_of(directory)?;
     let unfinished = || bad("the sweep was stopped before it began".to_owned());
     let header = read_journal(directory)?.header.ok_or_else(unfinished)?;
+    if !header.simd.is_supported() {
+        let simd = crate::math::name::name_of(header.simd);
+        return Err(bad(format!("was computed with {simd}, which this machine lacks")).into());
+    }
+    Ok((study, header.simd))
+}
+
+/// The file that a directory was made from, with what the command line set, and its study.
+pub(super) fn study_of(directory: &Path) -> anyhow::Result<(SweepFile, Study)> {
+    let bad = |reason: String| BadInput(format!("{}: {reason}", directory.display()));
+    demand_output_of_study(directory, "manifest.json")?;
+    let lacking = || bad("manifest.json cannot be read".to_owned());
+    let manifest = Manifest::read(directory).ok_or_else(lacking)?;
     if manifest.physics_version != PHYSICS_VERSION {
         let theirs = manifest.physics_version;
         let reason = format!("has physics version {theirs}, this program {PHYSICS_VERSION}");
@@ -102,76 +114,14 @@ pub(super) fn read(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     let set = |text: &String| text.parse::<Override>();
     let overrides: Vec<_> =
         manifest.overrides.iter().map(set).collect::<Result<_, _>>().map_err(bad)?;
-    let study = SweepFile::read(&manifest.sweep_file, &overrides)
-        .and_then(|file| Study::new(&file))
-        .map_err(|error| bad(format!("sweep_file in manifest.json: {error}")))?;
-    if study.identity != header.sweep {
+    let told = |error| bad(format!("sweep_file in manifest.json: {error}"));
+    let file = SweepFile::read(&manifest.sweep_file, &overrides).map_err(told)?;
+    let study = Study::new(&file).map_err(told)?;
+    if study.identity != manifest.sweep {
         let reason = "its cases cannot be made from its manifest alone, as with --max-error";
         return Err(bad(format!("{reason}; film one with `seawall run --film`")).into());
     }
-    if !header.simd.is_supported() {
-        let simd = crate::math::name::name_of(header.simd);
-        return Err(bad(format!("was computed with {simd}, which this machine lacks")).into());
-    }
-    Ok((study, header.simd))
-}
-
-/// The only case that fits the words: an id, or values of swept keys.
-pub(super) fn the_case<'a>(study: &'a Study, words: &[String]) -> Result<&'a Case, BadInput> {
-    let mut fitting: Vec<&Case> = study.cases.iter().collect();
-    for word in words {
-        if !word.contains('=') {
-            fitting.retain(|case| case.id.to_string() == *word);
-            if fitting.is_empty() {
-                return Err(BadInput(format!("{word}: no case of this study has this id")));
-            }
-            continue;
-        }
-        let wanted =
-            Override::from_str(word).map_err(|error| BadInput(format!("{word}: {error}")))?;
-        let path = wanted.path();
-        let Some(place) = study.keys.iter().position(|key| *key == path) else {
-            return Err(BadInput(ConfigError::unknown(&path, &study.keys).to_string()));
-        };
-        let values = values(&fitting, place);
-        fitting.retain(|case| {
-            case.assignments[place].as_ref().is_some_and(|value| same(value, wanted.value()))
-        });
-        if fitting.is_empty() {
-            return Err(BadInput(format!("{word}: no such case; there is {values}")));
-        }
-    }
-    if let [case] = fitting[..] {
-        return Ok(case);
-    }
-    let open = (0..study.keys.len()).filter(|&place| values(&fitting, place).contains(','));
-    let open: Vec<_> =
-        open.map(|place| format!("{} ({})", study.keys[place], values(&fitting, place))).collect();
-    let cases = counted(fitting.len(), "case");
-    Err(BadInput(format!("{cases} fit; say which one by {}", open.join(", "))))
-}
-
-/// The values of a swept key among some cases, in words.
-fn values(cases: &[&Case], place: usize) -> String {
-    let mut words: Vec<String> = Vec::new();
-    for value in cases.iter().filter_map(|case| case.assignments[place].as_ref()) {
-        let word = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-        if !words.contains(&word) {
-            words.push(word);
-        }
-    }
-    words.join(", ")
-}
-
-/// Equal as settings, numbers to four digits: nobody writes more by hand.
-fn same(value: &toml::Value, wanted: &toml::Value) -> bool {
-    let number = |value: &toml::Value| {
-        value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
-    };
-    match (number(value), number(wanted)) {
-        (Some(value), Some(wanted)) => (value - wanted).abs() <= 5e-4 * value.abs(),
-        _ => value == wanted,
-    }
+    Ok((file, study))
 }
 
 /// Where and how cases are filmed again.
@@ -270,28 +220,6 @@ mod tests {
         let text = "name = \"a\"\n[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n[grid]\n\
             wave_height_ratio = [0.3, 0.5]\nspring_stiffness_n_per_m = [10, 21544.3469003188]";
         Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap()
-    }
-
-    fn pick(words: &[&str]) -> Result<usize, String> {
-        let words: Vec<_> = words.iter().map(|&word| word.to_owned()).collect();
-        the_case(&study(), &words).map(|case| case.index).map_err(|error| error.to_string())
-    }
-
-    #[test]
-    fn words_pick_a_case() {
-        let id = study().cases[2].id.to_string();
-        assert_eq!(pick(&["wave_height_ratio=0.5", "spring_stiffness_n_per_m=21540"]), Ok(3));
-        assert_eq!(pick(&[&id]), Ok(2));
-        let told = pick(&["wave_height_ratio=0.5"]).unwrap_err();
-        assert!(
-            told.starts_with("2 cases fit; say which one by spring_stiffness_n_per_m"),
-            "{told}"
-        );
-        let told = pick(&["stiffness=10"]).unwrap_err();
-        assert_eq!(told, "stiffness: unknown key; did you mean spring_stiffness_n_per_m?");
-        let told = pick(&["wave_height_ratio=0.4"]).unwrap_err();
-        assert_eq!(told, "wave_height_ratio=0.4: no such case; there is 0.3, 0.5");
-        assert!(pick(&["0123456789abcdef"]).is_err());
     }
 
     #[test]

@@ -4,9 +4,10 @@ use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 
-use super::failure::BadInput;
+use super::failure::{BadFile, BadInput};
+use super::pick::the_case;
 use crate::math::simd::SimdPath;
-use crate::scene::ConfigError;
+use crate::results::in_words;
 use crate::study::{Override, Study, SweepFile};
 
 /// The user's choice of instruction set.
@@ -53,14 +54,12 @@ impl std::str::FromStr for Setting {
 pub(super) enum Expect {
     /// A file with a `[grid]`.
     Grid,
-    /// A file without one.
-    SingleScene,
     Either,
 }
 
+/// The text of a sweep or scene file.
 pub(super) fn read(path: &Path) -> Result<String, BadInput> {
-    let bytes =
-        std::fs::read(path).map_err(|error| BadInput(format!("{}: {error}", path.display())))?;
+    let bytes = std::fs::read(path).map_err(|error| unreadable(path, &error))?;
     String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
@@ -68,20 +67,74 @@ pub(super) fn read(path: &Path) -> Result<String, BadInput> {
     })
 }
 
-pub(super) fn study(path: &Path, settings: &[Setting], expect: Expect) -> anyhow::Result<Study> {
-    let bad = |reason: &dyn std::fmt::Display| BadInput(format!("{}: {reason}", path.display()));
+/// Why a file cannot be read, and what would be one.
+fn unreadable(path: &Path, error: &std::io::Error) -> BadInput {
+    let told = path.display();
+    BadInput(if path.join(MANIFEST).is_file() {
+        format!(
+            "{told}: is the output directory of a study; `seawall status {told}` tells how it fares"
+        )
+    } else if path.is_dir() {
+        format!(
+            "{told}: is a directory; give a sweep or scene file, such as {}",
+            path.join("NAME.toml").display()
+        )
+    } else {
+        format!(
+            "{told}: {}; give a sweep or scene file (`seawall init NAME` writes one)",
+            in_words(error.kind())
+        )
+    })
+}
+
+/// What every output directory holds.
+const MANIFEST: &str = "manifest.json";
+
+/// Refuses a directory that does not hold a file which every output directory of a study has.
+pub(super) fn demand_output_of_study(directory: &Path, holds: &str) -> Result<(), BadInput> {
+    let told = directory.display();
+    let reason = if directory.join(holds).is_file() {
+        return Ok(());
+    } else if !directory.exists() {
+        "no such directory; give the output directory of a study, such as results/runs/NAME"
+            .to_owned()
+    } else if directory.is_file() {
+        "is a file; give the output directory of a study, such as results/runs/NAME".to_owned()
+    } else {
+        format!("holds no {holds}: not the output directory of a study")
+    };
+    Err(BadInput(format!("{told}: {reason}")))
+}
+
+/// A sweep or scene file with the command line's values.
+pub(super) fn sweep_file(path: &Path, settings: &[Setting]) -> anyhow::Result<SweepFile> {
     let text = read(path)?;
     let overrides: Vec<_> = settings.iter().map(|setting| setting.set.clone()).collect();
-    let study = || -> Result<Study, ConfigError> {
-        let file = SweepFile::read(&text, &overrides)?;
-        match expect {
-            Expect::Grid => file.require_grid()?,
-            Expect::SingleScene => file.refuse_grid()?,
-            Expect::Either => {}
-        }
-        Study::new(&file)
-    };
-    Ok(study().map_err(|error| bad(&error))?)
+    Ok(SweepFile::read(&text, &overrides).map_err(BadFile::of(path))?)
+}
+
+pub(super) fn study(path: &Path, settings: &[Setting], expect: Expect) -> anyhow::Result<Study> {
+    let file = sweep_file(path, settings)?;
+    if expect == Expect::Grid {
+        file.require_grid().map_err(BadFile::of(path))?;
+    }
+    Ok(Study::new(&file).map_err(BadFile::of(path))?)
+}
+
+/// The study of a single scene: of a file without a grid, or of the case of a sweep file that the
+/// words name.
+pub(super) fn scene(path: &Path, settings: &[Setting], words: &[String]) -> anyhow::Result<Study> {
+    let file = sweep_file(path, settings)?;
+    let bad = BadFile::of(path);
+    if words.is_empty() {
+        file.refuse_grid().and_then(|()| Study::new(&file)).map_err(bad)
+    } else {
+        let whole = Study::new(&file).map_err(BadFile::of(path))?;
+        let case = the_case(&whole, words)?;
+        let single = file.single(case).and_then(|text| SweepFile::read(&text, &[]));
+        single.and_then(|file| Study::new(&file)).map_err(bad)
+    }
+    .map_err(anyhow::Error::from)
 }
 
 /// The default output directory of a study.

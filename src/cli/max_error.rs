@@ -6,29 +6,61 @@ use serde_json::json;
 
 use super::execute::Done;
 use super::output::{Output, short};
-use crate::accuracy::{Choices, MaxError};
+use crate::accuracy::{Choice, Choices, MaxError};
 use crate::results::counted;
 use crate::study::Study;
+
+/// Reads the argument of `--max-error`.
+pub(super) fn percent(text: &str) -> Result<f64, String> {
+    let allowed = "a percentage above 0, as a number alone: 2 stands for 2 %";
+    let number = text.trim_end_matches(['%', ' ']);
+    match number.parse::<f64>().ok().filter(|percent| percent.is_finite() && *percent > 0.0) {
+        Some(percent) if number == text => Ok(percent),
+        Some(percent) => Err(format!("write {percent}: it is {allowed}")),
+        None => Err(format!("must be {allowed}")),
+    }
+}
 
 /// The study with the numerics that are expected to do, and why, told.
 pub(super) fn first(aim: &MaxError, study: &Study, output: &Output) -> Study {
     let choices = aim.first(study);
     let mut told: BTreeMap<String, usize> = BTreeMap::new();
     for choice in choices.values() {
-        let doubt = if choice.meets { "the cheapest expected to do" } else { "the best known" };
-        let line = format!(
-            "{}: {doubt}, {} % of force and displacement in {} s of {}",
-            choice.method,
-            short(choice.expected_percent),
-            short(choice.cost_s),
-            choice.because
-        );
-        *told.entry(line).or_default() += 1;
+        *told.entry(reason(choice, aim.percent())).or_default() += 1;
     }
     for (line, cases) in told {
-        output.note(format_args!("{} with {line}", counted(cases, "case")));
+        output.note(format_args!("{}: {line}", counted(cases, "case")));
     }
-    with(study, &choices).aiming_at(aim.percent())
+    let chosen = with(study, &choices).aiming_at(aim.percent());
+    if let Some((floor, cases)) = aim.floor(&chosen) {
+        output.note(format_args!(
+            "warning: --max-error {}: {} cannot have error bars narrower than {} %, however fine the \
+             particles: readings scatter by that much between spacings, and by the sound in the water; \
+             these run once",
+            aim.percent(),
+            counted(cases, "case"),
+            short(floor)
+        ));
+    }
+    chosen
+}
+
+/// Why a case gets its numerics.
+fn reason(choice: &Choice, percent: f64) -> String {
+    let hope = if choice.meets {
+        format!("the cheapest that is expected to be within {percent} %")
+    } else {
+        format!("the most accurate that is known, though not expected to be within {percent} %")
+    };
+    format!(
+        "particles {} m apart (method {:?} of sweeps/accuracy.toml), {hope}: force and displacement were \
+         {} % off in {}, which took {} s",
+        short(choice.config.numerics.particle_spacing_m),
+        choice.method,
+        short(choice.expected_percent),
+        choice.because,
+        short(choice.cost_s)
+    )
 }
 
 /// The study with finer spacings where the bars are too wide; `None` where nothing is to be done.
@@ -38,7 +70,9 @@ pub(super) fn refine(aim: &MaxError, study: &Study, done: &Done, output: &Output
         return None;
     }
     let (percent, cases) = (aim.percent(), counted(finer.len(), "case"));
-    output.note(format_args!("bars wider than {percent} % in {cases}: once more, finer"));
+    output.note(format_args!(
+        "error bars wider than {percent} % in {cases}: these run once more with finer particles"
+    ));
     Some(with(study, &finer))
 }
 
@@ -56,8 +90,21 @@ pub(super) fn report(
     std::fs::write(done.directory.path().join("max_error.csv"), aim.csv(study, &verified)?)?;
     let met = verified.iter().filter(|case| case.met).count();
     let (percent, cases) = (aim.percent(), counted(study.cases.len(), "case"));
+    let widest = verified.iter().filter_map(|case| case.bar_percent).max_by(f64::total_cmp);
+    let widest_told = widest.map(|bar| format!("; the widest bar is {} %", short(bar)));
+    let floor = aim.floor(study).map(|(floor, _)| floor);
+    let floor_told = floor.map(|floor| format!("; none can be narrower than {} %", short(floor)));
     let told = format!(
-        "bars of force and displacement within {percent} %: {met} of {cases} (max_error.csv)\n"
+        "force and displacement are within {percent} % by their error bars in {met} of {cases} \
+         (max_error.csv){}{}\n",
+        widest_told.unwrap_or_default(),
+        floor_told.unwrap_or_default()
     );
-    Ok((told, json!({ "max_error_percent": percent, "met": met })))
+    let value = json!({
+        "max_error_percent": percent,
+        "met": met,
+        "widest_bar_percent": widest,
+        "narrowest_possible_bar_percent": floor,
+    });
+    Ok((told, value))
 }

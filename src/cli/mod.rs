@@ -7,23 +7,31 @@
 mod accuracy;
 mod check;
 mod compare;
+mod completions;
+mod cost;
 mod execute;
+mod explain;
 mod failure;
 mod film;
+mod glossary;
+mod init;
 mod input;
 mod matrix;
 mod max_error;
 mod output;
 mod overview;
 mod physics;
+mod pick;
 mod report;
 mod reproduce;
 mod run;
+mod show;
 mod status;
 mod stress;
 mod sweep;
 mod table;
 mod verify;
+mod warnings;
 
 use std::ffi::OsString;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -47,7 +55,7 @@ const INTERNAL: u8 = 70;
 /// Parameter sweeps of SPH simulations of solitary waves on fixed and spring-mounted seawalls.
 #[derive(Debug, Parser)]
 #[command(name = "seawall", version, propagate_version = true)]
-#[command(after_help = "Start with: seawall check sweeps/smoke.toml")]
+#[command(after_help = "Start with: seawall init my_study")]
 struct Cli {
     #[command(flatten)]
     global: Global,
@@ -75,8 +83,11 @@ enum Subcommands {
     Run(run::RunArgs),
     Film(film::FilmArgs),
     Check(check::CheckArgs),
+    Init(init::InitArgs),
+    Explain(explain::ExplainArgs),
     Status(status::StatusArgs),
     Verify(verify::VerifyArgs),
+    Show(show::ShowArgs),
     Report(report::ReportArgs),
     Compare(compare::CompareArgs),
     Reproduce(reproduce::ReproduceArgs),
@@ -85,27 +96,51 @@ enum Subcommands {
     /// Does a piece of a sweep's work, read from standard input.
     #[command(name = apart::SUBCOMMAND, hide = true)]
     Apart,
+    Completions(completions::CompletionsArgs),
+    Man(completions::ManArgs),
 }
 
 /// Runs the command line and returns the process's exit code.
 pub fn main() -> ExitCode {
     let launcher = Launcher::detect();
     let code = catch_unwind(AssertUnwindSafe(|| main_with(std::env::args_os(), launcher)));
-    ExitCode::from(code.unwrap_or(INTERNAL))
+    ExitCode::from(code.unwrap_or_else(|panic| {
+        if asks_for_json(std::env::args_os()) && launcher.rank == 0 {
+            let message = panic.downcast_ref::<String>().map(String::as_str);
+            let message = message.or_else(|| panic.downcast_ref::<&str>().copied());
+            failure::print_internal(message.unwrap_or("the program has failed"));
+        }
+        INTERNAL
+    }))
+}
+
+/// Whether `--format json` is among the arguments, for errors before they are understood.
+fn asks_for_json(arguments: impl Iterator<Item = OsString>) -> bool {
+    let words: Vec<_> = arguments.collect();
+    let pair = |pair: &[OsString]| pair[0] == "--format" && pair[1] == "json";
+    words.windows(2).any(pair) || words.iter().any(|word| word == "--format=json")
+}
+
+/// What the command line may be.
+fn command(launcher: Launcher) -> clap::Command {
+    let never = launcher.present || std::env::var_os("NO_COLOR").is_some_and(|set| !set.is_empty());
+    // Under mpirun standard output is a pseudo-terminal even when it ends in a file.
+    if never { Cli::command().color(ColorChoice::Never) } else { Cli::command() }
 }
 
 fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) -> u8 {
-    let mut command = Cli::command();
-    if launcher.present {
-        // Under mpirun standard output is a pseudo-terminal even when it ends in a file.
-        command = command.color(ColorChoice::Never);
-    }
-    let parsed =
-        command.try_get_matches_from(arguments).and_then(|matches| Cli::from_arg_matches(&matches));
+    let arguments: Vec<_> = arguments.into_iter().collect();
+    let as_json = asks_for_json(arguments.iter().cloned());
+    let parsed = command(launcher)
+        .try_get_matches_from(arguments)
+        .and_then(|matches| Cli::from_arg_matches(&matches));
     let cli = match parsed {
         Ok(cli) => cli,
         Err(_) if launcher.rank > 0 => return SUCCESS,
         Err(error) => {
+            if as_json && error.use_stderr() {
+                failure::print_usage(&error.to_string());
+            }
             // Where nobody listens there is nobody to tell.
             let _ = error.print();
             return if error.use_stderr() { BAD_INPUT } else { SUCCESS };
@@ -118,8 +153,11 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         Subcommands::Run(args) => run::main(&args, &output),
         Subcommands::Film(args) => film::main(&args, &output),
         Subcommands::Check(args) => check::main(&args, &output),
+        Subcommands::Init(args) => init::main(&args, &output),
+        Subcommands::Explain(args) => explain::main(&args, &output),
         Subcommands::Status(args) => status::main(&args, &output),
         Subcommands::Verify(args) => verify::main(&args, &output),
+        Subcommands::Show(args) => show::main(&args, &output),
         Subcommands::Report(args) => report::main(&args, &output),
         Subcommands::Compare(args) => compare::main(&args, &output),
         Subcommands::Reproduce(args) => reproduce::main(&args, &output),
@@ -130,8 +168,10 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
             apart::serve(std::io::stdin().lock(), std::io::stdout().lock(), runner)
                 .map(|()| SUCCESS)
         }
+        Subcommands::Completions(args) => completions::completions(&args, Cli::command(), &output),
+        Subcommands::Man(args) => completions::man(&args, Cli::command(), &output),
     };
-    failure::exit_code(result, launcher)
+    failure::exit_code(result, launcher, output.is_json())
 }
 
 #[cfg(test)]

@@ -49,6 +49,11 @@ impl Output {
         Ok(out.flush()?)
     }
 
+    /// Whether a program reads the results.
+    pub(super) fn is_json(&self) -> bool {
+        self.format == Format::Json
+    }
+
     /// Tells something in passing.
     pub(super) fn note(&self, text: impl std::fmt::Display) {
         if !self.quiet {
@@ -88,6 +93,34 @@ pub(super) fn short(value: f64) -> String {
     format!("{value:.3e}")
 }
 
+/// A number with its error bar, rounded to what the bar leaves of it; small ones with their power of
+/// ten behind both.
+pub(super) fn with_bar(value: f64, bar: f64) -> String {
+    if value == 0.0 || (1e-2..1e5).contains(&value.abs()) {
+        return crate::report::with_error(value, bar);
+    }
+    let power = value.abs().log10().floor() as i32;
+    let unit = 10_f64.powi(power);
+    format!("{} e{power}", crate::report::with_error(value / unit, bar / unit))
+}
+
+/// A text in lines of so many characters at most, broken between words.
+pub(super) fn wrapped(text: &str, width: usize) -> Vec<String> {
+    let mut lines = vec![String::new()];
+    for word in text.split_whitespace() {
+        let line = lines.last_mut().expect("there is always a line");
+        if line.is_empty() {
+            line.push_str(word);
+        } else if line.chars().count() + 1 + word.chars().count() <= width {
+            line.push(' ');
+            line.push_str(word);
+        } else {
+            lines.push(word.to_owned());
+        }
+    }
+    lines
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -100,5 +133,18 @@ mod tests {
             [4.25, 59.0, 200.0, 7500.0, 3e5, 1e9].map(duration),
             ["4.2 s", "59 s", "3 min 20 s", "2 h 05 min", "3.5 days", "32 years"]
         );
+    }
+
+    #[test]
+    fn bars_stand_beside_their_numbers() {
+        let told = [(3.3328, 0.0241), (0.00011444, 0.0000012), (0.0, 0.1)];
+        let told = told.map(|(value, bar)| with_bar(value, bar));
+        assert_eq!(told, ["3.33 ± 0.02", "1.144 ± 0.012 e-4", "0.00 ± 0.10"]);
+    }
+
+    #[test]
+    fn lines_are_broken_between_words() {
+        assert_eq!(wrapped("one two  three", 7), ["one two", "three"]);
+        assert_eq!(wrapped("", 7), [""]);
     }
 }

@@ -1,60 +1,105 @@
 //! The table at the end of a sweep, and how its cases fared.
 
+use std::collections::BTreeMap;
+
 use super::execute::{Done, Job};
-use super::output::{duration, short};
+use super::output::{duration, short, with_bar};
 use super::table::Table;
 use crate::math::name::name_of;
 use crate::quantities::summary::{
     DISPLACEMENT_MAX, ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX, STATUS,
 };
-use crate::quantities::{Bars, Column};
-use crate::results::counted;
+use crate::quantities::{Case, Column, heading, named};
+use crate::results::{CaseRecord, counted};
+use crate::simulation::kinds_of_doubt;
 
 /// Rows shown without `-v`.
 const ROWS: usize = 30;
+/// Characters that a row has at most.
+const WIDTH: usize = 80;
 /// Shown besides what was swept and how the case fared.
 const SHOWN: [&Column; 6] =
     [&FORCE_MAX, &RUNUP_MAX, &DISPLACEMENT_MAX, &FIRST_FORCE_MAX, &FIRST_RUNUP_MAX, &ENERGY_GAP];
+/// What goes first where there is no room for all.
+const GIVEN_UP: [&Column; 5] =
+    [&ENERGY_GAP, &FIRST_RUNUP_MAX, &FIRST_FORCE_MAX, &RUNUP_MAX, &DISPLACEMENT_MAX];
 
 /// A row per case, `all` or the first few, and the lines below them.
 pub(super) fn told(job: &Job, done: &Done, report: &std::path::Path, all: bool) -> String {
-    let keys = &job.study.keys;
-    let heading = SHOWN.into_iter().chain([&STATUS]).map(Column::heading);
-    let mut table = Table::new(keys.iter().cloned().chain(heading));
     let rows = if all { usize::MAX } else { ROWS };
-    let mut bounds = false;
-    for record in done.records().take(rows) {
-        let value = |key: &String| match record.values.get(key) {
-            Some(serde_json::Value::String(text)) => text.clone(),
-            Some(value) => value.to_string(),
-            None => "-".to_owned(),
-        };
-        let mut cells: Vec<String> = keys.iter().map(value).collect();
-        let case = record.reported(&job.study.cases[record.index].config, Bars::default());
-        for column in SHOWN {
-            let number = column.number(&case).map_or_else(|| "-".to_owned(), short);
-            let bound = column.is_bound(&case);
-            cells.push(if bound { format!("≥ {number}") } else { number });
-            bounds |= bound;
-        }
-        cells.push(match &record.outcome {
-            Some(outcome) if outcome.doubtful_reason.is_some() => "doubtful".to_owned(),
-            Some(_) => "ok".to_owned(),
-            None => record.failure.map_or_else(|| "failed".to_owned(), name_of),
-        });
-        table.row(cells);
-    }
-    let mut text = table.render();
+    let mut text = table(job, done, rows);
     let total = done.records().count();
     if total > rows {
         text.push_str(&format!("... and {} more in summary.csv (-v shows all)\n", total - rows));
     }
-    if bounds {
+    if text.contains('≥') {
         text.push_str("≥: the wall was still moving at the end, a lower bound\n");
     }
-    let (failed, doubtful) = (done.failed(), done.doubtful());
+    text.push_str(&fared(done, total));
+    text.push_str(&doubts(done));
+    text.push_str(&format!("report: {}\n", report.display()));
+    text
+}
+
+/// The table of the first cases, with as many columns as there is room for.
+fn table(job: &Job, done: &Done, rows: usize) -> String {
+    let mut shown = SHOWN.to_vec();
+    let mut given_up = GIVEN_UP.into_iter();
+    loop {
+        let text = render(job, done, rows, &shown);
+        let fits = text.lines().all(|line| line.chars().count() <= WIDTH);
+        let Some(least) = given_up.next().filter(|_| !fits) else { return text };
+        shown.retain(|column| *column != least);
+    }
+}
+
+fn render(job: &Job, done: &Done, rows: usize, shown: &[&Column]) -> String {
+    let keys = &job.study.keys;
+    let symbol = |key: &String| named(key).map_or_else(|| heading(key), Column::heading);
+    let headings = shown.iter().copied().chain([&STATUS]).map(Column::heading);
+    let mut table = Table::new(keys.iter().map(symbol).chain(headings));
+    for record in done.records().take(rows) {
+        let config = &job.study.cases[record.index].config;
+        let bars = job.study.error_bars(record.index, done.directory.runs());
+        let case = record.reported(config, bars);
+        let mut cells: Vec<String> = keys.iter().map(|key| swept(record, key)).collect();
+        cells.extend(shown.iter().map(|column| number(column, &case)));
+        cells.push(status(record));
+        table.row(cells);
+    }
+    table.render()
+}
+
+/// The value of a swept key.
+fn swept(record: &CaseRecord, key: &String) -> String {
+    match record.values.get(key) {
+        Some(serde_json::Value::String(text)) => text.clone(),
+        Some(value) => value.as_f64().map_or_else(|| value.to_string(), crate::report::plain),
+        None => "-".to_owned(),
+    }
+}
+
+/// A number with its error bar, and a sign before it where it is a lower bound.
+fn number(column: &Column, case: &Case<'_>) -> String {
+    let Some(value) = column.number(case) else { return "-".to_owned() };
+    let bar = column.bar.and_then(named).and_then(|bar| bar.number(case));
+    let told = bar.map_or_else(|| short(value), |bar| with_bar(value, bar));
+    if column.is_bound(case) { format!("≥ {told}") } else { told }
+}
+
+fn status(record: &CaseRecord) -> String {
+    match &record.outcome {
+        Some(outcome) if outcome.doubtful_reason.is_some() => "doubtful".to_owned(),
+        Some(_) => "ok".to_owned(),
+        None => record.failure.map_or_else(|| "failed".to_owned(), name_of),
+    }
+}
+
+/// How many cases are well, how long they took, and what trunks saved.
+fn fared(done: &Done, total: usize) -> String {
+    let failed = done.failed();
     let are = if total == 1 { "is" } else { "are" };
-    text.push_str(&format!("\n{} of {} {are} well", total - failed, counted(total, "case")));
+    let mut text = format!("\n{} of {} {are} well", total - failed, counted(total, "case"));
     if failed > 0 {
         text.push_str(&format!(", {failed} failed (seawall status tells why)"));
     }
@@ -66,15 +111,25 @@ pub(super) fn told(job: &Job, done: &Done, report: &std::path::Path, all: bool) 
         let saved = 100.0 * (1.0 - computed / done.savings.steps_from_rest as f64);
         text.push_str(&format!("; shared trunks saved {saved:.0} % of the steps"));
     }
-    text.push('\n');
-    if doubtful > 0 {
-        let (is, its) =
-            if doubtful == 1 { ("is", "its history") } else { ("are", "their histories") };
-        text.push_str(&format!(
-            "{} {is} doubtful (doubtful_reason in summary.csv): look at {its} first\n",
-            counted(doubtful, "finished case")
-        ));
+    text + "\n"
+}
+
+/// How many cases are doubtful, and by what.
+fn doubts(done: &Done) -> String {
+    let doubtful = done.doubtful();
+    if doubtful == 0 {
+        return String::new();
     }
-    text.push_str(&format!("report: {}\n", report.display()));
-    text
+    let mut kinds: BTreeMap<&str, usize> = BTreeMap::new();
+    for doubt in done.doubts() {
+        let of_case: std::collections::BTreeSet<_> = kinds_of_doubt(doubt).collect();
+        of_case.into_iter().for_each(|kind| *kinds.entry(kind).or_default() += 1);
+    }
+    let kinds: Vec<_> = kinds.iter().map(|(kind, cases)| format!("{kind} {cases}")).collect();
+    let (is, its) = if doubtful == 1 { ("is", "its history") } else { ("are", "their histories") };
+    format!(
+        "{} {is} doubtful (doubtful_reason in summary.csv): look at {its} first\n  {}\n",
+        counted(doubtful, "finished case"),
+        kinds.join(", ")
+    )
 }

@@ -7,6 +7,7 @@ use clap::{Args, ValueEnum};
 use serde_json::json;
 
 use super::failure::BadInput;
+use super::input::demand_output_of_study;
 use super::output::Output;
 use super::{SUCCESS, film};
 use crate::report::{Print, ReportError};
@@ -44,10 +45,7 @@ impl FigureFormat {
 }
 
 pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
-    if !args.dir.join("summary.csv").is_file() {
-        let reason = "holds no summary.csv: not the output directory of a sweep";
-        return Err(BadInput(format!("{}: {reason}", args.dir.display())).into());
-    }
+    demand_output_of_study(&args.dir, "summary.csv")?;
     let formats: Vec<_> = args.figures.iter().filter_map(|format| format.print()).collect();
     if let Some(format) = formats.first().filter(|_| !Print::BUILT) {
         let reason = "this build of seawall writes svg alone: build it with --features print";

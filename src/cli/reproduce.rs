@@ -10,7 +10,7 @@ use super::failure::BadInput;
 use super::input::Setting;
 use super::output::{Output, duration};
 use super::table::Table;
-use super::{INTERRUPTED, SUCCESS, check};
+use super::{INTERRUPTED, SUCCESS, cost};
 use crate::papers::{Recipe, Run, files, paper, recipes};
 use crate::report::Reproduced;
 use crate::results::{OpenMode, counted};
@@ -80,7 +80,7 @@ pub(super) fn main(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> 
     let threads = args.threads.or(times.then_some(1));
     let (mut directories, mut code) = (Vec::new(), SUCCESS);
     for (run, study) in recipe.run.iter().zip(studies) {
-        let seconds = check::expected_seconds(&study, threads.map(usize::from));
+        let seconds = cost::expected_seconds(&study, threads.map(usize::from));
         let cases = counted(study.cases.len(), "case");
         output.note(format_args!("{}: {cases}, about {} in all", run.name, duration(seconds)));
         let job = job(args, run, study, out.join(&run.name), !times);
@@ -255,7 +255,7 @@ fn list(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> {
         for run in &recipe.run {
             let study = study(run, &args.settings)?;
             let times = recipe.draw.as_ref().is_some_and(|draw| draw.tells_times());
-            seconds += check::expected_seconds(&study, times.then_some(1));
+            seconds += cost::expected_seconds(&study, times.then_some(1));
             cases += study.cases.len();
         }
         text.push_str(&format!("\n  {}: {}", recipe.title(), recipe.shows));

@@ -7,9 +7,10 @@ use clap::Args;
 use super::SUCCESS;
 use super::execute::{Done, Job, on_threads};
 use super::film::{self, ColourChoice};
-use super::input::{Expect, Setting, SimdChoice, default_out, study};
+use super::input::{Setting, SimdChoice, default_out, scene};
 use super::output::{Output, duration, short};
 use super::table::Table;
+use super::warnings;
 use crate::execute::{Ending, Interrupt};
 use crate::film::{Filming, PageFilm, VtkFilm};
 use crate::quantities::summary::{ALL, DISPLACEMENT_MAX, MEASURED_WAVE_HEIGHT_RATIO};
@@ -24,12 +25,16 @@ use crate::study::Study;
 #[command(after_help = "Examples:
   seawall run sweeps/scenes/fixed_wall.toml
   seawall run sweeps/scenes/fixed_wall.toml --set scene.wave_height_ratio=0.3 --out results/runs/h03
+  seawall run sweeps/nightly.toml wave_height_ratio=0.5 spring_stiffness_n_per_m=10
   seawall run sweeps/scenes/dam_break.toml --vtk 0.02
   seawall run sweeps/scenes/movable_wall.toml --film
   seawall run sweeps/scenes/fixed_wall.toml --fresh --format json")]
 pub(super) struct RunArgs {
-    /// The scene file: name, [scene], [numerics], and no [grid].
+    /// The scene file: name, [scene], [numerics]; or a sweep file of which KEY=VALUE name a case.
     file: PathBuf,
+    /// Of a sweep file, which case: values of swept keys, or the start of its id.
+    #[arg(value_name = "KEY=VALUE")]
+    case: Vec<String>,
     /// Where results go [default: results/runs/<name>].
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -70,7 +75,11 @@ impl std::str::FromStr for Seconds {
 }
 
 pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
-    let study = study(&args.file, &args.settings, Expect::SingleScene)?;
+    let study = scene(&args.file, &args.settings, &args.case)?;
+    warnings::tell(&args.file, &study, output);
+    warnings::tell_threads(args.threads, output);
+    // What picks a case of a sweep file has put all settings into a file of its own.
+    let settings = if args.case.is_empty() { &args.settings[..] } else { &[] };
     let job = Job {
         out: args.out.clone().unwrap_or_else(|| default_out(&study)),
         study,
@@ -79,7 +88,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         branching: false,
         shares_threads: true,
         simd: args.simd.path(),
-        overrides: args.settings.iter().map(|setting| setting.text.clone()).collect(),
+        overrides: settings.iter().map(|setting| setting.text.clone()).collect(),
     };
     let folder = job.out.join("vtk");
     let vtk = args.vtk.map(|Seconds(interval_s)| Filming::Vtk(VtkFilm { interval_s, folder }));

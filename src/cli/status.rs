@@ -8,6 +8,7 @@ use serde_json::json;
 
 use super::SUCCESS;
 use super::failure::BadInput;
+use super::input::demand_output_of_study;
 use super::output::{Output, duration};
 use super::table::Table;
 use crate::math::name::name_of;
@@ -25,9 +26,7 @@ pub(super) struct StatusArgs {
 
 pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
     let bad = |reason: &str| BadInput(format!("{}: {reason}", args.dir.display()));
-    if !args.dir.join("journal.jsonl").is_file() {
-        return Err(bad("holds no journal.jsonl: not the output directory of a sweep").into());
-    }
+    demand_output_of_study(&args.dir, "journal.jsonl")?;
     let content = read_journal(&args.dir)?;
     let Some(header) = content.header else {
         let reason = "the sweep was stopped before it began, or the journal's first line is lost";

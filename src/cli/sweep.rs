@@ -9,7 +9,7 @@ use super::failure::{BadInput, exit_code};
 use super::input::{Expect, Setting, SimdChoice, default_out, study};
 use super::output::Output;
 use super::overview::told;
-use super::{INTERRUPTED, SUCCESS, check, film, max_error};
+use super::{INTERRUPTED, SUCCESS, check, film, max_error, pick, warnings};
 use crate::accuracy::MaxError;
 use crate::execute::{Crew, Ending, Interrupt, Launcher, Setup, SphRunner, mpi, threads};
 use crate::film::Colour;
@@ -59,7 +59,7 @@ pub(super) struct SweepArgs {
     /// Choose the particle spacing case by case so that force and displacement are this accurate,
     /// percent; verify with error bars, and run again finer what misses. Also `[accuracy]
     /// max_error_percent` in the file.
-    #[arg(long, value_name = "PERCENT")]
+    #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = max_error::percent)]
     max_error: Option<f64>,
     /// Film cases once the sweep is done, into films/: auto (largest force, highest runup, softest wall
     /// that turns, most doubtful), none, or a case by its id or by KEY=VALUE,KEY=VALUE; repeatable. Each
@@ -101,7 +101,11 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
         interrupt: &interrupt,
     };
     let lead = |crew: &mut dyn Crew| {
-        exit_code(lead(args, output, crew, &interrupt), Launcher { rank: 0, ..launcher })
+        exit_code(
+            lead(args, output, crew, &interrupt),
+            Launcher { rank: 0, ..launcher },
+            output.is_json(),
+        )
     };
     if use_mpi { Ok(mpi::with_crew(&setup, lead)?) } else { Ok(threads::with_crew(&setup, lead)) }
 }
@@ -132,6 +136,8 @@ fn lead(
 ) -> anyhow::Result<u8> {
     let study = study(&args.file, &args.settings, Expect::Grid)?;
     check_films(args, &study)?;
+    warnings::tell(&args.file, &study, output);
+    warnings::tell_threads(args.threads, output);
     let aim = args.max_error.or(study.max_error_percent);
     let aim = aim.map(|percent| MaxError::new(percent, &study)).transpose().map_err(BadInput)?;
     let mut job = Job {
@@ -189,7 +195,7 @@ fn check_films(args: &SweepArgs, study: &Study) -> Result<(), BadInput> {
 
 fn film_case<'a>(study: &'a Study, word: &str) -> Result<&'a Case, BadInput> {
     let words: Vec<_> = word.split(',').map(str::to_owned).collect();
-    let case = film::the_case(study, &words);
+    let case = pick::the_case(study, &words);
     let case = case.and_then(|case| film::demand_small(case).map(|()| case));
     case.map_err(|error| BadInput(format!("--film {word}: {error}")))
 }

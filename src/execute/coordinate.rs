@@ -76,6 +76,9 @@ pub fn coordinate(
             Some((rank, report)) => loop_.take(rank, report, link, session)?,
             None => session.directory.sync(true)?,
         }
+        let parts = link.under_way().into_iter();
+        let parts = parts.map(|(work, share)| share * loop_.cost_of(work, session.plan) as f64);
+        session.progress.under_way(parts.sum::<f64>() as u64);
         session.directory.sync(false)?;
         if session.interrupt.is_raised() && !told {
             told = true;
@@ -198,10 +201,23 @@ impl Loop {
         let whole = session.study.run(planned.index);
         let mut record = CaseRecord::new(session.study, whole, result, wall_time_s, host);
         record.cpu_time_s = cpu_time_s;
-        let work = if trunk.is_some() { planned.branch_cost } else { planned.cost };
+        let work = self.cost_of(Work::Case(case), session.plan);
         let ok = record.is_ok();
         session.directory.record(record, result.as_ref().ok())?;
-        session.progress.case(work, ok);
+        if planned.index < session.study.cases.len() {
+            session.progress.case(work, ok);
+        } else {
+            session.progress.companion(work);
+        }
         Ok(ok)
+    }
+
+    /// Particle-steps of a piece of work, of a branch without its trunk's.
+    fn cost_of(&self, work: Work, plan: &Plan) -> u64 {
+        match work {
+            Work::Trunk(trunk) => plan.trunks[trunk].cost,
+            Work::Case(case) if self.trunk_of_case[case].is_some() => plan.cases[case].branch_cost,
+            Work::Case(case) => plan.cases[case].cost,
+        }
     }
 }

@@ -12,6 +12,7 @@
 pub mod apart;
 mod coordinate;
 pub mod fake;
+mod gauge;
 mod interrupt;
 mod launcher;
 pub mod memory;
@@ -31,13 +32,14 @@ use std::time::Duration;
 
 use crate::math::simd::SimdPath;
 use crate::results::{RankInfo, SweepError};
+use crate::schedule::Work;
 use crate::simulation::Resources;
 
 pub use coordinate::{Ending, Session, coordinate};
 pub use interrupt::Interrupt;
 pub use launcher::Launcher;
 pub use message::{Order, Report};
-pub use progress::{Progress, ProgressStyle, duration};
+pub use progress::{Progress, ProgressStyle, Tally, duration};
 pub use runner::{Runner, guarded};
 pub use sph_runner::SphRunner;
 
@@ -84,6 +86,11 @@ pub trait Link {
 
     /// The next report, and the rank it comes from; `None` after the given time without one.
     fn poll(&mut self, patience: Duration) -> Result<Option<(usize, Report)>, SweepError>;
+
+    /// What this process is at, and the share of it that is done; what others are at is not known.
+    fn under_way(&self) -> Vec<(Work, f64)> {
+        Vec::new()
+    }
 }
 
 /// What an executor needs besides a crew's leader.

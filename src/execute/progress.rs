@@ -33,23 +33,26 @@ pub struct Progress {
     last_share: f64,
     total_work: u64,
     work: u64,
-    cases: usize,
-    done: usize,
+    /// Of the pieces that are being worked on.
+    under_way: u64,
+    cases: Tally,
+    companions: Tally,
     failed: usize,
 }
 
+/// How many of how many are done, from the start of the sweep on.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Tally {
+    /// All there are.
+    pub all: usize,
+    /// Done so far.
+    pub done: usize,
+}
+
 impl Progress {
-    /// Progress towards so many cases and so much work.
-    pub fn new(style: ProgressStyle, cases: usize, total_work: u64) -> Progress {
-        let bar = (style == ProgressStyle::Bar).then(|| {
-            let bar = ProgressBar::new(total_work.max(1));
-            let template = "{bar:40} {percent:>3} %  {msg}  to go: {eta}";
-            if let Ok(look) = BarStyle::with_template(template) {
-                bar.set_style(look);
-            }
-            bar.enable_steady_tick(Duration::from_millis(500));
-            bar
-        });
+    /// Progress of cases and companions of which some are done, towards so much work.
+    pub fn new(style: ProgressStyle, [cases, companions]: [Tally; 2], total_work: u64) -> Progress {
+        let bar = (style == ProgressStyle::Bar).then(|| bar(total_work));
         let now = Instant::now();
         Progress {
             style,
@@ -59,8 +62,9 @@ impl Progress {
             last_share: 0.0,
             total_work,
             work: 0,
+            under_way: 0,
             cases,
-            done: 0,
+            companions,
             failed: 0,
         }
     }
@@ -72,35 +76,71 @@ impl Progress {
 
     /// A case is done.
     pub fn case(&mut self, work: u64, ok: bool) {
-        self.done += 1;
+        self.cases.done += 1;
         self.failed += usize::from(!ok);
         self.advance(work);
     }
 
+    /// A companion is done.
+    pub fn companion(&mut self, work: u64) {
+        self.companions.done += 1;
+        self.advance(work);
+    }
+
+    /// So much of the work is done in pieces that are being worked on.
+    pub fn under_way(&mut self, work: u64) {
+        self.under_way = work;
+        self.show();
+    }
+
     fn advance(&mut self, work: u64) {
         self.work = self.work.saturating_add(work);
-        let failed = match self.failed {
-            0 => String::new(),
-            failed => format!(", {failed} failed"),
-        };
-        let message = format!("{} of {}{failed}", self.done, counted(self.cases, "case"));
+        self.show();
+    }
+
+    /// Where it is: `12 of 300 cases, 5 of 300 companions, 1 failed`.
+    fn message(&self) -> String {
+        let mut message = format!("{} of {}", self.cases.done, counted(self.cases.all, "case"));
+        if self.companions.all > 0 {
+            let companions = counted(self.companions.all, "companion");
+            message += &format!(", {} of {companions}", self.companions.done);
+        }
+        if self.failed > 0 {
+            message += &format!(", {} failed", self.failed);
+        }
+        message
+    }
+
+    fn show(&mut self) {
+        let work = self.work.saturating_add(self.under_way).min(self.total_work);
         if let Some(bar) = &self.bar {
-            bar.set_message(message);
-            bar.set_position(self.work.min(self.total_work));
+            bar.set_message(self.message());
+            // It never goes back, though what is under way is an estimate.
+            bar.set_position(work.max(bar.position()));
             return;
         }
-        let share = self.work as f64 / self.total_work.max(1) as f64;
+        let share = work as f64 / self.total_work.max(1) as f64;
         let due = self.last_line.elapsed() >= LINE_EVERY && share - self.last_share >= LINE_SHARE;
         if self.style == ProgressStyle::Lines && due {
             self.last_line = Instant::now();
             self.last_share = share;
             let spent = self.start.elapsed().as_secs_f64();
-            let left = spent * (1.0 - share).max(0.0) / share;
-            let line = format!("{:3.0} %  {message}, {} to go", 100.0 * share, duration(left));
+            let left = duration(spent * (1.0 - share).max(0.0) / share);
+            let line = format!("{:3.0} %  {}, {left} to go", 100.0 * share, self.message());
             // Progress that nobody reads must not end a sweep.
             let _ = writeln!(std::io::stderr(), "{line}");
         }
     }
+}
+
+fn bar(total_work: u64) -> ProgressBar {
+    let bar = ProgressBar::new(total_work.max(1));
+    let template = "{bar:20} {percent:>3} %  {msg}  to go: {eta}";
+    if let Ok(look) = BarStyle::with_template(template) {
+        bar.set_style(look);
+    }
+    bar.enable_steady_tick(Duration::from_millis(500));
+    bar
 }
 
 impl Drop for Progress {

@@ -8,6 +8,7 @@ use super::{
 };
 use crate::math::simd::SimdPath;
 use crate::results::{RankInfo, SweepError};
+use crate::schedule::Work;
 
 /// Gathers this process's threads and lets `lead` use them.
 pub fn with_crew<T>(setup: &Setup<'_>, lead: impl FnOnce(&mut dyn Crew) -> T) -> T {
@@ -61,5 +62,9 @@ impl Link for Local<'_, '_, '_> {
 
     fn poll(&mut self, patience: Duration) -> Result<Option<(usize, Report)>, SweepError> {
         Ok(self.0.poll(patience).map(|report| (0, report)))
+    }
+
+    fn under_way(&self) -> Vec<(Work, f64)> {
+        self.0.under_way()
     }
 }

@@ -2,29 +2,19 @@
 
 use std::collections::HashMap;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 
 use rayon::Scope;
 
+use super::gauge::{Cancel, Gauges};
 use super::message::{Order, Report};
 use super::runner::{Runner, guarded};
 use crate::math::team::thread_processor_time;
 use crate::results::SweepError;
 use crate::scene::CaseConfig;
 use crate::schedule::{Held, Work};
-use crate::simulation::{Failure, FailureKind, Monitor, Stopped, TrunkResult};
-
-/// Set when running cases should stop at their next step.
-#[derive(Debug, Default)]
-pub(super) struct Cancel(AtomicBool);
-
-impl Monitor for Cancel {
-    fn cancelled(&self) -> bool {
-        self.0.load(Ordering::Relaxed)
-    }
-}
+use crate::simulation::{Failure, FailureKind, Stopped, TrunkResult};
 
 /// A case to run.
 struct Task {
@@ -41,6 +31,7 @@ pub(super) struct Worker<'run, 'scope> {
     scope: &'run Scope<'scope>,
     runner: &'scope dyn Runner,
     cancel: &'scope Cancel,
+    gauges: &'scope Gauges,
     rank: usize,
     checkpoints: HashMap<usize, Arc<[u8]>>,
     parked: HashMap<usize, Vec<Task>>,
@@ -61,13 +52,14 @@ pub(super) fn with_worker<T>(
         .stack_size(8 << 20)
         .build()
         .map_err(|error| SweepError::Executor(format!("cannot start threads: {error}")))?;
-    let cancel = Cancel::default();
+    let (cancel, gauges) = (Cancel::default(), Gauges::default());
     Ok(pool.in_place_scope(|scope| {
         let (sender, receiver) = channel();
         let mut worker = Worker {
             scope,
             runner,
             cancel: &cancel,
+            gauges: &gauges,
             rank,
             checkpoints: HashMap::new(),
             parked: HashMap::new(),
@@ -81,7 +73,7 @@ pub(super) fn with_worker<T>(
 impl Drop for Worker<'_, '_> {
     /// Whatever still runs is of no use to anybody: also where the leader fails or panics.
     fn drop(&mut self) {
-        self.cancel.0.store(true, Ordering::Relaxed);
+        self.cancel.cancel();
     }
 }
 
@@ -103,7 +95,7 @@ impl Worker<'_, '_> {
             Order::Drop { trunk } => {
                 self.checkpoints.remove(&trunk);
             }
-            Order::Cancel => self.cancel.0.store(true, Ordering::Relaxed),
+            Order::Cancel => self.cancel.cancel(),
         }
         None
     }
@@ -138,6 +130,11 @@ impl Worker<'_, '_> {
         Some(report)
     }
 
+    /// What is being worked on here, and the share of it that is done.
+    pub(super) fn under_way(&self) -> Vec<(Work, f64)> {
+        self.gauges.read()
+    }
+
     fn start_branch(&mut self, task: Task, from: Held) -> Option<Held> {
         if let Some(bytes) = self.checkpoint(from.trunk) {
             self.start_case(task, Some(bytes));
@@ -155,10 +152,13 @@ impl Worker<'_, '_> {
 
     fn start_trunk(&self, trunk: usize, config: String, apart: bool) {
         let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
+        let gauges = self.gauges;
         self.scope.spawn(move |_| {
             let child = runner.apart().filter(|_| apart);
             let runner = child.as_deref().unwrap_or(runner);
-            let result = attempt(cancel, &config, |config| runner.trunk(config, cancel));
+            let result = attempt(cancel, &config, |config| {
+                runner.trunk(config, &gauges.watch(cancel, Work::Trunk(trunk), config, false))
+            });
             let (result, checkpoint) = match result {
                 Ok(TrunkResult { steps, checkpoint, .. }) => (Ok(steps), Some(checkpoint)),
                 Err(stopped) => (Err(stopped), None),
@@ -170,13 +170,18 @@ impl Worker<'_, '_> {
 
     fn start_case(&self, task: Task, checkpoint: Option<Arc<[u8]>>) {
         let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
+        let gauges = self.gauges;
         self.scope.spawn(move |_| {
             let Task { case, config, apart } = task;
             let child = runner.apart().filter(|_| apart);
             let runner = child.as_deref().unwrap_or(runner);
             let (start, cpu_start) = (Instant::now(), thread_processor_time());
             let run = |checkpoint: Option<&[u8]>| {
-                attempt(cancel, &config, |config| runner.case(config, checkpoint, cancel))
+                attempt(cancel, &config, |config| {
+                    let branches = checkpoint.is_some();
+                    let gauge = gauges.watch(cancel, Work::Case(case), config, branches);
+                    runner.case(config, checkpoint, &gauge)
+                })
             };
             let mut result = run(checkpoint.as_deref());
             let unreadable = |stopped: &Stopped| {
@@ -222,7 +227,7 @@ mod tests {
 
     use super::*;
     use crate::execute::fake::FakeRunner;
-    use crate::simulation::CaseResult;
+    use crate::simulation::{CaseResult, Monitor};
 
     #[derive(Default)]
     struct Noting(Mutex<Vec<Option<Vec<u8>>>>);

@@ -94,6 +94,10 @@ impl Monitor for Set<'_> {
         self.inner.cancelled()
     }
 
+    fn reached(&self, time_s: f64) {
+        self.inner.reached(time_s);
+    }
+
     fn film_interval(&self) -> Option<f64> {
         Some(self.interval_s)
     }

@@ -40,19 +40,26 @@ impl ConfigError {
 /// From this likeness on (1 is the same word) a word is taken for another one mistyped.
 const NEAR: f64 = 0.88;
 
+/// The known word that is most like a word.
+pub fn nearest<'a>(word: &str, known: &'a [impl AsRef<str>]) -> Option<&'a str> {
+    ranked(word, known).map(|(_, known)| known)
+}
+
 /// `; did you mean X?`, or nothing where no known word is near.
 fn hint(word: &str, known: &[impl AsRef<str>]) -> String {
+    let nearest = ranked(word, known).filter(|&(likeness, _)| likeness >= NEAR);
+    nearest.map(|(_, known)| format!("; did you mean {known}?")).unwrap_or_default()
+}
+
+/// The known word that is most like a word, and how much it is.
+fn ranked<'a>(word: &str, known: &'a [impl AsRef<str>]) -> Option<(f64, &'a str)> {
     let likeness = |known: &str| {
         // A part of the right word, such as `stiffness`, is near however long the rest.
         let part = if word.len() >= 4 && known.contains(word) { 0.9 } else { 0.0 };
         strsim::jaro_winkler(word, known).max(part)
     };
-    let nearest = known
-        .iter()
-        .map(|known| (likeness(known.as_ref()), known.as_ref()))
-        .filter(|&(likeness, _)| likeness >= NEAR)
-        .max_by(|a, b| a.0.total_cmp(&b.0));
-    nearest.map(|(_, known)| format!("; did you mean {known}?")).unwrap_or_default()
+    let all = known.iter().map(AsRef::as_ref);
+    all.map(|known| (likeness(known), known)).max_by(|a, b| a.0.total_cmp(&b.0))
 }
 
 #[cfg(test)]

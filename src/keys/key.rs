@@ -4,6 +4,7 @@ use toml::{Table, Value};
 
 use super::error::ConfigError;
 use super::shape::Shape;
+use super::written;
 
 /// A key of a section of scene and sweep files.
 #[derive(Debug, Clone, Copy)]
@@ -224,8 +225,17 @@ impl Key {
         match (self.shape)() {
             Shape::Text if value.is_str() => ConfigError::new(path, value, why),
             Shape::Names(names) => ConfigError::one_of(path, value, names),
-            shape => ConfigError::new(path, value, shape.allowed()),
+            shape => {
+                let advice = value.as_str().and_then(|text| self.advice(text));
+                ConfigError::new(path, value, advice.unwrap_or_else(|| shape.allowed()))
+            }
         }
+    }
+
+    /// What to write in place of a text, where this key holds a number and the text begins with one.
+    pub fn advice(&self, text: &str) -> Option<String> {
+        let is_number = matches!((self.shape)(), Shape::Number | Shape::Whole);
+        is_number.then(|| written::advice(text, self.rule.unit)).flatten()
     }
 
     /// The error of a value that is not there.

@@ -45,8 +45,10 @@ mod schema;
 mod section;
 mod shape;
 mod table;
+mod words;
+mod written;
 
-pub use error::ConfigError;
+pub use error::{ConfigError, nearest};
 pub use key::{Key, Range, Rule, When, number, plain, unit};
 pub use overrides::Override;
 pub use schema::schema;

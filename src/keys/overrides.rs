@@ -60,7 +60,8 @@ impl Override {
     /// Puts the value into a parsed file.
     ///
     /// # Errors
-    /// Where the section is no table, or where `[grid]` sweeps the same key.
+    /// Where the section is no table, or where `[grid]` sweeps the same key. A swept key takes the place
+    /// of the single value that a section of the file has.
     pub fn apply(&self, file: &mut Table) -> Result<(), ConfigError> {
         let Some(section) = &self.section else {
             file.insert(self.key.clone(), self.value.clone());
@@ -70,6 +71,10 @@ impl Override {
         if section != "grid" && swept {
             let allowed = format!("[grid] sweeps this key: set grid.{} instead", self.key);
             return Err(ConfigError::new(&self.path(), &self.value, allowed));
+        }
+        if section == "grid" {
+            let sections = file.iter_mut().filter_map(|(_, section)| section.as_table_mut());
+            sections.for_each(|section| drop(section.remove(&self.key)));
         }
         let table = file.entry(section.clone()).or_insert_with(|| Value::Table(Table::new()));
         let Value::Table(table) = table else {
@@ -106,5 +111,14 @@ mod tests {
         let mut file: Table = "[grid]\nwave_height_ratio = [0.1]".parse().unwrap();
         let set: Override = "scene.wave_height_ratio=0.3".parse().unwrap();
         assert!(set.apply(&mut file).is_err());
+    }
+
+    #[test]
+    fn a_swept_key_takes_the_place_of_a_single_value() {
+        let mut file: Table = "[scene]\nwave_height_ratio = 0.3".parse().unwrap();
+        let set: Override = "grid.wave_height_ratio=[0.1, 0.2]".parse().unwrap();
+        set.apply(&mut file).unwrap();
+        assert!(!file["scene"].as_table().unwrap().contains_key("wave_height_ratio"));
+        assert_eq!(file["grid"]["wave_height_ratio"].as_array().unwrap().len(), 2);
     }
 }

@@ -2,7 +2,7 @@
 
 use toml::Table;
 
-use super::key::{Key, Range};
+use super::key::Key;
 use super::shape::Shape;
 
 /// A table in Markdown, a row per key, with a column for the defaults and one more for each named
@@ -36,17 +36,11 @@ fn code(value: &str) -> String {
 
 /// What a key takes.
 fn allowed(key: &Key) -> String {
-    let whole = (key.shape)() == Shape::Whole;
-    match ((key.shape)(), key.rule.range) {
-        (Shape::Names(names), _) => {
+    match (key.shape)() {
+        Shape::Names(names) => {
             names.iter().map(|name| format!("`\"{name}\"`")).collect::<Vec<_>>().join(", ")
         }
-        (_, Range::AboveZero) => "above 0".to_owned(),
-        (_, Range::NotNegative) => "0 or above".to_owned(),
-        (_, Range::Within(low, high)) => {
-            format!("{low} to {high}{}", if whole { ", whole" } else { "" })
-        }
-        (shape, Range::Any) => shape.what().to_owned(),
+        _ => key.allowed_in_words(),
     }
 }
 

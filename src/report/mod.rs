@@ -31,6 +31,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 pub use error::ReportError;
+pub use number::{plain, with_error};
 pub use plots::Figure;
 pub use reproduce::Reproduced;
 pub use row::Row;

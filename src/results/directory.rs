@@ -81,7 +81,7 @@ impl Directory {
         {
             opening::check_header(path, &header, study, requested, widest)?;
         }
-        fs::create_dir_all(path).map_err(|error| SweepError::refused(path, error))?;
+        fs::create_dir_all(path).map_err(|error| SweepError::unusable(path, &error))?;
         let mut lock = Lock::hold(path)?;
         let mut opened = Opened::New;
         if mode == OpenMode::Fresh && before != Found::Nothing {

@@ -1,5 +1,6 @@
 //! What can go wrong with a sweep as a whole; a failing case is not among it.
 
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 /// An error that ends a sweep.
@@ -18,10 +19,31 @@ pub enum SweepError {
     Executor(String),
 }
 
+/// What the system says, for people.
+pub fn in_words(kind: ErrorKind) -> String {
+    match kind {
+        ErrorKind::NotFound => "there is no such file or directory".to_owned(),
+        other => other.to_string(),
+    }
+}
+
 impl SweepError {
     /// A refusal that concerns a file or directory.
     pub fn refused(path: &Path, reason: impl std::fmt::Display) -> SweepError {
         SweepError::Refused(format!("{}: {reason}", path.display()))
+    }
+
+    /// An output directory in which nothing can be written.
+    pub fn unusable(path: &Path, error: &std::io::Error) -> SweepError {
+        let path_told = path.display();
+        let reason = match path.ancestors().find(|part| part.is_file()) {
+            Some(file) if file == path => "is a file".to_owned(),
+            Some(file) => format!("{} is a file", file.display()),
+            None => format!("nothing can be written there ({})", in_words(error.kind())),
+        };
+        SweepError::Refused(format!(
+            "--out {path_told}: {reason}; give a directory, a new one or that of an earlier run"
+        ))
     }
 
     /// Wraps a system error with the file that it concerns.

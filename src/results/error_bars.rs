@@ -89,6 +89,18 @@ impl ErrorBars {
     }
 }
 
+/// The narrowest bar of force and displacement that a case may get, percent, however fine its
+/// particles: scatter between spacings, and the sound of its water at the least depth there is.
+pub fn narrowest_bar_percent(config: &CaseConfig) -> Option<f64> {
+    let scene = config.scene.seawall()?;
+    let sound = match config.numerics.scheme {
+        Scheme::Wcsph => SOUND * sound_number(scene, 1.0, config.numerics.sound_speed_ratio),
+        Scheme::Isph => 0.0,
+    };
+    let displacement = if scene.wall.moves() { DISPLACEMENT_SCATTER } else { 0.0 };
+    Some(100.0 * sound.hypot(FORCE_SCATTER).max(displacement))
+}
+
 impl Study {
     /// The error bars of a case, none where it or its companions have not ended well; `records`
     /// are in the order of [`Study::runs`].
@@ -208,6 +220,20 @@ mod tests {
         assert!(loud.displacement.unwrap() / 2.8 > 1.5 * loud.force.unwrap() / 2.1);
         let isph = alone("preset = \"isph\"").displacement.unwrap();
         assert!((isph - DISPLACEMENT_SCATTER * 2.8).abs() < 1e-12);
+    }
+
+    #[test]
+    fn no_bar_is_narrower_than_the_narrowest() {
+        let at = |spacing: f64| (config(spacing), outcome(1e-9, 1.0));
+        let (own, told) = at(0.01);
+        let bars = ErrorBars::new(&own, &told, &[(&at(0.02).0, &told)]);
+        let percent = |bar: Option<f64>, value: f64| 100.0 * bar.unwrap() / value;
+        let first = told.first_force_max.unwrap().value;
+        let widest = percent(bars.force, first)
+            .max(percent(bars.displacement, told.displacement_max.unwrap().value));
+        let narrowest = narrowest_bar_percent(&own).unwrap();
+        assert!(narrowest >= 0.4 && widest >= narrowest, "{widest} {narrowest}");
+        assert!(widest < 2.0 * narrowest, "{widest} {narrowest}");
     }
 
     #[test]

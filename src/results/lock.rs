@@ -39,7 +39,7 @@ impl Lock {
                     std::thread::sleep(PAUSE);
                     continue;
                 }
-                open => open.map_err(|error| SweepError::refused(&path, error))?,
+                open => open.map_err(|error| SweepError::unusable(directory, &error))?,
             };
             match file.try_lock() {
                 // Its holder may have moved the directory aside.

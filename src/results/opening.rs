@@ -33,7 +33,7 @@ pub(super) fn look(path: &Path) -> Result<Found, SweepError> {
         let created = fs::metadata(&journal).and_then(|file| file.created()).ok();
         return Ok(Found::Journal(created));
     }
-    let entries = fs::read_dir(path).map_err(|error| SweepError::refused(path, error))?;
+    let entries = fs::read_dir(path).map_err(|error| SweepError::unusable(path, &error))?;
     for entry in entries {
         let entry = entry.map_err(SweepError::io(path))?;
         if entry.file_name() != lock::FILE_NAME {

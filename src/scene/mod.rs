@@ -15,6 +15,7 @@ mod kind;
 mod lattice;
 mod limits;
 mod numerics;
+mod odd;
 mod oscillating_drop;
 mod packing;
 mod probe;
@@ -35,6 +36,7 @@ pub use limits::limits;
 pub use numerics::{
     BoundaryChoice, ErrorBars, GhostGravity, IncompressibleNumerics, Numerics, Preset, Scheme, Slip,
 };
+pub use odd::odd_values;
 pub use oscillating_drop::OscillatingDropScene;
 pub use probe::{Probe, ProbeKind, Side};
 pub use rotating_patch::RotatingPatchScene;

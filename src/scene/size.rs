@@ -24,17 +24,27 @@ pub(super) fn validate(config: &CaseConfig) -> Result<(), ConfigError> {
     }
     let smallest = rounded_up((area / MOST_PARTICLES).sqrt());
     let allowed = format!(
-        "makes {} particles of {area:.4} m² of water, {MOST_PARTICLES:.0} are the most: {smallest} \
-         or more",
-        whole(count)
+        "would cut {} m² of water into {} particles, and {} are the most: choose {smallest} m or \
+         more",
+        crate::math::decimal::significant(area, 3),
+        whole(count),
+        whole(MOST_PARTICLES)
     );
     let Numerics { particle_spacing_m, .. } = config.numerics;
     Err(ConfigError::new("numerics.particle_spacing_m", particle_spacing_m, allowed))
 }
 
-/// A count, with an exponent where nobody would read all the digits.
+/// A count in groups of three digits, or with an exponent where nobody would read them all.
 fn whole(count: f64) -> String {
-    if count < 1e12 { format!("{count:.0}") } else { format!("{count:.1e}") }
+    if count >= 1e12 {
+        return format!("{count:.1e}");
+    }
+    let digits = format!("{count:.0}");
+    let starts_group = |at: usize| at > 0 && (digits.len() - at).is_multiple_of(3);
+    let pieces = digits.char_indices().map(|(at, digit)| (starts_group(at), digit));
+    pieces.fold(String::new(), |told, (gap, digit)| {
+        told + if gap { "," } else { "" } + &digit.to_string()
+    })
 }
 
 /// Rounds up to three significant digits.
@@ -69,8 +79,8 @@ mod tests {
             for spacing in ["1e-300", "0.00001"] {
                 let told = case(scene, spacing).unwrap_err();
                 assert_eq!(told.key, "numerics.particle_spacing_m");
-                let words: Vec<_> = told.allowed.split([' ', ':']).collect();
-                let smallest = words[words.len() - 3];
+                let words: Vec<_> = told.allowed.split(' ').collect();
+                let smallest = words[words.len() - 4];
                 case(scene, smallest).unwrap();
             }
         }

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 /// A piece of work, by its place in the plan.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 pub enum Work {
     /// A trunk, which leaves a checkpoint on the rank that runs it.
     Trunk(usize),

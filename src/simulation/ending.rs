@@ -137,7 +137,11 @@ impl Run {
             gaps: &logbook.face_gaps,
             blows: &m.blows,
             kicked: m.kicked,
-            found_percent: 100.0 * logbook.health.found / scale,
+            found: &logbook.found,
+            work: scale,
+            spacing: tank.spacing / tank.frame.depth,
+            is_wave: has_wave && tank.paddle.is_some(),
+            lopsided: logbook.lopsided.filter(|_| compressible && has_wave && tank.upright()),
             compression_percent: if compressible {
                 100.0 * depth_speed / tank.sound_speed.powi(2)
             } else {

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::blows::Acoustics;
 use super::energy::{Ledger, WaterEnergy};
 use super::face_gaps::FaceGaps;
+use super::found::Found;
 use super::gauge::CrestGauge;
 use super::health::HealthState;
 use super::measures::{MEAN_SPAN, Measures};
@@ -16,6 +17,8 @@ use crate::scene::{CaseConfig, Tank};
 
 /// Room is made beforehand for so many samples at most.
 const MOST_ROOM: usize = 100_000;
+/// The fewest samples between two looks at the health.
+const LOOK_EVERY: usize = 4;
 
 /// All that a run keeps of what it has seen; a branch takes over that of its trunk.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -26,12 +29,16 @@ pub(super) struct Logbook {
     pub(super) history: Vec<HistoryRow>,
     /// The force on the wall at first, N per metre of width.
     pub(super) force_at_rest: Option<f64>,
+    /// How much more than the paddle it pressed the wall at first, over ρgh²/2.
+    pub(super) lopsided: Option<f64>,
     /// Where the water stands at the wall.
     pub(super) level: WallLevel,
     /// Largest difference between the force and the pressure on the wall's face, percent of the force.
     pub(super) worst_gap: f64,
     /// That difference at every sample.
     pub(super) face_gaps: FaceGaps,
+    /// What came from nowhere, at every look.
+    pub(super) found: Found,
     pub(super) health: HealthState,
     pub(super) liveliness: Liveliness,
     pub(super) probes: Option<ProbeTable>,
@@ -52,9 +59,11 @@ impl Logbook {
             ledger: Ledger::open(start),
             history: Vec::new(),
             force_at_rest: None,
+            lopsided: None,
             level: WallLevel::new(MEAN_SPAN * (frame.depth / frame.acceleration()).sqrt()),
             worst_gap: 0.0,
             face_gaps: FaceGaps::new((frame.depth / frame.acceleration()).sqrt()),
+            found: Found::default(),
             health: HealthState::default(),
             liveliness: Liveliness::default(),
             probes: probes::table(&config.probes),
@@ -66,6 +75,7 @@ impl Logbook {
         let more = samples.saturating_sub(self.history.len()).min(MOST_ROOM);
         self.history.reserve_exact(more);
         self.face_gaps.make_room(more);
+        self.found.make_room(more / LOOK_EVERY + 1);
         if let Some(table) = &mut self.probes {
             table.time_s.reserve_exact(more);
             table.values.reserve_exact(more * table.columns.len());

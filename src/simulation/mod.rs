@@ -9,12 +9,16 @@ mod face_gaps;
 mod faces;
 mod failure;
 mod first_impact;
+mod found;
 mod gauge;
 mod health;
 mod logbook;
 mod measures;
 mod outcome;
+#[cfg(test)]
+mod planted;
 mod probes;
+mod quoted;
 mod readings;
 mod run;
 mod sampling;
@@ -24,6 +28,7 @@ mod surface;
 mod watch;
 mod window;
 
+pub use doubt::kinds_of_doubt;
 pub use faces::Face;
 pub use failure::{Failure, FailureKind, Stopped};
 pub use health::HealthMargins;
@@ -52,6 +57,8 @@ pub trait Monitor: Sync {
     }
     /// Called at the first step at or after every such time, and at the end.
     fn film(&self, _film: &Film<'_>) {}
+    /// Called now and then with the simulated time that is reached, seconds.
+    fn reached(&self, _time_s: f64) {}
     /// True when the run should stop at the next step.
     fn cancelled(&self) -> bool {
         false

@@ -20,6 +20,8 @@ use crate::scheme::{Load, NextStep, SchemeState, StepError, StepWalls};
 
 /// Samples of the history between two checks of health and of the monitor.
 const SAMPLES_PER_CHECK: u64 = 4;
+/// A paddle stands that moves no faster than this, m/s and, over g, accelerates no more.
+const STILL: f64 = 1e-6;
 
 /// Everything that changes in a trunk. It ends before its wall moves, so the wall is not among it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -141,6 +143,7 @@ impl Run {
                     self.film(monitor, time, true);
                     return Ok(());
                 }
+                monitor.reached(time);
                 if monitor.cancelled() {
                     return Err(Stopped::Interrupted);
                 }
@@ -181,8 +184,21 @@ impl Run {
     /// alike: about (Δx/h)² of it at rest, with supports of 5 spacings. The first force of a run tells how much.
     fn wall_load(&mut self) -> Load {
         let load = self.tank.water.load(Place::Right.number());
-        self.logbook.force_at_rest.get_or_insert(load.force);
+        if self.logbook.force_at_rest.is_none() {
+            self.logbook.force_at_rest = Some(load.force);
+            self.logbook.lopsided = self.lopsided(load.force);
+        }
         Load { force: load.force + self.lacking_at_rest(), ..load }
+    }
+
+    /// How much more than the paddle still water presses the wall with this force at the start, over
+    /// ρgh²/2; nothing where the paddle does not stand.
+    fn lopsided(&self, force: f64) -> Option<f64> {
+        let motion = self.tank.motions(0.0)[Place::Left];
+        let gravity = self.tank.frame.gravity;
+        let stands = motion.velocity.abs() < STILL && motion.acceleration.abs() < STILL * gravity;
+        let paddle = self.tank.water.load(Place::Left.number()).force;
+        stands.then(|| (force + paddle) / self.tank.static_force)
     }
 
     /// What the force on the wall lacks, N per metre of width; nothing where it counts as it is.

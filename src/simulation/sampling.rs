@@ -103,6 +103,7 @@ impl Run {
     pub(super) fn check_health(&mut self, bodies: &Motions) -> Result<EnergyBudget, Failure> {
         let now = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
         let energy = self.logbook.ledger.close(now, &self.tank.wall);
+        self.logbook.found.push(self.clock.time, -energy.residual());
         let across = self.tank.water.walls().bodies[Place::Right.number()].plane.normal;
         let vitals = Vitals {
             time_s: self.clock.time,

@@ -20,6 +20,15 @@ const SHAPE: &str =
     "must be a list, or { from = 1, to = 100, points = 3, spacing = \"log\" or \"linear\" }";
 
 impl GridAxis {
+    /// Its first value as the command line takes it: `KEY=VALUE`.
+    pub fn first(&self) -> String {
+        let word = |value: &Value| match value {
+            Value::String(word) => word.clone(),
+            other => other.to_string(),
+        };
+        format!("{}={}", self.key, self.values.first().map(word).unwrap_or_default())
+    }
+
     /// Reads the value of a key in `[grid]`.
     ///
     /// # Errors
@@ -39,7 +48,8 @@ impl GridAxis {
             if let Value::Float(number) = value
                 && !number.is_finite()
             {
-                return Err(ConfigError::new(&path, number, "must be finite numbers"));
+                let number = number.to_string().to_lowercase();
+                return Err(ConfigError::new(&path, number, "must be a finite number"));
             }
             if matches!(value, Value::Array(_) | Value::Table(_) | Value::Datetime(_)) {
                 let allowed = "must be numbers, strings or booleans";
@@ -88,7 +98,7 @@ fn read_range(path: &str, range: &Table) -> Result<Vec<Value>, ConfigError> {
     };
     let bound = |key: &str| {
         let value = range.get(key).and_then(number).filter(|number| number.is_finite());
-        value.ok_or_else(|| bad(key, "must be a finite number"))
+        value.ok_or_else(|| bad(key, "must be a finite number, without a unit"))
     };
     let (from, to) = (bound("from")?, bound("to")?);
     let points = match range.get("points") {
@@ -158,7 +168,7 @@ mod tests {
         let bad = [
             ("3", "grid.x = 3: must be a list"),
             ("[]", "grid.x = []: must have at least one value"),
-            ("[1, nan]", "grid.x = NaN: must be finite numbers"),
+            ("[1, nan]", "grid.x = nan: must be a finite number"),
             ("[1, 2, 1.0]", "grid.x = 1.0: stands in the list twice"),
             ("[[1]]", "grid.x = [1]: must be numbers, strings or booleans"),
             ("{ from = 1, to = 2 }", "grid.x.points: must be a whole number"),

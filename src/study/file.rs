@@ -4,8 +4,8 @@ use toml::{Table, Value};
 
 use super::axis::GridAxis;
 
-use crate::keys::{Override, Section, read_alone, section};
-use crate::scene::{ConfigError, place_of};
+use crate::keys::{Key, Override, Section, read_alone, section};
+use crate::scene::{ConfigError, Kind, numerics_keys, place_of, scene_keys};
 
 /// A parsed sweep file; the values inside its tables are checked case by case in
 /// [`super::Study`].
@@ -33,6 +33,11 @@ section! {
         /// `--max-error` in the file: the largest error bar that is taken for force and displacement.
         max_error_percent: Option<f64> = None, unit("%").above_zero();
     }
+}
+
+/// The keys of `[accuracy]`.
+pub fn accuracy_keys() -> Vec<&'static Key> {
+    Accuracy::keys()
 }
 
 const KEYS: [&str; 6] = ["name", "scene", "numerics", "probe", "accuracy", "grid"];
@@ -90,7 +95,13 @@ impl SweepFile {
     /// A `[grid]`.
     pub fn refuse_grid(&self) -> Result<(), ConfigError> {
         if let Some(axis) = self.grid.first() {
-            let allowed = "a single scene has no [grid]; use `seawall sweep`";
+            let cases: usize = self.grid.iter().map(|axis| axis.values.len()).product();
+            let each: Vec<_> = self.grid.iter().map(GridAxis::first).collect();
+            let allowed = format!(
+                "this file has {cases} cases, and `seawall run` takes one: name it by the values of \
+                 the swept keys, as in `seawall run FILE {}`, or run all with `seawall sweep FILE`",
+                each.join(" ")
+            );
             return Err(ConfigError::new(&format!("grid.{}", axis.key), "", allowed));
         }
         Ok(())
@@ -106,12 +117,15 @@ fn unknown_at_the_top(key: &str, file: &Table) -> ConfigError {
 }
 
 fn read_name(value: Option<&Value>) -> Result<String, ConfigError> {
-    let allowed =
-        "must be a word of ASCII letters, digits, '-', '_' and '.', not starting with '.'";
+    let allowed = "must be a word of the letters a to z and A to Z, digits, '-', '_' and '.', not \
+                   starting with '.'";
     match value {
         Some(Value::String(name)) => {
             let fits = |c: char| c.is_ascii_alphanumeric() || matches!(c, '-' | '_' | '.');
-            if name.is_empty() || name.starts_with('.') || !name.chars().all(fits) {
+            let wrong = name.chars().find(|&c| !fits(c));
+            if name.is_empty() || name.starts_with('.') || wrong.is_some() {
+                let wrong = wrong.map(|c| format!("; {c:?} is none of these"));
+                let allowed = format!("{allowed}{}", wrong.unwrap_or_default());
                 return Err(ConfigError::new("name", format!("{name:?}"), allowed));
             }
             Ok(name.clone())
@@ -146,7 +160,25 @@ fn syntax_error(text: &str, error: &toml::de::Error) -> ConfigError {
     let before = error.span().and_then(|span| text.get(..span.start)).unwrap_or_default();
     let line = before.matches('\n').count() + 1;
     let message = error.message().trim().replace('\n', ", ");
-    ConfigError::new(&format!("line {line}"), "", message)
+    let place = format!("line {line}");
+    text.lines()
+        .nth(line - 1)
+        .and_then(|line| number_with_more(&place, line))
+        .unwrap_or_else(|| ConfigError::new(&place, "", message))
+}
+
+/// A number with its unit, which TOML does not know, is told as that.
+fn number_with_more(place: &str, line: &str) -> Option<ConfigError> {
+    let (name, value) = line.split_once('=')?;
+    let (name, value) = (name.trim(), value.split('#').next()?.trim());
+    let first = value.trim_matches(['[', ']']).split(',').map(str::trim);
+    let key = Kind::ALL.iter().flat_map(|&kind| scene_keys(kind)).chain(numerics_keys());
+    let key = key.into_iter().find(|key| key.name == name)?;
+    let more = first.filter(|value| value.parse::<f64>().is_err());
+    let told = |value: &str| {
+        Some(ConfigError::new(&format!("{place}: {name}"), value, key.advice(value)?))
+    };
+    more.filter_map(told).next()
 }
 
 #[cfg(test)]
@@ -175,7 +207,10 @@ mod tests {
                 "wave_height_ratio: unknown key; did you mean scene.wave_height_ratio?",
             ),
             ("name = \"a\"\ncolour = 1", "colour: unknown key"),
-            ("name = \"H\u{f6}he\"", "name = \"H\u{f6}he\": must be a word of ASCII letters"),
+            (
+                "name = \"H\u{f6}he\"",
+                "name = \"H\u{f6}he\": must be a word of the letters a to z and A to Z",
+            ),
             ("name = \"a b\"", "name = \"a b\": must be a word"),
             ("name = \"..\"", "name = \"..\": must be a word"),
             ("name = \"a\"\n[probe]\nname = \"P\"", "probe = "),
@@ -187,6 +222,14 @@ mod tests {
             ("name = \"a\"\nscene = 3", "scene = 3: must be a table"),
             ("name = \"a\"\n[grid\n", "line 2: "),
             ("name = \"a\"\nname = \"b\"", "line 2: duplicate key"),
+            (
+                "name = \"a\"\n[numerics]\nparticle_spacing_m = 1cm",
+                "line 3: particle_spacing_m = 1cm: write 0.01, without quotes: the unit, m, is in",
+            ),
+            (
+                "name = \"a\"\n[grid]\nspring_stiffness_n_per_m = [10, 500 N/m]",
+                "line 3: spring_stiffness_n_per_m = 500 N/m: write 500, without quotes",
+            ),
         ];
         for (text, message) in bad {
             let told = SweepFile::read(text, &[]).unwrap_err().to_string();

@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use rayon::prelude::*;
 use toml::{Table, Value};
 
-use super::axis::MOST_CASES;
+use super::axis::{GridAxis, MOST_CASES};
 use super::case::{Case, CaseId};
 use super::file::SweepFile;
 use crate::keys::{Key, Section, When};
@@ -13,8 +13,7 @@ use crate::scene::{CaseConfig, ConfigError, Place, SeawallScene, place_of};
 
 /// All cases of a file, each validated; one case where there is no grid.
 pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
-    let places = file.grid.iter().map(|axis| place_of(&axis.key, &file.scene));
-    let places = places.collect::<Result<Vec<_>, _>>()?;
+    let places = places(file)?;
     let count = file.grid.iter().try_fold(1_usize, |count, axis| {
         count.checked_mul(axis.values.len()).filter(|&count| count <= MOST_CASES)
     });
@@ -43,21 +42,57 @@ pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
     Ok(cases)
 }
 
-/// One point of the grid; true where some swept key meant nothing to it.
-fn point(file: &SweepFile, places: &[Place], index: usize) -> Result<(Case, bool), ConfigError> {
+/// The section of each swept key, which does not name the key itself.
+fn places(file: &SweepFile) -> Result<Vec<Place>, ConfigError> {
+    let place = |axis: &GridAxis| {
+        let place = place_of(&axis.key, &file.scene)?;
+        let table = match place {
+            Place::Scene => &file.scene,
+            Place::Numerics => &file.numerics,
+        };
+        let Some(value) = table.get(&axis.key) else { return Ok(place) };
+        let path = format!("{}.{}", place.name(), axis.key);
+        let allowed = format!(
+            "stands in [{}] and in [grid], which sweeps it: leave one of the two out",
+            place.name()
+        );
+        Err(ConfigError::new(&path, value, allowed))
+    };
+    file.grid.iter().map(place).collect()
+}
+
+/// The sections of a file with the values of its swept keys.
+fn filled(file: &SweepFile, places: &[Place], assignments: &[Option<Value>]) -> (Table, Table) {
     let (mut scene, mut numerics) = (file.scene.clone(), file.numerics.clone());
-    let mut assignments = vec![None; file.grid.len()];
-    let mut rest = index;
-    for (place, axis) in file.grid.iter().enumerate().rev() {
-        let value = &axis.values[rest % axis.values.len()];
-        rest /= axis.values.len();
-        let table = match places[place] {
+    for (place, (axis, value)) in places.iter().zip(file.grid.iter().zip(assignments)) {
+        let table = match place {
             Place::Scene => &mut scene,
             Place::Numerics => &mut numerics,
         };
-        table.insert(axis.key.clone(), value.clone());
-        assignments[place] = Some(value.clone());
+        table.extend(value.clone().map(|value| (axis.key.clone(), value)));
     }
+    (scene, numerics)
+}
+
+/// The `[scene]` and `[numerics]` of a case with these values of the swept keys.
+pub(super) fn tables(
+    file: &SweepFile,
+    assignments: &[Option<Value>],
+) -> Result<(Table, Table), ConfigError> {
+    let (mut scene, numerics) = filled(file, &places(file)?, assignments);
+    drop_meaningless(file, &mut scene, &mut assignments.to_vec());
+    Ok((scene, numerics))
+}
+
+/// One point of the grid; true where some swept key meant nothing to it.
+fn point(file: &SweepFile, places: &[Place], index: usize) -> Result<(Case, bool), ConfigError> {
+    let mut assignments = vec![None; file.grid.len()];
+    let mut rest = index;
+    for (place, axis) in file.grid.iter().enumerate().rev() {
+        assignments[place] = Some(axis.values[rest % axis.values.len()].clone());
+        rest /= axis.values.len();
+    }
+    let (mut scene, numerics) = filled(file, places, &assignments);
     let collapsed = drop_meaningless(file, &mut scene, &mut assignments);
     let config = CaseConfig::with_probes(&scene, &numerics, &file.probes)
         .map_err(|error| blame_axis(file, error))?;
@@ -158,11 +193,19 @@ mod tests {
             ),
             (
                 "[grid]\nparticle_spacing_m = [0.02, 1e-5]",
-                "grid.particle_spacing_m = 0.00001: makes",
+                "grid.particle_spacing_m = 0.00001: would cut 0.5 m² of water into 5,000,000,000",
             ),
             (
                 "[grid]\nspring_stiffness_n_per_m = [1]",
                 "grid.spring_stiffness_n_per_m = 1: belongs to wall = \"movable\"",
+            ),
+            (
+                "[scene]\nwave_height_ratio = 0.3\n[grid]\nwave_height_ratio = [0.2]",
+                "scene.wave_height_ratio = 0.3: stands in [scene] and in [grid], which sweeps it",
+            ),
+            (
+                "[numerics]\nkernel = \"gaussian\"\n[grid]\nkernel = [\"gaussian\"]",
+                "numerics.kernel = \"gaussian\": stands in [numerics] and in [grid]",
             ),
             (
                 "[scene]\nseawall_mass = 1\n[grid]\nwave_height_ratio = [0.2]",

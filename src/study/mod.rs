@@ -12,10 +12,11 @@ mod file;
 mod grid;
 mod plan;
 mod schema;
+mod single;
 
 pub use axis::GridAxis;
 pub use case::{Case, CaseId, PHYSICS_VERSION, trunk_key};
-pub use file::SweepFile;
+pub use file::{SweepFile, accuracy_keys};
 pub use plan::{Plan, PlannedCase, PlannedTrunk};
 pub use schema::schema;
 

@@ -56,8 +56,6 @@ pub struct HealthState {
     pub margins: HealthMargins,
     /// Largest number of particles seen outside.
     pub lost: u32,
-    /// Most energy that has come from nowhere at any look, J per metre of width.
-    pub found: f64,
     mean_gap: f64,
 }
 
@@ -119,7 +117,6 @@ impl HealthState {
             return fail(FailureKind::ForceGap, detail);
         }
         let found = -vitals.energy_residual;
-        self.found = self.found.max(found);
         let allowed = bounds.energy_floor + bounds.energy_growth * vitals.work.abs();
         if is_past(&mut self.margins.energy, found, allowed) {
             let fastest =
@@ -259,10 +256,10 @@ mod tests {
             let vitals = Vitals { energy_residual, ..VITALS };
             let mut health = HealthState::default();
             let result = check_once(&mut health, &water(), &vitals).map_err(|failure| failure.kind);
-            (result, health.margins.closest(), health.found)
+            (result, health.margins.closest())
         };
-        assert_eq!(with(100.0), (Ok(()), (0.0, "none"), 0.0));
-        assert_eq!(with(-1.0), (Ok(()), (0.5, "energy growth"), 1.0));
+        assert_eq!(with(100.0), (Ok(()), (0.0, "none")));
+        assert_eq!(with(-1.0), (Ok(()), (0.5, "energy growth")));
         assert_eq!(with(-2.1).0, Err(FailureKind::EnergyGrowth));
     }
 

@@ -1,0 +1,87 @@
+//! What a study will cost: time and memory, for the eye.
+
+use crate::math::simd::SimdPath;
+use crate::scene::{CaseConfig, Scheme};
+use crate::simulation::cost;
+use crate::study::{Plan, Study};
+
+/// Seconds on the cores of this machine, and how many these are.
+pub(super) fn estimated_time(study: &Study, plan: &Plan) -> (f64, usize) {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let at_once = cores.min(study.run_count());
+    (processor_time(study, plan, SimdPath::widest()) / at_once.max(1) as f64, cores)
+}
+
+/// Seconds that a study takes on this machine's cores, or on so many threads.
+pub(super) fn expected_seconds(study: &Study, threads: Option<usize>) -> f64 {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let at_once = threads.unwrap_or(cores).min(cores).min(study.run_count()).max(1);
+    let plan = Plan::new(study, true, cost, |_| true);
+    processor_time(study, &plan, SimdPath::widest()) / at_once as f64
+}
+
+/// The same of all cases of a study.
+pub(super) fn time_of_all(study: &Study) -> (f64, usize) {
+    estimated_time(study, &Plan::new(study, true, cost, |_| true))
+}
+
+/// Seconds that one core takes for a plan. Within a factor of two on the machines that it was
+/// measured on: an AMD EPYC (Zen 5) is faster, an Intel Xeon (Sapphire Rapids) slower.
+fn processor_time(study: &Study, plan: &Plan, simd: SimdPath) -> f64 {
+    let time = |cost: u64, config: &CaseConfig| {
+        cost as f64 / particle_steps_per_second(config.numerics.scheme, simd)
+    };
+    let trunks = plan.trunks.iter().map(|trunk| time(trunk.cost, &trunk.config));
+    let cases = plan.cases.iter().map(|case| {
+        let own = if case.trunk.is_some() { case.branch_cost } else { case.cost };
+        time(own, &study.run(case.index).config)
+    });
+    trunks.chain(cases).sum()
+}
+
+/// Particle-steps per second and core. Of δ-SPH between the two machines of docs/measured.md; of
+/// incompressible water what the EPYC took for `sweeps/scenes/movable_wall.toml` at 12.5 mm.
+fn particle_steps_per_second(scheme: Scheme, simd: SimdPath) -> f64 {
+    match (scheme, simd) {
+        (Scheme::Isph, SimdPath::Portable) => 3.5e5,
+        (Scheme::Isph, _) => 8e5,
+        (Scheme::Wcsph, SimdPath::Avx512) => 9e6,
+        (Scheme::Wcsph, SimdPath::Avx2) => 5e6,
+        (Scheme::Wcsph, SimdPath::Portable) => 2.4e6,
+    }
+}
+
+/// Bytes for the human eye: `15.2 MiB`, `28.0 GiB`.
+pub(super) fn binary(bytes: u64) -> String {
+    let mebibytes = bytes as f64 / f64::from(1 << 20);
+    if mebibytes < 1024.0 {
+        format!("{mebibytes:.1} MiB")
+    } else {
+        format!("{:.1} GiB", mebibytes / 1024.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::SweepFile;
+
+    /// Seconds of one core for a single scene.
+    fn seconds(scheme: &str) -> f64 {
+        let text = format!("name = \"a\"\n[numerics]\nscheme = \"{scheme}\"");
+        let study = Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap();
+        processor_time(&study, &Plan::new(&study, true, cost, |_| true), SimdPath::Avx512)
+    }
+
+    #[test]
+    fn incompressible_water_is_expected_to_cost_several_times_as_much() {
+        let ratio = seconds("isph") / seconds("wcsph");
+        assert!((2.0..8.0).contains(&ratio), "{ratio}");
+    }
+
+    #[test]
+    fn memory_is_told_in_units_that_fit() {
+        assert_eq!(binary(20_000_000), "19.1 MiB");
+        assert_eq!(binary(30_008_000_000), "27.9 GiB");
+    }
+}

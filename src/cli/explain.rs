@@ -1,0 +1,86 @@
+//! `seawall explain`: what a key of a file or a column of a table means, from its declaration.
+
+use clap::Args;
+use serde_json::json;
+
+use super::SUCCESS;
+use super::failure::BadInput;
+use super::glossary::{Entry, entries};
+use super::output::{Output, wrapped};
+use crate::keys::nearest;
+
+/// Explain a key of a sweep or scene file, or a column of a table: unit, range, default, meaning, where it
+/// applies. Without a name, list all.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  seawall explain spring_stiffness_n_per_m
+  seawall explain force_max
+  seawall explain
+  seawall explain numerics.courant_number --format json")]
+pub(super) struct ExplainArgs {
+    /// The key or the column; a key may have its section before it.
+    #[arg(value_name = "KEY|COLUMN")]
+    name: Option<String>,
+}
+
+pub(super) fn main(args: &ExplainArgs, output: &Output) -> anyhow::Result<u8> {
+    let all = entries();
+    let Some(name) = &args.name else {
+        output.result(&list(&all), &json!({ "entries": all }))?;
+        return Ok(SUCCESS);
+    };
+    let found: Vec<_> = all.iter().filter(|entry| entry.is_called(name)).collect();
+    if found.is_empty() {
+        let leaf = name.rsplit('.').next().unwrap_or(name);
+        let names: Vec<_> = all.iter().map(|entry| entry.name.as_str()).collect();
+        let near = nearest(leaf, &names).map(|near| format!("; did you mean {near}?"));
+        let told = "no key and no column has this name";
+        let list = " (`seawall explain` lists all)";
+        return Err(BadInput(format!("{name}: {told}{}{list}", near.unwrap_or_default())).into());
+    }
+    let texts: Vec<_> = found.iter().map(|entry| explained(entry)).collect();
+    output.result(&texts.join("\n"), &json!({ "entries": found }))?;
+    Ok(SUCCESS)
+}
+
+/// Characters of a line.
+const WIDTH: usize = 80;
+/// Before a meaning, a unit or a default.
+const INDENT: usize = 11;
+
+fn explained(entry: &Entry) -> String {
+    let mut text = format!("{}: {}\n", entry.name, entry.of);
+    let lines = [
+        ("meaning", &entry.meaning),
+        ("unit", &entry.unit),
+        ("allowed", &entry.allowed),
+        ("default", &entry.default),
+        ("only with", &entry.only),
+        ("see also", &entry.besides),
+    ];
+    for (label, value) in lines.into_iter().filter(|(_, value)| !value.is_empty()) {
+        let lines = wrapped(value, WIDTH - INDENT - 2);
+        for (number, line) in lines.iter().enumerate() {
+            let label = if number == 0 { label } else { "" };
+            text.push_str(&format!("  {label:<INDENT$}{line}\n"));
+        }
+    }
+    text
+}
+
+/// Names and units, a heading before each group.
+fn list(all: &[Entry]) -> String {
+    let mut text = String::new();
+    let mut group = "";
+    for entry in all {
+        if entry.of != group {
+            group = &entry.of;
+            let gap = if text.is_empty() { "" } else { "\n" };
+            text.push_str(&format!("{gap}{group}\n"));
+        }
+        let line = format!("  {:<32} {}", entry.name, entry.unit);
+        text.push_str(line.trim_end());
+        text.push('\n');
+    }
+    text
+}

@@ -1,0 +1,149 @@
+//! Every declared key and column, in words.
+
+use serde::Serialize;
+
+use crate::keys::Key;
+use crate::quantities::{Quantity, energy, history, summary};
+use crate::scene::{Kind, numerics_keys, probe_keys, scene_keys};
+use crate::study::accuracy_keys;
+
+/// A key or a column.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct Entry {
+    /// Its name.
+    pub name: String,
+    /// The section or table that it is in.
+    pub of: String,
+    /// What it is.
+    pub meaning: String,
+    /// Its unit, empty for words and ratios.
+    pub unit: String,
+    /// What a key may hold.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub allowed: String,
+    /// What a key holds where a file does not give it.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub default: String,
+    /// Where a key applies.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub only: String,
+    /// Other columns that belong to a column.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub besides: String,
+}
+
+impl Entry {
+    /// Whether somebody means this one; a key may have its section before it, and a column of a time is
+    /// explained with the value that it belongs to.
+    pub(super) fn is_called(&self, name: &str) -> bool {
+        let (section, leaf) = name.rsplit_once('.').unwrap_or(("", name));
+        let in_section = section.is_empty() || self.of.contains(&format!("[{section}]"));
+        let of_time = self.besides.split(", ").any(|other| other == format!("time {leaf}"));
+        in_section && (self.name == leaf || of_time)
+    }
+}
+
+/// All of them, group by group.
+pub(super) fn entries() -> Vec<Entry> {
+    let mut all = scenes();
+    let groups = [
+        ("key of [numerics]", numerics_keys()),
+        ("key of [[probe]]", probe_keys()),
+        ("key of [accuracy]", accuracy_keys()),
+    ];
+    for (of, keys) in groups {
+        all.extend(keys.into_iter().map(|key| of_key(key, of)));
+    }
+    all.extend(summary::ALL.iter().map(|column| of_summary(column)));
+    all.extend(history::ALL.iter().map(|column| of_column(column, "column of histories/*.csv")));
+    all.extend(energy::ALL.iter().map(|column| of_column(column, "column of energy.csv")));
+    all
+}
+
+/// The keys of all kinds of scenes, those that several kinds have alike under the first of them.
+fn scenes() -> Vec<Entry> {
+    let mut all: Vec<Entry> = Vec::new();
+    let kinds = std::iter::once(Kind::DEFAULT)
+        .chain(Kind::ALL.iter().copied().filter(|kind| *kind != Kind::DEFAULT));
+    for kind in kinds {
+        let of = format!("key of [scene], kind = {:?}", kind.name());
+        for key in scene_keys(kind) {
+            let entry = of_key(key, &of);
+            let alike = |other: &Entry| Entry { of: of.clone(), ..other.clone() } == entry;
+            if !all.iter().any(alike) {
+                all.push(entry);
+            }
+        }
+    }
+    all
+}
+
+fn of_key(key: &Key, of: &str) -> Entry {
+    Entry {
+        name: key.name.to_owned(),
+        of: of.to_owned(),
+        meaning: key.meaning_in_words(),
+        unit: key.rule.unit.to_owned(),
+        allowed: key.allowed_in_words(),
+        default: key.default_in_words(),
+        only: key.where_in_words(),
+        besides: String::new(),
+    }
+}
+
+fn of_summary(column: &crate::quantities::Column) -> Entry {
+    let mut besides = Vec::new();
+    besides.extend(column.time_name().map(|name| format!("time {name}")));
+    besides.extend(column.bar.map(|name| format!("error bar {name}")));
+    besides.extend(column.bound.map(|name| format!("lower bound where {name}")));
+    Entry { besides: besides.join(", "), ..of_column(column, "column of summary.csv") }
+}
+
+fn of_column<R: Copy>(column: &Quantity<R>, of: &str) -> Entry {
+    Entry {
+        name: column.name.to_owned(),
+        of: of.to_owned(),
+        meaning: without_links(column.meaning),
+        unit: column.unit.symbol().to_owned(),
+        allowed: String::new(),
+        default: String::new(),
+        only: String::new(),
+        besides: String::new(),
+    }
+}
+
+/// A meaning in one line, with `[words](target)` as the words alone.
+fn without_links(text: &str) -> String {
+    let mut words = text.split_whitespace().collect::<Vec<_>>().join(" ").replace('`', "");
+    while let Some((start, middle)) = words.find('[').zip(words.find("](")) {
+        let Some(end) = words[middle..].find(')') else { break };
+        let inner = words[start + 1..middle].to_owned();
+        words.replace_range(start..=middle + end, &inner);
+    }
+    words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_entry_says_what_it_is() {
+        for entry in entries() {
+            assert!(!entry.meaning.is_empty(), "{}", entry.name);
+            assert!(!entry.meaning.contains("]("), "{}", entry.meaning);
+        }
+    }
+
+    #[test]
+    fn a_name_may_have_its_section_and_times_are_explained_with_their_values() {
+        let names = |name: &str| -> Vec<_> {
+            let all = entries().into_iter().filter(|entry| entry.is_called(name));
+            all.map(|entry| format!("{}: {}", entry.name, entry.of)).collect()
+        };
+        assert_eq!(names("numerics.kernel"), ["kernel: key of [numerics]"]);
+        assert_eq!(names("force_max_time_s"), ["force_max: column of summary.csv"]);
+        assert_eq!(names("kernel").len(), 2);
+        assert!(names("colour").is_empty());
+    }
+}

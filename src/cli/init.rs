@@ -1,0 +1,138 @@
+//! `seawall init`: a commented sweep file to start from.
+
+use std::fmt::Write as _;
+use std::fs::OpenOptions;
+use std::io::{ErrorKind, Write as _};
+use std::path::PathBuf;
+
+use clap::Args;
+use serde_json::json;
+
+use super::SUCCESS;
+use super::failure::BadInput;
+use super::output::{Output, wrapped};
+use crate::keys::Key;
+use crate::results::in_words;
+use crate::scene::{Kind, numerics_keys, scene_keys};
+use crate::study::SweepFile;
+
+/// Write a commented sweep file to start from, NAME.toml; never over another file.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  seawall init two_waves
+  seawall init two_waves && seawall check two_waves.toml && seawall sweep two_waves.toml")]
+pub(super) struct InitArgs {
+    /// The study's name; its file is NAME.toml, here.
+    name: String,
+}
+
+/// Characters of a comment.
+const WIDTH: usize = 78;
+/// What the file sets in `[scene]`; other keys stand in it as comments.
+const SCENE: [(&str, &str); 3] =
+    [("wall", "\"movable\""), ("still_water_depth_m", "0.2"), ("tank_length_m", "2.5")];
+/// Of `[scene]`, what is left to change, at its default.
+const MORE_SCENE: [&str; 3] = ["end_after_stroke_centre_s", "threshold_ratio", "wave_gauge_m"];
+/// What the file sets in `[numerics]`.
+const NUMERICS: [(&str, &str); 2] = [("particle_spacing_m", "0.016"), ("error_bars", "\"pair\"")];
+const MORE_NUMERICS: [&str; 2] = ["sound_speed_ratio", "stop_when_settled"];
+/// What the file sweeps.
+const GRID: [(&str, &str); 3] = [
+    ("wave_height_ratio", "[0.3, 0.5]"),
+    ("spring_stiffness_n_per_m", "{ from = 10, to = 1e6, points = 6, spacing = \"log\" }"),
+    ("seawall_mass_kg_per_m", "[50]"),
+];
+
+pub(super) fn main(args: &InitArgs, output: &Output) -> anyhow::Result<u8> {
+    let name = args.name.strip_suffix(".toml").unwrap_or(&args.name);
+    let text = text(name);
+    SweepFile::read(&text, &[]).map_err(|error| BadInput(error.to_string()))?;
+    let path = PathBuf::from(format!("{name}.toml"));
+    let file = OpenOptions::new().write(true).create_new(true).open(&path);
+    let mut file = file.map_err(|error| match error.kind() {
+        ErrorKind::AlreadyExists => {
+            BadInput(format!("{}: is there already; choose another NAME", path.display()))
+        }
+        kind => BadInput(format!("{}: cannot be written: {}", path.display(), in_words(kind))),
+    })?;
+    file.write_all(text.as_bytes())?;
+    let told = path.display();
+    let next = format!("{told}: 12 cases to start from\nnext: seawall check {told}\n");
+    output.result(&next, &json!({ "file": path }))?;
+    Ok(SUCCESS)
+}
+
+/// The file's text.
+fn text(name: &str) -> String {
+    let scene = scene_keys(Kind::DEFAULT);
+    let mut text = format!(
+        "# A study for seawall. `seawall check {name}.toml` says what it will cost, `seawall sweep\n\
+         # {name}.toml` runs it, `seawall explain KEY` tells more of a key. Lines that begin with #\n\
+         # and a key show its default.\n\
+         name = {name:?}\n\n[scene]\n"
+    );
+    SCENE.iter().for_each(|(key, value)| set(&mut text, &scene, key, value));
+    MORE_SCENE.iter().for_each(|key| left(&mut text, &scene, key));
+    text.push_str("[numerics]\n");
+    NUMERICS.iter().for_each(|(key, value)| set(&mut text, &numerics_keys(), key, value));
+    MORE_NUMERICS.iter().for_each(|key| left(&mut text, &numerics_keys(), key));
+    text.push_str(
+        "# Every key may be swept: a list of values, or a range. The cases are all combinations.\n\
+         [grid]\n",
+    );
+    GRID.iter().for_each(|(key, value)| set(&mut text, &scene, key, value));
+    text.truncate(text.trim_end().len());
+    text + "\n"
+}
+
+/// A key with a value, under what it means.
+fn set(text: &mut String, keys: &[&Key], name: &str, value: &str) {
+    about(text, keys, name);
+    let _ = writeln!(text, "{name} = {value}\n");
+}
+
+/// A key as a comment, at its default.
+fn left(text: &mut String, keys: &[&Key], name: &str) {
+    about(text, keys, name);
+    let default = keys.iter().find(|key| key.name == name).map(|key| key.default_in_words());
+    let _ = writeln!(text, "# {name} = {}\n", default.unwrap_or_default());
+}
+
+fn about(text: &mut String, keys: &[&Key], name: &str) {
+    let Some(key) = keys.iter().find(|key| key.name == name) else { return };
+    let unit = match key.rule.unit {
+        "" => String::new(),
+        unit => format!("{unit}, "),
+    };
+    let meaning = key.meaning_in_words();
+    let meaning = meaning.trim_end_matches('.');
+    let told = format!("{meaning} ({unit}{}).", key.allowed_in_words());
+    for line in wrapped(&told, WIDTH) {
+        let _ = writeln!(text, "# {line}");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::Study;
+
+    #[test]
+    fn the_file_is_a_study_with_and_without_its_comments() {
+        let is_key = |word: &str| MORE_SCENE.contains(&word) || MORE_NUMERICS.contains(&word);
+        let written = text("a");
+        assert!(written.lines().all(|line| line.chars().count() <= WIDTH + 2), "{written}");
+        let open: Vec<_> = written
+            .lines()
+            .map(|line| {
+                let key = |line: &&str| line.split(" = ").next().is_some_and(is_key);
+                line.strip_prefix("# ").filter(key).unwrap_or(line)
+            })
+            .collect();
+        for text in [written.clone(), open.join("\n")] {
+            let study = Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap();
+            assert_eq!((study.cases.len(), study.companions.len()), (12, 12), "{text}");
+        }
+        assert!(open.len() > 30 && written.matches("\n# ").count() > 10, "{written}");
+    }
+}

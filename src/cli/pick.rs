@@ -1,0 +1,139 @@
+//! Picking one case of a study: by its id, by the start of it, or by values of swept keys.
+
+use std::str::FromStr;
+
+use super::failure::BadInput;
+use crate::results::counted;
+use crate::scene::ConfigError;
+use crate::study::{Case, Override, Study};
+
+/// A case that may be picked: its id, and the values of the swept keys, none where one means nothing.
+#[derive(Debug, Clone)]
+pub(super) struct Choice {
+    pub(super) id: String,
+    pub(super) values: Vec<Option<toml::Value>>,
+}
+
+/// The only case that fits the words: an id or the start of one, or values of swept keys.
+pub(super) fn the_case<'a>(study: &'a Study, words: &[String]) -> Result<&'a Case, BadInput> {
+    let choice = |case: &Case| Choice { id: case.id.to_string(), values: case.assignments.clone() };
+    let choices: Vec<_> = study.cases.iter().map(choice).collect();
+    the_one(&study.keys, &choices, words).map(|place| &study.cases[place])
+}
+
+/// The place of the only choice that fits the words.
+pub(super) fn the_one(
+    keys: &[String],
+    choices: &[Choice],
+    words: &[String],
+) -> Result<usize, BadInput> {
+    let mut fitting: Vec<&Choice> = choices.iter().collect();
+    for word in words {
+        if word.contains('=') {
+            keep_with_value(&mut fitting, keys, word)?;
+        } else {
+            keep_with_id(&mut fitting, word)?;
+        }
+    }
+    let place = |one: &Choice| choices.iter().position(|choice| choice.id == one.id);
+    if let [one] = fitting[..]
+        && let Some(place) = place(one)
+    {
+        return Ok(place);
+    }
+    let open = (0..keys.len()).filter(|&place| values(&fitting, place).contains(','));
+    let open: Vec<_> =
+        open.map(|place| format!("{} ({})", keys[place], values(&fitting, place))).collect();
+    let cases = counted(fitting.len(), "case");
+    let by = if open.is_empty() { "more digits of its id".to_owned() } else { open.join(", ") };
+    Err(BadInput(format!("{cases} fit; say which one by {by}")))
+}
+
+fn keep_with_id(fitting: &mut Vec<&Choice>, word: &str) -> Result<(), BadInput> {
+    fitting.retain(|choice| choice.id.starts_with(word));
+    if fitting.is_empty() {
+        let allowed = "no case of this study has an id that starts so; name one by its id, the start \
+                       of it, or KEY=VALUE of swept keys";
+        return Err(BadInput(format!("{word}: {allowed}")));
+    }
+    Ok(())
+}
+
+fn keep_with_value(
+    fitting: &mut Vec<&Choice>,
+    keys: &[String],
+    word: &str,
+) -> Result<(), BadInput> {
+    let wanted = Override::from_str(word).map_err(|error| BadInput(format!("{word}: {error}")))?;
+    let path = wanted.path();
+    let key = path.rsplit('.').next().unwrap_or_default();
+    let Some(place) = keys.iter().position(|swept| swept == key) else {
+        return Err(BadInput(ConfigError::unknown(&path, keys).to_string()));
+    };
+    let values = values(fitting, place);
+    fitting.retain(|choice| {
+        choice.values[place].as_ref().is_some_and(|value| same(value, wanted.value()))
+    });
+    if fitting.is_empty() {
+        return Err(BadInput(format!("{word}: no such case; there is {values}")));
+    }
+    Ok(())
+}
+
+/// The values of a swept key among some cases, in words.
+fn values(cases: &[&Choice], place: usize) -> String {
+    let mut words: Vec<String> = Vec::new();
+    for value in cases.iter().filter_map(|case| case.values[place].as_ref()) {
+        let word = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+        if !words.contains(&word) {
+            words.push(word);
+        }
+    }
+    words.join(", ")
+}
+
+/// Equal as settings, numbers to four digits: nobody writes more by hand.
+fn same(value: &toml::Value, wanted: &toml::Value) -> bool {
+    let number = |value: &toml::Value| {
+        value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
+    };
+    match (number(value), number(wanted)) {
+        (Some(value), Some(wanted)) => (value - wanted).abs() <= 5e-4 * value.abs(),
+        _ => value == wanted,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::SweepFile;
+
+    fn study() -> Study {
+        let text = "name = \"a\"\n[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n[grid]\n\
+            wave_height_ratio = [0.3, 0.5]\nspring_stiffness_n_per_m = [10, 21544.3469003188]";
+        Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap()
+    }
+
+    fn pick(words: &[&str]) -> Result<usize, String> {
+        let words: Vec<_> = words.iter().map(|&word| word.to_owned()).collect();
+        the_case(&study(), &words).map(|case| case.index).map_err(|error| error.to_string())
+    }
+
+    #[test]
+    fn words_pick_a_case() {
+        let id = study().cases[2].id.to_string();
+        assert_eq!(pick(&["wave_height_ratio=0.5", "spring_stiffness_n_per_m=21540"]), Ok(3));
+        assert_eq!(pick(&[&id]), Ok(2));
+        assert_eq!(pick(&[&id[..6]]), Ok(2));
+        let told = pick(&["wave_height_ratio=0.5"]).unwrap_err();
+        assert!(
+            told.starts_with("2 cases fit; say which one by spring_stiffness_n_per_m"),
+            "{told}"
+        );
+        let told = pick(&["stiffness=10"]).unwrap_err();
+        assert_eq!(told, "stiffness: unknown key; did you mean spring_stiffness_n_per_m?");
+        let told = pick(&["wave_height_ratio=0.4"]).unwrap_err();
+        assert_eq!(told, "wave_height_ratio=0.4: no such case; there is 0.3, 0.5");
+        assert!(pick(&["0123456789abcdef"]).is_err());
+    }
+}

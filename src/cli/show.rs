@@ -1,0 +1,219 @@
+//! `seawall show`: one case of a finished study, from its files.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use serde_json::{Map, Value, json};
+
+use super::SUCCESS;
+use super::failure::BadInput;
+use super::film;
+use super::input::demand_output_of_study;
+use super::output::{Output, with_bar};
+use super::pick::{Choice, the_case, the_one};
+use crate::quantities::summary::{
+    ALL, CASE_ID, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO, PARTICLES_LOST, REASON, STATUS,
+    STOP_IMPULSE,
+};
+use crate::quantities::{Column, Unit, heading, named};
+use crate::report::plain;
+use crate::results::{Manifest, counted};
+
+/// Show one case of a finished study: its parameters, its results with error bars, its health, and
+/// where its files are.
+#[derive(Debug, Args)]
+#[command(after_help = "Examples:
+  seawall show results/runs/two_waves wave_height_ratio=0.5 spring_stiffness_n_per_m=10
+  seawall show results/runs/two_waves 0123
+  seawall show results/runs/two_waves 0123 --toml > case.toml && seawall run case.toml")]
+pub(super) struct ShowArgs {
+    /// The output directory of a sweep or a run.
+    dir: PathBuf,
+    /// Which case: values of swept keys, its id or the start of it; as much as tells it from the others.
+    #[arg(value_name = "CASE")]
+    case: Vec<String>,
+    /// Print it as a scene file, which `seawall run` takes.
+    #[arg(long)]
+    toml: bool,
+}
+
+pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
+    if args.toml {
+        let (file, study) = film::study_of(&args.dir)?;
+        let text = file.single(the_case(&study, &args.case)?).map_err(|error| {
+            BadInput(format!("{}: sweep_file in manifest.json: {error}", args.dir.display()))
+        })?;
+        output.result(&text, &json!({ "toml": text }))?;
+        return Ok(SUCCESS);
+    }
+    demand_output_of_study(&args.dir, "summary.csv")?;
+    let rows = rows(&args.dir.join("summary.csv"))?;
+    let keys = Manifest::read(&args.dir).map_or_else(Vec::new, |manifest| manifest.keys);
+    let choices: Vec<_> = rows.iter().map(|row| row.choice(&keys)).collect();
+    let row = &rows[the_one(&keys, &choices, &args.case)?];
+    let files = files(&args.dir, row.cell(CASE_ID.name));
+    output.result(&told(row, &keys, &files), &row.json(&files))?;
+    Ok(SUCCESS)
+}
+
+/// A row of `summary.csv`: names and cells.
+struct Row(Vec<(String, String)>);
+
+fn rows(path: &Path) -> anyhow::Result<Vec<Row>> {
+    let bad = |error: csv::Error| BadInput(format!("{}: {error}", path.display()));
+    let mut reader = csv::Reader::from_path(path).map_err(bad)?;
+    let names: Vec<_> = reader.headers().map_err(bad)?.iter().map(str::to_owned).collect();
+    let row = |record: csv::Result<csv::StringRecord>| {
+        let cells = record.map_err(bad)?;
+        Ok(Row(names.iter().cloned().zip(cells.iter().map(str::to_owned)).collect()))
+    };
+    reader.records().map(row).collect()
+}
+
+impl Row {
+    fn cell(&self, name: &str) -> &str {
+        let cell = self.0.iter().find(|(own, _)| own == name);
+        cell.map_or("", |(_, cell)| cell.as_str())
+    }
+
+    fn number(&self, name: &str) -> Option<f64> {
+        self.cell(name).parse().ok()
+    }
+
+    fn choice(&self, keys: &[String]) -> Choice {
+        let value = |key: &String| match self.cell(key) {
+            "" => None,
+            cell => Some(cell.parse().map_or_else(|_| cell.into(), toml::Value::Float)),
+        };
+        Choice { id: self.cell(CASE_ID.name).to_owned(), values: keys.iter().map(value).collect() }
+    }
+
+    /// A value for people: with its error bar, its time, and a sign where it is a lower bound.
+    fn value(&self, column: &Column) -> Option<String> {
+        let cell = Some(self.cell(column.name)).filter(|cell| !cell.is_empty())?;
+        let Some(value) = self.number(column.name).filter(|_| column.is_number()) else {
+            return Some(cell.to_owned());
+        };
+        let bar = column.bar.and_then(|bar| self.number(bar));
+        let told = match bar {
+            Some(bar) => with_bar(value, bar),
+            None if value.fract() == 0.0 && value.abs() < 1e15 => value.to_string(),
+            None => plain(value),
+        };
+        let unit = if column.unit.is_ratio() { "" } else { column.unit.symbol() };
+        let time = column.time_name().and_then(|name| self.number(&name));
+        let time = time.map(|time| format!(" at {time:.4} s")).unwrap_or_default();
+        let bound = column.bound.is_some_and(|flag| self.cell(flag) == "true");
+        let sign = if bound { "≥ " } else { "" };
+        let told = format!("{sign}{told} {unit}");
+        Some(format!("{}{time}", told.trim_end()))
+    }
+
+    fn json(&self, files: &[PathBuf]) -> Value {
+        let cell = |cell: &str| match cell {
+            "" => Value::Null,
+            "true" => true.into(),
+            "false" => false.into(),
+            cell => serde_json::from_str::<serde_json::Number>(cell)
+                .map_or_else(|_| cell.into(), Value::Number),
+        };
+        let id = |name: &str, text: &str| {
+            if name == CASE_ID.name { text.into() } else { cell(text) }
+        };
+        let cells: Map<_, _> =
+            self.0.iter().map(|(name, text)| (name.clone(), id(name, text))).collect();
+        json!({ "case": cells, "files": files })
+    }
+}
+
+/// The files of a case that are there.
+fn files(directory: &Path, id: &str) -> Vec<PathBuf> {
+    let places =
+        ["histories/csv", "probes/csv", "readings/csv", "films/html", "films/svg", "vtk/pvd"];
+    let places = places.iter().filter_map(|place| place.split_once('/'));
+    let path = |(folder, ending)| directory.join(folder).join(format!("{id}.{ending}"));
+    places.map(path).filter(|path| path.is_file()).collect()
+}
+
+fn told(row: &Row, keys: &[String], files: &[PathBuf]) -> String {
+    let mut text = format!("case {}: {}\n", row.cell(CASE_ID.name), row.cell(STATUS.name));
+    let (results, health, parameters) = groups();
+    text.push_str("\nparameters\n");
+    let swept = keys.iter().filter(|key| named(key).is_none());
+    for key in swept {
+        text.push_str(&line(&heading(key), row.cell(key)));
+    }
+    for (title, columns) in [("", parameters), ("\nresults\n", results), ("\nhealth\n", health)] {
+        text.push_str(title);
+        for column in columns {
+            if let Some(value) = row.value(column) {
+                text.push_str(&line(&without_unit(column), &value));
+            }
+        }
+    }
+    text.push_str(&format!("\n{}\n", counted(files.len(), "file")));
+    for file in files {
+        text.push_str(&format!("  {}\n", file.display()));
+    }
+    text
+}
+
+fn line(name: &str, value: &str) -> String {
+    format!("  {name:<24} {value}\n")
+}
+
+/// What stands before a value that has its unit behind it.
+fn without_unit(column: &Column) -> String {
+    let heading = column.heading();
+    let unit = format!(", {}", column.unit.symbol());
+    heading.strip_suffix(&unit).unwrap_or(&heading).to_owned()
+}
+
+/// Columns of results, of health, of parameters; bars and flags stand beside what they belong to.
+fn groups() -> (Vec<&'static Column>, Vec<&'static Column>, Vec<&'static Column>) {
+    let belongs = |column: &&Column| {
+        ALL.iter().any(|other| [other.bar, other.bound].contains(&Some(column.name)))
+    };
+    let first = ALL.iter().position(|column| *column == &MEASURED_WAVE_HEIGHT_RATIO).unwrap_or(0);
+    let (mut results, mut health, mut parameters) = (Vec::new(), Vec::new(), Vec::new());
+    for (place, &column) in ALL.iter().enumerate().filter(|(_, column)| !belongs(column)) {
+        let is_health = column.unit == Unit::Percent
+            || [&REASON, &DOUBTFUL_REASON, &PARTICLES_LOST].contains(&column);
+        let is_input = place < first || is_configured(column);
+        match (column == &CASE_ID || column == &STATUS, is_health, is_input) {
+            (true, ..) => {}
+            (_, true, _) => health.push(column),
+            (_, _, true) => parameters.push(column),
+            _ if column.unit == Unit::Pure && column != &MEASURED_WAVE_HEIGHT_RATIO => {
+                health.push(column);
+            }
+            _ => results.push(column),
+        }
+    }
+    results.sort_by_key(|column| column == &&STOP_IMPULSE);
+    (results, health, parameters)
+}
+
+/// Whether a column repeats what a file says: it is called like a key.
+fn is_configured(column: &Column) -> bool {
+    let numerics = crate::scene::numerics_keys();
+    let scene = crate::scene::scene_keys(crate::scene::Kind::DEFAULT);
+    numerics.iter().chain(&scene).any(|key| key.name == column.name)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_column_is_told_once() {
+        let (results, health, parameters) = groups();
+        let told = results.len() + health.len() + parameters.len();
+        let beside = ["force_error", "runup_error", "displacement_error", "force_max_error"];
+        let beside = beside.len() + ["runup_max_error", "displacement_truncated"].len();
+        assert_eq!(told, ALL.len() - beside - 2, "all but the id, the status, bars and flags");
+        assert!(parameters.iter().any(|column| column.name == "particle_spacing_m"));
+        assert!(health.iter().any(|column| column.name == "doubtful_reason"));
+        assert!(results.iter().any(|column| column.name == "onset_time_s"));
+    }
+}

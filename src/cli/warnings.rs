@@ -1,0 +1,66 @@
+//! What a file says and hardly means: told by `check`, `run` and `sweep`, which go on.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use super::cost::time_of_all;
+use super::output::{Output, duration};
+use crate::results::counted;
+use crate::scene::odd_values;
+use crate::study::Study;
+
+/// A study that takes longer than this, seconds, is told with what makes it long.
+const LONG_S: f64 = 86_400.0;
+
+/// Tells the warnings of a file as notes.
+pub(super) fn tell(file: &Path, study: &Study, output: &Output) {
+    for line in warnings(study) {
+        output.note(format_args!("warning: {}: {line}", file.display()));
+    }
+}
+
+/// The odd values of a study, a line per key, and its cost where that is high.
+pub(super) fn warnings(study: &Study) -> Vec<String> {
+    let mut odd: BTreeMap<String, (String, usize)> = BTreeMap::new();
+    for value in study.cases.iter().flat_map(|case| odd_values(&case.config)) {
+        let first = || (value.to_string(), 0);
+        odd.entry(value.key.clone()).or_insert_with(first).1 += 1;
+    }
+    let told = |(line, cases): (String, usize)| match cases {
+        cases if cases == study.cases.len() => line,
+        cases => format!("{line} (in {})", counted(cases, "case")),
+    };
+    odd.into_values().map(told).chain(long(study)).collect()
+}
+
+/// The keys that make a study long, and how long it is.
+fn long(study: &Study) -> Option<String> {
+    let (seconds, cores) = time_of_all(study);
+    if seconds <= LONG_S {
+        return None;
+    }
+    let longest =
+        study.cases.iter().max_by_key(|case| crate::simulation::cost(&case.config).steps)?;
+    let (frame, numerics) = (longest.config.scene.frame(), &longest.config.numerics);
+    let steps = frame.end_time / frame.time_step(numerics);
+    Some(format!(
+        "takes about {} on {}: the longest case ends at {} s, after {steps:.1e} steps, with particles \
+         {} m apart (scene.end_time_s, numerics.particle_spacing_m)",
+        duration(seconds),
+        counted(cores, "core"),
+        frame.end_time,
+        numerics.particle_spacing_m
+    ))
+}
+
+/// Tells where there are more threads than processors.
+pub(super) fn tell_threads(threads: Option<u16>, output: &Output) {
+    let processors = std::thread::available_parallelism().map_or(1, usize::from);
+    if let Some(threads) = threads.filter(|&threads| usize::from(threads) > processors) {
+        output.note(format_args!(
+            "warning: --threads {threads}: this machine has {}; more threads make nothing faster, and \
+             every case at once takes memory",
+            counted(processors, "processor")
+        ));
+    }
+}

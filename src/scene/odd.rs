@@ -1,0 +1,121 @@
+//! Values that are allowed and that hardly anybody means: warnings, each with its key.
+
+use super::config::CaseConfig;
+use super::kind::Scene;
+use super::seawall::{SeawallScene, WallChoice};
+use crate::keys::ConfigError;
+
+/// A wave tank shorter than so many still water depths leaves a wave no room: a solitary wave of half
+/// the depth is ten depths long.
+const SHORTEST_TANK: f64 = 5.0;
+/// Water, kg/m³: 958 when it boils, 1000 fresh, 1025 in the sea, 1240 in the Dead Sea.
+const WATER: [f64; 2] = [900.0, 1300.0];
+
+/// Samples closer than this share of a time step say nothing that steps do not.
+const SHARE_OF_STEP: f64 = 0.1;
+
+/// What of a case looks like a slip: key, value, and what is usual.
+pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
+    let mut odd: Vec<_> = [density(config), interval(config)].into_iter().flatten().collect();
+    if let Some(scene) = config.scene.seawall() {
+        odd.extend([tank(scene), threshold(scene)].into_iter().flatten());
+    }
+    odd
+}
+
+fn warning(key: &str, value: f64, told: String) -> Option<ConfigError> {
+    Some(ConfigError::new(&format!("scene.{key}"), value, told))
+}
+
+fn tank(scene: &SeawallScene) -> Option<ConfigError> {
+    let depths = scene.tank_length_m / scene.still_water_depth_m;
+    if depths >= SHORTEST_TANK || scene.wave_height_ratio == 0.0 {
+        return None;
+    }
+    let told = format!(
+        "the tank, tank_length_m = {}, is only {depths:.3} still water depths long; a wave needs \
+         {SHORTEST_TANK} or more",
+        scene.tank_length_m
+    );
+    warning("still_water_depth_m", scene.still_water_depth_m, told)
+}
+
+fn density(config: &CaseConfig) -> Option<ConfigError> {
+    let (density, [low, high]) = (config.scene.frame().density, WATER);
+    let told = format!(
+        "this is no water; its density is from {low} to {high} kg/m³, 1000 where it is fresh"
+    );
+    let usual = (low..=high).contains(&density);
+    (!usual).then(|| warning("water_density_kg_per_m3", density, told)).flatten()
+}
+
+fn threshold(scene: &SeawallScene) -> Option<ConfigError> {
+    let gives_way = scene.wall == WallChoice::Movable && scene.threshold_ratio < 1.0;
+    let told = "still water alone presses with 1 and moves the wall from the first step; 1 or above \
+                lets it stand until the wave comes";
+    gives_way.then(|| warning("threshold_ratio", scene.threshold_ratio, told.to_owned())).flatten()
+}
+
+fn interval(config: &CaseConfig) -> Option<ConfigError> {
+    let frame = config.scene.frame();
+    let (interval, step) = (frame.history_interval, frame.time_step(&config.numerics));
+    let told = format!(
+        "is much shorter than a time step ({step:.1e} s): every step is sampled, which is slow, and the \
+         history has some {:.0} lines",
+        frame.end_time / step
+    );
+    let samples = matches!(config.scene, Scene::Seawall(_) | Scene::Hydrostatic(_));
+    (samples && interval < SHARE_OF_STEP * step)
+        .then(|| warning("history_interval_s", interval, told))
+        .flatten()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn odd(scene: &str) -> Vec<String> {
+        let config = CaseConfig::from_tables(&scene.parse().unwrap(), &"".parse().unwrap());
+        odd_values(&config.unwrap()).iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn what_is_usual_is_not_told() {
+        let movable = "wall = \"movable\"\nspring_stiffness_n_per_m = 1\nseawall_mass_kg_per_m = 1";
+        for scene in [
+            "",
+            "still_water_depth_m = 0.5",
+            "water_density_kg_per_m3 = 1025",
+            "history_interval_s = 0.001",
+            "threshold_ratio = 0.5",
+            &format!("{movable}\nthreshold_ratio = 1"),
+            "kind = \"hydrostatic\"\ntank_length_m = 0.3",
+            "kind = \"rotating-patch\"",
+        ] {
+            assert_eq!(odd(scene), [""; 0], "{scene}");
+        }
+    }
+
+    #[test]
+    fn slips_are_told_with_key_and_value() {
+        let movable = "wall = \"movable\"\nspring_stiffness_n_per_m = 1\nseawall_mass_kg_per_m = 1";
+        for (scene, told) in [
+            (
+                "still_water_depth_m = 0.51",
+                "scene.still_water_depth_m = 0.51: the tank, tank_length",
+            ),
+            ("water_density_kg_per_m3 = 1", "scene.water_density_kg_per_m3 = 1: this is no water"),
+            (
+                "history_interval_s = 1e-9",
+                "scene.history_interval_s = 0.000000001: is much shorter",
+            ),
+            (
+                &format!("{movable}\nthreshold_ratio = 0.5"),
+                "scene.threshold_ratio = 0.5: still water alone presses with 1",
+            ),
+        ] {
+            let all = odd(scene);
+            assert!(all.len() == 1 && all[0].starts_with(told), "{all:?}");
+        }
+    }
+}

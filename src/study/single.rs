@@ -1,0 +1,62 @@
+//! One case of a sweep file as a scene file of its own.
+
+use toml::{Table, Value};
+
+use super::case::Case;
+use super::file::SweepFile;
+use super::grid;
+use crate::scene::{ConfigError, Place};
+
+/// Digits of a case's id in the name of its own file.
+const DIGITS: usize = 8;
+
+impl SweepFile {
+    /// A case of this file as the text of a scene file, which `seawall run` takes. It names what this
+    /// file names, and the values of the swept keys.
+    ///
+    /// # Errors
+    /// A swept key that no section knows.
+    pub fn single(&self, case: &Case) -> Result<String, ConfigError> {
+        let (scene, numerics) = grid::tables(self, &case.assignments)?;
+        let id = case.id.to_string();
+        let mut file = Table::new();
+        file.insert("name".to_owned(), format!("{}-{}", self.name, &id[..DIGITS]).into());
+        for (place, table) in [(Place::Scene, scene), (Place::Numerics, numerics)] {
+            if !table.is_empty() {
+                file.insert(place.name().to_owned(), Value::Table(table));
+            }
+        }
+        if !self.probes.is_empty() {
+            let probes = self.probes.iter().cloned().map(Value::Table);
+            file.insert("probe".to_owned(), Value::Array(probes.collect()));
+        }
+        Ok(file.to_string())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::Study;
+
+    #[test]
+    fn the_file_of_a_case_is_that_case() {
+        let text = "name = \"a\"\n[scene]\nseawall_mass_kg_per_m = 50\n\
+            [numerics]\npreset = \"huang2019\"\nerror_bars = \"pair\"\n\
+            [grid]\nwall = [\"fixed\", \"movable\"]\nspring_stiffness_n_per_m = [1, 21544.3469003188]\n\
+            particle_spacing_m = [0.02, 0.025]\n\
+            [[probe]]\nname = \"P1\"\nkind = \"level\"\nx_m = 1";
+        let file = SweepFile::read(text, &[]).unwrap();
+        let study = Study::new(&file).unwrap();
+        assert_eq!(study.cases.len(), 2 + 4);
+        for case in &study.cases {
+            let text = file.single(case).unwrap();
+            let single = SweepFile::read(&text, &[]).unwrap();
+            let read = Study::new(&single).unwrap();
+            assert_eq!(read.cases.len(), 1);
+            assert_eq!(read.cases[0].id, case.id, "{text}");
+            assert_eq!(read.companions.len(), 1);
+            assert!(read.name.starts_with("a-"), "{text}");
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! Bad and odd input: what is told names file, key, value and what is allowed, and nothing is written.
+
+mod common;
+
+use std::fs;
+use std::path::Path;
+
+use common::{TINY, expect_code, run, seawall, write_file};
+
+/// A scene that runs in no time.
+const SCENE: &str = "name = \"a\"\n[scene]\n[numerics]\nparticle_spacing_m = 0.025\n";
+
+fn told(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// Runs a command in a directory of its own, with a scene, a sweep and a file that is neither.
+fn in_directory(arguments: &[&str]) -> (std::process::Output, Vec<String>) {
+    let root = tempfile::tempdir().unwrap();
+    let at = |name: &str| root.path().join(name);
+    fs::write(at("scene.toml"), SCENE).unwrap();
+    fs::write(at("tiny.toml"), TINY).unwrap();
+    fs::write(at("plain"), "").unwrap();
+    fs::create_dir(at("empty")).unwrap();
+    let output = seawall().args(arguments).current_dir(root.path()).output().unwrap();
+    let entries = fs::read_dir(root.path()).unwrap();
+    let mut names: Vec<_> =
+        entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    (output, names)
+}
+
+#[test]
+fn bad_input_is_told_in_plain_words_and_nothing_is_written() {
+    let both = "--set=grid.wave_gauge_m=[1.2, 1.3]";
+    for (arguments, words) in [
+        (
+            &["check", "nope.toml"][..],
+            "nope.toml: there is no such file or directory; give a sweep",
+        ),
+        (
+            &["check", "empty"],
+            "empty: is a directory; give a sweep or scene file, such as empty/NAME",
+        ),
+        (&["check", "."], ".: is a directory; give a sweep or scene file"),
+        (&["run", "scene.toml", "--out", "plain"], "--out plain: is a file; give a directory"),
+        (&["sweep", "tiny.toml", "--out", "plain/x"], "--out plain/x: plain is a file"),
+        (
+            &["run", "scene.toml", "--out", "/dev/null/x"],
+            "--out /dev/null/x: nothing can be written there",
+        ),
+        (&["status", "nope"], "nope: no such directory; give the output directory of a study"),
+        (&["report", "plain"], "plain: is a file; give the output directory of a study"),
+        (&["film", "empty"], "empty: holds no manifest.json: not the output directory of a study"),
+        (
+            &["sweep", "tiny.toml", "--max-error", "-5"],
+            "'-5' for '--max-error <PERCENT>': must be a",
+        ),
+        (&["sweep", "tiny.toml", "--max-error", "2%"], "'--max-error <PERCENT>': write 2: it is a"),
+        (&["sweep", "tiny.toml", "--max-error", "nan"], "must be a percentage above 0"),
+        (
+            &["check", "scene.toml", "--set", "grid.wave_height_ratio=[nan]"],
+            "scene.toml: grid.wave_height_ratio = nan: must be a finite number",
+        ),
+        (
+            &["check", "scene.toml", "--set", "name=Gr\u{f6}\u{df}e"],
+            "name = \"Gr\u{f6}\u{df}e\": must be a word of the letters a to z and A to Z",
+        ),
+        (
+            &["check", "scene.toml", "--set", "numerics.particle_spacing_m=1e-5"],
+            "scene.toml: numerics.particle_spacing_m = 0.00001: would cut 0.5 m² of water into \
+             5,000,000,000 particles, and 20,000,000 are the most: choose 0.000159 m or more",
+        ),
+        (
+            &["check", "tiny.toml", "--set", "grid.spring_stiffness_n_per_m=[\"500 N/m\"]"],
+            "grid.spring_stiffness_n_per_m = \"500 N/m\": write 500, without quotes: the unit, N/m,",
+        ),
+        (
+            &["sweep", "scene.toml", "--set", "numerics.particle_spacing_m=1cm", both],
+            "numerics.particle_spacing_m = \"1cm\": write 0.01, without quotes: the unit, m, is in",
+        ),
+        (
+            &["run", "tiny.toml"],
+            "this file has 8 cases, and `seawall run` takes one: name it by the values of the swept \
+             keys, as in `seawall run FILE wave_height_ratio=0.4 spring_stiffness_n_per_m=10",
+        ),
+        (&["run", "tiny.toml", "wave_height_ratio=0.4"], "4 cases fit; say which one by spring_"),
+    ] {
+        let (output, names) = in_directory(arguments);
+        expect_code(&output, 2);
+        let told = told(&output.stderr);
+        assert!(told.contains(words) && !told.contains("os error"), "{arguments:?}: {told}");
+        assert_eq!(names, ["empty", "plain", "scene.toml", "tiny.toml"], "{arguments:?}");
+    }
+}
+
+#[test]
+fn a_key_in_a_section_and_in_the_grid_is_an_error_in_the_file_too() {
+    let root = tempfile::tempdir().unwrap();
+    let text = TINY.replace("[numerics]", "wave_height_ratio = 0.3\n[numerics]");
+    let file = write_file(root.path(), &text);
+    for command in ["check", "sweep"] {
+        let output = run(&[command, file.to_str().unwrap()]);
+        expect_code(&output, 2);
+        let told = told(&output.stderr);
+        let words = "sweep.toml: scene.wave_height_ratio = 0.3: stands in [scene] and in [grid]";
+        assert!(told.contains(words), "{told}");
+    }
+    // On the command line it is meant.
+    let single = write_file(root.path(), &format!("{SCENE}kernel = \"gaussian\"\n"));
+    let kernels = "grid.kernel=[\"gaussian\", \"wendland-c2\"]";
+    expect_code(&run(&["check", single.to_str().unwrap(), "--set", kernels]), 0);
+}
+
+/// What `check` prints, and what another command notes, of a scene with a value set.
+fn warnings_of(setting: &str) -> [String; 2] {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), SCENE);
+    let file = file.to_str().unwrap();
+    let check = run(&["check", file, "--set", setting]);
+    expect_code(&check, 0);
+    let grid = ["--dry-run", "--set", "grid.wave_gauge_m=[1.2, 1.3]"];
+    let sweep = run(&[&["sweep", file, "--set", setting][..], &grid].concat());
+    expect_code(&sweep, 0);
+    [told(&check.stdout), told(&sweep.stdout)]
+}
+
+#[test]
+fn odd_values_are_warned_of_and_taken() {
+    for (setting, words) in [
+        (
+            "scene.still_water_depth_m=0.6",
+            "scene.still_water_depth_m = 0.6: the tank, tank_length_m",
+        ),
+        ("scene.water_density_kg_per_m3=1", "scene.water_density_kg_per_m3 = 1: this is no water"),
+        (
+            "scene.history_interval_s=1e-9",
+            "scene.history_interval_s = 0.000000001: is much shorter",
+        ),
+        ("scene.end_time_s=1e9", "the longest case ends at 1000000000 s, after 2.5e11 steps"),
+    ] {
+        for text in warnings_of(setting) {
+            let line = text.lines().find(|line| line.starts_with("warning: "));
+            assert!(line.is_some_and(|line| line.contains(words)), "{setting}: {text}");
+        }
+    }
+    let quiet = warnings_of("scene.still_water_depth_m=0.2");
+    assert!(quiet.iter().all(|text| !text.contains("warning")), "{quiet:?}");
+}
+
+#[test]
+fn runs_and_sweeps_note_what_check_warns_of() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let (file, out) = (file.to_str().unwrap(), root.path().join("out"));
+    let short = ["--set", "scene.end_time_s=0.02", "--set", "scene.threshold_ratio=0.5"];
+    let places = ["--out", out.to_str().unwrap(), "--threads", "1000"];
+    let sweep = run(&[&["sweep", file][..], &short, &places].concat());
+    expect_code(&sweep, 0);
+    let case = ["wave_height_ratio=0.4", "spring_stiffness_n_per_m=10", "seawall_mass_kg_per_m=50"];
+    let places = ["--out", root.path().to_str().unwrap(), "--threads", "1000"];
+    let places = [places[0], &format!("{}/single", places[1]), places[2], places[3]];
+    let single = run(&[&["run", file][..], &case, &short, &places].concat());
+    expect_code(&single, 0);
+    for output in [sweep, single] {
+        let notes = told(&output.stderr);
+        let moved = "sweep.toml: scene.threshold_ratio = 0.5: still water alone presses with 1";
+        assert!(notes.contains(moved), "{notes}");
+        assert!(notes.contains("warning: --threads 1000: this machine has"), "{notes}");
+    }
+    // The case of a sweep file that runs alone is the same case.
+    let id = |directory: &Path| {
+        let mut reader = csv::Reader::from_path(directory.join("summary.csv")).unwrap();
+        reader.records().next().unwrap().unwrap()[0].to_owned()
+    };
+    assert_eq!(id(&out), id(&root.path().join("single")));
+}
