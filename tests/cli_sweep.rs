@@ -193,8 +193,7 @@ const BAD: &[(&str, &[&str], &str)] = &[
     (
         TINY,
         &["--set", "numerics.particle_spacing_m=0.00001"],
-        "numerics.particle_spacing_m = 0.00001: makes 2000000000 particles of 0.2000 m² of water, \
-         20000000 are the most: 0.0001",
+        "numerics.particle_spacing_m = 0.00001: would cut 0.2 m² of water into 2,000,000,000 particles",
     ),
     (
         TINY,

@@ -65,21 +65,23 @@ pub(super) fn main(args: &InitArgs, output: &Output) -> anyhow::Result<u8> {
 /// The file's text.
 fn text(name: &str) -> String {
     let scene = scene_keys(Kind::DEFAULT);
-    let mut text = format!(
-        "# A study for seawall. `seawall check {name}.toml` says what it will cost, `seawall sweep\n\
-         # {name}.toml` runs it, `seawall explain KEY` tells more of a key. Lines that begin with #\n\
-         # and a key show its default.\n\
-         name = {name:?}\n\n[scene]\n"
+    let about = format!(
+        "A study for seawall. `seawall check {name}.toml` says what it will cost, `seawall sweep \
+         {name}.toml` runs it, `seawall explain KEY` tells more of a key. A line of # and a key shows \
+         the key's default."
     );
+    let mut text = String::new();
+    comment(&mut text, &about);
+    let _ = writeln!(text, "name = {name:?}\n\n[scene]");
     SCENE.iter().for_each(|(key, value)| set(&mut text, &scene, key, value));
     MORE_SCENE.iter().for_each(|key| left(&mut text, &scene, key));
     text.push_str("[numerics]\n");
     NUMERICS.iter().for_each(|(key, value)| set(&mut text, &numerics_keys(), key, value));
     MORE_NUMERICS.iter().for_each(|key| left(&mut text, &numerics_keys(), key));
-    text.push_str(
-        "# Every key may be swept: a list of values, or a range. The cases are all combinations.\n\
-         [grid]\n",
-    );
+    let about =
+        "Every key may be swept: a list of values, or a range. The cases are all combinations.";
+    comment(&mut text, about);
+    text.push_str("[grid]\n");
     GRID.iter().for_each(|(key, value)| set(&mut text, &scene, key, value));
     text.truncate(text.trim_end().len());
     text + "\n"
@@ -106,8 +108,11 @@ fn about(text: &mut String, keys: &[&Key], name: &str) {
     };
     let meaning = key.meaning_in_words();
     let meaning = meaning.trim_end_matches('.');
-    let told = format!("{meaning} ({unit}{}).", key.allowed_in_words());
-    for line in wrapped(&told, WIDTH) {
+    comment(text, &format!("{meaning} ({unit}{}).", key.allowed_in_words()));
+}
+
+fn comment(text: &mut String, told: &str) {
+    for line in wrapped(told, WIDTH) {
         let _ = writeln!(text, "# {line}");
     }
 }

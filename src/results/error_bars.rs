@@ -224,9 +224,8 @@ mod tests {
 
     #[test]
     fn no_bar_is_narrower_than_the_narrowest() {
-        let at = |spacing: f64| (config(spacing), outcome(1e-9, 1.0));
-        let (own, told) = at(0.01);
-        let bars = ErrorBars::new(&own, &told, &[(&at(0.02).0, &told)]);
+        let (own, told) = (config(0.01), outcome(0.01, 40.0));
+        let bars = ErrorBars::new(&own, &told, &[(&config(0.02), &told)]);
         let percent = |bar: Option<f64>, value: f64| 100.0 * bar.unwrap() / value;
         let first = told.first_force_max.unwrap().value;
         let widest = percent(bars.force, first)
