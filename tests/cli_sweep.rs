@@ -247,22 +247,13 @@ fn bad_usage_has_exit_code_two() {
 }
 
 #[test]
-fn another_sweeps_or_a_damaged_directory_is_refused() {
+fn another_sweeps_directory_is_refused() {
     let (root, file) = directory();
     let out = root.path().join("out");
     expect_code(&sweep(&file, &out, &[]), 0);
     let other = sweep(&file, &out, &["--set", "scene.force_coupling=0.4"]);
     expect_code(&other, 2);
     assert!(String::from_utf8_lossy(&other.stderr).contains("holds another sweep"));
-    let journal = out.join("journal.jsonl");
-    let mut bytes = std::fs::read(&journal).unwrap();
-    let middle = bytes.len() / 2;
-    bytes[middle] ^= 1;
-    std::fs::write(&journal, &bytes).unwrap();
-    let damaged = sweep(&file, &out, &[]);
-    expect_code(&damaged, 2);
-    let told = String::from_utf8_lossy(&damaged.stderr);
-    assert!(told.contains("journal.jsonl: line "), "{told}");
 }
 
 #[test]
