@@ -1,6 +1,6 @@
 //! Work that a process may have died of, in a process of its own.
 //!
-//! The child is this program, with the hidden subcommand `apart`. It reads a [`Task`] from standard
+//! The child is this program, with the hidden subcommand `apart`. It reads a task from standard
 //! input and writes a [`Result`] to standard output. If it dies, its work has failed and nothing else.
 
 use std::io::{Read, Write};

@@ -55,10 +55,9 @@ pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
         save(&tables_dir.join(format!("{}.csv", table.name)), &table.csv())?;
     }
     let path = out_dir.join("report.html");
-    let said = papers.as_ref().map(|papers| page::Papers {
-        answer: papers.sentences.first().cloned().unwrap_or_default(),
-        content: papers.section(),
-    });
+    let said = papers
+        .as_ref()
+        .map(|papers| page::Papers { answer: papers.answer.clone(), content: papers.section() });
     save(&path, &page::page(&data, &figures, &tables, said.as_ref())?)?;
     Ok(path)
 }

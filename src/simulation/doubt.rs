@@ -130,7 +130,7 @@ impl Evidence<'_> {
     }
 }
 
-/// The kinds of the reasons that [`Evidence::doubt`] gives for a case.
+/// The kinds of the reasons that a case is doubted for.
 pub fn kinds_of_doubt(told: &str) -> impl Iterator<Item = &str> {
     told.split("; ").filter_map(|reason| Some(reason.split_once(": ")?.0))
 }

@@ -21,7 +21,7 @@ use crate::papers::{Printed, Read, printed, scenes};
 use crate::quantities::summary::FORCE_COUPLING;
 
 pub(super) use computed::{at, column, on_their_clock, step_time};
-pub use sentences::sentences;
+pub use sentences::{answer, sentences};
 pub use table::{beside, others, tidy};
 
 /// A printed number and what a case has in its place.
@@ -128,6 +128,8 @@ pub struct Papers {
     pub tidy: Table,
     /// The same for the page: the factors s beside one another.
     pub beside: Table,
+    /// How far the numbers are, for the page's top.
+    pub answer: String,
     /// What agrees, what does not, and why.
     pub sentences: Vec<String>,
     /// Printed against computed.
@@ -147,6 +149,7 @@ pub fn papers(data: &Loaded) -> Result<Option<Papers>, ReportError> {
     Ok(Some(Papers {
         tidy: tidy(&found),
         beside: beside(&found),
+        answer: answer(&found),
         sentences: sentences(&found),
         figures: agreement::figure(&found).into_iter().collect(),
     }))

@@ -40,6 +40,28 @@ pub fn sentences(found: &[Found]) -> Vec<String> {
     said
 }
 
+/// How far the printed numbers are, in a sentence.
+pub fn answer(found: &[Found]) -> String {
+    let met = found.iter().filter(|one| one.is_met()).count();
+    let mut sizes: Vec<f64> = found
+        .iter()
+        .filter(|one| one.printed.is_size())
+        .filter_map(|one| Some(one.percent()?.abs()))
+        .collect();
+    sizes.sort_by(f64::total_cmp);
+    let (median, worst) = (number::median(&sizes), sizes.last());
+    let off = median.zip(worst).map(|(median, worst)| {
+        let [median, worst] = [median, *worst].map(|size| number::significant(size, 2));
+        format!(" Sizes differ by {median} % in the median and {worst} % at most.")
+    });
+    format!(
+        "{met} of {} printed numbers that have a case here are met, within 5 % or the error bar.{} The \
+         section below says which, and why the others are not.",
+        found.len(),
+        off.unwrap_or_default()
+    )
+}
+
 fn opening(found: &[Found]) -> String {
     let mut names: Vec<&str> = Vec::new();
     for one in found {

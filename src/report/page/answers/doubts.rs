@@ -77,16 +77,16 @@ pub fn doubtful(data: &Loaded) -> Option<String> {
     ))
 }
 
-/// The reasons of a case without their numbers and without the quantities that they touch, each
-/// once.
+/// The kinds of a case's reasons, each once. Reasons that name no kind are told without their numbers and
+/// without the quantities that they touch, as earlier versions wrote them.
 fn kinds(reasons: &str) -> Vec<String> {
     let mut kinds: Vec<String> = Vec::new();
     for reason in reasons.split("; ") {
-        let reason = match reason.split_once(": ") {
-            Some((name, rest)) if named(name).is_some() => rest,
-            _ => reason,
+        let kind = match reason.split_once(": ") {
+            Some((name, rest)) if named(name).is_some() => without_numbers(rest),
+            Some((kind, _)) => kind.to_owned(),
+            None => without_numbers(reason),
         };
-        let kind = without_numbers(reason);
         if !kinds.contains(&kind) {
             kinds.push(kind);
         }
@@ -132,5 +132,7 @@ mod tests {
         let reasons = "force_max: the pressure on the face is +2.1 % off; first_force_max: the \
                        pressure on the face is -3.4 % off; energy gap +3.1 %";
         assert_eq!(kinds(reasons), ["the pressure on the face is … % off", "energy gap … %"]);
+        let named = "coarse spacing: 8 rows of particles; force gap: 3 % at force_max";
+        assert_eq!(kinds(named), ["coarse spacing", "force gap"]);
     }
 }
