@@ -73,7 +73,7 @@ def test_a_shipped_file_is_run_from_its_path(
     short = {"scene.end_time_s": 0.1, "numerics.particle_spacing_m": 0.05}
     result = seawall.run(file, set=short, program=program, progress=True)
     assert result.history["time_s"].iloc[-1] == pytest.approx(0.1, abs=0.01)
-    assert "1 run on" in capfd.readouterr().err
+    assert "1 case on" in capfd.readouterr().err
 
 
 def test_files_are_written_as_a_hand_would() -> None:
