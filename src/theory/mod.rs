@@ -3,6 +3,7 @@
 pub mod central_field;
 pub mod dam_break;
 pub mod elliptic_drop;
+pub mod goda;
 pub mod hydrostatics;
 pub mod oscillator;
 pub mod rotating_patch;

@@ -15,6 +15,7 @@ use crate::quantities::summary::{
 use crate::report::curves::variants;
 use crate::report::load::Loaded;
 use crate::report::row::Row;
+use crate::theory::goda::Goda;
 
 /// What is drawn, side by side, and where it stands in [`EXACT`].
 const SIDES: [(&Column, usize); 2] = [(&FIRST_RUNUP_MAX, 1), (&FIRST_FORCE_MAX, 2)];
@@ -49,7 +50,9 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
         let height = if measured { "measured at the gauge" } else { "nominal" };
         let vertical = rows.iter().all(|row| row.is_vertical());
         let beside = if vertical {
-            " Line: the exact solitary wave of the Euler equations reflected by a vertical wall."
+            " Line: the exact solitary wave of the Euler equations reflected by a vertical wall. \
+             Beside the force Goda's formula of 1974 for an upright wall, in the limit of long waves, \
+             with the solitary wave's height for H."
         } else {
             " The wall is inclined, for which there is no exact solution to compare with; the \
              force is that along x."
@@ -89,6 +92,12 @@ fn drawing(data: &Loaded, rows: &[&Row], measured: bool, vertical: bool) -> Draw
             let points = EXACT.iter().map(|known| (known[0], known[exact]).into());
             curves.push(Curve { entry, points: points.collect() });
         }
+        if vertical && column == &FIRST_FORCE_MAX {
+            let entry = Entry::line("Goda, long waves".to_owned(), Look::of(1));
+            let points =
+                EXACT.iter().map(|&[wave, ..]| (wave, Goda::solitary(wave).force()).into());
+            curves.push(Curve { entry, points: points.collect() });
+        }
         let points = rows.iter().filter_map(|row| point(row, row.number(wave)?, column));
         let entry = Entry::dots("computed", Look::of(0), false);
         curves.push(Curve { entry, points: points.collect() });
@@ -113,12 +122,14 @@ mod tests {
         let mut data = Loaded::read(directory.path()).unwrap();
         let upright = figures(&data).remove(0);
         assert!(upright.svg().contains("exact solitary wave"));
+        assert!(upright.svg().contains("Goda"));
         assert!(upright.caption.contains("reflected by a vertical wall"));
         for row in &mut data.rows {
             row.wall_angle_deg = Some(120.0);
         }
         let inclined = figures(&data).remove(0);
         assert!(!inclined.svg().contains("exact solitary wave"));
+        assert!(!inclined.svg().contains("Goda"));
         assert!(inclined.caption.contains("inclined") && !inclined.caption.contains("Line"));
     }
 }

@@ -18,6 +18,7 @@ use crate::quantities::summary::{
     RUNUP_ERROR, RUNUP_MAX, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STEPS, STOP_IMPULSE, STOPS,
     WAVE_HEIGHT_RATIO,
 };
+use crate::theory::goda::Goda;
 pub use readings::across;
 
 /// A table, ready for a file or a page.
@@ -159,11 +160,24 @@ fn fixed(data: &Loaded) -> Vec<Table> {
     let wave = [&WAVE_HEIGHT_RATIO, &MEASURED_WAVE_HEIGHT_RATIO];
     let columns = [&wave[..], &[&FIRST_RUNUP_MAX, &FIRST_FORCE_MAX, &CASE_ID]].concat();
     let table = |variant: String| {
-        let rows: Vec<_> = fixed_walls(data, &variant).map(|row| cells(row, &columns)).collect();
+        let line = |row: &Row| [cells(row, &columns), vec![over_goda(row)]].concat();
+        let rows: Vec<_> = fixed_walls(data, &variant).map(line).collect();
         let name = file_name("fixed-wall", &variant);
-        (!rows.is_empty()).then(|| Table::new(&name, "Fixed wall", &names(&columns), rows))
+        let header = [names(&columns), vec![OVER_GODA]].concat();
+        (!rows.is_empty()).then(|| Table::new(&name, "Fixed wall", &header, rows))
     };
     variants(&data.rows).into_iter().filter_map(table).collect()
+}
+
+/// The column with the force over that of Goda's formula.
+const OVER_GODA: &str = "force_over_goda";
+
+/// The force of the first impact over Goda's, for an upright wall and the wave's measured height, or the
+/// nominal one; empty elsewhere.
+fn over_goda(row: &Row) -> String {
+    let wave = row.number(&MEASURED_WAVE_HEIGHT_RATIO).or(row.number(&WAVE_HEIGHT_RATIO));
+    let ratio = |(force, wave): (f64, f64)| force / Goda::solitary(wave).force();
+    plain(row.number(&FIRST_FORCE_MAX).zip(wave).filter(|_| row.is_vertical()).map(ratio))
 }
 
 /// The column that tells runs of the same wave and wall apart.
@@ -214,7 +228,12 @@ mod tests {
     #[test]
     fn fixed_walls_have_a_table_of_their_own() {
         let tables = read(fixture::fixed().path()).unwrap();
-        assert_eq!(named(&tables, "fixed-wall").rows.len(), 6);
+        let table = named(&tables, "fixed-wall");
+        assert_eq!(table.rows.len(), 6);
+        // F* = 1 + 3.9 H/h + 0.1 at a measured height of 0.985 · 0.3, over 1.7935 by Goda's formula.
+        let over: f64 = table.rows[2].last().unwrap().parse().unwrap();
+        let goda = 1.0 + 1.1 * 0.2955 * (2.0 + 1.5 * 0.2955);
+        assert!((over - 2.27 / goda).abs() < 1e-9, "{over}");
         assert!(!tables.iter().any(|table| table.name.starts_with("response")));
     }
 
