@@ -129,7 +129,7 @@ fn ghost_pass(interpolator: InterpolatorChoice, spacing: f64) -> f64 {
         no_slip: false,
         bed_between_walls: true,
     };
-    let ghosts = tank_ghosts(&layout, strip);
+    let ghosts = tank_ghosts(&layout, None, strip);
     let bodies = [BodyMotion::default(); 3];
     let mut exchange = Exchange::new(rules, &ghosts);
     let places = (&strips, &fluid.x[..len], &fluid.y[..len]);

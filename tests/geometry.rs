@@ -23,7 +23,7 @@ fn ghosts(angle_deg: f64) -> Ghosts {
         wall_angle_deg: angle_deg,
         dry_bed: false,
     };
-    tank_ghosts(&layout, 0.06)
+    tank_ghosts(&layout, None, 0.06)
 }
 
 fn case(angle_deg: f64, more: &str) -> CaseConfig {

@@ -9,7 +9,7 @@ section! {
     /// The keys of a recorded stroke.
     pub struct RecordedStrokeKeys in "scene" {
         /// Path, from where the program is started, of a CSV file with the columns `time_s` and
-        /// `stroke_m`: three or more times that rise from 0. What it says is part of a case's
+        /// `stroke_m`: three or more times that rise. The run's clock starts at the first. What it says is part of a case's
         /// identity, its name is not.
         recorded_stroke: Stroke, plain().only("paddle", &["recorded-stroke"]);
     }
@@ -68,13 +68,18 @@ impl Stroke {
         if let Some([time, place]) = points.iter().find(|p| !p.iter().all(|v| v.is_finite())) {
             return Err(format!("has a point at {time} s, {place} m: both must be finite"));
         }
-        if points[0][0] != 0.0 {
-            return Err(format!("must begin at 0 s, not at {} s", points[0][0]));
+        if points[0][0] < 0.0 {
+            return Err(format!("must begin at 0 s or later, not at {} s", points[0][0]));
         }
         if let Some(pair) = points.windows(2).find(|pair| pair[1][0] <= pair[0][0]) {
             return Err(format!("goes from {} s back to {} s", pair[0][0], pair[1][0]));
         }
         Ok(Stroke(points))
+    }
+
+    /// The clock at its first point, seconds.
+    pub fn start_s(&self) -> f64 {
+        self.0[0][0]
     }
 
     /// The farthest that it goes from its first position, metres.
@@ -201,7 +206,7 @@ mod tests {
             ("t,x\n0,0\n", "must be a CSV file with the columns time_s and stroke_m"),
             ("time_s,stroke_m\n0,0\n1,a\n", "line 3: \"a\" is no number"),
             ("time_s,stroke_m\n0,0\n1,2\n", "must have three points or more"),
-            ("time_s,stroke_m\n1,0\n2,0\n3,0\n", "must begin at 0 s, not at 1 s"),
+            ("time_s,stroke_m\n-1,0\n2,0\n3,0\n", "must begin at 0 s or later, not at -1 s"),
             ("time_s,stroke_m\n0,0\n2,0\n1,0\n", "goes from 2 s back to 1 s"),
             ("time_s,stroke_m\n0,0\n1,inf\n2,0\n", "has a point at 1 s, inf m: both"),
         ];

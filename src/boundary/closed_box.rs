@@ -1,7 +1,8 @@
 //! Ghosts of a box that water fills, and of no walls at all.
 
-use super::ghosts::{BodySites, Ghosts, Plane, Reflection, Site};
-use super::tank::TankLayout;
+use super::ghosts::{BodySites, Ghosts, Reflection, Site};
+use super::layout::TankLayout;
+use super::plane::Plane;
 
 /// Ghosts of the bed (body 0), the left wall (1), the right wall (2), both with a face point for
 /// every row, and the lid (3) of a box of this height, all wet for ever. The corners' ghosts are the

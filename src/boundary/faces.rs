@@ -1,7 +1,10 @@
 //! The waterline at the walls: how wet a face is, how high the water stands, how hard it presses.
 
 use super::exchange::Exchange;
-use super::ghosts::{Ghosts, Plane};
+use super::ghosts::Ghosts;
+use super::open::Open;
+use super::plane::Plane;
+use super::profile::Profile;
 use super::sums::Water;
 use super::waterline::{corner_angle, wedge_fraction};
 use crate::body::BodyMotion;
@@ -13,13 +16,14 @@ impl Exchange {
     pub(super) fn wet_faces(&mut self, ghosts: &Ghosts, bodies: &[BodyMotion]) {
         for (number, body) in ghosts.bodies.iter().enumerate() {
             for face in body.faces.clone() {
-                let complete = if number == 0 && self.rules.bed_between_walls {
-                    let [left, right] = span(ghosts, bodies);
-                    let x = ghosts.target_x[face];
-                    self.share(x - left) + self.share(right - x) - 1.0
-                } else {
-                    self.complete[face]
-                };
+                let complete =
+                    if number == 0 && self.rules.bed_between_walls && ghosts.profile.is_none() {
+                        let [left, right] = span(ghosts, bodies);
+                        let x = ghosts.target_x[face];
+                        self.share(x - left) + self.share(right - x) - 1.0
+                    } else {
+                        self.complete[face]
+                    };
                 self.wetness[face] *= 2.0 / complete.max(0.1);
             }
         }
@@ -27,6 +31,10 @@ impl Exchange {
 
     /// What the bed leaves of the half discs around the points of the walls that rise from it.
     pub(super) fn complete_walls(&mut self, ghosts: &Ghosts) {
+        if let Some(profile) = &ghosts.profile {
+            self.complete_along(ghosts, profile);
+            return;
+        }
         for body in ghosts.bodies.iter().skip(1) {
             let Plane { point, normal } = body.plane;
             for face in body.faces.clone() {
@@ -38,6 +46,17 @@ impl Exchange {
                     let at = along * self.rules.scaling.inverse_radius;
                     wedge_fraction(self.rules.kernel, at, corner_angle(body.plane))
                 };
+            }
+        }
+    }
+
+    /// What bed and walls leave of the discs around the points of all faces, where the bed is not level.
+    fn complete_along(&mut self, ghosts: &Ghosts, profile: &Profile) {
+        let open = Open::of(&self.rules, profile, ghosts);
+        for body in &ghosts.bodies {
+            for face in body.faces.clone() {
+                self.complete[face] =
+                    2.0 * open.share([ghosts.target_x[face], ghosts.target_y[face]]);
             }
         }
     }
@@ -63,8 +82,11 @@ impl Exchange {
 
     /// Level of the water along a wall, metres above the bed: the first crossing of the wetness
     /// that a level surface has at its contact with the wall (1/2 for a vertical one), so connected
-    /// to the water below.
+    /// to the water below. Where the water's edge lies on the bed, that of the edge.
     pub fn level(&self, ghosts: &Ghosts, body: usize) -> f64 {
+        if let Some(edge) = self.shoreline(ghosts) {
+            return edge;
+        }
         let faces = ghosts.bodies[body].faces.clone();
         let wetness = &self.wetness[faces.clone()];
         let heights = &ghosts.target_y[faces];
@@ -73,10 +95,24 @@ impl Exchange {
             return heights.last().copied().unwrap_or(0.0);
         };
         if dry == 0 {
-            return 0.0;
+            return ghosts.profile.as_ref().map_or(0.0, |profile| profile.end()[1]);
         }
         let part = (wetness[dry - 1] - contact) / (wetness[dry - 1] - wetness[dry]);
         heights[dry - 1] + part * (heights[dry] - heights[dry - 1])
+    }
+
+    /// Height of the water's edge on a bed that is not level, metres: going up from the paddle, the first
+    /// place where the bed is less than half wet. There a tongue is some one spacing thick. None where
+    /// the water reaches the wall.
+    fn shoreline(&self, ghosts: &Ghosts) -> Option<f64> {
+        ghosts.profile.as_ref()?;
+        let faces = ghosts.bodies[0].faces.clone();
+        let wetness = &self.wetness[faces.clone()];
+        let heights = &ghosts.target_y[faces];
+        let edge = wetness.iter().position(|&wet| wet < 0.5)?;
+        let Some(before) = edge.checked_sub(1) else { return Some(heights[0]) };
+        let part = (wetness[before] - 0.5) / (wetness[before] - wetness[edge]);
+        Some(heights[before] + part * (heights[edge] - heights[before]))
     }
 
     /// Integral of the interpolated pressure over the face of a wall, along x, N per metre of
@@ -127,8 +163,10 @@ impl Exchange {
     }
 }
 
-/// Toes of the bodies 1 and 2: the ends of the bed.
+/// Toes of the bodies 1 and 2: the ends of the bed. Behind a wall at the end of a slope there is none
+/// to be cut off.
 pub(super) fn span(ghosts: &Ghosts, bodies: &[BodyMotion]) -> [f64; 2] {
     let face = |body: usize| ghosts.bodies[body].plane.point[0] + bodies[body].offset;
-    [face(1), face(2)]
+    let slopes = ghosts.profile.as_ref().is_some_and(|profile| !profile.ends_level());
+    [face(1), if slopes { f64::MAX } else { face(2) }]
 }

@@ -111,7 +111,12 @@ impl Exchange {
         responds: bool,
     ) {
         let (block, lane) = (g / LANES, g % LANES);
-        let correction = mirrored_correction(&self.means[block], lane, ghosts.reflection[g]);
+        // A thin sheet of water on a bed goes on below as the deep water that its ghosts stand for.
+        let correction = if ghosts.profile.is_some() && ghosts.bodies[0].ghosts.contains(&g) {
+            [1.0, 0.0, 1.0]
+        } else {
+            mirrored_correction(&self.means[block], lane, ghosts.reflection[g])
+        };
         let [x, y] = self.lever(ghosts, g, motion);
         let whole = wet >= 1.0;
         let lever = [if whole && !responds { x } else { 0.0 }, y];

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use super::plane::Plane;
+use super::profile::Profile;
 use crate::math::simd::LANES;
 use crate::pairs::Strips;
 
@@ -15,44 +17,6 @@ pub enum Reflection {
     },
     /// At the corner between two walls: through the corner's vertex.
     Corner,
-}
-
-/// A straight wall: everything beyond it is solid.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Plane {
-    /// A point on its face, at the bed where it rises from it.
-    pub point: [f64; 2],
-    /// Unit normal out of the water.
-    pub normal: [f64; 2],
-}
-
-impl Plane {
-    /// How far a place lies behind the face; negative in the water.
-    #[inline(always)]
-    pub fn beyond(&self, [x, y]: [f64; 2]) -> f64 {
-        (x - self.point[0]) * self.normal[0] + (y - self.point[1]) * self.normal[1]
-    }
-
-    /// The same wall, moved along x.
-    pub fn moved(&self, offset: f64) -> Plane {
-        Plane { point: [self.point[0] + offset, self.point[1]], ..*self }
-    }
-
-    /// The point at `depth` in front of the face, at the foot of a place.
-    #[inline(always)]
-    pub fn in_front(&self, [x, y]: [f64; 2], depth: f64) -> [f64; 2] {
-        let [nx, ny] = self.normal;
-        let along = (y - self.point[1]) * nx - (x - self.point[0]) * ny;
-        [self.point[0] - ny * along - depth * nx, self.point[1] + nx * along - depth * ny]
-    }
-
-    /// A vector with its part across the wall changed by `across`.
-    #[inline(always)]
-    pub fn with_across(&self, [x, y]: [f64; 2], across: impl Fn(f64) -> f64) -> [f64; 2] {
-        let [nx, ny] = self.normal;
-        let (along, out) = (y * nx - x * ny, across(x * nx + y * ny));
-        [out * nx - along * ny, along * nx + out * ny]
-    }
 }
 
 /// One ghost before it is stored: all places in the frame of its body, metres.
@@ -127,6 +91,8 @@ pub struct Ghosts {
     pub target_body: Vec<u8>,
     /// The bodies.
     pub bodies: Vec<GhostBody>,
+    /// The bed, where it is not level.
+    pub profile: Option<Profile>,
 }
 
 impl Ghosts {

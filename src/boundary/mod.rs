@@ -5,7 +5,9 @@
 //! weighted sums into the ghost's pressure and velocity, the same way for every interpolator.
 //! A new interpolator is one file and one arm of [`with_interpolator!`](crate::with_interpolator).
 
+mod bed;
 mod closed_box;
+mod corner;
 mod dummy;
 mod exchange;
 mod faces;
@@ -13,12 +15,16 @@ mod fill;
 mod ghosts;
 mod image;
 mod improved_shepard;
+mod layout;
 mod mirror;
 mod mls_linear;
 mod mls_quadratic;
 mod normalized;
+mod open;
 mod pack;
+mod plane;
 mod pressure;
+mod profile;
 mod sfdi;
 mod stretch;
 mod sums;
@@ -29,17 +35,20 @@ mod weighing;
 pub use closed_box::{box_ghosts, no_ghosts};
 pub use dummy::Dummy;
 pub use exchange::{Exchange, ExchangeRules};
-pub use ghosts::{BodySites, GhostBody, Ghosts, Plane, Reflection, Site};
+pub use ghosts::{BodySites, GhostBody, Ghosts, Reflection, Site};
 pub use image::Image;
 pub use improved_shepard::ImprovedShepard;
+pub use layout::TankLayout;
 pub use mls_linear::MlsLinear;
 pub use mls_quadratic::MlsQuadratic;
 pub use normalized::Normalized;
+pub use plane::Plane;
+pub use profile::Profile;
 pub use sfdi::{Sfdi, SfdiMatrix};
 pub use sums::Water;
 #[cfg(test)]
 pub use tank::MISSING_ROW;
-pub use tank::{TankLayout, tank_ghosts};
+pub use tank::tank_ghosts;
 pub use weighing::{Stencil, Weighing};
 
 use serde::{Deserialize, Serialize};

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use super::ghosts::Plane;
+use super::plane::Plane;
 use crate::kernel::KernelChoice;
 
 /// Wetness of a body's face at and near the contact with a level surface.

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use serde_json::json;
 
 use super::SUCCESS;
 use super::execute::{Done, Job, on_threads};
@@ -110,7 +111,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
             told(record, &job.study.cases[record.index].config),
             done.directory.path().display()
         );
-        output.result(&text, record)?;
+        output.result(&text, &in_metres(record, &job.study.cases[record.index].config))?;
     }
     match page {
         Some(page) if done.exit_code() == SUCCESS => {
@@ -137,6 +138,14 @@ fn film_of(
     let (directory, colour) = (done.directory.path(), page.colour);
     let (records, interrupt) = (done.directory.runs(), &Interrupt::listen()?);
     film::Set { study, records, directory, colour, resources, interrupt }.shoot(case, output)
+}
+
+/// The record as JSON, with the highest runup over still water in metres besides.
+fn in_metres(record: &CaseRecord, config: &CaseConfig) -> serde_json::Value {
+    let mut value = json!(record);
+    let highest = record.outcome.as_ref().map(|outcome| outcome.runup_max.value);
+    value["runup_max_m"] = json!(highest.map(|runup| runup * config.scene.frame().depth));
+    value
 }
 
 fn told(record: &CaseRecord, config: &CaseConfig) -> String {

@@ -42,7 +42,7 @@ fn long(study: &Study) -> Option<String> {
     let longest =
         study.cases.iter().max_by_key(|case| crate::simulation::cost(&case.config).steps)?;
     let (frame, numerics) = (longest.config.scene.frame(), &longest.config.numerics);
-    let steps = frame.end_time / frame.time_step(numerics);
+    let steps = (frame.end_time - longest.config.scene.start_s()) / frame.time_step(numerics);
     Some(format!(
         "takes about {} on {}: the longest case ends at {} s, after {steps:.1e} steps, with particles \
          {} m apart (scene.end_time_s, numerics.particle_spacing_m)",

@@ -39,11 +39,12 @@ impl Gauges {
     ) -> Gauge<'a> {
         let estimate = cost(config);
         let end = config.scene.frame().end_time;
+        let start = config.scene.start_s();
         let onset = estimate.trunk_share * end;
         let span = match work {
-            Work::Trunk(_) => [0.0, onset],
+            Work::Trunk(_) => [start, onset],
             Work::Case(_) if branches => [onset, end],
-            Work::Case(_) => [0.0, end],
+            Work::Case(_) => [start, end],
         };
         let share = Arc::new(AtomicU64::new(0));
         self.lock().insert(work, share.clone());

@@ -224,6 +224,7 @@ impl Key {
     pub(super) fn refuse(&self, path: &str, value: &Value, why: &str) -> ConfigError {
         match (self.shape)() {
             Shape::Text if value.is_str() => ConfigError::new(path, value, why),
+            Shape::Points if value.is_array() => ConfigError::new(path, value, why),
             Shape::Names(names) => ConfigError::one_of(path, value, names),
             shape => {
                 let advice = value.as_str().and_then(|text| self.advice(text));

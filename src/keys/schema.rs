@@ -32,6 +32,11 @@ impl Key {
             Shape::Whole => json!({ "type": "integer", "minimum": 0 }),
             Shape::Flag => json!({ "type": "boolean" }),
             Shape::Text => json!({ "type": "string" }),
+            Shape::Points => json!({
+                "type": "array",
+                "items": { "type": "array", "items": { "type": "number" }, "minItems": 2 },
+                "minItems": 2
+            }),
             Shape::Names(names) => json!({ "enum": names }),
         };
         match self.rule.range {

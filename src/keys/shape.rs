@@ -16,6 +16,8 @@ pub enum Shape {
     Text,
     /// One of these names.
     Names(&'static [&'static str]),
+    /// A list of points.
+    Points,
 }
 
 impl Shape {
@@ -33,6 +35,7 @@ impl Shape {
             Shape::Whole => "a whole number",
             Shape::Flag => "true or false",
             Shape::Text | Shape::Names(_) => "a string",
+            Shape::Points => "a list of points [x, y]",
         }
     }
 
@@ -68,7 +71,8 @@ impl<'de> Deserializer<'de> for Asked<'_> {
         deserialize_any => Shape::Text,
         deserialize_f64 => Shape::Number,
         deserialize_u32 => Shape::Whole,
-        deserialize_bool => Shape::Flag
+        deserialize_bool => Shape::Flag,
+        deserialize_seq => Shape::Points
     }
 
     fn deserialize_option<V: Visitor<'de>>(self, visitor: V) -> Result<V::Value, Error> {
@@ -86,6 +90,6 @@ impl<'de> Deserializer<'de> for Asked<'_> {
 
     serde::forward_to_deserialize_any! {
         i8 i16 i32 i64 u8 u16 u64 f32 char str string bytes byte_buf unit unit_struct newtype_struct
-        seq tuple tuple_struct map struct identifier ignored_any
+        tuple tuple_struct map struct identifier ignored_any
     }
 }

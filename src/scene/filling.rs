@@ -1,12 +1,13 @@
 //! From a scene's water and walls to particles at rest between ghosts.
 
+use super::bed_lattice::BedLattice;
 use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::{GhostGravity, Numerics, Scheme as SchemeChoice, Slip};
-use super::packing::Packing;
+use super::packing::{Packing, Uneven};
 use super::tank::Tank;
 use crate::body::Place;
-use crate::boundary::{Ghosts, TankLayout, box_ghosts, no_ghosts, tank_ghosts};
+use crate::boundary::{Ghosts, Profile, TankLayout, box_ghosts, no_ghosts, tank_ghosts};
 use crate::math::simd::SimdPath;
 use crate::pairs::Fluid;
 use crate::pairs::Strips;
@@ -14,7 +15,6 @@ use crate::scheme::isph::{Isph, IsphOptions};
 use crate::scheme::wcsph::{Shifting, Wcsph, WcsphOptions};
 use crate::scheme::{Scheme, StateEquation};
 use crate::theory::central_field::CentralField;
-use crate::theory::hydrostatics::StillColumn;
 
 /// The speed that scales the viscosity of incompressible SPH, over √(g d): what sound does in δ-SPH.
 const VISCOUS_SPEED: f64 = 8.0;
@@ -51,23 +51,17 @@ pub(super) struct Filling {
     /// Velocities at the start, in the order of the points; none for water at rest.
     pub velocities: Vec<[f64; 2]>,
     pub field: Option<CentralField>,
-}
-
-/// Still water up to the wall: a compressible column whose pressure, level and weight are those of
-/// the incompressible one.
-pub(super) fn still_water(frame: &Frame, lattice: Lattice, numerics: &Numerics) -> Filling {
-    let sound_speed = frame.sound_speed(numerics);
-    let still = StillColumn::new(frame.depth, frame.density, frame.gravity, sound_speed);
-    let state = frame.state_equation(numerics, still.surface_density);
-    let points = lattice.points(|y, _| {
-        let density = still.density(y);
-        let pressure = sound_speed * sound_speed * (density - still.surface_density);
-        [state.density(pressure), density]
-    });
-    Filling { balanced: true, ..Filling::of(lattice, points, still.surface_density) }
+    /// The bed, where it is not level.
+    pub profile: Option<Profile>,
 }
 
 impl Filling {
+    /// The particles of still water over a bed that is not level.
+    pub(super) fn bed_lattice<'a>(&self, profile: &'a Profile, surface: f64) -> BedLattice<'a> {
+        let Lattice { columns, spacing, .. } = self.lattice;
+        BedLattice { profile, columns, spacing, surface, rows_above: 0 }
+    }
+
     /// Water at rest between upright walls, from (x, y, density, mass).
     pub(super) fn of(lattice: Lattice, points: Vec<[f64; 4]>, surface_density: f64) -> Filling {
         Filling {
@@ -81,6 +75,7 @@ impl Filling {
             balanced: false,
             velocities: Vec::new(),
             field: None,
+            profile: None,
         }
     }
 
@@ -153,14 +148,15 @@ impl Filling {
             numerics.ghost_gravity == GhostGravity::InSum,
             numerics.slip == Slip::No,
         );
-        let points = if self.lattice.upright() {
+        let level = self.profile.is_none();
+        let points = if self.lattice.upright() && level {
             self.points.clone()
         } else {
             self.packed(frame, numerics, &ghosts, &state)
         };
         let fluid = self.fluid(points);
         let mut water = Wcsph::new(options, rules, fluid, ghosts, Place::Right.number(), path);
-        if self.balanced && self.lattice.upright() && options.corrected_gradients {
+        if self.balanced && self.lattice.upright() && level && options.corrected_gradients {
             water.balance(self.lattice.rows);
         }
         Box::new(water)
@@ -179,14 +175,26 @@ impl Filling {
         let [dx, dy] = self.lattice.spacing;
         let support_radius = numerics.support_radius_ratio * dx;
         let layers = (support_radius / dy).ceil() as usize;
-        let taller = self.lattice.raised(2 * layers);
-        let mut particles: Vec<[f64; 3]> =
-            taller.points(|_, _| [1.0; 2]).iter().map(|&[x, y, _, area]| [x, y, area]).collect();
+        let even = |&[x, y, _, area]: &[f64; 4]| [x, y, area];
+        let mut particles: Vec<[f64; 3]> = match &self.profile {
+            None => {
+                self.lattice.raised(2 * layers).points(|_, _| [1.0; 2]).iter().map(even).collect()
+            }
+            Some(profile) => {
+                let above =
+                    BedLattice { rows_above: 2 * layers, ..self.bed_lattice(profile, frame.depth) };
+                above.points()
+            }
+        };
+        let face = match &self.profile {
+            None => Uneven::Wall(ghosts.bodies[Place::Right.number()].plane),
+            Some(profile) => Uneven::Bed(profile),
+        };
         let packing = Packing {
             kernel: numerics.kernel,
             support_radius,
             spacing: dx,
-            wall: ghosts.bodies[Place::Right.number()].plane,
+            face,
             ghosts,
             held_above: frame.depth + layers as f64 * dy,
         };
@@ -212,7 +220,7 @@ impl Filling {
         };
         let strip_width = Strips::width(dx);
         match self.walls {
-            Walls::Tank => tank_ghosts(&layout, strip_width),
+            Walls::Tank => tank_ghosts(&layout, self.profile.as_ref(), strip_width),
             Walls::Closed => box_ghosts(&layout, frame.depth, strip_width),
             Walls::None => no_ghosts(strip_width),
         }

@@ -1,10 +1,11 @@
 //! Still water in a box: Huang et al. 2019, Figs. 2-4.
 
-use super::filling::{Filling, still_water};
+use super::filling::Filling;
 use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::Numerics;
 use super::seawall::validate_lean;
+use super::still_water::still_water;
 use super::tank::Tank;
 use crate::keys::{ConfigError, section};
 use crate::math::simd::SimdPath;

@@ -118,6 +118,11 @@ impl Scene {
         }
     }
 
+    /// The clock at the start of a run, seconds.
+    pub fn start_s(&self) -> f64 {
+        self.seawall().map_or(0.0, SeawallScene::start_s)
+    }
+
     /// The name that `scene.kind` gives it.
     pub fn kind(&self) -> &'static str {
         self.of_kind().name()
@@ -130,6 +135,9 @@ impl Scene {
 
     /// Fluid particles.
     pub fn particles(&self, numerics: &Numerics) -> usize {
+        if let Some(SeawallScene { bed: Some(_), .. }) = self.seawall() {
+            return (self.water_area() / numerics.particle_spacing_m.powi(2)).round() as usize;
+        }
         each!(self, scene => scene.lattice(numerics).particles())
     }
 
@@ -142,6 +150,7 @@ impl Scene {
             frame.depth * (frame.length - 0.5 * lean * frame.depth)
         };
         match self {
+            Scene::Seawall(SeawallScene { bed: Some(bed), .. }) => bed.area_below(frame.depth),
             Scene::Seawall(scene) => upto(scene.wall_angle_deg),
             Scene::Hydrostatic(scene) => upto(scene.wall_angle_deg),
             Scene::DamBreak(scene) => scene.column_length_m * scene.column_height_m,
@@ -171,7 +180,10 @@ impl Scene {
     /// Checks what no key can tell alone, and that the scheme can take it.
     pub(super) fn validate(&self, numerics: &Numerics) -> Result<(), ConfigError> {
         match self {
-            Scene::Seawall(scene) => scene.validate()?,
+            Scene::Seawall(scene) => {
+                scene.validate()?;
+                scene.validate_bed(numerics)?;
+            }
             Scene::Hydrostatic(scene) => scene.validate()?,
             Scene::DamBreak(scene) => scene.validate()?,
             Scene::OscillatingDrop(scene) => scene.validate()?,

@@ -4,6 +4,7 @@
 //! tables through [`CaseConfig::from_tables`], which fills in presets and refuses what is unknown,
 //! of the wrong type, or out of range with a [`ConfigError`] that says so.
 
+mod bed_lattice;
 mod config;
 mod dam_break;
 mod declared;
@@ -21,8 +22,10 @@ mod packing;
 mod probe;
 mod rotating_patch;
 mod seawall;
+mod seawall_bed;
 mod size;
 mod standing_wave;
+mod still_water;
 mod tank;
 mod taylor_green;
 

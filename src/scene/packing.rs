@@ -1,6 +1,7 @@
-//! Particles in front of a leaning wall, moved to where they and the ghosts fill space evenly.
+//! Particles in front of a leaning wall or over an uneven bed, moved to where they and the ghosts fill space evenly.
 
-use crate::boundary::{Ghosts, Plane};
+use crate::body::Place;
+use crate::boundary::{Ghosts, Plane, Profile};
 use crate::kernel::KernelChoice;
 
 /// Rounds of moving; each takes about a tenth off the longest unevenness within reach.
@@ -12,6 +13,24 @@ const REACH: f64 = 2.0;
 /// Entries of the table of slopes.
 const ENTRIES: usize = 1024;
 
+/// A face whose ghosts are no continuation of the water's lattice.
+pub(super) enum Uneven<'a> {
+    /// A leaning wall.
+    Wall(Plane),
+    /// A bed, from where it is no longer level.
+    Bed(&'a Profile),
+}
+
+impl Uneven<'_> {
+    /// Whether a place is nearer to the face than `room`, metres, or behind it.
+    fn is_near(&self, place: [f64; 2], room: f64) -> bool {
+        match self {
+            Uneven::Wall(wall) => wall.beyond(place) > -room,
+            Uneven::Bed(bed) => place[0] > bed.level_up_to() - room && bed.nearest(place).1 > -room,
+        }
+    }
+}
+
 /// What is packed, and between what.
 pub(super) struct Packing<'a> {
     pub kernel: KernelChoice,
@@ -19,8 +38,8 @@ pub(super) struct Packing<'a> {
     pub support_radius: f64,
     /// Particle spacing, metres.
     pub spacing: f64,
-    /// The leaning wall.
-    pub wall: Plane,
+    /// Along which the lattices do not fit.
+    pub face: Uneven<'a>,
     pub ghosts: &'a Ghosts,
     /// Particles above this height stay: they stand for the water that goes on.
     pub held_above: f64,
@@ -81,9 +100,18 @@ impl Packing<'_> {
         }
     }
 
+    /// Whether a ghost is of a level bed that goes on beneath the wall: the wall's corner block stands
+    /// for it.
+    fn is_double(&self, g: usize) -> bool {
+        let [bed, wall] =
+            [Place::Bed, Place::Right].map(|place| &self.ghosts.bodies[place.number()]);
+        let goes_on = matches!(self.face, Uneven::Bed(bed) if bed.ends_level());
+        goes_on && bed.ghosts.contains(&g) && self.ghosts.x[g] > wall.plane.point[0]
+    }
+
     fn movers(&self, particles: &[[f64; 3]]) -> Vec<Mover> {
         let (reach, slack) = (self.support_radius + self.spacing, REACH * self.support_radius);
-        let near = |place: &[f64; 3], room: f64| self.wall.beyond([place[0], place[1]]) > -room;
+        let near = |place: &[f64; 3], room: f64| self.face.is_near([place[0], place[1]], room);
         let around: Vec<u32> = (0..particles.len() as u32)
             .filter(|&j| near(&particles[j as usize], slack + reach))
             .collect();
@@ -91,7 +119,8 @@ impl Packing<'_> {
         let solid: Vec<u32> = (0..ghosts.len() as u32)
             .filter(|&g| {
                 let g = g as usize;
-                ghosts.volume[g] > 0.0 && near(&[ghosts.x[g], ghosts.y[g], 0.0], slack + reach)
+                let counts = ghosts.volume[g] > 0.0 && !self.is_double(g);
+                counts && near(&[ghosts.x[g], ghosts.y[g], 0.0], slack + reach)
             })
             .collect();
         let close = |here: &[f64; 3], x: f64, y: f64| {

@@ -12,8 +12,10 @@ use crate::keys::{ConfigError, Range, read_alone, section};
 pub enum ProbeKind {
     /// Pressure, Pa.
     Pressure,
-    /// Level of the free surface over the bed, m.
+    /// Level of the free surface over the bed at the left wall, m.
     Level,
+    /// The free surface over still water, m.
+    Elevation,
     /// The largest void at a wall: what the water leaves empty of the kernel's support around the
     /// emptiest point of the wetted face, as a share of what the walls leave of it.
     Void,
@@ -34,7 +36,8 @@ section! {
     pub struct Probe in "probe" {
         /// Column of the output.
         name: String, plain();
-        /// Pressure; the level of the surface; or the largest share of the kernel that water leaves
+        /// Pressure; the level of the surface over the bed at the left wall; the same over still
+        /// water; or the largest share of the kernel that water leaves
         /// empty at a wall, from its toe to a support radius below the highest contact (0.5 at a free
         /// surface).
         kind: ProbeKind, plain();
@@ -54,7 +57,7 @@ impl Probe {
     pub fn unit(&self) -> &'static str {
         match self.kind {
             ProbeKind::Pressure => "Pa",
-            ProbeKind::Level => "m",
+            ProbeKind::Level | ProbeKind::Elevation => "m",
             ProbeKind::Void => "1",
         }
     }
@@ -63,10 +66,11 @@ impl Probe {
     pub fn method(&self) -> String {
         let y = self.y_m.unwrap_or(0.0);
         let place = match (self.kind, self.wall, self.x_m) {
-            (ProbeKind::Level, _, x) => {
+            (ProbeKind::Level | ProbeKind::Elevation, _, x) => {
                 let x = x.unwrap_or(0.0);
+                let over = if self.kind == ProbeKind::Level { "the bed" } else { "still water" };
                 return format!(
-                    "surface over the bed where kernel coverage falls to 1/2; x = {x} m"
+                    "surface over {over} where kernel coverage falls to 1/2; x = {x} m"
                 );
             }
             (ProbeKind::Void, ..) => {
@@ -128,7 +132,7 @@ impl Probe {
             (ProbeKind::Void, None, _) => {
                 return wrong("wall", none, "looks for voids at a wall and needs it");
             }
-            (ProbeKind::Level, Some(_), _) => {
+            (ProbeKind::Level | ProbeKind::Elevation, Some(_), _) => {
                 return wrong("wall", none, "measures a level: give x_m instead");
             }
             (_, None, None) => return wrong("x_m", none, "needs a place: x_m, or wall"),

@@ -7,6 +7,7 @@ use crate::body::{
     CaissonKeys, FixedWall, GoringPaddle, Paddle, RecordedStroke, RecordedStrokeKeys, SpringWall,
     Wall, WaveTrain, WaveTrainKeys,
 };
+use crate::boundary::Profile;
 use crate::keys::{ConfigError, section};
 
 /// What the paddle does.
@@ -43,6 +44,10 @@ section! {
         still_water_depth_m: f64 = 0.20, unit("m").above_zero();
         /// From the paddle at rest to the wall at rest, or to the toe of an inclined one.
         tank_length_m: f64 = 2.5, unit("m").above_zero();
+        /// The bed, `[[x, y], ...]` in metres: straight stretches between points, from `[0, 0]` at the foot of the
+        /// paddle at rest to the foot of the wall at `tank_length_m`. x never goes back; two points
+        /// above one another make a step. What lies above the still water is a dry beach.
+        bed: Option<Profile> = None, plain().otherwise("level").newer();
         /// Gravity g.
         gravity_m_per_s2: f64 = 9.81, unit("m/s²").above_zero();
         /// Density of still water at zero pressure.
@@ -153,6 +158,11 @@ impl SeawallScene {
         }
     }
 
+    /// The clock at the start of a run, seconds: 0, or that of a recorded stroke.
+    pub fn start_s(&self) -> f64 {
+        self.recorded.as_ref().map_or(0.0, |keys| keys.recorded_stroke.start_s())
+    }
+
     pub(super) fn validate(&self) -> Result<(), ConfigError> {
         if self.wave_gauge_m >= self.tank_length_m {
             return error("wave_gauge_m", self.wave_gauge_m, "must lie inside the tank");
@@ -163,8 +173,10 @@ impl SeawallScene {
     }
 
     fn validate_end(&self) -> Result<(), ConfigError> {
-        if self.end_time_s.is_some() {
-            return Ok(());
+        if let Some(end) = self.end_time_s {
+            let start = self.start_s();
+            let allowed = format!("must be after {start} s, where the recorded stroke begins");
+            return if end > start { Ok(()) } else { error("end_time_s", end, &allowed) };
         }
         if self.wave_height_ratio == 0.0 {
             return error("end_time_s", "", "is needed where wave_height_ratio = 0");
@@ -213,7 +225,7 @@ impl SeawallScene {
     }
 }
 
-fn error(key: &str, value: impl ToString, allowed: &str) -> Result<(), ConfigError> {
+pub(super) fn error(key: &str, value: impl ToString, allowed: &str) -> Result<(), ConfigError> {
     Err(ConfigError::new(&format!("scene.{key}"), value, allowed))
 }
 

@@ -1,9 +1,9 @@
 //! A small standing wave in a box: its period and its decay are known exactly.
 
-use super::filling::still_water;
 use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::Numerics;
+use super::still_water::still_water;
 use super::tank::Tank;
 use crate::keys::section;
 use crate::math::simd::SimdPath;

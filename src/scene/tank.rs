@@ -1,10 +1,11 @@
 //! A tank ready to run, and how a seawall scene becomes one.
 
-use super::filling::{Filling, still_water};
+use super::filling::Filling;
 use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::Numerics;
 use super::seawall::SeawallScene;
+use super::still_water::{still_water, still_water_over};
 use crate::body::{FixedWall, Motions, Paddle, Place, Wall};
 use crate::math::simd::SimdPath;
 use crate::scheme::Scheme;
@@ -38,6 +39,8 @@ pub struct Tank {
     pub sound_speed: f64,
     /// Particle spacing along the bed, metres.
     pub spacing: f64,
+    /// The clock at the start, seconds.
+    pub start_time: f64,
     /// Scales of the scene.
     pub frame: Frame,
 }
@@ -67,6 +70,7 @@ impl Tank {
             front_speed: 0.0,
             sound_speed: frame.sound_speed(numerics),
             spacing,
+            start_time: 0.0,
             frame,
         }
     }
@@ -121,6 +125,11 @@ impl SeawallScene {
     /// Builds the tank: a lattice of particles in hydrostatic balance between ghost walls.
     pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let frame = self.frame();
+        let lattice = self.lattice(numerics);
+        let still = match &self.bed {
+            Some(profile) => still_water_over(profile, &frame, lattice, numerics),
+            None => still_water(&frame, lattice, numerics),
+        };
         let filling = Filling {
             wall_angle_deg: self.wall_angle_deg,
             // The same for a fixed wall, so that both share a trunk to the bit.
@@ -129,13 +138,18 @@ impl SeawallScene {
             } else {
                 0.0
             },
-            ..still_water(&frame, self.lattice(numerics), numerics)
+            ..still
         };
-        let static_force = wall_force(frame.depth, frame.density, frame.gravity);
+        // A wall that stands dry has no hydrostatic force of its own to be measured by.
+        let at_wall = self.depth_at_wall_m();
+        let depth = if at_wall > 0.0 { at_wall } else { frame.depth };
+        let static_force = wall_force(depth, frame.density, frame.gravity);
         Tank {
             paddle: self.paddle(),
             wall: self.law(static_force),
-            from_rest: true,
+            static_force,
+            start_time: self.start_s(),
+            from_rest: at_wall > 0.0,
             threshold_ratio: self.onset_ratio(static_force),
             wave_height_ratio: self.wave_height_ratio,
             wave_gauge: Some(self.wave_gauge_m),

@@ -3,6 +3,7 @@
 use super::run::Run;
 use super::sounding::Sounding;
 use crate::body::{Motions, Place};
+use crate::boundary::Profile;
 
 /// The face of a body at an instant: a line of points, a particle spacing apart or less.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,7 +34,10 @@ impl Run {
         let present = places.into_iter().take(bodies.len());
         let mut face = |place: Place| {
             let ends = ends(&water, place, top);
-            let points = between(ends, tank.spacing);
+            let points = match &ghosts.profile {
+                Some(bed) if place == Place::Bed => along_bed(bed, ends, tank.spacing),
+                _ => between(ends, tank.spacing),
+            };
             let [[x0, y0], [x1, y1]] = ends;
             let long = (x1 - x0).hypot(y1 - y0);
             let upright = [0.0, 1.0];
@@ -55,6 +59,19 @@ fn ends(water: &Sounding<'_>, place: Place, top: f64) -> [[f64; 2]; 2] {
         Place::Bed | Place::Lid => [[left, y], [right, y]],
         Place::Left | Place::Right => [[x, y], [x - (top - y) * ny / nx, top]],
     }
+}
+
+/// Points on a bed that is not level, likewise.
+fn along_bed(bed: &Profile, [[left, _], [right, _]]: [[f64; 2]; 2], spacing: f64) -> Vec<[f64; 2]> {
+    let inside = bed.points().iter().copied().filter(|[x, _]| *x > left && *x < right);
+    let first = [[left, bed.height(left)]];
+    let last = [[right, bed.end()[1]]];
+    let corners: Vec<_> = first.into_iter().chain(inside).chain(last).collect();
+    let mut points = vec![corners[0]];
+    for pair in corners.windows(2) {
+        points.extend_from_slice(&between([pair[0], pair[1]], spacing)[1..]);
+    }
+    points
 }
 
 /// Points on a line, no farther apart than the spacing.

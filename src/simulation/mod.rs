@@ -132,7 +132,8 @@ pub fn cost(config: &CaseConfig) -> Cost {
     let (scene, frame) = (&config.scene, config.scene.frame());
     let particles = scene.particles(&config.numerics) as u64;
     let end = frame.end_time;
-    let steps = (end / frame.time_step(&config.numerics)).ceil() as u64;
+    let start = scene.start_s();
+    let steps = ((end - start) / frame.time_step(&config.numerics)).ceil() as u64;
     // The front reaches the wall when the crest, made at the stroke's centre, has come about 0.6 of
     // the way; a guess that only has to rank cases.
     let onset = scene.seawall().map_or(0.0, |scene| {

@@ -20,14 +20,17 @@ pub(super) fn table(probes: &[Probe]) -> Option<ProbeTable> {
     })
 }
 
-/// A reading of each probe; levels and voids are looked for up to `highest` metres.
+/// A reading of each probe over still water of this depth, metres; levels and voids are looked for up to
+/// four times as high.
 pub(super) fn read(
     probes: &[Probe],
     water: &mut Sounding<'_>,
-    highest: f64,
+    depth: f64,
 ) -> impl Iterator<Item = f64> {
+    let highest = 4.0 * depth;
     probes.iter().map(move |probe| match probe.kind {
         ProbeKind::Level => water.level(probe.x_m.unwrap_or(0.0), highest),
+        ProbeKind::Elevation => water.level(probe.x_m.unwrap_or(0.0), highest) - depth,
         ProbeKind::Void => water.void(face(probe, water), highest),
         ProbeKind::Pressure => {
             let (place, along) = place(probe, water);
@@ -42,17 +45,17 @@ fn place(probe: &Probe, water: &Sounding<'_>) -> ([f64; 2], [f64; 2]) {
     if probe.wall.is_none() {
         return ([probe.x_m.unwrap_or(0.0), y], [0.0, 1.0]);
     }
-    let (toe, up) = face(probe, water);
-    ([toe + up[0] * y / up[1], y], up)
+    let ([toe, foot], up) = face(probe, water);
+    ([toe + up[0] * (y - foot) / up[1], y], up)
 }
 
 /// The wall that a probe sits in: where its face meets the bed, metres, and the direction up the
 /// face.
-fn face(probe: &Probe, water: &Sounding<'_>) -> (f64, [f64; 2]) {
+fn face(probe: &Probe, water: &Sounding<'_>) -> ([f64; 2], [f64; 2]) {
     let face = water.face(match probe.wall {
         Some(Side::Left) => Place::Left,
         Some(Side::Right) | None => Place::Right,
     });
     let [nx, ny] = face.normal;
-    (face.point[0], [-ny * nx.signum(), nx.abs()])
+    (face.point, [-ny * nx.signum(), nx.abs()])
 }

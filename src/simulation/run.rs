@@ -65,7 +65,7 @@ impl Run {
         Run {
             time_step: frame.time_step(&config.numerics),
             bounds: HealthBounds::of(&tank, &start),
-            clock: Clock::default(),
+            clock: Clock { time: tank.start_time, ..Clock::default() },
             logbook: Logbook::open(config, &tank, start),
             watch: watch::of(config, &tank),
             lens: Lens::of(tank.water.kernel()),
@@ -196,7 +196,10 @@ impl Run {
     fn lopsided(&self, force: f64) -> Option<f64> {
         let motion = self.tank.motions(0.0)[Place::Left];
         let gravity = self.tank.frame.gravity;
-        let stands = motion.velocity.abs() < STILL && motion.acceleration.abs() < STILL * gravity;
+        // Walls in water of different depths say nothing of one another.
+        let alike = self.tank.water.walls().profile.is_none();
+        let stands =
+            alike && motion.velocity.abs() < STILL && motion.acceleration.abs() < STILL * gravity;
         let paddle = self.tank.water.load(Place::Left.number()).force;
         stands.then(|| (force + paddle) / self.tank.static_force)
     }

@@ -9,9 +9,12 @@ use super::probes;
 use super::run::Run;
 use super::sounding::Sounding;
 use crate::body::{BodyMotion, Motions, Place};
+use crate::theory::hydrostatics::wall_force;
 
 /// Samples between two looks for clusters.
 const SAMPLES_PER_CLUSTER_CHECK: u64 = 20;
+/// Water at a wall shallower than so many support radii is read at the wall alone.
+const SHALLOW: f64 = 3.0;
 /// A wall farther out than this, X*, has come loose.
 const FARTHEST_WALL: f64 = 11.0;
 
@@ -23,9 +26,12 @@ impl Run {
         let (frame, depth) = (tank.frame, tank.frame.depth);
         let at_wall = tank.water.level_at(Place::Right.number());
         let wall = tank.wall.state();
-        let inside = (tank.wave_gauge.is_some() && tank.upright()).then(|| {
-            let (_, radius) = tank.water.kernel();
-            let from = (at_wall - 1.5 * radius).max(0.0);
+        let (_, radius) = tank.water.kernel();
+        let toe = tank.water.walls().profile.as_ref().map_or(0.0, |bed| bed.end()[1]);
+        let deep = toe == 0.0 || depth - toe > SHALLOW * radius;
+        let inside = (tank.wave_gauge.is_some() && tank.upright() && deep).then(|| {
+            let from =
+                (at_wall - 1.5 * radius).max(if toe > 0.0 { toe + 0.5 * radius } else { 0.0 });
             let face = frame.length + wall.unwrap_or_default().displacement;
             tank.water.level_in_water(face - radius, from)
         });
@@ -79,7 +85,7 @@ impl Run {
             let scales = (tank.frame.gravity, tank.spacing, tank.frame.density);
             let mut water = Sounding::new(tank.water.as_ref(), bodies, scales, &mut self.near);
             table.time_s.push(time);
-            table.values.extend(probes::read(&self.config.probes, &mut water, 4.0 * depth));
+            table.values.extend(probes::read(&self.config.probes, &mut water, depth));
         }
         if let Some(watch) = &mut self.watch {
             watch.sample(time, tank.water.fluid());
@@ -87,7 +93,12 @@ impl Run {
         let motion = BodyMotion { acceleration, ..bodies[Place::Right] };
         let face = tank.water.face_force(Place::Right.number(), &motion);
         let force = force - lacking;
-        let gap = 100.0 * (face - force).abs() / force.abs().max(tank.static_force);
+        // At the end of a beach the wall may stand in hardly any water.
+        let scale = match &tank.water.walls().profile {
+            Some(_) => wall_force(depth, tank.frame.density, tank.frame.gravity),
+            None => tank.static_force,
+        };
+        let gap = 100.0 * (face - force).abs() / force.abs().max(scale);
         logbook.worst_gap = logbook.worst_gap.max(gap);
         logbook.face_gaps.push(time, [face, force].map(|force| force / tank.static_force));
         logbook.health.see_gap(gap / 100.0);

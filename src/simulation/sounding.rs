@@ -63,6 +63,9 @@ impl<'a> Sounding<'a> {
             [fluid.x[k], fluid.y[k], volume, pressure[k], self.density]
         }));
         let ghosts = self.water.walls();
+        // A slope goes on behind the wall that ends it as the wedge of their corner.
+        let slopes = ghosts.profile.as_ref().is_some_and(|bed| !bed.ends_level());
+        let ends = [ends[0], if slopes { f64::INFINITY } else { ends[1] }];
         for (number, (body, motion)) in ghosts.bodies.iter().zip(self.bodies.iter()).enumerate() {
             for g in body.ghosts.clone() {
                 let (x, y) = (ghosts.x[g] + motion.offset, ghosts.y[g]);
@@ -153,22 +156,24 @@ impl<'a> Sounding<'a> {
     }
 
     /// Level of the water at x, metres over the bed: upwards from the bed, where its share falls
-    /// to 1/2; 0 where the bed is dry.
+    /// to 1/2; the bed itself where that is dry.
     pub(super) fn level(&mut self, x: f64, highest: f64) -> f64 {
-        self.look([x, x], [0.0, highest]);
-        level_up_to(|y| self.at(x, y).0, [0.0, highest], self.spacing)
+        let bed = self.water.walls().profile.as_ref().map_or(0.0, |bed| bed.height(x));
+        self.look([x, x], [bed, highest]);
+        level_up_to(|y| self.at(x, y).0, [bed, highest], self.spacing)
     }
 
     /// The largest share of the kernel that is empty at a wall, of what the walls leave of it: from
     /// the toe to a support radius below the highest contact of water, where less than half is.
-    pub(super) fn void(&mut self, (toe, up): (f64, [f64; 2]), highest: f64) -> f64 {
+    pub(super) fn void(&mut self, ([toe, foot], up): ([f64; 2], [f64; 2]), highest: f64) -> f64 {
         let (_, support) = self.water.kernel();
+        let highest = highest - foot;
         let top = toe + up[0] * highest / up[1];
-        self.look([toe.min(top), toe.max(top)], [0.0, highest]);
+        self.look([toe.min(top), toe.max(top)], [foot, foot + highest]);
         let step = 0.5 * self.spacing;
         let share = |k: u32| {
             let way = f64::from(k) * step;
-            self.at(toe + up[0] * way, up[1] * way).0
+            self.at(toe + up[0] * way, foot + up[1] * way).0
         };
         let all = 0..(highest / (step * up[1])) as u32;
         let wet = all.rev().find(|&k| share(k) >= 0.5).unwrap_or(0);
@@ -197,7 +202,7 @@ mod tests {
             let mut near = Near::default();
             let mut water =
                 Sounding::new(tank.water.as_ref(), &bodies, (9.81, 0.02, 1000.0), &mut near);
-            let void = water.void((water.face(Place::Right).point[0], [0.0, 1.0]), 0.6);
+            let void = water.void((water.face(Place::Right).point, [0.0, 1.0]), 0.6);
             // In the toe's corner, where the empty strip goes on through the bed.
             let filled = kernel.half_plane_fraction(-apart * tank.spacing / radius);
             let exact = 1.0 - filled / (1.0 - filled);

@@ -1,7 +1,7 @@
 //! Particles stay in front of the walls' faces.
 
 use crate::body::BodyMotion;
-use crate::boundary::Plane;
+use crate::boundary::{Plane, Profile};
 use crate::math::simd::SimdPath;
 use crate::pairs::{Double, Fluid, Here, InTurn, in_turn};
 
@@ -14,6 +14,8 @@ pub struct HoldInside<'a> {
     pub fluid: &'a mut Fluid,
     /// The walls' faces at the end of the step.
     pub planes: &'a [Plane],
+    /// The bed, where it is not level.
+    pub bed: Option<&'a Profile>,
     /// Their motions.
     pub bodies: &'a [BodyMotion],
     /// How far in front of the face they are put, metres.
@@ -30,13 +32,33 @@ impl HoldInside<'_> {
 impl InTurn for HoldInside<'_> {
     #[inline(always)]
     fn at<D: Double>(&mut self, here: Here, _: &mut D) {
-        let HoldInside { fluid, planes, bodies, skin } = self;
-        if any_nearer(planes, here.all::<D, 2>([&fluid.x, &fluid.y]), 0.0) {
+        let HoldInside { fluid, planes, bed, bodies, skin } = self;
+        let near = any_nearer(planes, here.all::<D, 2>([&fluid.x, &fluid.y]), 0.0);
+        if near || bed.is_some() {
             let numbers = here.numbers();
             for k in numbers.start..numbers.end.min(fluid.len()) {
-                hold(fluid, k, (planes, bodies), *skin);
+                if let Some(bed) = bed {
+                    hold_above(fluid, k, bed, *skin);
+                }
+                if near {
+                    hold(fluid, k, (planes, bodies), *skin);
+                }
             }
         }
+    }
+}
+
+/// Puts a particle back that has slipped through an uneven bed, which stands.
+fn hold_above(fluid: &mut Fluid, k: usize, bed: &Profile, skin: f64) {
+    let place = [fluid.x[k], fluid.y[k]];
+    if place[1] >= bed.height(place[0]) {
+        return;
+    }
+    let (face, _) = bed.nearest(place);
+    [fluid.x[k], fluid.y[k]] = face.in_front(place, skin);
+    if fluid.vx[k] * face.normal[0] + fluid.vy[k] * face.normal[1] > 0.0 {
+        let velocity = [fluid.vx[k], fluid.vy[k]];
+        [fluid.vx[k], fluid.vy[k]] = face.with_across(velocity, |_| 0.0);
     }
 }
 
@@ -81,7 +103,7 @@ mod tests {
         let moving = BodyMotion { velocity: speed, ..BodyMotion::default() };
         let planes = [bed, wall];
         let bodies = &[BodyMotion::default(), moving];
-        let hold = HoldInside { fluid: &mut fluid, planes: &planes, bodies, skin: 1e-3 };
+        let hold = HoldInside { fluid: &mut fluid, planes: &planes, bed: None, bodies, skin: 1e-3 };
         hold.run(SimdPath::widest());
         (fluid, planes)
     }

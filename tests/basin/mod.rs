@@ -101,7 +101,7 @@ impl Basin {
                 no_slip: false,
                 bed_between_walls: true,
             },
-            ghosts: tank_ghosts(&layout, STRIP),
+            ghosts: tank_ghosts(&layout, None, STRIP),
             bodies,
             fluid,
             strips,

@@ -47,7 +47,8 @@ impl Isph {
             shifting_work -= self.part(dt);
         }
         let (fluid, planes, bodies) = (&mut self.fluid, &*self.planes, walls.bodies);
-        HoldInside { fluid, planes, bodies, skin: 1e-3 * options.spacing }.run(self.path);
+        HoldInside { fluid, planes, bed: None, bodies, skin: 1e-3 * options.spacing }
+            .run(self.path);
         Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }
     }
 

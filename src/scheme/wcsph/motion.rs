@@ -87,6 +87,7 @@ impl Wcsph {
             work: &self.work,
             options: &self.options,
             planes: &self.planes,
+            bed: self.ghosts.profile.as_ref(),
             strain: &self.strain,
             dt: self.since_full,
             inverse_radius: self.scaling.inverse_radius,
@@ -98,7 +99,8 @@ impl Wcsph {
     pub(super) fn hold_inside(&mut self, bodies: &[BodyMotion]) {
         let skin = 1e-3 * self.options.spacing;
         let (fluid, planes) = (&mut self.fluid, &*self.planes);
-        HoldInside { fluid, planes, bodies, skin }.run(self.pairs.path);
+        let bed = self.ghosts.profile.as_ref();
+        HoldInside { fluid, planes, bed, bodies, skin }.run(self.pairs.path);
     }
 
     /// Finds the particles that [`Wcsph::settle_surface`] may change: few, and the same ones until

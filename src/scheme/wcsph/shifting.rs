@@ -1,7 +1,7 @@
 //! Particle shifting, away from walls and from the free surface.
 
 use super::{WcsphOptions, Workspace};
-use crate::boundary::Plane;
+use crate::boundary::{Plane, Profile};
 use crate::pairs::{Double, Fluid, Here, InTurn};
 use crate::water::{SHIFT_FROM, SHIFT_FULL, SHIFT_LIMIT, any_nearer};
 
@@ -18,6 +18,8 @@ pub(super) struct Shift<'a> {
     pub work: &'a Workspace,
     pub options: &'a WcsphOptions,
     pub planes: &'a [Plane],
+    /// The bed, where it is not level.
+    pub bed: Option<&'a Profile>,
     /// As [`super::momentum::Momentum::strain`].
     pub strain: &'a [[f64; 2]],
     /// The time that the shift is for, seconds.
@@ -44,7 +46,7 @@ impl Shift<'_> {
     /// The shift, metres.
     #[inline(always)]
     fn way<D: Double>(&self, here: Here, place: [D; 2]) -> [D; 2] {
-        let Shift { fluid, work, options, planes, dt, .. } = self;
+        let Shift { fluid, work, options, planes, bed, dt, .. } = self;
         let strength = options.shifting_coefficient * options.smoothing_length() * dt;
         let (limit, reach) = (SHIFT_LIMIT * options.spacing, options.spacing);
         let inside = here.of::<D>(&work.completeness) - D::splat(SHIFT_FROM);
@@ -54,12 +56,14 @@ impl Shift<'_> {
         let [dx, dy] = here.all::<D, 2>([&work.concentration_x, &work.concentration_y]);
         let dx = (factor * dx).max(D::splat(-limit)).min(D::splat(limit));
         let dy = (factor * dy).max(D::splat(-limit)).min(D::splat(limit));
-        if !any_nearer(planes, place, 1.5 * reach) {
+        if bed.is_none() && !any_nearer(planes, place, 1.5 * reach) {
             return [dx, dy];
         }
         here.change([dx, dy], |k, mut shift| {
-            for plane in *planes {
-                let distance = -plane.beyond([fluid.x[k], fluid.y[k]]);
+            let place = [fluid.x[k], fluid.y[k]];
+            let face = bed.and_then(|bed| bed.face_within(place, 1.5 * reach));
+            for plane in planes.iter().chain(&face) {
+                let distance = -plane.beyond(place);
                 if distance < 1.5 * reach {
                     let fade = (distance / reach - 0.5).clamp(0.0, 1.0);
                     shift = plane.with_across(shift, |across| across * fade);

@@ -1,0 +1,166 @@
+//! Ghosts of a bed that is not level, and of the corners that its stretches make.
+
+use std::f64::consts::PI;
+
+use super::corner::Corner;
+use super::ghosts::{BodySites, Reflection, Site};
+use super::layout::{TankLayout, at};
+use super::plane::Plane;
+use super::profile::{Profile, Stretch};
+
+/// Rise along a stretch from which on it is a wall, whose ghosts ask how wet they are. On anything flatter
+/// the thinnest sheet of water is borne by whole ghosts, and a dry ghost has no water in reach.
+const STEEP: f64 = 0.7;
+/// The bed's own plane lies out of every reach, metres: its profile stands for it.
+const NOWHERE: f64 = 1e9;
+
+/// Sites of a profile, and a face point for every column of the stretches that may run dry.
+///
+/// Each stretch continues a lattice behind its face. Where the bed bends up the wedge between two
+/// normals is filled ring by ring. Where it bends down two lattices would overlap: each ends at the
+/// line between them, where a ghost counts as far as its cell lies on its own side.
+pub(super) fn bed_sites(layout: &TankLayout, profile: &Profile) -> BodySites {
+    let stretches: Vec<_> = profile.stretches().collect();
+    let mut bed =
+        Bed { layout, level: profile.level_up_to(), sites: Vec::new(), faces: Vec::new() };
+    for (number, stretch) in stretches.iter().enumerate() {
+        let before = number.checked_sub(1).map(|before| &stretches[before]);
+        let after = stretches.get(number + 1);
+        bed.lay(stretch, [before, after]);
+        if let Some(after) = after.filter(|after| turn(stretch, after) > 0.0) {
+            bed.fill_bend(stretch, after);
+        }
+    }
+    let plane = Plane { point: [0.0, -NOWHERE], normal: [0.0, -1.0] };
+    BodySites { sites: bed.sites, faces: bed.faces, plane }
+}
+
+/// Angle by which the bed bends upwards from one stretch to the next, radians.
+fn turn(before: &Stretch, after: &Stretch) -> f64 {
+    let ([ax, ay], [bx, by]) = (before.along, after.along);
+    libm::atan2(ax * by - ay * bx, ax * bx + ay * by)
+}
+
+struct Bed<'a> {
+    layout: &'a TankLayout,
+    /// Up to where the bed is level from the paddle on, and never dry.
+    level: f64,
+    sites: Vec<Site>,
+    faces: Vec<[f64; 2]>,
+}
+
+impl Bed<'_> {
+    /// The lattice behind one stretch.
+    fn lay(&mut self, stretch: &Stretch, [before, after]: [Option<&Stretch>; 2]) {
+        let TankLayout { spacing_x, spacing_y, support_radius, .. } = *self.layout;
+        let columns = (stretch.length / spacing_x).round().max(1.0);
+        let width = stretch.length / columns;
+        let layers = (support_radius / spacing_y).ceil() as i64;
+        let dries = stretch.from[0] + stretch.length > self.level + 1e-9;
+        for column in 0..columns as i64 {
+            let along = at(column, width);
+            let asks = dries && stretch.along[1].abs() > STEEP;
+            let face = if asks { self.faces.len() as u32 } else { Site::ALWAYS_WET };
+            if dries {
+                self.faces.push(stretch.place(along, 0.0));
+            }
+            for layer in 0..layers {
+                let depth = at(layer, spacing_y);
+                let ghost = stretch.place(along, depth);
+                let mut share = 1.0_f64;
+                if let Some(before) = before.filter(|before| turn(before, stretch) < 0.0) {
+                    share = share.min(0.5 + past(ghost, before, stretch) / width);
+                }
+                if let Some(after) = after.filter(|after| turn(stretch, after) < 0.0) {
+                    share = share.min(0.5 - past(ghost, stretch, after) / width);
+                }
+                if share > 0.0 {
+                    self.sites.push(Site {
+                        ghost,
+                        mirror: stretch.place(along, -depth),
+                        reflection: Reflection::Plane { normal: stretch.normal() },
+                        distance: depth,
+                        face,
+                        volume: width * spacing_y * share,
+                    });
+                }
+            }
+        }
+    }
+
+    /// The wedge behind a bend upwards.
+    fn fill_bend(&mut self, before: &Stretch, after: &Stretch) {
+        let width = turn(before, after);
+        let [nx, ny] = before.normal();
+        let middle = libm::atan2(ny, nx) + 0.5 * width;
+        let corner = Corner { vertex: after.from, middle, width, water: PI - width };
+        self.sites.extend(corner.sites(self.layout, Site::ALWAYS_WET));
+    }
+}
+
+/// How far a place lies past the line that halves a bend, metres along the bed.
+fn past(place: [f64; 2], before: &Stretch, after: &Stretch) -> f64 {
+    let [x, y] = [0, 1].map(|axis| before.along[axis] + after.along[axis]);
+    let [from_x, from_y] = after.from;
+    ((place[0] - from_x) * x + (place[1] - from_y) * y) / x.hypot(y).max(1e-12)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::boundary::tank_ghosts;
+
+    fn layout() -> TankLayout {
+        TankLayout {
+            length: 3.0,
+            spacing_x: 0.02,
+            spacing_y: 0.02,
+            support_radius: 0.1,
+            wall_height: 0.5,
+            bed_beyond_wall: 0.0,
+            wall_angle_deg: 90.0,
+            dry_bed: false,
+        }
+    }
+
+    /// Ghosts behind any bed fill the strip of a support's width behind it.
+    #[test]
+    fn ghosts_fill_what_lies_behind_a_bed() {
+        let layers = 0.1;
+        for (points, solid) in [
+            (vec![[0.0, 0.0], [3.0, 0.0]], 3.0 * layers),
+            // A bend up by θ has a wedge of ½ θ R² besides, one down lacks R² tan(θ/2).
+            (
+                vec![[0.0, 0.0], [1.0, 0.0], [3.0, 0.5]],
+                0.1 + 0.1 * 4.25_f64.sqrt() + 0.005 * 0.25_f64.atan(),
+            ),
+            (
+                vec![[0.0, 0.0], [1.0, 0.0], [1.0, 0.3], [3.0, 0.3]],
+                0.33 + 0.005 * (PI / 2.0) - 0.01,
+            ),
+        ] {
+            let profile = Profile::checked(points.clone()).unwrap();
+            let bed = bed_sites(&layout(), &profile);
+            let area: f64 = bed.sites.iter().map(|site| site.volume).sum();
+            assert!((area / solid - 1.0).abs() < 0.01, "{points:?}: {area} of {solid}");
+            for site in &bed.sites {
+                let (_, behind) = profile.nearest(site.ghost);
+                let (_, before) = profile.nearest(site.mirror);
+                let own_side = behind > 0.5 * site.distance - 1e-9;
+                assert!(own_side && before < 1e-9, "{points:?}: {site:?} {behind} {before}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_level_profile_has_the_ghosts_of_a_tank() {
+        let level = Profile::checked(vec![[0.0, 0.0], [3.0, 0.0]]).unwrap();
+        let (plain, same) =
+            (tank_ghosts(&layout(), None, 0.2), tank_ghosts(&layout(), Some(&level), 0.2));
+        assert_eq!(plain.x.len(), same.x.len());
+        for k in 0..plain.x.len() {
+            let off = (plain.x[k] - same.x[k]).abs() + (plain.target_y[k] - same.target_y[k]).abs();
+            assert!(off < 1e-12, "{k}");
+        }
+    }
+}

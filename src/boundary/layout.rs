@@ -1,0 +1,27 @@
+//! What a tank is like, and where the cells of its lattices lie.
+
+/// The tank at rest, metres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TankLayout {
+    /// Between the toes of both walls.
+    pub length: f64,
+    /// Particle spacing along the bed.
+    pub spacing_x: f64,
+    /// Particle spacing upwards.
+    pub spacing_y: f64,
+    /// Support radius of the kernel: how thick a wall must be.
+    pub support_radius: f64,
+    /// How far the walls rise above the bed.
+    pub wall_height: f64,
+    /// How far the bed goes on behind the wall, for the wall to move over.
+    pub bed_beyond_wall: f64,
+    /// Angle of the right wall from the bed, degrees: 90 is vertical, 120 leans away from the water.
+    pub wall_angle_deg: f64,
+    /// The bed may run dry: its ghosts ask face points whether they are wet.
+    pub dry_bed: bool,
+}
+
+/// Centre of a cell, metres.
+pub(super) fn at(cell: i64, spacing: f64) -> f64 {
+    (cell as f64 + 0.5) * spacing
+}

@@ -1,0 +1,248 @@
+//! A bed that is not level: a line of straight stretches under the water.
+
+use serde::{Deserialize, Deserializer, Serialize, de};
+
+use super::plane::Plane;
+
+/// Stretches shorter than this, metres, are no stretches.
+const SHORTEST: f64 = 1e-9;
+
+/// Points of a bed, metres, from the paddle to the wall: x never goes back, and two points above one
+/// another make a step. Left of its first point and right of its last one it goes on level.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(transparent)]
+pub struct Profile(Vec<[f64; 2]>);
+
+impl<'de> Deserialize<'de> for Profile {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Profile, D::Error> {
+        Profile::checked(Vec::deserialize(deserializer)?).map_err(de::Error::custom)
+    }
+}
+
+impl Profile {
+    /// # Errors
+    /// Points that make no bed, in words.
+    pub fn checked(points: Vec<[f64; 2]>) -> Result<Profile, String> {
+        if points.len() < 2 {
+            return Err("must have two points [x, y] or more".to_owned());
+        }
+        if let Some([x, y]) = points.iter().find(|point| !point.iter().all(|v| v.is_finite())) {
+            return Err(format!("has a point [{x}, {y}]: both must be finite"));
+        }
+        if points[0] != [0.0, 0.0] {
+            let [x, y] = points[0];
+            return Err(format!("must begin at [0, 0], the foot of the paddle, not at [{x}, {y}]"));
+        }
+        for pair in points.windows(2) {
+            let [[x0, y0], [x1, y1]] = [pair[0], pair[1]];
+            if x1 < x0 {
+                return Err(format!("goes back from x = {x0} m to {x1} m"));
+            }
+            if (x1 - x0).hypot(y1 - y0) < SHORTEST {
+                return Err(format!("has the point [{x0}, {y0}] twice"));
+            }
+        }
+        Ok(Profile(points))
+    }
+
+    /// The points, metres.
+    pub fn points(&self) -> &[[f64; 2]] {
+        &self.0
+    }
+
+    /// Where it ends, metres.
+    pub fn end(&self) -> [f64; 2] {
+        self.0[self.0.len() - 1]
+    }
+
+    /// Up to where it is level from the paddle on, metres.
+    pub fn level_up_to(&self) -> f64 {
+        let first = self.0.iter().position(|point| point[1] != 0.0);
+        first.map_or(self.end()[0], |first| self.0[first - 1][0])
+    }
+
+    /// The same bed, so many metres longer where it ends level.
+    pub(super) fn gone_on(&self, metres: f64) -> Profile {
+        let mut points = self.0.clone();
+        if metres > 0.0 && self.ends_level() {
+            let [x, y] = self.end();
+            points.pop();
+            points.push([x + metres, y]);
+        }
+        Profile(points)
+    }
+
+    /// Whether its last stretch is level.
+    pub fn ends_level(&self) -> bool {
+        self.0[self.0.len() - 2][1] == self.end()[1]
+    }
+
+    /// Its lowest and highest place, metres.
+    pub fn range(&self) -> [f64; 2] {
+        let heights = self.0.iter().map(|point| point[1]);
+        [heights.clone().fold(f64::INFINITY, f64::min), heights.fold(f64::NEG_INFINITY, f64::max)]
+    }
+
+    /// Height of the bed at x, metres; on a step the height behind it.
+    pub fn height(&self, x: f64) -> f64 {
+        let after = self.0.partition_point(|point| point[0] <= x);
+        let Some(before) = after.checked_sub(1) else { return self.0[0][1] };
+        let ([x0, y0], Some(&[x1, y1])) = (self.0[before], self.0.get(after)) else {
+            return self.end()[1];
+        };
+        y0 + (y1 - y0) * (x - x0) / (x1 - x0)
+    }
+
+    /// Area between it and a level above it, m²; dry stretches count for nothing.
+    pub fn area_below(&self, level: f64) -> f64 {
+        let stretch = |pair: &[[f64; 2]]| {
+            let [[x0, y0], [x1, y1]] = [pair[0], pair[1]];
+            let (low, high) = (level - y0.max(y1), level - y0.min(y1));
+            let width = x1 - x0;
+            match (low >= 0.0, high > 0.0) {
+                (true, _) => 0.5 * width * (low + high),
+                (false, true) => 0.5 * width * high * high / (high - low),
+                _ => 0.0,
+            }
+        };
+        self.0.windows(2).map(stretch).sum()
+    }
+
+    /// The stretches, as planes with their ends.
+    pub fn stretches(&self) -> impl Iterator<Item = Stretch> + '_ {
+        self.0.windows(2).map(|pair| Stretch::between(pair[0], pair[1]))
+    }
+
+    /// The face of the bed nearest to a place in the water, where it is so near, metres.
+    pub fn face_within(&self, place: [f64; 2], near: f64) -> Option<Plane> {
+        let over = |x: f64| place[1] - self.height(x) > near;
+        if over(place[0]) && over(place[0] - near) && over(place[0] + near) {
+            return None;
+        }
+        let (face, behind) = self.nearest(place);
+        (behind > -near).then_some(face)
+    }
+
+    /// The nearest place of the bed to one in or near the water: the face there, and how far behind it
+    /// the place lies, metres; negative in the water.
+    pub fn nearest(&self, place: [f64; 2]) -> (Plane, f64) {
+        let mut best = (f64::INFINITY, self.0[0]);
+        let mut see = |foot: [f64; 2]| {
+            let away = (place[0] - foot[0]).hypot(place[1] - foot[1]);
+            if away < best.0 {
+                best = (away, foot);
+            }
+        };
+        let [first, last] = [self.0[0], self.end()];
+        see([place[0].min(first[0]), first[1]]);
+        see([place[0].max(last[0]), last[1]]);
+        self.stretches().for_each(|stretch| see(stretch.foot(place)));
+        let (away, foot) = best;
+        let inside = place[1] < self.height(place[0]);
+        let normal = if away > SHORTEST {
+            let sign = if inside { 1.0 } else { -1.0 };
+            [0, 1].map(|axis| sign * (place[axis] - foot[axis]) / away)
+        } else {
+            [0.0, -1.0]
+        };
+        (Plane { point: foot, normal }, if inside { away } else { -away })
+    }
+}
+
+/// A straight stretch of a bed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch {
+    /// Where it begins, metres.
+    pub from: [f64; 2],
+    /// Unit vector along it, away from the paddle.
+    pub along: [f64; 2],
+    /// Metres.
+    pub length: f64,
+}
+
+impl Stretch {
+    fn between([x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) -> Stretch {
+        let length = (x1 - x0).hypot(y1 - y0);
+        Stretch { from: [x0, y0], along: [(x1 - x0) / length, (y1 - y0) / length], length }
+    }
+
+    /// Unit normal out of the water.
+    pub fn normal(&self) -> [f64; 2] {
+        [self.along[1], -self.along[0]]
+    }
+
+    /// As a face that goes on and on.
+    pub fn plane(&self) -> Plane {
+        Plane { point: self.from, normal: self.normal() }
+    }
+
+    /// A place so far along it and so far behind its face, metres.
+    pub fn place(&self, along: f64, behind: f64) -> [f64; 2] {
+        let normal = self.normal();
+        [0, 1].map(|axis| self.from[axis] + along * self.along[axis] + behind * normal[axis])
+    }
+
+    /// The nearest of its points to a place.
+    fn foot(&self, place: [f64; 2]) -> [f64; 2] {
+        let [x, y] = [place[0] - self.from[0], place[1] - self.from[1]];
+        let way = (x * self.along[0] + y * self.along[1]).clamp(0.0, self.length);
+        self.place(way, 0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn beach() -> Profile {
+        let points = vec![[0.0, 0.0], [2.0, 0.0], [3.0, 0.5], [3.0, 0.7], [4.0, 0.7]];
+        Profile::checked(points).unwrap()
+    }
+
+    #[test]
+    fn heights_ends_and_areas_are_those_of_the_line() {
+        let bed = beach();
+        let heights = [-1.0, 1.0, 2.5, 2.9999999, 3.0, 3.5, 9.0].map(|x| bed.height(x));
+        let exact = [0.0, 0.0, 0.25, 0.49999995, 0.7, 0.7, 0.7];
+        assert!(heights.iter().zip(exact).all(|(a, b)| (a - b).abs() < 1e-12), "{heights:?}");
+        assert_eq!((bed.level_up_to(), bed.ends_level(), bed.range()), (2.0, true, [0.0, 0.7]));
+        assert!((bed.area_below(1.0) - (2.0 + 0.75 + 0.3)).abs() < 1e-12);
+        assert!((bed.area_below(0.25) - (0.5 + 0.5 * 0.5 * 0.25)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_nearest_face_is_found_on_both_sides() {
+        let bed = beach();
+        for (place, behind, normal) in [
+            ([1.0, 0.2], -0.2, [0.0, -1.0]),
+            ([1.0, -0.1], 0.1, [0.0, -1.0]),
+            ([-0.5, 0.3], -0.3, [0.0, -1.0]),
+            ([3.5, 0.6], 0.1, [0.0, -1.0]),
+            ([2.9, 0.65], -0.1, [1.0, 0.0]),
+        ] {
+            let (plane, found) = bed.nearest(place);
+            assert!((found - behind).abs() < 1e-12, "{place:?}: {found}");
+            let off = (plane.normal[0] - normal[0]).hypot(plane.normal[1] - normal[1]);
+            assert!(off < 1e-12, "{place:?}: {plane:?}");
+            assert!((plane.beyond(place) - behind).abs() < 1e-12);
+        }
+        let slope = bed.stretches().nth(1).unwrap();
+        let (plane, behind) = bed.nearest(slope.place(0.4, 0.05));
+        assert!((behind - 0.05).abs() < 1e-12);
+        assert!((plane.normal[1] - slope.normal()[1]).abs() < 1e-9);
+    }
+
+    #[test]
+    fn what_is_no_bed_is_refused() {
+        for (points, told) in [
+            (vec![[0.0, 0.0]], "must have two points"),
+            (vec![[0.0, 0.0], [1.0, f64::NAN]], "has a point [1, NaN]"),
+            (vec![[0.5, 0.0], [1.0, 0.0]], "must begin at [0, 0]"),
+            (vec![[0.0, 0.0], [2.0, 0.0], [1.0, 0.1]], "goes back from x = 2 m to 1 m"),
+            (vec![[0.0, 0.0], [1.0, 0.0], [1.0, 0.0]], "has the point [1, 0] twice"),
+        ] {
+            let error = Profile::checked(points).unwrap_err();
+            assert!(error.starts_with(told), "{error}");
+        }
+    }
+}

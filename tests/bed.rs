@@ -1,0 +1,188 @@
+//! Beds that are not level: still water on them, waves over them, and what is refused.
+
+mod common;
+
+use common::{expect_code, results, run, write_file};
+use seawall::math::simd::SimdPath;
+use seawall::scene::CaseConfig;
+use seawall::simulation::{CaseResult, Unwatched, run_case};
+use toml::Table;
+
+const NUMERICS: &str = "particle_spacing_m = 0.02\nboundary = \"normalized\"\n";
+
+fn computed(scene: &str, probes: &[Table]) -> CaseResult {
+    let table = |text: &str| text.parse::<Table>().unwrap();
+    let mut config = CaseConfig::from_tables(&table(scene), &table(NUMERICS)).unwrap();
+    config.probes = probes.iter().map(|table| table.clone().try_into().unwrap()).collect();
+    run_case(&config, None, SimdPath::widest(), &Unwatched).unwrap()
+}
+
+/// Surface over still water at places.
+fn gauges(places: &[f64]) -> Vec<Table> {
+    let gauge = |(number, x): (usize, &f64)| {
+        format!("name = \"g{number}\"\nkind = \"elevation\"\nx_m = {x}").parse().unwrap()
+    };
+    places.iter().enumerate().map(gauge).collect()
+}
+
+/// Ten rows of water of 0.2 m: the surface stays where it is, and no particle leaves.
+#[test]
+fn water_rests_on_slopes_steps_and_ridges() {
+    for (bed, places) in [
+        ("[[0, 0], [1, 0], [3, 0.1]]", [0.5, 1.0, 2.0, 2.9]),
+        ("[[0, 0], [1, 0], [2, 0.1], [3, 0.1]]", [0.5, 1.2, 2.0, 2.9]),
+        ("[[0, 0], [1.5, 0], [1.5, 0.1], [3, 0.1]]", [0.5, 1.4, 1.6, 2.9]),
+        ("[[0, 0], [1, 0], [1.4, 0.1], [1.8, 0], [3, 0]]", [0.5, 1.2, 1.4, 2.9]),
+    ] {
+        let scene =
+            format!("tank_length_m = 3\nwave_height_ratio = 0\nend_time_s = 3\nbed = {bed}");
+        let still = computed(&scene, &gauges(&places));
+        assert_eq!(still.outcome.particles_lost, 0, "{bed}");
+        let kinetic = still.energy.kinetic;
+        println!("{bed}: {kinetic} J/m");
+        // Water of 0.5 m² that moves at 2 mm/s.
+        assert!(kinetic < 1e-3, "{bed}: {kinetic}");
+        let probes = still.probes.as_ref().unwrap();
+        let highest = probes.values.iter().fold(0.0, |most: f64, off| most.max(off.abs()));
+        assert!(highest < 1e-3, "{bed}: a surface {highest} m off");
+        let off = still.history.iter().map(|row| (row.force - 1.0).abs()).fold(0.0, f64::max);
+        assert!(off < 0.02, "{bed}: F* off by {off}");
+    }
+}
+
+/// Above still water a beach is dry; the wedge of water on it stays, but for its thinnest part.
+#[test]
+fn water_rests_on_a_beach() {
+    let scene = "tank_length_m = 5\nwave_height_ratio = 0\nend_time_s = 3\nstill_water_depth_m = 0.2\n\
+                 bed = [[0, 0], [1, 0], [5, 0.3]]";
+    let still = computed(scene, &gauges(&[0.5, 1.5, 2.5, 3.0]));
+    assert_eq!(still.outcome.particles_lost, 0);
+    let edge = still.history.last().unwrap().runup;
+    println!("{} J/m, the edge at {edge} h", still.energy.kinetic);
+    // The edge reads where the wedge is a spacing thick, 0.1 h, and no farther down.
+    assert!(edge.abs() < 0.1 && still.energy.kinetic < 0.03, "{edge}");
+    let highest =
+        still.probes.unwrap().values.iter().fold(0.0, |most: f64, off| most.max(off.abs()));
+    assert!(highest < 3e-3, "a surface {highest} m off");
+}
+
+/// A bed that is written out and level is the bed that needs no writing.
+#[test]
+fn a_level_bed_is_a_flat_tank() {
+    let short = "tank_length_m = 1.6\nwave_gauge_m = 0.8\nend_after_stroke_centre_s = 1.2\n";
+    let flat = computed(short, &[]);
+    let level = computed(&format!("{short}bed = [[0, 0], [1, 0], [1.6, 0]]"), &[]);
+    let maxima = |case: &CaseResult| [case.outcome.force_max, case.outcome.runup_max];
+    for (flat, level) in maxima(&flat).into_iter().zip(maxima(&level)) {
+        let [flat, level] = [flat.value, level.value];
+        assert!((level / flat - 1.0).abs() < 5e-3, "{level} and {flat}");
+    }
+}
+
+/// Depth h falls to h/2 over a slope; the time that a low wave takes is ∫ dx/√(g d).
+#[test]
+fn a_low_wave_takes_its_time_over_a_slope() {
+    let scene = "tank_length_m = 6\nwave_height_ratio = 0.05\nend_time_s = 7.5\nwave_gauge_m = 1.5\n\
+                 bed = [[0, 0], [1.5, 0], [4.5, 0.1], [6, 0.1]]";
+    let places = [1.5, 4.5];
+    let wave = computed(scene, &gauges(&places));
+    let table = wave.probes.as_ref().unwrap();
+    let crest = |column: usize| {
+        // What the wall throws back comes later.
+        let rows = table.rows().map(|(time, row)| (time, row[column]));
+        rows.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap()
+    };
+    let ([start, low], [end, high]) = ([0, 1].map(crest)).map(|(time, level)| [time, level]).into();
+    let slope = 0.1 / 3.0;
+    let exact = 2.0 * (0.2_f64.sqrt() - 0.1_f64.sqrt()) / (slope * 9.81_f64.sqrt());
+    let faster = (1.0 + low / 0.2).sqrt();
+    println!("{} s, {} s by the long-wave speed; {low} m to {high} m", end - start, exact / faster);
+    assert!(((end - start) * faster / exact - 1.0).abs() < 0.06);
+    // Between Green's law and a solitary wave that keeps its energy.
+    assert!(high / low > 0.95 * 2.0_f64.powf(0.25) && high / low < 2.0, "{low} m, {high} m");
+}
+
+#[test]
+fn threads_do_not_change_a_wave_on_a_beach() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "name = \"beach\"\n[scene]\ntank_length_m = 2\nbed = [[0, 0], [1, 0], [2, 0.3]]\n\
+                wave_gauge_m = 0.5\nend_time_s = 1.5\n[numerics]\nparticle_spacing_m = 0.025\n\
+                boundary = \"normalized\"\n";
+    let file = write_file(folder.path(), text);
+    let [one, two] = ["1", "2"].map(|threads| {
+        let out = folder.path().join(threads);
+        let [file, out_name] = [&file, &out].map(|path| path.to_str().unwrap().to_owned());
+        let output = run(&["run", &file, "--out", &out_name, "--threads", threads]);
+        expect_code(&output, 0);
+        results(&out)
+    });
+    assert_eq!(one, two);
+}
+
+#[test]
+fn json_has_the_runup_in_metres_and_a_recorded_clock_is_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let stroke = folder.path().join("stroke.csv");
+    std::fs::write(&stroke, "time_s,stroke_m\n100,0\n100.5,0.1\n101,0.1\n").unwrap();
+    let text = format!(
+        "name = \"clock\"\n[scene]\ntank_length_m = 1.5\nwave_gauge_m = 0.5\npaddle = \"recorded-stroke\"\n\
+         recorded_stroke = {stroke:?}\nwave_height_ratio = 0.3\nend_time_s = 101.5\n[numerics]\n\
+         particle_spacing_m = 0.025\n[[probe]]\nname = \"high\"\nkind = \"elevation\"\nx_m = 1.2\n"
+    );
+    let file = write_file(folder.path(), &text);
+    let out = folder.path().join("out");
+    let [file, out_name] = [&file, &out].map(|path| path.to_str().unwrap());
+    let output = run(&["run", file, "--out", out_name, "--format", "json"]);
+    expect_code(&output, 0);
+    let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let [ratio, metres] = [&told["outcome"]["runup_max"]["value"], &told["runup_max_m"]];
+    assert!((ratio.as_f64().unwrap() * 0.2 - metres.as_f64().unwrap()).abs() < 1e-12);
+    assert!(metres.as_f64().unwrap() > 0.02, "{metres}");
+    let times: Vec<f64> = results(&out)
+        .iter()
+        .filter(|(name, _)| name.starts_with("histories"))
+        .flat_map(|(_, bytes)| {
+            String::from_utf8(bytes.clone())
+                .unwrap()
+                .lines()
+                .skip(1)
+                .map(|line| line.split(',').next().unwrap().parse().unwrap())
+                .collect::<Vec<f64>>()
+        })
+        .collect();
+    let apart = times.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+    assert!(times[0] == 100.0 && times.last().unwrap() >= &101.49 && apart < 0.02, "{times:?}");
+}
+
+#[test]
+fn what_is_no_bed_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    for (keys, told) in [
+        ("bed = 3", "scene.bed = 3: must be a list of points [x, y]"),
+        ("bed = [[0, 0]]", "must have two points [x, y] or more"),
+        ("bed = [[0, 0], [2, 0], [1, 0.1]]", "goes back from x = 2 m to 1 m"),
+        ("bed = [[0, 0], [2, 0.1]]\ntank_length_m = 2", "must be level as far as the paddle goes"),
+        (
+            "bed = [[0, 0], [1, 0], [2, 0.1]]",
+            "scene.tank_length_m = 2.5: must be 2, where the bed ends",
+        ),
+        (
+            "bed = [[0, 0], [1, 0], [2, 0.1]]\ntank_length_m = 2\nwall_angle_deg = 60",
+            "ends at an upright wall",
+        ),
+        (
+            "bed = [[0, 0], [1, 0], [2, 0.1]]\ntank_length_m = 2\nwall = \"movable\"\n\
+             spring_stiffness_n_per_m = 10\nseawall_mass_kg_per_m = 10",
+            "must end level and under still water where the wall moves",
+        ),
+        ("bed = [[0, 0], [1, 0], [2, -0.1]]\ntank_length_m = 2", "must be its lowest place"),
+    ] {
+        let file = write_file(folder.path(), &format!("name = \"bed\"\n[scene]\n{keys}\n"));
+        let out = folder.path().join("out");
+        let output = run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
+        expect_code(&output, 2);
+        let error = String::from_utf8(output.stderr).unwrap();
+        assert!(error.contains(told), "{keys}: {error}");
+        assert!(!out.exists());
+    }
+}
