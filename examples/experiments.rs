@@ -69,6 +69,7 @@ measured stroke. `usace_1995/` holds what was measured, public data of a public 
 (0.13 h) in case A and 0.4572 m (2.10 h), a thin jet, in case B. Case C breaks on the slope; its measurements are not
 here, so its rows are predictions.
 
+Gauge 4 stands at 12.64, 14.06 and 14.40 m in the cases A, B and C. Gauge 10's record of case B is cut off at 0.0533 m.
 A crest is the highest level within a second after the surface first passes 0.6 of the record's maximum. The water
 loses nothing to the glass and the bed in these runs. By Keulegan's formula for a smooth, wide channel a solitary wave of
 case B loses some 5 % of its height over the 15 m before the slopes.

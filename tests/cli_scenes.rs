@@ -160,7 +160,11 @@ fn bad_scenes_are_refused_with_their_key() {
             "name = \"a\"\nkind = \"pressure\"\nwall = \"right\"\ny_m = 10",
             "probe.y_m = 10: must be a number from 0 to",
         ),
-        ("", "name = \"a\"\nkind = \"heat\"\nx_m = 1", "pressure, level, void (probe a)"),
+        (
+            "",
+            "name = \"a\"\nkind = \"heat\"\nx_m = 1",
+            "pressure, level, elevation, void (probe a)",
+        ),
         (
             "particle_spacing_m = 1",
             "",

@@ -115,6 +115,17 @@
 
   // The top of the water that stands on the bed: in each bin along the tank climb until a gap.
   const bin = { wide: 1.5 * film.spacing, tops: [] };
+  // The height of the bed: level, or straight between points.
+  function bedAt(x) {
+    const line = film.bed || [];
+    let low = line[0] ? line[0][1] : 0;
+    for (let k = 0; k + 1 < line.length; k++) {
+      const [[x0, y0], [x1, y1]] = [line[k], line[k + 1]];
+      if (x >= x1) low = y1;
+      else if (x > x0) return y0 + (y1 - y0) * (x - x0) / (x1 - x0);
+    }
+    return low;
+  }
   const lean = Math.tan((film.angle - 90) * Math.PI / 180);
   function climb() {
     const heights = [];
@@ -123,8 +134,9 @@
       if (at >= 0) (heights[at] = heights[at] || []).push(now.y[k]);
     }
     bin.tops = Array.from(heights, (all, at) => {
-      const behind = film.whole.x0 + (at + 0.5) * bin.wide - film.length - now.right;
-      let top = lean > 0 ? Math.max(0, behind / lean) : 0, found = false;
+      const middle = film.whole.x0 + (at + 0.5) * bin.wide, behind = middle - film.length - now.right;
+      const floor = bedAt(middle);
+      let top = lean > 0 ? Math.max(floor, behind / lean) : floor, found = false;
       for (const y of (all || []).sort((a, b) => a - b)) {
         if (y - top > 2.5 * film.spacing) break;
         top = y;
@@ -206,7 +218,9 @@
     }
     pen.fillStyle = ink.solid;
     const thick = 0.12 * film.depth, top = film.tall, bed = 0;
-    pen.fillRect(X(view.x0), Y(bed), X(view.x1) - X(view.x0), Y(view.y0) - Y(bed)); // bed
+    const inside = (film.bed || []).filter(([x]) => x > view.x0 && x < view.x1).map(([x, y]) => [X(x), Y(y)]);
+    polygon(pen, [[X(view.x0), Y(bedAt(view.x0))], ...inside, [X(view.x1), Y(bedAt(view.x1))],
+      [X(view.x1), Y(view.y0)], [X(view.x0), Y(view.y0)]]);
     const left = now.left, right = film.length + now.right;
     polygon(pen, [[X(left - thick), Y(bed)], [X(left), Y(bed)], [X(left), Y(top)], [X(left - thick), Y(top)]]);
     if (film.lid) pen.fillRect(X(view.x0), 0, X(view.x1) - X(view.x0), Y(film.lid));

@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use super::camera::Take;
+use crate::boundary::Profile;
 use crate::scene::{CaseConfig, Scene, WallChoice};
 
 /// What holds the water at the end of the tank.
@@ -46,6 +47,9 @@ pub(super) struct Stage {
     pub wall: WallKind,
     /// Of the wall from the bed, degrees.
     pub angle: f64,
+    /// The bed, where it is not level.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bed: Option<Profile>,
     /// How high walls are drawn.
     pub tall: f64,
     /// Height of a closed box; none where there is air.
@@ -87,7 +91,20 @@ impl Stage {
                 y1: extreme(1, f64::max, low) + margin,
             };
             let (tall, lid, post, near) = (0.0, None, 0.0, None);
-            return Stage { depth, length, spacing, wall, angle, tall, lid, post, whole, near };
+            let bed = None;
+            return Stage {
+                depth,
+                length,
+                spacing,
+                wall,
+                angle,
+                bed,
+                tall,
+                lid,
+                post,
+                whole,
+                near,
+            };
         }
         let lid = matches!(scene, Scene::TaylorGreen(_)).then_some(length);
         let top = extreme(1, f64::max, depth).min(4.0 * depth);
@@ -106,6 +123,12 @@ impl Stage {
             let beyond = behind - length - farthest;
             Near { x: 2.6 * depth, width: 2.6 * depth + beyond }
         });
-        Stage { depth, length, spacing, wall, angle, tall, lid, post, whole, near }
+        let bed = scene.seawall().and_then(|scene| scene.bed.clone());
+        Stage { depth, length, spacing, wall, angle, bed, tall, lid, post, whole, near }
+    }
+
+    /// Height of the bed, metres.
+    pub fn bed_at(&self, x: f64) -> f64 {
+        self.bed.as_ref().map_or(0.0, |bed| bed.height(x))
     }
 }

@@ -49,8 +49,10 @@ impl Tops {
         let lean = (stage.angle - 90.0).to_radians().tan();
         let climb = |(bin, mut heights): (usize, Vec<f64>)| {
             heights.sort_by(f64::total_cmp);
-            let behind = left + (bin as f64 + 0.5) * wide - stage.length - take.walls[1];
-            let mut top = if lean > 0.0 { (behind / lean).max(0.0) } else { 0.0 };
+            let middle = left + (bin as f64 + 0.5) * wide;
+            let behind = middle - stage.length - take.walls[1];
+            let bed = stage.bed_at(middle);
+            let mut top = if lean > 0.0 { (behind / lean).max(bed) } else { bed };
             let near = |&y: &f64| {
                 let near = y - top <= 2.5 * stage.spacing;
                 top = if near { y } else { top };
@@ -178,7 +180,12 @@ impl Still<'_> {
         let (bed, top, thick) = (0.0, stage.tall, 0.12 * stage.depth);
         let (left, right) = (self.take.walls[0], stage.length + self.take.walls[1]);
         let (x0, x1, y0) = (view.x0, view.x1, view.y0);
-        sheet.shape(text, &[[x0, bed], [x1, bed], [x1, y0], [x0, y0]]);
+        let ground = stage.bed.as_ref().map_or(&[][..], |bed| bed.points());
+        let within = ground.iter().copied().filter(|[x, _]| *x > x0 && *x < x1);
+        let ends = [[x0, stage.bed_at(x0)], [x1, stage.bed_at(x1)], [x1, y0], [x0, y0]];
+        let outline: Vec<_> =
+            ends[..1].iter().copied().chain(within).chain(ends[1..].iter().copied()).collect();
+        sheet.shape(text, &outline);
         if left > x0 {
             let back = (left - thick).max(x0);
             sheet.shape(text, &[[back, bed], [left, bed], [left, top], [back, top]]);

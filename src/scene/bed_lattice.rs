@@ -69,7 +69,8 @@ mod tests {
         };
         let points = lattice.points();
         let area: f64 = points.iter().map(|point| point[2]).sum();
-        assert!((area / profile.area_below(0.2) - 1.0).abs() < 1e-3, "{area}");
+        // But for the tip of the wedge, thinner than half a row.
+        assert!((area / profile.area_below(0.2) - 1.0).abs() < 2e-3, "{area}");
         for &[x, y, _] in &points {
             assert!(y < 0.2 && y > profile.height(x), "{x} {y}");
         }
