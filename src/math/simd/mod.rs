@@ -50,6 +50,7 @@ impl SimdPath {
             SimdPath::Avx2 => is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma"),
             SimdPath::Avx512 => {
                 is_x86_feature_detected!("avx512f")
+                    && is_x86_feature_detected!("avx2")
                     && is_x86_feature_detected!("avx512dq")
                     && is_x86_feature_detected!("avx512vl")
                     && is_x86_feature_detected!("fma")
@@ -132,14 +133,11 @@ pub trait Task {
 /// Runs a task with the instructions of `path`, or portably where the processor lacks them.
 pub fn dispatch<T: Task>(path: SimdPath, task: T) -> T::Output {
     #[cfg(target_arch = "x86_64")]
-    {
-        debug_assert!(path.is_supported());
-        match path {
-            // SAFETY: a path other than portable is only ever chosen after detection.
-            SimdPath::Avx512 => return unsafe { avx512::run(task) },
-            SimdPath::Avx2 => return unsafe { avx2::run(task) },
-            SimdPath::Portable => {}
-        }
+    match path {
+        // SAFETY: the processor has all that `run` of this path is compiled for.
+        SimdPath::Avx512 if path.is_supported() => return unsafe { avx512::run(task) },
+        SimdPath::Avx2 if path.is_supported() => return unsafe { avx2::run(task) },
+        _ => {}
     }
     portable::run(task)
 }
