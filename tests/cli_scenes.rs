@@ -170,6 +170,12 @@ fn bad_scenes_are_refused_with_their_key() {
             "",
             "scene.particle_spacing_m: unknown key; did you mean numerics.",
         ),
+        // Its period was looked for without end.
+        (
+            "kind = \"oscillating-drop\"\nradius_m = 1e-308",
+            "",
+            "must be a number from 0.000001 to 1000000",
+        ),
     ];
     let root = tempfile::tempdir().unwrap();
     for (scene, probe, message) in bad {

@@ -16,9 +16,9 @@ section! {
     /// The `[scene]` table with `kind = "oscillating-drop"`, complete: the drop's centre is the origin.
     pub struct OscillatingDropScene in "scene" {
         /// R of the circle that it starts as.
-        radius_m: f64 = 1.0, unit("m").above_zero();
+        radius_m: f64 = 1.0, unit("m").within(1e-6, 1e6);
         /// Ω of the central acceleration -Ω² r; `sound_speed_ratio` is over Ω R.
-        field_rate_per_s: f64 = 1.0, unit("1/s").above_zero();
+        field_rate_per_s: f64 = 1.0, unit("1/s").within(1e-6, 1e6);
         /// A at the start: u = A x, v = -A y; at most 3 Ω.
         stretching_rate_per_s: f64 = 0.4, unit("1/s").above_zero();
         /// ρ0.
