@@ -11,8 +11,6 @@ use super::profile::{Profile, Stretch};
 /// Rise along a stretch from which on it is a wall, whose ghosts ask how wet they are. On anything flatter
 /// the thinnest sheet of water is borne by whole ghosts, and a dry ghost has no water in reach.
 const STEEP: f64 = 0.7;
-/// The bed's own plane lies out of every reach, metres: its profile stands for it.
-const NOWHERE: f64 = 1e9;
 
 /// Sites of a profile, and a face point for every column of the stretches that may run dry.
 ///
@@ -31,7 +29,8 @@ pub(super) fn bed_sites(layout: &TankLayout, profile: &Profile) -> BodySites {
             bed.fill_bend(stretch, after);
         }
     }
-    let plane = Plane { point: [0.0, -NOWHERE], normal: [0.0, -1.0] };
+    // Its profile stands for the bed's own plane.
+    let plane = Plane::nowhere([0.0, -1.0]);
     BodySites { sites: bed.sites, faces: bed.faces, plane }
 }
 

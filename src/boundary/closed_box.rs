@@ -64,13 +64,11 @@ pub fn box_ghosts(layout: &TankLayout, height: f64, strip_width: f64) -> Ghosts 
 
 /// The bodies of a tank without a single ghost: their faces lie out of every reach.
 pub fn no_ghosts(strip_width: f64) -> Ghosts {
-    const NOWHERE: f64 = 1e9;
-    let bodies = [
-        Plane { point: [0.0, -NOWHERE], normal: [0.0, -1.0] },
-        Plane { point: [-NOWHERE, 0.0], normal: [-1.0, 0.0] },
-        Plane { point: [NOWHERE, 0.0], normal: [1.0, 0.0] },
-    ]
-    .map(|plane| BodySites { sites: Vec::new(), faces: Vec::new(), plane });
+    let bodies = [[0.0, -1.0], [-1.0, 0.0], [1.0, 0.0]].map(|normal| BodySites {
+        sites: Vec::new(),
+        faces: Vec::new(),
+        plane: Plane::nowhere(normal),
+    });
     Ghosts::new(&bodies, strip_width)
 }
 

@@ -167,6 +167,5 @@ impl Exchange {
 /// to be cut off.
 pub(super) fn span(ghosts: &Ghosts, bodies: &[BodyMotion]) -> [f64; 2] {
     let face = |body: usize| ghosts.bodies[body].plane.point[0] + bodies[body].offset;
-    let slopes = ghosts.profile.as_ref().is_some_and(|profile| !profile.ends_level());
-    [face(1), if slopes { f64::MAX } else { face(2) }]
+    [face(1), if ghosts.end_on_slope() { f64::MAX } else { face(2) }]
 }

@@ -109,6 +109,12 @@ impl Ghosts {
         all
     }
 
+    /// Whether the bed ends on a slope. Then it goes on behind the wall there as the wedge of their corner
+    /// alone.
+    pub fn end_on_slope(&self) -> bool {
+        self.profile.as_ref().is_some_and(|bed| !bed.ends_level())
+    }
+
     /// Number of ghosts, padding included.
     pub fn len(&self) -> usize {
         self.x.len()

@@ -9,7 +9,15 @@ pub struct Plane {
     pub normal: [f64; 2],
 }
 
+/// Out of every reach, metres.
+const NOWHERE: f64 = 1e9;
+
 impl Plane {
+    /// A face with this unit normal that lies out of every reach.
+    pub(super) fn nowhere([nx, ny]: [f64; 2]) -> Plane {
+        Plane { point: [nx * NOWHERE, ny * NOWHERE], normal: [nx, ny] }
+    }
+
     /// How far a place lies behind the face; negative in the water.
     #[inline(always)]
     pub fn beyond(&self, [x, y]: [f64; 2]) -> f64 {

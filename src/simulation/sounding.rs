@@ -63,9 +63,7 @@ impl<'a> Sounding<'a> {
             [fluid.x[k], fluid.y[k], volume, pressure[k], self.density]
         }));
         let ghosts = self.water.walls();
-        // A slope goes on behind the wall that ends it as the wedge of their corner.
-        let slopes = ghosts.profile.as_ref().is_some_and(|bed| !bed.ends_level());
-        let ends = [ends[0], if slopes { f64::INFINITY } else { ends[1] }];
+        let ends = [ends[0], if ghosts.end_on_slope() { f64::INFINITY } else { ends[1] }];
         for (number, (body, motion)) in ghosts.bodies.iter().zip(self.bodies.iter()).enumerate() {
             for g in body.ghosts.clone() {
                 let (x, y) = (ghosts.x[g] + motion.offset, ghosts.y[g]);
