@@ -51,8 +51,8 @@ fn torture(arguments: &Arguments) -> Result<bool> {
     let mut text = format!(
         "# Faults\n\nWritten by `scripts/torture`. Each fault was caused {} times, at moments and places \
          spread over the whole run. *Whole* counts the trials after which the results were those of an \
-         undisturbed sweep, to the byte; *refused* those in which the program said that it cannot go on, \
-         and touched nothing; *lost* those with any other end.\n\n\
+         undisturbed sweep, to the byte. *Refused* counts those in which the program said that it cannot go on, \
+         and touched nothing. *Lost* counts those with any other end.\n\n\
          | fault | trials | whole | refused | lost | exit codes | what the user sees, once |\n\
          |---|---|---|---|---|---|---|\n",
         arguments.trials

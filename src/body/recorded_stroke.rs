@@ -9,8 +9,8 @@ section! {
     /// The keys of a recorded stroke.
     pub struct RecordedStrokeKeys in "scene" {
         /// Path, from where the program is started, of a CSV file with the columns `time_s` and
-        /// `stroke_m`: three or more times that rise. The run's clock starts at the first. What it says is part of a case's
-        /// identity, its name is not.
+        /// `stroke_m`: three or more times that rise. The run's clock starts at the first. What it
+        /// says is part of a case's identity, its name is not.
         recorded_stroke: Stroke, plain().only("paddle", &["recorded-stroke"]);
     }
 }

@@ -8,8 +8,8 @@
 /// η* = 1.5 H          p1 = α1 ρgH          p3 = α3 p1
 /// α1 = 0.6 + ½ (2kh / sinh 2kh)²           α3 = 1 / cosh kh
 /// ```
-/// The pressure above that of still water is p1 at the still level and falls in straight lines to p3 at
-/// the bed and to 0 at η* above the still level. α2 is 0 without a mound.
+/// These are pressures above those of still water. At the still level it is p1. From there it falls in a
+/// straight line to p3 at the bed, and in another to 0 at the height η*. Without a mound α2 is 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Goda {
     /// H/h.
