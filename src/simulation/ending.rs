@@ -38,6 +38,16 @@ impl Run {
         }
     }
 
+    /// Whether a run may end early so many seconds from now, in a step ahead of which its state can be
+    /// kept only now.
+    pub(super) fn may_settle_within(&self, seconds: f64) -> bool {
+        let Some(paddle) = &self.tank.paddle else { return false };
+        let then = self.clock.time + seconds;
+        let due = self.tank.frame.history_interval * self.clock.samples as f64;
+        let can_stop = self.config.numerics.stop_when_settled && then > paddle.still_from();
+        can_stop && then > due && self.tank.water.can_be_kept()
+    }
+
     /// Whether no reported maximum can be passed any more: paddle and wall stand, and too little is left
     /// of the energy above that of still water between paddle and wall. See [`Prospect`]. Never
     /// before enough is known of how lively the water is.
@@ -100,10 +110,10 @@ impl Run {
             measured_wave_height_ratio: logbook.gauge.crest(),
             force_max: m.force.unwrap_or_default(),
             runup_max: m.runup.unwrap_or_default(),
-            displacement_max: m.displacement,
+            displacement_max: m.displacement.filter(|_| wall.is_some()),
             first_force_max: m.first.force().filter(|_| has_wave),
             first_runup_max: m.first.runup().filter(|_| has_wave),
-            first_displacement_max: m.first.displacement(),
+            first_displacement_max: m.first.displacement().filter(|_| wall.is_some()),
             first_force_peak: m.first.force_peak().filter(|_| has_wave),
             first_runup_peak: m.first.runup_peak().filter(|_| has_wave),
             force_max_raw: m.force_raw.unwrap_or(0.0),

@@ -22,8 +22,8 @@ pub struct Reading {
     pub force: f64,
     /// R*.
     pub runup: f64,
-    /// X*; `None` for a fixed wall.
-    pub displacement: Option<f64>,
+    /// X*; 0 for a fixed wall, as for one that has not moved.
+    pub displacement: f64,
     /// Stops so far.
     pub stops: u32,
 }
@@ -161,9 +161,7 @@ impl FirstImpact {
         let readings = &mut self.readings;
         Maximum::raise(&mut readings.runup, reading.runup, reading.time);
         readings.runup_peak.push(reading.runup);
-        if let Some(x) = reading.displacement {
-            Maximum::raise(&mut readings.displacement, x, reading.time);
-        }
+        Maximum::raise(&mut readings.displacement, reading.displacement, reading.time);
         let travelled = readings.displacement.is_some_and(|m| m.value > IMPACT_TRAVEL);
         if !travelled {
             // Touches of a stiff wall that has hardly moved do not count.

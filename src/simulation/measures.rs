@@ -52,15 +52,13 @@ impl Measures {
     /// Takes one step's readings. What a blow on the stop drowns of the force counts for nothing.
     pub fn push(&mut self, reading: Reading) {
         let Reading { time, force, runup, displacement, stops } = reading;
-        self.last = [force, runup, displacement.unwrap_or(0.0)];
+        self.last = [force, runup, displacement];
         Maximum::raise(&mut self.runup, runup, time);
-        if let Some(x) = displacement {
-            self.blows.follow(time, x);
-            let before = self.displacement;
-            Maximum::raise(&mut self.displacement, x, time);
-            if self.displacement != before {
-                self.kicked = self.blows.kicked();
-            }
+        self.blows.follow(time, displacement);
+        let before = self.displacement;
+        Maximum::raise(&mut self.displacement, displacement, time);
+        if self.displacement != before {
+            self.kicked = self.blows.kicked();
         }
         if self.blows.drown(time) {
             self.mean.clear();
@@ -96,7 +94,7 @@ mod tests {
         for k in 0..4000 {
             let time = 0.001 * f64::from(k);
             let ([force, runup, x], stops) = at(time);
-            measures.push(Reading { time, force, runup, displacement: Some(x), stops });
+            measures.push(Reading { time, force, runup, displacement: x, stops });
         }
         measures
     }
@@ -201,7 +199,6 @@ mod tests {
             };
             let force = 1.0 + bell(time, 1.0, 1.0) + sound;
             let stops = u32::from(time >= 1.5);
-            let displacement = Some(displacement);
             measures.push(Reading { time, force, runup: 0.0, displacement, stops });
             if k == 1499 {
                 measures.hit(time, 0.001, speed);

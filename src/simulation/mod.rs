@@ -194,12 +194,12 @@ fn attempt(
     if let Some(bytes) = checkpoint {
         run.restore(checkpoint::decode(bytes, config)?);
     }
-    run.advance(false, monitor)?;
+    run.advance(monitor)?;
     Ok(run.result())
 }
 
 /// Runs a trunk ([`CaseConfig::trunk`]) to the last step before the force first exceeds the
-/// threshold.
+/// threshold, or before a run could end early.
 pub fn run_trunk(
     config: &CaseConfig,
     resources: impl Into<Resources>,
@@ -209,8 +209,8 @@ pub fn run_trunk(
     let team = resources.team(config);
     team.lead(|| {
         let mut run = Run::start(config, resources.simd, &team);
-        run.advance(true, monitor)?;
-        let (time_s, steps) = run.progress();
-        Ok(TrunkResult { checkpoint: checkpoint::encode(&run.state(), config), time_s, steps })
+        let state = run.advance_to_onset(monitor)?;
+        let (time_s, steps) = state.progress();
+        Ok(TrunkResult { checkpoint: checkpoint::encode(&state, config), time_s, steps })
     })
 }

@@ -31,6 +31,13 @@ pub(super) struct RunState {
     logbook: Logbook,
 }
 
+impl RunState {
+    /// Simulated seconds and steps so far.
+    pub fn progress(&self) -> (f64, u64) {
+        (self.clock.time, self.clock.steps)
+    }
+}
+
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Clock {
     pub(super) time: f64,
@@ -94,14 +101,26 @@ impl Run {
         }
     }
 
-    /// Simulated seconds and steps so far.
-    pub fn progress(&self) -> (f64, u64) {
-        (self.clock.time, self.clock.steps)
+    /// Steps to the end.
+    pub fn advance(&mut self, monitor: &dyn Monitor) -> Result<(), Stopped> {
+        self.go(false, monitor).map(|_| ())
     }
 
-    /// Steps to the end, or with `until_onset` to the last state before the wall could first move.
-    pub fn advance(&mut self, until_onset: bool, monitor: &dyn Monitor) -> Result<(), Stopped> {
+    /// Steps to the last state that all walls share which this one stands for, and hands it over: before
+    /// one of them could first move, or end its run early.
+    pub fn advance_to_onset(&mut self, monitor: &dyn Monitor) -> Result<RunState, Stopped> {
+        let state = self.go(true, monitor)?;
+        Ok(state.expect("a run settles in a step in which its state was kept, or soon after one"))
+    }
+
+    /// Steps to the end, or with `until_onset` to where a trunk ends, whose state it returns.
+    fn go(
+        &mut self,
+        until_onset: bool,
+        monitor: &dyn Monitor,
+    ) -> Result<Option<RunState>, Stopped> {
         let frame = self.tank.frame;
+        let mut kept = None;
         self.logbook.make_room((frame.end_time / frame.history_interval) as usize + 2);
         loop {
             let time = self.clock.time;
@@ -118,7 +137,10 @@ impl Run {
                 return Err(failure.into());
             }
             if until_onset && self.is_onset(load.force, dt) {
-                return Ok(());
+                return Ok(Some(self.state()));
+            }
+            if until_onset && self.may_settle_within(self.to_full_step(dt)) {
+                kept = Some(self.state());
             }
             let (moved, step, force) = self.answer(load, dt)?;
             let start = Instant::now();
@@ -131,17 +153,18 @@ impl Run {
             }
             self.reading_time += start.elapsed().as_secs_f64();
             if last {
-                return Ok(());
+                return Ok(kept);
             }
             if sample && self.clock.samples.is_multiple_of(SAMPLES_PER_CHECK) {
                 let start = Instant::now();
                 let energy = self.check_health(&bodies)?;
                 self.reading_time += start.elapsed().as_secs_f64();
-                // In trunks, too: what they leave must not depend on where they end.
+                // In trunks, too: what they leave must not depend on where they end. No wall that moves has
+                // settled before the one that never does.
                 self.note_liveliness(&bodies, &energy);
-                if !until_onset && self.has_settled(&bodies, &energy) {
+                if self.has_settled(&bodies, &energy) {
                     self.film(monitor, time, true);
-                    return Ok(());
+                    return Ok(kept);
                 }
                 monitor.reached(time);
                 if monitor.cancelled() {
@@ -156,9 +179,13 @@ impl Run {
     /// Whether a trunk ends ahead of a step of `dt` seconds, under this force on the wall, N per metre
     /// of width: in a full step, and ahead of the last one where nothing happens before.
     fn is_onset(&self, force: f64, dt: f64) -> bool {
-        let soon = 2.0 * f64::from(self.config.numerics.acoustic_substeps) * dt;
-        let ending = self.clock.time + soon > self.tank.frame.end_time;
+        let ending = self.clock.time + self.to_full_step(dt) > self.tank.frame.end_time;
         self.tank.water.can_be_kept() && (ending || self.tank.wall.lets_go(force))
+    }
+
+    /// With steps of `dt` seconds the next full one comes well within this time, seconds.
+    fn to_full_step(&self, dt: f64) -> f64 {
+        2.0 * f64::from(self.config.numerics.acoustic_substeps) * dt
     }
 
     /// How the wall answers to the water's load over a step of `dt` seconds: where it is then, its step,

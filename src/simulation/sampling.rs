@@ -41,7 +41,7 @@ impl Run {
             time: clock.time,
             force: force / tank.static_force,
             runup: runup / depth,
-            displacement: wall.map(|wall| wall.displacement / depth),
+            displacement: wall.map_or(0.0, |wall| wall.displacement / depth),
             stops: wall.map_or(0, |wall| wall.stops),
         };
         logbook.measures.push(reading);
@@ -78,7 +78,7 @@ impl Run {
             time_s: time,
             force: reading.force,
             runup: reading.runup,
-            displacement: reading.displacement.unwrap_or(0.0),
+            displacement: reading.displacement,
             wall_velocity_m_per_s: tank.wall.state().unwrap_or_default().velocity,
         });
         if let Some(table) = &mut logbook.probes {
@@ -102,12 +102,11 @@ impl Run {
         logbook.worst_gap = logbook.worst_gap.max(gap);
         logbook.face_gaps.push(time, [face, force].map(|force| force / tank.static_force));
         logbook.health.see_gap(gap / 100.0);
-        match reading.displacement {
-            Some(x) if !x.is_finite() || x.abs() > FARTHEST_WALL => {
-                Err(self.failure(FailureKind::WallUnstable, format!("the wall is at X = {x:.3} h")))
-            }
-            _ => Ok(()),
+        let x = reading.displacement;
+        if x.is_finite() && x.abs() <= FARTHEST_WALL {
+            return Ok(());
         }
+        Err(self.failure(FailureKind::WallUnstable, format!("the wall is at X = {x:.3} h")))
     }
 
     /// Checks the water's health; the energy budget as it is now.

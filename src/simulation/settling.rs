@@ -110,7 +110,7 @@ mod tests {
                 time: f64::from(k) * 0.005,
                 force: 1.0 + bell,
                 runup: 0.5 * bell,
-                displacement: Some(x * bell),
+                displacement: x * bell,
                 stops: 0,
             });
         }
@@ -181,7 +181,7 @@ mod tests {
         let mut measures = Measures::new(1.1, WATER);
         for k in 0..200 {
             let time = 0.005 * f64::from(k);
-            measures.push(Reading { time, force: 1.6, runup: 0.3, displacement: None, stops: 0 });
+            measures.push(Reading { time, force: 1.6, runup: 0.3, displacement: 0.0, stops: 0 });
         }
         assert!(!Prospect::of(0.0, None).leaves(&measures));
     }
