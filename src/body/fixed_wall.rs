@@ -1,9 +1,11 @@
 //! A wall that never moves.
 
+use serde::{Deserialize, Serialize};
+
 use super::WallLaw;
 
 /// It stands for other walls, too, as long as these are held: a run can tell when they would move.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct FixedWall {
     /// The least and the largest force under which all of them stand, N per metre of width.
     pub holds: [f64; 2],

@@ -15,6 +15,8 @@ mod wave_train;
 
 use std::ops::{Deref, DerefMut};
 
+use serde::{Deserialize, Serialize};
+
 pub use contract::{BodyMotion, PaddleLaw, Restraint, WallLaw, WallState, WallStep};
 pub use fixed_wall::FixedWall;
 pub use goring_paddle::GoringPaddle;
@@ -25,7 +27,7 @@ pub use spring_wall::SpringWall;
 pub use wave_train::{WaveTrain, WaveTrainKeys};
 
 /// The wall at the end of a tank.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub enum Wall {
     /// It stands still.
     Fixed(FixedWall),

@@ -1,5 +1,7 @@
 //! A caisson that slides on its bed with Coulomb friction.
 
+use serde::{Deserialize, Serialize};
+
 use super::{FixedWall, Restraint, Wall, WallLaw, WallState, WallStep};
 use crate::keys::{ConfigError, Range, section};
 
@@ -60,7 +62,7 @@ impl CaissonKeys {
 /// still water, ½ρgh²: the same water stands behind the caisson. N is its submerged weight. It
 /// sticks where its velocity passes zero and the excess force is too small to move it. The water's
 /// reaction to its own acceleration, F = `force` - A a, is solved together with a.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SlidingCaisson {
     /// m, kg per metre of width.
     pub mass: f64,

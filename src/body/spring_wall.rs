@@ -2,6 +2,8 @@
 
 mod kick;
 
+use serde::{Deserialize, Serialize};
+
 use super::{Restraint, WallLaw, WallState, WallStep};
 use crate::theory::oscillator::{Oscillator, OscillatorState};
 
@@ -12,7 +14,7 @@ use crate::theory::oscillator::{Oscillator, OscillatorState};
 /// velocity is zero too (a perfectly inelastic stop). The water's reaction to the wall's own
 /// acceleration, F = F0 - A a, is solved together with a, so that a wall lighter than the water
 /// it moves stays stable.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SpringWall {
     /// m, kg per metre of width.
     pub mass: f64,

@@ -3,7 +3,7 @@
 use sha2::{Digest, Sha256};
 
 use super::failure::{Failure, FailureKind};
-use super::run::RunState;
+use super::state::RunState;
 use crate::scene::CaseConfig;
 
 /// Changes whenever the state's layout does.

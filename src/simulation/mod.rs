@@ -12,6 +12,9 @@ mod first_impact;
 mod found;
 mod gauge;
 mod health;
+mod keeper;
+mod keeping;
+mod kept;
 mod logbook;
 mod measures;
 mod outcome;
@@ -24,6 +27,7 @@ mod run;
 mod sampling;
 mod settling;
 mod sounding;
+mod state;
 mod surface;
 mod watch;
 mod window;
@@ -32,6 +36,7 @@ pub use doubt::kinds_of_doubt;
 pub use faces::Face;
 pub use failure::{Failure, FailureKind, Stopped};
 pub use health::HealthMargins;
+pub use keeper::Keeper;
 pub use outcome::{
     CaseResult, EnergyBudget, HistoryRow, Maximum, NamedReading, Outcome, PhaseShare, ProbeColumn,
     ProbeTable, TrunkResult,
@@ -43,6 +48,7 @@ use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::pairs::Fluid;
 use crate::scene::{CaseConfig, Scheme};
+use kept::{Attempt, Kept};
 use run::Run;
 
 /// Watches a run and may end it.
@@ -62,6 +68,10 @@ pub trait Monitor: Sync {
     /// True when the run should stop at the next step.
     fn cancelled(&self) -> bool {
         false
+    }
+    /// Who keeps the run's state; nobody by default.
+    fn keeper(&self) -> Option<&dyn Keeper> {
+        None
     }
 }
 
@@ -149,9 +159,16 @@ pub fn cost(config: &CaseConfig) -> Cost {
     }
 }
 
-/// Runs a case to its end, from rest or from its trunk's checkpoint: the same bits either way.
-/// Where it becomes unstable, up to `retries` further attempts from rest follow, each with half
-/// the time step of the last; the outcome says so.
+/// Where an attempt starts.
+enum Start<'a> {
+    Rest,
+    Trunk(&'a [u8]),
+    Kept(Box<Kept>),
+}
+
+/// Runs a case to its end, from rest, from its trunk's checkpoint, or from the state that its monitor
+/// has kept: the same bits either way. Where it becomes unstable, up to `retries` further attempts from
+/// rest follow, each with half the time step of the last; the outcome says so.
 ///
 /// # Errors
 /// The reason for which the last attempt failed, or that it was interrupted.
@@ -163,43 +180,44 @@ pub fn run_case(
 ) -> Result<CaseResult, Stopped> {
     let resources = resources.into();
     let team = resources.team(config);
-    let attempt = |config: &CaseConfig, checkpoint: Option<&[u8]>| {
-        team.lead(|| attempt(config, checkpoint, resources.simd, &team, monitor))
+    let (mut attempt, mut start) = match Kept::of(config, monitor) {
+        Some(kept) => (kept.attempt.clone(), Start::Kept(Box::new(kept))),
+        None => (Attempt::default(), checkpoint.map_or(Start::Rest, Start::Trunk)),
     };
-    let mut result = attempt(config, checkpoint);
-    for retry in 1..=config.numerics.retries {
-        let Err(Stopped::Failed(failure)) = &result else { break };
-        if !failure.kind.is_instability() {
-            break;
-        }
-        let smaller = config.with_time_step_scaled(0.5_f64.powi(retry as i32));
-        let courant = smaller.numerics.courant_number;
-        let told = format!("recovered with courant_number = {courant} after {failure}");
-        result = attempt(&smaller, None).map(|mut result| {
-            result.outcome.recovered = Some(told);
-            result
+    loop {
+        let tried = attempt.config(config);
+        let result = team.lead(|| {
+            let mut run = Run::start(&tried, resources.simd, &team);
+            run.attempt = attempt.clone();
+            match start {
+                Start::Rest => {}
+                Start::Trunk(bytes) => run.restore(checkpoint::decode(bytes, &tried)?),
+                Start::Kept(kept) => run.take_up(*kept)?,
+            }
+            run.advance(monitor)?;
+            Ok(run.result())
         });
+        match result {
+            Err(Stopped::Failed(failure))
+                if attempt.retry < config.numerics.retries && failure.kind.is_instability() =>
+            {
+                attempt.retry += 1;
+                let courant = attempt.config(config).numerics.courant_number;
+                attempt.told =
+                    Some(format!("recovered with courant_number = {courant} after {failure}"));
+                start = Start::Rest;
+            }
+            Ok(mut result) => {
+                result.outcome.recovered = attempt.told;
+                return Ok(result);
+            }
+            Err(stopped) => return Err(stopped),
+        }
     }
-    result
-}
-
-fn attempt(
-    config: &CaseConfig,
-    checkpoint: Option<&[u8]>,
-    simd: SimdPath,
-    team: &Team,
-    monitor: &dyn Monitor,
-) -> Result<CaseResult, Stopped> {
-    let mut run = Run::start(config, simd, team);
-    if let Some(bytes) = checkpoint {
-        run.restore(checkpoint::decode(bytes, config)?);
-    }
-    run.advance(monitor)?;
-    Ok(run.result())
 }
 
 /// Runs a trunk ([`CaseConfig::trunk`]) to the last step before the force first exceeds the
-/// threshold, or before a run could end early.
+/// threshold, or before a run could end early; from rest, or from the state that its monitor has kept.
 pub fn run_trunk(
     config: &CaseConfig,
     resources: impl Into<Resources>,
@@ -207,8 +225,12 @@ pub fn run_trunk(
 ) -> Result<TrunkResult, Stopped> {
     let resources = resources.into();
     let team = resources.team(config);
+    let kept = Kept::of(config, monitor);
     team.lead(|| {
         let mut run = Run::start(config, resources.simd, &team);
+        if let Some(kept) = kept {
+            run.take_up(kept)?;
+        }
         let state = run.advance_to_onset(monitor)?;
         let (time_s, steps) = state.progress();
         Ok(TrunkResult { checkpoint: checkpoint::encode(&state, config), time_s, steps })

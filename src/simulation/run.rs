@@ -2,52 +2,31 @@
 
 use std::time::Instant;
 
-use serde::{Deserialize, Serialize};
-
 use super::Monitor;
 use super::energy::WaterEnergy;
 use super::failure::{Failure, FailureKind, Stopped};
 use super::health::{Crowding, HealthBounds};
+use super::kept::Attempt;
 use super::logbook::Logbook;
 use super::sounding::Near;
+use super::state::{Clock, RunState};
 use super::surface::Lens;
 use super::watch::{self, Watch};
 use crate::body::{Motions, Place, Wall, WallStep};
 use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::scene::{CaseConfig, Tank};
-use crate::scheme::{Load, NextStep, SchemeState, StepError, StepWalls};
+use crate::scheme::{Load, NextStep, StepError, StepWalls};
 
 /// Samples of the history between two checks of health and of the monitor.
 const SAMPLES_PER_CHECK: u64 = 4;
 /// A paddle stands that moves no faster than this, m/s and, over g, accelerates no more.
 const STILL: f64 = 1e-6;
 
-/// Everything that changes in a trunk. It ends before its wall moves, so the wall is not among it.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub(super) struct RunState {
-    water: SchemeState,
-    clock: Clock,
-    logbook: Logbook,
-}
-
-impl RunState {
-    /// Simulated seconds and steps so far.
-    pub fn progress(&self) -> (f64, u64) {
-        (self.clock.time, self.clock.steps)
-    }
-}
-
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
-pub(super) struct Clock {
-    pub(super) time: f64,
-    pub(super) steps: u64,
-    pub(super) samples: u64,
-}
-
 pub(super) struct Run {
     pub(super) tank: Tank,
     pub(super) config: CaseConfig,
+    pub(super) attempt: Attempt,
     pub(super) watch: Option<Box<dyn Watch>>,
     pub(super) lens: Lens,
     pub(super) films: u64,
@@ -81,23 +60,8 @@ impl Run {
             crowding: Crowding::default(),
             reading_time: 0.0,
             config: config.clone(),
+            attempt: Attempt::default(),
             tank,
-        }
-    }
-
-    /// Goes back to a kept state, in which the wall still stands.
-    pub fn restore(&mut self, state: RunState) {
-        self.tank.water.restore(state.water);
-        self.clock = state.clock;
-        self.logbook = state.logbook;
-    }
-
-    /// All that is needed to go on.
-    pub fn state(&self) -> RunState {
-        RunState {
-            water: self.tank.water.state(),
-            clock: self.clock,
-            logbook: self.logbook.clone(),
         }
     }
 
@@ -120,7 +84,7 @@ impl Run {
         monitor: &dyn Monitor,
     ) -> Result<Option<RunState>, Stopped> {
         let frame = self.tank.frame;
-        let mut kept = None;
+        let (mut kept, mut stopping) = (None, false);
         self.logbook.make_room((frame.end_time / frame.history_interval) as usize + 2);
         loop {
             let time = self.clock.time;
@@ -138,6 +102,10 @@ impl Run {
             }
             if until_onset && self.is_onset(load.force, dt) {
                 return Ok(Some(self.state()));
+            }
+            self.keep(monitor, stopping);
+            if stopping && self.tank.water.can_be_kept() {
+                return Err(Stopped::Interrupted);
             }
             if until_onset && self.may_settle_within(self.to_full_step(dt)) {
                 kept = Some(self.state());
@@ -167,7 +135,8 @@ impl Run {
                     return Ok(kept);
                 }
                 monitor.reached(time);
-                if monitor.cancelled() {
+                stopping = monitor.cancelled();
+                if stopping && monitor.keeper().is_none() {
                     return Err(Stopped::Interrupted);
                 }
             }

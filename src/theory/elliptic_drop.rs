@@ -1,6 +1,8 @@
 //! A drop in a central field that swings between two ellipses: exact (Monaghan & Rafiee 2013;
 //! Colagrossi et al. 2013).
 
+use serde::{Deserialize, Serialize};
+
 /// An ellipse with the semi-axes a along x and b = R²/a along y, in which u = A x, v = -A y.
 ///
 /// With the pressure p/ρ = P (1 - x²/a² - y²/b²) the momentum equations under the acceleration
@@ -8,7 +10,7 @@
 /// ```text
 /// dA/dt = (A² + Ω²)(b² - a²)/(b² + a²),  da/dt = A a
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct EllipticDrop {
     /// R, metres, of the circle of the same area.
     pub radius: f64,

@@ -1,7 +1,7 @@
 //! What a dam break shows besides its probes: the front, the cavity, the balances.
 
-use super::Watch;
 use super::cavity::Raster;
+use super::{Watch, remembers};
 use crate::pairs::Fluid;
 use crate::scene::Frame;
 use crate::simulation::outcome::Readings;
@@ -73,6 +73,8 @@ impl Collapse {
 }
 
 impl Watch for Collapse {
+    remembers!(front_at_wall, fronts, cavity_since, closure, impulse, largest_momentum);
+
     /// Books the force of the water on all walls along x over one step.
     fn push(&mut self, force: f64, dt: f64) {
         self.impulse += force * dt;

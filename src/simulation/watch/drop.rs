@@ -1,6 +1,6 @@
 //! Axes and period of a drop that swings between ellipses.
 
-use super::{Watch, half_swings};
+use super::{Watch, half_swings, remembers};
 use crate::pairs::Fluid;
 use crate::simulation::outcome::Readings;
 use crate::theory::elliptic_drop::EllipticDrop;
@@ -42,6 +42,8 @@ fn axes(fluid: &Fluid) -> [f64; 2] {
 }
 
 impl Watch for Drop {
+    remembers!(exact, series, worst, longest, area);
+
     fn sample(&mut self, time: f64, fluid: &Fluid) {
         let [a, b] = axes(fluid);
         let (since, exact) = self.exact;

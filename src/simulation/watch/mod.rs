@@ -19,9 +19,30 @@ pub(super) trait Watch {
     /// Takes a sample at the history's times.
     fn sample(&mut self, time: f64, fluid: &Fluid);
 
+    /// What it remembers of the run so far, as bytes.
+    fn memory(&self) -> Vec<u8>;
+
+    /// Remembers that again.
+    fn recall(&mut self, memory: &[u8]) -> postcard::Result<()>;
+
     /// Tells what there is to tell of the water at its end.
     fn tell(&self, fluid: &Fluid, all: &mut Readings);
 }
+
+/// The fields that an observer remembers: all that change.
+macro_rules! remembers {
+    ($($field:ident),+) => {
+        fn memory(&self) -> Vec<u8> {
+            postcard::to_stdvec(&($(&self.$field,)+)).expect("numbers always serialise")
+        }
+
+        fn recall(&mut self, memory: &[u8]) -> postcard::Result<()> {
+            ($(self.$field,)+) = postcard::from_bytes(memory)?;
+            Ok(())
+        }
+    };
+}
+use remembers;
 
 /// The observer of a scene; none where the measures of every run say it all.
 pub(super) fn of(config: &CaseConfig, tank: &Tank) -> Option<Box<dyn Watch>> {

@@ -1,6 +1,6 @@
 //! Arms and conserved quantities of a patch in free rotation.
 
-use super::{Watch, kinetic_energy};
+use super::{Watch, kinetic_energy, remembers};
 use crate::pairs::Fluid;
 use crate::simulation::outcome::Readings;
 use crate::theory::rotating_patch::RotatingPatch;
@@ -20,6 +20,8 @@ impl Patch {
 }
 
 impl Watch for Patch {
+    remembers!(time);
+
     fn sample(&mut self, time: f64, _: &Fluid) {
         self.time = time;
     }

@@ -1,6 +1,6 @@
 //! Period and decay of a standing wave.
 
-use super::{Watch, half_swings, share_of};
+use super::{Watch, half_swings, remembers, share_of};
 use crate::pairs::Fluid;
 use crate::simulation::outcome::Readings;
 use crate::theory::standing_wave::StandingWave;
@@ -20,6 +20,8 @@ impl Swing {
 }
 
 impl Watch for Swing {
+    remembers!(series);
+
     fn sample(&mut self, time: f64, fluid: &Fluid) {
         let flow = |place| self.wave.velocity(place).map(|part| self.surface_speed * part);
         self.series.push((time, share_of(fluid, flow)));

@@ -1,6 +1,6 @@
 //! Decay of Taylor-Green vortices.
 
-use super::{Watch, kinetic_energy, share_of};
+use super::{Watch, kinetic_energy, remembers, share_of};
 use crate::pairs::Fluid;
 use crate::simulation::outcome::Readings;
 use crate::theory::taylor_green::TaylorGreen;
@@ -20,6 +20,8 @@ impl Vortices {
 }
 
 impl Watch for Vortices {
+    remembers!(last);
+
     fn sample(&mut self, time: f64, fluid: &Fluid) {
         self.last = (time, share_of(fluid, |place| self.flow.velocity(place)));
     }

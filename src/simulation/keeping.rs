@@ -1,0 +1,49 @@
+//! How a run hands over its state, and takes one up.
+
+use super::Monitor;
+use super::failure::{Failure, FailureKind};
+use super::kept::{Kept, hash};
+use super::run::Run;
+use super::state::RunState;
+
+impl Run {
+    /// Goes back to a kept state, in which the wall still stands.
+    pub fn restore(&mut self, state: RunState) {
+        self.tank.water.restore(state.water);
+        self.clock = state.clock;
+        self.logbook = state.logbook;
+    }
+
+    /// Goes back to what an earlier run of the same case has kept.
+    pub fn take_up(&mut self, kept: Kept) -> Result<(), Failure> {
+        self.restore(kept.state);
+        self.tank.wall = kept.wall;
+        let recalled = self.watch.as_mut().map_or(Ok(()), |watch| watch.recall(&kept.watch));
+        recalled.map_err(|error| self.failure(FailureKind::CheckpointUnreadable, error.to_string()))
+    }
+
+    /// All that is needed to go on while the wall still stands.
+    pub fn state(&self) -> RunState {
+        RunState {
+            water: self.tank.water.state(),
+            clock: self.clock,
+            logbook: self.logbook.clone(),
+        }
+    }
+
+    /// Hands its state over where it is to be kept.
+    pub fn keep(&self, monitor: &dyn Monitor, stopping: bool) {
+        let Some(keeper) = monitor.keeper() else { return };
+        if !self.tank.water.can_be_kept() || !keeper.is_due(stopping) {
+            return;
+        }
+        let kept = Kept {
+            hash: hash(&self.config),
+            attempt: self.attempt.clone(),
+            state: self.state(),
+            wall: self.tank.wall,
+            watch: self.watch.as_ref().map_or_else(Vec::new, |watch| watch.memory()),
+        };
+        keeper.keep(postcard::to_stdvec(&kept).expect("a state always serialises"));
+    }
+}
