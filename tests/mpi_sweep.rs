@@ -90,6 +90,57 @@ fn an_interrupted_job_goes_on_with_another_number_of_ranks() {
     }
 }
 
+/// Two walls behind a shared stretch, which take a second or so each.
+const LONG: &str = r#"
+name = "long"
+[scene]
+tank_length_m = 1.0
+wave_gauge_m = 0.5
+end_after_stroke_centre_s = 1.5
+wall = "movable"
+seawall_mass_kg_per_m = 50
+[numerics]
+particle_spacing_m = 0.01
+[grid]
+wave_height_ratio = [0.3, 0.5]
+spring_stiffness_n_per_m = [10, 1e4]
+"#;
+
+#[test]
+fn ranks_take_up_the_cases_of_ranks_that_were_killed() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), LONG);
+    let reference = reference(root.path(), &file);
+    let out = root.path().join("out");
+    let often = ["sweep", "--checkpoint-every-s", "0.05", "--threads", "1", "--out"];
+    let mut told = String::new();
+    for (ranks, checkpoints) in [(3, 2), (2, 1), (4, usize::MAX)] {
+        let mut command = mpirun(ranks);
+        let child = command.args(often).args([&out, &file]);
+        let mut child = child.stderr(std::process::Stdio::piped()).spawn().unwrap();
+        let start = Instant::now();
+        let cases = || {
+            let entries =
+                std::fs::read_dir(out.join("checkpoints")).into_iter().flatten().flatten();
+            entries.filter(|entry| entry.path().extension().is_some_and(|it| it == "case")).count()
+        };
+        while cases() < checkpoints && child.try_wait().unwrap().is_none() {
+            assert!(start.elapsed() < Duration::from_secs(120), "no checkpoints");
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        let _ = child.kill();
+        let output = child.wait_with_output().unwrap();
+        told = String::from_utf8_lossy(&output.stderr).into_owned();
+        std::thread::sleep(Duration::from_millis(500));
+    }
+    assert!(told.contains("checkpoint"), "{told}");
+    assert_same(&reference, &out);
+    assert!(!out.join("checkpoints").exists());
+}
+
 #[test]
 fn only_rank_zero_speaks() {
     if !mpirun_is_there() {

@@ -9,17 +9,18 @@ use super::cost::binary;
 use super::output::Output;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::{
-    Crew, Ending, Interrupt, Progress, Session, Setup, SphRunner, Tally, coordinate, host_name,
-    memory, threads,
+    Crew, Ending, Interrupt, Keeping, Progress, Session, Setup, SphRunner, Tally, coordinate,
+    host_name, memory, threads,
 };
 use crate::film::Filming;
 use crate::math::simd::SimdPath;
 use crate::results::{
     CaseRecord, Directory, Manifest, OpenMode, Opened, Program, RankInfo, Savings, SessionInfo,
-    SweepError, counted, timestamp,
+    SweepError, counted, has_checkpoints, timestamp,
 };
-use crate::simulation::cost;
-use crate::study::{Plan, Study};
+use crate::scene::CaseConfig;
+use crate::simulation::{Cost, cost};
+use crate::study::{CaseId, Plan, Study};
 
 pub(super) struct Job {
     pub(super) study: Study,
@@ -91,11 +92,18 @@ pub(super) fn on_threads(
     job: &Job,
     threads: Option<u16>,
     film: Option<Filming>,
+    checkpoint_every_s: f64,
     output: &Output,
 ) -> anyhow::Result<Done> {
+    if film.is_some() && has_checkpoints(&job.out) {
+        output.note("a film shows a case from its start: what has a checkpoint starts over");
+    }
+    let keep = Keeping::new(&job.out, checkpoint_every_s).filter(|_| film.is_none());
     let interrupt = Interrupt::listen()?;
     let setup = Setup {
-        make_runner: &|resources| Box::new(SphRunner { resources, film: film.clone() }),
+        make_runner: &|resources| {
+            Box::new(SphRunner { resources, film: film.clone(), keep: keep.clone() })
+        },
         threads: threads.map(usize::from),
         interrupt: &interrupt,
     };
@@ -130,6 +138,7 @@ pub(super) fn execute(
     tell_opened(&opened, job, tallies, output);
     if missing == 0 {
         directory.write_tables(study)?;
+        directory.clear_checkpoints()?;
         if Manifest::read(&job.out).is_none() {
             output
                 .note("manifest.json is missing or damaged: made again, without earlier sessions");
@@ -142,7 +151,19 @@ pub(super) fn execute(
         crew.share_threads(missing);
     }
     demand_memory(study, &directory, crew)?;
-    let plan = Plan::new(study, job.branching, cost, |index| directory.runs()[index].is_none());
+    let kept = directory.kept();
+    if !kept.is_empty() {
+        let cases = counted(kept.len(), "checkpoint");
+        output.note(format_args!("{cases} of cases that had begun"));
+    }
+    // A case with a state of its own needs no shared stretch.
+    let cost_left = |config: &CaseConfig| {
+        let cost = cost(config);
+        let alone = !kept.is_empty() && kept.contains(&CaseId::of(config));
+        if alone { Cost { trunk_share: 0.0, ..cost } } else { cost }
+    };
+    let wanted = |index: usize| directory.runs()[index].is_none();
+    let plan = Plan::new(study, job.branching, cost_left, wanted);
     let start = Instant::now();
     let mut manifest = Manifest::new(&job.out, study, &job.overrides, directory.simd());
     if let Some(other) = manifest.other_program() {
@@ -176,6 +197,9 @@ pub(super) fn execute(
         Ok(())
     })?;
     let (ending, savings) = ended.unwrap_or((Ending::Interrupted, Savings::default()));
+    if ending == Ending::Finished {
+        directory.clear_checkpoints()?;
+    }
     let wall_time_s = Some(start.elapsed().as_secs_f64());
     if let Some(session) = manifest.sessions.last_mut() {
         session.ended = Some(timestamp());

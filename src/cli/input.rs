@@ -139,5 +139,14 @@ pub(super) fn scene(path: &Path, settings: &[Setting], words: &[String]) -> anyh
 
 /// The default output directory of a study.
 pub(super) fn default_out(study: &Study) -> PathBuf {
-    Path::new("results").join("runs").join(&study.name)
+    named_out(&study.name)
+}
+
+/// That of a sweep file's study, without its cases; none where the file cannot be read.
+pub(super) fn out_of(path: &Path, settings: &[Setting]) -> Option<PathBuf> {
+    sweep_file(path, settings).ok().map(|file| named_out(&file.name))
+}
+
+fn named_out(name: &str) -> PathBuf {
+    Path::new("results").join("runs").join(name)
 }

@@ -7,6 +7,7 @@ use clap::Args;
 use super::execute::{Job, on_threads};
 use super::failure::BadInput;
 use super::input::{SimdChoice, default_out, read};
+use super::keep::EVERY_S;
 use super::output::Output;
 use crate::accuracy::{Matrix, Trial};
 use crate::execute::Ending;
@@ -78,7 +79,7 @@ pub(super) fn run(args: &MatrixArgs, request: &Request, output: &Output) -> anyh
         simd: SimdChoice::Auto.path(),
         overrides: Vec::new(),
     };
-    let done = on_threads(&job, args.threads, None, output)?;
+    let done = on_threads(&job, args.threads, None, EVERY_S, output)?;
     if done.ending == Ending::Interrupted {
         output.note("interrupted; the same command goes on");
     }

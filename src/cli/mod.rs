@@ -16,6 +16,7 @@ mod film;
 mod glossary;
 mod init;
 mod input;
+mod keep;
 mod matrix;
 mod max_error;
 mod output;
@@ -164,7 +165,7 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         Subcommands::Accuracy(args) => accuracy::main(&args, &output),
         Subcommands::Stress(args) => stress::main(&args, &output),
         Subcommands::Apart => {
-            let runner = |resources| SphRunner { resources, film: None };
+            let runner = |resources, keep| SphRunner { resources, film: None, keep };
             apart::serve(std::io::stdin().lock(), std::io::stdout().lock(), runner)
                 .map(|()| SUCCESS)
         }

@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::execute::{Job, on_threads};
 use super::failure::BadInput;
 use super::input::Setting;
+use super::keep::EVERY_S;
 use super::output::{Output, duration};
 use super::table::Table;
 use super::{INTERRUPTED, SUCCESS, cost};
@@ -84,7 +85,7 @@ pub(super) fn main(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> 
         let cases = counted(study.cases.len(), "case");
         output.note(format_args!("{}: {cases}, about {} in all", run.name, duration(seconds)));
         let job = job(args, run, study, out.join(&run.name), !times);
-        let done = on_threads(&job, threads, None, output)?;
+        let done = on_threads(&job, threads, None, EVERY_S, output)?;
         if done.exit_code() == INTERRUPTED {
             output.note("interrupted: the same command goes on");
             return Ok(INTERRUPTED);

@@ -9,6 +9,7 @@ use super::SUCCESS;
 use super::execute::{Done, Job, on_threads};
 use super::film::{self, ColourChoice};
 use super::input::{Setting, SimdChoice, default_out, scene};
+use super::keep::KeepArgs;
 use super::output::{Output, duration, short};
 use super::table::Table;
 use super::warnings;
@@ -16,7 +17,7 @@ use crate::execute::{Ending, Interrupt};
 use crate::film::{Filming, PageFilm, VtkFilm};
 use crate::quantities::summary::{ALL, DISPLACEMENT_MAX, MEASURED_WAVE_HEIGHT_RATIO};
 use crate::quantities::{Bars, Case, Column, Value, energy};
-use crate::results::{CaseRecord, OpenMode};
+use crate::results::{CaseRecord, OpenMode, has_checkpoints};
 use crate::scene::CaseConfig;
 use crate::simulation::{EnergyBudget, NamedReading, PhaseShare, Resources};
 use crate::study::Study;
@@ -54,6 +55,8 @@ pub(super) struct RunArgs {
     /// the same for any number [default: the processors that it may use].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
+    #[command(flatten)]
+    keep: KeepArgs,
     /// Instruction set of the hot loops.
     #[arg(long, value_enum, default_value_t = SimdChoice::Auto)]
     simd: SimdChoice,
@@ -98,12 +101,16 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         film::demand_small(&job.study.cases[0])?;
     }
     let filming = vtk.or_else(|| page.clone().map(Filming::Page));
-    let done = on_threads(&job, args.threads, filming, output)?;
+    let every_s = args.keep.checkpoint_every_s;
+    let done = on_threads(&job, args.threads, filming, every_s, output)?;
     if args.vtk.is_some() && done.wall_time_s.is_none() {
         output.note("--vtk: nothing was filmed, as nothing was run; --fresh films it");
     }
     if done.ending == Ending::Interrupted {
-        output.note("interrupted: a single scene starts over");
+        output.note(match has_checkpoints(done.directory.path()) {
+            true => "interrupted: the same command goes on from the last checkpoint",
+            false => "interrupted: a single scene starts over",
+        });
     }
     for record in done.records() {
         let text = format!(

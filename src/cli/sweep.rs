@@ -6,12 +6,13 @@ use clap::{Args, ValueEnum};
 
 use super::execute::{Done, Job, execute};
 use super::failure::{BadInput, exit_code};
-use super::input::{Expect, Setting, SimdChoice, default_out, study};
+use super::input::{Expect, Setting, SimdChoice, default_out, out_of, study};
+use super::keep::KeepArgs;
 use super::output::Output;
 use super::overview::told;
 use super::{INTERRUPTED, SUCCESS, check, film, max_error, pick, warnings};
 use crate::accuracy::MaxError;
-use crate::execute::{Crew, Ending, Interrupt, Launcher, Setup, SphRunner, mpi, threads};
+use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
 use crate::film::Colour;
 use crate::results::{OpenMode, counted, write_all_histories};
 use crate::simulation::Resources;
@@ -66,6 +67,8 @@ pub(super) struct SweepArgs {
     /// runs once more for it.
     #[arg(long, value_name = "CASE", default_value = "none")]
     film: Vec<String>,
+    #[command(flatten)]
+    keep: KeepArgs,
     /// Instruction set of the hot loops.
     #[arg(long, value_enum, default_value_t = SimdChoice::Auto)]
     simd: SimdChoice,
@@ -96,7 +99,12 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
     let use_mpi = choose(args.executor, launcher, mpi::AVAILABLE)?;
     let interrupt = Interrupt::listen()?;
     let setup = Setup {
-        make_runner: &|resources| Box::new(SphRunner { resources, film: None }),
+        make_runner: &|resources| {
+            // Every rank finds out for itself where results go.
+            let out = args.out.clone().or_else(|| out_of(&args.file, &args.settings));
+            let keep = out.and_then(|out| Keeping::new(&out, args.keep.checkpoint_every_s));
+            Box::new(SphRunner { resources, film: None, keep })
+        },
         threads: args.threads.map(usize::from),
         interrupt: &interrupt,
     };

@@ -10,6 +10,7 @@ use std::time::Duration;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
+use super::keeping::Keeping;
 use super::runner::{Runner, guarded};
 use crate::scene::CaseConfig;
 use crate::simulation::{
@@ -20,6 +21,8 @@ use crate::simulation::{
 pub const SUBCOMMAND: &str = "apart";
 /// Between two looks at a child.
 const PAUSE: Duration = Duration::from_millis(5);
+/// Between two looks of a child at its parent.
+const WATCH: Duration = Duration::from_millis(100);
 
 /// What a child is to do.
 #[derive(Debug, Serialize, Deserialize)]
@@ -29,11 +32,17 @@ struct Task {
     config: String,
     checkpoint: Option<Vec<u8>>,
     resources: Resources,
+    keep: Option<Keeping>,
 }
 
 /// Runs each piece of work in a child.
-#[derive(Debug, Clone, Copy)]
-pub struct Apart(pub Resources);
+#[derive(Debug, Clone)]
+pub struct Apart {
+    /// What the child may use.
+    pub resources: Resources,
+    /// Whether and where it keeps checkpoints.
+    pub keep: Option<Keeping>,
+}
 
 impl Runner for Apart {
     fn trunk(&self, config: &CaseConfig, monitor: &dyn Monitor) -> Result<TrunkResult, Stopped> {
@@ -60,7 +69,8 @@ impl Apart {
     ) -> Result<T, Stopped> {
         let config = serde_json::to_string(config).expect("a configuration has a JSON form");
         let checkpoint = checkpoint.map(<[u8]>::to_vec);
-        let task = Task { trunk, config, checkpoint, resources: self.0 };
+        let (resources, keep) = (self.resources, self.keep.clone());
+        let task = Task { trunk, config, checkpoint, resources, keep };
         let task = postcard::to_stdvec(&task).expect("a task is plain data");
         let failed = |kind: FailureKind, detail: String| {
             Stopped::Failed(Failure { kind, time_s: 0.0, detail })
@@ -91,6 +101,9 @@ fn start() -> std::io::Result<Child> {
             command.env_remove(&name);
         }
     }
+    // A signal from the terminal is for the parent, which decides what becomes of the child.
+    #[cfg(unix)]
+    std::os::unix::process::CommandExt::process_group(&mut command, 0);
     let pipes = command.arg(SUBCOMMAND).stdin(Stdio::piped()).stdout(Stdio::piped());
     pipes.stderr(Stdio::piped()).spawn()
 }
@@ -135,6 +148,22 @@ fn read_all(pipe: Option<impl Read>) -> Vec<u8> {
     bytes
 }
 
+/// Ends this process soon after the one that has started it: nobody waits for its answer any more, and
+/// the next one to take the work up keeps the same checkpoint.
+#[cfg(unix)]
+fn end_with_parent() {
+    let parent = std::os::unix::process::parent_id();
+    std::thread::spawn(move || {
+        while std::os::unix::process::parent_id() == parent {
+            std::thread::sleep(WATCH);
+        }
+        std::process::exit(1);
+    });
+}
+
+#[cfg(not(unix))]
+fn end_with_parent() {}
+
 /// The child's side: a task from `input`, which the runner that `make_runner` makes does, and its answer to
 /// `output`.
 ///
@@ -143,13 +172,14 @@ fn read_all(pipe: Option<impl Read>) -> Vec<u8> {
 pub fn serve<R: Runner>(
     mut input: impl Read,
     mut output: impl Write,
-    make_runner: impl FnOnce(Resources) -> R,
+    make_runner: impl FnOnce(Resources, Option<Keeping>) -> R,
 ) -> anyhow::Result<()> {
     let mut bytes = Vec::new();
     input.read_to_end(&mut bytes)?;
     let task: Task = postcard::from_bytes(&bytes)?;
     let config: CaseConfig = serde_json::from_str(&task.config)?;
-    let runner = make_runner(task.resources);
+    end_with_parent();
+    let runner = make_runner(task.resources, task.keep);
     let checkpoint = task.checkpoint.as_deref();
     let answer = if task.trunk {
         postcard::to_stdvec(&guarded(|| runner.trunk(&config, &Unwatched)))?
@@ -172,10 +202,10 @@ mod tests {
         let config = CaseConfig::from_tables(&scene, &toml::Table::new()).unwrap();
         let resources = Resources { simd: SimdPath::Portable, threads: 1 };
         let text = serde_json::to_string(&config).unwrap();
-        let task = Task { trunk: false, config: text, checkpoint: None, resources };
+        let task = Task { trunk: false, config: text, checkpoint: None, resources, keep: None };
         let mut answer = Vec::new();
         let task = postcard::to_stdvec(&task).unwrap();
-        serve(&task[..], &mut answer, |_| FakeRunner::default()).unwrap();
+        serve(&task[..], &mut answer, |_, _| FakeRunner::default()).unwrap();
         let answer: Result<CaseResult, Stopped> = postcard::from_bytes(&answer).unwrap();
         assert_eq!(answer, FakeRunner::default().case(&config, None, &Unwatched));
     }

@@ -14,6 +14,7 @@ mod coordinate;
 pub mod fake;
 mod gauge;
 mod interrupt;
+mod keeping;
 mod launcher;
 pub mod memory;
 mod message;
@@ -37,6 +38,7 @@ use crate::simulation::Resources;
 
 pub use coordinate::{Ending, Session, coordinate};
 pub use interrupt::Interrupt;
+pub use keeping::Keeping;
 pub use launcher::Launcher;
 pub use message::{Order, Report};
 pub use progress::{Progress, ProgressStyle, Tally, duration};

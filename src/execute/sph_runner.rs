@@ -1,12 +1,15 @@
 //! The physics, as who does the work.
 
 use super::apart::Apart;
+use super::keeping::Keeping;
 use super::runner::Runner;
 use crate::film::Filming;
+use crate::results::Checkpoint;
 use crate::scene::CaseConfig;
 use crate::simulation::{
     CaseResult, Monitor, Resources, Stopped, TrunkResult, run_case, run_trunk,
 };
+use crate::study::CaseId;
 
 /// The physics.
 #[derive(Debug, Clone)]
@@ -15,11 +18,17 @@ pub struct SphRunner {
     pub resources: Resources,
     /// Whether and how cases are filmed.
     pub film: Option<Filming>,
+    /// Whether and where checkpoints of long cases are kept; not of those that are filmed.
+    pub keep: Option<Keeping>,
 }
 
 impl Runner for SphRunner {
     fn trunk(&self, config: &CaseConfig, monitor: &dyn Monitor) -> Result<TrunkResult, Stopped> {
-        run_trunk(config, self.resources, monitor)
+        let run = |monitor: &dyn Monitor| run_trunk(config, self.resources, monitor);
+        let Some(keep) = &self.keep else { return run(monitor) };
+        let id = CaseId::of(config);
+        let checkpoint = Checkpoint::of_trunk(&keep.directory, id, self.resources.simd);
+        keep.during(checkpoint, monitor, run)
     }
 
     fn case(
@@ -29,13 +38,18 @@ impl Runner for SphRunner {
         monitor: &dyn Monitor,
     ) -> Result<CaseResult, Stopped> {
         let run = |monitor: &dyn Monitor| run_case(config, checkpoint, self.resources, monitor);
-        match &self.film {
-            None => run(monitor),
-            Some(film) => film.shoot(config, monitor, run),
+        match (&self.film, &self.keep) {
+            (None, None) => run(monitor),
+            (Some(film), _) => film.shoot(config, monitor, run),
+            (None, Some(keep)) => {
+                let (id, simd) = (CaseId::of(config), self.resources.simd);
+                keep.during(Checkpoint::of_case(&keep.directory, id, simd), monitor, run)
+            }
         }
     }
 
     fn apart(&self) -> Option<Box<dyn Runner>> {
-        self.film.is_none().then(|| Box::new(Apart(self.resources)) as Box<dyn Runner>)
+        let (resources, keep) = (self.resources, self.keep.clone());
+        self.film.is_none().then(|| Box::new(Apart { resources, keep }) as Box<dyn Runner>)
     }
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use super::error::SweepError;
 
-pub(super) const TEMPORARY: &str = ".partial";
+const TEMPORARY: &str = ".partial";
 
 /// Writes a file so that no reader, and no crash, ever sees a part of it.
 pub(super) fn write(path: &Path, content: &[u8]) -> Result<(), SweepError> {
@@ -40,6 +40,16 @@ fn put(path: &Path, fill: impl FnOnce(&File) -> Result<(), SweepError>) -> Resul
         return Err(error);
     }
     fs::rename(&temporary, path).map_err(SweepError::io(path))
+}
+
+/// Removes from a folder, where there is one, what was left half written.
+pub(super) fn clean(folder: &Path) -> Result<(), SweepError> {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        if entry.file_name().to_string_lossy().ends_with(TEMPORARY) {
+            fs::remove_file(entry.path()).map_err(SweepError::io(&entry.path()))?;
+        }
+    }
+    Ok(())
 }
 
 /// Makes a file's content, or the renames inside a directory, durable.

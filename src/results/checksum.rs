@@ -4,5 +4,12 @@ use sha2::{Digest, Sha256};
 
 /// The start of SHA-256 over some bytes, 16 hex digits.
 pub(super) fn checksum(bytes: &[u8]) -> String {
-    Sha256::digest(bytes)[..8].iter().map(|byte| format!("{byte:02x}")).collect()
+    checksum_of([bytes])
+}
+
+/// The same over pieces, one behind the other.
+pub(super) fn checksum_of<'a>(pieces: impl IntoIterator<Item = &'a [u8]>) -> String {
+    let mut hash = Sha256::new();
+    pieces.into_iter().for_each(|piece| hash.update(piece));
+    hash.finalize()[..8].iter().map(|byte| format!("{byte:02x}")).collect()
 }

@@ -1,5 +1,6 @@
 //! The output directory: whose it is, who may write, and what it already holds.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -12,11 +13,11 @@ use super::journal::{self, Journal};
 use super::lock::Lock;
 use super::opening::{self, Found, look};
 use super::record::CaseRecord;
-use super::{energy, summary};
+use super::{checkpoints, energy, summary};
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::simulation::CaseResult;
-use crate::study::Study;
+use crate::study::{CaseId, Study};
 
 /// Lines and files are on the disk after this time at most.
 const GROUP: Duration = Duration::from_millis(200);
@@ -54,6 +55,10 @@ pub struct Directory {
     cases: usize,
     findings: Vec<String>,
     attempts: Attempts,
+    /// Cases that can go on from a checkpoint of their own.
+    kept: BTreeSet<CaseId>,
+    /// Cases that are recorded, but may not be on the disk yet.
+    recorded: Vec<CaseId>,
 }
 
 impl Directory {
@@ -107,7 +112,13 @@ impl Directory {
             opened = Opened::Resumed(records.iter().flatten().count());
             (journal, header.simd)
         };
+        let finished = records.iter().flatten().map(|record| record.id);
+        checkpoints::tidy(path, finished)?;
+        let (kept, told) = checkpoints::look(path, simd);
+        findings.extend(told);
         let directory = Directory {
+            kept,
+            recorded: Vec::new(),
             attempts: Attempts::open(path)?,
             path: path.to_owned(),
             _lock: lock,
@@ -129,6 +140,19 @@ impl Directory {
     /// What has begun and not ended; see [`Attempts`].
     pub fn attempts(&mut self) -> &mut Attempts {
         &mut self.attempts
+    }
+
+    /// The cases and companions that can go on from a checkpoint of their own.
+    pub fn kept(&self) -> &BTreeSet<CaseId> {
+        &self.kept
+    }
+
+    /// Forgets all checkpoints: everything has run.
+    ///
+    /// # Errors
+    /// A file that cannot be removed.
+    pub fn clear_checkpoints(&self) -> Result<(), SweepError> {
+        checkpoints::clear(&self.path)
     }
 
     /// Makes sure that results still go where they should.
@@ -179,6 +203,7 @@ impl Directory {
         }
         self.journal.record(&record)?;
         let index = record.index;
+        self.recorded.push(record.id);
         self.records[index] = Some(record);
         Ok(())
     }
@@ -189,6 +214,7 @@ impl Directory {
             self.journal.demand_in_place()?;
             self.unsynced.sync(&self.path)?;
             self.journal.sync()?;
+            checkpoints::remove(&self.path, self.recorded.drain(..))?;
         }
         Ok(())
     }

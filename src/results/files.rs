@@ -121,15 +121,8 @@ pub(super) fn any(directory: &Path) -> bool {
 /// Removes what a killed process left half written.
 pub(super) fn clean(directory: &Path) -> Result<(), SweepError> {
     let folders = [HISTORIES, PROBES, READINGS].map(|name| directory.join(name));
-    for path in std::iter::once(directory.to_owned()).chain(folders) {
-        let Ok(entries) = fs::read_dir(&path) else { continue };
-        for entry in entries.flatten() {
-            if entry.file_name().to_string_lossy().ends_with(atomic_file::TEMPORARY) {
-                fs::remove_file(entry.path()).map_err(SweepError::io(&entry.path()))?;
-            }
-        }
-    }
-    Ok(())
+    let all = std::iter::once(directory.to_owned()).chain(folders);
+    all.into_iter().try_for_each(|folder| atomic_file::clean(&folder))
 }
 
 /// Where a case's history is.

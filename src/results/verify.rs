@@ -5,7 +5,7 @@ use std::path::Path;
 use super::error::SweepError;
 use super::manifest::Manifest;
 use super::record::CaseRecord;
-use super::{files, journal, opening, summary};
+use super::{checkpoints, files, journal, opening, summary};
 use crate::study::Study;
 
 /// Everything in a directory that is not as it was written, in words. `records` are those of the study,
@@ -23,6 +23,10 @@ pub fn verify(
     let cases = records[..study.cases.len()].iter().flatten().filter(|record| record.is_ok());
     let damaged = cases.filter_map(|record| files::damage(directory, record.id, &record.files));
     told.extend(damaged.map(|(path, what)| format!("{} {what}", path.display())));
+    let kept = checkpoints::damaged(directory);
+    told.extend(
+        kept.map(|path| format!("{} is damaged: what it is of starts over", path.display())),
+    );
     if !summary_fits(directory, study, records)? {
         told.push("summary.csv is not what the journal says".to_owned());
     }
