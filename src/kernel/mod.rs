@@ -146,18 +146,19 @@ impl KernelChoice {
         if d > 0.0 { 1.0 - beyond } else { beyond }
     }
 
-    /// ⟨|x|⟩/R and ⟨x²⟩/R², weighted with W along a line through the kernel's middle.
-    pub fn line_moments(self) -> [f64; 2] {
+    /// ⟨|x|⟩/R, ⟨x²⟩/R² and ⟨|x + R/2|⟩/R, weighted with W along a line through the kernel's middle.
+    pub fn line_moments(self) -> [f64; 3] {
         const STEPS: u32 = 2000;
-        let (mut weights, mut first, mut second) = (0.0, 0.0, 0.0);
+        let (mut weights, mut first, mut second, mut aside) = (0.0, 0.0, 0.0, 0.0);
         for k in 0..STEPS {
             let q = (f64::from(k) + 0.5) / f64::from(STEPS);
             let w = self.shape_at(q);
             weights += w;
             first += w * q;
             second += w * q * q;
+            aside += w * q.max(0.5); // the mean of |½ + q| and |½ - q|
         }
-        [first / weights, second / weights]
+        [first / weights, second / weights, aside / weights]
     }
 }
 
@@ -229,9 +230,11 @@ mod tests {
 
     #[test]
     fn line_moments_of_wendland_c2_are_those_of_its_polynomial() {
-        // ∫ (1-q)⁴(1+4q) qⁿ dq = 1/3, 1/14, 1/42 for n = 0, 1, 2.
-        let [first, second] = KernelChoice::WendlandC2.line_moments();
+        // ∫ (1-q)⁴(1+4q) qⁿ dq = 1/3, 1/14, 1/42 for n = 0, 1, 2; over q > ½ 1/48 and 11/896 for n = 0, 1.
+        let [first, second, aside] = KernelChoice::WendlandC2.line_moments();
         assert!((first - 3.0 / 14.0).abs() < 1e-6 && (second - 1.0 / 14.0).abs() < 1e-6);
+        let beyond = 3.0 * (11.0 / 896.0 - 0.5 / 48.0);
+        assert!((aside - 0.5 - beyond).abs() < 1e-6, "{aside}");
     }
 
     #[test]

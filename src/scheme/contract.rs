@@ -40,6 +40,12 @@ pub trait Scheme: Debug + Send {
     /// Pressures of the particles at the last [`Scheme::prepare`], Pa.
     fn pressures(&self) -> &[f64];
 
+    /// Rates of change of the particles' densities in the last step, kg/m³/s; none where the water is
+    /// incompressible.
+    fn density_rates(&self) -> Option<&[f64]> {
+        None
+    }
+
     /// The state equation; none where the water is incompressible.
     fn state_equation(&self) -> Option<&StateEquation>;
 
@@ -87,7 +93,8 @@ pub trait Scheme: Debug + Send {
     /// Level of the water at an upright body, metres above the bed.
     fn level_at(&self, body: usize) -> f64;
 
-    /// Level of the free surface at x, metres above the bed, looked for upwards from `from`.
+    /// Level of the free surface at x, metres above the bed, looked for upwards from `from`; upright walls
+    /// mirror the water.
     fn level_in_water(&mut self, x: f64, from: f64) -> f64;
 
     /// Force on a body by integrating the interpolated pressure over its face, N per metre.

@@ -12,6 +12,7 @@ use super::measures::{MEAN_SPAN, Measures};
 use super::outcome::{HistoryRow, ProbeTable};
 use super::probes;
 use super::settling::Liveliness;
+use super::sound::Sound;
 use super::surface::WallLevel;
 use crate::scene::{CaseConfig, Tank};
 
@@ -24,6 +25,8 @@ const LOOK_EVERY: usize = 4;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Logbook {
     pub(super) measures: Measures,
+    /// What is heard of the water's compression, where the force without it can be told.
+    pub(super) sound: Option<Sound>,
     pub(super) gauge: CrestGauge,
     pub(super) ledger: Ledger,
     pub(super) history: Vec<HistoryRow>,
@@ -53,8 +56,11 @@ impl Logbook {
             gravity: frame.acceleration(),
             sound_speed: tank.water.state_equation().map(|_| tank.sound_speed),
         };
+        let sound = Sound::of(tank);
+        let turn = f64::from(config.numerics.acoustic_substeps) * frame.time_step(&config.numerics);
         Logbook {
-            measures: Measures::new(tank.threshold_ratio, acoustics),
+            measures: Measures::new(tank.threshold_ratio, acoustics, sound.as_ref().map(|_| turn)),
+            sound,
             gauge: CrestGauge::default(),
             ledger: Ledger::open(start),
             history: Vec::new(),

@@ -5,7 +5,8 @@ use serde::{Deserialize, Serialize};
 use super::blows::{Acoustics, Blows, Hit};
 use super::first_impact::{FirstImpact, Reading};
 use super::outcome::Maximum;
-use super::window::RunningMean;
+use super::quiet_force::QuietForce;
+use super::sound::Compression;
 
 /// Span of the force's running mean over √(h/g).
 pub(super) const MEAN_SPAN: f64 = 0.07;
@@ -13,12 +14,12 @@ pub(super) const MEAN_SPAN: f64 = 0.07;
 /// Maxima so far.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Measures {
-    mean: RunningMean,
+    quiet: QuietForce,
     /// The first impact.
     pub first: FirstImpact,
     /// Hits on the stop.
     pub blows: Blows,
-    /// Over the whole run: F* (running mean), R*, X*.
+    /// Over the whole run: F* (running mean without sound), R*, X*.
     pub force: Option<Maximum>,
     /// R*.
     pub runup: Option<Maximum>,
@@ -30,14 +31,17 @@ pub struct Measures {
     pub force_raw: Option<f64>,
     /// The last reading's F*, R*, X*.
     pub last: [f64; 3],
+    /// The wall's stops so far.
+    stops: u32,
 }
 
 impl Measures {
-    /// For F_threshold over the hydrostatic force, and the scales of the water.
-    pub fn new(threshold_ratio: f64, acoustics: Acoustics) -> Measures {
+    /// For F_threshold over the hydrostatic force, and the scales of the water. Its compression is told
+    /// once in `turn` seconds, if at all.
+    pub fn new(threshold_ratio: f64, acoustics: Acoustics, turn: Option<f64>) -> Measures {
         let unit_time = (acoustics.depth / acoustics.gravity).sqrt();
         Measures {
-            mean: RunningMean::new(MEAN_SPAN * unit_time),
+            quiet: QuietForce::new(MEAN_SPAN * unit_time, turn),
             first: FirstImpact::new(threshold_ratio, unit_time),
             blows: Blows::new(acoustics),
             force: None,
@@ -46,13 +50,15 @@ impl Measures {
             kicked: false,
             force_raw: None,
             last: [0.0; 3],
+            stops: 0,
         }
     }
 
-    /// Takes one step's readings. What a blow on the stop drowns of the force counts for nothing.
-    pub fn push(&mut self, reading: Reading) {
+    /// Takes one step's readings, and the water's compression where a turn of steps has ended. What a blow on
+    /// the stop drowns of the force counts for nothing.
+    pub fn push(&mut self, reading: Reading, compression: Option<Compression>) {
         let Reading { time, force, runup, displacement, stops } = reading;
-        self.last = [force, runup, displacement];
+        (self.last, self.stops) = ([force, runup, displacement], stops);
         Maximum::raise(&mut self.runup, runup, time);
         self.blows.follow(time, displacement);
         let before = self.displacement;
@@ -61,17 +67,26 @@ impl Measures {
             self.kicked = self.blows.kicked();
         }
         if self.blows.drown(time) {
-            self.mean.clear();
+            self.quiet.clear();
         } else {
             if self.blows.since_audible(time).is_none() {
                 self.force_raw = Some(self.force_raw.map_or(force, |raw| raw.max(force)));
             }
-            if let Some((at, mean)) = self.mean.push(time, force) {
+            if let Some((at, mean)) = self.quiet.push((time, force), compression) {
                 Maximum::raise(&mut self.force, mean, at);
                 self.first.push_force(at, mean, stops);
             }
         }
         self.first.push_motion(&reading);
+    }
+
+    /// Takes note that no reading follows.
+    pub fn finish(&mut self) {
+        let stops = self.stops;
+        self.quiet.finish(|at, mean| {
+            Maximum::raise(&mut self.force, mean, at);
+            self.first.push_force(at, mean, stops);
+        });
     }
 
     /// Takes note that the wall hits its stop in the step of the last reading: it begins at `time`,
@@ -90,11 +105,11 @@ mod tests {
 
     /// Feeds F*, R*, X* and the stops at a time, every millisecond.
     fn feed(threshold: f64, at: impl Fn(f64) -> ([f64; 3], u32)) -> Measures {
-        let mut measures = Measures::new(threshold, WATER);
+        let mut measures = Measures::new(threshold, WATER, None);
         for k in 0..4000 {
             let time = 0.001 * f64::from(k);
             let ([force, runup, x], stops) = at(time);
-            measures.push(Reading { time, force, runup, displacement: x, stops });
+            measures.push(Reading { time, force, runup, displacement: x, stops }, None);
         }
         measures
     }
@@ -189,7 +204,7 @@ mod tests {
     /// A wall that comes back at 1.5 s with `speed`, m/s, in F* = 1 + a bell, and what it meets then:
     /// suction and a rebound to F* = 4, told to be sound or not.
     fn struck(farthest: f64, speed: f64) -> Measures {
-        let mut measures = Measures::new(1.1, WATER);
+        let mut measures = Measures::new(1.1, WATER, None);
         for k in 0..4000 {
             let time = 0.001 * f64::from(k);
             let displacement = if (0.8..1.5).contains(&time) { farthest } else { 0.0 };
@@ -199,7 +214,7 @@ mod tests {
             };
             let force = 1.0 + bell(time, 1.0, 1.0) + sound;
             let stops = u32::from(time >= 1.5);
-            measures.push(Reading { time, force, runup: 0.0, displacement, stops });
+            measures.push(Reading { time, force, runup: 0.0, displacement, stops }, None);
             if k == 1499 {
                 measures.hit(time, 0.001, speed);
             }

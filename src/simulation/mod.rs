@@ -21,11 +21,13 @@ mod outcome;
 #[cfg(test)]
 mod planted;
 mod probes;
+mod quiet_force;
 mod quoted;
 mod readings;
 mod run;
 mod sampling;
 mod settling;
+mod sound;
 mod sounding;
 mod state;
 mod surface;

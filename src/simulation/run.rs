@@ -67,7 +67,9 @@ impl Run {
 
     /// Steps to the end.
     pub fn advance(&mut self, monitor: &dyn Monitor) -> Result<(), Stopped> {
-        self.go(false, monitor).map(|_| ())
+        self.go(false, monitor)?;
+        self.logbook.measures.finish();
+        Ok(())
     }
 
     /// Steps to the last state that all walls share which this one stands for, and hands it over: before

@@ -8,6 +8,7 @@ use super::outcome::{EnergyBudget, HistoryRow};
 use super::probes;
 use super::run::Run;
 use super::sounding::Sounding;
+use super::surface::APART;
 use crate::body::{BodyMotion, Motions, Place};
 use crate::theory::hydrostatics::wall_force;
 
@@ -33,7 +34,7 @@ impl Run {
             let from =
                 (at_wall - 1.5 * radius).max(if toe > 0.0 { toe + 0.5 * radius } else { 0.0 });
             let face = frame.length + wall.unwrap_or_default().displacement;
-            tank.water.level_in_water(face - radius, from)
+            tank.water.level_in_water(face - APART * radius, from)
         });
         logbook.level.feel(clock.time, (acceleration, at_wall), frame.acceleration());
         let runup = logbook.level.over_rest(lens, at_wall, inside);
@@ -44,7 +45,21 @@ impl Run {
             displacement: wall.map_or(0.0, |wall| wall.displacement / depth),
             stops: wall.map_or(0, |wall| wall.stops),
         };
-        logbook.measures.push(reading);
+        let motion = BodyMotion {
+            offset: wall.unwrap_or_default().displacement,
+            velocity: wall.unwrap_or_default().velocity,
+            ..BodyMotion::default()
+        };
+        let compression = logbook.sound.as_mut().and_then(|sound| {
+            let place = (frame.length, motion);
+            sound.hear(
+                tank.water.as_ref(),
+                (clock.time, at_wall),
+                place,
+                (force, tank.static_force),
+            )
+        });
+        logbook.measures.push(reading, compression);
         if let Some(gauge) = tank.wave_gauge {
             let unit = (depth / frame.acceleration()).sqrt();
             if logbook.gauge.is_due(clock.time, frame.history_interval, unit) {

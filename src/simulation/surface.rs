@@ -3,7 +3,8 @@
 //! A level is the height at which a kernel is half full. Where the surface is level that is the
 //! surface. Elsewhere the kernel tells the mean of η over its width, weighted with w(|x|/R) along the
 //! surface: too high by its first moment times the slope beside a wall, and by half its second moment
-//! times the curvature everywhere.
+//! times the curvature everywhere. Slope and curvature come from a second reading half a radius away. A
+//! crest is sharp, and a reading from farther away makes too little of its curvature.
 
 use std::collections::VecDeque;
 
@@ -11,6 +12,8 @@ use super::window::RunningMean;
 use crate::kernel::KernelChoice;
 use crate::scheme::Scheme;
 
+/// The second reading is taken so far away, over R.
+pub(super) const APART: f64 = 0.5;
 /// Water no steeper than this at a wall: an instant's acceleration may be noise.
 const STEEPEST: f64 = 1.0;
 /// The level's own acceleration is found over two stretches of so many times the span of the wall's.
@@ -29,33 +32,35 @@ pub(super) struct Lens {
     first: f64,
     /// ⟨x²⟩/R².
     second: f64,
+    /// ⟨|x + R/2|⟩/R.
+    aside: f64,
 }
 
 impl Lens {
     /// Of a kernel with this support radius, metres.
     pub(super) fn of((kernel, radius): (KernelChoice, f64)) -> Lens {
-        let [first, second] = kernel.line_moments();
-        Lens { radius, first, second }
+        let [first, second, aside] = kernel.line_moments();
+        Lens { radius, first, second, aside }
     }
 
     /// The level of the surface at x, metres above the bed, from three readings.
     pub(super) fn level_in_water(&self, water: &mut dyn Scheme, x: f64, from: f64) -> f64 {
-        let [left, here, right] =
-            [x - self.radius, x, x + self.radius].map(|x| water.level_in_water(x, from));
+        let apart = APART * self.radius;
+        let [left, here, right] = [x - apart, x, x + apart].map(|x| water.level_in_water(x, from));
         self.straightened([left, here, right])
     }
 
-    /// The middle one of three levels, a radius apart, without what the kernel makes of the bend.
+    /// The middle one of three levels, half a radius apart, without what the kernel makes of the bend.
     fn straightened(&self, [left, here, right]: [f64; 3]) -> f64 {
-        here - 0.5 * self.second * (left + right - 2.0 * here)
+        here - 0.5 * self.second / (APART * APART) * (left + right - 2.0 * here)
     }
 
-    /// The level at a wall: `at_wall` as read there, `inside` as read a radius away from it, where
-    /// the surface rises from the wall with this slope.
+    /// The level at a wall: `at_wall` as read there, `inside` as read half a radius away from it, where
+    /// the surface rises from the wall with this slope. The wall mirrors the surface.
     fn at_wall(&self, [at_wall, inside]: [f64; 2], slope: f64) -> f64 {
         let rise = slope * self.radius;
         // ½ η'' R²
-        let bend = inside - at_wall - rise * (1.0 - self.first);
+        let bend = (inside - at_wall - rise * (self.aside - self.first)) / (APART * APART);
         at_wall - self.first * rise - self.second * bend
     }
 }
@@ -112,7 +117,7 @@ impl WallLevel {
     }
 
     /// The level over still water, metres, from what is read at the wall and, where it stands upright,
-    /// a radius away from it.
+    /// half a radius away from it.
     pub(super) fn over_rest(&mut self, lens: &Lens, at_wall: f64, inside: Option<f64>) -> f64 {
         let now = [at_wall, inside.unwrap_or(at_wall)];
         let at_rest = *self.at_rest.get_or_insert(now);
@@ -149,11 +154,12 @@ mod tests {
             let surface = |x: f64| 0.2 + 0.3 * x - 4.0 * x * x;
             let shifted = |by: f64| move |x: f64| surface(x + by);
             let [left, here, right] =
-                [-radius, 0.0, radius].map(|by| read(kernel, radius, shifted(by), false));
+                [-0.5, 0.0, 0.5].map(|by| read(kernel, radius, shifted(by * radius), false));
             assert!((here - 0.2).abs() > 1e-4, "{kernel:?}");
             assert!((lens.straightened([left, here, right]) - 0.2).abs() < 1e-7, "{kernel:?}");
             let at_wall = read(kernel, radius, surface, true);
-            let inside = read(kernel, radius, shifted(radius), false);
+            let mirrored = |x: f64| surface((x + 0.5 * radius).abs());
+            let inside = read(kernel, radius, mirrored, false);
             assert!((at_wall - 0.2).abs() > 1e-3, "{kernel:?}");
             assert!((lens.at_wall([at_wall, inside], 0.3) - 0.2).abs() < 1e-4, "{kernel:?}");
         }
@@ -172,10 +178,10 @@ mod tests {
             falling.feel(time, (2.0, 0.3 + 0.7 * time - 2.5 * time * time), 10.0);
         }
         assert!((falling.slope - 0.4).abs() < 1e-9, "{}", falling.slope);
-        let lens = Lens { radius: 0.1, first: 0.25, second: 0.07 };
+        let lens = Lens { radius: 0.1, first: 0.25, second: 0.07, aside: 0.55 };
         level.over_rest(&lens, 0.2, Some(0.2));
         // A plane surface of that slope is told by the kernel as its mean.
-        let told = level.over_rest(&lens, 0.305, Some(0.32));
+        let told = level.over_rest(&lens, 0.305, Some(0.311));
         assert!((told - 0.1).abs() < 1e-12, "{told}");
         assert_eq!(WallLevel::new(0.01).over_rest(&lens, 0.3, None), 0.0);
     }

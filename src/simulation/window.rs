@@ -22,12 +22,6 @@ impl RunningMean {
         RunningMean { span, filled: false, samples: VecDeque::with_capacity(ROOM) }
     }
 
-    /// Forgets all samples: the next span has to fill anew.
-    pub fn clear(&mut self) {
-        self.samples.clear();
-        self.filled = false;
-    }
-
     /// Takes a sample; returns the mean and the time it belongs to, once the span is filled.
     pub fn push(&mut self, time: f64, value: f64) -> Option<(f64, f64)> {
         self.samples.push_back((time, value));

@@ -10,3 +10,4 @@ pub mod rotating_patch;
 pub mod solitary_wave;
 pub mod standing_wave;
 pub mod taylor_green;
+pub mod wall_potential;

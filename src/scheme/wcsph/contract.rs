@@ -26,6 +26,10 @@ impl Scheme for Wcsph {
         &self.work.pressure
     }
 
+    fn density_rates(&self) -> Option<&[f64]> {
+        Some(&self.work.carried.density_rate)
+    }
+
     fn state_equation(&self) -> Option<&StateEquation> {
         Some(&self.options.state)
     }

@@ -39,11 +39,16 @@ impl Wcsph {
     }
 
     /// Level of the free surface at x, metres above the bed: upwards from `from`, the first
-    /// height at which the kernel's coverage Σ W V falls to 1/2.
+    /// height at which the kernel's coverage Σ W V falls to 1/2. Upright walls mirror the water.
     pub fn level_in_water(&mut self, x: f64, from: f64) -> f64 {
         let radius = self.options.support_radius;
         let margin = GHOST_MARGIN * self.options.spacing;
         let factor = self.options.kernel.normalisation() / (radius * radius);
+        let bodies = self.ghosts.bodies.iter().zip(&self.held_bodies);
+        let face = bodies
+            .map(|(body, motion)| body.plane.moved(motion.offset))
+            .find(|plane| plane.normal[1] == 0.0 && (plane.point[0] - x).abs() < radius)
+            .map(|plane| plane.point[0]);
         let near = &mut self.column;
         near.clear();
         let reach = radius + margin;
@@ -51,6 +56,10 @@ impl Wcsph {
             for k in range.filter(|&k| (self.fluid.x[k] - x).abs() < radius) {
                 let volume = self.fluid.mass[k] / self.fluid.density[k];
                 near.push((self.fluid.x[k] - x) / radius, self.fluid.y[k] / radius, volume);
+                let image = face.map(|face| 2.0 * face - self.fluid.x[k] - x);
+                if let Some(image) = image.filter(|image| image.abs() < radius) {
+                    near.push(image / radius, self.fluid.y[k] / radius, volume);
+                }
             }
         });
         let (path, kernel) = (self.pairs.path, self.options.kernel);

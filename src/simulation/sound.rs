@@ -1,0 +1,126 @@
+//! What the compression of the water adds to the force on an upright wall.
+//!
+//! The divergence of the equation of motion is ∇²p = -ρ tr(∇u)² - ρ D(∇·u)/Dt. In incompressible water
+//! the last term is zero. In weakly compressible water it is D²ρ/Dt². Multiply by the potential φ of a
+//! wall that begins to move ([`wall_potential`]) and integrate over the water. By Green's theorem the
+//! last term adds
+//! ```text
+//! ΔF = -∫ φ D²ρ/Dt² dV = -(d/dt Σ V φ Dρ/Dt - Σ V Dφ/Dt Dρ/Dt)
+//! ```
+//! to the force. At the largest force of a steep wave it is some percent of it, in proportion to
+//! 1/c0². φ is that of level water as deep as the water within φ's own reach is in the mean.
+
+use serde::{Deserialize, Serialize};
+
+use crate::body::BodyMotion;
+use crate::scene::Tank;
+use crate::scheme::Scheme;
+use crate::theory::wall_potential::wall_potential;
+
+/// The first mode of φ falls by a factor of e over this distance from the wall, over the depth: 2/π.
+const REACH: f64 = std::f64::consts::FRAC_2_PI;
+/// Water that presses less than this, over ρgh²/2, makes no sound to speak of.
+const QUIET: f64 = 1.1;
+/// φ counts this far from the wall, over the depth.
+const FARTHEST: f64 = 3.0;
+
+/// The mean of both sums over the steps from one full step to the next.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Compression {
+    /// The middle of these steps, s.
+    pub time: f64,
+    /// Σ V φ Dρ/Dt over ρgh²/2, s.
+    pub rate: f64,
+    /// Σ V Dφ/Dt Dρ/Dt over ρgh²/2.
+    pub carried: f64,
+}
+
+/// Listens to the water in front of a wall, from one full step to the next.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Sound {
+    /// Depth of the water at the last step, m, and how fast it rises, m/s.
+    depth: Option<[f64; 2]>,
+    last: f64,
+    /// Sums of time, rate and carried over so many steps.
+    sums: [f64; 3],
+    steps: u32,
+}
+
+impl Sound {
+    /// For an upright wall over a flat bed that waves hit, in water that can be compressed.
+    pub(super) fn of(tank: &Tank) -> Option<Sound> {
+        let level = tank.water.walls().profile.is_none();
+        let waves = tank.wave_gauge.is_some() && tank.upright();
+        (level && waves && tank.water.density_rates().is_some()).then(Sound::default)
+    }
+
+    /// Listens in a step in which the water presses the wall with `force`, in loud ones only; both
+    /// forces in N per metre of width. See `listen`.
+    pub(super) fn hear(
+        &mut self,
+        water: &dyn Scheme,
+        now: (f64, f64),
+        wall: (f64, BodyMotion),
+        (force, static_force): (f64, f64),
+    ) -> Option<Compression> {
+        if force > QUIET * static_force {
+            return self.listen(water, now, wall, static_force);
+        }
+        *self = Sound::default();
+        None
+    }
+
+    /// Takes a step's readings at `time`, s, at the wall whose face at rest is at `face`, m. `level` is where
+    /// the water stands there, m. At the end of a turn of steps it tells their mean, over `scale`, N/m.
+    fn listen(
+        &mut self,
+        water: &dyn Scheme,
+        (time, level): (f64, f64),
+        (face, wall): (f64, BodyMotion),
+        scale: f64,
+    ) -> Option<Compression> {
+        let rates = water.density_rates()?;
+        let turn = self.take_turn(water.can_be_kept(), scale);
+        let before = self.depth.map_or(level, |[depth, _]| depth).max(f64::MIN_POSITIVE);
+        let face = face + wall.offset;
+        let depth = mean_depth(water, face, REACH * before);
+        let rising = self.depth.map_or(0.0, |_| (depth - before) / (time - self.last));
+        (self.depth, self.last) = (Some([depth, rising]), time);
+        let fluid = water.fluid();
+        let (mut rate, mut carried) = (0.0, 0.0);
+        for k in 0..fluid.len() {
+            let (xi, eta) = ((face - fluid.x[k]) / depth, fluid.y[k] / depth);
+            if xi > FARTHEST {
+                continue;
+            }
+            let [value, along, up] = wall_potential(xi, eta);
+            let growth = fluid.mass[k] / fluid.density[k] * rates[k];
+            rate += growth * value * depth;
+            let moved = along * (wall.velocity - fluid.vx[k]) + up * fluid.vy[k];
+            carried += growth * (moved + (value - xi * along - eta * up) * rising);
+        }
+        for (sum, part) in self.sums.iter_mut().zip([time, rate, carried]) {
+            *sum += part;
+        }
+        self.steps += 1;
+        turn
+    }
+
+    /// The mean of the steps since the last full one, if the coming step is a full one.
+    fn take_turn(&mut self, full: bool, scale: f64) -> Option<Compression> {
+        if !full {
+            return None;
+        }
+        let steps = f64::from(std::mem::take(&mut self.steps));
+        let [time, rate, carried] = std::mem::take(&mut self.sums).map(|sum| sum / steps);
+        let told = Compression { time, rate: rate / scale, carried: carried / scale };
+        (steps > 0.0).then_some(told)
+    }
+}
+
+/// The mean depth of the water up to this far from the wall, m.
+fn mean_depth(water: &dyn Scheme, face: f64, width: f64) -> f64 {
+    let fluid = water.fluid();
+    let near = (0..fluid.len()).filter(|&k| fluid.x[k] > face - width);
+    near.map(|k| fluid.mass[k] / fluid.density[k]).sum::<f64>() / width
+}
