@@ -9,6 +9,7 @@ mod check;
 mod compare;
 mod completions;
 mod cost;
+mod ending;
 mod execute;
 mod explain;
 mod failure;

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 
+use super::ending::EndingArgs;
 use super::execute::{Done, Job, execute};
 use super::failure::{BadInput, exit_code};
 use super::input::{Expect, Setting, SimdChoice, default_out, out_of, study};
@@ -69,6 +70,8 @@ pub(super) struct SweepArgs {
     film: Vec<String>,
     #[command(flatten)]
     keep: KeepArgs,
+    #[command(flatten)]
+    ending: EndingArgs,
     /// Instruction set of the hot loops.
     #[arg(long, value_enum, default_value_t = SimdChoice::Auto)]
     simd: SimdChoice,
@@ -109,11 +112,10 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
         interrupt: &interrupt,
     };
     let lead = |crew: &mut dyn Crew| {
-        exit_code(
-            lead(args, output, crew, &interrupt),
-            Launcher { rank: 0, ..launcher },
-            output.is_json(),
-        )
+        let result = lead(args, output, crew, &interrupt);
+        let code = exit_code(result, Launcher { rank: 0, ..launcher }, output.is_json());
+        args.ending.end(code);
+        code
     };
     if use_mpi { Ok(mpi::with_crew(&setup, lead)?) } else { Ok(threads::with_crew(&setup, lead)) }
 }
@@ -160,6 +162,7 @@ fn lead(
         simd: args.simd.path(),
         overrides: args.settings.iter().map(|setting| setting.text.clone()).collect(),
     };
+    args.ending.begin(&job.out)?;
     let mut done = execute(&job, crew, interrupt, output)?;
     while let Some(aim) = aim.as_ref().filter(|_| done.ending == Ending::Finished) {
         let Some(finer) = max_error::refine(aim, &job.study, &done, output) else { break };
