@@ -4,11 +4,13 @@
 mod common;
 
 use std::collections::BTreeMap;
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant, SystemTime};
 
-use common::job::{LONG, kill_all, mpirun, mpirun_is_there};
+use common::job::{LONG, kill_all, mpirun, mpirun_is_there, rank, signal};
 use common::{TINY, TINY_CASES, assert_same, expect_code, journal_lines, run, write_file};
 
 fn reference(root: &Path, file: &Path) -> std::path::PathBuf {
@@ -124,6 +126,97 @@ fn expect_taken_up(told: &[u8], checkpoints: usize) {
     let noun = if checkpoints == 1 { "checkpoint" } else { "checkpoints" };
     let words = format!("{checkpoints} {noun} of cases that had begun");
     assert_eq!(told.contains(&words), checkpoints > 0, "{words}: {told}");
+}
+
+/// Takes what a child tells until these words come.
+fn hear(lines: &Receiver<String>, words: &str) {
+    let mut told = Vec::new();
+    while !told.last().is_some_and(|line: &String| line.contains(words)) {
+        let line = lines.recv_timeout(Duration::from_secs(60));
+        told.push(line.unwrap_or_else(|_| panic!("{words} was not told: {told:#?}")));
+    }
+}
+
+#[test]
+fn a_rank_that_hangs_is_named() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), LONG);
+    let reference = reference(root.path(), &file);
+    let out = root.path().join("out");
+    let command = ["sweep", "--threads", "1", "--hung-after-s", "2", "--out"];
+    let mut child = mpirun(3);
+    let child = child.args(command).args([&out, &file]).stderr(Stdio::piped());
+    let mut child = child.spawn().unwrap();
+    let (sender, lines) = channel();
+    let stderr = BufReader::new(child.stderr.take().unwrap());
+    let reader = std::thread::spawn(move || {
+        stderr.lines().map_while(Result::ok).try_for_each(|line| sender.send(line)).is_ok()
+    });
+    hear(&lines, "4 cases on 3 MPI ranks");
+    for number in [2, 0] {
+        let process = rank(&out, number);
+        signal(process, "STOP");
+        hear(&lines, &format!("warning: rank {number} "));
+        signal(process, "CONT");
+        hear(&lines, "is heard again");
+    }
+    assert!(child.wait().unwrap().success());
+    assert!(reader.join().is_ok());
+    assert_same(&reference, &out);
+}
+
+#[test]
+fn a_rank_that_dies_ends_the_job_and_nothing_is_lost() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), LONG);
+    let reference = reference(root.path(), &file);
+    for number in [0, 2] {
+        let out = root.path().join(format!("out{number}"));
+        let mut command = mpirun(3);
+        let mut child =
+            command.args(["sweep", "--quiet", "--out"]).args([&out, &file]).spawn().unwrap();
+        let start = Instant::now();
+        while journal_lines(&out) < 1 {
+            assert!(start.elapsed() < Duration::from_secs(120), "the sweep does not begin");
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        signal(rank(&out, number), "KILL");
+        let killed = Instant::now();
+        assert!(!child.wait().unwrap().success());
+        assert!(killed.elapsed() < Duration::from_secs(10), "{:?}", killed.elapsed());
+        kill_all(&out);
+        assert!(journal_lines(&out) < 5, "it was done before");
+        let output = mpirun(2).args(["sweep", "--out"]).args([&out, &file]).output().unwrap();
+        expect_code(&output, 0);
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(!told.contains("damaged"), "{told}");
+        assert_same(&reference, &out);
+    }
+}
+
+#[test]
+fn ranks_with_other_arguments_are_refused_by_name() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let out = root.path().join("out");
+    let seawall = env!("CARGO_BIN_EXE_seawall");
+    let mut command = mpirun(1);
+    command.args(["sweep", "--out"]).args([&out, &file]).arg(":");
+    command.args(["-n", "1", seawall, "sweep", "--threads", "2", "--out"]).args([&out, &file]);
+    let output = command.output().unwrap();
+    expect_code(&output, 70);
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(told.contains("rank 1 on ") && told.contains("other arguments than rank 0"), "{told}");
+    assert!(!out.exists());
 }
 
 #[test]

@@ -9,7 +9,7 @@ use std::path::PathBuf;
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-use common::job::{LONG, mpirun_is_there, processes};
+use common::job::{LONG, mpirun_is_there, processes, signal};
 use common::{TINY, TINY_CASES, assert_same, expect_code, journal_lines, run, write_file};
 
 /// A place with a sweep file.
@@ -82,10 +82,6 @@ impl Room {
     fn launcher(&self) -> u32 {
         *self.named("mpirun").last().expect("there is no mpirun")
     }
-}
-
-fn signal(process: u32, name: &str) {
-    Command::new("kill").args([&format!("-{name}"), &process.to_string()]).status().unwrap();
 }
 
 fn ended(child: Child) -> Output {

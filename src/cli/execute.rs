@@ -1,7 +1,7 @@
 //! Running a study in its output directory: what `sweep` and `run` have in common.
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
@@ -106,6 +106,7 @@ pub(super) fn on_threads(
         },
         threads: threads.map(usize::from),
         interrupt: &interrupt,
+        patience: Duration::MAX,
     };
     Ok(threads::with_crew(&setup, |crew| execute(job, crew, &interrupt, output))?)
 }

@@ -1,6 +1,7 @@
 //! `seawall sweep`: runs all cases of a sweep file.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 
@@ -68,6 +69,9 @@ pub(super) struct SweepArgs {
     /// runs once more for it.
     #[arg(long, value_name = "CASE", default_value = "none")]
     film: Vec<String>,
+    /// Under MPI, name a rank that has not been heard of for so long, seconds.
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = patience)]
+    hung_after_s: f64,
     #[command(flatten)]
     keep: KeepArgs,
     #[command(flatten)]
@@ -78,6 +82,11 @@ pub(super) struct SweepArgs {
     /// Set a value by its path, such as numerics.boundary=improved-shepard; repeatable.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<Setting>,
+}
+
+fn patience(text: &str) -> Result<f64, String> {
+    let value = text.parse::<f64>().ok().filter(|value| (1.0..=1e6).contains(value));
+    value.ok_or_else(|| "must be a number of seconds from 1 to 1e6".to_owned())
 }
 
 /// Who does the work.
@@ -110,6 +119,7 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
         },
         threads: args.threads.map(usize::from),
         interrupt: &interrupt,
+        patience: Duration::from_secs_f64(args.hung_after_s),
     };
     let lead = |crew: &mut dyn Crew| {
         let result = lead(args, output, crew, &interrupt);

@@ -34,6 +34,7 @@ pub use again::{finished, first_difference};
 pub use all_histories::write_all_histories;
 pub use attempts::Attempts;
 pub use checkpoints::{Checkpoint, has_checkpoints};
+pub(crate) use checksum::checksum_of;
 pub use clock::timestamp;
 pub use directory::{Directory, OpenMode, Opened};
 pub use entries::{Content, Header};

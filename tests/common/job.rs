@@ -66,3 +66,18 @@ pub fn kill_all(of: &Path) {
         std::thread::sleep(Duration::from_millis(5));
     }
 }
+
+/// The process that is this rank of a job.
+pub fn rank(of: &Path, number: usize) -> u32 {
+    let variable = format!("OMPI_COMM_WORLD_RANK={number}");
+    let is = |process: &u32| {
+        let told = std::fs::read(format!("/proc/{process}/environ")).unwrap_or_default();
+        told.split(|&byte| byte == 0).any(|word| word == variable.as_bytes())
+    };
+    processes(of).into_iter().find(is).expect("there is no such rank")
+}
+
+/// Sends a signal.
+pub fn signal(process: u32, name: &str) {
+    Command::new("kill").args([&format!("-{name}"), &process.to_string()]).status().unwrap();
+}
