@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::cost::binary;
 use super::output::Output;
+use super::shown;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::{
     Crew, Ending, Interrupt, Keeping, Progress, Session, Setup, SphRunner, Tally, coordinate,
@@ -74,8 +75,8 @@ impl Done {
     pub(super) fn json(&self, job: &Job, report: Option<&Path>) -> Value {
         json!({
             "name": job.study.name,
-            "out": self.directory.path(),
-            "report": report,
+            "out": shown::path(self.directory.path()),
+            "report": report.map(shown::path),
             "cases": job.study.cases.len(),
             "ok": self.records().count() - self.failed(),
             "failed": self.failed(),
