@@ -241,7 +241,7 @@ fn value(directories: [&Path; 2], comparison: &Comparison, files: Option<&[PathB
         json!({ "section": key.section, "key": key.key, "a": key.values[0], "b": key.values[1] })
     });
     json!({
-        "directories": directories.map(|directory| shown::path(directory)),
+        "directories": directories.map(shown::path),
         "names": comparison.names,
         "pairs": comparison.pairs.len(),
         "only_in_a": comparison.only[0],
