@@ -84,6 +84,14 @@ fn bad_input_is_told_in_plain_words_and_nothing_is_written() {
             "this file has 8 cases, and `seawall run` takes one: name it by the values of the swept \
              keys, as in `seawall run FILE wave_height_ratio=0.4 spring_stiffness_n_per_m=10",
         ),
+        (
+            &["check", "scene.toml", "--set", "scene.end_time_s=1e300"],
+            "scene.toml: scene.end_time_s = 1e300: would take 2.5e302 steps, and 1e13 are the most",
+        ),
+        (
+            &["sweep", "tiny.toml", "--set", "grid.wave_height_ratio=[1e-308]"],
+            "steps, and 1e13 are the most; where no end_time_s is given, a low wave is a long one",
+        ),
         (&["run", "tiny.toml", "wave_height_ratio=0.4"], "4 cases fit; say which one by spring_"),
     ] {
         let (output, names) = in_directory(arguments);
@@ -92,6 +100,59 @@ fn bad_input_is_told_in_plain_words_and_nothing_is_written() {
         assert!(told.contains(words) && !told.contains("os error"), "{arguments:?}: {told}");
         assert_eq!(names, ["empty", "plain", "scene.toml", "tiny.toml"], "{arguments:?}");
     }
+}
+
+/// Escape characters used to reach the terminal as they are, and a value of 5,000 characters filled it.
+#[test]
+fn messages_are_text_and_short() {
+    let long = format!("scene.wall=\"{}\"", "x".repeat(5000));
+    let long_key = format!("scene.{}=1", "x".repeat(5000));
+    for arguments in [
+        &["check", "scene.toml", "--set", "scene.wall=\"\u{1b}[31mred\""][..],
+        &["check", "scene.toml", "--set", "scene.\u{1b}[31mred=1"],
+        &["check", "\u{1b}[31mred"],
+        &["status", "\u{1b}[31mred"],
+        &["check", "scene.toml", "--set", &long],
+        &["check", "scene.toml", "--set", &long_key],
+        &["sweep", "scene.toml", "--max-error", "\u{1b}[31mred"],
+        &["sweep", "scene.toml", "--threads", &long],
+        &["sweep", "scene.toml", &long],
+    ] {
+        for more in [&[][..], &["--format", "json"]] {
+            let (output, _) = in_directory(&[arguments, more].concat());
+            expect_code(&output, 2);
+            let words = told(&output.stderr);
+            assert!(
+                !words.contains('\u{1b}') && words.contains("error: "),
+                "{arguments:?}: {words}"
+            );
+            assert!(words.len() < 1500, "{arguments:?}: {} characters", words.len());
+            assert!(!told(&output.stdout).contains('\u{1b}'), "{arguments:?}");
+        }
+    }
+}
+
+/// A path that is no UTF-8 text used to end everything once it was computed.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_path_that_is_no_text_is_a_path() {
+    use std::os::unix::ffi::OsStrExt;
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let out = root.path().join(std::ffi::OsStr::from_bytes(b"o\xffut"));
+    for command in ["sweep", "report", "status", "verify"] {
+        let mut run = seawall();
+        run.args([command, "--format", "json"]);
+        match command {
+            "sweep" => run.arg(&file).arg("--out").arg(&out),
+            _ => run.arg(&out),
+        };
+        let output = run.output().unwrap();
+        expect_code(&output, 0);
+        let value: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert!(value.is_object(), "{command}");
+    }
+    assert!(out.join("report.html").is_file());
 }
 
 #[test]
@@ -137,6 +198,7 @@ fn odd_values_are_warned_of_and_taken() {
             "scene.history_interval_s=1e-9",
             "scene.history_interval_s = 0.000000001: is much shorter",
         ),
+        ("scene.end_time_s=1e-308", "the case ends before its second step"),
         ("scene.end_time_s=1e9", "the longest case ends at 1000000000 s, after 2.5e11 steps"),
     ] {
         for text in warnings_of(setting) {

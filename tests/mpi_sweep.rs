@@ -3,32 +3,15 @@
 
 mod common;
 
-use std::path::Path;
-use std::process::Command;
-use std::time::{Duration, Instant};
+use std::collections::BTreeMap;
+use std::io::{BufRead, BufReader};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::mpsc::{Receiver, channel};
+use std::time::{Duration, Instant, SystemTime};
 
+use common::job::{LONG, kill_all, mpirun, mpirun_is_there, rank, signal};
 use common::{TINY, TINY_CASES, assert_same, expect_code, journal_lines, run, write_file};
-
-/// `mpirun` as it works for root, in a container, with more ranks than cores.
-fn mpirun(ranks: usize) -> Command {
-    let mut command = Command::new("mpirun");
-    command
-        .args(["-n", &ranks.to_string(), "--oversubscribe", "--bind-to", "none"])
-        .arg(env!("CARGO_BIN_EXE_seawall"))
-        .env("OMPI_ALLOW_RUN_AS_ROOT", "1")
-        .env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
-        .env("OMPI_MCA_btl_vader_single_copy_mechanism", "none");
-    command
-}
-
-/// False, with a line that says so, where there is no mpirun.
-fn mpirun_is_there() -> bool {
-    let there = Command::new("mpirun").arg("--version").output().is_ok();
-    if !there {
-        println!("skipped: no mpirun");
-    }
-    there
-}
 
 fn reference(root: &Path, file: &Path) -> std::path::PathBuf {
     let out = root.join("reference");
@@ -90,22 +73,18 @@ fn an_interrupted_job_goes_on_with_another_number_of_ranks() {
     }
 }
 
-/// Two walls behind a shared stretch, which take a second or so each.
-const LONG: &str = r#"
-name = "long"
-[scene]
-tank_length_m = 1.0
-wave_gauge_m = 0.5
-end_after_stroke_centre_s = 1.5
-wall = "movable"
-seawall_mass_kg_per_m = 50
-[numerics]
-particle_spacing_m = 0.01
-[grid]
-wave_height_ratio = [0.3, 0.5]
-spring_stiffness_n_per_m = [10, 1e4]
-"#;
+/// When each checkpoint of a case was written.
+fn checkpoints(out: &Path) -> BTreeMap<PathBuf, SystemTime> {
+    let entries = std::fs::read_dir(out.join("checkpoints")).into_iter().flatten().flatten();
+    let cases = entries.filter(|entry| entry.path().extension().is_some_and(|it| it == "case"));
+    // One may be replaced or removed meanwhile.
+    cases
+        .filter_map(|entry| Some((entry.path(), entry.metadata().ok()?.modified().ok()?)))
+        .collect()
+}
 
+/// This test failed at times: it took a checkpoint of the round before for one of its own, and ranks that
+/// outlived their launcher finished the sweep before the last round.
 #[test]
 fn ranks_take_up_the_cases_of_ranks_that_were_killed() {
     if !mpirun_is_there() {
@@ -116,29 +95,128 @@ fn ranks_take_up_the_cases_of_ranks_that_were_killed() {
     let reference = reference(root.path(), &file);
     let out = root.path().join("out");
     let often = ["sweep", "--checkpoint-every-s", "0.05", "--threads", "1", "--out"];
-    let mut told = String::new();
-    for (ranks, checkpoints) in [(3, 2), (2, 1), (4, usize::MAX)] {
+    for (ranks, wanted) in [(3, 2), (2, 1)] {
+        let before = checkpoints(&out);
         let mut command = mpirun(ranks);
         let child = command.args(often).args([&out, &file]);
-        let mut child = child.stderr(std::process::Stdio::piped()).spawn().unwrap();
+        let mut child = child.stderr(Stdio::piped()).spawn().unwrap();
         let start = Instant::now();
-        let cases = || {
-            let entries =
-                std::fs::read_dir(out.join("checkpoints")).into_iter().flatten().flatten();
-            entries.filter(|entry| entry.path().extension().is_some_and(|it| it == "case")).count()
-        };
-        while cases() < checkpoints && child.try_wait().unwrap().is_none() {
+        let is_new = |(path, time): &(PathBuf, SystemTime)| before.get(path) != Some(time);
+        while checkpoints(&out).into_iter().filter(is_new).count() < wanted {
+            assert!(child.try_wait().unwrap().is_none(), "it ended before it was killed");
             assert!(start.elapsed() < Duration::from_secs(120), "no checkpoints");
             std::thread::sleep(Duration::from_millis(2));
         }
-        let _ = child.kill();
-        let output = child.wait_with_output().unwrap();
-        told = String::from_utf8_lossy(&output.stderr).into_owned();
-        std::thread::sleep(Duration::from_millis(500));
+        kill_all(&out);
+        let told = child.wait_with_output().unwrap().stderr;
+        expect_taken_up(&told, before.len());
     }
-    assert!(told.contains("checkpoint"), "{told}");
+    let left = checkpoints(&out).len();
+    assert!(left > 0);
+    let output = mpirun(4).args(often).args([&out, &file]).output().unwrap();
+    expect_code(&output, 0);
+    expect_taken_up(&output.stderr, left);
     assert_same(&reference, &out);
     assert!(!out.join("checkpoints").exists());
+}
+
+/// Fails where another number of checkpoints was taken up.
+fn expect_taken_up(told: &[u8], checkpoints: usize) {
+    let told = String::from_utf8_lossy(told);
+    let noun = if checkpoints == 1 { "checkpoint" } else { "checkpoints" };
+    let words = format!("{checkpoints} {noun} of cases that had begun");
+    assert_eq!(told.contains(&words), checkpoints > 0, "{words}: {told}");
+}
+
+/// Takes what a child tells until these words come.
+fn hear(lines: &Receiver<String>, words: &str) {
+    let mut told = Vec::new();
+    while !told.last().is_some_and(|line: &String| line.contains(words)) {
+        let line = lines.recv_timeout(Duration::from_secs(60));
+        told.push(line.unwrap_or_else(|_| panic!("{words} was not told: {told:#?}")));
+    }
+}
+
+#[test]
+fn a_rank_that_hangs_is_named() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), LONG);
+    let reference = reference(root.path(), &file);
+    let out = root.path().join("out");
+    let command = ["sweep", "--threads", "1", "--hung-after-s", "2", "--out"];
+    let mut child = mpirun(3);
+    let child = child.args(command).args([&out, &file]).stderr(Stdio::piped());
+    let mut child = child.spawn().unwrap();
+    let (sender, lines) = channel();
+    let stderr = BufReader::new(child.stderr.take().unwrap());
+    let reader = std::thread::spawn(move || {
+        stderr.lines().map_while(Result::ok).try_for_each(|line| sender.send(line)).is_ok()
+    });
+    hear(&lines, "4 cases on 3 MPI ranks");
+    for number in [2, 0] {
+        let process = rank(&out, number);
+        signal(process, "STOP");
+        hear(&lines, &format!("warning: rank {number} "));
+        signal(process, "CONT");
+        hear(&lines, "is heard again");
+    }
+    assert!(child.wait().unwrap().success());
+    assert!(reader.join().is_ok());
+    assert_same(&reference, &out);
+}
+
+#[test]
+fn a_rank_that_dies_ends_the_job_and_nothing_is_lost() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), LONG);
+    let reference = reference(root.path(), &file);
+    for number in [0, 2] {
+        let out = root.path().join(format!("out{number}"));
+        let mut command = mpirun(3);
+        let mut child =
+            command.args(["sweep", "--quiet", "--out"]).args([&out, &file]).spawn().unwrap();
+        let start = Instant::now();
+        while journal_lines(&out) < 1 {
+            assert!(start.elapsed() < Duration::from_secs(120), "the sweep does not begin");
+            std::thread::sleep(Duration::from_millis(2));
+        }
+        signal(rank(&out, number), "KILL");
+        let killed = Instant::now();
+        assert!(!child.wait().unwrap().success());
+        assert!(killed.elapsed() < Duration::from_secs(10), "{:?}", killed.elapsed());
+        kill_all(&out);
+        assert!(journal_lines(&out) < 5, "it was done before");
+        let output = mpirun(2).args(["sweep", "--out"]).args([&out, &file]).output().unwrap();
+        expect_code(&output, 0);
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(!told.contains("damaged"), "{told}");
+        assert_same(&reference, &out);
+    }
+}
+
+#[test]
+fn ranks_with_other_arguments_are_refused_by_name() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let out = root.path().join("out");
+    let seawall = env!("CARGO_BIN_EXE_seawall");
+    let mut command = mpirun(1);
+    command.args(["sweep", "--out"]).args([&out, &file]).arg(":");
+    command.args(["-n", "1", seawall, "sweep", "--threads", "2", "--out"]).args([&out, &file]);
+    let output = command.output().unwrap();
+    expect_code(&output, 70);
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(told.contains("rank 1 on ") && told.contains("other arguments than rank 0"), "{told}");
+    assert!(!out.exists());
 }
 
 #[test]

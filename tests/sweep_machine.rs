@@ -53,6 +53,7 @@ fn sweep(out: &Path, study: &Study, run: &Run) -> (Ending, Savings) {
         make_runner: &|_| Box::new(runner),
         threads: Some(run.threads),
         interrupt: &run.interrupt,
+        patience: std::time::Duration::MAX,
     };
     threads::with_crew(&setup, |crew| {
         let simd = SimdPath::Portable;

@@ -3,7 +3,8 @@
 # Everything said goes to stderr, one line each, so that a program's own output stays clean.
 #
 # SEAWALL_BINARY=FILE names a finished program that is to run instead of one built here. It runs on
-# threads. Examples and benchmarks are built all the same.
+# threads. Examples and benchmarks are built all the same. SEAWALL_MPI_BINARY=FILE names one that was built
+# with MPI.
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 target=${CARGO_TARGET_DIR:-$root/target}
@@ -119,15 +120,16 @@ launcher() {
   launch=(mpirun -q -n "$1" --host "localhost:$1" --bind-to none)
 }
 
-# given_binary: takes the program that SEAWALL_BINARY names, if it names one.
+# given_binary VARIABLE: takes the program that a variable names, if it names one.
 given_binary() {
-  [ -n "${SEAWALL_BINARY:-}" ] || return 1
-  [ -x "$SEAWALL_BINARY" ] || fail "SEAWALL_BINARY=$SEAWALL_BINARY: must be a program"
-  binary=$(realpath "$SEAWALL_BINARY")
+  local given=${!1:-}
+  [ -n "$given" ] || return 1
+  [ -x "$given" ] || fail "$1=$given: must be a program"
+  binary=$(realpath "$given")
 }
 
 build_threads() {
-  given_binary && return
+  given_binary SEAWALL_BINARY && return
   say "building (threads)"
   (cd "$root" && CARGO_TARGET_DIR=$target cargo build --release --quiet) || fail "the build failed"
   binary=$target/release/seawall
@@ -138,6 +140,7 @@ build_threads() {
 build_mpi() {
   [ -z "${SEAWALL_BINARY:-}" ] || return 1
   need_mpi || return 1
+  given_binary SEAWALL_MPI_BINARY && return
   say "building (MPI)"
   (cd "$root" && CARGO_TARGET_DIR=$target/mpi cargo build --release --features mpi) >"$setup_log" 2>&1 || {
     say "building with MPI failed, see $setup_log"

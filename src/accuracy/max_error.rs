@@ -173,7 +173,7 @@ impl Study {
         let bars = vec![crate::scene::ErrorBars::Pair; cases.len()];
         let (name, keys) = (self.name.clone(), self.keys.clone());
         let study = Study::of(name, keys, cases, &bars, &self.file_text);
-        Study { identity: self.identity.clone(), ..study }
+        Study { identity: self.identity.clone(), limits: self.limits, ..study }
     }
 }
 

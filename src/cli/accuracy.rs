@@ -5,6 +5,7 @@ use serde_json::json;
 
 use super::matrix::{MatrixArgs, Request, run};
 use super::output::{Output, short};
+use super::shown;
 use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
 use crate::accuracy::{Errors, MethodScore, Scored, cheapest_within, methods, score};
@@ -68,7 +69,7 @@ pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
         }
     }
     text.push_str(&format!("report: {}\n", page.display()));
-    let value = json!({ "out": ran.out, "report": page, "methods": scores, "loads": loads, "rows": scored });
+    let value = json!({ "out": shown::path(&ran.out), "report": shown::path(&page), "methods": scores, "loads": loads, "rows": scored });
     output.result(&text, &value)?;
     Ok(if scored.iter().any(|row| row.errors().next().is_none()) { CASES_FAILED } else { SUCCESS })
 }

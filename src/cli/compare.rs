@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::{Output, short};
+use super::shown;
 use super::table::Table;
 use crate::math::decimal::significant;
 use crate::quantities::Unit;
@@ -240,7 +241,7 @@ fn value(directories: [&Path; 2], comparison: &Comparison, files: Option<&[PathB
         json!({ "section": key.section, "key": key.key, "a": key.values[0], "b": key.values[1] })
     });
     json!({
-        "directories": directories,
+        "directories": directories.map(shown::path),
         "names": comparison.names,
         "pairs": comparison.pairs.len(),
         "only_in_a": comparison.only[0],
@@ -248,6 +249,6 @@ fn value(directories: [&Path; 2], comparison: &Comparison, files: Option<&[PathB
         "keys": keys.collect::<Vec<_>>(),
         "summary": tallies,
         "cases": comparison.pairs.iter().map(pair).collect::<Vec<_>>(),
-        "files": files,
+        "files": files.map(shown::paths),
     })
 }

@@ -9,6 +9,7 @@ use serde_json::json;
 use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::Output;
+use super::shown;
 use crate::results::in_words;
 
 /// Print a script with which a shell completes commands and options.
@@ -60,6 +61,6 @@ pub(super) fn man(args: &ManArgs, command: Command, output: &Output) -> anyhow::
     std::fs::create_dir_all(directory).map_err(unusable)?;
     clap_mangen::generate_to(command, directory).map_err(unusable)?;
     let told = format!("pages: {}\n", directory.display());
-    output.result(&told, &json!({ "out": directory }))?;
+    output.result(&told, &json!({ "out": shown::path(directory) }))?;
     Ok(SUCCESS)
 }

@@ -1,12 +1,13 @@
 //! Running a study in its output directory: what `sweep` and `run` have in common.
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
 use super::cost::binary;
 use super::output::Output;
+use super::shown;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::{
     Crew, Ending, Interrupt, Keeping, Progress, Session, Setup, SphRunner, Tally, coordinate,
@@ -74,8 +75,8 @@ impl Done {
     pub(super) fn json(&self, job: &Job, report: Option<&Path>) -> Value {
         json!({
             "name": job.study.name,
-            "out": self.directory.path(),
-            "report": report,
+            "out": shown::path(self.directory.path()),
+            "report": report.map(shown::path),
             "cases": job.study.cases.len(),
             "ok": self.records().count() - self.failed(),
             "failed": self.failed(),
@@ -106,6 +107,7 @@ pub(super) fn on_threads(
         },
         threads: threads.map(usize::from),
         interrupt: &interrupt,
+        patience: Duration::MAX,
     };
     Ok(threads::with_crew(&setup, |crew| execute(job, crew, &interrupt, output))?)
 }

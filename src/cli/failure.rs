@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
+use super::shown::{self, shown};
 use super::{BAD_INPUT, INTERNAL, SUCCESS};
 use crate::execute::Launcher;
 use crate::results::SweepError;
@@ -39,7 +40,7 @@ pub(super) fn exit_code(result: anyhow::Result<u8>, launcher: Launcher, as_json:
     if launcher.rank > 0 || is_broken_pipe(&error) {
         return SUCCESS;
     }
-    let line = told(&error).replace('\n', " ");
+    let line = shown(&told(&error).replace('\n', " "));
     let code = if is_bad_input(&error) { BAD_INPUT } else { INTERNAL };
     if as_json {
         print(&object(&error, &line, code));
@@ -77,13 +78,13 @@ fn object(error: &anyhow::Error, message: &str, code: u8) -> Value {
     let kind = if code == BAD_INPUT { "bad-input" } else { "internal" };
     let mut told = json!({ "kind": kind, "message": message, "exit_code": code });
     if let Some(BadFile { path, error }) = error.downcast_ref() {
-        told["file"] = json!(path);
+        told["file"] = json!(shown::path(path));
         told["key"] = json!(error.key);
         told["value"] = json!(error.value);
         told["allowed"] = json!(error.allowed);
     }
     if let Some(SweepError::Io { path, .. }) = error.downcast_ref() {
-        told["file"] = json!(path);
+        told["file"] = json!(shown::path(path));
     }
     json!({ "error": told })
 }

@@ -9,6 +9,7 @@ use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::Output;
 use super::pick::the_case;
+use super::shown;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::Interrupt;
 use crate::film::{Colour, Filming, PageFilm};
@@ -70,7 +71,7 @@ pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
     let code = set.shoot(case, output)?;
     let path = page(&args.dir, set.colour).path(case.id);
     if code == SUCCESS {
-        let value = json!({ "case_id": case.id, "same": true, "film": path });
+        let value = json!({ "case_id": case.id, "same": true, "film": shown::path(&path) });
         output.result(&format!("{}\n", path.display()), &value)?;
     }
     Ok(code)

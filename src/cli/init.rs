@@ -11,6 +11,7 @@ use serde_json::json;
 use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::{Output, wrapped};
+use super::shown;
 use crate::keys::Key;
 use crate::results::in_words;
 use crate::scene::{Kind, numerics_keys, scene_keys};
@@ -58,7 +59,7 @@ pub(super) fn main(args: &InitArgs, output: &Output) -> anyhow::Result<u8> {
     file.write_all(text.as_bytes())?;
     let told = path.display();
     let next = format!("{told}: 12 cases to start from\nnext: seawall check {told}\n");
-    output.result(&next, &json!({ "file": path }))?;
+    output.result(&next, &json!({ "file": shown::path(&path) }))?;
     Ok(SUCCESS)
 }
 

@@ -9,6 +9,7 @@ mod check;
 mod compare;
 mod completions;
 mod cost;
+mod ending;
 mod execute;
 mod explain;
 mod failure;
@@ -27,6 +28,7 @@ mod report;
 mod reproduce;
 mod run;
 mod show;
+mod shown;
 mod status;
 mod stress;
 mod sweep;
@@ -35,6 +37,7 @@ mod verify;
 mod warnings;
 
 use std::ffi::OsString;
+use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
@@ -143,7 +146,12 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
                 failure::print_usage(&error.to_string());
             }
             // Where nobody listens there is nobody to tell.
-            let _ = error.print();
+            let plain = error.to_string();
+            let told = shown::shown(&plain);
+            let _ = match told == plain {
+                true => error.print(),
+                false => write!(std::io::stderr(), "{told}"),
+            };
             return if error.use_stderr() { BAD_INPUT } else { SUCCESS };
         }
     };

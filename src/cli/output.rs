@@ -6,6 +6,7 @@ use clap::ValueEnum;
 use serde::Serialize;
 
 use super::Global;
+use super::shown::shown;
 use crate::execute::{Launcher, ProgressStyle};
 
 /// How results are printed.
@@ -58,7 +59,7 @@ impl Output {
     pub(super) fn note(&self, text: impl std::fmt::Display) {
         if !self.quiet {
             // A note that nobody reads must not end a sweep.
-            let _ = writeln!(std::io::stderr(), "{text}");
+            let _ = writeln!(std::io::stderr(), "{}", shown(&text.to_string()));
         }
     }
 

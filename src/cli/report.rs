@@ -9,6 +9,7 @@ use serde_json::json;
 use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::Output;
+use super::shown;
 use super::{SUCCESS, film};
 use crate::report::{Print, ReportError};
 use crate::results::{Lock, Manifest, finished, renew_summary, verify, write_all_histories};
@@ -66,7 +67,10 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
             args.dir.join("figures").display()
         ));
     }
-    output.result(&told, &json!({ "report": report, "figures": figures }))?;
+    output.result(
+        &told,
+        &json!({ "report": shown::path(&report), "figures": shown::paths(&figures) }),
+    )?;
     Ok(SUCCESS)
 }
 

@@ -10,6 +10,7 @@ use super::failure::BadInput;
 use super::input::Setting;
 use super::keep::EVERY_S;
 use super::output::{Output, duration};
+use super::shown;
 use super::table::Table;
 use super::{INTERRUPTED, SUCCESS, cost};
 use crate::papers::{Recipe, Run, files, paper, recipes};
@@ -232,8 +233,8 @@ fn value(recipe: &Recipe, made: &Reproduced, files: &[PathBuf], directories: &[P
         "caption": made.figure.caption,
         "sentences": made.sentences,
         "numbers": made.tidy.rows.iter().map(line).collect::<Vec<_>>(),
-        "files": files,
-        "studies": directories,
+        "files": shown::paths(files),
+        "studies": shown::paths(directories),
     })
 }
 

@@ -11,6 +11,7 @@ use super::film;
 use super::input::demand_output_of_study;
 use super::output::{Output, with_bar};
 use super::pick::{Choice, the_case, the_one};
+use super::shown;
 use crate::quantities::summary::{
     ALL, CASE_ID, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO, PARTICLES_LOST, REASON, STATUS,
     STOP_IMPULSE,
@@ -122,7 +123,7 @@ impl Row {
         };
         let cells: Map<_, _> =
             self.0.iter().map(|(name, text)| (name.clone(), id(name, text))).collect();
-        json!({ "case": cells, "files": files })
+        json!({ "case": cells, "files": shown::paths(files) })
     }
 }
 

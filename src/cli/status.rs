@@ -6,11 +6,11 @@ use std::path::PathBuf;
 use clap::Args;
 use serde_json::json;
 
-use super::SUCCESS;
 use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::{Output, duration};
 use super::table::Table;
+use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::math::name::name_of;
 use crate::results::{CaseRecord, Lock, Manifest, counted, read_journal};
 
@@ -18,10 +18,14 @@ use crate::results::{CaseRecord, Lock, Manifest, counted, read_journal};
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall status results/runs/nightly
-  seawall status results/runs/nightly --format json")]
+  seawall status results/runs/nightly --format json
+  seawall status results/runs/nightly --exit-code || echo 'not done, or not all well'")]
 pub(super) struct StatusArgs {
     /// The output directory of a sweep.
     dir: PathBuf,
+    /// Return what the sweep would: 0 all well, 1 some case failed, 3 something is left.
+    #[arg(long)]
+    exit_code: bool,
 }
 
 pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
@@ -106,7 +110,12 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
             .collect::<Vec<_>>(),
     });
     output.result(&text, &value)?;
-    Ok(SUCCESS)
+    Ok(match (left + companions_left, failed.len()) {
+        _ if !args.exit_code => SUCCESS,
+        (0, 0) => SUCCESS,
+        (0, _) => CASES_FAILED,
+        _ => INTERRUPTED,
+    })
 }
 
 /// Failures of one kind: how many cases of each value of each swept key.

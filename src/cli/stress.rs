@@ -5,6 +5,7 @@ use serde_json::json;
 
 use super::matrix::{MatrixArgs, Request, run};
 use super::output::Output;
+use super::shown;
 use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
 use crate::accuracy::{Judged, Matrix, Verdict, judge};
@@ -44,7 +45,10 @@ pub(super) fn main(args: &StressArgs, output: &Output) -> anyhow::Result<u8> {
         table.row([&row.case, &row.method, word(&row.verdict), &edge(row), &row.reason]);
     }
     let text = format!("{}\nreport: {}\n", table.render(), page.display());
-    output.result(&text, &json!({ "out": ran.out, "report": page, "rows": judged }))?;
+    output.result(
+        &text,
+        &json!({ "out": shown::path(&ran.out), "report": shown::path(&page), "rows": judged }),
+    )?;
     Ok(if all_well { SUCCESS } else { CASES_FAILED })
 }
 

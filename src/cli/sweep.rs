@@ -1,9 +1,11 @@
 //! `seawall sweep`: runs all cases of a sweep file.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 
+use super::ending::EndingArgs;
 use super::execute::{Done, Job, execute};
 use super::failure::{BadInput, exit_code};
 use super::input::{Expect, Setting, SimdChoice, default_out, out_of, study};
@@ -67,14 +69,24 @@ pub(super) struct SweepArgs {
     /// runs once more for it.
     #[arg(long, value_name = "CASE", default_value = "none")]
     film: Vec<String>,
+    /// Under MPI, name a rank that has not been heard of for so long, seconds.
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = patience)]
+    hung_after_s: f64,
     #[command(flatten)]
     keep: KeepArgs,
+    #[command(flatten)]
+    ending: EndingArgs,
     /// Instruction set of the hot loops.
     #[arg(long, value_enum, default_value_t = SimdChoice::Auto)]
     simd: SimdChoice,
     /// Set a value by its path, such as numerics.boundary=improved-shepard; repeatable.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<Setting>,
+}
+
+fn patience(text: &str) -> Result<f64, String> {
+    let value = text.parse::<f64>().ok().filter(|value| (1.0..=1e6).contains(value));
+    value.ok_or_else(|| "must be a number of seconds from 1 to 1e6".to_owned())
 }
 
 /// Who does the work.
@@ -107,13 +119,13 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
         },
         threads: args.threads.map(usize::from),
         interrupt: &interrupt,
+        patience: Duration::from_secs_f64(args.hung_after_s),
     };
     let lead = |crew: &mut dyn Crew| {
-        exit_code(
-            lead(args, output, crew, &interrupt),
-            Launcher { rank: 0, ..launcher },
-            output.is_json(),
-        )
+        let result = lead(args, output, crew, &interrupt);
+        let code = exit_code(result, Launcher { rank: 0, ..launcher }, output.is_json());
+        args.ending.end(code);
+        code
     };
     if use_mpi { Ok(mpi::with_crew(&setup, lead)?) } else { Ok(threads::with_crew(&setup, lead)) }
 }
@@ -160,6 +172,7 @@ fn lead(
         simd: args.simd.path(),
         overrides: args.settings.iter().map(|setting| setting.text.clone()).collect(),
     };
+    args.ending.begin(&job.out)?;
     let mut done = execute(&job, crew, interrupt, output)?;
     while let Some(aim) = aim.as_ref().filter(|_| done.ending == Ending::Finished) {
         let Some(finer) = max_error::refine(aim, &job.study, &done, output) else { break };

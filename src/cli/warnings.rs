@@ -7,7 +7,8 @@ use super::cost::time_of_all;
 use super::output::{Output, duration};
 use crate::results::counted;
 use crate::scene::odd_values;
-use crate::study::Study;
+use crate::simulation::{Cost, cost};
+use crate::study::{Case, Study};
 
 /// A study that takes longer than this, seconds, is told with what makes it long.
 const LONG_S: f64 = 86_400.0;
@@ -30,7 +31,19 @@ pub(super) fn warnings(study: &Study) -> Vec<String> {
         cases if cases == study.cases.len() => line,
         cases => format!("{line} (in {})", counted(cases, "case")),
     };
-    odd.into_values().map(told).chain(long(study)).collect()
+    odd.into_values().map(told).chain(long(study)).chain(limited(study)).collect()
+}
+
+/// How many cases are expected to take more than `[limits]` allows.
+fn limited(study: &Study) -> Option<String> {
+    let limits = study.limits;
+    let over = |case: &&Case| {
+        let Cost { steps, memory_bytes, .. } = cost(&case.config);
+        limits.on_steps(steps).is_some() || limits.on_memory(memory_bytes, "").is_some()
+    };
+    let over = study.cases.iter().filter(over).count();
+    let told = || format!("limits: {} will probably need more and fail", counted(over, "case"));
+    (over > 0).then(told)
 }
 
 /// The keys that make a study long, and how long it is.
@@ -39,8 +52,7 @@ fn long(study: &Study) -> Option<String> {
     if seconds <= LONG_S {
         return None;
     }
-    let longest =
-        study.cases.iter().max_by_key(|case| crate::simulation::cost(&case.config).steps)?;
+    let longest = study.cases.iter().max_by_key(|case| cost(&case.config).steps)?;
     let (frame, numerics) = (longest.config.scene.frame(), &longest.config.numerics);
     let steps = (frame.end_time - longest.config.scene.start_s()) / frame.time_step(numerics);
     Some(format!(

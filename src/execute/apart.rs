@@ -5,7 +5,7 @@
 
 use std::io::{Read, Write};
 use std::process::{Child, Command, Stdio};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
@@ -14,7 +14,7 @@ use super::keeping::Keeping;
 use super::runner::{Runner, guarded};
 use crate::scene::CaseConfig;
 use crate::simulation::{
-    CaseResult, Failure, FailureKind, Monitor, Resources, Stopped, TrunkResult, Unwatched,
+    CaseResult, Failure, FailureKind, Limits, Monitor, Resources, Stopped, TrunkResult,
 };
 
 /// The hidden subcommand.
@@ -33,6 +33,7 @@ struct Task {
     checkpoint: Option<Vec<u8>>,
     resources: Resources,
     keep: Option<Keeping>,
+    limits: Limits,
 }
 
 /// Runs each piece of work in a child.
@@ -70,7 +71,8 @@ impl Apart {
         let config = serde_json::to_string(config).expect("a configuration has a JSON form");
         let checkpoint = checkpoint.map(<[u8]>::to_vec);
         let (resources, keep) = (self.resources, self.keep.clone());
-        let task = Task { trunk, config, checkpoint, resources, keep };
+        let limits = monitor.limits();
+        let task = Task { trunk, config, checkpoint, resources, keep, limits };
         let task = postcard::to_stdvec(&task).expect("a task is plain data");
         let failed = |kind: FailureKind, detail: String| {
             Stopped::Failed(Failure { kind, time_s: 0.0, detail })
@@ -80,7 +82,11 @@ impl Apart {
         };
         let mut child = start().map_err(broken)?;
         let heard = talk(&mut child, &task, monitor).map_err(broken)?;
-        let Heard { answer, complaint, status } = heard.ok_or(Stopped::Interrupted)?;
+        let Heard { answer, complaint, status } = match heard {
+            Ended::Itself(heard) => heard,
+            Ended::Told => return Err(Stopped::Interrupted),
+            Ended::TooLarge(detail) => return Err(failed(FailureKind::OverLimit, detail)),
+        };
         match postcard::from_bytes::<Result<T, Stopped>>(&answer) {
             Ok(result) if status.success() => result,
             _ => {
@@ -115,8 +121,18 @@ struct Heard {
     status: std::process::ExitStatus,
 }
 
-/// Hands a child its task and waits for it; `None` where it was told to stop.
-fn talk(child: &mut Child, task: &[u8], monitor: &dyn Monitor) -> std::io::Result<Option<Heard>> {
+/// How a child ended.
+enum Ended {
+    Itself(Heard),
+    /// It was told to stop.
+    Told,
+    /// It took more than it may.
+    TooLarge(String),
+}
+
+/// Hands a child its task and waits for it.
+fn talk(child: &mut Child, task: &[u8], monitor: &dyn Monitor) -> std::io::Result<Ended> {
+    let limits = monitor.limits();
     let (input, output, errors) = (child.stdin.take(), child.stdout.take(), child.stderr.take());
     std::thread::scope(|scope| {
         let answer = scope.spawn(move || read_all(output));
@@ -125,20 +141,44 @@ fn talk(child: &mut Child, task: &[u8], monitor: &dyn Monitor) -> std::io::Resul
         let _ = input.map(|mut input| input.write_all(task));
         let status = loop {
             if let Some(status) = child.try_wait()? {
-                break Some(status);
+                break Ok(status);
             }
-            if monitor.cancelled() {
+            // Steps it counts itself.
+            let taken = peak_bytes(child.id()).filter(|_| limits.memory_mib.is_some());
+            let over = taken.and_then(|bytes| limits.on_memory(bytes, "takes"));
+            let over = over.or_else(|| monitor.over_limit(0));
+            if over.is_some() || monitor.cancelled() {
                 child.kill()?;
                 child.wait()?;
-                break None;
+                break Err(over.map_or(Ended::Told, Ended::TooLarge));
             }
             std::thread::sleep(PAUSE);
         };
         let [answer, complaint] =
             [answer, complaint].map(|reader| reader.join().unwrap_or_default());
         let complaint = String::from_utf8_lossy(&complaint).into_owned();
-        Ok(status.map(|status| Heard { answer, complaint, status }))
+        let heard = |status| Ended::Itself(Heard { answer, complaint, status });
+        Ok(status.map_or_else(|ended| ended, heard))
     })
+}
+
+/// The most memory that a process has taken so far, where the system tells.
+fn peak_bytes(process: u32) -> Option<u64> {
+    let text = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
+    let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok().map(|kilobytes| 1024 * kilobytes)
+}
+
+/// Watches a child's limits from within.
+struct Limited {
+    limits: Limits,
+    since: Instant,
+}
+
+impl Monitor for Limited {
+    fn over_limit(&self, steps: u64) -> Option<String> {
+        self.limits.on_steps(steps).or_else(|| self.limits.on_time(self.since.elapsed()))
+    }
 }
 
 fn read_all(pipe: Option<impl Read>) -> Vec<u8> {
@@ -181,10 +221,11 @@ pub fn serve<R: Runner>(
     end_with_parent();
     let runner = make_runner(task.resources, task.keep);
     let checkpoint = task.checkpoint.as_deref();
+    let monitor = Limited { limits: task.limits, since: Instant::now() };
     let answer = if task.trunk {
-        postcard::to_stdvec(&guarded(|| runner.trunk(&config, &Unwatched)))?
+        postcard::to_stdvec(&guarded(|| runner.trunk(&config, &monitor)))?
     } else {
-        postcard::to_stdvec(&guarded(|| runner.case(&config, checkpoint, &Unwatched)))?
+        postcard::to_stdvec(&guarded(|| runner.case(&config, checkpoint, &monitor)))?
     };
     output.write_all(&answer)?;
     Ok(output.flush()?)
@@ -195,6 +236,7 @@ mod tests {
     use super::*;
     use crate::execute::fake::FakeRunner;
     use crate::math::simd::SimdPath;
+    use crate::simulation::Unwatched;
 
     #[test]
     fn a_child_gives_the_same_bits() {
@@ -202,7 +244,8 @@ mod tests {
         let config = CaseConfig::from_tables(&scene, &toml::Table::new()).unwrap();
         let resources = Resources { simd: SimdPath::Portable, threads: 1 };
         let text = serde_json::to_string(&config).unwrap();
-        let task = Task { trunk: false, config: text, checkpoint: None, resources, keep: None };
+        let (limits, checkpoint, keep) = (Limits::default(), None, None);
+        let task = Task { trunk: false, config: text, checkpoint, resources, keep, limits };
         let mut answer = Vec::new();
         let task = postcard::to_stdvec(&task).unwrap();
         serve(&task[..], &mut answer, |_, _| FakeRunner::default()).unwrap();

@@ -126,7 +126,8 @@ impl Loop {
                     let attempts = session.directory.attempts();
                     let apart = attempts.is_suspect(id);
                     attempts.begin(id)?;
-                    link.send(rank, Order::Run { work, config, from, apart });
+                    let limits = session.study.limits;
+                    link.send(rank, Order::Run { work, config, from, apart, limits });
                 }
                 Command::Drop { rank, trunk } => link.send(rank, Order::Drop { trunk }),
                 Command::Cancel => {

@@ -3,10 +3,11 @@
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Instant;
 
 use crate::scene::CaseConfig;
 use crate::schedule::Work;
-use crate::simulation::{Monitor, cost};
+use crate::simulation::{Limits, Monitor, cost};
 
 /// Set when running cases should stop at their next step.
 #[derive(Debug, Default)]
@@ -36,6 +37,7 @@ impl Gauges {
         work: Work,
         config: &CaseConfig,
         branches: bool,
+        limits: Limits,
     ) -> Gauge<'a> {
         let estimate = cost(config);
         let end = config.scene.frame().end_time;
@@ -48,7 +50,7 @@ impl Gauges {
         };
         let share = Arc::new(AtomicU64::new(0));
         self.lock().insert(work, share.clone());
-        Gauge { gauges: self, cancel, work, span, share }
+        Gauge { gauges: self, cancel, work, span, share, limits, since: Instant::now() }
     }
 
     /// What is being worked on, and the share of it that is done.
@@ -70,11 +72,21 @@ pub(super) struct Gauge<'a> {
     /// Simulated time at its start and at its end, about, seconds.
     span: [f64; 2],
     share: Arc<AtomicU64>,
+    limits: Limits,
+    since: Instant,
 }
 
 impl Monitor for Gauge<'_> {
     fn cancelled(&self) -> bool {
         self.cancel.cancelled()
+    }
+
+    fn over_limit(&self, steps: u64) -> Option<String> {
+        self.limits.on_steps(steps).or_else(|| self.limits.on_time(self.since.elapsed()))
+    }
+
+    fn limits(&self) -> Limits {
+        self.limits
     }
 
     fn reached(&self, time_s: f64) {
@@ -101,7 +113,7 @@ mod tests {
         let end = config.scene.frame().end_time;
         let (gauges, cancel) = (Gauges::default(), Cancel::default());
         let share = |work, branches, time_s: f64| {
-            let gauge = gauges.watch(&cancel, work, &config, branches);
+            let gauge = gauges.watch(&cancel, work, &config, branches, Limits::default());
             gauge.reached(time_s);
             let told = gauges.read();
             assert!(told.len() == 1 && told[0].0 == work);

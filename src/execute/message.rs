@@ -3,7 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::schedule::{Held, Work};
-use crate::simulation::{CaseResult, Stopped};
+use crate::simulation::{CaseResult, Limits, Stopped};
 
 /// From the coordinator to a worker.
 #[expect(missing_docs, reason = "fields are called what they are")]
@@ -11,7 +11,7 @@ use crate::simulation::{CaseResult, Stopped};
 pub enum Order {
     /// Do a piece of work. Its configuration is JSON, which carries every bit; the last is the
     /// checkpoint to start from. `apart`: in a process of its own, as an earlier one may have died of it.
-    Run { work: Work, config: String, from: Option<Held>, apart: bool },
+    Run { work: Work, config: String, from: Option<Held>, apart: bool, limits: Limits },
     /// Forget a checkpoint.
     Drop { trunk: usize },
     /// Stop what is running and give it back.

@@ -104,6 +104,8 @@ pub struct Setup<'a> {
     pub threads: Option<usize>,
     /// The signals of this process.
     pub interrupt: &'a Interrupt,
+    /// A rank that is silent for longer than this is named.
+    pub patience: Duration,
 }
 
 /// What each case on a rank may use.

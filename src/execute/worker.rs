@@ -14,7 +14,7 @@ use crate::math::team::thread_processor_time;
 use crate::results::SweepError;
 use crate::scene::CaseConfig;
 use crate::schedule::{Held, Work};
-use crate::simulation::{Failure, FailureKind, Stopped, TrunkResult};
+use crate::simulation::{Failure, FailureKind, Limits, Stopped, TrunkResult, cost};
 
 /// A case to run.
 struct Task {
@@ -22,6 +22,7 @@ struct Task {
     config: String,
     /// In a process of its own.
     apart: bool,
+    limits: Limits,
 }
 
 /// What ended on a thread, on its way to the thread that talks, and the checkpoint it has left.
@@ -82,11 +83,11 @@ impl Worker<'_, '_> {
     /// [`Worker::arrive`].
     pub(super) fn take(&mut self, order: Order) -> Option<Held> {
         match order {
-            Order::Run { work: Work::Trunk(trunk), config, apart, .. } => {
-                self.start_trunk(trunk, config, apart);
+            Order::Run { work: Work::Trunk(trunk), config, apart, limits, .. } => {
+                self.start_trunk(trunk, config, apart, limits);
             }
-            Order::Run { work: Work::Case(case), config, from, apart } => {
-                let task = Task { case, config, apart };
+            Order::Run { work: Work::Case(case), config, from, apart, limits } => {
+                let task = Task { case, config, apart, limits };
                 match from {
                     Some(from) => return self.start_branch(task, from),
                     None => self.start_case(task, None),
@@ -150,14 +151,15 @@ impl Worker<'_, '_> {
         (waiting.len() == 1).then_some(from)
     }
 
-    fn start_trunk(&self, trunk: usize, config: String, apart: bool) {
+    fn start_trunk(&self, trunk: usize, config: String, apart: bool, limits: Limits) {
         let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
         let gauges = self.gauges;
         self.scope.spawn(move |_| {
-            let child = runner.apart().filter(|_| apart);
+            let child = runner.apart().filter(|_| apart || limits.memory_mib.is_some());
             let runner = child.as_deref().unwrap_or(runner);
-            let result = attempt(cancel, &config, |config| {
-                runner.trunk(config, &gauges.watch(cancel, Work::Trunk(trunk), config, false))
+            let result = attempt(cancel, &config, limits, |config| {
+                let gauge = gauges.watch(cancel, Work::Trunk(trunk), config, false, limits);
+                runner.trunk(config, &gauge)
             });
             let (result, checkpoint) = match result {
                 Ok(TrunkResult { steps, checkpoint, .. }) => (Ok(steps), Some(checkpoint)),
@@ -172,14 +174,15 @@ impl Worker<'_, '_> {
         let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
         let gauges = self.gauges;
         self.scope.spawn(move |_| {
-            let Task { case, config, apart } = task;
-            let child = runner.apart().filter(|_| apart);
+            let Task { case, config, apart, limits } = task;
+            // Only of a process of its own it can be told what it takes.
+            let child = runner.apart().filter(|_| apart || limits.memory_mib.is_some());
             let runner = child.as_deref().unwrap_or(runner);
             let (start, cpu_start) = (Instant::now(), thread_processor_time());
             let run = |checkpoint: Option<&[u8]>| {
-                attempt(cancel, &config, |config| {
+                attempt(cancel, &config, limits, |config| {
                     let branches = checkpoint.is_some();
-                    let gauge = gauges.watch(cancel, Work::Case(case), config, branches);
+                    let gauge = gauges.watch(cancel, Work::Case(case), config, branches, limits);
                     runner.case(config, checkpoint, &gauge)
                 })
             };
@@ -203,16 +206,19 @@ impl Worker<'_, '_> {
 fn attempt<T>(
     cancel: &Cancel,
     config: &str,
+    limits: Limits,
     run: impl Fn(&CaseConfig) -> Result<T, Stopped>,
 ) -> Result<T, Stopped> {
     if cancel.cancelled() {
         return Err(Stopped::Interrupted);
     }
-    let internal = |detail: String| {
-        Stopped::Failed(Failure { kind: FailureKind::Internal, time_s: 0.0, detail })
-    };
+    let failed = |kind, detail: String| Stopped::Failed(Failure { kind, time_s: 0.0, detail });
+    let internal = |detail: String| failed(FailureKind::Internal, detail);
     let config: CaseConfig = serde_json::from_str(config)
         .map_err(|error| internal(format!("the configuration cannot be read: {error}")))?;
+    if let Some(detail) = limits.on_memory(cost(&config).memory_bytes, "needs some") {
+        return Err(failed(FailureKind::OverLimit, detail));
+    }
     match guarded(|| run(&config)) {
         Err(Stopped::Interrupted) if !cancel.cancelled() => {
             Err(internal("stopped though nobody asked".to_owned()))
@@ -257,7 +263,8 @@ mod tests {
             let mut order = |case, holder| {
                 let config = serde_json::to_string(&config).unwrap();
                 let from = Some(Held { trunk: 7, holder });
-                worker.take(Order::Run { work: Work::Case(case), config, from, apart: false })
+                let (work, limits) = (Work::Case(case), Limits::default());
+                worker.take(Order::Run { work, config, from, apart: false, limits })
             };
             assert_eq!(order(0, 0), Some(Held { trunk: 7, holder: 0 }));
             assert_eq!(order(1, 1), None);

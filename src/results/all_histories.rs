@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use flate2::{Compression, GzBuilder};
 
+use super::disk::Writer;
 use super::error::SweepError;
 use super::{atomic_file, files};
 use crate::quantities::summary::CASE_ID;
@@ -43,7 +44,7 @@ fn ids(summary: &Path) -> Result<Vec<String>, SweepError> {
 
 fn write(file: &File, path: &Path, cases: &[(PathBuf, String)]) -> Result<(), SweepError> {
     // Neither a time stamp nor a name in its head. Slower levels save a twentieth.
-    let mut table = GzBuilder::new().write(BufWriter::new(file), Compression::fast());
+    let mut table = GzBuilder::new().write(BufWriter::new(Writer(file)), Compression::fast());
     let mut columns = None;
     for (from, id) in cases {
         let text = fs::read_to_string(from).map_err(SweepError::io(from))?;

@@ -1,16 +1,16 @@
 //! Files that readers find whole or not at all: written under a temporary name, then renamed.
 
 use std::fs::{self, File};
-use std::io::Write;
 use std::path::Path;
 
+use super::disk;
 use super::error::SweepError;
 
 const TEMPORARY: &str = ".partial";
 
 /// Writes a file so that no reader, and no crash, ever sees a part of it.
 pub(super) fn write(path: &Path, content: &[u8]) -> Result<(), SweepError> {
-    write_with(path, |mut file| file.write_all(content).map_err(SweepError::io(path)))
+    write_with(path, |file| disk::write(file, content).map_err(SweepError::io(path)))
 }
 
 /// The same for content that is made as it is written.
@@ -20,13 +20,13 @@ pub(super) fn write_with(
 ) -> Result<(), SweepError> {
     put(path, |file| {
         fill(file)?;
-        file.sync_all().map_err(SweepError::io(path))
+        disk::sync(file).map_err(SweepError::io(path))
     })
 }
 
 /// The same for readers; a power cut may leave it empty or short, unless it was [synced](sync).
 pub(super) fn write_unsynced(path: &Path, content: &[u8]) -> Result<(), SweepError> {
-    put(path, |mut file| file.write_all(content).map_err(SweepError::io(path)))
+    put(path, |file| disk::write(file, content).map_err(SweepError::io(path)))
 }
 
 /// What fails on the way leaves nothing behind.
@@ -34,19 +34,19 @@ fn put(path: &Path, fill: impl FnOnce(&File) -> Result<(), SweepError>) -> Resul
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(TEMPORARY);
     let temporary = path.with_file_name(name);
-    let file = File::create(&temporary).map_err(SweepError::io(&temporary))?;
-    if let Err(error) = fill(&file) {
-        let _ = fs::remove_file(&temporary);
-        return Err(error);
-    }
-    fs::rename(&temporary, path).map_err(SweepError::io(path))
+    let file = disk::create(&temporary).map_err(SweepError::io(&temporary))?;
+    let renamed = || disk::rename(&temporary, path).map_err(SweepError::io(path));
+    fill(&file).and_then(|()| renamed()).inspect_err(|_| {
+        // Where this fails as well, it is removed on the next start.
+        let _ = disk::remove_file(&temporary);
+    })
 }
 
 /// Removes from a folder, where there is one, what was left half written.
 pub(super) fn clean(folder: &Path) -> Result<(), SweepError> {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         if entry.file_name().to_string_lossy().ends_with(TEMPORARY) {
-            fs::remove_file(entry.path()).map_err(SweepError::io(&entry.path()))?;
+            disk::remove_file(&entry.path()).map_err(SweepError::io(&entry.path()))?;
         }
     }
     Ok(())
@@ -55,7 +55,7 @@ pub(super) fn clean(folder: &Path) -> Result<(), SweepError> {
 /// Makes a file's content, or the renames inside a directory, durable.
 pub(super) fn sync(path: &Path) -> Result<(), SweepError> {
     let file = File::open(path).map_err(SweepError::io(path))?;
-    file.sync_all().map_err(SweepError::io(path))
+    disk::sync(&file).map_err(SweepError::io(path))
 }
 
 /// Whether a path still leads to an open file.

@@ -5,10 +5,10 @@
 //! suspect runs in a process of its own, whose death costs nothing but the suspect.
 
 use std::collections::BTreeSet;
-use std::fs::{self, File, OpenOptions};
-use std::io::Write;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
+use super::disk;
 use super::error::SweepError;
 use crate::study::CaseId;
 
@@ -71,7 +71,7 @@ impl Attempts {
         self.running.clear();
         self.file = None;
         if self.path.exists() {
-            fs::remove_file(&self.path).map_err(SweepError::io(&self.path))?;
+            disk::remove_file(&self.path).map_err(SweepError::io(&self.path))?;
         }
         Ok(())
     }
@@ -79,12 +79,11 @@ impl Attempts {
     fn append(&mut self, sign: char, id: CaseId) -> Result<(), SweepError> {
         let file = match &mut self.file {
             Some(file) => Ok(file),
-            none => {
-                let open = OpenOptions::new().append(true).create(true).open(&self.path);
-                open.map(|file| none.insert(file))
-            }
+            none => disk::append(&self.path).map(|file| none.insert(file)),
         };
-        let written = file.and_then(|file| file.write_all(format!("{sign}{id}\n").as_bytes()));
+        // A line before it may be torn: it must not take this one with it.
+        let line = format!("\n{sign}{id}\n");
+        let written = file.and_then(|file| disk::write(file, line.as_bytes()));
         written.map_err(SweepError::io(&self.path))
     }
 }
@@ -133,6 +132,10 @@ mod tests {
 
     #[test]
     fn torn_and_foreign_lines_count_for_nothing() {
+        let directory = tempfile::tempdir().unwrap();
+        fs::write(directory.path().join(FILE_NAME), "+00000000").unwrap();
+        Attempts::open(directory.path()).unwrap().begin(id(2)).unwrap();
+        assert!(Attempts::open(directory.path()).unwrap().is_suspect(id(2)));
         assert_eq!(begun("+0000000000000001\nhello\n-\n+00000000"), BTreeSet::from([id(1)]));
     }
 }

@@ -6,16 +6,15 @@
 
 use std::collections::BTreeSet;
 use std::fs;
-use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::atomic_file;
 use super::checksum::checksum_of;
 use super::error::SweepError;
 use super::journal;
 use super::program::Program;
+use super::{atomic_file, disk};
 use crate::math::simd::SimdPath;
 use crate::study::CaseId;
 
@@ -90,12 +89,13 @@ impl Checkpoint {
         }
         let folder = self.directory.join(FOLDER);
         if !folder.is_dir() {
-            fs::create_dir_all(&folder).map_err(SweepError::io(&folder))?;
+            disk::create_folder(&folder).map_err(SweepError::io(&folder))?;
         }
         let head = Head { layout: LAYOUT, program: Program::this(), id: self.id, simd: self.simd };
         let head = head.line(state);
-        atomic_file::write_with(&self.path, |mut file| {
-            let written = file.write_all(head.as_bytes()).and_then(|()| file.write_all(state));
+        atomic_file::write_with(&self.path, |file| {
+            let written = disk::write(file, head.as_bytes());
+            let written = written.and_then(|()| disk::write(file, state));
             written.map_err(SweepError::io(&self.path))
         })
     }
@@ -198,7 +198,7 @@ pub(super) fn remove(
     for id in cases {
         let path = directory.join(FOLDER).join(format!("{id}.{CASE}"));
         if path.exists() {
-            fs::remove_file(&path).map_err(SweepError::io(&path))?;
+            disk::remove_file(&path).map_err(SweepError::io(&path))?;
         }
     }
     Ok(())
@@ -208,7 +208,7 @@ pub(super) fn remove(
 pub(super) fn clear(directory: &Path) -> Result<(), SweepError> {
     let folder = directory.join(FOLDER);
     if folder.is_dir() {
-        fs::remove_dir_all(&folder).map_err(SweepError::io(&folder))
+        disk::remove_folder(&folder).map_err(SweepError::io(&folder))
     } else {
         Ok(())
     }

@@ -8,7 +8,7 @@ pub(super) fn checksum(bytes: &[u8]) -> String {
 }
 
 /// The same over pieces, one behind the other.
-pub(super) fn checksum_of<'a>(pieces: impl IntoIterator<Item = &'a [u8]>) -> String {
+pub(crate) fn checksum_of<'a>(pieces: impl IntoIterator<Item = &'a [u8]>) -> String {
     let mut hash = Sha256::new();
     pieces.into_iter().for_each(|piece| hash.update(piece));
     hash.finalize()[..8].iter().map(|byte| format!("{byte:02x}")).collect()

@@ -1,7 +1,6 @@
 //! The output directory: whose it is, who may write, and what it already holds.
 
 use std::collections::BTreeSet;
-use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -13,7 +12,7 @@ use super::journal::{self, Journal};
 use super::lock::Lock;
 use super::opening::{self, Found, look};
 use super::record::CaseRecord;
-use super::{checkpoints, energy, summary};
+use super::{checkpoints, disk, energy, summary};
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::simulation::CaseResult;
@@ -86,7 +85,7 @@ impl Directory {
         {
             opening::check_header(path, &header, study, requested, widest)?;
         }
-        fs::create_dir_all(path).map_err(|error| SweepError::unusable(path, &error))?;
+        disk::create_folder(path).map_err(|error| SweepError::unusable(path, &error))?;
         let mut lock = Lock::hold(path)?;
         let mut opened = Opened::New;
         if mode == OpenMode::Fresh && before != Found::Nothing {
@@ -104,7 +103,7 @@ impl Directory {
         } else {
             let content = journal::read_journal(path)?;
             findings.extend(opening::told_damage(&content));
-            let header = opening::header(path, &content, study)?;
+            let header = opening::header(path, &content, study, requested.unwrap_or(widest))?;
             opening::check_header(path, &header, study, requested, widest)?;
             let journal = Journal::resume(path, &content, &header)?;
             files::clean(path)?;
@@ -229,6 +228,8 @@ impl Directory {
 
 #[cfg(test)]
 mod tests {
+    use std::fs;
+
     use super::super::made_up::made_up;
     use super::*;
     use crate::study::SweepFile;

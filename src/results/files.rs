@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::checksum::checksum;
 use super::error::SweepError;
-use super::{atomic_file, number};
+use super::{atomic_file, disk, number};
 use crate::quantities;
 use crate::simulation::{CaseResult, HistoryRow, NamedReading, ProbeColumn, ProbeTable};
 use crate::study::CaseId;
@@ -72,7 +72,7 @@ impl Unsynced {
         let mut seals = Seals::new();
         for (name, text) in texts {
             let folder = directory.join(name);
-            fs::create_dir_all(&folder).map_err(SweepError::io(&folder))?;
+            disk::create_folder(&folder).map_err(SweepError::io(&folder))?;
             let path = folder.join(format!("{id}.csv"));
             atomic_file::write_unsynced(&path, text.as_bytes())?;
             self.0.push(path);

@@ -5,15 +5,15 @@
 //! aside, and the case runs again. Lines reach the disk in groups: within 0.2 s, or as soon as nothing
 //! else happens.
 
-use std::fs::{File, OpenOptions};
-use std::io::{BufRead, BufReader, Write};
+use std::fs::File;
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use super::atomic_file;
 use super::entries::{self, Content, Entry, Header};
 use super::error::SweepError;
 use super::record::CaseRecord;
+use super::{atomic_file, disk};
 
 pub(super) const FILE_NAME: &str = "journal.jsonl";
 /// Where damaged lines go.
@@ -31,7 +31,7 @@ impl Journal {
     /// Starts a journal.
     pub fn create(directory: &Path, header: &Header) -> Result<Journal, SweepError> {
         let path = directory.join(FILE_NAME);
-        let file = File::create(&path).map_err(SweepError::io(&path))?;
+        let file = disk::create(&path).map_err(SweepError::io(&path))?;
         let mut journal = Journal { path, file, unsynced_since: None };
         journal.append(&Entry::Header(header.clone()))?;
         journal.sync()?;
@@ -57,7 +57,7 @@ impl Journal {
             let text = [first.unwrap_or_default().as_bytes(), whole].concat();
             atomic_file::write(&path, &text)?;
         }
-        let file = OpenOptions::new().append(true).open(&path).map_err(SweepError::io(&path))?;
+        let file = disk::append(&path).map_err(SweepError::io(&path))?;
         Ok(Journal { path, file, unsynced_since: None })
     }
 
@@ -67,7 +67,7 @@ impl Journal {
     }
 
     fn append(&mut self, entry: &Entry) -> Result<(), SweepError> {
-        self.file.write_all(entry.line().as_bytes()).map_err(SweepError::io(&self.path))?;
+        disk::write(&self.file, entry.line().as_bytes()).map_err(SweepError::io(&self.path))?;
         self.unsynced_since.get_or_insert_with(Instant::now);
         Ok(())
     }
@@ -80,7 +80,7 @@ impl Journal {
     /// Puts all lines on the disk.
     pub fn sync(&mut self) -> Result<(), SweepError> {
         if self.unsynced_since.is_some() {
-            self.file.sync_data().map_err(SweepError::io(&self.path))?;
+            disk::sync_data(&self.file).map_err(SweepError::io(&self.path))?;
             self.unsynced_since = None;
         }
         Ok(())
@@ -106,8 +106,8 @@ fn keep_damaged(directory: &Path, lines: &[u8]) -> Result<(), SweepError> {
         return Ok(());
     }
     let path = directory.join(DAMAGED);
-    let file = OpenOptions::new().append(true).create(true).open(&path);
-    file.and_then(|mut file| file.write_all(lines)).map_err(SweepError::io(&path))
+    let file = disk::append(&path);
+    file.and_then(|file| disk::write(&file, lines)).map_err(SweepError::io(&path))
 }
 
 /// The header alone; `None` where its line is not whole.

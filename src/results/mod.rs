@@ -14,10 +14,13 @@ mod checkpoints;
 mod checksum;
 mod clock;
 mod directory;
+mod disk;
 mod energy;
 mod entries;
 mod error;
 mod error_bars;
+#[cfg(test)]
+mod failing;
 mod files;
 mod journal;
 mod lock;
@@ -34,6 +37,8 @@ pub use again::{finished, first_difference};
 pub use all_histories::write_all_histories;
 pub use attempts::Attempts;
 pub use checkpoints::{Checkpoint, has_checkpoints};
+#[cfg(feature = "mpi")]
+pub(crate) use checksum::checksum_of;
 pub use clock::timestamp;
 pub use directory::{Directory, OpenMode, Opened};
 pub use entries::{Content, Header};

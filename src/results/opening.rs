@@ -11,7 +11,7 @@ use super::lock::{self, Lock};
 use super::manifest::Manifest;
 use super::number::counted;
 use super::record::CaseRecord;
-use super::{files, journal};
+use super::{disk, files, journal};
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::study::Study;
@@ -52,8 +52,14 @@ pub(super) fn demand_same(path: &Path, before: &Found) -> Result<(), SweepError>
     Err(SweepError::refused(path, "another process has just started over here"))
 }
 
-/// The journal's header. Where its line is lost, the manifest tells the same.
-pub(super) fn header(path: &Path, content: &Content, study: &Study) -> Result<Header, SweepError> {
+/// The journal's header. Where its line is lost, the manifest tells the same; `new` is the instruction set of a
+/// study in which nothing was done yet.
+pub(super) fn header(
+    path: &Path,
+    content: &Content,
+    study: &Study,
+    new: SimdPath,
+) -> Result<Header, SweepError> {
     if let Some(header) = &content.header {
         return Ok(header.clone());
     }
@@ -65,7 +71,7 @@ pub(super) fn header(path: &Path, content: &Content, study: &Study) -> Result<He
         }
         _ if content.records.is_empty() && !files::any(path) => {
             // Stopped before anything was done.
-            let simd = simd.unwrap_or_else(SimdPath::widest);
+            let simd = simd.unwrap_or(new);
             Ok(Header::new(&study.name, &study.identity, study.cases.len(), simd))
         }
         _ => {
@@ -151,10 +157,10 @@ pub(super) fn fill(
 pub(super) fn replace(path: &Path) -> Result<(PathBuf, Lock), SweepError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let new = path.with_file_name(format!("{name}.new-{}", std::process::id()));
-    fs::create_dir_all(&new).map_err(SweepError::io(&new))?;
+    disk::create_folder(&new).map_err(SweepError::io(&new))?;
     let lock = Lock::hold(&new)?;
     let aside = move_aside(path)?;
-    fs::rename(&new, path).map_err(SweepError::io(path))?;
+    disk::rename(&new, path).map_err(SweepError::io(path))?;
     Ok((aside, lock))
 }
 
@@ -162,6 +168,6 @@ fn move_aside(path: &Path) -> Result<PathBuf, SweepError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let free = (1..).map(|number| path.with_file_name(format!("{name}.old-{number}")));
     let aside = free.into_iter().find(|aside| !aside.exists()).expect("numbers do not end");
-    fs::rename(path, &aside).map_err(SweepError::io(path))?;
+    disk::rename(path, &aside).map_err(SweepError::io(path))?;
     Ok(aside)
 }

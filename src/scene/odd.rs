@@ -11,12 +11,16 @@ const SHORTEST_TANK: f64 = 5.0;
 /// Water, kg/m³: 958 when it boils, 1000 fresh, 1025 in the sea, 1240 in the Dead Sea.
 const WATER: [f64; 2] = [900.0, 1300.0];
 
+/// Fewer steps show nothing.
+const FEWEST_STEPS: f64 = 2.0;
+
 /// Samples closer than this share of a time step say nothing that steps do not.
 const SHARE_OF_STEP: f64 = 0.1;
 
 /// What of a case looks like a slip: key, value, and what is usual.
 pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
-    let mut odd: Vec<_> = [density(config), interval(config)].into_iter().flatten().collect();
+    let all = [density(config), interval(config), end(config)];
+    let mut odd: Vec<_> = all.into_iter().flatten().collect();
     if let Some(scene) = config.scene.seawall() {
         odd.extend([tank(scene), threshold(scene)].into_iter().flatten());
     }
@@ -54,6 +58,15 @@ fn threshold(scene: &SeawallScene) -> Option<ConfigError> {
     let told = "still water alone presses with 1 and moves the wall from the first step; 1 or above \
                 lets it stand until the wave comes";
     gives_way.then(|| warning("threshold_ratio", scene.threshold_ratio, told.to_owned())).flatten()
+}
+
+fn end(config: &CaseConfig) -> Option<ConfigError> {
+    let frame = config.scene.frame();
+    let (end, step) = (frame.end_time, frame.time_step(&config.numerics));
+    let told = format!("the case ends before its second step of {step:.1e} s: nothing will happen");
+    (end - config.scene.start_s() < FEWEST_STEPS * step)
+        .then(|| warning("end_time_s", end, told))
+        .flatten()
 }
 
 fn interval(config: &CaseConfig) -> Option<ConfigError> {
@@ -109,6 +122,7 @@ mod tests {
                 "history_interval_s = 1e-9",
                 "scene.history_interval_s = 0.000000001: is much shorter",
             ),
+            ("end_time_s = 1e-308", "scene.end_time_s = 0.000000"),
             (
                 &format!("{movable}\nthreshold_ratio = 0.5"),
                 "scene.threshold_ratio = 0.5: still water alone presses with 1",

@@ -7,17 +7,29 @@ use crate::keys::ConfigError;
 /// Particles of water that are taken at most: some 30 GB, and weeks on one core.
 pub(super) const MOST_PARTICLES: f64 = 20e6;
 
+/// Steps that are taken at most: thousands of years on one core.
+const MOST_STEPS: f64 = 1e13;
+
 /// Particles of a scene from its area of water, without laying any of them out.
 pub(super) fn particles(config: &CaseConfig) -> f64 {
     let spacing = config.numerics.particle_spacing_m;
     config.scene.water_area() / spacing / spacing
 }
 
-/// Refuses more particles than a machine holds.
+/// Refuses more particles than a machine holds, and more steps than anybody waits for.
 ///
 /// # Errors
-/// More than [`MOST_PARTICLES`]; names the smallest spacing that this water may have.
+/// More than [`MOST_STEPS`] or [`MOST_PARTICLES`]; the latter names the smallest spacing that this water may have.
 pub(super) fn validate(config: &CaseConfig) -> Result<(), ConfigError> {
+    let frame = config.scene.frame();
+    let steps = (frame.end_time - config.scene.start_s()) / frame.time_step(&config.numerics);
+    if steps > MOST_STEPS {
+        let allowed = format!(
+            "would take {steps:.1e} steps, and {MOST_STEPS:e} are the most; where no end_time_s is given, a \
+             low wave is a long one"
+        );
+        return Err(ConfigError::new("scene.end_time_s", format!("{:e}", frame.end_time), allowed));
+    }
     let (count, area) = (particles(config), config.scene.water_area());
     if count <= MOST_PARTICLES {
         return Ok(());

@@ -35,6 +35,8 @@ pub enum FailureKind {
     Internal,
     /// The process that ran it was ended: out of memory, a stack overflow, a signal.
     EndedTheProcess,
+    /// It takes more than `[limits]` allows.
+    OverLimit,
 }
 
 impl FailureKind {
@@ -46,6 +48,7 @@ impl FailureKind {
                 | FailureKind::CheckpointUnreadable
                 | FailureKind::Internal
                 | FailureKind::EndedTheProcess
+                | FailureKind::OverLimit
         )
     }
 }

@@ -15,6 +15,7 @@ mod health;
 mod keeper;
 mod keeping;
 mod kept;
+mod limits;
 mod logbook;
 mod measures;
 mod outcome;
@@ -39,6 +40,7 @@ pub use faces::Face;
 pub use failure::{Failure, FailureKind, Stopped};
 pub use health::HealthMargins;
 pub use keeper::Keeper;
+pub use limits::Limits;
 pub use outcome::{
     CaseResult, EnergyBudget, HistoryRow, Maximum, NamedReading, Outcome, PhaseShare, ProbeColumn,
     ProbeTable, TrunkResult,
@@ -70,6 +72,15 @@ pub trait Monitor: Sync {
     /// True when the run should stop at the next step.
     fn cancelled(&self) -> bool {
         false
+    }
+    /// What is wrong with a run that has come to this step, where it takes more than it may. Asked at every
+    /// step.
+    fn over_limit(&self, _steps: u64) -> Option<String> {
+        None
+    }
+    /// What [`Monitor::over_limit`] holds the run against.
+    fn limits(&self) -> Limits {
+        Limits::default()
     }
     /// Who keeps the run's state; nobody by default.
     fn keeper(&self) -> Option<&dyn Keeper> {

@@ -90,6 +90,9 @@ impl Run {
         self.logbook.make_room((frame.end_time / frame.history_interval) as usize + 2);
         loop {
             let time = self.clock.time;
+            if let Some(detail) = monitor.over_limit(self.clock.steps) {
+                return Err(self.failure(FailureKind::OverLimit, detail).into());
+            }
             let last = time >= frame.end_time * (1.0 - 1e-12);
             let due = frame.history_interval * self.clock.samples as f64 * (1.0 - 1e-12);
             let sample = last || time >= due;

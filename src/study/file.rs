@@ -3,9 +3,11 @@
 use toml::{Table, Value};
 
 use super::axis::GridAxis;
+use super::limits;
 
 use crate::keys::{Key, Override, Section, read_alone, section};
 use crate::scene::{ConfigError, Kind, numerics_keys, place_of, scene_keys};
+use crate::simulation::Limits;
 
 /// A parsed sweep file; the values inside its tables are checked case by case in
 /// [`super::Study`].
@@ -21,6 +23,8 @@ pub struct SweepFile {
     pub probes: Vec<Table>,
     /// `[accuracy] max_error_percent`.
     pub max_error_percent: Option<f64>,
+    /// `[limits]`.
+    pub limits: Limits,
     /// `[grid]`, in the order of the file; empty for a file that describes a single scene.
     pub grid: Vec<GridAxis>,
     /// The file as written.
@@ -40,7 +44,7 @@ pub fn accuracy_keys() -> Vec<&'static Key> {
     Accuracy::keys()
 }
 
-const KEYS: [&str; 6] = ["name", "scene", "numerics", "probe", "accuracy", "grid"];
+const KEYS: [&str; 7] = ["name", "scene", "numerics", "probe", "accuracy", "limits", "grid"];
 
 impl SweepFile {
     /// Reads a file's text and puts the command line's values into it.
@@ -72,6 +76,7 @@ impl SweepFile {
             probes: tables(&file, "probe")?,
             max_error_percent: read_alone::<Accuracy>(&table(&file, Accuracy::NAME)?)?
                 .max_error_percent,
+            limits: limits::read(&table(&file, "limits")?)?,
             grid: grid?,
             text: text.to_owned(),
         })
@@ -218,6 +223,11 @@ mod tests {
             (
                 "name = \"a\"\n[accuracy]\nmax_error_percent = 0",
                 "accuracy.max_error_percent = 0: must be a finite number above 0",
+            ),
+            ("name = \"a\"\n[limits]\nstep = 2", "limits.step: unknown key; did you mean steps?"),
+            (
+                "name = \"a\"\n[limits]\nsteps = 0",
+                "limits.steps = 0: must be a whole number from 1",
             ),
             ("name = \"a\"\nscene = 3", "scene = 3: must be a table"),
             ("name = \"a\"\n[grid\n", "line 2: "),

@@ -10,6 +10,7 @@ mod case;
 mod companions;
 mod file;
 mod grid;
+mod limits;
 mod plan;
 mod schema;
 mod single;
@@ -17,6 +18,7 @@ mod single;
 pub use axis::GridAxis;
 pub use case::{Case, CaseId, PHYSICS_VERSION, trunk_key};
 pub use file::{SweepFile, accuracy_keys};
+pub use limits::limits_keys;
 pub use plan::{Plan, PlannedCase, PlannedTrunk};
 pub use schema::schema;
 
@@ -25,6 +27,7 @@ pub use crate::keys::Override;
 use sha2::{Digest, Sha256};
 
 use crate::scene::{ConfigError, ErrorBars};
+use crate::simulation::Limits;
 
 /// A validated sweep, ready to be planned.
 #[derive(Debug, Clone)]
@@ -44,6 +47,8 @@ pub struct Study {
     pub identity: String,
     /// The error that the file aims at, percent.
     pub max_error_percent: Option<f64>,
+    /// What no case may take more of.
+    pub limits: Limits,
     /// The file as written.
     pub file_text: String,
 }
@@ -61,7 +66,7 @@ impl Study {
         let bars: Vec<_> = cases.iter_mut().map(&mut take_bars).collect();
         let keys: Vec<String> = file.grid.iter().map(|axis| axis.key.clone()).collect();
         let study = Study::of(file.name.clone(), keys, cases, &bars, &file.text);
-        Ok(Study { max_error_percent: file.max_error_percent, ..study })
+        Ok(Study { max_error_percent: file.max_error_percent, limits: file.limits, ..study })
     }
 
     /// A study of the given cases; where `bars` has fewer entries, there are no further bars.
@@ -89,6 +94,7 @@ impl Study {
             companions_of,
             identity,
             max_error_percent,
+            limits: Limits::default(),
             file_text,
         }
     }

@@ -4,6 +4,7 @@ use serde_json::{Map, Value, json};
 
 use super::axis::{MOST_CASES, RANGE_KEYS};
 use super::file::Accuracy;
+use super::limits::limits_keys;
 use crate::keys::{self, Key, Section};
 use crate::scene::{Kind, numerics_keys, probe_keys, scene_keys};
 
@@ -24,6 +25,7 @@ pub fn schema() -> Value {
             "numerics": { "$ref": "#/$defs/numerics" },
             "probe": { "type": "array", "items": keys::schema(&probe_keys()) },
             "accuracy": keys::schema(&Accuracy::keys()),
+            "limits": keys::schema(&limits_keys()),
             "grid": grid(),
         },
         "required": ["name"],

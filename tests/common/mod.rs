@@ -1,6 +1,8 @@
 //! What the sweep's integration tests share: a tiny sweep, and a comparison that leaves out time.
 #![allow(dead_code, reason = "each test file uses its own part")]
 
+pub mod job;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};

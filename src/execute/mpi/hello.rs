@@ -1,15 +1,19 @@
 //! Getting acquainted: what every rank tells rank 0, and how ranks share a node's cores.
 
+use std::ffi::OsString;
+
 use serde::{Deserialize, Serialize};
 
 use crate::execute::{available_cores, host_name};
 use crate::math::simd::SimdPath;
-use crate::results::{Program, RankInfo};
+use crate::results::{Program, RankInfo, checksum_of};
 
 /// What rank 0 has to know of a rank.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub(super) struct Hello {
     pub(super) build: String,
+    /// Sum over the arguments that it was started with.
+    pub(super) arguments: String,
     pub(super) host: String,
     pub(super) simd: SimdPath,
     pub(super) cores: usize,
@@ -23,12 +27,31 @@ impl Hello {
         let allowed = status.lines().find_map(|line| line.strip_prefix("Cpus_allowed_list:"));
         Hello {
             build: Program::this().to_string(),
+            arguments: arguments_sum(std::env::args_os().skip(1)),
             host: host_name(),
             simd: SimdPath::widest(),
             cores: available_cores(),
             allowed: allowed.unwrap_or_default().trim().to_owned(),
         }
     }
+}
+
+/// Different where any argument is; their ends count.
+fn arguments_sum(arguments: impl Iterator<Item = OsString>) -> String {
+    let words: Vec<_> = arguments.flat_map(|word| [word, OsString::from("\0")]).collect();
+    checksum_of(words.iter().map(|word| word.as_encoded_bytes()))
+}
+
+/// The first rank that does not belong to rank 0, and why not.
+pub(super) fn stranger(hellos: &[Hello]) -> Option<(usize, String)> {
+    let first = hellos.first()?;
+    hellos.iter().enumerate().find_map(|(rank, hello)| {
+        if hello.build != first.build {
+            return Some((rank, format!("runs build {}, rank 0 {}", hello.build, first.build)));
+        }
+        let alike = hello.arguments == first.arguments;
+        (!alike).then(|| (rank, "was started with other arguments than rank 0".to_owned()))
+    })
 }
 
 /// Threads for each rank: by default the processors that it may use, shared with the ranks on the
@@ -48,7 +71,21 @@ mod tests {
 
     fn hello(host: &str, cores: usize, allowed: &str) -> Hello {
         let (host, allowed) = (host.to_owned(), allowed.to_owned());
-        Hello { build: String::new(), host, simd: SimdPath::Portable, cores, allowed }
+        let (build, arguments) = ("a".to_owned(), String::new());
+        Hello { build, arguments, host, simd: SimdPath::Portable, cores, allowed }
+    }
+
+    #[test]
+    fn a_rank_of_another_build_or_with_other_arguments_is_named() {
+        let same = || hello("a", 2, "0-1");
+        assert_eq!(stranger(&[same(), same()]), None);
+        let other = Hello { build: "b".to_owned(), ..same() };
+        assert_eq!(stranger(&[same(), other]), Some((1, "runs build b, rank 0 a".to_owned())));
+        let sum = |words: &[&str]| arguments_sum(words.iter().map(OsString::from));
+        assert!(sum(&["a", "bc"]) != sum(&["ab", "c"]) && sum(&["a"]) == sum(&["a"]));
+        let other = Hello { arguments: sum(&["a"]), ..same() };
+        let (rank, why) = stranger(&[same(), same(), other]).unwrap();
+        assert!(rank == 2 && why.contains("other arguments"), "{why}");
     }
 
     fn threads(hellos: &[Hello]) -> Vec<usize> {

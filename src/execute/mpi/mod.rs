@@ -8,9 +8,13 @@
 //! A session: every rank says Hello; rank 0 sends Start, then orders; Finish ends it. A rank then
 //! answers Bye once all that it sent has been received, and goes on receiving until Leave, so that
 //! nobody waits for a partner that has gone.
+//!
+//! Whoever looks for mail also lets hear of itself, and names a rank that has been silent for long. A dead
+//! one the launcher notices: it ends the job.
 
 mod hello;
 mod post;
+mod pulse;
 mod station;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -19,7 +23,7 @@ use mpi::Threading;
 use mpi::traits::Communicator;
 use serde::{Deserialize, Serialize};
 
-use self::hello::{Hello, share_cores};
+use self::hello::{Hello, share_cores, stranger};
 use self::post::Post;
 use self::station::{RankZero, Station, work};
 use super::worker::with_worker;
@@ -34,14 +38,26 @@ pub const AVAILABLE: bool = true;
 #[derive(Debug, Serialize, Deserialize)]
 enum Message {
     Hello(Hello),
-    Start { simd: SimdPath, rank: RankInfo },
+    Start {
+        simd: SimdPath,
+        rank: RankInfo,
+    },
     Order(Order),
     Report(Report),
-    Pull { trunk: usize },
-    Checkpoint { trunk: usize, bytes: Option<Vec<u8>> },
+    Pull {
+        trunk: usize,
+    },
+    Checkpoint {
+        trunk: usize,
+        bytes: Option<Vec<u8>>,
+    },
+    /// Nothing is left to do; rank 0 no longer listens all the time.
+    Rest,
     Finish,
     Bye,
     Leave,
+    /// Still here.
+    Beat,
 }
 
 /// Joins the other ranks. `lead` runs on rank 0 only and yields its exit code; the other ranks
@@ -63,7 +79,7 @@ pub fn with_crew(
     let rank = world.rank();
     // A rank that unwound out of here would leave the others waiting: it ends the job instead.
     let ended = catch_unwind(AssertUnwindSafe(|| {
-        let post = Post::new(universe.world());
+        let post = Post::new(universe.world(), setup.patience);
         if rank == 0 { lead_crew(setup, post, lead) } else { serve(setup, post).map(|()| 0) }
     }));
     match ended {
@@ -91,10 +107,10 @@ fn lead_crew(
         }
     }
     let hellos: Vec<_> = hellos.into_iter().flatten().collect();
-    if let Some(other) = hellos.iter().find(|hello| hello.build != hellos[0].build) {
-        let reason = format!("runs build {}, rank 0 {}", other.build, hellos[0].build);
-        return Err(SweepError::Executor(format!("{} {reason}", other.host)));
+    if let Some((rank, reason)) = stranger(&hellos) {
+        return Err(SweepError::Executor(format!("rank {rank} on {} {reason}", hellos[rank].host)));
     }
+    post.introduce(hellos.iter().map(|hello| hello.host.clone()).collect());
     let ranks = share_cores(&hellos, setup.threads);
     let widest = hellos.iter().map(|hello| hello.simd).min().unwrap_or(SimdPath::Portable);
     let mut crew = MpiCrew { setup: *setup, post, ranks, widest };
@@ -122,7 +138,10 @@ impl MpiCrew<'_> {
         let mut working = self.ranks.len() - 1;
         while working > 0 {
             match self.post.receive()? {
-                Some((_, Message::Bye)) => working -= 1,
+                Some((rank, Message::Bye)) => {
+                    self.post.forget(rank);
+                    working -= 1;
+                }
                 Some(_) => {}
                 None => std::thread::sleep(self.post.nap()),
             }
@@ -160,9 +179,11 @@ impl Crew for MpiCrew<'_> {
         self.send_all(|rank| Message::Start { simd, rank: rank.clone() });
         let runner = (self.setup.make_runner)(resources(&self.ranks[0], simd));
         let post = &mut self.post;
-        with_worker(0, self.ranks[0].places(), &*runner, |worker| {
+        let led = with_worker(0, self.ranks[0].places(), &*runner, |worker| {
             lead(&mut RankZero { station: Station { post, worker } })
-        })?
+        })?;
+        self.send_all(|_| Message::Rest);
+        led
     }
 }
 
@@ -191,6 +212,7 @@ fn serve(setup: &Setup<'_>, mut post: Post) -> Result<(), SweepError> {
 /// Waits until everything sent has been received, and until nobody sends any more.
 fn leave(post: &mut Post) -> Result<(), SweepError> {
     let mut said_bye = false;
+    post.hush();
     loop {
         match post.receive()? {
             Some((0, Message::Leave)) => break,

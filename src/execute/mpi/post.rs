@@ -1,5 +1,6 @@
 //! Mail between ranks: whole messages, sent and received without waiting.
 
+use std::io::Write;
 use std::mem::ManuallyDrop;
 use std::time::{Duration, Instant};
 
@@ -9,10 +10,11 @@ use mpi::topology::SimpleCommunicator;
 use mpi::traits::{Communicator, Destination, Equivalence, Source};
 
 use super::Message;
+use super::pulse::{News, Pulse};
 use crate::results::SweepError;
 
 /// Raised with every change of the messages; leads every message.
-const PROTOCOL: u16 = 3;
+const PROTOCOL: u16 = 4;
 /// MPI counts bytes in a C int; a checkpoint larger than this is not sent, and the case that
 /// wants it runs from rest.
 const LARGEST: usize = 1 << 30;
@@ -37,11 +39,33 @@ pub(super) struct Post {
     incoming: Option<(usize, Letter)>,
     /// When something was last sent, or seen to arrive or to have left.
     moved: Instant,
+    pulse: Pulse,
+    /// The machine of each rank, once it is known.
+    hosts: Vec<String>,
+    /// Whether rank 0 is expected to listen now: while it opens files and draws, it does not.
+    expects_rank_zero: bool,
+    /// Whether this rank says no more by itself.
+    hushed: bool,
 }
 
 impl Post {
-    pub(super) fn new(world: SimpleCommunicator) -> Post {
-        Post { world, outgoing: Vec::new(), incoming: None, moved: Instant::now() }
+    /// The mail of this rank; who is silent for longer than `patience` is named.
+    pub(super) fn new(world: SimpleCommunicator, patience: Duration) -> Post {
+        let now = Instant::now();
+        let pulse = Pulse::new(world.size() as usize, patience, now);
+        let (outgoing, hosts) = (Vec::new(), Vec::new());
+        let (expects_rank_zero, hushed, incoming) = (false, false, None);
+        Post { world, outgoing, incoming, moved: now, pulse, hosts, expects_rank_zero, hushed }
+    }
+
+    /// The machine of each rank.
+    pub(super) fn introduce(&mut self, hosts: Vec<String>) {
+        self.hosts = hosts;
+    }
+
+    /// Whether silence of rank 0 is worth a word from now on.
+    pub(super) fn expect_rank_zero(&mut self, expected: bool) {
+        self.expects_rank_zero = expected;
     }
 
     pub(super) fn rank(&self) -> usize {
@@ -54,10 +78,14 @@ impl Post {
 
     /// Sends without waiting: two ranks that send to each other cannot block each other.
     pub(super) fn send(&mut self, to: usize, message: &Message) {
+        self.post(to, message);
+        self.moved = Instant::now();
+    }
+
+    fn post(&mut self, to: usize, message: &Message) {
         let bytes = postcard::to_stdvec(&(PROTOCOL, message)).expect("messages are plain data");
         assert!(bytes.len() <= LARGEST + 64, "a message of {} bytes", bytes.len());
         self.outgoing.push(Letter::send(&self.world, to, bytes));
-        self.moved = Instant::now();
     }
 
     pub(super) fn send_checkpoint(&mut self, to: usize, trunk: usize, bytes: Option<Vec<u8>>) {
@@ -65,8 +93,79 @@ impl Post {
         self.send(to, &Message::Checkpoint { trunk, bytes });
     }
 
-    /// The next message, if one is here; also moves others on.
+    /// Says no more by itself: nobody may be there to hear it.
+    pub(super) fn hush(&mut self) {
+        self.hushed = true;
+        self.expects_rank_zero = false;
+    }
+
+    /// A rank has said that it will say no more.
+    pub(super) fn forget(&mut self, rank: usize) {
+        self.pulse.leave(rank);
+    }
+
+    /// The next message, if one is here; also moves others on, lets hear of this rank, and names those that
+    /// are silent.
     pub(super) fn receive(&mut self) -> Result<Option<(usize, Message)>, SweepError> {
+        loop {
+            let received = self.take()?;
+            if let Some((rank, _)) = &received {
+                self.pulse.hear(*rank, Instant::now());
+            }
+            match received {
+                Some((_, Message::Beat)) => {}
+                Some(received) => return Ok(Some(received)),
+                None => break,
+            }
+        }
+        self.beat();
+        Ok(None)
+    }
+
+    /// Lets hear of this rank where it is time to, and tells who is silent. Where nothing can be said to a
+    /// rank because it does not listen, no more is said.
+    fn beat(&mut self) {
+        let now = Instant::now();
+        let (here, size) = (self.rank(), self.size());
+        if self.pulse.is_due(now) && !self.hushed {
+            let others = if here == 0 { 1..size } else { 0..1 };
+            for rank in others {
+                if !self.outgoing.iter().any(|letter| letter.to == Some(rank)) {
+                    self.post(rank, &Message::Beat);
+                }
+            }
+        }
+        // One voice is enough for rank 0.
+        let watched = match here {
+            0 => 1..size,
+            1 if self.expects_rank_zero => 0..1,
+            _ => 0..0,
+        };
+        for news in self.pulse.look(watched, now) {
+            self.tell(news);
+        }
+    }
+
+    fn tell(&self, news: News) {
+        let name = |rank: usize| match self.hosts.get(rank) {
+            Some(host) => format!("rank {rank} on {host}"),
+            None => format!("rank {rank}"),
+        };
+        let told = match news {
+            News::Silent(rank, time) => {
+                let seconds = time.as_secs_f64();
+                format!(
+                    "{} has not been heard of for {seconds:.0} s; what it runs waits",
+                    name(rank)
+                )
+            }
+            News::Back(rank) => format!("{} is heard again", name(rank)),
+        };
+        // A warning that nobody reads must not end a sweep.
+        let _ = writeln!(std::io::stderr(), "warning: {told}");
+    }
+
+    fn take(&mut self) -> Result<Option<(usize, Message)>, SweepError> {
         self.is_delivered();
         let (rank, letter) = match self.incoming.take() {
             Some(incoming) => incoming,
@@ -131,6 +230,8 @@ struct Letter {
     /// Never dropped: rsmpi panics on that, and an unwinding rank must get to its abort.
     request: ManuallyDrop<Request<'static, [u8], StaticScope>>,
     bytes: *mut [u8],
+    /// The rank that it goes to; `None` where it comes here.
+    to: Option<usize>,
 }
 
 impl Letter {
@@ -140,7 +241,7 @@ impl Letter {
         // is only read.
         let content: &'static [u8] = unsafe { &*bytes };
         let request = world.process_at_rank(to as i32).immediate_send(StaticScope, content);
-        Letter { request: ManuallyDrop::new(request), bytes }
+        Letter { request: ManuallyDrop::new(request), bytes, to: Some(to) }
     }
 
     fn receive(message: MatchedMessage, status: &Status) -> Letter {
@@ -150,17 +251,17 @@ impl Letter {
         // then only MPI writes there.
         let content: &'static mut [u8] = unsafe { &mut *bytes };
         let request = message.immediate_matched_receive_into(StaticScope, content);
-        Letter { request: ManuallyDrop::new(request), bytes }
+        Letter { request: ManuallyDrop::new(request), bytes, to: None }
     }
 
     /// What it says once it has arrived; itself while still on its way.
     fn test(self) -> Result<Box<[u8]>, Letter> {
-        let bytes = self.bytes;
+        let (bytes, to) = (self.bytes, self.to);
         match ManuallyDrop::into_inner(self.request).test() {
             // SAFETY: made by `Box::into_raw`; the request is complete, and nothing else refers
             // to it.
             Ok(_) => Ok(unsafe { Box::from_raw(bytes) }),
-            Err(request) => Err(Letter { request: ManuallyDrop::new(request), bytes }),
+            Err(request) => Err(Letter { request: ManuallyDrop::new(request), bytes, to }),
         }
     }
 }

@@ -80,6 +80,7 @@ impl Link for RankZero<'_, '_, '_> {
 pub(super) fn work(setup: &Setup<'_>, mut station: Station<'_, '_, '_>) -> Result<(), SweepError> {
     let mut told = false;
     let mut nap = Duration::ZERO;
+    station.post.expect_rank_zero(true);
     loop {
         if let Some(report) = station.worker.poll(nap) {
             station.post.send(0, &Message::Report(report));
@@ -94,6 +95,7 @@ pub(super) fn work(setup: &Setup<'_>, mut station: Station<'_, '_, '_>) -> Resul
             match station.handle(rank, message) {
                 None => {}
                 Some(Message::Order(order)) => station.obey(order),
+                Some(Message::Rest) => station.post.expect_rank_zero(false),
                 Some(Message::Finish) => return Ok(()),
                 Some(other) => return Err(out_of_turn(rank, &other)),
             }

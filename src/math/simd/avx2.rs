@@ -24,8 +24,8 @@ pub(super) unsafe fn run<T: Task>(task: T) -> T::Output {
     task.run::<Avx2>()
 }
 
-// SAFETY of every block below: `Avx2` only exists inside `run`, `Single` there or inside `avx512::run`. Their
-// callers have checked the processor's features; loads and stores go through references to whole arrays.
+// `Avx2` only exists inside `run`, `Single` there or inside `avx512::run`, whose callers have checked the
+// processor's features. That is what every reason below builds on.
 
 operators!(Avx2 [0, 1]: _mm256_add_pd, _mm256_sub_pd, _mm256_mul_pd);
 
@@ -39,11 +39,13 @@ impl Vector for Avx2 {
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
+        // SAFETY: the processor has these instructions wherever a value of this type exists.
         let lanes = unsafe { _mm256_set1_pd(value) };
         Avx2(lanes, lanes)
     }
     #[inline(always)]
     fn rsqrt_guess(self) -> Self {
+        // SAFETY: the processor has these instructions wherever a value of this type exists.
         unsafe {
             let magic = _mm256_set1_epi64x(RSQRT_MAGIC);
             let low = _mm256_srli_epi64::<1>(_mm256_castpd_si256(self.0));
@@ -56,6 +58,7 @@ impl Vector for Avx2 {
     }
     #[inline(always)]
     fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self {
+        // SAFETY: the processor has these instructions wherever a value of this type exists.
         unsafe {
             let low = _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, bound.0);
             let high = _mm256_cmp_pd::<_CMP_LT_OQ>(self.1, bound.1);
@@ -67,6 +70,7 @@ impl Vector for Avx2 {
     }
     #[inline(always)]
     fn power_of_two(self) -> Self {
+        // SAFETY: the processor has these instructions wherever a value of this type exists.
         unsafe {
             let half = |v: __m256d| {
                 let shifted = _mm256_slli_epi64::<52>(_mm256_castpd_si256(v));
@@ -78,11 +82,15 @@ impl Vector for Avx2 {
     #[inline(always)]
     fn load(values: &[f64; LANES]) -> Self {
         let at = values.as_ptr();
+        // SAFETY: the processor has these instructions wherever a value of this type exists; the
+        // reference leads to all values that are read.
         unsafe { Avx2(_mm256_loadu_pd(at), _mm256_loadu_pd(at.add(4))) }
     }
     #[inline(always)]
     fn store_single(self, values: &mut [f32; LANES]) {
         let at = values.as_mut_ptr();
+        // SAFETY: the processor has these instructions wherever a value of this type exists; the
+        // reference leads to room for all values that are written.
         unsafe {
             _mm_storeu_ps(at, _mm256_cvtpd_ps(self.0));
             _mm_storeu_ps(at.add(4), _mm256_cvtpd_ps(self.1));
@@ -90,6 +98,7 @@ impl Vector for Avx2 {
     }
     #[inline(always)]
     fn any_less(self, bound: Self) -> bool {
+        // SAFETY: the processor has these instructions wherever a value of this type exists.
         unsafe {
             let low = _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, bound.0);
             let high = _mm256_cmp_pd::<_CMP_LT_OQ>(self.1, bound.1);
@@ -122,6 +131,8 @@ impl Lanes for Avx2 {
     #[inline(always)]
     fn store(self, values: &mut [f64; LANES]) {
         let at = values.as_mut_ptr();
+        // SAFETY: the processor has these instructions wherever a value of this type exists; the
+        // reference leads to room for all values that are written.
         unsafe {
             _mm256_storeu_pd(at, self.0);
             _mm256_storeu_pd(at.add(4), self.1);
@@ -130,10 +141,13 @@ impl Lanes for Avx2 {
     #[inline(always)]
     fn load_single(values: &[f32; LANES]) -> Self {
         let at = values.as_ptr();
+        // SAFETY: the processor has these instructions wherever a value of this type exists; the
+        // reference leads to all values that are read.
         unsafe { Avx2(_mm256_cvtps_pd(_mm_loadu_ps(at)), _mm256_cvtps_pd(_mm_loadu_ps(at.add(4)))) }
     }
     #[inline(always)]
     fn call<T: Task>(task: T) -> T::Output {
+        // SAFETY: a value of this type exists only where the processor has all that `run` is compiled for.
         unsafe { run(task) }
     }
     #[inline(always)]
@@ -160,10 +174,12 @@ impl Vector for Single {
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
+        // SAFETY: the processor has these instructions wherever a value of this type exists.
         Single(unsafe { _mm256_set1_ps(value as f32) })
     }
     #[inline(always)]
     fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self {
+        // SAFETY: the processor has these instructions wherever a value of this type exists.
         Single(unsafe {
             let less = _mm256_cmp_ps::<_CMP_LT_OQ>(self.0, bound.0);
             _mm256_blendv_ps(otherwise.0, if_less.0, less)
@@ -171,6 +187,7 @@ impl Vector for Single {
     }
     #[inline(always)]
     fn power_of_two(self) -> Self {
+        // SAFETY: the processor has these instructions wherever a value of this type exists.
         Single(unsafe {
             let shifted = _mm256_slli_epi32::<23>(_mm256_castps_si256(self.0));
             _mm256_castsi256_ps(_mm256_add_epi32(shifted, _mm256_set1_epi32(127 << 23)))
@@ -179,6 +196,8 @@ impl Vector for Single {
     #[inline(always)]
     fn load(values: &[f64; LANES]) -> Self {
         let at = values.as_ptr();
+        // SAFETY: the processor has these instructions wherever a value of this type exists; the
+        // reference leads to all values that are read.
         unsafe {
             let low = _mm256_cvtpd_ps(_mm256_loadu_pd(at));
             let high = _mm256_cvtpd_ps(_mm256_loadu_pd(at.add(4)));
@@ -187,14 +206,18 @@ impl Vector for Single {
     }
     #[inline(always)]
     fn store_single(self, values: &mut [f32; LANES]) {
+        // SAFETY: the processor has these instructions wherever a value of this type exists; the
+        // reference leads to room for all values that are written.
         unsafe { _mm256_storeu_ps(values.as_mut_ptr(), self.0) }
     }
     #[inline(always)]
     fn any_less(self, bound: Self) -> bool {
+        // SAFETY: the processor has these instructions wherever a value of this type exists.
         unsafe { _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_LT_OQ>(self.0, bound.0)) != 0 }
     }
     #[inline(always)]
     fn widened(self) -> Avx2 {
+        // SAFETY: the processor has these instructions wherever a value of this type exists.
         unsafe {
             let low = _mm256_castps256_ps128(self.0);
             let high = _mm256_extractf128_ps::<1>(self.0);

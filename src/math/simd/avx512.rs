@@ -21,8 +21,8 @@ pub(super) unsafe fn run<T: Task>(task: T) -> T::Output {
     task.run::<Avx512>()
 }
 
-// SAFETY of every block below: `Avx512` only exists inside `run`, whose caller has checked the
-// processor's features; loads and stores go through references to whole arrays.
+// `Avx512` only exists inside `run`, whose caller has checked the processor's features. That is what every
+// reason below builds on.
 
 operators!(Avx512 [0]: _mm512_add_pd, _mm512_sub_pd, _mm512_mul_pd);
 
@@ -36,10 +36,12 @@ impl Vector for Avx512 {
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
+        // SAFETY: the processor has these instructions wherever a value of this type exists.
         Avx512(unsafe { _mm512_set1_pd(value) })
     }
     #[inline(always)]
     fn rsqrt_guess(self) -> Self {
+        // SAFETY: the processor has these instructions wherever a value of this type exists.
         Avx512(unsafe {
             let half = _mm512_srli_epi64::<1>(_mm512_castpd_si512(self.0));
             _mm512_castsi512_pd(_mm512_sub_epi64(_mm512_set1_epi64(RSQRT_MAGIC), half))
@@ -47,6 +49,7 @@ impl Vector for Avx512 {
     }
     #[inline(always)]
     fn select_less(self, bound: Self, if_less: Self, otherwise: Self) -> Self {
+        // SAFETY: the processor has these instructions wherever a value of this type exists.
         Avx512(unsafe {
             let less = _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, bound.0);
             _mm512_mask_blend_pd(less, otherwise.0, if_less.0)
@@ -54,6 +57,7 @@ impl Vector for Avx512 {
     }
     #[inline(always)]
     fn power_of_two(self) -> Self {
+        // SAFETY: the processor has these instructions wherever a value of this type exists.
         Avx512(unsafe {
             let shifted = _mm512_slli_epi64::<52>(_mm512_castpd_si512(self.0));
             _mm512_castsi512_pd(_mm512_add_epi64(shifted, _mm512_set1_epi64(1023 << 52)))
@@ -61,14 +65,19 @@ impl Vector for Avx512 {
     }
     #[inline(always)]
     fn load(values: &[f64; LANES]) -> Self {
+        // SAFETY: the processor has these instructions wherever a value of this type exists; the
+        // reference leads to all values that are read.
         Avx512(unsafe { _mm512_loadu_pd(values.as_ptr()) })
     }
     #[inline(always)]
     fn store_single(self, values: &mut [f32; LANES]) {
+        // SAFETY: the processor has these instructions wherever a value of this type exists; the
+        // reference leads to room for all values that are written.
         unsafe { _mm256_storeu_ps(values.as_mut_ptr(), _mm512_cvtpd_ps(self.0)) }
     }
     #[inline(always)]
     fn any_less(self, bound: Self) -> bool {
+        // SAFETY: the processor has these instructions wherever a value of this type exists.
         unsafe { _mm512_cmp_pd_mask::<_CMP_LT_OQ>(self.0, bound.0) != 0 }
     }
     #[inline(always)]
@@ -92,6 +101,8 @@ impl Lanes for Avx512 {
     }
     #[inline(always)]
     fn store(self, values: &mut [f64; LANES]) {
+        // SAFETY: the processor has these instructions wherever a value of this type exists; the
+        // reference leads to room for all values that are written.
         unsafe { _mm512_storeu_pd(values.as_mut_ptr(), self.0) }
     }
     #[inline(always)]
@@ -101,6 +112,8 @@ impl Lanes for Avx512 {
         // Quarters of a vector: even ones of two, odd ones of two.
         const EVEN: i32 = 0b10_00_10_00;
         const ODD: i32 = 0b11_01_11_01;
+        // SAFETY: the processor has these instructions wherever a value of this type exists; the
+        // reference leads to room for all values that are written.
         unsafe {
             // Pairs of numbers of the records 0, 2, 4, 6, then of 1, 3, 5, 7.
             let low = [
@@ -136,10 +149,13 @@ impl Lanes for Avx512 {
     }
     #[inline(always)]
     fn load_single(values: &[f32; LANES]) -> Self {
+        // SAFETY: the processor has these instructions wherever a value of this type exists; the
+        // reference leads to all values that are read.
         Avx512(unsafe { _mm512_cvtps_pd(_mm256_loadu_ps(values.as_ptr())) })
     }
     #[inline(always)]
     fn call<T: Task>(task: T) -> T::Output {
+        // SAFETY: a value of this type exists only where the processor has all that `run` is compiled for.
         unsafe { run(task) }
     }
     #[inline(always)]

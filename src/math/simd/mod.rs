@@ -136,6 +136,7 @@ pub fn dispatch<T: Task>(path: SimdPath, task: T) -> T::Output {
     match path {
         // SAFETY: the processor has all that `run` of this path is compiled for.
         SimdPath::Avx512 if path.is_supported() => return unsafe { avx512::run(task) },
+        // SAFETY: likewise.
         SimdPath::Avx2 if path.is_supported() => return unsafe { avx2::run(task) },
         _ => {}
     }

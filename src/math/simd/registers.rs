@@ -8,6 +8,7 @@ macro_rules! operators {
             type Output = Self;
             #[inline(always)]
             fn add(self, other: Self) -> Self {
+                // SAFETY: the processor has these instructions wherever a value of this type exists.
                 unsafe { $Name($($add(self.$at, other.$at)),+) }
             }
         }
@@ -16,6 +17,7 @@ macro_rules! operators {
             type Output = Self;
             #[inline(always)]
             fn sub(self, other: Self) -> Self {
+                // SAFETY: the processor has these instructions wherever a value of this type exists.
                 unsafe { $Name($($sub(self.$at, other.$at)),+) }
             }
         }
@@ -24,6 +26,7 @@ macro_rules! operators {
             type Output = Self;
             #[inline(always)]
             fn mul(self, other: Self) -> Self {
+                // SAFETY: the processor has these instructions wherever a value of this type exists.
                 unsafe { $Name($($mul(self.$at, other.$at)),+) }
             }
         }
@@ -45,30 +48,37 @@ macro_rules! arithmetic {
     ) => {
         #[inline(always)]
         fn mul_add(self, factor: Self, addend: Self) -> Self {
+            // SAFETY: the processor has these instructions wherever a value of this type exists.
             unsafe { Self($($fmadd(self.$at, factor.$at, addend.$at)),+) }
         }
         #[inline(always)]
         fn mul_sub(self, factor: Self, subtrahend: Self) -> Self {
+            // SAFETY: the processor has these instructions wherever a value of this type exists.
             unsafe { Self($($fmsub(self.$at, factor.$at, subtrahend.$at)),+) }
         }
         #[inline(always)]
         fn negated_mul_add(self, factor: Self, addend: Self) -> Self {
+            // SAFETY: the processor has these instructions wherever a value of this type exists.
             unsafe { Self($($fnmadd(self.$at, factor.$at, addend.$at)),+) }
         }
         #[inline(always)]
         fn div(self, divisor: Self) -> Self {
+            // SAFETY: the processor has these instructions wherever a value of this type exists.
             unsafe { Self($($div(self.$at, divisor.$at)),+) }
         }
         #[inline(always)]
         fn sqrt(self) -> Self {
+            // SAFETY: the processor has these instructions wherever a value of this type exists.
             unsafe { Self($($sqrt(self.$at)),+) }
         }
         #[inline(always)]
         fn min(self, other: Self) -> Self {
+            // SAFETY: the processor has these instructions wherever a value of this type exists.
             unsafe { Self($($min(self.$at, other.$at)),+) }
         }
         #[inline(always)]
         fn max(self, other: Self) -> Self {
+            // SAFETY: the processor has these instructions wherever a value of this type exists.
             unsafe { Self($($max(self.$at, other.$at)),+) }
         }
     };

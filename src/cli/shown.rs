@@ -1,0 +1,66 @@
+//! Text of unknown origin on a terminal: nothing in it moves the cursor, and no word fills the screen.
+
+use std::path::{Path, PathBuf};
+
+/// A longer word is cut.
+const LONGEST: usize = 300;
+/// What is left of it.
+const KEPT: usize = 60;
+
+/// Escapes what is no text, line breaks apart, and cuts long words.
+pub(super) fn shown(text: &str) -> String {
+    let mut shown = String::with_capacity(text.len());
+    for piece in text.split_inclusive(char::is_whitespace) {
+        let length = piece.chars().count();
+        if length <= LONGEST {
+            piece.chars().for_each(|char| push(&mut shown, char));
+        } else {
+            piece.chars().take(KEPT).for_each(|char| push(&mut shown, char));
+            shown.push_str(&format!("... ({length} characters)"));
+            shown.extend(piece.chars().last().filter(|char| char.is_whitespace()));
+        }
+    }
+    shown
+}
+
+fn push(shown: &mut String, char: char) {
+    let turns =
+        matches!(char, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    match char {
+        '\n' | '\t' => shown.push(char),
+        _ if char.is_control() || turns => shown.extend(char.escape_unicode()),
+        _ => shown.push(char),
+    }
+}
+
+/// A path for JSON, which knows no other text than UTF-8.
+pub(super) fn path(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
+}
+
+/// Paths for JSON.
+pub(super) fn paths(paths: &[PathBuf]) -> Vec<String> {
+    paths.iter().map(|it| path(it)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_text_is_escaped() {
+        assert_eq!(shown("a\u{1b}[31m b\nc\u{9b}"), "a\\u{1b}[31m b\nc\\u{9b}");
+        assert_eq!(shown("\u{202e}abc \u{f6}"), "\\u{202e}abc \u{f6}");
+    }
+
+    #[test]
+    fn long_words_are_cut() {
+        let word = "x".repeat(5000);
+        let told = shown(&format!("scene.wall = \"{word}\": must be\n"));
+        assert!(told.len() < 120, "{told}");
+        assert!(told.starts_with("scene.wall = \"xxx") && told.ends_with(" must be\n"), "{told}");
+        assert!(told.contains("xxx... (5003 characters)"), "{told}");
+        let path = "/a/long/path".repeat(20);
+        assert_eq!(shown(&path), path);
+    }
+}

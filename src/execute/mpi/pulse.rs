@@ -1,0 +1,123 @@
+//! Who is alive: every rank lets hear of itself now and then, and one that is silent for long is named.
+
+use std::time::{Duration, Instant};
+
+/// A rank is to be heard so many times in the time after which its silence is told.
+const BEATS: u32 = 4;
+
+/// What is to be told of a rank.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum News {
+    /// It has been silent for so long.
+    Silent(usize, Duration),
+    /// It is heard again.
+    Back(usize),
+}
+
+/// When each rank was heard last.
+#[derive(Debug)]
+pub(super) struct Pulse {
+    patience: Duration,
+    heard: Vec<Instant>,
+    /// Whether it was told that a rank is silent.
+    told: Vec<bool>,
+    /// Ranks that have said that they will say no more.
+    gone: Vec<bool>,
+    spoke: Instant,
+    looked: Instant,
+}
+
+impl Pulse {
+    /// Of so many ranks, all of them alive now. Who is silent for longer than `patience` is told.
+    pub(super) fn new(ranks: usize, patience: Duration, now: Instant) -> Pulse {
+        let (heard, told, gone) = (vec![now; ranks], vec![false; ranks], vec![false; ranks]);
+        Pulse { patience, heard, told, gone, spoke: now, looked: now }
+    }
+
+    /// A rank will say no more.
+    pub(super) fn leave(&mut self, rank: usize) {
+        self.gone[rank] = true;
+    }
+
+    /// A rank was heard.
+    pub(super) fn hear(&mut self, rank: usize, now: Instant) {
+        self.heard[rank] = now;
+    }
+
+    /// Whether it is time to let hear of oneself; true once each time.
+    pub(super) fn is_due(&mut self, now: Instant) -> bool {
+        let due = now.duration_since(self.spoke) >= self.patience / BEATS;
+        if due {
+            self.spoke = now;
+        }
+        due
+    }
+
+    /// What has changed of these ranks. Nobody was listened to while this process itself stood still or was
+    /// at something else: silence counts from there on.
+    pub(super) fn look(&mut self, ranks: impl Iterator<Item = usize>, now: Instant) -> Vec<News> {
+        let away = now.duration_since(self.looked);
+        self.looked = now;
+        if away >= self.patience / BEATS {
+            self.heard.iter_mut().for_each(|heard| *heard = now.max(*heard));
+            return Vec::new();
+        }
+        let mut news = Vec::new();
+        for rank in ranks {
+            let silence = now.saturating_duration_since(self.heard[rank]);
+            let silent = silence >= self.patience;
+            if silent != self.told[rank] && !self.gone[rank] {
+                self.told[rank] = silent;
+                news.push(if silent { News::Silent(rank, silence) } else { News::Back(rank) });
+            }
+        }
+        news
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SECOND: Duration = Duration::from_secs(1);
+
+    #[test]
+    fn a_silent_rank_is_told_once_and_once_more_when_it_is_back() {
+        let start = Instant::now();
+        let mut pulse = Pulse::new(3, 8 * SECOND, start);
+        let mut told = Vec::new();
+        for second in 1..30 {
+            let now = start + second * SECOND;
+            pulse.hear(1, now);
+            if second >= 20 {
+                pulse.hear(2, now);
+            }
+            told.extend(pulse.look(1..3, now));
+        }
+        pulse.leave(1);
+        told.extend((30..50).flat_map(|second| {
+            pulse.hear(2, start + second * SECOND);
+            pulse.look(1..3, start + second * SECOND)
+        }));
+        assert_eq!(told, [News::Silent(2, 8 * SECOND), News::Back(2)]);
+    }
+
+    #[test]
+    fn who_did_not_listen_says_nothing_of_others() {
+        let start = Instant::now();
+        let mut pulse = Pulse::new(2, 8 * SECOND, start);
+        assert_eq!(pulse.look(1..2, start + SECOND), []);
+        assert_eq!(pulse.look(1..2, start + 100 * SECOND), [], "it was stopped itself");
+        let told: Vec<_> =
+            (101..120).flat_map(|second| pulse.look(1..2, start + second * SECOND)).collect();
+        assert_eq!(told, [News::Silent(1, 8 * SECOND)]);
+    }
+
+    #[test]
+    fn beats_come_four_times_in_the_time_of_patience() {
+        let start = Instant::now();
+        let mut pulse = Pulse::new(1, 8 * SECOND, start);
+        let due = (0..17).filter(|&second| pulse.is_due(start + second * SECOND)).count();
+        assert_eq!(due, 8);
+    }
+}

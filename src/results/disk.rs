@@ -1,0 +1,116 @@
+//! The system calls that change a study's files, in one place: here tests make each of them fail.
+
+use std::fs::{self, File, OpenOptions};
+use std::io::{Result, Write};
+use std::path::Path;
+
+/// Makes a file, or empties it.
+pub(super) fn create(path: &Path) -> Result<File> {
+    faults::next()?;
+    File::create(path)
+}
+
+/// Opens a file to write at its end.
+pub(super) fn append(path: &Path) -> Result<File> {
+    faults::next()?;
+    OpenOptions::new().append(true).create(true).open(path)
+}
+
+/// Writes all bytes; where that fails, some of them may be there.
+pub(super) fn write(mut file: &File, bytes: &[u8]) -> Result<()> {
+    if let Err(error) = faults::next() {
+        file.write_all(&bytes[..bytes.len() / 2])?;
+        return Err(error);
+    }
+    file.write_all(bytes)
+}
+
+/// Puts a file's content, or the names in a folder, on the disk.
+pub(super) fn sync(file: &File) -> Result<()> {
+    faults::next()?;
+    if cfg!(test) { Ok(()) } else { file.sync_all() } // tests pull no plugs
+}
+
+/// Puts a file's content on the disk.
+pub(super) fn sync_data(file: &File) -> Result<()> {
+    faults::next()?;
+    if cfg!(test) { Ok(()) } else { file.sync_data() }
+}
+
+/// Gives a file or folder another name.
+pub(super) fn rename(from: &Path, to: &Path) -> Result<()> {
+    faults::next()?;
+    fs::rename(from, to)
+}
+
+/// Removes a file.
+pub(super) fn remove_file(path: &Path) -> Result<()> {
+    faults::next()?;
+    fs::remove_file(path)
+}
+
+/// Makes a folder and those above it.
+pub(super) fn create_folder(path: &Path) -> Result<()> {
+    faults::next()?;
+    fs::create_dir_all(path)
+}
+
+/// Removes a folder and all in it.
+pub(super) fn remove_folder(path: &Path) -> Result<()> {
+    faults::next()?;
+    fs::remove_dir_all(path)
+}
+
+/// A file for those who write piece by piece.
+pub(super) struct Writer<'a>(pub(super) &'a File);
+
+impl Write for Writer<'_> {
+    fn write(&mut self, bytes: &[u8]) -> Result<usize> {
+        write(self.0, bytes).map(|()| bytes.len())
+    }
+
+    fn flush(&mut self) -> Result<()> {
+        Ok(())
+    }
+}
+
+/// Nothing fails by itself.
+#[cfg(not(test))]
+mod faults {
+    pub(super) fn next() -> std::io::Result<()> {
+        Ok(())
+    }
+}
+
+/// Failures on demand, of the calls of one thread.
+#[cfg(test)]
+pub(super) mod faults {
+    use std::cell::Cell;
+    use std::io::{Error, Result};
+
+    thread_local! {
+        static CALLS: Cell<usize> = const { Cell::new(0) };
+        static FAILING: Cell<[usize; 2]> = const { Cell::new([usize::MAX; 2]) };
+    }
+
+    /// From now on the call of this number fails, and so do as many after it; counting begins at 0.
+    pub(in crate::results) fn arm(first: usize, more: usize) {
+        CALLS.set(0);
+        FAILING.set([first, first.saturating_add(more)]);
+    }
+
+    /// Nothing fails any more. How many calls there were.
+    pub(in crate::results) fn disarm() -> usize {
+        FAILING.set([usize::MAX; 2]);
+        CALLS.get()
+    }
+
+    pub(super) fn next() -> Result<()> {
+        let call = CALLS.replace(CALLS.get() + 1);
+        let [first, last] = FAILING.get();
+        if call >= first && call <= last {
+            return Err(Error::other("the disk is full, says a test"));
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,139 @@
+//! Every system call that changes a file fails once in turn, alone or with all that follow. What the next
+//! process finds must be enough to go on to the same bytes.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use super::disk::faults;
+use super::{
+    CaseRecord, Checkpoint, Directory, Manifest, OpenMode, Opened, SweepError, made_up,
+    write_all_histories,
+};
+use crate::math::simd::SimdPath;
+use crate::study::{CaseId, Study, SweepFile};
+
+const SIMD: SimdPath = SimdPath::Portable;
+
+fn study() -> Study {
+    let text = "name = \"a\"\n[grid]\nwave_height_ratio = [0.1, 0.2, 0.3]";
+    Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap()
+}
+
+/// A session as `sweep` has it, with made-up results. `kept` gets the cases of which it is certain that
+/// they are on the disk.
+fn session(
+    path: &Path,
+    study: &Study,
+    mode: OpenMode,
+    kept: &mut Vec<CaseId>,
+) -> Result<(), SweepError> {
+    let (mut directory, _) = Directory::open(path, study, mode, Some(SIMD), SIMD)?;
+    Manifest::new(path, study, &[], SIMD).write(path)?;
+    let missing = |case: &&crate::study::Case| directory.runs()[case.index].is_none();
+    let missing: Vec<_> = study.runs().filter(missing).cloned().collect();
+    for case in &missing {
+        directory.attempts().begin(case.id)?;
+        // A checkpoint that cannot be written costs nothing but itself.
+        let _ = Checkpoint::of_case(path, case.id, SIMD).write(b"state");
+        let result = made_up(&case.config);
+        let record = CaseRecord::new(study, case, &Ok(result.clone()), 0.5, "here");
+        directory.record(record, Some(&result))?;
+        directory.attempts().end(case.id)?;
+        directory.sync(true)?;
+        kept.push(case.id);
+    }
+    directory.attempts().close()?;
+    directory.write_tables(study)?;
+    directory.clear_checkpoints()?;
+    directory.demand_in_place()?;
+    write_all_histories(path)?;
+    Manifest::new(path, study, &[], SIMD).write(path)
+}
+
+/// Every file below a directory.
+fn files(path: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut files = BTreeMap::new();
+    for entry in fs::read_dir(path).unwrap().map(Result::unwrap) {
+        let name = entry.file_name().into_string().unwrap();
+        if entry.path().is_dir() {
+            let inside = super::failing::files(&entry.path()).into_iter();
+            files.extend(inside.map(|(file, bytes)| (format!("{name}/{file}"), bytes)));
+        } else {
+            files.insert(name, fs::read(entry.path()).unwrap());
+        }
+    }
+    files
+}
+
+/// Fails call after call of a session over what `before` has left, and goes on after each.
+fn fail_in_turn(mode: OpenMode, before: impl Fn(&Path)) {
+    let study = study();
+    let root = tempfile::tempdir().unwrap();
+    let whole = root.path().join("whole");
+    session(&whole, &study, OpenMode::Resume, &mut Vec::new()).unwrap();
+    let expected = files(&whole);
+    for more in [0, 2, usize::MAX] {
+        for call in 0.. {
+            let room = tempfile::tempdir().unwrap();
+            let path = room.path().join("out");
+            before(&path);
+            let mut kept = Vec::new();
+            faults::arm(call, more);
+            let ended = session(&path, &study, mode, &mut kept);
+            let calls = faults::disarm();
+            if calls <= call {
+                assert!(ended.is_ok() && call > 20, "{ended:?} after {calls} calls");
+                break;
+            }
+            if let Err(error) = &ended {
+                assert!(!error.is_refusal() || kept.is_empty(), "call {call}: {error}");
+            }
+            // What was said to be on the disk is there.
+            let opened = Directory::open(&path, &study, OpenMode::Resume, None, SIMD);
+            let (directory, opened) = opened.unwrap_or_else(|error| panic!("call {call}: {error}"));
+            assert!(directory.findings().is_empty(), "call {call}: {:?}", directory.findings());
+            if let Opened::Resumed(_) = opened {
+                let there =
+                    |id: &CaseId| directory.records().iter().flatten().any(|it| it.id == *id);
+                assert!(kept.iter().all(there), "call {call}");
+            } else {
+                assert!(kept.is_empty(), "call {call}");
+            }
+            drop(directory);
+            session(&path, &study, OpenMode::Resume, &mut kept).unwrap();
+            let left = files(&path);
+            assert_eq!(
+                left.keys().collect::<Vec<_>>(),
+                expected.keys().collect::<Vec<_>>(),
+                "{call}"
+            );
+            let differs = expected.iter().find(|(name, bytes)| left[*name] != **bytes);
+            assert!(differs.is_none(), "call {call}: {}", differs.unwrap().0);
+        }
+    }
+}
+
+#[test]
+fn a_failing_call_of_a_new_study_loses_nothing() {
+    fail_in_turn(OpenMode::Resume, |_| {});
+}
+
+#[test]
+fn a_failing_call_of_a_study_that_is_mended_loses_nothing() {
+    fail_in_turn(OpenMode::Resume, |path| {
+        session(path, &study(), OpenMode::Resume, &mut Vec::new()).unwrap();
+        let journal = path.join("journal.jsonl");
+        let text = fs::read_to_string(&journal).unwrap();
+        // Its last line is torn, and a history is left half written.
+        fs::write(&journal, &text[..text.len() - 30]).unwrap();
+        fs::write(path.join("histories/0.csv.partial"), "time_s").unwrap();
+    });
+}
+
+#[test]
+fn a_failing_call_of_a_study_that_starts_over_loses_nothing() {
+    fail_in_turn(OpenMode::Fresh, |path| {
+        session(path, &study(), OpenMode::Resume, &mut Vec::new()).unwrap();
+    });
+}

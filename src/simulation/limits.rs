@@ -1,0 +1,62 @@
+//! How much a case may take. Limits are no part of what a case is: they decide whether it ends, never how.
+
+use std::time::Duration;
+
+use serde::{Deserialize, Serialize};
+
+/// What no case may take more of; nothing is limited by default.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Limits {
+    /// Time steps, from rest on.
+    pub steps: Option<u64>,
+    /// Seconds of the clock on the wall, from where a rank takes the case or its trunk up.
+    pub wall_time_s: Option<f64>,
+    /// Mebibytes of memory, of a process with nothing but this case.
+    pub memory_mib: Option<f64>,
+}
+
+/// Bytes.
+const MEBIBYTE: f64 = (1 << 20) as f64;
+
+impl Limits {
+    /// What is wrong with so many steps.
+    pub fn on_steps(&self, steps: u64) -> Option<String> {
+        let limit = self.steps.filter(|&limit| steps > limit)?;
+        Some(format!("needs more than {limit} steps (limits.steps)"))
+    }
+
+    /// What is wrong with taking so long.
+    pub fn on_time(&self, spent: Duration) -> Option<String> {
+        let limit = self.wall_time_s.filter(|&limit| spent.as_secs_f64() > limit)?;
+        Some(format!("takes more than {limit} s (limits.wall_time_s)"))
+    }
+
+    /// What is wrong with so many bytes, used or estimated.
+    pub fn on_memory(&self, bytes: u64, how: &str) -> Option<String> {
+        let (used, limit) = (bytes as f64 / MEBIBYTE, self.memory_mib?);
+        let told = || format!("{how} {used:.1} MiB, more than {limit} (limits.memory_mib)");
+        (used > limit).then(told)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_over_a_limit_is_told_with_it() {
+        let none = Limits::default();
+        assert_eq!(none.on_steps(u64::MAX), None);
+        assert_eq!(none.on_time(Duration::MAX), None);
+        assert_eq!(none.on_memory(u64::MAX, "needs"), None);
+        let limits = Limits { steps: Some(10), wall_time_s: Some(0.5), memory_mib: Some(2.0) };
+        assert_eq!(limits.on_steps(10), None);
+        assert_eq!(limits.on_steps(11).unwrap(), "needs more than 10 steps (limits.steps)");
+        assert_eq!(limits.on_time(Duration::from_millis(500)), None);
+        let told = limits.on_time(Duration::from_millis(501)).unwrap();
+        assert_eq!(told, "takes more than 0.5 s (limits.wall_time_s)");
+        assert_eq!(limits.on_memory(2 << 20, "needs"), None);
+        let told = limits.on_memory(3 << 20, "needs").unwrap();
+        assert_eq!(told, "needs 3.0 MiB, more than 2 (limits.memory_mib)");
+    }
+}

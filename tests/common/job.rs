@@ -1,0 +1,83 @@
+//! Jobs of several processes: how one is started, who belongs to it, and how it is killed.
+
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// `mpirun` as it works for root, in a container, with more ranks than cores.
+pub fn mpirun(ranks: usize) -> Command {
+    let mut command = Command::new("mpirun");
+    command
+        .args(["-n", &ranks.to_string(), "--oversubscribe", "--bind-to", "none"])
+        .arg(env!("CARGO_BIN_EXE_seawall"))
+        .env("OMPI_ALLOW_RUN_AS_ROOT", "1")
+        .env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
+        .env("OMPI_MCA_btl_vader_single_copy_mechanism", "none");
+    command
+}
+
+/// False, with a line that says so, where there is no mpirun.
+pub fn mpirun_is_there() -> bool {
+    let there = Command::new("mpirun").arg("--version").output().is_ok();
+    if !there {
+        println!("skipped: no mpirun");
+    }
+    there
+}
+
+/// Two walls behind a shared stretch, which take a few seconds each.
+pub const LONG: &str = r#"
+name = "long"
+[scene]
+tank_length_m = 1.0
+wave_gauge_m = 0.5
+end_after_stroke_centre_s = 3.0
+wall = "movable"
+seawall_mass_kg_per_m = 50
+[numerics]
+particle_spacing_m = 0.01
+[grid]
+wave_height_ratio = [0.3, 0.5]
+spring_stiffness_n_per_m = [10, 1e4]
+"#;
+
+/// The processes that have a path on their command line: a launcher and its ranks. Dead ones have none.
+pub fn processes(of: &Path) -> Vec<u32> {
+    let numbers = std::fs::read_dir("/proc").unwrap().flatten();
+    let numbers = numbers.filter_map(|entry| entry.file_name().to_str()?.parse().ok());
+    let named = |number: &u32| {
+        let line = std::fs::read(format!("/proc/{number}/cmdline")).unwrap_or_default();
+        line.split(|&byte| byte == 0).any(|word| word == of.as_os_str().as_encoded_bytes())
+    };
+    numbers.filter(named).collect()
+}
+
+/// Kills a launcher and its ranks, and returns once none is left: ranks may outlive their launcher.
+pub fn kill_all(of: &Path) {
+    let start = Instant::now();
+    loop {
+        let left = processes(of);
+        if left.is_empty() {
+            return;
+        }
+        assert!(start.elapsed() < Duration::from_secs(60), "{left:?} live on");
+        let left = left.iter().map(u32::to_string);
+        let _ = Command::new("kill").arg("-KILL").args(left).stderr(Stdio::null()).status();
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+/// The process that is this rank of a job.
+pub fn rank(of: &Path, number: usize) -> u32 {
+    let variable = format!("OMPI_COMM_WORLD_RANK={number}");
+    let is = |process: &u32| {
+        let told = std::fs::read(format!("/proc/{process}/environ")).unwrap_or_default();
+        told.split(|&byte| byte == 0).any(|word| word == variable.as_bytes())
+    };
+    processes(of).into_iter().find(is).expect("there is no such rank")
+}
+
+/// Sends a signal.
+pub fn signal(process: u32, name: &str) {
+    Command::new("kill").args([&format!("-{name}"), &process.to_string()]).status().unwrap();
+}

@@ -1,0 +1,89 @@
+//! Limits of a case: what is over one fails with its reason, and the study goes on.
+
+mod common;
+
+use std::path::Path;
+
+use common::{TINY, TINY_CASES, assert_same, expect_code, run, write_file};
+
+/// Steps that the cases of one wave need more of than those of the other.
+const STEPS: &str = "limits.steps=415";
+
+fn sweep(file: &Path, out: &Path, more: &[&str]) -> std::process::Output {
+    let (file, out) = (file.to_str().unwrap(), out.to_str().unwrap());
+    run(&[&["sweep", file, "--out", out, "--threads", "2"], more].concat())
+}
+
+/// The reasons of the failed cases.
+fn failures(out: &Path) -> Vec<String> {
+    let mut reader = csv::Reader::from_path(out.join("summary.csv")).unwrap();
+    let rows = reader.records().map(Result::unwrap);
+    rows.filter(|row| &row[1] == "failed").map(|row| row[2].to_owned()).collect()
+}
+
+#[test]
+fn a_limit_in_steps_fails_the_same_cases_however_they_are_run() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let (out, whole) = (root.path().join("out"), root.path().join("whole"));
+    expect_code(&sweep(&file, &out, &["--set", STEPS]), 1);
+    let reasons = failures(&out);
+    assert_eq!(reasons.len(), TINY_CASES / 2, "{reasons:?}");
+    for reason in reasons {
+        assert!(reason.starts_with("over-limit at t = 1."), "{reason}");
+        assert!(reason.ends_with(" s: needs more than 415 steps (limits.steps)"), "{reason}");
+    }
+    for more in [&["--no-branch"][..], &["--threads", "1"], &["--set", "limits.memory_mib=1000"]] {
+        let other = root.path().join(format!("other{}", more.len()));
+        let _ = std::fs::remove_dir_all(&other);
+        let more = [more, &["--set", STEPS]].concat();
+        let more: Vec<_> = more.into_iter().collect();
+        let (file, told) = (file.to_str().unwrap(), other.to_str().unwrap());
+        expect_code(&run(&[&["sweep", file, "--out", told][..], &more].concat()), 1);
+        assert_same(&out, &other);
+    }
+    // Limits are no part of what a case is.
+    expect_code(&sweep(&file, &out, &["--set", STEPS]), 1);
+    expect_code(&sweep(&file, &out, &["--retry-failed"]), 0);
+    expect_code(&sweep(&file, &whole, &[]), 0);
+    assert_same(&whole, &out);
+}
+
+#[test]
+fn too_little_time_and_memory_fail_cases_with_their_reason() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    for (number, (limit, words)) in [
+        ("limits.wall_time_s=1e-6", "takes more than 0.000001 s (limits.wall_time_s)"),
+        ("limits.memory_mib=4", "needs some 8.1 MiB, more than 4 (limits.memory_mib)"),
+        #[cfg(target_os = "linux")]
+        ("limits.memory_mib=8.5", " MiB, more than 8.5 (limits.memory_mib)"),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let out = root.path().join(format!("out{number}"));
+        expect_code(&sweep(&file, &out, &["--set", limit]), 1);
+        let reasons = failures(&out);
+        assert_eq!(reasons.len(), TINY_CASES, "{limit}");
+        for reason in reasons {
+            assert!(
+                reason.starts_with("over-limit at t = ") && reason.ends_with(words),
+                "{reason}"
+            );
+        }
+    }
+}
+
+#[test]
+fn check_tells_how_many_cases_are_over_a_limit() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let told = |limit: &str| {
+        let output = run(&["check", file.to_str().unwrap(), "--set", limit]);
+        expect_code(&output, 0);
+        String::from_utf8(output.stdout).unwrap()
+    };
+    assert!(told("limits.steps=100").contains("limits: 8 cases will probably need more and fail"));
+    assert!(!told("limits.steps=100000").contains("limits:"));
+}

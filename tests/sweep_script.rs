@@ -1,0 +1,199 @@
+//! `scripts/sweep` around a job that is told to end, is killed, or whose launcher loses exit codes.
+#![cfg(all(feature = "mpi", target_os = "linux"))]
+
+mod common;
+
+use std::fs;
+use std::os::unix::fs::PermissionsExt;
+use std::path::PathBuf;
+use std::process::{Child, Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+use common::job::{LONG, mpirun_is_there, processes, signal};
+use common::{TINY, TINY_CASES, assert_same, expect_code, journal_lines, run, write_file};
+
+/// A place with a sweep file.
+struct Room {
+    root: tempfile::TempDir,
+    file: PathBuf,
+    out: PathBuf,
+}
+
+impl Room {
+    fn new(text: &str) -> Room {
+        let root = tempfile::tempdir().unwrap();
+        let file = write_file(root.path(), text);
+        let out = root.path().join("out");
+        Room { root, file, out }
+    }
+
+    /// The script, with the program that is tested.
+    fn script(&self, more: &[&str]) -> Command {
+        let script = concat!(env!("CARGO_MANIFEST_DIR"), "/scripts/sweep");
+        let mut command = Command::new(script);
+        command.env("SEAWALL_MPI_BINARY", env!("CARGO_BIN_EXE_seawall"));
+        command.env("CARGO_TARGET_DIR", self.root.path().join("target"));
+        command.arg(&self.file).arg("--out").arg(&self.out).args(["--threads", "1"]).args(more);
+        command.stdout(Stdio::null()).stderr(Stdio::piped());
+        command
+    }
+
+    /// The script with a launcher in front of the true one, of which `$true_mpirun` is the path.
+    fn script_under(&self, launcher: &str) -> Command {
+        let shims = self.root.path().join("shims");
+        let path = std::env::var("PATH").unwrap();
+        let found = std::env::split_paths(&path).map(|folder| folder.join("mpirun"));
+        let found = found.into_iter().find(|file| file.is_file()).unwrap();
+        fs::create_dir(&shims).unwrap();
+        let shim = shims.join("mpirun");
+        let found = found.display();
+        fs::write(&shim, format!("#!/bin/bash\ntrue_mpirun={found}\n{launcher}\n")).unwrap();
+        fs::set_permissions(&shim, fs::Permissions::from_mode(0o755)).unwrap();
+        let mut command = self.script(&[]);
+        command.env("PATH", format!("{}:{path}", shims.display()));
+        command
+    }
+
+    /// The same sweep, undisturbed.
+    fn reference(&self) -> PathBuf {
+        let out = self.root.path().join("reference");
+        let (file, told) = (self.file.to_str().unwrap(), out.to_str().unwrap());
+        expect_code(&run(&["sweep", file, "--out", told]), 0);
+        out
+    }
+
+    fn wait_for(&self, lines: usize) {
+        let start = Instant::now();
+        while journal_lines(&self.out) < lines {
+            assert!(start.elapsed() < Duration::from_secs(120), "the sweep does not get on");
+            std::thread::sleep(Duration::from_millis(2));
+        }
+    }
+
+    /// Those of its processes whose program has this name.
+    fn named(&self, name: &str) -> Vec<u32> {
+        let is = |number: &u32| {
+            let told = fs::read_to_string(format!("/proc/{number}/comm")).unwrap_or_default();
+            told.trim() == name
+        };
+        processes(&self.out).into_iter().filter(is).collect()
+    }
+
+    fn launcher(&self) -> u32 {
+        *self.named("mpirun").last().expect("there is no mpirun")
+    }
+}
+
+fn ended(child: Child) -> Output {
+    child.wait_with_output().unwrap()
+}
+
+#[test]
+fn a_launcher_that_is_told_to_end_gives_the_code_of_an_interrupted_sweep() {
+    if !mpirun_is_there() {
+        return;
+    }
+    for name in ["INT", "TERM"] {
+        let room = Room::new(LONG);
+        let child = room.script(&[]).spawn().unwrap();
+        room.wait_for(1);
+        signal(room.launcher(), name);
+        expect_code(&ended(child), 3);
+        expect_code(&run(&["status", room.out.to_str().unwrap(), "--exit-code"]), 3);
+    }
+}
+
+#[test]
+fn a_launcher_that_loses_codes_changes_none() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let loses = "\"$true_mpirun\" \"$@\"; exit 0";
+    let room = Room::new(TINY);
+    expect_code(&room.script_under(loses).output().unwrap(), 0);
+    let room = Room::new("name = \"a\"\n[gird]\n");
+    expect_code(&room.script_under(loses).output().unwrap(), 2);
+    let room = Room::new(LONG);
+    let child = room.script_under(loses).spawn().unwrap();
+    room.wait_for(1);
+    signal(room.launcher(), "TERM");
+    expect_code(&ended(child), 3);
+}
+
+/// The launcher used to die of the script's own signal when it was as good as done: exit code 138.
+#[test]
+fn ctrl_c_when_the_job_is_done_gives_the_code_of_the_sweep() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let room = Room::new(TINY);
+    let slow_to_leave = "\"$true_mpirun\" \"$@\" || exit; trap - USR1; sleep 5 & wait";
+    let child = room.script_under(slow_to_leave).spawn().unwrap();
+    room.wait_for(1 + TINY_CASES);
+    let start = Instant::now();
+    while !room.out.join("report.html").is_file() && start.elapsed() < Duration::from_secs(60) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    while !room.named("seawall").is_empty() {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    signal(child.id(), "INT");
+    let output = ended(child);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("stopping"), "it came too late");
+    expect_code(&output, 0);
+}
+
+#[test]
+fn a_killed_script_leaves_nobody_at_work() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let room = Room::new(LONG);
+    let mut child = room.script(&[]).spawn().unwrap();
+    room.wait_for(1);
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let start = Instant::now();
+    while !processes(&room.out).is_empty() {
+        assert!(start.elapsed() < Duration::from_secs(10), "the job lives on");
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    expect_code(&run(&["status", room.out.to_str().unwrap(), "--exit-code"]), 3);
+}
+
+#[test]
+fn a_job_that_dies_is_started_again_until_it_is_done() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let room = Room::new(TINY);
+    let reference = room.reference();
+    let child = room.script(&["--keep-going"]).spawn().unwrap();
+    for lines in [2, 4] {
+        room.wait_for(lines);
+        if let Some(&rank) = room.named("seawall").first() {
+            signal(rank, "KILL");
+        }
+    }
+    let output = ended(child);
+    expect_code(&output, 0);
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(told.contains("starting it again"), "{told}");
+    assert_same(&reference, &room.out);
+}
+
+#[test]
+fn a_job_that_gets_no_further_is_given_up() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let room = Room::new(TINY);
+    let starts = room.root.path().join("starts");
+    let dies = format!(
+        "[[ \"$*\" = *sweep* ]] || exec \"$true_mpirun\" \"$@\"; echo >>'{}'; exit 9",
+        starts.display()
+    );
+    let output = room.script_under(&dies).arg("--keep-going").output().unwrap();
+    expect_code(&output, 70);
+    assert_eq!(fs::read_to_string(&starts).unwrap().lines().count(), 3);
+}
