@@ -42,7 +42,7 @@ pub struct Study {
     /// Hash over the cases and their order, with or without error bars: two files with the same
     /// identity are the same sweep.
     pub identity: String,
-    /// The error that the file aims at, percent.
+    /// The error that the file or the command line aims at, percent.
     pub max_error_percent: Option<f64>,
     /// The file as written.
     pub file_text: String,
