@@ -78,6 +78,11 @@
       }
       return found ? top + 0.5 * film.spacing : null;
     });
+    // Without dips of one or two bins: a gap between particles is no trough of the surface.
+    const tops = bin.tops, known = (values) => values.filter((value) => (value ?? null) !== null);
+    const highest = (at) => Math.max(...known([tops[at - 1], tops[at], tops[at + 1]]));
+    const near = (at) => [at - 1, at, at + 1].map(highest).filter(Number.isFinite);
+    bin.tops = tops.map((top, at) => (top === null ? null : Math.min(...near(at))));
   }
 
   // Between the middles of bins in a straight line.
