@@ -70,6 +70,7 @@ pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
     if let Shot::Filmed(path) = &shot {
         let value = json!({ "case_id": case.id, "same": true, "film": path });
         output.result(&format!("{}\n", path.display()), &value)?;
+        output.note(format_args!("`seawall report {}` puts it into the page", args.dir.display()));
     }
     Ok(shot.code())
 }
