@@ -38,7 +38,8 @@ fn compare(text: &str) -> Vec<BTreeMap<String, String>> {
     let file = write_file(root.path(), text);
     let out = root.path().join("sweep");
     let file = file.to_str().unwrap();
-    let sweep = run(&["sweep", file, "--out", out.to_str().unwrap(), "--threads", "2"]);
+    let sweep =
+        run(&["sweep", file, "--out", out.to_str().unwrap(), "--threads", "2", "--film", "none"]);
     expect_code(&sweep, 0);
     let manifest = fs::read_to_string(out.join("manifest.json")).unwrap();
     assert!(!manifest.contains("\"branches\": 0"), "nothing branched");

@@ -3,9 +3,11 @@
 mod common;
 
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
 
-use common::{TINY, expect_code, results, run, write_file};
+use common::{TINY, expect_code, results, run, seawall, write_file};
 
 /// Two waves on one wall, coarse.
 fn swept(directory: &Path, films: &[&str]) -> PathBuf {
@@ -30,7 +32,7 @@ fn films(out: &Path) -> Vec<String> {
 #[test]
 fn a_case_is_filmed_only_where_it_comes_out_the_same() {
     let root = tempfile::tempdir().unwrap();
-    let out = swept(root.path(), &[]);
+    let out = swept(root.path(), &["--film", "none"]);
     let before = results(&out);
     let film = |words: &[&str]| run(&[&["film", out.to_str().unwrap()], words].concat());
     let told = |words: &[&str], code: i32| {
@@ -64,15 +66,137 @@ fn a_case_is_filmed_only_where_it_comes_out_the_same() {
 #[test]
 fn a_sweep_films_what_is_worth_a_look_and_its_report_links_to_it() {
     let root = tempfile::tempdir().unwrap();
-    let plain = swept(root.path(), &[]);
+    let plain = swept(root.path(), &["--film", "none"]);
     let before = results(&plain);
     assert!(films(&plain).is_empty());
-    let out = swept(root.path(), &["--film", "auto", "--fresh"]);
+    let out = swept(root.path(), &["--fresh"]);
     assert_eq!(results(&out), before);
     let pages: Vec<_> = films(&out).into_iter().filter(|name| name.ends_with(".html")).collect();
     assert!(!pages.is_empty());
     let report = fs::read_to_string(out.join("report.html")).unwrap();
     assert!(pages.iter().all(|page| report.contains(&format!("films/{page}"))));
+
+    // What is there is not made again; what is missing is.
+    let page = out.join("films").join(&pages[0]);
+    let written = || fs::metadata(&page).unwrap().modified().unwrap();
+    let first = written();
+    swept(root.path(), &[]);
+    assert_eq!(written(), first);
+    fs::remove_file(&page).unwrap();
+    swept(root.path(), &[]);
+    assert!(page.exists());
+}
+
+#[test]
+fn a_film_that_cannot_be_written_costs_no_result() {
+    let root = tempfile::tempdir().unwrap();
+    let plain = swept(root.path(), &["--film", "none"]);
+    let before = results(&plain);
+    fs::write(plain.join("films"), "in the way").unwrap();
+    let file = root.path().join("sweep.toml");
+    let (file, out) = (file.to_str().unwrap(), plain.to_str().unwrap());
+    let output = run(&["sweep", file, "--out", out]);
+    expect_code(&output, 0);
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(told.contains("not filmed: ") && told.contains("out/films: "), "{told}");
+    assert_eq!(results(&plain), before);
+    expect_code(&run(&["film", out, "wave_height_ratio=0.5"]), 1);
+
+    let alone = root.path().join("alone");
+    let case = ["run", file, "wave_height_ratio=0.5", "--out", alone.to_str().unwrap(), "--film"];
+    expect_code(&run(&case), 0);
+    fs::remove_dir_all(alone.join("films")).unwrap();
+    fs::write(alone.join("films"), "in the way").unwrap();
+    let journal = alone.join("journal.jsonl");
+    let text = fs::read_to_string(&journal).unwrap();
+    fs::write(&journal, format!("{}\n", text.lines().next().unwrap())).unwrap();
+    let output = run(&case);
+    expect_code(&output, 0);
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(told.contains("warning: case") && told.contains("not filmed: "), "{told}");
+    let name = fs::read_dir(alone.join("histories")).unwrap().next().unwrap().unwrap().file_name();
+    let history = |out: &Path| fs::read(out.join("histories").join(&name)).unwrap();
+    assert_eq!(history(&alone), history(&plain));
+}
+
+#[test]
+fn an_interrupted_film_is_made_by_the_same_command() {
+    let root = tempfile::tempdir().unwrap();
+    let text = TINY
+        .replace("[0.4, 0.5]", "[0.5]")
+        .replace("[10, 1e4]", "[10]")
+        .replace("[50, 250]", "[50]")
+        .replace("particle_spacing_m = 0.025", "particle_spacing_m = 0.01");
+    let (file, out) = (write_file(root.path(), &text), root.path().join("out"));
+    let (file, path) = (file.to_str().unwrap(), out.to_str().unwrap());
+    expect_code(&run(&["sweep", file, "--out", path, "--film", "none"]), 0);
+    let before = results(&out);
+    let mut child = seawall()
+        .args(["sweep", file, "--out", path])
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let told = BufReader::new(child.stderr.take().unwrap()).lines();
+    let mut told = told.map(Result::unwrap).skip_while(|line| line != "filming 1 case");
+    assert!(told.next().is_some());
+    let pid = child.id().to_string();
+    assert!(Command::new("kill").args(["-INT", &pid]).status().unwrap().success());
+    let rest: Vec<_> = told.collect();
+    assert_eq!(child.wait().unwrap().code(), Some(3), "{rest:?}");
+    assert!(films(&out).is_empty());
+    expect_code(&run(&["sweep", file, "--out", path]), 0);
+    assert_eq!(films(&out).len(), 2);
+    assert_eq!(results(&out), before);
+}
+
+#[test]
+fn cases_whose_numerics_were_chosen_are_filmed_verified_and_told() {
+    let root = tempfile::tempdir().unwrap();
+    let text = TINY
+        .replace("[10, 1e4]", "[10]")
+        .replace("[50, 250]", "[50]")
+        .replace("particle_spacing_m = 0.025", "courant_number = 1.4");
+    let (file, out) = (write_file(root.path(), &text), root.path().join("out"));
+    let (file, path) = (file.to_str().unwrap(), out.to_str().unwrap());
+    // The first spacings do not do for all: a second round runs finer.
+    let sweep = ["sweep", file, "--out", path, "--max-error", "0.6", "--film", "none"];
+    let output = run(&sweep);
+    expect_code(&output, 0);
+    let before = results(&out);
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(told.contains("these run once more with finer particles"), "{told}");
+    for wave in ["wave_height_ratio=0.4", "wave_height_ratio=0.5"] {
+        let output = run(&["film", path, wave]);
+        expect_code(&output, 0);
+        let text = run(&["show", path, wave, "--toml"]);
+        expect_code(&text, 0);
+        let scene = root.path().join("scene.toml");
+        fs::write(&scene, &text.stdout).unwrap();
+        let check = run(&[
+            "run",
+            scene.to_str().unwrap(),
+            "--out",
+            root.path().join(wave).to_str().unwrap(),
+        ]);
+        expect_code(&check, 0);
+    }
+    assert_eq!(films(&out).len(), 4);
+    assert_eq!(results(&out), before);
+    let mut again = fs::read_dir(out.join("histories")).unwrap().map(|entry| entry.unwrap());
+    let is_there = |entry: &fs::DirEntry| {
+        let alone =
+            ["0.4", "0.5"].map(|wave| root.path().join(format!("wave_height_ratio={wave}")));
+        alone.iter().any(|out| out.join("histories").join(entry.file_name()).exists())
+    };
+    assert_eq!(again.by_ref().filter(is_there).count(), 2, "the scene files are those cases");
+    expect_code(&run(&["verify", path, "--rerun", "1"]), 0);
+    // A summary that is lost comes back from the journal.
+    let summary = fs::read(out.join("summary.csv")).unwrap();
+    fs::remove_file(out.join("summary.csv")).unwrap();
+    fs::write(out.join("summary.csv"), "case_id\n").unwrap();
+    expect_code(&run(&["report", path]), 0);
+    assert_eq!(fs::read(out.join("summary.csv")).unwrap(), summary);
 }
 
 #[test]

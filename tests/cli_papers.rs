@@ -137,7 +137,10 @@ fn sweep(root: &Path, name: &str, changes: &[(&str, &str)]) -> String {
         text.replace(old, new)
     });
     let (file, out) = (write_file(&folder, &text), folder.join("out"));
-    expect_code(&run(&["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()]), 0);
+    expect_code(
+        &run(&["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap(), "--film", "none"]),
+        0,
+    );
     out.to_str().unwrap().to_owned()
 }
 

@@ -118,7 +118,10 @@ fn angles_are_swept_and_probes_take_part_in_the_identity() {
     for (out, threads) in outs.iter().zip(["1", "2"]) {
         let out = out.to_str().unwrap();
         let file = file.to_str().unwrap();
-        expect_code(&run(&["sweep", file, "--out", out, "--threads", threads]), 0);
+        expect_code(
+            &run(&["sweep", file, "--out", out, "--threads", threads, "--film", "none"]),
+            0,
+        );
     }
     assert_same(&outs[0], &outs[1]);
     let moved = write_file(root.path(), &text.replace("x_m = 0.5", "x_m = 0.4"));

@@ -9,6 +9,7 @@ use common::{TINY, TINY_CASES, assert_same, expect_code, journal_lines, run, sea
 
 fn sweep(file: &Path, out: &Path, further: &[&str]) -> std::process::Output {
     let mut arguments = vec!["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    arguments.extend(["--film", "none"]);
     arguments.extend(further);
     run(&arguments)
 }
@@ -37,7 +38,7 @@ fn kill_and_resume(file: &Path, reference: &Path, out: &Path) {
     for _ in 0..3 {
         let before = journal_lines(out);
         let mut child = seawall()
-            .args(["sweep", "--quiet", "--threads", "1", "--out"])
+            .args(["sweep", "--quiet", "--threads", "1", "--film", "none", "--out"])
             .args([out, file])
             .spawn()
             .unwrap();
@@ -90,7 +91,7 @@ fn a_signal_ends_a_sweep_with_a_whole_journal() {
     for signal in ["-INT", "-TERM", "-USR1"] {
         let before = journal_lines(&out);
         let mut child = seawall()
-            .args(["sweep", "--quiet", "--threads", "1", "--out"])
+            .args(["sweep", "--quiet", "--threads", "1", "--film", "none", "--out"])
             .args([&out, &file])
             .spawn()
             .unwrap();

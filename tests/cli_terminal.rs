@@ -22,7 +22,7 @@ fn study() -> (tempfile::TempDir, String, Output) {
     let bars = TINY.replace("[grid]", "error_bars = \"pair\"\n[grid]");
     let file = write_file(root.path(), &bars);
     let out = root.path().join("out").to_str().unwrap().to_owned();
-    let output = run(&["sweep", file.to_str().unwrap(), "--out", &out]);
+    let output = run(&["sweep", file.to_str().unwrap(), "--out", &out, "--film", "none"]);
     expect_code(&output, 0);
     (root, out, output)
 }

@@ -119,7 +119,7 @@ fn a_killed_sweep_goes_on_within_its_cases() {
     let root = tempfile::tempdir().unwrap();
     let file = write_file(root.path(), SPRINGS);
     let [whole, out] = ["whole", "out"].map(|name| root.path().join(name));
-    expect_code(&run(&words("sweep", &file, &whole)), 0);
+    expect_code(&run(&[&words("sweep", &file, &whole)[..], &["--film", "none"]].concat()), 0);
     assert!(!whole.join("checkpoints").exists(), "none of short cases");
     let sweep = words("sweep", &file, &out);
     kill_again_and_again(&sweep, &out, "trunk", 1);

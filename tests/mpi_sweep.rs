@@ -36,7 +36,7 @@ fn any_number_of_ranks_gives_the_same_bits() {
     }
     let out = root.path().join("threads-2");
     let output = mpirun(2)
-        .args(["sweep", "--threads", "2", "--no-branch", "--out"])
+        .args(["sweep", "--threads", "2", "--no-branch", "--film", "none", "--out"])
         .args([&out, &file])
         .output()
         .unwrap();
@@ -54,8 +54,11 @@ fn an_interrupted_job_goes_on_with_another_number_of_ranks() {
     let reference = reference(root.path(), &file);
     for signal in ["-USR1", "-KILL"] {
         let out = root.path().join(signal);
-        let mut child =
-            mpirun(2).args(["sweep", "--quiet", "--out"]).args([&out, &file]).spawn().unwrap();
+        let mut child = mpirun(2)
+            .args(["sweep", "--quiet", "--film", "none", "--out"])
+            .args([&out, &file])
+            .spawn()
+            .unwrap();
         let start = Instant::now();
         while journal_lines(&out) < 2 && start.elapsed() < Duration::from_secs(120) {
             std::thread::sleep(Duration::from_millis(2));
@@ -67,7 +70,11 @@ fn an_interrupted_job_goes_on_with_another_number_of_ranks() {
             assert_eq!(code, Some(3));
         }
         // Ranks whose mpirun was killed may live on for a moment; the lock waits for them.
-        let output = mpirun(3).args(["sweep", "--out"]).args([&out, &file]).output().unwrap();
+        let output = mpirun(3)
+            .args(["sweep", "--film", "none", "--out"])
+            .args([&out, &file])
+            .output()
+            .unwrap();
         expect_code(&output, 0);
         assert_same(&reference, &out);
     }
@@ -94,7 +101,8 @@ fn ranks_take_up_the_cases_of_ranks_that_were_killed() {
     let file = write_file(root.path(), LONG);
     let reference = reference(root.path(), &file);
     let out = root.path().join("out");
-    let often = ["sweep", "--checkpoint-every-s", "0.05", "--threads", "1", "--out"];
+    let often =
+        ["sweep", "--checkpoint-every-s", "0.05", "--threads", "1", "--film", "none", "--out"];
     for (ranks, wanted) in [(3, 2), (2, 1)] {
         let before = checkpoints(&out);
         let mut command = mpirun(ranks);

@@ -250,6 +250,50 @@ fn many(waves: usize, stiffnesses: usize) -> PathBuf {
     root.join("report.html")
 }
 
+/// Words that a script finds in the page.
+fn words(browser: &mut Chromium, script: &str) -> Vec<String> {
+    serde_json::from_value(browser.run(script)).unwrap()
+}
+
+#[test]
+fn a_choice_is_drawn_where_figures_show_a_part_at_first() {
+    let Some(mut browser) = Chromium::start() else { return };
+    let path = many(5, 3);
+    let figure = "[...document.querySelectorAll('figure')]
+        .find((figure) => figure.textContent.includes('against-stiffness'))";
+    let texts = |selector: &str| {
+        format!(
+            "[...{figure}.querySelectorAll('{selector}')].map((element) => element.textContent)"
+        )
+    };
+    let panels = texts(".panels > svg:not([hidden]) .heading");
+    let spare = texts("li.spare:not([hidden])");
+    let curves = texts("svg:not([hidden]) .series.spare:not([hidden])");
+
+    browser.open(&path, "");
+    let at_first = words(&mut browser, &panels);
+    assert_eq!(at_first, ["H/h = 0.2", "H/h = 0.22", "H/h = 0.24"].map(|wave| [wave; 3]).concat());
+    assert!(words(&mut browser, &curves).is_empty() && words(&mut browser, &spare).is_empty());
+
+    browser.open(&path, "#wave_height_ratio=0.23");
+    assert_eq!(words(&mut browser, &panels), ["H/h = 0.23"; 3]);
+    assert!(words(&mut browser, &curves).is_empty(), "ten masses at once are too many");
+    browser.open(&path, "#wave_height_ratio=0.23&seawall_mass_kg_per_m=100");
+    assert_eq!(words(&mut browser, &panels), ["H/h = 0.23"; 3]);
+    assert_eq!(words(&mut browser, &curves).len(), 3);
+    assert_eq!(words(&mut browser, &spare), ["m* = 2.5"]);
+    let none = "document.querySelectorAll('figure .nothing:not([hidden])').length";
+    assert_eq!(browser.run(&format!("{figure}.querySelector('.nothing')")), Value::Null);
+    browser.point_at("#choose > button", true);
+    assert_eq!(words(&mut browser, &panels), at_first);
+
+    browser.open(&path, "#summary.first_force_max=%3E100");
+    assert!(browser.run(none).as_u64() > Some(3), "figures that show nothing say so");
+    browser.point_at("#choose > button", true);
+    assert_eq!(browser.run(none), json!(0));
+    assert_eq!(browser.complaints(), [""; 0]);
+}
+
 /// Ten times the 100 ms that a filter may take on a quiet machine: this one may be busy.
 const SLOWEST_MS: f64 = 1000.0;
 

@@ -25,12 +25,13 @@ const LITTLE: u32 = 450_000;
 
 fn sweep(file: &Path, out: &Path, more: &[&str]) -> Output {
     let (file, out) = (file.to_str().unwrap(), out.to_str().unwrap());
-    run(&[&["sweep", file, "--out", out, "--threads", "2"], more].concat())
+    run(&[&["sweep", file, "--out", out, "--threads", "2", "--film", "none"], more].concat())
 }
 
 fn start(file: &Path, out: &Path, more: &[&str]) -> Child {
     let mut command = seawall();
-    command.arg("sweep").arg(file).arg("--out").arg(out).args(["--threads", "2"]).args(more);
+    command.arg("sweep").arg(file).arg("--out").arg(out);
+    command.args(["--threads", "2", "--film", "none"]).args(more);
     command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap()
 }
 
@@ -56,7 +57,8 @@ fn a_case_that_ends_its_process_is_recorded_and_the_sweep_goes_on() {
         let script = format!("ulimit -v {LITTLE}; exec \"$0\" \"$@\"");
         let mut command = Command::new("sh");
         command.args(["-c", &script, env!("CARGO_BIN_EXE_seawall"), "sweep"]);
-        command.arg(&file).arg("--out").arg(&out).args(["--threads", "2"]).output().unwrap()
+        command.arg(&file).arg("--out").arg(&out);
+        command.args(["--threads", "2", "--film", "none"]).output().unwrap()
     };
     let first = limited();
     assert_eq!(first.status.code(), None, "the process itself should have died: {}", told(&first));

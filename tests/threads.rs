@@ -146,7 +146,7 @@ fn a_sweep_of_few_cases_gives_the_same_files_on_any_number_of_threads_and_resume
     let file = file.to_str().unwrap();
     let path = |name: &str| root.path().join(name).to_str().unwrap().to_owned();
     let sweep = |out: &str, threads: &str| {
-        let output = run(&["sweep", file, "--out", out, "--threads", threads]);
+        let output = run(&["sweep", file, "--out", out, "--threads", threads, "--film", "none"]);
         expect_code(&output, 0);
         String::from_utf8_lossy(&output.stderr).into_owned()
     };

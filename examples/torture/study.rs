@@ -72,7 +72,13 @@ impl Study {
     pub fn command(&self, out: &Path, more: &[&str]) -> Command {
         let mut command = Command::new(&self.seawall);
         command.arg("sweep").arg(&self.file).args(["--executor", "threads", "--threads", "2"]);
-        command.arg("--out").arg(out).args(more).stdout(Stdio::null()).stderr(Stdio::piped());
+        command
+            .args(["--film", "none"])
+            .arg("--out")
+            .arg(out)
+            .args(more)
+            .stdout(Stdio::null())
+            .stderr(Stdio::piped());
         command
     }
 

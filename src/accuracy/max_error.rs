@@ -156,6 +156,7 @@ impl Study {
     pub fn aiming_at(mut self, percent: f64) -> Study {
         let digest = Sha256::digest(format!("{} max-error {percent}", self.identity));
         self.identity = digest[..8].iter().map(|byte| format!("{byte:02x}")).collect();
+        self.max_error_percent = Some(percent);
         self
     }
 
@@ -173,7 +174,8 @@ impl Study {
         let bars = vec![crate::scene::ErrorBars::Pair; cases.len()];
         let (name, keys) = (self.name.clone(), self.keys.clone());
         let study = Study::of(name, keys, cases, &bars, &self.file_text);
-        Study { identity: self.identity.clone(), limits: self.limits, ..study }
+        let (limits, max_error_percent) = (self.limits, self.max_error_percent);
+        Study { identity: self.identity.clone(), limits, max_error_percent, ..study }
     }
 }
 

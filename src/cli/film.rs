@@ -6,17 +6,14 @@ use clap::{Args, ValueEnum};
 use serde_json::json;
 
 use super::failure::BadInput;
-use super::input::demand_output_of_study;
 use super::output::Output;
 use super::pick::the_case;
-use super::shown;
-use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
+use super::{CASES_FAILED, INTERRUPTED, SUCCESS, shown, stored};
 use crate::execute::Interrupt;
 use crate::film::{Colour, Filming, PageFilm};
-use crate::math::simd::SimdPath;
-use crate::results::{CaseRecord, Manifest, finished, first_difference, read_journal};
-use crate::simulation::{Outcome, Resources, Stopped, run_case};
-use crate::study::{Case, Override, PHYSICS_VERSION, Study, SweepFile};
+use crate::results::{CaseRecord, finished, first_difference};
+use crate::simulation::{Resources, Stopped, run_case};
+use crate::study::{Case, Study};
 
 /// Run one case of a finished study again, check that its results are the same to the bit, and film
 /// it.
@@ -58,7 +55,7 @@ impl From<ColourChoice> for Colour {
 }
 
 pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
-    let (study, simd) = read(&args.dir)?;
+    let (study, simd) = stored::study(&args.dir)?;
     let case = the_case(&study, &args.case)?;
     let set = Set {
         study: &study,
@@ -68,13 +65,14 @@ pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
         resources: Resources { simd, threads: threads(args.threads) },
         interrupt: &Interrupt::listen()?,
     };
-    let code = set.shoot(case, output)?;
-    let path = page(&args.dir, set.colour).path(case.id);
-    if code == SUCCESS {
-        let value = json!({ "case_id": case.id, "same": true, "film": shown::path(&path) });
+    let shot = set.shoot(case)?;
+    shot.tell(case, output);
+    if let Shot::Filmed(path) = &shot {
+        let value = json!({ "case_id": case.id, "same": true, "film": shown::path(path) });
         output.result(&format!("{}\n", path.display()), &value)?;
+        output.note(format_args!("`seawall report {}` puts it into the page", args.dir.display()));
     }
-    Ok(code)
+    Ok(shot.code())
 }
 
 /// The threads asked for, or all that there are.
@@ -88,43 +86,6 @@ pub(super) fn page(directory: &Path, colour: Colour) -> PageFilm {
     PageFilm { colour, folder: directory.join("films") }
 }
 
-/// The study that a directory holds, and the instruction set that it was computed with.
-pub(super) fn read(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
-    let bad = |reason: String| BadInput(format!("{}: {reason}", directory.display()));
-    let (_, study) = study_of(directory)?;
-    let unfinished = || bad("the sweep was stopped before it began".to_owned());
-    let header = read_journal(directory)?.header.ok_or_else(unfinished)?;
-    if !header.simd.is_supported() {
-        let simd = crate::math::name::name_of(header.simd);
-        return Err(bad(format!("was computed with {simd}, which this machine lacks")).into());
-    }
-    Ok((study, header.simd))
-}
-
-/// The file that a directory was made from, with what the command line set, and its study.
-pub(super) fn study_of(directory: &Path) -> anyhow::Result<(SweepFile, Study)> {
-    let bad = |reason: String| BadInput(format!("{}: {reason}", directory.display()));
-    demand_output_of_study(directory, "manifest.json")?;
-    let lacking = || bad("manifest.json cannot be read".to_owned());
-    let manifest = Manifest::read(directory).ok_or_else(lacking)?;
-    if manifest.physics_version != PHYSICS_VERSION {
-        let theirs = manifest.physics_version;
-        let reason = format!("has physics version {theirs}, this program {PHYSICS_VERSION}");
-        return Err(bad(format!("{reason}: its cases would not come out the same")).into());
-    }
-    let set = |text: &String| text.parse::<Override>();
-    let overrides: Vec<_> =
-        manifest.overrides.iter().map(set).collect::<Result<_, _>>().map_err(bad)?;
-    let told = |error| bad(format!("sweep_file in manifest.json: {error}"));
-    let file = SweepFile::read(&manifest.sweep_file, &overrides).map_err(told)?;
-    let study = Study::new(&file).map_err(told)?;
-    if study.identity != manifest.sweep {
-        let reason = "its cases cannot be made from its manifest alone, as with --max-error";
-        return Err(bad(format!("{reason}; film one with `seawall run --film`")).into());
-    }
-    Ok((file, study))
-}
-
 /// Where and how cases are filmed again.
 pub(super) struct Set<'a> {
     pub(super) study: &'a Study,
@@ -136,35 +97,76 @@ pub(super) struct Set<'a> {
     pub(super) interrupt: &'a Interrupt,
 }
 
+/// What came of filming a case.
+pub(super) enum Shot {
+    /// The page, of a run that came out the same.
+    Filmed(PathBuf),
+    Interrupted,
+    /// Why there is no film.
+    NotFilmed(String),
+    /// Where the run did not come out the same; there is no film.
+    Differs(String),
+}
+
+impl Shot {
+    /// Tells what came of it.
+    pub(super) fn tell(&self, case: &Case, output: &Output) {
+        let id = case.id;
+        match self {
+            Shot::Filmed(path) => output.note(format_args!(
+                "case {id}: the same to the bit as in the study; filmed into {}",
+                path.display()
+            )),
+            Shot::Interrupted => {}
+            Shot::NotFilmed(why) => {
+                output.note(format_args!("warning: case {id}: not filmed: {why}"))
+            }
+            Shot::Differs(where_) => {
+                output.note(format_args!("case {id}: did not come out the same: {where_}"));
+            }
+        }
+    }
+
+    /// The exit code of a command that was to film this case.
+    pub(super) fn code(&self) -> u8 {
+        match self {
+            Shot::Filmed(_) => SUCCESS,
+            Shot::Interrupted => INTERRUPTED,
+            Shot::NotFilmed(_) | Shot::Differs(_) => CASES_FAILED,
+        }
+    }
+}
+
 impl Set<'_> {
+    /// The page of a case.
+    pub(super) fn page(&self, case: &Case) -> PathBuf {
+        page(self.directory, self.colour).path(case.id)
+    }
+
     /// Runs a case again and films it; a film is kept only where the results are those of the study.
-    pub(super) fn shoot(&self, case: &Case, output: &Output) -> anyhow::Result<u8> {
+    pub(super) fn shoot(&self, case: &Case) -> anyhow::Result<Shot> {
         self.demand_finished(case)?;
         demand_small(case)?;
         let film = page(self.directory, self.colour);
-        let path = film.path(case.id);
         let shot = Filming::Page(film).shoot(&case.config, self.interrupt, |monitor| {
             run_case(&case.config, None, self.resources, monitor)
         });
-        let result = match shot {
-            Ok(result) => result,
-            Err(Stopped::Interrupted) => return Ok(INTERRUPTED),
-            Err(Stopped::Failed(failure)) => {
-                output.note(format_args!("case {}: not filmed: {failure}", case.id));
-                return Ok(CASES_FAILED);
-            }
+        let (result, written) = match shot {
+            Ok(shot) => shot,
+            Err(Stopped::Interrupted) => return Ok(Shot::Interrupted),
+            Err(Stopped::Failed(failure)) => return Ok(Shot::NotFilmed(failure.to_string())),
         };
-        let (directory, study) = (self.directory, (self.study, self.records));
-        if let Some(reason) = first_difference(directory, study, case, &result)? {
+        let (path, study) = (self.page(case), (self.study, self.records));
+        if let Some(reason) = first_difference(self.directory, study, case, &result)? {
             for path in [path.with_extension("svg"), path] {
-                std::fs::remove_file(path)?;
+                let _ = std::fs::remove_file(path); // it may not have been written
             }
-            output.note(format_args!("case {}: did not come out the same: {reason}", case.id));
-            return Ok(CASES_FAILED);
+            return Ok(Shot::Differs(reason));
         }
-        let same = "the same to the bit as in the study";
-        output.note(format_args!("case {}: {same}; filmed into {}", case.id, path.display()));
-        Ok(SUCCESS)
+        Ok(match written {
+            Ok(()) => Shot::Filmed(path),
+            Err(error) => Shot::NotFilmed(error.to_string()),
+        })
     }
 
     fn demand_finished(&self, case: &Case) -> Result<(), BadInput> {
@@ -180,67 +182,4 @@ impl Set<'_> {
 /// Refuses a case that is too large for a page.
 pub(super) fn demand_small(case: &Case) -> Result<(), BadInput> {
     PageFilm::takes(&case.config).map_err(|reason| BadInput(format!("case {}: {reason}", case.id)))
-}
-
-/// The cases of a study that are worth a look first: that of the largest force, of the highest runup,
-/// of the softest wall that turns within the run, and the most doubtful one.
-pub(super) fn worth_a_look(study: &Study, records: &[&CaseRecord]) -> Vec<usize> {
-    let well =
-        || records.iter().filter_map(|record| Some((record.index, record.outcome.as_ref()?)));
-    let best = |score: &dyn Fn(usize, &Outcome) -> Option<f64>| {
-        let scores = well().filter_map(|(index, outcome)| Some((score(index, outcome)?, index)));
-        scores.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, index)| index)
-    };
-    let stiffness =
-        |index: usize| study.cases[index].config.scene.seawall()?.spring_stiffness_n_per_m;
-    let reasons = |told: &String| told.split("; ").count() as f64;
-    let mut chosen: Vec<usize> = [
-        best(&|_, outcome| Some(outcome.force_max.value)),
-        best(&|_, outcome| Some(outcome.runup_max.value)),
-        best(&|index, outcome| {
-            let turned = outcome.displacement_truncated == Some(false)
-                && outcome.displacement_max.is_some_and(|maximum| maximum.value > 0.0);
-            stiffness(index).filter(|_| turned).map(|stiffness| -stiffness)
-        }),
-        best(&|_, outcome| outcome.doubtful_reason.as_ref().map(reasons)),
-    ]
-    .into_iter()
-    .flatten()
-    .collect();
-    let mut seen = std::collections::BTreeSet::new();
-    chosen.retain(|&index| seen.insert(index));
-    chosen
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::results::made_up;
-
-    fn study() -> Study {
-        let text = "name = \"a\"\n[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n[grid]\n\
-            wave_height_ratio = [0.3, 0.5]\nspring_stiffness_n_per_m = [10, 21544.3469003188]";
-        Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap()
-    }
-
-    #[test]
-    fn a_case_that_is_worth_a_look_in_two_ways_is_filmed_once() {
-        let study = study();
-        let records: Vec<_> = study
-            .cases
-            .iter()
-            .map(|case| {
-                let mut result = made_up(&case.config);
-                let outcome = &mut result.outcome;
-                outcome.force_max.value = [1.0, 3.0, 2.0, 1.0][case.index];
-                outcome.runup_max.value = [1.0, 3.0, 2.0, 1.0][case.index];
-                outcome.displacement_truncated = Some(case.index == 0);
-                outcome.doubtful_reason = (case.index == 3).then(|| "made up".to_owned());
-                CaseRecord::new(&study, case, &Ok(result), 1.0, "here")
-            })
-            .collect();
-        let records: Vec<_> = records.iter().collect();
-        assert_eq!(worth_a_look(&study, &records)[..2], [1, 2]);
-        assert_eq!(worth_a_look(&study, &records), [1, 2, 3]);
-    }
 }

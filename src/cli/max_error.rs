@@ -1,13 +1,15 @@
 //! `sweep --max-error`: telling what numerics were chosen, and whether they kept to the aim.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 
 use serde_json::json;
 
 use super::execute::Done;
+use super::failure::BadInput;
 use super::output::{Output, short};
 use crate::accuracy::{Choice, Choices, MaxError};
-use crate::results::counted;
+use crate::results::{counted, finished};
 use crate::study::Study;
 
 /// Reads the argument of `--max-error`.
@@ -74,6 +76,23 @@ pub(super) fn refine(aim: &MaxError, study: &Study, done: &Done, output: &Output
         "error bars wider than {percent} % in {cases}: these run once more with finer particles"
     ));
     Some(with(study, &finer))
+}
+
+/// The study of a finished or broken off sweep, as its journal has it: with the numerics that were chosen
+/// first, and finer ones where these have begun.
+pub(super) fn stored(percent: f64, study: &Study, directory: &Path) -> anyhow::Result<Study> {
+    let aim = MaxError::new(percent, study).map_err(BadInput)?;
+    let mut chosen = with(study, &aim.first(study)).aiming_at(percent);
+    loop {
+        let records = finished(directory, &chosen)?;
+        let choices = aim.finer(&chosen, &records);
+        let finer = with(&chosen, &choices);
+        let begun = finished(directory, &finer)?;
+        if choices.keys().all(|&index| begun[index].is_none()) {
+            return Ok(chosen);
+        }
+        chosen = finer;
+    }
 }
 
 fn with(study: &Study, choices: &Choices) -> Study {

@@ -9,8 +9,7 @@ use serde_json::json;
 use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::Output;
-use super::shown;
-use super::{SUCCESS, film};
+use super::{SUCCESS, shown, stored};
 use crate::report::{Print, ReportError};
 use crate::results::{Lock, Manifest, finished, renew_summary, verify, write_all_histories};
 
@@ -83,7 +82,7 @@ fn renew(args: &ReportArgs, output: &Output) -> anyhow::Result<()> {
     if Manifest::read(&args.dir).is_none() {
         output.note("manifest.json is missing or damaged: the page says nothing of where its numbers come from");
     }
-    let Ok((study, _)) = film::read(&args.dir) else { return Ok(()) };
+    let Ok((study, _)) = stored::study(&args.dir) else { return Ok(()) };
     let records = finished(&args.dir, &study)?;
     for told in verify(&args.dir, &study, &records)? {
         output.note(told);

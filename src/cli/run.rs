@@ -138,13 +138,19 @@ fn film_of(
 ) -> anyhow::Result<u8> {
     let case = &study.cases[0];
     if done.wall_time_s.is_some() {
-        output.note(format_args!("filmed into {}", page.path(case.id).display()));
+        let path = page.path(case.id);
+        if path.exists() {
+            output.note(format_args!("filmed into {}", path.display()));
+        }
         return Ok(SUCCESS);
     }
     let resources = Resources { simd: done.directory.simd(), threads: film::threads(args.threads) };
     let (directory, colour) = (done.directory.path(), page.colour);
     let (records, interrupt) = (done.directory.runs(), &Interrupt::listen()?);
-    film::Set { study, records, directory, colour, resources, interrupt }.shoot(case, output)
+    let set = film::Set { study, records, directory, colour, resources, interrupt };
+    let shot = set.shoot(case)?;
+    shot.tell(case, output);
+    Ok(shot.code())
 }
 
 /// The record as JSON, with the highest runup over still water in metres besides.

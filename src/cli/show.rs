@@ -5,13 +5,11 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::{Map, Value, json};
 
-use super::SUCCESS;
 use super::failure::BadInput;
-use super::film;
 use super::input::demand_output_of_study;
 use super::output::{Output, with_bar};
 use super::pick::{Choice, the_case, the_one};
-use super::shown;
+use super::{SUCCESS, shown, stored};
 use crate::quantities::summary::{
     ALL, CASE_ID, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO, PARTICLES_LOST, REASON, STATUS,
     STOP_IMPULSE,
@@ -40,7 +38,7 @@ pub(super) struct ShowArgs {
 
 pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
     if args.toml {
-        let (file, study) = film::study_of(&args.dir)?;
+        let (file, study) = stored::file_and_study(&args.dir)?;
         let text = file.single(the_case(&study, &args.case)?).map_err(|error| {
             BadInput(format!("{}: sweep_file in manifest.json: {error}", args.dir.display()))
         })?;

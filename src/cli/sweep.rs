@@ -4,21 +4,19 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
+use serde_json::json;
 
 use super::ending::EndingArgs;
-use super::execute::{Done, Job, execute};
+use super::execute::{Job, execute};
 use super::failure::{BadInput, exit_code};
 use super::input::{Expect, Setting, SimdChoice, default_out, out_of, study};
 use super::keep::KeepArgs;
 use super::output::Output;
 use super::overview::told;
-use super::{INTERRUPTED, SUCCESS, check, film, max_error, pick, warnings};
+use super::{SUCCESS, check, films, max_error, warnings};
 use crate::accuracy::MaxError;
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
-use crate::film::Colour;
 use crate::results::{OpenMode, counted, write_all_histories};
-use crate::simulation::Resources;
-use crate::study::{Case, Study};
 
 /// Run all cases of a sweep file, on threads or under mpirun, and go on where an earlier run
 /// stopped.
@@ -29,7 +27,7 @@ use crate::study::{Case, Study};
   seawall sweep sweeps/liang2017.toml --set numerics.particle_spacing_m=0.016
   mpirun -n 4 --bind-to none seawall sweep sweeps/nightly.toml
   seawall sweep sweeps/nightly.toml --max-error 2 --out results/runs/within-2-percent
-  seawall sweep sweeps/nightly.toml --film auto
+  seawall sweep sweeps/nightly.toml --film wave_height_ratio=0.5,spring_stiffness_n_per_m=10,seawall_mass_kg_per_m=50
   seawall sweep sweeps/nightly.toml --retry-failed")]
 pub(super) struct SweepArgs {
     /// The sweep file.
@@ -65,9 +63,9 @@ pub(super) struct SweepArgs {
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = max_error::percent)]
     max_error: Option<f64>,
     /// Film cases once the sweep is done, into films/: auto (largest force, highest runup, softest wall
-    /// that turns, most doubtful), none, or a case by its id or by KEY=VALUE,KEY=VALUE; repeatable. Each
-    /// runs once more for it.
-    #[arg(long, value_name = "CASE", default_value = "none")]
+    /// that turns, most doubtful, as far as they took less than a minute), none, or a case by its id or by
+    /// KEY=VALUE,KEY=VALUE; repeatable. Each runs once more for it.
+    #[arg(long, value_name = "CASE", default_value = "auto")]
     film: Vec<String>,
     /// Under MPI, name a rank that has not been heard of for so long, seconds.
     #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = patience)]
@@ -106,6 +104,7 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
             return Ok(SUCCESS);
         }
         let study = study(&args.file, &args.settings, Expect::Grid)?;
+        films::check(&args.film, &study)?;
         return check::show(&study, !args.no_branch, output);
     }
     let use_mpi = choose(args.executor, launcher, mpi::AVAILABLE)?;
@@ -155,7 +154,7 @@ fn lead(
     interrupt: &Interrupt,
 ) -> anyhow::Result<u8> {
     let study = study(&args.file, &args.settings, Expect::Grid)?;
-    check_films(args, &study)?;
+    films::check(&args.film, &study)?;
     warnings::tell(&args.file, &study, output);
     warnings::tell_threads(args.threads, output);
     let aim = args.max_error.or(study.max_error_percent);
@@ -174,12 +173,14 @@ fn lead(
     };
     args.ending.begin(&job.out)?;
     let mut done = execute(&job, crew, interrupt, output)?;
+    let mut films: &[String] = &args.film;
     while let Some(aim) = aim.as_ref().filter(|_| done.ending == Ending::Finished) {
         let Some(finer) = max_error::refine(aim, &job.study, &done, output) else { break };
         if crew.executor() == "mpi" && done.wall_time_s.is_some() {
             output.note(
                 "under MPI a session is one round: the same command goes on with the finer one",
             );
+            films = &[];
             break;
         }
         drop(done); // its lock
@@ -193,70 +194,20 @@ fn lead(
         ));
         return Ok(done.exit_code());
     }
-    let filmed = films(args, &job.study, &done, interrupt, output);
+    let filmed = films::make(films, &job.study, &done, args.threads, interrupt, output)?;
     done.directory.demand_in_place()?;
     write_all_histories(done.directory.path())?;
     let report = crate::report::write(done.directory.path())?;
     let mut text = told(&job, &done, &report, output.verbose);
     let mut value = done.json(&job, Some(&report));
+    value["films"] = json!(filmed.pages);
     if let Some(aim) = &aim {
         let (told, accuracy) = max_error::report(aim, &job.study, &done)?;
         text.push_str(&told);
         value["accuracy"] = accuracy;
     }
     output.result(&text, &value)?;
-    Ok(done.exit_code().max(filmed?))
-}
-
-/// Checks what is to be filmed before anything runs.
-fn check_films(args: &SweepArgs, study: &Study) -> Result<(), BadInput> {
-    let cases = args.film.iter().filter(|word| !matches!(word.as_str(), "auto" | "none"));
-    cases.map(String::as_str).try_for_each(|word| film_case(study, word).map(|_| ()))
-}
-
-fn film_case<'a>(study: &'a Study, word: &str) -> Result<&'a Case, BadInput> {
-    let words: Vec<_> = word.split(',').map(str::to_owned).collect();
-    let case = pick::the_case(study, &words);
-    let case = case.and_then(|case| film::demand_small(case).map(|()| case));
-    case.map_err(|error| BadInput(format!("--film {word}: {error}")))
-}
-
-/// Runs the cases again that are to be filmed, one after the other; the worst exit code.
-fn films(
-    args: &SweepArgs,
-    study: &Study,
-    done: &Done,
-    interrupt: &Interrupt,
-    output: &Output,
-) -> anyhow::Result<u8> {
-    let records: Vec<_> = done.records().collect();
-    let mut cases: Vec<&Case> = Vec::new();
-    for word in &args.film {
-        match word.as_str() {
-            "none" => {}
-            "auto" => {
-                let chosen = film::worth_a_look(study, &records);
-                let chosen = chosen.into_iter().map(|index| &study.cases[index]);
-                cases.extend(chosen.filter(|case| film::demand_small(case).is_ok()));
-            }
-            word => cases.push(film_case(study, word)?),
-        }
-    }
-    let set = film::Set {
-        study,
-        records: done.directory.runs(),
-        directory: done.directory.path(),
-        colour: Colour::Pressure,
-        resources: Resources { simd: done.directory.simd(), threads: film::threads(args.threads) },
-        interrupt,
-    };
-    let mut worst = SUCCESS;
-    for case in cases {
-        if worst != INTERRUPTED {
-            worst = worst.max(set.shoot(case, output)?);
-        }
-    }
-    Ok(worst)
+    Ok(done.exit_code().max(filmed.code))
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ use serde_json::json;
 
 use super::failure::BadInput;
 use super::output::Output;
-use super::{CASES_FAILED, SUCCESS, film};
+use super::{CASES_FAILED, SUCCESS, film, stored};
 use crate::results::{CaseRecord, counted, finished, first_difference, verify};
 use crate::simulation::{Resources, Unwatched, run_case};
 use crate::study::Study;
@@ -33,7 +33,7 @@ pub(super) fn main(args: &VerifyArgs, output: &Output) -> anyhow::Result<u8> {
         let reason = "holds no journal.jsonl: not the output directory of a sweep";
         return Err(BadInput(format!("{}: {reason}", args.dir.display())).into());
     }
-    let (study, simd) = film::read(&args.dir)?;
+    let (study, simd) = stored::study(&args.dir)?;
     let records = finished(&args.dir, &study)?;
     let mut told = verify(&args.dir, &study, &records)?;
     let resources = Resources { simd, threads: film::threads(args.threads) };

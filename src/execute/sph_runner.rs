@@ -40,7 +40,13 @@ impl Runner for SphRunner {
         let run = |monitor: &dyn Monitor| run_case(config, checkpoint, self.resources, monitor);
         match (&self.film, &self.keep) {
             (None, None) => run(monitor),
-            (Some(film), _) => film.shoot(config, monitor, run),
+            (Some(film), _) => {
+                let (result, written) = film.shoot(config, monitor, run)?;
+                if let Err(error) = written {
+                    eprintln!("warning: case {}: not filmed: {error}", CaseId::of(config));
+                }
+                Ok(result)
+            }
             (None, Some(keep)) => {
                 let (id, simd) = (CaseId::of(config), self.resources.simd);
                 keep.during(Checkpoint::of_case(&keep.directory, id, simd), monitor, run)

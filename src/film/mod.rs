@@ -17,6 +17,7 @@ mod vtk;
 mod vtu;
 
 use std::io;
+use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
 pub use page::PageFilm;
@@ -24,7 +25,7 @@ pub use scale::Colour;
 pub use vtk::VtkFilm;
 
 use crate::scene::CaseConfig;
-use crate::simulation::{CaseResult, Failure, FailureKind, Film, Monitor, Stopped};
+use crate::simulation::{CaseResult, Film, Monitor, Stopped};
 
 /// How cases are filmed.
 #[derive(Debug, Clone)]
@@ -33,6 +34,11 @@ pub enum Filming {
     Vtk(VtkFilm),
     /// As a page that plays.
     Page(PageFilm),
+}
+
+/// Names the file that an error concerns.
+fn at(path: &Path) -> impl FnOnce(io::Error) -> io::Error + '_ {
+    move |error| io::Error::new(error.kind(), format!("{}: {error}", path.display()))
 }
 
 /// What watches one run.
@@ -53,31 +59,30 @@ trait Camera: Send {
 }
 
 impl Filming {
-    /// Lets a case run under a monitor that films it and asks `inner` for the rest.
+    /// Lets a case run under a monitor that films it and asks `inner` for the rest. A film that cannot be
+    /// written costs no result: its error stands beside it.
     ///
     /// # Errors
-    /// The run's own, or a film that cannot be written.
+    /// The run's own.
     pub fn shoot(
         &self,
         config: &CaseConfig,
         inner: &dyn Monitor,
         run: impl FnOnce(&dyn Monitor) -> Result<CaseResult, Stopped>,
-    ) -> Result<CaseResult, Stopped> {
-        let unwritable = |error: io::Error| {
-            let what = if matches!(self, Filming::Vtk(_)) { "vtk" } else { "film" };
-            let detail = format!("{what}: {error}");
-            Stopped::Failed(Failure { kind: FailureKind::Internal, time_s: 0.0, detail })
-        };
+    ) -> Result<(CaseResult, io::Result<()>), Stopped> {
         let camera: Box<dyn Camera> = match self {
-            Filming::Vtk(film) => Box::new(film.camera(config).map_err(unwritable)?),
+            Filming::Vtk(film) => match film.camera(config) {
+                Ok(camera) => Box::new(camera),
+                Err(error) => return Ok((run(inner)?, Err(error))),
+            },
             Filming::Page(film) => Box::new(film.camera(config)),
         };
         let (interval_s, faces) = (camera.interval_s(), camera.sees_faces());
         let set = Set { inner, interval_s, faces, camera: Mutex::new(camera) };
         let result = run(&set)?;
         let camera = set.camera.into_inner().unwrap_or_else(PoisonError::into_inner);
-        camera.finish(&result).map_err(unwritable)?;
-        Ok(result)
+        let written = camera.finish(&result);
+        Ok((result, written))
     }
 }
 

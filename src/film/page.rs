@@ -11,7 +11,7 @@ use super::camera::{PageCamera, Take};
 use super::codec::{self, Point};
 use super::scale::{self, Colour};
 use super::stage::Stage;
-use super::still;
+use super::{at, still};
 use crate::math::decimal::significant;
 use crate::scene::CaseConfig;
 use crate::simulation::{CaseResult, HistoryRow, cost};
@@ -76,8 +76,9 @@ impl PageFilm {
         let end = scale::end(takes.iter().flat_map(|take| &take.points).map(|point| point[2]));
         let still = still::Still { stage: &stage, take, colour: self.colour, end };
         let still = still.svg(&caption(config, take, result));
-        fs::create_dir_all(&self.folder)?;
-        fs::write(page.with_extension("svg"), &still)?;
+        fs::create_dir_all(&self.folder).map_err(at(&self.folder))?;
+        let picture = page.with_extension("svg");
+        fs::write(&picture, &still).map_err(at(&picture))?;
         let reel = Reel { takes, crest, stage: &stage, end };
         let film = reel.json(&result.history).to_string().replace('<', "\\u003c");
         let (colour, unit, units) = self.colour.told();
@@ -93,12 +94,15 @@ impl PageFilm {
             ("{end}", significant(end / units, 3).to_string()),
             ("{gradient}", scale::colours().join(", ")),
             ("{still}", still),
-            ("{script}", include_str!("page.js").to_owned()),
+            ("{script}", concat!(include_str!("decode.js"), include_str!("page.js")).to_owned()),
             ("{film}", film),
         ];
         let text = include_str!("page.html").to_owned();
         let text = fields.iter().fold(text, |text, (field, value)| text.replacen(field, value, 9));
-        fs::write(page, text)
+        // A page that is there is whole: a sweep goes by that.
+        let partial = page.with_extension("html.partial");
+        fs::write(&partial, text).map_err(at(&partial))?;
+        fs::rename(&partial, &page).map_err(at(&page))
     }
 }
 

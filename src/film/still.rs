@@ -60,7 +60,8 @@ impl Tops {
             };
             heights.into_iter().take_while(near).last().map(|top| top + 0.5 * stage.spacing)
         };
-        Tops { left, wide, heights: bins.into_iter().enumerate().map(climb).collect() }
+        let heights: Vec<_> = bins.into_iter().enumerate().map(climb).collect();
+        Tops { left, wide, heights: closed(&heights) }
     }
 
     /// Between the middles of bins in a straight line.
@@ -77,6 +78,17 @@ impl Tops {
         let points = self.heights.iter().enumerate();
         points.filter_map(|(bin, top)| Some([x(bin), (*top)?])).collect()
     }
+}
+
+/// Without dips of one or two bins: a gap between particles is no trough of the surface.
+fn closed(heights: &[Option<f64>]) -> Vec<Option<f64>> {
+    let at = |bin: usize| heights.get(bin.wrapping_sub(1)).copied().flatten();
+    let highest = |bin: usize| {
+        [bin.wrapping_sub(1), bin, bin + 1].into_iter().filter_map(at).reduce(f64::max)
+    };
+    let lowest =
+        |bin: usize| [bin - 1, bin, bin + 1].into_iter().filter_map(highest).reduce(f64::min);
+    (1..=heights.len()).map(|bin| at(bin).and_then(|_| lowest(bin))).collect()
 }
 
 /// From metres to units.
@@ -241,5 +253,27 @@ impl Still<'_> {
         let (x, end) =
             (from + wide * scale::LEVELS as f64 + 30.0, significant(self.end / units, 3));
         let _ = writeln!(text, "<text x=\"{x}\" y=\"{baseline}\">{end} {unit}</text>");
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_gap_between_particles_is_no_trough() {
+        let tops = |heights: &[f64]| -> Vec<_> {
+            let known = |height: &f64| (*height > 0.0).then_some(*height);
+            closed(&heights.iter().map(known).collect::<Vec<_>>())
+                .into_iter()
+                .map(|top| top.unwrap_or(0.0))
+                .collect()
+        };
+        assert_eq!(tops(&[1.0, 2.0, 0.5, 0.4, 3.0, 4.0]), [1.0, 2.0, 2.0, 2.0, 3.0, 4.0]);
+        let slope = [1.0, 1.5, 2.0, 4.0, 3.0, 1.0];
+        assert_eq!(tops(&slope), slope);
+        let trough = [3.0, 1.0, 1.0, 1.0, 3.0];
+        assert_eq!(tops(&trough), trough);
+        assert_eq!(tops(&[0.0, 2.0, 1.0, 2.0, 0.0]), [0.0, 2.0, 2.0, 2.0, 0.0]);
     }
 }

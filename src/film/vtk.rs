@@ -5,8 +5,8 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-use super::Camera;
 use super::vtu::{Cells, Grid, Values};
+use super::{Camera, at};
 use crate::body::Place;
 use crate::scene::CaseConfig;
 use crate::simulation::{CaseResult, Face, Film};
@@ -41,7 +41,8 @@ pub(super) struct VtkCamera {
 
 impl VtkCamera {
     fn new(folder: &Path, id: String, interval_s: f64, has_paddle: bool) -> io::Result<VtkCamera> {
-        fs::create_dir_all(folder.join(&id))?;
+        let own = folder.join(&id);
+        fs::create_dir_all(&own).map_err(at(&own))?;
         Ok(VtkCamera {
             interval_s,
             folder: folder.to_owned(),
@@ -68,7 +69,7 @@ impl VtkCamera {
         let mut names = Vec::new();
         for (name, grid) in std::iter::once(("water", water(film))).chain(faces) {
             let file = self.folder.join(path(&self.id, name, number));
-            fs::write(file, grid.text(film.time_s))?;
+            fs::write(&file, grid.text(film.time_s)).map_err(at(&file))?;
             names.push(name);
         }
         Ok(names)
@@ -115,7 +116,8 @@ impl Camera for VtkCamera {
             }
         }
         text.push_str("</Collection>\n</VTKFile>\n");
-        fs::write(self.folder.join(format!("{}.pvd", self.id)), text)
+        let list = self.folder.join(format!("{}.pvd", self.id));
+        fs::write(&list, text).map_err(at(&list))
     }
 }
 

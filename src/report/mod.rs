@@ -90,8 +90,13 @@ impl Print {
 pub fn print(out_dir: &Path, format: Print) -> Result<Vec<PathBuf>, ReportError> {
     let mut paths = Vec::new();
     #[cfg(feature = "print")]
-    for figure in plots::all(&Loaded::read(out_dir)?)? {
-        paths.extend(export::write(&figure, format, &out_dir.join("figures"))?);
+    {
+        let data = Loaded::read(out_dir)?;
+        let papers = papers::papers(&data)?;
+        let theirs = papers.iter().flat_map(|papers| &papers.figures);
+        for figure in plots::all(&data)?.iter().chain(theirs) {
+            paths.extend(export::write(figure, format, &out_dir.join("figures"))?);
+        }
     }
     paths.sort();
     Ok(paths)

@@ -26,6 +26,9 @@ pub struct Manifest {
     pub name: String,
     /// Identity of the study.
     pub sweep: String,
+    /// What `--max-error` aims at, percent: by it the numerics of the cases can be chosen again.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max_error_percent: Option<f64>,
     /// Number of its cases.
     pub cases: usize,
     /// Number of their resolution companions.
@@ -117,6 +120,7 @@ impl Manifest {
             physics_version: PHYSICS_VERSION,
             name: study.name.clone(),
             sweep: study.identity.clone(),
+            max_error_percent: study.max_error_percent,
             cases: study.cases.len(),
             companions: study.companions.len(),
             keys: study.keys.clone(),

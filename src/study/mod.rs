@@ -45,7 +45,7 @@ pub struct Study {
     /// Hash over the cases and their order, with or without error bars: two files with the same
     /// identity are the same sweep.
     pub identity: String,
-    /// The error that the file aims at, percent.
+    /// The error that the file or the command line aims at, percent.
     pub max_error_percent: Option<f64>,
     /// What no case may take more of.
     pub limits: Limits,

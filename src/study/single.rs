@@ -5,19 +5,26 @@ use toml::{Table, Value};
 use super::case::Case;
 use super::file::SweepFile;
 use super::grid;
-use crate::scene::{ConfigError, Place};
+use crate::keys::Section;
+use crate::scene::{CaseConfig, ConfigError, Place};
 
 /// Digits of a case's id in the name of its own file.
 const DIGITS: usize = 8;
 
 impl SweepFile {
     /// A case of this file as the text of a scene file, which `seawall run` takes. It names what this
-    /// file names, and the values of the swept keys.
+    /// file names, the values of the swept keys, and numerics that were chosen for the case.
     ///
     /// # Errors
     /// A swept key that no section knows.
     pub fn single(&self, case: &Case) -> Result<String, ConfigError> {
-        let (scene, numerics) = grid::tables(self, &case.assignments)?;
+        let (scene, mut numerics) = grid::tables(self, &case.assignments)?;
+        let plain = CaseConfig::with_probes(&scene, &numerics, &self.probes)?.numerics.table();
+        for (key, value) in case.config.numerics.table() {
+            if plain.get(&key) != Some(&value) && key != "error_bars" {
+                numerics.insert(key, value);
+            }
+        }
         let id = case.id.to_string();
         let mut file = Table::new();
         file.insert("name".to_owned(), format!("{}-{}", self.name, &id[..DIGITS]).into());
@@ -37,7 +44,7 @@ impl SweepFile {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::Study;
+    use crate::study::{CaseId, Study};
 
     #[test]
     fn the_file_of_a_case_is_that_case() {
@@ -58,5 +65,19 @@ mod tests {
             assert_eq!(read.companions.len(), 1);
             assert!(read.name.starts_with("a-"), "{text}");
         }
+    }
+
+    #[test]
+    fn numerics_that_were_chosen_for_a_case_are_in_its_file() {
+        let text = "name = \"a\"\n[numerics]\nerror_bars = \"pair\"\n[grid]\nwave_height_ratio = [0.2, 0.3]";
+        let file = SweepFile::read(text, &[]).unwrap();
+        let mut case = Study::new(&file).unwrap().cases.remove(1);
+        case.config.numerics.particle_spacing_m = 0.016;
+        case.config.numerics.courant_number = 1.0;
+        case.id = CaseId::of(&case.config);
+        let text = file.single(&case).unwrap();
+        let read = Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap();
+        assert_eq!(read.cases[0].id, case.id, "{text}");
+        assert!(!text.contains("kernel"), "{text}");
     }
 }

@@ -25,10 +25,15 @@ pub fn figure(found: &[Found]) -> Option<Figure> {
         drawing: Drawing::new(charts, Layout { columns: 3, size: (296.0, 250.0) }),
         name: "papers_agreement".to_owned(),
         title: "Printed and computed".to_owned(),
-        caption:
-            "What the papers print against what this study computes. On the line both are the \
-                  same. Bars: estimated errors. Open markers: lower bounds."
-                .to_owned(),
+        caption: format!(
+            "What the papers print against what this study computes. On the line both are the same.{}{}",
+            if found.iter().any(|one| one.error.is_some()) {
+                " Bars: estimated errors."
+            } else {
+                ""
+            },
+            if found.iter().any(|one| one.bound) { " Open markers: lower bounds." } else { "" },
+        ),
     })
 }
 

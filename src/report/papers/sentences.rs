@@ -33,7 +33,9 @@ pub fn sentences(found: &[Found]) -> Vec<String> {
         &found.iter().filter(is_time).collect::<Vec<_>>(),
     ));
     let many: Vec<_> = found.iter().filter(|f| !is_time(f)).filter(flat).collect();
-    said.extend(counted("What is said of many stiffnesses at once", &many));
+    let (shares, words): (Vec<_>, Vec<_>) = many.into_iter().partition(|f| f.printed.unit == "%");
+    said.extend(counted("Changes over many stiffnesses", &shares));
+    said.extend(counted("What is said in words", &words));
     said.extend(counted("The dam break", &found.iter().filter(front).collect::<Vec<_>>()));
     said.extend(counted("Times per step", &found.iter().filter(step).collect::<Vec<_>>()));
     said.extend(reasons(found));
@@ -105,7 +107,11 @@ fn counted(what: &str, found: &[&Found]) -> Option<String> {
     let mut all: Vec<f64> = found.iter().map(|one| size(one)).collect();
     all.sort_by(f64::total_cmp);
     let worst = found.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?;
-    let unit = if in_percent { "%" } else { first.printed.unit.as_str() };
+    let unit = match first.printed.unit.as_str() {
+        _ if in_percent => "%",
+        "%" => "points of a percentage",
+        unit => unit,
+    };
     let place: Vec<_> = PLACE.iter().filter_map(|c| Some(label(c, worst.row.number(c)?))).collect();
     let at = if place.is_empty() { String::new() } else { format!(" at {}", place.join(", ")) };
     text.push_str(&format!(

@@ -81,6 +81,8 @@ pub struct Chart {
     pub curves: Vec<Curve>,
     /// Fields of a map, under the curves.
     pub cells: Vec<Cell>,
+    /// Only in a page, where a choice of cases asks for it.
+    pub spare: bool,
 }
 
 impl Chart {
@@ -95,6 +97,7 @@ impl Chart {
             y: y.0,
             curves,
             cells: Vec::new(),
+            spare: false,
         }
     }
 

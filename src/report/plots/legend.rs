@@ -19,6 +19,8 @@ pub struct Entry {
     pub key: String,
     /// How it looks.
     pub look: Look,
+    /// Only in a page, where a choice of cases asks for it.
+    pub spare: bool,
     /// With a line through it.
     pub line: bool,
     /// With a marker: filled, or that of a bound.
@@ -28,7 +30,7 @@ pub struct Entry {
 impl Entry {
     /// A line with filled markers.
     pub fn marked(label: String, look: Look) -> Entry {
-        Entry { label, key: String::new(), look, line: true, marker: Some(false) }
+        Entry { label, key: String::new(), look, spare: false, line: true, marker: Some(false) }
     }
 
     /// A line without markers.
@@ -64,7 +66,7 @@ impl Entry {
         if bound {
             sample = sample.add(arrow((x, y)));
         }
-        sample.add(self.look.marker((x, y), bound))
+        sample.add(self.look.marker((x, y), bound || self.look.is_printed()))
     }
 }
 
@@ -98,7 +100,8 @@ pub fn list(entries: &[Entry]) -> String {
         let sample = bare(&sample);
         let words = escape(&entry.label);
         let key = escape(&entry.key);
-        format!("<li data-series=\"{key}\">{sample}{words}</li>")
+        let spare = if entry.spare { " class=\"spare\" hidden" } else { "" };
+        format!("<li data-series=\"{key}\"{spare}>{sample}{words}</li>")
     };
     format!("<ul class=\"legend\">{}</ul>", entries.iter().map(item).collect::<String>())
 }

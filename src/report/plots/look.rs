@@ -41,6 +41,11 @@ impl Look {
         Look { printed: true, ..self }
     }
 
+    /// Whether it is that of printed numbers, whose markers are always open.
+    pub fn is_printed(self) -> bool {
+        self.printed
+    }
+
     /// A group in this colour; what is in it is drawn in `currentColor`.
     pub fn group(self, class: &str) -> Group {
         let (hue, name) = match self.series {

@@ -52,24 +52,34 @@ impl Drawing {
     /// each with the legend, and its width in pixels. Three panels in a row are drawn small, so that
     /// words are large enough on paper.
     pub fn pages(&self, columns: usize, tallest: f64) -> Vec<(String, f64)> {
-        let columns = columns.min(self.charts.len()).max(1);
+        let own = self.of_file();
+        let columns = columns.min(own.charts.len()).max(1);
         let size = if columns > 2 { SMALL } else { self.layout.size };
         let layout = Layout { size, ..self.layout };
         let (wide, high) = (size.0 + GAP, size.1 + GAP);
         let sheet = 2.0 * EDGE + columns as f64 * wide - GAP;
-        let (_, legend) = rows(&self.entries(), EDGE + 6.0, sheet - EDGE);
+        let (_, legend) = rows(&own.entries(), EDGE + 6.0, sheet - EDGE);
         let above = legend + if self.bar.is_some() { bar::HEIGHT } else { 0.0 };
         let room = (tallest * sheet - 2.0 * EDGE - above + GAP) / high;
         let page = |charts: &[Chart]| {
-            let part = Drawing { charts: charts.to_vec(), layout, ..self.clone() };
-            (part.sheet(columns, self.entries()), sheet)
+            let part = Drawing { charts: charts.to_vec(), layout, ..own.clone() };
+            (part.sheet(columns, own.entries()), sheet)
         };
-        self.charts.chunks(columns * (room.max(1.0) as usize)).map(page).collect()
+        own.charts.chunks(columns * (room.max(1.0) as usize)).map(page).collect()
+    }
+
+    /// Without what only a page shows.
+    fn of_file(&self) -> Drawing {
+        let mut own = self.clone();
+        own.charts.retain(|chart| !chart.spare);
+        own.charts.iter_mut().for_each(|chart| chart.curves.retain(|curve| !curve.entry.spare));
+        own
     }
 
     /// The whole drawing as a file, with at most so many panels in a row.
     pub fn svg(&self, columns: usize) -> String {
-        self.sheet(columns, self.entries())
+        let own = self.of_file();
+        own.sheet(columns, own.entries())
     }
 
     fn sheet(&self, columns: usize, entries: Vec<Entry>) -> String {
@@ -105,7 +115,11 @@ impl Drawing {
         let margins = Margins::of(&self.charts);
         let drawn = |chart: &Chart| {
             let said = format!("{label} {}", chart.heading).replace('"', "'");
-            let panel = root(self.layout.size, Some(chart))
+            let mut sheet = root(self.layout.size, Some(chart));
+            if chart.spare {
+                sheet = sheet.set("class", "spare").set("hidden", "");
+            }
+            let panel = sheet
                 .set("role", "img")
                 .set("aria-label", said.trim_end())
                 .add(panel(&Frame::new(chart, margins, self.layout.size)));

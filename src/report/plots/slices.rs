@@ -3,7 +3,7 @@
 //! below is the same at another value of a second parameter; curves are of the third.
 
 use super::axes::Axis;
-use super::chart::{Chart, Curve};
+use super::chart::{Chart, Curve, Point};
 use super::marks::{bounds, by, coupling, key, marks, picked, point};
 use super::sheet::{Drawing, PANELS};
 use super::{Figure, SERIES, file_name, of_variant};
@@ -19,6 +19,12 @@ use crate::report::row::{Row, label};
 const DRAWN: [&Column; 3] = [&FIRST_FORCE_MAX, &FIRST_RUNUP_MAX, &DISPLACEMENT_MAX];
 /// Values of the second parameter, at most.
 const ROWS: usize = 3;
+/// A page holds the others, too, up to so many in all: they show where a choice asks for them.
+const MOST_ROWS: usize = 8;
+const MOST_SERIES: usize = 12;
+
+/// How far the arrow of a bound reaches up on a logarithmic axis.
+const ARROW: f64 = 2.0;
 
 /// One cut through a study.
 struct Slice {
@@ -90,18 +96,25 @@ impl Slice {
         }
         let (series, held) = (values(self.series), values(self.rows));
         let shown = [spread(&series, SERIES), spread(&held, ROWS)];
-        let charts = self.charts(&rows, &shown);
+        let all = [with_spare(&shown[0], &series, MOST_SERIES), {
+            let mut rows = with_spare(&shown[1], &held, MOST_ROWS);
+            rows.sort_by(f64::total_cmp);
+            rows
+        }];
+        let charts = self.charts(&rows, &all, &shown);
         if charts.is_empty() {
             return None;
         }
         let scale = if self.logarithmic { " X* stands on a logarithmic axis." } else { "" };
         let counts = picked(shown[0].len(), series.len(), self.curves)
             + &picked(shown[1].len(), held.len(), self.held);
+        let more = all.iter().zip(&shown).any(|(all, shown)| all.len() > shown.len());
+        let more = if more { " In the page a choice of cases shows the others." } else { "" };
         Some(Figure {
             title: format!("Responses against {}{}", self.what, of_variant(variant)),
             caption: format!(
                 "Largest force and runup of the first impact and largest displacement of the run \
-                 against {}.{scale}{}{}{counts}",
+                 against {}.{scale}{}{}{counts}{more}",
                 self.what,
                 marks(&rows, &DRAWN),
                 coupling(rows.iter().copied()),
@@ -112,13 +125,23 @@ impl Slice {
     }
 
     /// A row of panels for every value of the second parameter. A column has one pair of axes.
-    fn charts(&self, rows: &[&Row], [series, held]: &[Vec<f64>; 2]) -> Vec<Chart> {
+    fn charts(
+        &self,
+        rows: &[&Row],
+        [series, held]: &[Vec<f64>; 2],
+        [seen, kept]: &[Vec<f64>; 2],
+    ) -> Vec<Chart> {
+        let seen: Vec<_> = seen.iter().map(|value| key(self.series, *value)).collect();
         let curves = |value: f64, column: &'static Column| {
             let of_value = rows.iter().filter(|row| row.number(self.rows) == Some(value));
             let mut cases: Vec<_> =
                 of_value.filter_map(|row| Some((row.number(self.along)?, *row))).collect();
             cases.sort_by(|a, b| a.0.total_cmp(&b.0));
-            by(self.series, series, &cases, |x, row| point(row, x, column))
+            let mut curves = by(self.series, series, &cases, |x, row| point(row, x, column));
+            for entry in curves.iter_mut().map(|curve| &mut curve.entry) {
+                entry.spare = !entry.key.is_empty() && !seen.contains(&entry.key);
+            }
+            curves
         };
         let title = self.along.heading();
         let panel = |value: f64, column: &'static Column| {
@@ -126,7 +149,8 @@ impl Slice {
             let (x, y) = self.axes(column, &all)?;
             let drawn = curves(value, column).into_iter().chain(bounds(&all)).collect();
             let y = (y, column.unit.axis(), column.name);
-            let chart = Chart::new((x, title.as_str(), self.along.name), y, drawn);
+            let mut chart = Chart::new((x, title.as_str(), self.along.name), y, drawn);
+            chart.spare = !kept.contains(&value);
             Some(chart.under(label(self.rows, value), key(self.rows, value)))
         };
         let cells = held.iter().flat_map(|value| DRAWN.map(|column| panel(*value, column)));
@@ -142,12 +166,20 @@ impl Slice {
             Axis::around(places(), 5.0)
         };
         let y = if self.logarithmic && column.unit == Unit::Displacement {
-            Axis::logarithmic(points().map(|point| point.y))
+            // An arrow needs room above its marker.
+            let top = |point: &Point| if point.bound { ARROW * point.y } else { point.y };
+            Axis::logarithmic(points().flat_map(|point| [point.y, top(point)]))
         } else {
             Axis::around(curves.iter().flat_map(Curve::reach), 6.0)
         };
         x.zip(y)
     }
+}
+
+/// What is shown at once, and then what a choice may ask for, unless these are too many.
+fn with_spare(shown: &[f64], all: &[f64], most: usize) -> Vec<f64> {
+    let rest = all.iter().filter(|value| all.len() <= most && !shown.contains(value));
+    shown.iter().chain(rest).copied().collect()
 }
 
 #[cfg(test)]
@@ -189,7 +221,25 @@ mod tests {
         let waves: Vec<f64> = many.iter().map(|wave| wave * 0.05).collect();
         let figure = drawn(&waves, &[10.0, 500.0], &many).remove(0);
         assert_eq!(figure.drawing.charts.len(), 9);
-        let told = "Shown are 6 of 9 masses. Shown are 3 of 9 wave heights.";
+        let told = "Shown are 6 of 9 masses. Shown are 3 of 9 wave heights. In the page a choice of cases \
+                    shows the others.";
         assert!(figure.caption.ends_with(told), "{}", figure.caption);
+    }
+
+    #[test]
+    fn a_page_holds_what_a_choice_may_ask_for_and_a_file_does_not() {
+        let figure = drawn(&[0.2, 0.3, 0.4, 0.5, 0.6], &[10.0, 500.0], &[250.0]).remove(0);
+        assert_eq!(figure.drawing.charts.len(), 15);
+        let (page, file) = (figure.drawing.inline("a"), figure.svg());
+        assert_eq!(
+            (page.matches("<svg").count() - 2, page.matches("hidden").count() - 2),
+            (15, 6),
+            "{page}"
+        );
+        for wave in [0.2, 0.3] {
+            let heading = format!("H/h = {wave}");
+            assert!(page.contains(&heading), "{wave}");
+            assert_eq!(file.contains(&heading), wave == 0.2);
+        }
     }
 }

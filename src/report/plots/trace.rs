@@ -13,7 +13,11 @@ use super::text::{SMALL, width};
 /// All that a curve has in a panel.
 pub fn series(frame: &Frame, curve: &Curve) -> Group {
     let entry = &curve.entry;
-    let mut series = entry.look.group("series").set("data-series", entry.key.as_str());
+    let class = if entry.spare { "series spare" } else { "series" };
+    let mut series = entry.look.group(class).set("data-series", entry.key.as_str());
+    if entry.spare {
+        series = series.set("hidden", "");
+    }
     let seen = |point: &&Point| frame.holds(point.x, point.y);
     let points: Vec<&Point> = curve.points.iter().filter(seen).collect();
     if entry.line {

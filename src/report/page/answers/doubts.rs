@@ -6,6 +6,10 @@ use crate::report::curves::distinct;
 use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::page::words::{counted, listed};
+use crate::report::row::Row;
+
+/// How the reason of coarse particles begins.
+const COARSE: &str = "coarse spacing: ";
 
 /// How many largest displacements are lower bounds; `None` where nothing moves.
 pub fn bounds(data: &Loaded) -> Option<String> {
@@ -56,9 +60,18 @@ pub fn doubtful(data: &Loaded) -> Option<String> {
         let why = doubtful[0].text(&DOUBTFUL_REASON);
         return Some(format!("The result is doubtful: {why}. Look at its history first."));
     }
+    let (coarse, doubtful) = without_coarse(&doubtful);
+    let coarse = coarse.map(|(count, why)| {
+        let are = if count == 1 { "is" } else { "are" };
+        format!("{count} of {} {are} coarse: {why}. ", counted(all, "result"))
+    });
+    let coarse = coarse.unwrap_or_default();
+    if doubtful.is_empty() {
+        return Some(format!("{coarse}Nothing else makes a result doubtful."));
+    }
     let mut reasons: Vec<(String, usize)> = Vec::new();
-    for row in &doubtful {
-        for reason in kinds(row.text(&DOUBTFUL_REASON)) {
+    for told in &doubtful {
+        for reason in kinds(told) {
             match reasons.iter_mut().find(|(known, _)| *known == reason) {
                 Some((_, count)) => *count += 1,
                 None => reasons.push((reason, 1)),
@@ -70,11 +83,28 @@ pub fn doubtful(data: &Loaded) -> Option<String> {
         reasons.iter().map(|(reason, count)| format!("{reason} ({count})")).collect();
     let are = if doubtful.len() == 1 { "is" } else { "are" };
     Some(format!(
-        "{} of {} {are} doubtful: {}. Look at their histories first.",
+        "{coarse}{} of {} {are} doubtful: {}. Look at their histories first.",
         doubtful.len(),
         counted(all, "result"),
         listed(&words)
     ))
+}
+
+/// How many cases have coarse particles, and what that means of the first of them; and the other reasons of
+/// all cases that have any.
+fn without_coarse(rows: &[&Row]) -> (Option<(usize, String)>, Vec<String>) {
+    let (mut coarse, mut others) = (Vec::new(), Vec::new());
+    for row in rows {
+        let is_coarse = |reason: &&str| reason.starts_with(COARSE);
+        let told = row.text(&DOUBTFUL_REASON).split("; ");
+        let (own, rest): (Vec<&str>, Vec<&str>) = told.partition(is_coarse);
+        coarse.extend(own.first().map(|reason| reason[COARSE.len()..].to_owned()));
+        if own.is_empty() || !rest.is_empty() {
+            others.push(rest.join("; "));
+        }
+    }
+    let first = coarse.first().cloned();
+    (first.map(|why| (coarse.len(), why)), others)
 }
 
 /// The kinds of a case's reasons, each once. Reasons that name no kind are told without their numbers and
@@ -106,6 +136,7 @@ fn without_numbers(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantities::summary::STATUS;
     use crate::report::fixture;
 
     #[test]
@@ -134,5 +165,30 @@ mod tests {
         assert_eq!(kinds(reasons), ["the pressure on the face is … % off", "energy gap … %"]);
         let named = "coarse spacing: 8 rows of particles; force gap: 3 % at force_max";
         assert_eq!(kinds(named), ["coarse spacing", "force gap"]);
+    }
+
+    #[test]
+    fn coarse_particles_have_a_sentence_of_their_own() {
+        let row = |reason: &str| {
+            let flag = if reason.is_empty() { "false" } else { "true" };
+            let row = Row::default().with(&STATUS, "ok").with(&DOUBTFUL, flag);
+            row.with(&DOUBTFUL_REASON, reason)
+        };
+        let told = |reasons: [&str; 3]| {
+            let rows = reasons.map(row).to_vec();
+            doubtful(&Loaded { rows, ..Loaded::default() }).unwrap()
+        };
+        let coarse = "coarse spacing: 8.0 rows of particles";
+        let both = format!("{coarse}; force gap: 3 % at force_max");
+        assert_eq!(
+            told([coarse, "", coarse]),
+            "2 of 3 results are coarse: 8.0 rows of particles. Nothing else makes a result doubtful."
+        );
+        assert_eq!(
+            told([coarse, &both, "force gap: 2 % at force_max"]),
+            "2 of 3 results are coarse: 8.0 rows of particles. 2 of 3 results are doubtful: force gap \
+             (2). Look at their histories first."
+        );
+        assert_eq!(told(["", "", ""]), "No result is doubtful.");
     }
 }

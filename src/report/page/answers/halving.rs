@@ -29,7 +29,7 @@ pub fn half(data: &Loaded) -> Option<String> {
     let (first, others) = groups.split_first()?;
     let mut text = first.in_full();
     if !others.is_empty() {
-        text.push_str(&in_brief(others));
+        text.push_str(&in_brief(others, first.halved().next().is_some()));
     }
     Some(text)
 }
@@ -137,8 +137,8 @@ fn stiffnesses(these: &[f64], all: &[f64]) -> String {
     }
 }
 
-/// The other waves in one sentence.
-fn in_brief(groups: &[Group<'_>]) -> String {
+/// The other waves in one sentence, after one that tells of walls that halve the force, or of none.
+fn in_brief(groups: &[Group<'_>], after_some: bool) -> String {
     let waves = |halved: bool| {
         let is = |group: &&Group<'_>| group.halved().next().is_some() == halved;
         distinct(groups.iter().filter(is).map(|group| group.stiffest), &WAVE_HEIGHT_RATIO)
@@ -149,6 +149,9 @@ fn in_brief(groups: &[Group<'_>]) -> String {
         return format!(" Some wall does so in {halved} of {} other comparisons.", groups.len());
     }
     match (range(&some, ""), range(&none, "")) {
+        (_, without) if some.is_empty() && after_some => {
+            format!(" No wall does so at H/h = {without}.")
+        }
         (_, without) if some.is_empty() => format!(" Nor does any wall at H/h = {without}."),
         (with, _) if none.is_empty() => format!(" Some wall does so at H/h = {with}, too."),
         (with, without) => {
@@ -191,7 +194,7 @@ mod tests {
     fn masses_of_the_same_stiffnesses_are_told_together() {
         let told = "Compared with the stiffest wall at H/h = 0.5, k = 10⁵ N/m, m = 500 kg/m (F* = 4), \
                     the force is halved by k up to 100 N/m with m = 50 kg/m; k = 10 N/m with m = 100 \
-                    and 500 kg/m. Nor does any wall at H/h = 0.2.";
+                    and 500 kg/m. No wall does so at H/h = 0.2.";
         assert_eq!(said(&walls()).unwrap(), told);
     }
 

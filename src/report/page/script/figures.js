@@ -1,5 +1,7 @@
 // Figures: points tell what they are, show their case, and fade where it is not chosen.
 const NEAR = 14;
+// So many series look different in every way.
+const SERIES = 6;
 let pointed = [], under = null, marksOf = null;
 const tip = make("div", { className: "tip", hidden: true });
 tip.setAttribute("role", "status");
@@ -46,6 +48,27 @@ function fade(figure) {
     const at = data.keys[k].literals.findIndex((literal) => literal === value || Number(literal) === Number(value));
     element.classList.toggle("off", picked[k].size > 0 && !picked[k].has(at));
   }
+  reveal(figure);
+}
+
+// Spare panels and series come where a choice asks for them, panels of nothing that is chosen go, and a
+// figure that shows nothing says so.
+function reveal(figure) {
+  const groups = groupsOf(figure), on = groups.filter(({ state }) => state !== "off");
+  const panels = figure.querySelectorAll(".panels > svg");
+  if (figure.querySelector(".spare")) {
+    const all = chosen.every(Boolean), some = new Set(on.map(({ box }) => box.closest("svg")));
+    const series = new Set(on.map(({ box }) => box.dataset.series)), few = !all && series.size <= SERIES;
+    for (const svg of panels) svg.toggleAttribute("hidden", all || !on.length ? svg.classList.contains("spare") : !some.has(svg));
+    for (const { box } of groups) {
+      if (box.classList.contains("spare")) box.toggleAttribute("hidden", !few || !series.has(box.dataset.series));
+    }
+    for (const entry of figure.querySelectorAll("li.spare")) entry.hidden = !few || !series.has(entry.dataset.series);
+  }
+  if (!groups.length || (!figure.nothing && on.length)) return;
+  figure.nothing ||= make("p", { className: "nothing", textContent: "None of the chosen cases is drawn here." });
+  if (!figure.nothing.isConnected) panels[0]?.closest(".plot").before(figure.nothing);
+  figure.nothing.hidden = on.length > 0;
 }
 
 // The same case everywhere.

@@ -1,0 +1,52 @@
+//! The study that an output directory holds, made again from its files.
+
+use std::path::Path;
+
+use super::failure::BadInput;
+use super::input::demand_output_of_study;
+use super::max_error;
+use crate::math::simd::SimdPath;
+use crate::results::{Manifest, read_journal};
+use crate::study::{Override, PHYSICS_VERSION, Study, SweepFile};
+
+/// The study, and the instruction set that it was computed with.
+pub(super) fn study(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
+    let bad = |reason: String| BadInput(format!("{}: {reason}", directory.display()));
+    let (_, study) = file_and_study(directory)?;
+    let unfinished = || bad("the sweep was stopped before it began".to_owned());
+    let header = read_journal(directory)?.header.ok_or_else(unfinished)?;
+    if !header.simd.is_supported() {
+        let simd = crate::math::name::name_of(header.simd);
+        return Err(bad(format!("was computed with {simd}, which this machine lacks")).into());
+    }
+    Ok((study, header.simd))
+}
+
+/// The file that a directory was made from, with what the command line set, and its study.
+pub(super) fn file_and_study(directory: &Path) -> anyhow::Result<(SweepFile, Study)> {
+    let bad = |reason: String| BadInput(format!("{}: {reason}", directory.display()));
+    demand_output_of_study(directory, "manifest.json")?;
+    let lacking = || bad("manifest.json cannot be read".to_owned());
+    let manifest = Manifest::read(directory).ok_or_else(lacking)?;
+    if manifest.physics_version != PHYSICS_VERSION {
+        let theirs = manifest.physics_version;
+        let reason = format!("has physics version {theirs}, this program {PHYSICS_VERSION}");
+        return Err(bad(format!("{reason}: its cases would not come out the same")).into());
+    }
+    let set = |text: &String| text.parse::<Override>();
+    let overrides: Vec<_> =
+        manifest.overrides.iter().map(set).collect::<Result<_, _>>().map_err(bad)?;
+    let told = |error| bad(format!("sweep_file in manifest.json: {error}"));
+    let file = SweepFile::read(&manifest.sweep_file, &overrides).map_err(told)?;
+    let plain = Study::new(&file).map_err(told)?;
+    let aim = manifest.max_error_percent.or(plain.max_error_percent);
+    let study = match aim.filter(|_| plain.identity != manifest.sweep) {
+        Some(percent) => max_error::stored(percent, &plain, directory)?,
+        None => plain,
+    };
+    if study.identity != manifest.sweep {
+        let reason = "its cases are not those of the sweep file in its manifest.json";
+        return Err(bad(reason.to_owned()).into());
+    }
+    Ok((file, study))
+}
