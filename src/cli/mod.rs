@@ -13,6 +13,7 @@ mod execute;
 mod explain;
 mod failure;
 mod film;
+mod find;
 mod glossary;
 mod init;
 mod input;
@@ -90,6 +91,7 @@ enum Subcommands {
     Verify(verify::VerifyArgs),
     Show(show::ShowArgs),
     Report(report::ReportArgs),
+    Find(find::FindArgs),
     Compare(compare::CompareArgs),
     Reproduce(reproduce::ReproduceArgs),
     Accuracy(accuracy::AccuracyArgs),
@@ -160,6 +162,7 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         Subcommands::Verify(args) => verify::main(&args, &output),
         Subcommands::Show(args) => show::main(&args, &output),
         Subcommands::Report(args) => report::main(&args, &output),
+        Subcommands::Find(args) => find::main(&args, &output),
         Subcommands::Compare(args) => compare::main(&args, &output),
         Subcommands::Reproduce(args) => reproduce::main(&args, &output),
         Subcommands::Accuracy(args) => accuracy::main(&args, &output),

@@ -11,6 +11,7 @@ pub mod curves;
 mod error;
 #[cfg(feature = "print")]
 mod export;
+pub mod find;
 #[cfg(test)]
 mod fixture;
 mod grid;
