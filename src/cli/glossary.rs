@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::keys::Key;
-use crate::quantities::{Quantity, energy, history, summary};
+use crate::quantities::{Quantity, energy, envelope, history, summary};
 use crate::scene::{Kind, numerics_keys, probe_keys, scene_keys};
 use crate::study::accuracy_keys;
 
@@ -56,6 +56,7 @@ pub(super) fn entries() -> Vec<Entry> {
     }
     all.extend(summary::ALL.iter().map(|column| of_summary(column)));
     all.extend(history::ALL.iter().map(|column| of_column(column, "column of histories/*.csv")));
+    all.extend(envelope::ALL.iter().map(|column| of_column(column, "column of envelopes/*.csv")));
     all.extend(energy::ALL.iter().map(|column| of_column(column, "column of energy.csv")));
     all
 }

@@ -13,6 +13,7 @@ use super::outcome::{HistoryRow, ProbeTable};
 use super::probes;
 use super::settling::Liveliness;
 use super::surface::WallLevel;
+use crate::body::Place;
 use crate::scene::{CaseConfig, Tank};
 
 /// Room is made beforehand for so many samples at most.
@@ -54,7 +55,7 @@ impl Logbook {
             sound_speed: tank.water.state_equation().map(|_| tank.sound_speed),
         };
         Logbook {
-            measures: Measures::new(tank.threshold_ratio, acoustics),
+            measures: Measures::new(tank.threshold_ratio, acoustics, points_on_wall(tank)),
             gauge: CrestGauge::default(),
             ledger: Ledger::open(start),
             history: Vec::new(),
@@ -81,4 +82,10 @@ impl Logbook {
             table.values.reserve_exact(more * table.columns.len());
         }
     }
+}
+
+/// Points at which the pressure on the wall is read.
+fn points_on_wall(tank: &Tank) -> usize {
+    let wall = tank.water.walls().bodies.get(Place::Right.number());
+    wall.map_or(0, |wall| wall.faces.len())
 }

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::blows::{Acoustics, Blows, Hit};
 use super::first_impact::{FirstImpact, Reading};
 use super::outcome::Maximum;
+use super::pressed::Pressed;
 use super::window::RunningMean;
 
 /// Span of the force's running mean over √(h/g).
@@ -30,11 +31,14 @@ pub struct Measures {
     pub force_raw: Option<f64>,
     /// The last reading's F*, R*, X*.
     pub last: [f64; 3],
+    /// Pressures along the wall and their moment.
+    pub pressed: Pressed,
 }
 
 impl Measures {
-    /// For F_threshold over the hydrostatic force, and the scales of the water.
-    pub fn new(threshold_ratio: f64, acoustics: Acoustics) -> Measures {
+    /// For F_threshold over the hydrostatic force, the scales of the water, and so many points on the
+    /// wall's face.
+    pub fn new(threshold_ratio: f64, acoustics: Acoustics, points: usize) -> Measures {
         let unit_time = (acoustics.depth / acoustics.gravity).sqrt();
         Measures {
             mean: RunningMean::new(MEAN_SPAN * unit_time),
@@ -46,6 +50,7 @@ impl Measures {
             kicked: false,
             force_raw: None,
             last: [0.0; 3],
+            pressed: Pressed::new(points, MEAN_SPAN * unit_time),
         }
     }
 
@@ -62,6 +67,7 @@ impl Measures {
         }
         if self.blows.drown(time) {
             self.mean.clear();
+            self.first.interrupt();
         } else {
             if self.blows.since_audible(time).is_none() {
                 self.force_raw = Some(self.force_raw.map_or(force, |raw| raw.max(force)));
@@ -72,6 +78,16 @@ impl Measures {
             }
         }
         self.first.push_motion(&reading);
+    }
+
+    /// Takes the moment about the wall's foot, over ρgh³/6, and the pressures along its face, Pa, of the
+    /// last step's reading.
+    pub fn press(&mut self, time: f64, moment: f64, pressures: &[f64]) {
+        if self.blows.drown(time) {
+            self.pressed.interrupt();
+        } else {
+            self.pressed.push(time, moment, pressures, &self.first);
+        }
     }
 
     /// Takes note that the wall hits its stop in the step of the last reading: it begins at `time`,
@@ -90,7 +106,7 @@ mod tests {
 
     /// Feeds F*, R*, X* and the stops at a time, every millisecond.
     fn feed(threshold: f64, at: impl Fn(f64) -> ([f64; 3], u32)) -> Measures {
-        let mut measures = Measures::new(threshold, WATER);
+        let mut measures = Measures::new(threshold, WATER, 0);
         for k in 0..4000 {
             let time = 0.001 * f64::from(k);
             let ([force, runup, x], stops) = at(time);
@@ -189,7 +205,7 @@ mod tests {
     /// A wall that comes back at 1.5 s with `speed`, m/s, in F* = 1 + a bell, and what it meets then:
     /// suction and a rebound to F* = 4, told to be sound or not.
     fn struck(farthest: f64, speed: f64) -> Measures {
-        let mut measures = Measures::new(1.1, WATER);
+        let mut measures = Measures::new(1.1, WATER, 0);
         for k in 0..4000 {
             let time = 0.001 * f64::from(k);
             let displacement = if (0.8..1.5).contains(&time) { farthest } else { 0.0 };

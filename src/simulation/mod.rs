@@ -17,9 +17,11 @@ mod keeping;
 mod kept;
 mod logbook;
 mod measures;
+mod onrush;
 mod outcome;
 #[cfg(test)]
 mod planted;
+mod pressed;
 mod probes;
 mod quoted;
 mod readings;
@@ -38,8 +40,8 @@ pub use failure::{Failure, FailureKind, Stopped};
 pub use health::HealthMargins;
 pub use keeper::Keeper;
 pub use outcome::{
-    CaseResult, EnergyBudget, HistoryRow, Maximum, NamedReading, Outcome, PhaseShare, ProbeColumn,
-    ProbeTable, TrunkResult,
+    CaseResult, EnergyBudget, EnvelopeRow, HistoryRow, Maximum, NamedReading, Outcome, PhaseShare,
+    ProbeColumn, ProbeTable, TrunkResult,
 };
 
 use serde::{Deserialize, Serialize};
