@@ -5,6 +5,7 @@ use std::path::Path;
 
 use seawall::keys::{Section, table};
 use seawall::scene::{Kind, Numerics, Preset, numerics_keys, probe_keys, scene_keys};
+use seawall::study::refine_keys;
 
 /// The table that belongs between two markers.
 fn of(name: &str) -> String {
@@ -13,6 +14,7 @@ fn of(name: &str) -> String {
         // `kind` itself stands first, and is told once.
         (_, Some(&kind)) => table(&scene_keys(kind)[usize::from(kind != Kind::DEFAULT)..], &[]),
         ("probe", _) => table(&probe_keys(), &[]),
+        ("refine", _) => table(&refine_keys(), &[]),
         ("numerics", _) => {
             let presets = [
                 ("default", Preset::Default),
@@ -39,7 +41,7 @@ fn the_docs_have_the_tables_of_the_declarations() {
         renewed += &format!("<!-- keys of {name} -->\n{}{END}{rest}", of(name));
         tables += 1;
     }
-    assert_eq!(tables, Kind::ALL.len() + 2, "every section has its table");
+    assert_eq!(tables, Kind::ALL.len() + 3, "every section has its table");
     if std::env::var_os("RENEW_DOCS").is_some() {
         fs::write(&path, renewed).unwrap();
     } else {

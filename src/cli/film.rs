@@ -9,7 +9,7 @@ use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::Output;
 use super::pick::the_case;
-use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
+use super::{CASES_FAILED, INTERRUPTED, SUCCESS, refine};
 use crate::execute::Interrupt;
 use crate::film::{Colour, Filming, PageFilm};
 use crate::math::simd::SimdPath;
@@ -116,7 +116,7 @@ pub(super) fn study_of(directory: &Path) -> anyhow::Result<(SweepFile, Study)> {
         manifest.overrides.iter().map(set).collect::<Result<_, _>>().map_err(bad)?;
     let told = |error| bad(format!("sweep_file in manifest.json: {error}"));
     let file = SweepFile::read(&manifest.sweep_file, &overrides).map_err(told)?;
-    let study = Study::new(&file).map_err(told)?;
+    let study = refine::study_in(directory, &file)?;
     if study.identity != manifest.sweep {
         let reason = "its cases cannot be made from its manifest alone, as with --max-error";
         return Err(bad(format!("{reason}; film one with `seawall run --film`")).into());

@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::keys::Key;
 use crate::quantities::{Quantity, energy, envelope, history, summary};
 use crate::scene::{Kind, numerics_keys, probe_keys, scene_keys};
-use crate::study::accuracy_keys;
+use crate::study::{accuracy_keys, refine_keys};
 
 /// A key or a column.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -50,6 +50,7 @@ pub(super) fn entries() -> Vec<Entry> {
         ("key of [numerics]", numerics_keys()),
         ("key of [[probe]]", probe_keys()),
         ("key of [accuracy]", accuracy_keys()),
+        ("key of [grid] refine", refine_keys()),
     ];
     for (of, keys) in groups {
         all.extend(keys.into_iter().map(|key| of_key(key, of)));

@@ -24,6 +24,7 @@ mod output;
 mod overview;
 mod physics;
 mod pick;
+mod refine;
 mod report;
 mod reproduce;
 mod run;
