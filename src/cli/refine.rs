@@ -68,7 +68,12 @@ pub(super) fn next(
 
 /// How far a finished study came, for people and for programs.
 pub(super) fn report(refinement: &Refinement, study: &Study, done: &Done) -> (String, Value) {
-    let round = refinement.round(study, done.directory.runs());
+    let records = done.directory.runs();
+    let round = refinement.round(study, records);
+    let next = refinement.next(study, records).ok().flatten();
+    let pending = next.map_or(0, |next| next.cases.len() - study.cases.len());
+    // Points that no scene may have stay open.
+    let open = round.open + round.points.len() - pending;
     let (added, asked) = (refinement.count(study), &refinement.asked);
     let limit_hit = u64::try_from(added).is_ok_and(|added| added >= asked.most);
     let mut text = format!(
@@ -77,7 +82,12 @@ pub(super) fn report(refinement: &Refinement, study: &Study, done: &Done) -> (St
         asked.quantity,
         asked.to
     );
-    match (round.open, round.worst) {
+    if pending > 0 {
+        let points = counted(pending, "more point");
+        text.push_str(&format!(" once {points} are in: the same command goes on"));
+    }
+    match (open, round.worst) {
+        _ if pending > 0 => {}
         (0, _) | (_, None) => text.push_str(" everywhere"),
         (open, Some(worst)) => {
             let open = counted(open, "interval");
@@ -89,7 +99,7 @@ pub(super) fn report(refinement: &Refinement, study: &Study, done: &Done) -> (St
         text.push_str(&format!("; of {unknown} nothing can be told"));
     }
     text.push('\n');
-    if limit_hit && round.open > 0 {
+    if limit_hit && open > 0 {
         let most = asked.most;
         text.push_str(&format!(
             "grid.refine.most = {most} points were added: no more are allowed\n"
@@ -99,9 +109,10 @@ pub(super) fn report(refinement: &Refinement, study: &Study, done: &Done) -> (St
         "quantity": asked.quantity,
         "to": asked.to,
         "added": added,
+        "pending": pending,
         "most": asked.most,
-        "limit_hit": limit_hit && round.open > 0,
-        "open_intervals": round.open,
+        "limit_hit": limit_hit && open > 0,
+        "open_intervals": open,
         "unknown_intervals": round.unknown,
         "worst": round.worst,
     });

@@ -7,8 +7,8 @@ use super::look::Look;
 use super::sheet::{Drawing, PANELS};
 use super::{Figure, SERIES};
 use crate::quantities::envelope::{FIRST_PRESSURE_MAX, HEIGHT, PRESSURE_MAX};
-use crate::quantities::summary::{CASE_ID, FIRST_FORCE_MAX, FORCE_MAX};
-use crate::report::curves::spread;
+use crate::quantities::summary::{CASE_ID, FIRST_FORCE_MAX, FORCE_MAX, WAVE_HEIGHT_RATIO};
+use crate::report::curves::{distinct, spread};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::row::Row;
@@ -19,11 +19,8 @@ type Case<'a> = (&'a Row, Vec<Pressed>);
 
 /// The figure; none where no case has an envelope.
 pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
-    let force = |row: &Row| row.number(&FIRST_FORCE_MAX).or_else(|| row.number(&FORCE_MAX));
-    let mut rows: Vec<_> = data.finished().collect();
-    rows.sort_by(|a, b| force(b).unwrap_or(0.0).total_cmp(&force(a).unwrap_or(0.0)));
     let mut cases: Vec<Case<'_>> = Vec::new();
-    for row in spread(&rows, SERIES) {
+    for row in chosen(data) {
         let envelope = data.envelope(row.text(&CASE_ID))?;
         if envelope.len() > 1 {
             cases.push((row, envelope));
@@ -32,10 +29,13 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     if cases.is_empty() {
         return Ok(Vec::new());
     }
+    let which = match distinct(data.finished(), &WAVE_HEIGHT_RATIO).len() {
+        0 | 1 => "from the largest force to the least",
+        _ => "of a wave that of the largest force",
+    };
     let shown = match data.finished().count() {
         all if all > cases.len() => format!(
-            " Shown are {} of {all} cases, from the largest force to the least; all are in \
-             tables/pressure_envelope.csv.",
+            " Shown are {} of {all} cases, {which}; all are in tables/pressure_envelope.csv.",
             cases.len()
         ),
         _ => String::new(),
@@ -49,6 +49,22 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
         ),
         drawing: drawing(&cases),
     }])
+}
+
+/// Of every wave the case of the largest force; of a single wave some cases, from the largest force to the
+/// least.
+fn chosen(data: &Loaded) -> Vec<&Row> {
+    let force = |row: &Row| row.number(&FIRST_FORCE_MAX).or_else(|| row.number(&FORCE_MAX));
+    let mut rows: Vec<_> = data.finished().collect();
+    rows.sort_by(|a, b| force(b).unwrap_or(0.0).total_cmp(&force(a).unwrap_or(0.0)));
+    let waves = distinct(rows.iter().copied(), &WAVE_HEIGHT_RATIO);
+    if waves.len() > 1 {
+        let of = |wave: &f64| {
+            rows.iter().copied().find(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(*wave))
+        };
+        rows = waves.iter().filter_map(of).collect();
+    }
+    spread(&rows, SERIES)
 }
 
 fn drawing(cases: &[Case<'_>]) -> Drawing {
@@ -95,7 +111,7 @@ mod tests {
             std::fs::write(folder.join(format!("{}.csv", row.text(&CASE_ID))), rows).unwrap();
         }
         let figure = figures(&data).unwrap().remove(0);
-        assert!(figure.caption.contains("Shown are 6 of 11 cases"), "{}", figure.caption);
+        assert!(figure.caption.contains("Shown are 2 of 11 cases"), "{}", figure.caption);
         let svg = figure.svg();
         for word in ["p, kPa", "height, m", "first impact", "whole run"] {
             assert!(svg.contains(word), "{word}");

@@ -50,7 +50,8 @@ impl Isph {
         [coverage, pressure.max(0.0)]
     }
 
-    /// Pressures at the points of a body's face, Pa, up to the first that stands out of the water.
+    /// Pressures at the points of a body's face, Pa, up to the first that stands out of the water. They are
+    /// means over a support radius, so every other point is as well read as the mean of its neighbours.
     pub(super) fn pressures_along(
         &self,
         body: usize,
@@ -61,13 +62,23 @@ impl Isph {
         pressures.clear();
         pressures.resize(faces.len(), 0.0);
         let Some(line) = self.face_line(body) else { return };
-        for (pressure, face) in pressures.iter_mut().zip(faces) {
-            let place = line(self.ghosts.target_y[face]);
-            let [coverage, at_place] = self.pressure_at(place, body, motion);
-            if coverage < 0.5 {
+        let read = |row: usize| {
+            let place = line(self.ghosts.target_y[faces.start + row]);
+            let [coverage, pressure] = self.pressure_at(place, body, motion);
+            (coverage >= 0.5).then_some(pressure)
+        };
+        for row in (0..pressures.len()).step_by(2) {
+            let Some(pressure) = read(row) else {
+                // The water's edge lies between the last two that were read.
+                if let Some(below) = row.checked_sub(1) {
+                    pressures[below] = read(below).unwrap_or(0.0);
+                }
                 break;
+            };
+            pressures[row] = pressure;
+            if row > 0 {
+                pressures[row - 1] = 0.5 * (pressures[row - 2] + pressure);
             }
-            *pressure = at_place;
         }
     }
 }
