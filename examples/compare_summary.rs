@@ -40,6 +40,9 @@ fn rule(column: &str) -> Rule {
         _ if column.ends_with("_error") => within(0.2, 0.005),
         // When a flat maximum is reached is known less well than its height.
         _ if column.ends_with("_time_s") => within(0.0, 0.05),
+        "first_impulse" => within(0.01, 0.0),
+        "spring_force_max" => within(0.01, 0.005),
+        _ if column.contains("moment_max") => within(0.01, 0.0),
         _ if column.contains("force_max") || column.contains("force_peak") => within(0.01, 0.0),
         "force_end" => within(0.01, 0.01),
         _ if column.contains("runup") => within(0.0, 0.01),

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use seawall::keys::{Section, table};
 use seawall::scene::{Kind, Numerics, Preset, numerics_keys, probe_keys, scene_keys};
-use seawall::study::limits_keys;
+use seawall::study::{limits_keys, refine_keys};
 
 /// The table that belongs between two markers.
 fn of(name: &str) -> String {
@@ -15,6 +15,7 @@ fn of(name: &str) -> String {
         (_, Some(&kind)) => table(&scene_keys(kind)[usize::from(kind != Kind::DEFAULT)..], &[]),
         ("probe", _) => table(&probe_keys(), &[]),
         ("limits", _) => table(&limits_keys(), &[]),
+        ("refine", _) => table(&refine_keys(), &[]),
         ("numerics", _) => {
             let presets = [
                 ("default", Preset::Default),

@@ -133,8 +133,9 @@ fn broken(curves: &[&[Case]]) -> Vec<String> {
         if change(pair).abs() > CHANGE_BOUND {
             let (case, from) = (pair[1].name(), millimetres(pair[0].spacing));
             let change = change(pair);
-            lines
-                .push(format!("{case}: F* {change:+.4} % from that of {from} mm, bound {CHANGE_BOUND} %"));
+            lines.push(format!(
+                "{case}: F* {change:+.4} % from that of {from} mm, bound {CHANGE_BOUND} %"
+            ));
         }
     }
     lines

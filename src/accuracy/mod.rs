@@ -2,12 +2,14 @@
 //!
 //! - [`Matrix`] holds the cases and methods of `seawall accuracy` and `seawall stress`;
 //! - [`score`] tells their errors, [`judge`] their verdicts;
-//! - [`AccuracyTable`] holds measured errors and chooses numerics by them, as [`MaxError`] asks.
+//! - [`AccuracyTable`] holds measured errors and chooses numerics by them, as [`MaxError`] asks;
+//! - [`Refinement`] adds points to a study where its curves bend.
 
 mod choice;
 mod matrix;
 mod max_error;
 mod quantity;
+mod refine;
 mod score;
 mod stress;
 mod table;
@@ -15,6 +17,7 @@ mod table;
 pub use matrix::{Matrix, Trial};
 pub use max_error::{Choices, MaxError, Verified};
 pub use quantity::{Kind, Quantity};
+pub use refine::{Refinement, Round};
 pub use score::{Errors, MethodScore, Scored, cheapest_within, methods, score};
 pub use stress::{Judged, Verdict, judge};
 pub use table::{AccuracyTable, Choice};

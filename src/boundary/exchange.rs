@@ -46,6 +46,8 @@ pub struct ExchangeRules {
 pub struct Exchange {
     pub(super) rules: ExchangeRules,
     pub(super) waterlines: Vec<Waterline>,
+    /// The ghost next to each face point.
+    pub(super) fronts: Vec<Option<u32>>,
     /// Share of each face point's half disc that other walls leave; of the bed, 1.
     pub(super) complete: Vec<f64>,
     pub(super) half_plane: Vec<f64>,
@@ -83,6 +85,7 @@ impl Exchange {
         let mut exchange = Exchange {
             rules,
             waterlines,
+            fronts: Exchange::fronts(ghosts),
             complete: vec![1.0; targets],
             half_plane,
             team: Team::default(),

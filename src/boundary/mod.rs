@@ -10,6 +10,7 @@ mod closed_box;
 mod corner;
 mod dummy;
 mod exchange;
+mod face_pressures;
 mod faces;
 mod fill;
 mod ghosts;

@@ -11,6 +11,7 @@ use super::cost::{binary, estimated_time};
 use super::input::{Expect, Setting, study};
 use super::output::{Output, duration};
 use super::physics::physics;
+use super::refine;
 use super::table::Table;
 use super::warnings::warnings;
 use crate::results::counted;
@@ -85,6 +86,9 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
         text.push_str(&line(&on.label, on.text()));
     }
     text.push_str(&line("cases", study.cases.len().to_string()));
+    if let Some(asked) = &study.refine {
+        text.push_str(&line("refine", refine::ahead(asked)));
+    }
     if !study.companions.is_empty() {
         text.push_str(&line("error bars", counted(study.companions.len(), "coarser companion")));
     }
@@ -116,6 +120,7 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
         "physics": physics.iter().map(|on| (on.name, &on.values)).collect::<BTreeMap<_, _>>(),
         "warnings": warnings,
         "cases": cases,
+        "refine": study.refine,
         "companions": study.companions.len(),
         "particles": particles,
         "steps": steps,

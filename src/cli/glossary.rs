@@ -3,9 +3,9 @@
 use serde::Serialize;
 
 use crate::keys::Key;
-use crate::quantities::{Quantity, energy, history, summary};
+use crate::quantities::{Quantity, energy, envelope, history, summary};
 use crate::scene::{Kind, numerics_keys, probe_keys, scene_keys};
-use crate::study::{accuracy_keys, limits_keys};
+use crate::study::{accuracy_keys, limits_keys, refine_keys};
 
 /// A key or a column.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -51,12 +51,14 @@ pub(super) fn entries() -> Vec<Entry> {
         ("key of [[probe]]", probe_keys()),
         ("key of [accuracy]", accuracy_keys()),
         ("key of [limits]", limits_keys()),
+        ("key of [grid] refine", refine_keys()),
     ];
     for (of, keys) in groups {
         all.extend(keys.into_iter().map(|key| of_key(key, of)));
     }
     all.extend(summary::ALL.iter().map(|column| of_summary(column)));
     all.extend(history::ALL.iter().map(|column| of_column(column, "column of histories/*.csv")));
+    all.extend(envelope::ALL.iter().map(|column| of_column(column, "column of envelopes/*.csv")));
     all.extend(energy::ALL.iter().map(|column| of_column(column, "column of energy.csv")));
     all
 }

@@ -15,6 +15,7 @@ mod explain;
 mod failure;
 mod film;
 mod films;
+mod find;
 mod glossary;
 mod init;
 mod input;
@@ -25,6 +26,7 @@ mod output;
 mod overview;
 mod physics;
 mod pick;
+mod refine;
 mod report;
 mod reproduce;
 mod run;
@@ -95,6 +97,7 @@ enum Subcommands {
     Verify(verify::VerifyArgs),
     Show(show::ShowArgs),
     Report(report::ReportArgs),
+    Find(find::FindArgs),
     Compare(compare::CompareArgs),
     Reproduce(reproduce::ReproduceArgs),
     Accuracy(accuracy::AccuracyArgs),
@@ -170,6 +173,7 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         Subcommands::Verify(args) => verify::main(&args, &output),
         Subcommands::Show(args) => show::main(&args, &output),
         Subcommands::Report(args) => report::main(&args, &output),
+        Subcommands::Find(args) => find::main(&args, &output),
         Subcommands::Compare(args) => compare::main(&args, &output),
         Subcommands::Reproduce(args) => reproduce::main(&args, &output),
         Subcommands::Accuracy(args) => accuracy::main(&args, &output),

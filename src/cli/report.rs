@@ -10,20 +10,24 @@ use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::Output;
 use super::{SUCCESS, shown, stored};
-use crate::report::{Print, ReportError};
+use crate::report::{Froude, Print, ReportError};
 use crate::results::{Lock, Manifest, finished, renew_summary, verify, write_all_histories};
 
 /// Write tables, figures and report.html from a sweep's files; simulate nothing.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall report results/runs/nightly
-  seawall report results/runs/nightly --figures pdf,png")]
+  seawall report results/runs/nightly --figures pdf,png
+  seawall report results/runs/nightly --froude-scale 20")]
 pub(super) struct ReportArgs {
     /// The output directory of a sweep.
     dir: PathBuf,
     /// Formats of the figures; pdf and png come in a journal's widths of 84 and 174 mm.
     #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMAT", default_value = "svg")]
     figures: Vec<FigureFormat>,
+    /// Add tables at the size of a prototype so many times as long as the tank, in kPa, kN/m, m and s.
+    #[arg(long, value_name = "SCALE")]
+    froude_scale: Option<Froude>,
 }
 
 /// SVG files are always written.
@@ -52,13 +56,26 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
         return Err(BadInput(format!("--figures {}: {reason}", format.ending())).into());
     }
     renew(args, output)?;
-    let report = crate::report::write(&args.dir).map_err(unusable)?;
+    let report = crate::report::write_scaled(&args.dir, args.froude_scale).map_err(unusable)?;
     write_all_histories(&args.dir)?;
     let mut figures = Vec::new();
     for format in formats {
         figures.extend(crate::report::print(&args.dir, format).map_err(unusable)?);
     }
     let mut told = format!("report: {}\n", report.display());
+    let prototype = args.froude_scale.map(|scale| scale.words());
+    if let Some(scale) = &prototype {
+        let tables = Froude::TABLES.map(|name| args.dir.join("tables").join(format!("{name}.csv")));
+        let made: Vec<_> = tables.iter().filter(|path| path.is_file()).collect();
+        for path in &made {
+            told.push_str(&format!("at Froude scale {scale}: {}\n", path.display()));
+        }
+        if made.is_empty() {
+            output.note(
+                "--froude-scale: no finished case here has a seawall in a tank of known depth",
+            );
+        }
+    }
     if !figures.is_empty() {
         let count = figures.len();
         told.push_str(&format!(
@@ -68,7 +85,11 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     }
     output.result(
         &told,
-        &json!({ "report": shown::path(&report), "figures": shown::paths(&figures) }),
+        &json!({
+            "report": shown::path(&report),
+            "figures": shown::paths(&figures),
+            "froude_scale": prototype
+        }),
     )?;
     Ok(SUCCESS)
 }

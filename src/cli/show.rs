@@ -127,8 +127,15 @@ impl Row {
 
 /// The files of a case that are there.
 fn files(directory: &Path, id: &str) -> Vec<PathBuf> {
-    let places =
-        ["histories/csv", "probes/csv", "readings/csv", "films/html", "films/svg", "vtk/pvd"];
+    let places = [
+        "histories/csv",
+        "probes/csv",
+        "readings/csv",
+        "envelopes/csv",
+        "films/html",
+        "films/svg",
+        "vtk/pvd",
+    ];
     let places = places.iter().filter_map(|place| place.split_once('/'));
     let path = |(folder, ending)| directory.join(folder).join(format!("{id}.{ending}"));
     places.map(path).filter(|path| path.is_file()).collect()

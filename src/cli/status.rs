@@ -10,9 +10,9 @@ use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::{Output, duration};
 use super::table::Table;
-use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
+use super::{CASES_FAILED, INTERRUPTED, SUCCESS, stored};
 use crate::math::name::name_of;
-use crate::results::{CaseRecord, Lock, Manifest, counted, read_journal};
+use crate::results::{CaseRecord, Lock, Manifest, counted, finished, read_journal};
 
 /// Show what is done, what failed and why, what is left, and the time to go.
 #[derive(Debug, Args)]
@@ -37,16 +37,23 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
         return Err(bad(reason).into());
     };
     let mut latest = BTreeMap::new();
-    for record in content.records {
-        latest.insert(record.index, record);
+    let mut cases = header.cases;
+    match stored::file_and_study(&args.dir) {
+        // Points that were added have moved the others' places.
+        Ok((file, study)) if file.refine.is_some() => {
+            cases = study.cases.len();
+            let records = finished(&args.dir, &study)?.into_iter().flatten();
+            latest.extend(records.map(|record| (record.index, record)));
+        }
+        _ => latest.extend(content.records.into_iter().map(|record| (record.index, record))),
     }
     // Lines beyond the cases are resolution companions.
     let manifest = Manifest::read(&args.dir);
     let companions = manifest.as_ref().map_or(0, |manifest| manifest.companions);
-    let companions_done = latest.split_off(&header.cases).len().min(companions);
+    let companions_done = latest.split_off(&cases).len().min(companions);
     let records: Vec<_> = latest.into_values().collect();
     let failed: Vec<_> = records.iter().filter(|record| !record.is_ok()).collect();
-    let left = header.cases.saturating_sub(records.len());
+    let left = cases.saturating_sub(records.len());
     let running = Lock::is_held(&args.dir);
     let to_go = time_to_go(&records, left, manifest.as_ref());
     let companions_left = companions - companions_done;
@@ -61,7 +68,7 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
         "{}: {state}\n{} of {} done, {} failed, {left} left",
         header.name,
         records.len(),
-        counted(header.cases, "case"),
+        counted(cases, "case"),
         failed.len()
     );
     if let Some(seconds) = to_go.filter(|_| left > 0) {
@@ -89,7 +96,7 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
     }
     let value = json!({
         "name": header.name,
-        "cases": header.cases,
+        "cases": cases,
         "done": records.len(),
         "ok": records.len() - failed.len(),
         "failed": failed.len(),

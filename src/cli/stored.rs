@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::failure::BadInput;
 use super::input::demand_output_of_study;
-use super::max_error;
+use super::{max_error, refine};
 use crate::math::simd::SimdPath;
 use crate::results::{Manifest, read_journal};
 use crate::study::{Override, PHYSICS_VERSION, Study, SweepFile};
@@ -38,7 +38,7 @@ pub(super) fn file_and_study(directory: &Path) -> anyhow::Result<(SweepFile, Stu
         manifest.overrides.iter().map(set).collect::<Result<_, _>>().map_err(bad)?;
     let told = |error| bad(format!("sweep_file in manifest.json: {error}"));
     let file = SweepFile::read(&manifest.sweep_file, &overrides).map_err(told)?;
-    let plain = Study::new(&file).map_err(told)?;
+    let plain = refine::study_in(directory, &file)?;
     let aim = manifest.max_error_percent.or(plain.max_error_percent);
     let study = match aim.filter(|_| plain.identity != manifest.sweep) {
         Some(percent) => max_error::stored(percent, &plain, directory)?,

@@ -9,12 +9,12 @@ use serde_json::json;
 use super::ending::EndingArgs;
 use super::execute::{Job, execute};
 use super::failure::{BadInput, exit_code};
-use super::input::{Expect, Setting, SimdChoice, default_out, out_of, study};
+use super::input::{Expect, Setting, SimdChoice, default_out, out_of, study, sweep_file};
 use super::keep::KeepArgs;
 use super::output::Output;
 use super::overview::told;
-use super::{SUCCESS, check, films, max_error, warnings};
-use crate::accuracy::MaxError;
+use super::{SUCCESS, check, films, max_error, refine, warnings};
+use crate::accuracy::{MaxError, Refinement};
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
 use crate::results::{OpenMode, counted, write_all_histories};
 
@@ -154,10 +154,15 @@ fn lead(
     interrupt: &Interrupt,
 ) -> anyhow::Result<u8> {
     let study = study(&args.file, &args.settings, Expect::Grid)?;
+    let refinement = Refinement::of(&sweep_file(&args.file, &args.settings)?);
     films::check(&args.film, &study)?;
     warnings::tell(&args.file, &study, output);
     warnings::tell_threads(args.threads, output);
     let aim = args.max_error.or(study.max_error_percent);
+    if let Some(percent) = aim.filter(|_| refinement.is_some()) {
+        let reason = "cannot stand beside grid.refine: give one of the two";
+        return Err(BadInput(format!("--max-error {percent}: {reason}")).into());
+    }
     let aim = aim.map(|percent| MaxError::new(percent, &study)).transpose().map_err(BadInput)?;
     let mut job = Job {
         out: args.out.clone().unwrap_or_else(|| default_out(&study)),
@@ -174,17 +179,22 @@ fn lead(
     args.ending.begin(&job.out)?;
     let mut done = execute(&job, crew, interrupt, output)?;
     let mut films: &[String] = &args.film;
-    while let Some(aim) = aim.as_ref().filter(|_| done.ending == Ending::Finished) {
-        let Some(finer) = max_error::refine(aim, &job.study, &done, output) else { break };
+    while done.ending == Ending::Finished {
+        let next = match (&aim, &refinement) {
+            (Some(aim), _) => max_error::refine(aim, &job.study, &done, output),
+            (_, Some(points)) => refine::next(points, &args.file, &job.study, &done, output)?,
+            (None, None) => None,
+        };
+        let Some(next) = next else { break };
         if crew.executor() == "mpi" && done.wall_time_s.is_some() {
             output.note(
-                "under MPI a session is one round: the same command goes on with the finer one",
+                "under MPI a session is one round: the same command goes on with the next one",
             );
             films = &[];
             break;
         }
         drop(done); // its lock
-        job = Job { study: finer, mode: OpenMode::Resume, retry_failed: false, ..job };
+        job = Job { study: next, mode: OpenMode::Resume, retry_failed: false, ..job };
         done = execute(&job, crew, interrupt, output)?;
     }
     if done.ending == Ending::Interrupted {
@@ -205,6 +215,11 @@ fn lead(
         let (told, accuracy) = max_error::report(aim, &job.study, &done)?;
         text.push_str(&told);
         value["accuracy"] = accuracy;
+    }
+    if let Some(refinement) = &refinement {
+        let (told, refined) = refine::report(refinement, &job.study, &done);
+        text.push_str(&told);
+        value["refined"] = refined;
     }
     output.result(&text, &value)?;
     Ok(done.exit_code().max(filmed.code))

@@ -46,7 +46,7 @@ pub fn nearest<'a>(word: &str, known: &'a [impl AsRef<str>]) -> Option<&'a str> 
 }
 
 /// `; did you mean X?`, or nothing where no known word is near.
-fn hint(word: &str, known: &[impl AsRef<str>]) -> String {
+pub fn hint(word: &str, known: &[impl AsRef<str>]) -> String {
     let nearest = ranked(word, known).filter(|&(likeness, _)| likeness >= NEAR);
     nearest.map(|(_, known)| format!("; did you mean {known}?")).unwrap_or_default()
 }

@@ -48,7 +48,7 @@ mod table;
 mod words;
 mod written;
 
-pub use error::{ConfigError, nearest};
+pub use error::{ConfigError, hint, nearest};
 pub use key::{Key, Range, Rule, When, number, plain, unit};
 pub use overrides::Override;
 pub use schema::schema;

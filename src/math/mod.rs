@@ -1,7 +1,9 @@
-//! SIMD lanes, sparse systems, and threads that share the work of one case.
+//! SIMD lanes, sparse systems, threads that share the work of one case, scales and curves through points.
 
+pub mod bend;
 pub mod decimal;
 pub mod name;
+pub mod scale;
 pub mod simd;
 pub mod sparse;
 pub mod team;

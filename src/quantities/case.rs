@@ -1,7 +1,8 @@
 //! Where the values of a case are read.
 
 use crate::scene::{CaseConfig, SeawallScene};
-use crate::simulation::Outcome;
+use crate::simulation::{Maximum, Outcome};
+use crate::theory::hydrostatics::wall_force;
 
 /// Estimated absolute errors; `None` where the case has no such reading or no companion has.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -66,6 +67,17 @@ impl Case<'_> {
         let depth = scene.still_water_depth_m;
         let scale = scene.water_density_kg_per_m3 * depth * depth * scene.gravity_m_per_s2;
         Some(libm::log10(stiffness / scale))
+    }
+
+    /// k X/(½ρgh²) of the largest X; `None` without a spring.
+    pub(super) fn spring_force_max(&self) -> Option<Maximum> {
+        let scene = self.movable()?;
+        let farthest = self.outcome?.displacement_max?;
+        let depth = scene.still_water_depth_m;
+        let at_wall = Some(scene.depth_at_wall_m()).filter(|depth| *depth > 0.0).unwrap_or(depth);
+        let unit = wall_force(at_wall, scene.water_density_kg_per_m3, scene.gravity_m_per_s2);
+        let value = scene.spring_stiffness_n_per_m? * farthest.value * depth / unit;
+        Some(Maximum { value, ..farthest })
     }
 
     /// m/(ρ h²).

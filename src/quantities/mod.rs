@@ -2,7 +2,7 @@
 //! where its value is read.
 //!
 //! [`summary`] declares the columns of `summary.csv`, [`history`] those of `histories/*.csv` and
-//! [`energy`] those of `energy.csv`. The sweep writes its files from the declarations, the terminal
+//! [`energy`] those of `energy.csv`, [`envelope`] those of `envelopes/*.csv`. The sweep writes its files from the declarations, the terminal
 //! and the report take headings and digits from them, and `docs/files.md` holds their tables. To add
 //! a quantity, add an entry to one of the lists.
 //!
@@ -13,6 +13,7 @@ mod column;
 #[cfg(test)]
 mod docs;
 pub mod energy;
+pub mod envelope;
 pub mod history;
 pub mod summary;
 mod unit;

@@ -1,8 +1,8 @@
 //! The columns of `summary.csv`, in their order. Swept keys follow in a column each.
 
 use super::Unit::{
-    Displacement, Force, Impulse, KilogramsPerMetre, Metres, NewtonsPerMetre, Percent, Pure, Runup,
-    Seconds,
+    Displacement, Force, Impulse, KilogramsPerMetre, Metres, Moment, NewtonsPerMetre, Percent,
+    Pure, Runup, Seconds,
 };
 use super::column::{Read, count, flag, maximum, number, text};
 use super::{Column, quantities};
@@ -157,6 +157,23 @@ quantities! { Read;
     DOUBTFUL = flag("doubtful", "", |c| Some(c.outcome?.doubtful_reason.is_some()));
     /// what that is, see [physics.md](physics.md#health)
     DOUBTFUL_REASON = text("doubtful_reason", "", |c| c.outcome?.doubtful_reason.clone());
+    /// largest moment M* (running mean) of the water about the wall's foot, of the whole run; 1 is
+    /// that of still water on an upright wall, see [physics.md](physics.md#loads-on-the-wall)
+    MOMENT_MAX = maximum("moment_max", "M* max", Moment, |c| c.outcome?.moment_max);
+    /// largest moment M* (running mean) of the first impact
+    FIRST_MOMENT_MAX = maximum("first_moment_max", "first M*", Moment, |c| {
+        c.outcome?.first_moment_max
+    });
+    /// integral of F* - 1 over the first impact
+    FIRST_IMPULSE = number("first_impulse", "first impulse", Impulse, |c| {
+        c.outcome?.first_impulse
+    }).decimals(4);
+    /// time in which F* - 1 rises from 10 to 90 % of its maximum of the first impact
+    RISE_TIME = number("rise_time_s", "rise time", Seconds, |c| c.outcome?.rise_time_s).decimals(4);
+    /// largest force of the spring, k X of the largest displacement; empty where there is no spring
+    SPRING_FORCE_MAX = maximum("spring_force_max", "spring force max", Force, |c| {
+        c.spring_force_max()
+    }).bound("displacement_truncated");
 }
 
 /// The columns of the first version, which every directory has.
@@ -186,7 +203,9 @@ mod tests {
             energy_gap_percent,particles_lost,force_error,runup_error,displacement_error,\
             steps,particles,pair_evaluations,wall_time_s,scheme,boundary,kernel,\
             particle_spacing_m,force_coupling,force_at_rest,boundary_fallbacks,force_max_gap_percent,stop_impulse,\
-            stop_impulse_time_s,force_max_error,runup_max_error,doubtful,doubtful_reason";
+            stop_impulse_time_s,force_max_error,runup_max_error,doubtful,doubtful_reason,moment_max,\
+            moment_max_time_s,first_moment_max,first_moment_max_time_s,first_impulse,rise_time_s,\
+            spring_force_max,spring_force_max_time_s";
         assert_eq!(names().collect::<Vec<_>>().join(","), contract);
     }
 

@@ -11,6 +11,8 @@ pub enum Unit {
     Runup,
     /// X* = X/h.
     Displacement,
+    /// M* = M/(ρgh³/6), per unit width.
+    Moment,
     /// Over ½ρgh² √(h/g).
     Impulse,
     /// %.
@@ -27,6 +29,8 @@ pub enum Unit {
     KilogramsPerMetre,
     /// J/m.
     JoulesPerMetre,
+    /// Pa.
+    Pascal,
 }
 
 impl Unit {
@@ -36,6 +40,7 @@ impl Unit {
             Unit::Pure => "",
             Unit::Force => "½ρgh²",
             Unit::Runup | Unit::Displacement => "h",
+            Unit::Moment => "ρgh³/6",
             Unit::Impulse => "½ρgh² √(h/g)",
             Unit::Percent => "%",
             Unit::Seconds => "s",
@@ -44,12 +49,16 @@ impl Unit {
             Unit::NewtonsPerMetre => "N/m",
             Unit::KilogramsPerMetre => "kg/m",
             Unit::JoulesPerMetre => "J/m",
+            Unit::Pascal => "Pa",
         }
     }
 
     /// Whether its symbols already say what the quantity was divided by: F*, R*, X*.
     pub fn is_ratio(self) -> bool {
-        matches!(self, Unit::Force | Unit::Runup | Unit::Displacement | Unit::Impulse)
+        matches!(
+            self,
+            Unit::Force | Unit::Runup | Unit::Displacement | Unit::Moment | Unit::Impulse
+        )
     }
 
     /// The title of an axis.
@@ -58,6 +67,7 @@ impl Unit {
             Unit::Force => "F / (½ρgh²)",
             Unit::Runup => "R / h",
             Unit::Displacement => "X / h",
+            Unit::Moment => "M / (ρgh³/6)",
             Unit::Seconds => "t, s",
             other => other.symbol(),
         }
@@ -65,7 +75,11 @@ impl Unit {
 }
 
 /// Endings of columns and keys that tell their unit; longer ones before those that they end in.
-pub(super) const ENDINGS: [(&str, &str); 12] = [
+pub(super) const ENDINGS: [(&str, &str); 17] = [
+    ("_kn_m_per_m", "kN m/m"),
+    ("_kn_s_per_m", "kN s/m"),
+    ("_kn_per_m", "kN/m"),
+    ("_kpa", "kPa"),
     ("_n_per_m", "N/m"),
     ("_kg_per_m", "kg/m"),
     ("_j_per_m", "J/m"),
@@ -76,6 +90,7 @@ pub(super) const ENDINGS: [(&str, &str); 12] = [
     ("_per_s", "1/s"),
     ("_percent", "%"),
     ("_deg", "°"),
+    ("_pa", "Pa"),
     ("_m", "m"),
     ("_s", "s"),
 ];
@@ -88,7 +103,7 @@ pub(super) fn split(name: &str) -> (&str, &'static str) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{energy, history, summary};
+    use super::super::{energy, envelope, history, summary};
     use super::*;
 
     #[test]
@@ -96,7 +111,8 @@ mod tests {
         let summary = summary::ALL.iter().map(|column| (column.name, column.unit));
         let history = history::ALL.iter().map(|column| (column.name, column.unit));
         let energy = energy::ALL.iter().map(|term| (term.name, term.unit));
-        for (name, unit) in summary.chain(history).chain(energy) {
+        let envelope = envelope::ALL.iter().map(|column| (column.name, column.unit));
+        for (name, unit) in summary.chain(history).chain(energy).chain(envelope) {
             let told = if unit.is_ratio() { "" } else { unit.symbol() };
             assert_eq!(split(name).1, told, "{name}");
         }

@@ -11,8 +11,10 @@ pub mod curves;
 mod error;
 #[cfg(feature = "print")]
 mod export;
+pub mod find;
 #[cfg(test)]
 mod fixture;
+mod froude;
 mod grid;
 pub mod load;
 mod markup;
@@ -31,6 +33,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 pub use error::ReportError;
+pub use froude::Froude;
 pub use number::{plain, with_error};
 pub use plots::Figure;
 pub use reproduce::Reproduced;
@@ -41,8 +44,20 @@ use load::Loaded;
 /// Writes `figures/*.svg`, `tables/*.csv` and `report.html` into an output directory that holds
 /// at least a `summary.csv`, and returns the page's path.
 pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
+    write_scaled(out_dir, None)
+}
+
+/// Likewise, with tables in the units of a prototype, where a Froude scale is given.
+pub fn write_scaled(out_dir: &Path, scale: Option<Froude>) -> Result<PathBuf, ReportError> {
     let data = Loaded::read(out_dir)?;
-    let (figures, tables) = (plots::all(&data)?, tables::all(&data)?);
+    let (figures, mut tables) = (plots::all(&data)?, tables::all(&data)?);
+    for name in Froude::TABLES {
+        // Of an earlier scale.
+        let _ = fs::remove_file(out_dir.join("tables").join(format!("{name}.csv")));
+    }
+    if let Some(scale) = scale {
+        tables.extend(scale.tables(&data)?);
+    }
     let papers = papers::papers(&data)?;
     let (figures_dir, tables_dir) = (out_dir.join("figures"), out_dir.join("tables"));
     make(&figures_dir)?;

@@ -1,4 +1,5 @@
-//! What each case has left in files of its own: `histories/`, `probes/` and `readings/`.
+//! What each case has left in files of its own: `histories/`, `probes/`, `readings/` and
+//! `envelopes/`.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -8,7 +9,7 @@ use serde::Deserialize;
 
 use super::error::ReportError;
 use super::load::{Loaded, demand, deserialize, read, read_records};
-use crate::quantities::history;
+use crate::quantities::{envelope, history};
 
 /// Values over time: of a history, or of a gauge.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +32,17 @@ pub struct Reading {
     pub value: Option<f64>,
     /// Its unit.
     pub unit: String,
+}
+
+/// The largest pressures at one height of the wall, as `envelopes/*.csv` has them.
+#[derive(Debug, Clone, Copy, PartialEq, Deserialize)]
+pub struct Pressed {
+    /// Over the bed at the paddle, m.
+    pub height_m: f64,
+    /// Of the whole run, Pa.
+    pub pressure_max_pa: f64,
+    /// Of the first impact, Pa.
+    pub first_pressure_max_pa: Option<f64>,
 }
 
 impl Loaded {
@@ -91,6 +103,17 @@ impl Loaded {
         }
         let (header, records) = read_loosely(&path)?;
         demand(&path, &header, ["name", "value", "unit"].into_iter())?;
+        deserialize(&path, &header, &records)
+    }
+
+    /// The largest pressures up the wall of a case; none where it has no file of them.
+    pub fn envelope(&self, case_id: &str) -> Result<Vec<Pressed>, ReportError> {
+        let path = self.directory.join(format!("envelopes/{case_id}.csv"));
+        if !path.exists() {
+            return Ok(Vec::new());
+        }
+        let (header, records) = read_records(&path)?;
+        demand(&path, &header, envelope::ALL.iter().map(|column| column.name))?;
         deserialize(&path, &header, &records)
     }
 

@@ -1,4 +1,4 @@
-//! Per-case files: histories and probes.
+//! Per-case files: histories, probes, readings and envelopes.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -10,7 +10,9 @@ use super::checksum::checksum;
 use super::error::SweepError;
 use super::{atomic_file, disk, number};
 use crate::quantities;
-use crate::simulation::{CaseResult, HistoryRow, NamedReading, ProbeColumn, ProbeTable};
+use crate::simulation::{
+    CaseResult, EnvelopeRow, HistoryRow, NamedReading, ProbeColumn, ProbeTable,
+};
 use crate::study::CaseId;
 
 /// What a file was when it was written.
@@ -48,6 +50,9 @@ pub(super) type Seals = BTreeMap<String, Seal>;
 const HISTORIES: &str = "histories";
 const PROBES: &str = "probes";
 const READINGS: &str = "readings";
+const ENVELOPES: &str = "envelopes";
+/// All folders.
+const FOLDERS: [&str; 4] = [HISTORIES, PROBES, READINGS, ENVELOPES];
 
 /// Files that cases have left and that may not be on the disk yet: they go there in groups, as one by
 /// one the coordinator of many ranks would do little but wait for it.
@@ -68,6 +73,9 @@ impl Unsynced {
         }
         if !result.readings.is_empty() {
             texts.push((READINGS, reading_table(&result.readings)));
+        }
+        if !result.envelope.is_empty() {
+            texts.push((ENVELOPES, envelope_table(&result.envelope)));
         }
         let mut seals = Seals::new();
         for (name, text) in texts {
@@ -91,7 +99,7 @@ impl Unsynced {
     pub(super) fn sync(&mut self, directory: &Path) -> Result<(), SweepError> {
         self.0.iter().try_for_each(|path| atomic_file::sync(path))?;
         self.0.clear();
-        let folders = [HISTORIES, PROBES, READINGS].map(|name| directory.join(name));
+        let folders = FOLDERS.map(|name| directory.join(name));
         folders.iter().filter(|path| path.is_dir()).try_for_each(|path| atomic_file::sync(path))
     }
 }
@@ -120,7 +128,7 @@ pub(super) fn any(directory: &Path) -> bool {
 
 /// Removes what a killed process left half written.
 pub(super) fn clean(directory: &Path) -> Result<(), SweepError> {
-    let folders = [HISTORIES, PROBES, READINGS].map(|name| directory.join(name));
+    let folders = FOLDERS.map(|name| directory.join(name));
     let all = std::iter::once(directory.to_owned()).chain(folders);
     all.into_iter().try_for_each(|folder| atomic_file::clean(&folder))
 }
@@ -167,6 +175,19 @@ fn reading_table(readings: &[NamedReading]) -> String {
         [reading.name.clone(), number::text(reading.value), reading.unit.clone()]
     };
     worded(["name", "value", "unit"], readings.iter().map(row))
+}
+
+/// The largest pressures up the wall; without a first impact its cells are empty.
+fn envelope_table(rows: &[EnvelopeRow]) -> String {
+    let columns = quantities::envelope::ALL;
+    let mut text = columns.iter().map(|column| column.name).collect::<Vec<_>>().join(",") + "\n";
+    for row in rows {
+        let cell = |value: Option<f64>| value.map(number::text).unwrap_or_default();
+        let cells: Vec<_> = columns.iter().map(|column| cell((column.read)(row))).collect();
+        text.push_str(&cells.join(","));
+        text.push('\n');
+    }
+    text
 }
 
 /// A table with words in it, which may hold commas.

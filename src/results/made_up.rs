@@ -1,7 +1,9 @@
 //! Made-up results, for tests of everything around the physics.
 
 use crate::scene::CaseConfig;
-use crate::simulation::{CaseResult, EnergyBudget, HistoryRow, Maximum, Outcome, PhaseShare};
+use crate::simulation::{
+    CaseResult, EnergyBudget, EnvelopeRow, HistoryRow, Maximum, Outcome, PhaseShare,
+};
 use crate::study::CaseId;
 
 /// Numbers that are a function of the case's id.
@@ -26,6 +28,9 @@ pub fn made_up(config: &CaseConfig) -> CaseResult {
         onset_time_s: Some(0.1),
         stroke_centre_s: Some(0.2),
         displacement_truncated: movable.then_some(false),
+        moment_max: Some(maximum(1.0 + number / 4.0)),
+        first_impulse: Some(number),
+        rise_time_s: Some(0.1 + number),
         stops: movable.then_some(3),
         stop_impulse: movable.then(|| maximum(-number)),
         force_gap_percent: 0.3,
@@ -44,9 +49,15 @@ pub fn made_up(config: &CaseConfig) -> CaseResult {
         displacement: 0.0,
         wall_velocity_m_per_s: 0.0,
     };
+    let envelope = |height_m| EnvelopeRow {
+        height_m,
+        pressure_max_pa: 1e3 * number,
+        first_pressure_max_pa: Some(1e3 * number),
+    };
     CaseResult {
         outcome,
         history: (0..20).map(row).collect(),
+        envelope: vec![envelope(0.1), envelope(0.3)],
         probes: None,
         readings: Vec::new(),
         energy: EnergyBudget { paddle_work: 43.0, kinetic: 43.0 * number, ..Default::default() },

@@ -100,6 +100,10 @@ pub trait Scheme: Debug + Send {
     /// Force on a body by integrating the interpolated pressure over its face, N per metre.
     fn face_force(&mut self, body: usize, motion: &BodyMotion) -> f64;
 
+    /// The water's pressure at the points of a body's face, Pa, in their order; 0 where it is dry. Cheap
+    /// enough for every step.
+    fn face_pressures(&mut self, body: usize, motion: &BodyMotion, pressures: &mut Vec<f64>);
+
     /// How many times neighbours have been listed anew, where lists outlast a step.
     fn list_rebuilds(&self) -> u64 {
         0

@@ -2,7 +2,9 @@
 
 use super::doubt::Evidence;
 use super::energy::WaterEnergy;
-use super::outcome::{CaseResult, EnergyBudget, NamedReading, Outcome, PhaseShare, Readings};
+use super::outcome::{
+    CaseResult, EnergyBudget, EnvelopeRow, NamedReading, Outcome, PhaseShare, Readings,
+};
 use super::readings;
 use super::run::Run;
 use super::settling::Prospect;
@@ -80,6 +82,7 @@ impl Run {
         let now = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
         let energy = self.logbook.ledger.close(now, &self.tank.wall);
         let (outcome, readings) = (self.outcome(&energy), self.readings());
+        let envelope = self.envelope();
         let water = &self.tank.water;
         let phases = water
             .phases()
@@ -91,7 +94,15 @@ impl Run {
             .collect();
         let list_rebuilds = water.list_rebuilds();
         let (history, probes) = (self.logbook.history, self.logbook.probes);
-        CaseResult { outcome, history, probes, readings, energy, phases, list_rebuilds }
+        CaseResult { outcome, history, envelope, probes, readings, energy, phases, list_rebuilds }
+    }
+
+    /// The largest pressures up the wall.
+    fn envelope(&self) -> Vec<EnvelopeRow> {
+        let walls = self.tank.water.walls();
+        let Some(wall) = walls.bodies.get(Place::Right.number()) else { return Vec::new() };
+        let measures = &self.logbook.measures;
+        measures.pressed.envelope(&walls.target_y[wall.faces.clone()], &measures.first)
     }
 
     /// The scalars of the summary, with what makes them doubtful.
@@ -130,6 +141,13 @@ impl Run {
             stops: wall.map(|wall| wall.stops),
             stop_impulse: wall.map(|_| m.blows.strongest().unwrap_or_default()),
             doubtful_reason: None,
+            moment_max: m.pressed.moment.filter(|_| tank.frame.gravity > 0.0),
+            first_moment_max: m.pressed.first_moment(&m.first).filter(|_| has_wave),
+            first_impulse: m.first.impulse().filter(|_| has_wave).map(|seconds| {
+                let frame = &tank.frame;
+                seconds / (frame.depth / frame.acceleration()).sqrt()
+            }),
+            rise_time_s: m.first.rise_time().filter(|_| has_wave),
             force_gap_percent: logbook.worst_gap,
             force_max_gap_percent: m.force.map_or(0.0, |m| logbook.face_gaps.around(m.time_s)),
             energy_gap_percent: 100.0 * energy.residual() / scale,

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::onrush::Onrush;
 use super::outcome::Maximum;
 
 /// F* must last this long above or below a bound to count, over √(h/g): 0.02 s at h = 0.2 m.
@@ -10,6 +11,8 @@ const PERSISTENCE: f64 = 0.14;
 const IMPACT_FORCE: f64 = 1.15;
 /// A stop ends the first impact only after X* has exceeded this.
 const IMPACT_TRAVEL: f64 = 0.01;
+/// Samples of the force's rise are no closer than this, over √(h/g).
+const SHORT: f64 = 0.0175;
 /// A peak is over when it has dropped by this share.
 const PEAK_DROP: f64 = 0.10;
 
@@ -101,6 +104,8 @@ pub struct FirstImpact {
     below_since: Option<f64>,
     readings: Readings,
     onset: Option<f64>,
+    onrush: Onrush,
+    trials: u32,
 }
 
 impl FirstImpact {
@@ -114,6 +119,8 @@ impl FirstImpact {
             below_since: None,
             readings: Readings::new(0),
             onset: None,
+            onrush: Onrush::new(IMPACT_FORCE.max(threshold), SHORT * unit_time),
+            trials: 0,
         }
     }
 
@@ -134,6 +141,8 @@ impl FirstImpact {
         if self.stage == Stage::Before && above {
             self.stage = Stage::Trial { above_since: Some(at) };
             self.readings = Readings::new(stops);
+            self.onrush.begin();
+            self.trials += 1;
         }
         if let Stage::Trial { above_since } = &mut self.stage {
             if !above {
@@ -141,6 +150,9 @@ impl FirstImpact {
             } else if at - *above_since.get_or_insert(at) >= persistence {
                 self.stage = Stage::On;
             }
+        }
+        if self.stage != Stage::Over {
+            self.onrush.push(at, mean, self.is_under_way());
         }
         if self.is_under_way() {
             Maximum::raise(&mut self.readings.force, mean, at);
@@ -169,6 +181,11 @@ impl FirstImpact {
         } else if reading.stops > readings.stops {
             self.end();
         }
+    }
+
+    /// Takes note that a blow has drowned the force.
+    pub fn interrupt(&mut self) {
+        self.onrush.interrupt();
     }
 
     /// What was on trial was a blip.
@@ -208,6 +225,21 @@ impl FirstImpact {
     /// R* of the first peak.
     pub fn runup_peak(&self) -> Option<f64> {
         self.told()?.runup_peak.value()
+    }
+
+    /// ∫ (F* - 1) dt, s.
+    pub fn impulse(&self) -> Option<f64> {
+        self.told().map(|_| self.onrush.impulse())
+    }
+
+    /// How long F* - 1 took from 10 to 90 % of its largest, s.
+    pub fn rise_time(&self) -> Option<f64> {
+        self.onrush.rise_time(self.force()?)
+    }
+
+    /// How many impacts have been on trial.
+    pub fn trials(&self) -> u32 {
+        self.trials
     }
 
     /// When F > F_th first lasted, seconds.

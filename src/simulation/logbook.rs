@@ -14,6 +14,7 @@ use super::probes;
 use super::settling::Liveliness;
 use super::sound::Sound;
 use super::surface::WallLevel;
+use crate::body::Place;
 use crate::scene::{CaseConfig, Tank};
 
 /// Room is made beforehand for so many samples at most.
@@ -59,7 +60,12 @@ impl Logbook {
         let sound = Sound::of(tank);
         let turn = f64::from(config.numerics.acoustic_substeps) * frame.time_step(&config.numerics);
         Logbook {
-            measures: Measures::new(tank.threshold_ratio, acoustics, sound.as_ref().map(|_| turn)),
+            measures: Measures::new(
+                tank.threshold_ratio,
+                acoustics,
+                sound.as_ref().map(|_| turn),
+                points_on_wall(tank),
+            ),
             sound,
             gauge: CrestGauge::default(),
             ledger: Ledger::open(start),
@@ -87,4 +93,10 @@ impl Logbook {
             table.values.reserve_exact(more * table.columns.len());
         }
     }
+}
+
+/// Points at which the pressure on the wall is read.
+fn points_on_wall(tank: &Tank) -> usize {
+    let wall = tank.water.walls().bodies.get(Place::Right.number());
+    wall.map_or(0, |wall| wall.faces.len())
 }

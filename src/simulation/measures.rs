@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::blows::{Acoustics, Blows, Hit};
 use super::first_impact::{FirstImpact, Reading};
 use super::outcome::Maximum;
+use super::pressed::Pressed;
 use super::quiet_force::QuietForce;
 use super::sound::Compression;
 
@@ -33,12 +34,19 @@ pub struct Measures {
     pub last: [f64; 3],
     /// The wall's stops so far.
     stops: u32,
+    /// Pressures along the wall and their moment.
+    pub pressed: Pressed,
 }
 
 impl Measures {
-    /// For F_threshold over the hydrostatic force, and the scales of the water. Its compression is told
-    /// once in `turn` seconds, if at all.
-    pub fn new(threshold_ratio: f64, acoustics: Acoustics, turn: Option<f64>) -> Measures {
+    /// For F_threshold over the hydrostatic force, the scales of the water, and so many points on the
+    /// wall's face. The water's compression is told once in `turn` seconds, if at all.
+    pub fn new(
+        threshold_ratio: f64,
+        acoustics: Acoustics,
+        turn: Option<f64>,
+        points: usize,
+    ) -> Measures {
         let unit_time = (acoustics.depth / acoustics.gravity).sqrt();
         Measures {
             quiet: QuietForce::new(MEAN_SPAN * unit_time, turn),
@@ -51,6 +59,7 @@ impl Measures {
             force_raw: None,
             last: [0.0; 3],
             stops: 0,
+            pressed: Pressed::new(points, MEAN_SPAN * unit_time),
         }
     }
 
@@ -68,6 +77,7 @@ impl Measures {
         }
         if self.blows.drown(time) {
             self.quiet.clear();
+            self.first.interrupt();
         } else {
             if self.blows.since_audible(time).is_none() {
                 self.force_raw = Some(self.force_raw.map_or(force, |raw| raw.max(force)));
@@ -89,6 +99,16 @@ impl Measures {
         });
     }
 
+    /// Takes the moment about the wall's foot, over ρgh³/6, and the pressures along its face, Pa, of the
+    /// last step's reading.
+    pub fn press(&mut self, time: f64, moment: f64, pressures: &[f64]) {
+        if self.blows.drown(time) {
+            self.pressed.interrupt();
+        } else {
+            self.pressed.push(time, moment, pressures, &self.first);
+        }
+    }
+
     /// Takes note that the wall hits its stop in the step of the last reading: it begins at `time`,
     /// lasts `dt`, s, and the wall comes with `speed`, m/s.
     pub fn hit(&mut self, time: f64, dt: f64, speed: f64) {
@@ -105,7 +125,7 @@ mod tests {
 
     /// Feeds F*, R*, X* and the stops at a time, every millisecond.
     fn feed(threshold: f64, at: impl Fn(f64) -> ([f64; 3], u32)) -> Measures {
-        let mut measures = Measures::new(threshold, WATER, None);
+        let mut measures = Measures::new(threshold, WATER, None, 0);
         for k in 0..4000 {
             let time = 0.001 * f64::from(k);
             let ([force, runup, x], stops) = at(time);
@@ -204,7 +224,7 @@ mod tests {
     /// A wall that comes back at 1.5 s with `speed`, m/s, in F* = 1 + a bell, and what it meets then:
     /// suction and a rebound to F* = 4, told to be sound or not.
     fn struck(farthest: f64, speed: f64) -> Measures {
-        let mut measures = Measures::new(1.1, WATER, None);
+        let mut measures = Measures::new(1.1, WATER, None, 0);
         for k in 0..4000 {
             let time = 0.001 * f64::from(k);
             let displacement = if (0.8..1.5).contains(&time) { farthest } else { 0.0 };

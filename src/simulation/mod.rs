@@ -18,9 +18,11 @@ mod kept;
 mod limits;
 mod logbook;
 mod measures;
+mod onrush;
 mod outcome;
 #[cfg(test)]
 mod planted;
+mod pressed;
 mod probes;
 mod quiet_force;
 mod quoted;
@@ -42,8 +44,8 @@ pub use health::HealthMargins;
 pub use keeper::Keeper;
 pub use limits::Limits;
 pub use outcome::{
-    CaseResult, EnergyBudget, HistoryRow, Maximum, NamedReading, Outcome, PhaseShare, ProbeColumn,
-    ProbeTable, TrunkResult,
+    CaseResult, EnergyBudget, EnvelopeRow, HistoryRow, Maximum, NamedReading, Outcome, PhaseShare,
+    ProbeColumn, ProbeTable, TrunkResult,
 };
 
 use serde::{Deserialize, Serialize};

@@ -69,6 +69,18 @@ pub struct Outcome {
     /// goes on when the wall stops. Zero where it never did.
     #[serde(default)]
     pub stop_impulse: Option<Maximum>,
+    /// Largest moment about the wall's foot (running mean), over ρgh³/6.
+    #[serde(default)]
+    pub moment_max: Option<Maximum>,
+    /// That of the first impact.
+    #[serde(default)]
+    pub first_moment_max: Option<Maximum>,
+    /// ∫ (F* - 1) dt of the running mean over the first impact, over √(h/g).
+    #[serde(default)]
+    pub first_impulse: Option<f64>,
+    /// Seconds from 10 to 90 % of the first impact's largest F* - 1.
+    #[serde(default)]
+    pub rise_time_s: Option<f64>,
     /// Largest gap between the momentum reaction and the face integral, percent of the force.
     pub force_gap_percent: f64,
     /// That gap, signed, at `force_max`: of the means over 0.14 √(h/g), less what it is at rest.
@@ -113,6 +125,17 @@ pub struct HistoryRow {
     pub displacement: f64,
     /// Velocity of the wall, m/s, positive away from the water.
     pub wall_velocity_m_per_s: f64,
+}
+
+/// The largest pressures at one height of the wall, of running means.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct EnvelopeRow {
+    /// Over the bed of the tank, metres.
+    pub height_m: f64,
+    /// Of the whole run, Pa.
+    pub pressure_max_pa: f64,
+    /// Of the first impact, Pa; `None` where there was none.
+    pub first_pressure_max_pa: Option<f64>,
 }
 
 /// The energy budget of a run, joules per metre of width, each term summed on its own.
@@ -216,6 +239,8 @@ pub struct CaseResult {
     pub outcome: Outcome,
     /// Histories, every 0.005 s by default.
     pub history: Vec<HistoryRow>,
+    /// Largest pressures up the wall, where there is one that got wet.
+    pub envelope: Vec<EnvelopeRow>,
     /// Gauges, where the scene has any.
     pub probes: Option<ProbeTable>,
     /// What else the scene tells: of its probes, of a collapsing column.

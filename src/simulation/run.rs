@@ -37,6 +37,8 @@ pub(super) struct Run {
     /// Room for samples and checks, which take no memory of their own.
     pub(super) near: Near,
     pub(super) crowding: Crowding,
+    /// Pressures along the wall, Pa, at the present step.
+    pub(super) pressed: Vec<f64>,
     /// Seconds that they have taken.
     pub(super) reading_time: f64,
 }
@@ -58,6 +60,7 @@ impl Run {
             films: 0,
             near: Near::default(),
             crowding: Crowding::default(),
+            pressed: Vec::new(),
             reading_time: 0.0,
             config: config.clone(),
             attempt: Attempt::default(),

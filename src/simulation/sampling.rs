@@ -5,6 +5,7 @@ use super::failure::{Failure, FailureKind};
 use super::first_impact::Reading;
 use super::health::Vitals;
 use super::outcome::{EnergyBudget, HistoryRow};
+use super::pressed::Lever;
 use super::probes;
 use super::run::Run;
 use super::sounding::Sounding;
@@ -60,6 +61,8 @@ impl Run {
             )
         });
         logbook.measures.push(reading, compression);
+        self.press(&reading, acceleration);
+        let Run { tank, logbook, clock, lens, .. } = self;
         if let Some(gauge) = tank.wave_gauge {
             let unit = (depth / frame.acceleration()).sqrt();
             if logbook.gauge.is_due(clock.time, frame.history_interval, unit) {
@@ -68,6 +71,28 @@ impl Run {
             }
         }
         reading
+    }
+
+    /// Reads the pressures along the wall, and the moment about its foot: the force's, as it acts where
+    /// they say. The wall answers with `acceleration`, m/s².
+    fn press(&mut self, reading: &Reading, acceleration: f64) {
+        let Run { tank, logbook, pressed, .. } = self;
+        let wall = Place::Right.number();
+        if tank.water.walls().bodies.len() <= wall {
+            return;
+        }
+        let motion = BodyMotion { acceleration, ..BodyMotion::default() };
+        tank.water.face_pressures(wall, &motion, pressed);
+        let ghosts = tank.water.walls();
+        let (plane, faces) = (ghosts.bodies[wall].plane, ghosts.bodies[wall].faces.clone());
+        let across = plane.normal[0].abs();
+        let along = ghosts.target_y[faces].iter().map(|y| (y - plane.point[1]) / across);
+        let lever = Lever::of(pressed, along);
+        // Forces count over ½ρgd², moments over ρgd³/6; d is the depth at the wall.
+        let frame = &tank.frame;
+        let depth = (2.0 * tank.static_force / (frame.density * frame.acceleration())).sqrt();
+        let moment = reading.force * 3.0 * lever.arm / (depth * across);
+        logbook.measures.press(reading.time, moment, pressed);
     }
 
     /// Takes a sample: history, probes and force gap. The water pushes the wall with `force`,

@@ -5,6 +5,7 @@ use std::collections::HashSet;
 use toml::{Table, Value};
 
 use crate::keys::number;
+use crate::math::scale::Scale;
 use crate::scene::ConfigError;
 
 /// A swept key and its values, in the order of the file.
@@ -14,6 +15,8 @@ pub struct GridAxis {
     pub key: String,
     /// Its values: strings, numbers or booleans.
     pub values: Vec<Value>,
+    /// How they are spread: as a range says, or else by the values of a list.
+    pub scale: Scale,
 }
 
 const SHAPE: &str =
@@ -27,6 +30,25 @@ impl GridAxis {
             other => other.to_string(),
         };
         format!("{}={}", self.key, self.values.first().map(word).unwrap_or_default())
+    }
+
+    /// Its values, where they are numbers.
+    pub(super) fn numbers(&self) -> Option<Vec<f64>> {
+        self.values.iter().map(number).collect()
+    }
+
+    /// Where a value stands in the order of the axis: its number, or between those of its neighbours.
+    pub(super) fn position(&self, value: &Value) -> f64 {
+        let exact = self.values.iter().position(|one| one == value);
+        if let Some(place) = exact {
+            return place as f64;
+        }
+        let Some((values, value)) = self.numbers().zip(number(value)) else { return 0.0 };
+        let place = |value: f64| self.scale.place(value);
+        let between = |pair: &[f64]| (pair[0] < value) != (pair[1] < value);
+        let first = values.windows(2).position(between).unwrap_or(0);
+        let [low, high] = [values[first], values[first + 1]].map(place);
+        first as f64 + (place(value) - low) / (high - low)
     }
 
     /// Reads the value of a key in `[grid]`.
@@ -59,7 +81,16 @@ impl GridAxis {
                 return Err(ConfigError::new(&path, value, "stands in the list twice"));
             }
         }
-        Ok(GridAxis { key: key.to_owned(), values })
+        let scale = scale(value, &values);
+        Ok(GridAxis { key: key.to_owned(), values, scale })
+    }
+}
+
+fn scale(written: &Value, values: &[Value]) -> Scale {
+    match written.get("spacing").and_then(Value::as_str) {
+        Some("log") => Scale::Log,
+        _ if written.is_table() => Scale::Linear,
+        _ => Scale::of(values.iter().filter_map(number)),
     }
 }
 

@@ -4,6 +4,7 @@ use toml::{Table, Value};
 
 use super::axis::GridAxis;
 use super::limits;
+use super::refine::Refine;
 
 use crate::keys::{Key, Override, Section, read_alone, section};
 use crate::scene::{ConfigError, Kind, numerics_keys, place_of, scene_keys};
@@ -25,6 +26,8 @@ pub struct SweepFile {
     pub max_error_percent: Option<f64>,
     /// `[limits]`.
     pub limits: Limits,
+    /// `refine` in `[grid]`.
+    pub refine: Option<Refine>,
     /// `[grid]`, in the order of the file; empty for a file that describes a single scene.
     pub grid: Vec<GridAxis>,
     /// The file as written.
@@ -61,23 +64,32 @@ impl SweepFile {
             return Err(unknown_at_the_top(key, &file));
         }
         let name = read_name(file.get("name"))?;
-        let grid = table(&file, "grid")?;
+        let mut grid = table(&file, "grid")?;
+        let refine = Refine::take(&mut grid)?;
         if file.contains_key("grid") && grid.is_empty() {
             let allowed =
                 "holds no key: sweep at least one, or leave [grid] out for a single scene";
             return Err(ConfigError::new("grid", "", allowed));
         }
-        let grid =
-            grid.iter().map(|(key, value)| GridAxis::read(key, value)).collect::<Result<_, _>>();
+        let grid = grid.iter().map(|(key, value)| GridAxis::read(key, value));
+        let grid = grid.collect::<Result<Vec<_>, _>>()?;
+        let accuracy = read_alone::<Accuracy>(&table(&file, Accuracy::NAME)?)?;
+        if refine.is_some() {
+            Refine::check(&grid)?;
+            if let Some(percent) = accuracy.max_error_percent {
+                let allowed = "cannot stand beside grid.refine: give one of the two";
+                return Err(ConfigError::new("accuracy.max_error_percent", percent, allowed));
+            }
+        }
         Ok(SweepFile {
             name,
             scene: table(&file, "scene")?,
             numerics: table(&file, "numerics")?,
             probes: tables(&file, "probe")?,
-            max_error_percent: read_alone::<Accuracy>(&table(&file, Accuracy::NAME)?)?
-                .max_error_percent,
+            max_error_percent: accuracy.max_error_percent,
             limits: limits::read(&table(&file, "limits")?)?,
-            grid: grid?,
+            refine,
+            grid,
             text: text.to_owned(),
         })
     }

@@ -84,6 +84,14 @@ pub(super) fn tables(
     Ok((scene, numerics))
 }
 
+/// The case with these values of the swept keys, without its place among others.
+pub(super) fn case_at(
+    file: &SweepFile,
+    assignments: &[Option<Value>],
+) -> Result<Case, ConfigError> {
+    at(file, &places(file)?, assignments.to_vec(), usize::MAX).map(|(case, _)| case)
+}
+
 /// One point of the grid; true where some swept key meant nothing to it.
 fn point(file: &SweepFile, places: &[Place], index: usize) -> Result<(Case, bool), ConfigError> {
     let mut assignments = vec![None; file.grid.len()];
@@ -92,6 +100,16 @@ fn point(file: &SweepFile, places: &[Place], index: usize) -> Result<(Case, bool
         assignments[place] = Some(axis.values[rest % axis.values.len()].clone());
         rest /= axis.values.len();
     }
+    at(file, places, assignments, index)
+}
+
+/// The case with some values.
+fn at(
+    file: &SweepFile,
+    places: &[Place],
+    mut assignments: Vec<Option<Value>>,
+    index: usize,
+) -> Result<(Case, bool), ConfigError> {
     let (mut scene, numerics) = filled(file, places, &assignments);
     let collapsed = drop_meaningless(file, &mut scene, &mut assignments);
     let config = CaseConfig::with_probes(&scene, &numerics, &file.probes)

@@ -12,6 +12,8 @@ mod file;
 mod grid;
 mod limits;
 mod plan;
+mod points;
+mod refine;
 mod schema;
 mod single;
 
@@ -20,6 +22,8 @@ pub use case::{Case, CaseId, PHYSICS_VERSION, trunk_key};
 pub use file::{SweepFile, accuracy_keys};
 pub use limits::limits_keys;
 pub use plan::{Plan, PlannedCase, PlannedTrunk};
+pub use points::Assignments;
+pub use refine::{Refine, refine_keys};
 pub use schema::schema;
 
 pub use crate::keys::Override;
@@ -49,6 +53,8 @@ pub struct Study {
     pub max_error_percent: Option<f64>,
     /// What no case may take more of.
     pub limits: Limits,
+    /// How points are added to it.
+    pub refine: Option<Refine>,
     /// The file as written.
     pub file_text: String,
 }
@@ -59,14 +65,19 @@ impl Study {
     /// # Errors
     /// The first bad value of the first bad case.
     pub fn new(file: &SweepFile) -> Result<Study, ConfigError> {
-        let mut cases = grid::expand(file)?;
+        Ok(Study::of_file(file, grid::expand(file)?))
+    }
+
+    /// The study of a file with these cases.
+    fn of_file(file: &SweepFile, mut cases: Vec<Case>) -> Study {
         let mut take_bars = |case: &mut Case| {
             std::mem::replace(&mut case.config.numerics.error_bars, ErrorBars::None)
         };
         let bars: Vec<_> = cases.iter_mut().map(&mut take_bars).collect();
         let keys: Vec<String> = file.grid.iter().map(|axis| axis.key.clone()).collect();
         let study = Study::of(file.name.clone(), keys, cases, &bars, &file.text);
-        Ok(Study { max_error_percent: file.max_error_percent, limits: file.limits, ..study })
+        let (max_error_percent, refine) = (file.max_error_percent, file.refine.clone());
+        Study { max_error_percent, refine, limits: file.limits, ..study }
     }
 
     /// A study of the given cases; where `bars` has fewer entries, there are no further bars.
@@ -85,7 +96,7 @@ impl Study {
         }
         let identity = hash.finalize()[..8].iter().map(|byte| format!("{byte:02x}")).collect();
         let file_text = file_text.to_owned();
-        let max_error_percent = None;
+        let (max_error_percent, refine) = (None, None);
         Study {
             name,
             keys,
@@ -95,6 +106,7 @@ impl Study {
             identity,
             max_error_percent,
             limits: Limits::default(),
+            refine,
             file_text,
         }
     }

@@ -5,6 +5,7 @@ use serde_json::{Map, Value, json};
 use super::axis::{MOST_CASES, RANGE_KEYS};
 use super::file::Accuracy;
 use super::limits::limits_keys;
+use super::refine::refine_keys;
 use crate::keys::{self, Key, Section};
 use crate::scene::{Kind, numerics_keys, probe_keys, scene_keys};
 
@@ -71,7 +72,14 @@ fn grid() -> Value {
         (key, json!({ "anyOf": [list, range()] }))
     };
     let axes: Map<_, _> = values.into_iter().map(axis).collect();
-    json!({ "type": "object", "properties": axes, "minProperties": 1, "additionalProperties": false })
+    let mut properties = axes;
+    properties.insert("refine".to_owned(), keys::schema(&refine_keys()));
+    json!({
+        "type": "object",
+        "properties": properties,
+        "minProperties": 1,
+        "additionalProperties": false,
+    })
 }
 
 /// What one value of a key may be, whatever kind of scene it is of.

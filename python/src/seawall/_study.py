@@ -118,6 +118,10 @@ class Study:
         """What else the scene told of a case: name, value, unit."""
         return read_table(self._of_case("readings", case, keys))
 
+    def envelope(self, case: str | pd.Series | None = None, **keys: Any) -> pd.DataFrame:
+        """The largest pressures up the wall of a case, by height."""
+        return read_table(self._of_case("envelopes", case, keys), "envelopes")
+
     def case(self, **keys: Any) -> pd.Series:
         """The only row of the summary with these values, numbers to four digits.
 

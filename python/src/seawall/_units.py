@@ -38,7 +38,7 @@ def _declared() -> dict[str, list[dict[str, str]]]:
 
 @cache
 def columns(table: str) -> dict[str, Column]:
-    """The declared columns of ``summary``, ``histories`` or ``energy``."""
+    """The declared columns of ``summary``, ``histories``, ``energy`` or ``envelopes``."""
     return {entry["name"]: Column(**entry) for entry in _declared()[table]}
 
 
@@ -49,7 +49,7 @@ def _endings() -> list[tuple[str, str]]:
 
 def unit_of(name: str) -> str:
     """The unit of a column or key; empty for a pure number or words."""
-    for table in ("summary", "histories", "energy"):
+    for table in ("summary", "histories", "energy", "envelopes"):
         if name in columns(table):
             return columns(table)[name].unit
     return next((unit for ending, unit in _endings() if name.endswith(ending)), "")
@@ -76,7 +76,7 @@ class Units(Mapping[str, str]):
 
     def label(self, name: str) -> str:
         """The title of an axis: symbol or name, and the unit where the symbol does not say it."""
-        for table in ("summary", "histories", "energy"):
+        for table in ("summary", "histories", "energy", "envelopes"):
             if name in columns(table):
                 return columns(table)[name].heading
         ending, unit = next(((e, u) for e, u in _endings() if name.endswith(e)), ("", ""))

@@ -141,6 +141,9 @@ fn tabled(body: &mut String, data: &Loaded, tables: &[Table]) {
     if let Some(table) = find("summary") {
         section(body, &table.title, &format!("{BARS}{}", grid(&table.for_page())));
     }
+    if let Some(table) = find("prototype") {
+        section(body, &table.title, &format!("{PROTOTYPE}{}", grid(&table.for_page())));
+    }
     if let Some(table) = find("readings") {
         section(body, &table.title, &grid(&across(table)));
     }
@@ -156,6 +159,11 @@ fn tabled(body: &mut String, data: &Loaded, tables: &[Table]) {
 /// What stands before the table of cases.
 const BARS: &str = "<p>± is the estimated error bar, where bars were asked for. ≥ is a lower bound: \
     the wall was still moving when the run ended, and the bar behind it can only lower it.</p>";
+
+/// What stands before the table of the prototype.
+const PROTOTYPE: &str = "<p>By Froude's law, with the gravity and the density of the tank: lengths grow by \
+    the scale, times by its root, pressures by the scale, forces per metre by its square, moments per \
+    metre by its cube. Viscosity, air and the water's compression do not scale so.</p>";
 
 /// The largest gaps of all finished cases: of the force where it is largest, as elsewhere it touches
 /// no number that is quoted.

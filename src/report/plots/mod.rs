@@ -6,6 +6,7 @@ mod accuracy;
 mod axes;
 mod bar;
 mod chart;
+mod envelope;
 #[cfg(test)]
 mod eyes;
 mod fixed_wall;
@@ -84,6 +85,7 @@ pub fn all(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
         None => [response::figures(data), slices::figures(data), map::figures(data)].concat(),
     };
     figures.extend(fixed_wall::figures(data));
+    figures.extend(envelope::figures(data)?);
     figures.extend(history::figures(data)?);
     figures.extend(probes::figures(data)?);
     Ok(figures)

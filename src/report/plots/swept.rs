@@ -6,6 +6,7 @@ use super::chart::{Chart, Curve};
 use super::marks::{bounds, by, coupling, marks, picked, point};
 use super::sheet::{Drawing, PANELS};
 use super::{Figure, SERIES, file_name, of_variant};
+use crate::math::scale::Scale;
 use crate::quantities::summary::{
     CASE_ID, DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, LOG10_K_STAR,
     RUNUP_MAX, WAVE_HEIGHT_RATIO,
@@ -23,9 +24,6 @@ const DRAWN: [(&Column, Option<&Column>); 3] = [
     (&FIRST_RUNUP_MAX, Some(&RUNUP_MAX)),
     (&DISPLACEMENT_MAX, None),
 ];
-
-/// Values further apart than this stand on a logarithmic axis.
-const DECADES: f64 = 100.0;
 
 /// One case: its place on the horizontal axis and its row.
 type Case<'a> = (f64, &'a Row);
@@ -126,9 +124,8 @@ fn caption(what: &str, group: &[Case]) -> String {
 
 /// The drawing; `None` where no case has a response.
 fn drawing(key: &Key, group: &[Case], waves: &[f64]) -> Option<Drawing> {
-    let (low, high) = (group[0].0, group[group.len() - 1].0);
     let places = || group.iter().map(|(x, _)| *x);
-    let wide = low > 0.0 && high >= DECADES * low;
+    let wide = Scale::of(places()) == Scale::Log;
     let x = if wide { Axis::logarithmic(places()) } else { Axis::around(places(), 5.0) }?;
     let title = heading(&key.name);
     let chart = |(column, whole): (&'static Column, Option<&'static Column>)| {

@@ -2,6 +2,7 @@
 //! case.
 
 mod energy;
+mod envelope;
 mod page;
 mod readings;
 
@@ -78,6 +79,7 @@ pub fn all(data: &Loaded) -> Result<Vec<Table>, ReportError> {
     tables.extend(fixed(data));
     tables.extend(readings::readings(data)?);
     tables.extend(energy::energy(data));
+    tables.extend(envelope::envelope(data)?);
     Ok(tables)
 }
 

@@ -130,6 +130,10 @@ impl Scheme for Isph {
         self.pressure_on(body, motion)
     }
 
+    fn face_pressures(&mut self, body: usize, motion: &BodyMotion, pressures: &mut Vec<f64>) {
+        self.pressures_along(body, motion, pressures);
+    }
+
     fn state(&self) -> SchemeState {
         let (fluid, carried) = (self.fluid.clone(), self.carried.clone());
         SchemeState::Isph(Box::new(IsphState { fluid, carried, tally: self.tally }))

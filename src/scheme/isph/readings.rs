@@ -21,27 +21,64 @@ impl Isph {
     /// ∫ p dy over a face, from the mean pressure of the water and its images there.
     pub(super) fn pressure_on(&self, body: usize, motion: &BodyMotion) -> f64 {
         let Some(line) = self.face_line(body) else { return 0.0 };
-        let options = &self.options;
-        let gravity = options.density * options.gravity;
-        let responds =
-            if self.responded && body == self.responds { motion.acceleration } else { 0.0 };
-        let step = 0.5 * options.spacing;
+        let step = 0.5 * self.options.spacing;
         let top = self.level_along(&line, 0.0);
         let cells = (top / step).ceil().max(1.0);
         let height = top / cells;
         let mut force = 0.0;
         for cell in 0..cells as usize {
-            let place = line((cell as f64 + 0.5) * height);
-            let [coverage, mean] = self.near.average(place, |k| {
-                let Point { original, walls, .. } = &self.points[k];
-                let j = *original as usize;
-                let response = self.carried.response.get(j).copied().unwrap_or(0.0);
-                self.pressure[j] + walls.pressure + responds * (response + walls.pressure_response)
-            });
-            let dynamic = mean / coverage.max(1e-3);
-            let pressure = dynamic + gravity * (options.still_level - place[1]);
-            force += pressure.max(0.0) * height;
+            let [_, pressure] = self.pressure_at(line((cell as f64 + 0.5) * height), body, motion);
+            force += pressure * height;
         }
         force
+    }
+
+    /// Coverage and mean pressure, Pa, at a place on a body's face.
+    fn pressure_at(&self, place: [f64; 2], body: usize, motion: &BodyMotion) -> [f64; 2] {
+        let options = &self.options;
+        let gravity = options.density * options.gravity;
+        let responds =
+            if self.responded && body == self.responds { motion.acceleration } else { 0.0 };
+        let [coverage, mean] = self.near.average(place, |k| {
+            let Point { original, walls, .. } = &self.points[k];
+            let j = *original as usize;
+            let response = self.carried.response.get(j).copied().unwrap_or(0.0);
+            self.pressure[j] + walls.pressure + responds * (response + walls.pressure_response)
+        });
+        let dynamic = mean / coverage.max(1e-3);
+        let pressure = dynamic + gravity * (options.still_level - place[1]);
+        [coverage, pressure.max(0.0)]
+    }
+
+    /// Pressures at the points of a body's face, Pa, up to the first that stands out of the water. They are
+    /// means over a support radius, so every other point is as well read as the mean of its neighbours.
+    pub(super) fn pressures_along(
+        &self,
+        body: usize,
+        motion: &BodyMotion,
+        pressures: &mut Vec<f64>,
+    ) {
+        let faces = self.ghosts.bodies[body].faces.clone();
+        pressures.clear();
+        pressures.resize(faces.len(), 0.0);
+        let Some(line) = self.face_line(body) else { return };
+        let read = |row: usize| {
+            let place = line(self.ghosts.target_y[faces.start + row]);
+            let [coverage, pressure] = self.pressure_at(place, body, motion);
+            (coverage >= 0.5).then_some(pressure)
+        };
+        for row in (0..pressures.len()).step_by(2) {
+            let Some(pressure) = read(row) else {
+                // The water's edge lies between the last two that were read.
+                if let Some(below) = row.checked_sub(1) {
+                    pressures[below] = read(below).unwrap_or(0.0);
+                }
+                break;
+            };
+            pressures[row] = pressure;
+            if row > 0 {
+                pressures[row - 1] = 0.5 * (pressures[row - 2] + pressure);
+            }
+        }
     }
 }

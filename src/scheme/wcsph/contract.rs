@@ -71,6 +71,10 @@ impl Scheme for Wcsph {
         Wcsph::face_force(self, body, motion)
     }
 
+    fn face_pressures(&mut self, body: usize, motion: &BodyMotion, pressures: &mut Vec<f64>) {
+        Wcsph::face_pressures(self, body, motion, pressures);
+    }
+
     fn can_be_kept(&self) -> bool {
         self.at_full_step()
     }

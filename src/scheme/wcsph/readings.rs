@@ -38,6 +38,12 @@ impl Wcsph {
         self.exchange.face_force(self.pairs.path, &self.ghosts, body, &motion, fluid)
     }
 
+    /// Pressures at the points of a body's face, Pa, from the means at its ghosts' mirror points.
+    pub fn face_pressures(&self, body: usize, motion: &BodyMotion, pressures: &mut Vec<f64>) {
+        let motion = BodyMotion { offset: self.held_bodies[body].offset, ..*motion };
+        self.exchange.face_pressures(&self.ghosts, body, &motion, pressures);
+    }
+
     /// Level of the free surface at x, metres above the bed: upwards from `from`, the first
     /// height at which the kernel's coverage Σ W V falls to 1/2. Upright walls mirror the water.
     pub fn level_in_water(&mut self, x: f64, from: f64) -> f64 {

@@ -1,0 +1,205 @@
+//! Points that a study adds between its own, until linear interpolation is as good as asked.
+//!
+//! What is added depends on results alone, which are the same to the bit for any number of ranks and after
+//! any interruption. So every process that knows the results of a round finds the same next one.
+
+use std::collections::HashMap;
+
+use crate::math::bend;
+use crate::quantities::Case as Reported;
+use crate::results::CaseRecord;
+use crate::scene::ConfigError;
+use crate::study::{Assignments, Case, Refine, Study, SweepFile};
+
+/// An interval of the grid as written is cut in no more than so many pieces.
+const PIECES: f64 = 64.0;
+
+/// What is to be added, and to which study.
+#[derive(Debug, Clone)]
+pub struct Refinement {
+    file: SweepFile,
+    /// What was asked.
+    pub asked: Refine,
+}
+
+/// What a round has found.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Round {
+    /// The points of the next round.
+    pub points: Vec<Assignments>,
+    /// Intervals that bend more than was asked and are not cut: too many points, or pieces too small.
+    pub open: usize,
+    /// The largest deviation of linear interpolation that is expected within an interval.
+    pub worst: Option<f64>,
+    /// Intervals of which nothing can be told: a case beside them failed, has no value or a bound.
+    pub unknown: usize,
+}
+
+/// An interval of a line: its middle, and how far the chord is expected to be off; infinite where no third
+/// point tells.
+struct Interval {
+    middle: Assignments,
+    off: Option<f64>,
+    small: bool,
+}
+
+/// A case on a line.
+struct Stop {
+    value: f64,
+    place: f64,
+    /// `None` where it failed, has none, or a bound alone.
+    result: Option<f64>,
+}
+
+impl Refinement {
+    /// What a file asks for.
+    pub fn of(file: &SweepFile) -> Option<Refinement> {
+        let asked = file.refine.clone()?;
+        Some(Refinement { file: file.clone(), asked })
+    }
+
+    /// The study with the points of all rounds whose results are known. `records` tells those of a study.
+    ///
+    /// # Errors
+    /// Those of the file, and what `records` fails with.
+    pub fn so_far<E: From<ConfigError>>(
+        &self,
+        mut records: impl FnMut(&Study) -> Result<Vec<Option<CaseRecord>>, E>,
+    ) -> Result<Study, E> {
+        let mut study = Study::new(&self.file)?;
+        loop {
+            let records = records(&study)?;
+            match self.next(&study, &records)? {
+                Some(next) => study = next,
+                None => return Ok(study),
+            }
+        }
+    }
+
+    /// The study of the next round; `None` where this one has not ended, or nothing is to be added.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn next(
+        &self,
+        study: &Study,
+        records: &[Option<CaseRecord>],
+    ) -> Result<Option<Study>, ConfigError> {
+        let cases = &records[..study.cases.len()];
+        if cases.iter().any(Option::is_none) {
+            return Ok(None);
+        }
+        let round = self.round(study, records);
+        let points: Vec<_> = self.added(study).chain(round.points).collect();
+        let next = Study::with_points(&self.file, &points)?;
+        Ok((next.cases.len() > study.cases.len()).then_some(next))
+    }
+
+    /// The points of a study that its file does not name.
+    fn added<'a>(&'a self, study: &'a Study) -> impl Iterator<Item = Assignments> + 'a {
+        let added = study.cases.iter().filter(|case| !self.is_written(case, None));
+        added.map(|case| case.assignments.clone())
+    }
+
+    /// How many points a study has beyond those of its file.
+    pub fn count(&self, study: &Study) -> usize {
+        self.added(study).count()
+    }
+
+    /// Whether all values of a case stand in the file, but for one key's.
+    fn is_written(&self, case: &Case, but: Option<usize>) -> bool {
+        let pairs = self.file.grid.iter().zip(&case.assignments).enumerate();
+        let mut others = pairs.filter(|(key, _)| Some(*key) != but);
+        others.all(|(_, (axis, value))| value.as_ref().is_none_or(|v| axis.values.contains(v)))
+    }
+
+    /// What the results of a round ask for.
+    pub fn round(&self, study: &Study, records: &[Option<CaseRecord>]) -> Round {
+        let results: Vec<_> =
+            study.cases.iter().map(|case| self.result(study, case, records)).collect();
+        let keys = 0..self.file.grid.len();
+        let mut intervals: Vec<_> =
+            keys.flat_map(|key| self.intervals(study, key, &results)).collect();
+        let unknown = intervals.iter().filter(|one| one.off.is_none()).count();
+        let known = intervals.iter().filter_map(|one| one.off).filter(|off| off.is_finite());
+        let worst = known.max_by(f64::total_cmp);
+        intervals.retain(|one| one.off.is_some_and(|off| off > self.asked.to));
+        let all = intervals.len();
+        intervals.retain(|one| !one.small);
+        // The worst first; a stable sort keeps the grid's order among equals.
+        intervals.sort_by(|a, b| b.off.unwrap_or(0.0).total_cmp(&a.off.unwrap_or(0.0)));
+        let most = usize::try_from(self.asked.most).unwrap_or(usize::MAX);
+        intervals.truncate(most.saturating_sub(self.count(study)));
+        let open = all - intervals.len();
+        let points = intervals.into_iter().map(|one| one.middle).collect();
+        Round { points, open, worst, unknown }
+    }
+
+    /// The quantity of a case; a lower bound is none.
+    fn result(&self, study: &Study, case: &Case, records: &[Option<CaseRecord>]) -> Option<f64> {
+        let record = records[case.index].as_ref().filter(|record| record.is_ok())?;
+        let bars = study.error_bars(case.index, records);
+        let reported: Reported<'_> = record.reported(&case.config, bars);
+        let column = self.asked.column();
+        column.number(&reported).filter(|_| !column.is_bound(&reported))
+    }
+
+    /// The intervals of all lines along a key, in the grid's order. Lines are those of the grid as written:
+    /// all other keys have values that stand in the file.
+    fn intervals(&self, study: &Study, key: usize, results: &[Option<f64>]) -> Vec<Interval> {
+        let Some(scale) = Study::scale(&self.file, key) else { return Vec::new() };
+        let mut lines: Vec<(Assignments, Vec<Stop>)> = Vec::new();
+        let mut places: HashMap<String, usize> = HashMap::new();
+        for case in study.cases.iter().filter(|case| self.is_written(case, Some(key))) {
+            let value = case.assignments[key].as_ref().and_then(crate::keys::number);
+            let Some(value) = value else { continue };
+            let mut others = case.assignments.clone();
+            others[key] = None;
+            let stop = Stop { value, place: scale.place(value), result: results[case.index] };
+            let line = *places.entry(format!("{others:?}")).or_insert(lines.len());
+            if line == lines.len() {
+                lines.push((others, Vec::new()));
+            }
+            lines[line].1.push(stop);
+        }
+        let written = &self.file.grid[key].values;
+        let written: Vec<_> = written.iter().filter_map(crate::keys::number).collect();
+        let places: Vec<_> = written.iter().map(|value| scale.place(*value)).collect();
+        let of_line = |(others, mut stops): (Assignments, Vec<Stop>)| {
+            stops.sort_by(|a, b| a.place.total_cmp(&b.place));
+            let interval = |at: usize| {
+                let [left, right] = [&stops[at], &stops[at + 1]].map(|stop| stop.place);
+                let whole =
+                    places.windows(2).map(|pair| [pair[0].min(pair[1]), pair[0].max(pair[1])]);
+                let whole = whole.into_iter().find(|pair| pair[0] <= left && right <= pair[1]);
+                let whole = whole.map_or(0.0, |pair| pair[1] - pair[0]);
+                let middle = scale.value(0.5 * (left + right));
+                let mut assignments = others.clone();
+                assignments[key] = Some(toml::Value::Float(middle));
+                let inside = [&stops[at], &stops[at + 1]].iter().all(|stop| stop.value != middle);
+                let small = !inside || (right - left) * PIECES < 1.5 * whole;
+                Interval { middle: assignments, off: off(&stops, at), small }
+            };
+            (1..stops.len()).map(|at| interval(at - 1)).collect::<Vec<_>>()
+        };
+        lines.into_iter().flat_map(of_line).collect()
+    }
+}
+
+/// How far the chord between two neighbours is expected to be off, from the bend through a third point on
+/// either side: infinite where there is none at all, `None` where one of the two has no value.
+fn off(stops: &[Stop], at: usize) -> Option<f64> {
+    let point = |at: usize| {
+        let stop = stops.get(at)?;
+        Some((stop.place, stop.result?))
+    };
+    let interval = [point(at)?, point(at + 1)?];
+    if stops.len() == 2 {
+        return Some(f64::INFINITY);
+    }
+    let halves = bend::beside(interval, at.checked_sub(1).and_then(point), point(at + 2));
+    halves.iter().map(|half| bend::sagitta(interval, *half)).max_by(f64::total_cmp)
+}
+
+#[cfg(test)]
+mod tests;

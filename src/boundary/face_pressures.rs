@@ -1,0 +1,53 @@
+//! Pressures along a wall's face, from what the first ghosts behind it mirror.
+
+use super::exchange::Exchange;
+use super::ghosts::Ghosts;
+use crate::body::BodyMotion;
+use crate::math::simd::LANES;
+
+impl Exchange {
+    /// The ghost next to each point of a body's face: the nearest one that asks it whether it is wet.
+    pub(super) fn fronts(ghosts: &Ghosts) -> Vec<Option<u32>> {
+        let first = ghosts.len();
+        let mut fronts: Vec<Option<u32>> = vec![None; ghosts.target_x.len() - first];
+        for g in (0..first).filter(|&g| ghosts.volume[g] > 0.0) {
+            let Some(at) = (ghosts.face[g] as usize).checked_sub(first) else { continue };
+            let Some(front) = fronts.get_mut(at) else { continue };
+            if front.is_none_or(|other| ghosts.distance[g] < ghosts.distance[other as usize]) {
+                *front = Some(g as u32);
+            }
+        }
+        fronts
+    }
+
+    /// The water's pressure at every point of a body's face, Pa; 0 where it is dry. It is the mean around
+    /// the mirror point of the ghost next to the point, moved to the face by the weight of the water
+    /// between: p = p_m - ρ (g (y - y_m) + a (x - x_m)). It costs no interpolation of its own.
+    pub fn face_pressures(
+        &self,
+        ghosts: &Ghosts,
+        body: usize,
+        motion: &BodyMotion,
+        pressures: &mut Vec<f64>,
+    ) {
+        let rules = &self.rules;
+        let pressure = |face: usize| {
+            let wet = self.wet_share(body, face);
+            let Some(g) = self.fronts[face - ghosts.len()].filter(|_| wet > 0.0) else {
+                return 0.0;
+            };
+            let (block, lane) = (g as usize / LANES, g as usize % LANES);
+            if self.scale[block][lane] == 0.0 {
+                return 0.0;
+            }
+            let means = &self.means[block];
+            let mean = means.pressure[lane];
+            let density = rules.surface_density + mean / (rules.sound_speed * rules.sound_speed);
+            let x = ghosts.target_x[face] + motion.offset - means.x[lane];
+            let y = ghosts.target_y[face] - means.y[lane];
+            wet * (mean - density * (rules.gravity * y + motion.acceleration * x))
+        };
+        pressures.clear();
+        pressures.extend(ghosts.bodies[body].faces.clone().map(pressure));
+    }
+}

@@ -1,0 +1,128 @@
+//! `sweep` of a file with `[grid] refine`: rounds of further points, told as they come.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use super::execute::Done;
+use super::failure::{BadFile, BadInput};
+use super::output::{Output, short};
+use crate::accuracy::Refinement;
+use crate::results::{SweepError, counted, finished};
+use crate::scene::ConfigError;
+use crate::study::{Refine, Study, SweepFile};
+
+/// The study that a directory holds, with the points of all rounds that its journal has; that of the file
+/// alone where it asks for none.
+pub(super) fn study_in(directory: &Path, file: &SweepFile) -> anyhow::Result<Study> {
+    let bad = |error: ConfigError| {
+        BadInput(format!("{}: sweep_file in manifest.json: {error}", directory.display()))
+    };
+    let Some(refinement) = Refinement::of(file) else { return Ok(Study::new(file).map_err(bad)?) };
+    let records = |study: &Study| finished(directory, study).map_err(Failed::from);
+    match refinement.so_far(records) {
+        Ok(study) => Ok(study),
+        Err(Failed::File(error)) => Err(bad(error).into()),
+        Err(Failed::Journal(error)) => Err(error.into()),
+    }
+}
+
+/// Why the points of a directory cannot be found.
+enum Failed {
+    File(ConfigError),
+    Journal(SweepError),
+}
+
+impl From<ConfigError> for Failed {
+    fn from(error: ConfigError) -> Failed {
+        Failed::File(error)
+    }
+}
+
+impl From<SweepError> for Failed {
+    fn from(error: SweepError) -> Failed {
+        Failed::Journal(error)
+    }
+}
+
+/// The study of the next round, told; `None` where nothing is to be added.
+pub(super) fn next(
+    refinement: &Refinement,
+    path: &Path,
+    study: &Study,
+    done: &Done,
+    output: &Output,
+) -> anyhow::Result<Option<Study>> {
+    let next = refinement.next(study, done.directory.runs()).map_err(BadFile::of(path))?;
+    if let Some(next) = &next {
+        let (points, asked) = (next.cases.len() - study.cases.len(), &refinement.asked);
+        output.note(format_args!(
+            "{} bends by more than {} between neighbours: {} to be added",
+            asked.quantity,
+            asked.to,
+            counted(points, "point")
+        ));
+    }
+    Ok(next)
+}
+
+/// How far a finished study came, for people and for programs.
+pub(super) fn report(refinement: &Refinement, study: &Study, done: &Done) -> (String, Value) {
+    let records = done.directory.runs();
+    let round = refinement.round(study, records);
+    let next = refinement.next(study, records).ok().flatten();
+    let pending = next.map_or(0, |next| next.cases.len() - study.cases.len());
+    // Points that no scene may have stay open.
+    let open = round.open + round.points.len() - pending;
+    let (added, asked) = (refinement.count(study), &refinement.asked);
+    let limit_hit = u64::try_from(added).is_ok_and(|added| added >= asked.most);
+    let mut text = format!(
+        "{} added where {} bends; linear interpolation is expected to be within {}",
+        counted(added, "point"),
+        asked.quantity,
+        asked.to
+    );
+    if pending > 0 {
+        let points = counted(pending, "more point");
+        text.push_str(&format!(" once {points} are in: the same command goes on"));
+    }
+    match (open, round.worst) {
+        _ if pending > 0 => {}
+        (0, _) | (_, None) => text.push_str(" everywhere"),
+        (open, Some(worst)) => {
+            let open = counted(open, "interval");
+            text.push_str(&format!(" in all but {open}, the worst {} off", short(worst)));
+        }
+    }
+    if round.unknown > 0 {
+        let unknown = counted(round.unknown, "interval");
+        text.push_str(&format!("; of {unknown} nothing can be told"));
+    }
+    text.push('\n');
+    if limit_hit && open > 0 {
+        let most = asked.most;
+        text.push_str(&format!(
+            "grid.refine.most = {most} points were added: no more are allowed\n"
+        ));
+    }
+    let value = json!({
+        "quantity": asked.quantity,
+        "to": asked.to,
+        "added": added,
+        "pending": pending,
+        "most": asked.most,
+        "limit_hit": limit_hit && open > 0,
+        "open_intervals": open,
+        "unknown_intervals": round.unknown,
+        "worst": round.worst,
+    });
+    (text, value)
+}
+
+/// What `check` says of a study to which points will be added.
+pub(super) fn ahead(asked: &Refine) -> String {
+    format!(
+        "adds up to {} points, round by round, until {} is known to {} between neighbours",
+        asked.most, asked.quantity, asked.to
+    )
+}

@@ -1,0 +1,69 @@
+//! The scale of an axis: equal steps are equal differences, or equal ratios.
+
+/// How places on an axis are spread.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Equal differences.
+    Linear,
+    /// Equal ratios.
+    Log,
+}
+
+/// Positive values further apart than this stand on a logarithmic axis.
+const FAR: f64 = 100.0;
+
+impl Scale {
+    /// That of values of which nobody says more: logarithmic where all are above 0 and the largest is a
+    /// hundred times the smallest or more.
+    pub fn of(values: impl Iterator<Item = f64>) -> Scale {
+        let around = |(low, high): (f64, f64), value: f64| (low.min(value), high.max(value));
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), around);
+        if low > 0.0 && high >= FAR * low { Scale::Log } else { Scale::Linear }
+    }
+
+    /// Where a value stands.
+    pub fn place(self, value: f64) -> f64 {
+        match self {
+            Scale::Linear => value,
+            Scale::Log => libm::log10(value),
+        }
+    }
+
+    /// The value at a place, rounded as one writes it.
+    pub fn value(self, place: f64) -> f64 {
+        let value = match self {
+            Scale::Linear => place,
+            Scale::Log => libm::pow(10.0, place),
+        };
+        super::decimal::significant(value, 15)
+    }
+
+    /// Its name in files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Scale::Linear => "linear",
+            Scale::Log => "log",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn decades_are_logarithmic_and_naught_never_is() {
+        assert_eq!(Scale::of([0.01, 1.0, 10.0].into_iter()), Scale::Log);
+        assert_eq!(Scale::of([50.0, 500.0].into_iter()), Scale::Linear);
+        assert_eq!(Scale::of([0.0, 1e6].into_iter()), Scale::Linear);
+    }
+
+    #[test]
+    fn places_go_back_to_their_values() {
+        for scale in [Scale::Linear, Scale::Log] {
+            for value in [0.01, 21544.3469003188, 1e7] {
+                assert_eq!(scale.value(scale.place(value)), value, "{scale:?}");
+            }
+        }
+    }
+}

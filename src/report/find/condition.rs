@@ -1,0 +1,164 @@
+//! A condition: `force_max < 2 and runup_max <= 0.5`.
+
+use std::fmt;
+
+use super::subject::{Reading, Subject};
+use crate::report::load::Loaded;
+
+/// How a number is compared with a limit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Operator {
+    /// `<`
+    Below,
+    /// `<=`
+    AtMost,
+    /// `>`
+    Above,
+    /// `>=`
+    AtLeast,
+}
+
+/// One comparison.
+#[derive(Debug, Clone)]
+pub struct Comparison {
+    /// What is compared.
+    pub subject: Subject,
+    /// How.
+    pub operator: Operator,
+    /// With what.
+    pub limit: f64,
+}
+
+/// Whether a case meets a condition.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Verdict {
+    /// It does.
+    Met,
+    /// It does not.
+    NotMet,
+    /// Its files do not tell.
+    Unknown,
+}
+
+/// Comparisons that must all be met.
+#[derive(Debug, Clone)]
+pub struct Condition(pub Vec<Comparison>);
+
+const SHAPE: &str = "write COLUMN < NUMBER, with <, <=, > or >=, and `and` between comparisons, as in \
+                     \"force_max < 2 and runup_max < 0.5\"";
+
+impl Operator {
+    /// Longer ones before those that they begin with.
+    const ALL: [Operator; 4] =
+        [Operator::AtMost, Operator::AtLeast, Operator::Below, Operator::Above];
+
+    fn sign(self) -> &'static str {
+        match self {
+            Operator::Below => "<",
+            Operator::AtMost => "<=",
+            Operator::Above => ">",
+            Operator::AtLeast => ">=",
+        }
+    }
+
+    /// Whether small numbers meet it.
+    pub fn wants_small(self) -> bool {
+        matches!(self, Operator::Below | Operator::AtMost)
+    }
+
+    fn holds(self, value: f64, limit: f64) -> bool {
+        match self {
+            Operator::Below => value < limit,
+            Operator::AtMost => value <= limit,
+            Operator::Above => value > limit,
+            Operator::AtLeast => value >= limit,
+        }
+    }
+}
+
+impl Comparison {
+    /// Whether a case meets it. The true value of a lower bound may be anything above it.
+    pub fn verdict(&self, row: usize) -> Verdict {
+        let Reading::Value { value, bound, .. } = self.subject.readings[row] else {
+            return Verdict::Unknown;
+        };
+        match (self.operator.holds(value, self.limit), bound) {
+            (true, true) if self.operator.wants_small() => Verdict::Unknown,
+            (false, true) if !self.operator.wants_small() => Verdict::Unknown,
+            (true, _) => Verdict::Met,
+            (false, _) => Verdict::NotMet,
+        }
+    }
+
+    /// Whether a case's error bar reaches the limit.
+    pub fn is_near(&self, row: usize) -> bool {
+        match self.subject.readings[row] {
+            Reading::Value { value, bar: Some(bar), .. } => (value - self.limit).abs() <= bar,
+            _ => false,
+        }
+    }
+}
+
+impl Condition {
+    /// Reads a condition on the columns of a study.
+    ///
+    /// # Errors
+    /// In one line: a comparison that is none, a column that the study does not have, or no number.
+    pub fn read(text: &str, data: &Loaded) -> Result<Condition, String> {
+        let words: Vec<_> = text.split_whitespace().collect();
+        let parts = words.split(|word| word.eq_ignore_ascii_case("and"));
+        parts.map(|part| comparison(&part.join(" "), data)).collect::<Result<_, _>>().map(Condition)
+    }
+
+    /// Whether a case meets all comparisons: one that is not met decides, whatever is unknown.
+    pub fn verdict(&self, row: usize) -> Verdict {
+        let verdicts = || self.0.iter().map(|comparison| comparison.verdict(row));
+        if verdicts().any(|verdict| verdict == Verdict::NotMet) {
+            Verdict::NotMet
+        } else if verdicts().any(|verdict| verdict == Verdict::Unknown) {
+            Verdict::Unknown
+        } else {
+            Verdict::Met
+        }
+    }
+
+    /// Whether the error bar of one of a case's numbers reaches its limit.
+    pub fn is_near(&self, row: usize) -> bool {
+        self.0.iter().any(|comparison| comparison.is_near(row))
+    }
+}
+
+fn comparison(text: &str, data: &Loaded) -> Result<Comparison, String> {
+    let bad = |reason: &str| Err(format!("{text:?}: {reason}; {SHAPE}"));
+    if text.is_empty() {
+        return bad("a comparison is missing");
+    }
+    let found = Operator::ALL.iter().find_map(|operator| {
+        text.split_once(operator.sign()).map(|(name, limit)| (*operator, name, limit))
+    });
+    let Some((operator, name, limit)) = found else {
+        return bad("holds none of <, <=, > and >=");
+    };
+    let (name, limit) = (name.trim(), limit.trim());
+    if name.is_empty() {
+        return bad("names no column");
+    }
+    let Some(limit) = limit.parse::<f64>().ok().filter(|limit| limit.is_finite()) else {
+        let only = "the limit must be one finite number, without a unit";
+        return bad(&format!("{limit:?} is no limit: {only}"));
+    };
+    Ok(Comparison { subject: Subject::of(name, data)?, operator, limit })
+}
+
+impl fmt::Display for Comparison {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {} {}", self.subject.name, self.operator.sign(), self.limit)
+    }
+}
+
+impl fmt::Display for Condition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts: Vec<_> = self.0.iter().map(ToString::to_string).collect();
+        f.write_str(&parts.join(" and "))
+    }
+}

@@ -1,0 +1,104 @@
+//! What a condition speaks of: a column of numbers, case by case.
+
+use crate::keys::hint;
+use crate::quantities::summary::{ALL, names};
+use crate::quantities::{Column, named};
+use crate::report::load::Loaded;
+use crate::report::row::Row;
+
+/// A column of the summary, or a swept key.
+#[derive(Debug, Clone)]
+pub struct Subject {
+    /// As it stands in the summary.
+    pub name: String,
+    /// What stands in it, row by row.
+    pub readings: Vec<Reading>,
+}
+
+/// A case's number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Reading {
+    /// A value, with its error bar where it has one; the true value may lie above a bound.
+    Value {
+        /// The number.
+        value: f64,
+        /// Its error bar.
+        bar: Option<f64>,
+        /// Whether it is only a lower bound.
+        bound: bool,
+    },
+    /// The case has no such number.
+    Missing,
+    /// The case failed.
+    Failed,
+}
+
+impl Subject {
+    /// The column of that name.
+    ///
+    /// # Errors
+    /// A name that no column has, a column of words.
+    pub fn of(name: &str, data: &Loaded) -> Result<Subject, String> {
+        let key = data.keys.iter().find(|key| key.name == name);
+        let (column, maximum) = (named(name), with_time(name));
+        let reading = |(at, row): (usize, &Row)| {
+            let plain = |value: Option<f64>| value.map(|value| (value, None, false));
+            let number = match (key, column, maximum) {
+                (Some(key), ..) => return plain(key.cells[at].parse().ok()),
+                (_, Some(column), _) => row
+                    .number(column)
+                    .map(|value| (value, row.error(column).map(f64::abs), row.is_bound(column))),
+                (.., Some(maximum)) => plain(row.time(maximum)),
+                _ => None,
+            };
+            number.filter(|_| row.is_ok())
+        };
+        let words = column.is_some_and(|column| !column.is_number())
+            || key.is_some_and(|key| key.cells.iter().any(|cell| is_word(cell)));
+        if words {
+            return Err(format!("{name}: holds words; a condition needs a column of numbers"));
+        }
+        if key.is_none() && column.is_none() && maximum.is_none() {
+            return Err(unknown(name, data));
+        }
+        let told = |(at, row): (usize, &Row)| match reading((at, row)) {
+            Some((value, bar, bound)) => Reading::Value { value, bar, bound },
+            None if row.is_ok() => Reading::Missing,
+            None => Reading::Failed,
+        };
+        let readings = data.rows.iter().enumerate().map(told).collect();
+        Ok(Subject { name: name.to_owned(), readings })
+    }
+
+    /// A case's value, bounds left out.
+    pub fn exact(&self, row: usize) -> Option<f64> {
+        match self.readings[row] {
+            Reading::Value { value, bound: false, .. } => Some(value),
+            _ => None,
+        }
+    }
+
+    /// A case's error bar.
+    pub fn bar(&self, row: usize) -> Option<f64> {
+        match self.readings[row] {
+            Reading::Value { bar, .. } => bar,
+            _ => None,
+        }
+    }
+}
+
+fn is_word(cell: &str) -> bool {
+    !cell.is_empty() && cell.parse::<f64>().is_err()
+}
+
+/// The maximum whose time stands in a column.
+fn with_time(name: &str) -> Option<&'static Column> {
+    ALL.iter().copied().find(|column| column.time_name().as_deref() == Some(name))
+}
+
+fn unknown(name: &str, data: &Loaded) -> String {
+    let numbers = names().filter(|name| named(name).is_none_or(Column::is_number));
+    let known: Vec<_> = data.keys.iter().map(|key| key.name.clone()).chain(numbers).collect();
+    let hint = hint(name, &known);
+    format!("{name}: no column of numbers has this name{hint} (`seawall explain` lists all)")
+}

@@ -1,0 +1,162 @@
+use serde_json::json;
+
+use super::*;
+use crate::quantities::Column;
+use crate::quantities::summary::{
+    DISPLACEMENT_MAX, DISPLACEMENT_TRUNCATED, FORCE_MAX, FORCE_MAX_ERROR, RUNUP_MAX, STATUS,
+};
+use crate::report::row::Row;
+use crate::report::study::Key;
+
+/// A study over one key, its rows made by a function of the key's value.
+fn study(name: &str, grid: &str, values: &[f64], row: impl Fn(f64) -> Row) -> Loaded {
+    let cells = values.iter().map(f64::to_string).collect();
+    let file = format!("name = \"a\"\n[grid]\n{name} = {grid}");
+    Loaded {
+        rows: values.iter().map(|value| row(*value).with(&STATUS, "ok")).collect(),
+        manifest: Some(json!({ "sweep_file": file, "overrides": [] })),
+        keys: vec![Key { name: name.to_owned(), cells }],
+        ..Loaded::default()
+    }
+}
+
+const MASS: &str = "seawall_mass_kg_per_m";
+const STIFFNESS: &str = "spring_stiffness_n_per_m";
+
+fn ids(data: &Loaded, text: &str) -> Vec<usize> {
+    find(text, data).unwrap().rows(Verdict::Met).collect()
+}
+
+fn with(column: &'static Column, f: impl Fn(f64) -> f64) -> impl Fn(f64) -> Row {
+    move |x| Row::default().with(column, f(x))
+}
+
+#[test]
+fn every_operator_picks_its_cases() {
+    let data = study(MASS, "[]", &[1.0, 2.0, 3.0], with(&FORCE_MAX, |x| x));
+    assert_eq!(ids(&data, "force_max < 2"), [0]);
+    assert_eq!(ids(&data, "force_max<=2"), [0, 1]);
+    assert_eq!(ids(&data, "force_max > 2"), [2]);
+    assert_eq!(ids(&data, "force_max >= 2"), [1, 2]);
+    assert_eq!(ids(&data, "force_max > 1 AND seawall_mass_kg_per_m < 2.5"), [1]);
+}
+
+#[test]
+fn bad_conditions_are_told() {
+    let data = study(MASS, "[]", &[1.0, 2.0], with(&FORCE_MAX, |x| x));
+    let bad = [
+        ("force_mx < 2", "force_mx: no column of numbers has this name; did you mean force_max?"),
+        ("colour < 2", "colour: no column of numbers has this name (`seawall explain` lists all)"),
+        ("status < 2", "status: holds words; a condition needs a column of numbers"),
+        (
+            "force_max = 2",
+            "\"force_max = 2\": holds none of <, <=, > and >=; write COLUMN < NUMBER",
+        ),
+        ("force_max < 2 kN", "\"force_max < 2 kN\": \"2 kN\" is no limit: the limit must be one"),
+        ("force_max < nan", "\"force_max < nan\": \"nan\" is no limit"),
+        ("2 < force_max", "\"2 < force_max\": \"force_max\" is no limit"),
+        ("force_max < 2 and", "\"\": a comparison is missing"),
+        ("", "\"\": a comparison is missing"),
+        ("< 2", "\"< 2\": names no column"),
+    ];
+    for (text, message) in bad {
+        let told = find(text, &data).unwrap_err();
+        assert!(told.starts_with(message), "{told:?} should start with {message:?}");
+    }
+}
+
+#[test]
+fn boundaries_of_smooth_curves_lie_within_their_range() {
+    let places: Vec<f64> = (0..9).map(|i| 10_f64.powf(f64::from(i) * 0.5)).collect();
+    let curves: [fn(f64) -> f64; 3] =
+        [|s| libm::tanh(s - 2.1), |s| libm::exp(0.5 * s), |s| 3.0 - 0.3 * s - 0.1 * s * s * s];
+    for curve in curves {
+        let value = |x: f64| curve(libm::log10(x));
+        let range = "{ from = 1, to = 1e4, points = 9, spacing = \"log\" }";
+        let data = study(STIFFNESS, range, &places, with(&FORCE_MAX, value));
+        for exact in [0.61_f64, 1.25, 2.2, 2.75, 3.4] {
+            let limit = curve(exact);
+            let found = find(&format!("force_max < {limit}"), &data).unwrap();
+            let [one] = &found.boundaries[..] else { panic!("{:?}", found.boundaries) };
+            let exact = 10_f64.powf(exact);
+            let [low, high] = one.between;
+            assert_eq!(one.basis, Basis::Bend);
+            assert!(low <= exact && exact <= high, "{exact} not in {low} to {high}");
+            assert!(libm::log10(high / low) < 0.25, "{low} to {high} is of no use");
+        }
+    }
+}
+
+#[test]
+fn a_straight_line_is_crossed_where_it_is_and_no_further() {
+    let data = study(MASS, "[1, 2, 4, 5]", &[1.0, 2.0, 4.0, 5.0], with(&FORCE_MAX, |x| 3.0 * x));
+    let found = find("force_max > 7.5", &data).unwrap();
+    let [one] = &found.boundaries[..] else { panic!("{:?}", found.boundaries) };
+    assert!(one.met_above && one.at == Some(2.5) && one.between == [2.5, 2.5], "{one:?}");
+}
+
+#[test]
+fn error_bars_widen_the_range_by_what_they_are_worth() {
+    let row = |x: f64| with(&FORCE_MAX, |x| 2.0 * x)(x).with(&FORCE_MAX_ERROR, 0.3);
+    let data = study(MASS, "[1, 2, 3]", &[1.0, 2.0, 3.0], row);
+    let found = find("force_max < 4.5", &data).unwrap();
+    let one = &found.boundaries[0];
+    assert!((one.between[0] - 2.1).abs() < 1e-12 && (one.between[1] - 2.4).abs() < 1e-12);
+    assert!(!found.condition.is_near(1));
+    assert!(find("force_max < 4.2", &data).unwrap().condition.is_near(1), "by 0.2 only");
+    let near = &find("force_max < 4.2", &data).unwrap().boundaries[0];
+    assert!(near.between[0] < 2.0, "the second case may be on either side: {near:?}");
+}
+
+#[test]
+fn a_lower_bound_short_of_the_limit_proves_nothing() {
+    let row =
+        |x: f64| with(&DISPLACEMENT_MAX, |x| 4.0 - x)(x).with(&DISPLACEMENT_TRUNCATED, x < 1.5);
+    let data = study(MASS, "[1, 2, 3]", &[1.0, 2.0, 3.0], row);
+    let verdicts = |text: &str| find(text, &data).unwrap().verdicts;
+    use Verdict::{Met, NotMet, Unknown};
+    assert_eq!(verdicts("displacement_max < 2.5"), [NotMet, Met, Met]);
+    assert_eq!(verdicts("displacement_max < 3.5"), [Unknown, Met, Met], "3 is a bound");
+    assert_eq!(verdicts("displacement_max > 2.5"), [Met, NotMet, NotMet]);
+    assert_eq!(verdicts("displacement_max > 3.5"), [Unknown, NotMet, NotMet]);
+    let found = find("displacement_max < 3.5", &data).unwrap();
+    assert_eq!(found.why(0), "a lower bound, short of the limit");
+    let open = &found.boundaries[0];
+    assert!(open.met_above && open.at.is_none() && open.basis == Basis::Gap, "{open:?}");
+    let beyond = &find("displacement_max < 2.5", &data).unwrap().boundaries[0];
+    assert_eq!((beyond.at, beyond.basis, beyond.between), (None, Basis::LowerBound, [1.0, 2.0]));
+}
+
+#[test]
+fn failed_and_missing_cases_leave_a_gap() {
+    let mut data = study(MASS, "[1, 2, 3, 4]", &[1.0, 2.0, 3.0, 4.0], with(&FORCE_MAX, |x| x));
+    data.rows[1] = Row::default().with(&STATUS, "failed");
+    let found = find("force_max < 2.5 and runup_max < 1", &data).unwrap();
+    assert_eq!(found.why(1), "failed");
+    assert_eq!(found.why(0), "has no such value");
+    assert_eq!(found.verdicts[3], Verdict::NotMet, "whatever its runup");
+    let found = find("force_max < 2.5", &data).unwrap();
+    let one = &found.boundaries[0];
+    assert_eq!((one.at, one.basis, one.between), (None, Basis::Gap, [1.0, 3.0]));
+    assert!(!one.met_above);
+}
+
+#[test]
+fn two_conditions_leave_a_strip_even_between_cases_that_miss_it() {
+    let row = |x: f64| with(&FORCE_MAX, |x| x)(x).with(&RUNUP_MAX, 10.0 - x);
+    let data = study(MASS, "[0, 10]", &[0.0, 10.0], row);
+    let found = find("force_max > 4 and runup_max > 3.5", &data).unwrap();
+    assert!(found.verdicts.iter().all(|verdict| *verdict == Verdict::NotMet));
+    let ends: Vec<_> = found.boundaries.iter().map(|one| (one.met_above, one.at)).collect();
+    assert_eq!(ends, [(true, Some(4.0)), (false, Some(6.5))]);
+    assert!(find("force_max > 7 and runup_max > 3.5", &data).unwrap().boundaries.is_empty());
+    let basis = found.boundaries[0].basis;
+    assert_eq!((basis, found.boundaries[0].between), (Basis::TwoCases, [0.0, 10.0]));
+}
+
+#[test]
+fn a_limit_on_the_axis_itself_is_where_it_is() {
+    let data = study(STIFFNESS, "[1, 10, 1000]", &[1.0, 10.0, 1e3], with(&FORCE_MAX, |x| x));
+    let one = &find("spring_stiffness_n_per_m < 50", &data).unwrap().boundaries[0];
+    assert_eq!((one.at, one.basis, one.between), (Some(50.0), Basis::Exact, [50.0; 2]));
+}

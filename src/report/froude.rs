@@ -1,0 +1,216 @@
+//! Results at the size of a prototype, by Froude's law: lengths λ, times √λ, pressures λ, forces per
+//! metre λ², moments per metre λ³, with the same gravity and density.
+
+use std::str::FromStr;
+
+use toml::{Table as Toml, Value};
+
+use super::config::configs;
+use super::error::ReportError;
+use super::load::Loaded;
+use super::row::Row;
+use super::tables::Table;
+use crate::keys::number;
+use crate::quantities::Column;
+use crate::quantities::summary::{
+    CASE_ID, DISPLACEMENT_MAX, DISPLACEMENT_TRUNCATED, FIRST_FORCE_MAX, FIRST_IMPULSE,
+    FIRST_MOMENT_MAX, FIRST_RUNUP_MAX, FORCE_MAX, MOMENT_MAX, RISE_TIME, RUNUP_MAX,
+    SPRING_FORCE_MAX,
+};
+use crate::theory::hydrostatics::wall_force;
+
+/// How many times as long as the tank the prototype is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Froude(f64);
+
+impl FromStr for Froude {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Froude, String> {
+        let scale = text.strip_prefix("1:").unwrap_or(text).parse::<f64>().ok();
+        let scale = scale.filter(|scale| scale.is_finite() && *scale > 0.0);
+        let allowed = "must be a number above 0: 20 makes of every metre of the tank 20 m";
+        scale.map(Froude).ok_or_else(|| allowed.to_owned())
+    }
+}
+
+/// A quantity that is scaled: its column, its unit in the tank, and how it grows.
+struct Scaled {
+    column: &'static Column,
+    /// Its name with the unit of the prototype.
+    name: &'static str,
+    unit: fn(&Water) -> f64,
+    power: f64,
+}
+
+/// What the tank counts by, in SI units.
+struct Water {
+    /// Density and gravity.
+    weight: f64,
+    gravity: f64,
+    /// Depth of the still water, and that at the wall, by which forces count.
+    depth: f64,
+    at_wall: f64,
+}
+
+impl Water {
+    /// Of a case's scene; `None` where it is no seawall.
+    fn of(scene: &Toml) -> Option<Water> {
+        let value = |key: &str| scene.get(key).and_then(number);
+        let (depth, gravity) = (value("still_water_depth_m")?, value("gravity_m_per_s2")?);
+        let bed = scene.get("bed").and_then(Value::as_array).and_then(|points| points.last());
+        let toe = bed.and_then(Value::as_array).and_then(|point| number(point.get(1)?));
+        let at_wall = Some(depth - toe.unwrap_or(0.0)).filter(|depth| *depth > 0.0);
+        let weight = gravity * value("water_density_kg_per_m3")?;
+        Some(Water { weight, gravity, depth, at_wall: at_wall.unwrap_or(depth) })
+    }
+
+    /// Newtons per metre in F* = 1.
+    fn force(&self) -> f64 {
+        wall_force(self.at_wall, self.weight, 1.0)
+    }
+}
+
+const KILO: f64 = 1e-3;
+
+/// Kilonewtons per metre.
+const fn force(column: &'static Column, name: &'static str) -> Scaled {
+    Scaled { column, name, unit: |water| KILO * water.force(), power: 2.0 }
+}
+
+/// Metres.
+const fn length(column: &'static Column, name: &'static str) -> Scaled {
+    Scaled { column, name, unit: |water| water.depth, power: 1.0 }
+}
+
+/// Kilonewton metres per metre.
+const fn moment(column: &'static Column, name: &'static str) -> Scaled {
+    Scaled { column, name, unit: |water| KILO * water.force() * water.at_wall / 3.0, power: 3.0 }
+}
+
+const SCALED: [Scaled; 10] = [
+    force(&FIRST_FORCE_MAX, "first_force_max_kn_per_m"),
+    force(&FORCE_MAX, "force_max_kn_per_m"),
+    moment(&FIRST_MOMENT_MAX, "first_moment_max_kn_m_per_m"),
+    moment(&MOMENT_MAX, "moment_max_kn_m_per_m"),
+    Scaled {
+        column: &FIRST_IMPULSE,
+        name: "first_impulse_kn_s_per_m",
+        unit: |water| KILO * water.force() * (water.depth / water.gravity).sqrt(),
+        power: 2.5,
+    },
+    Scaled { column: &RISE_TIME, name: "rise_time_s", unit: |_| 1.0, power: 0.5 },
+    length(&FIRST_RUNUP_MAX, "first_runup_max_m"),
+    length(&RUNUP_MAX, "runup_max_m"),
+    length(&DISPLACEMENT_MAX, "displacement_max_m"),
+    force(&SPRING_FORCE_MAX, "spring_force_max_kn_per_m"),
+];
+
+impl Froude {
+    /// The names of its tables.
+    pub const TABLES: [&str; 2] = ["prototype", "prototype_envelope"];
+
+    /// As it is written: `1:20`.
+    pub fn words(self) -> String {
+        format!("1:{}", self.0)
+    }
+
+    fn grown(self, value: f64, power: f64) -> f64 {
+        value * libm::pow(self.0, power)
+    }
+
+    /// The maxima and the envelopes of all finished cases at the size of the prototype; none where the
+    /// directory does not tell how its tanks were.
+    pub fn tables(self, data: &Loaded) -> Result<Vec<Table>, ReportError> {
+        let configs = configs(data);
+        let (mut maxima, mut envelope) = (Vec::new(), Vec::new());
+        for (row, config) in data.rows.iter().zip(&configs).filter(|(row, _)| row.is_ok()) {
+            let Some(water) = config.as_ref().and_then(|config| Water::of(&config.scene)) else {
+                continue;
+            };
+            let head = || [row.text(&CASE_ID).to_owned(), row.words(), self.words()].into_iter();
+            let pressed = data.envelope(row.text(&CASE_ID))?;
+            let most = pressed.iter().map(|at| at.pressure_max_pa).max_by(f64::total_cmp);
+            let depth = self.grown(water.depth, 1.0);
+            let numbers = [Some(depth), most.map(|most| KILO * self.grown(most, 1.0))].into_iter();
+            let numbers = numbers.chain(SCALED.iter().map(|one| self.number(one, row, &water)));
+            let bound = row.text(&DISPLACEMENT_TRUNCATED).to_owned();
+            maxima.push(head().chain(numbers.map(cell)).chain([bound]).collect());
+            envelope.extend(pressed.iter().map(|at| {
+                let pressures = [Some(at.pressure_max_pa), at.first_pressure_max_pa];
+                let kilo = pressures.map(|one| one.map(|one| KILO * self.grown(one, 1.0)));
+                let height = Some(self.grown(at.height_m, 1.0));
+                head().chain([height].into_iter().chain(kilo).map(cell)).collect()
+            }));
+        }
+        let title = format!("At the size of the prototype, Froude scale {}", self.words());
+        let first = [CASE_ID.name, "case", "froude_scale"];
+        let sizes = ["still_water_depth_m", "pressure_max_kpa"];
+        let columns = sizes.into_iter().chain(SCALED.iter().map(|one| one.name));
+        let bound = [DISPLACEMENT_TRUNCATED.name];
+        let columns: Vec<_> = first.into_iter().chain(columns).chain(bound).collect();
+        let heights = ["height_m", "pressure_max_kpa", "first_pressure_max_kpa"];
+        let heights = [&first[..], &heights].concat();
+        let tables = [
+            Table::new(Froude::TABLES[0], &title, &columns, maxima),
+            Table::new(Froude::TABLES[1], &title, &heights, envelope),
+        ];
+        Ok(tables.into_iter().filter(|table| !table.rows.is_empty()).collect())
+    }
+
+    fn number(self, scaled: &Scaled, row: &Row, water: &Water) -> Option<f64> {
+        let value = row.number(scaled.column)?;
+        Some(self.grown(value * (scaled.unit)(water), scaled.power))
+    }
+}
+
+/// Six digits are more than any of these is known to.
+fn cell(value: Option<f64>) -> String {
+    let told = |value| crate::math::decimal::significant(value, 6).to_string();
+    value.map(told).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn scales_are_numbers_above_naught() {
+        assert_eq!("20".parse(), Ok(Froude(20.0)));
+        assert_eq!("1:20".parse(), Ok(Froude(20.0)));
+        for bad in ["0", "-1", "nan", "inf", "twenty", "20:1"] {
+            let told = bad.parse::<Froude>().unwrap_err();
+            assert!(told.starts_with("must be a number above 0"), "{told}");
+        }
+    }
+
+    #[test]
+    fn still_water_has_the_hydrostatics_of_the_prototype() {
+        let file = "name = \"a\"\n[scene]\nwave_height_ratio = 0\nend_time_s = 1";
+        let row = [(&FORCE_MAX, 1.0), (&MOMENT_MAX, 1.0), (&RUNUP_MAX, 0.5), (&RISE_TIME, 0.1)];
+        let row =
+            row.into_iter().fold(Row::default(), |row, (column, value)| row.with(column, value));
+        let row = row.with(&crate::quantities::summary::STATUS, "ok");
+        let manifest = Some(json!({ "sweep_file": file, "overrides": [] }));
+        let data = Loaded { rows: vec![row], manifest, ..Loaded::default() };
+        let tables = Froude(20.0).tables(&data).unwrap();
+        let [table] = &tables[..] else { panic!("{tables:?}") };
+        assert!(table.title.ends_with("Froude scale 1:20"));
+        let value = |name: &str| {
+            let at = table.header.iter().position(|column| column == name).unwrap();
+            table.rows[0][at].parse::<f64>().unwrap()
+        };
+        // Water 4 m deep: ρgh²/2 = 78.48 kN/m, ρgh³/6 = 104.64 kN m/m.
+        for (name, exact) in [
+            ("still_water_depth_m", 4.0),
+            ("force_max_kn_per_m", 78.48),
+            ("moment_max_kn_m_per_m", 104.64),
+            ("runup_max_m", 2.0),
+            ("rise_time_s", 0.1 * 20.0_f64.sqrt()),
+        ] {
+            assert!((value(name) / exact - 1.0).abs() < 1e-5, "{name}: {}", value(name));
+        }
+        assert!(Froude(20.0).tables(&Loaded::default()).unwrap().is_empty());
+    }
+}

@@ -1,0 +1,124 @@
+//! The largest pressures up the wall, of a few cases.
+
+use super::axes::Axis;
+use super::chart::{Chart, Curve};
+use super::legend::Entry;
+use super::look::Look;
+use super::sheet::{Drawing, PANELS};
+use super::{Figure, SERIES};
+use crate::quantities::envelope::{FIRST_PRESSURE_MAX, HEIGHT, PRESSURE_MAX};
+use crate::quantities::summary::{CASE_ID, FIRST_FORCE_MAX, FORCE_MAX, WAVE_HEIGHT_RATIO};
+use crate::report::curves::{distinct, spread};
+use crate::report::error::ReportError;
+use crate::report::load::Loaded;
+use crate::report::row::Row;
+use crate::report::series::Pressed;
+
+/// A case and its envelope.
+type Case<'a> = (&'a Row, Vec<Pressed>);
+
+/// The figure; none where no case has an envelope.
+pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
+    let mut cases: Vec<Case<'_>> = Vec::new();
+    for row in chosen(data) {
+        let envelope = data.envelope(row.text(&CASE_ID))?;
+        if envelope.len() > 1 {
+            cases.push((row, envelope));
+        }
+    }
+    if cases.is_empty() {
+        return Ok(Vec::new());
+    }
+    let which = match distinct(data.finished(), &WAVE_HEIGHT_RATIO).len() {
+        0 | 1 => "from the largest force to the least",
+        _ => "of a wave that of the largest force",
+    };
+    let shown = match data.finished().count() {
+        all if all > cases.len() => format!(
+            " Shown are {} of {all} cases, {which}; all are in tables/pressure_envelope.csv.",
+            cases.len()
+        ),
+        _ => String::new(),
+    };
+    Ok(vec![Figure {
+        name: "pressure-envelope".to_owned(),
+        title: "Largest pressure up the wall".to_owned(),
+        caption: format!(
+            "The largest pressure at each height of the wall, of the first impact and of the whole run, \
+             each when it was largest there: running means, without what a hit on the stop drowns.{shown}"
+        ),
+        drawing: drawing(&cases),
+    }])
+}
+
+/// Of every wave the case of the largest force; of a single wave some cases, from the largest force to the
+/// least.
+fn chosen(data: &Loaded) -> Vec<&Row> {
+    let force = |row: &Row| row.number(&FIRST_FORCE_MAX).or_else(|| row.number(&FORCE_MAX));
+    let mut rows: Vec<_> = data.finished().collect();
+    rows.sort_by(|a, b| force(b).unwrap_or(0.0).total_cmp(&force(a).unwrap_or(0.0)));
+    let waves = distinct(rows.iter().copied(), &WAVE_HEIGHT_RATIO);
+    if waves.len() > 1 {
+        let of = |wave: &f64| {
+            rows.iter().copied().find(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(*wave))
+        };
+        rows = waves.iter().filter_map(of).collect();
+    }
+    spread(&rows, SERIES)
+}
+
+fn drawing(cases: &[Case<'_>]) -> Drawing {
+    let chart = |first: bool| {
+        let curve = |(index, (row, envelope)): (usize, &Case<'_>)| {
+            let words = if row.words().is_empty() { "pressure".to_owned() } else { row.words() };
+            let pressure = |at: &Pressed| {
+                if first { at.first_pressure_max_pa } else { Some(at.pressure_max_pa) }
+            };
+            let points = envelope.iter().filter_map(|at| Some((1e-3 * pressure(at)?, at.height_m)));
+            let key = format!("case={}", row.text(&CASE_ID));
+            let entry = Entry::line(words, Look::of(index)).keyed(key);
+            Curve { entry, points: points.map(Into::into).collect() }
+        };
+        let curves: Vec<_> = cases.iter().enumerate().map(curve).collect();
+        let points = || curves.iter().flat_map(|curve| &curve.points);
+        let x = Axis::around(points().map(|point| point.x).chain([0.0]), 4.0)?;
+        let y = Axis::around(points().map(|point| point.y).chain([0.0]), 5.0)?;
+        points().next()?;
+        let (heading, name) = match first {
+            true => ("first impact", FIRST_PRESSURE_MAX.name),
+            false => ("whole run", PRESSURE_MAX.name),
+        };
+        let axes = ((x, "p, kPa", name), (y, "height, m", HEIGHT.name));
+        Some(Chart::new(axes.0, axes.1, curves).under(heading.to_owned(), String::new()))
+    };
+    Drawing::new([true, false].into_iter().filter_map(chart).collect(), PANELS)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::fixture;
+
+    #[test]
+    fn envelopes_are_drawn_where_there_are_files_of_them() {
+        let directory = fixture::sweep();
+        let data = Loaded::read(directory.path()).unwrap();
+        assert!(figures(&data).unwrap().is_empty());
+        let folder = directory.path().join("envelopes");
+        std::fs::create_dir(&folder).unwrap();
+        let rows = "height_m,pressure_max_pa,first_pressure_max_pa\n0.004,3000,2900\n0.1,1500,\n";
+        for row in data.finished() {
+            std::fs::write(folder.join(format!("{}.csv", row.text(&CASE_ID))), rows).unwrap();
+        }
+        let figure = figures(&data).unwrap().remove(0);
+        assert!(figure.caption.contains("Shown are 2 of 11 cases"), "{}", figure.caption);
+        let svg = figure.svg();
+        for word in ["p, kPa", "height, m", "first impact", "whole run"] {
+            assert!(svg.contains(word), "{word}");
+        }
+        let table = crate::report::tables::all(&data).unwrap();
+        let table = table.iter().find(|table| table.name == "pressure_envelope").unwrap();
+        assert_eq!(table.rows.len(), 2 * 11);
+        assert_eq!(table.rows[1][2..], ["0.1", "1500", ""]);
+    }
+}

@@ -1,0 +1,59 @@
+//! A study with points beside those of its file's grid.
+
+use std::collections::BTreeSet;
+
+use toml::Value;
+
+use super::Study;
+use super::case::Case;
+use super::file::SweepFile;
+use super::grid;
+use crate::math::scale::Scale;
+use crate::scene::ConfigError;
+
+/// Values of the swept keys of one case, as in [`Case::assignments`].
+pub type Assignments = Vec<Option<Value>>;
+
+impl Study {
+    /// The study of a file with further points, all in the order of the grid. Points that no scene may have
+    /// and those that are there already are left out. It keeps the identity of the file's study, so that
+    /// its directory takes them all.
+    ///
+    /// # Errors
+    /// Those of the file itself.
+    pub fn with_points(file: &SweepFile, points: &[Assignments]) -> Result<Study, ConfigError> {
+        let study = Study::new(file)?;
+        if points.is_empty() {
+            return Ok(study);
+        }
+        let mut cases = grid::expand(file)?;
+        let mut known: BTreeSet<_> = cases.iter().map(|case| case.id).collect();
+        for point in points {
+            let case = grid::case_at(file, point);
+            cases.extend(case.ok().filter(|case| known.insert(case.id)));
+        }
+        let position = |case: &Case| {
+            let places = file.grid.iter().zip(&case.assignments);
+            let places =
+                places.map(|(axis, value)| value.as_ref().map_or(-1.0, |v| axis.position(v)));
+            places.collect::<Vec<_>>()
+        };
+        let mut placed: Vec<_> = cases.into_iter().map(|case| (position(&case), case)).collect();
+        placed.sort_by(|a, b| {
+            let pairs = a.0.iter().zip(&b.0);
+            pairs
+                .map(|(a, b)| a.total_cmp(b))
+                .find(|one| one.is_ne())
+                .unwrap_or(a.1.index.cmp(&b.1.index))
+        });
+        let cases = placed.into_iter().enumerate();
+        let cases = cases.map(|(index, (_, case))| Case { index, ..case }).collect();
+        Ok(Study { identity: study.identity.clone(), ..Study::of_file(file, cases) })
+    }
+
+    /// The scale of a swept key of numbers; `None` of any other.
+    pub fn scale(file: &SweepFile, key: usize) -> Option<Scale> {
+        let axis = file.grid.get(key)?;
+        axis.numbers().map(|_| axis.scale)
+    }
+}

@@ -1,0 +1,95 @@
+//! `seawall find`: the part of a study that meets a condition, from the files of a real one.
+
+mod common;
+
+use std::fs;
+use std::path::Path;
+
+use common::{expect_code, run, write_file};
+use serde_json::Value;
+
+const STUDY: &str = r#"
+name = "soft"
+[scene]
+tank_length_m = 1.0
+wave_gauge_m = 0.5
+end_after_stroke_centre_s = 1.2
+wall = "movable"
+seawall_mass_kg_per_m = 50
+wave_height_ratio = 0.5
+[numerics]
+particle_spacing_m = 0.025
+[grid]
+spring_stiffness_n_per_m = { from = 1e2, to = 1e6, points = 5, spacing = "log" }
+"#;
+
+fn find(out: &Path, condition: &str) -> Value {
+    let output = run(&["find", out.to_str().unwrap(), condition, "--format", "json"]);
+    expect_code(&output, 0);
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn refused(out: &Path, condition: &str) -> String {
+    let output = run(&["find", out.to_str().unwrap(), condition]);
+    expect_code(&output, 2);
+    assert!(output.stdout.is_empty());
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+#[test]
+fn a_condition_is_met_by_the_cases_of_the_summary_that_meet_it() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), STUDY);
+    let out = root.path().join("out");
+    expect_code(&run(&["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()]), 0);
+    let mut reader = csv::Reader::from_path(out.join("summary.csv")).unwrap();
+    let header = reader.headers().unwrap().clone();
+    let place = header.iter().position(|name| name == "first_force_max").unwrap();
+    let cell = |row: csv::Result<csv::StringRecord>| row.unwrap()[place].parse::<f64>().unwrap();
+    let forces: Vec<_> = reader.records().map(cell).collect();
+    assert_eq!(forces.len(), 5);
+    let (least, most) = (forces[0], forces[4]);
+    assert!(most > least + 0.1, "{forces:?}");
+    let limit = 0.5 * (least + most);
+
+    let found = find(&out, &format!("first_force_max < {limit}"));
+    let expected = forces.iter().filter(|force| **force < limit).count();
+    assert_eq!(found["met"].as_u64(), Some(expected as u64));
+    assert_eq!(found["meeting"].as_array().unwrap().len(), expected);
+    let ends = found["boundaries"].as_array().unwrap();
+    assert!(!ends.is_empty());
+    for end in ends {
+        assert_eq!(
+            (end["key"].as_str(), end["scale"].as_str()),
+            (Some("spring_stiffness_n_per_m"), Some("log"))
+        );
+        let [from, at, to] = ["from", "at", "to"].map(|name| end[name].as_f64().unwrap());
+        assert!(1e2 <= from && from <= at && at <= to && to <= 1e6, "{end}");
+        assert_eq!(end["basis"], "bend");
+    }
+
+    let text = run(&["find", out.to_str().unwrap(), "first_force_max > 1"]);
+    expect_code(&text, 0);
+    let text = String::from_utf8_lossy(&text.stdout).into_owned();
+    assert!(text.starts_with("5 of 5 cases meet first_force_max > 1"), "{text}");
+
+    let told = refused(&out, "first_force_mx < 2");
+    assert!(told.contains("did you mean first_force_max?"), "{told}");
+    let told = refused(&out, "first_force_max == 2");
+    assert!(told.contains("write COLUMN < NUMBER"), "{told}");
+
+    // A study with a case that has not come to its end.
+    let path = out.join("summary.csv");
+    let summary = fs::read_to_string(&path).unwrap();
+    let shorter = summary.trim_end().rsplit_once('\n').unwrap().0;
+    fs::write(&path, format!("{shorter}\n")).unwrap();
+    let told = refused(&out, "first_force_max < 2");
+    assert!(told.contains("the study is not finished, 1 case left"), "{told}");
+}
+
+#[test]
+fn a_directory_without_a_study_is_told() {
+    let root = tempfile::tempdir().unwrap();
+    let told = refused(root.path(), "force_max < 2");
+    assert!(told.contains("holds no summary.csv"), "{told}");
+}
