@@ -111,6 +111,9 @@ fn a_launcher_that_loses_codes_changes_none() {
     let loses = "\"$true_mpirun\" \"$@\"; exit 0";
     let room = Room::new(TINY);
     expect_code(&room.script_under(loses).output().unwrap(), 0);
+    let room = Room::new(&format!("{TINY}\n[limits]\nsteps = 10\n"));
+    expect_code(&room.script_under(loses).output().unwrap(), 1);
+    expect_code(&run(&["status", room.out.to_str().unwrap(), "--exit-code"]), 1);
     let room = Room::new("name = \"a\"\n[gird]\n");
     expect_code(&room.script_under(loses).output().unwrap(), 2);
     let room = Room::new(LONG);

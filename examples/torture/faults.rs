@@ -7,6 +7,7 @@ use std::thread::sleep;
 
 use anyhow::{Context, Result};
 
+use super::calls;
 use super::study::{Study, code, told, wait};
 
 /// A fault and how it is caused, given a trial's number and its share of all trials.
@@ -30,7 +31,7 @@ pub struct Outcome {
     pub verdict: Verdict,
 }
 
-pub const FAULTS: [Fault; 12] = [
+pub const FAULTS: [Fault; 16] = [
     Fault {
         name: "kill",
         what: "kill -9 at any moment",
@@ -70,11 +71,27 @@ pub const FAULTS: [Fault; 12] = [
         what: "the journal cut off",
         cause: |s, _, at| cut(s, "journal.jsonl", at),
     },
+    Fault {
+        name: "write",
+        what: "a `write` that fails, the disk being full",
+        cause: |s, _, at| calls::failing(s, "write", "ENOSPC", at),
+    },
+    Fault {
+        name: "fsync",
+        what: "an `fsync` that fails",
+        cause: |s, _, at| calls::failing(s, "fsync", "EIO", at),
+    },
+    Fault {
+        name: "rename",
+        what: "a `rename` that fails",
+        cause: |s, _, at| calls::failing(s, "rename", "EIO", at),
+    },
+    Fault { name: "rank", what: "kill -9 of one of three MPI ranks", cause: rank_killed },
     Fault { name: "fresh", what: "four `--fresh` at once", cause: |s, _, _| at_once(s) },
 ];
 
 /// The outcome once a user has given the same command again after `first`.
-fn resumed(study: &Study, out: &Path, first: &Output) -> Result<Outcome> {
+pub fn resumed(study: &Study, out: &Path, first: &Output) -> Result<Outcome> {
     let again = study.sweep(out, &[])?;
     let verdict = match again.status.code() {
         Some(0) if study.results(out)? == study.undisturbed => Verdict::Whole,
@@ -110,6 +127,25 @@ fn killed_often(study: &Study, at: f64) -> Result<Outcome> {
         last = Some(child.wait_with_output()?);
     }
     resumed(study, &out, &last.context("nothing was killed")?)
+}
+
+/// A rank is killed; the launcher ends the others.
+fn rank_killed(study: &Study, trial: u64, at: f64) -> Result<Outcome> {
+    let out = study.room("out")?;
+    let child = study.job(&out, 3).context("no program with MPI was given")?.spawn()?;
+    let ranks = || -> Vec<String> {
+        let told = Command::new("pgrep").args(["-P", &child.id().to_string()]).output();
+        let told = told.map(|output| output.stdout).unwrap_or_default();
+        String::from_utf8_lossy(&told).lines().map(str::to_owned).collect()
+    };
+    while ranks().len() < 3 {
+        sleep(study.time.mul_f64(0.001));
+    }
+    sleep(study.time.mul_f64(at));
+    if let Some(rank) = ranks().get(trial as usize % 3) {
+        let _ = Command::new("kill").args(["-KILL", rank]).output()?;
+    }
+    resumed(study, &out, &wait(child)?)
 }
 
 /// Something happens to the directory in the middle: the sweep must not end well.

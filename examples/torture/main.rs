@@ -1,11 +1,12 @@
 //! Causes every fault that a sweep should survive, many times, and says what came of it.
 //!
-//! `cargo run --release --example torture -- SEAWALL OUT.md [--trials N] [--fault NAME]`
+//! `cargo run --release --example torture -- SEAWALL OUT.md [--trials N] [--fault NAME] [--mpi PROGRAM]`
 //!
 //! Every trial is judged by the results of a sweep that nobody disturbed: after the fault, and after the
 //! command that a user would give next, they must be the same to the byte. Exit code 0 all well, 1 where
 //! something was lost or wrong unseen, 2 on bad input.
 
+mod calls;
 mod faults;
 mod study;
 
@@ -29,6 +30,9 @@ struct Arguments {
     /// How often each fault is caused
     #[arg(long, default_value_t = 50)]
     trials: u64,
+    /// The program with MPI, for faults of ranks
+    #[arg(long)]
+    mpi: Option<PathBuf>,
     /// Only this fault
     #[arg(long)]
     fault: Option<String>,
@@ -46,7 +50,7 @@ fn main() -> ExitCode {
 }
 
 fn torture(arguments: &Arguments) -> Result<bool> {
-    let study = Study::new(&arguments.seawall)?;
+    let study = Study::new(&arguments.seawall, arguments.mpi.as_deref())?;
     let chosen = |fault: &&Fault| arguments.fault.as_deref().is_none_or(|name| name == fault.name);
     let mut text = format!(
         "# Faults\n\nWritten by `scripts/torture`. Each fault was caused {} times, at moments and places \
@@ -59,6 +63,11 @@ fn torture(arguments: &Arguments) -> Result<bool> {
     );
     let mut well = true;
     for fault in FAULTS.iter().filter(chosen) {
+        let traced = matches!(fault.name, "write" | "fsync" | "rename");
+        if (traced && !calls::is_there()) || (fault.name == "rank" && arguments.mpi.is_none()) {
+            eprintln!("{}: skipped: it needs strace, or --mpi PROGRAM", fault.name);
+            continue;
+        }
         let tally = Tally::of(fault, &study, arguments.trials)?;
         well &= tally.lost.is_empty();
         writeln!(text, "{}", tally.row(fault))?;

@@ -32,6 +32,7 @@ type Files = BTreeMap<String, Vec<u8>>;
 /// A sweep, its undisturbed results, and room for trials.
 pub struct Study {
     seawall: PathBuf,
+    mpi: Option<PathBuf>,
     root: tempfile::TempDir,
     file: PathBuf,
     /// What an undisturbed sweep leaves.
@@ -42,13 +43,14 @@ pub struct Study {
 
 impl Study {
     /// Runs it undisturbed.
-    pub fn new(seawall: &Path) -> Result<Study> {
+    pub fn new(seawall: &Path, mpi: Option<&Path>) -> Result<Study> {
         let root = tempfile::tempdir()?;
         let file = root.path().join("torture.toml");
         fs::write(&file, SWEEP)?;
         let seawall = fs::canonicalize(seawall).context("no such program")?;
-        let mut study =
-            Study { seawall, root, file, undisturbed: Files::new(), time: Duration::ZERO };
+        let mpi = mpi.map(fs::canonicalize).transpose().context("no such program with MPI")?;
+        let (undisturbed, time) = (Files::new(), Duration::ZERO);
+        let mut study = Study { seawall, mpi, root, file, undisturbed, time };
         let out = study.room("undisturbed")?;
         let start = Instant::now();
         let output = study.sweep(&out, &[])?;
@@ -80,6 +82,16 @@ impl Study {
             .stdout(Stdio::null())
             .stderr(Stdio::piped());
         command
+    }
+
+    /// The sweep on so many MPI ranks, to be started.
+    pub fn job(&self, out: &Path, ranks: usize) -> Option<Command> {
+        let mut command = Command::new("mpirun");
+        command.args(["-n", &ranks.to_string(), "--oversubscribe", "--bind-to", "none"]);
+        command.arg(self.mpi.as_ref()?).arg("sweep").arg(&self.file).args(["--threads", "1"]);
+        command.env("OMPI_ALLOW_RUN_AS_ROOT", "1").env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
+        command.arg("--out").arg(out).stdout(Stdio::null()).stderr(Stdio::piped());
+        Some(command)
     }
 
     /// The sweep, to its end.

@@ -32,6 +32,7 @@ mod reproduce;
 mod run;
 mod show;
 mod shown;
+mod slurm;
 mod status;
 mod stored;
 mod stress;
@@ -39,6 +40,7 @@ mod sweep;
 mod table;
 mod verify;
 mod warnings;
+mod watch;
 
 use std::ffi::OsString;
 use std::io::Write;
@@ -94,6 +96,7 @@ enum Subcommands {
     Init(init::InitArgs),
     Explain(explain::ExplainArgs),
     Status(status::StatusArgs),
+    Slurm(slurm::SlurmArgs),
     Verify(verify::VerifyArgs),
     Show(show::ShowArgs),
     Report(report::ReportArgs),
@@ -170,6 +173,7 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         Subcommands::Init(args) => init::main(&args, &output),
         Subcommands::Explain(args) => explain::main(&args, &output),
         Subcommands::Status(args) => status::main(&args, &output),
+        Subcommands::Slurm(args) => slurm::main(&args, &output),
         Subcommands::Verify(args) => verify::main(&args, &output),
         Subcommands::Show(args) => show::main(&args, &output),
         Subcommands::Report(args) => report::main(&args, &output),

@@ -11,7 +11,7 @@ const KEPT: usize = 60;
 pub(super) fn shown(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for piece in text.split_inclusive(char::is_whitespace) {
-        let length = piece.chars().count();
+        let length = piece.trim_end().chars().count();
         if length <= LONGEST {
             piece.chars().for_each(|char| push(&mut shown, char));
         } else {

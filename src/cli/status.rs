@@ -2,33 +2,71 @@
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::time::Duration;
 
 use clap::Args;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::{Output, duration};
 use super::table::Table;
+use super::watch::{View, Watch};
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS, stored};
 use crate::math::name::name_of;
-use crate::results::{CaseRecord, Lock, Manifest, counted, finished, read_journal};
+use crate::results::{CaseRecord, Lock, Manifest, RankInfo, counted, finished, read_journal};
 
 /// Show what is done, what failed and why, what is left, and the time to go.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall status results/runs/nightly
   seawall status results/runs/nightly --format json
-  seawall status results/runs/nightly --exit-code || echo 'not done, or not all well'")]
+  seawall status results/runs/nightly --exit-code || echo 'not done, or not all well'
+  seawall status results/runs/nightly --watch 30")]
 pub(super) struct StatusArgs {
     /// The output directory of a sweep.
     dir: PathBuf,
     /// Return what the sweep would: 0 all well, 1 some case failed, 3 something is left.
     #[arg(long)]
     exit_code: bool,
+    /// Look again every so many seconds while the sweep runs, and tell its rate.
+    #[arg(long, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "10", value_parser = seconds)]
+    watch: Option<f64>,
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    let value = text.parse::<f64>().ok().filter(|value| (0.1..=1e6).contains(value));
+    value.ok_or_else(|| "must be a number of seconds from 0.1 to 1e6".to_owned())
+}
+
+/// What a look at a directory shows.
+struct Seen {
+    text: String,
+    value: Value,
+    left: usize,
+    failed: usize,
+    running: bool,
+    view: View,
 }
 
 pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
+    let mut seen = look(args)?;
+    let mut watch = Watch::begin(seen.view);
+    while let Some(pause) = args.watch.filter(|_| seen.running) {
+        output.result(&watch.told(&seen.text, seen.view), &seen.value)?;
+        std::thread::sleep(Duration::from_secs_f64(pause));
+        seen = look(args)?;
+    }
+    output.result(&watch.told(&seen.text, seen.view), &seen.value)?;
+    Ok(match (seen.left, seen.failed) {
+        _ if !args.exit_code => SUCCESS,
+        (0, 0) => SUCCESS,
+        (0, _) => CASES_FAILED,
+        _ => INTERRUPTED,
+    })
+}
+
+fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
     let bad = |reason: &str| BadInput(format!("{}: {reason}", args.dir.display()));
     demand_output_of_study(&args.dir, "journal.jsonl")?;
     let content = read_journal(&args.dir)?;
@@ -116,13 +154,16 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
             }))
             .collect::<Vec<_>>(),
     });
-    output.result(&text, &value)?;
-    Ok(match (left + companions_left, failed.len()) {
-        _ if !args.exit_code => SUCCESS,
-        (0, 0) => SUCCESS,
-        (0, _) => CASES_FAILED,
-        _ => INTERRUPTED,
-    })
+    let session = manifest.as_ref().and_then(|manifest| manifest.sessions.last());
+    let ranks = session.map_or(&[][..], |session| &session.ranks);
+    let view = View {
+        done: records.len() + companions_done,
+        spent_s: records.iter().map(|record| record.wall_time_s).sum(),
+        ranks: ranks.len(),
+        places: ranks.iter().map(RankInfo::places).sum(),
+    };
+    let (left, failed) = (left + companions_left, failed.len());
+    Ok(Seen { text, value, left, failed, running, view })
 }
 
 /// Failures of one kind: how many cases of each value of each swept key.

@@ -21,18 +21,9 @@ pub(super) fn particles(config: &CaseConfig) -> f64 {
 /// # Errors
 /// More than [`MOST_STEPS`] or [`MOST_PARTICLES`]; the latter names the smallest spacing that this water may have.
 pub(super) fn validate(config: &CaseConfig) -> Result<(), ConfigError> {
-    let frame = config.scene.frame();
-    let steps = (frame.end_time - config.scene.start_s()) / frame.time_step(&config.numerics);
-    if steps > MOST_STEPS {
-        let allowed = format!(
-            "would take {steps:.1e} steps, and {MOST_STEPS:e} are the most; where no end_time_s is given, a \
-             low wave is a long one"
-        );
-        return Err(ConfigError::new("scene.end_time_s", format!("{:e}", frame.end_time), allowed));
-    }
     let (count, area) = (particles(config), config.scene.water_area());
     if count <= MOST_PARTICLES {
-        return Ok(());
+        return demand_an_end(config);
     }
     let smallest = rounded_up((area / MOST_PARTICLES).sqrt());
     let allowed = format!(
@@ -44,6 +35,20 @@ pub(super) fn validate(config: &CaseConfig) -> Result<(), ConfigError> {
     );
     let Numerics { particle_spacing_m, .. } = config.numerics;
     Err(ConfigError::new("numerics.particle_spacing_m", particle_spacing_m, allowed))
+}
+
+/// Refuses more steps than anybody waits for.
+fn demand_an_end(config: &CaseConfig) -> Result<(), ConfigError> {
+    let frame = config.scene.frame();
+    let steps = (frame.end_time - config.scene.start_s()) / frame.time_step(&config.numerics);
+    if steps > MOST_STEPS {
+        let allowed = format!(
+            "would take {steps:.1e} steps, and {MOST_STEPS:e} are the most; where no end_time_s is given, a \
+             low wave is a long one"
+        );
+        return Err(ConfigError::new("scene.end_time_s", format!("{:e}", frame.end_time), allowed));
+    }
+    Ok(())
 }
 
 /// A count in groups of three digits, or with an exponent where nobody would read them all.

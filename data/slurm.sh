@@ -1,0 +1,59 @@
+#!/bin/bash
+# Written by `seawall slurm`. Give it to sbatch. It runs the study, ends in good order before the time limit,
+# and puts itself back into the queue until every case is done.
+#SBATCH --job-name={NAME}
+#SBATCH --nodes={NODES}
+#SBATCH --ntasks-per-node={RANKS}
+#SBATCH --cpus-per-task={THREADS}
+#SBATCH --time={TIME}
+#SBATCH --signal=B:USR1@{GRACE}
+#SBATCH --requeue
+#SBATCH --open-mode=append
+#SBATCH --output={NAME}-%j.log
+set -u
+
+seawall={SEAWALL}
+study={FILE}
+out={OUT}
+
+# Slurm sends USR1 to this script {GRACE} s before the limit. Passed on, it makes seawall stop: what has
+# finished is on the disk, and long cases leave checkpoints.
+job= stopped=no
+stop() {
+  stopped=yes
+  [ -z "$job" ] || kill -USR1 "$job" 2>/dev/null
+}
+trap stop USR1 TERM
+
+# Changes whenever a case, or a checkpoint of one, is done.
+progress() {
+  { cd "$out" && cat journal.jsonl && ls -l --full-time checkpoints; } 2>/dev/null | cksum
+}
+
+before=$(progress)
+{LAUNCH} "$seawall" sweep "$study" --out "$out"{MORE} &
+job=$!
+while :; do
+  code=0
+  wait "$job" || code=$?
+  kill -0 "$job" 2>/dev/null || break # else a signal has cut `wait` short
+done
+[ "$code" = 2 ] && exit 2 # bad input: nothing to go on with
+
+# The journal knows better than any launcher whether something is left.
+"$seawall" --quiet status --exit-code "$out"
+left=$?
+case $left in
+  0 | 1) exit "$left" ;;
+  3) ;;
+  *) exit 70 ;; # there is no journal: the ranks were not even started
+esac
+if [ "$stopped" = no ] && [ "$(progress)" = "$before" ]; then
+  echo "the job died and got no further (code $code): not put back into the queue" >&2
+  exit 3
+fi
+echo "cases are left: back into the queue" >&2
+scontrol requeue "$SLURM_JOB_ID" || exit 3
+# Slurm ends this script now; without the right to requeue it stays here no longer than this.
+sleep 60
+exit 3

@@ -1,0 +1,61 @@
+//! How fast a sweep gets on, seen from outside: from one look at its files to the next.
+
+use std::time::Instant;
+
+use crate::results::counted;
+
+/// What counts of a look.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct View {
+    /// Finished cases and companions.
+    pub(super) done: usize,
+    /// Seconds that finished cases have taken.
+    pub(super) spent_s: f64,
+    /// Ranks of the last session.
+    pub(super) ranks: usize,
+    /// Cases that they run at once.
+    pub(super) places: usize,
+}
+
+/// A sweep that is looked at again and again.
+pub(super) struct Watch {
+    first: View,
+    since: Instant,
+}
+
+impl Watch {
+    pub(super) fn begin(first: View) -> Watch {
+        Watch { first, since: Instant::now() }
+    }
+
+    /// A look's text, with the rate since the first one where there is any.
+    pub(super) fn told(&mut self, text: &str, now: View) -> String {
+        let line = rate(self.first, now, self.since.elapsed().as_secs_f64());
+        line.map_or_else(|| text.to_owned(), |line| format!("{text}{line}\n"))
+    }
+}
+
+/// Cases per hour, the ranks, and the share of their places in which no case ran that has ended; none
+/// before one has ended.
+fn rate(first: View, now: View, seconds: f64) -> Option<String> {
+    let done = now.done.checked_sub(first.done).filter(|&done| done > 0)?;
+    let per_hour = done as f64 / seconds * 3600.0;
+    let busy = (now.spent_s - first.spent_s) / (seconds * now.places.max(1) as f64);
+    let idle = 100.0 * (1.0 - busy).clamp(0.0, 1.0);
+    let (ranks, done) = (counted(now.ranks, "rank"), counted(done, "case"));
+    Some(format!("{done} in {seconds:.0} s: {per_hour:.0} per hour on {ranks}, {idle:.0} % idle"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rate_needs_two_looks() {
+        let first = View { done: 3, spent_s: 10.0, ranks: 2, places: 4 };
+        assert_eq!(rate(first, first, 5.0), None);
+        let now = View { done: 13, spent_s: 40.0, ..first };
+        let told = rate(first, now, 10.0).unwrap();
+        assert_eq!(told, "10 cases in 10 s: 3600 per hour on 2 ranks, 25 % idle");
+    }
+}

@@ -1,0 +1,136 @@
+//! What a cluster needs: a job script that queues itself again until all is done, and a look from outside.
+//! `scripts/slurm` tries the same on a true Slurm.
+#![cfg(unix)]
+
+mod common;
+
+use std::fs;
+use std::os::unix::fs::PermissionsExt;
+use std::os::unix::process::ExitStatusExt;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use common::job::{LONG, signal};
+use common::{TINY, assert_same, expect_code, journal_lines, run, seawall, write_file};
+
+/// The job script of a study.
+fn script(root: &Path, file: &Path, out: &Path, launcher: &str) -> PathBuf {
+    let (file, out) = (file.to_str().unwrap(), out.to_str().unwrap());
+    let resources = ["--nodes", "3", "--time", "1-12:00:00", "--ranks-per-node", "4"];
+    let places = ["--out", out, "--launcher", launcher];
+    let output = run(&[&["slurm", file][..], &resources, &places].concat());
+    expect_code(&output, 0);
+    let path = root.join("job.sh");
+    fs::write(&path, output.stdout).unwrap();
+    path
+}
+
+/// Runs it as Slurm would. To be queued again ends it, as Slurm does, and leaves a file `queued`.
+fn job(root: &Path, script: &Path) -> Command {
+    let control = root.join("scontrol");
+    let text =
+        format!("#!/bin/sh\necho \"$@\" >>'{}'\nkill -9 $PPID\n", root.join("queued").display());
+    fs::write(&control, text).unwrap();
+    fs::set_permissions(&control, fs::Permissions::from_mode(0o755)).unwrap();
+    let path = std::env::var("PATH").unwrap();
+    let mut command = Command::new("bash");
+    command.arg(script).env("PATH", format!("{}:{path}", root.display())).env("SLURM_JOB_ID", "17");
+    command.stdout(Stdio::null()).stderr(Stdio::piped());
+    command
+}
+
+fn queued(root: &Path) -> String {
+    fs::read_to_string(root.join("queued")).unwrap_or_default()
+}
+
+#[test]
+fn a_job_script_says_what_was_asked_for() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let script = script(root.path(), &file, &root.path().join("it's here"), "srun");
+    expect_code(&Command::new("bash").arg("-n").arg(&script).output().unwrap(), 0);
+    let text = fs::read_to_string(script).unwrap();
+    for line in [
+        "#SBATCH --job-name=tiny",
+        "#SBATCH --nodes=3",
+        "#SBATCH --ntasks-per-node=4",
+        "#SBATCH --time=1-12:00:00",
+        "#SBATCH --signal=B:USR1@120",
+        "#SBATCH --requeue",
+    ] {
+        assert!(text.lines().any(|it| it == line), "{line}: {text}");
+    }
+    assert!(
+        text.contains("it'\\''s here'") && !text.contains("{N") && !text.contains("{O"),
+        "{text}"
+    );
+    for bad in [&["--nodes", "0", "--time", "1"][..], &["--nodes", "1", "--time", "1h"]] {
+        expect_code(&run(&[&["slurm", file.to_str().unwrap()][..], bad].concat()), 2);
+    }
+}
+
+#[test]
+fn a_job_that_is_told_to_stop_is_queued_again_until_all_is_done() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), LONG);
+    let (out, whole) = (root.path().join("out"), root.path().join("whole"));
+    let script = script(root.path(), &file, &out, "env");
+    let child = job(root.path(), &script).spawn().unwrap();
+    let start = Instant::now();
+    while journal_lines(&out) < 1 {
+        assert!(start.elapsed() < Duration::from_secs(120), "the sweep does not begin");
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    signal(child.id(), "USR1");
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.signal(), Some(9), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(queued(root.path()), "requeue 17\n");
+    expect_code(&job(root.path(), &script).output().unwrap(), 0);
+    assert_eq!(queued(root.path()), "requeue 17\n");
+    let (file, told) = (file.to_str().unwrap(), whole.to_str().unwrap());
+    expect_code(&run(&["sweep", file, "--out", told]), 0);
+    assert_same(&whole, &out);
+}
+
+#[test]
+fn a_job_that_cannot_go_on_is_not_queued_again() {
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().join("out");
+    // The ranks cannot be started.
+    let file = write_file(root.path(), TINY);
+    let dead = script(root.path(), &file, &out, "false");
+    expect_code(&job(root.path(), &dead).output().unwrap(), 70);
+    // They die before anything is done, though something is there.
+    expect_code(&run(&["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()]), 0);
+    let journal = fs::read_to_string(out.join("journal.jsonl")).unwrap();
+    let header = journal.lines().next().unwrap();
+    fs::write(out.join("journal.jsonl"), format!("{header}\n")).unwrap();
+    expect_code(&job(root.path(), &dead).output().unwrap(), 3);
+    // Bad input stays bad.
+    let well = script(root.path(), &file, &out, "env");
+    fs::write(&file, "name = 3").unwrap();
+    expect_code(&job(root.path(), &well).output().unwrap(), 2);
+    assert_eq!(queued(root.path()), "");
+}
+
+#[test]
+fn a_watched_sweep_tells_its_rate_until_it_ends() {
+    let root = tempfile::tempdir().unwrap();
+    let (file, out) = (write_file(root.path(), TINY), root.path().join("out"));
+    let mut sweep = seawall();
+    let sweep =
+        sweep.arg("sweep").arg(&file).arg("--out").arg(&out).args(["--threads", "1", "--quiet"]);
+    let mut sweep = sweep.spawn().unwrap();
+    let start = Instant::now();
+    while journal_lines(&out) < 1 || !out.join("manifest.json").is_file() {
+        assert!(start.elapsed() < Duration::from_secs(120), "the sweep does not begin");
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    let watch = run(&["status", out.to_str().unwrap(), "--watch", "0.1", "--exit-code"]);
+    assert!(sweep.wait().unwrap().success());
+    expect_code(&watch, 0);
+    let told = String::from_utf8(watch.stdout).unwrap();
+    assert!(told.contains("tiny: running") && told.contains("tiny: finished"), "{told}");
+    assert!(told.contains(" per hour on 1 rank, ") && told.contains(" % idle"), "{told}");
+}
