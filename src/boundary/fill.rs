@@ -111,8 +111,8 @@ impl Exchange {
         responds: bool,
     ) {
         let (block, lane) = (g / LANES, g % LANES);
-        // A thin sheet of water on a bed goes on below as the deep water that its ghosts stand for.
-        let correction = if ghosts.profile.is_some() && ghosts.bodies[0].ghosts.contains(&g) {
+        // A thin sheet of water on a bed or a crest goes on below as the deep water that its ghosts stand for.
+        let correction = if ghosts.is_deep(g) {
             [1.0, 0.0, 1.0]
         } else {
             mirrored_correction(&self.means[block], lane, ghosts.reflection[g])

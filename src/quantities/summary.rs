@@ -1,8 +1,8 @@
 //! The columns of `summary.csv`, in their order. Swept keys follow in a column each.
 
 use super::Unit::{
-    Displacement, Force, Impulse, KilogramsPerMetre, Metres, NewtonsPerMetre, Percent, Pure, Runup,
-    Seconds,
+    Displacement, Force, Impulse, KilogramsPerMetre, Metres, MetresPerSecond, NewtonsPerMetre,
+    Percent, Pure, Runup, Seconds, SquareMetres, SquareMetresPerSecond,
 };
 use super::column::{Read, count, flag, maximum, number, text};
 use super::{Column, quantities};
@@ -157,6 +157,24 @@ quantities! { Read;
     DOUBTFUL = flag("doubtful", "", |c| Some(c.outcome?.doubtful_reason.is_some()));
     /// what that is, see [physics.md](physics.md#health)
     DOUBTFUL_REASON = text("doubtful_reason", "", |c| c.outcome?.doubtful_reason.clone());
+    /// water that has gone past the back of the wall's crest by the end, per metre of width; this and
+    /// the next three are empty where the wall has no crest
+    OVERTOPPING_VOLUME = number("overtopping_volume_m2", "V over", SquareMetres, |c| {
+        Some(c.outcome?.overtopped?.volume_m2)
+    }).significant(4);
+    /// largest discharge at the back of the crest
+    OVERTOPPING_DISCHARGE = number(
+        "overtopping_discharge_max_m2_per_s", "q max", SquareMetresPerSecond,
+        |c| Some(c.outcome?.overtopped?.discharge_max_m2_per_s)
+    ).significant(4);
+    /// thickest water on the crest
+    CREST_THICKNESS = number("crest_thickness_max_m", "crest d max", Metres, |c| {
+        Some(c.outcome?.overtopped?.thickness_max_m)
+    }).significant(4);
+    /// fastest water on the crest, away from the tank: the mean over a column of water
+    CREST_SPEED = number("crest_speed_max_m_per_s", "crest u max", MetresPerSecond, |c| {
+        Some(c.outcome?.overtopped?.speed_max_m_per_s)
+    }).significant(4);
 }
 
 /// The columns of the first version, which every directory has.
@@ -186,7 +204,9 @@ mod tests {
             energy_gap_percent,particles_lost,force_error,runup_error,displacement_error,\
             steps,particles,pair_evaluations,wall_time_s,scheme,boundary,kernel,\
             particle_spacing_m,force_coupling,force_at_rest,boundary_fallbacks,force_max_gap_percent,stop_impulse,\
-            stop_impulse_time_s,force_max_error,runup_max_error,doubtful,doubtful_reason";
+            stop_impulse_time_s,force_max_error,runup_max_error,doubtful,doubtful_reason,\
+            overtopping_volume_m2,overtopping_discharge_max_m2_per_s,crest_thickness_max_m,\
+            crest_speed_max_m_per_s";
         assert_eq!(names().collect::<Vec<_>>().join(","), contract);
     }
 

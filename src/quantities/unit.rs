@@ -19,6 +19,10 @@ pub enum Unit {
     Seconds,
     /// m.
     Metres,
+    /// m².
+    SquareMetres,
+    /// m²/s.
+    SquareMetresPerSecond,
     /// m/s.
     MetresPerSecond,
     /// N/m.
@@ -40,6 +44,8 @@ impl Unit {
             Unit::Percent => "%",
             Unit::Seconds => "s",
             Unit::Metres => "m",
+            Unit::SquareMetres => "m²",
+            Unit::SquareMetresPerSecond => "m²/s",
             Unit::MetresPerSecond => "m/s",
             Unit::NewtonsPerMetre => "N/m",
             Unit::KilogramsPerMetre => "kg/m",
@@ -65,7 +71,7 @@ impl Unit {
 }
 
 /// Endings of columns and keys that tell their unit; longer ones before those that they end in.
-pub(super) const ENDINGS: [(&str, &str); 12] = [
+pub(super) const ENDINGS: [(&str, &str); 13] = [
     ("_n_per_m", "N/m"),
     ("_kg_per_m", "kg/m"),
     ("_j_per_m", "J/m"),
@@ -76,6 +82,7 @@ pub(super) const ENDINGS: [(&str, &str); 12] = [
     ("_per_s", "1/s"),
     ("_percent", "%"),
     ("_deg", "°"),
+    ("_m2", "m²"),
     ("_m", "m"),
     ("_s", "s"),
 ];

@@ -3,6 +3,7 @@
 use super::doubt::Evidence;
 use super::energy::WaterEnergy;
 use super::outcome::{CaseResult, EnergyBudget, NamedReading, Outcome, PhaseShare, Readings};
+use super::overtopping::Overtopping;
 use super::readings;
 use super::run::Run;
 use super::settling::Prospect;
@@ -137,7 +138,8 @@ impl Run {
             health: logbook.health.margins,
             recovered: None,
             steps: self.clock.steps,
-            particles: water.fluid().len() as u32,
+            overtopped: logbook.overtopping.as_ref().map(Overtopping::overtopped),
+            particles: water.fluid().len() as u32 + water.taken().particles,
             pair_evaluations: water.pair_evaluations(),
             boundary_fallbacks: water.boundary_fallbacks(),
         };
@@ -169,6 +171,9 @@ impl Run {
         }
         if let Some(watch) = &self.watch {
             watch.tell(self.tank.water.fluid(), &mut all);
+        }
+        if let Some(overtopping) = &self.logbook.overtopping {
+            overtopping.tell(self.tank.water.as_ref(), &mut all);
         }
         if let Some(table) = &self.logbook.probes {
             readings::tell_probes(&mut all, &self.config.scene, &self.config.probes, table);

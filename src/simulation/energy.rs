@@ -15,6 +15,8 @@ pub struct WaterEnergy {
     pub potential: f64,
     /// Σ m ∫ p/ρ² dρ, of tension only the share that the scheme lets act.
     pub elastic: f64,
+    /// What the water had that has left over a crest.
+    pub taken: f64,
 }
 
 impl WaterEnergy {
@@ -22,7 +24,8 @@ impl WaterEnergy {
     pub fn of(water: &dyn Scheme, gravity: f64) -> WaterEnergy {
         let (fluid, field) = (water.fluid(), water.field());
         let elastic = water.elastic_energy();
-        let mut energy = WaterEnergy { elastic, ..WaterEnergy::default() };
+        let taken = water.taken().energy;
+        let mut energy = WaterEnergy { elastic, taken, ..WaterEnergy::default() };
         for k in 0..fluid.len() {
             let (vx, vy, mass) = (fluid.vx[k], fluid.vy[k], fluid.mass[k]);
             energy.kinetic += 0.5 * mass * (vx * vx + vy * vy);
@@ -101,6 +104,7 @@ impl Ledger {
             viscous: self.viscous,
             density_diffusion: self.density_diffusion,
             shifting: self.shifting,
+            outflow: now.taken - self.start.taken,
         }
     }
 }
@@ -118,6 +122,7 @@ impl EnergyBudget {
                 + self.stops
                 + self.viscous
                 + self.density_diffusion
-                + self.shifting)
+                + self.shifting
+                + self.outflow)
     }
 }

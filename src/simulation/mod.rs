@@ -1,5 +1,6 @@
 //! One case from start to end: [`run_case`], or its shared first stretch: [`run_trunk`].
 
+mod absorption;
 mod blows;
 mod checkpoint;
 mod doubt;
@@ -18,6 +19,7 @@ mod kept;
 mod logbook;
 mod measures;
 mod outcome;
+mod overtopping;
 #[cfg(test)]
 mod planted;
 mod probes;
@@ -38,8 +40,8 @@ pub use failure::{Failure, FailureKind, Stopped};
 pub use health::HealthMargins;
 pub use keeper::Keeper;
 pub use outcome::{
-    CaseResult, EnergyBudget, HistoryRow, Maximum, NamedReading, Outcome, PhaseShare, ProbeColumn,
-    ProbeTable, TrunkResult,
+    CaseResult, EnergyBudget, HistoryRow, Maximum, NamedReading, Outcome, Overtopped, PhaseShare,
+    ProbeColumn, ProbeTable, TrunkResult,
 };
 
 use serde::{Deserialize, Serialize};
