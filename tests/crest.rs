@@ -115,7 +115,7 @@ fn what_goes_over_is_what_the_tank_has_lost() {
     assert!(reading(&case, "water_gap").abs() < 1e-9, "{}", reading(&case, "water_gap"));
     assert!(reading(&case, "particles_taken_away") > 40.0);
     println!("energy gap {} %", case.outcome.energy_gap_percent);
-    assert!(case.outcome.energy_gap_percent.abs() < 1.0);
+    assert!(case.outcome.energy_gap_percent.abs() < 2.0);
     assert!(case.energy.outflow > 0.0 && case.outcome.particles_lost == 0);
     // The series ends with the total, and discharge adds up to it.
     let columns = table.columns.len();

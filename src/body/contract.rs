@@ -58,6 +58,12 @@ pub trait PaddleLaw {
         root * root / gravity - depth
     }
 
+    /// After this time, seconds, a surface that stays higher than it raises counts as its own; none where a
+    /// wave that comes back may be as long.
+    fn forgets_after(&self) -> Option<f64> {
+        None
+    }
+
     /// How fast it must move back, m/s, under a surface this much higher, metres, than it raises itself. By
     /// default as a long wave's water does.
     fn gives_way(&self, excess: f64, depth: f64, gravity: f64) -> f64 {

@@ -14,6 +14,9 @@ section! {
 /// Modes of the water near the paddle that are summed: they fall off with their square.
 const MODES: u32 = 20;
 
+/// Periods after which a level that has sunk or risen counts as that of still water.
+const FORGETS: f64 = 8.0;
+
 /// ξ(t) = S/2 sin ωt + S₂ sin 2ωt: Biésel's stroke S = H/m, m = 2 (cosh 2kh - 1)/(sinh 2kh + 2kh),
 /// and S₂ = H²/(32 h) (3 cosh kh/sinh³ kh - 2/m), which keeps the free second harmonic away.
 ///
@@ -116,6 +119,10 @@ impl PaddleLaw for WaveTrain {
             wave * libm::cos(phase) + bound * libm::cos(2.0 * phase) + near * libm::sin(phase);
         let level = BodyMotion { offset: surface, ..BodyMotion::default() };
         level.eased_in(time, std::f64::consts::TAU / self.frequency).offset
+    }
+
+    fn forgets_after(&self) -> Option<f64> {
+        Some(FORGETS * std::f64::consts::TAU / self.frequency)
     }
 
     /// As a piston that makes a wave of this height and period: ω S/H.

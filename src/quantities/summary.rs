@@ -94,7 +94,7 @@ quantities! { Read;
         Some(c.outcome?.force_gap_percent)
     }).decimals(3);
     /// residual of the energy budget, of the paddle's work (in still water, of the initial
-    /// potential energy)
+    /// potential energy; of a paddle that absorbs, of all work that passed either way)
     ENERGY_GAP = number("energy_gap_percent", "", Percent, |c| {
         Some(c.outcome?.energy_gap_percent)
     }).decimals(3);

@@ -21,13 +21,15 @@ const RETURN: f64 = 100.0;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Absorption {
     level: WallLevel,
+    /// The excess that lasts, metres.
+    lasting: f64,
     added: [f64; 3],
 }
 
 impl Absorption {
     /// A paddle that has met no wave yet; `span` as for [`WallLevel::new`].
     pub fn new(span: f64) -> Absorption {
-        Absorption { level: WallLevel::new(span), added: [0.0; 3] }
+        Absorption { level: WallLevel::new(span), lasting: 0.0, added: [0.0; 3] }
     }
 
     /// What is added now.
@@ -49,7 +51,11 @@ impl Absorption {
         // The level's slope at a wall that accelerates away from the water on its other side.
         self.level.feel(time, (-motion.acceleration, at_face), gravity);
         let surface = self.level.over_rest(lens, at_face, Some(inside));
-        let excess = surface - paddle.raises(time, depth, gravity);
+        let mut excess = surface - paddle.raises(time, depth, gravity);
+        if let Some(span) = paddle.forgets_after() {
+            self.lasting += dt / span * (excess - self.lasting);
+            excess -= self.lasting;
+        }
         let unit = (depth / gravity).sqrt();
         let [offset, velocity, acceleration] = self.added;
         let wanted = -paddle.gives_way(excess, depth, gravity) - offset / (RETURN * unit);

@@ -99,7 +99,10 @@ impl Run {
     fn outcome(&self, energy: &EnergyBudget) -> Outcome {
         let Run { tank, logbook, .. } = self;
         let (water, m) = (&tank.water, &logbook.measures);
-        let scale = if tank.paddle.is_some() {
+        let scale = if tank.absorbs {
+            // What an absorbing paddle gives it takes back.
+            logbook.ledger.exchanged
+        } else if tank.paddle.is_some() {
             energy.paddle_work.abs()
         } else {
             logbook.ledger.start.given()

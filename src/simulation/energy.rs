@@ -50,6 +50,9 @@ pub struct Ledger {
     /// At the start.
     pub start: WaterEnergy,
     paddle_work: f64,
+    /// What has passed between paddle and water either way, less the push of still water, J per metre of
+    /// width.
+    pub exchanged: f64,
     threshold_device: f64,
     stops: f64,
     viscous: f64,
@@ -65,9 +68,11 @@ impl Ledger {
         Ledger { start, ..Ledger::default() }
     }
 
-    /// Books the paddle's work over one step against the water's force on it, along x.
-    pub fn book_paddle(&mut self, force: f64, travel: f64) {
+    /// Books the paddle's work over one step against the water's force on it, along x, and that of still
+    /// water.
+    pub fn book_paddle(&mut self, [force, at_rest]: [f64; 2], travel: f64) {
         self.paddle_work -= force * travel;
+        self.exchanged += ((force - at_rest) * travel).abs();
     }
 
     /// Books what holds the wall takes over one step: of the water's force on the wall, and the force

@@ -17,6 +17,7 @@ use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::scene::{CaseConfig, Tank};
 use crate::scheme::{Load, NextStep, StepError, StepWalls};
+use crate::theory::hydrostatics::wall_force;
 
 /// Samples of the history between two checks of health and of the monitor.
 const SAMPLES_PER_CHECK: u64 = 4;
@@ -227,8 +228,10 @@ impl Run {
             watch.push(on_walls.sum(), dt);
         }
         let uncounted = force - self.lacking_at_rest();
+        let frame = &self.tank.frame;
+        let push = wall_force(frame.depth, frame.density, frame.gravity);
         let ledger = &mut self.logbook.ledger;
-        ledger.book_paddle(paddle_force, paddle_travel);
+        ledger.book_paddle([paddle_force, -push], paddle_travel);
         ledger.book_wall(&self.tank.wall, [uncounted, force], step);
         // Splashes dissipate in bursts, and swirls from the start: summed at every step.
         let sample = sample || self.watch.is_some();
