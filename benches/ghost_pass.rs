@@ -92,6 +92,8 @@ fn ghost_pass(interpolator: InterpolatorChoice, spacing: f64) -> f64 {
         support_radius: radius,
         wall_height: 0.8,
         bed_beyond_wall: 2.4,
+        bed_before_paddle: 0.0,
+        crest: None,
         wall_angle_deg: 90.0,
         dry_bed: false,
     };

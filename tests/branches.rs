@@ -90,6 +90,19 @@ fn springs_from_soft_to_stiff_and_a_fixed_wall() {
     }
 }
 
+/// Crests of one height share a trunk, which ends before any water has gone over.
+#[test]
+fn crests_that_water_goes_over() {
+    let grid = "end_after_stroke_centre_s = 1.4\nbehind = \"outflow\"\ncrest_width_m = 0.125\n\
+                [numerics]\nparticle_spacing_m = 0.025\nboundary = \"normalized\"\n\
+                [grid]\ncrest_freeboard_m = [0.05, 0.1]\nforce_coupling = [0.5, 1]\n";
+    let cases = compare(&format!("name = \"crests\"\n{TANK}{grid}"));
+    let over: Vec<f64> = cases.iter().map(|case| number(case, "overtopping_volume_m2")).collect();
+    assert!(over[0] == over[1] && over[2] == over[3], "{over:?}");
+    assert!(over[0] > over[2] && over[2] > 1e-3, "{over:?}");
+    assert!(cases.iter().all(|case| case["probes"].contains("crest_thickness_m")));
+}
+
 #[test]
 fn caissons_that_slide_and_that_stand() {
     let grid = "end_after_stroke_centre_s = 0.9\nwall = \"caisson\"\nseawall_mass_kg_per_m = 60\n\

@@ -20,8 +20,10 @@ fn ghosts(angle_deg: f64) -> Ghosts {
         support_radius: RADIUS,
         wall_height: 3.0 * DEPTH,
         bed_beyond_wall: if angle_deg == 90.0 { 4.0 * RADIUS } else { 0.0 },
+        bed_before_paddle: 0.0,
         wall_angle_deg: angle_deg,
         dry_bed: false,
+        crest: None,
     };
     tank_ghosts(&layout, None, 0.06)
 }

@@ -100,12 +100,17 @@ fn walls_of_all_kinds() {
 }
 
 #[test]
-fn a_bed_and_waves_without_end() {
+fn a_bed_a_crest_and_waves_without_end() {
     let bed = "bed = [[0, 0], [0.5, 0], [1, 0.05]]\nend_after_stroke_centre_s = 1.2\n";
     goes_on("bed", &config(&format!("{TANK}{bed}"), "particle_spacing_m = 0.025"), 4);
+    let crest = "behind = \"outflow\"\ncrest_freeboard_m = 0.05\ncrest_width_m = 0.125\n\
+                 end_after_stroke_centre_s = 1.4\n";
+    goes_on("crest", &config(&format!("{TANK}{crest}"), "particle_spacing_m = 0.025"), 8);
     let train = "tank_length_m = 1.0\nwave_gauge_m = 0.5\nwave_height_ratio = 0.1\n\
                  paddle = \"wave-train\"\nwave_period_s = 0.8\nend_time_s = 2\n";
     goes_on("wave train", &config(train, "particle_spacing_m = 0.025"), 3);
+    let absorbing = format!("{train}absorption = true\n");
+    goes_on("absorbing", &config(&absorbing, "particle_spacing_m = 0.025"), 3);
 }
 
 #[test]

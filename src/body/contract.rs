@@ -13,6 +13,13 @@ pub struct BodyMotion {
 }
 
 impl BodyMotion {
+    /// Adds another motion.
+    pub fn add(&mut self, other: &BodyMotion) {
+        self.offset += other.offset;
+        self.velocity += other.velocity;
+        self.acceleration += other.acceleration;
+    }
+
     /// This motion at a time of so many seconds, blended in over the first `ramp` seconds so that the
     /// water is not kicked.
     pub(super) fn eased_in(self, time: f64, ramp: f64) -> BodyMotion {
@@ -43,6 +50,26 @@ pub trait PaddleLaw {
 
     /// From when on it stands, seconds; infinite where it never does.
     fn still_from(&self) -> f64;
+
+    /// The surface at its face over still water of this depth, metres, under this gravity, m/s², if no wave
+    /// comes back to it. By default that of a long wave: u = 2 (√(g(h+η)) - √(gh)).
+    fn raises(&self, time: f64, depth: f64, gravity: f64) -> f64 {
+        let root = (gravity * depth).sqrt() + 0.5 * self.motion(time).velocity;
+        root * root / gravity - depth
+    }
+
+    /// After this time, seconds, a surface that stays higher than it raises counts as its own; none where a
+    /// wave that comes back may be as long.
+    fn forgets_after(&self) -> Option<f64> {
+        None
+    }
+
+    /// How fast it must move back, m/s, under a surface this much higher, metres, than it raises itself. By
+    /// default as a long wave's water does.
+    fn gives_way(&self, excess: f64, depth: f64, gravity: f64) -> f64 {
+        let deep = (depth + excess).max(0.0);
+        2.0 * ((gravity * deep).sqrt() - (gravity * depth).sqrt())
+    }
 }
 
 /// Where a wall is.

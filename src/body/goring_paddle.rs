@@ -77,6 +77,12 @@ impl PaddleLaw for GoringPaddle {
     fn still_from(&self) -> f64 {
         self.duration
     }
+
+    /// Goring's u = c η/(h + η).
+    fn raises(&self, time: f64, depth: f64, _gravity: f64) -> f64 {
+        let speed = self.motion(time).velocity;
+        depth * speed / (self.celerity - speed)
+    }
 }
 
 #[cfg(test)]
@@ -98,6 +104,7 @@ mod tests {
                     * (paddle.celerity * (time - 0.5 * paddle.duration)
                         - (xi - 0.5 * paddle.stroke));
                 let eta = ratio * depth / libm::cosh(theta).powi(2);
+                assert!((paddle.raises(time, depth, gravity) - eta).abs() < 1e-12);
                 let rate = paddle.celerity * eta / (depth + eta);
                 assert!((motion.velocity - rate).abs() < 1e-12, "H/h = {ratio}, t = {time}");
             }

@@ -11,6 +11,12 @@ section! {
     }
 }
 
+/// Modes of the water near the paddle that are summed: they fall off with their square.
+const MODES: u32 = 20;
+
+/// Periods after which a level that has sunk or risen counts as that of still water.
+const FORGETS: f64 = 8.0;
+
 /// ξ(t) = S/2 sin ωt + S₂ sin 2ωt: Biésel's stroke S = H/m, m = 2 (cosh 2kh - 1)/(sinh 2kh + 2kh),
 /// and S₂ = H²/(32 h) (3 cosh kh/sinh³ kh - 2/m), which keeps the free second harmonic away.
 ///
@@ -21,6 +27,9 @@ pub struct WaveTrain {
     wavenumber: f64,
     /// Of the first and the second harmonic, metres.
     amplitudes: [f64; 2],
+    /// Of the surface at the paddle: of the wave that leaves, its second harmonic, and of what stays near the
+    /// paddle, metres.
+    surface: [f64; 3],
 }
 
 impl WaveTrain {
@@ -34,7 +43,12 @@ impl WaveTrain {
         let ratio = 2.0 * (libm::cosh(2.0 * kh) - 1.0) / (libm::sinh(2.0 * kh) + 2.0 * kh);
         let second =
             height * height / (32.0 * depth) * (3.0 * cosh / (sinh * sinh * sinh) - 2.0 / ratio);
-        WaveTrain { frequency, wavenumber, amplitudes: [0.5 * height / ratio, second] }
+        let stroke = 0.5 * height / ratio;
+        let coth = cosh / sinh;
+        let bound = wavenumber * height * height / 16.0 * (3.0 * coth * coth * coth - coth);
+        let near = stroke * near_field(frequency * frequency * depth / gravity);
+        let surface = [0.5 * height, bound, near];
+        WaveTrain { frequency, wavenumber, amplitudes: [stroke, second], surface }
     }
 
     /// Whether second order is enough: H L²/h³ < 8π²/3. Longer waves have a second crest in their
@@ -42,6 +56,23 @@ impl WaveTrain {
     pub fn is_fit(&self, wave_height_ratio: f64, depth: f64) -> bool {
         1.5 * wave_height_ratio < (self.wavenumber * depth).powi(2)
     }
+}
+
+/// What a piston raises at its face and that does not travel, over its amplitude: Σ 4 sin² κ/(sin 2κ + 2κ) over
+/// the roots of ω² h/g = -κ tan κ (Dean & Dalrymple 1991, chapter 6).
+fn near_field(deep: f64) -> f64 {
+    let mode = |number: u32| {
+        // The root lies between (n - ½)π and nπ, where κ tan κ rises from -∞ to 0.
+        let end = f64::from(number) * std::f64::consts::PI;
+        let (mut low, mut high) = (end - 0.5 * std::f64::consts::PI, end);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            if middle * libm::tan(middle) < -deep { low = middle } else { high = middle }
+        }
+        let sin = libm::sin(low);
+        4.0 * sin * sin / (libm::sin(2.0 * low) + 2.0 * low)
+    };
+    (1..=MODES).map(mode).sum()
 }
 
 /// k of ω² = g k tanh kh, 1/m, by Newton's method.
@@ -78,6 +109,25 @@ impl PaddleLaw for WaveTrain {
 
     fn still_from(&self) -> f64 {
         f64::INFINITY
+    }
+
+    /// A Stokes wave of second order and what stays near the paddle, eased in with the motion.
+    fn raises(&self, time: f64, _depth: f64, _gravity: f64) -> f64 {
+        let phase = self.frequency * time;
+        let [wave, bound, near] = self.surface;
+        let surface =
+            wave * libm::cos(phase) + bound * libm::cos(2.0 * phase) + near * libm::sin(phase);
+        let level = BodyMotion { offset: surface, ..BodyMotion::default() };
+        level.eased_in(time, std::f64::consts::TAU / self.frequency).offset
+    }
+
+    fn forgets_after(&self) -> Option<f64> {
+        Some(FORGETS * std::f64::consts::TAU / self.frequency)
+    }
+
+    /// As a piston that makes a wave of this height and period: ω S/H.
+    fn gives_way(&self, excess: f64, _depth: f64, _gravity: f64) -> f64 {
+        excess * self.frequency * self.amplitudes[0] / self.surface[0]
     }
 }
 

@@ -117,8 +117,10 @@ mod tests {
             support_radius: 0.1,
             wall_height: 0.5,
             bed_beyond_wall: 0.0,
+            bed_before_paddle: 0.0,
             wall_angle_deg: 90.0,
             dry_bed: false,
+            crest: None,
         }
     }
 

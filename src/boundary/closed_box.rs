@@ -85,8 +85,10 @@ mod tests {
             support_radius: 0.3,
             wall_height: 0.0,
             bed_beyond_wall: 0.0,
+            bed_before_paddle: 0.0,
             wall_angle_deg: 90.0,
             dry_bed: false,
+            crest: None,
         };
         let ghosts = box_ghosts(&layout, 0.8, 0.25);
         let area: f64 = ghosts.volume.iter().sum();

@@ -7,7 +7,7 @@ use super::plane::Plane;
 use super::profile::Profile;
 use super::sums::Water;
 use super::waterline::{corner_angle, wedge_fraction};
-use crate::body::BodyMotion;
+use crate::body::{BodyMotion, Place};
 use crate::math::simd::{LANES, SimdPath};
 
 impl Exchange {
@@ -31,8 +31,8 @@ impl Exchange {
 
     /// What the bed leaves of the half discs around the points of the walls that rise from it.
     pub(super) fn complete_walls(&mut self, ghosts: &Ghosts) {
-        if let Some(profile) = &ghosts.profile {
-            self.complete_along(ghosts, profile);
+        if let Some(profile) = ghosts.profile.as_ref().and(ghosts.outline()) {
+            self.complete_along(ghosts, profile, f64::NEG_INFINITY);
             return;
         }
         for body in ghosts.bodies.iter().skip(1) {
@@ -48,13 +48,19 @@ impl Exchange {
                 };
             }
         }
+        if let Some(crest) = &ghosts.crest {
+            // Farther down it is an endless wall.
+            let reach = self.rules.scaling.support_radius;
+            self.complete_along(ghosts, &crest.outline, crest.height - reach);
+        }
     }
 
-    /// What bed and walls leave of the discs around the points of all faces, where the bed is not level.
-    fn complete_along(&mut self, ghosts: &Ghosts, profile: &Profile) {
-        let open = Open::of(&self.rules, profile, ghosts);
+    /// What bed and walls leave of the discs around the points of all faces above a height, metres, where
+    /// the water's outline is not a level bed between endless walls.
+    fn complete_along(&mut self, ghosts: &Ghosts, outline: &Profile, above: f64) {
+        let open = Open::of(&self.rules, outline, ghosts);
         for body in &ghosts.bodies {
-            for face in body.faces.clone() {
+            for face in body.faces.clone().filter(|&face| ghosts.target_y[face] > above) {
                 self.complete[face] =
                     2.0 * open.share([ghosts.target_x[face], ghosts.target_y[face]]);
             }
@@ -84,7 +90,8 @@ impl Exchange {
     /// that a level surface has at its contact with the wall (1/2 for a vertical one), so connected
     /// to the water below. Where the water's edge lies on the bed, that of the edge.
     pub fn level(&self, ghosts: &Ghosts, body: usize) -> f64 {
-        if let Some(edge) = self.shoreline(ghosts) {
+        let ends_bed = body == Place::Right.number();
+        if let Some(edge) = self.shoreline(ghosts).filter(|_| ends_bed) {
             return edge;
         }
         let faces = ghosts.bodies[body].faces.clone();
@@ -95,7 +102,7 @@ impl Exchange {
             return heights.last().copied().unwrap_or(0.0);
         };
         if dry == 0 {
-            return ghosts.profile.as_ref().map_or(0.0, |profile| profile.end()[1]);
+            return ghosts.bodies[body].plane.point[1];
         }
         let part = (wetness[dry - 1] - contact) / (wetness[dry - 1] - wetness[dry]);
         heights[dry - 1] + part * (heights[dry] - heights[dry - 1])
@@ -157,7 +164,10 @@ impl Exchange {
                 let reach_y = ghosts.target_y[face] - means.y[lane];
                 let pressure =
                     mean - density * (rules.gravity * reach_y + motion.acceleration * reach_x);
-                wet * pressure * spacing * across.abs()
+                let height = ghosts.crest.as_ref().map_or(spacing, |crest| {
+                    crest.below([ghosts.target_x[face], ghosts.target_y[face]], spacing)
+                });
+                wet * pressure * height * across.abs()
             })
             .sum()
     }

@@ -4,9 +4,12 @@ use super::exchange::Exchange;
 use super::faces::span;
 use super::ghosts::{Ghosts, Reflection};
 use super::sums::Means;
-use crate::body::BodyMotion;
+use crate::body::{BodyMotion, Place};
 use crate::math::simd::{LANES, SimdPath};
 use crate::pairs::Record;
+
+/// Water lies on a crest whose mean is so many spacings above it: half of what a single row has.
+const LIES_ON: f64 = 0.25;
 
 impl Exchange {
     /// Writes the ghosts' records: place, volume, pressure and its response to their body's
@@ -92,7 +95,7 @@ impl Exchange {
         if self.scale[g / LANES][g % LANES] == 0.0 {
             return None;
         }
-        let wet = self.wet_share_of(ghosts, body, g);
+        let wet = self.wet_share_of(ghosts, body, g) * self.share_on_crest(ghosts, body, g);
         let mut volume = ghosts.volume[g] * wet;
         if body == 0 && rules.bed_between_walls {
             let (x, half) = (ghosts.x[g] + motion.offset, 0.5 * rules.spacing);
@@ -100,6 +103,19 @@ impl Exchange {
             volume *= inside.clamp(0.0, 1.0);
         }
         Some((volume, wet))
+    }
+
+    /// How much a ghost under a crest counts. Water that climbs the face is in reach of its mirror point, too, and
+    /// would be reflected downwards: only water that lies on the crest counts.
+    fn share_on_crest(&self, ghosts: &Ghosts, body: usize, g: usize) -> f64 {
+        let level = Reflection::Plane { normal: [0.0, -1.0] };
+        match &ghosts.crest {
+            Some(crest) if body == Place::Right.number() && ghosts.reflection[g] == level => {
+                let above = self.means[g / LANES].y[g % LANES] - crest.height;
+                (above / (LIES_ON * self.rules.spacing)).clamp(0.0, 1.0)
+            }
+            _ => 1.0,
+        }
     }
 
     /// Finds what makes a ghost of the means at its mirror point.
@@ -111,8 +127,8 @@ impl Exchange {
         responds: bool,
     ) {
         let (block, lane) = (g / LANES, g % LANES);
-        // A thin sheet of water on a bed goes on below as the deep water that its ghosts stand for.
-        let correction = if ghosts.profile.is_some() && ghosts.bodies[0].ghosts.contains(&g) {
+        // A thin sheet of water on a bed or a crest goes on below as the deep water that its ghosts stand for.
+        let correction = if ghosts.is_deep(g) {
             [1.0, 0.0, 1.0]
         } else {
             mirrored_correction(&self.means[block], lane, ghosts.reflection[g])

@@ -2,8 +2,10 @@
 
 use std::ops::Range;
 
+use super::crest::Crest;
 use super::plane::Plane;
 use super::profile::Profile;
+use crate::body::Place;
 use crate::math::simd::LANES;
 use crate::pairs::Strips;
 
@@ -93,6 +95,8 @@ pub struct Ghosts {
     pub bodies: Vec<GhostBody>,
     /// The bed, where it is not level.
     pub profile: Option<Profile>,
+    /// Where the right wall ends, where water may go over it.
+    pub crest: Option<Crest>,
 }
 
 impl Ghosts {
@@ -113,6 +117,21 @@ impl Ghosts {
     /// alone.
     pub fn end_on_slope(&self) -> bool {
         self.profile.as_ref().is_some_and(|bed| !bed.ends_level())
+    }
+
+    /// The line that bounds the water from below, where it is more than a level bed between its walls: the
+    /// bed, and where there is a crest the wall's face, its top and its back.
+    pub fn outline(&self) -> Option<&Profile> {
+        self.crest.as_ref().map(|crest| &crest.outline).or(self.profile.as_ref())
+    }
+
+    /// Whether a ghost stands for deep water whatever lies on it: below a bed that is not level, and below
+    /// a crest.
+    pub(super) fn is_deep(&self, g: usize) -> bool {
+        let below = |body: usize| self.bodies[body].ghosts.contains(&g);
+        let level = Reflection::Plane { normal: [0.0, -1.0] };
+        self.profile.is_some() && below(Place::Bed.number())
+            || self.crest.is_some() && below(Place::Right.number()) && self.reflection[g] == level
     }
 
     /// Number of ghosts, padding included.

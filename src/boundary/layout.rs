@@ -15,10 +15,23 @@ pub struct TankLayout {
     pub wall_height: f64,
     /// How far the bed goes on behind the wall, for the wall to move over.
     pub bed_beyond_wall: f64,
+    /// How far it goes on before the paddle, for that to move over.
+    pub bed_before_paddle: f64,
     /// Angle of the right wall from the bed, degrees: 90 is vertical, 120 leans away from the water.
     pub wall_angle_deg: f64,
     /// The bed may run dry: its ghosts ask face points whether they are wet.
     pub dry_bed: bool,
+    /// Where the right wall ends; none for one that no water goes over.
+    pub crest: Option<CrestShape>,
+}
+
+/// The crest of an upright wall, metres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CrestShape {
+    /// Above the paddle's foot.
+    pub height: f64,
+    /// From the wall's face to its back.
+    pub width: f64,
 }
 
 /// Centre of a cell, metres.

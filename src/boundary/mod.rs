@@ -8,6 +8,8 @@
 mod bed;
 mod closed_box;
 mod corner;
+mod crest;
+mod crested;
 mod dummy;
 mod exchange;
 mod face_pressures;
@@ -34,12 +36,13 @@ mod waterline;
 mod weighing;
 
 pub use closed_box::{box_ghosts, no_ghosts};
+pub use crest::Crest;
 pub use dummy::Dummy;
 pub use exchange::{Exchange, ExchangeRules};
 pub use ghosts::{BodySites, GhostBody, Ghosts, Reflection, Site};
 pub use image::Image;
 pub use improved_shepard::ImprovedShepard;
-pub use layout::TankLayout;
+pub use layout::{CrestShape, TankLayout};
 pub use mls_linear::MlsLinear;
 pub use mls_quadratic::MlsQuadratic;
 pub use normalized::Normalized;

@@ -19,7 +19,12 @@ pub(super) struct Open<'a> {
 
 impl<'a> Open<'a> {
     pub(super) fn of(rules: &ExchangeRules, profile: &'a Profile, ghosts: &Ghosts) -> Open<'a> {
-        let walls = ghosts.bodies.iter().skip(1).map(|body| body.plane).collect();
+        // A wall with a crest is part of the outline.
+        let walls = match ghosts.crest {
+            Some(_) => 1..2,
+            None => 1..ghosts.bodies.len(),
+        };
+        let walls = ghosts.bodies[walls].iter().map(|body| body.plane).collect();
         Open { profile, walls, disc: disc(rules.kernel, rules.scaling.support_radius) }
     }
 

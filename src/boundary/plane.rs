@@ -14,7 +14,7 @@ const NOWHERE: f64 = 1e9;
 
 impl Plane {
     /// A face with this unit normal that lies out of every reach.
-    pub(super) fn nowhere([nx, ny]: [f64; 2]) -> Plane {
+    pub fn nowhere([nx, ny]: [f64; 2]) -> Plane {
         Plane { point: [nx * NOWHERE, ny * NOWHERE], normal: [nx, ny] }
     }
 

@@ -61,13 +61,14 @@ impl Profile {
         first.map_or(self.end()[0], |first| self.0[first - 1][0])
     }
 
-    /// The same bed, so many metres longer where it ends level.
-    pub(super) fn gone_on(&self, metres: f64) -> Profile {
+    /// The same bed, so many metres longer before the paddle, and behind the wall where it ends level.
+    pub(super) fn gone_on(&self, [before, behind]: [f64; 2]) -> Profile {
         let mut points = self.0.clone();
-        if metres > 0.0 && self.ends_level() {
+        points[0][0] -= before;
+        if behind > 0.0 && self.ends_level() {
             let [x, y] = self.end();
             points.pop();
-            points.push([x + metres, y]);
+            points.push([x + behind, y]);
         }
         Profile(points)
     }

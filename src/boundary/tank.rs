@@ -4,6 +4,8 @@ use std::f64::consts::PI;
 
 use super::bed::bed_sites;
 use super::corner::Corner;
+use super::crest::Crest;
+use super::crested::crested;
 use super::ghosts::{BodySites, Ghosts, Reflection, Site};
 use super::layout::{TankLayout, at};
 use super::plane::Plane;
@@ -25,15 +27,29 @@ pub fn tank_ghosts(layout: &TankLayout, profile: Option<&Profile>, strip_width: 
         let bodies = [
             level_bed(layout, right, floor),
             wall(layout, left, floor),
-            wall(layout, right, floor),
+            right_wall(layout, right, floor),
         ];
-        return Ghosts::new(&bodies, strip_width);
+        let crest = layout.crest.map(|shape| Crest::of(shape, layout, right, None));
+        return Ghosts { crest, ..Ghosts::new(&bodies, strip_width) };
     };
     let right = Plane { point: profile.end(), normal: upright };
     let last = profile.stretches().last().map_or(floor, |stretch| stretch.plane());
-    let bed = profile.gone_on(layout.bed_beyond_wall);
-    let bodies = [bed_sites(layout, &bed), wall(layout, left, floor), wall(layout, right, last)];
-    Ghosts { profile: Some(profile.clone()), ..Ghosts::new(&bodies, strip_width) }
+    // In whole columns, so that they stay where the water's are.
+    let before = (layout.bed_before_paddle / layout.spacing_x).round() * layout.spacing_x;
+    let bed = profile.gone_on([before, layout.bed_beyond_wall]);
+    let bodies =
+        [bed_sites(layout, &bed), wall(layout, left, floor), right_wall(layout, right, last)];
+    let crest = layout.crest.map(|shape| Crest::of(shape, layout, right, Some(profile)));
+    Ghosts { profile: Some(profile.clone()), crest, ..Ghosts::new(&bodies, strip_width) }
+}
+
+/// The wall at the end of the tank, up to its crest where it has one.
+fn right_wall(layout: &TankLayout, face: Plane, floor: Plane) -> BodySites {
+    let endless = wall(layout, face, floor);
+    match layout.crest {
+        Some(shape) => crested(shape, layout, endless),
+        None => endless,
+    }
 }
 
 /// A level bed from one wall to the other, and beyond as far as that may move.
@@ -43,7 +59,9 @@ fn level_bed(layout: &TankLayout, right: Plane, floor: Plane) -> BodySites {
     let columns = ((length + layout.bed_beyond_wall) / spacing_x).round() as i64;
     let leaning = right.normal[1] != 0.0;
     let mut bed = Vec::new();
-    for column in 0..columns {
+    // Face points are numbered from the first column: where a bed may run dry no paddle gives way.
+    let before = (layout.bed_before_paddle / spacing_x).round() as i64;
+    for column in -before..columns {
         for layer in 0..layers_y {
             let (x, depth) = (at(column, spacing_x), at(layer, spacing_y));
             let mirror = [x, depth];

@@ -14,6 +14,8 @@ const FRAMES: usize = 60;
 const MOST_SPARE: usize = 8;
 /// Unless that takes more memory than this, bytes.
 const MOST_MEMORY: usize = 200_000_000;
+/// What has gone over a crest is put under the ground, which covers it: at this height, in depths.
+const UNDER: f64 = -0.075;
 /// A film has half of its frames within so many √(h/g) of the crest.
 const CLOSE: f64 = 5.0;
 
@@ -53,7 +55,15 @@ impl Camera for PageCamera<'_> {
     fn shoot(&mut self, film: &Film<'_>) {
         // A run that became unstable starts anew.
         self.takes.retain(|take| take.time_s < film.time_s);
-        let (fluid, mut points) = (film.fluid, vec![[0.0; 3]; film.fluid.len()]);
+        let fluid = film.fluid;
+        let count = fluid.id[..fluid.len()].iter().map(|&id| id as usize + 1).max().unwrap_or(0);
+        let under = (UNDER * self.config.scene.frame().depth) as f32;
+        // Who is no longer there stays under the ground where it was last seen.
+        let mut points: Vec<Point> = match self.takes.last() {
+            Some(take) => take.points.iter().map(|&[x, ..]| [x, under, 0.0]).collect(),
+            None => Vec::new(),
+        };
+        points.resize(count.max(points.len()), [0.0, under, 0.0]);
         for k in 0..fluid.len() {
             let value = match self.film.colour {
                 Colour::Pressure => film.pressure[k],

@@ -93,7 +93,8 @@
   }
 
   function surface() {
-    const [from, to] = [now.left + bin.wide, film.length + now.right + Math.max(0, lean * film.tall) - 0.5 * bin.wide];
+    const end = film.wall === "crest" ? film.whole.x1 : film.length + now.right + Math.max(0, lean * film.tall);
+    const [from, to] = [now.left + bin.wide, end - 0.5 * bin.wide];
     const points = bin.tops.map((top, at) => [film.whole.x0 + (at + 0.5) * bin.wide, top]);
     return points.map((point) => (point[1] === null || point[0] < from || point[0] > to ? null : point));
   }
@@ -165,7 +166,7 @@
     if (film.lid) pen.fillRect(X(view.x0), 0, X(view.x1) - X(view.x0), Y(film.lid));
     const over = lean * top;
     const breadth = film.wall === "caisson" ? 0.8 * film.depth : thick;
-    polygon(pen, [[X(right), Y(bed)], [X(right + over), Y(top)], [X(right + over + breadth), Y(top)], [X(right + breadth), Y(bed)]]);
+    if (film.wall !== "crest") polygon(pen, [[X(right), Y(bed)], [X(right + over), Y(top)], [X(right + over + breadth), Y(top)], [X(right + breadth), Y(bed)]]);
     if (film.wall === "spring") {
       const from = X(right + thick), to = X(film.post), y = Y(0.5 * film.depth), swing = 0.1 * film.depth * scale;
       pen.beginPath();

@@ -222,7 +222,10 @@ fn wall(config: &CaseConfig) -> String {
         .filter_map(|(value, name, unit)| Some(format!(", {name} = {}{unit}", (*value)?)))
         .collect();
     let kind = match (scene.wall.moves(), scene.spring_stiffness_n_per_m) {
-        (false, _) if scene.wall_angle_deg == 90.0 => "fixed wall".to_owned(),
+        (false, _) if scene.wall_angle_deg == 90.0 => match &scene.crest {
+            Some(crest) => format!("fixed wall of {} m over still water", crest.crest_freeboard_m),
+            None => "fixed wall".to_owned(),
+        },
         (false, _) => format!("fixed wall at {}°", scene.wall_angle_deg),
         (true, Some(_)) => "wall on a spring".to_owned(),
         (true, None) => "sliding caisson".to_owned(),

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::camera::Take;
 use crate::boundary::Profile;
-use crate::scene::{CaseConfig, Scene, WallChoice};
+use crate::scene::{CaseConfig, Scene, SeawallScene, WallChoice};
 
 /// What holds the water at the end of the tank.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
@@ -18,6 +18,8 @@ pub(super) enum WallKind {
     Spring,
     /// It slides.
     Caisson,
+    /// It stands, and ends in a crest that is drawn with the bed.
+    Crest,
 }
 
 /// A rectangle of the world, metres.
@@ -47,7 +49,7 @@ pub(super) struct Stage {
     pub wall: WallKind,
     /// Of the wall from the bed, degrees.
     pub angle: f64,
-    /// The bed, where it is not level.
+    /// The bed, where it is not level, and a wall that has a crest.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub bed: Option<Profile>,
     /// How high walls are drawn.
@@ -61,6 +63,24 @@ pub(super) struct Stage {
     pub near: Option<Near>,
 }
 
+/// How wide the crest of a wall is, metres.
+fn crest_width(scene: &Scene) -> f64 {
+    let crest = scene.seawall().and_then(|scene| scene.crest.as_ref());
+    crest.map_or(0.0, |crest| crest.crest_width_m)
+}
+
+/// The line of the ground: the bed, and a wall with a crest.
+fn ground(scene: &SeawallScene) -> Option<Profile> {
+    let Some(crest) = &scene.crest else { return scene.bed.clone() };
+    let length = scene.tank_length_m;
+    let level = vec![[0.0, 0.0], [length, 0.0]];
+    let mut points = scene.bed.as_ref().map_or(level, |bed| bed.points().to_vec());
+    let (top, back) =
+        (scene.still_water_depth_m + crest.crest_freeboard_m, length + crest.crest_width_m);
+    points.extend([[length, top], [back, top], [back, 0.0]]);
+    Profile::checked(points).ok()
+}
+
 impl Stage {
     /// The stage of a case whose water was seen in these instants.
     pub fn of(config: &CaseConfig, takes: &[Take]) -> Stage {
@@ -70,6 +90,7 @@ impl Stage {
         let (wall, angle) = match scene {
             Scene::RotatingPatch(_) | Scene::OscillatingDrop(_) => (WallKind::None, 90.0),
             Scene::Seawall(scene) => match scene.wall {
+                WallChoice::Fixed if scene.crest.is_some() => (WallKind::Crest, 90.0),
                 WallChoice::Fixed => (WallKind::Fixed, scene.wall_angle_deg),
                 WallChoice::Movable => (WallKind::Spring, 90.0),
                 WallChoice::Caisson => (WallKind::Caisson, 90.0),
@@ -116,6 +137,7 @@ impl Stage {
         let behind = match wall {
             WallKind::Spring => post + 0.1 * depth,
             WallKind::Caisson => length + farthest + 0.9 * depth,
+            WallKind::Crest => length + crest_width(scene) + 0.6 * depth,
             _ => length + lean.max(0.0) + margin,
         };
         let whole = View { x0: left - margin, x1: behind, y0: -margin, y1: tall + 0.5 * margin };
@@ -123,7 +145,7 @@ impl Stage {
             let beyond = behind - length - farthest;
             Near { x: 2.6 * depth, width: 2.6 * depth + beyond }
         });
-        let bed = scene.seawall().and_then(|scene| scene.bed.clone());
+        let bed = scene.seawall().and_then(ground);
         Stage { depth, length, spacing, wall, angle, bed, tall, lid, post, whole, near }
     }
 

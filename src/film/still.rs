@@ -202,6 +202,9 @@ impl Still<'_> {
             let back = (left - thick).max(x0);
             sheet.shape(text, &[[back, bed], [left, bed], [left, top], [back, top]]);
         }
+        if stage.wall == WallKind::Crest {
+            return;
+        }
         let lean = (stage.angle - 90.0).to_radians().tan() * top;
         let broad = if stage.wall == WallKind::Caisson { 0.8 * stage.depth } else { thick };
         let far = right + broad;

@@ -82,6 +82,23 @@ impl Fluid {
         self.pad();
     }
 
+    /// Keeps some of the particles, in their order: those with these places in the arrays.
+    pub fn keep(&mut self, kept: &[u32]) {
+        self.len = kept.len();
+        for field in [
+            &mut self.x,
+            &mut self.y,
+            &mut self.vx,
+            &mut self.vy,
+            &mut self.density,
+            &mut self.mass,
+        ] {
+            *field = gather(field, kept);
+        }
+        self.id = kept.iter().map(|&from| self.id[from as usize]).collect();
+        self.pad();
+    }
+
     fn pad(&mut self) {
         let (last, padded) = (self.len.saturating_sub(1), self.padded_len());
         for field in [&mut self.x, &mut self.y, &mut self.vx, &mut self.vy, &mut self.density] {
@@ -93,6 +110,11 @@ impl Fluid {
         self.mass.resize(padded, 0.0);
         self.id.resize(padded, u32::MAX);
     }
+}
+
+/// The entries of a field at some places.
+pub fn gather<T: Copy>(field: &[T], places: &[u32]) -> Vec<T> {
+    places.iter().map(|&from| field[from as usize]).collect()
 }
 
 /// Puts a field into a new order: entry k becomes the old `order[k]`.
@@ -115,5 +137,14 @@ mod tests {
         assert_eq!(fluid.x[..3], [10.0, 9.0, 8.0]);
         assert_eq!((fluid.x[15], fluid.mass[15], fluid.id[0]), (0.0, 0.0, 10));
         assert_eq!(fluid.mass.iter().sum::<f64>(), 5.5);
+    }
+
+    #[test]
+    fn what_is_kept_keeps_its_number() {
+        let mut fluid = Fluid::at_rest((0..11).map(|k| [f64::from(k), 2.0, 1000.0, 0.5]));
+        fluid.keep(&[1, 4, 5, 10]);
+        assert_eq!((fluid.len(), fluid.padded_len()), (4, 8));
+        assert_eq!((fluid.id[..4].to_vec(), fluid.x[3]), (vec![1, 4, 5, 10], 10.0));
+        assert_eq!((fluid.mass.iter().sum::<f64>(), fluid.id[4]), (2.0, u32::MAX));
     }
 }

@@ -39,7 +39,7 @@ pub use column::Column;
 pub use factors::Factors;
 pub use fields::{Advance, Extrapolate, Here, Ramp};
 pub use flow::{Flow, FlowSums, Own};
-pub use fluid::{Fluid, reorder};
+pub use fluid::{Fluid, gather, reorder};
 pub use geometry::Pair;
 pub use lists::{GHOST_MARGIN, Pairs};
 pub use near::{Coupling, Moments, Near, Rows};

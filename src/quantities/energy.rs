@@ -7,6 +7,9 @@ use crate::simulation::EnergyBudget;
 /// How a term is read.
 pub type Read = fn(&EnergyBudget) -> f64;
 
+/// So many terms were there from the first version on; `energy.csv` has the gap behind them.
+pub const FIRST_VERSION: usize = 11;
+
 const fn term(name: &'static str, read: Read) -> Quantity<Read> {
     Quantity::new(name, "", Unit::JoulesPerMetre, read)
 }
@@ -34,4 +37,7 @@ quantities! { Read;
     DENSITY_DIFFUSION = term("density_diffusion_j_per_m", |budget| budget.density_diffusion);
     /// taken out by particle shifting
     SHIFTING = term("shifting_j_per_m", |budget| budget.shifting);
+    // Directories of the first version end here.
+    /// energy of the water that went over a crest and was taken away, as it had it there; behind the gap
+    OUTFLOW = term("outflow_j_per_m", |budget| budget.outflow);
 }

@@ -1,8 +1,8 @@
 //! The columns of `summary.csv`, in their order. Swept keys follow in a column each.
 
 use super::Unit::{
-    Displacement, Force, Impulse, KilogramsPerMetre, Metres, Moment, NewtonsPerMetre, Percent,
-    Pure, Runup, Seconds,
+    Displacement, Force, Impulse, KilogramsPerMetre, Metres, MetresPerSecond, Moment,
+    NewtonsPerMetre, Percent, Pure, Runup, Seconds, SquareMetres, SquareMetresPerSecond,
 };
 use super::column::{Read, count, flag, maximum, number, text};
 use super::{Column, quantities};
@@ -94,7 +94,7 @@ quantities! { Read;
         Some(c.outcome?.force_gap_percent)
     }).decimals(3);
     /// residual of the energy budget, of the paddle's work (in still water, of the initial
-    /// potential energy)
+    /// potential energy; of a paddle that absorbs, of all work that passed either way)
     ENERGY_GAP = number("energy_gap_percent", "", Percent, |c| {
         Some(c.outcome?.energy_gap_percent)
     }).decimals(3);
@@ -174,6 +174,24 @@ quantities! { Read;
     SPRING_FORCE_MAX = maximum("spring_force_max", "spring force max", Force, |c| {
         c.spring_force_max()
     }).bound("displacement_truncated");
+    /// water that has gone past the back of the wall's crest by the end, per metre of width; this and
+    /// the next three are empty where the wall has no crest
+    OVERTOPPING_VOLUME = number("overtopping_volume_m2", "V over", SquareMetres, |c| {
+        Some(c.outcome?.overtopped?.volume_m2)
+    }).significant(4);
+    /// largest discharge at the back of the crest
+    OVERTOPPING_DISCHARGE = number(
+        "overtopping_discharge_max_m2_per_s", "q max", SquareMetresPerSecond,
+        |c| Some(c.outcome?.overtopped?.discharge_max_m2_per_s)
+    ).significant(4);
+    /// thickest water on the crest
+    CREST_THICKNESS = number("crest_thickness_max_m", "crest d max", Metres, |c| {
+        Some(c.outcome?.overtopped?.thickness_max_m)
+    }).significant(4);
+    /// fastest water on the crest, away from the tank: the mean over a column of water
+    CREST_SPEED = number("crest_speed_max_m_per_s", "crest u max", MetresPerSecond, |c| {
+        Some(c.outcome?.overtopped?.speed_max_m_per_s)
+    }).significant(4);
 }
 
 /// The columns of the first version, which every directory has.
@@ -205,7 +223,8 @@ mod tests {
             particle_spacing_m,force_coupling,force_at_rest,boundary_fallbacks,force_max_gap_percent,stop_impulse,\
             stop_impulse_time_s,force_max_error,runup_max_error,doubtful,doubtful_reason,moment_max,\
             moment_max_time_s,first_moment_max,first_moment_max_time_s,first_impulse,rise_time_s,\
-            spring_force_max,spring_force_max_time_s";
+            spring_force_max,spring_force_max_time_s,overtopping_volume_m2,\
+            overtopping_discharge_max_m2_per_s,crest_thickness_max_m,crest_speed_max_m_per_s";
         assert_eq!(names().collect::<Vec<_>>().join(","), contract);
     }
 

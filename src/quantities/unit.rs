@@ -21,6 +21,10 @@ pub enum Unit {
     Seconds,
     /// m.
     Metres,
+    /// m².
+    SquareMetres,
+    /// m²/s.
+    SquareMetresPerSecond,
     /// m/s.
     MetresPerSecond,
     /// N/m.
@@ -45,6 +49,8 @@ impl Unit {
             Unit::Percent => "%",
             Unit::Seconds => "s",
             Unit::Metres => "m",
+            Unit::SquareMetres => "m²",
+            Unit::SquareMetresPerSecond => "m²/s",
             Unit::MetresPerSecond => "m/s",
             Unit::NewtonsPerMetre => "N/m",
             Unit::KilogramsPerMetre => "kg/m",
@@ -75,7 +81,7 @@ impl Unit {
 }
 
 /// Endings of columns and keys that tell their unit; longer ones before those that they end in.
-pub(super) const ENDINGS: [(&str, &str); 17] = [
+pub(super) const ENDINGS: [(&str, &str); 18] = [
     ("_kn_m_per_m", "kN m/m"),
     ("_kn_s_per_m", "kN s/m"),
     ("_kn_per_m", "kN/m"),
@@ -91,6 +97,7 @@ pub(super) const ENDINGS: [(&str, &str); 17] = [
     ("_percent", "%"),
     ("_deg", "°"),
     ("_pa", "Pa"),
+    ("_m2", "m²"),
     ("_m", "m"),
     ("_s", "s"),
 ];

@@ -9,14 +9,18 @@ use crate::quantities::{energy, summary};
 
 /// Writes the budgets of the finished cases, in grid order.
 pub(super) fn write(directory: &Path, records: &[Option<CaseRecord>]) -> Result<(), SweepError> {
-    let terms = energy::ALL.iter().map(|term| term.name);
-    let names = [summary::CASE_ID.name].into_iter().chain(terms).chain([summary::ENERGY_GAP.name]);
+    // The gap keeps its place behind the terms of the first version.
+    let (first, later) = energy::ALL.split_at(energy::FIRST_VERSION);
+    let [first_names, later_names] = [first, later].map(|terms| terms.iter().map(|term| term.name));
+    let names = [summary::CASE_ID.name].into_iter().chain(first_names);
+    let names = names.chain([summary::ENERGY_GAP.name]).chain(later_names);
     let mut text = names.collect::<Vec<_>>().join(",") + "\n";
     for record in records.iter().flatten() {
         let (Some(budget), Some(outcome)) = (&record.energy, &record.outcome) else { continue };
         text.push_str(&record.id.to_string());
-        let terms = energy::ALL.iter().map(|term| (term.read)(budget));
-        for value in terms.chain([outcome.energy_gap_percent]) {
+        let [first, later] =
+            [first, later].map(|terms| terms.iter().map(|term| (term.read)(budget)));
+        for value in first.chain([outcome.energy_gap_percent]).chain(later) {
             text.push(',');
             number::push(&mut text, value);
         }

@@ -87,11 +87,13 @@ impl Unsynced {
             seals.insert(name.to_owned(), Seal::of(text.as_bytes()));
         }
         let columns = directory.join(PROBES).join("columns.csv");
-        if let Some(probes) = &result.probes
-            && !columns.is_file()
-        {
-            // The same for all cases of a sweep.
-            atomic_file::write(&columns, probe_columns(probes).as_bytes())?;
+        if let Some(probes) = &result.probes {
+            // The same for all cases of a sweep, but that some walls may have a crest and some not.
+            let text = probe_columns(probes);
+            let known = fs::metadata(&columns).map_or(0, |file| file.len());
+            if known < text.len() as u64 {
+                atomic_file::write(&columns, text.as_bytes())?;
+            }
         }
         Ok(seals)
     }

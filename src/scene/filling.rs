@@ -7,7 +7,9 @@ use super::numerics::{GhostGravity, Numerics, Scheme as SchemeChoice, Slip};
 use super::packing::{Packing, Uneven};
 use super::tank::Tank;
 use crate::body::Place;
-use crate::boundary::{Ghosts, Profile, TankLayout, box_ghosts, no_ghosts, tank_ghosts};
+use crate::boundary::{
+    CrestShape, Ghosts, Profile, TankLayout, box_ghosts, no_ghosts, tank_ghosts,
+};
 use crate::math::simd::SimdPath;
 use crate::pairs::Fluid;
 use crate::pairs::Strips;
@@ -45,6 +47,8 @@ pub(super) struct Filling {
     pub dry_bed: bool,
     /// How far the bed goes on behind the right wall, metres.
     pub bed_beyond_wall: f64,
+    /// How far it goes on before the left wall, metres.
+    pub bed_before_paddle: f64,
     pub walls: Walls,
     /// At rest, and to start so.
     pub balanced: bool,
@@ -53,6 +57,8 @@ pub(super) struct Filling {
     pub field: Option<CentralField>,
     /// The bed, where it is not level.
     pub profile: Option<Profile>,
+    /// Where the right wall ends, where water may go over it.
+    pub crest: Option<CrestShape>,
 }
 
 impl Filling {
@@ -71,11 +77,13 @@ impl Filling {
             wall_angle_deg: 90.0,
             dry_bed: false,
             bed_beyond_wall: 0.0,
+            bed_before_paddle: 0.0,
             walls: Walls::Tank,
             balanced: false,
             velocities: Vec::new(),
             field: None,
             profile: None,
+            crest: None,
         }
     }
 
@@ -215,8 +223,10 @@ impl Filling {
             support_radius: numerics.support_radius_ratio * dx,
             wall_height: WALL_HEIGHT * frame.depth,
             bed_beyond_wall: self.bed_beyond_wall,
+            bed_before_paddle: self.bed_before_paddle,
             wall_angle_deg: self.wall_angle_deg,
             dry_bed: self.dry_bed,
+            crest: self.crest,
         };
         let strip_width = Strips::width(dx);
         match self.walls {

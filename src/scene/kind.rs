@@ -183,6 +183,8 @@ impl Scene {
             Scene::Seawall(scene) => {
                 scene.validate()?;
                 scene.validate_bed(numerics)?;
+                scene.validate_crest(numerics)?;
+                scene.validate_absorption(numerics)?;
             }
             Scene::Hydrostatic(scene) => scene.validate()?,
             Scene::DamBreak(scene) => scene.validate()?,

@@ -6,6 +6,7 @@
 
 mod bed_lattice;
 mod config;
+mod crest;
 mod dam_break;
 mod declared;
 mod filling;
@@ -23,6 +24,8 @@ mod probe;
 mod rotating_patch;
 mod seawall;
 mod seawall_bed;
+mod seawall_crest;
+mod seawall_paddle;
 mod size;
 mod standing_wave;
 mod still_water;

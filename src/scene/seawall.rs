@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::crest::{Behind, CrestKeys};
 use super::filling::WALL_HEIGHT;
 use crate::body::{
     CaissonKeys, FixedWall, GoringPaddle, Paddle, RecordedStroke, RecordedStrokeKeys, SpringWall,
@@ -54,6 +55,8 @@ section! {
         water_density_kg_per_m3: f64 = 1000.0, unit("kg/m³").above_zero();
         /// A solitary wave, regular waves, or the stroke of a file.
         paddle: PaddleChoice = PaddleChoice::Solitary, plain().newer();
+        /// The paddle gives way to waves that come back to it, so that they leave the tank.
+        absorption: bool = false, plain().newer();
         /// H/h of the wave, of a recorded stroke about; 0 is still water with the paddle at rest.
         wave_height_ratio: f64 = 0.5, plain().within(0.0, 0.8);
         /// The run ends this long after the paddle passes the middle of its stroke.
@@ -67,6 +70,8 @@ section! {
         wall: WallChoice = WallChoice::Fixed, plain();
         /// Angle of the wall from the bed; 90 is vertical, 120 leans away from the water.
         wall_angle_deg: f64 = 90.0, unit("°").within(30.0, 150.0).read_where("wall", &["fixed"]);
+        /// Nothing, behind a wall that no water goes over; or an outflow, behind one with a crest.
+        behind: Behind = Behind::Nothing, plain().only("wall", &["fixed"]).newer();
         /// F_threshold, above which a movable wall gives way, over the hydrostatic force.
         threshold_ratio: f64 = THRESHOLD_RATIO,
             plain().above_zero().read_where("wall", &["fixed", "movable"]);
@@ -91,6 +96,8 @@ section! {
         recorded: RecordedStrokeKeys where paddle == PaddleChoice::RecordedStroke;
         /// The caisson that the wall is.
         caisson: CaissonKeys where wall == WallChoice::Caisson;
+        /// The crest that the wall ends in.
+        crest: CrestKeys where behind == Behind::Outflow;
     }
 }
 

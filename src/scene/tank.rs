@@ -6,13 +6,16 @@ use super::lattice::Lattice;
 use super::numerics::Numerics;
 use super::seawall::SeawallScene;
 use super::still_water::{still_water, still_water_over};
-use crate::body::{FixedWall, Motions, Paddle, Place, Wall};
+use crate::body::{BodyMotion, FixedWall, Motions, Paddle, Place, Wall};
 use crate::math::simd::SimdPath;
 use crate::scheme::Scheme;
 use crate::theory::hydrostatics::wall_force;
 
 /// The bed reaches this many still water depths beyond a wall that may move.
 const BED_BEYOND: f64 = 12.0;
+
+/// And as many before a paddle that gives way to waves.
+const BED_BEFORE: f64 = 12.0;
 
 /// A tank, ready to run.
 #[derive(Debug)]
@@ -21,6 +24,10 @@ pub struct Tank {
     pub water: Box<dyn Scheme>,
     /// The paddle at the start of the tank; none for still water.
     pub paddle: Option<Paddle>,
+    /// What an absorbing paddle has added to its own motion so far.
+    pub added: BodyMotion,
+    /// Whether the paddle lets waves go that come back to it.
+    pub absorbs: bool,
     /// The wall at its end.
     pub wall: Wall,
     /// Hydrostatic force on the right wall along x, N per metre of width.
@@ -57,6 +64,8 @@ impl Tank {
         Tank {
             water,
             paddle: None,
+            added: BodyMotion::default(),
+            absorbs: false,
             wall: Wall::Fixed(FixedWall::ALONE),
             static_force: if frame.gravity > 0.0 {
                 wall_force(frame.depth, frame.density, frame.gravity)
@@ -82,6 +91,9 @@ impl Tank {
         let mut motions = Motions::at_rest(self.water.walls().bodies.len());
         if let Some(paddle) = &self.paddle {
             motions[Place::Left] = paddle.motion(time);
+            if self.absorbs {
+                motions[Place::Left].add(&self.added);
+            }
         }
         if let Some(wall) = self.wall.state() {
             motions[Place::Right].offset = wall.displacement;
@@ -132,6 +144,9 @@ impl SeawallScene {
         };
         let filling = Filling {
             wall_angle_deg: self.wall_angle_deg,
+            crest: self.crest_shape(),
+            // A paddle that gives way goes back past where it stood.
+            bed_before_paddle: if self.absorption { BED_BEFORE * frame.depth } else { 0.0 },
             // The same for a fixed wall, so that both share a trunk to the bit.
             bed_beyond_wall: if self.wall_angle_deg == 90.0 {
                 BED_BEYOND * frame.depth
@@ -146,6 +161,7 @@ impl SeawallScene {
         let static_force = wall_force(depth, frame.density, frame.gravity);
         Tank {
             paddle: self.paddle(),
+            absorbs: self.absorption && self.wave_height_ratio > 0.0,
             wall: self.law(static_force),
             static_force,
             start_time: self.start_s(),

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::StateEquation;
 use super::isph::IsphState;
-use super::step::{Dissipation, Load, SolverSummary, StepError, StepWalls};
+use super::step::{Dissipation, Load, SolverSummary, StepError, StepWalls, Taken};
 use super::wcsph::WcsphState;
 use crate::body::BodyMotion;
 use crate::boundary::Ghosts;
@@ -57,6 +57,11 @@ pub trait Scheme: Debug + Send {
     /// Elastic energy of the water, J per metre of width, as far as it can do work.
     fn elastic_energy(&self) -> f64 {
         0.0
+    }
+
+    /// What has left over a crest.
+    fn taken(&self) -> Taken {
+        Taken::default()
     }
 
     /// Longest step that the water as it is allows, seconds.

@@ -44,6 +44,17 @@ pub struct Dissipation {
     pub shifting_work: f64,
 }
 
+/// Water that has been taken away, per metre of width.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Taken {
+    /// Particles.
+    pub particles: u32,
+    /// Mass, kg.
+    pub mass: f64,
+    /// Its kinetic, potential and elastic energy, J.
+    pub energy: f64,
+}
+
 /// How the pressure equation was solved over a run, and how incompressible the water stayed.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SolverSummary {

@@ -5,6 +5,7 @@ use super::energy::WaterEnergy;
 use super::outcome::{
     CaseResult, EnergyBudget, EnvelopeRow, NamedReading, Outcome, PhaseShare, Readings,
 };
+use super::overtopping::Overtopping;
 use super::readings;
 use super::run::Run;
 use super::settling::Prospect;
@@ -109,7 +110,10 @@ impl Run {
     fn outcome(&self, energy: &EnergyBudget) -> Outcome {
         let Run { tank, logbook, .. } = self;
         let (water, m) = (&tank.water, &logbook.measures);
-        let scale = if tank.paddle.is_some() {
+        let scale = if tank.absorbs {
+            // What an absorbing paddle gives it takes back.
+            logbook.ledger.exchanged
+        } else if tank.paddle.is_some() {
             energy.paddle_work.abs()
         } else {
             logbook.ledger.start.given()
@@ -155,7 +159,8 @@ impl Run {
             health: logbook.health.margins,
             recovered: None,
             steps: self.clock.steps,
-            particles: water.fluid().len() as u32,
+            overtopped: logbook.overtopping.as_ref().map(Overtopping::overtopped),
+            particles: water.fluid().len() as u32 + water.taken().particles,
             pair_evaluations: water.pair_evaluations(),
             boundary_fallbacks: water.boundary_fallbacks(),
         };
@@ -187,6 +192,9 @@ impl Run {
         }
         if let Some(watch) = &self.watch {
             watch.tell(self.tank.water.fluid(), &mut all);
+        }
+        if let Some(overtopping) = &self.logbook.overtopping {
+            overtopping.tell(self.tank.water.as_ref(), &mut all);
         }
         if let Some(table) = &self.logbook.probes {
             readings::tell_probes(&mut all, &self.config.scene, &self.config.probes, table);

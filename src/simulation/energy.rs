@@ -15,6 +15,8 @@ pub struct WaterEnergy {
     pub potential: f64,
     /// Σ m ∫ p/ρ² dρ, of tension only the share that the scheme lets act.
     pub elastic: f64,
+    /// What the water had that has left over a crest.
+    pub taken: f64,
 }
 
 impl WaterEnergy {
@@ -22,7 +24,8 @@ impl WaterEnergy {
     pub fn of(water: &dyn Scheme, gravity: f64) -> WaterEnergy {
         let (fluid, field) = (water.fluid(), water.field());
         let elastic = water.elastic_energy();
-        let mut energy = WaterEnergy { elastic, ..WaterEnergy::default() };
+        let taken = water.taken().energy;
+        let mut energy = WaterEnergy { elastic, taken, ..WaterEnergy::default() };
         for k in 0..fluid.len() {
             let (vx, vy, mass) = (fluid.vx[k], fluid.vy[k], fluid.mass[k]);
             energy.kinetic += 0.5 * mass * (vx * vx + vy * vy);
@@ -47,6 +50,9 @@ pub struct Ledger {
     /// At the start.
     pub start: WaterEnergy,
     paddle_work: f64,
+    /// What has passed between paddle and water either way, less the push of still water, J per metre of
+    /// width.
+    pub exchanged: f64,
     threshold_device: f64,
     stops: f64,
     viscous: f64,
@@ -62,9 +68,11 @@ impl Ledger {
         Ledger { start, ..Ledger::default() }
     }
 
-    /// Books the paddle's work over one step against the water's force on it, along x.
-    pub fn book_paddle(&mut self, force: f64, travel: f64) {
+    /// Books the paddle's work over one step against the water's force on it, along x, and that of still
+    /// water.
+    pub fn book_paddle(&mut self, [force, at_rest]: [f64; 2], travel: f64) {
         self.paddle_work -= force * travel;
+        self.exchanged += ((force - at_rest) * travel).abs();
     }
 
     /// Books what holds the wall takes over one step: of the water's force on the wall, and the force
@@ -101,6 +109,7 @@ impl Ledger {
             viscous: self.viscous,
             density_diffusion: self.density_diffusion,
             shifting: self.shifting,
+            outflow: now.taken - self.start.taken,
         }
     }
 }
@@ -118,6 +127,7 @@ impl EnergyBudget {
                 + self.stops
                 + self.viscous
                 + self.density_diffusion
-                + self.shifting)
+                + self.shifting
+                + self.outflow)
     }
 }

@@ -12,7 +12,7 @@ pub struct Face {
     pub place: Place,
     /// How fast the body moves along x, m/s.
     pub velocity: f64,
-    /// x and y, metres: along the bed and the lid from the left, up the walls.
+    /// x and y, metres: along the bed and the lid from the left, up the walls and over their crest.
     pub points: Vec<[f64; 2]>,
     /// The water's pressure at the points, Pa, read as a pressure probe there would; 0 where it is dry.
     pub pressure: Vec<f64>,
@@ -26,15 +26,19 @@ impl Run {
         if ghosts.is_empty() {
             return Vec::new();
         }
-        let top = ghosts.bodies[Place::Right.number()].faces.clone().next_back();
+        let crest = ghosts.crest.as_ref();
+        // The last faces of a wall with a crest are its back's.
+        let tall = if crest.is_some() { Place::Left } else { Place::Right };
+        let top = ghosts.bodies[tall.number()].faces.clone().next_back();
         let top = top.map_or(tank.frame.depth, |face| ghosts.target_y[face] + 0.5 * tank.spacing);
         let scales = (tank.frame.gravity, tank.spacing, tank.frame.density);
         let mut water = Sounding::new(tank.water.as_ref(), bodies, scales, near);
         let places = [Place::Bed, Place::Left, Place::Right, Place::Lid];
         let present = places.into_iter().take(bodies.len());
         let mut face = |place: Place| {
-            let ends = ends(&water, place, top);
-            let points = match &ghosts.profile {
+            let crest = crest.filter(|_| place == Place::Right);
+            let ends = ends(&water, place, crest.map_or(top, |crest| crest.height));
+            let mut points = match &ghosts.profile {
                 Some(bed) if place == Place::Bed => along_bed(bed, ends, tank.spacing),
                 _ => between(ends, tank.spacing),
             };
@@ -43,7 +47,13 @@ impl Run {
             let upright = [0.0, 1.0];
             let flat = matches!(place, Place::Bed | Place::Lid);
             let along = if flat { upright } else { [(x1 - x0) / long, (y1 - y0) / long] };
-            let pressure = water.pressures(&points, along);
+            let mut pressure = water.pressures(&points, along);
+            if let Some(crest) = crest {
+                // Its top goes on from its face.
+                let over = between(crest.ends.map(|x| [x, crest.height]), tank.spacing);
+                pressure.extend_from_slice(&water.pressures(&over[1..], upright));
+                points.extend_from_slice(&over[1..]);
+            }
             Face { place, velocity: bodies[place].velocity, points, pressure }
         };
         present.map(&mut face).collect()

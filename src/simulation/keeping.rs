@@ -1,10 +1,12 @@
 //! How a run hands over its state, and takes one up.
 
 use super::Monitor;
+use super::absorption::Absorption;
 use super::failure::{Failure, FailureKind};
 use super::kept::{Kept, hash};
 use super::run::Run;
 use super::state::RunState;
+use crate::body::BodyMotion;
 
 impl Run {
     /// Goes back to a kept state, in which the wall still stands.
@@ -12,6 +14,8 @@ impl Run {
         self.tank.water.restore(state.water);
         self.clock = state.clock;
         self.logbook = state.logbook;
+        self.tank.added =
+            self.logbook.absorption.as_ref().map_or(BodyMotion::default(), Absorption::added);
     }
 
     /// Goes back to what an earlier run of the same case has kept.

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::absorption::Absorption;
 use super::blows::Acoustics;
 use super::energy::{Ledger, WaterEnergy};
 use super::face_gaps::FaceGaps;
@@ -10,6 +11,7 @@ use super::gauge::CrestGauge;
 use super::health::HealthState;
 use super::measures::{MEAN_SPAN, Measures};
 use super::outcome::{HistoryRow, ProbeTable};
+use super::overtopping::Overtopping;
 use super::probes;
 use super::settling::Liveliness;
 use super::sound::Sound;
@@ -46,12 +48,18 @@ pub(super) struct Logbook {
     pub(super) health: HealthState,
     pub(super) liveliness: Liveliness,
     pub(super) probes: Option<ProbeTable>,
+    /// What goes over the wall, where it has a crest.
+    pub(super) overtopping: Option<Overtopping>,
+    /// What the paddle does about waves that come back, where it absorbs them.
+    pub(super) absorption: Option<Absorption>,
 }
 
 impl Logbook {
     /// An empty one, for water that has this energy to start with.
     pub fn open(config: &CaseConfig, tank: &Tank, start: WaterEnergy) -> Logbook {
         let frame = tank.frame;
+        let crest = tank.water.walls().crest.as_ref();
+        let span = MEAN_SPAN * (frame.depth / frame.acceleration()).sqrt();
         let acoustics = Acoustics {
             depth: frame.depth,
             gravity: frame.acceleration(),
@@ -72,13 +80,15 @@ impl Logbook {
             history: Vec::new(),
             force_at_rest: None,
             lopsided: None,
-            level: WallLevel::new(MEAN_SPAN * (frame.depth / frame.acceleration()).sqrt()),
+            level: WallLevel::new(span),
             worst_gap: 0.0,
             face_gaps: FaceGaps::new((frame.depth / frame.acceleration()).sqrt()),
             found: Found::default(),
             health: HealthState::default(),
             liveliness: Liveliness::default(),
-            probes: probes::table(&config.probes),
+            probes: probes::table(&config.probes, crest.is_some()),
+            absorption: tank.absorbs.then(|| Absorption::new(span)),
+            overtopping: crest.map(|_| Overtopping::open(tank.water.fluid())),
         }
     }
 

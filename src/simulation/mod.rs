@@ -1,5 +1,6 @@
 //! One case from start to end: [`run_case`], or its shared first stretch: [`run_trunk`].
 
+mod absorption;
 mod blows;
 mod checkpoint;
 mod doubt;
@@ -20,6 +21,7 @@ mod logbook;
 mod measures;
 mod onrush;
 mod outcome;
+mod overtopping;
 #[cfg(test)]
 mod planted;
 mod pressed;
@@ -44,8 +46,8 @@ pub use health::HealthMargins;
 pub use keeper::Keeper;
 pub use limits::Limits;
 pub use outcome::{
-    CaseResult, EnergyBudget, EnvelopeRow, HistoryRow, Maximum, NamedReading, Outcome, PhaseShare,
-    ProbeColumn, ProbeTable, TrunkResult,
+    CaseResult, EnergyBudget, EnvelopeRow, HistoryRow, Maximum, NamedReading, Outcome, Overtopped,
+    PhaseShare, ProbeColumn, ProbeTable, TrunkResult,
 };
 
 use serde::{Deserialize, Serialize};

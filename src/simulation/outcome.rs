@@ -91,6 +91,9 @@ pub struct Outcome {
     pub energy_gap_percent: f64,
     /// Particles that left the tank.
     pub particles_lost: u32,
+    /// What went over the wall's crest; none where it has none.
+    #[serde(default)]
+    pub overtopped: Option<Overtopped>,
     /// How close the run came to the bounds of health.
     #[serde(default)]
     pub health: HealthMargins,
@@ -163,6 +166,22 @@ pub struct EnergyBudget {
     pub density_diffusion: f64,
     /// Taken out by particle shifting.
     pub shifting: f64,
+    /// What the water had that went over a crest and was taken away.
+    #[serde(default)]
+    pub outflow: f64,
+}
+
+/// What went over a crest, per metre of width.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub struct Overtopped {
+    /// Water behind the crest's back at the end, m².
+    pub volume_m2: f64,
+    /// Largest discharge at the crest's back, m²/s.
+    pub discharge_max_m2_per_s: f64,
+    /// Thickest water on the crest, m.
+    pub thickness_max_m: f64,
+    /// Fastest water on the crest, m/s.
+    pub speed_max_m_per_s: f64,
 }
 
 /// Values of gauges over time: `probes/<case_id>.csv`.

@@ -1,23 +1,24 @@
 //! Gauges of a scene, read at the history's times.
 
 use super::outcome::{ProbeColumn, ProbeTable};
+use super::overtopping;
 use super::sounding::Sounding;
 use crate::body::Place;
 use crate::scene::{Probe, ProbeKind, Side};
 
-/// An empty table with a column for every probe; none where there is no probe.
-pub(super) fn table(probes: &[Probe]) -> Option<ProbeTable> {
-    (!probes.is_empty()).then(|| ProbeTable {
-        columns: probes
-            .iter()
-            .map(|probe| ProbeColumn {
-                name: probe.name.clone(),
-                unit: probe.unit().to_owned(),
-                method: probe.method(),
-            })
-            .collect(),
-        ..ProbeTable::default()
-    })
+/// An empty table with a column for every probe, and those of a crest where there is one; none without
+/// either.
+pub(super) fn table(probes: &[Probe], crest: bool) -> Option<ProbeTable> {
+    let mut columns: Vec<_> = probes
+        .iter()
+        .map(|probe| ProbeColumn {
+            name: probe.name.clone(),
+            unit: probe.unit().to_owned(),
+            method: probe.method(),
+        })
+        .collect();
+    columns.extend(overtopping::columns().into_iter().filter(|_| crest));
+    (!columns.is_empty()).then(|| ProbeTable { columns, ..ProbeTable::default() })
 }
 
 /// A reading of each probe over still water of this depth, metres; levels and voids are looked for up to

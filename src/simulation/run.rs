@@ -12,11 +12,12 @@ use super::sounding::Near;
 use super::state::{Clock, RunState};
 use super::surface::Lens;
 use super::watch::{self, Watch};
-use crate::body::{Motions, Place, Wall, WallStep};
+use crate::body::{BodyMotion, Motions, Place, Wall, WallStep};
 use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::scene::{CaseConfig, Tank};
 use crate::scheme::{Load, NextStep, StepError, StepWalls};
+use crate::theory::hydrostatics::wall_force;
 
 /// Samples of the history between two checks of health and of the monitor.
 const SAMPLES_PER_CHECK: u64 = 4;
@@ -224,6 +225,7 @@ impl Run {
         sample: bool,
     ) {
         let time = self.clock.time;
+        self.give_way(dt, bodies[Place::Left]);
         let after = self.tank.motions(time + dt);
         let paddle_travel = after[Place::Left].offset - bodies[Place::Left].offset;
         bodies[Place::Left].velocity = paddle_travel / dt;
@@ -234,8 +236,10 @@ impl Run {
             watch.push(on_walls.sum(), dt);
         }
         let uncounted = force - self.lacking_at_rest();
+        let frame = &self.tank.frame;
+        let push = wall_force(frame.depth, frame.density, frame.gravity);
         let ledger = &mut self.logbook.ledger;
-        ledger.book_paddle(paddle_force, paddle_travel);
+        ledger.book_paddle([paddle_force, -push], paddle_travel);
         ledger.book_wall(&self.tank.wall, [uncounted, force], step);
         // Splashes dissipate in bursts, and swirls from the start: summed at every step.
         let sample = sample || self.watch.is_some();
@@ -248,6 +252,22 @@ impl Run {
         };
         let losses = self.tank.water.finish(dt, &walls, sample);
         self.logbook.ledger.book_losses(time, sample, losses);
+    }
+
+    /// Lets a paddle that absorbs waves go on by `dt` seconds; it moves like this at their start.
+    fn give_way(&mut self, dt: f64, motion: BodyMotion) {
+        let Run { tank, logbook, clock, lens, .. } = self;
+        let Some((absorption, paddle)) = logbook.absorption.as_mut().zip(tank.paddle.as_ref())
+        else {
+            return;
+        };
+        let (_, radius) = tank.water.kernel();
+        let at_face = tank.water.level_at(Place::Left.number());
+        let from = (at_face - 1.5 * radius).max(0.0);
+        let inside = tank.water.level_in_water(motion.offset + radius, from);
+        let levels = (at_face, inside);
+        absorption.advance((clock.time, dt), levels, (paddle, motion), (lens, &tank.frame));
+        tank.added = absorption.added();
     }
 
     pub(super) fn failure(&self, kind: FailureKind, detail: String) -> Failure {

@@ -5,6 +5,7 @@ use super::failure::{Failure, FailureKind};
 use super::first_impact::Reading;
 use super::health::Vitals;
 use super::outcome::{EnergyBudget, HistoryRow};
+use super::overtopping::Overtopping;
 use super::pressed::Lever;
 use super::probes;
 use super::run::Run;
@@ -31,6 +32,9 @@ impl Run {
         let (_, radius) = tank.water.kernel();
         let toe = tank.water.walls().profile.as_ref().map_or(0.0, |bed| bed.end()[1]);
         let deep = toe == 0.0 || depth - toe > SHALLOW * radius;
+        // Over a crest the surface goes on, and no wall holds its slope.
+        let over = tank.water.walls().crest.as_ref();
+        let deep = deep && over.is_none_or(|crest| at_wall < crest.height - radius);
         let inside = (tank.wave_gauge.is_some() && tank.upright() && deep).then(|| {
             let from =
                 (at_wall - 1.5 * radius).max(if toe > 0.0 { toe + 0.5 * radius } else { 0.0 });
@@ -63,12 +67,18 @@ impl Run {
         logbook.measures.push(reading, compression);
         self.press(&reading, acceleration);
         let Run { tank, logbook, clock, lens, .. } = self;
-        if let Some(gauge) = tank.wave_gauge {
-            let unit = (depth / frame.acceleration()).sqrt();
-            if logbook.gauge.is_due(clock.time, frame.history_interval, unit) {
-                let level = lens.level_in_water(tank.water.as_mut(), gauge, 0.5 * depth);
-                logbook.gauge.read(level, depth);
-            }
+        let unit = (depth / frame.acceleration()).sqrt();
+        if let (Some(crest), Some(overtopping)) =
+            (&tank.water.walls().crest, &mut logbook.overtopping)
+            && overtopping.is_due(clock.time, tank.start_time, (frame.history_interval, unit))
+        {
+            overtopping.look(tank.water.as_ref(), crest, (tank.spacing, frame.density));
+        }
+        if let Some(gauge) = tank.wave_gauge
+            && logbook.gauge.is_due(clock.time, frame.history_interval, unit)
+        {
+            let level = lens.level_in_water(tank.water.as_mut(), gauge, 0.5 * depth);
+            logbook.gauge.read(level, depth);
         }
         reading
     }
@@ -126,6 +136,7 @@ impl Run {
             let mut water = Sounding::new(tank.water.as_ref(), bodies, scales, &mut self.near);
             table.time_s.push(time);
             table.values.extend(probes::read(&self.config.probes, &mut water, depth));
+            table.values.extend(logbook.overtopping.iter().flat_map(Overtopping::values));
         }
         if let Some(watch) = &mut self.watch {
             watch.sample(time, tank.water.fluid());
@@ -176,7 +187,10 @@ impl Run {
             return [-anywhere, anywhere, -anywhere, anywhere];
         }
         let (frame, room) = (self.tank.frame, self.tank.spacing);
-        let right = frame.length + bodies[Place::Right].offset + room;
+        let right = match &self.tank.water.walls().crest {
+            Some(crest) => crest.ends[1] + 2.0 * crest.reach,
+            None => frame.length + bodies[Place::Right].offset + room,
+        };
         [bodies[Place::Left].offset - room, right, 0.0, 4.0 * frame.depth]
     }
 }

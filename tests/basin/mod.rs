@@ -77,8 +77,10 @@ impl Basin {
             support_radius: RADIUS,
             wall_height: 3.0 * DEPTH,
             bed_beyond_wall: 4.0 * DEPTH,
+            bed_before_paddle: 0.0,
             wall_angle_deg: 90.0,
             dry_bed: false,
+            crest: None,
         };
         let kernel = KernelChoice::WendlandC2;
         let volume = SPACING * SPACING;

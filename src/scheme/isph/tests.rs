@@ -58,8 +58,10 @@ fn square(side: usize, jitter: f64, closed: bool, laplacian: Laplacian) -> Isph 
         support_radius: 4.0 * spacing,
         wall_height: 1.0,
         bed_beyond_wall: 0.0,
+        bed_before_paddle: 0.0,
         wall_angle_deg: 90.0,
         dry_bed: false,
+        crest: None,
     };
     let ghosts: Ghosts =
         if closed { box_ghosts(&layout, 1.0, spacing) } else { no_ghosts(spacing) };

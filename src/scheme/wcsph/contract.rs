@@ -6,7 +6,9 @@ use crate::boundary::Ghosts;
 use crate::kernel::KernelChoice;
 use crate::math::team::Team;
 use crate::pairs::Fluid;
-use crate::scheme::{Dissipation, Load, Scheme, SchemeState, StateEquation, StepError, StepWalls};
+use crate::scheme::{
+    Dissipation, Load, Scheme, SchemeState, StateEquation, StepError, StepWalls, Taken,
+};
 use crate::theory::central_field::CentralField;
 
 impl Scheme for Wcsph {
@@ -40,6 +42,10 @@ impl Scheme for Wcsph {
 
     fn field(&self) -> Option<CentralField> {
         self.options.field
+    }
+
+    fn taken(&self) -> Taken {
+        self.taken
     }
 
     fn take_on(&mut self, team: &Team) {

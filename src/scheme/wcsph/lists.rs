@@ -12,6 +12,7 @@ impl Wcsph {
         let offsets = || bodies.iter().map(|body| body.offset);
         self.look_ahead();
         if self.pairs.are_worn([&self.ahead[0][..n], &self.ahead[1][..n]], offsets()) {
+            self.take_away();
             let carried = self.work.carried.all_mut();
             self.pairs.sort(&mut self.fluid, carried, &mut self.strain, offsets());
             self.look_ahead();

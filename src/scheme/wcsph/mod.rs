@@ -19,6 +19,7 @@ mod lists;
 mod momentum;
 mod motion;
 mod options;
+mod outflow;
 mod pack;
 mod passes;
 mod pressing;

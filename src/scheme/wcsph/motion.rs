@@ -3,7 +3,8 @@
 use super::passes::{TENSION_FROM, TENSION_FULL};
 use super::shifting::Shift;
 use super::{DensityDiffusion, Wcsph};
-use crate::body::BodyMotion;
+use crate::body::{BodyMotion, Place};
+use crate::boundary::Plane;
 use crate::math::simd::dispatch;
 use crate::pairs::{Advance, Fluid, Ramp, in_turn};
 use crate::water::{HoldInside, Slack};
@@ -76,6 +77,11 @@ impl Wcsph {
                 .zip(bodies)
                 .map(|(body, motion)| body.plane.moved(motion.offset).moved(dt * motion.velocity)),
         );
+        if self.ghosts.crest.is_some() {
+            // The outline stands for it: water may go over it.
+            let wall = &mut self.planes[Place::Right.number()];
+            *wall = Plane::nowhere(wall.normal);
+        }
     }
 
     /// Shifts the particles, if they are, for the time since the last full step; returns the energy
@@ -87,7 +93,7 @@ impl Wcsph {
             work: &self.work,
             options: &self.options,
             planes: &self.planes,
-            bed: self.ghosts.profile.as_ref(),
+            bed: self.ghosts.outline(),
             strain: &self.strain,
             dt: self.since_full,
             inverse_radius: self.scaling.inverse_radius,
@@ -99,7 +105,7 @@ impl Wcsph {
     pub(super) fn hold_inside(&mut self, bodies: &[BodyMotion]) {
         let skin = 1e-3 * self.options.spacing;
         let (fluid, planes) = (&mut self.fluid, &*self.planes);
-        let bed = self.ghosts.profile.as_ref();
+        let bed = self.ghosts.outline();
         HoldInside { fluid, planes, bed, bodies, skin }.run(self.pairs.path);
     }
 

@@ -16,14 +16,15 @@ impl Wcsph {
     /// Σ m ∫ p/ρ² dρ. Tension counts as far as it acts: what the surface does not feel does no work,
     /// as it grows or as it goes.
     pub fn elastic_energy(&self) -> f64 {
-        let (fluid, state) = (&self.fluid, &self.options.state);
-        let one = |k: usize| {
-            let density = fluid.density[k];
-            let acting =
-                if density < state.surface_density { self.work.carried.tension[k] } else { 1.0 };
-            fluid.mass[k] * state.elastic_energy(density) * acting
-        };
-        (0..fluid.len()).map(one).sum()
+        (0..self.fluid.len()).map(|k| self.elastic_energy_of(k)).sum()
+    }
+
+    /// That of one particle.
+    pub(super) fn elastic_energy_of(&self, k: usize) -> f64 {
+        let (density, state) = (self.fluid.density[k], &self.options.state);
+        let acting =
+            if density < state.surface_density { self.work.carried.tension[k] } else { 1.0 };
+        self.fluid.mass[k] * state.elastic_energy(density) * acting
     }
 
     /// Level of the water at an upright body, metres above the bed.

@@ -8,6 +8,7 @@ use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane
 use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::pairs::{Column, Factors, Fluid, Pairs, Record, Scaling, SingleRecord};
+use crate::scheme::Taken;
 
 /// Seconds spent in each phase, and pairs evaluated.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -40,6 +41,7 @@ pub struct WcsphState {
     pair_evaluations: u64,
     list_rebuilds: u64,
     boundary_fallbacks: u64,
+    taken: Taken,
 }
 
 /// δ-SPH particles with their neighbours and ghosts.
@@ -85,6 +87,7 @@ pub struct Wcsph {
     pub(super) held_bodies: Vec<BodyMotion>,
     pub(super) pair_evaluations: u64,
     pub(super) boundary_fallbacks: u64,
+    pub(super) taken: Taken,
     pub(super) last_viscous_power: f64,
     /// Where the time went; never part of the state.
     pub timings: Timings,
@@ -129,6 +132,7 @@ impl Wcsph {
             held_bodies: vec![BodyMotion::default(); bodies],
             pair_evaluations: 0,
             boundary_fallbacks: 0,
+            taken: Taken::default(),
             last_viscous_power: 0.0,
             timings: Timings::default(),
             options,
@@ -184,6 +188,7 @@ impl Wcsph {
             pair_evaluations: self.pair_evaluations,
             list_rebuilds: self.pairs.rebuilds(),
             boundary_fallbacks: self.boundary_fallbacks,
+            taken: self.taken,
         }
     }
 
@@ -197,6 +202,8 @@ impl Wcsph {
         self.strain = state.strain;
         self.pair_evaluations = state.pair_evaluations;
         self.boundary_fallbacks = state.boundary_fallbacks;
+        self.taken = state.taken;
+        self.make_room();
         self.substep = 0;
         if self.pairs.are_listed() {
             self.list_neighbours();

@@ -1,0 +1,163 @@
+//! Water that goes over the crest of a wall: how much, how thick, how fast.
+
+use serde::{Deserialize, Serialize};
+
+use super::outcome::{Overtopped, ProbeColumn, Readings};
+use crate::boundary::Crest;
+use crate::pairs::Fluid;
+use crate::scheme::Scheme;
+
+/// The crest is looked at in columns of about so many particle spacings.
+const COLUMN: f64 = 3.0;
+/// A column has a speed once it holds so many particles' worth of water.
+const FEWEST: f64 = 3.0;
+/// The crest is looked at at least so often, over √(h/g), as the wave gauge is.
+const INTERVAL: f64 = 0.036;
+
+/// What is on the crest and behind it at an instant, per metre of width.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+pub(super) struct Sight {
+    /// Water behind the back so far, m².
+    pub volume: f64,
+    /// Through the last column before the back, m²/s.
+    pub discharge: f64,
+    /// Of the fullest column, m.
+    pub thickness: f64,
+    /// Of the fastest column, m/s.
+    pub speed: f64,
+}
+
+/// Follows what goes over.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(super) struct Overtopping {
+    /// Mass of all water at the start, kg per metre of width.
+    start_mass: f64,
+    looks: u64,
+    last: Sight,
+    most: Sight,
+}
+
+impl Overtopping {
+    /// Nothing has gone over yet.
+    pub fn open(fluid: &Fluid) -> Overtopping {
+        let (last, most) = Default::default();
+        Overtopping { start_mass: mass(fluid), looks: 0, last, most }
+    }
+
+    /// Whether to look now: at the history's interval (s), or at its own, `unit` = √(h/g) in s, where that is
+    /// shorter; from `start` on, s.
+    pub fn is_due(&mut self, time: f64, start: f64, (history_interval, unit): (f64, f64)) -> bool {
+        let interval = history_interval.min(INTERVAL * unit);
+        let due = |looks: u64| start + interval * looks as f64 * (1.0 - 1e-12);
+        if time < due(self.looks) {
+            return false;
+        }
+        while due(self.looks) <= time {
+            self.looks += 1;
+        }
+        true
+    }
+
+    /// Looks at the water: its particles stand `spacing` apart, metres, and it weighs `density`, kg/m³.
+    pub fn look(&mut self, water: &dyn Scheme, crest: &Crest, (spacing, density): (f64, f64)) {
+        self.last = sight(water, crest, (spacing, density));
+        let (most, last) = (&mut self.most, self.last);
+        most.volume = last.volume;
+        most.discharge = most.discharge.max(last.discharge);
+        most.thickness = most.thickness.max(last.thickness);
+        most.speed = most.speed.max(last.speed);
+    }
+
+    /// What the last look told, in the order of [`columns`].
+    pub fn values(&self) -> [f64; 4] {
+        let Sight { volume, discharge, thickness, speed } = self.last;
+        [volume, discharge, thickness, speed]
+    }
+
+    /// What has gone over by now.
+    pub fn overtopped(&self) -> Overtopped {
+        let Sight { volume, discharge, thickness, speed } = self.most;
+        Overtopped {
+            volume_m2: volume,
+            discharge_max_m2_per_s: discharge,
+            thickness_max_m: thickness,
+            speed_max_m_per_s: speed,
+        }
+    }
+
+    /// Tells where all the water is.
+    pub fn tell(&self, water: &dyn Scheme, all: &mut Readings) {
+        let (taken, left) = (water.taken(), mass(water.fluid()));
+        let on_top = |fluid: &Fluid, [front, back]: [f64; 2]| -> f64 {
+            let on = (0..fluid.len()).filter(|&k| fluid.x[k] > front && fluid.x[k] <= back);
+            on.fold(0.0, |sum, k| sum + fluid.mass[k])
+        };
+        let crest = water.walls().crest.as_ref();
+        all.tell("water_at_start", self.start_mass, "kg/m");
+        all.tell("water_in_tank", left, "kg/m");
+        all.tell("water_on_crest", crest.map(|at| on_top(water.fluid(), at.ends)), "kg/m");
+        all.tell("water_taken_away", taken.mass, "kg/m");
+        all.tell("particles_taken_away", f64::from(taken.particles), "");
+        all.tell("water_gap", self.start_mass - left - taken.mass, "kg/m");
+    }
+}
+
+/// Columns of `probes/<case_id>.csv`, behind those of the probes.
+pub(super) fn columns() -> [ProbeColumn; 4] {
+    let column = |name: &str, unit: &str, method: &str| ProbeColumn {
+        name: name.to_owned(),
+        unit: unit.to_owned(),
+        method: method.to_owned(),
+    };
+    [
+        column("overtopping_volume_m2", "m2", "mass behind the back of the crest over the density"),
+        column(
+            "overtopping_discharge_m2_per_s",
+            "m2/s",
+            "thickness times speed of the last column before the back of the crest",
+        ),
+        column(
+            "crest_thickness_m",
+            "m",
+            "volume of the fullest column on the crest over its width",
+        ),
+        column(
+            "crest_speed_m_per_s",
+            "m/s",
+            "momentum over mass of the fastest column on the crest",
+        ),
+    ]
+}
+
+fn mass(fluid: &Fluid) -> f64 {
+    fluid.mass.iter().sum()
+}
+
+fn sight(water: &dyn Scheme, crest: &Crest, (spacing, density): (f64, f64)) -> Sight {
+    let [front, back] = crest.ends;
+    let count = ((back - front) / (COLUMN * spacing)).floor().max(1.0);
+    let width = (back - front) / count;
+    let (fluid, last) = (water.fluid(), count as usize - 1);
+    let mut behind = water.taken().mass;
+    // Mass and momentum along the crest, column by column.
+    let mut on_top = vec![[0.0; 2]; count as usize];
+    for k in (0..fluid.len()).filter(|&k| fluid.x[k] > front) {
+        let mass = fluid.mass[k];
+        if fluid.x[k] > back {
+            behind += mass;
+        } else {
+            let column = ((fluid.x[k] - front) / width) as usize;
+            let [of_mass, of_momentum] = &mut on_top[column.min(last)];
+            *of_mass += mass;
+            *of_momentum += mass * fluid.vx[k];
+        }
+    }
+    let fewest = FEWEST * density * spacing * spacing;
+    let moving = on_top.iter().filter(|[mass, _]| *mass > fewest);
+    Sight {
+        volume: behind / density,
+        discharge: on_top[last][1] / (density * width),
+        thickness: on_top.iter().map(|[mass, _]| mass / (density * width)).fold(0.0, f64::max),
+        speed: moving.map(|[mass, momentum]| momentum / mass).fold(0.0, f64::max),
+    }
+}

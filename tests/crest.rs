@@ -1,0 +1,249 @@
+//! Walls that water goes over: how much, where it goes, and what is refused.
+
+mod common;
+
+use std::path::Path;
+use std::sync::Mutex;
+
+use common::{expect_code, results, run, write_file};
+use seawall::math::simd::SimdPath;
+use seawall::scene::CaseConfig;
+use seawall::simulation::{CaseResult, Film, Monitor, Unwatched, run_case};
+use toml::Table;
+
+const TANK: &str = "tank_length_m = 1.6\nwave_gauge_m = 0.8\n";
+
+fn crest(freeboard_m: f64) -> String {
+    format!("behind = \"outflow\"\ncrest_freeboard_m = {freeboard_m}\ncrest_width_m = 0.1\n")
+}
+
+fn case(scene: &str, numerics: &str, probes: &[Table]) -> CaseConfig {
+    let table = |text: &str| text.parse::<Table>().unwrap();
+    CaseConfig::with_probes(&table(scene), &table(numerics), probes).unwrap()
+}
+
+fn computed(scene: &str, boundary: &str) -> CaseResult {
+    let numerics = format!("particle_spacing_m = 0.02\nboundary = \"{boundary}\"\n");
+    run_case(&case(scene, &numerics, &[]), None, SimdPath::widest(), &Unwatched).unwrap()
+}
+
+/// Counts the particles before the wall, at the start and last.
+#[derive(Default)]
+struct Counter(Mutex<Vec<usize>>);
+
+impl Monitor for Counter {
+    fn film_interval(&self) -> Option<f64> {
+        Some(0.1)
+    }
+    fn film(&self, film: &Film<'_>) {
+        let places = film.fluid.x[..film.fluid.len()].iter();
+        self.0.lock().unwrap().push(places.filter(|x| **x < 1.6).count());
+    }
+}
+
+fn reading(case: &CaseResult, name: &str) -> f64 {
+    case.readings.iter().find(|reading| reading.name == name).unwrap().value
+}
+
+/// A wall that rises above all water presses and is pressed as one that never ends.
+#[test]
+fn a_crest_that_no_water_reaches_is_an_endless_wall() {
+    let wave = format!("{TANK}wave_height_ratio = 0.3\nend_after_stroke_centre_s = 1.4\n");
+    for boundary in ["improved-shepard", "normalized"] {
+        let [endless, high] =
+            [String::new(), crest(0.3)].map(|end| computed(&(wave.clone() + &end), boundary));
+        let maxima = |case: &CaseResult| {
+            [case.outcome.force_max.value, case.outcome.runup_max.value, case.outcome.force_at_rest]
+        };
+        for (endless, high) in maxima(&endless).into_iter().zip(maxima(&high)) {
+            assert!((high / endless - 1.0).abs() < 1e-3, "{boundary}: {high} and {endless}");
+        }
+        let over = high.outcome.overtopped.unwrap();
+        assert_eq!((over.volume_m2, over.thickness_max_m, high.energy.outflow), (0.0, 0.0, 0.0));
+        assert!(endless.outcome.overtopped.is_none());
+    }
+}
+
+/// Surface over still water, every 25 mm along the tank.
+fn gauges(length: f64) -> (Vec<f64>, Vec<Table>) {
+    let all = (0_u32..).map(|k| 0.0125 + 0.025 * f64::from(k));
+    let places: Vec<f64> = all.take_while(|x| *x < length).collect();
+    let gauge = |(number, x): (usize, &f64)| {
+        format!("name = \"g{number}\"\nkind = \"elevation\"\nx_m = {x}").parse().unwrap()
+    };
+    let tables = places.iter().enumerate().map(gauge).collect();
+    (places, tables)
+}
+
+/// What is missing before the wall has gone over it: by the particles there, and by gauges along the tank,
+/// which read a surface within a seventh of a spacing.
+#[test]
+fn what_goes_over_is_what_the_tank_has_lost() {
+    let (ratio, depth, length, spacing): (f64, f64, f64, f64) = (0.6, 0.2, 1.6, 0.02);
+    let (places, probes) = gauges(length);
+    let scene = format!(
+        "{TANK}wave_height_ratio = {ratio}\nend_after_stroke_centre_s = 2.5\n{}",
+        crest(0.04)
+    );
+    let numerics = format!("particle_spacing_m = {spacing}\nboundary = \"normalized\"");
+    let counter = Counter::default();
+    let config = case(&scene, &numerics, &probes);
+    let case = run_case(&config, None, SimdPath::widest(), &counter).unwrap();
+    // The stroke of a solitary wave's paddle, 2 H/(k h).
+    let stroke = (16.0 * ratio / 3.0_f64).sqrt() * depth;
+    let table = case.probes.as_ref().unwrap();
+    let volume = |row: &[f64], paddle: f64| {
+        let mut levels = places.iter().zip(row).filter(|(x, _)| **x > paddle).peekable();
+        // From the paddle to where the first gauge's stretch begins its level counts.
+        let (first, level) = levels.peek().unwrap();
+        let lead = (**first - 0.0125 - paddle) * **level;
+        depth * (length - paddle) + lead + levels.map(|(_, level)| 0.025 * level).sum::<f64>()
+    };
+    let rows: Vec<_> = table.rows().collect();
+    let lost = volume(rows[0].1, 0.0) - volume(rows[rows.len() - 1].1, stroke);
+    let over = case.outcome.overtopped.unwrap();
+    let on_crest = reading(&case, "water_on_crest") / 1000.0;
+    println!("{lost} m² lost, {} behind, {on_crest} on the crest", over.volume_m2);
+    assert!(over.volume_m2 > 0.02);
+    let over_all = over.volume_m2 + on_crest;
+    assert!((over_all - lost).abs() < spacing / 7.0 * (length - stroke), "by gauges");
+    let counts = counter.0.into_inner().unwrap();
+    let counted = (counts[0] - counts[counts.len() - 1]) as f64 * spacing * spacing;
+    println!("{counted} m² by particles");
+    assert!((over_all / counted - 1.0).abs() < 0.02, "by particles");
+    // All of the mass is somewhere, and all of the energy.
+    assert!(reading(&case, "water_gap").abs() < 1e-9, "{}", reading(&case, "water_gap"));
+    assert!(reading(&case, "particles_taken_away") > 40.0);
+    println!("energy gap {} %", case.outcome.energy_gap_percent);
+    assert!(case.outcome.energy_gap_percent.abs() < 2.0);
+    assert!(case.energy.outflow > 0.0 && case.outcome.particles_lost == 0);
+    // The series ends with the total, and discharge adds up to it.
+    let columns = table.columns.len();
+    let series: Vec<_> =
+        table.rows().map(|(time, row)| (time, [row[columns - 4], row[columns - 3]])).collect();
+    assert!((series[series.len() - 1].1[0] - over.volume_m2).abs() < 1e-12);
+    let passed: f64 =
+        series.windows(2).map(|w| (w[1].0 - w[0].0) * 0.5 * (w[0].1[1] + w[1].1[1])).sum();
+    println!("discharge adds up to {passed} m²");
+    assert!((passed / over.volume_m2 - 1.0).abs() < 0.1);
+    let rises = series.windows(2).all(|w| w[1].1[0] >= w[0].1[0] - 1e-3);
+    assert!(rises, "water came back from behind the wall");
+    assert!(over.speed_max_m_per_s > 0.5 && over.thickness_max_m > 0.04);
+}
+
+/// The edge of the crest lets still water stand a spacing and a half below it.
+#[test]
+fn still_water_stays_behind_a_low_crest() {
+    let scene = format!("{TANK}wave_height_ratio = 0\nend_time_s = 4\n{}", crest(0.03));
+    let still = computed(&scene, "normalized");
+    let over = still.outcome.overtopped.unwrap();
+    assert_eq!(over.volume_m2, 0.0, "{over:?}");
+    let off = still.history.iter().map(|row| (row.force - 1.0).abs()).fold(0.0, f64::max);
+    println!("{} J/m, F* off by {off}", still.energy.kinetic);
+    assert!(still.energy.kinetic < 1e-3 && off < 0.02, "{off}");
+}
+
+/// At the end of a beach a low wall is overtopped, too.
+#[test]
+fn a_crest_stands_at_the_end_of_a_bed() {
+    let scene = format!(
+        "tank_length_m = 3\nwave_gauge_m = 0.8\nwave_height_ratio = 0.4\nend_after_stroke_centre_s = 3\n\
+         bed = [[0, 0], [1, 0], [3, 0.1]]\n{}",
+        crest(0.05)
+    );
+    let numerics = "particle_spacing_m = 0.0125\nboundary = \"normalized\"";
+    let config = case(&scene, numerics, &[]);
+    let case = run_case(&config, None, SimdPath::widest(), &Unwatched).unwrap();
+    let over = case.outcome.overtopped.unwrap();
+    println!("{over:?}, energy gap {} %", case.outcome.energy_gap_percent);
+    assert!(over.volume_m2 > 1e-3 && case.outcome.energy_gap_percent.abs() < 2.0);
+    assert!(reading(&case, "water_gap").abs() < 1e-9 && case.outcome.particles_lost == 0);
+}
+
+const FILE: &str = "name = \"over\"\n[scene]\ntank_length_m = 1.2\nwave_gauge_m = 0.6\n\
+                    end_after_stroke_centre_s = 1.4\nbehind = \"outflow\"\ncrest_freeboard_m = 0.05\n\
+                    crest_width_m = 0.125\n[numerics]\nparticle_spacing_m = 0.025\nboundary = \"normalized\"\n";
+
+fn ran(folder: &Path, name: &str, command: &[&str]) -> std::path::PathBuf {
+    let out = folder.join(name);
+    let output = run(&[command, &["--out", out.to_str().unwrap()]].concat());
+    expect_code(&output, 0);
+    out
+}
+
+#[test]
+fn threads_films_and_files_of_an_overtopped_wall() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = write_file(folder.path(), FILE);
+    let file = file.to_str().unwrap();
+    let one = ran(folder.path(), "one", &["run", file, "--threads", "1"]);
+    let two = ran(folder.path(), "two", &["run", file, "--threads", "2", "--film"]);
+    assert_eq!(results(&one), results(&two));
+    ran(folder.path(), "three", &["run", file, "--vtk", "0.2"]);
+    let summary = std::fs::read_to_string(one.join("summary.csv")).unwrap();
+    let header = summary.lines().next().unwrap();
+    assert!(header.contains(
+        "doubtful_reason,overtopping_volume_m2,overtopping_discharge_max_m2_per_s,crest_thickness_max_m,\
+         crest_speed_max_m_per_s"
+    ));
+    let page = std::fs::read_dir(two.join("films")).unwrap().map(|entry| entry.unwrap().path());
+    let page = page.filter(|path| path.extension().is_some_and(|ending| ending == "html")).next();
+    let page = std::fs::read_to_string(page.unwrap()).unwrap();
+    assert!(page.contains("\"wall\":\"crest\"") && page.contains("fixed wall of 0.05 m"));
+}
+
+#[test]
+fn what_is_no_crest_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let outflow = "behind = \"outflow\"\n";
+    let whole = "behind = \"outflow\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.2\n";
+    let movable = "wall = \"movable\"\nspring_stiffness_n_per_m = 10\nseawall_mass_kg_per_m = 10\n";
+    for (keys, numerics, told) in [
+        (
+            "behind = \"basin\"\n".to_owned(),
+            "",
+            "scene.behind = \"basin\": must be one of nothing, outflow",
+        ),
+        (
+            "crest_width_m = 1\n".to_owned(),
+            "",
+            "scene.crest_width_m = 1: belongs to behind = \"outflow\"",
+        ),
+        (format!("{outflow}crest_width_m = 1\n"), "", "scene.crest_freeboard_m: is needed"),
+        (
+            format!("{outflow}crest_width_m = 1\ncrest_freeboard_m = 0\n"),
+            "",
+            "scene.crest_freeboard_m = 0: must be a finite number above 0",
+        ),
+        (
+            format!("{outflow}crest_width_m = 0.01\ncrest_freeboard_m = 0.1\n"),
+            "",
+            "scene.crest_width_m = 0.01: must be 0.1 m or more, the kernel's support radius",
+        ),
+        (
+            format!("{outflow}crest_width_m = 1\ncrest_freeboard_m = 3\n"),
+            "",
+            "walls are 0.8 m high",
+        ),
+        (format!("{whole}{movable}"), "", "belongs to wall = \"fixed\""),
+        (format!("{whole}wall_angle_deg = 120\n"), "", "is for an upright wall"),
+        (whole.to_owned(), "scheme = \"isph\"\n", "is for scheme = \"wcsph\""),
+        (whole.to_owned(), "stop_when_settled = true\n", "is not for stop_when_settled"),
+        (
+            format!("{whole}tank_length_m = 3\nbed = [[0, 0], [1, 0], [3, 0.35]]\n"),
+            "",
+            "so that the wall rises from its bed",
+        ),
+    ] {
+        let text = format!(
+            "name = \"no\"\n[scene]\n{keys}[numerics]\nparticle_spacing_m = 0.02\n{numerics}"
+        );
+        let file = write_file(folder.path(), &text);
+        let out = folder.path().join("out");
+        let output = run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
+        expect_code(&output, 2);
+        let error = String::from_utf8(output.stderr).unwrap();
+        assert!(error.contains(told), "{keys}{numerics}: {error}");
+        assert!(!out.exists());
+    }
+}
