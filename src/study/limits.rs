@@ -10,7 +10,7 @@ section! {
         steps: Option<u32> = None, plain().within(1.0, 4e9);
         /// Time on the clock, from where a case or its shared stretch is taken up.
         wall_time_s: Option<f64> = None, unit("s").above_zero();
-        /// Memory, estimated and taken. Every case then runs in a process of its own, which takes some 15 MiB
+        /// Memory, estimated and taken. Every case then runs in a process of its own, which takes some 12 MiB
         /// before it begins.
         memory_mib: Option<f64> = None, unit("MiB").above_zero();
     }
