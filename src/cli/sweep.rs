@@ -154,7 +154,8 @@ fn lead(
     interrupt: &Interrupt,
 ) -> anyhow::Result<u8> {
     let study = study(&args.file, &args.settings, Expect::Grid)?;
-    let refinement = Refinement::of(&sweep_file(&args.file, &args.settings)?);
+    let file = sweep_file(&args.file, &args.settings)?;
+    let refinement = Refinement::of(&file);
     films::check(&args.film, &study)?;
     warnings::tell(&args.file, &study, output);
     warnings::tell_threads(args.threads, output);
@@ -164,11 +165,16 @@ fn lead(
         return Err(BadInput(format!("--max-error {percent}: {reason}")).into());
     }
     let aim = aim.map(|percent| MaxError::new(percent, &study)).transpose().map_err(BadInput)?;
+    let out = args.out.clone().unwrap_or_else(|| default_out(&study));
+    let first = match (&aim, &refinement) {
+        (Some(aim), _) => max_error::first(aim, &study, output),
+        // What an earlier run has added is there from the start.
+        (_, Some(_)) if !args.fresh => refine::study_in(&out, &file).unwrap_or(study.clone()),
+        _ => study.clone(),
+    };
     let mut job = Job {
-        out: args.out.clone().unwrap_or_else(|| default_out(&study)),
-        study: aim
-            .as_ref()
-            .map_or_else(|| study.clone(), |aim| max_error::first(aim, &study, output)),
+        out,
+        study: first,
         mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
         retry_failed: args.retry_failed,
         branching: !args.no_branch,
