@@ -81,7 +81,7 @@ fn a_point_tells_its_case_and_opens_its_history_and_film() {
     browser.point_at("#case .play", true);
     let playing = "new Promise((told) => { const wait = () => {
         const play = document.querySelector('#case iframe')?.contentDocument?.getElementById('play');
-        if (play) { play.click(); told(play.textContent); } else setTimeout(wait, 20); }; wait(); })";
+        if (play?.textContent === 'Pause') told('Pause'); else { play?.click(); setTimeout(wait, 50); } }; wait(); })";
     assert_eq!(browser.run(playing), json!("Pause"));
     browser.run("document.body.focus()");
     browser.press("Escape");

@@ -255,7 +255,9 @@ fn light_walls_on_stiff_springs_read_as_fixed_ones() {
             let light = run(&config(&movable(stiffness, mass), numerics));
             let ratio = first_force(&light) / first_force(&fixed);
             let what = format!("k = {stiffness:e}, m = {mass}: {ratio}");
-            assert!((ratio - 1.0).abs() < 0.005, "{what}");
+            // In potential theory k = 1e6 N/m reads 0.1 to 0.2 % more (results/potential/light_walls.csv).
+            let theory = if stiffness < 5e6 { 1.0017 } else { 1.0002 };
+            assert!((ratio - theory).abs() < 0.005, "{what}");
             let raw = light.outcome.force_max_raw / fixed.outcome.force_max_raw;
             assert!((raw - 1.0).abs() < 0.015, "{what}, of single steps {raw}");
             assert_eq!(light.outcome.steps, fixed.outcome.steps, "{what}");

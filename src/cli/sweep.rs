@@ -13,7 +13,7 @@ use super::input::{Expect, Setting, SimdChoice, default_out, out_of, study, swee
 use super::keep::KeepArgs;
 use super::output::Output;
 use super::overview::told;
-use super::{SUCCESS, check, films, max_error, refine, warnings};
+use super::{SUCCESS, check, films, max_error, refine, shown, warnings};
 use crate::accuracy::{MaxError, Refinement};
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
 use crate::results::{OpenMode, counted, write_all_histories};
@@ -216,7 +216,7 @@ fn lead(
     let report = crate::report::write(done.directory.path())?;
     let mut text = told(&job, &done, &report, output.verbose);
     let mut value = done.json(&job, Some(&report));
-    value["films"] = json!(filmed.pages);
+    value["films"] = json!(shown::paths(&filmed.pages));
     if let Some(aim) = &aim {
         let (told, accuracy) = max_error::report(aim, &job.study, &done)?;
         text.push_str(&told);
