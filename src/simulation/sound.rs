@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use crate::body::BodyMotion;
 use crate::scene::Tank;
 use crate::scheme::Scheme;
-use crate::theory::wall_potential::wall_potential;
+use crate::theory::wall_potential::{tabulate, wall_potential};
 
 /// The first mode of φ falls by a factor of e over this distance from the wall, over the depth: 2/π.
 const REACH: f64 = std::f64::consts::FRAC_2_PI;
@@ -51,7 +51,10 @@ impl Sound {
     pub(super) fn of(tank: &Tank) -> Option<Sound> {
         let level = tank.water.walls().profile.is_none();
         let waves = tank.wave_gauge.is_some() && tank.upright();
-        (level && waves && tank.water.density_rates().is_some()).then(Sound::default)
+        (level && waves && tank.water.density_rates().is_some()).then(|| {
+            tabulate();
+            Sound::default()
+        })
     }
 
     /// Listens in a step in which the water presses the wall with `force`, in loud ones only; both
@@ -88,13 +91,13 @@ impl Sound {
         (self.depth, self.last) = (Some([depth, rising]), time);
         let fluid = water.fluid();
         let (mut rate, mut carried) = (0.0, 0.0);
-        for k in 0..fluid.len() {
+        for (k, density_rate) in rates.iter().enumerate().take(fluid.len()) {
             let (xi, eta) = ((face - fluid.x[k]) / depth, fluid.y[k] / depth);
             if xi > FARTHEST {
                 continue;
             }
             let [value, along, up] = wall_potential(xi, eta);
-            let growth = fluid.mass[k] / fluid.density[k] * rates[k];
+            let growth = fluid.mass[k] / fluid.density[k] * density_rate;
             rate += growth * value * depth;
             let moved = along * (wall.velocity - fluid.vx[k]) + up * fluid.vy[k];
             carried += growth * (moved + (value - xi * along - eta * up) * rising);

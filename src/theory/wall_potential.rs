@@ -36,6 +36,11 @@ fn sum(xi: f64, eta: f64) -> f64 {
     (0..MODES).map(mode).sum()
 }
 
+/// Makes the table, once, so that no step of a run has to.
+pub fn tabulate() {
+    LazyLock::force(&TABLE);
+}
+
 /// φ/d and its derivatives along ξ/d and y/d, at the distance `xi` d from the wall and the height `eta`
 /// d; zero above the surface and far from the wall. Between its tabulated values φ is bilinear.
 pub fn wall_potential(xi: f64, eta: f64) -> [f64; 3] {
