@@ -6,26 +6,13 @@ mod common;
 use std::fs;
 use std::path::Path;
 
-use common::{expect_code, run, write_file};
+use common::{SOFT, expect_code, run, write_file};
 use serde_json::Value;
 
-const STUDY: &str = r#"
-name = "soft"
-[scene]
-tank_length_m = 1.0
-wave_gauge_m = 0.5
-end_after_stroke_centre_s = 1.2
-wall = "movable"
-seawall_mass_kg_per_m = 50
-wave_height_ratio = 0.5
-[numerics]
-particle_spacing_m = 0.025
-[grid]
-spring_stiffness_n_per_m = [1e2, 1e4, 1e6]
-"#;
+const SPRINGS: &str = "spring_stiffness_n_per_m = [1e2, 1e4, 1e6]";
 
 fn study(refine: &str) -> String {
-    format!("{STUDY}refine = {{ {refine} }}\n")
+    format!("{SOFT}{SPRINGS}\nrefine = {{ {refine} }}\n")
 }
 
 fn sweep(file: &Path, out: &Path, more: &[&str]) -> std::process::Output {
@@ -70,7 +57,7 @@ fn points_are_added_where_the_curve_bends_and_come_again_after_an_interruption()
 
     // The grid alone first, as if it had been stopped there; then the same file.
     let parts = root.path().join("parts");
-    let plain = write_file(root.path(), STUDY);
+    let plain = write_file(root.path(), &format!("{SOFT}{SPRINGS}\n"));
     expect_code(&sweep(&plain, &parts, &["--threads", "1"]), 0);
     assert_eq!(summary(&parts).len(), 3);
     let file = write_file(root.path(), &study("quantity = \"first_force_max\", to = 0.05"));
@@ -143,7 +130,7 @@ fn bad_refinements_are_refused() {
         let told = refused(&study(refine), &[]);
         assert!(told.contains(message), "{told}");
     }
-    let told = refused(&format!("{STUDY}refine = 3\n"), &[]);
+    let told = refused(&format!("{SOFT}{SPRINGS}\nrefine = 3\n"), &[]);
     assert!(told.contains("grid.refine = 3: must be {"), "{told}");
     let text = study("quantity = \"force_max\", to = 0.1");
     let told = refused(&text.replace("[1e2, 1e4, 1e6]", "[1e2, 1e6, 1e4]"), &[]);

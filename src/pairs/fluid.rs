@@ -60,18 +60,18 @@ impl Fluid {
         self.len.next_multiple_of(LANES)
     }
 
+    /// All fields but the numbers.
+    fn fields_mut(&mut self) -> [&mut Vec<f64>; 6] {
+        let Fluid { x, y, vx, vy, density, mass, .. } = self;
+        [x, y, vx, vy, density, mass]
+    }
+
     /// Puts the particles into a new order: entry k becomes the old `order[k]`.
     pub fn reorder(&mut self, order: &[u32], scratch: &mut Vec<f64>) {
         debug_assert_eq!(order.len(), self.len);
-        for field in [
-            &mut self.x,
-            &mut self.y,
-            &mut self.vx,
-            &mut self.vy,
-            &mut self.density,
-            &mut self.mass,
-        ] {
-            reorder(&mut field[..self.len], order, scratch);
+        let len = self.len;
+        for field in self.fields_mut() {
+            reorder(&mut field[..len], order, scratch);
         }
         // A number of 32 bits passes through a float unharmed.
         scratch.clear();
@@ -85,14 +85,7 @@ impl Fluid {
     /// Keeps some of the particles, in their order: those with these places in the arrays.
     pub fn keep(&mut self, kept: &[u32]) {
         self.len = kept.len();
-        for field in [
-            &mut self.x,
-            &mut self.y,
-            &mut self.vx,
-            &mut self.vy,
-            &mut self.density,
-            &mut self.mass,
-        ] {
+        for field in self.fields_mut() {
             *field = gather(field, kept);
         }
         self.id = kept.iter().map(|&from| self.id[from as usize]).collect();

@@ -67,7 +67,7 @@ impl ErrorBars {
         };
         let force = |read: &dyn Fn(&Outcome) -> Option<f64>| {
             let (own, resolution) = refined(read)?;
-            let sound = if reads_without_sound(scene) { 0.0 } else { sound };
+            let sound = if scene.is_upright_over_level_bed() { 0.0 } else { sound };
             Some(bar(&[resolution, sound * own, FORCE_SCATTER * own]))
         };
         let runup = |read: &dyn Fn(&Outcome) -> Option<f64>| {
@@ -97,7 +97,7 @@ impl ErrorBars {
 pub fn narrowest_bar_percent(config: &CaseConfig) -> Option<f64> {
     let scene = config.scene.seawall()?;
     let sound = match config.numerics.scheme {
-        Scheme::Wcsph if !reads_without_sound(scene) => {
+        Scheme::Wcsph if !scene.is_upright_over_level_bed() => {
             SOUND * sound_number(scene, 1.0, config.numerics.sound_speed_ratio)
         }
         _ => 0.0,
@@ -119,11 +119,6 @@ impl Study {
             ErrorBars::new(&self.cases[case].config, own, &companions)
         })
     }
-}
-
-/// Whether forces are read without what sound adds to them.
-fn reads_without_sound(scene: &SeawallScene) -> bool {
-    scene.bed.is_none() && scene.wall_angle_deg == 90.0
 }
 
 /// The square of the rate at which a wave loads a wall, 1/s²: (κ c)² = ¾ ε (1 + ε) g/h of a solitary

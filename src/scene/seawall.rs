@@ -109,6 +109,11 @@ impl WallChoice {
 }
 
 impl SeawallScene {
+    /// Whether the wall is upright and the bed level: there forces are read without the sound of the water.
+    pub fn is_upright_over_level_bed(&self) -> bool {
+        self.bed.is_none() && self.wall_angle_deg == 90.0
+    }
+
     /// The paddle; none for still water.
     pub fn paddle(&self) -> Option<Paddle> {
         let (ratio, depth) = (self.wave_height_ratio, self.still_water_depth_m);

@@ -65,7 +65,7 @@ impl Logbook {
             gravity: frame.acceleration(),
             sound_speed: tank.water.state_equation().map(|_| tank.sound_speed),
         };
-        let sound = Sound::of(tank);
+        let sound = Sound::of(&config.scene, tank);
         let turn = f64::from(config.numerics.acoustic_substeps) * frame.time_step(&config.numerics);
         Logbook {
             measures: Measures::new(

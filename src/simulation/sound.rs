@@ -13,7 +13,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::body::BodyMotion;
-use crate::scene::Tank;
+use crate::scene::{Scene, SeawallScene, Tank};
 use crate::scheme::Scheme;
 use crate::theory::wall_potential::{tabulate, wall_potential};
 
@@ -38,9 +38,8 @@ pub struct Compression {
 /// Listens to the water in front of a wall, from one full step to the next.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Sound {
-    /// Depth of the water at the last step, m, and how fast it rises, m/s.
-    depth: Option<[f64; 2]>,
-    last: f64,
+    /// Time of the last step, s, and the depth of the water then, m.
+    last: Option<(f64, f64)>,
     /// Sums of time, rate and carried over so many steps.
     sums: [f64; 3],
     steps: u32,
@@ -48,10 +47,9 @@ pub(super) struct Sound {
 
 impl Sound {
     /// For an upright wall over a flat bed that waves hit, in water that can be compressed.
-    pub(super) fn of(tank: &Tank) -> Option<Sound> {
-        let level = tank.water.walls().profile.is_none();
-        let waves = tank.wave_gauge.is_some() && tank.upright();
-        (level && waves && tank.water.density_rates().is_some()).then(|| {
+    pub(super) fn of(scene: &Scene, tank: &Tank) -> Option<Sound> {
+        let plain = scene.seawall().is_some_and(SeawallScene::is_upright_over_level_bed);
+        (plain && tank.water.density_rates().is_some()).then(|| {
             tabulate();
             Sound::default()
         })
@@ -84,11 +82,12 @@ impl Sound {
     ) -> Option<Compression> {
         let rates = water.density_rates()?;
         let turn = self.take_turn(water.can_be_kept(), scale);
-        let before = self.depth.map_or(level, |[depth, _]| depth).max(f64::MIN_POSITIVE);
+        let (earlier, before) = self.last.unwrap_or((time, level));
+        let before = before.max(f64::MIN_POSITIVE);
         let face = face + wall.offset;
         let depth = mean_depth(water, face, REACH * before);
-        let rising = self.depth.map_or(0.0, |_| (depth - before) / (time - self.last));
-        (self.depth, self.last) = (Some([depth, rising]), time);
+        let rising = self.last.map_or(0.0, |_| (depth - before) / (time - earlier));
+        self.last = Some((time, depth));
         let fluid = water.fluid();
         let (mut rate, mut carried) = (0.0, 0.0);
         for (k, density_rate) in rates.iter().enumerate().take(fluid.len()) {

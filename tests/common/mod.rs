@@ -27,6 +27,21 @@ seawall_mass_kg_per_m = [50, 250]
 /// The number of its cases.
 pub const TINY_CASES: usize = 8;
 
+/// A wave on a movable wall in such a tank; its springs are to follow.
+pub const SOFT: &str = r#"
+name = "soft"
+[scene]
+tank_length_m = 1.0
+wave_gauge_m = 0.5
+end_after_stroke_centre_s = 1.2
+wall = "movable"
+seawall_mass_kg_per_m = 50
+wave_height_ratio = 0.5
+[numerics]
+particle_spacing_m = 0.025
+[grid]
+"#;
+
 /// Writes a sweep file.
 pub fn write_file(directory: &Path, text: &str) -> PathBuf {
     let path = directory.join("sweep.toml");
