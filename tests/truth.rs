@@ -101,10 +101,19 @@ fn walls_on_springs_move_as_in_theory() {
     check(0.3, Some((100.0, 50.0)), [0.005, 0.005, 0.008, 0.02]);
 }
 
-/// It moves by 0.04 mm, and follows the sound in the water as well: 1.9 % farther.
+/// It moves by 0.04 mm, and follows the noise of single steps as well: 1.7 % farther.
 #[test]
 fn a_light_wall_on_a_stiff_spring_moves_as_in_theory() {
-    check(0.5, Some((1e7, 1.0)), [0.013, 0.005, 0.025, 0.02]);
+    check(0.5, Some((1e7, 1.0)), [0.013, 0.005, 0.02, 0.02]);
+}
+
+/// The story: they followed the sound in the water and moved 1.0 % too far here, 3 % at H/h = 0.6. What
+/// compression adds to the displacement is now taken off.
+#[test]
+fn slow_sound_does_not_move_stiff_walls_farther() {
+    for mass in [1.0, 100.0] {
+        check(0.5, Some((1e5, mass)), [0.013, 0.006, 0.005, 0.02]);
+    }
 }
 
 /// The story: slow sound made the largest force of a steep wave 1.2 % too high, in proportion to 1/c0²,

@@ -101,6 +101,8 @@ pub struct WallStep {
 pub struct Restraint {
     /// A smaller force leaves it where it stands, N.
     pub threshold: f64,
+    /// What force beyond that gives it an acceleration of 1 m/s², kg.
+    pub mass: f64,
     /// What force beyond that moves it by a metre, N/m; zero where it goes on and on.
     pub stiffness: f64,
 }

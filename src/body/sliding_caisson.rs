@@ -161,7 +161,8 @@ impl WallLaw for SlidingCaisson {
     }
 
     fn restraint(&self) -> Option<Restraint> {
-        Some(Restraint { threshold: self.still_force + self.holding_friction, stiffness: 0.0 })
+        let threshold = self.still_force + self.holding_friction;
+        Some(Restraint { threshold, mass: self.mass, stiffness: 0.0 })
     }
 }
 

@@ -134,8 +134,8 @@ impl WallLaw for SpringWall {
     }
 
     fn restraint(&self) -> Option<Restraint> {
-        let stiffness = self.stiffness / self.force_coupling;
-        Some(Restraint { threshold: self.threshold, stiffness })
+        let [mass, stiffness] = [self.mass, self.stiffness].map(|of| of / self.force_coupling);
+        Some(Restraint { threshold: self.threshold, mass, stiffness })
     }
 }
 

@@ -8,7 +8,7 @@
 //! the first term being Richardson's with the order p = 1.5, the largest over all companions (two runs
 //! may agree by accident). The others are what coarser particles do not show:
 //! - **sound**: the water is compressible, and answers a push as late as sound crosses its depth. At an
-//!   upright wall over a flat bed the force is read without it;
+//!   upright wall over a flat bed force and displacement are read without it;
 //! - **scatter**: readings vary by a share of their size between neighbouring spacings, levels by a
 //!   share of the spacing.
 //!
@@ -21,6 +21,7 @@ pub use crate::quantities::Bars as ErrorBars;
 use crate::scene::{CaseConfig, Scheme, SeawallScene};
 use crate::simulation::{Maximum, Outcome};
 use crate::study::Study;
+use crate::theory::wall_potential::CARRIED;
 
 /// Order p of all readings. Fixed walls have 0.9 to 1.9 for the crest, 2.4 to 3.1 for the runup at
 /// H/h = 0.6 (`results/convergence`).
@@ -37,8 +38,6 @@ const FORCE_SCATTER: f64 = 0.0025;
 const LEVEL_SCATTER: f64 = 0.03;
 /// Scatter of a displacement, as a share of it: two walls at three spacings and four sound speeds.
 const DISPLACEMENT_SCATTER: f64 = 0.004;
-/// Mass of the water that a wall in water of depth d carries along, over ρ d².
-const CARRIED: f64 = 0.543;
 
 impl ErrorBars {
     /// The bars of a case that has ended well, from those of its companions that have.
@@ -65,10 +64,10 @@ impl ErrorBars {
             Scheme::Wcsph => SOUND * sound_number(scene, depth, config.numerics.sound_speed_ratio),
             Scheme::Isph => 0.0,
         };
+        let heard = if scene.reads_without_sound() { 0.0 } else { sound };
         let force = |read: &dyn Fn(&Outcome) -> Option<f64>| {
             let (own, resolution) = refined(read)?;
-            let sound = if scene.is_upright_over_level_bed() { 0.0 } else { sound };
-            Some(bar(&[resolution, sound * own, FORCE_SCATTER * own]))
+            Some(bar(&[resolution, heard * own, FORCE_SCATTER * own]))
         };
         let runup = |read: &dyn Fn(&Outcome) -> Option<f64>| {
             let (own, resolution) = refined(read)?;
@@ -79,7 +78,7 @@ impl ErrorBars {
             let (own, resolution) = refined(&|o| value(o.displacement_max))?;
             let force = value(outcome.first_force_max).unwrap_or(1.0);
             let excess = (force - scene.threshold_ratio).max(0.1 * force);
-            let followed = SWING * sound * force / excess * following(scene, depth);
+            let followed = SWING * heard * force / excess * following(scene, depth);
             Some(bar(&[resolution, followed * own, DISPLACEMENT_SCATTER * own]))
         };
         ErrorBars {
@@ -97,7 +96,7 @@ impl ErrorBars {
 pub fn narrowest_bar_percent(config: &CaseConfig) -> Option<f64> {
     let scene = config.scene.seawall()?;
     let sound = match config.numerics.scheme {
-        Scheme::Wcsph if !scene.is_upright_over_level_bed() => {
+        Scheme::Wcsph if !scene.reads_without_sound() => {
             SOUND * sound_number(scene, 1.0, config.numerics.sound_speed_ratio)
         }
         _ => 0.0,
@@ -227,8 +226,12 @@ mod tests {
         // At a leaning wall the force is read with its sound.
         let leaning = of("wall_angle_deg = 120", "sound_speed_ratio = 8");
         assert!(leaning.force.unwrap() > 1.5 * scatter);
-        // A stiff spring passes the force's error on, and more as only the excess moves it.
-        assert!(loud.displacement.unwrap() / 2.8 > 1.5 * loud.force.unwrap() / 2.1);
+        assert_eq!(loud.displacement, quiet.displacement);
+        assert!((loud.displacement.unwrap() - DISPLACEMENT_SCATTER * 2.8).abs() < 1e-12);
+        // On a bed a wall is read with its sound. A stiff spring passes the force's error on, and more as
+        // only the excess moves it.
+        let bed = of(&format!("{stiff}\nbed = [[2.0, 0.0], [2.4, 0.02]]"), "");
+        assert!(bed.displacement.unwrap() / 2.8 > 1.5 * bed.force.unwrap() / 2.1);
         let isph = alone("preset = \"isph\"").displacement.unwrap();
         assert!((isph - DISPLACEMENT_SCATTER * 2.8).abs() < 1e-12);
     }

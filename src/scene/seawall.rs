@@ -114,6 +114,11 @@ impl SeawallScene {
         self.bed.is_none() && self.wall_angle_deg == 90.0
     }
 
+    /// Whether all its readings but the runup are without sound. Water that goes over a crest is heard.
+    pub fn reads_without_sound(&self) -> bool {
+        self.is_upright_over_level_bed() && self.behind == Behind::Nothing
+    }
+
     /// The paddle; none for still water.
     pub fn paddle(&self) -> Option<Paddle> {
         let (ratio, depth) = (self.wave_height_ratio, self.still_water_depth_m);

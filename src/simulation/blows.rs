@@ -3,9 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::outcome::Maximum;
+use crate::theory::wall_potential::CARRIED;
 
-/// Added mass of water on a wall over ρ d², d the depth at the wall.
-const ADDED_MASS: f64 = 0.543;
 /// A weaker hit, over ½ρgh² √(h/g), is a touch: its sound is too faint to matter.
 const WEAKEST: f64 = 0.02;
 /// The wall must have come this far from its stop, over h, to strike it in earnest.
@@ -75,7 +74,7 @@ impl Blows {
         let Acoustics { depth, gravity, sound_speed } = self.acoustics;
         let relative_depth = (1.0 + hit.runup).max(0.0);
         let wave_speed = (gravity * depth).sqrt();
-        let impulse = -2.0 * ADDED_MASS * relative_depth * relative_depth * hit.speed / wave_speed;
+        let impulse = -2.0 * CARRIED * relative_depth * relative_depth * hit.speed / wave_speed;
         let time_s = hit.time_s + hit.dt;
         if self.strongest.is_none_or(|strongest| impulse < strongest.value) {
             self.strongest = Some(Maximum { value: impulse, time_s });

@@ -165,7 +165,14 @@ impl FirstImpact {
         }
     }
 
-    /// Takes a step's R* and X*, and ends the impact at a stop.
+    /// Takes X* at a time, s.
+    pub fn push_travel(&mut self, displacement: f64, time: f64) {
+        if self.is_under_way() {
+            Maximum::raise(&mut self.readings.displacement, displacement, time);
+        }
+    }
+
+    /// Takes a step's R*, and ends the impact at a stop.
     pub fn push_motion(&mut self, reading: &Reading) {
         if !self.is_under_way() {
             return;
@@ -173,7 +180,6 @@ impl FirstImpact {
         let readings = &mut self.readings;
         Maximum::raise(&mut readings.runup, reading.runup, reading.time);
         readings.runup_peak.push(reading.runup);
-        Maximum::raise(&mut readings.displacement, reading.displacement, reading.time);
         let travelled = readings.displacement.is_some_and(|m| m.value > IMPACT_TRAVEL);
         if !travelled {
             // Touches of a stiff wall that has hardly moved do not count.

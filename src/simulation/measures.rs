@@ -6,7 +6,8 @@ use super::blows::{Acoustics, Blows, Hit};
 use super::first_impact::{FirstImpact, Reading};
 use super::outcome::Maximum;
 use super::pressed::Pressed;
-use super::quiet_force::QuietForce;
+use super::quiet_force::{Push, QuietForce};
+use super::quiet_travel::{Mount, QuietTravel};
 use super::sound::Compression;
 
 /// Span of the force's running mean over √(h/g).
@@ -16,6 +17,9 @@ pub(super) const MEAN_SPAN: f64 = 0.07;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Measures {
     quiet: QuietForce,
+    travel: QuietTravel,
+    /// Whether sound is taken off.
+    listens: bool,
     /// The first impact.
     pub first: FirstImpact,
     /// Hits on the stop.
@@ -50,6 +54,8 @@ impl Measures {
         let unit_time = (acoustics.depth / acoustics.gravity).sqrt();
         Measures {
             quiet: QuietForce::new(MEAN_SPAN * unit_time, turn),
+            travel: QuietTravel::new(),
+            listens: turn.is_some(),
             first: FirstImpact::new(threshold_ratio, unit_time),
             blows: Blows::new(acoustics),
             force: None,
@@ -63,40 +69,65 @@ impl Measures {
         }
     }
 
-    /// Takes one step's readings, and the water's compression where a turn of steps has ended. What a blow on
-    /// the stop drowns of the force counts for nothing.
-    pub fn push(&mut self, reading: Reading, compression: Option<Compression>) {
+    /// Takes one step's readings, the water's compression where a turn of steps has ended, and what holds
+    /// the wall. What a blow on the stop drowns of the force counts for nothing.
+    pub fn push(
+        &mut self,
+        reading: Reading,
+        compression: Option<Compression>,
+        mount: Option<Mount>,
+    ) {
         let Reading { time, force, runup, displacement, stops } = reading;
+        let stopped = stops != self.stops;
         (self.last, self.stops) = ([force, runup, displacement], stops);
         Maximum::raise(&mut self.runup, runup, time);
-        self.blows.follow(time, displacement);
-        let before = self.displacement;
-        Maximum::raise(&mut self.displacement, displacement, time);
-        if self.displacement != before {
-            self.kicked = self.blows.kicked();
+        if stopped {
+            self.follow(time, Push::default(), mount);
         }
-        if self.blows.drown(time) {
+        self.blows.follow(time, displacement);
+        self.travel.push(time, displacement);
+        let drowned = self.blows.drown(time);
+        if drowned {
             self.quiet.clear();
             self.first.interrupt();
         } else {
             if self.blows.since_audible(time).is_none() {
                 self.force_raw = Some(self.force_raw.map_or(force, |raw| raw.max(force)));
             }
-            if let Some((at, mean)) = self.quiet.push((time, force), compression) {
-                Maximum::raise(&mut self.force, mean, at);
-                self.first.push_force(at, mean, stops);
+            if let Some(quiet) = self.quiet.push((time, force), compression) {
+                self.follow(quiet.time, quiet.sound, mount);
+                Maximum::raise(&mut self.force, quiet.force, quiet.time);
+                self.first.push_force(quiet.time, quiet.force, stops);
             }
+        }
+        if drowned || !self.listens {
+            self.follow(time, Push::default(), mount);
         }
         self.first.push_motion(&reading);
     }
 
+    /// Takes the wall's displacements until then, s, while sound pushes it like this.
+    fn follow(&mut self, until: f64, sound: Push, mount: Option<Mount>) {
+        while let Some((at, displacement)) = self.travel.next(until, sound, mount) {
+            let before = self.displacement;
+            Maximum::raise(&mut self.displacement, displacement, at);
+            if self.displacement != before {
+                self.kicked = self.blows.kicked();
+            }
+            self.first.push_travel(displacement, at);
+        }
+    }
+
     /// Takes note that no reading follows.
-    pub fn finish(&mut self) {
-        let stops = self.stops;
-        self.quiet.finish(|at, mean| {
-            Maximum::raise(&mut self.force, mean, at);
-            self.first.push_force(at, mean, stops);
-        });
+    pub fn finish(&mut self, mount: Option<Mount>) {
+        let (stops, mut rest) = (self.stops, Vec::new());
+        self.quiet.finish(|quiet| rest.push(quiet));
+        for quiet in rest {
+            self.follow(quiet.time, quiet.sound, mount);
+            Maximum::raise(&mut self.force, quiet.force, quiet.time);
+            self.first.push_force(quiet.time, quiet.force, stops);
+        }
+        self.follow(f64::INFINITY, Push::default(), mount);
     }
 
     /// Takes the moment about the wall's foot, over ρgh³/6, and the pressures along its face, Pa, of the
@@ -129,7 +160,7 @@ mod tests {
         for k in 0..4000 {
             let time = 0.001 * f64::from(k);
             let ([force, runup, x], stops) = at(time);
-            measures.push(Reading { time, force, runup, displacement: x, stops }, None);
+            measures.push(Reading { time, force, runup, displacement: x, stops }, None, None);
         }
         measures
     }
@@ -234,7 +265,7 @@ mod tests {
             };
             let force = 1.0 + bell(time, 1.0, 1.0) + sound;
             let stops = u32::from(time >= 1.5);
-            measures.push(Reading { time, force, runup: 0.0, displacement, stops }, None);
+            measures.push(Reading { time, force, runup: 0.0, displacement, stops }, None, None);
             if k == 1499 {
                 measures.hit(time, 0.001, speed);
             }

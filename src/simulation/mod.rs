@@ -27,6 +27,7 @@ mod planted;
 mod pressed;
 mod probes;
 mod quiet_force;
+mod quiet_travel;
 mod quoted;
 mod readings;
 mod run;

@@ -13,6 +13,26 @@ const SIDE_TURNS: f64 = 1.5;
 /// Room from the start for so many samples.
 const ROOM: usize = 256;
 
+/// A force without its sound.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Quiet {
+    /// When, s.
+    pub time: f64,
+    /// The mean of the samples less the sound.
+    pub force: f64,
+    /// What the sound was.
+    pub sound: Push,
+}
+
+/// What the sound of the water does to a wall.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub struct Push {
+    /// What it adds to the force.
+    pub force: f64,
+    /// In water so deep, m, where that was listened to.
+    pub depth: Option<f64>,
+}
+
 /// Keeps the last samples and tells the mean over `span` seconds around a time some way back.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct QuietForce {
@@ -49,33 +69,27 @@ impl QuietForce {
         self.filled = false;
     }
 
-    /// Takes a sample, and a turn of the compression where one has ended. Returns the mean without sound
-    /// and the time it belongs to, once the span is filled.
-    pub fn push(
-        &mut self,
-        (time, force): (f64, f64),
-        turn: Option<Compression>,
-    ) -> Option<(f64, f64)> {
+    /// Takes a sample, and a turn of the compression where one has ended. Returns the mean without sound,
+    /// once the span is filled.
+    pub fn push(&mut self, (time, force): (f64, f64), turn: Option<Compression>) -> Option<Quiet> {
         self.samples.push_back((time, force));
         self.turns.extend(turn);
         self.tell(time - self.lag)
     }
 
     /// Tells what is still to be told when no sample follows.
-    pub fn finish(&mut self, mut told: impl FnMut(f64, f64)) {
+    pub fn finish(&mut self, mut told: impl FnMut(Quiet)) {
         let mut last = self.samples.iter().rev().map(|&(time, _)| time);
         let (Some(newest), Some(before)) = (last.next(), last.next()) else { return };
         let mut middle = newest - self.lag;
         while middle <= newest - 0.5 * self.span {
             middle += newest - before;
-            if let Some((at, force)) = self.tell(middle) {
-                told(at, force);
-            }
+            self.tell(middle).into_iter().for_each(&mut told);
         }
     }
 
-    /// The mean without sound around `middle`, and the time it belongs to.
-    fn tell(&mut self, middle: f64) -> Option<(f64, f64)> {
+    /// The mean without sound around `middle`.
+    fn tell(&mut self, middle: f64) -> Option<Quiet> {
         let slack = self.span * 1e-9;
         let oldest = middle - 0.5 * self.span - slack;
         while self.samples.front().is_some_and(|&(t, _)| t < oldest) {
@@ -93,25 +107,27 @@ impl QuietForce {
         for &(t, force) in self.samples.iter().take_while(|&&(t, _)| t <= newest) {
             (last, sum, count) = (t, sum + force, count + 1.0);
         }
-        let at = 0.5 * (self.samples.front()?.0 + last);
-        (count > 0.0).then(|| (at, sum / count - self.sound(middle)))
+        let time = 0.5 * (self.samples.front()?.0 + last);
+        let sound = self.sound(middle);
+        (count > 0.0).then(|| Quiet { time, force: sum / count - sound.force, sound })
     }
 
     /// What sound adds to the force around `middle`; nothing where it was not listened to throughout.
-    fn sound(&self, middle: f64) -> f64 {
+    fn sound(&self, middle: f64) -> Push {
         let newest = middle + self.side * (1.0 + 1e-9);
         let turns = || self.turns.iter().take_while(|turn| turn.time <= newest);
         let count = turns().count() as f64;
         let reach = turns().last().map_or(0.0, |last| last.time - self.turns[0].time);
         // Some turns are missing where they reach over little more than one side.
         if count < 3.0 || reach < 1.25 * self.side {
-            return 0.0;
+            return Push::default();
         }
         let mean = |part: &dyn Fn(&Compression) -> f64| turns().map(part).sum::<f64>() / count;
         let (time, rate) = (mean(&|turn| turn.time), mean(&|turn| turn.rate));
         let above = turns().map(|turn| (turn.time - time) * (turn.rate - rate)).sum::<f64>();
         let below = turns().map(|turn| (turn.time - time).powi(2)).sum::<f64>();
-        mean(&|turn| turn.carried) - above / below
+        let force = mean(&|turn| turn.carried) - above / below;
+        Push { force, depth: Some(mean(&|turn| turn.depth)) }
     }
 }
 
@@ -127,8 +143,8 @@ mod tests {
             let (mut mean, mut told) = (QuietForce::new(SPAN, turn), 0);
             for k in 0..200 {
                 let time = 0.0009 * f64::from(k);
-                if let Some((at, value)) = mean.push((time, 3.0 * time + 1.0), None) {
-                    assert!((value - (3.0 * at + 1.0)).abs() < 1e-12);
+                if let Some(quiet) = mean.push((time, 3.0 * time + 1.0), None) {
+                    assert!((quiet.force - (3.0 * quiet.time + 1.0)).abs() < 1e-12);
                     told += 1;
                 }
             }
@@ -150,14 +166,14 @@ mod tests {
             let full = k % steps == 0 && k > 0;
             let told = full.then(|| {
                 let [time, rate] = std::mem::take(&mut sums).map(|sum| sum / f64::from(steps));
-                Compression { time, rate, carried: 2.0 * sound }
+                Compression { time, rate, carried: 2.0 * sound, depth: 0.4 }
             });
             sums[0] += time;
             // Within a turn the rate is seen aslant.
             sums[1] += rate(time) + 0.3 * (f64::from(k % steps) - 0.5 * f64::from(steps - 1));
             let heard = (time, 1.0 + bell(time) + added(time));
-            if let Some((_, quiet)) = force.push(heard, told) {
-                highest = highest.max(quiet);
+            if let Some(quiet) = force.push(heard, told) {
+                highest = highest.max(quiet.force);
             }
         }
         highest
@@ -177,12 +193,12 @@ mod tests {
         let mut force = QuietForce::new(SPAN, Some(0.003));
         let mut told: Vec<f64> = Vec::new();
         for k in 0..100 {
-            told.extend(force.push((0.001 * f64::from(k), 2.0), None).map(|(at, _)| at));
+            told.extend(force.push((0.001 * f64::from(k), 2.0), None).map(|quiet| quiet.time));
         }
         let before = told.len();
-        force.finish(|at, value| {
-            assert!((value - 2.0).abs() < 1e-12);
-            told.push(at);
+        force.finish(|quiet| {
+            assert!((quiet.force - 2.0).abs() < 1e-12);
+            told.push(quiet.time);
         });
         assert!(told.len() > before + 20, "{told:?}");
         assert!(told.windows(2).all(|pair| pair[1] > pair[0]), "{told:?}");
@@ -194,9 +210,11 @@ mod tests {
         let mut force = QuietForce::new(SPAN, Some(0.003));
         for k in 0..100 {
             let time = 0.001 * f64::from(k);
-            let turn = Compression { time, rate: 9.0 * time, carried: 0.0 };
+            let turn = Compression { time, rate: 9.0 * time, carried: 0.0, depth: 0.4 };
             let told = force.push((time, 2.0), (k % 3 == 0 && k < 60).then_some(turn));
-            if let Some((at, value)) = told {
+            if let Some(Quiet { time: at, force: value, sound }) = told {
+                assert_eq!(sound.force, 2.0 - value);
+                assert_eq!(sound.depth.is_some(), value > 2.1);
                 let expected = if at < 0.045 { 11.0 } else { 2.0 };
                 assert!(
                     (0.045..0.055).contains(&at) || at < 0.01 || (value - expected).abs() < 1e-9,

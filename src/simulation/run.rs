@@ -72,7 +72,8 @@ impl Run {
     /// Steps to the end.
     pub fn advance(&mut self, monitor: &dyn Monitor) -> Result<(), Stopped> {
         self.go(false, monitor)?;
-        self.logbook.measures.finish();
+        let mount = self.mount();
+        self.logbook.measures.finish(mount);
         Ok(())
     }
 

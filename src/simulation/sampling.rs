@@ -8,6 +8,7 @@ use super::outcome::{EnergyBudget, HistoryRow};
 use super::overtopping::Overtopping;
 use super::pressed::Lever;
 use super::probes;
+use super::quiet_travel::Mount;
 use super::run::Run;
 use super::sounding::Sounding;
 use super::surface::APART;
@@ -33,8 +34,8 @@ impl Run {
         let toe = tank.water.walls().profile.as_ref().map_or(0.0, |bed| bed.end()[1]);
         let deep = toe == 0.0 || depth - toe > SHALLOW * radius;
         // Over a crest the surface goes on, and no wall holds its slope.
-        let over = tank.water.walls().crest.as_ref();
-        let deep = deep && over.is_none_or(|crest| at_wall < crest.height - radius);
+        let top = tank.water.walls().crest.as_ref().map(|crest| crest.height);
+        let deep = deep && top.is_none_or(|top| at_wall < top - radius);
         let inside = (tank.wave_gauge.is_some() && tank.upright() && deep).then(|| {
             let from =
                 (at_wall - 1.5 * radius).max(if toe > 0.0 { toe + 0.5 * radius } else { 0.0 });
@@ -56,6 +57,10 @@ impl Run {
             ..BodyMotion::default()
         };
         let compression = logbook.sound.as_mut().and_then(|sound| {
+            // φ is that of a wall that no water goes over.
+            if top.is_some_and(|top| at_wall >= top) {
+                return sound.miss();
+            }
             let place = (frame.length, motion);
             sound.hear(
                 tank.water.as_ref(),
@@ -64,7 +69,8 @@ impl Run {
                 (force, tank.static_force),
             )
         });
-        logbook.measures.push(reading, compression);
+        let mount = self.mount();
+        self.logbook.measures.push(reading, compression, mount);
         self.press(&reading, acceleration);
         let Run { tank, logbook, clock, lens, .. } = self;
         let unit = (depth / frame.acceleration()).sqrt();
@@ -81,6 +87,13 @@ impl Run {
             logbook.gauge.read(level, depth);
         }
         reading
+    }
+
+    /// What holds the wall, where something drives it back.
+    pub(super) fn mount(&self) -> Option<Mount> {
+        let frame = &self.tank.frame;
+        let held = self.tank.wall.restraint()?;
+        Mount::new(&held, frame.depth, frame.acceleration(), self.tank.static_force)
     }
 
     /// Reads the pressures along the wall, and the moment about its foot: the force's, as it acts where

@@ -113,7 +113,7 @@ mod tests {
                 displacement: x * bell,
                 stops: 0,
             };
-            measures.push(reading, None);
+            measures.push(reading, None, None);
         }
         measures
     }
@@ -183,7 +183,7 @@ mod tests {
         for k in 0..200 {
             let time = 0.005 * f64::from(k);
             let reading = Reading { time, force: 1.6, runup: 0.3, displacement: 0.0, stops: 0 };
-            measures.push(reading, None);
+            measures.push(reading, None, None);
         }
         assert!(!Prospect::of(0.0, None).leaves(&measures));
     }

@@ -33,6 +33,8 @@ pub struct Compression {
     pub rate: f64,
     /// Σ V Dφ/Dt Dρ/Dt over ρgh²/2.
     pub carried: f64,
+    /// Depth of the water within φ's reach, m.
+    pub depth: f64,
 }
 
 /// Listens to the water in front of a wall, from one full step to the next.
@@ -40,8 +42,8 @@ pub struct Compression {
 pub(super) struct Sound {
     /// Time of the last step, s, and the depth of the water then, m.
     last: Option<(f64, f64)>,
-    /// Sums of time, rate and carried over so many steps.
-    sums: [f64; 3],
+    /// Sums of time, rate, carried and depth over so many steps.
+    sums: [f64; 4],
     steps: u32,
 }
 
@@ -67,6 +69,11 @@ impl Sound {
         if force > QUIET * static_force {
             return self.listen(water, now, wall, static_force);
         }
+        self.miss()
+    }
+
+    /// Takes note that nothing can be told of the sound now.
+    pub(super) fn miss(&mut self) -> Option<Compression> {
         *self = Sound::default();
         None
     }
@@ -101,7 +108,7 @@ impl Sound {
             let moved = along * (wall.velocity - fluid.vx[k]) + up * fluid.vy[k];
             carried += growth * (moved + (value - xi * along - eta * up) * rising);
         }
-        for (sum, part) in self.sums.iter_mut().zip([time, rate, carried]) {
+        for (sum, part) in self.sums.iter_mut().zip([time, rate, carried, depth]) {
             *sum += part;
         }
         self.steps += 1;
@@ -114,8 +121,8 @@ impl Sound {
             return None;
         }
         let steps = f64::from(std::mem::take(&mut self.steps));
-        let [time, rate, carried] = std::mem::take(&mut self.sums).map(|sum| sum / steps);
-        let told = Compression { time, rate: rate / scale, carried: carried / scale };
+        let [time, rate, carried, depth] = std::mem::take(&mut self.sums).map(|sum| sum / steps);
+        let told = Compression { time, rate: rate / scale, carried: carried / scale, depth };
         (steps > 0.0).then_some(told)
     }
 }

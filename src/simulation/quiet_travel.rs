@@ -1,0 +1,169 @@
+//! The wall's displacement as it counts for maxima: without what the sound of the water adds.
+//!
+//! Sound ([`super::sound`]) pushes a wall as any force does. To first order it moves the wall by x:
+//! ```text
+//! (m + m_a) x'' + b x' + k x = ΔF,   m_a = 0.543 ρ d²,   b = ρ d √(g d)
+//! ```
+//! d is the depth at the wall. m_a is the water that the wall carries along
+//! ([`wall_potential`](crate::theory::wall_potential)), b x' the push of the long wave that it makes.
+
+use std::collections::VecDeque;
+
+use serde::{Deserialize, Serialize};
+
+use super::quiet_force::Push;
+use crate::body::Restraint;
+use crate::theory::wall_potential::CARRIED;
+
+/// Room from the start for so many samples.
+const ROOM: usize = 256;
+
+/// What holds a wall, over ½ρgh² of force and h of displacement.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mount {
+    /// m h/(½ρgh²), s².
+    mass: f64,
+    /// k h/(½ρgh²).
+    stiffness: f64,
+    /// h, m.
+    depth: f64,
+    /// √(h/g), s.
+    unit_time: f64,
+}
+
+impl Mount {
+    /// Of a wall in still water of this depth, m, under this gravity, m/s², that presses it with
+    /// `static_force`, N/m. None where nothing drives the wall back.
+    pub fn new(held: &Restraint, depth: f64, gravity: f64, static_force: f64) -> Option<Mount> {
+        let scale = depth / static_force;
+        let unit_time = (depth / gravity).sqrt();
+        let mount =
+            Mount { mass: held.mass * scale, stiffness: held.stiffness * scale, depth, unit_time };
+        (held.stiffness > 0.0).then_some(mount)
+    }
+
+    /// Moves x and x' on by `dt` seconds. Where nothing was listened to the water is as deep as at rest.
+    /// The implicit midpoint rule, which no stiffness upsets.
+    fn advance(&self, [x, v]: [f64; 2], push: Push, dt: f64) -> [f64; 2] {
+        let deep = push.depth.map_or(1.0, |depth| depth / self.depth);
+        let mass = self.mass + 2.0 * CARRIED * (deep * self.unit_time).powi(2);
+        let damping = 2.0 * deep.powf(1.5) * self.unit_time;
+        let resists = mass + 0.5 * dt * (damping + 0.5 * dt * self.stiffness);
+        let rate = (push.force - damping * v - self.stiffness * (x + 0.5 * dt * v)) / resists;
+        [x + dt * (v + 0.5 * dt * rate), v + dt * rate]
+    }
+}
+
+/// A sample of the wall's place.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+struct Sample {
+    time: f64,
+    displacement: f64,
+}
+
+/// Keeps the last samples until the sound of their time is known.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct QuietTravel {
+    waiting: VecDeque<Sample>,
+    /// What sound has added to X*, and its rate, 1/s.
+    added: [f64; 2],
+    /// Until then, s.
+    since: f64,
+}
+
+impl QuietTravel {
+    /// Of a wall on its stop.
+    pub fn new() -> QuietTravel {
+        QuietTravel { waiting: VecDeque::with_capacity(ROOM), added: [0.0; 2], since: 0.0 }
+    }
+
+    /// Takes X* at a time, s.
+    pub fn push(&mut self, time: f64, displacement: f64) {
+        self.waiting.push_back(Sample { time, displacement });
+    }
+
+    /// The next sample no later than `until`, s: its time, and X* without what sound has added, which
+    /// has been pushing the wall like this. A stop takes all that it has added.
+    pub fn next(&mut self, until: f64, sound: Push, mount: Option<Mount>) -> Option<(f64, f64)> {
+        let sample = *self.waiting.front().filter(|sample| sample.time <= until)?;
+        self.waiting.pop_front();
+        let dt = sample.time - self.since;
+        self.since = sample.time;
+        self.added = match mount {
+            Some(mount) if sample.displacement > 0.0 => mount.advance(self.added, sound, dt),
+            _ => [0.0; 2],
+        };
+        Some((sample.time, sample.displacement - self.added[0]))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const DEPTH: f64 = 0.2;
+    const GRAVITY: f64 = 9.81;
+
+    fn mount(mass: f64, stiffness: f64) -> Mount {
+        let held = Restraint { threshold: 0.0, mass, stiffness };
+        Mount::new(&held, DEPTH, GRAVITY, 0.5 * 1000.0 * GRAVITY * DEPTH * DEPTH).unwrap()
+    }
+
+    fn push(force: f64) -> Push {
+        Push { force, depth: Some(0.3) }
+    }
+
+    /// Largest X* told of a wall that follows F* - 1 = bell + sound as its spring says.
+    fn farthest(stiffness: f64, loudness: f64) -> f64 {
+        let (mount, dt) = (mount(50.0, stiffness), 0.001);
+        let bell = |t: f64| (-((t - 0.5) / 0.1).powi(2)).exp();
+        let (mut quiet, mut told, mut state) = (QuietTravel::new(), 0.0_f64, [0.0; 2]);
+        for k in 1..1000 {
+            let (now, until) = (dt * f64::from(k), dt * f64::from(k - 30));
+            state = mount.advance(state, push(bell(now) * (1.0 + loudness)), dt);
+            quiet.push(now, state[0].max(0.0));
+            while let Some((_, x)) = quiet.next(until, push(loudness * bell(until)), Some(mount)) {
+                told = told.max(x);
+            }
+        }
+        told
+    }
+
+    #[test]
+    fn what_sound_adds_is_taken_off() {
+        for stiffness in [500.0, 1e4, 1e5, 1e7] {
+            let (loud, still) = (farthest(stiffness, 0.05), farthest(stiffness, 0.0));
+            assert!((loud / still - 1.0).abs() < 2e-3, "{stiffness}: {loud} {still}");
+        }
+    }
+
+    #[test]
+    fn it_swings_as_its_spring_mass_and_water_say() {
+        let (wall, dt) = (mount(50.0, 2000.0), 0.0005);
+        let carried = 0.543 * 1000.0 * DEPTH * DEPTH;
+        let period = std::f64::consts::TAU * ((50.0 + carried) / 2000.0_f64).sqrt();
+        let mut state = [1e-3, 0.0];
+        for _ in 0..(0.5 * period / dt).round() as u32 {
+            state = wall.advance(state, Push::default(), dt);
+        }
+        // The long wave takes 1 - exp(-b T/(4 (m + m_a))) of the height in half a period.
+        let fading = 1000.0 * DEPTH * (GRAVITY * DEPTH).sqrt() / (50.0 + carried);
+        let left = (-0.25 * fading * period).exp();
+        assert!((state[0] / -1e-3 - left).abs() < 0.15, "{state:?} {left}");
+    }
+
+    #[test]
+    fn a_stop_takes_what_sound_has_added_and_free_walls_are_left_alone() {
+        let mut quiet = QuietTravel::new();
+        for (time, x) in [(0.1, 0.01), (0.2, 0.0), (0.3, 0.01)] {
+            quiet.push(time, x);
+        }
+        let wall = Some(mount(50.0, 1e5));
+        assert!(quiet.next(0.1, push(1.0), wall).unwrap().1 < 0.01);
+        assert_eq!(quiet.next(0.2, push(1.0), wall), Some((0.2, 0.0)));
+        assert_eq!(quiet.next(0.2, push(1.0), wall), None);
+        assert_eq!(quiet.next(0.3, push(1.0), None), Some((0.3, 0.01)));
+        let held = Restraint { threshold: 0.0, mass: 50.0, stiffness: 0.0 };
+        assert!(Mount::new(&held, DEPTH, GRAVITY, 196.0).is_none());
+    }
+}
