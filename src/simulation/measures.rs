@@ -8,6 +8,7 @@ use super::outcome::Maximum;
 use super::pressed::Pressed;
 use super::quiet_force::QuietForce;
 use super::sound::Compression;
+use super::waves::Waves;
 
 /// Span of the force's running mean over √(h/g).
 pub(super) const MEAN_SPAN: f64 = 0.07;
@@ -36,6 +37,8 @@ pub struct Measures {
     stops: u32,
     /// Pressures along the wall and their moment.
     pub pressed: Pressed,
+    /// Each wave of a train.
+    pub waves: Option<Waves>,
 }
 
 impl Measures {
@@ -60,6 +63,7 @@ impl Measures {
             last: [0.0; 3],
             stops: 0,
             pressed: Pressed::new(points, MEAN_SPAN * unit_time),
+            waves: None,
         }
     }
 
@@ -69,6 +73,9 @@ impl Measures {
         let Reading { time, force, runup, displacement, stops } = reading;
         (self.last, self.stops) = ([force, runup, displacement], stops);
         Maximum::raise(&mut self.runup, runup, time);
+        if let Some(waves) = &mut self.waves {
+            waves.run_up(time, runup);
+        }
         self.blows.follow(time, displacement);
         let before = self.displacement;
         Maximum::raise(&mut self.displacement, displacement, time);
@@ -85,6 +92,9 @@ impl Measures {
             if let Some((at, mean)) = self.quiet.push((time, force), compression) {
                 Maximum::raise(&mut self.force, mean, at);
                 self.first.push_force(at, mean, stops);
+                if let Some(waves) = &mut self.waves {
+                    waves.press(at, mean);
+                }
             }
         }
         self.first.push_motion(&reading);
@@ -96,6 +106,9 @@ impl Measures {
         self.quiet.finish(|at, mean| {
             Maximum::raise(&mut self.force, mean, at);
             self.first.push_force(at, mean, stops);
+            if let Some(waves) = &mut self.waves {
+                waves.press(at, mean);
+            }
         });
     }
 
