@@ -93,11 +93,13 @@ crest; the paddle pushed S h. The crest leaves the paddle at the middle of its s
 ";
 
 const FOOT: &str = "
-In case A stroke and gauges contradict each other: by length and by speed the paddle makes a higher wave than
-was measured, and a seventh to a quarter of the water that it pushed never passed the gauges. In case B the height agrees. In both cases
-crests pass the gauges 0.2 to 0.3 s later than a wave of the measured height that leaves with the stroke, but between
-the gauges they are as fast as in theory. So the clocks or the paddle's place differ, not the speed. Two gauges 1.0 to 2.4 m apart over a level bed
-differ by 6 to 7 % in the height of the same wave: no computation can be within 3 % of both.
+In case A stroke and gauges contradict each other: by length and by speed the paddle makes a higher wave than was
+measured, and a sixth to a quarter of the water that it pushed never passed the gauges. In case B the height agrees. In both
+cases crests pass the gauges 0.2 to 0.3 s later than a wave of the measured height that leaves with the stroke, but between
+the gauges they are as fast as in theory. So the clocks or the paddle's place differ, not the speed. The strokes begin at
+-0.145 m (A, B) and -0.203 m (C). Were the gauges' origin the zero of that record, the waves would have so much farther to go:
+0.1 s of the 0.2 to 0.3 s. Two gauges 1.0 to 2.4 m apart over a level bed differ by 6 to 7 % in the height of the same wave: no
+computation can be within 3 % of both.
 ";
 
 fn celerity(height: f64) -> f64 {
