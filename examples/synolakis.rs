@@ -90,9 +90,9 @@ const FOOT: &str = "
 The wave that arrives is right: at 15 mm and 3 m from the paddle its crest is 0.0997 and 0.2976 h of 0.1 and 0.3 h, and
 0.104 and 0.298 h at the beach's foot. What is missing is the thin end of the tongue. The equations of shallow water
 without friction tell how thick a tongue is: at H/h = 0.1 water of 0.05, 0.025 and 0.0125 h thickness gets 0.10, 0.21 and
-0.30 h up, at 0.3 it gets 0.26, 0.44 and 0.61 h up. So the edge that is read falls with the spacing, as the runs do. Without artificial viscosity runup at 15 mm is lower (0.156 and 0.309 h), without shifting it
-is 0.166 and 0.381 h: neither is the cause. (Heights, tongues and the runs without viscosity and shifting were found once,
-by hand.)
+0.30 h up, at 0.3 it gets 0.26, 0.44 and 0.61 h up. So an edge that is one spacing thick lies lower the coarser the
+spacing. Viscosity and shifting are not the cause: without the first, runup at 15 mm is lower (0.156 and 0.309 h), without
+the second it is 0.166 and 0.381 h. (Heights, tongues and these two runs were found once, by hand.)
 ";
 
 fn draw(computed: &[Runup], measured: &[Runup], path: &std::path::Path) -> Result<(), Failed> {
