@@ -23,7 +23,7 @@ fn files_of(out: &Path, id: &str) -> BTreeMap<String, String> {
         let cells = header.iter().zip(row).filter(|(column, _)| *column != "wall_time_s");
         all.extend(cells.map(|(column, cell)| (format!("{name} {column}"), cell.to_owned())));
     }
-    for folder in ["histories", "probes", "readings", "envelopes"] {
+    for folder in ["histories", "probes", "readings", "envelopes", "waves"] {
         if let Ok(text) = fs::read_to_string(out.join(folder).join(format!("{id}.csv"))) {
             all.insert(folder.to_owned(), text);
         }

@@ -166,7 +166,7 @@ fn bad_scenes_are_refused_with_their_key() {
         (
             "",
             "name = \"a\"\nkind = \"heat\"\nx_m = 1",
-            "pressure, level, elevation, void (probe a)",
+            "pressure, level, elevation, void, volume, discharge (probe a)",
         ),
         (
             "particle_spacing_m = 1",

@@ -131,6 +131,40 @@ fn what_goes_over_is_what_the_tank_has_lost() {
     assert!(over.speed_max_m_per_s > 0.5 && over.thickness_max_m > 0.04);
 }
 
+/// What has passed a section before the wall by its velocities is what is beyond it by its mass; beyond the crest's back
+/// it is what went over, on its way and taken away.
+#[test]
+fn probes_tell_what_passes_a_section() {
+    let scene =
+        format!("{TANK}wave_height_ratio = 0.6\nend_after_stroke_centre_s = 2.5\n{}", crest(0.04));
+    let probe = |kind: &str, x: f64| {
+        format!("name = \"{kind}_{x}\"\nkind = \"{kind}\"\nx_m = {x}").parse::<Table>().unwrap()
+    };
+    let places = [0.8, 1.2, 1.5];
+    let mut probes: Vec<_> =
+        places.iter().flat_map(|x| [probe("volume", *x), probe("discharge", *x)]).collect();
+    probes.push(probe("volume", 1.7));
+    let numerics = "particle_spacing_m = 0.02\nboundary = \"normalized\"";
+    let config = case(&scene, numerics, &probes);
+    let case = run_case(&config, None, SimdPath::widest(), &Unwatched).unwrap();
+    let rows: Vec<_> = case.probes.as_ref().unwrap().rows().collect();
+    let (first, last) = (rows[0].1, rows[rows.len() - 1].1);
+    let over = case.outcome.overtopped.unwrap().volume_m2;
+    for (n, x) in places.into_iter().enumerate() {
+        let through = |window: &[(f64, &[f64])]| {
+            let [(t0, before), (t1, after)] = [window[0], window[1]];
+            0.5 * (t1 - t0) * (before[2 * n + 1] + after[2 * n + 1])
+        };
+        let passed: f64 = rows.windows(2).map(through).sum();
+        let rose = last[2 * n] - first[2 * n];
+        println!("x = {x} m: {passed} m² passed, {rose} m² more beyond, {over} m² over");
+        assert!((passed - rose).abs() < 0.02 * over, "at {x} m");
+    }
+    let beyond = last[6] - first[6];
+    println!("{beyond} m² beyond the back");
+    assert!((beyond / over - 1.0).abs() < 0.02);
+}
+
 /// The edge of the crest lets still water stand a spacing and a half below it.
 #[test]
 fn still_water_stays_behind_a_low_crest() {

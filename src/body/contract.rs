@@ -48,6 +48,11 @@ pub trait PaddleLaw {
     /// When it passes the middle of its stroke, seconds; none where it has no single stroke.
     fn stroke_centre(&self) -> Option<f64>;
 
+    /// Of the regular waves that it makes, seconds; none where it makes others.
+    fn period(&self) -> Option<f64> {
+        None
+    }
+
     /// From when on it stands, seconds; infinite where it never does.
     fn still_from(&self) -> f64;
 

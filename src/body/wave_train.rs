@@ -107,6 +107,10 @@ impl PaddleLaw for WaveTrain {
         None
     }
 
+    fn period(&self) -> Option<f64> {
+        Some(std::f64::consts::TAU / self.frequency)
+    }
+
     fn still_from(&self) -> f64 {
         f64::INFINITY
     }

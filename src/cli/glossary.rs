@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use crate::keys::Key;
-use crate::quantities::{Quantity, energy, envelope, history, summary};
+use crate::quantities::{Quantity, energy, envelope, history, summary, wave};
 use crate::scene::{Kind, numerics_keys, probe_keys, scene_keys};
 use crate::study::{accuracy_keys, limits_keys, refine_keys};
 
@@ -59,6 +59,7 @@ pub(super) fn entries() -> Vec<Entry> {
     all.extend(summary::ALL.iter().map(|column| of_summary(column)));
     all.extend(history::ALL.iter().map(|column| of_column(column, "column of histories/*.csv")));
     all.extend(envelope::ALL.iter().map(|column| of_column(column, "column of envelopes/*.csv")));
+    all.extend(wave::ALL.iter().map(|column| of_column(column, "column of waves/*.csv")));
     all.extend(energy::ALL.iter().map(|column| of_column(column, "column of energy.csv")));
     all
 }

@@ -132,6 +132,7 @@ fn files(directory: &Path, id: &str) -> Vec<PathBuf> {
         "probes/csv",
         "readings/csv",
         "envelopes/csv",
+        "waves/csv",
         "films/html",
         "films/svg",
         "vtk/pvd",

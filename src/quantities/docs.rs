@@ -8,7 +8,7 @@ use std::path::Path;
 use serde_json::{Value, json};
 
 use super::unit::ENDINGS;
-use super::{Column, Quantity, Read, Unit, energy, envelope, history, summary};
+use super::{Column, Quantity, Read, Unit, energy, envelope, history, summary, wave};
 
 fn line(text: &mut String, names: &str, unit: &str, meaning: &str) {
     writeln!(text, "| {names} | {unit} | {} |", meaning.trim()).unwrap();
@@ -42,6 +42,7 @@ fn the_columns_in_the_documentation_are_those_that_are_declared() {
     new = replaced(&new, "histories", &table(history::ALL, |c| format!("`{}`", c.name)));
     new = replaced(&new, "energy.csv", &table(energy::ALL, |c| format!("`{}`", c.name)));
     new = replaced(&new, "envelopes", &table(envelope::ALL, |c| format!("`{}`", c.name)));
+    new = replaced(&new, "waves", &table(wave::ALL, |c| format!("`{}`", c.name)));
     if std::env::var_os("RENEW_DOCS").is_some() {
         fs::write(&path, new).unwrap();
     } else if new != text {
@@ -83,6 +84,7 @@ fn the_python_package_knows_the_columns_that_are_declared() {
         "summary": summary.collect::<Vec<_>>(),
         "histories": history::ALL.iter().map(|c| declared(c, "number")).collect::<Vec<_>>(),
         "envelopes": envelope::ALL.iter().map(|c| declared(c, "number")).collect::<Vec<_>>(),
+        "waves": wave::ALL.iter().map(|c| declared(c, "number")).collect::<Vec<_>>(),
         "energy": energy::ALL.iter().map(|c| declared(c, "number")).collect::<Vec<_>>(),
         "endings": ENDINGS,
     });

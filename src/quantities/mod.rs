@@ -2,7 +2,7 @@
 //! where its value is read.
 //!
 //! [`summary`] declares the columns of `summary.csv`, [`history`] those of `histories/*.csv` and
-//! [`energy`] those of `energy.csv`, [`envelope`] those of `envelopes/*.csv`. The sweep writes its files from the declarations, the terminal
+//! [`energy`] those of `energy.csv`, [`envelope`] those of `envelopes/*.csv`, [`wave`] those of `waves/*.csv`. The sweep writes its files from the declarations, the terminal
 //! and the report take headings and digits from them, and `docs/files.md` holds their tables. To add
 //! a quantity, add an entry to one of the lists.
 //!
@@ -17,6 +17,7 @@ pub mod envelope;
 pub mod history;
 pub mod summary;
 mod unit;
+pub mod wave;
 
 pub use case::{Bars, Case, Value};
 pub use column::Read;

@@ -1,4 +1,4 @@
-//! Per-case files: histories, probes, readings and envelopes.
+//! Per-case files: histories, probes, readings, envelopes and waves.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,7 +11,7 @@ use super::error::SweepError;
 use super::{atomic_file, disk, number};
 use crate::quantities;
 use crate::simulation::{
-    CaseResult, EnvelopeRow, HistoryRow, NamedReading, ProbeColumn, ProbeTable,
+    CaseResult, EnvelopeRow, HistoryRow, NamedReading, ProbeColumn, ProbeTable, WaveRow,
 };
 use crate::study::CaseId;
 
@@ -51,8 +51,9 @@ const HISTORIES: &str = "histories";
 const PROBES: &str = "probes";
 const READINGS: &str = "readings";
 const ENVELOPES: &str = "envelopes";
+const WAVES: &str = "waves";
 /// All folders.
-const FOLDERS: [&str; 4] = [HISTORIES, PROBES, READINGS, ENVELOPES];
+const FOLDERS: [&str; 5] = [HISTORIES, PROBES, READINGS, ENVELOPES, WAVES];
 
 /// Files that cases have left and that may not be on the disk yet: they go there in groups, as one by
 /// one the coordinator of many ranks would do little but wait for it.
@@ -76,6 +77,9 @@ impl Unsynced {
         }
         if !result.envelope.is_empty() {
             texts.push((ENVELOPES, envelope_table(&result.envelope)));
+        }
+        if !result.waves.is_empty() {
+            texts.push((WAVES, wave_table(&result.waves)));
         }
         let mut seals = Seals::new();
         for (name, text) in texts {
@@ -180,6 +184,15 @@ fn reading_table(readings: &[NamedReading]) -> String {
 }
 
 /// The largest pressures up the wall; without a first impact its cells are empty.
+fn wave_table(rows: &[WaveRow]) -> String {
+    let columns = quantities::wave::ALL;
+    let mut text = columns.iter().map(|column| column.name).collect::<Vec<_>>().join(",") + "\n";
+    for row in rows {
+        push_row(&mut text, columns.iter().map(|column| (column.read)(row)));
+    }
+    text
+}
+
 fn envelope_table(rows: &[EnvelopeRow]) -> String {
     let columns = quantities::envelope::ALL;
     let mut text = columns.iter().map(|column| column.name).collect::<Vec<_>>().join(",") + "\n";

@@ -58,6 +58,7 @@ pub fn made_up(config: &CaseConfig) -> CaseResult {
         outcome,
         history: (0..20).map(row).collect(),
         envelope: vec![envelope(0.1), envelope(0.3)],
+        waves: Vec::new(),
         probes: None,
         readings: Vec::new(),
         energy: EnergyBudget { paddle_work: 43.0, kinetic: 43.0 * number, ..Default::default() },

@@ -19,6 +19,10 @@ pub enum ProbeKind {
     /// The largest void at a wall: what the water leaves empty of the kernel's support around the
     /// emptiest point of the wetted face, as a share of what the walls leave of it.
     Void,
+    /// Volume of the water beyond an upright section per metre of width, m².
+    Volume,
+    /// Discharge through an upright section per metre of width, m²/s.
+    Discharge,
 }
 
 /// The wall that a probe sits in.
@@ -37,9 +41,9 @@ section! {
         /// Column of the output.
         name: String, plain();
         /// Pressure; the level of the surface over the bed at the left wall; the same over still
-        /// water; or the largest share of the kernel that water leaves
+        /// water; the largest share of the kernel that water leaves
         /// empty at a wall, from its toe to a support radius below the highest contact (0.5 at a free
-        /// surface).
+        /// surface); the volume of all water beyond an upright section; or the discharge through it.
         kind: ProbeKind, plain();
         /// The wall that a pressure probe sits in and moves with, or that is searched for voids.
         wall: Option<Side> = None, plain();
@@ -59,6 +63,8 @@ impl Probe {
             ProbeKind::Pressure => "Pa",
             ProbeKind::Level | ProbeKind::Elevation => "m",
             ProbeKind::Void => "1",
+            ProbeKind::Volume => "m2",
+            ProbeKind::Discharge => "m2/s",
         }
     }
 
@@ -71,6 +77,15 @@ impl Probe {
                 let over = if self.kind == ProbeKind::Level { "the bed" } else { "still water" };
                 return format!(
                     "surface over {over} where kernel coverage falls to 1/2; x = {x} m"
+                );
+            }
+            (ProbeKind::Volume, _, x) => {
+                return format!("mass beyond x = {} m over the density", x.unwrap_or(0.0));
+            }
+            (ProbeKind::Discharge, _, x) => {
+                return format!(
+                    "momentum within three spacings of x = {} m over the density",
+                    x.unwrap_or(0.0)
                 );
             }
             (ProbeKind::Void, ..) => {
@@ -134,6 +149,9 @@ impl Probe {
             }
             (ProbeKind::Level | ProbeKind::Elevation, Some(_), _) => {
                 return wrong("wall", none, "measures a level: give x_m instead");
+            }
+            (ProbeKind::Volume | ProbeKind::Discharge, Some(_), _) => {
+                return wrong("wall", none, "measures at a section: give x_m instead");
             }
             (_, None, None) => return wrong("x_m", none, "needs a place: x_m, or wall"),
             (_, Some(_), Some(x)) => {

@@ -9,6 +9,7 @@ use super::overtopping::Overtopping;
 use super::readings;
 use super::run::Run;
 use super::settling::Prospect;
+use super::waves::Waves;
 use super::{Film, Monitor};
 use crate::body::{Motions, Place};
 
@@ -84,6 +85,7 @@ impl Run {
         let energy = self.logbook.ledger.close(now, &self.tank.wall);
         let (outcome, readings) = (self.outcome(&energy), self.readings());
         let envelope = self.envelope();
+        let waves = self.logbook.measures.waves.as_ref().map(Waves::rows).unwrap_or_default();
         let water = &self.tank.water;
         let phases = water
             .phases()
@@ -95,7 +97,17 @@ impl Run {
             .collect();
         let list_rebuilds = water.list_rebuilds();
         let (history, probes) = (self.logbook.history, self.logbook.probes);
-        CaseResult { outcome, history, envelope, probes, readings, energy, phases, list_rebuilds }
+        CaseResult {
+            outcome,
+            history,
+            envelope,
+            waves,
+            probes,
+            readings,
+            energy,
+            phases,
+            list_rebuilds,
+        }
     }
 
     /// The largest pressures up the wall.

@@ -16,6 +16,7 @@ use super::probes;
 use super::settling::Liveliness;
 use super::sound::Sound;
 use super::surface::WallLevel;
+use super::waves::Waves;
 use crate::body::Place;
 use crate::scene::{CaseConfig, Tank};
 
@@ -67,13 +68,16 @@ impl Logbook {
         };
         let sound = Sound::of(&config.scene, tank);
         let turn = f64::from(config.numerics.acoustic_substeps) * frame.time_step(&config.numerics);
+        let mut measures = Measures::new(
+            tank.threshold_ratio,
+            acoustics,
+            sound.as_ref().map(|_| turn),
+            points_on_wall(tank),
+        );
+        let period = tank.paddle.as_ref().and_then(|paddle| paddle.period());
+        measures.waves = period.map(Waves::of);
         Logbook {
-            measures: Measures::new(
-                tank.threshold_ratio,
-                acoustics,
-                sound.as_ref().map(|_| turn),
-                points_on_wall(tank),
-            ),
+            measures,
             sound,
             gauge: CrestGauge::default(),
             ledger: Ledger::open(start),

@@ -6,9 +6,10 @@ use super::blows::{Acoustics, Blows, Hit};
 use super::first_impact::{FirstImpact, Reading};
 use super::outcome::Maximum;
 use super::pressed::Pressed;
-use super::quiet_force::{Push, QuietForce};
+use super::quiet_force::{Push, Quiet, QuietForce};
 use super::quiet_travel::{Mount, QuietTravel};
 use super::sound::Compression;
+use super::waves::Waves;
 
 /// Span of the force's running mean over √(h/g).
 pub(super) const MEAN_SPAN: f64 = 0.07;
@@ -40,6 +41,8 @@ pub struct Measures {
     stops: u32,
     /// Pressures along the wall and their moment.
     pub pressed: Pressed,
+    /// Each wave of a train.
+    pub waves: Option<Waves>,
 }
 
 impl Measures {
@@ -66,6 +69,7 @@ impl Measures {
             last: [0.0; 3],
             stops: 0,
             pressed: Pressed::new(points, MEAN_SPAN * unit_time),
+            waves: None,
         }
     }
 
@@ -81,6 +85,9 @@ impl Measures {
         let stopped = stops != self.stops;
         (self.last, self.stops) = ([force, runup, displacement], stops);
         Maximum::raise(&mut self.runup, runup, time);
+        if let Some(waves) = &mut self.waves {
+            waves.run_up(time, runup);
+        }
         if stopped {
             self.follow(time, Push::default(), mount);
         }
@@ -95,15 +102,24 @@ impl Measures {
                 self.force_raw = Some(self.force_raw.map_or(force, |raw| raw.max(force)));
             }
             if let Some(quiet) = self.quiet.push((time, force), compression) {
-                self.follow(quiet.time, quiet.sound, mount);
-                Maximum::raise(&mut self.force, quiet.force, quiet.time);
-                self.first.push_force(quiet.time, quiet.force, stops);
+                self.feel(quiet, mount);
             }
         }
         if drowned || !self.listens {
             self.follow(time, Push::default(), mount);
         }
         self.first.push_motion(&reading);
+    }
+
+    /// Takes a force without its sound, and the displacements until then.
+    fn feel(&mut self, quiet: Quiet, mount: Option<Mount>) {
+        let Quiet { time, force, sound } = quiet;
+        self.follow(time, sound, mount);
+        Maximum::raise(&mut self.force, force, time);
+        self.first.push_force(time, force, self.stops);
+        if let Some(waves) = &mut self.waves {
+            waves.press(time, force);
+        }
     }
 
     /// Takes the wall's displacements until then, s, while sound pushes it like this.
@@ -120,13 +136,9 @@ impl Measures {
 
     /// Takes note that no reading follows.
     pub fn finish(&mut self, mount: Option<Mount>) {
-        let (stops, mut rest) = (self.stops, Vec::new());
+        let mut rest = Vec::new();
         self.quiet.finish(|quiet| rest.push(quiet));
-        for quiet in rest {
-            self.follow(quiet.time, quiet.sound, mount);
-            Maximum::raise(&mut self.force, quiet.force, quiet.time);
-            self.first.push_force(quiet.time, quiet.force, stops);
-        }
+        rest.into_iter().for_each(|quiet| self.feel(quiet, mount));
         self.follow(f64::INFINITY, Push::default(), mount);
     }
 

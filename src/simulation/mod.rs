@@ -38,6 +38,7 @@ mod sounding;
 mod state;
 mod surface;
 mod watch;
+mod waves;
 mod window;
 
 pub use doubt::kinds_of_doubt;
@@ -50,6 +51,7 @@ pub use outcome::{
     CaseResult, EnergyBudget, EnvelopeRow, HistoryRow, Maximum, NamedReading, Outcome, Overtopped,
     PhaseShare, ProbeColumn, ProbeTable, TrunkResult,
 };
+pub use waves::WaveRow;
 
 use serde::{Deserialize, Serialize};
 

@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::health::HealthMargins;
+use super::waves::WaveRow;
 
 /// A maximum and the time at which it was reached.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -260,6 +261,8 @@ pub struct CaseResult {
     pub history: Vec<HistoryRow>,
     /// Largest pressures up the wall, where there is one that got wet.
     pub envelope: Vec<EnvelopeRow>,
+    /// Each whole period of regular waves.
+    pub waves: Vec<WaveRow>,
     /// Gauges, where the scene has any.
     pub probes: Option<ProbeTable>,
     /// What else the scene tells: of its probes, of a collapsing column.

@@ -32,6 +32,8 @@ pub(super) fn read(
     probes.iter().map(move |probe| match probe.kind {
         ProbeKind::Level => water.level(probe.x_m.unwrap_or(0.0), highest),
         ProbeKind::Elevation => water.level(probe.x_m.unwrap_or(0.0), highest) - depth,
+        ProbeKind::Volume => water.beyond(probe.x_m.unwrap_or(0.0)),
+        ProbeKind::Discharge => water.discharge(probe.x_m.unwrap_or(0.0)),
         ProbeKind::Void => water.void(face(probe, water), highest),
         ProbeKind::Pressure => {
             let (place, along) = place(probe, water);

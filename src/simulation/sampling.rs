@@ -86,6 +86,12 @@ impl Run {
             let level = lens.level_in_water(tank.water.as_mut(), gauge, 0.5 * depth);
             logbook.gauge.read(level, depth);
         }
+        if let (Some(gauge), Some(waves)) = (tank.wave_gauge, &mut logbook.measures.waves)
+            && waves.is_due(clock.time, frame.history_interval, unit)
+        {
+            let level = lens.level_in_water(tank.water.as_mut(), gauge, 0.5 * depth);
+            waves.rise(clock.time, level);
+        }
         reading
     }
 

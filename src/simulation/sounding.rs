@@ -8,6 +8,8 @@ use crate::water::level_up_to;
 /// A gauge counts as wet from this far below the surface, in particle spacings, and as dry from
 /// as far above it.
 const WATERLINE: f64 = 0.4;
+/// Discharge is of the water within so many spacings of its section, the nearer the more.
+const SECTION: f64 = 3.0;
 /// So many points of a face are looked up together.
 const LOOKED_UP: usize = 16;
 
@@ -43,6 +45,23 @@ impl<'a> Sounding<'a> {
     /// The face of a body as it stands now.
     pub(super) fn face(&self, place: Place) -> Plane {
         self.water.walls().bodies[place.number()].plane.moved(self.bodies[place].offset)
+    }
+
+    /// Water beyond an upright section, m², what has been taken away there included. A particle is a square: of one on
+    /// the section a part counts.
+    pub(super) fn beyond(&self, x: f64) -> f64 {
+        let fluid = self.water.fluid();
+        let share = |k: usize| ((fluid.x[k] - x) / self.spacing + 0.5).clamp(0.0, 1.0);
+        let mass: f64 = (0..fluid.len()).map(|k| fluid.mass[k] * share(k)).sum();
+        (mass + self.water.taken().mass) / self.density
+    }
+
+    /// Discharge through an upright section, m²/s, positive towards the seawall.
+    pub(super) fn discharge(&self, x: f64) -> f64 {
+        let (fluid, reach) = (self.water.fluid(), SECTION * self.spacing);
+        let near = |k: usize| (1.0 - (fluid.x[k] - x).abs() / reach).max(0.0) / reach;
+        let momentum = (0..fluid.len()).map(|k| fluid.mass[k] * fluid.vx[k] * near(k));
+        momentum.sum::<f64>() / self.density
     }
 
     /// Looks up what is in reach of the points of a box.

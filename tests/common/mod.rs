@@ -72,7 +72,7 @@ pub fn expect_code(output: &Output, code: i32) {
 /// Everything that must be the same bit for bit: summary without wall time, energies, histories.
 pub fn results(out: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut files = BTreeMap::new();
-    for folder in ["histories", "probes", "envelopes"] {
+    for folder in ["histories", "probes", "envelopes", "waves"] {
         let Ok(entries) = fs::read_dir(out.join(folder)) else { continue };
         for entry in entries.map(Result::unwrap) {
             let name = format!("{folder}/{}", entry.file_name().to_string_lossy());
