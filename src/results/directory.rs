@@ -8,6 +8,7 @@ use super::attempts::Attempts;
 use super::entries::Header;
 use super::error::SweepError;
 use super::files::{self, Unsynced};
+use super::filing::Filed;
 use super::journal::{self, Journal};
 use super::lock::Lock;
 use super::opening::{self, Found, look};
@@ -122,7 +123,7 @@ impl Directory {
             path: path.to_owned(),
             _lock: lock,
             journal,
-            unsynced: Unsynced::default(),
+            unsynced: Unsynced::new(path)?,
             simd,
             records,
             cases: study.cases.len(),
@@ -198,8 +199,29 @@ impl Directory {
         result: Option<&CaseResult>,
     ) -> Result<(), SweepError> {
         if let Some(result) = result.filter(|_| record.is_ok() && record.index < self.cases) {
-            record.files = self.unsynced.write(&self.path, record.id, result)?;
+            let written = files::write(&self.path, record.id, result, false)?;
+            record.files = written.seals;
+            self.unsynced.add(&self.path, record.id, &record.files);
+            if let Some(columns) = written.probe_columns {
+                files::write_probe_columns(&self.path, &columns)?;
+            }
         }
+        self.take(record)
+    }
+
+    /// Records a case whose files were written where it ran.
+    pub fn record_filed(&mut self, mut record: CaseRecord, filed: &Filed) -> Result<(), SweepError> {
+        record.files = filed.seals();
+        if !filed.on_disk {
+            self.unsynced.add(&self.path, record.id, &record.files);
+        }
+        if let Some(columns) = &filed.probe_columns {
+            files::write_probe_columns(&self.path, columns)?;
+        }
+        self.take(record)
+    }
+
+    fn take(&mut self, record: CaseRecord) -> Result<(), SweepError> {
         self.journal.record(&record)?;
         let index = record.index;
         self.recorded.push(record.id);

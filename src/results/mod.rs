@@ -22,6 +22,7 @@ mod error_bars;
 #[cfg(test)]
 mod failing;
 mod files;
+mod filing;
 mod journal;
 mod lock;
 mod made_up;
@@ -45,6 +46,7 @@ pub use entries::{Content, Header};
 pub use error::{SweepError, in_words};
 pub use error_bars::{ErrorBars, narrowest_bar_percent, richardson};
 pub use files::Seal;
+pub use filing::{Delivery, Filed, Filing, Mark};
 pub use journal::{Journal, read_journal};
 pub use lock::Lock;
 pub use made_up::made_up;

@@ -2,9 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::files::Seal;
+use super::filing::Filed;
 use crate::simulation::{
     CaseResult, EnergyBudget, Failure, FailureKind, NamedReading, Outcome, PhaseShare,
 };
@@ -54,10 +56,54 @@ impl CaseRecord {
         wall_time_s: f64,
         host: &str,
     ) -> CaseRecord {
-        let mut record = CaseRecord {
-            index: case.index,
-            id: case.id,
+        let mut record = CaseRecord::blank(case.index, case.id, wall_time_s, host);
+        record.values = study.values(case).into_iter().collect();
+        match result {
+            Ok(result) => {
+                record.outcome = Some(result.outcome.clone());
+                record.reason = one_line(result.outcome.recovered.as_deref().unwrap_or_default());
+                record.energy = Some(result.energy);
+                record.readings.clone_from(&result.readings);
+                record.phases.clone_from(&result.phases);
+                if let Err(detail) = round_trips(&record) {
+                    record.fail(FailureKind::NotANumber, detail);
+                }
+            }
+            Err(failure) => record.fail(failure.kind, failure.to_string()),
+        }
+        record
+    }
+
+    /// The record of a case whose files were written where it ran.
+    pub fn of_filed(
+        study: &Study,
+        case: &Case,
+        filed: &Filed,
+        wall_time_s: f64,
+        host: &str,
+    ) -> CaseRecord {
+        CaseRecord {
             values: study.values(case).into_iter().collect(),
+            reason: one_line(filed.outcome.recovered.as_deref().unwrap_or_default()),
+            outcome: Some(filed.outcome.clone()),
+            energy: Some(filed.energy),
+            readings: filed.readings.clone(),
+            phases: filed.phases.clone(),
+            ..CaseRecord::blank(case.index, case.id, wall_time_s, host)
+        }
+    }
+
+    /// Makes sure that journal and tables can carry every number of a result.
+    pub(super) fn demand_numbers(result: &CaseResult) -> Result<(), String> {
+        let CaseResult { outcome, energy, readings, phases, .. } = result;
+        round_trips(&(outcome.clone(), *energy, readings.clone(), phases.clone()))
+    }
+
+    fn blank(index: usize, id: CaseId, wall_time_s: f64, host: &str) -> CaseRecord {
+        CaseRecord {
+            index,
+            id,
+            values: BTreeMap::new(),
             failure: None,
             reason: String::new(),
             outcome: None,
@@ -68,21 +114,7 @@ impl CaseRecord {
             cpu_time_s: None,
             host: host.to_owned(),
             files: BTreeMap::new(),
-        };
-        match result {
-            Ok(result) => {
-                record.outcome = Some(result.outcome.clone());
-                record.reason = one_line(result.outcome.recovered.as_deref().unwrap_or_default());
-                record.energy = Some(result.energy);
-                record.readings.clone_from(&result.readings);
-                record.phases.clone_from(&result.phases);
-                if let Err(detail) = record.round_trips() {
-                    record.fail(FailureKind::NotANumber, detail);
-                }
-            }
-            Err(failure) => record.fail(failure.kind, failure.to_string()),
         }
-        record
     }
 
     /// Whether the case is well.
@@ -98,13 +130,14 @@ impl CaseRecord {
         self.readings = Vec::new();
         self.phases = Vec::new();
     }
+}
 
-    fn round_trips(&self) -> Result<(), String> {
-        let text = serde_json::to_string(self).map_err(|error| error.to_string())?;
-        match serde_json::from_str::<CaseRecord>(&text) {
-            Ok(read) if read == *self => Ok(()),
-            _ => Err("not-a-number: a reported quantity is not a finite number".to_owned()),
-        }
+/// Makes sure that something comes back from JSON as it was.
+fn round_trips<T: Serialize + DeserializeOwned + PartialEq>(whole: &T) -> Result<(), String> {
+    let text = serde_json::to_string(whole).map_err(|error| error.to_string())?;
+    match serde_json::from_str::<T>(&text) {
+        Ok(read) if read == *whole => Ok(()),
+        _ => Err("not-a-number: a reported quantity is not a finite number".to_owned()),
     }
 }
 
