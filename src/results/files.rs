@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
@@ -108,7 +109,7 @@ const MANY: usize = 32;
 #[derive(Debug)]
 pub(super) struct Unsynced {
     /// Open from before the first file on: failures since then are told.
-    directory: File,
+    directory: Arc<File>,
     paths: Vec<PathBuf>,
 }
 
@@ -116,7 +117,7 @@ impl Unsynced {
     /// None in this directory yet.
     pub(super) fn new(directory: &Path) -> Result<Unsynced, SweepError> {
         let opened = File::open(directory).map_err(SweepError::io(directory))?;
-        Ok(Unsynced { directory: opened, paths: Vec::new() })
+        Ok(Unsynced { directory: Arc::new(opened), paths: Vec::new() })
     }
 
     /// A case has left its files.
@@ -125,13 +126,18 @@ impl Unsynced {
         self.paths.extend(seals.keys().map(path));
     }
 
-    pub(super) fn sync(&mut self, directory: &Path) -> Result<(), SweepError> {
+    /// All of them; none are left.
+    pub(super) fn take(&mut self) -> Unsynced {
+        let paths = std::mem::take(&mut self.paths);
+        Unsynced { directory: self.directory.clone(), paths }
+    }
+
+    /// Puts them on the disk.
+    pub(super) fn sync(&self, directory: &Path) -> Result<(), SweepError> {
         if self.paths.len() >= MANY && disk::sync_all(&self.directory) {
-            self.paths.clear();
             return Ok(());
         }
         self.paths.iter().try_for_each(|path| atomic_file::sync(path))?;
-        self.paths.clear();
         let folders = FOLDERS.map(|name| directory.join(name));
         folders.iter().filter(|path| path.is_dir()).try_for_each(|path| atomic_file::sync(path))
     }

@@ -93,11 +93,17 @@ impl Filing {
         Filing { directory: directory.to_owned(), syncs: false }
     }
 
+    /// The same for one whose files nobody else can put on the disk.
+    pub fn syncing(self) -> Filing {
+        Filing { syncs: true, ..self }
+    }
+
     /// For another process; `None` where it does not see the directory that has this mark.
     pub fn elsewhere(mark: &Mark) -> Option<Filing> {
         let here = Mark::of(&mark.directory)?;
-        let syncs = here.system.is_empty() || here.system != mark.system;
-        (here.manifest == mark.manifest).then(|| Filing { directory: here.directory, syncs })
+        let far = here.system.is_empty() || here.system != mark.system;
+        let filing = (here.manifest == mark.manifest).then(|| Filing::here(&here.directory))?;
+        Some(if far { filing.syncing() } else { filing })
     }
 
     /// Writes the files of a case under this name, if it leaves any. What cannot be filed is delivered whole: the coordinator

@@ -23,6 +23,7 @@ mod error_bars;
 mod failing;
 mod files;
 mod filing;
+mod group;
 mod journal;
 mod lock;
 mod made_up;
