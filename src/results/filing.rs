@@ -8,8 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::checksum::checksum;
 use super::files::{self, Seal, Seals};
-use super::manifest;
-use super::record::CaseRecord;
+use super::{manifest, round_trip};
 use crate::simulation::{CaseResult, EnergyBudget, NamedReading, Outcome, PhaseShare};
 use crate::study::CaseId;
 
@@ -109,7 +108,7 @@ impl Filing {
     /// Writes the files of a case under this name, if it leaves any. What cannot be filed is delivered whole: the coordinator
     /// tries again and tells what is wrong.
     pub fn deliver(&self, files: Option<CaseId>, result: CaseResult) -> Delivery {
-        let written = CaseRecord::demand_numbers(&result).ok().and_then(|()| match files {
+        let written = round_trip::demand_of(&result).ok().and_then(|()| match files {
             Some(id) => files::write(&self.directory, id, &result, self.syncs).ok(),
             None => Some(files::Written::default()),
         });

@@ -32,6 +32,7 @@ mod number;
 mod opening;
 mod program;
 mod record;
+mod round_trip;
 mod summary;
 mod verify;
 

@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
-use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::files::Seal;
 use super::filing::Filed;
+use super::round_trip;
 use crate::simulation::{
     CaseResult, EnergyBudget, Failure, FailureKind, NamedReading, Outcome, PhaseShare,
 };
@@ -65,7 +65,7 @@ impl CaseRecord {
                 record.energy = Some(result.energy);
                 record.readings.clone_from(&result.readings);
                 record.phases.clone_from(&result.phases);
-                if let Err(detail) = round_trips(&record) {
+                if let Err(detail) = round_trip::demand(&record) {
                     record.fail(FailureKind::NotANumber, detail);
                 }
             }
@@ -91,12 +91,6 @@ impl CaseRecord {
             phases: filed.phases.clone(),
             ..CaseRecord::blank(case.index, case.id, wall_time_s, host)
         }
-    }
-
-    /// Makes sure that journal and tables can carry every number of a result.
-    pub(super) fn demand_numbers(result: &CaseResult) -> Result<(), String> {
-        let CaseResult { outcome, energy, readings, phases, .. } = result;
-        round_trips(&(outcome.clone(), *energy, readings.clone(), phases.clone()))
     }
 
     fn blank(index: usize, id: CaseId, wall_time_s: f64, host: &str) -> CaseRecord {
@@ -129,15 +123,6 @@ impl CaseRecord {
         self.energy = None;
         self.readings = Vec::new();
         self.phases = Vec::new();
-    }
-}
-
-/// Makes sure that something comes back from JSON as it was.
-fn round_trips<T: Serialize + DeserializeOwned + PartialEq>(whole: &T) -> Result<(), String> {
-    let text = serde_json::to_string(whole).map_err(|error| error.to_string())?;
-    match serde_json::from_str::<T>(&text) {
-        Ok(read) if read == *whole => Ok(()),
-        _ => Err("not-a-number: a reported quantity is not a finite number".to_owned()),
     }
 }
 
