@@ -241,7 +241,7 @@ impl Directory {
     /// enough, beside everything else.
     pub fn sync(&mut self, now: bool) -> Result<(), SweepError> {
         if let Some(group) = self.group.take_if(|group| now || group.is_ended()) {
-            checkpoints::remove(&self.path, group.end()?.into_iter())?;
+            checkpoints::remove(&self.path, group.end()?)?;
         }
         if !self.journal.waits(if now { Duration::ZERO } else { GROUP }) || self.group.is_some() {
             return Ok(());
