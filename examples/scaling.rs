@@ -308,8 +308,8 @@ fn simulate(planned: &Planned, count: usize, measured: &Measured) -> Outcome {
     }
 }
 
-/// Up to where the scheduler keeps its ranks at work, and how busy that keeps the coordinator. With fewer than a hundred cases per rank it is the last cases that count: what
-/// one coordinator can feed shows where there are more.
+/// Up to where the scheduler keeps its ranks at work, and how busy that keeps the coordinator. With fewer than
+/// a hundred cases per rank it is the last cases that count.
 fn conclusion(rows: &[(usize, usize, Outcome)]) -> String {
     let enough = |ranks: &usize, cases: &usize| *cases >= 100 * *ranks;
     let kept = rows.iter().map(|row| row.0).filter(|count| {
