@@ -62,7 +62,7 @@ fn sweep(out: &Path, study: &Study, run: &Run) -> (Ending, Savings) {
         let plan = Plan::new(study, run.branching, cost, |index| directory.runs()[index].is_none());
         let ranks = crew.ranks().to_vec();
         let mut ended = None;
-        crew.work(simd, &mut |link| {
+        crew.work(simd, out, &mut |link| {
             let mut session = Session {
                 study,
                 plan: &plan,

@@ -107,8 +107,9 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
         text.push_str(&format!("\nknown limit, {}: {limit}\n", counted(cases, "case")));
     }
     let warnings: Vec<_> = odd.iter().map(String::as_str).chain(limits.into_keys()).collect();
-    let cases: Vec<_> = study
-        .cases
+    // Of a million cases that is much, and nobody reads it elsewhere.
+    let listed = if output.is_json() { &study.cases[..] } else { &[] };
+    let cases: Vec<_> = listed
         .iter()
         .map(|case| {
             let values: serde_json::Map<_, _> = study.values(case).into_iter().collect();

@@ -185,7 +185,7 @@ pub(super) fn execute(
     let ranks = crew.ranks().to_vec();
     let simd = directory.simd();
     let mut ended = None;
-    crew.work(simd, &mut |link| {
+    crew.work(simd, &job.out, &mut |link| {
         let progress = Progress::new(output.progress_style(), tallies, plan.total_cost());
         let mut session = Session {
             study,

@@ -2,11 +2,12 @@
 
 use std::collections::HashSet;
 
+use rayon::prelude::*;
 use toml::{Table, Value};
 
 use crate::keys::{Key, Section, number};
 use crate::scene::{CaseConfig, Kind, numerics_keys, scene_keys};
-use crate::study::Study;
+use crate::study::{Case, Study};
 
 /// A key that is on, and the values that occur among the cases, `none` where a case has none.
 pub(super) struct Line {
@@ -20,6 +21,8 @@ pub(super) struct Line {
     pub values: Vec<String>,
 }
 
+/// Cases that are looked at in one go.
+const CHUNK: usize = 1000;
 /// Values of a key that are written out.
 const MOST: usize = 8;
 
@@ -36,8 +39,16 @@ impl Line {
 
 /// What is on, key by key in the order of their declarations.
 pub(super) fn physics(study: &Study) -> Vec<Line> {
-    let cases: Vec<_> = study.cases.iter().map(|case| values(&case.config)).collect();
-    let mut lines: Vec<Line> = keys(study).iter().filter_map(|key| line(key, &cases)).collect();
+    let keys = keys(study);
+    let chunks = study.cases.par_chunks(CHUNK).map(|cases| occurring(&keys, cases));
+    let mut columns: Vec<Column> = keys.iter().map(|_| Column::default()).collect();
+    for chunk in chunks.collect::<Vec<_>>() {
+        for (column, more) in columns.iter_mut().zip(chunk) {
+            more.values.into_iter().for_each(|value| column.take(value));
+        }
+    }
+    let pairs = keys.iter().zip(columns);
+    let mut lines: Vec<Line> = pairs.filter_map(|(key, column)| line(key, column)).collect();
     let probes = study.cases.first().map(|case| &case.config.probes[..]).unwrap_or_default();
     if !probes.is_empty() {
         let names: Vec<_> = probes.iter().map(|probe| probe.name.as_str()).collect();
@@ -66,14 +77,42 @@ fn values(case: &CaseConfig) -> Table {
     values
 }
 
-fn line(key: &'static Key, cases: &[Table]) -> Option<Line> {
-    let of = |case: &Table| case.get(key.name).filter(|value| is_on(key, case, value)).map(text);
-    if !cases.iter().any(|case| of(case).is_some()) {
+/// The different values of a key, in the order in which they come; `None` where a case has none.
+#[derive(Default)]
+struct Column {
+    values: Vec<Option<String>>,
+    seen: HashSet<Option<String>>,
+}
+
+impl Column {
+    fn take(&mut self, value: Option<String>) {
+        if self.values.last() != Some(&value) && self.seen.insert(value.clone()) {
+            self.values.push(value);
+        }
+    }
+}
+
+/// The values of each key among some cases. A case with all its keys is large: none is kept.
+fn occurring(keys: &[&'static Key], cases: &[Case]) -> Vec<Column> {
+    let mut columns: Vec<Column> = keys.iter().map(|_| Column::default()).collect();
+    for case in cases {
+        let case = values(&case.config);
+        for (key, column) in keys.iter().zip(&mut columns) {
+            let value = case.get(key.name).filter(|value| is_on(key, &case, value));
+            column.take(value.map(text));
+        }
+    }
+    columns
+}
+
+fn line(key: &'static Key, column: Column) -> Option<Line> {
+    if column.values.iter().all(Option::is_none) {
         return None;
     }
+    let word = |value: Option<String>| value.unwrap_or_else(|| "none".to_owned());
     let mut seen = HashSet::new();
-    let all = cases.iter().map(|case| of(case).unwrap_or_else(|| "none".to_owned()));
-    let values = all.filter(|value| seen.insert(value.clone())).collect();
+    let words = column.values.into_iter().map(word);
+    let values = words.filter(|value| seen.insert(value.clone())).collect();
     Some(Line { name: key.name, label: key.label(), unit: key.rule.unit, values })
 }
 

@@ -5,9 +5,9 @@ use std::time::Duration;
 use super::interrupt::Interrupt;
 use super::progress::Progress;
 use super::{Link, Order, Report};
-use crate::results::{CaseRecord, Directory, RankInfo, Savings, SweepError};
+use crate::results::{CaseRecord, Delivery, Directory, RankInfo, Savings, SweepError};
 use crate::schedule::{Command, Event, Manager, Work};
-use crate::simulation::{CaseResult, Failure, Stopped};
+use crate::simulation::{Failure, Stopped};
 use crate::study::{CaseId, Plan, Study};
 
 /// How long to wait for a report before looking at signals and the journal.
@@ -127,7 +127,14 @@ impl Loop {
                     let apart = attempts.is_suspect(id);
                     attempts.begin(id)?;
                     let limits = session.study.limits;
-                    link.send(rank, Order::Run { work, config, from, apart, limits });
+                    let cases = session.study.cases.len();
+                    let is_case = |case: usize| session.plan.cases[case].index < cases;
+                    let files = match work {
+                        Work::Case(case) if is_case(case) => Some(id),
+                        _ => None,
+                    };
+                    let order = Order::Run { work, config, from, apart, limits, files };
+                    link.send(rank, order);
                 }
                 Command::Drop { rank, trunk } => link.send(rank, Order::Drop { trunk }),
                 Command::Cancel => {
@@ -162,7 +169,7 @@ impl Loop {
             }
             Report::CaseDone { case, result, wall_time_s, cpu_time_s } => {
                 let result = match result {
-                    Ok(result) => Ok(*result),
+                    Ok(delivery) => Ok(delivery),
                     Err(Stopped::Failed(failure)) => Err(failure),
                     Err(Stopped::Interrupted) => {
                         let work = Work::Case(case);
@@ -170,7 +177,7 @@ impl Loop {
                         return self.tell(Event::GivenBack { rank, work }, link, session);
                     }
                 };
-                let ok = self.record(rank, case, &result, (wall_time_s, cpu_time_s), session)?;
+                let ok = self.record(rank, case, result, (wall_time_s, cpu_time_s), session)?;
                 Event::Done { rank, work: Work::Case(case), ok }
             }
             Report::Interrupted => Event::Interrupted,
@@ -185,14 +192,14 @@ impl Loop {
         &mut self,
         rank: usize,
         case: usize,
-        result: &Result<CaseResult, Failure>,
+        result: Result<Delivery, Failure>,
         (wall_time_s, cpu_time_s): (f64, Option<f64>),
         session: &mut Session<'_>,
     ) -> Result<bool, SweepError> {
         let planned = session.plan.cases[case];
         let trunk = self.trunk_of_case[case];
-        if let Ok(result) = result {
-            let steps = result.outcome.steps;
+        if let Ok(delivery) = &result {
+            let steps = delivery.outcome().steps;
             let shared = trunk.map_or(0, |trunk| self.trunk_steps[trunk]);
             self.savings.branches += usize::from(trunk.is_some());
             self.savings.steps_computed += steps.saturating_sub(shared);
@@ -200,11 +207,25 @@ impl Loop {
         }
         let host = &session.ranks[rank].host;
         let whole = session.study.run(planned.index);
-        let mut record = CaseRecord::new(session.study, whole, result, wall_time_s, host);
-        record.cpu_time_s = cpu_time_s;
         let work = self.cost_of(Work::Case(case), session.plan);
-        let ok = record.is_ok();
-        session.directory.record(record, result.as_ref().ok())?;
+        let result = match result {
+            Ok(Delivery::Filed(filed)) => {
+                let mut record =
+                    CaseRecord::of_filed(session.study, whole, &filed, wall_time_s, host);
+                record.cpu_time_s = cpu_time_s;
+                session.directory.record_filed(record, &filed)?;
+                None
+            }
+            Ok(Delivery::Whole(result)) => Some(Ok(*result)),
+            Err(failure) => Some(Err(failure)),
+        };
+        let mut ok = true;
+        if let Some(result) = result {
+            let mut record = CaseRecord::new(session.study, whole, &result, wall_time_s, host);
+            record.cpu_time_s = cpu_time_s;
+            ok = record.is_ok();
+            session.directory.record(record, result.as_ref().ok())?;
+        }
         if planned.index < session.study.cases.len() {
             session.progress.case(work, ok);
         } else {

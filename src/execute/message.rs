@@ -2,8 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::results::Delivery;
 use crate::schedule::{Held, Work};
-use crate::simulation::{CaseResult, Limits, Stopped};
+use crate::simulation::{Limits, Stopped};
+use crate::study::CaseId;
 
 /// From the coordinator to a worker.
 #[expect(missing_docs, reason = "fields are called what they are")]
@@ -11,7 +13,15 @@ use crate::simulation::{CaseResult, Limits, Stopped};
 pub enum Order {
     /// Do a piece of work. Its configuration is JSON, which carries every bit; the last is the
     /// checkpoint to start from. `apart`: in a process of its own, as an earlier one may have died of it.
-    Run { work: Work, config: String, from: Option<Held>, apart: bool, limits: Limits },
+    /// `files`: the name of the files that it leaves; a companion leaves none.
+    Run {
+        work: Work,
+        config: String,
+        from: Option<Held>,
+        apart: bool,
+        limits: Limits,
+        files: Option<CaseId>,
+    },
     /// Forget a checkpoint.
     Drop { trunk: usize },
     /// Stop what is running and give it back.
@@ -27,7 +37,7 @@ pub enum Report {
     /// A case ended; its processor time is there where the system tells it.
     CaseDone {
         case: usize,
-        result: Result<Box<CaseResult>, Stopped>,
+        result: Result<Delivery, Stopped>,
         wall_time_s: f64,
         cpu_time_s: Option<f64>,
     },

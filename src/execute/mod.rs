@@ -29,6 +29,7 @@ mod sph_runner;
 pub mod threads;
 mod worker;
 
+use std::path::Path;
 use std::time::Duration;
 
 use crate::math::simd::SimdPath;
@@ -73,10 +74,12 @@ pub trait Crew {
     /// The widest instruction set that every rank has.
     fn widest_simd(&self) -> SimdPath;
 
-    /// Starts the workers, hands the link to them to `lead`, and stops them when it returns.
+    /// Starts the workers, hands the link to them to `lead`, and stops them when it returns. They write the
+    /// files of cases into `out`, which is open and has its manifest, where they see it.
     fn work(
         &mut self,
         simd: SimdPath,
+        out: &Path,
         lead: &mut dyn FnMut(&mut dyn Link) -> Result<(), SweepError>,
     ) -> Result<(), SweepError>;
 }

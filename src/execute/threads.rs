@@ -1,5 +1,6 @@
 //! One process, one case per thread.
 
+use std::path::Path;
 use std::time::Duration;
 
 use super::worker::{Worker, with_worker};
@@ -7,7 +8,7 @@ use super::{
     Crew, Link, Order, Report, Setup, available_cores, host_name, resources, share_threads,
 };
 use crate::math::simd::SimdPath;
-use crate::results::{RankInfo, SweepError};
+use crate::results::{Filing, RankInfo, SweepError};
 use crate::schedule::Work;
 
 /// Gathers this process's threads and lets `lead` use them.
@@ -42,11 +43,13 @@ impl Crew for Threads<'_> {
     fn work(
         &mut self,
         simd: SimdPath,
+        out: &Path,
         lead: &mut dyn FnMut(&mut dyn Link) -> Result<(), SweepError>,
     ) -> Result<(), SweepError> {
         let [rank] = &self.ranks;
         let runner = (self.setup.make_runner)(resources(rank, simd));
-        with_worker(0, rank.places(), &*runner, |worker| lead(&mut Local(worker)))?
+        let filing = Filing::here(out);
+        with_worker(0, rank.places(), &*runner, Some(&filing), |worker| lead(&mut Local(worker)))?
     }
 }
 

@@ -11,10 +11,11 @@ use super::gauge::{Cancel, Gauges};
 use super::message::{Order, Report};
 use super::runner::{Runner, guarded};
 use crate::math::team::thread_processor_time;
-use crate::results::SweepError;
+use crate::results::{Delivery, Filing, SweepError};
 use crate::scene::CaseConfig;
 use crate::schedule::{Held, Work};
 use crate::simulation::{Failure, FailureKind, Limits, Stopped, TrunkResult, cost};
+use crate::study::CaseId;
 
 /// A case to run.
 struct Task {
@@ -23,6 +24,7 @@ struct Task {
     /// In a process of its own.
     apart: bool,
     limits: Limits,
+    files: Option<CaseId>,
 }
 
 /// What ended on a thread, on its way to the thread that talks, and the checkpoint it has left.
@@ -31,6 +33,8 @@ type Ended = (Report, Option<Vec<u8>>);
 pub(super) struct Worker<'run, 'scope> {
     scope: &'run Scope<'scope>,
     runner: &'scope dyn Runner,
+    /// Where cases leave their files; without it results are reported whole.
+    filing: Option<&'scope Filing>,
     cancel: &'scope Cancel,
     gauges: &'scope Gauges,
     rank: usize,
@@ -45,6 +49,7 @@ pub(super) fn with_worker<T>(
     rank: usize,
     threads: usize,
     runner: &dyn Runner,
+    filing: Option<&Filing>,
     body: impl FnOnce(&mut Worker<'_, '_>) -> T,
 ) -> Result<T, SweepError> {
     let pool = rayon::ThreadPoolBuilder::new()
@@ -59,6 +64,7 @@ pub(super) fn with_worker<T>(
         let mut worker = Worker {
             scope,
             runner,
+            filing,
             cancel: &cancel,
             gauges: &gauges,
             rank,
@@ -86,8 +92,8 @@ impl Worker<'_, '_> {
             Order::Run { work: Work::Trunk(trunk), config, apart, limits, .. } => {
                 self.start_trunk(trunk, config, apart, limits);
             }
-            Order::Run { work: Work::Case(case), config, from, apart, limits } => {
-                let task = Task { case, config, apart, limits };
+            Order::Run { work: Work::Case(case), config, from, apart, limits, files } => {
+                let task = Task { case, config, apart, limits, files };
                 match from {
                     Some(from) => return self.start_branch(task, from),
                     None => self.start_case(task, None),
@@ -172,9 +178,9 @@ impl Worker<'_, '_> {
 
     fn start_case(&self, task: Task, checkpoint: Option<Arc<[u8]>>) {
         let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
-        let gauges = self.gauges;
+        let (gauges, filing) = (self.gauges, self.filing);
         self.scope.spawn(move |_| {
-            let Task { case, config, apart, limits } = task;
+            let Task { case, config, apart, limits, files } = task;
             // Only of a process of its own it can be told what it takes.
             let child = runner.apart().filter(|_| apart || limits.memory_mib.is_some());
             let runner = child.as_deref().unwrap_or(runner);
@@ -196,7 +202,10 @@ impl Worker<'_, '_> {
             }
             let cpu_time_s = thread_processor_time().zip(cpu_start).map(|(end, start)| end - start);
             let wall_time_s = start.elapsed().as_secs_f64();
-            let result = result.map(Box::new);
+            let result = result.map(|result| match filing {
+                Some(filing) => filing.deliver(files, result),
+                None => Delivery::Whole(Box::new(result)),
+            });
             let _ = sender.send((Report::CaseDone { case, result, wall_time_s, cpu_time_s }, None));
         });
     }
@@ -257,14 +266,16 @@ mod tests {
     /// when the coordinator takes rank 1 for a holder. Returns what the branches start from.
     fn starts(answer: Option<Vec<u8>>) -> Vec<Option<Vec<u8>>> {
         let noting = Noting::default();
-        with_worker(1, 1, &noting, |worker| {
+        with_worker(1, 1, &noting, None, |worker| {
             let empty = toml::Table::new();
             let config = CaseConfig::from_tables(&empty, &empty).unwrap();
             let mut order = |case, holder| {
                 let config = serde_json::to_string(&config).unwrap();
                 let from = Some(Held { trunk: 7, holder });
                 let (work, limits) = (Work::Case(case), Limits::default());
-                worker.take(Order::Run { work, config, from, apart: false, limits })
+                let apart = false;
+                let files = None;
+                worker.take(Order::Run { work, config, from, apart, limits, files })
             };
             assert_eq!(order(0, 0), Some(Held { trunk: 7, holder: 0 }));
             assert_eq!(order(1, 1), None);

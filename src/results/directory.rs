@@ -8,6 +8,8 @@ use super::attempts::Attempts;
 use super::entries::Header;
 use super::error::SweepError;
 use super::files::{self, Unsynced};
+use super::filing::Filed;
+use super::group::Group;
 use super::journal::{self, Journal};
 use super::lock::Lock;
 use super::opening::{self, Found, look};
@@ -58,6 +60,8 @@ pub struct Directory {
     kept: BTreeSet<CaseId>,
     /// Cases that are recorded, but may not be on the disk yet.
     recorded: Vec<CaseId>,
+    /// What goes to the disk just now.
+    group: Option<Group>,
 }
 
 impl Directory {
@@ -118,11 +122,12 @@ impl Directory {
         let directory = Directory {
             kept,
             recorded: Vec::new(),
+            group: None,
             attempts: Attempts::open(path)?,
             path: path.to_owned(),
             _lock: lock,
             journal,
-            unsynced: Unsynced::default(),
+            unsynced: Unsynced::new(path)?,
             simd,
             records,
             cases: study.cases.len(),
@@ -198,8 +203,33 @@ impl Directory {
         result: Option<&CaseResult>,
     ) -> Result<(), SweepError> {
         if let Some(result) = result.filter(|_| record.is_ok() && record.index < self.cases) {
-            record.files = self.unsynced.write(&self.path, record.id, result)?;
+            let written = files::write(&self.path, record.id, result, false)?;
+            record.files = written.seals;
+            self.unsynced.add(&self.path, record.id, &record.files);
+            if let Some(columns) = written.probe_columns {
+                files::write_probe_columns(&self.path, &columns)?;
+            }
         }
+        self.take(record)
+    }
+
+    /// Records a case whose files were written where it ran.
+    pub fn record_filed(
+        &mut self,
+        mut record: CaseRecord,
+        filed: &Filed,
+    ) -> Result<(), SweepError> {
+        record.files = filed.seals();
+        if !filed.on_disk {
+            self.unsynced.add(&self.path, record.id, &record.files);
+        }
+        if let Some(columns) = &filed.probe_columns {
+            files::write_probe_columns(&self.path, columns)?;
+        }
+        self.take(record)
+    }
+
+    fn take(&mut self, record: CaseRecord) -> Result<(), SweepError> {
         self.journal.record(&record)?;
         let index = record.index;
         self.recorded.push(record.id);
@@ -207,14 +237,28 @@ impl Directory {
         Ok(())
     }
 
-    /// Puts everything recorded on the disk, once it has waited long enough or if `now`.
+    /// Puts everything recorded on the disk: if `now`, before it returns; otherwise what has waited long
+    /// enough, beside everything else.
     pub fn sync(&mut self, now: bool) -> Result<(), SweepError> {
-        if self.journal.waits(if now { Duration::ZERO } else { GROUP }) {
-            self.journal.demand_in_place()?;
-            self.unsynced.sync(&self.path)?;
-            self.journal.sync()?;
-            checkpoints::remove(&self.path, self.recorded.drain(..))?;
+        if let Some(group) = self.group.take_if(|group| now || group.is_ended()) {
+            checkpoints::remove(&self.path, group.end()?)?;
         }
+        if !self.journal.waits(if now { Duration::ZERO } else { GROUP }) || self.group.is_some() {
+            return Ok(());
+        }
+        self.journal.demand_in_place()?;
+        if now {
+            self.unsynced.take().sync(&self.path)?;
+            self.journal.sync()?;
+            return checkpoints::remove(&self.path, self.recorded.drain(..));
+        }
+        let mut journal = self.journal.let_sync()?;
+        let (path, unsynced) = (self.path.clone(), self.unsynced.take());
+        let recorded = std::mem::take(&mut self.recorded);
+        self.group = Some(Group::start(recorded, move || {
+            unsynced.sync(&path)?;
+            journal.sync()
+        }));
         Ok(())
     }
 
@@ -272,6 +316,28 @@ mod tests {
         fs::remove_file(history).unwrap();
         let (_directory, opened) = open(&path, &study, OpenMode::Resume).unwrap();
         assert_eq!(opened, Opened::Resumed(0));
+    }
+
+    #[test]
+    fn what_is_recorded_while_a_group_is_on_its_way_belongs_to_the_next() {
+        let root = tempfile::tempdir().unwrap();
+        let (path, study) = (root.path().join("run"), study("0.1, 0.2, 0.3"));
+        let (mut directory, _) = open(&path, &study, OpenMode::Resume).unwrap();
+        for case in &study.cases {
+            let result = made_up(&case.config);
+            let record = CaseRecord::new(&study, case, &Ok(result.clone()), 1.0, "here");
+            directory.record(record, Some(&result)).unwrap();
+            // A line is there at once: a killed process loses nothing.
+            assert_eq!(journal::read_journal(&path).unwrap().records.len(), case.index + 1);
+            std::thread::sleep(GROUP);
+            directory.sync(false).unwrap();
+        }
+        directory.sync(true).unwrap();
+        assert!(directory.group.is_none() && directory.recorded.is_empty());
+        assert!(!directory.journal.waits(Duration::ZERO));
+        drop(directory);
+        let (_directory, opened) = open(&path, &study, OpenMode::Resume).unwrap();
+        assert_eq!(opened, Opened::Resumed(3));
     }
 
     #[test]

@@ -3,8 +3,10 @@
 //! Every line is `{"sum":"<16 hex digits>","entry":<entry>}`, the sum being the start of SHA-256
 //! over the entry's text.
 
+use std::io::BufRead;
 use std::path::Path;
 
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::checksum::checksum;
@@ -62,48 +64,109 @@ pub struct Content {
     pub damaged: usize,
     /// Whether nothing is torn or damaged.
     pub(super) intact: bool,
-    /// The text of whole lines, and that of damaged ones.
-    pub(super) texts: [Vec<u8>; 2],
 }
 
-/// Reads a journal's text. `path` is told in errors. A last line that was never written to its end
-/// counts for nothing.
+/// So many bytes are read in one go, and their lines looked at side by side.
+const BLOCK: usize = 8 << 20;
+
+/// What a line holds: entries, and how often something that is none.
+struct Line {
+    entries: Vec<Result<Entry, String>>,
+    damaged: usize,
+    /// Whether it is one entry and nothing else.
+    intact: bool,
+}
+
+/// Reads a journal, without holding its text. `path` is told in errors. A last line that was never written
+/// to its end counts for nothing.
 ///
 /// # Errors
-/// A whole line that this program does not know, or one that is out of place.
-pub(super) fn parse(path: &Path, bytes: &[u8]) -> Result<Content, SweepError> {
-    let mut content = Content::default();
-    for (at, line) in bytes.split_inclusive(|&byte| byte == b'\n').enumerate() {
-        for piece in pieces(line) {
-            let refused =
-                |reason: &str| SweepError::refused(path, format_args!("line {}: {reason}", at + 1));
-            let Some(entry) = whole_entry(piece) else {
-                if line.ends_with(b"\n") {
-                    content.damaged += 1;
-                    content.texts[1].extend_from_slice(line);
-                }
-                continue;
-            };
-            content.texts[0].extend_from_slice(&piece[..piece.len() - 1]);
-            content.texts[0].push(b'\n');
-            let entry = serde_json::from_slice(entry).map_err(|error| {
-                refused(&format!("is whole, but written by another version: {error}"))
-            })?;
-            match entry {
-                Entry::Header(header) if header.version != VERSION => {
-                    let theirs = header.version;
-                    let reason =
-                        format!("journal format {theirs} is not this program's, {VERSION}");
-                    return Err(refused(&reason));
-                }
-                Entry::Header(header) if at == 0 => content.header = Some(header),
-                Entry::Header(_) => return Err(refused("a header out of place")),
-                Entry::Case(record) => content.records.push(*record),
+/// A file that cannot be read, a whole line that this program does not know, or one that is out of place.
+pub(super) fn parse(path: &Path, mut text: impl BufRead) -> Result<Content, SweepError> {
+    let mut content = Content { intact: true, ..Content::default() };
+    let mut number = 0;
+    loop {
+        let block = block(&mut text).map_err(SweepError::io(path))?;
+        if block.is_empty() {
+            break;
+        }
+        let lines: Vec<Line> = block.par_iter().map(|line| read(line)).collect();
+        for line in lines {
+            number += 1;
+            content.damaged += line.damaged;
+            content.intact &= line.intact;
+            for entry in line.entries {
+                content.take(number, entry).map_err(|reason| {
+                    SweepError::refused(path, format_args!("line {number}: {reason}"))
+                })?;
             }
         }
     }
-    content.intact = content.texts[0] == bytes && content.header.is_some();
+    content.intact &= content.header.is_some();
     Ok(content)
+}
+
+/// The next lines, with their breaks.
+fn block(text: &mut impl BufRead) -> std::io::Result<Vec<Vec<u8>>> {
+    let (mut lines, mut bytes) = (Vec::new(), 0);
+    while bytes < BLOCK {
+        let mut line = Vec::new();
+        if text.read_until(b'\n', &mut line)? == 0 {
+            break;
+        }
+        bytes += line.len();
+        lines.push(line);
+    }
+    Ok(lines)
+}
+
+fn read(line: &[u8]) -> Line {
+    let pieces = pieces(line);
+    let whole: Vec<_> = pieces.iter().filter_map(|piece| whole_entry(piece)).collect();
+    let (ended, lost) = (line.ends_with(b"\n"), pieces.len() - whole.len());
+    let entry = |text: &[u8]| serde_json::from_slice(text).map_err(|error| error.to_string());
+    Line {
+        damaged: if ended { lost } else { 0 },
+        intact: ended && pieces.len() == 1 && lost == 0,
+        entries: whole.into_iter().map(entry).collect(),
+    }
+}
+
+impl Content {
+    fn take(&mut self, line: usize, entry: Result<Entry, String>) -> Result<(), String> {
+        match entry {
+            Err(error) => Err(format!("is whole, but written by another version: {error}")),
+            Ok(Entry::Header(header)) if header.version != VERSION => {
+                let theirs = header.version;
+                Err(format!("journal format {theirs} is not this program's, {VERSION}"))
+            }
+            Ok(Entry::Header(header)) if line == 1 => {
+                self.header = Some(header);
+                Ok(())
+            }
+            Ok(Entry::Header(_)) => Err("a header out of place".to_owned()),
+            Ok(Entry::Case(record)) => {
+                self.records.push(*record);
+                Ok(())
+            }
+        }
+    }
+}
+
+/// The whole lines of a journal's text, and the damaged ones.
+pub(super) fn sorted(bytes: &[u8]) -> [Vec<u8>; 2] {
+    let [mut whole, mut damaged] = [Vec::new(), Vec::new()];
+    for line in bytes.split_inclusive(|&byte| byte == b'\n') {
+        for piece in pieces(line) {
+            if whole_entry(piece).is_some() {
+                whole.extend_from_slice(&piece[..piece.len() - 1]);
+                whole.push(b'\n');
+            } else if line.ends_with(b"\n") {
+                damaged.extend_from_slice(line);
+            }
+        }
+    }
+    [whole, damaged]
 }
 
 const PREFIX: &[u8] = b"{\"sum\":\"";

@@ -7,11 +7,12 @@ use std::path::Path;
 
 use super::disk::faults;
 use super::{
-    CaseRecord, Checkpoint, Directory, Manifest, OpenMode, Opened, SweepError, made_up,
-    write_all_histories,
+    CaseRecord, Checkpoint, Delivery, Directory, Filing, Manifest, OpenMode, Opened, SweepError,
+    made_up, write_all_histories,
 };
 use crate::math::simd::SimdPath;
-use crate::study::{CaseId, Study, SweepFile};
+use crate::simulation::{CaseResult, Failure};
+use crate::study::{Case, CaseId, Study, SweepFile};
 
 const SIMD: SimdPath = SimdPath::Portable;
 
@@ -30,15 +31,14 @@ fn session(
 ) -> Result<(), SweepError> {
     let (mut directory, _) = Directory::open(path, study, mode, Some(SIMD), SIMD)?;
     Manifest::new(path, study, &[], SIMD).write(path)?;
-    let missing = |case: &&crate::study::Case| directory.runs()[case.index].is_none();
+    let missing = |case: &&Case| directory.runs()[case.index].is_none();
     let missing: Vec<_> = study.runs().filter(missing).cloned().collect();
     for case in &missing {
         directory.attempts().begin(case.id)?;
         // A checkpoint that cannot be written costs nothing but itself.
         let _ = Checkpoint::of_case(path, case.id, SIMD).write(b"state");
         let result = made_up(&case.config);
-        let record = CaseRecord::new(study, case, &Ok(result.clone()), 0.5, "here");
-        directory.record(record, Some(&result))?;
+        record(&mut directory, study, case, result)?;
         directory.attempts().end(case.id)?;
         directory.sync(true)?;
         kept.push(case.id);
@@ -49,6 +49,33 @@ fn session(
     directory.demand_in_place()?;
     write_all_histories(path)?;
     Manifest::new(path, study, &[], SIMD).write(path)
+}
+
+/// Records a case: the second is filed by whoever ran it, where that can be done, and so is the third, which is
+/// put on the disk by it, too.
+fn record(
+    directory: &mut Directory,
+    study: &Study,
+    case: &Case,
+    result: CaseResult,
+) -> Result<(), SweepError> {
+    let filing = Filing::here(directory.path());
+    let delivery = match case.index {
+        0 => Delivery::Whole(Box::new(result)),
+        1 => filing.deliver(Some(case.id), result),
+        _ => filing.syncing().deliver(Some(case.id), result),
+    };
+    match delivery {
+        Delivery::Whole(result) => {
+            let result: Result<CaseResult, Failure> = Ok(*result);
+            let record = CaseRecord::new(study, case, &result, 0.5, "here");
+            directory.record(record, result.as_ref().ok())
+        }
+        Delivery::Filed(filed) => {
+            let record = CaseRecord::of_filed(study, case, &filed, 0.5, "here");
+            directory.record_filed(record, &filed)
+        }
+    }
 }
 
 /// Every file below a directory.

@@ -1,8 +1,9 @@
 //! Per-case files: histories, probes, readings, envelopes and waves.
 
 use std::collections::BTreeMap;
-use std::fs;
+use std::fs::{self, File};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
@@ -55,56 +56,92 @@ const WAVES: &str = "waves";
 /// All folders.
 const FOLDERS: [&str; 5] = [HISTORIES, PROBES, READINGS, ENVELOPES, WAVES];
 
+/// What writing a case's files left to be done and told.
+#[derive(Debug, Default)]
+pub(super) struct Written {
+    pub(super) seals: Seals,
+    /// What the columns of its probes hold.
+    pub(super) probe_columns: Option<String>,
+}
+
+/// Writes what a case leaves besides its journal line; onto the disk itself if `durable`.
+pub(super) fn write(
+    directory: &Path,
+    id: CaseId,
+    result: &CaseResult,
+    durable: bool,
+) -> Result<Written, SweepError> {
+    let mut texts = vec![(HISTORIES, history(&result.history))];
+    if let Some(probes) = &result.probes {
+        texts.push((PROBES, probe_table(probes)));
+    }
+    if !result.readings.is_empty() {
+        texts.push((READINGS, reading_table(&result.readings)));
+    }
+    if !result.envelope.is_empty() {
+        texts.push((ENVELOPES, envelope_table(&result.envelope)));
+    }
+    if !result.waves.is_empty() {
+        texts.push((WAVES, wave_table(&result.waves)));
+    }
+    let put = if durable { atomic_file::write } else { atomic_file::write_unsynced };
+    let mut seals = Seals::new();
+    for (name, text) in texts {
+        let folder = directory.join(name);
+        if !folder.is_dir() {
+            disk::create_folder(&folder).map_err(SweepError::io(&folder))?;
+        }
+        put(&folder.join(format!("{id}.csv")), text.as_bytes())?;
+        seals.insert(name.to_owned(), Seal::of(text.as_bytes()));
+    }
+    Ok(Written { seals, probe_columns: result.probes.as_ref().map(probe_columns) })
+}
+
+/// Writes what the columns of probes hold. It is the same for all cases of a sweep, but that some walls may
+/// have a crest and some not.
+pub(super) fn write_probe_columns(directory: &Path, text: &str) -> Result<(), SweepError> {
+    let path = directory.join(PROBES).join("columns.csv");
+    let known = fs::metadata(&path).map_or(0, |file| file.len());
+    if known < text.len() as u64 { atomic_file::write(&path, text.as_bytes()) } else { Ok(()) }
+}
+
+/// So many files go to the disk with all else that waits to: one by one they take seven times as long.
+const MANY: usize = 32;
+
 /// Files that cases have left and that may not be on the disk yet: they go there in groups, as one by
 /// one the coordinator of many ranks would do little but wait for it.
-#[derive(Debug, Default)]
-pub(super) struct Unsynced(Vec<PathBuf>);
+#[derive(Debug)]
+pub(super) struct Unsynced {
+    /// Open from before the first file on: failures since then are told.
+    directory: Arc<File>,
+    paths: Vec<PathBuf>,
+}
 
 impl Unsynced {
-    /// Writes what a case leaves besides its journal line, and tells what was written.
-    pub(super) fn write(
-        &mut self,
-        directory: &Path,
-        id: CaseId,
-        result: &CaseResult,
-    ) -> Result<Seals, SweepError> {
-        let mut texts = vec![(HISTORIES, history(&result.history))];
-        if let Some(probes) = &result.probes {
-            texts.push((PROBES, probe_table(probes)));
-        }
-        if !result.readings.is_empty() {
-            texts.push((READINGS, reading_table(&result.readings)));
-        }
-        if !result.envelope.is_empty() {
-            texts.push((ENVELOPES, envelope_table(&result.envelope)));
-        }
-        if !result.waves.is_empty() {
-            texts.push((WAVES, wave_table(&result.waves)));
-        }
-        let mut seals = Seals::new();
-        for (name, text) in texts {
-            let folder = directory.join(name);
-            disk::create_folder(&folder).map_err(SweepError::io(&folder))?;
-            let path = folder.join(format!("{id}.csv"));
-            atomic_file::write_unsynced(&path, text.as_bytes())?;
-            self.0.push(path);
-            seals.insert(name.to_owned(), Seal::of(text.as_bytes()));
-        }
-        let columns = directory.join(PROBES).join("columns.csv");
-        if let Some(probes) = &result.probes {
-            // The same for all cases of a sweep, but that some walls may have a crest and some not.
-            let text = probe_columns(probes);
-            let known = fs::metadata(&columns).map_or(0, |file| file.len());
-            if known < text.len() as u64 {
-                atomic_file::write(&columns, text.as_bytes())?;
-            }
-        }
-        Ok(seals)
+    /// None in this directory yet.
+    pub(super) fn new(directory: &Path) -> Result<Unsynced, SweepError> {
+        let opened = File::open(directory).map_err(SweepError::io(directory))?;
+        Ok(Unsynced { directory: Arc::new(opened), paths: Vec::new() })
     }
 
-    pub(super) fn sync(&mut self, directory: &Path) -> Result<(), SweepError> {
-        self.0.iter().try_for_each(|path| atomic_file::sync(path))?;
-        self.0.clear();
+    /// A case has left its files.
+    pub(super) fn add(&mut self, directory: &Path, id: CaseId, seals: &Seals) {
+        let path = |name: &String| directory.join(name).join(format!("{id}.csv"));
+        self.paths.extend(seals.keys().map(path));
+    }
+
+    /// All of them; none are left.
+    pub(super) fn take(&mut self) -> Unsynced {
+        let paths = std::mem::take(&mut self.paths);
+        Unsynced { directory: self.directory.clone(), paths }
+    }
+
+    /// Puts them on the disk.
+    pub(super) fn sync(&self, directory: &Path) -> Result<(), SweepError> {
+        if self.paths.len() >= MANY && disk::sync_all(&self.directory) {
+            return Ok(());
+        }
+        self.paths.iter().try_for_each(|path| atomic_file::sync(path))?;
         let folders = FOLDERS.map(|name| directory.join(name));
         folders.iter().filter(|path| path.is_dir()).try_for_each(|path| atomic_file::sync(path))
     }

@@ -51,10 +51,11 @@ impl Journal {
     ) -> Result<Journal, SweepError> {
         let path = directory.join(FILE_NAME);
         if !content.intact {
-            let [whole, damaged] = &content.texts;
-            keep_damaged(directory, damaged)?;
+            let text = std::fs::read(&path).map_err(SweepError::io(&path))?;
+            let [whole, damaged] = entries::sorted(&text);
+            keep_damaged(directory, &damaged)?;
             let first = content.header.is_none().then(|| Entry::Header(header.clone()).line());
-            let text = [first.unwrap_or_default().as_bytes(), whole].concat();
+            let text = [first.unwrap_or_default().as_bytes(), &whole].concat();
             atomic_file::write(&path, &text)?;
         }
         let file = disk::append(&path).map_err(SweepError::io(&path))?;
@@ -84,6 +85,12 @@ impl Journal {
             self.unsynced_since = None;
         }
         Ok(())
+    }
+
+    /// Leaves it to somebody else to put the lines so far on the disk.
+    pub(super) fn let_sync(&mut self) -> Result<Journal, SweepError> {
+        let file = self.file.try_clone().map_err(SweepError::io(&self.path))?;
+        Ok(Journal { path: self.path.clone(), file, unsynced_since: self.unsynced_since.take() })
     }
 
     /// Makes sure that the file which is written to is still the one that has its name.
@@ -119,7 +126,7 @@ pub(super) fn read_header(directory: &Path) -> Result<Option<Header>, SweepError
     let file = File::open(&path).map_err(SweepError::io(&path))?;
     let mut line = Vec::new();
     BufReader::new(file).read_until(b'\n', &mut line).map_err(SweepError::io(&path))?;
-    Ok(entries::parse(&path, &line)?.header)
+    Ok(entries::parse(&path, &line[..])?.header)
 }
 
 /// Reads a journal without touching it.
@@ -128,8 +135,8 @@ pub(super) fn read_header(directory: &Path) -> Result<Option<Header>, SweepError
 /// A file that cannot be read, or another program's.
 pub fn read_journal(directory: &Path) -> Result<Content, SweepError> {
     let path = directory.join(FILE_NAME);
-    let bytes = std::fs::read(&path).map_err(SweepError::io(&path))?;
-    entries::parse(&path, &bytes)
+    let file = File::open(&path).map_err(SweepError::io(&path))?;
+    entries::parse(&path, BufReader::new(file))
 }
 
 #[cfg(test)]

@@ -11,7 +11,7 @@ use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::study::{PHYSICS_VERSION, Study};
 
-const FILE_NAME: &str = "manifest.json";
+pub(super) const FILE_NAME: &str = "manifest.json";
 
 /// Provenance of an output directory.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]

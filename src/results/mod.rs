@@ -22,6 +22,8 @@ mod error_bars;
 #[cfg(test)]
 mod failing;
 mod files;
+mod filing;
+mod group;
 mod journal;
 mod lock;
 mod made_up;
@@ -30,6 +32,7 @@ mod number;
 mod opening;
 mod program;
 mod record;
+mod round_trip;
 mod summary;
 mod verify;
 
@@ -45,6 +48,7 @@ pub use entries::{Content, Header};
 pub use error::{SweepError, in_words};
 pub use error_bars::{ErrorBars, narrowest_bar_percent, richardson};
 pub use files::Seal;
+pub use filing::{Delivery, Filed, Filing, Mark};
 pub use journal::{Journal, read_journal};
 pub use lock::Lock;
 pub use made_up::made_up;

@@ -5,6 +5,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
+use rayon::prelude::*;
+
 use super::entries::{Content, Header};
 use super::error::SweepError;
 use super::lock::{self, Lock};
@@ -141,16 +143,13 @@ pub(super) fn fill(
             records[index] = Some(CaseRecord { index, ..record });
         }
     }
-    let mut findings = Vec::new();
-    for record in &mut records[..study.cases.len()] {
-        let well = record.as_ref().filter(|record| record.is_ok());
-        if let Some((file, what)) = well.and_then(|case| files::damage(path, case.id, &case.files))
-        {
-            findings.push(format!("{} {what}: its case runs again", file.display()));
-            *record = None;
-        }
-    }
-    findings
+    let damage = |record: &mut Option<CaseRecord>| {
+        let well = record.as_ref().filter(|record| record.is_ok())?;
+        let (file, what) = files::damage(path, well.id, &well.files)?;
+        *record = None;
+        Some(format!("{} {what}: its case runs again", file.display()))
+    };
+    records[..study.cases.len()].par_iter_mut().filter_map(damage).collect()
 }
 
 /// Moves a directory aside and puts an empty one in its place, which is locked from the start.

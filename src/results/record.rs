@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use serde::{Deserialize, Serialize};
 
 use super::files::Seal;
+use super::filing::Filed;
+use super::round_trip;
 use crate::simulation::{
     CaseResult, EnergyBudget, Failure, FailureKind, NamedReading, Outcome, PhaseShare,
 };
@@ -54,10 +56,48 @@ impl CaseRecord {
         wall_time_s: f64,
         host: &str,
     ) -> CaseRecord {
-        let mut record = CaseRecord {
-            index: case.index,
-            id: case.id,
+        let mut record = CaseRecord::blank(case.index, case.id, wall_time_s, host);
+        record.values = study.values(case).into_iter().collect();
+        match result {
+            Ok(result) => {
+                record.outcome = Some(result.outcome.clone());
+                record.reason = one_line(result.outcome.recovered.as_deref().unwrap_or_default());
+                record.energy = Some(result.energy);
+                record.readings.clone_from(&result.readings);
+                record.phases.clone_from(&result.phases);
+                if let Err(detail) = round_trip::demand(&record) {
+                    record.fail(FailureKind::NotANumber, detail);
+                }
+            }
+            Err(failure) => record.fail(failure.kind, failure.to_string()),
+        }
+        record
+    }
+
+    /// The record of a case whose files were written where it ran.
+    pub fn of_filed(
+        study: &Study,
+        case: &Case,
+        filed: &Filed,
+        wall_time_s: f64,
+        host: &str,
+    ) -> CaseRecord {
+        CaseRecord {
             values: study.values(case).into_iter().collect(),
+            reason: one_line(filed.outcome.recovered.as_deref().unwrap_or_default()),
+            outcome: Some(filed.outcome.clone()),
+            energy: Some(filed.energy),
+            readings: filed.readings.clone(),
+            phases: filed.phases.clone(),
+            ..CaseRecord::blank(case.index, case.id, wall_time_s, host)
+        }
+    }
+
+    fn blank(index: usize, id: CaseId, wall_time_s: f64, host: &str) -> CaseRecord {
+        CaseRecord {
+            index,
+            id,
+            values: BTreeMap::new(),
             failure: None,
             reason: String::new(),
             outcome: None,
@@ -68,21 +108,7 @@ impl CaseRecord {
             cpu_time_s: None,
             host: host.to_owned(),
             files: BTreeMap::new(),
-        };
-        match result {
-            Ok(result) => {
-                record.outcome = Some(result.outcome.clone());
-                record.reason = one_line(result.outcome.recovered.as_deref().unwrap_or_default());
-                record.energy = Some(result.energy);
-                record.readings.clone_from(&result.readings);
-                record.phases.clone_from(&result.phases);
-                if let Err(detail) = record.round_trips() {
-                    record.fail(FailureKind::NotANumber, detail);
-                }
-            }
-            Err(failure) => record.fail(failure.kind, failure.to_string()),
         }
-        record
     }
 
     /// Whether the case is well.
@@ -97,14 +123,6 @@ impl CaseRecord {
         self.energy = None;
         self.readings = Vec::new();
         self.phases = Vec::new();
-    }
-
-    fn round_trips(&self) -> Result<(), String> {
-        let text = serde_json::to_string(self).map_err(|error| error.to_string())?;
-        match serde_json::from_str::<CaseRecord>(&text) {
-            Ok(read) if read == *self => Ok(()),
-            _ => Err("not-a-number: a reported quantity is not a finite number".to_owned()),
-        }
     }
 }
 

@@ -17,7 +17,9 @@ mod post;
 mod pulse;
 mod station;
 
+use std::collections::VecDeque;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
 
 use mpi::Threading;
 use mpi::traits::Communicator;
@@ -29,7 +31,7 @@ use self::station::{RankZero, Station, work};
 use super::worker::with_worker;
 use super::{Crew, Link, Order, Report, Setup, resources, share_threads};
 use crate::math::simd::SimdPath;
-use crate::results::{RankInfo, SweepError};
+use crate::results::{Filing, Mark, RankInfo, SweepError};
 
 /// Whether this build can run under MPI.
 pub const AVAILABLE: bool = true;
@@ -41,9 +43,12 @@ enum Message {
     Start {
         simd: SimdPath,
         rank: RankInfo,
+        /// The output directory.
+        out: Option<Mark>,
     },
     Order(Order),
-    Report(Report),
+    /// What has ended since the last time.
+    Reports(Vec<Report>),
     Pull {
         trunk: usize,
     },
@@ -174,13 +179,16 @@ impl Crew for MpiCrew<'_> {
     fn work(
         &mut self,
         simd: SimdPath,
+        out: &Path,
         lead: &mut dyn FnMut(&mut dyn Link) -> Result<(), SweepError>,
     ) -> Result<(), SweepError> {
-        self.send_all(|rank| Message::Start { simd, rank: rank.clone() });
+        let mark = Mark::of(out);
+        self.send_all(|rank| Message::Start { simd, rank: rank.clone(), out: mark.clone() });
         let runner = (self.setup.make_runner)(resources(&self.ranks[0], simd));
         let post = &mut self.post;
-        let led = with_worker(0, self.ranks[0].places(), &*runner, |worker| {
-            lead(&mut RankZero { station: Station { post, worker } })
+        let filing = Filing::here(out);
+        let led = with_worker(0, self.ranks[0].places(), &*runner, Some(&filing), |worker| {
+            lead(&mut RankZero { station: Station { post, worker }, reports: VecDeque::new() })
         })?;
         self.send_all(|_| Message::Rest);
         led
@@ -194,11 +202,12 @@ fn serve(setup: &Setup<'_>, mut post: Post) -> Result<(), SweepError> {
         match post.receive()? {
             None => std::thread::sleep(post.nap()),
             Some((0, Message::Finish)) => break,
-            Some((0, Message::Start { simd, rank: info })) => {
+            Some((0, Message::Start { simd, rank: info, out })) => {
                 let rank = post.rank();
                 let runner = (setup.make_runner)(resources(&info, simd));
                 let post = &mut post;
-                with_worker(rank, info.places(), &*runner, |worker| {
+                let filing = out.as_ref().and_then(Filing::elsewhere);
+                with_worker(rank, info.places(), &*runner, filing.as_ref(), |worker| {
                     work(setup, Station { post, worker })
                 })??;
                 break;
@@ -248,10 +257,10 @@ mod tests {
         let config = crate::scene::CaseConfig::from_tables(&empty, &empty).unwrap();
         let result =
             FakeRunner::default().case(&config, None, &crate::simulation::Unwatched).unwrap();
-        let result = Ok(Box::new(result));
+        let result = Ok(crate::results::Delivery::Whole(Box::new(result)));
         let report = Report::CaseDone { case: 3, result, wall_time_s: 0.1, cpu_time_s: Some(0.1) };
-        let bytes = postcard::to_stdvec(&Message::Report(report.clone())).unwrap();
-        let Message::Report(read) = postcard::from_bytes(&bytes).unwrap() else { panic!() };
-        assert_eq!(read, report);
+        let bytes = postcard::to_stdvec(&Message::Reports(vec![report.clone()])).unwrap();
+        let Message::Reports(read) = postcard::from_bytes(&bytes).unwrap() else { panic!() };
+        assert_eq!(read, [report]);
     }
 }

@@ -1,5 +1,6 @@
 //! A rank at work: it takes orders and passes on reports and checkpoints.
 
+use std::collections::VecDeque;
 use std::time::{Duration, Instant};
 
 use super::post::Post;
@@ -42,6 +43,8 @@ impl Station<'_, '_, '_> {
 /// Rank 0 at work, to whom the others report.
 pub(super) struct RankZero<'a, 'run, 'scope> {
     pub(super) station: Station<'a, 'run, 'scope>,
+    /// What others have reported and nobody has taken.
+    pub(super) reports: VecDeque<(usize, Report)>,
 }
 
 impl Link for RankZero<'_, '_, '_> {
@@ -56,6 +59,9 @@ impl Link for RankZero<'_, '_, '_> {
         let start = Instant::now();
         let mut nap = Duration::ZERO;
         loop {
+            if let Some(report) = self.reports.pop_front() {
+                return Ok(Some(report));
+            }
             if let Some(report) = self.station.worker.poll(nap) {
                 return Ok(Some((0, report)));
             }
@@ -64,7 +70,9 @@ impl Link for RankZero<'_, '_, '_> {
                 heard = true;
                 match self.station.handle(rank, message) {
                     None => {}
-                    Some(Message::Report(report)) => return Ok(Some((rank, report))),
+                    Some(Message::Reports(reports)) => {
+                        self.reports.extend(reports.into_iter().map(|report| (rank, report)));
+                    }
                     Some(other) => return Err(out_of_turn(rank, &other)),
                 }
             }
@@ -76,18 +84,24 @@ impl Link for RankZero<'_, '_, '_> {
     }
 }
 
+/// So many reports go in one message at most.
+const MANY: usize = 100;
+
 /// What any rank but 0 does until it is told to finish.
 pub(super) fn work(setup: &Setup<'_>, mut station: Station<'_, '_, '_>) -> Result<(), SweepError> {
     let mut told = false;
     let mut nap = Duration::ZERO;
     station.post.expect_rank_zero(true);
     loop {
-        if let Some(report) = station.worker.poll(nap) {
-            station.post.send(0, &Message::Report(report));
+        let first = station.worker.poll(nap);
+        let more = std::iter::from_fn(|| station.worker.poll(Duration::ZERO)).take(MANY);
+        let reports: Vec<_> = first.into_iter().chain(more).collect();
+        if !reports.is_empty() {
+            station.post.send(0, &Message::Reports(reports));
         }
         if setup.interrupt.is_raised() && !told {
             told = true;
-            station.post.send(0, &Message::Report(Report::Interrupted));
+            station.post.send(0, &Message::Reports(vec![Report::Interrupted]));
         }
         let mut heard = false;
         while let Some((rank, message)) = station.post.receive()? {

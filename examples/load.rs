@@ -1,0 +1,107 @@
+//! How many cases a second go through scheduler, workers, journal and summary, where a case costs nothing.
+//!
+//! `cargo run --release --example load -- DIR CASES [THREADS]` sweeps made-up cases into a new directory below
+//! DIR, reads it again, and prints what each part took and the most memory that was held.
+
+use std::path::Path;
+use std::time::Instant;
+
+use seawall::execute::fake::cost;
+use seawall::execute::{
+    Ending, Interrupt, Progress, ProgressStyle, Runner, Session, Setup, coordinate, threads,
+};
+use seawall::math::simd::SimdPath;
+use seawall::results::{Directory, OpenMode, Opened, made_up};
+use seawall::scene::CaseConfig;
+use seawall::simulation::{CaseResult, Monitor, Stopped, TrunkResult};
+use seawall::study::{Plan, Study, SweepFile};
+
+const SIMD: SimdPath = SimdPath::Portable;
+
+/// Every case ends at once, and all alike.
+struct Same(CaseResult);
+
+impl Runner for Same {
+    fn trunk(&self, _: &CaseConfig, _: &dyn Monitor) -> Result<TrunkResult, Stopped> {
+        Ok(TrunkResult { checkpoint: vec![0; 10_000], time_s: 1.0, steps: 500 })
+    }
+
+    fn case(
+        &self,
+        _: &CaseConfig,
+        _: Option<&[u8]>,
+        _: &dyn Monitor,
+    ) -> Result<CaseResult, Stopped> {
+        Ok(self.0.clone())
+    }
+}
+
+fn study(cases: usize) -> Study {
+    let text = format!(
+        "name = \"load\"\n[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n[grid]\nwave_height_ratio = [0.2, 0.3, 0.4, 0.5]\n\
+         spring_stiffness_n_per_m = {{ from = 10, to = 1e6, points = {}, spacing = \"log\" }}",
+        cases.div_ceil(4)
+    );
+    Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap()
+}
+
+fn sweep(out: &Path, study: &Study, count: usize) {
+    let interrupt = Interrupt::default();
+    let setup = Setup {
+        make_runner: &|_| Box::new(Same(made_up(&study.cases[0].config))),
+        threads: Some(count),
+        interrupt: &interrupt,
+        patience: std::time::Duration::MAX,
+    };
+    threads::with_crew(&setup, |crew| {
+        let (mut directory, _) =
+            Directory::open(out, study, OpenMode::Resume, Some(SIMD), SIMD).unwrap();
+        let plan = Plan::new(study, true, cost, |_| true);
+        let ranks = crew.ranks().to_vec();
+        crew.work(SIMD, out, &mut |link| {
+            let mut session = Session {
+                study,
+                plan: &plan,
+                directory: &mut directory,
+                ranks: &ranks,
+                interrupt: &interrupt,
+                progress: Progress::new(ProgressStyle::Quiet, Default::default(), 1),
+            };
+            let (ending, _) = coordinate(link, &mut session)?;
+            assert_eq!(ending, Ending::Finished);
+            Ok(())
+        })
+        .unwrap();
+    });
+}
+
+/// The most memory that this process has held, MB.
+fn memory_mb() -> f64 {
+    let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
+    let kilobytes = line.and_then(|line| line.split_whitespace().next()?.parse::<f64>().ok());
+    kilobytes.unwrap_or(f64::NAN) / 1e3
+}
+
+fn main() {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let [below, cases, rest @ ..] = &words[..] else { panic!("load DIR CASES [THREADS]") };
+    let count = rest.first().map_or(2, |word| word.parse().unwrap());
+    let room = tempfile::tempdir_in(below).unwrap();
+    let out = room.path().join("load");
+    let tell = |what: &str, start: Instant| {
+        println!("{what}: {:.2} s, {:.0} MB", start.elapsed().as_secs_f64(), memory_mb());
+    };
+    let start = Instant::now();
+    let study = study(cases.parse().unwrap());
+    tell(&format!("study of {} cases", study.cases.len()), start);
+    let start = Instant::now();
+    sweep(&out, &study, count);
+    tell("sweep", start);
+    let rate = study.cases.len() as f64 / start.elapsed().as_secs_f64();
+    println!("{rate:.0} cases per second on {count} threads");
+    let start = Instant::now();
+    let (_directory, opened) = Directory::open(&out, &study, OpenMode::Resume, None, SIMD).unwrap();
+    tell("reopening", start);
+    assert_eq!(opened, Opened::Resumed(study.cases.len()));
+}

@@ -1,0 +1,188 @@
+//! Whoever runs a case writes its files, where the output directory can be seen from there, and hands on what
+//! fits into a small message.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use serde::{Deserialize, Serialize};
+
+use super::checksum::checksum;
+use super::files::{self, Seal, Seals};
+use super::{manifest, round_trip};
+use crate::simulation::{CaseResult, EnergyBudget, NamedReading, Outcome, PhaseShare};
+use crate::study::CaseId;
+
+/// What is left of a result whose files are written: all that its journal line needs.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Filed {
+    pub(super) outcome: Outcome,
+    pub(super) energy: EnergyBudget,
+    pub(super) readings: Vec<NamedReading>,
+    pub(super) phases: Vec<PhaseShare>,
+    /// Folder, length and sum of each file.
+    seals: Vec<(String, u64, String)>,
+    /// What the columns of its probes hold; rank 0 writes that down.
+    pub(super) probe_columns: Option<String>,
+    /// Whether the files are on the disk for certain.
+    pub(super) on_disk: bool,
+}
+
+impl Filed {
+    pub(super) fn seals(&self) -> Seals {
+        let seal = |(folder, bytes, sum): &(String, u64, String)| {
+            (folder.clone(), Seal::Whole { bytes: *bytes, sum: sum.clone() })
+        };
+        self.seals.iter().map(seal).collect()
+    }
+}
+
+/// A case that ended well, on its way to the coordinator.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub enum Delivery {
+    /// All of it: the coordinator writes its files.
+    Whole(Box<CaseResult>),
+    /// Its files are written.
+    Filed(Box<Filed>),
+}
+
+impl Delivery {
+    /// The scalars.
+    pub fn outcome(&self) -> &Outcome {
+        match self {
+            Delivery::Whole(result) => &result.outcome,
+            Delivery::Filed(filed) => &filed.outcome,
+        }
+    }
+}
+
+/// By what ranks tell whether they see the same directory: no two sessions write the same manifest.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Mark {
+    directory: PathBuf,
+    manifest: String,
+    /// The running system: what one process of it writes, another can put on the disk.
+    system: String,
+}
+
+impl Mark {
+    /// That of a directory whose manifest has just been written; `None` where there is none.
+    pub fn of(directory: &Path) -> Option<Mark> {
+        let directory = std::path::absolute(directory).ok()?;
+        let manifest = fs::read(directory.join(manifest::FILE_NAME)).ok()?;
+        Some(Mark { directory, manifest: checksum(&manifest), system: running_system() })
+    }
+}
+
+/// Different for every start of every machine; empty where the system does not tell.
+fn running_system() -> String {
+    fs::read_to_string("/proc/sys/kernel/random/boot_id").unwrap_or_default().trim().to_owned()
+}
+
+/// Writes the files of cases into an output directory that somebody else has opened.
+#[derive(Debug, Clone)]
+pub struct Filing {
+    directory: PathBuf,
+    /// Whether nobody else can put the files on the disk.
+    syncs: bool,
+}
+
+impl Filing {
+    /// For the process that has opened the directory.
+    pub fn here(directory: &Path) -> Filing {
+        Filing { directory: directory.to_owned(), syncs: false }
+    }
+
+    /// The same for one whose files nobody else can put on the disk.
+    pub fn syncing(self) -> Filing {
+        Filing { syncs: true, ..self }
+    }
+
+    /// For another process; `None` where it does not see the directory that has this mark.
+    pub fn elsewhere(mark: &Mark) -> Option<Filing> {
+        let here = Mark::of(&mark.directory)?;
+        let far = here.system.is_empty() || here.system != mark.system;
+        let filing = (here.manifest == mark.manifest).then(|| Filing::here(&here.directory))?;
+        Some(if far { filing.syncing() } else { filing })
+    }
+
+    /// Writes the files of a case under this name, if it leaves any. What cannot be filed is delivered whole: the coordinator
+    /// tries again and tells what is wrong.
+    pub fn deliver(&self, files: Option<CaseId>, result: CaseResult) -> Delivery {
+        let written = round_trip::demand_of(&result).ok().and_then(|()| match files {
+            Some(id) => files::write(&self.directory, id, &result, self.syncs).ok(),
+            None => Some(files::Written::default()),
+        });
+        let Some(written) = written else { return Delivery::Whole(Box::new(result)) };
+        let seal = |(folder, seal)| match seal {
+            Seal::Whole { bytes, sum } => (folder, bytes, sum),
+            Seal::Length(bytes) => (folder, bytes, String::new()),
+        };
+        Delivery::Filed(Box::new(Filed {
+            outcome: result.outcome,
+            energy: result.energy,
+            readings: result.readings,
+            phases: result.phases,
+            seals: written.seals.into_iter().map(seal).collect(),
+            probe_columns: written.probe_columns,
+            on_disk: self.syncs,
+        }))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::made_up::made_up;
+    use super::*;
+    use crate::scene::CaseConfig;
+
+    fn result() -> (CaseId, CaseResult) {
+        let empty = toml::Table::new();
+        let config = CaseConfig::from_tables(&empty, &empty).unwrap();
+        (CaseId::of(&config), made_up(&config))
+    }
+
+    #[test]
+    fn a_filed_case_is_a_small_message() {
+        let root = tempfile::tempdir().unwrap();
+        let (id, mut result) = result();
+        let shares = ["neighbours", "ghosts", "momentum", "continuity", "integration", "readings"];
+        let share = |phase: &str| PhaseShare { phase: phase.to_owned(), seconds: 0.1 };
+        result.phases = shares.map(share).to_vec();
+        let delivery = Filing::here(root.path()).deliver(Some(id), result);
+        let Delivery::Filed(filed) = &delivery else { panic!() };
+        assert_eq!(filed.seals.len(), 2);
+        let bytes = postcard::to_stdvec(&delivery).unwrap();
+        assert!(bytes.len() <= 1000, "{} bytes", bytes.len());
+        assert_eq!(postcard::from_bytes::<Delivery>(&bytes).unwrap(), delivery);
+    }
+
+    #[test]
+    fn what_cannot_be_filed_is_delivered_whole() {
+        let root = tempfile::tempdir().unwrap();
+        let (id, mut result) = result();
+        let in_the_way = root.path().join("file");
+        fs::write(&in_the_way, "").unwrap();
+        let whole = Delivery::Whole(Box::new(result.clone()));
+        assert_eq!(Filing::here(&in_the_way).deliver(Some(id), result.clone()), whole);
+        result.energy.kinetic = f64::NAN;
+        let delivery = Filing::here(root.path()).deliver(Some(id), result);
+        assert!(matches!(delivery, Delivery::Whole(_)));
+        assert_eq!(fs::read_dir(root.path()).unwrap().count(), 1, "nothing but the file is there");
+    }
+
+    #[test]
+    fn only_the_same_directory_is_shared() {
+        let root = tempfile::tempdir().unwrap();
+        assert_eq!(Mark::of(root.path()), None, "without a manifest");
+        let manifest = root.path().join(manifest::FILE_NAME);
+        fs::write(&manifest, "one").unwrap();
+        let mark = Mark::of(root.path()).unwrap();
+        assert!(Filing::elsewhere(&mark).is_some_and(|filing| !filing.syncs));
+        let far = Mark { system: "another machine".to_owned(), ..mark.clone() };
+        assert!(Filing::elsewhere(&far).is_some_and(|filing| filing.syncs));
+        fs::write(&manifest, "two").unwrap();
+        assert!(Filing::elsewhere(&mark).is_none());
+        let gone = Mark { directory: root.path().join("gone"), ..mark };
+        assert!(Filing::elsewhere(&gone).is_none());
+    }
+}
