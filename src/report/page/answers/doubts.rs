@@ -70,9 +70,10 @@ pub fn doubtful(data: &Loaded) -> Option<String> {
     reasons.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
     let words: Vec<_> =
         reasons.iter().map(|(reason, count)| format!("{reason} ({count})")).collect();
-    let are = if doubtful.len() == 1 { "is" } else { "are" };
+    let (are, their) =
+        if doubtful.len() == 1 { ("is", "its history") } else { ("are", "their histories") };
     Some(format!(
-        "{} of {} {are} doubtful: {}. Look at their histories first.",
+        "{} of {} {are} doubtful: {}. Look at {their} first.",
         doubtful.len(),
         counted(all, "result"),
         listed(&words)
