@@ -85,6 +85,16 @@ fn a_sweep_films_what_is_worth_a_look_and_its_report_links_to_it() {
     fs::remove_file(&page).unwrap();
     swept(root.path(), &[]);
     assert!(page.exists());
+
+    // A call that makes none tells them all the same.
+    let file = root.path().join("sweep.toml");
+    let command = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    let output = run(&[&command[..], &["--format", "json"]].concat());
+    expect_code(&output, 0);
+    let value: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let names = value["films"].as_array().unwrap().iter().map(|path| path.as_str().unwrap());
+    let names: Vec<_> = names.map(|path| path.rsplit('/').next().unwrap().to_owned()).collect();
+    assert_eq!(names, pages);
 }
 
 #[test]

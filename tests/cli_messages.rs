@@ -140,6 +140,31 @@ fn a_sweeps_table_marks_lower_bounds_and_doubtful_cases() {
 }
 
 #[test]
+fn coarse_particles_have_a_sentence_of_their_own_and_no_doubt() {
+    let root = tempfile::tempdir().unwrap();
+    let (file, out) = (write_file(root.path(), TINY), root.path().join("out"));
+    let output = run(&["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
+    expect_code(&output, 0);
+    let text = told(&output.stdout);
+    let sentence =
+        "8 finished cases have coarse particles (coarse_spacing in summary.csv)\n  8.0 rows ";
+    assert!(text.contains(sentence), "{text}");
+    assert!(text.lines().all(|line| line.starts_with("report: ") || line.chars().count() <= 80));
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("8 of 8 results have coarse particles: 8.0 rows over the depth; "));
+    let mut reader = csv::Reader::from_path(out.join("summary.csv")).unwrap();
+    let headers = reader.headers().unwrap().clone();
+    assert_eq!(headers.iter().last(), Some("coarse_spacing"));
+    let place = |name: &str| headers.iter().position(|header| header == name).unwrap();
+    let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
+    assert!(rows.iter().filter(|row| &row[place("doubtful")] == "false").count() >= 4);
+    for row in rows {
+        assert!(!row[place("doubtful_reason")].contains("coarse"), "{row:?}");
+        assert!(row[place("coarse_spacing")].starts_with("8.0 rows over the depth; below 10, "));
+    }
+}
+
+#[test]
 fn a_directory_that_cannot_be_written_is_bad_input() {
     let root = tempfile::tempdir().unwrap();
     let (file, out) = (write_file(root.path(), TINY), root.path().join("out"));

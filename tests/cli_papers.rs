@@ -75,9 +75,31 @@ fn a_figure_of_liang_is_made_and_made_again_without_a_run() {
     assert!(told(&again).contains("is finished"), "{}", told(&again));
     assert_eq!(before, files.map(|file| fs::read(file).unwrap()));
 
+    let in_words = run(&[&figure[..], &["--set", set]].concat());
+    expect_code(&in_words, 0);
+    let text = String::from_utf8_lossy(&in_words.stdout).into_owned();
+    let table = text.split("✗: not met").next().unwrap();
+    assert!(table.lines().all(|line| line.chars().count() <= 80), "{table}");
+
     let other = run(&[&figure[..], &["--set", "numerics.particle_spacing_m=0.02"]].concat());
     expect_code(&other, 2);
     assert!(told(&other).contains("single_wall"), "{}", told(&other));
+}
+
+#[test]
+fn waves_in_two_panels_of_one_legend_do_not_look_alike() {
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().join("out");
+    let mut command =
+        vec!["reproduce", "liang2017", "--figure", "5", "--out", out.to_str().unwrap()];
+    for set in ["grid.wave_height_ratio=[0.1, 0.4]", "numerics.particle_spacing_m=0.03"] {
+        command.extend(["--set", set]);
+    }
+    let output = run(&command);
+    expect_code(&output, 0);
+    let svg = fs::read_to_string(out.join("figure-5.svg")).unwrap();
+    // The low wave and the high one were both of the first look of their panel.
+    assert!(svg.contains("hue-0") && svg.contains("hue-3") && !svg.contains("hue-1"), "{svg}");
 }
 
 #[test]

@@ -15,6 +15,8 @@ use crate::execute::{
 };
 use crate::film::Filming;
 use crate::math::simd::SimdPath;
+use crate::quantities::summary::COARSE_SPACING;
+use crate::quantities::{Bars, Value as Cell};
 use crate::results::{
     CaseRecord, Directory, Manifest, OpenMode, Opened, Program, RankInfo, Savings, SessionInfo,
     SweepError, counted, has_checkpoints, timestamp,
@@ -60,6 +62,20 @@ impl Done {
         outcomes.filter_map(|outcome| outcome.doubtful_reason.as_deref())
     }
 
+    /// What to expect of every finished case whose particles are coarse.
+    pub(super) fn coarse(&self, job: &Job) -> Vec<String> {
+        let told = |record: &CaseRecord| {
+            let config = &job.study.cases[record.index].config;
+            let case =
+                record.outcome.is_some().then(|| record.reported(config, Bars::default()))?;
+            match COARSE_SPACING.value(&case)? {
+                Cell::Text(why) => Some(why),
+                _ => None,
+            }
+        };
+        self.records().filter_map(told).collect()
+    }
+
     pub(super) fn failed(&self) -> usize {
         self.records().filter(|record| !record.is_ok()).count()
     }
@@ -81,6 +97,7 @@ impl Done {
             "ok": self.records().count() - self.failed(),
             "failed": self.failed(),
             "doubtful": self.doubtful(),
+            "coarse": self.coarse(job).len(),
             "wall_time_s": self.wall_time_s,
             "savings": self.savings,
             "records": self.records().collect::<Vec<_>>(),

@@ -1,7 +1,7 @@
 //! `sweep --film`: which cases of a study are filmed, and filming them once the results are there.
 
 use std::collections::BTreeSet;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use super::execute::Done;
 use super::failure::BadInput;
@@ -31,14 +31,18 @@ fn named<'a>(study: &'a Study, word: &str) -> Result<&'a Case, BadInput> {
     case.map_err(|error| BadInput(format!("--film {word}: {error}")))
 }
 
-/// Films of a sweep that were made, and the exit code that they ask for.
-pub(super) struct Made {
-    pub(super) pages: Vec<PathBuf>,
-    pub(super) code: u8,
+/// The films of a directory, those of earlier calls among them.
+pub(super) fn pages(directory: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(directory.join("films")).into_iter().flatten().flatten();
+    let paths = entries.map(|entry| entry.path());
+    let mut pages: Vec<_> =
+        paths.filter(|path| path.extension().is_some_and(|ending| ending == "html")).collect();
+    pages.sort();
+    pages
 }
 
 /// Runs the cases again that are to be filmed, one after the other. No film costs a result: what cannot
-/// be filmed is told.
+/// be filmed is told. The exit code is what the films ask for.
 pub(super) fn make(
     words: &[String],
     study: &Study,
@@ -46,7 +50,7 @@ pub(super) fn make(
     threads: Option<u16>,
     interrupt: &Interrupt,
     output: &Output,
-) -> Result<Made, BadInput> {
+) -> Result<u8, BadInput> {
     let set = Set {
         study,
         records: done.directory.runs(),
@@ -56,26 +60,25 @@ pub(super) fn make(
         interrupt,
     };
     let cases = wanted(words, &set, output)?;
-    let mut made = Made { pages: Vec::new(), code: SUCCESS };
+    let mut code = SUCCESS;
     if !cases.is_empty() {
         output.note(format_args!("filming {}", counted(cases.len(), "case")));
     }
     for case in cases {
         let shot = set.shoot(case);
         match &shot {
-            Ok(Shot::Filmed(path)) => made.pages.push(path.clone()),
-            Ok(Shot::Differs(_)) => made.code = made.code.max(CASES_FAILED),
-            Ok(Shot::NotFilmed(_)) => {}
+            Ok(Shot::Differs(_)) => code = code.max(CASES_FAILED),
+            Ok(Shot::Filmed(_) | Shot::NotFilmed(_)) => {}
             Ok(Shot::Interrupted) => {
                 output.note("interrupted: films are missing; the same command makes them");
-                made.code = INTERRUPTED;
+                code = INTERRUPTED;
                 break;
             }
             Err(error) => output.note(format_args!("warning: case {}: {error:#}", case.id)),
         }
         shot.iter().for_each(|shot| shot.tell(case, output));
     }
-    Ok(made)
+    Ok(code)
 }
 
 /// What is asked for; what is worth a look has no second film, and takes no long time.

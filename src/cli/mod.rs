@@ -26,6 +26,7 @@ mod output;
 mod overview;
 mod physics;
 mod pick;
+mod printed;
 mod refine;
 mod report;
 mod reproduce;

@@ -37,6 +37,7 @@ pub(super) fn told(job: &Job, done: &Done, report: &std::path::Path, all: bool) 
     }
     text.push_str(&fared(done, total));
     text.push_str(&doubts(done));
+    text.push_str(&coarse(&done.coarse(job)));
     text.push_str(&format!("report: {}\n", report.display()));
     text
 }
@@ -128,8 +129,16 @@ fn doubts(done: &Done) -> String {
     let kinds: Vec<_> = kinds.iter().map(|(kind, cases)| format!("{kind} {cases}")).collect();
     let (is, its) = if doubtful == 1 { ("is", "its history") } else { ("are", "their histories") };
     format!(
-        "{} {is} doubtful (doubtful_reason in summary.csv): look at {its} first\n  {}\n",
+        "{} {is} doubtful (doubtful_reason in summary.csv)\n  {}; look at {its} first\n",
         counted(doubtful, "finished case"),
         kinds.join(", ")
     )
+}
+
+/// How many cases have coarse particles, and what that means of the first.
+fn coarse(told: &[String]) -> String {
+    let Some(why) = told.first() else { return String::new() };
+    let have = if told.len() == 1 { "has" } else { "have" };
+    let cases = counted(told.len(), "finished case");
+    format!("{cases} {have} coarse particles (coarse_spacing in summary.csv)\n  {why}\n")
 }

@@ -10,8 +10,8 @@ use super::failure::BadInput;
 use super::input::Setting;
 use super::keep::EVERY_S;
 use super::output::{Output, duration};
+use super::printed::told;
 use super::shown;
-use super::table::Table;
 use super::{INTERRUPTED, SUCCESS, cost};
 use crate::papers::{Recipe, Run, files, paper, recipes};
 use crate::report::Reproduced;
@@ -52,9 +52,6 @@ pub(super) struct ReproduceArgs {
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<Setting>,
 }
-
-/// Columns of a terminal.
-const WIDTH: usize = 80;
 
 pub(super) fn main(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> {
     if let Some(name) = args.paper.as_deref().filter(|name| paper(name).is_none()) {
@@ -166,60 +163,6 @@ fn write(out: &Path, made: &Reproduced) -> Result<Vec<PathBuf>, BadInput> {
         files.push(path);
     }
     Ok(files)
-}
-
-fn told(made: &Reproduced) -> String {
-    let mut text = wrapped(&made.figure.caption);
-    if !made.beside.rows.is_empty() {
-        text.push_str(&format!("\n{}", numbers(made)));
-        made.sentences.iter().for_each(|said| text.push_str(&format!("\n{}", wrapped(said))));
-    }
-    text + "\n"
-}
-
-/// Prose in lines of a terminal's width.
-fn wrapped(text: &str) -> String {
-    let (mut lines, mut width) = (String::new(), 0);
-    for word in text.split(' ') {
-        let length = word.chars().count();
-        if width > 0 && width + 1 + length > WIDTH {
-            lines.push('\n');
-            width = 0;
-        } else if width > 0 {
-            lines.push(' ');
-            width += 1;
-        }
-        lines.push_str(word);
-        width += length;
-    }
-    lines + "\n"
-}
-
-/// Printed and computed numbers, a difference beside each; what all movable walls or all fixed ones have in
-/// common is left out.
-fn numbers(made: &Reproduced) -> String {
-    let (header, rows) = (&made.beside.header, &made.beside.rows);
-    let first = rows[0][0].split(',').next().unwrap_or_default();
-    let source = |row: &[String]| row[0].replace(&format!("{first}, "), "").replace("Fig. ", "");
-    let parts = |row: &[String]| row[2].split(", ").map(str::to_owned).collect::<Vec<_>>();
-    let count = |row: &[String]| parts(row).len();
-    let cases = rows.iter().map(|row| {
-        let alike = || rows.iter().filter(|other| count(other) == count(row));
-        let told = |part: &String| alike().any(|other| !parts(other).contains(part));
-        let told: Vec<_> = parts(row).into_iter().filter(told).collect();
-        let mixed = alike().count() < rows.len();
-        let kind = if row[2].contains("m = ") { "movable" } else { "fixed" };
-        if told.is_empty() && mixed { kind.to_owned() } else { told.join(", ") }
-    });
-    let heads = ["Fig.", "", "case", "printed"].map(str::to_owned).into_iter();
-    let laws = header[4..].iter().step_by(2).map(|name| name.replace("computed, ", ""));
-    let mut table = Table::new(heads.chain(laws));
-    for (row, case) in rows.iter().zip(cases) {
-        let cells = [source(row), row[1].clone(), case, row[3].clone()].into_iter();
-        let pairs = row[4..].chunks(2).map(|pair| pair.join(" ").trim().to_owned());
-        table.row(cells.chain(pairs));
-    }
-    table.render() + "✗: not met\n"
 }
 
 fn value(recipe: &Recipe, made: &Reproduced, files: &[PathBuf], directories: &[PathBuf]) -> Value {

@@ -11,8 +11,8 @@ use super::output::{Output, with_bar};
 use super::pick::{Choice, the_case, the_one};
 use super::{SUCCESS, shown, stored};
 use crate::quantities::summary::{
-    ALL, CASE_ID, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO, PARTICLES_LOST, REASON, STATUS,
-    STOP_IMPULSE,
+    ALL, CASE_ID, COARSE_SPACING, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO, PARTICLES_LOST,
+    REASON, STATUS, STOP_IMPULSE,
 };
 use crate::quantities::{Column, Unit, heading, named};
 use crate::report::plain;
@@ -185,7 +185,7 @@ fn groups() -> (Vec<&'static Column>, Vec<&'static Column>, Vec<&'static Column>
     let (mut results, mut health, mut parameters) = (Vec::new(), Vec::new(), Vec::new());
     for (place, &column) in ALL.iter().enumerate().filter(|(_, column)| !belongs(column)) {
         let is_health = column.unit == Unit::Percent
-            || [&REASON, &DOUBTFUL_REASON, &PARTICLES_LOST].contains(&column);
+            || [&REASON, &DOUBTFUL_REASON, &COARSE_SPACING, &PARTICLES_LOST].contains(&column);
         let is_input = place < first || is_configured(column);
         match (column == &CASE_ID || column == &STATUS, is_health, is_input) {
             (true, ..) => {}

@@ -210,13 +210,13 @@ fn lead(
         ));
         return Ok(done.exit_code());
     }
-    let filmed = films::make(films, &job.study, &done, args.threads, interrupt, output)?;
+    let filming = films::make(films, &job.study, &done, args.threads, interrupt, output)?;
     done.directory.demand_in_place()?;
     write_all_histories(done.directory.path())?;
     let report = crate::report::write(done.directory.path())?;
     let mut text = told(&job, &done, &report, output.verbose);
     let mut value = done.json(&job, Some(&report));
-    value["films"] = json!(shown::paths(&filmed.pages));
+    value["films"] = json!(shown::paths(&films::pages(done.directory.path())));
     if let Some(aim) = &aim {
         let (told, accuracy) = max_error::report(aim, &job.study, &done)?;
         text.push_str(&told);
@@ -228,7 +228,7 @@ fn lead(
         value["refined"] = refined;
     }
     output.result(&text, &value)?;
-    Ok(done.exit_code().max(filmed.code))
+    Ok(done.exit_code().max(filming))
 }
 
 #[cfg(test)]

@@ -4,6 +4,9 @@ use crate::scene::{CaseConfig, SeawallScene};
 use crate::simulation::{Maximum, Outcome};
 use crate::theory::hydrostatics::wall_force;
 
+/// Fewer rows of particles over the depth are coarse.
+const ROWS: f64 = 10.0;
+
 /// Estimated absolute errors; `None` where the case has no such reading or no companion has.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Bars {
@@ -58,6 +61,17 @@ impl Case<'_> {
     /// The scene, where it is a seawall that moves.
     pub(super) fn movable(&self) -> Option<&SeawallScene> {
         self.seawall().filter(|scene| scene.wall.moves())
+    }
+
+    /// What to expect of a wave of few rows of particles; `None` where there are enough.
+    pub(super) fn coarse_spacing(&self) -> Option<String> {
+        let scene = self.seawall().filter(|scene| scene.wave_height_ratio > 0.0)?;
+        let rows = scene.still_water_depth_m / self.config.numerics.particle_spacing_m;
+        (rows < ROWS - 1e-9).then(|| {
+            format!(
+                "{rows:.1} rows over the depth; below {ROWS}, forces are up to 3 %, runups up to 20 % low"
+            )
+        })
     }
 
     /// log10(k/(ρ h² g)); `None` for k = 0.

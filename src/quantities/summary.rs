@@ -192,6 +192,9 @@ quantities! { Read;
     CREST_SPEED = number("crest_speed_max_m_per_s", "crest u max", MetresPerSecond, |c| {
         Some(c.outcome?.overtopped?.speed_max_m_per_s)
     }).significant(4);
+    /// what to expect of it, where a wave has fewer than 10 rows of particles over the depth; empty
+    /// where there are more
+    COARSE_SPACING = text("coarse_spacing", "", |c| c.coarse_spacing());
 }
 
 /// The columns of the first version, which every directory has.
@@ -224,7 +227,7 @@ mod tests {
             stop_impulse_time_s,force_max_error,runup_max_error,doubtful,doubtful_reason,moment_max,\
             moment_max_time_s,first_moment_max,first_moment_max_time_s,first_impulse,rise_time_s,\
             spring_force_max,spring_force_max_time_s,overtopping_volume_m2,\
-            overtopping_discharge_max_m2_per_s,crest_thickness_max_m,crest_speed_max_m_per_s";
+            overtopping_discharge_max_m2_per_s,crest_thickness_max_m,crest_speed_max_m_per_s,coarse_spacing";
         assert_eq!(names().collect::<Vec<_>>().join(","), contract);
     }
 

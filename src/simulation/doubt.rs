@@ -22,8 +22,6 @@ const FOUND_OF_SPACING: f64 = 125.0;
 const COMPRESSION_PERCENT: f64 = 6.0;
 /// Still water presses wall and paddle alike: of sound ghosts within so many times (Δx/h)².
 const LOPSIDED_OF_SPACING: f64 = 0.1;
-/// Fewer rows of particles over the depth are coarse: forces and runups are low.
-const ROWS: f64 = 10.0;
 
 /// What a finished case is judged by, besides its outcome.
 pub(super) struct Evidence<'a> {
@@ -52,23 +50,12 @@ impl Evidence<'_> {
     /// and a colon.
     pub fn doubt(&self, outcome: &Outcome) -> Option<String> {
         let mut reasons = Vec::new();
-        reasons.extend(self.coarse());
         reasons.extend(self.gap(outcome));
         reasons.extend(self.energy(outcome));
         reasons.extend(self.compression(outcome));
         reasons.extend(self.at_rest());
         reasons.extend(self.stops(outcome));
         (!reasons.is_empty()).then(|| reasons.join("; "))
-    }
-
-    fn coarse(&self) -> Option<String> {
-        let rows = 1.0 / self.spacing;
-        (self.is_wave && rows < ROWS - 1e-9).then(|| {
-            format!(
-                "coarse spacing: {rows:.1} rows of particles over the depth, with fewer than {ROWS} \
-                 forces are up to 3 % and runups up to 20 % low"
-            )
-        })
     }
 
     /// The two readings of the force, where a quoted force is.
@@ -128,11 +115,6 @@ impl Evidence<'_> {
         let set_off = kicked.then(|| set_off.to_owned());
         forces(outcome).chain(others(outcome)).filter_map(told).chain(set_off)
     }
-}
-
-/// The kinds of the reasons that a case is doubted for.
-pub fn kinds_of_doubt(told: &str) -> impl Iterator<Item = &str> {
-    told.split("; ").filter_map(|reason| Some(reason.split_once(": ")?.0))
 }
 
 #[cfg(test)]
@@ -227,15 +209,12 @@ mod tests {
     }
 
     #[test]
-    fn coarse_particles_have_a_reason_of_their_own() {
+    fn coarse_particles_alone_are_no_doubt() {
         let with = |spacing: f64, void: f64| {
             doubt(&outcome(), [0.9, 1.1], void, |e| e.spacing = spacing).unwrap_or_default()
         };
-        assert_eq!(with(0.1, 0.0), "");
-        assert!(with(0.125, 0.0).starts_with("coarse spacing: 8.0 rows of particles"));
-        assert_eq!(kinds_of_doubt(&with(0.125, 0.02)).collect::<Vec<_>>(), ["coarse spacing"]);
-        let kinds = with(0.125, 0.03);
-        assert_eq!(kinds_of_doubt(&kinds).collect::<Vec<_>>(), ["coarse spacing", "force gap"]);
+        assert_eq!(with(0.125, 0.02), "");
+        assert!(with(0.125, 0.03).starts_with("force gap: "));
     }
 
     #[test]

@@ -4,6 +4,7 @@ mod absorption;
 mod blows;
 mod checkpoint;
 mod doubt;
+mod doubt_reasons;
 mod ending;
 mod energy;
 mod face_gaps;
@@ -41,7 +42,7 @@ mod watch;
 mod waves;
 mod window;
 
-pub use doubt::kinds_of_doubt;
+pub use doubt_reasons::kinds_of_doubt;
 pub use faces::Face;
 pub use failure::{Failure, FailureKind, Stopped};
 pub use health::HealthMargins;

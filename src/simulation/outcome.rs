@@ -99,7 +99,7 @@ pub struct Outcome {
     #[serde(default)]
     pub health: HealthMargins,
     /// Why a quoted number is to be looked at closely; `None` where nothing touches one.
-    #[serde(default)]
+    #[serde(default, deserialize_with = "super::doubt_reasons::read")]
     pub doubtful_reason: Option<String>,
     /// Where a first attempt failed and smaller time steps helped: what happened.
     #[serde(default)]

@@ -13,6 +13,7 @@ mod words;
 
 use std::fmt::Write as _;
 
+use self::words::unbroken;
 use super::error::ReportError;
 use super::grid::grid;
 use super::load::Loaded;
@@ -110,7 +111,7 @@ fn head(
         papers.map(|papers| answers::Answer { about: "The papers", text: papers.answer.clone() }),
     );
     let answer = |answer: &answers::Answer| {
-        format!("<dt>{}</dt><dd>{}</dd>\n", answer.about, escape(&answer.text))
+        format!("<dt>{}</dt><dd>{}</dd>\n", answer.about, escape(&unbroken(&answer.text)))
     };
     let list: String = answers.iter().map(answer).collect();
     writeln!(
@@ -210,7 +211,7 @@ mod tests {
         let papers =
             Papers { answer: "7 values < 3 % off.".to_owned(), content: "<p>a</p>".to_owned() };
         let page = super::page(&data, &[], &[], Some(&papers)).unwrap();
-        assert!(page.contains("<dt>The papers</dt><dd>7 values &lt; 3 % off.</dd>"));
+        assert!(page.contains("<dt>The papers</dt><dd>7 values &lt; 3\u{a0}% off.</dd>"));
         assert!(page.contains("<h2>The papers</h2>\n<p>a</p>"));
     }
 

@@ -30,6 +30,15 @@ pub fn range(values: &[f64], unit: &str) -> String {
     }
 }
 
+/// Keeps a number on one line with its unit, its bar and its name.
+pub fn unbroken(text: &str) -> String {
+    let mut text = text.replace(" = ", "\u{a0}=\u{a0}").replace(" ± ", "\u{a0}±\u{a0}");
+    for unit in ["%", "N/m", "kg/m", "kN", "mm"] {
+        text = text.replace(&format!(" {unit}"), &format!("\u{a0}{unit}"));
+    }
+    text
+}
+
 /// The value in the middle; the mean of two where their number is even.
 pub fn median(values: &[f64]) -> Option<f64> {
     let mut values = values.to_vec();

@@ -23,7 +23,8 @@ pub fn drawing(material: &Material, panels: &[Vec<f64>]) -> Result<Option<Drawn>
         for (data, row) in material.cases() {
             let wave = row.number(&WAVE_HEIGHT_RATIO).filter(|wave| waves.contains(wave));
             let Some(wave) = wave else { continue };
-            let index = waves.iter().position(|other| *other == wave).unwrap_or(0);
+            // The panels share a legend, so no two waves may look alike.
+            let index = panels.iter().flatten().position(|other| *other == wave).unwrap_or(0);
             let points = points(data, row)?;
             let entry = Entry::line(label(&WAVE_HEIGHT_RATIO, wave), Look::of(index));
             let entry = entry.keyed(key(&WAVE_HEIGHT_RATIO, wave));

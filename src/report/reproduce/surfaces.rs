@@ -53,7 +53,7 @@ pub fn drawing(
     let all = || panels.iter().flat_map(|(_, curves)| curves).flat_map(|curve| &curve.points);
     let axes = Axis::around(all().map(|p| p.x), 6.0).zip(Axis::around(all().map(|p| p.y), 4.0));
     let Some((x, y)) = axes else { return Ok(None) };
-    let titles = ["x, m", "surface over still water / h"].map(str::to_owned);
+    let titles = ["x, m", "surface / h"].map(str::to_owned);
     let chart = |(time, curves): (f64, Vec<Curve>)| {
         let (axes, heading) = ((x.clone(), y.clone()), format!("t = {time:.2} s"));
         panel(heading, titles.clone(), ["x_m", "surface"], axes, curves)
@@ -62,7 +62,8 @@ pub fn drawing(
     let layout = Layout { columns: 2, size: (370.0, 190.0) };
     let beside = if first_order { " Beside it the first-order solitary wave." } else { "" };
     let caption = format!(
-        "The surface at the gauges, and at the wall, at times on the papers' clock.{beside}"
+        "The surface over still water, at times on the papers' clock. It is read at the gauges \
+         and at the wall (markers), with straight lines between.{beside}"
     );
     Ok(drawn(charts, layout, caption))
 }
@@ -125,7 +126,7 @@ impl Case<'_> {
         let low = points.iter().map(|point| point.y).fold(0.0, f64::min) - 0.1;
         let upright = vec![(wall, top).into(), (wall, low).into()];
         let key = format!("case={}", self.row.text(&CASE_ID));
-        let water = Curve { entry: Entry::line(self.words.clone(), look).keyed(key), points };
+        let water = Curve { entry: Entry::marked(self.words.clone(), look).keyed(key), points };
         vec![water, Curve { entry: Entry::line(String::new(), look), points: upright }]
     }
 

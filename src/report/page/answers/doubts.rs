@@ -1,15 +1,13 @@
 //! Which numbers are bounds, and which results are doubtful.
 
 use crate::quantities::named;
-use crate::quantities::summary::{DISPLACEMENT_MAX, DOUBTFUL, DOUBTFUL_REASON, SPRING_STIFFNESS};
+use crate::quantities::summary::{
+    COARSE_SPACING, DISPLACEMENT_MAX, DOUBTFUL, DOUBTFUL_REASON, SPRING_STIFFNESS,
+};
 use crate::report::curves::distinct;
 use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::page::words::{counted, listed};
-use crate::report::row::Row;
-
-/// How the reason of coarse particles begins.
-const COARSE: &str = "coarse spacing: ";
 
 /// How many largest displacements are lower bounds; `None` where nothing moves.
 pub fn bounds(data: &Loaded) -> Option<String> {
@@ -60,18 +58,9 @@ pub fn doubtful(data: &Loaded) -> Option<String> {
         let why = doubtful[0].text(&DOUBTFUL_REASON);
         return Some(format!("The result is doubtful: {why}. Look at its history first."));
     }
-    let (coarse, doubtful) = without_coarse(&doubtful);
-    let coarse = coarse.map(|(count, why)| {
-        let are = if count == 1 { "is" } else { "are" };
-        format!("{count} of {} {are} coarse: {why}. ", counted(all, "result"))
-    });
-    let coarse = coarse.unwrap_or_default();
-    if doubtful.is_empty() {
-        return Some(format!("{coarse}Nothing else makes a result doubtful."));
-    }
     let mut reasons: Vec<(String, usize)> = Vec::new();
-    for told in &doubtful {
-        for reason in kinds(told) {
+    for row in &doubtful {
+        for reason in kinds(row.text(&DOUBTFUL_REASON)) {
             match reasons.iter_mut().find(|(known, _)| *known == reason) {
                 Some((_, count)) => *count += 1,
                 None => reasons.push((reason, 1)),
@@ -81,30 +70,30 @@ pub fn doubtful(data: &Loaded) -> Option<String> {
     reasons.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
     let words: Vec<_> =
         reasons.iter().map(|(reason, count)| format!("{reason} ({count})")).collect();
-    let are = if doubtful.len() == 1 { "is" } else { "are" };
+    let (are, their) =
+        if doubtful.len() == 1 { ("is", "its history") } else { ("are", "their histories") };
     Some(format!(
-        "{coarse}{} of {} {are} doubtful: {}. Look at their histories first.",
+        "{} of {} {are} doubtful: {}. Look at {their} first.",
         doubtful.len(),
         counted(all, "result"),
         listed(&words)
     ))
 }
 
-/// How many cases have coarse particles, and what that means of the first of them; and the other reasons of
-/// all cases that have any.
-fn without_coarse(rows: &[&Row]) -> (Option<(usize, String)>, Vec<String>) {
-    let (mut coarse, mut others) = (Vec::new(), Vec::new());
-    for row in rows {
-        let is_coarse = |reason: &&str| reason.starts_with(COARSE);
-        let told = row.text(&DOUBTFUL_REASON).split("; ");
-        let (own, rest): (Vec<&str>, Vec<&str>) = told.partition(is_coarse);
-        coarse.extend(own.first().map(|reason| reason[COARSE.len()..].to_owned()));
-        if own.is_empty() || !rest.is_empty() {
-            others.push(rest.join("; "));
-        }
+/// How many results have coarse particles, and what that means of the first of them; `None` where none has.
+pub fn coarse(data: &Loaded) -> Option<String> {
+    let all = data.finished().count();
+    let coarse: Vec<_> = data
+        .finished()
+        .map(|row| row.text(&COARSE_SPACING))
+        .filter(|why| !why.is_empty())
+        .collect();
+    let why = coarse.first()?;
+    if all == 1 {
+        return Some(format!("Its particles are coarse: {why}."));
     }
-    let first = coarse.first().cloned();
-    (first.map(|why| (coarse.len(), why)), others)
+    let have = if coarse.len() == 1 { "has" } else { "have" };
+    Some(format!("{} of {} {have} coarse particles: {why}.", coarse.len(), counted(all, "result")))
 }
 
 /// The kinds of a case's reasons, each once. Reasons that name no kind are told without their numbers and
@@ -138,6 +127,7 @@ mod tests {
     use super::*;
     use crate::quantities::summary::STATUS;
     use crate::report::fixture;
+    use crate::report::row::Row;
 
     #[test]
     fn doubtful_results_are_counted_by_reason() {
@@ -163,32 +153,25 @@ mod tests {
         let reasons = "force_max: the pressure on the face is +2.1 % off; first_force_max: the \
                        pressure on the face is -3.4 % off; energy gap +3.1 %";
         assert_eq!(kinds(reasons), ["the pressure on the face is … % off", "energy gap … %"]);
-        let named = "coarse spacing: 8 rows of particles; force gap: 3 % at force_max";
-        assert_eq!(kinds(named), ["coarse spacing", "force gap"]);
+        let named = "energy: the budget is open by 4 %; force gap: 3 % at force_max";
+        assert_eq!(kinds(named), ["energy", "force gap"]);
     }
 
     #[test]
     fn coarse_particles_have_a_sentence_of_their_own() {
-        let row = |reason: &str| {
-            let flag = if reason.is_empty() { "false" } else { "true" };
-            let row = Row::default().with(&STATUS, "ok").with(&DOUBTFUL, flag);
-            row.with(&DOUBTFUL_REASON, reason)
+        let row = |why: &str| {
+            let row = Row::default().with(&STATUS, "ok").with(&DOUBTFUL, "false");
+            row.with(&COARSE_SPACING, why)
         };
-        let told = |reasons: [&str; 3]| {
-            let rows = reasons.map(row).to_vec();
-            doubtful(&Loaded { rows, ..Loaded::default() }).unwrap()
+        let of = |rows: &[&str]| {
+            let rows = rows.iter().map(|why| row(why)).collect();
+            Loaded { rows, ..Loaded::default() }
         };
-        let coarse = "coarse spacing: 8.0 rows of particles";
-        let both = format!("{coarse}; force gap: 3 % at force_max");
-        assert_eq!(
-            told([coarse, "", coarse]),
-            "2 of 3 results are coarse: 8.0 rows of particles. Nothing else makes a result doubtful."
-        );
-        assert_eq!(
-            told([coarse, &both, "force gap: 2 % at force_max"]),
-            "2 of 3 results are coarse: 8.0 rows of particles. 2 of 3 results are doubtful: force gap \
-             (2). Look at their histories first."
-        );
-        assert_eq!(told(["", "", ""]), "No result is doubtful.");
+        let why = "8.0 rows over the depth";
+        let both = of(&[why, "", why]);
+        assert_eq!(coarse(&both).unwrap(), format!("2 of 3 results have coarse particles: {why}."));
+        assert_eq!(doubtful(&both).unwrap(), "No result is doubtful.");
+        assert_eq!(coarse(&of(&[why])).unwrap(), format!("Its particles are coarse: {why}."));
+        assert_eq!(coarse(&of(&["", ""])), None);
     }
 }

@@ -30,6 +30,7 @@ pub fn all(data: &Loaded, file: Option<&SceneFile>) -> Vec<Answer> {
         ("Half the force", halving::half(data)),
         ("Bounds", doubts::bounds(data)),
         ("Doubts", doubts::doubtful(data)),
+        ("Spacing", doubts::coarse(data)),
         ("Errors", errors::bars(data)),
     ];
     let answer = |(about, text): (_, Option<String>)| Some(Answer { about, text: text? });

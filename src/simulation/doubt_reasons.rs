@@ -1,0 +1,34 @@
+//! The words that a doubtful case carries: reasons with semicolons between them, each behind its kind and a
+//! colon.
+
+use serde::{Deserialize, Deserializer};
+
+/// The kinds of the reasons that a case is doubted for.
+pub fn kinds_of_doubt(told: &str) -> impl Iterator<Item = &str> {
+    told.split("; ").filter_map(|reason| Some(reason.split_once(": ")?.0))
+}
+
+/// Reads the reasons of a journal. Earlier versions counted coarse particles among them, which touch no
+/// number more than another and have a column of their own now.
+pub(super) fn read<'de, D: Deserializer<'de>>(from: D) -> Result<Option<String>, D::Error> {
+    let told = Option::<String>::deserialize(from)?.unwrap_or_default();
+    let others = told.split("; ").filter(|reason| !reason.starts_with("coarse spacing: "));
+    let others = others.collect::<Vec<_>>().join("; ");
+    Ok((!others.is_empty()).then_some(others))
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn a_journal_that_counted_coarse_particles_among_the_reasons_is_read_without() {
+        let read = |told: &str| super::read(serde_json::json!(told)).unwrap();
+        let coarse = "coarse spacing: 8.0 rows of particles over the depth";
+        assert_eq!(read(coarse), None);
+        assert_eq!(
+            read(&format!("{coarse}; energy: a; force gap: b")).unwrap(),
+            "energy: a; force gap: b"
+        );
+        assert_eq!(read("energy: a").unwrap(), "energy: a");
+        assert_eq!(super::read(serde_json::Value::Null).unwrap(), None);
+    }
+}
