@@ -247,3 +247,32 @@ fn only_rank_zero_speaks() {
         assert!(!out.exists());
     }
 }
+
+/// Rank 1 has another folder of the same name, as on a machine with a disk of its own.
+#[test]
+fn a_rank_that_does_not_see_the_output_directory_is_refused_by_name() {
+    let private = |script: &str| {
+        let mut command = Command::new("unshare");
+        command.args(["--mount", "sh", "-c", script]).stderr(Stdio::null());
+        command.status().is_ok_and(|status| status.success())
+    };
+    if !mpirun_is_there() || !private("mount -t tmpfs none /mnt") {
+        println!("skipped: this needs mpirun, and the right to mount");
+        return;
+    }
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let own = root.path().join("own");
+    std::fs::create_dir(&own).unwrap();
+    let out = own.join("out");
+    let seawall = env!("CARGO_BIN_EXE_seawall");
+    let script = format!("mount -t tmpfs none {} && exec \"$@\"", own.display());
+    let mut command = mpirun(1);
+    command.args(["sweep", "--out"]).args([&out, &file]).args([":", "-n", "1", "unshare"]);
+    command.args(["--mount", "sh", "-c", &script, "sh", seawall, "sweep", "--out"]);
+    let output = command.args([&out, &file]).output().unwrap();
+    expect_code(&output, 2);
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(told.contains("rank 1 on ") && told.contains("does not see this folder"), "{told}");
+    assert_eq!(std::fs::read_dir(&own).unwrap().count(), 0, "nothing is written");
+}

@@ -120,6 +120,7 @@ pub(super) fn execute(
     output: &Output,
 ) -> Result<Done, SweepError> {
     let study = &job.study;
+    crew.demand_sight(&job.out)?;
     let (mut directory, opened) =
         Directory::open(&job.out, study, job.mode, job.simd, crew.widest_simd())?;
     for finding in directory.findings() {

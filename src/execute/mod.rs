@@ -29,6 +29,7 @@ mod sph_runner;
 pub mod threads;
 mod worker;
 
+use std::path::Path;
 use std::time::Duration;
 
 use crate::math::simd::SimdPath;
@@ -72,6 +73,15 @@ pub trait Crew {
 
     /// The widest instruction set that every rank has.
     fn widest_simd(&self) -> SimdPath;
+
+    /// Makes sure that every rank sees the folder that results go into.
+    ///
+    /// # Errors
+    /// Names the ranks that do not.
+    fn demand_sight(&mut self, directory: &Path) -> Result<(), SweepError> {
+        let _ = directory;
+        Ok(())
+    }
 
     /// Starts the workers, hands the link to them to `lead`, and stops them when it returns.
     fn work(

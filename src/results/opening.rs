@@ -9,6 +9,7 @@ use super::entries::{Content, Header};
 use super::error::SweepError;
 use super::lock::{self, Lock};
 use super::manifest::Manifest;
+use super::mark::Mark;
 use super::number::counted;
 use super::record::CaseRecord;
 use super::{disk, files, journal};
@@ -36,7 +37,8 @@ pub(super) fn look(path: &Path) -> Result<Found, SweepError> {
     let entries = fs::read_dir(path).map_err(|error| SweepError::unusable(path, &error))?;
     for entry in entries {
         let entry = entry.map_err(SweepError::io(path))?;
-        if entry.file_name() != lock::FILE_NAME {
+        let name = entry.file_name();
+        if name != lock::FILE_NAME && !Mark::is_named(&name) {
             let reason = "is not empty and holds no journal; choose another --out";
             return Err(SweepError::refused(path, reason));
         }

@@ -5,7 +5,7 @@
 //! threads ends, for half as long as it has been quiet: from 0.05 to 20 ms. Checkpoints go from
 //! rank to rank when the receiver asks.
 //!
-//! A session: every rank says Hello; rank 0 sends Start, then orders; Finish ends it. A rank then
+//! A session: every rank says Hello; rank 0 asks whether it sees the output directory (Look, Seen), sends Start, then orders; Finish ends it. A rank then
 //! answers Bye once all that it sent has been received, and goes on receiving until Leave, so that
 //! nobody waits for a partner that has gone.
 //!
@@ -18,6 +18,7 @@ mod pulse;
 mod station;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
 
 use mpi::Threading;
 use mpi::traits::Communicator;
@@ -29,7 +30,7 @@ use self::station::{RankZero, Station, work};
 use super::worker::with_worker;
 use super::{Crew, Link, Order, Report, Setup, resources, share_threads};
 use crate::math::simd::SimdPath;
-use crate::results::{RankInfo, SweepError};
+use crate::results::{Mark, RankInfo, SweepError};
 
 /// Whether this build can run under MPI.
 pub const AVAILABLE: bool = true;
@@ -38,6 +39,9 @@ pub const AVAILABLE: bool = true;
 #[derive(Debug, Serialize, Deserialize)]
 enum Message {
     Hello(Hello),
+    /// Asks whether this file is seen.
+    Look(PathBuf),
+    Seen(bool),
     Start {
         simd: SimdPath,
         rank: RankInfo,
@@ -171,6 +175,30 @@ impl Crew for MpiCrew<'_> {
         self.widest
     }
 
+    fn demand_sight(&mut self, directory: &Path) -> Result<(), SweepError> {
+        if self.ranks.len() < 2 {
+            return Ok(());
+        }
+        let mark = Mark::leave(directory)?;
+        self.send_all(|_| Message::Look(mark.path().to_owned()));
+        let (mut waiting, mut blind) = (self.ranks.len() - 1, Vec::new());
+        while waiting > 0 {
+            match self.post.receive()? {
+                Some((rank, Message::Seen(seen))) => {
+                    waiting -= 1;
+                    blind.extend((!seen).then_some(rank));
+                }
+                Some((rank, message)) => return Err(out_of_turn(rank, &message)),
+                None => std::thread::sleep(self.post.nap()),
+            }
+        }
+        blind.sort_unstable();
+        match blind.first() {
+            None => Ok(()),
+            Some(&rank) => Err(SweepError::Refused(unseen(directory, &blind, &self.ranks[rank]))),
+        }
+    }
+
     fn work(
         &mut self,
         simd: SimdPath,
@@ -194,6 +222,7 @@ fn serve(setup: &Setup<'_>, mut post: Post) -> Result<(), SweepError> {
         match post.receive()? {
             None => std::thread::sleep(post.nap()),
             Some((0, Message::Finish)) => break,
+            Some((0, Message::Look(path))) => post.send(0, &Message::Seen(Mark::is_seen(&path))),
             Some((0, Message::Start { simd, rank: info })) => {
                 let rank = post.rank();
                 let runner = (setup.make_runner)(resources(&info, simd));
@@ -228,6 +257,21 @@ fn leave(post: &mut Post) -> Result<(), SweepError> {
         std::thread::sleep(post.nap());
     }
     Ok(())
+}
+
+/// What to say where some ranks do not see the output directory; `first` is the first of them.
+fn unseen(directory: &Path, blind: &[usize], first: &RankInfo) -> String {
+    let others = match blind.len() - 1 {
+        0 => String::new(),
+        others => format!(" (and {others} more)"),
+    };
+    format!(
+        "--out {}: rank {} on {}{others} does not see this folder of rank 0; give one that all \
+         machines share",
+        directory.display(),
+        blind[0],
+        first.host
+    )
 }
 
 fn out_of_turn(rank: usize, message: &Message) -> SweepError {
