@@ -276,3 +276,27 @@ fn a_rank_that_does_not_see_the_output_directory_is_refused_by_name() {
     assert!(told.contains("rank 1 on ") && told.contains("does not see this folder"), "{told}");
     assert_eq!(std::fs::read_dir(&own).unwrap().count(), 0, "nothing is written");
 }
+
+#[test]
+fn mixed_processors_give_the_bits_of_the_least_of_them() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let reference = reference(root.path(), &file);
+    let portable = root.path().join("on-threads");
+    let plain = ["sweep", "--simd", "portable", "--out", portable.to_str().unwrap()];
+    expect_code(&run(&[&plain[..], &[file.to_str().unwrap()]].concat()), 0);
+    for (limit, expected) in [("avx2", &reference), ("portable", &portable)] {
+        let (out, setting) = (root.path().join(limit), format!("SEAWALL_SIMD_LIMIT={limit}"));
+        let mut command = mpirun(1);
+        command.args(["sweep", "--out"]).args([&out, &file]).args([":", "-n", "1", "env"]);
+        command.args([&setting, env!("CARGO_BIN_EXE_seawall"), "sweep", "--out"]);
+        let output = command.args([&out, &file]).output().unwrap();
+        expect_code(&output, 0);
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(told.contains(&format!(", {limit}, into")), "{told}");
+        assert_same(expected, &out);
+    }
+}
