@@ -247,3 +247,56 @@ fn only_rank_zero_speaks() {
         assert!(!out.exists());
     }
 }
+
+/// Rank 1 has another folder of the same name, as on a machine with a disk of its own.
+#[test]
+fn a_rank_that_does_not_see_the_output_directory_is_named_and_its_files_are_sent() {
+    let private = |script: &str| {
+        let mut command = Command::new("unshare");
+        command.args(["--mount", "sh", "-c", script]).stderr(Stdio::null());
+        command.status().is_ok_and(|status| status.success())
+    };
+    if !mpirun_is_there() || !private("mount -t tmpfs none /mnt") {
+        println!("skipped: this needs mpirun, and the right to mount");
+        return;
+    }
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let own = root.path().join("own");
+    std::fs::create_dir(&own).unwrap();
+    let out = own.join("out");
+    let seawall = env!("CARGO_BIN_EXE_seawall");
+    let script = format!("mount -t tmpfs none {} && exec \"$@\"", own.display());
+    let mut command = mpirun(1);
+    command.args(["sweep", "--out"]).args([&out, &file]).args([":", "-n", "1", "unshare"]);
+    command.args(["--mount", "sh", "-c", &script, "sh", seawall, "sweep", "--out"]);
+    let output = command.args([&out, &file]).output().unwrap();
+    expect_code(&output, 0);
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(told.contains("note: rank 1 on ") && told.contains("does not see "), "{told}");
+    assert_same(&reference(root.path(), &file), &out);
+}
+
+#[test]
+fn mixed_processors_give_the_bits_of_the_least_of_them() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let reference = reference(root.path(), &file);
+    let portable = root.path().join("on-threads");
+    let plain = ["sweep", "--simd", "portable", "--out", portable.to_str().unwrap()];
+    expect_code(&run(&[&plain[..], &[file.to_str().unwrap()]].concat()), 0);
+    for (limit, expected) in [("avx2", &reference), ("portable", &portable)] {
+        let (out, setting) = (root.path().join(limit), format!("SEAWALL_SIMD_LIMIT={limit}"));
+        let mut command = mpirun(1);
+        command.args(["sweep", "--out"]).args([&out, &file]).args([":", "-n", "1", "env"]);
+        command.args([&setting, env!("CARGO_BIN_EXE_seawall"), "sweep", "--out"]);
+        let output = command.args([&out, &file]).output().unwrap();
+        expect_code(&output, 0);
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(told.contains(&format!(", {limit}, into")), "{told}");
+        assert_same(expected, &out);
+    }
+}

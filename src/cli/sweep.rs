@@ -13,9 +13,11 @@ use super::input::{Expect, Setting, SimdChoice, default_out, out_of, study, swee
 use super::keep::KeepArgs;
 use super::output::Output;
 use super::overview::told;
-use super::{SUCCESS, check, films, max_error, refine, shown, warnings};
+use super::{BAD_INPUT, SUCCESS, check, films, max_error, refine, shown, warnings};
 use crate::accuracy::{MaxError, Refinement};
-use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
+use crate::execute::{
+    Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads, widest_simd,
+};
 use crate::results::{OpenMode, counted, write_all_histories};
 
 /// Run all cases of a sweep file, on threads or under mpirun, and go on where an earlier run
@@ -106,6 +108,15 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
         let study = study(&args.file, &args.settings, Expect::Grid)?;
         films::check(&args.film, &study)?;
         return check::show(&study, !args.no_branch, output);
+    }
+    // A launcher may have given it to some ranks alone: each tells for itself.
+    if let Err(reason) = widest_simd() {
+        let rank = launcher.rank;
+        if rank > 0 {
+            eprintln!("error: rank {rank}: {reason}");
+            return Ok(BAD_INPUT);
+        }
+        return Err(BadInput(reason).into());
     }
     let use_mpi = choose(args.executor, launcher, mpi::AVAILABLE)?;
     let interrupt = Interrupt::listen()?;

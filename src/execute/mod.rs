@@ -23,6 +23,7 @@ pub mod mpi;
 #[cfg(not(feature = "mpi"))]
 #[path = "mpi_disabled.rs"]
 pub mod mpi;
+mod processor;
 mod progress;
 mod runner;
 mod sph_runner;
@@ -42,6 +43,7 @@ pub use interrupt::Interrupt;
 pub use keeping::Keeping;
 pub use launcher::Launcher;
 pub use message::{Order, Report};
+pub use processor::widest_simd;
 pub use progress::{Progress, ProgressStyle, Tally, duration};
 pub use runner::{Runner, guarded};
 pub use sph_runner::SphRunner;

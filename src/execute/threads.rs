@@ -37,7 +37,7 @@ impl Crew for Threads<'_> {
     }
 
     fn widest_simd(&self) -> SimdPath {
-        SimdPath::widest()
+        super::widest_simd().unwrap_or(SimdPath::Portable)
     }
 
     fn work(

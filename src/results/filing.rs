@@ -73,6 +73,13 @@ impl Mark {
     }
 }
 
+impl Mark {
+    /// Whose it is.
+    pub fn directory(&self) -> &Path {
+        &self.directory
+    }
+}
+
 /// Different for every start of every machine; empty where the system does not tell.
 fn running_system() -> String {
     fs::read_to_string("/proc/sys/kernel/random/boot_id").unwrap_or_default().trim().to_owned()

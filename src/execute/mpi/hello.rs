@@ -4,7 +4,7 @@ use std::ffi::OsString;
 
 use serde::{Deserialize, Serialize};
 
-use crate::execute::{available_cores, host_name};
+use crate::execute::{available_cores, host_name, widest_simd};
 use crate::math::simd::SimdPath;
 use crate::results::{Program, RankInfo, checksum_of};
 
@@ -29,7 +29,7 @@ impl Hello {
             build: Program::this().to_string(),
             arguments: arguments_sum(std::env::args_os().skip(1)),
             host: host_name(),
-            simd: SimdPath::widest(),
+            simd: widest_simd().unwrap_or(SimdPath::Portable),
             cores: available_cores(),
             allowed: allowed.unwrap_or_default().trim().to_owned(),
         }

@@ -207,6 +207,11 @@ fn serve(setup: &Setup<'_>, mut post: Post) -> Result<(), SweepError> {
                 let runner = (setup.make_runner)(resources(&info, simd));
                 let post = &mut post;
                 let filing = out.as_ref().and_then(Filing::elsewhere);
+                if let (Some(out), None) = (&out, &filing) {
+                    let (host, out) = (&info.host, out.directory().display());
+                    let rest = "rank 0 writes the files of its cases";
+                    eprintln!("note: rank {rank} on {host} does not see {out} of rank 0: {rest}");
+                }
                 with_worker(rank, info.places(), &*runner, filing.as_ref(), |worker| {
                     work(setup, Station { post, worker })
                 })??;
