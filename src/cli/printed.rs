@@ -104,7 +104,7 @@ mod tests {
         let one = fitting(&heads, std::slice::from_ref(&short));
         assert_eq!(
             one,
-            "Fig.           case  printed   s = 1\n   9  onset  movable      2 s  1.87 s\n"
+            "Fig.            case  printed   s = 1\n   9  onset  movable      2 s  1.87 s\n"
         );
         let long = "change of X* max below log₁₀ k* = -1.59";
         let wide = owned(&["13", long, "H/h = 0.6, k = 10 N/m, m = 50 kg/m", "0 %", "9.022 ✗"]);

@@ -230,7 +230,7 @@ mod tests {
         assert!((loud.displacement.unwrap() - DISPLACEMENT_SCATTER * 2.8).abs() < 1e-12);
         // On a bed a wall is read with its sound. A stiff spring passes the force's error on, and more as
         // only the excess moves it.
-        let bed = of(&format!("{stiff}\nbed = [[2.0, 0.0], [2.4, 0.02]]"), "");
+        let bed = of(&format!("{stiff}\nbed = [[0, 0], [2, 0], [2.4, 0.02]]"), "");
         assert!(bed.displacement.unwrap() / 2.8 > 1.5 * bed.force.unwrap() / 2.1);
         let isph = alone("preset = \"isph\"").displacement.unwrap();
         assert!((isph - DISPLACEMENT_SCATTER * 2.8).abs() < 1e-12);
@@ -245,7 +245,7 @@ mod tests {
         let widest = percent(bars.force, first)
             .max(percent(bars.displacement, told.displacement_max.unwrap().value));
         let narrowest = narrowest_bar_percent(&own).unwrap();
-        assert!(narrowest >= 0.4 && widest >= narrowest, "{widest} {narrowest}");
+        assert!(narrowest >= 0.4 && widest > narrowest * (1.0 - 1e-12), "{widest} {narrowest}");
         assert!(widest < 2.0 * narrowest, "{widest} {narrowest}");
     }
 
