@@ -98,8 +98,8 @@ fn measure() -> Measured {
 struct Recording {
     /// A rank writes the files of a case and puts them on the disk, seconds.
     file_s: f64,
-    /// The coordinator takes the message of it in, writes what has begun and ended, the journal's line, and the
-    /// order of the next case, seconds: groups of lines that go to the disk together are counted in.
+    /// The coordinator takes its message in, seconds. It writes what has begun and ended, the journal's line, and
+    /// the order of the next case. Lines that go to the disk in a group count, too.
     record_s: f64,
     message_bytes: f64,
 }

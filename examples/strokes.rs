@@ -2,13 +2,17 @@
 //!
 //!     cargo run --release --example strokes -- results/experiments
 //!
-//! The paddle of a solitary wave goes S = √(16 H/(3h)) h, and at most as fast as the water under the crest,
-//! c H/(h + H) with c = √(g(h + H)). The crest leaves it at the middle of its stroke.
+//! The paddle of a solitary wave goes S = √(16 H/(3h)) h. Its largest speed is that of the water under the
+//! crest: c H/(h + H) with c = √(g(h + H)). The crest leaves it at the middle of its stroke.
+
+mod common;
 
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
+
+use common::{number, read};
 
 const DEPTH: f64 = 0.218;
 const GRAVITY: f64 = 9.81;
@@ -79,7 +83,7 @@ fn main() -> Result<(), Failed> {
 const HEAD: &str = "# What the flume's strokes say by themselves
 
 Made by `cargo run --release --example strokes -- results/experiments` from the recorded strokes and the measured gauges
-alone: no run stands behind it. A solitary wave of height H on water of the depth h is made by a stroke of √(16 H/(3h)) h,
+alone. No run stands behind it. A solitary wave of height H on water of the depth h is made by a stroke of √(16 H/(3h)) h,
 whose largest speed is c H/(h + H), with c = √(g(h + H)).
 
 ";
@@ -93,8 +97,8 @@ crest; the paddle pushed S h. The crest leaves the paddle at the middle of its s
 ";
 
 const FOOT: &str = "
-In case A stroke and gauges contradict each other: by length and by speed the paddle makes a higher wave than was
-measured, and a sixth to a quarter of the water that it pushed never passed the gauges. In case B the height agrees. In both
+In case A stroke and gauges contradict each other. By length and by speed the paddle makes a higher wave than was
+measured. A sixth to a quarter of the water that it pushed never passed the gauges. In case B the height agrees. In both
 cases crests pass the gauges 0.2 to 0.3 s later than a wave of the measured height that leaves with the stroke, but between
 the gauges they are as fast as in theory. So the clocks or the paddle's place differ, not the speed. The strokes begin at
 -0.145 m (A, B) and -0.203 m (C). Were the gauges' origin the zero of that record, the waves would have so much farther to go:
@@ -117,15 +121,10 @@ fn root(function: impl Fn(f64) -> f64) -> f64 {
 }
 
 fn series(path: &Path, column: &str) -> Result<Series, Failed> {
-    let mut reader = csv::Reader::from_path(path)?;
-    let headers = reader.headers()?.clone();
-    let at = |name: &str| headers.iter().position(|cell| cell == name);
-    let (time, value) = at("time_s").zip(at(column)).ok_or("columns are missing")?;
-    let row = |row: Result<csv::StringRecord, csv::Error>| {
-        let row = row?;
-        Ok::<_, Failed>((row[time].parse()?, row[value].parse()?))
-    };
-    reader.records().map(row).collect()
+    let rows = read(path)?;
+    let point = |row| number(row, "time_s").zip(number(row, column));
+    let points: Option<Series> = rows.iter().map(point).collect();
+    points.ok_or_else(|| format!("{}: no number in time_s or {column}", path.display()).into())
 }
 
 /// When a series passes a level either way.

@@ -4,12 +4,14 @@
 //!
 //! RUNS holds folders whose names begin with `synolakis_`, each with a `summary.csv`.
 
-use std::collections::BTreeMap;
+mod common;
+
 use std::error::Error;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::PathBuf;
 
+use common::{number, read};
 use plotters::prelude::*;
 
 type Failed = Box<dyn Error>;
@@ -37,18 +39,17 @@ fn main() -> Result<(), Failed> {
         if !folder.file_name().to_string_lossy().starts_with("synolakis_") {
             continue;
         }
-        for row in csv::Reader::from_path(folder.path().join("summary.csv"))?.deserialize() {
-            let row: BTreeMap<String, String> = row?;
-            let number = |name: &str| row.get(name).and_then(|cell| cell.parse::<f64>().ok());
+        for row in read(&folder.path().join("summary.csv"))? {
             let (Some(height), Some(runup), Some(spacing)) = (
-                number("wave_height_ratio"),
-                number("runup_max"),
-                number("particle_spacing_m").map(|spacing| spacing / DEPTH),
+                number(&row, "wave_height_ratio"),
+                number(&row, "runup_max"),
+                number(&row, "particle_spacing_m").map(|spacing| spacing / DEPTH),
             ) else {
                 continue;
             };
             computed.push([height, runup, spacing]);
-            rows.push(([height, runup, spacing], number("wall_time_s").unwrap_or(f64::NAN)));
+            let seconds = number(&row, "wall_time_s").unwrap_or(f64::NAN);
+            rows.push(([height, runup, spacing], seconds));
         }
     }
     rows.sort_by(|(a, _), (b, _)| a[0].total_cmp(&b[0]).then(b[2].total_cmp(&a[2])));

@@ -44,6 +44,7 @@ pub(super) fn physics(study: &Study) -> Vec<Line> {
     let mut columns: Vec<Column> = keys.iter().map(|_| Column::default()).collect();
     for chunk in chunks.collect::<Vec<_>>() {
         for (column, more) in columns.iter_mut().zip(chunk) {
+            column.is_on |= more.is_on;
             more.values.into_iter().for_each(|value| column.take(value));
         }
     }
@@ -77,15 +78,17 @@ fn values(case: &CaseConfig) -> Table {
     values
 }
 
-/// The different values of a key, in the order in which they come; `None` where a case has none.
+/// The different values of a key, in the order in which they come, `none` where a case has none.
 #[derive(Default)]
 struct Column {
-    values: Vec<Option<String>>,
-    seen: HashSet<Option<String>>,
+    values: Vec<String>,
+    seen: HashSet<String>,
+    /// Whether any case has one.
+    is_on: bool,
 }
 
 impl Column {
-    fn take(&mut self, value: Option<String>) {
+    fn take(&mut self, value: String) {
         if self.values.last() != Some(&value) && self.seen.insert(value.clone()) {
             self.values.push(value);
         }
@@ -99,21 +102,16 @@ fn occurring(keys: &[&'static Key], cases: &[Case]) -> Vec<Column> {
         let case = values(&case.config);
         for (key, column) in keys.iter().zip(&mut columns) {
             let value = case.get(key.name).filter(|value| is_on(key, &case, value));
-            column.take(value.map(text));
+            column.is_on |= value.is_some();
+            column.take(value.map_or_else(|| "none".to_owned(), text));
         }
     }
     columns
 }
 
 fn line(key: &'static Key, column: Column) -> Option<Line> {
-    if column.values.iter().all(Option::is_none) {
-        return None;
-    }
-    let word = |value: Option<String>| value.unwrap_or_else(|| "none".to_owned());
-    let mut seen = HashSet::new();
-    let words = column.values.into_iter().map(word);
-    let values = words.filter(|value| seen.insert(value.clone())).collect();
-    Some(Line { name: key.name, label: key.label(), unit: key.rule.unit, values })
+    let (name, label, unit) = (key.name, key.label(), key.rule.unit);
+    column.is_on.then_some(Line { name, label, unit, values: column.values })
 }
 
 /// Whether a case reads a key, and has it on where it is off by default.

@@ -7,7 +7,7 @@ use super::progress::Progress;
 use super::{Link, Order, Report};
 use crate::results::{CaseRecord, Delivery, Directory, RankInfo, Savings, SweepError};
 use crate::schedule::{Command, Event, Manager, Work};
-use crate::simulation::{Failure, Stopped};
+use crate::simulation::{CaseResult, Failure, Stopped};
 use crate::study::{CaseId, Plan, Study};
 
 /// How long to wait for a report before looking at signals and the journal.
@@ -208,24 +208,22 @@ impl Loop {
         let host = &session.ranks[rank].host;
         let whole = session.study.run(planned.index);
         let work = self.cost_of(Work::Case(case), session.plan);
-        let result = match result {
-            Ok(Delivery::Filed(filed)) => {
-                let mut record =
-                    CaseRecord::of_filed(session.study, whole, &filed, wall_time_s, host);
-                record.cpu_time_s = cpu_time_s;
-                session.directory.record_filed(record, &filed)?;
-                None
-            }
-            Ok(Delivery::Whole(result)) => Some(Ok(*result)),
-            Err(failure) => Some(Err(failure)),
+        let (study, directory) = (session.study, &mut *session.directory);
+        let timed = |record| CaseRecord { cpu_time_s, ..record };
+        let mut record_whole = |result: Result<CaseResult, Failure>| {
+            let record = timed(CaseRecord::new(study, whole, &result, wall_time_s, host));
+            let ok = record.is_ok();
+            directory.record(record, result.as_ref().ok()).map(|()| ok)
         };
-        let mut ok = true;
-        if let Some(result) = result {
-            let mut record = CaseRecord::new(session.study, whole, &result, wall_time_s, host);
-            record.cpu_time_s = cpu_time_s;
-            ok = record.is_ok();
-            session.directory.record(record, result.as_ref().ok())?;
-        }
+        let ok = match result {
+            Ok(Delivery::Whole(result)) => record_whole(Ok(*result))?,
+            Err(failure) => record_whole(Err(failure))?,
+            Ok(Delivery::Filed(filed)) => {
+                let record = CaseRecord::of_filed(study, whole, &filed, wall_time_s, host);
+                directory.record_filed(timed(record), &filed)?;
+                true
+            }
+        };
         if planned.index < session.study.cases.len() {
             session.progress.case(work, ok);
         } else {

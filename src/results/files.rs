@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::checksum::checksum;
 use super::error::SweepError;
 use super::{atomic_file, disk, number};
-use crate::quantities;
+use crate::quantities::{self, Quantity};
 use crate::simulation::{
     CaseResult, EnvelopeRow, HistoryRow, NamedReading, ProbeColumn, ProbeTable, WaveRow,
 };
@@ -108,8 +108,8 @@ pub(super) fn write_probe_columns(directory: &Path, text: &str) -> Result<(), Sw
 /// So many files go to the disk with all else that waits to: one by one they take seven times as long.
 const MANY: usize = 32;
 
-/// Files that cases have left and that may not be on the disk yet: they go there in groups, as one by
-/// one the coordinator of many ranks would do little but wait for it.
+/// Files that cases have left and that may not be on the disk yet. They go there in groups. One by one, the
+/// coordinator of many ranks would do little but wait for the disk.
 #[derive(Debug)]
 pub(super) struct Unsynced {
     /// Open from before the first file on: failures since then are told.
@@ -220,22 +220,27 @@ fn reading_table(readings: &[NamedReading]) -> String {
     worded(["name", "value", "unit"], readings.iter().map(row))
 }
 
-/// The largest pressures up the wall; without a first impact its cells are empty.
+/// Each whole period of regular waves.
 fn wave_table(rows: &[WaveRow]) -> String {
-    let columns = quantities::wave::ALL;
-    let mut text = columns.iter().map(|column| column.name).collect::<Vec<_>>().join(",") + "\n";
-    for row in rows {
-        push_row(&mut text, columns.iter().map(|column| (column.read)(row)));
-    }
-    text
+    declared(quantities::wave::ALL, rows, |column, row| Some((column.read)(row)))
 }
 
+/// The largest pressures up the wall; without a first impact its cells are empty.
 fn envelope_table(rows: &[EnvelopeRow]) -> String {
-    let columns = quantities::envelope::ALL;
+    declared(quantities::envelope::ALL, rows, |column, row| (column.read)(row))
+}
+
+/// A table of declared columns.
+fn declared<Read, Row>(
+    columns: &[&Quantity<Read>],
+    rows: &[Row],
+    cell: impl Fn(&Quantity<Read>, &Row) -> Option<f64>,
+) -> String {
     let mut text = columns.iter().map(|column| column.name).collect::<Vec<_>>().join(",") + "\n";
     for row in rows {
-        let cell = |value: Option<f64>| value.map(number::text).unwrap_or_default();
-        let cells: Vec<_> = columns.iter().map(|column| cell((column.read)(row))).collect();
+        let cells = columns.iter().map(|column| cell(column, row));
+        let cells: Vec<_> =
+            cells.map(|value| value.map(number::text).unwrap_or_default()).collect();
         text.push_str(&cells.join(","));
         text.push('\n');
     }

@@ -71,9 +71,7 @@ impl Mark {
         let manifest = fs::read(directory.join(manifest::FILE_NAME)).ok()?;
         Some(Mark { directory, manifest: checksum(&manifest), system: running_system() })
     }
-}
 
-impl Mark {
     /// Whose it is.
     pub fn directory(&self) -> &Path {
         &self.directory
@@ -112,8 +110,8 @@ impl Filing {
         Some(if far { filing.syncing() } else { filing })
     }
 
-    /// Writes the files of a case under this name, if it leaves any. What cannot be filed is delivered whole: the coordinator
-    /// tries again and tells what is wrong.
+    /// Writes the files of a case under this name, if it leaves any. What cannot be filed is delivered whole:
+    /// the coordinator tries again and tells what is wrong.
     pub fn deliver(&self, files: Option<CaseId>, result: CaseResult) -> Delivery {
         let written = round_trip::demand_of(&result).ok().and_then(|()| match files {
             Some(id) => files::write(&self.directory, id, &result, self.syncs).ok(),

@@ -2,6 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::looks::Looks;
+
 /// The crest is past once the level has dropped this share of it.
 const PASSED_DROP: f64 = 0.3;
 /// Crests lower than this share of the still water depth are ripples.
@@ -10,34 +12,21 @@ const SMALLEST_CREST: f64 = 0.01;
 /// A crest is read off so many readings.
 const READINGS: usize = 5;
 
-/// The gauge is read at least so often, over √(h/g): every 0.005 s at h = 0.2 m. Readings a fiftieth of a
-/// second apart would cut a crest off.
-const INTERVAL: f64 = 0.036;
-
 /// Follows the surface level over still water, reading by reading.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 pub struct CrestGauge {
     /// Metres above the bed at first.
     at_rest: Option<f64>,
-    taken: u64,
+    looks: Looks,
     recent: Vec<f64>,
     crest: f64,
     passed: bool,
 }
 
 impl CrestGauge {
-    /// Whether to read it now: at the history's interval (s), or at its own, `unit` = √(h/g) in s, where
-    /// that is shorter, until the crest is past.
-    pub fn is_due(&mut self, time: f64, history_interval: f64, unit: f64) -> bool {
-        let interval = history_interval.min(INTERVAL * unit);
-        if self.passed || time < interval * self.taken as f64 * (1.0 - 1e-12) {
-            return false;
-        }
-        self.taken += 1;
-        while interval * self.taken as f64 <= time {
-            self.taken += 1;
-        }
-        true
+    /// Whether to read it now, until the crest is past; see [`Looks::is_due`].
+    pub fn is_due(&mut self, time: f64, intervals: (f64, f64)) -> bool {
+        !self.passed && self.looks.is_due(time, 0.0, intervals)
     }
 
     /// Takes a level, metres above the bed, over still water of this depth.
@@ -115,7 +104,7 @@ mod tests {
             let (mut gauge, mut readings) = (CrestGauge::default(), 0);
             for k in 0..2000 {
                 let time = 0.001 * f64::from(k);
-                if gauge.is_due(time, history_interval, 0.1428) {
+                if gauge.is_due(time, (history_interval, 0.1428)) {
                     readings += 1;
                     gauge.read(0.2 + 0.1 / ((time - 0.7) * 5.0).cosh().powi(2), 0.2);
                 }

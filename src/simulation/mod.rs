@@ -19,6 +19,7 @@ mod keeping;
 mod kept;
 mod limits;
 mod logbook;
+mod looks;
 mod measures;
 mod onrush;
 mod outcome;

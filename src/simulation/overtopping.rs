@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::looks::Looks;
 use super::outcome::{Overtopped, ProbeColumn, Readings};
 use crate::boundary::Crest;
 use crate::pairs::Fluid;
@@ -11,8 +12,6 @@ use crate::scheme::Scheme;
 const COLUMN: f64 = 3.0;
 /// A column has a speed once it holds so many particles' worth of water.
 const FEWEST: f64 = 3.0;
-/// The crest is looked at at least so often, over √(h/g), as the wave gauge is.
-const INTERVAL: f64 = 0.036;
 
 /// What is on the crest and behind it at an instant, per metre of width.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -32,7 +31,7 @@ pub(super) struct Sight {
 pub(super) struct Overtopping {
     /// Mass of all water at the start, kg per metre of width.
     start_mass: f64,
-    looks: u64,
+    looks: Looks,
     last: Sight,
     most: Sight,
 }
@@ -41,21 +40,12 @@ impl Overtopping {
     /// Nothing has gone over yet.
     pub fn open(fluid: &Fluid) -> Overtopping {
         let (last, most) = Default::default();
-        Overtopping { start_mass: mass(fluid), looks: 0, last, most }
+        Overtopping { start_mass: mass(fluid), looks: Looks::default(), last, most }
     }
 
-    /// Whether to look now: at the history's interval (s), or at its own, `unit` = √(h/g) in s, where that is
-    /// shorter; from `start` on, s.
-    pub fn is_due(&mut self, time: f64, start: f64, (history_interval, unit): (f64, f64)) -> bool {
-        let interval = history_interval.min(INTERVAL * unit);
-        let due = |looks: u64| start + interval * looks as f64 * (1.0 - 1e-12);
-        if time < due(self.looks) {
-            return false;
-        }
-        while due(self.looks) <= time {
-            self.looks += 1;
-        }
-        true
+    /// Whether to look now, from `start` on, s; see [`Looks::is_due`].
+    pub fn is_due(&mut self, time: f64, start: f64, intervals: (f64, f64)) -> bool {
+        self.looks.is_due(time, start, intervals)
     }
 
     /// Looks at the water: its particles stand `spacing` apart, metres, and it weighs `density`, kg/m³.

@@ -80,17 +80,19 @@ impl Run {
         {
             overtopping.look(tank.water.as_ref(), crest, (tank.spacing, frame.density));
         }
-        if let Some(gauge) = tank.wave_gauge
-            && logbook.gauge.is_due(clock.time, frame.history_interval, unit)
-        {
-            let level = lens.level_in_water(tank.water.as_mut(), gauge, 0.5 * depth);
-            logbook.gauge.read(level, depth);
-        }
-        if let (Some(gauge), Some(waves)) = (tank.wave_gauge, &mut logbook.measures.waves)
-            && waves.is_due(clock.time, frame.history_interval, unit)
-        {
-            let level = lens.level_in_water(tank.water.as_mut(), gauge, 0.5 * depth);
-            waves.rise(clock.time, level);
+        if let Some(gauge) = tank.wave_gauge {
+            let intervals = (frame.history_interval, unit);
+            let crest = logbook.gauge.is_due(clock.time, intervals);
+            let waves = logbook.measures.waves.as_mut();
+            let waves =
+                waves.and_then(|waves| waves.is_due(clock.time, intervals).then_some(waves));
+            if crest || waves.is_some() {
+                let level = lens.level_in_water(tank.water.as_mut(), gauge, 0.5 * depth);
+                if crest {
+                    logbook.gauge.read(level, depth);
+                }
+                waves.into_iter().for_each(|waves| waves.rise(clock.time, level));
+            }
         }
         reading
     }

@@ -4,8 +4,7 @@ use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
-/// The gauge is read at least so often, over √(h/g).
-const INTERVAL: f64 = 0.036;
+use super::looks::Looks;
 
 /// One period of the paddle: at the wave gauge, and at the wall.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -43,7 +42,7 @@ pub(super) struct Waves {
     rows: Vec<Gathered>,
     at_rest: Option<f64>,
     last: Option<Level>,
-    looks: u64,
+    looks: Looks,
     /// Up to when the surface and the force are known, seconds.
     reached: f64,
 }
@@ -52,7 +51,7 @@ impl Waves {
     /// Of a paddle with this period, seconds.
     pub fn of(period: f64) -> Waves {
         let (rows, at_rest, last) = (Vec::new(), None, None);
-        Waves { period, rows, at_rest, last, looks: 0, reached: 0.0 }
+        Waves { period, rows, at_rest, last, looks: Looks::default(), reached: 0.0 }
     }
 
     /// The period in which a time falls, seconds.
@@ -76,15 +75,9 @@ impl Waves {
         *highest = Some(highest.map_or(runup, |highest| highest.max(runup)));
     }
 
-    /// Whether the gauge is to be read now: at the history's interval (s), or at its own, `unit` = √(h/g) in s,
-    /// where that is shorter.
-    pub fn is_due(&mut self, time: f64, history_interval: f64, unit: f64) -> bool {
-        let interval = history_interval.min(INTERVAL * unit);
-        if time < interval * self.looks as f64 * (1.0 - 1e-12) {
-            return false;
-        }
-        self.looks = (time / interval + 1e-9) as u64 + 1;
-        true
+    /// Whether the gauge is to be read now; see [`Looks::is_due`].
+    pub fn is_due(&mut self, time: f64, intervals: (f64, f64)) -> bool {
+        self.looks.is_due(time, 0.0, intervals)
     }
 
     /// Takes the level at the gauge, metres over the bed.
@@ -141,7 +134,7 @@ mod tests {
             let time = 0.001 * f64::from(step) + 1e-4;
             let phase = TAU * time / period;
             let share = if time < 0.005 { 0.0 } else { growth(time) };
-            if waves.is_due(time, 0.005, 0.1428) {
+            if waves.is_due(time, (0.005, 0.1428)) {
                 let wave = 3.0 * libm::cos(phase) + libm::cos(2.0 * phase);
                 waves.rise(time, 0.2 + 1e-3 * share * wave);
             }

@@ -8,6 +8,8 @@
 //! ```
 //! and p/ρ = -gz - φ_t - ½|∇φ|² + K, K = a²σ² (1-T²)/(8T²), which keeps the mean level over a wavelength.
 
+use super::standing_wave::StandingWave;
+
 /// A standing wave before a wall.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StandingWaveForce {
@@ -28,8 +30,7 @@ impl StandingWaveForce {
     /// F* = F/(½ρgh²) at a phase σt, the push of still water included.
     pub fn at(&self, phase: f64) -> f64 {
         let Self { amplitude: a, depth: h, wavenumber: k, gravity: g } = *self;
-        let tanh = libm::tanh(k * h);
-        let frequency = (g * k * tanh).sqrt();
+        let (tanh, frequency) = (libm::tanh(k * h), self.frequency());
         let (cos, sin, cos2) = (libm::cos(phase), libm::sin(phase), libm::cos(2.0 * phase));
         let first = g * a * tanh / k * cos;
         let [big_a, big_b] = self.second();
@@ -52,11 +53,17 @@ impl StandingWaveForce {
         })
     }
 
+    /// σ, 1/s.
+    fn frequency(&self) -> f64 {
+        let Self { depth, wavenumber, gravity, .. } = *self;
+        StandingWave { depth, wavenumber, gravity }.frequency()
+    }
+
     /// A and B, m²/s.
     fn second(&self) -> [f64; 2] {
         let tanh = libm::tanh(self.wavenumber * self.depth);
-        let frequency = (self.gravity * self.wavenumber * tanh).sqrt();
-        let (square, unit) = (tanh * tanh, self.amplitude * self.amplitude * frequency);
+        let unit = self.amplitude * self.amplitude * self.frequency();
+        let square = tanh * tanh;
         [
             -3.0 / 16.0 * unit * (1.0 - square * square) / (square * square),
             unit * (1.0 + 3.0 * square) / (16.0 * square),
@@ -78,8 +85,8 @@ mod tests {
     impl StandingWaveForce {
         /// φ at a place and a phase.
         fn potential(&self, [x, z]: [f64; 2], phase: f64) -> f64 {
-            let Self { amplitude: a, depth: h, wavenumber: k, gravity: g } = *self;
-            let frequency = (g * k * libm::tanh(k * h)).sqrt();
+            let Self { amplitude: a, depth: h, wavenumber: k, .. } = *self;
+            let frequency = self.frequency();
             let [big_a, big_b] = self.second();
             let double = 2.0 * k * (z + h);
             -a * frequency / k * libm::cosh(k * (z + h)) / libm::sinh(k * h)
@@ -93,8 +100,7 @@ mod tests {
         /// ∂φ/∂x, ∂φ/∂z and ∂φ/∂t.
         fn slopes(&self, [x, z]: [f64; 2], phase: f64) -> [f64; 3] {
             let e = 1e-5;
-            let frequency =
-                (self.gravity * self.wavenumber * libm::tanh(self.wavenumber * self.depth)).sqrt();
+            let frequency = self.frequency();
             let difference = |high: f64, low: f64| (high - low) / (2.0 * e);
             [
                 difference(self.potential([x + e, z], phase), self.potential([x - e, z], phase)),

@@ -1,7 +1,7 @@
 //! Steady waves of any height by Fourier series (Rienecker & Fenton 1981, A Fourier approximation method
 //! for steady water waves, *J. Fluid Mech.* 104, 119-137).
 //!
-//! In the frame that moves with the wave, y from the bed, x from the crest,
+//! The frame moves with the wave. y counts from the bed, x from the crest. Then
 //! ```text
 //! ψ = -U y + Σ B_j sinh(j k y)/cosh(j k h) cos(j k x),   u = ∂ψ/∂y,   v = -∂ψ/∂x
 //! ψ(η) = -Q,   ½ (u² + v²) + g η = R        at the surface
