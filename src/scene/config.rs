@@ -120,7 +120,7 @@ mod tests {
         let config = case("", "").unwrap();
         let scene = config.scene.seawall().unwrap();
         assert_eq!(scene.still_water_depth_m, 0.2);
-        assert_eq!(config.numerics.particle_spacing_m, 0.009);
+        assert_eq!(config.numerics.particle_spacing_m, 0.01);
         assert_eq!(config.numerics.support_radius_ratio, 5.0);
         let others = [
             "kind = \"dam-break\"",

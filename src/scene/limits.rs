@@ -194,7 +194,7 @@ const LIMITS: &[Limit] = &[
     (
         |case| case.weakly && case.wave >= 0.6 && case.stands,
         "H/h of 0.6 and more on a wall that hardly moves: the tip of the water is thinner than a \
-         particle, and the runup is read low, at H/h = 0.6 by 0.016 h at 9 mm and 0.1 h at 16 mm",
+         particle, and the runup is off, at H/h = 0.6 by up to 0.03 h at 10 mm and 0.1 h at 16 mm",
     ),
     (
         |case| case.wave > 0.75,

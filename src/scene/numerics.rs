@@ -157,7 +157,7 @@ section! {
         slip: Slip = Slip::Free, weakly(plain());
         /// Particle spacing; stretched slightly so that whole columns fill the tank. At most a
         /// quarter of the depth, at least what makes 20,000,000 particles.
-        particle_spacing_m: f64 = 0.009, unit("m").above_zero();
+        particle_spacing_m: f64 = 0.01, unit("m").above_zero();
         /// c0 / √(g h).
         sound_speed_ratio: f64 = 8.0, weakly(plain().within(4.0, 200.0));
         /// State equation.

@@ -84,10 +84,10 @@ mod tests {
         };
         let pair = study(&format!("[numerics]\nerror_bars = \"pair\"\n{WAVES}"));
         assert_eq!(pair.companions.len(), 2);
-        assert_eq!(spacings(&pair, 1), [0.018]);
+        assert_eq!(spacings(&pair, 1), [0.02]);
         assert_eq!(pair.companions[1].index, 3);
         let triple = study(&format!("[numerics]\nerror_bars = \"triple\"\n{WAVES}"));
-        assert_eq!(spacings(&triple, 0), [0.009 * std::f64::consts::SQRT_2, 0.018]);
+        assert_eq!(spacings(&triple, 0), [0.01 * std::f64::consts::SQRT_2, 0.02]);
     }
 
     #[test]
