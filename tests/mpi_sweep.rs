@@ -177,6 +177,27 @@ fn a_rank_that_hangs_is_named() {
 }
 
 #[test]
+fn progress_is_that_of_all_ranks() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let root = tempfile::tempdir().unwrap();
+    let fine = LONG.replace("0.01\n", "0.0045\n").replace("[10, 1e4]", "[10]");
+    let file = write_file(root.path(), &fine);
+    let out = root.path().join("out");
+    let mut command = mpirun(2);
+    let command = command.args(["sweep", "--threads", "1", "--film", "none", "--out"]);
+    let output = command.args([&out, &file]).output().unwrap();
+    expect_code(&output, 0);
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    // Rank 0 alone is never beyond half of both before one is done.
+    let before = told.lines().filter(|line| line.contains("0 of 2 cases"));
+    let shares = before.filter_map(|line| line.trim().split(' ').next()?.parse::<f64>().ok());
+    let most = shares.fold(0.0, f64::max);
+    assert!(most > 60.0 && most <= 100.0, "{told}");
+}
+
+#[test]
 fn a_rank_that_dies_ends_the_job_and_nothing_is_lost() {
     if !mpirun_is_there() {
         return;

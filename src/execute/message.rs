@@ -44,3 +44,14 @@ pub enum Report {
     /// This rank received a signal to stop.
     Interrupted,
 }
+
+impl Report {
+    /// What has ended.
+    pub fn work(&self) -> Option<Work> {
+        match *self {
+            Report::TrunkDone { trunk, .. } => Some(Work::Trunk(trunk)),
+            Report::CaseDone { case, .. } => Some(Work::Case(case)),
+            Report::Interrupted => None,
+        }
+    }
+}

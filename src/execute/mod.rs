@@ -94,7 +94,7 @@ pub trait Link {
     /// The next report, and the rank it comes from; `None` after the given time without one.
     fn poll(&mut self, patience: Duration) -> Result<Option<(usize, Report)>, SweepError>;
 
-    /// What this process is at, and the share of it that is done; what others are at is not known.
+    /// What all ranks are at, as far as they have said, and the share of it that is done.
     fn under_way(&self) -> Vec<(Work, f64)> {
         Vec::new()
     }

@@ -17,7 +17,6 @@ mod post;
 mod pulse;
 mod station;
 
-use std::collections::VecDeque;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
@@ -32,6 +31,7 @@ use super::worker::with_worker;
 use super::{Crew, Link, Order, Report, Setup, resources, share_threads};
 use crate::math::simd::SimdPath;
 use crate::results::{Filing, Mark, RankInfo, SweepError};
+use crate::schedule::Work;
 
 /// Whether this build can run under MPI.
 pub const AVAILABLE: bool = true;
@@ -49,6 +49,8 @@ enum Message {
     Order(Order),
     /// What has ended since the last time.
     Reports(Vec<Report>),
+    /// What is being worked on, and the share of it that is done.
+    UnderWay(Vec<(Work, f64)>),
     Pull {
         trunk: usize,
     },
@@ -188,7 +190,9 @@ impl Crew for MpiCrew<'_> {
         let post = &mut self.post;
         let filing = Filing::here(out);
         let led = with_worker(0, self.ranks[0].places(), &*runner, Some(&filing), |worker| {
-            lead(&mut RankZero { station: Station { post, worker }, reports: VecDeque::new() })
+            let station = Station { post, worker };
+            let (reports, elsewhere) = Default::default();
+            lead(&mut RankZero { station, reports, elsewhere })
         })?;
         self.send_all(|_| Message::Rest);
         led

@@ -14,7 +14,7 @@ use super::pulse::{News, Pulse};
 use crate::results::SweepError;
 
 /// Raised with every change of the messages; leads every message.
-const PROTOCOL: u16 = 5;
+const PROTOCOL: u16 = 6;
 /// MPI counts bytes in a C int; a checkpoint larger than this is not sent, and the case that
 /// wants it runs from rest.
 const LARGEST: usize = 1 << 30;

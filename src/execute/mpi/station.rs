@@ -1,6 +1,6 @@
 //! A rank at work: it takes orders and passes on reports and checkpoints.
 
-use std::collections::VecDeque;
+use std::collections::{HashMap, VecDeque};
 use std::time::{Duration, Instant};
 
 use super::post::Post;
@@ -8,7 +8,7 @@ use super::{Message, out_of_turn};
 use crate::execute::worker::Worker;
 use crate::execute::{Link, Order, Report, Setup};
 use crate::results::SweepError;
-use crate::schedule::Held;
+use crate::schedule::{Held, Work};
 
 /// A rank at work: its mail and its worker.
 pub(super) struct Station<'a, 'run, 'scope> {
@@ -45,6 +45,19 @@ pub(super) struct RankZero<'a, 'run, 'scope> {
     pub(super) station: Station<'a, 'run, 'scope>,
     /// What others have reported and nobody has taken.
     pub(super) reports: VecDeque<(usize, Report)>,
+    /// What each of the others was at when it last said so.
+    pub(super) elsewhere: HashMap<usize, Vec<(Work, f64)>>,
+}
+
+impl RankZero<'_, '_, '_> {
+    /// Reports have come from another rank: it is no longer at what has ended.
+    fn note(&mut self, rank: usize, reports: Vec<Report>) {
+        if let Some(pieces) = self.elsewhere.get_mut(&rank) {
+            let ended: Vec<_> = reports.iter().filter_map(Report::work).collect();
+            pieces.retain(|(work, _)| !ended.contains(work));
+        }
+        self.reports.extend(reports.into_iter().map(|report| (rank, report)));
+    }
 }
 
 impl Link for RankZero<'_, '_, '_> {
@@ -70,8 +83,9 @@ impl Link for RankZero<'_, '_, '_> {
                 heard = true;
                 match self.station.handle(rank, message) {
                     None => {}
-                    Some(Message::Reports(reports)) => {
-                        self.reports.extend(reports.into_iter().map(|report| (rank, report)));
+                    Some(Message::Reports(reports)) => self.note(rank, reports),
+                    Some(Message::UnderWay(pieces)) => {
+                        self.elsewhere.insert(rank, pieces);
                     }
                     Some(other) => return Err(out_of_turn(rank, &other)),
                 }
@@ -82,7 +96,17 @@ impl Link for RankZero<'_, '_, '_> {
             }
         }
     }
+
+    fn under_way(&self) -> Vec<(Work, f64)> {
+        let elsewhere = self.elsewhere.values().flatten().copied();
+        self.station.worker.under_way().into_iter().chain(elsewhere).collect()
+    }
 }
+
+/// A rank says this often how far it is.
+const SAID_EVERY: Duration = Duration::from_secs(1);
+/// But all ranks together say so little in a second.
+const SAID_A_SECOND: u32 = 200;
 
 /// So many reports go in one message at most.
 const MANY: usize = 100;
@@ -91,6 +115,8 @@ const MANY: usize = 100;
 pub(super) fn work(setup: &Setup<'_>, mut station: Station<'_, '_, '_>) -> Result<(), SweepError> {
     let mut told = false;
     let mut nap = Duration::ZERO;
+    let every = SAID_EVERY.max(Duration::from_secs(station.post.size() as u64) / SAID_A_SECOND);
+    let mut said = Instant::now();
     station.post.expect_rank_zero(true);
     loop {
         let first = station.worker.poll(nap);
@@ -102,6 +128,10 @@ pub(super) fn work(setup: &Setup<'_>, mut station: Station<'_, '_, '_>) -> Resul
         if setup.interrupt.is_raised() && !told {
             told = true;
             station.post.send(0, &Message::Reports(vec![Report::Interrupted]));
+        }
+        if said.elapsed() >= every && station.post.is_delivered() {
+            said = Instant::now();
+            station.post.send(0, &Message::UnderWay(station.worker.under_way()));
         }
         let mut heard = false;
         while let Some((rank, message)) = station.post.receive()? {
