@@ -224,12 +224,12 @@ fn lead(
     let filming = films::make(films, &job.study, &done, args.threads, interrupt, output)?;
     done.directory.demand_in_place()?;
     write_all_histories(done.directory.path())?;
+    let aimed = aim.as_ref().map(|aim| max_error::report(aim, &job.study, &done)).transpose()?;
     let report = crate::report::write(done.directory.path())?;
     let mut text = told(&job, &done, &report, output.verbose);
     let mut value = done.json(&job, Some(&report));
     value["films"] = json!(shown::paths(&films::pages(done.directory.path())));
-    if let Some(aim) = &aim {
-        let (told, accuracy) = max_error::report(aim, &job.study, &done)?;
+    if let Some((told, accuracy)) = aimed {
         text.push_str(&told);
         value["accuracy"] = accuracy;
     }

@@ -75,17 +75,19 @@ fn key(key: &Key) -> Value {
     })
 }
 
-/// The different texts of scene files, and which of them each row has.
+/// The different texts of scene files, and which of them each row has; -1 where it has none.
 fn scenes(loaded: &Loaded, file: Option<&SceneFile>) -> Value {
     let Some(file) = file else { return Value::Null };
     let mut texts: Vec<String> = Vec::new();
     let mut of = |index: usize| {
         let cells: Vec<_> = loaded.keys.iter().map(|key| key.cells[index].as_str()).collect();
-        let text = file.template(&cells);
-        texts.iter().position(|known| *known == text).unwrap_or_else(|| {
+        let id = loaded.rows[index].text(&CASE_ID);
+        let Some(text) = file.template(id, &cells) else { return -1 };
+        let known = texts.iter().position(|known| *known == text);
+        known.unwrap_or_else(|| {
             texts.push(text);
             texts.len() - 1
-        })
+        }) as i64
     };
     let at: Vec<_> = (0..loaded.rows.len()).map(&mut of).collect();
     json!({ "texts": texts, "at": at })

@@ -55,7 +55,7 @@ fn newtons(data: &Loaded, file: Option<&SceneFile>, row: &Row, force: f64) -> St
     let scale = || {
         let index = data.rows.iter().position(|r| r.text(&CASE_ID) == row.text(&CASE_ID))?;
         let cells: Vec<_> = data.keys.iter().map(|key| key.cells[index].as_str()).collect();
-        let frame = file?.config(&cells)?.scene.frame();
+        let frame = file?.config(row.text(&CASE_ID), &cells)?.scene.frame();
         Some(0.5 * frame.density * frame.acceleration() * frame.depth * frame.depth)
     };
     let told = |scale: f64| {

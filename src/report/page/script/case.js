@@ -73,8 +73,9 @@ function player(id) {
 }
 
 function scene(row) {
-  if (!data.scenes) return null;
-  let text = data.scenes.texts[data.scenes.at[row]].replaceAll("{id}", data.ids[row]);
+  const template = data.scenes?.texts[data.scenes.at[row]];
+  if (!template) return null;
+  let text = template.replaceAll("{id}", data.ids[row]);
   for (const key of data.keys) {
     if (key.at[row] >= 0) text = text.replaceAll("{" + key.name + "}", key.literals[key.at[row]]);
   }
@@ -83,6 +84,7 @@ function scene(row) {
 
 async function copyScene(row, button) {
   const text = scene(row), before = button.textContent;
+  if (!text) return;
   try {
     await navigator.clipboard.writeText(text);
   } catch {
@@ -129,7 +131,7 @@ function show(row, from) {
     parts.push(play);
   }
   parts.push(values(row));
-  if (data.scenes) {
+  if (scene(row)) {
     const copy = make("button", { type: "button", className: "copy", textContent: "Copy scene file" });
     copy.addEventListener("click", () => copyScene(row, copy));
     parts.push(make("h3", { textContent: "For seawall run" }), copy, make("pre", { tabIndex: 0, textContent: scene(row) }));
