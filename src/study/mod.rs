@@ -27,6 +27,7 @@ pub use refine::{Refine, refine_keys};
 pub use schema::schema;
 
 pub use crate::keys::Override;
+use crate::keys::Pool;
 
 use sha2::{Digest, Sha256};
 
@@ -70,8 +71,15 @@ impl Study {
 
     /// The study of a file with these cases.
     fn of_file(file: &SweepFile, mut cases: Vec<Case>) -> Study {
+        let mut numerics = Pool::default();
         let mut take_bars = |case: &mut Case| {
-            std::mem::replace(&mut case.config.numerics.error_bars, ErrorBars::None)
+            let own = &mut case.config.numerics;
+            if own.error_bars == ErrorBars::None {
+                return ErrorBars::None;
+            }
+            let bars = std::mem::replace(&mut own.error_bars, ErrorBars::None);
+            numerics.share(own);
+            bars
         };
         let bars: Vec<_> = cases.iter_mut().map(&mut take_bars).collect();
         let keys: Vec<String> = file.grid.iter().map(|axis| axis.key.clone()).collect();
@@ -133,6 +141,6 @@ impl Study {
     pub fn values(&self, case: &Case) -> Vec<(String, serde_json::Value)> {
         let value = |value: &toml::Value| serde_json::to_value(value).unwrap_or_default();
         let pairs = self.keys.iter().zip(&case.assignments);
-        pairs.filter_map(|(key, set)| Some((key.clone(), value(set.as_ref()?)))).collect()
+        pairs.filter_map(|(key, set)| Some((key.clone(), value(set.as_deref()?)))).collect()
     }
 }
