@@ -70,6 +70,31 @@ fn a_job_script_says_what_was_asked_for() {
     }
 }
 
+/// What a launcher that does nothing but tell its environment tells of the keepalive settings.
+fn keepalive(job: &mut Command) -> std::collections::BTreeMap<String, u64> {
+    let told = job.stdout(Stdio::piped()).output().unwrap().stdout;
+    let told = String::from_utf8(told).unwrap();
+    let pairs = told.lines().filter_map(|line| line.split_once('='));
+    let ours = pairs.filter(|(name, _)| name.contains("_MCA_oob_tcp_keepalive_"));
+    ours.map(|(name, value)| (name.to_owned(), value.parse().unwrap())).collect()
+}
+
+#[test]
+fn a_machine_that_is_cut_off_ends_the_job_within_half_a_minute() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let script = script(root.path(), &file, &root.path().join("out"), "env; true");
+    let told = keepalive(&mut job(root.path(), &script));
+    for launcher in ["OMPI", "PRTE"] {
+        let of = |name: &str| told[&format!("{launcher}_MCA_oob_tcp_keepalive_{name}")];
+        assert!(of("time") + of("intvl") * of("probes") <= 30, "{told:?}");
+    }
+    // Who has set a time of their own keeps it.
+    let mut own = job(root.path(), &script);
+    own.env("OMPI_MCA_oob_tcp_keepalive_time", "60");
+    assert_eq!(keepalive(&mut own)["OMPI_MCA_oob_tcp_keepalive_time"], 60);
+}
+
 #[test]
 fn a_job_that_is_told_to_stop_is_queued_again_until_all_is_done() {
     let root = tempfile::tempdir().unwrap();

@@ -44,6 +44,33 @@ fn any_number_of_ranks_gives_the_same_bits() {
     assert_same(&reference, &out);
 }
 
+/// `mpirun` itself may return 1 then, which otherwise says that some case failed.
+#[test]
+fn who_ends_the_launcher_is_told_what_its_exit_code_means() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let root = tempfile::tempdir().unwrap();
+    let (file, out) = (write_file(root.path(), LONG), root.path().join("out"));
+    let mut command = mpirun(2);
+    let child = command.args(["sweep", "--threads", "1", "--film", "none", "--out"]);
+    let child = child.args([&out, &file]).stderr(Stdio::piped()).spawn().unwrap();
+    let start = Instant::now();
+    while journal_lines(&out) < 1 {
+        assert!(start.elapsed() < Duration::from_secs(120), "the sweep does not begin");
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    std::thread::sleep(Duration::from_millis(300));
+    signal(child.id(), "INT");
+    let output = child.wait_with_output().unwrap();
+    assert!(!output.status.success());
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    let code = format!("seawall's own code is 3, as `seawall status {}", out.display());
+    assert!(told.contains("the journal is whole. ") && told.contains(&code), "{told}");
+    kill_all(&out);
+    expect_code(&run(&["status", out.to_str().unwrap(), "--exit-code"]), 3);
+}
+
 #[test]
 fn an_interrupted_job_goes_on_with_another_number_of_ranks() {
     if !mpirun_is_there() {

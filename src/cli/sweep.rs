@@ -13,7 +13,7 @@ use super::input::{Expect, Setting, SimdChoice, default_out, out_of, study, swee
 use super::keep::KeepArgs;
 use super::output::Output;
 use super::overview::told;
-use super::{SUCCESS, check, films, max_error, refine, shown, warnings};
+use super::{INTERRUPTED, SUCCESS, check, films, max_error, refine, shown, warnings};
 use crate::accuracy::{MaxError, Refinement};
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
 use crate::report::PAGE as REPORT;
@@ -209,6 +209,13 @@ fn lead(
         output.note(format_args!(
             "interrupted: {finished} of {cases} done; the same command goes on"
         ));
+        if crew.executor() == "mpi" {
+            output.note(format_args!(
+                "the journal is whole. A launcher that was told to end may return 1; seawall's own code is \
+                 {INTERRUPTED}, as `seawall status {} --exit-code` tells",
+                done.directory.path().display()
+            ));
+        }
         return Ok(done.exit_code());
     }
     let filming = films::make(films, &job.study, &done, args.threads, interrupt, output)?;

@@ -8,7 +8,6 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-use super::points::Assignments;
 use crate::keys::Shared;
 use crate::scene::{CaseConfig, ErrorBars, Numerics};
 
@@ -131,6 +130,9 @@ fn write_canonical(value: &Value, text: &mut String) {
         scalar => text.push_str(&scalar.to_string()),
     }
 }
+
+/// Values of the swept keys of one case, as in [`Case::assignments`].
+pub type Assignments = Vec<Option<Shared<toml::Value>>>;
 
 /// One case of a study.
 #[derive(Debug, Clone, PartialEq)]

@@ -6,9 +6,8 @@ use rayon::prelude::*;
 use toml::{Table, Value};
 
 use super::axis::{GridAxis, MOST_CASES};
-use super::case::{Case, CaseId};
+use super::case::{Assignments, Case, CaseId};
 use super::file::SweepFile;
-use super::points::Assignments;
 use crate::keys::{Key, Pool, Section, Shared, When};
 use crate::scene::{CaseConfig, ConfigError, Place, SeawallScene, place_of};
 

@@ -18,11 +18,10 @@ mod schema;
 mod single;
 
 pub use axis::GridAxis;
-pub use case::{Case, CaseId, PHYSICS_VERSION, trunk_key};
+pub use case::{Assignments, Case, CaseId, PHYSICS_VERSION, trunk_key};
 pub use file::{SweepFile, accuracy_keys};
 pub use limits::limits_keys;
 pub use plan::{Plan, PlannedCase, PlannedTrunk};
-pub use points::Assignments;
 pub use refine::{Refine, refine_keys};
 pub use schema::schema;
 

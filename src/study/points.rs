@@ -2,18 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use toml::Value;
-
 use super::Study;
-use super::case::Case;
+use super::case::{Assignments, Case};
 use super::file::SweepFile;
 use super::grid;
-use crate::keys::Shared;
 use crate::math::scale::Scale;
 use crate::scene::ConfigError;
-
-/// Values of the swept keys of one case, as in [`Case::assignments`].
-pub type Assignments = Vec<Option<Shared<Value>>>;
 
 impl Study {
     /// The study of a file with further points, all in the order of the grid. Points that no scene may have
