@@ -33,6 +33,11 @@ fn any_number_of_ranks_gives_the_same_bits() {
         let output = mpirun(ranks).args(["sweep", "--out"]).args([&out, &file]).output().unwrap();
         expect_code(&output, 0);
         assert_same(&reference, &out);
+        let manifest = std::fs::read(out.join("manifest.json")).unwrap();
+        let manifest: serde_json::Value = serde_json::from_slice(&manifest).unwrap();
+        let load = manifest["sessions"][0]["load"]["ranks"].as_array().unwrap();
+        let done: Vec<_> = load.iter().map(|rank| rank["cases"].as_u64().unwrap()).collect();
+        assert_eq!((load.len(), done.iter().sum::<u64>()), (ranks, TINY_CASES as u64), "{done:?}");
     }
     let out = root.path().join("threads-2");
     let output = mpirun(2)

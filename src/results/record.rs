@@ -174,6 +174,20 @@ mod tests {
     }
 
     #[test]
+    fn what_is_held_makes_the_same_table_and_owns_next_to_nothing() {
+        let study = study();
+        let case = &study.cases[0];
+        let whole = CaseRecord::new(&study, case, &Ok(made_up(&case.config)), 1.0, "here");
+        let held = whole.clone().held();
+        assert!(held.values.is_empty() && held.files.is_empty());
+        assert!(held.host.is_empty() && held.phases.is_empty());
+        let table = |record| super::super::summary::table(&study, &[Some(record)]).unwrap();
+        assert_eq!(table(held), table(whole));
+        let bytes = std::mem::size_of::<CaseRecord>();
+        assert!(bytes <= 900, "{bytes} bytes for each case");
+    }
+
+    #[test]
     fn reasons_have_no_line_breaks() {
         assert_eq!(one_line("a\r\nb\tc\u{1b}"), "a b c");
     }

@@ -143,3 +143,24 @@ impl Study {
         pairs.filter_map(|(key, set)| Some((key.clone(), value(set.as_deref()?)))).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A million cases are to fit into two gigabytes with their results: what all have in common is held once.
+    #[test]
+    fn cases_hold_what_they_share_once() {
+        let text = "name = \"a\"\n[scene]\nwall = \"movable\"\n[numerics]\nerror_bars = \"pair\"\n[grid]\n\
+            spring_stiffness_n_per_m = [1, 2, 3]\nseawall_mass_kg_per_m = [50, 60]";
+        let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
+        let same = |a: &Case, b: &Case| std::ptr::eq(&*a.config.numerics, &*b.config.numerics);
+        assert!(study.cases.iter().all(|case| same(case, &study.cases[0])));
+        assert!(study.companions.iter().all(|case| same(case, &study.companions[0])));
+        assert!(!same(&study.cases[0], &study.companions[0]));
+        let value = |case: usize| study.cases[case].assignments[1].as_deref().unwrap();
+        assert!(std::ptr::eq(value(0), value(2)));
+        let bytes = std::mem::size_of::<Case>();
+        assert!(bytes <= 360, "{bytes} bytes for each case");
+    }
+}
