@@ -1,7 +1,7 @@
 //! How many cases a second go through scheduler, workers, journal and summary, where a case costs nothing.
 //!
 //! `cargo run --release --example load -- DIR CASES [THREADS]` sweeps made-up cases into a new directory below
-//! DIR, reads it again, and prints what each part took and the most memory that was held.
+//! DIR, reads it again, makes its report, and prints what each part took and the most memory that was held.
 
 use std::path::Path;
 use std::time::Instant;
