@@ -9,7 +9,7 @@ fn launcher() -> String {
     std::env::var("SEAWALL_MPIRUN").unwrap_or_else(|_| "mpirun".to_owned())
 }
 
-/// Whether the launcher is MPICH's. It loses exit codes, and forwards no signals in good order.
+/// Whether the launcher is MPICH's. It loses exit codes.
 pub fn is_mpich() -> bool {
     let told = Command::new(launcher()).arg("--version").output();
     told.is_ok_and(|told| String::from_utf8_lossy(&told.stdout).contains("HYDRA"))
