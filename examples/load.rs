@@ -1,7 +1,7 @@
 //! How many cases a second go through scheduler, workers, journal and summary, where a case costs nothing.
 //!
 //! `cargo run --release --example load -- DIR CASES [THREADS]` sweeps made-up cases into a new directory below
-//! DIR, reads it again, and prints what each part took and the most memory that was held.
+//! DIR, reads it again, makes its report, and prints what each part took and the most memory that was held.
 
 use std::path::Path;
 use std::time::Instant;
@@ -11,7 +11,7 @@ use seawall::execute::{
     Ending, Interrupt, Progress, ProgressStyle, Runner, Session, Setup, coordinate, threads,
 };
 use seawall::math::simd::SimdPath;
-use seawall::results::{Directory, OpenMode, Opened, made_up};
+use seawall::results::{Directory, Manifest, OpenMode, Opened, made_up};
 use seawall::scene::CaseConfig;
 use seawall::simulation::{CaseResult, Monitor, Stopped, TrunkResult};
 use seawall::study::{Plan, Study, SweepFile};
@@ -67,8 +67,8 @@ fn sweep(out: &Path, study: &Study, count: usize) {
                 interrupt: &interrupt,
                 progress: Progress::new(ProgressStyle::Quiet, Default::default(), 1),
             };
-            let (ending, _) = coordinate(link, &mut session)?;
-            assert_eq!(ending, Ending::Finished);
+            let worked = coordinate(link, &mut session)?;
+            assert_eq!(worked.ending, Ending::Finished);
             Ok(())
         })
         .unwrap();
@@ -101,7 +101,12 @@ fn main() {
     let rate = study.cases.len() as f64 / start.elapsed().as_secs_f64();
     println!("{rate:.0} cases per second on {count} threads");
     let start = Instant::now();
-    let (_directory, opened) = Directory::open(&out, &study, OpenMode::Resume, None, SIMD).unwrap();
+    let (directory, opened) = Directory::open(&out, &study, OpenMode::Resume, None, SIMD).unwrap();
     tell("reopening", start);
     assert_eq!(opened, Opened::Resumed(study.cases.len()));
+    Manifest::new(&out, &study, &[], SIMD).write(&out).unwrap();
+    drop((directory, study));
+    let start = Instant::now();
+    seawall::report::write(&out).unwrap();
+    tell("report", start);
 }

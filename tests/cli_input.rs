@@ -237,3 +237,35 @@ fn runs_and_sweeps_note_what_check_warns_of() {
     };
     assert_eq!(id(&out), id(&root.path().join("single")));
 }
+
+#[test]
+fn a_bad_instruction_set_in_the_environment_is_refused_by_all_that_computes() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let before = fs::read_dir(root.path()).unwrap().count();
+    let file = file.to_str().unwrap();
+    let with = |arguments: &[&str]| {
+        let mut command = seawall();
+        command.env("SEAWALL_SIMD_LIMIT", "sse").current_dir(root.path());
+        command.args(arguments).output().unwrap()
+    };
+    for arguments in [
+        &["sweep", file][..],
+        &["run", file],
+        &["film", "."],
+        &["verify", ".", "--rerun", "1"],
+        &["reproduce", "liang2017", "--figure", "13"],
+        &["accuracy"],
+        &["stress"],
+    ] {
+        let output = with(arguments);
+        expect_code(&output, 2);
+        let told = told(&output.stderr);
+        let words = "SEAWALL_SIMD_LIMIT=sse: must be avx512, avx2 or portable";
+        assert!(told.contains(words), "{arguments:?}: {told}");
+    }
+    assert_eq!(fs::read_dir(root.path()).unwrap().count(), before, "nothing is written");
+    for arguments in [&["check", file][..], &["sweep", file, "--dry-run"]] {
+        expect_code(&with(arguments), 0);
+    }
+}

@@ -286,3 +286,23 @@ fn a_reader_that_leaves_is_no_error() {
     drop(child.stdout.take());
     assert_eq!(child.wait().unwrap().code(), Some(0));
 }
+
+/// The process holds less of each case than the journal: JSON has all of it nevertheless.
+#[test]
+fn json_has_the_whole_record_of_every_case() {
+    let (root, file) = directory();
+    let out = root.path().join("out");
+    for _ in 0..2 {
+        let output = sweep(&file, &out, &["--format", "json"]);
+        expect_code(&output, 0);
+        let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let records = told["records"].as_array().unwrap();
+        assert_eq!(records.len(), TINY_CASES);
+        for record in records {
+            assert!(!record["values"].as_object().unwrap().is_empty(), "{record}");
+            assert!(!record["files"].as_object().unwrap().is_empty(), "{record}");
+            assert!(!record["phases"].as_array().unwrap().is_empty(), "{record}");
+            assert!(!record["host"].as_str().unwrap().is_empty(), "{record}");
+        }
+    }
+}

@@ -61,13 +61,38 @@ fn a_job_script_says_what_was_asked_for() {
     ] {
         assert!(text.lines().any(|it| it == line), "{line}: {text}");
     }
-    assert!(
-        text.contains("it'\\''s here'") && !text.contains("{N") && !text.contains("{O"),
-        "{text}"
-    );
+    assert!(text.contains("it'\\''s here'"), "{text}");
+    for name in ["{NAME}", "{NODES}", "{OUT}", "{FILE}", "{GRACE}", "{MORE}"] {
+        assert!(!text.contains(name), "{name}: {text}");
+    }
     for bad in [&["--nodes", "0", "--time", "1"][..], &["--nodes", "1", "--time", "1h"]] {
         expect_code(&run(&[&["slurm", file.to_str().unwrap()][..], bad].concat()), 2);
     }
+}
+
+/// What a launcher that does nothing but tell its environment tells of the keepalive settings.
+fn keepalive(job: &mut Command) -> std::collections::BTreeMap<String, u64> {
+    let told = job.stdout(Stdio::piped()).output().unwrap().stdout;
+    let told = String::from_utf8(told).unwrap();
+    let pairs = told.lines().filter_map(|line| line.split_once('='));
+    let ours = pairs.filter(|(name, _)| name.contains("_MCA_oob_tcp_keepalive_"));
+    ours.map(|(name, value)| (name.to_owned(), value.parse().unwrap())).collect()
+}
+
+#[test]
+fn a_machine_that_is_cut_off_ends_the_job_within_half_a_minute() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let script = script(root.path(), &file, &root.path().join("out"), "env; true");
+    let told = keepalive(&mut job(root.path(), &script));
+    for launcher in ["OMPI", "PRTE"] {
+        let of = |name: &str| told[&format!("{launcher}_MCA_oob_tcp_keepalive_{name}")];
+        assert!(of("time") + of("intvl") * of("probes") <= 30, "{told:?}");
+    }
+    // Who has set a time of their own keeps it.
+    let mut own = job(root.path(), &script);
+    own.env("OMPI_MCA_oob_tcp_keepalive_time", "60");
+    assert_eq!(keepalive(&mut own)["OMPI_MCA_oob_tcp_keepalive_time"], 60);
 }
 
 #[test]
@@ -133,4 +158,12 @@ fn a_watched_sweep_tells_its_rate_until_it_ends() {
     let told = String::from_utf8(watch.stdout).unwrap();
     assert!(told.contains("tiny: running") && told.contains("tiny: finished"), "{told}");
     assert!(told.contains(" per hour on 1 rank, ") && told.contains(" % idle"), "{told}");
+    // What is known of the load outlives the session.
+    assert!(told.contains("\nbusy ") && !out.join("load.json").exists(), "{told}");
+    let status = run(&["status", out.to_str().unwrap(), "--format", "json"]);
+    let status: serde_json::Value = serde_json::from_slice(&status.stdout).unwrap();
+    let share = status["load"]["ranks"][0]["busy_share"].as_f64().unwrap();
+    assert!(share > 0.0 && share <= 1.0, "{share}");
+    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    assert!(page.contains("<h3>Load per rank</h3>") && page.contains(" cases per hour."));
 }

@@ -8,7 +8,7 @@ use std::time::Duration;
 
 use seawall::execute::fake::{FakeRunner, Fate, cost};
 use seawall::execute::{
-    Ending, Interrupt, Progress, ProgressStyle, Session, Setup, coordinate, threads,
+    Ending, Interrupt, Progress, ProgressStyle, Session, Setup, Worked, coordinate, threads,
 };
 use seawall::math::simd::SimdPath;
 use seawall::results::{Directory, OpenMode, Savings};
@@ -79,7 +79,8 @@ fn sweep(out: &Path, study: &Study, run: &Run) -> (Ending, Savings) {
             Ok(())
         })
         .unwrap();
-        ended.unwrap()
+        let worked: Worked = ended.unwrap();
+        (worked.ending, worked.savings)
     })
 }
 

@@ -188,7 +188,8 @@ impl Matrix {
                         Ok(*seen.entry(id).or_insert_with(|| {
                             let index = cases.len();
                             let words = [&case.name, &method.name];
-                            let assignments = words.map(|word| Some(Value::String(word.clone())));
+                            let assignments =
+                                words.map(|word| Some(Value::String(word.clone()).into()));
                             cases.push(Case { index, id, config, assignments: assignments.into() });
                             index
                         }))

@@ -110,7 +110,7 @@ impl Refinement {
     fn is_written(&self, case: &Case, but: Option<usize>) -> bool {
         let pairs = self.file.grid.iter().zip(&case.assignments).enumerate();
         let mut others = pairs.filter(|(key, _)| Some(*key) != but);
-        others.all(|(_, (axis, value))| value.as_ref().is_none_or(|v| axis.values.contains(v)))
+        others.all(|(_, (axis, value))| value.as_deref().is_none_or(|v| axis.values.contains(v)))
     }
 
     /// What the results of a round ask for.
@@ -151,7 +151,7 @@ impl Refinement {
         let mut lines: Vec<(Assignments, Vec<Stop>)> = Vec::new();
         let mut places: HashMap<String, usize> = HashMap::new();
         for case in study.cases.iter().filter(|case| self.is_written(case, Some(key))) {
-            let value = case.assignments[key].as_ref().and_then(crate::keys::number);
+            let value = case.assignments[key].as_deref().and_then(crate::keys::number);
             let Some(value) = value else { continue };
             let mut others = case.assignments.clone();
             others[key] = None;
@@ -175,7 +175,7 @@ impl Refinement {
                 let whole = whole.map_or(0.0, |pair| pair[1] - pair[0]);
                 let middle = scale.value(0.5 * (left + right));
                 let mut assignments = others.clone();
-                assignments[key] = Some(toml::Value::Float(middle));
+                assignments[key] = Some(toml::Value::Float(middle).into());
                 let inside = [&stops[at], &stops[at + 1]].iter().all(|stop| stop.value != middle);
                 let small = !inside || (right - left) * PIECES < 1.5 * whole;
                 Interval { middle: assignments, off: off(&stops, at), small }

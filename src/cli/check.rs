@@ -14,6 +14,7 @@ use super::physics::physics;
 use super::refine;
 use super::table::Table;
 use super::warnings::warnings;
+use crate::keys::Shared;
 use crate::results::counted;
 use crate::scene::limits;
 use crate::simulation::cost;
@@ -69,7 +70,7 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
     let mut table =
         Table::new(["case", "id"].into_iter().chain(study.keys.iter().map(String::as_str)));
     for case in study.cases.iter().take(rows) {
-        let value = |value: &Option<toml::Value>| match value {
+        let value = |value: &Option<Shared<toml::Value>>| match value {
             Some(value) => value.to_string(),
             None => "-".to_owned(),
         };

@@ -10,16 +10,16 @@ use super::output::Output;
 use super::shown;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::{
-    Crew, Ending, Interrupt, Keeping, Progress, Session, Setup, SphRunner, Tally, coordinate,
-    host_name, memory, threads,
+    Crew, Ending, Interrupt, Keeping, Progress, Session, Setup, SphRunner, Tally, Worked,
+    coordinate, host_name, memory, threads,
 };
 use crate::film::Filming;
 use crate::math::simd::SimdPath;
 use crate::quantities::summary::COARSE_SPACING;
 use crate::quantities::{Bars, Value as Cell};
 use crate::results::{
-    CaseRecord, Directory, Manifest, OpenMode, Opened, Program, RankInfo, Savings, SessionInfo,
-    SweepError, counted, has_checkpoints, timestamp,
+    CaseRecord, Directory, Load, Manifest, OpenMode, Opened, Program, RankInfo, Savings,
+    SessionInfo, SweepError, counted, finished, has_checkpoints, timestamp,
 };
 use crate::scene::CaseConfig;
 use crate::simulation::{Cost, cost};
@@ -88,8 +88,15 @@ impl Done {
         }
     }
 
-    pub(super) fn json(&self, job: &Job, report: Option<&Path>) -> Value {
-        json!({
+    /// The finished cases with all that the journal has of them, in grid order.
+    pub(super) fn whole(&self, study: &Study) -> Result<Vec<CaseRecord>, SweepError> {
+        let whole = finished(self.directory.path(), study)?.into_iter();
+        let whole = whole.zip(self.directory.records());
+        Ok(whole.filter_map(|(record, here)| record.filter(|_| here.is_some())).collect())
+    }
+
+    pub(super) fn json(&self, job: &Job, report: Option<&Path>) -> Result<Value, SweepError> {
+        Ok(json!({
             "name": job.study.name,
             "out": shown::path(self.directory.path()),
             "report": report.map(shown::path),
@@ -100,8 +107,8 @@ impl Done {
             "coarse": self.coarse(job).len(),
             "wall_time_s": self.wall_time_s,
             "savings": self.savings,
-            "records": self.records().collect::<Vec<_>>(),
-        })
+            "records": self.whole(&job.study)?,
+        }))
     }
 }
 
@@ -215,7 +222,11 @@ pub(super) fn execute(
         ended = Some(coordinate(link, &mut session)?);
         Ok(())
     })?;
-    let (ending, savings) = ended.unwrap_or((Ending::Interrupted, Savings::default()));
+    let Worked { ending, savings, load } = ended.unwrap_or(Worked {
+        ending: Ending::Interrupted,
+        savings: Savings::default(),
+        load: Load::default(),
+    });
     if ending == Ending::Finished {
         directory.clear_checkpoints()?;
     }
@@ -224,6 +235,7 @@ pub(super) fn execute(
         session.ended = Some(timestamp());
         session.wall_time_s = wall_time_s;
         session.savings = Some(savings);
+        session.load = Some(load).filter(|load| !load.ranks.is_empty());
         let word = if ending == Ending::Finished { "finished" } else { "interrupted" };
         session.ending = Some(word.to_owned());
     }

@@ -50,8 +50,9 @@ use std::process::ExitCode;
 
 use clap::{Args, ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 
+use self::failure::BadInput;
 use self::output::{Format, Output};
-use crate::execute::{Launcher, SphRunner, apart};
+use crate::execute::{Launcher, SphRunner, apart, widest_simd};
 
 const SUCCESS: u8 = 0;
 /// Some case failed; the others' results are complete.
@@ -113,6 +114,22 @@ enum Subcommands {
     Man(completions::ManArgs),
 }
 
+/// Whether the environment lowers the instruction set of a command that computes to one that there is.
+fn simd_limit(command: &Subcommands) -> Result<(), String> {
+    let computes = match command {
+        Subcommands::Sweep(args) => !args.dry_run,
+        Subcommands::Verify(args) => args.rerun > 0,
+        Subcommands::Run(_)
+        | Subcommands::Film(_)
+        | Subcommands::Reproduce(_)
+        | Subcommands::Accuracy(_)
+        | Subcommands::Stress(_)
+        | Subcommands::Apart => true,
+        _ => false,
+    };
+    if computes { widest_simd().map(|_| ()) } else { Ok(()) }
+}
+
 /// Runs the command line and returns the process's exit code.
 pub fn main() -> ExitCode {
     let launcher = Launcher::detect();
@@ -165,6 +182,14 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         }
     };
     let output = Output::new(&cli.global, launcher);
+    if let Err(reason) = simd_limit(&cli.command) {
+        // A launcher may have given it to some ranks alone: each tells for itself.
+        if launcher.rank > 0 {
+            eprintln!("error: rank {}: {reason}", launcher.rank);
+            return BAD_INPUT;
+        }
+        return failure::exit_code(Err(BadInput(reason).into()), launcher, output.is_json());
+    }
     let result = match cli.command {
         Subcommands::Sweep(args) => sweep::main(&args, &output, launcher),
         _ if launcher.rank > 0 => Ok(SUCCESS),

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::execute::{Done, Job};
 use super::output::{duration, short, with_bar};
 use super::table::Table;
+use crate::keys::{self, Shared};
 use crate::math::name::name_of;
 use crate::quantities::summary::{
     DISPLACEMENT_MAX, ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX, STATUS,
@@ -55,15 +56,16 @@ fn table(job: &Job, done: &Done, rows: usize) -> String {
 }
 
 fn render(job: &Job, done: &Done, rows: usize, shown: &[&Column]) -> String {
-    let keys = &job.study.keys;
+    let swept_keys = &job.study.keys;
     let symbol = |key: &String| named(key).map_or_else(|| heading(key), Column::heading);
     let headings = shown.iter().copied().chain([&STATUS]).map(Column::heading);
-    let mut table = Table::new(keys.iter().map(symbol).chain(headings));
+    let mut table = Table::new(swept_keys.iter().map(symbol).chain(headings));
     for record in done.records().take(rows) {
-        let config = &job.study.cases[record.index].config;
+        let case = &job.study.cases[record.index];
+        let (config, case_values) = (&case.config, &case.assignments);
         let bars = job.study.error_bars(record.index, done.directory.runs());
         let case = record.reported(config, bars);
-        let mut cells: Vec<String> = keys.iter().map(|key| swept(record, key)).collect();
+        let mut cells: Vec<String> = case_values.iter().map(swept).collect();
         cells.extend(shown.iter().map(|column| number(column, &case)));
         cells.push(status(record));
         table.row(cells);
@@ -72,10 +74,10 @@ fn render(job: &Job, done: &Done, rows: usize, shown: &[&Column]) -> String {
 }
 
 /// The value of a swept key.
-fn swept(record: &CaseRecord, key: &String) -> String {
-    match record.values.get(key) {
-        Some(serde_json::Value::String(text)) => text.clone(),
-        Some(value) => value.as_f64().map_or_else(|| value.to_string(), crate::report::plain),
+fn swept(value: &Option<Shared<toml::Value>>) -> String {
+    match value.as_deref() {
+        Some(toml::Value::String(text)) => text.clone(),
+        Some(value) => keys::number(value).map_or_else(|| value.to_string(), crate::report::plain),
         None => "-".to_owned(),
     }
 }

@@ -5,8 +5,8 @@ use std::collections::HashSet;
 use rayon::prelude::*;
 use toml::{Table, Value};
 
-use crate::keys::{Key, Section, number};
-use crate::scene::{CaseConfig, Kind, numerics_keys, scene_keys};
+use crate::keys::{Key, Section, Shared, number};
+use crate::scene::{Kind, Numerics, Scene, numerics_keys, scene_keys};
 use crate::study::{Case, Study};
 
 /// A key that is on, and the values that occur among the cases, `none` where a case has none.
@@ -72,9 +72,9 @@ fn keys(study: &Study) -> Vec<&'static Key> {
     keys
 }
 
-fn values(case: &CaseConfig) -> Table {
-    let mut values = Table::try_from(&case.scene).unwrap_or_default();
-    values.extend(case.numerics.table());
+fn values(scene: &Scene, numerics: &Table) -> Table {
+    let mut values = Table::try_from(scene).unwrap_or_default();
+    values.extend(numerics.iter().map(|(key, value)| (key.clone(), value.clone())));
     values
 }
 
@@ -98,8 +98,15 @@ impl Column {
 /// The values of each key among some cases. A case with all its keys is large: none is kept.
 fn occurring(keys: &[&'static Key], cases: &[Case]) -> Vec<Column> {
     let mut columns: Vec<Column> = keys.iter().map(|_| Column::default()).collect();
+    let mut shared: Option<(&Shared<Numerics>, Table)> = None;
     for case in cases {
-        let case = values(&case.config);
+        let own = &case.config.numerics;
+        let numerics = match shared.take() {
+            Some((known, table)) if known == own => table,
+            _ => own.table(),
+        };
+        let numerics = &shared.insert((own, numerics)).1;
+        let case = values(&case.config.scene, numerics);
         for (key, column) in keys.iter().zip(&mut columns) {
             let value = case.get(key.name).filter(|value| is_on(key, &case, value));
             column.is_on |= value.is_some();

@@ -5,13 +5,13 @@ use std::str::FromStr;
 use super::failure::BadInput;
 use crate::results::counted;
 use crate::scene::ConfigError;
-use crate::study::{Case, Override, Study};
+use crate::study::{Assignments, Case, Override, Study};
 
 /// A case that may be picked: its id, and the values of the swept keys, none where one means nothing.
 #[derive(Debug, Clone)]
 pub(super) struct Choice {
     pub(super) id: String,
-    pub(super) values: Vec<Option<toml::Value>>,
+    pub(super) values: Assignments,
 }
 
 /// The only case that fits the words: an id or the start of one, or values of swept keys.
@@ -72,7 +72,7 @@ fn keep_with_value(
     };
     let values = values(fitting, place);
     fitting.retain(|choice| {
-        choice.values[place].as_ref().is_some_and(|value| same(value, wanted.value()))
+        choice.values[place].as_deref().is_some_and(|value| same(value, wanted.value()))
     });
     if fitting.is_empty() {
         return Err(BadInput(format!("{word}: no such case; there is {values}")));
@@ -83,7 +83,7 @@ fn keep_with_value(
 /// The values of a swept key among some cases, in words.
 fn values(cases: &[&Choice], place: usize) -> String {
     let mut words: Vec<String> = Vec::new();
-    for value in cases.iter().filter_map(|case| case.values[place].as_ref()) {
+    for value in cases.iter().filter_map(|case| case.values[place].as_deref()) {
         let word = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
         if !words.contains(&word) {
             words.push(word);

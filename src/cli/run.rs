@@ -112,7 +112,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
             false => "interrupted: a single scene starts over",
         });
     }
-    for record in done.records() {
+    for record in &done.whole(&job.study)? {
         let text = format!(
             "{}files: {}\n",
             told(record, &job.study.cases[record.index].config),

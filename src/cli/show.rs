@@ -82,7 +82,10 @@ impl Row {
     fn choice(&self, keys: &[String]) -> Choice {
         let value = |key: &String| match self.cell(key) {
             "" => None,
-            cell => Some(cell.parse().map_or_else(|_| cell.into(), toml::Value::Float)),
+            cell => {
+                let value = cell.parse().map_or_else(|_| cell.into(), toml::Value::Float);
+                Some(value.into())
+            }
         };
         Choice { id: self.cell(CASE_ID.name).to_owned(), values: keys.iter().map(value).collect() }
     }

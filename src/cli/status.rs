@@ -14,7 +14,7 @@ use super::table::Table;
 use super::watch::{View, Watch};
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS, stored};
 use crate::math::name::name_of;
-use crate::results::{CaseRecord, Lock, Manifest, RankInfo, counted, finished, read_journal};
+use crate::results::{CaseRecord, Load, Lock, Manifest, RankInfo, counted, finished, read_journal};
 
 /// Show what is done, what failed and why, what is left, and the time to go.
 #[derive(Debug, Args)]
@@ -132,7 +132,7 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
         }
         text.push_str(&table.render());
     }
-    let value = json!({
+    let mut value = json!({
         "name": header.name,
         "cases": cases,
         "done": records.len(),
@@ -156,7 +156,18 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
     });
     let session = manifest.as_ref().and_then(|manifest| manifest.sessions.last());
     let ranks = session.map_or(&[][..], |session| &session.ranks);
+    let load = Load::read(&args.dir).filter(|_| running);
+    let load = load.or_else(|| session.and_then(|session| session.load.clone()));
+    if let Some(told) = load.as_ref().and_then(Load::told) {
+        text.push_str(&format!("{told}\n"));
+    }
+    let share = |load: &Load, rank: usize| json!({ "busy_share": load.share(rank), "rank": rank });
+    value["load"] = json!(load.as_ref().map(|load| json!({
+        "busy_share": load.whole_share(),
+        "ranks": (0..load.ranks.len()).map(|rank| share(load, rank)).collect::<Vec<_>>(),
+    })));
     let view = View {
+        busy_s: load.as_ref().map(Load::busy_s),
         done: records.len() + companions_done,
         spent_s: records.iter().map(|record| record.wall_time_s).sum(),
         ranks: ranks.len(),

@@ -13,11 +13,10 @@ use super::input::{Expect, Setting, SimdChoice, default_out, out_of, study, swee
 use super::keep::KeepArgs;
 use super::output::Output;
 use super::overview::told;
-use super::{BAD_INPUT, SUCCESS, check, films, max_error, refine, shown, warnings};
+use super::{INTERRUPTED, SUCCESS, check, films, max_error, refine, shown, warnings};
 use crate::accuracy::{MaxError, Refinement};
-use crate::execute::{
-    Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads, widest_simd,
-};
+use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
+use crate::report::PAGE as REPORT;
 use crate::results::{OpenMode, counted, write_all_histories};
 
 /// Run all cases of a sweep file, on threads or under mpirun, and go on where an earlier run
@@ -55,7 +54,7 @@ pub(super) struct SweepArgs {
     retry_failed: bool,
     /// Validate and show what would run; write nothing.
     #[arg(long)]
-    dry_run: bool,
+    pub(super) dry_run: bool,
     /// Run every case from rest, for checking: the same results, slower.
     #[arg(long)]
     no_branch: bool,
@@ -108,15 +107,6 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
         let study = study(&args.file, &args.settings, Expect::Grid)?;
         films::check(&args.film, &study)?;
         return check::show(&study, !args.no_branch, output);
-    }
-    // A launcher may have given it to some ranks alone: each tells for itself.
-    if let Err(reason) = widest_simd() {
-        let rank = launcher.rank;
-        if rank > 0 {
-            eprintln!("error: rank {rank}: {reason}");
-            return Ok(BAD_INPUT);
-        }
-        return Err(BadInput(reason).into());
     }
     let use_mpi = choose(args.executor, launcher, mpi::AVAILABLE)?;
     let interrupt = Interrupt::listen()?;
@@ -219,17 +209,28 @@ fn lead(
         output.note(format_args!(
             "interrupted: {finished} of {cases} done; the same command goes on"
         ));
+        if crew.executor() == "mpi" {
+            output.note(format_args!(
+                "the journal is whole. A launcher that was told to end may return 1; seawall's own code is \
+                 {INTERRUPTED}, as `seawall status {} --exit-code` tells",
+                done.directory.path().display()
+            ));
+        }
         return Ok(done.exit_code());
     }
     let filming = films::make(films, &job.study, &done, args.threads, interrupt, output)?;
     done.directory.demand_in_place()?;
     write_all_histories(done.directory.path())?;
-    let aimed = aim.as_ref().map(|aim| max_error::report(aim, &job.study, &done)).transpose()?;
-    let report = crate::report::write(done.directory.path())?;
+    let report = done.directory.path().join(REPORT);
     let mut text = told(&job, &done, &report, output.verbose);
-    let mut value = done.json(&job, Some(&report));
+    let mut value = match output.is_json() {
+        true => done.json(&job, Some(&report))?,
+        false => json!({}),
+    };
     value["films"] = json!(shown::paths(&films::pages(done.directory.path())));
-    if let Some((told, accuracy)) = aimed {
+    if let Some(aim) = &aim {
+        // The page reads what this writes.
+        let (told, accuracy) = max_error::report(aim, &job.study, &done)?;
         text.push_str(&told);
         value["accuracy"] = accuracy;
     }
@@ -238,8 +239,13 @@ fn lead(
         text.push_str(&told);
         value["refined"] = refined;
     }
+    let code = done.exit_code().max(filming);
+    // The report reads files alone. Of a large study both would be too much.
+    done.directory.forget_records();
+    drop(job);
+    crate::report::write(done.directory.path())?;
     output.result(&text, &value)?;
-    Ok(done.exit_code().max(filming))
+    Ok(code)
 }
 
 #[cfg(test)]

@@ -22,7 +22,7 @@ pub(super) struct VerifyArgs {
     dir: PathBuf,
     /// Run so many finished cases again, spread over the grid, and compare every bit.
     #[arg(long, value_name = "N", default_value_t = 0)]
-    rerun: usize,
+    pub(super) rerun: usize,
     /// Threads that share the work; the results are the same for any number [default: all].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,

@@ -11,6 +11,8 @@ pub(super) struct View {
     pub(super) done: usize,
     /// Seconds that finished cases have taken.
     pub(super) spent_s: f64,
+    /// Seconds that its ranks have been busy in this session, what they are at included.
+    pub(super) busy_s: Option<f64>,
     /// Ranks of the last session.
     pub(super) ranks: usize,
     /// Cases that they run at once.
@@ -35,12 +37,14 @@ impl Watch {
     }
 }
 
-/// Cases per hour, the ranks, and the share of their places in which no case ran that has ended; none
-/// before one has ended.
+/// Cases per hour, the ranks, and the share of their places in which nothing ran; none before a case has
+/// ended. Where the ranks' own load is not known, only cases that have ended count.
 fn rate(first: View, now: View, seconds: f64) -> Option<String> {
     let done = now.done.checked_sub(first.done).filter(|&done| done > 0)?;
     let per_hour = done as f64 / seconds * 3600.0;
-    let busy = (now.spent_s - first.spent_s) / (seconds * now.places.max(1) as f64);
+    let own = now.busy_s.zip(first.busy_s).map(|(now, first)| now - first);
+    let busy = own.filter(|busy| *busy >= 0.0).unwrap_or(now.spent_s - first.spent_s);
+    let busy = busy / (seconds * now.places.max(1) as f64);
     let idle = 100.0 * (1.0 - busy).clamp(0.0, 1.0);
     let (ranks, done) = (counted(now.ranks, "rank"), counted(done, "case"));
     Some(format!("{done} in {seconds:.0} s: {per_hour:.0} per hour on {ranks}, {idle:.0} % idle"))
@@ -52,10 +56,14 @@ mod tests {
 
     #[test]
     fn a_rate_needs_two_looks() {
-        let first = View { done: 3, spent_s: 10.0, ranks: 2, places: 4 };
+        let first = View { done: 3, spent_s: 10.0, busy_s: None, ranks: 2, places: 4 };
         assert_eq!(rate(first, first, 5.0), None);
         let now = View { done: 13, spent_s: 40.0, ..first };
         let told = rate(first, now, 10.0).unwrap();
         assert_eq!(told, "10 cases in 10 s: 3600 per hour on 2 ranks, 25 % idle");
+        // What the ranks are at counts where they tell it.
+        let [first, now] =
+            [(first, 20.0), (now, 58.0)].map(|(view, busy)| View { busy_s: Some(busy), ..view });
+        assert!(rate(first, now, 10.0).unwrap().ends_with("on 2 ranks, 5 % idle"));
     }
 }

@@ -3,9 +3,12 @@
 use std::time::Duration;
 
 use super::interrupt::Interrupt;
+use super::load::Loads;
 use super::progress::Progress;
 use super::{Link, Order, Report};
-use crate::results::{CaseRecord, Delivery, Directory, RankInfo, Savings, SweepError};
+use crate::results::{
+    CaseRecord, Delivery, Directory, Load, RankInfo, Savings, SweepError, forget_load,
+};
 use crate::schedule::{Command, Event, Manager, Work};
 use crate::simulation::{CaseResult, Failure, Stopped};
 use crate::study::{CaseId, Plan, Study};
@@ -20,6 +23,17 @@ pub enum Ending {
     Finished,
     /// The user stopped it; cases are left.
     Interrupted,
+}
+
+/// What a session has done.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Worked {
+    /// How it ended.
+    pub ending: Ending,
+    /// What branching has saved.
+    pub savings: Savings,
+    /// How busy each rank was.
+    pub load: Load,
 }
 
 /// One process's work on an output directory.
@@ -55,10 +69,7 @@ impl Session<'_> {
 
 /// Runs a plan to its end, or until interrupted; everything finished is recorded and on the disk
 /// when this returns.
-pub fn coordinate(
-    link: &mut dyn Link,
-    session: &mut Session<'_>,
-) -> Result<(Ending, Savings), SweepError> {
+pub fn coordinate(link: &mut dyn Link, session: &mut Session<'_>) -> Result<Worked, SweepError> {
     let capacities: Vec<_> = session.ranks.iter().map(RankInfo::places).collect();
     let mut loop_ = Loop {
         manager: Manager::new(session.plan, &capacities),
@@ -66,6 +77,7 @@ pub fn coordinate(
         trunk_of_case: vec![None; session.plan.cases.len()],
         trunk_steps: vec![0; session.plan.trunks.len()],
         savings: Savings::default(),
+        loads: Loads::new(session.ranks),
     };
     for rank in 0..capacities.len() {
         loop_.tell(Event::Ready { rank }, link, session)?;
@@ -80,6 +92,7 @@ pub fn coordinate(
         let parts = parts.map(|(work, share)| share * loop_.cost_of(work, session.plan) as f64);
         session.progress.under_way(parts.sum::<f64>() as u64);
         session.directory.sync(false)?;
+        loop_.loads.tell(session.directory.path());
         if session.interrupt.is_raised() && !told {
             told = true;
             loop_.tell(Event::Interrupted, link, session)?;
@@ -90,7 +103,8 @@ pub fn coordinate(
     session.directory.write_tables(session.study)?;
     let finished = loop_.manager.unfinished() == 0;
     let ending = if finished { Ending::Finished } else { Ending::Interrupted };
-    Ok((ending, loop_.savings))
+    forget_load(session.directory.path())?;
+    Ok(Worked { ending, savings: loop_.savings, load: loop_.loads.so_far() })
 }
 
 struct Loop {
@@ -100,6 +114,7 @@ struct Loop {
     trunk_of_case: Vec<Option<usize>>,
     trunk_steps: Vec<u64>,
     savings: Savings,
+    loads: Loads,
 }
 
 impl Loop {
@@ -135,6 +150,7 @@ impl Loop {
                     };
                     let order = Order::Run { work, config, from, apart, limits, files };
                     link.send(rank, order);
+                    self.loads.begin(rank, work);
                 }
                 Command::Drop { rank, trunk } => link.send(rank, Order::Drop { trunk }),
                 Command::Cancel => {
@@ -155,10 +171,11 @@ impl Loop {
         session: &mut Session<'_>,
     ) -> Result<(), SweepError> {
         let event = match report {
-            Report::TrunkDone { trunk, result: Err(Stopped::Interrupted) } => {
+            Report::TrunkDone { trunk, result: Err(Stopped::Interrupted), .. } => {
                 Event::GivenBack { rank, work: Work::Trunk(trunk) }
             }
-            Report::TrunkDone { trunk, result } => {
+            Report::TrunkDone { trunk, result, wall_time_s } => {
+                self.loads.end(rank, Work::Trunk(trunk), wall_time_s);
                 if let Ok(steps) = result {
                     self.savings.trunks += 1;
                     self.savings.steps_computed += steps;
@@ -177,6 +194,7 @@ impl Loop {
                         return self.tell(Event::GivenBack { rank, work }, link, session);
                     }
                 };
+                self.loads.end(rank, Work::Case(case), wall_time_s);
                 let ok = self.record(rank, case, result, (wall_time_s, cpu_time_s), session)?;
                 Event::Done { rank, work: Work::Case(case), ok }
             }

@@ -33,7 +33,7 @@ pub enum Order {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Report {
     /// A trunk ended, after so many steps or why not; its checkpoint stays where it is.
-    TrunkDone { trunk: usize, result: Result<u64, Stopped> },
+    TrunkDone { trunk: usize, result: Result<u64, Stopped>, wall_time_s: f64 },
     /// A case ended; its processor time is there where the system tells it.
     CaseDone {
         case: usize,

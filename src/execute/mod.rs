@@ -16,6 +16,7 @@ mod gauge;
 mod interrupt;
 mod keeping;
 mod launcher;
+mod load;
 pub mod memory;
 mod message;
 #[cfg(feature = "mpi")]
@@ -38,7 +39,7 @@ use crate::results::{RankInfo, SweepError};
 use crate::schedule::Work;
 use crate::simulation::Resources;
 
-pub use coordinate::{Ending, Session, coordinate};
+pub use coordinate::{Ending, Session, Worked, coordinate};
 pub use interrupt::Interrupt;
 pub use keeping::Keeping;
 pub use launcher::Launcher;

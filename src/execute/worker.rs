@@ -162,7 +162,7 @@ impl Worker<'_, '_> {
         let gauges = self.gauges;
         self.scope.spawn(move |_| {
             let child = runner.apart().filter(|_| apart || limits.memory_mib.is_some());
-            let runner = child.as_deref().unwrap_or(runner);
+            let (runner, start) = (child.as_deref().unwrap_or(runner), Instant::now());
             let result = attempt(cancel, &config, limits, |config| {
                 let gauge = gauges.watch(cancel, Work::Trunk(trunk), config, false, limits);
                 runner.trunk(config, &gauge)
@@ -172,7 +172,8 @@ impl Worker<'_, '_> {
                 Err(stopped) => (Err(stopped), None),
             };
             // The receiver is gone only when nobody waits for results any more.
-            let _ = sender.send((Report::TrunkDone { trunk, result }, checkpoint));
+            let wall_time_s = start.elapsed().as_secs_f64();
+            let _ = sender.send((Report::TrunkDone { trunk, result, wall_time_s }, checkpoint));
         });
     }
 

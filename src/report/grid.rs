@@ -14,7 +14,13 @@ use crate::quantities::summary::{CASE_ID, DOUBTFUL_REASON};
 pub(super) fn grid(table: &Table) -> String {
     let text = format!("<div class=\"wide\"><table>\n{}</table></div>", whole(table));
     let file = match table.name.as_str() {
+        "" if table.left > 0 => format!("<p>... and {} more.</p>", table.left),
         "" => String::new(),
+        name if table.left > 0 => format!(
+            "<p class=\"file\">the first {} of {} rows; tables/{name}.csv has all</p>",
+            table.rows.len(),
+            table.rows.len() + table.left
+        ),
         name => format!("<p class=\"file\">tables/{name}.csv</p>"),
     };
     if table.header.first().is_none_or(|name| name != CASE_ID.name) || table.name.is_empty() {

@@ -3,13 +3,14 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use csv::{ErrorKind, StringRecord};
 use serde::Deserialize;
 use serde_json::Value;
 
 use super::error::ReportError;
-use super::row::{Row, name_variants};
+use super::row::{Header, Row, name_variants};
 use super::study::{Key, keys, scene_number};
 use crate::quantities::{named, summary};
 
@@ -19,7 +20,7 @@ pub struct RawTable {
     /// Column names.
     pub header: Vec<String>,
     /// Cells, row by row.
-    pub rows: Vec<Vec<String>>,
+    pub rows: Vec<StringRecord>,
 }
 
 /// All that the report knows about a sweep.
@@ -93,9 +94,17 @@ fn read_summary(
 ) -> Result<(Vec<Row>, Vec<Key>), ReportError> {
     let (header, records) = read_records(path)?;
     demand(path, &header, summary::first_version().map(|column| column.name))?;
-    let mut rows = Vec::new();
+    let columns = Arc::new(Header::new(header.iter()));
+    let wrong = |record: &StringRecord, place: usize, reason| ReportError::Cell {
+        path: path.to_owned(),
+        line: record.position().map_or(0, csv::Position::line),
+        column: header[place].to_owned(),
+        reason,
+    };
+    let mut rows = Vec::with_capacity(records.len());
     for record in &records {
-        rows.push(row(path, &header, record)?);
+        let row = Row::new(&columns, record.iter());
+        rows.push(row.map_err(|(place, reason)| wrong(record, place, reason))?);
     }
     // Swept keys follow the columns of every summary.
     let declared = header.iter().enumerate().filter(|(_, name)| named(name).is_some());
@@ -111,24 +120,10 @@ fn read_summary(
     Ok((rows, swept.iter().filter_map(place).map(key).collect()))
 }
 
-fn row(path: &Path, header: &StringRecord, record: &StringRecord) -> Result<Row, ReportError> {
-    let mut row = Row::default();
-    for (column, cell) in header.iter().zip(record) {
-        row.take(column, cell).map_err(|reason| ReportError::Cell {
-            path: path.to_owned(),
-            line: record.position().map_or(0, csv::Position::line),
-            column: column.to_owned(),
-            reason,
-        })?;
-    }
-    Ok(row)
-}
-
 pub(super) fn read_raw(path: &Path, needed: &[&'static str]) -> Result<RawTable, ReportError> {
     let (header, records) = read_records(path)?;
     demand(path, &header, needed.iter().copied())?;
-    let cells = |record: &StringRecord| record.iter().map(str::to_owned).collect();
-    Ok(RawTable { header: cells(&header), rows: records.iter().map(cells).collect() })
+    Ok(RawTable { header: header.iter().map(str::to_owned).collect(), rows: records })
 }
 
 /// Provenance is no answer: a report can do without one that is damaged.

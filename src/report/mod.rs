@@ -40,6 +40,10 @@ pub use reproduce::Reproduced;
 pub use row::Row;
 
 use load::Loaded;
+use tables::Lines;
+
+/// The page's file in an output directory.
+pub const PAGE: &str = "report.html";
 
 /// Writes `figures/*.svg`, `tables/*.csv` and `report.html` into an output directory that holds
 /// at least a `summary.csv`, and returns the page's path.
@@ -50,13 +54,10 @@ pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
 /// Likewise, with tables in the units of a prototype, where a Froude scale is given.
 pub fn write_scaled(out_dir: &Path, scale: Option<Froude>) -> Result<PathBuf, ReportError> {
     let data = Loaded::read(out_dir)?;
-    let (figures, mut tables) = (plots::all(&data)?, tables::all(&data)?);
+    let figures = plots::all(&data)?;
     for name in Froude::TABLES {
         // Of an earlier scale.
         let _ = fs::remove_file(out_dir.join("tables").join(format!("{name}.csv")));
-    }
-    if let Some(scale) = scale {
-        tables.extend(scale.tables(&data)?);
     }
     let papers = papers::papers(&data)?;
     let (figures_dir, tables_dir) = (out_dir.join("figures"), out_dir.join("tables"));
@@ -66,10 +67,17 @@ pub fn write_scaled(out_dir: &Path, scale: Option<Froude>) -> Result<PathBuf, Re
     for figure in figures.iter().chain(theirs) {
         save(&figures_dir.join(format!("{}.svg", figure.name)), &figure.svg())?;
     }
-    for table in tables.iter().chain(papers.iter().map(|papers| &papers.tidy)) {
+    let scaled = scale.map_or(Ok(Vec::new()), |scale| scale.tables(&data))?;
+    let lines = tables::all(&data).into_iter().chain(scaled.into_iter().map(Lines::from));
+    let write = |lines: Lines<'_>| {
+        let path = tables_dir.join(format!("{}.csv", lines.name));
+        lines.write(&path, page::MOST_ROWS)
+    };
+    let tables = lines.map(write).collect::<Result<Vec<_>, _>>()?;
+    for table in papers.iter().map(|papers| &papers.tidy) {
         save(&tables_dir.join(format!("{}.csv", table.name)), &table.csv())?;
     }
-    let path = out_dir.join("report.html");
+    let path = out_dir.join(PAGE);
     let said = papers
         .as_ref()
         .map(|papers| page::Papers { answer: papers.answer.clone(), content: papers.section() });

@@ -1,6 +1,7 @@
 //! One row of `summary.csv`, as far as the report needs it.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeSet, HashMap};
+use std::sync::Arc;
 
 use super::number;
 use super::study::Key;
@@ -13,12 +14,32 @@ use crate::quantities::{Column, Digits, named};
 /// What tells a case from the others, as a rule.
 pub(super) const PLACE: [&Column; 3] = [&WAVE_HEIGHT_RATIO, &SPRING_STIFFNESS, &SEAWALL_MASS];
 
+/// Where the columns of a table stand.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Header {
+    places: HashMap<String, usize>,
+    declared: Vec<Option<&'static Column>>,
+}
+
+impl Header {
+    /// Of these columns.
+    pub fn new<'a>(names: impl Iterator<Item = &'a str>) -> Header {
+        let names: Vec<_> = names.collect();
+        let place = |(place, name): (usize, &&str)| ((*name).to_owned(), place);
+        Header {
+            places: names.iter().enumerate().map(place).collect(),
+            declared: names.iter().map(|name| named(name)).collect(),
+        }
+    }
+}
+
 /// The cells of one case, by their columns. A column that is not there is empty.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Row {
-    cells: BTreeMap<&'static str, String>,
-    /// When maxima were reached, seconds, by the names of their columns.
-    times: BTreeMap<&'static str, f64>,
+    header: Arc<Header>,
+    /// All cells, one behind the other, and where each ends.
+    text: Box<str>,
+    ends: Box<[u32]>,
     /// Of a fixed wall; upright where nothing says otherwise.
     pub wall_angle_deg: Option<f64>,
     /// Which of several runs with the same wave and wall this is, such as `boundary = sfdi`;
@@ -27,25 +48,39 @@ pub struct Row {
 }
 
 impl Row {
-    /// Takes a cell.
-    pub fn take(&mut self, name: &str, cell: &str) -> Result<(), String> {
-        if name == "wall_angle_deg" {
-            self.wall_angle_deg = cell.parse().ok();
+    /// A row of a table with this header.
+    ///
+    /// # Errors
+    /// The place of a cell that should be a number and is none, and what is wrong with it.
+    pub fn new<'a>(
+        header: &Arc<Header>,
+        cells: impl Iterator<Item = &'a str>,
+    ) -> Result<Row, (usize, String)> {
+        let (mut text, mut ends) = (String::new(), Vec::with_capacity(header.declared.len()));
+        for (place, cell) in cells.enumerate() {
+            let column = header.declared.get(place).copied().flatten();
+            let number = column.is_some_and(Column::is_number) && !cell.is_empty();
+            if number && cell.parse::<f64>().is_err() {
+                return Err((place, format!("{cell:?} is no number")));
+            }
+            text.push_str(cell);
+            ends.push(u32::try_from(text.len()).unwrap_or(u32::MAX));
         }
-        if let Some(maximum) = name.strip_suffix("_time_s").and_then(named) {
-            self.times.extend(cell.parse().ok().map(|time: f64| (maximum.name, time)));
-        }
-        let Some(column) = named(name) else { return Ok(()) };
-        if column.is_number() && !cell.is_empty() && cell.parse::<f64>().is_err() {
-            return Err(format!("{cell:?} is no number"));
-        }
-        self.cells.insert(column.name, cell.to_owned());
-        Ok(())
+        let (header, text, ends) = (header.clone(), text.into(), ends.into());
+        let row = Row { header, text, ends, wall_angle_deg: None, variant: String::new() };
+        Ok(Row { wall_angle_deg: row.named("wall_angle_deg").parse().ok(), ..row })
+    }
+
+    fn named(&self, name: &str) -> &str {
+        let Some(&place) = self.header.places.get(name) else { return "" };
+        let Some(&end) = self.ends.get(place) else { return "" };
+        let start = place.checked_sub(1).map_or(0, |before| self.ends[before]);
+        &self.text[start as usize..end as usize]
     }
 
     /// A cell as it stands.
     pub fn text(&self, column: &Column) -> &str {
-        self.cells.get(column.name).map_or("", String::as_str)
+        self.named(column.name)
     }
 
     /// A number; `None` where the cell is empty.
@@ -55,7 +90,7 @@ impl Row {
 
     /// When a maximum was reached, seconds.
     pub fn time(&self, column: &Column) -> Option<f64> {
-        self.times.get(column.name).copied()
+        self.named(&format!("{}_time_s", column.name)).parse().ok()
     }
 
     /// A flag.
@@ -120,9 +155,17 @@ impl Row {
 
     /// The row with another value.
     #[cfg(test)]
-    pub fn with(mut self, column: &'static Column, value: impl ToString) -> Row {
-        self.cells.insert(column.name, value.to_string());
-        self
+    pub fn with(self, column: &'static Column, value: impl ToString) -> Row {
+        let mut names: Vec<_> = self.header.places.iter().collect();
+        names.sort_by_key(|(_, place)| **place);
+        let others = names.into_iter().map(|(name, _)| name).filter(|name| *name != column.name);
+        let others = others.map(|name| (name.clone(), self.named(name).to_owned()));
+        let own = (column.name.to_owned(), value.to_string());
+        let cells: Vec<_> = others.chain([own]).collect();
+        let header = Arc::new(Header::new(cells.iter().map(|(name, _)| name.as_str())));
+        let Row { wall_angle_deg, variant, .. } = self;
+        let row = Row::new(&header, cells.iter().map(|(_, cell)| cell.as_str())).unwrap();
+        Row { wall_angle_deg, variant, ..row }
     }
 }
 

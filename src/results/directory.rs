@@ -12,7 +12,7 @@ use super::filing::Filed;
 use super::group::Group;
 use super::journal::{self, Journal};
 use super::lock::Lock;
-use super::opening::{self, Found, look};
+use super::opening::{self, Filling, Found, look};
 use super::record::CaseRecord;
 use super::{checkpoints, disk, energy, summary};
 use crate::math::name::name_of;
@@ -98,20 +98,23 @@ impl Directory {
             lock = new;
             opened = Opened::Moved(aside);
         }
-        let mut records = vec![None; study.run_count()];
-        let mut findings = Vec::new();
+        let (mut records, mut findings) = (Vec::new(), Vec::new());
         let (journal, simd) = if look(path)? == Found::Nothing {
+            records.resize(study.run_count(), None);
             let simd = requested.unwrap_or(widest);
             let header = Header::new(&study.name, &study.identity, study.cases.len(), simd);
             (Journal::create(path, &header)?, simd)
         } else {
-            let content = journal::read_journal(path)?;
+            let mut filling = Filling::new(path, study);
+            let content = journal::read_in_blocks(path, |lines| filling.take(lines))?;
             findings.extend(opening::told_damage(&content));
             let header = opening::header(path, &content, study, requested.unwrap_or(widest))?;
             opening::check_header(path, &header, study, requested, widest)?;
             let journal = Journal::resume(path, &content, &header)?;
             files::clean(path)?;
-            findings.extend(opening::fill(path, study, &mut records, content.records));
+            let (filled, damaged) = filling.end();
+            records = filled;
+            findings.extend(damaged);
             opened = Opened::Resumed(records.iter().flatten().count());
             (journal, header.simd)
         };
@@ -177,7 +180,8 @@ impl Directory {
         self.simd
     }
 
-    /// The finished cases, in grid order.
+    /// The finished cases, in grid order, as far as tables and figures need them; the journal has the rest,
+    /// see [`super::finished`].
     pub fn records(&self) -> &[Option<CaseRecord>] {
         &self.records[..self.cases]
     }
@@ -194,6 +198,12 @@ impl Directory {
                 *record = None;
             }
         }
+    }
+
+    /// Forgets what was recorded, and stays locked: for what reads files alone.
+    pub fn forget_records(&mut self) {
+        self.records = Vec::new();
+        self.cases = 0;
     }
 
     /// Records a finished case: its files first, its journal line after.
@@ -233,7 +243,7 @@ impl Directory {
         self.journal.record(&record)?;
         let index = record.index;
         self.recorded.push(record.id);
-        self.records[index] = Some(record);
+        self.records[index] = Some(record.held());
         Ok(())
     }
 

@@ -58,8 +58,10 @@ impl Entry {
 pub struct Content {
     /// The first line, where it is whole.
     pub header: Option<Header>,
-    /// Records in the order of writing.
+    /// Records in the order of writing, where they were not handed on.
     pub records: Vec<CaseRecord>,
+    /// How many records there were.
+    pub found: usize,
     /// How many lines are damaged.
     pub damaged: usize,
     /// Whether nothing is torn or damaged.
@@ -82,7 +84,18 @@ struct Line {
 ///
 /// # Errors
 /// A file that cannot be read, a whole line that this program does not know, or one that is out of place.
-pub(super) fn parse(path: &Path, mut text: impl BufRead) -> Result<Content, SweepError> {
+pub(super) fn parse(path: &Path, text: impl BufRead) -> Result<Content, SweepError> {
+    let mut records = Vec::new();
+    let content = parse_in_blocks(path, text, |block| records.extend(block))?;
+    Ok(Content { records, ..content })
+}
+
+/// The same without holding the records: each block of them is handed on.
+pub(super) fn parse_in_blocks(
+    path: &Path,
+    mut text: impl BufRead,
+    mut take: impl FnMut(Vec<CaseRecord>),
+) -> Result<Content, SweepError> {
     let mut content = Content { intact: true, ..Content::default() };
     let mut number = 0;
     loop {
@@ -101,6 +114,8 @@ pub(super) fn parse(path: &Path, mut text: impl BufRead) -> Result<Content, Swee
                 })?;
             }
         }
+        content.found += content.records.len();
+        take(std::mem::take(&mut content.records));
     }
     content.intact &= content.header.is_some();
     Ok(content)

@@ -129,6 +129,19 @@ pub(super) fn read_header(directory: &Path) -> Result<Option<Header>, SweepError
     Ok(entries::parse(&path, &line[..])?.header)
 }
 
+/// Reads a journal without touching it, and hands on its records block by block.
+///
+/// # Errors
+/// A file that cannot be read, or another program's.
+pub(super) fn read_in_blocks(
+    directory: &Path,
+    take: impl FnMut(Vec<CaseRecord>),
+) -> Result<Content, SweepError> {
+    let path = directory.join(FILE_NAME);
+    let file = File::open(&path).map_err(SweepError::io(&path))?;
+    entries::parse_in_blocks(&path, BufReader::new(file), take)
+}
+
 /// Reads a journal without touching it.
 ///
 /// # Errors

@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::atomic_file;
 use super::error::SweepError;
+use super::load::Load;
 use super::program::Program;
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
@@ -64,6 +65,9 @@ pub struct SessionInfo {
     pub wall_time_s: Option<f64>,
     /// What branching saved.
     pub savings: Option<Savings>,
+    /// How busy each rank was; absent where an earlier version or a killed process did not tell.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load: Option<Load>,
     /// How it ended: `finished`, `interrupted`, or absent.
     pub ending: Option<String>,
 }

@@ -1,6 +1,6 @@
 //! Opening an output directory: what it holds, whether it fits, what of it is damaged.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
@@ -16,7 +16,7 @@ use super::record::CaseRecord;
 use super::{disk, files, journal};
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
-use crate::study::Study;
+use crate::study::{CaseId, Study};
 
 /// What a path holds; anything else is somebody else's.
 #[derive(Debug, PartialEq)]
@@ -68,10 +68,10 @@ pub(super) fn header(
     let manifest = Manifest::read(path).filter(|manifest| manifest.sweep == study.identity);
     let simd = manifest.as_ref().and_then(Manifest::simd_path);
     match simd {
-        Some(simd) if !content.records.is_empty() => {
+        Some(simd) if content.found > 0 => {
             Ok(Header::new(&study.name, &study.identity, study.cases.len(), simd))
         }
-        _ if content.records.is_empty() && !files::any(path) => {
+        _ if content.found == 0 && !files::any(path) => {
             // Stopped before anything was done.
             let simd = simd.unwrap_or(new);
             Ok(Header::new(&study.name, &study.identity, study.cases.len(), simd))
@@ -87,7 +87,7 @@ pub(super) fn header(
 pub(super) fn told_damage(content: &Content) -> Option<String> {
     let lines = (content.damaged > 0).then(|| counted(content.damaged, "damaged line"));
     let told = lines.map(|lines| format!("{lines}, set aside in journal.damaged"));
-    let headless = content.header.is_none() && !content.records.is_empty();
+    let headless = content.header.is_none() && content.found > 0;
     let told = told.or_else(|| headless.then(|| "its first line was lost".to_owned()))?;
     Some(format!("journal.jsonl: {told}; what they held runs again"))
 }
@@ -129,27 +129,54 @@ pub(super) fn check_header(
 }
 
 /// Sorts journal lines into the order of the runs; a later line of the same run wins. Companions
-/// are known by their id: asking for other error bars renumbers them. Returns which files are damaged or
-/// missing; their cases are left out.
-pub(super) fn fill(
-    path: &Path,
-    study: &Study,
-    records: &mut [Option<CaseRecord>],
-    lines: Vec<CaseRecord>,
-) -> Vec<String> {
-    let places: HashMap<_, _> = study.runs().map(|case| (case.id, case.index)).collect();
-    for record in lines {
-        if let Some(&index) = places.get(&record.id) {
-            records[index] = Some(CaseRecord { index, ..record });
+/// are known by their id: asking for other error bars renumbers them.
+pub(super) struct Filling<'a> {
+    path: &'a Path,
+    cases: usize,
+    places: HashMap<CaseId, usize>,
+    records: Vec<Option<CaseRecord>>,
+    /// What is wrong with the files of a case, in words.
+    damage: BTreeMap<usize, String>,
+}
+
+impl Filling<'_> {
+    pub(super) fn new<'a>(path: &'a Path, study: &Study) -> Filling<'a> {
+        Filling {
+            path,
+            cases: study.cases.len(),
+            places: study.runs().map(|case| (case.id, case.index)).collect(),
+            records: vec![None; study.run_count()],
+            damage: BTreeMap::new(),
         }
     }
-    let damage = |record: &mut Option<CaseRecord>| {
-        let well = record.as_ref().filter(|record| record.is_ok())?;
-        let (file, what) = files::damage(path, well.id, &well.files)?;
-        *record = None;
-        Some(format!("{} {what}: its case runs again", file.display()))
-    };
-    records[..study.cases.len()].par_iter_mut().filter_map(damage).collect()
+
+    /// Takes the next lines, and looks at the files of their cases.
+    pub(super) fn take(&mut self, lines: Vec<CaseRecord>) {
+        let (path, cases, places) = (self.path, self.cases, &self.places);
+        let look = |record: CaseRecord| {
+            let index = *places.get(&record.id)?;
+            let files = (record.is_ok() && index < cases).then_some(&record.files);
+            let damage = files.and_then(|files| files::damage(path, record.id, files));
+            Some((CaseRecord { index, ..record }.held(), damage))
+        };
+        let looked: Vec<_> = lines.into_par_iter().filter_map(look).collect();
+        for (record, damage) in looked {
+            let index = record.index;
+            self.damage.remove(&index);
+            self.damage.extend(damage.map(|(file, what)| {
+                (index, format!("{} {what}: its case runs again", file.display()))
+            }));
+            self.records[index] = Some(record);
+        }
+    }
+
+    /// The records, without those whose files are damaged or missing, and what is wrong with these.
+    pub(super) fn end(mut self) -> (Vec<Option<CaseRecord>>, Vec<String>) {
+        for &index in self.damage.keys() {
+            self.records[index] = None;
+        }
+        (self.records, self.damage.into_values().collect())
+    }
 }
 
 /// Moves a directory aside and puts an empty one in its place, which is locked from the start.

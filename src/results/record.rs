@@ -111,6 +111,18 @@ impl CaseRecord {
         }
     }
 
+    /// What a process holds of it once it is in the journal: all that tables are made of. Of a million
+    /// cases the rest would be gigabytes.
+    pub(super) fn held(self) -> CaseRecord {
+        CaseRecord {
+            values: BTreeMap::new(),
+            phases: Vec::new(),
+            host: String::new(),
+            files: BTreeMap::new(),
+            ..self
+        }
+    }
+
     /// Whether the case is well.
     pub fn is_ok(&self) -> bool {
         self.failure.is_none()
@@ -159,6 +171,20 @@ mod tests {
         result.outcome.measured_wave_height_ratio = None;
         result.energy.kinetic = f64::INFINITY;
         assert!(!CaseRecord::new(&study, case, &Ok(result), 1.0, "here").is_ok());
+    }
+
+    #[test]
+    fn what_is_held_makes_the_same_table_and_owns_next_to_nothing() {
+        let study = study();
+        let case = &study.cases[0];
+        let whole = CaseRecord::new(&study, case, &Ok(made_up(&case.config)), 1.0, "here");
+        let held = whole.clone().held();
+        assert!(held.values.is_empty() && held.files.is_empty());
+        assert!(held.host.is_empty() && held.phases.is_empty());
+        let table = |record| super::super::summary::table(&study, &[Some(record)]).unwrap();
+        assert_eq!(table(held), table(whole));
+        let bytes = std::mem::size_of::<CaseRecord>();
+        assert!(bytes <= 900, "{bytes} bytes for each case");
     }
 
     #[test]

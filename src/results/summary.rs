@@ -1,7 +1,9 @@
 //! `summary.csv`: one row per finished case, in grid order, made from the journal.
 
+use std::io::Write;
 use std::path::Path;
 
+use super::disk::Writer;
 use super::error::SweepError;
 use super::record::CaseRecord;
 use super::{atomic_file, number};
@@ -23,6 +25,9 @@ impl CaseRecord {
     }
 }
 
+/// Bytes that go to the file in one go.
+const BUFFER: usize = 1 << 20;
+
 /// Writes the summary of the finished cases; `records` holds the companions, too.
 pub(super) fn write(
     directory: &Path,
@@ -30,16 +35,25 @@ pub(super) fn write(
     records: &[Option<CaseRecord>],
 ) -> Result<(), SweepError> {
     let path = directory.join("summary.csv");
-    let text = table(study, records).map_err(|error| SweepError::io(&path)(error.into()))?;
-    atomic_file::write(&path, &text)
+    atomic_file::write_with(&path, |file| {
+        let wrong = |error: csv::Error| SweepError::io(&path)(error.into());
+        write_table(Writer(file), study, records).map_err(wrong)
+    })
 }
 
 /// The summary's bytes.
 pub(super) fn table(study: &Study, records: &[Option<CaseRecord>]) -> csv::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    write_table(&mut bytes, study, records)?;
+    Ok(bytes)
+}
+
+/// Writes them row by row: the table of a large study is never held whole.
+fn write_table(into: impl Write, study: &Study, records: &[Option<CaseRecord>]) -> csv::Result<()> {
     let fixed: Vec<String> = summary::names().collect();
     let places = 0..study.keys.len();
     let further: Vec<_> = places.filter(|&at| !fixed.contains(&study.keys[at])).collect();
-    let mut writer = csv::Writer::from_writer(Vec::new());
+    let mut writer = csv::WriterBuilder::new().buffer_capacity(BUFFER).from_writer(into);
     writer.write_record(fixed.iter().chain(further.iter().map(|&at| &study.keys[at])))?;
     for (case, record) in study.cases.iter().zip(records) {
         let Some(record) = record else { continue };
@@ -53,7 +67,7 @@ pub(super) fn table(study: &Study, records: &[Option<CaseRecord>]) -> csv::Resul
         cells.extend(further.iter().map(|&place| swept(case, place)));
         writer.write_record(cells)?;
     }
-    writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))
+    writer.flush().map_err(csv::Error::from)
 }
 
 fn cell(value: Value) -> String {
@@ -66,7 +80,7 @@ fn cell(value: Value) -> String {
 }
 
 fn swept(case: &Case, place: usize) -> String {
-    match &case.assignments[place] {
+    match case.assignments[place].as_deref() {
         None => String::new(),
         Some(toml::Value::String(text)) => text.clone(),
         Some(toml::Value::Float(value)) => number::text(*value),

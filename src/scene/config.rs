@@ -8,7 +8,7 @@ use super::kind::Scene;
 use super::numerics::{ErrorBars, Numerics};
 use super::probe::Probe;
 use super::size;
-use crate::keys::ConfigError;
+use crate::keys::{ConfigError, Shared};
 
 /// One case: everything that decides its answer, and nothing else.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -16,7 +16,7 @@ pub struct CaseConfig {
     /// What is simulated.
     pub scene: Scene,
     /// How.
-    pub numerics: Numerics,
+    pub numerics: Shared<Numerics>,
     /// Gauges, from the file's `[[probe]]` tables.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub probes: Vec<Probe>,
@@ -43,7 +43,8 @@ impl CaseConfig {
         let probes = Probe::read_all(probes)?;
         let scene = Scene::read(scene)?;
         refuse_unknown(Place::Numerics, scene.of_kind(), numerics)?;
-        let config = CaseConfig { numerics: Numerics::of_scene(&scene, numerics)?, scene, probes };
+        let numerics = Numerics::of_scene(&scene, numerics)?.into();
+        let config = CaseConfig { numerics, scene, probes };
         config.validate()?;
         Ok(config)
     }
@@ -72,21 +73,27 @@ impl CaseConfig {
     /// branch.
     pub fn trunk(&self) -> Option<CaseConfig> {
         let scene = self.scene.seawall()?.held();
-        let numerics = Numerics { retries: 0, ..self.without_error_bars().numerics };
+        let mut numerics = self.numerics.clone();
+        if numerics.retries != 0 || numerics.error_bars != ErrorBars::None {
+            numerics.retries = 0;
+            numerics.error_bars = ErrorBars::None;
+        }
         Some(CaseConfig { scene: Scene::Seawall(scene), numerics, probes: self.probes.clone() })
     }
 
     /// What decides this case's answer.
     pub fn without_error_bars(&self) -> CaseConfig {
         let mut config = self.clone();
-        config.numerics.error_bars = ErrorBars::None;
+        if config.numerics.error_bars != ErrorBars::None {
+            config.numerics.error_bars = ErrorBars::None;
+        }
         config
     }
 
     /// The same case, without retries, with its time steps scaled.
     pub fn with_time_step_scaled(&self, scale: f64) -> CaseConfig {
         let mut config = self.clone();
-        let numerics = &mut config.numerics;
+        let numerics: &mut Numerics = &mut config.numerics;
         numerics.courant_number *= scale;
         if let Some(own) = &mut numerics.incompressible {
             own.gravity_courant_number *= scale;

@@ -33,7 +33,7 @@ pub(super) fn validate(config: &CaseConfig) -> Result<(), ConfigError> {
         whole(count),
         whole(MOST_PARTICLES)
     );
-    let Numerics { particle_spacing_m, .. } = config.numerics;
+    let Numerics { particle_spacing_m, .. } = *config.numerics;
     Err(ConfigError::new("numerics.particle_spacing_m", particle_spacing_m, allowed))
 }
 

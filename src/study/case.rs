@@ -1,5 +1,6 @@
 //! One case of a study and its identity.
 
+use std::cell::RefCell;
 use std::fmt;
 use std::str::FromStr;
 
@@ -7,7 +8,8 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 
-use crate::scene::CaseConfig;
+use crate::keys::Shared;
+use crate::scene::{CaseConfig, ErrorBars, Numerics};
 
 /// Part of every case's identity: raised by every change that alters the answer of any case, so
 /// that old results are never taken for new ones.
@@ -21,11 +23,14 @@ pub struct CaseId(u64);
 impl CaseId {
     /// The id of a case: SHA-256 over its JSON with sorted keys and the physics version.
     pub fn of(config: &CaseConfig) -> CaseId {
-        let config = serde_json::to_value(config.without_error_bars())
-            .expect("a configuration has a JSON form");
-        let mut text = format!("seawall physics {PHYSICS_VERSION}\n");
-        write_canonical(&config, &mut text);
-        let digest = Sha256::digest(text.as_bytes());
+        let CaseConfig { scene, numerics, probes } = config;
+        let mut rest = String::new();
+        if !probes.is_empty() {
+            write_entry("probes", probes, &mut rest);
+        }
+        write_entry("scene", scene, &mut rest);
+        rest.push('}');
+        let digest = begun(numerics).chain_update(rest).finalize();
         CaseId(u64::from_be_bytes(digest[..8].try_into().expect("a digest has 32 bytes")))
     }
 }
@@ -66,6 +71,40 @@ impl TryFrom<String> for CaseId {
     }
 }
 
+thread_local! {
+    /// The numerics that came last on this thread, and the hash as far as they go. Cases of a study
+    /// share them mostly, and they are the larger half of the text.
+    static LAST: RefCell<Option<(Shared<Numerics>, Sha256)>> = const { RefCell::new(None) };
+}
+
+/// The hash over the physics version and the numerics, which come first in the sorted text.
+fn begun(numerics: &Shared<Numerics>) -> Sha256 {
+    LAST.with_borrow_mut(|last| {
+        if let Some((known, hash)) = last
+            && known == numerics
+        {
+            return hash.clone();
+        }
+        let mut own = numerics.clone();
+        if own.error_bars != ErrorBars::None {
+            own.error_bars = ErrorBars::None;
+        }
+        let mut text = format!("seawall physics {PHYSICS_VERSION}\n{{");
+        write_entry("numerics", &own, &mut text);
+        let hash = Sha256::new_with_prefix(text);
+        *last = Some((numerics.clone(), hash.clone()));
+        hash
+    })
+}
+
+/// An entry of a JSON object, with a comma behind it.
+fn write_entry(key: &str, value: &impl Serialize, text: &mut String) {
+    let value = serde_json::to_value(value).expect("a configuration has a JSON form");
+    text.push_str(&format!("{key:?}:"));
+    write_canonical(&value, text);
+    text.push(',');
+}
+
 /// JSON with sorted keys, whatever order the map type keeps.
 fn write_canonical(value: &Value, text: &mut String) {
     match value {
@@ -92,6 +131,9 @@ fn write_canonical(value: &Value, text: &mut String) {
     }
 }
 
+/// Values of the swept keys of one case, as in [`Case::assignments`].
+pub type Assignments = Vec<Option<Shared<toml::Value>>>;
+
 /// One case of a study.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Case {
@@ -103,7 +145,7 @@ pub struct Case {
     pub config: CaseConfig,
     /// The value of each swept key, in the order of the axes; `None` where the key means nothing
     /// to this case (a fixed wall has no spring).
-    pub assignments: Vec<Option<toml::Value>>,
+    pub assignments: Assignments,
 }
 
 #[cfg(test)]
@@ -121,6 +163,22 @@ mod tests {
         assert_ne!(id, CaseId::of(&config("wave_height_ratio = 0.4")));
         assert_eq!(id.to_string().parse(), Ok(id));
         assert!("12".parse::<CaseId>().is_err());
+    }
+
+    /// The id is the hash of one text: taking it in two parts must not change it.
+    #[test]
+    fn an_id_is_that_of_the_whole_text() {
+        let probe = "name = \"P\"\nkind = \"level\"\nx_m = 1".parse().unwrap();
+        for (scene, probes) in [("", vec![]), ("wave_height_ratio = 0.3", vec![probe])] {
+            let bars = "error_bars = \"pair\"".parse().unwrap();
+            let config = CaseConfig::with_probes(&scene.parse().unwrap(), &bars, &probes).unwrap();
+            let value = serde_json::to_value(config.without_error_bars()).unwrap();
+            let mut text = format!("seawall physics {PHYSICS_VERSION}\n");
+            write_canonical(&value, &mut text);
+            let digest = Sha256::digest(text);
+            let whole = u64::from_be_bytes(digest[..8].try_into().unwrap());
+            assert_eq!(CaseId::of(&config), CaseId(whole));
+        }
     }
 
     #[test]

@@ -6,10 +6,13 @@ use rayon::prelude::*;
 use toml::{Table, Value};
 
 use super::axis::{GridAxis, MOST_CASES};
-use super::case::{Case, CaseId};
+use super::case::{Assignments, Case, CaseId};
 use super::file::SweepFile;
-use crate::keys::{Key, Section, When};
+use crate::keys::{Key, Pool, Section, Shared, When};
 use crate::scene::{CaseConfig, ConfigError, Place, SeawallScene, place_of};
+
+/// So many cases are validated in one go.
+const BLOCK: usize = 4096;
 
 /// All cases of a file, each validated; one case where there is no grid.
 pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
@@ -22,12 +25,20 @@ pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
         let allowed = format!("must have at most {MOST_CASES} cases");
         return Err(ConfigError::new("grid", sizes.join(" x "), allowed));
     };
-    let points: Vec<_> =
-        (0..count).into_par_iter().map(|index| point(file, &places, index)).collect();
+    let shared = |axis: &GridAxis| axis.values.iter().cloned().map(Shared::from).collect();
+    let values: Vec<Vec<_>> = file.grid.iter().map(shared).collect();
     let mut cases: Vec<Case> = Vec::with_capacity(count);
     let mut seen = HashMap::with_capacity(count);
+    let mut numerics = Pool::default();
+    // Block by block: cases that do not share their numerics yet take twice the memory.
+    let blocks = (0..count).step_by(BLOCK).map(|first| first..count.min(first + BLOCK));
+    let points = blocks.flat_map(|block| {
+        let points = block.into_par_iter().map(|index| point(file, &places, &values, index));
+        points.collect::<Vec<_>>()
+    });
     for point in points {
-        let (case, collapsed) = point?;
+        let (mut case, collapsed) = point?;
+        numerics.share(&mut case.config.numerics);
         if let Some(&earlier) = seen.get(&case.id) {
             if collapsed {
                 continue;
@@ -62,14 +73,18 @@ fn places(file: &SweepFile) -> Result<Vec<Place>, ConfigError> {
 }
 
 /// The sections of a file with the values of its swept keys.
-fn filled(file: &SweepFile, places: &[Place], assignments: &[Option<Value>]) -> (Table, Table) {
+fn filled(
+    file: &SweepFile,
+    places: &[Place],
+    assignments: &[Option<Shared<Value>>],
+) -> (Table, Table) {
     let (mut scene, mut numerics) = (file.scene.clone(), file.numerics.clone());
     for (place, (axis, value)) in places.iter().zip(file.grid.iter().zip(assignments)) {
         let table = match place {
             Place::Scene => &mut scene,
             Place::Numerics => &mut numerics,
         };
-        table.extend(value.clone().map(|value| (axis.key.clone(), value)));
+        table.extend(value.as_ref().map(|value| (axis.key.clone(), Value::clone(value))));
     }
     (scene, numerics)
 }
@@ -77,7 +92,7 @@ fn filled(file: &SweepFile, places: &[Place], assignments: &[Option<Value>]) -> 
 /// The `[scene]` and `[numerics]` of a case with these values of the swept keys.
 pub(super) fn tables(
     file: &SweepFile,
-    assignments: &[Option<Value>],
+    assignments: &[Option<Shared<Value>>],
 ) -> Result<(Table, Table), ConfigError> {
     let (mut scene, numerics) = filled(file, &places(file)?, assignments);
     drop_meaningless(file, &mut scene, &mut assignments.to_vec());
@@ -87,18 +102,23 @@ pub(super) fn tables(
 /// The case with these values of the swept keys, without its place among others.
 pub(super) fn case_at(
     file: &SweepFile,
-    assignments: &[Option<Value>],
+    assignments: &[Option<Shared<Value>>],
 ) -> Result<Case, ConfigError> {
     at(file, &places(file)?, assignments.to_vec(), usize::MAX).map(|(case, _)| case)
 }
 
 /// One point of the grid; true where some swept key meant nothing to it.
-fn point(file: &SweepFile, places: &[Place], index: usize) -> Result<(Case, bool), ConfigError> {
-    let mut assignments = vec![None; file.grid.len()];
+fn point(
+    file: &SweepFile,
+    places: &[Place],
+    values: &[Vec<Shared<Value>>],
+    index: usize,
+) -> Result<(Case, bool), ConfigError> {
+    let mut assignments = vec![None; values.len()];
     let mut rest = index;
-    for (place, axis) in file.grid.iter().enumerate().rev() {
-        assignments[place] = Some(axis.values[rest % axis.values.len()].clone());
-        rest /= axis.values.len();
+    for (place, values) in values.iter().enumerate().rev() {
+        assignments[place] = Some(values[rest % values.len()].clone());
+        rest /= values.len();
     }
     at(file, places, assignments, index)
 }
@@ -107,7 +127,7 @@ fn point(file: &SweepFile, places: &[Place], index: usize) -> Result<(Case, bool
 fn at(
     file: &SweepFile,
     places: &[Place],
-    mut assignments: Vec<Option<Value>>,
+    mut assignments: Assignments,
     index: usize,
 ) -> Result<(Case, bool), ConfigError> {
     let (mut scene, numerics) = filled(file, places, &assignments);
@@ -121,7 +141,7 @@ fn at(
 fn drop_meaningless(
     file: &SweepFile,
     scene: &mut Table,
-    assignments: &mut [Option<Value>],
+    assignments: &mut [Option<Shared<Value>>],
 ) -> bool {
     let swept = |when: &When| file.grid.iter().any(|axis| axis.key == when.key);
     let fits = |key: &&Key| key.conditions().all(|when| !swept(&when) || when.holds(scene));
@@ -146,9 +166,10 @@ fn blame_axis(file: &SweepFile, error: ConfigError) -> ConfigError {
     error
 }
 
-fn describe(file: &SweepFile, assignments: &[Option<Value>]) -> String {
+fn describe(file: &SweepFile, assignments: &[Option<Shared<Value>>]) -> String {
     let pairs = file.grid.iter().zip(assignments);
-    let set = pairs.filter_map(|(axis, value)| Some(format!("{} = {}", axis.key, value.as_ref()?)));
+    let set =
+        pairs.filter_map(|(axis, value)| Some(format!("{} = {}", axis.key, **value.as_ref()?)));
     set.collect::<Vec<_>>().join(", ")
 }
 
@@ -170,7 +191,7 @@ mod tests {
             cases.iter().map(|case| case.config.numerics.particle_spacing_m).collect();
         assert_eq!(spacings, [0.01, 0.02, 0.04, 0.01, 0.02, 0.04]);
         assert_eq!(cases[3].index, 3);
-        assert_eq!(cases[3].assignments[0], Some(Value::Float(0.3)));
+        assert_eq!(cases[3].assignments[0], Some(Value::Float(0.3).into()));
     }
 
     #[test]
@@ -181,7 +202,7 @@ mod tests {
         )
         .unwrap();
         assert_eq!(cases.len(), 1 + 3);
-        assert_eq!(cases[0].assignments, [Some(Value::String("fixed".into())), None]);
+        assert_eq!(cases[0].assignments, [Some(Value::String("fixed".into()).into()), None]);
         assert_eq!(cases[1].index, 1);
     }
 

@@ -18,15 +18,15 @@ mod schema;
 mod single;
 
 pub use axis::GridAxis;
-pub use case::{Case, CaseId, PHYSICS_VERSION, trunk_key};
+pub use case::{Assignments, Case, CaseId, PHYSICS_VERSION, trunk_key};
 pub use file::{SweepFile, accuracy_keys};
 pub use limits::limits_keys;
 pub use plan::{Plan, PlannedCase, PlannedTrunk};
-pub use points::Assignments;
 pub use refine::{Refine, refine_keys};
 pub use schema::schema;
 
 pub use crate::keys::Override;
+use crate::keys::Pool;
 
 use sha2::{Digest, Sha256};
 
@@ -70,8 +70,15 @@ impl Study {
 
     /// The study of a file with these cases.
     fn of_file(file: &SweepFile, mut cases: Vec<Case>) -> Study {
+        let mut numerics = Pool::default();
         let mut take_bars = |case: &mut Case| {
-            std::mem::replace(&mut case.config.numerics.error_bars, ErrorBars::None)
+            let own = &mut case.config.numerics;
+            if own.error_bars == ErrorBars::None {
+                return ErrorBars::None;
+            }
+            let bars = std::mem::replace(&mut own.error_bars, ErrorBars::None);
+            numerics.share(own);
+            bars
         };
         let bars: Vec<_> = cases.iter_mut().map(&mut take_bars).collect();
         let keys: Vec<String> = file.grid.iter().map(|axis| axis.key.clone()).collect();
@@ -133,6 +140,27 @@ impl Study {
     pub fn values(&self, case: &Case) -> Vec<(String, serde_json::Value)> {
         let value = |value: &toml::Value| serde_json::to_value(value).unwrap_or_default();
         let pairs = self.keys.iter().zip(&case.assignments);
-        pairs.filter_map(|(key, set)| Some((key.clone(), value(set.as_ref()?)))).collect()
+        pairs.filter_map(|(key, set)| Some((key.clone(), value(set.as_deref()?)))).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A million cases are to fit into two gigabytes with their results: what all have in common is held once.
+    #[test]
+    fn cases_hold_what_they_share_once() {
+        let text = "name = \"a\"\n[scene]\nwall = \"movable\"\n[numerics]\nerror_bars = \"pair\"\n[grid]\n\
+            spring_stiffness_n_per_m = [1, 2, 3]\nseawall_mass_kg_per_m = [50, 60]";
+        let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
+        let same = |a: &Case, b: &Case| std::ptr::eq(&*a.config.numerics, &*b.config.numerics);
+        assert!(study.cases.iter().all(|case| same(case, &study.cases[0])));
+        assert!(study.companions.iter().all(|case| same(case, &study.companions[0])));
+        assert!(!same(&study.cases[0], &study.companions[0]));
+        let value = |case: usize| study.cases[case].assignments[1].as_deref().unwrap();
+        assert!(std::ptr::eq(value(0), value(2)));
+        let bytes = std::mem::size_of::<Case>();
+        assert!(bytes <= 360, "{bytes} bytes for each case");
     }
 }

@@ -2,17 +2,12 @@
 
 use std::collections::BTreeSet;
 
-use toml::Value;
-
 use super::Study;
-use super::case::Case;
+use super::case::{Assignments, Case};
 use super::file::SweepFile;
 use super::grid;
 use crate::math::scale::Scale;
 use crate::scene::ConfigError;
-
-/// Values of the swept keys of one case, as in [`Case::assignments`].
-pub type Assignments = Vec<Option<Value>>;
 
 impl Study {
     /// The study of a file with further points, all in the order of the grid. Points that no scene may have
@@ -35,7 +30,7 @@ impl Study {
         let position = |case: &Case| {
             let places = file.grid.iter().zip(&case.assignments);
             let places =
-                places.map(|(axis, value)| value.as_ref().map_or(-1.0, |v| axis.position(v)));
+                places.map(|(axis, value)| value.as_deref().map_or(-1.0, |v| axis.position(v)));
             places.collect::<Vec<_>>()
         };
         let mut placed: Vec<_> = cases.into_iter().map(|case| (position(&case), case)).collect();

@@ -4,11 +4,25 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
+/// The launcher: `mpirun`, or what `SEAWALL_MPIRUN` names, such as `mpirun.mpich`.
+fn launcher() -> String {
+    std::env::var("SEAWALL_MPIRUN").unwrap_or_else(|_| "mpirun".to_owned())
+}
+
+/// Whether the launcher is MPICH's. It loses exit codes.
+pub fn is_mpich() -> bool {
+    let told = Command::new(launcher()).arg("--version").output();
+    told.is_ok_and(|told| String::from_utf8_lossy(&told.stdout).contains("HYDRA"))
+}
+
 /// `mpirun` as it works for root, in a container, with more ranks than cores.
 pub fn mpirun(ranks: usize) -> Command {
-    let mut command = Command::new("mpirun");
+    let mut command = Command::new(launcher());
+    command.args(["-n", &ranks.to_string()]);
+    if !is_mpich() {
+        command.args(["--oversubscribe", "--bind-to", "none"]);
+    }
     command
-        .args(["-n", &ranks.to_string(), "--oversubscribe", "--bind-to", "none"])
         .arg(env!("CARGO_BIN_EXE_seawall"))
         .env("OMPI_ALLOW_RUN_AS_ROOT", "1")
         .env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
@@ -18,7 +32,7 @@ pub fn mpirun(ranks: usize) -> Command {
 
 /// False, with a line that says so, where there is no mpirun.
 pub fn mpirun_is_there() -> bool {
-    let there = Command::new("mpirun").arg("--version").output().is_ok();
+    let there = Command::new(launcher()).arg("--version").output().is_ok();
     if !there {
         println!("skipped: no mpirun");
     }
@@ -69,10 +83,10 @@ pub fn kill_all(of: &Path) {
 
 /// The process that is this rank of a job.
 pub fn rank(of: &Path, number: usize) -> u32 {
-    let variable = format!("OMPI_COMM_WORLD_RANK={number}");
+    let variables = ["OMPI_COMM_WORLD_RANK", "PMI_RANK"].map(|name| format!("{name}={number}"));
     let is = |process: &u32| {
         let told = std::fs::read(format!("/proc/{process}/environ")).unwrap_or_default();
-        told.split(|&byte| byte == 0).any(|word| word == variable.as_bytes())
+        told.split(|&byte| byte == 0).any(|word| variables.iter().any(|one| word == one.as_bytes()))
     };
     processes(of).into_iter().find(is).expect("there is no such rank")
 }

@@ -1,6 +1,8 @@
 //! What the page's script works with, beside the tables that it reads from the page: which values
 //! of which swept keys a case has, its history for the eye, and its scene as a file.
 
+use std::collections::{HashMap, HashSet};
+
 use serde_json::{Value, json};
 
 use super::thin;
@@ -51,18 +53,13 @@ fn keys(loaded: &Loaded) -> Vec<Key> {
 /// A key: its name, its heading, its values as in a file and as shown, and the place of each row's
 /// among them, -1 for none.
 fn key(key: &Key) -> Value {
-    let mut values: Vec<&str> = Vec::new();
-    for cell in &key.cells {
-        if !cell.is_empty() && !values.contains(&cell.as_str()) {
-            values.push(cell);
-        }
-    }
+    let mut seen = HashSet::new();
+    let cells = key.cells.iter().map(String::as_str).filter(|cell| !cell.is_empty());
+    let mut values: Vec<&str> = cells.filter(|cell| seen.insert(*cell)).collect();
     let rising = |cell: &&str| cell.parse::<f64>().unwrap_or(f64::INFINITY);
     values.sort_by(|a, b| rising(a).total_cmp(&rising(b)));
-    let at = |cell: &String| {
-        let place = values.iter().position(|value| value == cell);
-        place.map_or(-1, |place| place as i64)
-    };
+    let places: HashMap<_, _> = values.iter().enumerate().map(|(at, value)| (*value, at)).collect();
+    let at = |cell: &String| places.get(cell.as_str()).map_or(-1, |&place| place as i64);
     let shown = |cell: &&str| cell.parse().map_or((*cell).to_owned(), number::plain);
     let symbol = named(&key.name).map_or("", |column| column.symbol);
     json!({

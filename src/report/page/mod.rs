@@ -33,6 +33,9 @@ const SCRIPT: [&str; 5] = [
     include_str!("script/start.js"),
 ];
 
+/// Rows of a table that the page shows; the files have all.
+pub const MOST_ROWS: usize = 20_000;
+
 /// A page that holds films has at most so many bytes, about; what does not fit is linked.
 const MOST: usize = 4_700_000;
 
@@ -123,7 +126,7 @@ fn head(
 }
 
 fn failures(body: &mut String, data: &Loaded) {
-    let table = tables::failed(data).for_page();
+    let table = tables::failed(data, MOST_ROWS).for_page();
     if !table.rows.is_empty() {
         section(body, &table.title, &grid(&table));
     }
@@ -192,7 +195,9 @@ mod tests {
 
     fn page_of(directory: &tempfile::TempDir) -> String {
         let data = Loaded::read(directory.path()).unwrap();
-        super::page(&data, &plots::all(&data).unwrap(), &tables::all(&data).unwrap(), None).unwrap()
+        let tables: Vec<_> =
+            tables::all(&data).into_iter().map(|lines| lines.whole().unwrap()).collect();
+        super::page(&data, &plots::all(&data).unwrap(), &tables, None).unwrap()
     }
 
     #[test]

@@ -7,9 +7,11 @@ use serde_json::Value;
 use super::answers::most;
 use super::words::{at, counted, median};
 use crate::quantities::summary::{PAIR_EVALUATIONS, PARTICLES, STEPS, WALL_TIME};
+use crate::report::grid::grid;
 use crate::report::load::Loaded;
 use crate::report::markup::escape;
 use crate::report::number::{plain, significant};
+use crate::report::tables::Table;
 
 /// What the cases cost; `None` where no case says.
 pub fn cost(data: &Loaded) -> Option<String> {
@@ -39,15 +41,81 @@ pub fn cost(data: &Loaded) -> Option<String> {
     if pairs > 0.0 {
         write!(text, " Pairs of particles were summed over {} times.", plain(pairs)).ok()?;
     }
-    Some(format!("<p>{}{}</p>", escape(&text), escape(&saved(data).unwrap_or_default())))
+    let more = [saved(data), pace(data)].into_iter().flatten().collect::<String>();
+    Some(format!("<p>{}{}</p>{}", escape(&text), escape(&more), loads(data).unwrap_or_default()))
 }
+
+/// The processes that have worked on the study.
+fn sessions(data: &Loaded) -> &[Value] {
+    let sessions = data.manifest.as_ref().and_then(|manifest| manifest.get("sessions")?.as_array());
+    sessions.map_or(&[], Vec::as_slice)
+}
+
+fn number(value: &Value, name: &str) -> Option<f64> {
+    value.get(name)?.as_f64()
+}
+
+/// Cases per hour, companions left out, over the time of all sessions that have come to an end.
+fn pace(data: &Loaded) -> Option<String> {
+    let seconds: f64 = sessions(data).iter().filter_map(|one| number(one, "wall_time_s")).sum();
+    let killed = sessions(data).iter().any(|one| number(one, "wall_time_s").is_none());
+    let per_hour = data.rows.len() as f64 / seconds * 3600.0;
+    (seconds > 0.0 && !killed)
+        .then(|| format!(" That was {} cases per hour.", plain(significant(per_hour, 3))))
+}
+
+/// How busy each rank was, over the sessions that have told it with as many ranks as the last one.
+fn loads(data: &Loaded) -> Option<String> {
+    let told = sessions(data)
+        .iter()
+        .filter_map(|session| Some((session, session.get("load")?.get("ranks")?.as_array()?)));
+    let told: Vec<_> = told.collect();
+    let (last, ranks) = *told.last()?;
+    let told: Vec<_> = told.into_iter().filter(|(_, other)| other.len() == ranks.len()).collect();
+    let line = |rank: usize| {
+        let sum = |name: &str| -> f64 {
+            told.iter().filter_map(|(_, ranks)| number(&ranks[rank], name)).sum()
+        };
+        let room: f64 = told
+            .iter()
+            .filter_map(|(session, ranks)| {
+                Some(number(session.get("load")?, "elapsed_s")? * number(&ranks[rank], "places")?)
+            })
+            .sum();
+        let host = last.get("ranks").and_then(|ranks| ranks.get(rank)?.get("host"));
+        let cells = [
+            rank.to_string(),
+            host.map(word).unwrap_or_default(),
+            format!("{:.0} %", 100.0 * (sum("busy_s") / room.max(1e-9)).min(1.0)),
+            format!("{} s", significant(sum("busy_s"), 3)),
+            plain(sum("cases")),
+            plain(sum("trunks")),
+        ];
+        cells.to_vec()
+    };
+    let header = ["rank", "host", "busy", "busy time", "cases", "shared stretches"];
+    let shown = ranks.len().min(MOST_RANKS);
+    let table = Table::new("", "Load", &header, (0..shown).map(line).collect());
+    let left = ranks.len() - shown;
+    let more = match left {
+        0 => String::new(),
+        left => format!("<p>... and {} in manifest.json.</p>", counted(left, "more rank")),
+    };
+    Some(format!(
+        "<h3>Load per rank</h3>\n<p>The share of a rank's time in which it computed, shared stretches and \
+         companions included.</p>{}{more}",
+        grid(&table)
+    ))
+}
+
+/// Ranks that the page shows.
+const MOST_RANKS: usize = 64;
 
 /// How many steps sharing spared.
 fn saved(data: &Loaded) -> Option<String> {
-    let sessions = data.manifest.as_ref()?.get("sessions")?.as_array()?;
     let sum = |name: &str| -> f64 {
         let read = |session: &Value| session.get("savings")?.get(name)?.as_f64();
-        sessions.iter().filter_map(read).sum()
+        sessions(data).iter().filter_map(read).sum()
     };
     let (computed, from_rest) = (sum("steps_computed"), sum("steps_from_rest"));
     let share = 100.0 * (1.0 - computed / from_rest);

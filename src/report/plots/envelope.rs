@@ -116,8 +116,9 @@ mod tests {
         for word in ["p, kPa", "height, m", "first impact", "whole run"] {
             assert!(svg.contains(word), "{word}");
         }
-        let table = crate::report::tables::all(&data).unwrap();
-        let table = table.iter().find(|table| table.name == "pressure_envelope").unwrap();
+        let mut tables = crate::report::tables::all(&data).into_iter();
+        let table = tables.find(|table| table.name == "pressure_envelope").unwrap();
+        let table = table.whole().unwrap();
         assert_eq!(table.rows.len(), 2 * 11);
         assert_eq!(table.rows[1][2..], ["0.1", "1500", ""]);
     }

@@ -3,11 +3,11 @@
 
 mod energy;
 mod envelope;
+mod lines;
 mod page;
 mod readings;
 
 use super::curves::{RESPONSES, responses, stem, variants};
-use super::error::ReportError;
 use super::load::Loaded;
 use super::plots::{file_name, fixed_walls};
 use super::row::{PLACE, Row};
@@ -20,6 +20,7 @@ use crate::quantities::summary::{
     WAVE_HEIGHT_RATIO,
 };
 use crate::theory::goda::Goda;
+pub use lines::{Line, Lines};
 pub use readings::across;
 
 /// A table, ready for a file or a page.
@@ -33,24 +34,21 @@ pub struct Table {
     pub header: Vec<String>,
     /// Cells, row by row.
     pub rows: Vec<Vec<String>>,
+    /// How many rows the file has besides.
+    pub left: usize,
 }
 
 impl Table {
     /// A table.
     pub fn new(name: &str, title: &str, header: &[&str], rows: Vec<Vec<String>>) -> Table {
         let header = header.iter().map(|column| (*column).to_owned()).collect();
-        Table { name: name.to_owned(), title: title.to_owned(), header, rows }
+        Table { name: name.to_owned(), title: title.to_owned(), header, rows, left: 0 }
     }
 
-    /// A line per row, a column per quantity, with the digits that each shows.
-    fn brief<'a>(
-        name: &str,
-        title: &str,
-        columns: &[&Column],
-        rows: impl Iterator<Item = &'a Row>,
-    ) -> Table {
-        let cells = |row: &Row| columns.iter().map(|column| row.brief(column)).collect();
-        Table::new(name, title, &names(columns), rows.map(cells).collect())
+    /// The same without header and rows.
+    fn empty(&self) -> Table {
+        let (name, title) = (self.name.clone(), self.title.clone());
+        Table { name, title, header: Vec::new(), rows: Vec::new(), left: self.left }
     }
 
     /// The table as Markdown.
@@ -72,19 +70,31 @@ impl Table {
     }
 }
 
+/// A line per row, a column per quantity, with the digits that each shows.
+fn brief<'a>(
+    name: &str,
+    title: &str,
+    columns: Vec<&'static Column>,
+    rows: impl Iterator<Item = &'a Row> + 'a,
+) -> Lines<'a> {
+    let header = names(&columns);
+    let cells = move |row: &Row| Ok(columns.iter().map(|column| row.brief(column)).collect());
+    Lines::new(name, title, owned(&header), rows.map(cells))
+}
+
 /// Every table that the sweep's files can fill.
-pub fn all(data: &Loaded) -> Result<Vec<Table>, ReportError> {
+pub fn all(data: &Loaded) -> Vec<Lines<'_>> {
     let mut tables = vec![summary(data), health(data)];
     tables.extend(responses_of(data));
     tables.extend(fixed(data));
-    tables.extend(readings::readings(data)?);
+    tables.extend(readings::readings(data));
     tables.extend(energy::energy(data));
-    tables.extend(envelope::envelope(data)?);
-    Ok(tables)
+    tables.extend(envelope::envelope(data));
+    tables
 }
 
 /// The summary in brief: one row per case, failed ones included.
-pub fn summary(data: &Loaded) -> Table {
+fn summary(data: &Loaded) -> Lines<'_> {
     let mut columns = vec![
         &CASE_ID,
         &STATUS,
@@ -108,67 +118,73 @@ pub fn summary(data: &Loaded) -> Table {
     if data.finished().any(|row| row.number(&FIRST_FORCE_MAX).is_none()) {
         columns.extend([&FORCE_MAX, &RUNUP_MAX]);
     }
-    let mut table = Table::brief("summary", "Cases", &columns, data.rows.iter());
-    if data.rows.iter().any(|row| !row.variant.is_empty()) {
-        table.header.push(VARIANT.to_owned());
-        for (cells, row) in table.rows.iter_mut().zip(&data.rows) {
-            cells.push(row.variant.clone());
-        }
-    }
-    table
+    let has_variants = data.rows.iter().any(|row| !row.variant.is_empty());
+    let mut header = owned(&names(&columns));
+    header.extend(has_variants.then(|| VARIANT.to_owned()));
+    let line = move |row: &Row| {
+        let mut cells: Vec<_> = columns.iter().map(|column| row.brief(column)).collect();
+        cells.extend(has_variants.then(|| row.variant.clone()));
+        Ok(cells)
+    };
+    Lines::new("summary", "Cases", header, data.rows.iter().map(line))
 }
 
 /// What tells a sound case from a doubtful one.
-pub fn health(data: &Loaded) -> Table {
+fn health(data: &Loaded) -> Lines<'_> {
     let columns = [
         &[&CASE_ID][..],
         &PLACE,
         &[&FORCE_COUPLING, &FORCE_GAP, &ENERGY_GAP, &PARTICLES_LOST],
         &[&PARTICLES, &STEPS, &STOP_IMPULSE, &DOUBTFUL_REASON],
     ];
-    Table::brief("health", "Health", &columns.concat(), data.finished())
+    brief("health", "Health", columns.concat(), data.finished())
 }
 
-/// The cases that failed, and why.
-pub fn failed(data: &Loaded) -> Table {
-    let columns = [&[&CASE_ID][..], &PLACE, &[&REASON]];
-    Table::brief("", "Failed cases", &columns.concat(), data.failed())
+/// The first of the cases that failed, and why.
+pub fn failed(data: &Loaded, most: usize) -> Table {
+    let columns = [&[&CASE_ID][..], &PLACE, &[&REASON]].concat();
+    let cells = |row: &Row| columns.iter().map(|column| row.brief(column)).collect();
+    let rows = data.failed().take(most).map(cells).collect();
+    let left = data.failed().count().saturating_sub(most);
+    Table { left, ..Table::new("", "Failed cases", &names(&columns), rows) }
 }
 
-fn responses_of(data: &Loaded) -> Vec<Table> {
+fn responses_of(data: &Loaded) -> Vec<Lines<'_>> {
     let mut tables = Vec::new();
     for variant in variants(&data.rows) {
         for response in RESPONSES {
             let first = [&M_STAR, &WAVE_HEIGHT_RATIO, &LOG10_K_STAR, response];
             let last = [&FORCE_COUPLING, &CASE_ID];
             let header = [&names(&first)[..], &["error", "truncated"], &names(&last)].concat();
-            let line = |row: &Row| {
+            let line = move |row: &Row| {
                 let error = row.error(response).filter(|error| error.is_finite());
                 let marks = vec![plain(error), row.is_bound(response).to_string()];
-                [cells(row, &first), marks, cells(row, &last)].concat()
+                Ok([cells(row, &first), marks, cells(row, &last)].concat())
             };
             let rows = responses(&data.rows, &variant, response);
-            if !rows.is_empty() {
-                let name = file_name(&format!("response-{}", stem(response)), &variant);
-                let rows = rows.into_iter().map(line).collect();
-                tables.push(Table::new(&name, "Response curve", &header, rows));
-            }
+            let name = file_name(&format!("response-{}", stem(response)), &variant);
+            let rows = rows.into_iter().map(line);
+            tables.extend(Lines::some(&name, "Response curve", owned(&header), rows));
         }
     }
     tables
 }
 
-fn fixed(data: &Loaded) -> Vec<Table> {
-    let wave = [&WAVE_HEIGHT_RATIO, &MEASURED_WAVE_HEIGHT_RATIO];
-    let columns = [&wave[..], &[&FIRST_RUNUP_MAX, &FIRST_FORCE_MAX, &CASE_ID]].concat();
+fn fixed(data: &Loaded) -> Vec<Lines<'_>> {
     let table = |variant: String| {
-        let line = |row: &Row| [cells(row, &columns), vec![over_goda(row)]].concat();
-        let rows: Vec<_> = fixed_walls(data, &variant).map(line).collect();
-        let name = file_name("fixed-wall", &variant);
+        let wave = [&WAVE_HEIGHT_RATIO, &MEASURED_WAVE_HEIGHT_RATIO];
+        let columns = [&wave[..], &[&FIRST_RUNUP_MAX, &FIRST_FORCE_MAX, &CASE_ID]].concat();
         let header = [names(&columns), vec![OVER_GODA]].concat();
-        (!rows.is_empty()).then(|| Table::new(&name, "Fixed wall", &header, rows))
+        let line = move |row: &Row| Ok([cells(row, &columns), vec![over_goda(row)]].concat());
+        let rows: Vec<_> = fixed_walls(data, &variant).collect();
+        let name = file_name("fixed-wall", &variant);
+        Lines::some(&name, "Fixed wall", owned(&header), rows.into_iter().map(line))
     };
     variants(&data.rows).into_iter().filter_map(table).collect()
+}
+
+fn owned(names: &[&str]) -> Vec<String> {
+    names.iter().map(|name| (*name).to_owned()).collect()
 }
 
 /// The column with the force over that of Goda's formula.
@@ -200,10 +216,10 @@ fn plain<T: ToString>(value: Option<T>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::fixture;
+    use crate::report::{ReportError, fixture};
 
     fn read(directory: &std::path::Path) -> Result<Vec<Table>, ReportError> {
-        all(&Loaded::read(directory)?)
+        all(&Loaded::read(directory)?).into_iter().map(Lines::whole).collect()
     }
 
     fn named(tables: &[Table], name: &str) -> Table {

@@ -26,7 +26,7 @@ impl Table {
         };
         let rows = table.rows.iter().map(|row| kept.iter().map(|at| cell(row, *at)).collect());
         let header = kept.iter().map(|column| table.header[*column].clone()).collect();
-        Table { rows: rows.collect(), header, ..table.clone() }
+        Table { rows: rows.collect(), header, ..self.empty() }
     }
 
     fn is_alike(&self, at: usize) -> bool {

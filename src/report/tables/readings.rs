@@ -2,27 +2,31 @@
 
 use std::collections::BTreeMap;
 
-use super::{Table, plain};
+use super::{Line, Lines, Table, plain};
 use crate::quantities::summary::CASE_ID;
-use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::number;
+use crate::report::row::Row;
+use crate::report::series::Reading;
 
 /// The page shows so many cases side by side; more than that stand one below the other.
 const SIDE_BY_SIDE: usize = 6;
 
 /// All readings of finished cases, one per line, to every digit; `None` where there are none.
-pub fn readings(data: &Loaded) -> Result<Option<Table>, ReportError> {
-    let mut rows = Vec::new();
-    for row in data.finished() {
+pub fn readings(data: &Loaded) -> Option<Lines<'_>> {
+    let of = |row: &Row| -> Vec<Line> {
         let id = row.text(&CASE_ID);
-        rows.extend(data.readings(id)?.into_iter().map(|reading| {
+        let line = |reading: Reading| {
             let value = plain(reading.value);
             vec![id.to_owned(), row.words(), reading.name, value, reading.unit]
-        }));
-    }
-    let header = [CASE_ID.name, "case", "reading", "value", "unit"];
-    Ok((!rows.is_empty()).then(|| Table::new("readings", "Readings", &header, rows)))
+        };
+        match data.readings(id) {
+            Ok(readings) => readings.into_iter().map(|reading| Ok(line(reading))).collect(),
+            Err(error) => vec![Err(error)],
+        }
+    };
+    let header = [CASE_ID.name, "case", "reading", "value", "unit"].map(str::to_owned).to_vec();
+    Lines::some("readings", "Readings", header, data.finished().flat_map(of))
 }
 
 /// The table of `readings` as the page shows it: a line per reading and a column per case, or,
@@ -69,7 +73,7 @@ pub fn across(long: &Table) -> Table {
         let header = std::iter::once("case".to_owned()).chain(names.iter().map(with_unit));
         (header.collect(), cases.iter().map(line).collect())
     };
-    Table { name: long.name.clone(), title: long.title.clone(), header, rows }
+    Table { header, rows, ..long.empty() }
 }
 
 #[cfg(test)]
@@ -79,7 +83,7 @@ mod tests {
 
     fn of(cases: usize) -> Table {
         let directory = fixture::dam_breaks(cases);
-        readings(&Loaded::read(directory.path()).unwrap()).unwrap().unwrap()
+        readings(&Loaded::read(directory.path()).unwrap()).unwrap().whole().unwrap()
     }
 
     #[test]
@@ -105,6 +109,6 @@ mod tests {
     #[test]
     fn a_sweep_without_readings_has_no_table() {
         let directory = fixture::sweep();
-        assert_eq!(readings(&Loaded::read(directory.path()).unwrap()).unwrap(), None);
+        assert!(readings(&Loaded::read(directory.path()).unwrap()).is_none());
     }
 }

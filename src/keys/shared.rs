@@ -1,0 +1,113 @@
+//! Values that many cases have in common.
+
+use std::collections::VecDeque;
+use std::ops::{Deref, DerefMut};
+use std::sync::Arc;
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+/// A value that is held once for all who have it. Who changes it gets one of their own.
+#[derive(Debug)]
+pub struct Shared<T>(Arc<T>);
+
+impl<T> Clone for Shared<T> {
+    fn clone(&self) -> Shared<T> {
+        Shared(Arc::clone(&self.0))
+    }
+}
+
+impl<T> Deref for Shared<T> {
+    type Target = T;
+
+    fn deref(&self) -> &T {
+        &self.0
+    }
+}
+
+impl<T: Clone> DerefMut for Shared<T> {
+    fn deref_mut(&mut self) -> &mut T {
+        Arc::make_mut(&mut self.0)
+    }
+}
+
+impl<T: PartialEq> PartialEq for Shared<T> {
+    fn eq(&self, other: &Shared<T>) -> bool {
+        Arc::ptr_eq(&self.0, &other.0) || self.0 == other.0
+    }
+}
+
+impl<T> From<T> for Shared<T> {
+    fn from(value: T) -> Shared<T> {
+        Shared(Arc::new(value))
+    }
+}
+
+impl<T: Serialize> Serialize for Shared<T> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        self.0.serialize(serializer)
+    }
+}
+
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Shared<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Shared<T>, D::Error> {
+        T::deserialize(deserializer).map(Shared::from)
+    }
+}
+
+/// So many values are remembered.
+const REMEMBERED: usize = 128;
+
+/// Remembers values that came lately, so that equal ones are held once.
+#[derive(Debug)]
+pub struct Pool<T>(VecDeque<Shared<T>>);
+
+impl<T> Default for Pool<T> {
+    fn default() -> Pool<T> {
+        Pool(VecDeque::new())
+    }
+}
+
+impl<T: PartialEq> Pool<T> {
+    /// Puts an equal value that came before into the place of this one.
+    pub fn share(&mut self, value: &mut Shared<T>) {
+        if let Some(known) = self.0.iter().find(|known| *known == value) {
+            *value = known.clone();
+            return;
+        }
+        self.0.truncate(REMEMBERED - 1);
+        self.0.push_front(value.clone());
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_values_are_held_once_until_one_changes() {
+        let mut pool = Pool::default();
+        let [mut a, mut b] = [vec![1], vec![1]].map(Shared::from);
+        pool.share(&mut a);
+        pool.share(&mut b);
+        assert!(Arc::ptr_eq(&a.0, &b.0));
+        b.push(2);
+        assert_eq!((&*a, &*b), (&vec![1], &vec![1, 2]));
+        assert_ne!(a, b);
+    }
+
+    #[test]
+    fn only_so_many_are_remembered() {
+        let mut pool = Pool::default();
+        for number in 0..1000 {
+            pool.share(&mut Shared::from(number));
+        }
+        assert_eq!(pool.0.len(), REMEMBERED);
+    }
+
+    #[test]
+    fn it_is_written_as_what_it_holds() {
+        let text = serde_json::to_string(&Shared::from(vec![0.1, 2.0])).unwrap();
+        assert_eq!(text, "[0.1,2.0]");
+        assert_eq!(serde_json::from_str::<Shared<Vec<f64>>>(&text).unwrap()[..], [0.1, 2.0]);
+    }
+}

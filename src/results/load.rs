@@ -1,0 +1,124 @@
+//! How busy the ranks of a session are: `load.json` while it runs, afterwards in `manifest.json`. Provenance: no
+//! result depends on it.
+
+use std::fs;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+
+use super::error::SweepError;
+use super::{atomic_file, disk};
+
+const FILE_NAME: &str = "load.json";
+
+/// The load of a session.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Load {
+    /// Since its start, seconds.
+    pub elapsed_s: f64,
+    /// Of every rank.
+    pub ranks: Vec<RankLoad>,
+}
+
+/// What a rank has done.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct RankLoad {
+    /// Cases that it runs at once.
+    pub places: usize,
+    /// Seconds of all of them together, shared stretches included.
+    pub busy_s: f64,
+    /// Cases that have ended.
+    pub cases: u64,
+    /// Shared stretches that have ended.
+    pub trunks: u64,
+}
+
+impl Load {
+    /// The busy share of a rank's places, 0 to 1.
+    pub fn share(&self, rank: usize) -> f64 {
+        share(&self.ranks[rank..=rank], self.elapsed_s)
+    }
+
+    /// That of all ranks together.
+    pub fn whole_share(&self) -> f64 {
+        share(&self.ranks, self.elapsed_s)
+    }
+
+    /// Seconds of all ranks together.
+    pub fn busy_s(&self) -> f64 {
+        self.ranks.iter().map(|rank| rank.busy_s).sum()
+    }
+
+    /// In words: all ranks, and the least and the most busy of several.
+    pub fn told(&self) -> Option<String> {
+        let by = |a: &usize, b: &usize| self.share(*a).total_cmp(&self.share(*b));
+        let ranks = || 0..self.ranks.len();
+        let (least, most) = (ranks().min_by(by)?, ranks().max_by(by)?);
+        let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+        let all = percent(self.whole_share());
+        Some(match self.ranks.len() {
+            1 => format!("busy {all} of the time"),
+            count => format!(
+                "{count} ranks busy {all} of the time, from {} (rank {least}) to {} (rank {most})",
+                percent(self.share(least)),
+                percent(self.share(most))
+            ),
+        })
+    }
+
+    /// That of the session which runs in a directory; `None` where none has told.
+    pub fn read(directory: &Path) -> Option<Load> {
+        serde_json::from_slice(&fs::read(directory.join(FILE_NAME)).ok()?).ok()
+    }
+
+    /// Tells those who look at the directory while a session runs.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn write(&self, directory: &Path) -> Result<(), SweepError> {
+        let text = serde_json::to_vec(self).expect("a load has a JSON form");
+        atomic_file::write_unsynced(&directory.join(FILE_NAME), &text)
+    }
+}
+
+/// Removes what an ended session has told.
+///
+/// # Errors
+/// A file that cannot be removed.
+pub fn forget_load(directory: &Path) -> Result<(), SweepError> {
+    let path = directory.join(FILE_NAME);
+    if path.exists() { disk::remove_file(&path).map_err(SweepError::io(&path)) } else { Ok(()) }
+}
+
+fn share(ranks: &[RankLoad], elapsed_s: f64) -> f64 {
+    let places: usize = ranks.iter().map(|rank| rank.places).sum();
+    let busy: f64 = ranks.iter().map(|rank| rank.busy_s).sum();
+    if elapsed_s > 0.0 { (busy / (elapsed_s * places.max(1) as f64)).min(1.0) } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_least_and_the_most_busy_are_named() {
+        let rank = |busy_s| RankLoad { places: 2, busy_s, ..RankLoad::default() };
+        let load = Load { elapsed_s: 10.0, ranks: vec![rank(18.0), rank(9.0), rank(15.0)] };
+        let told = "3 ranks busy 70 % of the time, from 45 % (rank 1) to 90 % (rank 0)";
+        assert_eq!(load.told().as_deref(), Some(told));
+        let alone = Load { ranks: vec![rank(10.0)], ..load };
+        assert_eq!(alone.told().as_deref(), Some("busy 50 % of the time"));
+        assert_eq!(Load::default().told(), None);
+    }
+
+    #[test]
+    fn it_is_there_while_the_session_runs() {
+        let root = tempfile::tempdir().unwrap();
+        assert_eq!(Load::read(root.path()), None);
+        let load = Load { elapsed_s: 1.0, ranks: vec![RankLoad::default()] };
+        load.write(root.path()).unwrap();
+        assert_eq!(Load::read(root.path()), Some(load));
+        forget_load(root.path()).unwrap();
+        assert_eq!(fs::read_dir(root.path()).unwrap().count(), 0);
+    }
+}
