@@ -3,8 +3,9 @@
 //! A step predicts places r* (Eq. 8), lists there who is near whom, finds all operators and the surface
 //! (`surroundings.rs`), assembles and solves the pressure equation (Eq. 11, `assembly.rs`, `solve.rs`)
 //! and, once the walls' motion is settled, corrects velocities (Eq. 9) and places (Eq. 10, `motion.rs`).
-//! These are methods of [`Isph`]; what they call are functions over fields. Sums over pairs are terms (`gradient.rs`, `divergence.rs`,
-//! `viscosity.rs`, `surface.rs`) of the engine for [`Near`](crate::pairs::Near) pairs.
+//! These are methods of [`Isph`]; what they call are functions over fields. Sums over pairs are terms
+//! (`gradient.rs`, `divergence.rs`, `viscosity.rs`, `surface.rs`) of the engine for
+//! [`Near`](crate::pairs::Near) pairs.
 //! Walls are dummies that mirror the water itself (`images.rs`).
 
 mod assembly;
