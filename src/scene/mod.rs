@@ -30,6 +30,7 @@ mod standing_wave;
 mod still_water;
 mod tank;
 mod taylor_green;
+mod water;
 
 pub use config::CaseConfig;
 pub use dam_break::{DamBreakScene, InitialDensity};
