@@ -7,18 +7,13 @@ use std::path::Path;
 /// A module: the names from the crate's root to it.
 type Module = Vec<String>;
 
-/// Folders in which circles still stand. Take a folder off once it has none.
-const STILL_WITH_CIRCLES: &[&str] = &["scene/", "scheme/isph/"];
-
 #[test]
 fn no_two_files_need_each_other() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut files = Vec::new();
     read(&root, &root, &mut files);
     assert!(files.len() > 100, "the scan found no sources");
-    let stands = |file: &String| STILL_WITH_CIRCLES.iter().any(|folder| file.starts_with(folder));
-    let mut circles = circles(&Sources::new(files));
-    circles.retain(|circle| !circle.iter().all(stands));
+    let circles = circles(&Sources::new(files));
     assert!(circles.is_empty(), "files that need each other: {circles:#?}");
 }
 

@@ -2,13 +2,14 @@
 //! order; and what a train leaves of each of its waves.
 
 mod common;
+mod theory;
 
 use common::{expect_code, run, write_file};
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
 use seawall::simulation::{Unwatched, WaveRow, run_case};
-use seawall::theory::standing_wave_force::StandingWaveForce;
-use seawall::theory::stream_function::StreamFunctionWave;
+use theory::standing_wave_force::StandingWaveForce;
+use theory::stream_function::StreamFunctionWave;
 use toml::Table;
 
 const DEPTH: f64 = 0.2;

@@ -36,11 +36,6 @@ impl Team {
         self.0.as_ref().map_or(1, |pool| PARTS_PER_THREAD * pool.current_num_threads())
     }
 
-    /// Whether there is nobody to share the work.
-    pub fn is_alone(&self) -> bool {
-        self.0.is_none()
-    }
-
     /// Does a piece of work on one of the threads, where the others are at hand; the calling thread
     /// waits, and does nothing else meanwhile.
     pub fn lead<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {

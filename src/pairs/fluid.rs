@@ -55,6 +55,12 @@ impl Fluid {
         self.len == 0
     }
 
+    /// |u| of a particle, m/s.
+    pub fn speed(&self, i: usize) -> f64 {
+        let (vx, vy) = (self.vx[i], self.vy[i]);
+        (vx * vx + vy * vy).sqrt()
+    }
+
     /// Length of the arrays: a whole number of vectors.
     pub fn padded_len(&self) -> usize {
         self.len.next_multiple_of(LANES)

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use toml::Table;
 
 use super::declared::{Place, refuse_unknown};
-use super::kind::Scene;
+use super::kind::{Kind, Scene};
 use super::numerics::{ErrorBars, Numerics};
 use super::probe::Probe;
 use super::size;
@@ -41,8 +41,10 @@ impl CaseConfig {
         probes: &[Table],
     ) -> Result<CaseConfig, ConfigError> {
         let probes = Probe::read_all(probes)?;
-        let scene = Scene::read(scene)?;
-        refuse_unknown(Place::Numerics, scene.of_kind(), numerics)?;
+        let kind = Kind::of(scene)?;
+        refuse_unknown(Place::Scene, kind, scene)?;
+        let scene = kind.read(scene)?;
+        refuse_unknown(Place::Numerics, kind, numerics)?;
         let numerics = Numerics::of_scene(&scene, numerics)?.into();
         let config = CaseConfig { numerics, scene, probes };
         config.validate()?;
@@ -59,7 +61,7 @@ impl CaseConfig {
             let spacing = self.numerics.particle_spacing_m;
             return Err(ConfigError::new("numerics.particle_spacing_m", spacing, allowed));
         }
-        size::validate(self)?;
+        size::validate(&self.scene, &self.numerics)?;
         let upright = self.scene.seawall().is_some_and(|scene| scene.wall_angle_deg == 90.0);
         if self.numerics.stop_when_settled && !upright {
             let allowed = "belongs to a wave on a vertical seawall";

@@ -3,7 +3,8 @@
 use toml::Table;
 
 use super::kind::{Kind, OfKind};
-use super::numerics::{Base, Numerics};
+use super::numerics::Numerics;
+use super::preset::Base;
 use super::probe::Probe;
 use crate::keys::{ConfigError, Key, Section};
 
@@ -46,7 +47,7 @@ pub fn probe_keys() -> Vec<&'static Key> {
 /// # Errors
 /// A key that no section knows, with the nearest that one of them does; a kind that is none.
 pub fn place_of(key: &str, scene: &Table) -> Result<Place, ConfigError> {
-    let kind = OfKind::read(scene, None)?.kind;
+    let kind = Kind::of(scene)?;
     if has(&scene_keys(kind), key) {
         return Ok(Place::Scene);
     }

@@ -4,7 +4,6 @@ use serde::{Deserialize, Serialize};
 use toml::Table;
 
 use super::dam_break::DamBreakScene;
-use super::declared::{Place, refuse_unknown};
 use super::frame::Frame;
 use super::hydrostatic::HydrostaticScene;
 use super::numerics::{Numerics, Scheme};
@@ -40,7 +39,8 @@ macro_rules! kinds {
                 match self { $(Kind::$kind => <$scene>::keys(),)* }
             }
 
-            fn read(self, table: &Table) -> Result<Scene, ConfigError> {
+            /// Reads the `[scene]` table of such a scene, once it is known that it has all keys.
+            pub(super) fn read(self, table: &Table) -> Result<Scene, ConfigError> {
                 match self {
                     $(Kind::$kind => {
                         let scene = <$scene>::read(table, None)?;
@@ -94,6 +94,11 @@ kinds! {
 impl Kind {
     /// The kind of a scene that does not say it.
     pub const DEFAULT: Kind = Kind::Seawall;
+
+    /// That of a `[scene]` table.
+    pub(super) fn of(scene: &Table) -> Result<Kind, ConfigError> {
+        Ok(OfKind::read(scene, None)?.kind)
+    }
 }
 
 section! {
@@ -201,12 +206,5 @@ impl Scene {
             return Err(ConfigError::new("numerics.scheme", "\"isph\"", allowed));
         }
         Ok(())
-    }
-
-    /// Reads a `[scene]` table by its `kind`; a seawall where there is none.
-    pub(super) fn read(table: &Table) -> Result<Scene, ConfigError> {
-        let kind = OfKind::read(table, None)?.kind;
-        refuse_unknown(Place::Scene, kind, table)?;
-        kind.read(table)
     }
 }

@@ -182,7 +182,7 @@ const LIMITS: &[Limit] = &[
          exact drop's with corrected_gradients, and swung 63 % too little without",
     ),
     (
-        |case| size::particles(case.config) > 1e6,
+        |case| size::particles(&case.config.scene, &case.config.numerics) > 1e6,
         "more than 1,000,000 particles: 1.4 GiB and some hours of one core upwards, both for each \
          case at once; 20,000,000 are the most that are taken",
     ),

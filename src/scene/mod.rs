@@ -12,7 +12,6 @@ mod declared;
 mod filling;
 mod frame;
 mod hydrostatic;
-mod interpolation;
 mod kind;
 mod lattice;
 mod limits;
@@ -20,17 +19,18 @@ mod numerics;
 mod odd;
 mod oscillating_drop;
 mod packing;
+mod preset;
 mod probe;
 mod rotating_patch;
 mod seawall;
-mod seawall_bed;
-mod seawall_crest;
-mod seawall_paddle;
+mod seawall_demands;
+mod seawall_tank;
 mod size;
 mod standing_wave;
 mod still_water;
 mod tank;
 mod taylor_green;
+mod water;
 
 pub use config::CaseConfig;
 pub use dam_break::{DamBreakScene, InitialDensity};
@@ -40,10 +40,11 @@ pub use hydrostatic::HydrostaticScene;
 pub use kind::{Kind, Scene};
 pub use limits::limits;
 pub use numerics::{
-    BoundaryChoice, ErrorBars, GhostGravity, IncompressibleNumerics, Numerics, Preset, Scheme, Slip,
+    BoundaryChoice, ErrorBars, GhostGravity, IncompressibleNumerics, Numerics, Scheme, Slip,
 };
 pub use odd::odd_values;
 pub use oscillating_drop::OscillatingDropScene;
+pub use preset::Preset;
 pub use probe::{Probe, ProbeKind, Side};
 pub use rotating_patch::RotatingPatchScene;
 pub use seawall::{PaddleChoice, SeawallScene, WallChoice};

@@ -1,12 +1,13 @@
 //! Numerical choices of a run, every one of them a value that a scene file can set.
 
 use serde::{Deserialize, Serialize};
-use toml::{Table, Value};
 
-use super::kind::Scene;
-use crate::boundary::{AMPLIFICATION_LIMIT, SfdiMatrix};
+use crate::boundary::{
+    AMPLIFICATION_LIMIT, Dummy, ImprovedShepard, InterpolatorChoice, MlsLinear, MlsQuadratic,
+    Normalized, Sfdi, SfdiMatrix,
+};
 use crate::kernel::KernelChoice;
-use crate::keys::{ConfigError, Rule, Section, check_conditions, section};
+use crate::keys::{Rule, Section, section};
 use crate::math::sparse::PreconditionerChoice;
 use crate::scheme::StateEquationChoice;
 use crate::scheme::isph::Laplacian;
@@ -70,27 +71,6 @@ pub enum ErrorBars {
     Pair,
     /// At √2 times the spacing, too: about half as much work again.
     Triple,
-}
-
-/// Named sets of numerics that `preset` may take.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Preset {
-    /// What this program has found to be best.
-    Default,
-    /// Huang et al. 2019.
-    Huang2019,
-    /// Incompressible SPH.
-    Isph,
-}
-
-section! {
-    /// What `[numerics]` has besides numerics.
-    pub(super) struct Base in "numerics" {
-        /// The values that hold where no key gives another. With `scheme = "isph"` the preset
-        /// `default` is `isph`.
-        preset: Preset = Preset::Default, plain();
-    }
 }
 
 /// A key that only δ-SPH reads.
@@ -206,73 +186,32 @@ section! {
 }
 
 impl Numerics {
-    /// The values of a preset.
-    pub fn preset(preset: Preset) -> Numerics {
-        let default = Numerics::defaults();
-        match preset {
-            Preset::Default => default,
-            Preset::Huang2019 => Numerics {
-                particle_spacing_m: 0.008,
-                kernel: KernelChoice::Gaussian,
-                support_radius_ratio: 3.9,
-                ghost_gravity: GhostGravity::AtMirror,
-                corrected_gradients: false,
-                density_diffusion: DensityDiffusion::Renormalised,
-                artificial_viscosity: 0.02,
-                shifting: Shifting::None,
-                sound_speed_ratio: 10.0,
-                courant_number: 0.9,
-                bulk_damping: 0.0,
-                acoustic_substeps: 1,
-                time_step_s: Some(5e-4),
-                ..default
-            },
-            Preset::Isph => Numerics {
-                scheme: Scheme::Isph,
-                particle_spacing_m: 0.008,
-                support_radius_ratio: 4.0,
-                artificial_viscosity: 0.1,
-                kinematic_viscosity_m2_per_s: Some(0.0),
-                incompressible: Some(IncompressibleNumerics::defaults()),
-                ..default
-            },
-        }
-    }
-
-    /// Reads the `[numerics]` table of a scene, once it is known that it has all keys.
-    ///
-    /// # Errors
-    /// The first value that does not fit.
-    pub(super) fn of_scene(scene: &Scene, table: &Table) -> Result<Numerics, ConfigError> {
-        let mut preset = Base::read(table, None)?.preset;
-        let own = preset == Preset::Default;
-        let scheme = table.get("scheme").and_then(Value::as_str);
-        if own && scheme == Some("isph") {
-            preset = Preset::Isph;
-        }
-        if preset == Preset::Isph && scheme == Some("wcsph") {
-            let allowed = "preset = \"isph\" is of scheme = \"isph\"";
-            return Err(ConfigError::new("numerics.scheme", "\"wcsph\"", allowed));
-        }
-        let mut base = Numerics::preset(preset);
-        if matches!(scene, Scene::DamBreak(_)) {
-            // A front that hits a wall leaves no time in which pairs could hold their geometry.
-            base.acoustic_substeps = 1;
-        }
-        if preset == Preset::Default && !scene.has_crest_at_upright_wall() {
-            // A wide support pays where a crest strains a lattice. Thin sheets and wedges lose by it, and
-            // water at rest begins to creep after some ten seconds.
-            base.support_radius_ratio = 4.0;
-            base.artificial_viscosity = 0.1;
-            base.shifting_coefficient = 0.25;
-        }
-        let numerics = Numerics::read(table, Some(&base))?;
-        check_conditions::<Numerics>(table, &numerics.table())?;
-        Ok(numerics)
-    }
-
     /// What incompressible SPH reads; its defaults for another scheme.
     pub(super) fn incompressible(&self) -> IncompressibleNumerics {
         self.incompressible.clone().unwrap_or_else(IncompressibleNumerics::defaults)
+    }
+
+    /// The boundary interpolator with its parameters.
+    pub fn interpolator(&self) -> InterpolatorChoice {
+        let amplification_limit = self.amplification_limit;
+        match self.boundary {
+            BoundaryChoice::ImprovedShepard => {
+                InterpolatorChoice::ImprovedShepard(ImprovedShepard {
+                    lambda: self.shepard_lambda,
+                    sigma: self.shepard_sigma,
+                })
+            }
+            BoundaryChoice::Normalized => InterpolatorChoice::Normalized(Normalized),
+            BoundaryChoice::Sfdi => {
+                InterpolatorChoice::Sfdi(Sfdi { matrix: self.sfdi_matrix, amplification_limit })
+            }
+            BoundaryChoice::MlsLinear => {
+                InterpolatorChoice::MlsLinear(MlsLinear { amplification_limit })
+            }
+            BoundaryChoice::MlsQuadratic => {
+                InterpolatorChoice::MlsQuadratic(MlsQuadratic { amplification_limit })
+            }
+            BoundaryChoice::Dummy => InterpolatorChoice::Dummy(Dummy),
+        }
     }
 }

@@ -1,6 +1,6 @@
 //! How many particles a scene may have.
 
-use super::config::CaseConfig;
+use super::kind::Scene;
 use super::numerics::Numerics;
 use crate::keys::ConfigError;
 
@@ -11,19 +11,19 @@ pub(super) const MOST_PARTICLES: f64 = 20e6;
 const MOST_STEPS: f64 = 1e13;
 
 /// Particles of a scene from its area of water, without laying any of them out.
-pub(super) fn particles(config: &CaseConfig) -> f64 {
-    let spacing = config.numerics.particle_spacing_m;
-    config.scene.water_area() / spacing / spacing
+pub(super) fn particles(scene: &Scene, numerics: &Numerics) -> f64 {
+    let spacing = numerics.particle_spacing_m;
+    scene.water_area() / spacing / spacing
 }
 
 /// Refuses more particles than a machine holds, and more steps than anybody waits for.
 ///
 /// # Errors
 /// More than [`MOST_STEPS`] or [`MOST_PARTICLES`]; the latter names the smallest spacing that this water may have.
-pub(super) fn validate(config: &CaseConfig) -> Result<(), ConfigError> {
-    let (count, area) = (particles(config), config.scene.water_area());
+pub(super) fn validate(scene: &Scene, numerics: &Numerics) -> Result<(), ConfigError> {
+    let (count, area) = (particles(scene, numerics), scene.water_area());
     if count <= MOST_PARTICLES {
-        return demand_an_end(config);
+        return demand_an_end(scene, numerics);
     }
     let smallest = rounded_up((area / MOST_PARTICLES).sqrt());
     let allowed = format!(
@@ -33,14 +33,13 @@ pub(super) fn validate(config: &CaseConfig) -> Result<(), ConfigError> {
         whole(count),
         whole(MOST_PARTICLES)
     );
-    let Numerics { particle_spacing_m, .. } = *config.numerics;
-    Err(ConfigError::new("numerics.particle_spacing_m", particle_spacing_m, allowed))
+    Err(ConfigError::new("numerics.particle_spacing_m", numerics.particle_spacing_m, allowed))
 }
 
 /// Refuses more steps than anybody waits for.
-fn demand_an_end(config: &CaseConfig) -> Result<(), ConfigError> {
-    let frame = config.scene.frame();
-    let steps = (frame.end_time - config.scene.start_s()) / frame.time_step(&config.numerics);
+fn demand_an_end(scene: &Scene, numerics: &Numerics) -> Result<(), ConfigError> {
+    let frame = scene.frame();
+    let steps = (frame.end_time - scene.start_s()) / frame.time_step(numerics);
     if steps > MOST_STEPS {
         let allowed = format!(
             "would take {steps:.1e} steps, and {MOST_STEPS:e} are the most; where no end_time_s is given, a \
@@ -73,6 +72,7 @@ fn rounded_up(value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::CaseConfig;
 
     fn case(scene: &str, spacing: &str) -> Result<CaseConfig, ConfigError> {
         let numerics = format!("particle_spacing_m = {spacing}");
@@ -109,7 +109,10 @@ mod tests {
         {
             let config = case(scene, "0.02").unwrap();
             let laid_out = config.scene.particles(&config.numerics) as f64;
-            assert!((particles(&config) / laid_out - 1.0).abs() < 0.01, "{scene}");
+            assert!(
+                (particles(&config.scene, &config.numerics) / laid_out - 1.0).abs() < 0.01,
+                "{scene}"
+            );
         }
     }
 }

@@ -9,7 +9,5 @@ pub mod oscillator;
 pub mod rotating_patch;
 pub mod solitary_wave;
 pub mod standing_wave;
-pub mod standing_wave_force;
-pub mod stream_function;
 pub mod taylor_green;
 pub mod wall_potential;

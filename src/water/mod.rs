@@ -3,12 +3,10 @@
 
 mod inside;
 mod level;
-mod shifting;
-mod slack;
 mod state_equation;
+mod support;
 
 pub use inside::{HoldInside, any_nearer};
 pub use level::{first_level, level_up_to};
-pub use shifting::{SHIFT_FROM, SHIFT_FULL, SHIFT_LIMIT, shifted_share};
-pub use slack::Slack;
 pub use state_equation::{StateEquation, StateEquationChoice};
+pub use support::{SHIFT_FROM, SHIFT_FULL, SHIFT_LIMIT, Slack, shifted_share};

@@ -1,9 +1,11 @@
 //! The pressure equation as a matrix.
 
-use super::Isph;
+use super::lattice::Even;
+use super::operators::Operators;
 use super::options::Laplacian;
 use super::system::System;
-use crate::pairs::{Coupling, Here, Pair, Real};
+use crate::math::simd::LANES;
+use crate::pairs::{Coupling, Here, Near, Pair, Real};
 
 /// Share of the diagonal that is added so that no part of the water is without hold.
 const HOLD: f64 = 1e-8;
@@ -48,27 +50,32 @@ impl Coupling for Compact<'_> {
     }
 }
 
-impl Isph {
+impl System {
     /// Rows of V_i times 2 Σ F (p_i - p_j) + grip p_i, for the dynamic pressure (Liang et al. 2017,
     /// Eqs. 4 and 11). The surface holds the pressure by its grip.
     ///
     /// A support that is cut off has its normalisation κ_i on the right, so that the matrix stays
     /// symmetric. With [`Laplacian::Schwaiger`] F becomes F (1 - s·L Δ), which takes 2 s·∇p off: zero on
     /// linear fields in any arrangement. For [`Laplacian::Exact`] only near neighbours are taken.
-    pub(super) fn assemble(&mut self) {
-        let exact = self.options.laplacian == Laplacian::Exact;
-        let tilted = self.options.laplacian == Laplacian::Schwaiger;
+    pub fn assemble(
+        &mut self,
+        laplacian: Laplacian,
+        (near, operators): (&Near, &Operators),
+        even: &Even,
+    ) {
+        let exact = laplacian == Laplacian::Exact;
+        let tilted = laplacian == Laplacian::Schwaiger;
         if tilted {
-            self.find_tilts();
+            find_tilts(operators, operators.grip.len().next_multiple_of(LANES), &mut self.tilts);
         }
-        let System { matrix, rows, tilts, .. } = &mut self.system;
-        let (near, grip) = (&self.near, &self.operators.grip);
+        let System { matrix, rows, tilts, .. } = &mut *self;
         let coupling = Compact {
             volume: &near.volume,
-            narrow: exact.then_some(self.even.narrow),
+            narrow: exact.then_some(even.narrow),
             tilt: tilted.then_some(tilts.as_slice()),
         };
         near.couple(coupling, rows, matrix);
+        let grip = &operators.grip;
         for ((diagonal, volume), grip) in matrix.diagonal.iter_mut().zip(&near.volume).zip(grip) {
             *diagonal += volume * grip;
         }
@@ -76,20 +83,19 @@ impl Isph {
             // Parts that nothing holds stay solvable.
             matrix.diagonal.iter_mut().for_each(|diagonal| *diagonal *= 1.0 + HOLD);
         } else {
-            self.system.hold_components(grip);
+            self.hold_components(grip);
         }
     }
+}
 
-    /// L s of all particles away from the surface, padded; zero elsewhere.
-    fn find_tilts(&mut self) {
-        let (operators, tilts) = (&self.operators, &mut self.system.tilts);
-        tilts.clear();
-        tilts.resize(self.fluid.padded_len(), [0.0; 2]);
-        for (i, tilt) in tilts.iter_mut().take(self.fluid.len()).enumerate() {
-            if operators.grip[i] == 0.0 {
-                let ([sx, sy], [cx, cxy, cy]) = (operators.sway[i], operators.correction[i]);
-                *tilt = [sx * cx + sy * cxy, sx * cxy + sy * cy];
-            }
+/// L s of all particles away from the surface, padded; zero elsewhere.
+fn find_tilts(operators: &Operators, padded: usize, tilts: &mut Vec<[f64; 2]>) {
+    tilts.clear();
+    tilts.resize(padded, [0.0; 2]);
+    for (i, tilt) in tilts.iter_mut().take(operators.grip.len()).enumerate() {
+        if operators.grip[i] == 0.0 {
+            let ([sx, sy], [cx, cxy, cy]) = (operators.sway[i], operators.correction[i]);
+            *tilt = [sx * cx + sy * cxy, sx * cxy + sy * cy];
         }
     }
 }

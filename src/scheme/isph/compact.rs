@@ -7,7 +7,6 @@
 
 use super::Isph;
 use super::project::Source;
-use super::system::System;
 use crate::scheme::StepError;
 
 /// A support that is less complete than this has the largest κ.
@@ -44,32 +43,5 @@ impl Isph {
             let divergence = divergence[i] - relax * operators.crowding(i, even) / dt;
             -volume * options.density * divergence / (dt * operators.kappa(i, POOREST))
         }));
-    }
-}
-
-impl System {
-    /// Every connected part of the water needs a particle whose pressure is held; where a part has
-    /// none (a full, closed vessel) its first one is, at the pressure of the still level.
-    pub(super) fn hold_components(&mut self, grip: &[f64]) {
-        let System { matrix, reached, open, .. } = self;
-        reached.clear();
-        reached.extend(grip.iter().map(|&grip| grip > 0.0));
-        open.clear();
-        open.extend((0..grip.len() as u32).filter(|&i| reached[i as usize]));
-        for next in 0..grip.len() {
-            while let Some(i) = open.pop() {
-                for &j in matrix.row(i as usize).0 {
-                    if !std::mem::replace(&mut reached[j as usize], true) {
-                        open.push(j);
-                    }
-                }
-            }
-            if !reached[next] {
-                let pin = matrix.diagonal[next].max(f64::MIN_POSITIVE);
-                matrix.diagonal[next] += pin;
-                reached[next] = true;
-                open.push(next as u32);
-            }
-        }
     }
 }

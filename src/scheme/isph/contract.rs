@@ -2,6 +2,7 @@
 
 use std::time::Instant;
 
+use super::gradient::reaction;
 use super::project::Source;
 use super::{Isph, IsphState};
 use crate::body::BodyMotion;
@@ -46,18 +47,10 @@ impl Scheme for Isph {
     fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> Result<(), StepError> {
         let mut clock = Instant::now();
         self.pending = self.tally;
-        self.sort(dt);
-        self.face_offsets.clear();
-        let ahead = 0.5 * dt;
-        self.face_offsets.extend(bodies.iter().enumerate().map(|(body, motion)| {
-            let known = if body == self.responds { 0.0 } else { motion.acceleration };
-            motion.offset + ahead * (motion.velocity + 0.5 * ahead * known)
-        }));
-        self.list_points(bodies, dt);
+        self.list(bodies, dt);
         self.lap("neighbours", &mut clock);
         self.find_operators();
-        self.turn_corrections();
-        self.find_surface();
+        self.pending.pair_evaluations += self.near.pairs() as u64;
         self.lap("operators", &mut clock);
         self.assemble();
         self.lap("assembly", &mut clock);
@@ -71,7 +64,7 @@ impl Scheme for Isph {
             self.diverge(|walls| walls.velocity);
             self.check(dt);
         }
-        self.reaction();
+        reaction(&self.near, &self.points, &mut self.forces);
         let forces = self.forces.iter().zip(&self.drag_on_bodies);
         for (load, (force, drag)) in self.loads.iter_mut().zip(forces) {
             *load = Load { force: force + drag, added_mass: 0.0 };
@@ -91,7 +84,7 @@ impl Scheme for Isph {
         self.responded = true;
         self.lap("solver", &mut clock);
         self.accelerate(Source::Response);
-        self.reaction();
+        reaction(&self.near, &self.points, &mut self.forces);
         for (load, force) in self.loads.iter_mut().zip(&self.forces) {
             load.added_mass = -force;
         }

@@ -2,7 +2,6 @@
 
 use std::cell::Cell;
 
-use super::Isph;
 use super::images::Point;
 use super::operators::Operators;
 use crate::pairs::{Eight, Here, Near, Neighbour, Other, Pair, Real, Record, Term};
@@ -87,18 +86,15 @@ impl Term for Reaction<'_> {
     }
 }
 
-impl Isph {
-    /// Force of the water on every body along x by the momentum reaction, Liang et al. 2017,
-    /// Eq. 14 with the corrected gradients of the momentum equation, over fluid i and images j:
-    /// the force that the water itself feels, with the opposite sign. Needs the stresses of
-    /// [`Isph::accelerate`].
-    pub(super) fn reaction(&mut self) {
-        self.forces.fill(0.0);
-        self.near.over_images(Reaction {
-            records: &self.near.records,
-            volume: &self.near.volume,
-            points: &self.points,
-            forces: Cell::from_mut(&mut self.forces[..]).as_slice_of_cells(),
-        });
-    }
+/// Force of the water on every body along x by the momentum reaction, Liang et al. 2017,
+/// Eq. 14 with the corrected gradients of the momentum equation, over fluid i and images j:
+/// the force that the water itself feels, with the opposite sign. p L is in the records.
+pub(super) fn reaction(near: &Near, points: &[Point], forces: &mut [f64]) {
+    forces.fill(0.0);
+    near.over_images(Reaction {
+        records: &near.records,
+        volume: &near.volume,
+        points,
+        forces: Cell::from_mut(forces).as_slice_of_cells(),
+    });
 }

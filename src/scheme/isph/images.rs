@@ -6,9 +6,9 @@
 //! the pressure equation then has its full support at a wall, and the matrix stays symmetric: the
 //! image of j is as far from i as the image of i from j.
 
-use super::Isph;
-use super::state::Carried;
 use crate::body::BodyMotion;
+use crate::boundary::Plane;
+use crate::pairs::Fluid;
 
 /// What the walls add to an image, at known accelerations or per unit of an unknown one.
 #[derive(Debug, Clone, Copy, Default)]
@@ -72,87 +72,81 @@ fn mirrored([nx, ny]: [f64; 2], [u, v]: [f64; 2], w: f64) -> [f64; 2] {
     [u + across * nx, v + across * ny]
 }
 
-impl Isph {
-    /// Puts the particles into the order of the places that they will have in the middle of the step.
-    pub(super) fn sort(&mut self, dt: f64) {
-        let Carried { pressure, older_pressure, aim, response } = &mut self.carried;
-        let fields = [pressure, older_pressure, aim, response];
-        self.near.sort(&mut self.fluid, fields, 0.5 * dt);
-    }
+/// The walls that the water is mirrored in, where they stand at r*.
+pub(super) struct Mirrors<'a> {
+    pub planes: &'a [Plane],
+    pub bodies: &'a [BodyMotion],
+    /// The body whose acceleration is not known yet.
+    pub responds: usize,
+    /// Points as far as this from a wall have images in it, metres.
+    pub reach: f64,
+    /// ρ0, kg/m³.
+    pub density: f64,
+    /// The time step, seconds.
+    pub dt: f64,
+}
 
-    /// The fluid at r* = r + ½ u Δt and its images in the walls where they will then be, with the
-    /// neighbours of all particles. Gravity's own g Δt² is left out of Eq. 8, so that still water stays
-    /// exactly where it is.
-    pub(super) fn list_points(&mut self, bodies: &[BodyMotion], dt: f64) {
-        self.find_images(bodies, dt);
-        let (water, points) = (self.fluid.len(), &mut self.points);
-        let of = |point: &Point| (point.place, point.volume, point.original);
-        self.near.list(water, &self.loose, points, of);
-    }
-
-    fn find_images(&mut self, bodies: &[BodyMotion], dt: f64) {
-        let options = &self.options;
-        let fluid = &self.fluid;
-        let density = options.density;
-        let (loose, planes) = (&mut self.loose, &mut self.planes);
-        let ahead = 0.5 * dt;
-        loose.clear();
-        loose.extend((0..fluid.len()).map(|k| Point {
+impl Mirrors<'_> {
+    /// The fluid at r* = r + ½ u Δt and its images. Gravity's own g Δt² is left out of Eq. 8, so that
+    /// still water stays exactly where it is.
+    pub fn points(&self, fluid: &Fluid, points: &mut Vec<Point>) {
+        let ahead = 0.5 * self.dt;
+        points.clear();
+        points.extend((0..fluid.len()).map(|k| Point {
             place: [fluid.x[k] + ahead * fluid.vx[k], fluid.y[k] + ahead * fluid.vy[k]],
-            volume: fluid.mass[k] / density,
+            volume: fluid.mass[k] / self.density,
             original: k as u32,
             body: NO_BODY,
             turn: [1.0, 0.0, 0.0, 1.0],
             walls: WallTerms::default(),
         }));
-        let reach = options.support_radius;
-        planes.clear();
-        let faces = self.ghosts.bodies.iter().zip(&self.face_offsets);
-        planes.extend(faces.map(|(body, &offset)| body.plane.moved(offset)));
-        for (number, plane) in planes.iter().enumerate() {
-            let motion = &bodies[number];
-            let responds = number == self.responds;
-            let known = if responds { 0.0 } else { motion.acceleration };
-            let [nx, ny] = plane.normal;
-            // Images of images fill the corners of right and acute angles. At an obtuse one each
-            // wall's images end half-way round the corner.
-            let obtuse = |other: usize| {
-                let [mx, my] = planes[other].normal;
-                other != number && mx * nx + my * ny > 1e-9
-            };
-            for k in 0..loose.len() {
-                let point = loose[k];
-                let distance = -plane.beyond(point.place);
-                if distance >= reach
-                    || distance <= -reach
-                    || (point.body != NO_BODY && obtuse(point.body as usize))
-                {
-                    continue;
-                }
-                let place =
-                    [point.place[0] + 2.0 * distance * nx, point.place[1] + 2.0 * distance * ny];
-                let beyond = plane.beyond(place);
-                if (0..planes.len()).any(|q| obtuse(q) && planes[q].beyond(place) > beyond) {
-                    continue;
-                }
-                let (speed, gain) = (motion.velocity + dt * known, if responds { dt } else { 0.0 });
-                let spring = -2.0 * density * distance * nx;
-                let old = point.walls;
-                loose.push(Point {
-                    place,
-                    body: number as u8,
-                    turn: reflected(plane.normal, point.turn),
-                    walls: WallTerms {
-                        start_velocity: mirrored(plane.normal, old.start_velocity, motion.velocity),
-                        velocity: mirrored(plane.normal, old.velocity, speed),
-                        velocity_response: mirrored(plane.normal, old.velocity_response, gain),
-                        pressure: old.pressure + spring * known,
-                        pressure_response: old.pressure_response
-                            + if responds { spring } else { 0.0 },
-                    },
-                    ..point
-                });
+        for number in 0..self.planes.len() {
+            for k in 0..points.len() {
+                points.extend(self.image(number, points[k]));
             }
         }
+    }
+
+    /// The image of a point in a wall, if the water needs it.
+    fn image(&self, number: usize, point: Point) -> Option<Point> {
+        let &Mirrors { planes, bodies, density, dt, reach, .. } = self;
+        let (plane, motion) = (&planes[number], &bodies[number]);
+        let responds = number == self.responds;
+        let known = if responds { 0.0 } else { motion.acceleration };
+        let [nx, ny] = plane.normal;
+        // Images of images fill the corners of right and acute angles. At an obtuse one each
+        // wall's images end half-way round the corner.
+        let obtuse = |other: usize| {
+            let [mx, my] = planes[other].normal;
+            other != number && mx * nx + my * ny > 1e-9
+        };
+        let distance = -plane.beyond(point.place);
+        if distance >= reach
+            || distance <= -reach
+            || (point.body != NO_BODY && obtuse(point.body as usize))
+        {
+            return None;
+        }
+        let place = [point.place[0] + 2.0 * distance * nx, point.place[1] + 2.0 * distance * ny];
+        let beyond = plane.beyond(place);
+        if (0..planes.len()).any(|q| obtuse(q) && planes[q].beyond(place) > beyond) {
+            return None;
+        }
+        let (speed, gain) = (motion.velocity + dt * known, if responds { dt } else { 0.0 });
+        let spring = -2.0 * density * distance * nx;
+        let old = point.walls;
+        Some(Point {
+            place,
+            body: number as u8,
+            turn: reflected(plane.normal, point.turn),
+            walls: WallTerms {
+                start_velocity: mirrored(plane.normal, old.start_velocity, motion.velocity),
+                velocity: mirrored(plane.normal, old.velocity, speed),
+                velocity_response: mirrored(plane.normal, old.velocity_response, gain),
+                pressure: old.pressure + spring * known,
+                pressure_response: old.pressure_response + if responds { spring } else { 0.0 },
+            },
+            ..point
+        })
     }
 }

@@ -1,6 +1,7 @@
 //! Velocities, places, shifting: the second half of a step.
 
 use super::Isph;
+use super::parting::Parting;
 use crate::scheme::{Dissipation, StepWalls};
 use crate::water::{HoldInside, SHIFT_LIMIT, shifted_share};
 
@@ -44,7 +45,7 @@ impl Isph {
             shifting_work -= self.fluid.mass[i] * options.gravity * self.shift(i, dt);
         }
         if options.shifting_coefficient > 0.0 {
-            shifting_work -= self.part(dt);
+            shifting_work -= options.gravity * self.part(dt);
         }
         let (fluid, planes, bodies) = (&mut self.fluid, &*self.planes, walls.bodies);
         HoldInside { fluid, planes, bed: None, bodies, skin: 1e-3 * options.spacing }
@@ -60,7 +61,7 @@ impl Isph {
         }
         let inside = shifted_share(self.operators.completeness[i]);
         let smoothing = options.kernel.smoothing_length_ratio() * options.support_radius;
-        let factor = options.shifting_coefficient * smoothing * self.speed(i) * dt * inside;
+        let factor = options.shifting_coefficient * smoothing * self.fluid.speed(i) * dt * inside;
         let limit = SHIFT_LIMIT * options.spacing;
         let [sx, sy] = self.operators.sway[i];
         // s = Σ F Δ points to where neighbours crowd.
@@ -70,9 +71,17 @@ impl Isph {
         dy
     }
 
-    /// |u| of a particle, m/s.
-    pub(super) fn speed(&self, i: usize) -> f64 {
-        let (vx, vy) = (self.fluid.vx[i], self.fluid.vy[i]);
-        (vx * vx + vy * vy).sqrt()
+    /// Parts what crowds near the surface; returns Σ m δy, kg m per metre.
+    pub(super) fn part(&mut self, dt: f64) -> f64 {
+        let Isph { options, near, points, operators, fluid, .. } = self;
+        let parting = Parting {
+            near,
+            points,
+            completeness: &operators.completeness,
+            strength: options.shifting_coefficient,
+            spacing: options.spacing,
+            dt,
+        };
+        parting.part(fluid)
     }
 }

@@ -1,7 +1,8 @@
 //! What a particle's support is good for: its moments, and the correction of gradients.
 
-use super::Isph;
+use super::images::Point;
 use super::lattice::Even;
+use crate::pairs::Near;
 
 /// The correction of gradients fades from the moment's inverse, above this eigenvalue, ...
 const CORRECT_FULL: f64 = 0.30;
@@ -30,6 +31,32 @@ pub(super) struct Operators {
 }
 
 impl Operators {
+    /// Weighs all pairs of the water's `n` particles, and finds what they make of every support.
+    pub fn find(&mut self, near: &mut Near, n: usize) {
+        for field in [&mut self.coverage, &mut self.weight, &mut self.completeness] {
+            field.resize(n, 0.0);
+        }
+        self.sway.resize(n, [0.0; 2]);
+        self.moment.resize(n, [0.0; 3]);
+        self.correction.resize(n, [0.0; 3]);
+        self.grip.clear();
+        self.grip.resize(n, 0.0);
+        near.weigh(|i, of| {
+            self.coverage[i] = of.coverage;
+            self.weight[i] = of.weight;
+            self.sway[i] = of.sway;
+            self.moment[i] = of.moment;
+            (self.correction[i], self.completeness[i]) = invert(of.moment);
+        });
+    }
+
+    /// L of every point, turned as its image is.
+    pub fn turn(&self, points: &[Point], turned: &mut Vec<[f64; 3]>) {
+        let turn = |point: &Point| point.turned_tensor(self.correction[point.original as usize]);
+        turned.clear();
+        turned.extend(points.iter().map(turn));
+    }
+
     /// κ_i = ½ tr (Σ F ΔΔᵀ)⁻¹, Schwaiger's (2008) normalisation of a support that is cut off, which
     /// takes the compact Laplacian to the size of the exact one; its bound below a completeness.
     pub fn kappa(&self, i: usize, least: f64) -> f64 {
@@ -63,38 +90,6 @@ fn invert([xx, xy, yy]: [f64; 3]) -> ([f64; 3], f64) {
     }
     let scale = keep / (xx * yy - xy * xy);
     ([yy * scale + 1.0 - keep, -xy * scale, xx * scale + 1.0 - keep], smallest)
-}
-
-impl Isph {
-    /// Weighs all pairs, and finds what they make of every support.
-    pub(super) fn find_operators(&mut self) {
-        let n = self.fluid.len();
-        let operators = &mut self.operators;
-        for field in [&mut operators.coverage, &mut operators.weight, &mut operators.completeness] {
-            field.resize(n, 0.0);
-        }
-        operators.sway.resize(n, [0.0; 2]);
-        operators.moment.resize(n, [0.0; 3]);
-        operators.correction.resize(n, [0.0; 3]);
-        operators.grip.clear();
-        operators.grip.resize(n, 0.0);
-        self.near.weigh(|i, of| {
-            operators.coverage[i] = of.coverage;
-            operators.weight[i] = of.weight;
-            operators.sway[i] = of.sway;
-            operators.moment[i] = of.moment;
-            (operators.correction[i], operators.completeness[i]) = invert(of.moment);
-        });
-        self.pending.pair_evaluations += self.near.pairs() as u64;
-    }
-
-    /// L of every point, turned as its image is.
-    pub(super) fn turn_corrections(&mut self) {
-        let correction = &self.operators.correction;
-        let turned = self.points.iter().map(|p| p.turned_tensor(correction[p.original as usize]));
-        self.turned.clear();
-        self.turned.extend(turned);
-    }
 }
 
 #[cfg(test)]

@@ -6,7 +6,8 @@
 //! exactly divergence-free flow has no noise that would break it up, and shifting along ∇C stops
 //! short of the surface, which it would push outwards.
 
-use super::Isph;
+use super::images::Point;
+use crate::pairs::{Fluid, Near};
 use crate::water::shifted_share;
 
 /// Pairs closer than this many particle spacings are parted ...
@@ -14,26 +15,40 @@ const CLOSE: f64 = 0.8;
 /// ... by at most this many in a step.
 const LIMIT: f64 = 0.1;
 
-impl Isph {
+/// The water's surroundings, and how far pairs are parted.
+pub(super) struct Parting<'a> {
+    pub near: &'a Near,
+    pub points: &'a [Point],
+    /// See [`Operators`](super::operators::Operators).
+    pub completeness: &'a [f64],
+    /// A, the strength of shifting.
+    pub strength: f64,
+    /// Particle spacing, metres.
+    pub spacing: f64,
+    /// The time step, seconds.
+    pub dt: f64,
+}
+
+impl Parting<'_> {
     /// Moves pairs near the surface that are closer than r0 = 0.8 Δx apart, each by
     ///
     /// δr = -λ (1 - r/r0) Δ/r, λ = min(2A |u| Δt, 0.1 Δx),
     ///
     /// |u| being the pair's mean speed and A the strength of shifting, as far as the surface keeps
     /// that from acting. Equal and opposite, it leaves the centre of mass of the water where it is,
-    /// but for pairs with a wall's images. Returns its work against gravity, J per metre.
-    pub(super) fn part(&mut self, dt: f64) -> f64 {
-        let options = self.options;
-        let per_speed = 2.0 * options.shifting_coefficient * dt;
-        let (reach, limit) = (CLOSE * options.spacing, LIMIT * options.spacing);
+    /// but for pairs with a wall's images. Returns Σ m δy, kg m per metre.
+    pub fn part(&self, fluid: &mut Fluid) -> f64 {
+        let per_speed = 2.0 * self.strength * self.dt;
+        let (reach, limit) = (CLOSE * self.spacing, LIMIT * self.spacing);
+        let [x, y] = &self.near.places;
         let mut lifted = 0.0;
-        for i in 0..self.fluid.len() {
+        for i in 0..fluid.len() {
             let own = self.near_surface_share(i);
             if own == 0.0 {
                 continue;
             }
-            for at in 0..self.near.around(i).len() {
-                let (e, [x, y]) = (self.near.around(i)[at] as usize, &self.near.places);
+            for &e in self.near.around(i) {
+                let e = e as usize;
                 let (dx, dy) = (x[e] - x[i], y[e] - y[i]);
                 let square = dx * dx + dy * dy;
                 if square >= reach * reach || square < 1e-12 * reach * reach {
@@ -41,29 +56,29 @@ impl Isph {
                 }
                 let j = self.points[e].original as usize;
                 let other = self.near_surface_share(j);
-                let length = (0.5 * per_speed * (self.speed(i) + self.speed(j))).min(limit);
+                let length = (0.5 * per_speed * (fluid.speed(i) + fluid.speed(j))).min(limit);
                 let factor = 0.5 * (own + other) * length * (1.0 / square.sqrt() - 1.0 / reach);
                 let (dx, dy) = (factor * dx, factor * dy);
-                lifted += self.shove(i, [-dx, -dy]);
+                lifted += shove(fluid, i, [-dx, -dy]);
                 if other == 0.0 {
                     // Its own turn passes it by.
                     let [a, b, c, d] = self.points[e].turn;
-                    lifted += self.shove(j, [a * dx + c * dy, b * dx + d * dy]);
+                    lifted += shove(fluid, j, [a * dx + c * dy, b * dx + d * dy]);
                 }
             }
         }
-        options.gravity * lifted
-    }
-
-    /// Moves a particle; returns its mass times how far it rises.
-    fn shove(&mut self, i: usize, [dx, dy]: [f64; 2]) -> f64 {
-        self.fluid.x[i] += dx;
-        self.fluid.y[i] += dy;
-        self.fluid.mass[i] * dy
+        lifted
     }
 
     /// 1 where shifting is off for the surface's sake, 0 where it acts in full.
     fn near_surface_share(&self, i: usize) -> f64 {
-        1.0 - shifted_share(self.operators.completeness[i])
+        1.0 - shifted_share(self.completeness[i])
     }
+}
+
+/// Moves a particle; returns its mass times how far it rises.
+fn shove(fluid: &mut Fluid, i: usize, [dx, dy]: [f64; 2]) -> f64 {
+    fluid.x[i] += dx;
+    fluid.y[i] += dy;
+    fluid.mass[i] * dy
 }

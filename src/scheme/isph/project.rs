@@ -1,9 +1,11 @@
-//! Divergence and gradient: two operators, each minus the transpose of the other.
+//! Divergence, gradient and drag of the water with its images. Divergence and gradient are each minus
+//! the transpose of the other.
 
 use super::Isph;
-use super::divergence::divergence;
+use super::divergence::{divergence, strain};
 use super::gradient::gradient;
 use super::images::{NO_BODY, Point, WallTerms};
+use super::viscosity::Viscosity;
 
 /// Which pressure a gradient is taken of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,7 +53,7 @@ impl Isph {
     }
 
     /// The velocities at hand as the walls mirror them.
-    pub(super) fn mirror(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2]) {
+    fn mirror(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2]) {
         for (at, point) in self.near.records.iter_mut().zip(&self.points) {
             let [u, v] = point.turned(self.velocities[point.original as usize]);
             let [wall_u, wall_v] = walls(&point.walls);
@@ -64,5 +66,26 @@ impl Isph {
         self.mirror(walls);
         let near = (&self.near, &self.operators);
         divergence(near, &self.velocities, &mut self.divergence);
+    }
+
+    /// Viscous accelerations, with walls that slip freely, and the divergence of the velocities.
+    pub(super) fn find_drag(&mut self) {
+        let (n, options) = (self.fluid.len(), &self.options);
+        let smoothing = options.kernel.smoothing_length_ratio() * options.support_radius;
+        let viscosity = Viscosity {
+            artificial: options.artificial_viscosity * smoothing * options.viscous_speed,
+            physical: options.viscosity,
+            spacing: options.spacing,
+        };
+        self.drag.clear();
+        self.drag.resize(n, [0.0; 2]);
+        self.drag_on_bodies.fill(0.0);
+        self.velocities.clear();
+        self.velocities.extend((0..n).map(|i| [self.fluid.vx[i], self.fluid.vy[i]]));
+        self.mirror(|walls| walls.start_velocity);
+        let found = (&mut self.strain[..], &mut self.divergence[..]);
+        strain((&self.near, &self.operators), &self.velocities, found);
+        let on = (&mut self.drag[..], &mut self.drag_on_bodies[..]);
+        viscosity.drag((&mut self.near, &self.points), (&self.strain, &self.fluid.mass), on);
     }
 }

@@ -1,11 +1,18 @@
 //! The pressure, and how it and the walls' loads respond to the wall's acceleration.
 
 use super::Isph;
+use super::laplacian::ExactLaplacian;
 use super::options::Laplacian;
 use super::project::Source;
-use crate::math::sparse::StopRule;
+use super::system::System;
+use crate::math::sparse::{StopRule, Stored};
 use crate::scheme::StepError;
 
+/// A solve that takes more iterations than this has failed.
+const MOST_ITERATIONS: u32 = 500;
+/// Right-hand sides smaller than the weight of this share of a spacing of water, held over the
+/// surface of every particle, count as zero.
+const FLOOR: f64 = 1e-3;
 /// The response is solved to this many times the pressure's tolerance: what it leaves of the
 /// divergence is small by the wall's acceleration and taken up by the next step.
 const RESPONSE_TOLERANCE: f64 = 10.0;
@@ -18,6 +25,53 @@ impl Isph {
             Laplacian::Exact => self.solve_exact(dt),
             Laplacian::Symmetric | Laplacian::Schwaiger => self.solve_compact(dt),
         }
+    }
+
+    /// Solves -V D G p + C (p + ρ g (level - y)) + ε A (p - m p_old) = -(ρ/Δt) V (D u* - t), u* =
+    /// u + Δt (g + drag), for the dynamic pressure; p_old is the last step's, m `pressure_memory`.
+    ///
+    /// D stands at mid-step, t is its [aim](super::exact::Exact::aim_at). Solved for is the change from an
+    /// extrapolated pressure.
+    pub(super) fn solve_exact(&mut self, dt: f64) -> Result<(), StepError> {
+        self.soften();
+        self.system.preconditioner.prepare(&self.system.matrix);
+        // Relative to what this divergence asks for is the solve's tolerance.
+        let last = (self.tally.steps > 0).then_some(&self.carried.aim[..]);
+        let aimed = self.exact.aim_at(&self.divergence, last, &self.near.volume);
+        let size = self.options.density * aimed / dt;
+        let carried = self.carried.pressure.iter().zip(&self.carried.older_pressure);
+        self.pressure.clear();
+        self.pressure.extend(carried.map(|(p, old)| 2.0 * p - old));
+        self.accelerate(Source::Pressure);
+        self.set_velocities_after(dt);
+        self.diverge(|walls| walls.velocity);
+        let (options, operators, exact) = (&self.options, &self.operators, &mut self.exact);
+        let memory = options.pressure_memory;
+        exact.scaled.clear();
+        let pressures = self.pressure.iter().zip(&self.carried.pressure);
+        exact.scaled.extend(pressures.map(|(p, old)| p - memory * old));
+        self.system.matrix.multiply(self.path, &exact.scaled, &mut exact.compact);
+        let (factor, relax) = (-options.density / dt, options.volume_relaxation / dt);
+        self.system.right.clear();
+        self.system.right.extend((0..self.pressure.len()).map(|i| {
+            let aimed = self.divergence[i] - exact.aim[i];
+            let divergence = aimed - relax * operators.crowding(i, &self.even);
+            factor * self.near.volume[i] * divergence
+                - exact.softness[i] * self.own_pressure[i]
+                - options.compact_share * exact.compact[i]
+        }));
+        let mut change = std::mem::take(&mut self.system.change);
+        change.clear();
+        change.resize(self.pressure.len(), 0.0);
+        self.settle(change, StopRule { size: Some(size), ..self.rule() })
+    }
+
+    /// Softens what is spray, or under tension by the last step's pressure.
+    pub(super) fn soften(&mut self) {
+        let (options, carried, y) = (&self.options, &self.carried, &self.near.places[1]);
+        let gravity = options.density * options.gravity;
+        let tense = |i: usize| carried.pressure[i] + gravity * (options.still_level - y[i]) < 0.0;
+        self.exact.soften(&self.operators, tense, &mut self.system.matrix.diagonal);
     }
 
     /// Solves for the change of the pressure from a guess, and adds it.
@@ -63,5 +117,62 @@ impl Isph {
         let solved = self.solve(&mut response, &rule);
         self.carried.response = response;
         solved
+    }
+
+    /// When a solve for the pressure is done.
+    pub(super) fn rule(&self) -> StopRule {
+        let options = &self.options;
+        let height = options.density * options.acceleration * options.spacing;
+        let entry = 2.0 * options.spacing * options.spacing * self.even.weight;
+        StopRule {
+            tolerance: options.solver_tolerance,
+            size: None,
+            floor: FLOOR * height * entry * (self.fluid.len() as f64).sqrt(),
+            most_iterations: MOST_ITERATIONS,
+        }
+    }
+
+    /// Solves for `x`, from a guess, with the right-hand side at hand.
+    fn solve(&mut self, x: &mut [f64], rule: &StopRule) -> Result<(), StepError> {
+        let mut krylov = std::mem::take(&mut self.system.krylov);
+        let right = std::mem::take(&mut self.system.right);
+        let sides = (&*right, x);
+        let path = self.path;
+        let System { matrix, preconditioner, .. } = &mut self.system;
+        let mut stored = Stored { path, matrix, preconditioner };
+        let report = match self.options.laplacian {
+            Laplacian::Exact => {
+                krylov.conjugate_gradients(&mut self.exact_laplacian(), sides, rule)
+            }
+            Laplacian::Symmetric => krylov.conjugate_gradients(&mut stored, sides, rule),
+            Laplacian::Schwaiger => krylov.bicgstab(&mut stored, sides, rule),
+        };
+        (self.system.krylov, self.system.right) = (krylov, right);
+        self.pending.solves += 1;
+        self.pending.iterations += u64::from(report.iterations);
+        self.pending.worst_residual = self.pending.worst_residual.max(report.residual);
+        if report.converged {
+            return Ok(());
+        }
+        Err(StepError::SolverDiverged {
+            iterations: report.iterations,
+            residual: report.residual,
+            bound: rule.tolerance,
+        })
+    }
+
+    /// The matrix of [`Isph::solve_exact`], by its products.
+    pub(super) fn exact_laplacian(&mut self) -> ExactLaplacian<'_> {
+        ExactLaplacian {
+            path: self.path,
+            near: &mut self.near,
+            points: &self.points,
+            operators: &self.operators,
+            turned: &self.turned,
+            compact: self.options.compact_share,
+            exact: &mut self.exact,
+            matrix: &self.system.matrix,
+            preconditioner: &mut self.system.preconditioner,
+        }
     }
 }

@@ -1,9 +1,9 @@
 //! The free surface: which particles are at it, and where its zero pressure takes hold.
 
-use super::Isph;
 use super::images::Point;
+use super::lattice::Even;
 use super::operators::Operators;
-use crate::pairs::{Eight, Here, Neighbour, Other, Pair, Real, Term};
+use crate::pairs::{Eight, Here, Near, Neighbour, Other, Pair, Real, Term};
 
 /// A particle is at the surface where ∇·r is below this (Liang et al. 2017, Eq. 13).
 const SURFACE_DIVERGENCE: f64 = 1.5;
@@ -58,38 +58,32 @@ fn normal([sx, sy]: [f64; 2]) -> [f64; 2] {
     if length > 0.0 { [-sx / length, -sy / length] } else { [0.0, 1.0] }
 }
 
-impl Isph {
-    /// Finds surface particles by ∇·r = Σ V_j (r_j - r_i)·∇_iW_ij < 1.5 (Eq. 13, sign corrected) and
-    /// sets the condition p = 0 half a spacing outside them.
-    ///
-    /// Not the surface particle's own pressure is zero: that would put the surface half a spacing
-    /// too low. The part of a particle's support that sticks out of the water is thought filled
-    /// with points whose pressure goes on linearly from p_i through zero at the surface, at the
-    /// distance d_i. Their sum 2 Σ F (p_v - p_i) is -2 |s_i|/d_i p_i, s_i = Σ F Δ over what is there:
-    /// a term on the diagonal alone, exact for a linear pressure (compare Nair & Tomar 2014, whose
-    /// full-support diagonal 2 (Σ_full F - Σ F) is its lower bound here).
-    pub(super) fn find_surface(&mut self) {
-        let operators = &mut self.operators;
-        let at_surface = &mut operators.at_surface;
-        at_surface.clear();
-        let traces = operators.moment.iter().map(|[xx, _, yy]| xx + yy);
-        at_surface.extend(traces.map(|trace| trace < SURFACE_DIVERGENCE));
-        let mut grips = std::mem::take(&mut operators.grip);
-        let operators = &self.operators;
-        let (points, original) = (&*self.points, &*self.near.original);
-        let Operators { at_surface, sway, .. } = operators;
-        let above = Above { points, original, at_surface, sway };
-        let (spacing, full) = (self.options.spacing, self.even.weight);
-        self.near.sum(above, |i, [sum, height, up_x, up_y]| {
-            if sum > 0.0 {
-                let distance = (SKIN * spacing + height / sum).max(CLOSEST * spacing);
-                let length = (up_x * up_x + up_y * up_y).sqrt().max(1e-300);
-                let [sx, sy] = sway[i];
-                let outwards = -(sx * up_x + sy * up_y) / length;
-                let missing = (full - operators.weight[i]).max(0.0);
-                grips[i] = 2.0 * (outwards / distance).max(missing);
-            }
-        });
-        self.operators.grip = grips;
-    }
+/// Finds surface particles by ∇·r = Σ V_j (r_j - r_i)·∇_iW_ij < 1.5 (Eq. 13, sign corrected) and
+/// sets the condition p = 0 half a spacing outside them.
+///
+/// Not the surface particle's own pressure is zero: that would put the surface half a spacing
+/// too low. The part of a particle's support that sticks out of the water is thought filled
+/// with points whose pressure goes on linearly from p_i through zero at the surface, at the
+/// distance d_i. Their sum 2 Σ F (p_v - p_i) is -2 |s_i|/d_i p_i, s_i = Σ F Δ over what is there:
+/// a term on the diagonal alone, exact for a linear pressure (compare Nair & Tomar 2014, whose
+/// full-support diagonal 2 (Σ_full F - Σ F) is its lower bound here).
+pub(super) fn find_surface(
+    operators: &mut Operators,
+    (near, points): (&Near, &[Point]),
+    (spacing, even): (f64, &Even),
+) {
+    let Operators { at_surface, grip, sway, moment, weight, .. } = operators;
+    at_surface.clear();
+    at_surface.extend(moment.iter().map(|[xx, _, yy]| xx + yy < SURFACE_DIVERGENCE));
+    let above = Above { points, original: &near.original, at_surface, sway };
+    near.sum(above, |i, [sum, height, up_x, up_y]| {
+        if sum > 0.0 {
+            let distance = (SKIN * spacing + height / sum).max(CLOSEST * spacing);
+            let length = (up_x * up_x + up_y * up_y).sqrt().max(1e-300);
+            let [sx, sy] = sway[i];
+            let outwards = -(sx * up_x + sy * up_y) / length;
+            let missing = (even.weight - weight[i]).max(0.0);
+            grip[i] = 2.0 * (outwards / distance).max(missing);
+        }
+    });
 }

@@ -1,16 +1,7 @@
 //! The pressure equation with what solves it.
 
-use super::Isph;
-use super::options::Laplacian;
-use crate::math::sparse::{Csr, Krylov, Preconditioner, PreconditionerChoice, StopRule, Stored};
+use crate::math::sparse::{Csr, Krylov, Preconditioner, PreconditionerChoice};
 use crate::pairs::Rows;
-use crate::scheme::StepError;
-
-/// A solve that takes more iterations than this has failed.
-const MOST_ITERATIONS: u32 = 500;
-/// Right-hand sides smaller than the weight of this share of a spacing of water, held over the
-/// surface of every particle, count as zero.
-const FLOOR: f64 = 1e-3;
 
 /// A matrix, its preconditioner and the fields of a solve.
 #[derive(Debug)]
@@ -44,47 +35,29 @@ impl System {
             tilts: Vec::new(),
         }
     }
-}
 
-impl Isph {
-    pub(super) fn rule(&self) -> StopRule {
-        let options = &self.options;
-        let height = options.density * options.acceleration * options.spacing;
-        let entry = 2.0 * options.spacing * options.spacing * self.even.weight;
-        StopRule {
-            tolerance: options.solver_tolerance,
-            size: None,
-            floor: FLOOR * height * entry * (self.fluid.len() as f64).sqrt(),
-            most_iterations: MOST_ITERATIONS,
-        }
-    }
-
-    /// Solves for `x`, from a guess, with the right-hand side at hand.
-    pub(super) fn solve(&mut self, x: &mut [f64], rule: &StopRule) -> Result<(), StepError> {
-        let mut krylov = std::mem::take(&mut self.system.krylov);
-        let right = std::mem::take(&mut self.system.right);
-        let sides = (&*right, x);
-        let path = self.path;
-        let System { matrix, preconditioner, .. } = &mut self.system;
-        let mut stored = Stored { path, matrix, preconditioner };
-        let report = match self.options.laplacian {
-            Laplacian::Exact => {
-                krylov.conjugate_gradients(&mut self.exact_laplacian(), sides, rule)
+    /// Every connected part of the water needs a particle whose pressure is held; where a part has
+    /// none (a full, closed vessel) its first one is, at the pressure of the still level.
+    pub(super) fn hold_components(&mut self, grip: &[f64]) {
+        let System { matrix, reached, open, .. } = self;
+        reached.clear();
+        reached.extend(grip.iter().map(|&grip| grip > 0.0));
+        open.clear();
+        open.extend((0..grip.len() as u32).filter(|&i| reached[i as usize]));
+        for next in 0..grip.len() {
+            while let Some(i) = open.pop() {
+                for &j in matrix.row(i as usize).0 {
+                    if !std::mem::replace(&mut reached[j as usize], true) {
+                        open.push(j);
+                    }
+                }
             }
-            Laplacian::Symmetric => krylov.conjugate_gradients(&mut stored, sides, rule),
-            Laplacian::Schwaiger => krylov.bicgstab(&mut stored, sides, rule),
-        };
-        (self.system.krylov, self.system.right) = (krylov, right);
-        self.pending.solves += 1;
-        self.pending.iterations += u64::from(report.iterations);
-        self.pending.worst_residual = self.pending.worst_residual.max(report.residual);
-        if report.converged {
-            return Ok(());
+            if !reached[next] {
+                let pin = matrix.diagonal[next].max(f64::MIN_POSITIVE);
+                matrix.diagonal[next] += pin;
+                reached[next] = true;
+                open.push(next as u32);
+            }
         }
-        Err(StepError::SolverDiverged {
-            iterations: report.iterations,
-            residual: report.residual,
-            bound: rule.tolerance,
-        })
     }
 }

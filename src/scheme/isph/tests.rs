@@ -1,5 +1,6 @@
 //! Operators and the pressure equation against exact fields.
 
+use super::gradient::reaction;
 use super::options::{IsphOptions, Laplacian};
 use super::project::Source;
 use super::state::Isph;
@@ -74,12 +75,8 @@ fn square(side: usize, jitter: f64, closed: bool, laplacian: Laplacian) -> Isph 
 
 fn lists(water: &mut Isph) {
     let bodies = &AT_REST[..water.loads.len()];
-    water.sort(1e-9);
-    water.face_offsets = vec![0.0; bodies.len()];
-    water.list_points(bodies, 1e-9);
+    water.list(bodies, 1e-9);
     water.find_operators();
-    water.turn_corrections();
-    water.find_surface();
     water.assemble();
     water.soften();
 }
@@ -229,7 +226,7 @@ fn sums_are_those_over_all_points_and_walls_feel_what_the_water_feels() {
     }
     water.pressure = field(&water, |x, y| 3.0 + x - 2.0 * y + x * y);
     water.accelerate(Source::Pressure);
-    water.reaction();
+    reaction(&water.near, &water.points, &mut water.forces);
     let masses = water.accelerations.iter().zip(&water.fluid.mass);
     let thrust: f64 = masses.map(|(a, mass)| a[0] * mass).sum();
     let force: f64 = water.forces.iter().sum();

@@ -2,10 +2,8 @@
 
 use std::cell::Cell;
 
-use super::Isph;
-use super::divergence::strain;
 use super::images::Point;
-use crate::pairs::{Eight, Here, Neighbour, Other, Pair, Real, Record, Term};
+use crate::pairs::{Eight, Here, Near, Neighbour, Other, Pair, Real, Record, Term};
 
 /// Viscous accelerations: 2 ν Σ F (u_j - u_i), Liang et al. 2017, Eq. 3, and α h c Σ F π Δ with π =
 /// (u_j - u_i)·Δ/r² less what a linear, divergence-free velocity gives, limited so that every pair
@@ -70,38 +68,42 @@ impl Term for Drag<'_> {
     }
 }
 
-impl Isph {
-    /// Viscous accelerations, with walls that slip freely, and the divergence of the velocities.
-    pub(super) fn find_drag(&mut self) {
-        let n = self.fluid.len();
-        self.drag.clear();
-        self.drag.resize(n, [0.0; 2]);
-        self.drag_on_bodies.fill(0.0);
-        self.velocities.clear();
-        self.velocities.extend((0..n).map(|i| [self.fluid.vx[i], self.fluid.vy[i]]));
-        self.mirror(|walls| walls.start_velocity);
-        let found = (&mut self.strain[..], &mut self.divergence[..]);
-        strain((&self.near, &self.operators), &self.velocities, found);
-        let options = &self.options;
-        let smoothing = options.kernel.smoothing_length_ratio() * options.support_radius;
-        let artificial = options.artificial_viscosity * smoothing * options.viscous_speed;
-        if artificial + options.viscosity == 0.0 {
+/// How viscous the water is.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Viscosity {
+    /// α h c, m²/s.
+    pub artificial: f64,
+    /// ν, m²/s.
+    pub physical: f64,
+    /// Particle spacing, metres.
+    pub spacing: f64,
+}
+
+impl Viscosity {
+    /// Adds viscous accelerations to `drag`, and what they do to the bodies to `on_bodies`. Velocities
+    /// are in the records; the strain of the water comes in place of its pressure.
+    pub fn drag(
+        &self,
+        (near, points): (&mut Near, &[Point]),
+        (strain, mass): (&[[f64; 2]], &[f64]),
+        (drag, on_bodies): (&mut [[f64; 2]], &mut [f64]),
+    ) {
+        if self.artificial + self.physical == 0.0 {
             return;
         }
-        for (at, point) in self.near.records.iter_mut().zip(&self.points) {
-            let [p, q] = self.strain[point.original as usize];
+        for (at, point) in near.records.iter_mut().zip(points) {
+            let [p, q] = strain[point.original as usize];
             at.set_pressure(point.turned_tensor([p, q, -p]));
         }
         let terms = Drag {
-            records: &self.near.records,
-            points: &self.points,
-            artificial,
-            physical: 2.0 * options.viscosity,
-            least: 1e-12 * options.spacing * options.spacing,
-            mass: &self.fluid.mass,
-            on_bodies: Cell::from_mut(&mut self.drag_on_bodies[..]).as_slice_of_cells(),
+            records: &near.records,
+            points,
+            artificial: self.artificial,
+            physical: 2.0 * self.physical,
+            least: 1e-12 * self.spacing * self.spacing,
+            mass,
+            on_bodies: Cell::from_mut(on_bodies).as_slice_of_cells(),
         };
-        let drag = &mut self.drag;
-        self.near.sum(terms, |i, found| drag[i] = found);
+        near.sum(terms, |i, found| drag[i] = found);
     }
 }

@@ -8,7 +8,7 @@
 //! ```
 //! and p/ρ = -gz - φ_t - ½|∇φ|² + K, K = a²σ² (1-T²)/(8T²), which keeps the mean level over a wavelength.
 
-use super::standing_wave::StandingWave;
+use seawall::theory::standing_wave::StandingWave;
 
 /// A standing wave before a wall.
 #[derive(Debug, Clone, Copy, PartialEq)]

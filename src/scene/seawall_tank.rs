@@ -1,0 +1,82 @@
+//! How a seawall scene becomes a tank.
+
+use super::filling::Filling;
+use super::frame::Frame;
+use super::lattice::Lattice;
+use super::numerics::Numerics;
+use super::seawall::SeawallScene;
+use super::still_water::{still_water, still_water_over};
+use super::tank::Tank;
+use crate::math::simd::SimdPath;
+use crate::theory::hydrostatics::wall_force;
+
+/// The bed reaches this many still water depths beyond a wall that may move.
+const BED_BEYOND: f64 = 12.0;
+
+/// And as many before a paddle that gives way to waves.
+const BED_BEFORE: f64 = 12.0;
+
+impl SeawallScene {
+    /// When the run ends, seconds.
+    fn end_time(&self) -> f64 {
+        self.end_time_s.unwrap_or_else(|| {
+            let centre = self.paddle().and_then(|paddle| paddle.stroke_centre());
+            centre.unwrap_or(0.0) + self.end_after_stroke_centre_s
+        })
+    }
+
+    pub(super) fn frame(&self) -> Frame {
+        Frame {
+            length: self.tank_length_m,
+            depth: self.still_water_depth_m,
+            gravity: self.gravity_m_per_s2,
+            speed: None,
+            density: self.water_density_kg_per_m3,
+            end_time: self.end_time(),
+            history_interval: self.history_interval_s,
+        }
+    }
+
+    pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {
+        Lattice::whole(&self.frame(), numerics, self.wall_angle_deg)
+    }
+
+    /// Builds the tank: a lattice of particles in hydrostatic balance between ghost walls.
+    pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
+        let frame = self.frame();
+        let lattice = self.lattice(numerics);
+        let still = match &self.bed {
+            Some(profile) => still_water_over(profile, &frame, lattice, numerics),
+            None => still_water(&frame, lattice, numerics),
+        };
+        let filling = Filling {
+            wall_angle_deg: self.wall_angle_deg,
+            crest: self.crest_shape(),
+            // A paddle that gives way goes back past where it stood.
+            bed_before_paddle: if self.absorption { BED_BEFORE * frame.depth } else { 0.0 },
+            // The same for a fixed wall, so that both share a trunk to the bit.
+            bed_beyond_wall: if self.wall_angle_deg == 90.0 {
+                BED_BEYOND * frame.depth
+            } else {
+                0.0
+            },
+            ..still
+        };
+        // A wall that stands dry has no hydrostatic force of its own to be measured by.
+        let at_wall = self.depth_at_wall_m();
+        let depth = if at_wall > 0.0 { at_wall } else { frame.depth };
+        let static_force = wall_force(depth, frame.density, frame.gravity);
+        Tank {
+            paddle: self.paddle(),
+            absorbs: self.absorption && self.wave_height_ratio > 0.0,
+            wall: self.law(static_force),
+            static_force,
+            start_time: self.start_s(),
+            from_rest: at_wall > 0.0,
+            threshold_ratio: self.onset_ratio(static_force),
+            wave_height_ratio: self.wave_height_ratio,
+            wave_gauge: Some(self.wave_gauge_m),
+            ..filling.tank(frame, numerics, path)
+        }
+    }
+}
