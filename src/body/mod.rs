@@ -24,7 +24,7 @@ pub use place::{MOST_BODIES, Motions, Place};
 pub use recorded_stroke::{RecordedStroke, RecordedStrokeKeys, Stroke};
 pub use sliding_caisson::{CaissonKeys, SlidingCaisson};
 pub use spring_wall::SpringWall;
-pub use wave_train::{WaveTrain, WaveTrainKeys};
+pub use wave_train::{SecondStroke, WaveTrain, WaveTrainKeys};
 
 /// The wall at the end of a tank.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]

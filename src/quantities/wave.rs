@@ -28,4 +28,6 @@ quantities! { Read;
     FORCE_MIN = column("force_min", Unit::Force, |row| row.force[1]);
     /// largest R*
     RUNUP_MAX = column("runup_max", Unit::Runup, |row| row.runup_max);
+    /// mean of the surface at the wave gauge, over still water
+    MEAN = column("mean_m", Unit::Metres, |row| row.mean_m);
 }

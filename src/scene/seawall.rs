@@ -17,7 +17,7 @@ use crate::keys::{ConfigError, section};
 pub enum PaddleChoice {
     /// It makes a solitary wave (Goring 1978).
     Solitary,
-    /// It makes regular waves (Madsen 1971).
+    /// It makes regular waves (Schäffer 1996).
     WaveTrain,
     /// It plays a stroke from a file.
     RecordedStroke,
@@ -137,8 +137,9 @@ impl SeawallScene {
 
     fn regular_waves(&self) -> Option<WaveTrain> {
         let (ratio, depth) = (self.wave_height_ratio, self.still_water_depth_m);
-        let period = self.wave_train.as_ref()?.wave_period_s;
-        Some(WaveTrain::new(ratio, depth, self.gravity_m_per_s2, period))
+        let WaveTrainKeys { wave_period_s, second_stroke } = *self.wave_train.as_ref()?;
+        let water = (depth, self.gravity_m_per_s2);
+        Some(WaveTrain::new(ratio, water, (wave_period_s, second_stroke)))
     }
 
     /// F_th over the hydrostatic force, N per metre of width.

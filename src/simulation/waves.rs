@@ -19,6 +19,9 @@ pub struct WaveRow {
     pub force: [f64; 2],
     /// Largest R*.
     pub runup_max: f64,
+    /// Mean of the surface over still water, metres.
+    #[serde(default)]
+    pub mean_m: f64,
 }
 
 /// The surface at an instant, seconds and metres over still water.
@@ -30,8 +33,9 @@ struct Gathered {
     surface: Option<[f64; 2]>,
     force: Option<[f64; 2]>,
     runup: Option<f64>,
-    /// Seconds of the surface that are known, and ∫ η cos nωt, ∫ η sin nωt over them.
+    /// Seconds of the surface that are known, and ∫ η, ∫ η cos nωt, ∫ η sin nωt over them.
     known: f64,
+    sum: f64,
     sums: [[f64; 2]; 2],
 }
 
@@ -88,6 +92,7 @@ impl Waves {
             let (span, frequency) = (time - before, TAU / self.period);
             let row = self.at(0.5 * (before + time));
             row.known += span;
+            row.sum += 0.5 * span * (then + surface);
             for (times, [even, odd]) in [1.0, 2.0].into_iter().zip(&mut row.sums) {
                 for (at, level) in [(before, then), (time, surface)] {
                     let phase = times * frequency * at;
@@ -109,6 +114,7 @@ impl Waves {
                 harmonics_m: row.sums.map(amplitude),
                 force: row.force?,
                 runup_max: row.runup?,
+                mean_m: row.sum / row.known,
             })
         };
         self.rows.iter().enumerate().take(whole).filter_map(row).collect()
@@ -153,6 +159,7 @@ mod tests {
             }
             assert!((row.harmonics_m[0] / (3e-3 * share) - 1.0).abs() < 0.01);
             assert!((row.harmonics_m[1] / (1e-3 * share) - 1.0).abs() < 0.01);
+            assert!(row.mean_m.abs() < 2e-5);
             assert!((row.force[0] - 1.0 - 0.1 * share).abs() < 1e-4);
             assert!((row.force[1] - 1.0 + 0.1 * share).abs() < 1e-4);
             assert!((row.runup_max - 0.2 * share).abs() < 1e-4);
