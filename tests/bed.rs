@@ -33,6 +33,7 @@ fn water_rests_on_slopes_steps_and_ridges() {
         ("[[0, 0], [1, 0], [2, 0.1], [3, 0.1]]", [0.5, 1.2, 2.0, 2.9]),
         ("[[0, 0], [1.5, 0], [1.5, 0.1], [3, 0.1]]", [0.5, 1.4, 1.6, 2.9]),
         ("[[0, 0], [1, 0], [1.4, 0.1], [1.8, 0], [3, 0]]", [0.5, 1.2, 1.4, 2.9]),
+        ("[[0, 0], [1, 0], [1.2, 0.1], [1.8, 0.1], [1.8, 0], [3, 0]]", [0.5, 1.4, 1.9, 2.9]),
     ] {
         let scene =
             format!("tank_length_m = 3\nwave_height_ratio = 0\nend_time_s = 3\nbed = {bed}");
@@ -176,6 +177,10 @@ fn what_is_no_bed_is_told() {
             "must end level and under still water where the wall moves",
         ),
         ("bed = [[0, 0], [1, 0], [2, -0.1]]\ntank_length_m = 2", "must be its lowest place"),
+        (
+            "bed = [[0, 0], [1, 0], [2, 0.1]]\ntank_length_m = 2\n[numerics]\nscheme = \"isph\"",
+            "is for scheme = \"wcsph\": isph knows level beds alone",
+        ),
     ] {
         let file = write_file(folder.path(), &format!("name = \"bed\"\n[scene]\n{keys}\n"));
         let out = folder.path().join("out");
