@@ -56,5 +56,5 @@ pub use schema::schema;
 pub(crate) use section::section;
 pub use section::{Section, check_conditions, read_alone, store, value, value_of};
 pub use shape::Shape;
-pub use shared::{Pool, Shared};
+pub use shared::{Recent, Shared};
 pub use table::table;

@@ -57,25 +57,32 @@ impl<'de, T: Deserialize<'de>> Deserialize<'de> for Shared<T> {
 /// So many values are remembered.
 const REMEMBERED: usize = 128;
 
-/// Remembers values that came lately, so that equal ones are held once.
+/// Remembers values that came lately.
 #[derive(Debug)]
-pub struct Pool<T>(VecDeque<Shared<T>>);
+pub struct Recent<T>(VecDeque<T>);
 
-impl<T> Default for Pool<T> {
-    fn default() -> Pool<T> {
-        Pool(VecDeque::new())
+impl<T> Default for Recent<T> {
+    fn default() -> Recent<T> {
+        Recent(VecDeque::new())
     }
 }
 
-impl<T: PartialEq> Pool<T> {
-    /// Puts an equal value that came before into the place of this one.
+impl<T> Recent<T> {
+    /// The value that is the one asked for; where none came lately, a new one is made and remembered.
+    pub fn find(&mut self, is: impl Fn(&T) -> bool, make: impl FnOnce() -> T) -> &T {
+        let at = self.0.iter().position(is).unwrap_or_else(|| {
+            self.0.truncate(REMEMBERED - 1);
+            self.0.push_front(make());
+            0
+        });
+        &self.0[at]
+    }
+}
+
+impl<T: PartialEq> Recent<Shared<T>> {
+    /// Puts an equal value that came before into the place of this one, so that it is held once.
     pub fn share(&mut self, value: &mut Shared<T>) {
-        if let Some(known) = self.0.iter().find(|known| *known == value) {
-            *value = known.clone();
-            return;
-        }
-        self.0.truncate(REMEMBERED - 1);
-        self.0.push_front(value.clone());
+        *value = self.find(|known| known == value, || value.clone()).clone();
     }
 }
 
@@ -85,7 +92,7 @@ mod tests {
 
     #[test]
     fn equal_values_are_held_once_until_one_changes() {
-        let mut pool = Pool::default();
+        let mut pool = Recent::default();
         let [mut a, mut b] = [vec![1], vec![1]].map(Shared::from);
         pool.share(&mut a);
         pool.share(&mut b);
@@ -97,7 +104,7 @@ mod tests {
 
     #[test]
     fn only_so_many_are_remembered() {
-        let mut pool = Pool::default();
+        let mut pool = Recent::default();
         for number in 0..1000 {
             pool.share(&mut Shared::from(number));
         }

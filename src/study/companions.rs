@@ -7,7 +7,7 @@
 use std::collections::HashMap;
 
 use super::case::{Case, CaseId};
-use crate::keys::Pool;
+use crate::keys::Recent;
 use crate::scene::{CaseConfig, ErrorBars};
 
 /// Spacings of the companions over the case's own. Twice the spacing costs about an eighth, √2
@@ -27,7 +27,7 @@ pub(super) fn plan(cases: &[Case], bars: &[ErrorBars]) -> (Vec<Case>, Vec<Vec<us
     let mut places: HashMap<CaseId, usize> =
         cases.iter().map(|case| (case.id, case.index)).collect();
     let mut companions: Vec<Case> = Vec::new();
-    let mut numerics = Pool::default();
+    let mut numerics = Recent::default();
     let mut of = Vec::with_capacity(cases.len());
     let bars = bars.iter().copied().chain(std::iter::repeat(ErrorBars::None));
     for (case, bars) in cases.iter().zip(bars) {

@@ -8,7 +8,7 @@ use toml::{Table, Value};
 use super::axis::{GridAxis, MOST_CASES};
 use super::case::{Assignments, Case, CaseId};
 use super::file::SweepFile;
-use crate::keys::{Key, Pool, Section, Shared, When};
+use crate::keys::{Key, Recent, Section, Shared, When};
 use crate::scene::{CaseConfig, ConfigError, Place, SeawallScene, place_of};
 
 /// So many cases are validated in one go.
@@ -29,7 +29,7 @@ pub(super) fn expand(file: &SweepFile) -> Result<Vec<Case>, ConfigError> {
     let values: Vec<Vec<_>> = file.grid.iter().map(shared).collect();
     let mut cases: Vec<Case> = Vec::with_capacity(count);
     let mut seen = HashMap::with_capacity(count);
-    let mut numerics = Pool::default();
+    let mut numerics = Recent::default();
     // Block by block: cases that do not share their numerics yet take twice the memory.
     let blocks = (0..count).step_by(BLOCK).map(|first| first..count.min(first + BLOCK));
     let points = blocks.flat_map(|block| {

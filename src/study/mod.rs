@@ -18,7 +18,7 @@ mod schema;
 mod single;
 
 pub use axis::GridAxis;
-pub use case::{Assignments, Case, CaseId, PHYSICS_VERSION, trunk_key};
+pub use case::{Assignments, Case, CaseId, PHYSICS_VERSION};
 pub use file::{SweepFile, accuracy_keys};
 pub use limits::limits_keys;
 pub use plan::{Plan, PlannedCase, PlannedTrunk};
@@ -26,7 +26,7 @@ pub use refine::{Refine, refine_keys};
 pub use schema::schema;
 
 pub use crate::keys::Override;
-use crate::keys::Pool;
+use crate::keys::Recent;
 
 use sha2::{Digest, Sha256};
 
@@ -70,7 +70,7 @@ impl Study {
 
     /// The study of a file with these cases.
     fn of_file(file: &SweepFile, mut cases: Vec<Case>) -> Study {
-        let mut numerics = Pool::default();
+        let mut numerics = Recent::default();
         let mut take_bars = |case: &mut Case| {
             let own = &mut case.config.numerics;
             if own.error_bars == ErrorBars::None {

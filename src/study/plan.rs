@@ -1,9 +1,10 @@
 //! Trunks and branches: what can be computed once and shared.
 
-use std::collections::{HashMap, VecDeque};
+use std::collections::HashMap;
 
 use super::Study;
 use super::case::CaseId;
+use crate::keys::Recent;
 use crate::scene::CaseConfig;
 use crate::simulation::Cost;
 
@@ -31,25 +32,6 @@ pub struct PlannedCase {
     pub branch_cost: u64,
 }
 
-/// Trunks that came lately, with their ids: to compare a case's with them is quicker than to find its id.
-#[derive(Default)]
-struct Known(VecDeque<(CaseConfig, CaseId)>);
-
-/// So many are remembered.
-const REMEMBERED: usize = 128;
-
-impl Known {
-    fn id(&mut self, trunk: CaseConfig) -> CaseId {
-        if let Some((_, id)) = self.0.iter().find(|(known, _)| *known == trunk) {
-            return *id;
-        }
-        let id = CaseId::of(&trunk);
-        self.0.truncate(REMEMBERED - 1);
-        self.0.push_front((trunk, id));
-        id
-    }
-}
-
 /// What has still to run, and what of it is shared.
 #[derive(Debug, Clone, Default)]
 pub struct Plan {
@@ -72,7 +54,11 @@ impl Plan {
         let mut plan = Plan::default();
         let mut groups: HashMap<CaseId, Vec<usize>> = HashMap::new();
         let mut order = Vec::new();
-        let mut known = Known::default();
+        // To compare a trunk with those that came lately is quicker than to find its id.
+        let mut known: Recent<(CaseConfig, CaseId)> = Recent::default();
+        let mut id = |trunk: &CaseConfig| {
+            known.find(|(known, _)| known == trunk, || (trunk.clone(), CaseId::of(trunk))).1
+        };
         for case in study.runs().filter(|case| wanted(case.index)) {
             let estimate = cost(&case.config);
             let whole = estimate.particles.saturating_mul(estimate.steps).max(1);
@@ -87,7 +73,7 @@ impl Plan {
             if !branching || shared == 0 {
                 continue;
             }
-            if let Some(key) = case.config.trunk().map(|trunk| known.id(trunk)) {
+            if let Some(key) = case.config.trunk().as_ref().map(&mut id) {
                 let group = groups.entry(key).or_default();
                 if group.is_empty() {
                     order.push(key);
