@@ -1,6 +1,6 @@
 //! The loop that ties manager, link and journal together; it runs on one thread, on rank 0.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use super::interrupt::Interrupt;
 use super::load::Loads;
@@ -82,15 +82,20 @@ pub fn coordinate(link: &mut dyn Link, session: &mut Session<'_>) -> Result<Work
     for rank in 0..capacities.len() {
         loop_.tell(Event::Ready { rank }, link, session)?;
     }
+    // All ranks are gone through for it: with every report of thousands that would be too much.
+    let mut looked = Instant::now();
     let mut told = false;
     while !loop_.manager.finished() {
         match link.poll(PATIENCE)? {
             Some((rank, report)) => loop_.take(rank, report, link, session)?,
             None => session.directory.sync(true)?,
         }
-        let parts = link.under_way().into_iter();
-        let parts = parts.map(|(work, share)| share * loop_.cost_of(work, session.plan) as f64);
-        session.progress.under_way(parts.sum::<f64>() as u64);
+        if looked.elapsed() >= PATIENCE {
+            looked = Instant::now();
+            let parts = link.under_way().into_iter();
+            let parts = parts.map(|(work, share)| share * loop_.cost_of(work, session.plan) as f64);
+            session.progress.under_way(parts.sum::<f64>() as u64);
+        }
         session.directory.sync(false)?;
         loop_.loads.tell(session.directory.path());
         if session.interrupt.is_raised() && !told {
