@@ -2,12 +2,13 @@
 
 use std::f64::consts::TAU;
 
-use super::wavemaker::travelling;
+use seawall::theory::wavemaker::travelling;
 
-/// η̄ behind the front of a train of height H, metres:
+/// η̄ behind the front of a train of height H, metres.
 /// ```text
 /// η̄ = -S/(√(gh) (√(gh) + c_g)),   S = g H²/8 (2n - ½),   n = ½ + kh/sinh 2kh,   c_g = n ω/k
 /// ```
+///
 /// The stress S draws the surface under the train down by S/(gh - c_g²) (Longuet-Higgins & Stewart 1962, Radiation
 /// stress and mass transport in gravity waves, *J. Fluid Mech.* 13, 481-504). That is a long wave bound to the
 /// train, which takes the flow c_g η with it. The piston lets no water through, so a free long wave of -c_g/√(gh) of it

@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64 as Complex;
 
-use super::wavemaker::travelling;
+use seawall::theory::wavemaker::travelling;
 
 /// The surface at one place: its mean, metres, and the amplitudes of e^{-iωt} and e^{-2iωt}.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,8 +35,8 @@ impl Harmonics {
     }
 }
 
-/// The bound and the free part of the second harmonic, metres, that fit best to what is read at several places,
-/// metres: waves of the wavenumbers 2k and K, where (2ω)² = g K tanh Kh.
+/// The bound and the free part of the second harmonic, metres. They fit best to what is read at several places,
+/// metres. The bound wave has the wavenumber 2k. The free one has K, where (2ω)² = g K tanh Kh.
 pub fn split(readings: &[(f64, Complex)], [bound, free]: [f64; 2]) -> [f64; 2] {
     let wave = |k: f64, x: f64| Complex::new(libm::cos(k * x), libm::sin(k * x));
     // Normal equations: [n, c; c*, n] [a; b] = [p; q].
