@@ -1,5 +1,5 @@
-//! The recipes of containers, which this machine need not be able to build: they install what the scripts install,
-//! build with the compiler that the manifest asks for, and try what they have built.
+//! The recipes of containers. They install what the scripts install, build with the compiler that the manifest asks
+//! for, and try what they have built. This machine need not be able to build them.
 
 use std::collections::BTreeSet;
 use std::path::Path;

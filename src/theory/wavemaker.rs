@@ -1,8 +1,8 @@
 //! What a piston makes of regular waves, to second order and at any depth (Schäffer 1996, Second-order
 //! wavemaker theory for irregular waves, *Ocean Eng.* 23, 47-88; here with one frequency).
 //!
-//! The piston moves as ξ = Re(a exp(-iωt)). To first order the water answers with a wave and with modes that
-//! fade away from the piston:
+//! The piston moves as ξ = Re(a exp(-iωt)). To first order the water answers with a wave, and with modes that
+//! fade away from the piston. The potential is their sum.
 //! ```text
 //! φ = Re(Σ c_j f(k_j, z) exp(i k_j x - iωt)),   f(k, z) = cosh k(z + h)/cosh kh,   ω² = g k_j tanh k_j h
 //! ```

@@ -27,11 +27,12 @@ impl Isph {
         }
     }
 
-    /// Solves -V D G p + C (p + ρ g (level - y)) + ε A (p - m p_old) = -(ρ/Δt) V (D u* - t), u* =
-    /// u + Δt (g + drag), for the dynamic pressure; p_old is the last step's, m `pressure_memory`.
+    /// Solves for the dynamic pressure p:
     ///
-    /// D stands at mid-step, t is its [aim](super::exact::Exact::aim_at). Solved for is the change from an
-    /// extrapolated pressure.
+    /// -V D G p + C (p + ρ g (level - y)) + ε A (p - m p_old) = -(ρ/Δt) V (D u* - t), u* = u + Δt (g + drag)
+    ///
+    /// p_old is the last step's pressure, m is `pressure_memory`. D stands at mid-step. t is its
+    /// [aim](super::exact::Exact::aim_at). Solved for is the change from an extrapolated pressure.
     pub(super) fn solve_exact(&mut self, dt: f64) -> Result<(), StepError> {
         self.soften();
         self.system.preconditioner.prepare(&self.system.matrix);

@@ -36,8 +36,8 @@ impl System {
         }
     }
 
-    /// Every connected part of the water needs a particle whose pressure is held; where a part has
-    /// none (a full, closed vessel) its first one is, at the pressure of the still level.
+    /// Every connected part of the water needs a particle whose pressure is held. A full, closed vessel has
+    /// none. There the first particle is held, at the pressure of the still level.
     pub(super) fn hold_components(&mut self, grip: &[f64]) {
         let System { matrix, reached, open, .. } = self;
         reached.clear();
