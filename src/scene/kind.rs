@@ -115,6 +115,11 @@ impl Scene {
         self.seawall().is_some_and(|s| s.wave_height_ratio > 0.0 && s.wall_angle_deg == 90.0)
     }
 
+    /// Whether its paddle makes waves that go on.
+    pub(super) fn has_train(&self) -> bool {
+        self.seawall().is_some_and(|scene| scene.wave_train.is_some())
+    }
+
     /// The seawall's values, where the scene has one.
     pub fn seawall(&self) -> Option<&SeawallScene> {
         match self {

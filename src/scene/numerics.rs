@@ -118,7 +118,7 @@ section! {
         /// Support radius of the kernel over the particle spacing. The preset `default` has 5 for
         /// waves at upright walls alone, and 4 for all else.
         support_radius_ratio: f64 = 5.0, plain().within(2.0, 8.0).label("support radius/Δx");
-        /// How ghost particles get their values.
+        /// How ghost particles get their values. Trains have `normalized` by default.
         boundary: BoundaryChoice = BoundaryChoice::ImprovedShepard, weakly(plain());
         /// Exponent λ of the improved Shepard weight (Huang et al. 2019, Eq. 20).
         shepard_lambda: f64 = 2.0,
@@ -152,11 +152,15 @@ section! {
             .read_where("density_diffusion", &["renormalised", "hydrostatic", "molteni"]).label("δ");
         /// α of Huang et al. 2019, Eq. 5. With 4 spacings by default 0.1.
         artificial_viscosity: f64 = 0.08, plain().within(0.0, 1.0).label("viscosity");
-        /// Particle shifting.
+        /// Particle shifting. Trains have `deep` by default.
         shifting: Shifting = Shifting::Interior, plain();
         /// Strength A of the shifting. With 4 spacings by default 0.25.
         shifting_coefficient: f64 = 0.5,
-            plain().within(0.0, 10.0).read_where("shifting", &["interior"]).label("shifting strength");
+            plain().within(0.0, 10.0).read_where("shifting", &["interior", "deep"])
+                .label("shifting strength");
+        /// How fast densities follow the error of the particles' volume, over c0/R. Trains have
+        /// 0.002 by default. It wants gravity and corrected gradients.
+        volume_feedback: f64 = 0.0, weakly(plain().within(0.0, 0.02)).newer();
         /// c0 Δt / Δx.
         courant_number: f64 = 1.8, weakly(plain().within(1e-3, 2.5)).label("c0 Δt/Δx");
         /// γ: pressures are taken γ Δt ahead of the densities, which damps sound.

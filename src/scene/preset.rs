@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
 use super::kind::Scene;
-use super::numerics::{GhostGravity, IncompressibleNumerics, Numerics, Scheme};
+use super::numerics::{BoundaryChoice, GhostGravity, IncompressibleNumerics, Numerics, Scheme};
 use crate::kernel::KernelChoice;
 use crate::keys::{ConfigError, Section, check_conditions, section};
 use crate::scheme::wcsph::{DensityDiffusion, Shifting};
@@ -90,6 +90,12 @@ impl Numerics {
             base.support_radius_ratio = 4.0;
             base.artificial_viscosity = 0.1;
             base.shifting_coefficient = 0.25;
+        }
+        if preset == Preset::Default && scene.has_train() {
+            // Waves that go on let water creep along the walls, and sink through itself.
+            base.boundary = BoundaryChoice::Normalized;
+            base.shifting = Shifting::Deep;
+            base.volume_feedback = 0.002;
         }
         let numerics = Numerics::read(table, Some(&base))?;
         check_conditions::<Numerics>(table, &numerics.table())?;

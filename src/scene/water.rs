@@ -13,6 +13,7 @@ use crate::pairs::{Fluid, Strips};
 use crate::scheme::isph::{Isph, IsphOptions};
 use crate::scheme::wcsph::{Shifting, Wcsph, WcsphOptions};
 use crate::scheme::{Scheme, StateEquation};
+use crate::water::SHIFT_INTERIOR;
 
 /// The speed that scales the viscosity of incompressible SPH, over √(g d): what sound does in δ-SPH.
 const VISCOUS_SPEED: f64 = 8.0;
@@ -44,6 +45,7 @@ impl Filling {
             artificial_viscosity: numerics.artificial_viscosity,
             shifting: numerics.shifting,
             shifting_coefficient: numerics.shifting_coefficient,
+            volume_feedback: numerics.volume_feedback,
             bulk_damping: numerics.bulk_damping,
             acoustic_substeps: numerics.acoustic_substeps,
             precision: numerics.precision,
@@ -137,9 +139,10 @@ impl Filling {
             viscous_speed: VISCOUS_SPEED * frame.speed_squared().sqrt(),
             artificial_viscosity: numerics.artificial_viscosity,
             shifting_coefficient: match numerics.shifting {
-                Shifting::Interior => numerics.shifting_coefficient,
                 Shifting::None => 0.0,
+                Shifting::Interior | Shifting::Deep => numerics.shifting_coefficient,
             },
+            shifting_fades_in: numerics.shifting.fades_in().unwrap_or(SHIFT_INTERIOR),
             volume_relaxation: own.volume_relaxation,
             pressure_memory: own.pressure_memory,
             laplacian: own.laplacian,

@@ -9,4 +9,4 @@ mod support;
 pub use inside::{HoldInside, any_nearer};
 pub use level::{first_level, level_up_to};
 pub use state_equation::{StateEquation, StateEquationChoice};
-pub use support::{SHIFT_FROM, SHIFT_FULL, SHIFT_LIMIT, Slack, shifted_share};
+pub use support::{SHIFT_DEEP, SHIFT_INTERIOR, SHIFT_LIMIT, Slack, shifted_share};

@@ -1,15 +1,16 @@
 //! What an incomplete support keeps a particle from: being shifted, and taking pressure.
 
-/// Shifting fades in from this completeness of the support ...
-pub const SHIFT_FROM: f64 = 0.85;
-/// ... to this one.
-pub const SHIFT_FULL: f64 = 0.97;
+/// Completenesses of the support between which shifting fades in.
+pub const SHIFT_INTERIOR: [f64; 2] = [0.85, 0.97];
+/// The same for shifting that leaves alone all that feels the surface: where the support is cut off,
+/// ∇C points away from the surface in even water, too, and what is shifted along it rises.
+pub const SHIFT_DEEP: [f64; 2] = [0.95, 0.99];
 /// No shift is longer than this many particle spacings.
 pub const SHIFT_LIMIT: f64 = 0.05;
 
 /// How far a support of this completeness lets shifting act: 0 near the surface, 1 inside.
-pub fn shifted_share(completeness: f64) -> f64 {
-    ((completeness - SHIFT_FROM) / (SHIFT_FULL - SHIFT_FROM)).clamp(0.0, 1.0)
+pub fn shifted_share(completeness: f64, [from, full]: [f64; 2]) -> f64 {
+    ((completeness - from) / (full - from)).clamp(0.0, 1.0)
 }
 
 /// Completenesses of the support at which a scheme lets its water go slack: spray, and water under

@@ -59,7 +59,7 @@ impl Isph {
         if options.shifting_coefficient == 0.0 || self.operators.grip[i] > 0.0 {
             return 0.0;
         }
-        let inside = shifted_share(self.operators.completeness[i]);
+        let inside = shifted_share(self.operators.completeness[i], options.shifting_fades_in);
         let smoothing = options.kernel.smoothing_length_ratio() * options.support_radius;
         let factor = options.shifting_coefficient * smoothing * self.fluid.speed(i) * dt * inside;
         let limit = SHIFT_LIMIT * options.spacing;
@@ -79,6 +79,7 @@ impl Isph {
             points,
             completeness: &operators.completeness,
             strength: options.shifting_coefficient,
+            fades_in: options.shifting_fades_in,
             spacing: options.spacing,
             dt,
         };

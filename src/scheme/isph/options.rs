@@ -46,6 +46,8 @@ pub struct IsphOptions {
     pub artificial_viscosity: f64,
     /// Strength A of the shifting; 0 is off.
     pub shifting_coefficient: f64,
+    /// Completenesses of the support between which shifting fades in.
+    pub shifting_fades_in: [f64; 2],
     /// Share of the volume error that a step's source term takes back.
     pub volume_relaxation: f64,
     /// Share of the last step's dynamic pressure that the next one starts from.

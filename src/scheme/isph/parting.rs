@@ -23,6 +23,8 @@ pub(super) struct Parting<'a> {
     pub completeness: &'a [f64],
     /// A, the strength of shifting.
     pub strength: f64,
+    /// Completenesses of the support between which shifting takes over.
+    pub fades_in: [f64; 2],
     /// Particle spacing, metres.
     pub spacing: f64,
     /// The time step, seconds.
@@ -72,7 +74,7 @@ impl Parting<'_> {
 
     /// 1 where shifting is off for the surface's sake, 0 where it acts in full.
     fn near_surface_share(&self, i: usize) -> f64 {
-        1.0 - shifted_share(self.completeness[i])
+        1.0 - shifted_share(self.completeness[i], self.fades_in)
     }
 }
 

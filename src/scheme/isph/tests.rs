@@ -29,6 +29,7 @@ fn options(spacing: f64, laplacian: Laplacian) -> IsphOptions {
         viscous_speed: 1.0,
         artificial_viscosity: 0.0,
         shifting_coefficient: 0.0,
+        shifting_fades_in: crate::water::SHIFT_INTERIOR,
         volume_relaxation: 0.0,
         pressure_memory: 0.98,
         laplacian,

@@ -30,6 +30,7 @@ mod state;
 mod step;
 mod support;
 mod viscosity;
+mod volume;
 
 pub use crate::pairs::Precision;
 pub use options::{DensityDiffusion, Shifting, WcsphOptions};

@@ -2,6 +2,7 @@
 
 use super::passes::{TENSION_FROM, TENSION_FULL};
 use super::shifting::Shift;
+use super::volume::Restore;
 use super::{DensityDiffusion, Wcsph};
 use crate::body::{BodyMotion, Place};
 use crate::boundary::Plane;
@@ -86,7 +87,7 @@ impl Wcsph {
 
     /// Shifts the particles, if they are, for the time since the last full step; returns the energy
     /// that goes.
-    pub(super) fn shift(&mut self) -> f64 {
+    pub(super) fn shift(&mut self, fades_in: [f64; 2]) -> f64 {
         let particles = self.fluid.padded_len();
         let mut shift = Shift {
             fluid: &mut self.fluid,
@@ -95,10 +96,29 @@ impl Wcsph {
             planes: &self.planes,
             bed: self.ghosts.outline(),
             strain: &self.strain,
+            fades_in,
             dt: self.since_full,
             inverse_radius: self.scaling.inverse_radius,
         };
         -in_turn(self.pairs.path, particles, &mut shift)
+    }
+
+    /// Takes back the volume that was lost since the last full step, if that is wanted; returns the energy
+    /// that goes.
+    pub(super) fn restore_volume(&mut self) -> f64 {
+        let Some(shortfall) = &self.shortfall else { return 0.0 };
+        let per_second = self.options.volume_feedback
+            * self.options.state.sound_speed
+            * self.scaling.inverse_radius;
+        let particles = self.fluid.padded_len();
+        let mut restore = Restore {
+            fluid: &mut self.fluid,
+            work: &self.work,
+            options: &self.options,
+            shortfall,
+            rate: per_second * self.since_full,
+        };
+        -in_turn(self.pairs.path, particles, &mut restore)
     }
 
     /// Holds the particles in front of the walls.

@@ -7,6 +7,7 @@ use super::correction::first_row_share;
 use crate::kernel::KernelChoice;
 use crate::scheme::StateEquation;
 use crate::theory::central_field::CentralField;
+use crate::water::{SHIFT_DEEP, SHIFT_INTERIOR};
 
 /// Density diffusion (the δ term).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -28,8 +29,21 @@ pub enum DensityDiffusion {
 pub enum Shifting {
     /// In the interior, fading out towards the free surface.
     Interior,
+    /// The same, but only where the surface is out of reach: for waves that go on for long.
+    Deep,
     /// Off.
     None,
+}
+
+impl Shifting {
+    /// Completenesses of the support between which it fades in.
+    pub fn fades_in(self) -> Option<[f64; 2]> {
+        match self {
+            Shifting::Interior => Some(SHIFT_INTERIOR),
+            Shifting::Deep => Some(SHIFT_DEEP),
+            Shifting::None => None,
+        }
+    }
 }
 
 /// Everything the scheme needs to know besides the particles.
@@ -59,6 +73,8 @@ pub struct WcsphOptions {
     pub shifting: Shifting,
     /// A, see [`super::Wcsph::finish`].
     pub shifting_coefficient: f64,
+    /// How fast densities follow the error of the volume, over c0/R: see [`super::volume`].
+    pub volume_feedback: f64,
     /// γ of the pressure's lead, in time steps.
     pub bulk_damping: f64,
     /// Steps per full step, at least 1.

@@ -3,7 +3,7 @@
 use super::{WcsphOptions, Workspace};
 use crate::boundary::{Plane, Profile};
 use crate::pairs::{Double, Fluid, Here, InTurn};
-use crate::water::{SHIFT_FROM, SHIFT_FULL, SHIFT_LIMIT, any_nearer};
+use crate::water::{SHIFT_LIMIT, any_nearer};
 
 /// The speed of a shift is that by which the flow differs over so many support radii.
 const ACROSS: f64 = 2.0;
@@ -22,6 +22,8 @@ pub(super) struct Shift<'a> {
     pub bed: Option<&'a Profile>,
     /// As [`super::momentum::Momentum::strain`].
     pub strain: &'a [[f64; 2]],
+    /// Completenesses of the support between which it fades in.
+    pub fades_in: [f64; 2],
     /// The time that the shift is for, seconds.
     pub dt: f64,
     /// 1/R, 1/m.
@@ -49,8 +51,9 @@ impl Shift<'_> {
         let Shift { fluid, work, options, planes, bed, dt, .. } = self;
         let strength = options.shifting_coefficient * options.smoothing_length() * dt;
         let (limit, reach) = (SHIFT_LIMIT * options.spacing, options.spacing);
-        let inside = here.of::<D>(&work.completeness) - D::splat(SHIFT_FROM);
-        let inside = inside.div(D::splat(SHIFT_FULL - SHIFT_FROM));
+        let [from, full] = self.fades_in;
+        let inside = here.of::<D>(&work.completeness) - D::splat(from);
+        let inside = inside.div(D::splat(full - from));
         let inside = inside.max(D::splat(0.0)).min(D::splat(1.0));
         let factor = D::splat(-strength) * self.speed::<D>(here) * inside;
         let [dx, dy] = here.all::<D, 2>([&work.concentration_x, &work.concentration_y]);

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::volume::Shortfall;
 use super::{Carried, DensityDiffusion, WcsphOptions, Workspace};
 use crate::body::BodyMotion;
 use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane};
@@ -88,6 +89,8 @@ pub struct Wcsph {
     pub(super) pair_evaluations: u64,
     pub(super) boundary_fallbacks: u64,
     pub(super) taken: Taken,
+    /// Of the kernel, where volume is taken back.
+    pub(super) shortfall: Option<Shortfall>,
     pub(super) last_viscous_power: f64,
     /// Where the time went; never part of the state.
     pub timings: Timings,
@@ -133,6 +136,8 @@ impl Wcsph {
             pair_evaluations: 0,
             boundary_fallbacks: 0,
             taken: Taken::default(),
+            shortfall: (options.volume_feedback > 0.0)
+                .then(|| Shortfall::of(options.kernel, options.support_radius / options.spacing)),
             last_viscous_power: 0.0,
             timings: Timings::default(),
             options,

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use super::{Shifting, Wcsph};
+use super::Wcsph;
 use crate::body::BodyMotion;
 use crate::scheme::{Dissipation, StepWalls};
 
@@ -114,13 +114,14 @@ impl Wcsph {
         self.substep = (self.substep + 1) % self.options.acoustic_substeps;
         let mut shifting_work = lost.spray;
         if self.substep == 0 {
-            if self.options.shifting != Shifting::None {
+            if let Some(fades_in) = self.options.shifting.fades_in() {
                 let start = Instant::now();
-                shifting_work += self.shift();
+                shifting_work += self.shift(fades_in);
                 let shifted = start.elapsed().as_secs_f64();
                 self.timings.shifting += shifted;
                 self.timings.integration -= shifted;
             }
+            shifting_work += self.restore_volume();
             self.hold_inside(walls.bodies);
             self.since_full = 0.0;
             self.take_next_correction();
