@@ -29,3 +29,12 @@ addEventListener("hashchange", () => {
 });
 restore();
 document.documentElement.classList.add("alive");
+// Sections below were left out, so that the page opens at once. They are laid out now, one after the other:
+// then nothing moves when one scrolls.
+for (const part of document.querySelectorAll("main > section, main > .beside")) {
+  waiting.push(() => {
+    part.style.contentVisibility = "visible";
+    part.offsetHeight; // now, and not all in one long frame
+  });
+}
+waiting.push(() => document.documentElement.classList.remove("opening"));
