@@ -186,7 +186,7 @@ function checkPrint(document) {
 
 // Pages go on laying out what is below after they have loaded.
 async function settled(frame) {
-  while (frame.contentDocument.body.ariaBusy === "true") await new Promise((done) => setTimeout(done, 5));
+  while (frame.contentDocument.querySelector(".opening")) await new Promise((done) => setTimeout(done, 5));
 }
 
 addEventListener("load", async () => {

@@ -121,11 +121,12 @@ impl Chromium {
         }
     }
 
-    /// Waits until the page has followed a choice everywhere.
+    /// Waits until the page has laid out all of itself, and has followed a choice everywhere.
     pub fn settle(&mut self) {
         self.run(
             "new Promise((done) => { const wait = () =>
-            document.body.ariaBusy === 'true' ? setTimeout(wait, 5) : done(); wait(); })",
+            document.body.ariaBusy === 'true' || document.querySelector('html.opening')
+                ? setTimeout(wait, 5) : done(); wait(); })",
         );
     }
 

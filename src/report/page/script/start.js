@@ -29,12 +29,14 @@ addEventListener("hashchange", () => {
 });
 restore();
 document.documentElement.classList.add("alive");
-// Sections below were left out, so that the page opens at once. They are laid out now, one after the other:
-// then nothing moves when one scrolls.
-for (const part of document.querySelectorAll("main > section, main > .beside")) {
-  waiting.push(() => {
-    part.style.contentVisibility = "visible";
-    part.offsetHeight; // now, and not all in one long frame
-  });
+// Sections below were left out, so that the page opens at once. They are laid out when there is nothing else to
+// do, one after the other: then nothing moves when one scrolls.
+const whenIdle = window.requestIdleCallback || setTimeout;
+const below = [...document.querySelectorAll("main > section, main > .beside")];
+function layOut() {
+  const part = below.shift();
+  if (!part) return document.documentElement.classList.remove("opening");
+  part.style.contentVisibility = "visible";
+  whenIdle(layOut);
 }
-waiting.push(() => document.documentElement.classList.remove("opening"));
+whenIdle(layOut);
