@@ -140,6 +140,19 @@ impl Chromium {
         told["result"]["value"].take()
     }
 
+    /// From now on counts the processor time of the page's thread; before the page is opened.
+    pub fn count_processor_time(&mut self) {
+        self.call("Performance.enable", json!({ "timeDomain": "threadTicks" }));
+    }
+
+    /// What the page's thread has computed so far, ms.
+    pub fn processor_ms(&mut self) -> f64 {
+        let told = self.call("Performance.getMetrics", json!({}));
+        let metrics = told["metrics"].as_array().unwrap();
+        let tasks = metrics.iter().find(|metric| metric["name"] == "TaskDuration").unwrap();
+        1000.0 * tasks["value"].as_f64().unwrap()
+    }
+
     /// Moves the pointer to the middle of the first element that a selector finds, brought into
     /// view, and clicks there if asked to.
     pub fn point_at(&mut self, selector: &str, click: bool) {
