@@ -14,19 +14,25 @@ use serde_json::Value;
 
 const WIDTHS: [u32; 3] = [1400, 800, 390];
 
-/// The stored study of 300 movable walls, with histories that a formula makes up.
-fn study(root: &Path) -> String {
+/// The stored study of 300 movable walls, or those of them that are `wanted` by wave, stiffness and mass,
+/// with histories that a formula makes up.
+fn study(root: &Path, wanted: impl Fn([f64; 3]) -> bool) -> String {
     let stored = Path::new(env!("CARGO_MANIFEST_DIR")).join("results/liang2017_study");
-    for name in ["summary.csv", "manifest.json"] {
-        fs::copy(stored.join(name), root.join(name)).unwrap();
-    }
+    fs::copy(stored.join("manifest.json"), root.join("manifest.json")).unwrap();
     fs::create_dir(root.join("histories")).unwrap();
     let mut summary = csv::Reader::from_path(stored.join("summary.csv")).unwrap();
+    let mut own = csv::Writer::from_path(root.join("summary.csv")).unwrap();
+    own.write_record(summary.headers().unwrap()).unwrap();
     for row in summary.records().map(Result::unwrap) {
-        let [wave, stiffness] = [3, 4].map(|cell| row[cell].parse::<f64>().unwrap());
-        fs::write(root.join(format!("histories/{}.csv", &row[0])), history(wave, stiffness))
-            .unwrap();
+        let place = [3, 4, 5].map(|cell| row[cell].parse::<f64>().unwrap());
+        if !wanted(place) {
+            continue;
+        }
+        own.write_record(&row).unwrap();
+        let file = root.join(format!("histories/{}.csv", &row[0]));
+        fs::write(file, history(place[0], place[1])).unwrap();
     }
+    own.flush().unwrap();
     expect_code(&run(&["report", root.to_str().unwrap()]), 0);
     fs::read_to_string(root.join("report.html")).unwrap()
 }
@@ -108,7 +114,7 @@ fn problems(found: &Value) -> Vec<&str> {
 #[test]
 fn the_page_of_a_study_keeps_the_rules_in_light_and_in_dark() {
     let root = tempfile::tempdir().unwrap();
-    let page = study(root.path());
+    let page = study(root.path(), |_| true);
     for dark in [false, true] {
         let Some(found) = measured(&page, &WIDTHS, dark) else { return };
         let wrong = problems(&found);
@@ -125,6 +131,7 @@ fn the_page_of_a_study_keeps_the_rules_in_light_and_in_dark() {
             ("contrasts", 10_000),
             ("pairs of series", 1000),
             ("bounds", 500),
+            ("figures", 10),
             ("breakAfter", 10),
             ("breakInside", 60),
         ] {
@@ -134,9 +141,30 @@ fn the_page_of_a_study_keeps_the_rules_in_light_and_in_dark() {
 }
 
 #[test]
+fn figures_of_one_panel_keep_the_rules_and_use_the_width() {
+    // One mass: displacement, force and runup have a panel each. One wave: so has the map of forces.
+    let of_one_mass = |[_, _, mass]: [f64; 3]| mass == 250.0;
+    let of_one_wave = |[wave, ..]: [f64; 3]| wave == 0.5;
+    for (wanted, class) in [
+        (&of_one_mass as &dyn Fn([f64; 3]) -> bool, "class=\"beside\""),
+        (&of_one_wave, "class=\"alone\""),
+    ] {
+        let root = tempfile::tempdir().unwrap();
+        let page = study(root.path(), wanted);
+        assert!(page.contains(class), "{class}");
+        for dark in [false, true] {
+            let Some(found) = measured(&page, &WIDTHS, dark) else { return };
+            let wrong = problems(&found);
+            assert!(wrong.is_empty(), "{class}, dark: {dark}:\n{}", wrong.join("\n"));
+            assert!(found["counts"]["figures"].as_u64() > Some(5), "{found}");
+        }
+    }
+}
+
+#[test]
 fn broken_rules_are_seen() {
     let root = tempfile::tempdir().unwrap();
-    let mut page = study(root.path());
+    let mut page = study(root.path(), |[wave, ..]| wave == 0.5);
     let broken = [
         ("texts overlap", "<text class=\"title\"", "<text dy=\"-16\" class=\"title\""),
         ("small text", "font-size=\"10\"", "font-size=\"8.5\""),
@@ -145,6 +173,7 @@ fn broken_rules_are_seen() {
         ("torn in print", "break-after: avoid", "break-after: auto"),
         ("text leaves its frame", "text-anchor=\"end\"", "text-anchor=\"end\" dx=\"-60\""),
         ("few ticks", "class=\"tick\"", "class=\"other\""),
+        ("a figure wastes the width", "class=\"alone\"", "class=\"left\""),
     ];
     for (rule, from, to) in broken {
         assert!(page.contains(from), "{rule}: {from}");

@@ -151,6 +151,11 @@ fn keys_and_columns_are_explained() {
     }
     assert!(key.contains("column of summary.csv"), "{key}");
     assert!(explain("force_max").contains("error bar force_max_error"));
+    let symbol = run(&["explain", "F*"]);
+    expect_code(&symbol, 2);
+    assert!(told(&symbol.stderr).contains("did you mean force_max or first_force_max?"));
+    let strange = told(&run(&["explain", "F"]).stderr);
+    assert!(!strange.contains("did you mean") && strange.contains("lists all"), "{strange}");
     let miss = run(&["explain", "spring_stifness"]);
     expect_code(&miss, 2);
     assert!(told(&miss.stderr).contains("did you mean spring_stiffness_n_per_m?"));

@@ -294,39 +294,91 @@ fn a_choice_is_drawn_where_figures_show_a_part_at_first() {
     assert_eq!(browser.complaints(), [""; 0]);
 }
 
-/// Ten times the 100 ms that a filter may take on a quiet machine: this one may be busy.
-const SLOWEST_MS: f64 = 1000.0;
+/// Twice the 100 ms that a filter may take, in processor time of the page's thread: that hardly grows where
+/// the machine is busy.
+const SLOWEST_MS: f64 = 200.0;
 
 #[test]
 fn ten_thousand_cases_answer_at_once() {
     let Some(mut browser) = Chromium::start() else { return };
     let path = many(20, 50);
     browser.resize(1400, 900);
+    browser.count_processor_time();
     let open = browser.open(&path, "");
-    // What a person waits for: all that the script does, styles and layout.
-    let script = "(() => { const took = [];
-        const time = (act) => { const from = performance.now(); act(); document.body.offsetHeight;
-            took.push(Math.round(10 * (performance.now() - from)) / 10); };
-        const buttons = document.querySelectorAll('#choose fieldset button');
-        const head = [...document.querySelectorAll('.listing[data-table=summary] th')];
-        const at = head.findIndex((c) => c.dataset.column === 'first_force_max');
-        const field = document.querySelectorAll('.listing[data-table=summary] .filters input')[at];
-        const type = (text) => { field.value = text; field.dispatchEvent(new Event('input')); };
-        document.querySelector('figure').scrollIntoView();
-        time(() => buttons[3].click()); time(() => buttons[4].click()); time(() => buttons[25].click());
-        field.scrollIntoView();
-        time(() => type('< 2')); time(() => type('< 1.5')); time(() => type(''));
-        time(() => head[at].querySelector('button').click());
-        return new Promise((done) => { const from = performance.now(); const wait = () =>
-            document.body.ariaBusy === 'true' ? setTimeout(wait, 1)
-            : done([...took, performance.now() - from]); wait(); }); })()";
-    let took: Vec<f64> = serde_json::from_value(browser.run(script)).unwrap();
-    let size = fs::metadata(&path).unwrap().len();
-    println!(
-        "10,000 cases: {size} bytes, open after {open} ms; choices, filters, sorting: {took:?} ms"
+    browser.run(
+        "window.buttons = document.querySelectorAll('#choose fieldset button');
+        window.head = [...document.querySelectorAll('.listing[data-table=summary] th')]
+            .find((cell) => cell.dataset.column === 'first_force_max');
+        window.field = document.querySelectorAll('.listing[data-table=summary] .filters input')[head.cellIndex];
+        window.type = (text) => { field.value = text; field.dispatchEvent(new Event('input')); };
+        window.later = setTimeout; window.held = []; 0",
     );
-    assert!(took.iter().all(|ms| *ms < SLOWEST_MS), "{took:?}");
-    let told: Value = browser.run("document.querySelector('#choose output').textContent");
-    assert_eq!(told, json!("20 of 10000 cases are shown"));
+    let acts = [
+        ("choice", "buttons[3].click()"),
+        ("second", "buttons[4].click()"),
+        ("third", "buttons[25].click()"),
+        ("all", "document.querySelector('#choose > button').click()"),
+        ("table", "field.scrollIntoView()"),
+        ("< 2", "type('< 2')"),
+        ("< 1.5", "type('< 1.5')"),
+        ("cleared", "type('')"),
+        ("sorted", "head.querySelector('button').click()"),
+    ];
+    let mut took = vec![Vec::new(); acts.len()];
+    for _ in 0..5 {
+        browser.run("document.querySelector('figure').scrollIntoView()");
+        for ((name, act), took) in acts.iter().zip(&mut took) {
+            // What a person waits for: all that the script does at once, styles and layout. What
+            // follows it unseen is held until that has been measured.
+            browser.run("window.setTimeout = (act) => held.push(act)");
+            let before = browser.processor_ms();
+            browser.run(&format!("{act}; document.body.offsetHeight"));
+            took.push(browser.processor_ms() - before);
+            browser.run("window.setTimeout = later; held.splice(0).forEach((act) => later(act))");
+            browser.settle();
+            if *name == "third" {
+                let told = browser.run("document.querySelector('#choose output').textContent");
+                assert_eq!(told, json!("20 of 10000 cases are shown"));
+            }
+        }
+    }
+    let middle = |took: &mut Vec<f64>| {
+        took.sort_by(f64::total_cmp);
+        (10.0 * took[took.len() / 2]).round() / 10.0
+    };
+    let medians: Vec<_> =
+        acts.iter().zip(&mut took).map(|((name, _), took)| (*name, middle(took))).collect();
+    let size = fs::metadata(&path).unwrap().len();
+    println!("10,000 cases: {size} bytes, open after {open} ms; medians of five, ms: {medians:?}");
+    assert!(medians.iter().all(|(_, ms)| *ms < SLOWEST_MS), "{medians:?}");
+    assert_eq!(browser.complaints(), [""; 0]);
+}
+
+/// Three times what a page may take to open on a quiet machine.
+const SLOWEST_OPENING_MS: f64 = 3000.0;
+
+#[test]
+fn a_page_of_300_cases_with_films_opens_at_once() {
+    let Some(mut browser) = Chromium::start() else { return };
+    let path = many(5, 6);
+    let folder = path.with_file_name("films");
+    fs::create_dir_all(&folder).unwrap();
+    let made = STUDY.path().join("out/films");
+    let film = fs::read_dir(&made).unwrap().map(|file| file.unwrap().path());
+    let film = film.filter(|path| path.extension().is_some_and(|end| end == "html")).min().unwrap();
+    for index in 0..8 {
+        for end in ["html", "svg"] {
+            let copy = folder.join(format!("{index:016x}.{end}"));
+            fs::copy(film.with_extension(end), copy).unwrap();
+        }
+    }
+    expect_code(&run(&["report", path.parent().unwrap().to_str().unwrap()]), 0);
+    assert!(fs::metadata(&path).unwrap().len() < 5_000_000);
+    let mut times: Vec<f64> = (0..5).map(|_| browser.open(&path, "")).collect();
+    times.sort_by(f64::total_cmp);
+    println!("300 cases, eight films: opened after {times:?} ms");
+    assert!(times[2] < SLOWEST_OPENING_MS, "{times:?}");
+    let films = "document.querySelectorAll('script[id^=film-]').length";
+    assert_eq!(number(&mut browser, films), 8);
     assert_eq!(browser.complaints(), [""; 0]);
 }

@@ -7,7 +7,8 @@ use super::SUCCESS;
 use super::failure::BadInput;
 use super::glossary::{Entry, entries};
 use super::output::{Output, wrapped};
-use crate::keys::nearest;
+use crate::keys::hint;
+use crate::quantities::summary::meant_by;
 
 /// Explain a key of a sweep or scene file, or a column of a table: unit, range, default, meaning, where it
 /// applies. Without a name, list all.
@@ -33,10 +34,10 @@ pub(super) fn main(args: &ExplainArgs, output: &Output) -> anyhow::Result<u8> {
     if found.is_empty() {
         let leaf = name.rsplit('.').next().unwrap_or(name);
         let names: Vec<_> = all.iter().map(|entry| entry.name.as_str()).collect();
-        let near = nearest(leaf, &names).map(|near| format!("; did you mean {near}?"));
+        let near = meant_by(name).unwrap_or_else(|| hint(leaf, &names));
         let told = "no key and no column has this name";
         let list = " (`seawall explain` lists all)";
-        return Err(BadInput(format!("{name}: {told}{}{list}", near.unwrap_or_default())).into());
+        return Err(BadInput(format!("{name}: {told}{near}{list}")).into());
     }
     let texts: Vec<_> = found.iter().map(|entry| explained(entry)).collect();
     output.result(&texts.join("\n"), &json!({ "entries": found }))?;

@@ -13,6 +13,7 @@ mod page;
 mod scale;
 mod stage;
 mod still;
+mod tops;
 mod vtk;
 mod vtu;
 

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::camera::Take;
 use super::scale::{self, Colour};
 use super::stage::{Stage, View, WallKind};
+use super::tops::Tops;
 use crate::math::decimal::significant;
 
 /// Units of the drawing across; a unit is a quarter of a pixel.
@@ -22,73 +23,6 @@ pub(super) struct Still<'a> {
     pub colour: Colour,
     /// Of the scale of colours.
     pub end: f64,
-}
-
-/// The top of the water that stands on the bed, in bins along the tank.
-struct Tops {
-    left: f64,
-    /// Width of a bin, metres.
-    wide: f64,
-    /// None where there is no such water.
-    heights: Vec<Option<f64>>,
-}
-
-impl Tops {
-    /// In every bin climbs from the bed, or from a wall that leans over it, until a gap.
-    fn of(stage: &Stage, take: &Take, view: &View) -> Tops {
-        let (left, wide) = (view.x0, 1.5 * stage.spacing);
-        let open = stage.wall != WallKind::None && stage.lid.is_none();
-        let count = if open { ((view.x1 - left) / wide).ceil() as usize } else { 0 };
-        let mut bins = vec![Vec::new(); count];
-        for &[x, y, _] in &take.points {
-            let bin = ((f64::from(x) - left) / wide).floor();
-            if let Some(bin) = (bin >= 0.0).then(|| bins.get_mut(bin as usize)).flatten() {
-                bin.push(f64::from(y));
-            }
-        }
-        let lean = (stage.angle - 90.0).to_radians().tan();
-        let climb = |(bin, mut heights): (usize, Vec<f64>)| {
-            heights.sort_by(f64::total_cmp);
-            let middle = left + (bin as f64 + 0.5) * wide;
-            let behind = middle - stage.length - take.walls[1];
-            let bed = stage.bed_at(middle);
-            let mut top = if lean > 0.0 { (behind / lean).max(bed) } else { bed };
-            let near = |&y: &f64| {
-                let near = y - top <= 2.5 * stage.spacing;
-                top = if near { y } else { top };
-                near
-            };
-            heights.into_iter().take_while(near).last().map(|top| top + 0.5 * stage.spacing)
-        };
-        let heights: Vec<_> = bins.into_iter().enumerate().map(climb).collect();
-        Tops { left, wide, heights: closed(&heights) }
-    }
-
-    /// Between the middles of bins in a straight line.
-    fn at(&self, x: f64) -> Option<f64> {
-        let along = ((x - self.left) / self.wide - 0.5).max(0.0);
-        let bin = along as usize;
-        let low = (*self.heights.get(bin)?)?;
-        let high = self.heights.get(bin + 1).copied().flatten().unwrap_or(low);
-        Some(low + (along - bin as f64) * (high - low))
-    }
-
-    fn line(&self) -> Vec<[f64; 2]> {
-        let x = |bin: usize| self.left + (bin as f64 + 0.5) * self.wide;
-        let points = self.heights.iter().enumerate();
-        points.filter_map(|(bin, top)| Some([x(bin), (*top)?])).collect()
-    }
-}
-
-/// Without dips of one or two bins: a gap between particles is no trough of the surface.
-fn closed(heights: &[Option<f64>]) -> Vec<Option<f64>> {
-    let at = |bin: usize| heights.get(bin.wrapping_sub(1)).copied().flatten();
-    let highest = |bin: usize| {
-        [bin.wrapping_sub(1), bin, bin + 1].into_iter().filter_map(at).reduce(f64::max)
-    };
-    let lowest =
-        |bin: usize| [bin - 1, bin, bin + 1].into_iter().filter_map(highest).reduce(f64::min);
-    (1..=heights.len()).map(|bin| at(bin).and_then(|_| lowest(bin))).collect()
 }
 
 /// From metres to units.
@@ -158,7 +92,7 @@ impl Still<'_> {
     }
 
     /// Particles as upright strokes, a path for each colour. Rows part where water is pushed up: under
-    /// the surface a particle is drawn tall.
+    /// the surface a particle is drawn tall, and taller where particles crowd beside it.
     fn water(&self, text: &mut String, sheet: &Sheet, tops: &Tops) {
         let spacing = self.stage.spacing;
         let breadth = (1.4 * spacing * sheet.scale).max(4.0).round();
@@ -170,7 +104,10 @@ impl Still<'_> {
                 continue;
             }
             let (down, up) = match tops.at(x) {
-                Some(top) if y <= top => (1.25 * spacing, (1.25 * spacing).min(top - y)),
+                Some(top) if y <= top => {
+                    let half = 0.5 * tops.apart(x, y);
+                    (half, half.min(top - y))
+                }
                 _ => (0.6 * spacing, 0.6 * spacing),
             };
             let (foot, head) = ([sheet.x(x), sheet.y(y - down)], sheet.y(y + up));
@@ -256,27 +193,5 @@ impl Still<'_> {
         let (x, end) =
             (from + wide * scale::LEVELS as f64 + 30.0, significant(self.end / units, 3));
         let _ = writeln!(text, "<text x=\"{x}\" y=\"{baseline}\">{end} {unit}</text>");
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_gap_between_particles_is_no_trough() {
-        let tops = |heights: &[f64]| -> Vec<_> {
-            let known = |height: &f64| (*height > 0.0).then_some(*height);
-            closed(&heights.iter().map(known).collect::<Vec<_>>())
-                .into_iter()
-                .map(|top| top.unwrap_or(0.0))
-                .collect()
-        };
-        assert_eq!(tops(&[1.0, 2.0, 0.5, 0.4, 3.0, 4.0]), [1.0, 2.0, 2.0, 2.0, 3.0, 4.0]);
-        let slope = [1.0, 1.5, 2.0, 4.0, 3.0, 1.0];
-        assert_eq!(tops(&slope), slope);
-        let trough = [3.0, 1.0, 1.0, 1.0, 3.0];
-        assert_eq!(tops(&trough), trough);
-        assert_eq!(tops(&[0.0, 2.0, 1.0, 2.0, 0.0]), [0.0, 2.0, 2.0, 2.0, 0.0]);
     }
 }

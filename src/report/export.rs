@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::fontdb::Database;
-use resvg::usvg::{Options, Tree};
+use resvg::usvg::{Options, Tree, WriteOptions};
 use svg2pdf::{ConversionOptions, PageOptions};
 
 use super::Print;
@@ -56,6 +56,9 @@ fn draw(svg: &str, format: Print, pixels: f64) -> Result<Vec<u8>, String> {
     let tree = Tree::from_str(svg, &options()).map_err(|error| error.to_string())?;
     match format {
         Print::Pdf => {
+            // Words become outlines of their letters: such a page looks the same wherever it is printed.
+            let outlined = tree.to_string(&WriteOptions::default());
+            let tree = Tree::from_str(&outlined, &options()).map_err(|error| error.to_string())?;
             let page = PageOptions { dpi: pixels as f32 };
             svg2pdf::to_pdf(&tree, ConversionOptions::default(), page).map_err(|e| e.to_string())
         }
@@ -93,6 +96,8 @@ fn png(tree: &Tree, scale: f64) -> Result<Vec<u8>, String> {
 
 #[cfg(test)]
 mod tests {
+    use std::io::Read;
+
     use super::*;
     use crate::report::load::Loaded;
     use crate::report::{fixture, plots};
@@ -116,6 +121,37 @@ mod tests {
             .collect();
         assert_eq!(widths.len(), 2);
         assert!((widths[0] - 84.0).abs() < 0.01 && (widths[1] - 174.0).abs() < 0.01, "{widths:?}");
+    }
+
+    /// Curves of a PDF's streams.
+    fn curves(pdf: &[u8]) -> usize {
+        let find = |from: usize, word: &[u8]| {
+            let at = pdf[from..].windows(word.len()).position(|window| window == word)?;
+            Some(from + at)
+        };
+        let (mut from, mut count) = (0, 0);
+        while let Some(start) = find(from, b"stream\n").map(|at| at + 7) {
+            from = find(start, b"endstream").unwrap() + 9;
+            let mut bytes = Vec::new();
+            let stream = &pdf[start..from - 9];
+            flate2::read::ZlibDecoder::new(stream).read_to_end(&mut bytes).unwrap();
+            count +=
+                String::from_utf8_lossy(&bytes).lines().filter(|line| line.ends_with(" c")).count();
+        }
+        count
+    }
+
+    #[test]
+    fn a_pdf_has_words() {
+        let svg = figure().svg();
+        let (start, end) = ("<text", "</text>");
+        let mut bare = svg.clone();
+        while let Some(at) = bare.find(start) {
+            let after = bare[at..].find(end).unwrap() + at + end.len();
+            bare.replace_range(at..after, "");
+        }
+        let [all, without] = [&svg, &bare].map(|svg| curves(&draw(svg, Print::Pdf, 93.0).unwrap()));
+        assert!(without > 0 && all > without + 1000, "{all} curves, {without} without words");
     }
 
     #[test]

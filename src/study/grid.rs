@@ -133,7 +133,7 @@ fn at(
     let (mut scene, numerics) = filled(file, places, &assignments);
     let collapsed = drop_meaningless(file, &mut scene, &mut assignments);
     let config = CaseConfig::with_probes(&scene, &numerics, &file.probes)
-        .map_err(|error| blame_axis(file, error))?;
+        .map_err(|error| blame_axis(file, places, error))?;
     Ok((Case { index, id: CaseId::of(&config), config, assignments }, collapsed))
 }
 
@@ -158,9 +158,10 @@ fn drop_meaningless(
 }
 
 /// An error about a swept key is told by its place in `[grid]`.
-fn blame_axis(file: &SweepFile, error: ConfigError) -> ConfigError {
-    let leaf = error.key.rsplit('.').next().unwrap_or_default();
-    if file.grid.iter().any(|axis| axis.key == leaf) {
+fn blame_axis(file: &SweepFile, places: &[Place], error: ConfigError) -> ConfigError {
+    let (section, leaf) = error.key.rsplit_once('.').unwrap_or_default();
+    let mut swept = file.grid.iter().zip(places);
+    if swept.any(|(axis, place)| axis.key == leaf && place.name() == section) {
         return ConfigError::new(&format!("grid.{leaf}"), error.value, error.allowed);
     }
     error
@@ -249,6 +250,10 @@ mod tests {
             (
                 "[scene]\nseawall_mass = 1\n[grid]\nwave_height_ratio = [0.2]",
                 "scene.seawall_mass: unknown key; did you mean seawall_mass_kg_per_m?",
+            ),
+            (
+                "[numerics]\nwave_height_ratio = 0.4\n[grid]\nwave_height_ratio = [0.2]",
+                "numerics.wave_height_ratio: unknown key; did you mean scene.wave_height_ratio?",
             ),
             (
                 "[grid]\nwave_height_ratio = { from = 0.1, to = 0.7, points = 1001 }\n\

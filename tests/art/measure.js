@@ -1,6 +1,6 @@
 // Measures a page as it is laid out, in frames of several widths, and writes what is wrong.
 "use strict";
-const LEAST_SIZE = 9, LEAST_CONTRAST = 3, FEWEST_TICKS = 4, TOUCH = 0.75;
+const LEAST_SIZE = 9, LEAST_CONTRAST = 3, FEWEST_TICKS = 4, TOUCH = 0.75, FULL = 0.75;
 const problems = [], counts = {};
 let where = "";
 
@@ -156,6 +156,19 @@ function checkBounds(document) {
   }
 }
 
+// Where a page is wide, panels, legends and captions of a line of figures fill most of its width.
+function checkWidth(document) {
+  const main = document.querySelector("main"), style = main && getComputedStyle(main);
+  if (!main || main.clientWidth < 1000) return;
+  const room = main.clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight);
+  for (const line of document.querySelectorAll("main > section:has(> figure:not(.film)), main > .beside")) {
+    count("figures");
+    const boxes = [...line.querySelectorAll(".panels > svg:not([hidden]), .alone > figcaption")].map((one) => one.getBoundingClientRect());
+    const used = Math.max(...boxes.map((box) => box.right)) - Math.min(...boxes.map((box) => box.left));
+    if (used < FULL * room) wrong("a figure wastes the width", `${used.toFixed(0)} of ${room} px: ${line.querySelector("h2").textContent}`);
+  }
+}
+
 // With the rules of print in force: nothing that belongs together is torn apart.
 function checkPrint(document) {
   const rules = [["h1, h2, h3, ul.legend", "breakAfter"], ["tr, ul.legend, .panels svg", "breakInside"]];
@@ -171,7 +184,13 @@ function checkPrint(document) {
   }
 }
 
-addEventListener("load", () => {
+// Pages go on laying out what is below after they have loaded.
+async function settled(frame) {
+  while (frame.contentDocument.querySelector(".opening")) await new Promise((done) => setTimeout(done, 5));
+}
+
+addEventListener("load", async () => {
+  for (const frame of document.querySelectorAll("iframe")) await settled(frame);
   for (const frame of document.querySelectorAll("iframe")) {
     const page = frame.contentDocument;
     where = frame.title;
@@ -188,6 +207,7 @@ addEventListener("load", () => {
     checkTicks(page);
     checkSeries(page);
     checkBounds(page);
+    checkWidth(page);
   }
   const result = document.createElement("pre");
   result.id = "measured";

@@ -121,11 +121,12 @@ impl Chromium {
         }
     }
 
-    /// Waits until the page has followed a choice everywhere.
+    /// Waits until the page has laid out all of itself, and has followed a choice everywhere.
     pub fn settle(&mut self) {
         self.run(
             "new Promise((done) => { const wait = () =>
-            document.body.ariaBusy === 'true' ? setTimeout(wait, 5) : done(); wait(); })",
+            document.body.ariaBusy === 'true' || document.querySelector('html.opening')
+                ? setTimeout(wait, 5) : done(); wait(); })",
         );
     }
 
@@ -137,6 +138,19 @@ impl Chromium {
         let mut told = self.call("Runtime.evaluate", params);
         assert!(told["exceptionDetails"].is_null(), "{script}: {}", told["exceptionDetails"]);
         told["result"]["value"].take()
+    }
+
+    /// From now on counts the processor time of the page's thread; before the page is opened.
+    pub fn count_processor_time(&mut self) {
+        self.call("Performance.enable", json!({ "timeDomain": "threadTicks" }));
+    }
+
+    /// What the page's thread has computed so far, ms.
+    pub fn processor_ms(&mut self) -> f64 {
+        let told = self.call("Performance.getMetrics", json!({}));
+        let metrics = told["metrics"].as_array().unwrap();
+        let tasks = metrics.iter().find(|metric| metric["name"] == "TaskDuration").unwrap();
+        1000.0 * tasks["value"].as_f64().unwrap()
     }
 
     /// Moves the pointer to the middle of the first element that a selector finds, brought into

@@ -1,7 +1,7 @@
 //! What a condition speaks of: a column of numbers, case by case.
 
 use crate::keys::hint;
-use crate::quantities::summary::{ALL, names};
+use crate::quantities::summary::{ALL, meant_by, names};
 use crate::quantities::{Column, named};
 use crate::report::load::Loaded;
 use crate::report::row::Row;
@@ -99,6 +99,6 @@ fn with_time(name: &str) -> Option<&'static Column> {
 fn unknown(name: &str, data: &Loaded) -> String {
     let numbers = names().filter(|name| named(name).is_none_or(Column::is_number));
     let known: Vec<_> = data.keys.iter().map(|key| key.name.clone()).chain(numbers).collect();
-    let hint = hint(name, &known);
+    let hint = meant_by(name).unwrap_or_else(|| hint(name, &known));
     format!("{name}: no column of numbers has this name{hint} (`seawall explain` lists all)")
 }

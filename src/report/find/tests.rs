@@ -47,6 +47,10 @@ fn bad_conditions_are_told() {
     let bad = [
         ("force_mx < 2", "force_mx: no column of numbers has this name; did you mean force_max?"),
         ("colour < 2", "colour: no column of numbers has this name (`seawall explain` lists all)"),
+        (
+            "F* < 2",
+            "F*: no column of numbers has this name; did you mean force_max or first_force_max?",
+        ),
         ("status < 2", "status: holds words; a condition needs a column of numbers"),
         (
             "force_max = 2",

@@ -1,11 +1,12 @@
 //! The page: one file that opens from disk, with answers, figures, films and tables, style and
 //! script inside. It is whole without its script.
 //!
-//! [`answers`] are generated sentences. `data` is what the script works with, `films` and
+//! [`answers`] are generated sentences. `data` is what the script works with, `figures`, `films` and
 //! `provenance` are sections. The script is in `script/`, a file to each of its tasks.
 
 mod answers;
 mod data;
+mod figures;
 mod films;
 mod provenance;
 mod thin;
@@ -63,9 +64,7 @@ pub fn page(
     let (mut body, mut rest) = (String::new(), String::new());
     head(&mut body, data, &name, file.as_ref(), papers);
     failures(&mut body, data);
-    for figure in figures {
-        section(&mut body, &figure.title, &drawn(figure));
-    }
+    body.push_str(&figures::sections(figures));
     if let Some(papers) = papers {
         section(&mut body, "The papers", &papers.content);
     }
@@ -87,7 +86,8 @@ pub fn page(
     Ok(format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
-         <title>{name}</title>\n<style>\n{style}</style>\n</head>\n<body>\n<main>\n{body}</main>\n\
+         <title>{name}</title>\n<style>\n{style}</style>\n\
+         <script>document.documentElement.className = \"opening\";</script>\n</head>\n<body>\n<main>\n{body}</main>\n\
          <aside id=\"case\" aria-label=\"One case\" hidden></aside>\n\
          <script type=\"application/json\" id=\"data\">{json}</script>\n\
          <script>\n(() => {{\n\"use strict\";\n{script}}})();\n</script>\n</body>\n</html>\n"
@@ -130,14 +130,6 @@ fn failures(body: &mut String, data: &Loaded) {
     if !table.rows.is_empty() {
         section(body, &table.title, &grid(&table));
     }
-}
-
-fn drawn(figure: &Figure) -> String {
-    let (svg, caption, file) = (figure.inline(), escape(&figure.caption), &figure.name);
-    format!(
-        "<figure><div class=\"wide\">{svg}</div><figcaption>{caption} \
-         <span class=\"file\">figures/{file}.svg</span></figcaption></figure>"
-    )
 }
 
 fn tabled(body: &mut String, data: &Loaded, tables: &[Table]) {

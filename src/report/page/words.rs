@@ -36,6 +36,10 @@ pub fn unbroken(text: &str) -> String {
     for unit in ["%", "N/m", "kg/m", "kN", "mm"] {
         text = text.replace(&format!(" {unit}"), &format!("\u{a0}{unit}"));
     }
+    // The depth h is a unit where nothing but a word's end follows.
+    for end in [" ", ",", ".", ")"] {
+        text = text.replace(&format!(" h{end}"), &format!("\u{a0}h{end}"));
+    }
     text
 }
 
@@ -82,6 +86,15 @@ mod tests {
         assert_eq!(range(&[0.01, 10.0, 500.0, 1e7], "N/m"), "0.01 to 10⁷ N/m (4 values)");
         assert_eq!(range(&[0.3, 0.5], ""), "0.3 and 0.5");
         assert_eq!((counted(1, "case"), counted(2, "case")), ("1 case".into(), "2 cases".into()));
+    }
+
+    #[test]
+    fn no_line_ends_between_a_number_and_its_unit() {
+        let told = unbroken("R* = 0.3 ± 0.0047 h, 0.099 h (k up to 500 N/m) of h");
+        let words: Vec<_> = told.split(' ').collect();
+        let pairs = ["R*\u{a0}=\u{a0}0.3\u{a0}±\u{a0}0.0047\u{a0}h,", "0.099\u{a0}h"];
+        assert_eq!(words[..2], pairs, "{told}");
+        assert_eq!(words.last(), Some(&"h"));
     }
 
     #[test]

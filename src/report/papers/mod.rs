@@ -14,7 +14,7 @@ use super::error::ReportError;
 use super::grid::grid;
 use super::load::Loaded;
 use super::markup::escape;
-use super::plots::Figure;
+use super::plots::{Figure, Place};
 use super::row::{PLACE, Row};
 use super::tables::Table;
 use crate::papers::{Printed, Read, printed, scenes};
@@ -161,11 +161,8 @@ impl Papers {
         let mut text: String =
             self.sentences.iter().map(|said| format!("<p>{}</p>\n", escape(said))).collect();
         for figure in &self.figures {
-            let (svg, caption, file) = (figure.inline(), escape(&figure.caption), &figure.name);
-            text.push_str(&format!(
-                "<figure>{svg}<figcaption>{caption} \
-                 <span class=\"file\">figures/{file}.svg</span></figcaption></figure>\n"
-            ));
+            let place = if figure.is_single() { Place::Alone } else { Place::Usual };
+            text.push_str(&figure.inline(place));
         }
         text + &grid(&self.beside)
     }

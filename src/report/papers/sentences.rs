@@ -57,7 +57,7 @@ pub fn answer(found: &[Found]) -> String {
         format!(" Sizes differ by {median} % in the median and {worst} % at most.")
     });
     format!(
-        "{met} of {} printed numbers that have a case here are met, within 5 % or the error bar.{} The \
+        "{met} of {} comparisons with printed numbers are met, within 5 % or the error bar.{} The \
          section below says which, and why the others are not.",
         found.len(),
         off.unwrap_or_default()
@@ -76,8 +76,12 @@ fn opening(found: &[Found]) -> String {
     numbers.sort_unstable();
     numbers.dedup();
     let are = if numbers.len() == 1 { "number has" } else { "numbers have" };
+    let compared = match found.len() {
+        all if all > numbers.len() => format!(", some of them several: {all} comparisons"),
+        _ => String::new(),
+    };
     format!(
-        "{} printed {are} a case here ({}), computed by {}. A number counts as met where the difference is \
+        "{} printed {are} a case here{compared} ({}), computed by {}. A number counts as met where the difference is \
          at most 5 % (or 0.02 of F*, R* and X*, 0.05 s, 5 points of a percentage), or within the error bar. \
          No curve was read off: these are the numbers that the papers print.",
         numbers.len(),

@@ -44,6 +44,7 @@ pub(super) use sheet::{Drawing, Layout};
 
 use super::error::ReportError;
 use super::load::Loaded;
+use super::markup::escape;
 #[cfg(feature = "print")]
 pub use text::FONT;
 
@@ -60,6 +61,17 @@ pub struct Figure {
     pub drawing: Drawing,
 }
 
+/// The room that a page gives to a figure.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Place {
+    /// The whole width for three panels, or a third of it for one.
+    Usual,
+    /// Half of the width for one panel.
+    Half,
+    /// Half of the width for one panel, and its caption in the other half.
+    Alone,
+}
+
 /// Series in a panel, and panels of one figure, at most: more than that nobody tells apart.
 const SERIES: usize = 6;
 
@@ -72,9 +84,21 @@ impl Figure {
         self.drawing.svg(self.drawing.layout.columns)
     }
 
-    /// The drawing for use inside a page that has [`STYLE`].
-    pub fn inline(&self) -> String {
-        self.drawing.inline(&self.title)
+    /// Whether it is a single panel, which leaves much of a page's width to others.
+    pub(super) fn is_single(&self) -> bool {
+        self.drawing.shown() == 1
+    }
+
+    /// The drawing with its caption for a page that has [`STYLE`].
+    pub(super) fn inline(&self, place: Place) -> String {
+        let drawing = self.drawing.inline(&self.title, place != Place::Usual);
+        let (class, name) =
+            (if place == Place::Alone { " class=\"alone\"" } else { "" }, &self.name);
+        format!(
+            "<figure{class}><div class=\"wide\">{drawing}</div><figcaption>{} \
+             <span class=\"file\">figures/{name}.svg</span></figcaption></figure>",
+            escape(&self.caption)
+        )
     }
 }
 
@@ -124,7 +148,7 @@ mod tests {
                 let alone = figure.svg();
                 let tree = roxmltree::Document::parse(&alone).unwrap();
                 assert!(tree.descendants().any(|node| node.has_tag_name((SVG, "text"))));
-                let page = figure.inline();
+                let page = figure.inline(Place::Usual);
                 roxmltree::Document::parse(&page).unwrap();
                 assert!(!page.contains("http") && !page.contains("NaN"), "{}", figure.name);
             }
@@ -205,7 +229,7 @@ mod tests {
 
     #[test]
     fn points_and_panels_say_what_they_stand_for() {
-        let page = drawn(&fixture::sweep())[0].inline();
+        let page = drawn(&fixture::sweep())[0].inline(Place::Usual);
         for word in [
             "data-x=\"log10_k_star\" data-y=\"displacement_max\"",
             "data-panel=\"m_star=1.25\"",

@@ -75,6 +75,7 @@ fn drawing(data: &Loaded, response: &Column, masses: &[&[&Row]], waves: &[f64]) 
 
 #[cfg(test)]
 mod tests {
+    use super::super::Place;
     use super::*;
     use crate::quantities::summary::FORCE_ERROR;
     use crate::report::fixture;
@@ -98,7 +99,7 @@ mod tests {
     fn masses_and_waves_of_a_range_are_rounded_in_labels() {
         let directory = fixture::movable(&[0.3, 0.316_227_766], &[10.0, 500.0], &[46.415_888_3]);
         let data = Loaded::read(directory.path()).unwrap();
-        let svg = figures(&data)[0].inline();
+        let svg = figures(&data)[0].inline(Place::Usual);
         assert!(svg.contains(">H/h = 0.3162<") && svg.contains(">m* = 1.16<"), "{svg}");
         assert!(!svg.contains(">H/h = 0.316227766<") && !svg.contains(">m* = 1.1603"));
     }

@@ -28,6 +28,9 @@ pub struct Layout {
 /// Three panels in a row of a page, one on a telephone.
 pub const PANELS: Layout = Layout { columns: 3, size: (296.0, 226.0) };
 
+/// The one panel of a figure that has half of a page's width: words keep nine pixels on a telephone.
+const LARGE: (f64, f64) = (368.0, 244.0);
+
 /// A panel of three in a row of a journal's page.
 const SMALL: (f64, f64) = (214.0, 186.0);
 
@@ -110,19 +113,26 @@ impl Drawing {
         format!("{sheet}\n")
     }
 
-    /// The drawing for a page: a legend and panels, each of them an SVG.
-    pub fn inline(&self, label: &str) -> String {
+    /// Panels that a page shows at first.
+    pub fn shown(&self) -> usize {
+        self.charts.iter().filter(|chart| !chart.spare).count()
+    }
+
+    /// The drawing for a page: a legend and panels, each of them an SVG. A `large` one has the half of a
+    /// page's width for each panel.
+    pub fn inline(&self, label: &str, large: bool) -> String {
         let margins = Margins::of(&self.charts);
+        let size = if large { LARGE } else { self.layout.size };
         let drawn = |chart: &Chart| {
             let said = format!("{label} {}", chart.heading).replace('"', "'");
-            let mut sheet = root(self.layout.size, Some(chart));
+            let mut sheet = root(size, Some(chart));
             if chart.spare {
                 sheet = sheet.set("class", "spare").set("hidden", "");
             }
             let panel = sheet
                 .set("role", "img")
                 .set("aria-label", said.trim_end())
-                .add(panel(&Frame::new(chart, margins, self.layout.size)));
+                .add(panel(&Frame::new(chart, margins, size)));
             bare(&panel)
         };
         let panels: String = self.charts.iter().map(drawn).collect();
@@ -131,9 +141,10 @@ impl Drawing {
         if let Some(bar) = &self.bar {
             legend.push_str(&bare(&root((bar.width(), bar::HEIGHT), None).add(bar.draw(2.0))));
         }
-        let wide = self.layout.size.0;
+        let (wide, count) = (size.0, self.shown());
         format!(
-            "<div class=\"plot\" style=\"--panel: {wide}px\">{legend}<div class=\"panels\">{panels}</div></div>"
+            "<div class=\"plot\" style=\"--panel: {wide}px; --count: {count}\">{legend}\
+             <div class=\"panels\">{panels}</div></div>"
         )
     }
 

@@ -230,7 +230,7 @@ mod tests {
     fn a_page_holds_what_a_choice_may_ask_for_and_a_file_does_not() {
         let figure = drawn(&[0.2, 0.3, 0.4, 0.5, 0.6], &[10.0, 500.0], &[250.0]).remove(0);
         assert_eq!(figure.drawing.charts.len(), 15);
-        let (page, file) = (figure.drawing.inline("a"), figure.svg());
+        let (page, file) = (figure.drawing.inline("a", false), figure.svg());
         assert_eq!(
             (page.matches("<svg").count() - 2, page.matches("hidden").count() - 2),
             (15, 6),

@@ -42,8 +42,9 @@ function choose() {
   for (let row = 0; row < count; row++) {
     chosen[row] = keys.every(([at, values]) => values.has(at[row])) && tests.every((test) => test(row)) ? 1 : 0;
   }
+  // By whole sections: what is inside of one that is not seen has no place yet.
   const seen = (box) => {
-    const at = box?.getBoundingClientRect();
+    const at = box?.closest("main > *")?.getBoundingClientRect();
     return !at || (at.bottom > 0 && at.top < innerHeight);
   };
   const now = new Set(watchers.filter((watcher) => seen(watcher.box)));

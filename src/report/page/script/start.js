@@ -29,3 +29,14 @@ addEventListener("hashchange", () => {
 });
 restore();
 document.documentElement.classList.add("alive");
+// Sections below were left out, so that the page opens at once. They are laid out when there is nothing else to
+// do, one after the other: then nothing moves when one scrolls.
+const whenIdle = window.requestIdleCallback || setTimeout;
+const below = [...document.querySelectorAll("main > section, main > .beside")];
+function layOut() {
+  const part = below.shift();
+  if (!part) return document.documentElement.classList.remove("opening");
+  part.style.contentVisibility = "visible";
+  whenIdle(layOut);
+}
+whenIdle(layOut);

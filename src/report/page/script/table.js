@@ -172,7 +172,7 @@ class Grid {
     for (let at = from; at < to; at++) html += this.lines[lines[at]].replace("<tr ", '<tr tabindex="' + (at === from ? 0 : -1) + '" ').replace("</tr>", copy);
     this.body.innerHTML = html + gap(lines.length - to);
     this.table.setAttribute("aria-rowcount", lines.length + 2);
-    if (!this.tall) this.tall = this.body.rows[0]?.offsetHeight;
+    if (!this.tall && lines.length > WHOLE) this.tall = this.body.rows[0]?.offsetHeight;
   }
 
   listen() {

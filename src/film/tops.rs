@@ -1,0 +1,144 @@
+//! The surface of the water that stands on the bed, as a still draws it.
+
+use super::camera::Take;
+use super::stage::{Stage, View, WallKind};
+
+/// Width of a bin, spacings.
+const BIN: f64 = 1.5;
+/// From a particle to the next one above it there are at most so many spacings in water at ease.
+const APART: f64 = 2.5;
+/// Where a jet is squeezed, rows part in proportion to how many particles stand in a bin of a row: water keeps its
+/// area. This is more than their share, as no row is level.
+const SHARE: f64 = 1.2 / BIN;
+
+/// The top of the water that stands on the bed, in bins along the tank.
+pub(super) struct Tops {
+    left: f64,
+    spacing: f64,
+    /// The heights of a bin's particles, rising.
+    bins: Vec<Vec<f64>>,
+    /// None where there is no such water.
+    heights: Vec<Option<f64>>,
+}
+
+impl Tops {
+    /// In every bin climbs from the bed, or from a wall that leans over it, until a gap.
+    pub fn of(stage: &Stage, take: &Take, view: &View) -> Tops {
+        let (left, spacing) = (view.x0, stage.spacing);
+        let open = stage.wall != WallKind::None && stage.lid.is_none();
+        let count = if open { ((view.x1 - left) / (BIN * spacing)).ceil() as usize } else { 0 };
+        let mut tops = Tops { left, spacing, bins: vec![Vec::new(); count], heights: Vec::new() };
+        for &[x, y, _] in &take.points {
+            if let Some(bin) = tops.bin(f64::from(x)) {
+                tops.bins[bin].push(f64::from(y));
+            }
+        }
+        tops.bins.iter_mut().for_each(|heights| heights.sort_by(f64::total_cmp));
+        let lean = (stage.angle - 90.0).to_radians().tan();
+        let climb = |bin: usize| {
+            let middle = tops.middle(bin);
+            let behind = middle - stage.length - take.walls[1];
+            let bed = stage.bed_at(middle);
+            tops.climb(bin, if lean > 0.0 { (behind / lean).max(bed) } else { bed })
+        };
+        let heights: Vec<_> = (0..count).map(climb).collect();
+        Tops { heights: closed(&heights), ..tops }
+    }
+
+    /// Half a spacing above the highest particle that a way without gaps leads up to.
+    fn climb(&self, bin: usize, from: f64) -> Option<f64> {
+        let mut top = from;
+        let near = |y: &f64| {
+            let near = y - top <= self.gap(bin, *y);
+            top = if near { *y } else { top };
+            near
+        };
+        let last = self.bins[bin].iter().copied().take_while(near).last();
+        last.map(|top| top + 0.5 * self.spacing)
+    }
+
+    fn bin(&self, x: f64) -> Option<usize> {
+        let bin = ((x - self.left) / (BIN * self.spacing)).floor();
+        (bin >= 0.0 && bin < self.bins.len() as f64).then_some(bin as usize)
+    }
+
+    fn middle(&self, bin: usize) -> f64 {
+        self.left + (bin as f64 + 0.5) * BIN * self.spacing
+    }
+
+    fn gap(&self, bin: usize, y: f64) -> f64 {
+        let (heights, half) = (&self.bins[bin], 0.5 * self.spacing);
+        let below = |limit: f64| heights.partition_point(|height| *height < limit);
+        let row = below(y + half) - below(y - half);
+        self.spacing * APART.max(SHARE * row as f64)
+    }
+
+    /// How far apart rows may be at a particle.
+    pub fn apart(&self, x: f64, y: f64) -> f64 {
+        self.bin(x).map_or(APART * self.spacing, |bin| self.gap(bin, y))
+    }
+
+    /// Between the middles of bins in a straight line.
+    pub fn at(&self, x: f64) -> Option<f64> {
+        let along = ((x - self.left) / (BIN * self.spacing) - 0.5).max(0.0);
+        let bin = along as usize;
+        let low = (*self.heights.get(bin)?)?;
+        let high = self.heights.get(bin + 1).copied().flatten().unwrap_or(low);
+        Some(low + (along - bin as f64) * (high - low))
+    }
+
+    /// The line through the tops.
+    pub fn line(&self) -> Vec<[f64; 2]> {
+        let points = self.heights.iter().enumerate();
+        points.filter_map(|(bin, top)| Some([self.middle(bin), (*top)?])).collect()
+    }
+}
+
+/// Without dips of one or two bins: a gap between particles is no trough of the surface.
+fn closed(heights: &[Option<f64>]) -> Vec<Option<f64>> {
+    let at = |bin: usize| heights.get(bin.wrapping_sub(1)).copied().flatten();
+    let highest = |bin: usize| {
+        [bin.wrapping_sub(1), bin, bin + 1].into_iter().filter_map(at).reduce(f64::max)
+    };
+    let lowest =
+        |bin: usize| [bin - 1, bin, bin + 1].into_iter().filter_map(highest).reduce(f64::min);
+    (1..=heights.len()).map(|bin| at(bin).and_then(|_| lowest(bin))).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_gap_between_particles_is_no_trough() {
+        let tops = |heights: &[f64]| -> Vec<_> {
+            let known = |height: &f64| (*height > 0.0).then_some(*height);
+            closed(&heights.iter().map(known).collect::<Vec<_>>())
+                .into_iter()
+                .map(|top| top.unwrap_or(0.0))
+                .collect()
+        };
+        assert_eq!(tops(&[1.0, 2.0, 0.5, 0.4, 3.0, 4.0]), [1.0, 2.0, 2.0, 2.0, 3.0, 4.0]);
+        let slope = [1.0, 1.5, 2.0, 4.0, 3.0, 1.0];
+        assert_eq!(tops(&slope), slope);
+        let trough = [3.0, 1.0, 1.0, 1.0, 3.0];
+        assert_eq!(tops(&trough), trough);
+        assert_eq!(tops(&[0.0, 2.0, 1.0, 2.0, 0.0]), [0.0, 2.0, 2.0, 2.0, 0.0]);
+    }
+
+    /// A bin with rows of so many particles at these heights, in spacings.
+    fn top(rows: &[(usize, f64)]) -> f64 {
+        let heights = rows.iter().flat_map(|&(count, y)| vec![y; count]).collect();
+        let tops = Tops { left: 0.0, spacing: 1.0, bins: vec![heights], heights: Vec::new() };
+        tops.climb(0, 0.0).unwrap()
+    }
+
+    #[test]
+    fn a_squeezed_jet_is_water_and_spray_is_not() {
+        let still = [(1, 0.5), (2, 1.5), (1, 2.5)];
+        assert_eq!(top(&still), 3.0);
+        assert_eq!(top(&[&still[..], &[(1, 5.7)]].concat()), 3.0, "a drop");
+        assert_eq!(top(&[&still[..], &[(5, 5.7), (5, 8.9)]].concat()), 9.4, "rows of five");
+        assert_eq!(top(&[&still[..], &[(5, 7.0)]].concat()), 3.0, "a sheet that flies");
+    }
+}
