@@ -103,6 +103,9 @@ faults! {
             failing(s, "fsync,fdatasync,syncfs", "EIO", at)
         };
         "rename", "a `rename` that fails" => |s, _, at| failing(s, "rename", "EIO", at);
+        "linkat", "a `linkat` that fails, the disk being full" => |s, _, at| {
+            failing(s, "linkat", "ENOSPC", at)
+        };
         "open", "an `openat` that fails, too many files being open" => |s, _, at| {
             failing(s, "openat", "EMFILE", at)
         };

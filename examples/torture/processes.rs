@@ -115,18 +115,17 @@ pub fn disturbed(
     disturb: impl Fn(&Path) -> std::io::Result<()>,
 ) -> Result<Outcome> {
     let out = study.room("out")?;
-    let child = study.command(&out, &[]).spawn()?;
+    let mut child = study.command(&out, &[]).spawn()?;
     while !out.join("journal.jsonl").exists() {
         sleep(study.time.mul_f64(0.001));
     }
     sleep(study.time.mul_f64(0.8 * at));
+    let whole = || study.results(&out).is_ok_and(|files| files == study.undisturbed);
+    let done = child.try_wait()?.is_some() && whole();
     disturb(&out)?;
     let output = wait(child)?;
     let verdict = match output.status.code() {
-        // It was done before.
-        Some(0) if study.results(&out).is_ok_and(|files| files == study.undisturbed) => {
-            Verdict::Whole
-        }
+        Some(0) if done || whole() => Verdict::Whole,
         Some(0) => Verdict::Lost("it ended well, without its results".to_owned()),
         _ => Verdict::Refused,
     };
