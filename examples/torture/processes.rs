@@ -115,13 +115,13 @@ pub fn disturbed(
     disturb: impl Fn(&Path) -> std::io::Result<()>,
 ) -> Result<Outcome> {
     let out = study.room("out")?;
-    let mut child = study.command(&out, &[]).spawn()?;
+    let child = study.command(&out, &[]).spawn()?;
     while !out.join("journal.jsonl").exists() {
         sleep(study.time.mul_f64(0.001));
     }
     sleep(study.time.mul_f64(0.8 * at));
     let whole = || study.results(&out).is_ok_and(|files| files == study.undisturbed);
-    let done = child.try_wait()?.is_some() && whole();
+    let done = whole(); // and about to end
     disturb(&out)?;
     let output = wait(child)?;
     let verdict = match output.status.code() {

@@ -131,7 +131,9 @@ fn refused(study: &Study, out: &Path, output: &Output) -> Result<Outcome> {
         true => Verdict::Lost("it was not refused, or something was written".to_owned()),
         false => Verdict::Refused,
     };
-    let seen = shortened(&told(output), out);
+    let told = told(output);
+    let errors: Vec<_> = told.split(" / ").filter(|line| line.starts_with("error: ")).collect();
+    let seen = shortened(&errors.join(" / "), out);
     let outcome = resumed(study, out, output)?;
     let well = matches!(outcome.verdict, Verdict::Whole);
     Ok(Outcome { verdict: if well { verdict } else { outcome.verdict }, seen, ..outcome })

@@ -112,7 +112,10 @@ impl Study {
 
     /// The sweep by the script that users have, to be started.
     pub fn script(&self, out: &Path) -> Result<Command> {
-        let mut command = Command::new(concat!(env!("CARGO_MANIFEST_DIR"), "/scripts/sweep"));
+        // A shell cannot trap a signal that is ignored where it begins, as in the background of another.
+        let mut command = Command::new("env");
+        command.arg("--default-signal=INT");
+        command.arg(concat!(env!("CARGO_MANIFEST_DIR"), "/scripts/sweep"));
         command.env("SEAWALL_MPI_BINARY", self.mpi()?).arg(&self.file);
         command.args(["--film", "none", "--out"]).arg(out);
         command.stdout(Stdio::null()).stderr(Stdio::piped());
@@ -184,7 +187,8 @@ pub fn children(of: u32) -> Vec<u32> {
 /// What a process told on standard error, in one line.
 pub fn told(output: &Output) -> String {
     let text = String::from_utf8_lossy(&output.stderr);
-    text.lines().map(str::trim).collect::<Vec<_>>().join(" / ")
+    let is_rule = |line: &&str| !line.is_empty() && line.chars().all(|letter| letter == '-');
+    text.lines().map(str::trim).filter(|line| !is_rule(line)).collect::<Vec<_>>().join(" / ")
 }
 
 /// Its exit code, or how else it ended.
