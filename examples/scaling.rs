@@ -4,8 +4,8 @@
 //! `cargo run --release --example scaling` reads the wall times of the cases in
 //! `results/liang2017_study/summary.csv` and writes `results/performance/scaling.md`, of which it
 //! keeps what stands under "Notes". Times of the scheduler's own decisions are measured while it
-//! makes them; filing is measured with thousands of cases, to the disk, and so is
-//! the coordinator's part, by what it takes of its processor.
+//! makes them; filing is measured with thousands of cases, to the disk, and so is the coordinator's part, by what
+//! it takes of its processor.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap, VecDeque};
