@@ -1,7 +1,8 @@
 //! How many cases a second go through scheduler, workers, journal and summary, where a case costs nothing.
 //!
-//! `cargo run --release --example load -- DIR CASES [THREADS]` sweeps made-up cases into a new directory below
-//! DIR, reads it again, makes its report, and prints what each part took and the most memory that was held.
+//! `cargo run --release --example load -- DIR CASES [THREADS [no-report]]` sweeps made-up cases into a new directory
+//! below DIR, reads it again, makes its report, and prints what each part took, on the clock and of processors, and
+//! the most memory that was held.
 
 use std::path::Path;
 use std::time::Instant;
@@ -83,14 +84,27 @@ fn memory_mb() -> f64 {
     kilobytes.unwrap_or(f64::NAN) / 1e3
 }
 
+/// The processor time that this process has taken, seconds.
+fn processor_time_s() -> f64 {
+    let told = std::fs::read_to_string("/proc/self/stat").unwrap_or_default();
+    let fields = told.rsplit(')').next().unwrap_or_default().split_whitespace();
+    let ticks = fields.skip(11).take(2).filter_map(|field| field.parse::<f64>().ok());
+    ticks.sum::<f64>() / 100.0
+}
+
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).collect();
-    let [below, cases, rest @ ..] = &words[..] else { panic!("load DIR CASES [THREADS]") };
+    let [below, cases, rest @ ..] = &words[..] else {
+        panic!("load DIR CASES [THREADS [no-report]]")
+    };
     let count = rest.first().map_or(2, |word| word.parse().unwrap());
     let room = tempfile::tempdir_in(below).unwrap();
     let out = room.path().join("load");
-    let tell = |what: &str, start: Instant| {
-        println!("{what}: {:.2} s, {:.0} MB", start.elapsed().as_secs_f64(), memory_mb());
+    let mut before = 0.0;
+    let mut tell = |what: &str, start: Instant| {
+        let (wall, processor) = (start.elapsed().as_secs_f64(), processor_time_s() - before);
+        before += processor;
+        println!("{what}: {wall:.2} s, {processor:.2} s of processors, {:.0} MB", memory_mb());
     };
     let start = Instant::now();
     let study = study(cases.parse().unwrap());
@@ -106,6 +120,9 @@ fn main() {
     assert_eq!(opened, Opened::Resumed(study.cases.len()));
     Manifest::new(&out, &study, &[], SIMD).write(&out).unwrap();
     drop((directory, study));
+    if rest.iter().any(|word| word == "no-report") {
+        return;
+    }
     let start = Instant::now();
     seawall::report::write(&out).unwrap();
     tell("report", start);

@@ -5,11 +5,11 @@ mod common;
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
-use common::job::{LONG, mpirun_is_there, processes, signal};
+use common::job::{LONG, is_mpich, kill_all, mpirun_is_there, processes, signal};
 use common::{TINY, TINY_CASES, assert_same, expect_code, journal_lines, run, write_file};
 
 /// A place with a sweep file.
@@ -162,6 +162,27 @@ fn a_killed_script_leaves_nobody_at_work() {
         std::thread::sleep(Duration::from_millis(10));
     }
     expect_code(&run(&["status", room.out.to_str().unwrap(), "--exit-code"]), 3);
+}
+
+/// Open MPI removes the files in which ranks share memory only where these end by themselves.
+#[test]
+fn killed_ranks_leave_no_shared_memory() {
+    if !mpirun_is_there() || is_mpich() {
+        return;
+    }
+    let room = Room::new(LONG);
+    let child = room.script(&[]).spawn().unwrap();
+    room.wait_for(1);
+    let environment = fs::read(format!("/proc/{}/environ", room.launcher())).unwrap();
+    let environment = String::from_utf8_lossy(&environment).into_owned();
+    let name = "OMPI_MCA_btl_vader_backing_directory=";
+    let folder = environment.split('\0').find_map(|setting| setting.strip_prefix(name));
+    let folder = Path::new(folder.expect("ranks share memory in a folder of their own"));
+    assert!(fs::read_dir(folder).unwrap().count() > 0, "{}", folder.display());
+    signal(room.launcher(), "KILL");
+    expect_code(&ended(child), 3);
+    kill_all(&room.out);
+    assert!(!folder.exists(), "{}", folder.display());
 }
 
 #[test]

@@ -34,8 +34,9 @@ fn count(study: &Study, call: &str) -> Result<usize> {
     let output = wait(under_strace(study, &out, &trace).spawn()?)?;
     ensure!(output.status.success(), "a traced sweep failed");
     let text = std::fs::read_to_string(out.with_extension("calls"))?;
-    let name = call.split(',').next().unwrap_or(call);
-    Ok(text.lines().filter(|line| line.contains(&format!("{name}("))).count())
+    let names: Vec<_> = call.split(',').map(|name| format!("{name}(")).collect();
+    let is_one = |line: &&str| names.iter().any(|name| line.contains(name));
+    Ok(text.lines().filter(is_one).count())
 }
 
 /// The call in question fails once, further on in the sweep with every trial.

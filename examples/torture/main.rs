@@ -7,7 +7,10 @@
 //! something was lost or wrong unseen, 2 on bad input.
 
 mod calls;
+mod damage;
 mod faults;
+mod processes;
+mod ranks;
 mod study;
 
 use std::fmt::Write as _;
@@ -17,7 +20,7 @@ use std::process::ExitCode;
 use anyhow::{Context, Result};
 use clap::Parser;
 
-use faults::{FAULTS, Fault, Verdict};
+use faults::{FAULTS, Fault, Needs, Verdict};
 use study::Study;
 
 /// Causes faults and says what came of them.
@@ -63,9 +66,13 @@ fn torture(arguments: &Arguments) -> Result<bool> {
     );
     let mut well = true;
     for fault in FAULTS.iter().filter(chosen) {
-        let traced = matches!(fault.name, "write" | "fsync" | "rename");
-        if (traced && !calls::is_there()) || (fault.name == "rank" && arguments.mpi.is_none()) {
-            eprintln!("{}: skipped: it needs strace, or --mpi PROGRAM", fault.name);
+        let missing = match fault.needs {
+            Needs::Nothing => None,
+            Needs::Strace => (!calls::is_there()).then_some("strace"),
+            Needs::Mpi => arguments.mpi.is_none().then_some("--mpi PROGRAM"),
+        };
+        if let Some(missing) = missing {
+            eprintln!("{}: skipped: it needs {missing}", fault.name);
             continue;
         }
         let tally = Tally::of(fault, &study, arguments.trials)?;

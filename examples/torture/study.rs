@@ -84,14 +84,42 @@ impl Study {
         command
     }
 
+    /// Its sweep file.
+    pub fn file(&self) -> &Path {
+        &self.file
+    }
+
+    /// The program.
+    pub fn program(&self) -> &Path {
+        &self.seawall
+    }
+
+    /// The program with MPI.
+    pub fn mpi(&self) -> Result<&Path> {
+        self.mpi.as_deref().context("no program with MPI was given")
+    }
+
     /// The sweep on so many MPI ranks, to be started.
-    pub fn job(&self, out: &Path, ranks: usize) -> Option<Command> {
+    pub fn job(&self, out: &Path, ranks: usize, more: &[&str]) -> Result<Command> {
         let mut command = Command::new("mpirun");
         command.args(["-n", &ranks.to_string(), "--oversubscribe", "--bind-to", "none"]);
-        command.arg(self.mpi.as_ref()?).arg("sweep").arg(&self.file).args(["--threads", "1"]);
+        command.arg(self.mpi()?).arg("sweep").arg(&self.file).args(["--threads", "1"]);
         command.env("OMPI_ALLOW_RUN_AS_ROOT", "1").env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
-        command.arg("--out").arg(out).stdout(Stdio::null()).stderr(Stdio::piped());
-        Some(command)
+        command.args(["--film", "none", "--out"]).arg(out).args(more);
+        command.stdout(Stdio::null()).stderr(Stdio::piped());
+        Ok(command)
+    }
+
+    /// The sweep by the script that users have, to be started.
+    pub fn script(&self, out: &Path) -> Result<Command> {
+        // A shell cannot trap a signal that is ignored where it begins, as in the background of another.
+        let mut command = Command::new("env");
+        command.arg("--default-signal=INT");
+        command.arg(concat!(env!("CARGO_MANIFEST_DIR"), "/scripts/sweep"));
+        command.env("SEAWALL_MPI_BINARY", self.mpi()?).arg(&self.file);
+        command.args(["--film", "none", "--out"]).arg(out);
+        command.stdout(Stdio::null()).stderr(Stdio::piped());
+        Ok(command)
     }
 
     /// The sweep, to its end.
@@ -112,15 +140,15 @@ impl Study {
         Ok(Command::new(&self.seawall).arg(subcommand).arg(out).output()?)
     }
 
-    /// What must be the same to the byte: summary without times, histories, energies.
+    /// What must be the same to the byte: summary without times, histories, pressures, energies.
     pub fn results(&self, out: &Path) -> Result<Files> {
         let mut files = Files::new();
-        for entry in fs::read_dir(out.join("histories"))? {
-            let path = entry?.path();
-            files.insert(
-                path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
-                fs::read(&path)?,
-            );
+        for folder in ["histories", "envelopes"] {
+            for entry in fs::read_dir(out.join(folder))? {
+                let path = entry?.path();
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                files.insert(format!("{folder}/{name}"), fs::read(&path)?);
+            }
         }
         files.insert("energy.csv".to_owned(), fs::read(out.join("energy.csv"))?);
         files.insert("summary.csv".to_owned(), timeless(&out.join("summary.csv"))?);
@@ -142,10 +170,25 @@ fn timeless(path: &Path) -> Result<Vec<u8>> {
     Ok(text)
 }
 
+/// Sends a signal; whether there was somebody to get it.
+pub fn signal(process: u32, name: &str) -> bool {
+    let mut kill = Command::new("kill");
+    let kill = kill.args([format!("-{name}"), process.to_string()]).stderr(Stdio::null());
+    kill.status().is_ok_and(|status| status.success())
+}
+
+/// The processes that a process has started.
+pub fn children(of: u32) -> Vec<u32> {
+    let told = Command::new("pgrep").args(["-P", &of.to_string()]).output();
+    let told = told.map(|output| output.stdout).unwrap_or_default();
+    String::from_utf8_lossy(&told).lines().filter_map(|line| line.parse().ok()).collect()
+}
+
 /// What a process told on standard error, in one line.
 pub fn told(output: &Output) -> String {
     let text = String::from_utf8_lossy(&output.stderr);
-    text.lines().map(str::trim).collect::<Vec<_>>().join(" / ")
+    let is_rule = |line: &&str| !line.is_empty() && line.chars().all(|letter| letter == '-');
+    text.lines().map(str::trim).filter(|line| !is_rule(line)).collect::<Vec<_>>().join(" / ")
 }
 
 /// Its exit code, or how else it ended.

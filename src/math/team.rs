@@ -111,13 +111,16 @@ fn processor_time(pool: &ThreadPool) -> Option<f64> {
     pool.broadcast(|_| own_processor_time()).into_iter().sum()
 }
 
+#[cfg(target_os = "linux")]
 fn own_processor_time() -> Option<f64> {
-    // The system counts up a running thread's time at its own ticks, milliseconds apart, and where
-    // the thread gives way.
-    std::thread::yield_now();
-    let text = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
-    let nanoseconds: u64 = text.split_whitespace().next()?.parse().ok()?;
-    Some(nanoseconds as f64 * 1e-9)
+    let time = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
+    Some(time.tv_sec as f64 + time.tv_nsec as f64 * 1e-9)
+}
+
+/// Others are not asked.
+#[cfg(not(target_os = "linux"))]
+fn own_processor_time() -> Option<f64> {
+    None
 }
 
 /// A part of the work.

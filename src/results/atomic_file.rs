@@ -1,4 +1,4 @@
-//! Files that readers find whole or not at all: written under a temporary name, then renamed.
+//! Files that readers find whole or not at all: written without a name or under a temporary one, then named.
 
 use std::fs::{self, File};
 use std::path::Path;
@@ -26,6 +26,10 @@ pub(super) fn write_with(
 
 /// The same for readers; a power cut may leave it empty or short, unless it was [synced](sync).
 pub(super) fn write_unsynced(path: &Path, content: &[u8]) -> Result<(), SweepError> {
+    // What is in the way of this is told by what follows.
+    if disk::write_new(path, content) {
+        return Ok(());
+    }
     put(path, |file| disk::write(file, content).map_err(SweepError::io(path)))
 }
 
