@@ -234,9 +234,9 @@ fn what_is_no_crest_is_told() {
     let movable = "wall = \"movable\"\nspring_stiffness_n_per_m = 10\nseawall_mass_kg_per_m = 10\n";
     for (keys, numerics, told) in [
         (
-            "behind = \"basin\"\n".to_owned(),
+            "behind = \"sea\"\n".to_owned(),
             "",
-            "scene.behind = \"basin\": must be one of nothing, outflow",
+            "scene.behind = \"sea\": must be one of nothing, outflow, floor, basin",
         ),
         (
             "crest_width_m = 1\n".to_owned(),

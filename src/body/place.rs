@@ -18,12 +18,17 @@ pub enum Place {
     Right,
     /// Over the water.
     Lid,
+    /// Behind a seawall that water goes over: its back, the floor there and the end wall.
+    Behind,
 }
 
 impl Place {
-    /// Its number among a scene's bodies.
+    /// Its number among a scene's bodies. No scene has both a lid and what lies behind a wall.
     pub const fn number(self) -> usize {
-        self as usize
+        match self {
+            Place::Behind => Place::Lid.number(),
+            _ => self as usize,
+        }
     }
 }
 

@@ -14,10 +14,12 @@ pub struct Crest {
     pub height: f64,
     /// From its front to its back.
     pub ends: [f64; 2],
-    /// Bed, face, top and back as one line.
+    /// Bed, face, top and back as one line, with the floor and the end wall behind it where there are any.
     pub outline: Profile,
-    /// Water so far behind the back, or below the top there, is taken away.
+    /// Water so far behind the back, or below the top there, is taken away where no floor keeps it.
     pub reach: f64,
+    /// Where the end wall behind the floor stands; none where water is taken away.
+    pub end: Option<f64>,
 }
 
 impl Crest {
@@ -28,21 +30,40 @@ impl Crest {
         face: Plane,
         bed: Option<&Profile>,
     ) -> Crest {
-        let CrestShape { height, width } = shape;
+        let CrestShape { height, width, floor } = shape;
         let [front, foot] = face.point;
         let back = front + width;
+        let end = floor.map(|floor| back + floor.length);
         let reach = layout.support_radius;
         let level = [[0.0, 0.0], [front, foot]];
         let mut points = bed.map_or(level.to_vec(), |bed| bed.points().to_vec());
-        points.extend([[front, height], [back, height], [back, height - BACK * reach]]);
+        points.extend([[front, height], [back, height]]);
+        match (floor, end) {
+            (Some(floor), Some(end)) => {
+                let top = layout.wall_height;
+                points.extend([[back, floor.height], [end, floor.height], [end, top]]);
+            }
+            _ => points.push([back, height - BACK * reach]),
+        }
         let outline = Profile::checked(points).expect("a bed and a wall that rises from it");
-        Crest { height, ends: [front, back], outline, reach }
+        Crest { height, ends: [front, back], outline, reach, end }
     }
 
     /// Whether water at a place has left for good.
     pub fn is_gone(&self, [x, y]: [f64; 2]) -> bool {
         let behind = x - self.ends[1];
-        behind > self.reach || behind > 0.0 && y < self.height - self.reach
+        self.end.is_none() && (behind > self.reach || behind > 0.0 && y < self.height - self.reach)
+    }
+
+    /// Where water may be at most, metres along the tank; `room` is left at an end wall.
+    pub fn farthest(&self, room: f64) -> f64 {
+        self.end.map_or(self.ends[1] + 2.0 * self.reach, |end| end + room)
+    }
+
+    /// The line from the wall's back on, where water stays behind it.
+    pub fn line_behind(&self) -> Option<&[[f64; 2]]> {
+        let points = self.outline.points();
+        self.end.map(|_| &points[points.len() - 4..])
     }
 
     /// How much of a row of the face, metres high, around a point of it lies below the top.

@@ -6,15 +6,13 @@ use super::layout::{CrestShape, TankLayout, at};
 
 /// An endless wall, cut off at its crest: its lattice ends at the line that halves the corner, from where on
 /// the lattices of top and back go on. Points of the face go on above it, where they tell how high
-/// the water stands over the edge.
+/// the water stands over the edge. A back down to a floor is a body of its own.
 pub(super) fn crested(shape: CrestShape, layout: &TankLayout, wall: BodySites) -> BodySites {
     let TankLayout { spacing_x, spacing_y, support_radius, .. } = *layout;
-    let CrestShape { height, width } = shape;
+    let CrestShape { height, width, floor } = shape;
     let BodySites { sites, mut faces, plane } = wall;
     let front = plane.point[0];
     let back = front + width;
-    // How much of a ghost of such a cell lies past the line that halves a corner.
-    let past = |across: f64, cell: f64| (0.5 + across * 0.5_f64.sqrt() / cell).clamp(0.0, 1.0);
     let mut kept: Vec<Site> = Vec::new();
     for site in sites {
         let [x, y] = site.ghost;
@@ -23,25 +21,9 @@ pub(super) fn crested(shape: CrestShape, layout: &TankLayout, wall: BodySites) -
             kept.push(Site { volume: site.volume * share, ..site });
         }
     }
-    let layers = (support_radius / spacing_y).ceil() as i64;
-    let columns = (width / spacing_x).round().max(1.0);
-    let breadth = width / columns;
-    for column in 0..columns as i64 {
-        for layer in 0..layers {
-            let (along, depth) = (at(column, breadth), at(layer, spacing_y));
-            let own = along.min(width - along) - depth;
-            let share = past(own, breadth);
-            if share > 0.0 {
-                kept.push(Site {
-                    ghost: [front + along, height - depth],
-                    mirror: [front + along, height + depth],
-                    reflection: Reflection::Plane { normal: [0.0, -1.0] },
-                    distance: depth,
-                    face: Site::ALWAYS_WET,
-                    volume: breadth * spacing_y * share,
-                });
-            }
-        }
+    kept.extend(flat(layout, [front, height], width, past));
+    if floor.is_some() {
+        return BodySites { sites: kept, faces, plane };
     }
     // What a thin wall has room for, so that water before it never feels its back.
     let behind = ((width - support_radius) / spacing_x).floor().max(0.0) as i64;
@@ -66,6 +48,43 @@ pub(super) fn crested(shape: CrestShape, layout: &TankLayout, wall: BodySites) -
         }
     }
     BodySites { sites: kept, faces, plane }
+}
+
+/// How much of a ghost of such a cell, metres, lies past the line that halves a corner.
+pub(super) fn past(across: f64, cell: f64) -> f64 {
+    (0.5 + across * 0.5_f64.sqrt() / cell).clamp(0.0, 1.0)
+}
+
+/// Ghosts under a level stretch from a place on, metres. `share` tells how much of one counts from how far it
+/// lies inside the lines that halve the corners at both ends, and from the breadth of its cell.
+pub(super) fn flat(
+    layout: &TankLayout,
+    [from, height]: [f64; 2],
+    length: f64,
+    share: impl Fn(f64, f64) -> f64,
+) -> Vec<Site> {
+    let TankLayout { spacing_x, spacing_y, support_radius, .. } = *layout;
+    let layers = (support_radius / spacing_y).ceil() as i64;
+    let columns = (length / spacing_x).round().max(1.0);
+    let breadth = length / columns;
+    let mut sites = Vec::new();
+    for column in 0..columns as i64 {
+        for layer in 0..layers {
+            let (along, depth) = (at(column, breadth), at(layer, spacing_y));
+            let share = share(along.min(length - along) - depth, breadth);
+            if share > 0.0 {
+                sites.push(Site {
+                    ghost: [from + along, height - depth],
+                    mirror: [from + along, height + depth],
+                    reflection: Reflection::Plane { normal: [0.0, -1.0] },
+                    distance: depth,
+                    face: Site::ALWAYS_WET,
+                    volume: breadth * spacing_y * share,
+                });
+            }
+        }
+    }
+    sites
 }
 
 #[cfg(test)]
@@ -93,7 +112,7 @@ mod tests {
 
     #[test]
     fn ghosts_fill_the_wall_behind_face_top_and_back() {
-        let shape = CrestShape { height: 0.5, width: 0.3 };
+        let shape = CrestShape { height: 0.5, width: 0.3, floor: None };
         let ghosts = tank_ghosts(&layout(Some(shape)), None, 0.05);
         let wall = &ghosts.bodies[Place::Right.number()];
         let area: f64 = wall.ghosts.clone().map(|g| ghosts.volume[g]).sum();
@@ -112,7 +131,7 @@ mod tests {
     /// Below the reach of the corner nothing differs from an endless wall.
     #[test]
     fn far_below_its_crest_a_wall_is_endless() {
-        let shape = CrestShape { height: 0.51, width: 0.2 };
+        let shape = CrestShape { height: 0.51, width: 0.2, floor: None };
         let low = |crest| {
             let ghosts = tank_ghosts(&layout(crest), None, 0.05);
             let wall = ghosts.bodies[Place::Right.number()].ghosts.clone();
@@ -129,7 +148,7 @@ mod tests {
 
     #[test]
     fn water_is_gone_behind_the_back_and_below_it() {
-        let shape = CrestShape { height: 0.5, width: 0.3 };
+        let shape = CrestShape { height: 0.5, width: 0.3, floor: None };
         let face = Plane { point: [1.0, 0.0], normal: [1.0, 0.0] };
         let crest = Crest::of(shape, &layout(Some(shape)), face, None);
         let gone = [[1.2, 0.51], [1.35, 0.55], [1.35, 0.45], [1.41, 0.9], [1.31, 0.39], [0.9, 0.1]];

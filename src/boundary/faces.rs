@@ -32,7 +32,7 @@ impl Exchange {
     /// What the bed leaves of the half discs around the points of the walls that rise from it.
     pub(super) fn complete_walls(&mut self, ghosts: &Ghosts) {
         if let Some(profile) = ghosts.profile.as_ref().and(ghosts.outline()) {
-            self.complete_along(ghosts, profile, f64::NEG_INFINITY);
+            self.complete_along(ghosts, profile, |_, _| true);
             return;
         }
         for body in ghosts.bodies.iter().skip(1) {
@@ -51,16 +51,24 @@ impl Exchange {
         if let Some(crest) = &ghosts.crest {
             // Farther down it is an endless wall.
             let reach = self.rules.scaling.support_radius;
-            self.complete_along(ghosts, &crest.outline, crest.height - reach);
+            let above = crest.height - reach;
+            self.complete_along(ghosts, &crest.outline, |body, y| {
+                y > above || crest.end.is_some() && body == Place::Behind.number()
+            });
         }
     }
 
-    /// What bed and walls leave of the discs around the points of all faces above a height, metres, where
+    /// What bed and walls leave of the discs around those points of bodies' faces, by their height in metres, where
     /// the water's outline is not a level bed between endless walls.
-    fn complete_along(&mut self, ghosts: &Ghosts, outline: &Profile, above: f64) {
+    fn complete_along(
+        &mut self,
+        ghosts: &Ghosts,
+        outline: &Profile,
+        asks: impl Fn(usize, f64) -> bool,
+    ) {
         let open = Open::of(&self.rules, outline, ghosts);
-        for body in &ghosts.bodies {
-            for face in body.faces.clone().filter(|&face| ghosts.target_y[face] > above) {
+        for (number, body) in ghosts.bodies.iter().enumerate() {
+            for face in body.faces.clone().filter(|&face| asks(number, ghosts.target_y[face])) {
                 self.complete[face] =
                     2.0 * open.share([ghosts.target_x[face], ghosts.target_y[face]]);
             }

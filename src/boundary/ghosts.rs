@@ -120,18 +120,33 @@ impl Ghosts {
     }
 
     /// The line that bounds the water from below, where it is more than a level bed between its walls: the
-    /// bed, and where there is a crest the wall's face, its top and its back.
+    /// bed, and where there is a crest the wall's face, its top, its back and what lies behind.
     pub fn outline(&self) -> Option<&Profile> {
         self.crest.as_ref().map(|crest| &crest.outline).or(self.profile.as_ref())
     }
 
-    /// Whether a ghost stands for deep water whatever lies on it: below a bed that is not level, and below
-    /// a crest.
+    /// Whether water stays behind a crest.
+    pub fn keeps_behind(&self) -> bool {
+        self.crest.as_ref().is_some_and(|crest| crest.end.is_some())
+    }
+
+    /// The lowest place where water may be, metres above the paddle's foot.
+    pub fn lowest(&self) -> f64 {
+        let floor = self.crest.as_ref().and_then(|crest| crest.line_behind());
+        floor.into_iter().flatten().fold(0.0, |low, point| low.min(point[1]))
+    }
+
+    /// Whether a ghost stands for deep water whatever lies on it: below a bed that is not level, below
+    /// a crest, and below the floor behind it.
     pub(super) fn is_deep(&self, g: usize) -> bool {
         let below = |body: usize| self.bodies[body].ghosts.contains(&g);
         let level = Reflection::Plane { normal: [0.0, -1.0] };
+        let floor = [level, Reflection::Corner];
         self.profile.is_some() && below(Place::Bed.number())
             || self.crest.is_some() && below(Place::Right.number()) && self.reflection[g] == level
+            || self.keeps_behind()
+                && below(Place::Behind.number())
+                && floor.contains(&self.reflection[g])
     }
 
     /// Number of ghosts, padding included.

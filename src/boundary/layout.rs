@@ -32,6 +32,19 @@ pub struct CrestShape {
     pub height: f64,
     /// From the wall's face to its back.
     pub width: f64,
+    /// What lies behind it; none where water is taken away there.
+    pub floor: Option<FloorBehind>,
+}
+
+/// A level floor behind a wall with a crest, up to an end wall, metres.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FloorBehind {
+    /// Above the paddle's foot.
+    pub height: f64,
+    /// From the back of the wall to the end wall.
+    pub length: f64,
+    /// Of particles there, along the floor and upwards.
+    pub spacing: [f64; 2],
 }
 
 /// Centre of a cell, metres.

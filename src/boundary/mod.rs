@@ -6,6 +6,7 @@
 //! A new interpolator is one file and one arm of [`with_interpolator!`](crate::with_interpolator).
 
 mod bed;
+mod behind;
 mod closed_box;
 mod corner;
 mod crest;
@@ -32,6 +33,7 @@ mod sfdi;
 mod stretch;
 mod sums;
 mod tank;
+mod wall;
 mod waterline;
 mod weighing;
 
@@ -42,7 +44,7 @@ pub use exchange::{Exchange, ExchangeRules};
 pub use ghosts::{BodySites, GhostBody, Ghosts, Reflection, Site};
 pub use image::Image;
 pub use improved_shepard::ImprovedShepard;
-pub use layout::{CrestShape, TankLayout};
+pub use layout::{CrestShape, FloorBehind, TankLayout};
 pub use mls_linear::MlsLinear;
 pub use mls_quadratic::MlsQuadratic;
 pub use normalized::Normalized;
@@ -50,9 +52,9 @@ pub use plane::Plane;
 pub use profile::Profile;
 pub use sfdi::{Sfdi, SfdiMatrix};
 pub use sums::Water;
-#[cfg(test)]
-pub use tank::MISSING_ROW;
 pub use tank::tank_ghosts;
+#[cfg(test)]
+pub use wall::MISSING_ROW;
 pub use weighing::{Stencil, Weighing};
 
 use serde::{Deserialize, Serialize};

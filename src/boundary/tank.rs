@@ -1,18 +1,17 @@
 //! Ghosts of a tank: bed, left wall, right wall at any angle.
 
-use std::f64::consts::PI;
-
 use super::bed::bed_sites;
-use super::corner::Corner;
+use super::behind::behind;
 use super::crest::Crest;
 use super::crested::crested;
 use super::ghosts::{BodySites, Ghosts, Reflection, Site};
 use super::layout::{TankLayout, at};
 use super::plane::Plane;
 use super::profile::Profile;
+use super::wall::{held_in, wall};
 
 /// Ghosts of the bed (body 0), the left wall (1) and the right wall (2), the latter two with a
-/// face point for every row, upwards from the bed.
+/// face point for every row, upwards from the bed; and of what keeps water behind a crest (3).
 ///
 /// Every wall fills the normals of its face; the wedge between two walls' normals belongs to the
 /// upright one and moves with it: at a right angle it continues both lattices, at others it is
@@ -24,11 +23,12 @@ pub fn tank_ghosts(layout: &TankLayout, profile: Option<&Profile>, strip_width: 
     let upright = right_normal(layout.wall_angle_deg);
     let Some(profile) = profile else {
         let right = Plane { point: [layout.length, 0.0], normal: upright };
-        let bodies = [
+        let mut bodies = vec![
             level_bed(layout, right, floor),
             wall(layout, left, floor),
             right_wall(layout, right, floor),
         ];
+        bodies.extend(back_to_end(layout, right));
         let crest = layout.crest.map(|shape| Crest::of(shape, layout, right, None));
         return Ghosts { crest, ..Ghosts::new(&bodies, strip_width) };
     };
@@ -37,8 +37,9 @@ pub fn tank_ghosts(layout: &TankLayout, profile: Option<&Profile>, strip_width: 
     // In whole columns, so that they stay where the water's are.
     let before = (layout.bed_before_paddle / layout.spacing_x).round() * layout.spacing_x;
     let bed = profile.gone_on([before, layout.bed_beyond_wall]);
-    let bodies =
-        [bed_sites(layout, &bed), wall(layout, left, floor), right_wall(layout, right, last)];
+    let mut bodies =
+        vec![bed_sites(layout, &bed), wall(layout, left, floor), right_wall(layout, right, last)];
+    bodies.extend(back_to_end(layout, right));
     let crest = layout.crest.map(|shape| Crest::of(shape, layout, right, Some(profile)));
     Ghosts { profile: Some(profile.clone()), crest, ..Ghosts::new(&bodies, strip_width) }
 }
@@ -50,6 +51,13 @@ fn right_wall(layout: &TankLayout, face: Plane, floor: Plane) -> BodySites {
         Some(shape) => crested(shape, layout, endless),
         None => endless,
     }
+}
+
+/// What keeps the water that has gone over the crest of a wall with this face, where anything does.
+fn back_to_end(layout: &TankLayout, face: Plane) -> Option<BodySites> {
+    let shape = layout.crest?;
+    let floor = shape.floor?;
+    Some(behind(shape, face.point[0] + shape.width, floor, layout))
 }
 
 /// A level bed from one wall to the other, and beyond as far as that may move.
@@ -90,93 +98,4 @@ fn right_normal(angle_deg: f64) -> [f64; 2] {
     }
     let angle = angle_deg.to_radians();
     [libm::sin(angle), libm::cos(angle)]
-}
-
-/// Reflects a point at the walls that it lies behind until it is in front of all: in an acute
-/// corner one reflection may lead behind the other wall.
-fn held_in(mut point: [f64; 2], walls: &[Plane]) -> [f64; 2] {
-    for _ in 0..8 {
-        let Some(wall) = walls.iter().find(|wall| wall.beyond(point) > 0.0) else { break };
-        let beyond = 2.0 * wall.beyond(point);
-        point = [point[0] - beyond * wall.normal[0], point[1] - beyond * wall.normal[1]];
-    }
-    point
-}
-
-/// Sites and face points of one wall that rises from the bed.
-fn wall(layout: &TankLayout, face: Plane, floor: Plane) -> BodySites {
-    let TankLayout { spacing_x, spacing_y, .. } = *layout;
-    let ([toe, foot], [nx, ny]) = (face.point, face.normal);
-    let up = [-ny * nx.signum(), nx.abs()];
-    let layers = (layout.support_radius / spacing_x).ceil() as i64;
-    let rows = (layout.wall_height / up[1] / spacing_y).round() as i64;
-    let place =
-        |along: f64, out: f64| [toe + up[0] * along + nx * out, foot + (up[1] * along + ny * out)];
-    let right_angled = ny == 0.0 && floor.normal[0] == 0.0;
-    let mut sites = Vec::new();
-    for layer in (0..layers).filter(|&layer| nx < 0.0 || !is_missing(layer)) {
-        let distance = at(layer, spacing_x);
-        for row in 0..rows {
-            let mirror = place(at(row, spacing_y), -distance);
-            sites.push(Site {
-                ghost: place(at(row, spacing_y), distance),
-                mirror: if right_angled { mirror } else { held_in(mirror, &[floor, face]) },
-                reflection: Reflection::Plane { normal: face.normal },
-                distance,
-                face: row as u32,
-                volume: spacing_x * spacing_y,
-            });
-        }
-        if right_angled {
-            sites.extend(block_column(layout, face, distance));
-        }
-    }
-    if !right_angled {
-        sites.extend(corner_at_toe(layout, face, floor).sites(layout, 0));
-    }
-    let faces = (0..rows).map(|row| place(at(row, spacing_y), 0.0)).collect();
-    BodySites { sites, faces, plane: face }
-}
-
-/// The corner between a wall and the bed at its toe.
-fn corner_at_toe(layout: &TankLayout, face: Plane, floor: Plane) -> Corner {
-    let ([nx, ny], [bed_x, bed_y]) = (face.normal, floor.normal);
-    let towards = if bed_x == 0.0 { -0.5 * PI } else { libm::atan2(bed_y, bed_x) };
-    let middle = 0.5 * (libm::atan2(ny, nx) + towards);
-    let lean = layout.wall_angle_deg.to_radians();
-    let width = if bed_x == 0.0 { PI - lean } else { libm::atan2(ny, nx) - towards };
-    let water = if bed_x == 0.0 { lean } else { PI - width };
-    Corner { vertex: face.point, middle, width, water }
-}
-
-#[cfg(test)]
-thread_local! {
-    /// A planted fault: the row of ghosts behind the right wall, from 0, that tests leave out.
-    pub static MISSING_ROW: std::cell::Cell<Option<i64>> = const { std::cell::Cell::new(None) };
-}
-
-/// Whether a row of ghosts behind the right wall is left out: never but in tests.
-fn is_missing(_layer: i64) -> bool {
-    #[cfg(test)]
-    return MISSING_ROW.get() == Some(_layer);
-    #[cfg(not(test))]
-    false
-}
-
-/// The part of a right-angled corner block that lies this far behind the wall: through the vertex.
-fn block_column(layout: &TankLayout, face: Plane, distance: f64) -> impl Iterator<Item = Site> {
-    let TankLayout { spacing_x, spacing_y, .. } = *layout;
-    let layers = (layout.support_radius / spacing_y).ceil() as i64;
-    let ([toe, foot], [outwards, _]) = (face.point, face.normal);
-    (0..layers).map(move |layer| {
-        let depth = at(layer, spacing_y);
-        Site {
-            ghost: [toe + outwards * distance, foot - depth],
-            mirror: [toe - outwards * distance, foot + depth],
-            reflection: Reflection::Corner,
-            distance: distance.hypot(depth),
-            face: 0,
-            volume: spacing_x * spacing_y,
-        }
-    })
 }

@@ -69,16 +69,29 @@ fn crest_width(scene: &Scene) -> f64 {
     crest.map_or(0.0, |crest| crest.crest_width_m)
 }
 
-/// The line of the ground: the bed, and a wall with a crest.
-fn ground(scene: &SeawallScene) -> Option<Profile> {
+/// The line of the ground: the bed, a wall with a crest, and what lies behind it up to an end wall so tall.
+fn ground(scene: &SeawallScene, tall: f64) -> Option<Profile> {
     let Some(crest) = &scene.crest else { return scene.bed.clone() };
     let length = scene.tank_length_m;
     let level = vec![[0.0, 0.0], [length, 0.0]];
     let mut points = scene.bed.as_ref().map_or(level, |bed| bed.points().to_vec());
     let (top, back) =
         (scene.still_water_depth_m + crest.crest_freeboard_m, length + crest.crest_width_m);
-    points.extend([[length, top], [back, top], [back, 0.0]]);
+    points.extend([[length, top], [back, top]]);
+    match &scene.floor {
+        Some(floor) => {
+            let (end, low) = (back + floor.floor_length_m, floor.floor_height_m);
+            points.extend([[back, low], [end, low], [end, tall]]);
+        }
+        None => points.push([back, 0.0]),
+    }
     Profile::checked(points).ok()
+}
+
+/// How much more than a wall's crest there is to see behind its face, and how deep it lies, metres.
+fn floor_behind(scene: &Scene) -> [f64; 2] {
+    let floor = scene.seawall().and_then(|scene| scene.floor.as_ref());
+    floor.map_or([0.0; 2], |floor| [floor.floor_length_m, floor.floor_height_m.min(0.0)])
 }
 
 impl Stage {
@@ -134,18 +147,23 @@ impl Stage {
         let left = takes.iter().map(|take| take.walls[0]).fold(0.0, f64::min);
         let post = length + farthest + 0.7 * depth;
         let lean = (angle - 90.0).to_radians().tan() * tall;
+        let [floor_length, lowest] = floor_behind(scene);
         let behind = match wall {
             WallKind::Spring => post + 0.1 * depth,
             WallKind::Caisson => length + farthest + 0.9 * depth,
+            WallKind::Crest if floor_length > 0.0 => {
+                length + crest_width(scene) + floor_length + margin
+            }
             WallKind::Crest => length + crest_width(scene) + 0.6 * depth,
             _ => length + lean.max(0.0) + margin,
         };
-        let whole = View { x0: left - margin, x1: behind, y0: -margin, y1: tall + 0.5 * margin };
+        let (x0, y0) = (left - margin, lowest - margin);
+        let whole = View { x0, x1: behind, y0, y1: tall + 0.5 * margin };
         let near = scene.seawall().is_some().then(|| {
             let beyond = behind - length - farthest;
             Near { x: 2.6 * depth, width: 2.6 * depth + beyond }
         });
-        let bed = scene.seawall().and_then(ground);
+        let bed = scene.seawall().and_then(|scene| ground(scene, tall));
         Stage { depth, length, spacing, wall, angle, bed, tall, lid, post, whole, near }
     }
 

@@ -60,6 +60,7 @@ impl VtkCamera {
             Place::Left => "left_wall",
             Place::Right => "wall",
             Place::Lid => "lid",
+            Place::Behind => "behind",
         }
     }
 

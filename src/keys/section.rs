@@ -41,6 +41,21 @@ pub trait Section: Sized {
     }
 }
 
+/// What few sections hold is kept apart, so that all others stay small.
+impl<S: Section> Section for Box<S> {
+    const NAME: &'static str = S::NAME;
+    const KEYS: &'static [Key] = S::KEYS;
+    const GROUPS: &'static [&'static [Key]] = S::GROUPS;
+
+    fn read(table: &Table, base: Option<&Self>) -> Result<Self, ConfigError> {
+        S::read(table, base.map(AsRef::as_ref)).map(Box::new)
+    }
+
+    fn table(&self) -> Table {
+        S::table(self)
+    }
+}
+
 /// Declares a section: a struct with a public field for each key. See [`crate::keys`].
 macro_rules! section {
     (

@@ -45,9 +45,24 @@ pub(super) struct Filling {
     pub profile: Option<Profile>,
     /// Where the right wall ends, where water may go over it.
     pub crest: Option<CrestShape>,
+    /// Still water in a basin behind the right wall.
+    pub basin: Option<Basin>,
+}
+
+/// Still water behind the right wall.
+pub(super) struct Basin {
+    pub rows: usize,
+    /// (x, y, density, mass), column by column.
+    pub points: Vec<[f64; 4]>,
 }
 
 impl Filling {
+    /// Mass of the still water behind the right wall, kg per metre of width.
+    pub(super) fn mass_behind(&self) -> f64 {
+        let points = self.basin.iter().flat_map(|basin| &basin.points);
+        points.fold(0.0, |sum, point| sum + point[3])
+    }
+
     /// The particles of still water over a bed that is not level.
     pub(super) fn bed_lattice<'a>(&self, profile: &'a Profile, surface: f64) -> BedLattice<'a> {
         let Lattice { columns, spacing, .. } = self.lattice;
@@ -70,6 +85,7 @@ impl Filling {
             field: None,
             profile: None,
             crest: None,
+            basin: None,
         }
     }
 

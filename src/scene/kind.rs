@@ -53,6 +53,7 @@ macro_rules! kinds {
 
         /// What is simulated.
         #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+        #[expect(clippy::large_enum_variant, reason = "nearly all scenes are of the largest kind")]
         #[serde(tag = "kind")]
         pub enum Scene {
             $($(#[doc = $about])* #[serde(rename = $name)] $kind($scene),)*
@@ -148,7 +149,9 @@ impl Scene {
         if let Some(SeawallScene { bed: Some(_), .. }) = self.seawall() {
             return (self.water_area() / numerics.particle_spacing_m.powi(2)).round() as usize;
         }
-        each!(self, scene => scene.lattice(numerics).particles())
+        let basin = self.seawall().and_then(|scene| scene.basin_lattice(numerics));
+        let behind = basin.map_or(0, |lattice| lattice.particles());
+        each!(self, scene => scene.lattice(numerics).particles()) + behind
     }
 
     /// Area of the water at the start, square metres.
@@ -160,8 +163,10 @@ impl Scene {
             frame.depth * (frame.length - 0.5 * lean * frame.depth)
         };
         match self {
-            Scene::Seawall(SeawallScene { bed: Some(bed), .. }) => bed.area_below(frame.depth),
-            Scene::Seawall(scene) => upto(scene.wall_angle_deg),
+            Scene::Seawall(scene) => {
+                let bed = scene.bed.as_ref().map(|bed| bed.area_below(frame.depth));
+                bed.unwrap_or_else(|| upto(scene.wall_angle_deg)) + scene.basin_area()
+            }
             Scene::Hydrostatic(scene) => upto(scene.wall_angle_deg),
             Scene::DamBreak(scene) => scene.column_length_m * scene.column_height_m,
             Scene::OscillatingDrop(scene) => std::f64::consts::PI * scene.radius_m * scene.radius_m,

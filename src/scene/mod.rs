@@ -7,6 +7,7 @@
 mod bed_lattice;
 mod config;
 mod crest;
+mod crest_demands;
 mod dam_break;
 mod declared;
 mod filling;

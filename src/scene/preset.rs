@@ -84,6 +84,10 @@ impl Numerics {
             // A front that hits a wall leaves no time in which pairs could hold their geometry.
             base.acoustic_substeps = 1;
         }
+        if preset == Preset::Default && scene.seawall().is_some_and(|scene| scene.behind.keeps()) {
+            // Water that falls on a floor hits it all at once, and long steps put energy into it.
+            base.courant_number = 0.6;
+        }
         if preset == Preset::Default && !scene.has_crest_at_upright_wall() {
             // A wide support pays where a crest strains a lattice. Thin sheets and wedges lose by it, and
             // water at rest begins to creep after some ten seconds.

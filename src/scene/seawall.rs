@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::crest::{Behind, CrestKeys};
+use super::crest::{Behind, CrestKeys, FloorKeys};
 use super::filling::WALL_HEIGHT;
 use crate::body::{
     CaissonKeys, FixedWall, GoringPaddle, Paddle, RecordedStroke, RecordedStrokeKeys, SpringWall,
@@ -70,7 +70,8 @@ section! {
         wall: WallChoice = WallChoice::Fixed, plain();
         /// Angle of the wall from the bed; 90 is vertical, 120 leans away from the water.
         wall_angle_deg: f64 = 90.0, unit("°").within(30.0, 150.0).read_where("wall", &["fixed"]);
-        /// Nothing, behind a wall that no water goes over; or an outflow, behind one with a crest.
+        /// Nothing, behind a wall that no water goes over. Behind one with a crest an outflow, which takes
+        /// water away; or a dry floor or a basin of still water, up to an end wall.
         behind: Behind = Behind::Nothing, plain().only("wall", &["fixed"]).newer();
         /// F_threshold, above which a movable wall gives way, over the hydrostatic force.
         threshold_ratio: f64 = THRESHOLD_RATIO,
@@ -97,7 +98,9 @@ section! {
         /// The caisson that the wall is.
         caisson: CaissonKeys where wall == WallChoice::Caisson;
         /// The crest that the wall ends in.
-        crest: CrestKeys where behind == Behind::Outflow;
+        crest: CrestKeys where behind != Behind::Nothing;
+        /// The floor behind it.
+        floor: Box<FloorKeys> where behind.keeps();
     }
 }
 

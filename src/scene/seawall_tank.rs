@@ -1,11 +1,11 @@
 //! How a seawall scene becomes a tank.
 
-use super::filling::Filling;
+use super::filling::{Basin, Filling};
 use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::Numerics;
 use super::seawall::SeawallScene;
-use super::still_water::{still_water, still_water_over};
+use super::still_water::{basin, still_water, still_water_over};
 use super::tank::Tank;
 use crate::math::simd::SimdPath;
 use crate::theory::hydrostatics::wall_force;
@@ -41,6 +41,14 @@ impl SeawallScene {
         Lattice::whole(&self.frame(), numerics, self.wall_angle_deg)
     }
 
+    /// The still water behind the wall, where there is any.
+    fn basin(&self, frame: &Frame, numerics: &Numerics) -> Option<Basin> {
+        let (lattice, level) = (self.basin_lattice(numerics)?, self.basin_level()?);
+        let (crest, floor) = (self.crest.as_ref()?, self.floor.as_ref()?);
+        let start = self.tank_length_m + crest.crest_width_m;
+        Some(basin(frame, lattice, [start, floor.floor_height_m, level], numerics))
+    }
+
     /// Builds the tank: a lattice of particles in hydrostatic balance between ghost walls.
     pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let frame = self.frame();
@@ -51,7 +59,8 @@ impl SeawallScene {
         };
         let filling = Filling {
             wall_angle_deg: self.wall_angle_deg,
-            crest: self.crest_shape(),
+            crest: self.crest_shape(numerics),
+            basin: self.basin(&frame, numerics),
             // A paddle that gives way goes back past where it stood.
             bed_before_paddle: if self.absorption { BED_BEFORE * frame.depth } else { 0.0 },
             // The same for a fixed wall, so that both share a trunk to the bit.
@@ -65,11 +74,14 @@ impl SeawallScene {
         // A wall that stands dry has no hydrostatic force of its own to be measured by.
         let at_wall = self.depth_at_wall_m();
         let depth = if at_wall > 0.0 { at_wall } else { frame.depth };
+        let mass_behind = filling.mass_behind();
         let static_force = wall_force(depth, frame.density, frame.gravity);
         Tank {
             paddle: self.paddle(),
             absorbs: self.absorption && self.wave_height_ratio > 0.0,
             wall: self.law(static_force),
+            mass_behind,
+            fall_speed: self.fall_speed(),
             static_force,
             start_time: self.start_s(),
             from_rest: at_wall > 0.0,

@@ -1,6 +1,6 @@
 //! Still water up to a wall, over a bed of any kind.
 
-use super::filling::Filling;
+use super::filling::{Basin, Filling};
 use super::frame::Frame;
 use super::lattice::Lattice;
 use super::numerics::Numerics;
@@ -31,6 +31,22 @@ pub(super) fn still_water_over(
     };
     filling.points = points.into_iter().map(particle).collect();
     Filling { profile: Some(profile.clone()), balanced: true, ..filling }
+}
+
+/// Still water at another level, metres, on a floor from x = `start` on. The state equation is that of the tank.
+pub(super) fn basin(
+    frame: &Frame,
+    lattice: Lattice,
+    [start, floor, level]: [f64; 3],
+    numerics: &Numerics,
+) -> Basin {
+    let (_, densities) = still_densities(frame, numerics);
+    let below = level - frame.depth;
+    let mut points = lattice.points(|y, _| densities(floor + y - below));
+    for [x, y, ..] in &mut points {
+        (*x, *y) = (start + *x, floor + *y);
+    }
+    Basin { rows: lattice.rows, points }
 }
 
 /// ρ_s of still water, and by height its density for the state and for the mass, kg/m³.

@@ -31,10 +31,14 @@ pub struct Tank {
     pub wave_gauge: Option<f64>,
     /// Speed of a front that may hit a wall at once, m/s; 0 for none.
     pub front_speed: f64,
+    /// Speed at which water falls on a floor behind the wall, m/s; 0 where there is none.
+    pub fall_speed: f64,
     /// c0, m/s.
     pub sound_speed: f64,
     /// Particle spacing along the bed, metres.
     pub spacing: f64,
+    /// Mass of the still water behind the wall, kg per metre of width.
+    pub mass_behind: f64,
     /// The clock at the start, seconds.
     pub start_time: f64,
     /// Scales of the scene.
@@ -66,8 +70,10 @@ impl Tank {
             wave_height_ratio: 0.0,
             wave_gauge: None,
             front_speed: 0.0,
+            fall_speed: 0.0,
             sound_speed: frame.sound_speed(numerics),
             spacing,
+            mass_behind: 0.0,
             start_time: 0.0,
             frame,
         }

@@ -64,10 +64,16 @@ impl Filling {
         } else {
             self.packed(frame, numerics, &ghosts, &state)
         };
-        let fluid = self.fluid(points);
+        let basin = self.basin.as_ref();
+        let (first, behind) = (points.len(), basin.map_or(&[][..], |basin| &basin.points));
+        let fluid = self.fluid(points.into_iter().chain(behind.iter().copied()));
+        let all = fluid.len();
         let mut water = Wcsph::new(options, rules, fluid, ghosts, Place::Right.number(), path);
         if self.balanced && self.lattice.upright() && level && options.corrected_gradients {
-            water.balance(self.lattice.rows);
+            water.balance(0..first, self.lattice.rows);
+        }
+        if let Some(basin) = basin.filter(|_| options.corrected_gradients) {
+            water.balance(first..all, basin.rows);
         }
         Box::new(water)
     }

@@ -3,7 +3,7 @@
 use super::run::Run;
 use super::sounding::Sounding;
 use crate::body::{Motions, Place};
-use crate::boundary::Profile;
+use crate::boundary::{Crest, Profile};
 
 /// The face of a body at an instant: a line of points, a particle spacing apart or less.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,9 +33,15 @@ impl Run {
         let top = top.map_or(tank.frame.depth, |face| ghosts.target_y[face] + 0.5 * tank.spacing);
         let scales = (tank.frame.gravity, tank.spacing, tank.frame.density);
         let mut water = Sounding::new(tank.water.as_ref(), bodies, scales, near);
-        let places = [Place::Bed, Place::Left, Place::Right, Place::Lid];
+        let last = if ghosts.keeps_behind() { Place::Behind } else { Place::Lid };
+        let places = [Place::Bed, Place::Left, Place::Right, last];
         let present = places.into_iter().take(bodies.len());
         let mut face = |place: Place| {
+            if let Some(line) = crest.and_then(Crest::line_behind).filter(|_| place == last) {
+                let points = along(line, tank.spacing);
+                let pressure = water.pressures(&points, [0.0, 1.0]);
+                return Face { place, velocity: 0.0, points, pressure };
+            }
             let crest = crest.filter(|_| place == Place::Right);
             let ends = ends(&water, place, crest.map_or(top, |crest| crest.height));
             let mut points = match &ghosts.profile {
@@ -46,8 +52,8 @@ impl Run {
             let long = (x1 - x0).hypot(y1 - y0);
             let upright = [0.0, 1.0];
             let flat = matches!(place, Place::Bed | Place::Lid);
-            let along = if flat { upright } else { [(x1 - x0) / long, (y1 - y0) / long] };
-            let mut pressure = water.pressures(&points, along);
+            let up = if flat { upright } else { [(x1 - x0) / long, (y1 - y0) / long] };
+            let mut pressure = water.pressures(&points, up);
             if let Some(crest) = crest {
                 // Its top goes on from its face.
                 let over = between(crest.ends.map(|x| [x, crest.height]), tank.spacing);
@@ -66,7 +72,7 @@ fn ends(water: &Sounding<'_>, place: Place, top: f64) -> [[f64; 2]; 2] {
     let [left, right] = [Place::Left, Place::Right].map(|wall| water.face(wall).point[0]);
     let ([x, y], [nx, ny]) = (face.point, face.normal);
     match place {
-        Place::Bed | Place::Lid => [[left, y], [right, y]],
+        Place::Bed | Place::Lid | Place::Behind => [[left, y], [right, y]],
         Place::Left | Place::Right => [[x, y], [x - (top - y) * ny / nx, top]],
     }
 }
@@ -76,7 +82,11 @@ fn along_bed(bed: &Profile, [[left, _], [right, _]]: [[f64; 2]; 2], spacing: f64
     let inside = bed.points().iter().copied().filter(|[x, _]| *x > left && *x < right);
     let first = [[left, bed.height(left)]];
     let last = [[right, bed.end()[1]]];
-    let corners: Vec<_> = first.into_iter().chain(inside).chain(last).collect();
+    along(&first.into_iter().chain(inside).chain(last).collect::<Vec<_>>(), spacing)
+}
+
+/// Points on a line with corners, likewise.
+fn along(corners: &[[f64; 2]], spacing: f64) -> Vec<[f64; 2]> {
     let mut points = vec![corners[0]];
     for pair in corners.windows(2) {
         points.extend_from_slice(&between([pair[0], pair[1]], spacing)[1..]);

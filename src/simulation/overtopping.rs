@@ -6,6 +6,7 @@ use super::looks::Looks;
 use super::outcome::{Overtopped, ProbeColumn, Readings};
 use crate::boundary::Crest;
 use crate::pairs::Fluid;
+use crate::scene::Tank;
 use crate::scheme::Scheme;
 
 /// The crest is looked at in columns of about so many particle spacings.
@@ -16,7 +17,7 @@ const FEWEST: f64 = 3.0;
 /// What is on the crest and behind it at an instant, per metre of width.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub(super) struct Sight {
-    /// Water behind the back so far, m².
+    /// Water behind the back so far, more than at the start, m².
     pub volume: f64,
     /// Through the last column before the back, m²/s.
     pub discharge: f64,
@@ -48,9 +49,9 @@ impl Overtopping {
         self.looks.is_due(time, start, intervals)
     }
 
-    /// Looks at the water: its particles stand `spacing` apart, metres, and it weighs `density`, kg/m³.
-    pub fn look(&mut self, water: &dyn Scheme, crest: &Crest, (spacing, density): (f64, f64)) {
-        self.last = sight(water, crest, (spacing, density));
+    /// Looks at the water.
+    pub fn look(&mut self, tank: &Tank, crest: &Crest) {
+        self.last = sight(tank, crest);
         let (most, last) = (&mut self.most, self.last);
         most.volume = last.volume;
         most.discharge = most.discharge.max(last.discharge);
@@ -89,6 +90,9 @@ impl Overtopping {
         all.tell("water_taken_away", taken.mass, "kg/m");
         all.tell("particles_taken_away", f64::from(taken.particles), "");
         all.tell("water_gap", self.start_mass - left - taken.mass, "kg/m");
+        let behind = crest.filter(|crest| crest.end.is_some());
+        let behind = behind.map(|at| on_top(water.fluid(), [at.ends[1], f64::INFINITY]));
+        all.tell("water_behind", behind, "kg/m");
     }
 }
 
@@ -123,12 +127,13 @@ fn mass(fluid: &Fluid) -> f64 {
     fluid.mass.iter().sum()
 }
 
-fn sight(water: &dyn Scheme, crest: &Crest, (spacing, density): (f64, f64)) -> Sight {
+fn sight(tank: &Tank, crest: &Crest) -> Sight {
+    let (water, spacing, density) = (tank.water.as_ref(), tank.spacing, tank.frame.density);
     let [front, back] = crest.ends;
     let count = ((back - front) / (COLUMN * spacing)).floor().max(1.0);
     let width = (back - front) / count;
     let (fluid, last) = (water.fluid(), count as usize - 1);
-    let mut behind = water.taken().mass;
+    let mut behind = water.taken().mass - tank.mass_behind;
     // Mass and momentum along the crest, column by column.
     let mut on_top = vec![[0.0; 2]; count as usize];
     for k in (0..fluid.len()).filter(|&k| fluid.x[k] > front) {

@@ -78,7 +78,7 @@ impl Run {
             (&tank.water.walls().crest, &mut logbook.overtopping)
             && overtopping.is_due(clock.time, tank.start_time, (frame.history_interval, unit))
         {
-            overtopping.look(tank.water.as_ref(), crest, (tank.spacing, frame.density));
+            overtopping.look(tank, crest);
         }
         if let Some(gauge) = tank.wave_gauge {
             let intervals = (frame.history_interval, unit);
@@ -209,9 +209,11 @@ impl Run {
         }
         let (frame, room) = (self.tank.frame, self.tank.spacing);
         let right = match &self.tank.water.walls().crest {
-            Some(crest) => crest.ends[1] + 2.0 * crest.reach,
+            Some(crest) => crest.farthest(room),
             None => frame.length + bodies[Place::Right].offset + room,
         };
-        [bodies[Place::Left].offset - room, right, 0.0, 4.0 * frame.depth]
+        // A floor behind the wall may lie lower than the bed.
+        let lowest = self.tank.water.walls().lowest();
+        [bodies[Place::Left].offset - room, right, lowest, 4.0 * frame.depth]
     }
 }

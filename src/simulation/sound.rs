@@ -92,6 +92,7 @@ impl Sound {
         let (earlier, before) = self.last.unwrap_or((time, level));
         let before = before.max(f64::MIN_POSITIVE);
         let face = face + wall.offset;
+        let end = end(water);
         let depth = mean_depth(water, face, REACH * before);
         let rising = self.last.map_or(0.0, |_| (depth - before) / (time - earlier));
         self.last = Some((time, depth));
@@ -99,7 +100,7 @@ impl Sound {
         let (mut rate, mut carried) = (0.0, 0.0);
         for (k, density_rate) in rates.iter().enumerate().take(fluid.len()) {
             let (xi, eta) = ((face - fluid.x[k]) / depth, fluid.y[k] / depth);
-            if xi > FARTHEST {
+            if xi > FARTHEST || fluid.x[k] > end {
                 continue;
             }
             let [value, along, up] = wall_potential(xi, eta);
@@ -127,9 +128,15 @@ impl Sound {
     }
 }
 
+/// Up to where water is heard, m: a wall hears none that is kept behind it.
+fn end(water: &dyn Scheme) -> f64 {
+    let crest = water.walls().crest.as_ref().filter(|crest| crest.end.is_some());
+    crest.map_or(f64::INFINITY, |crest| crest.ends[1])
+}
+
 /// The mean depth of the water up to this far from the wall, m.
 fn mean_depth(water: &dyn Scheme, face: f64, width: f64) -> f64 {
-    let fluid = water.fluid();
-    let near = (0..fluid.len()).filter(|&k| fluid.x[k] > face - width);
+    let (fluid, end) = (water.fluid(), end(water));
+    let near = (0..fluid.len()).filter(|&k| fluid.x[k] > face - width && fluid.x[k] <= end);
     near.map(|k| fluid.mass[k] / fluid.density[k]).sum::<f64>() / width
 }

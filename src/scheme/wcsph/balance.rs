@@ -1,5 +1,7 @@
 //! A start that is at rest: pressures that balance the weight in the sums that the scheme forms.
 
+use std::ops::Range;
+
 use super::Wcsph;
 use crate::body::BodyMotion;
 
@@ -15,12 +17,14 @@ impl Wcsph {
     /// Hydrostatic pressure balances gravity but for the kernel's width: rows under the surface are
     /// left with some percent of g, and the force on a wall would settle by 0.25 % of ρgh²/2 in the
     /// first tenths of a second where the depth has 12 rows. The imbalance ρa of each row, summed from
-    /// the surface down, is what its pressure has too much. Particles are numbered column by column,
-    /// `rows` to each.
-    pub fn balance(&mut self, rows: usize) {
+    /// the surface down, is what its pressure has too much. Of the particles with these numbers alone:
+    /// column by column, `rows` to each.
+    pub fn balance(&mut self, numbers: Range<usize>, rows: usize) {
         let mut trial = self.clone();
         let at_rest = vec![BodyMotion::default(); self.ghosts.bodies.len()];
-        let columns = self.fluid.len() / rows;
+        let columns = numbers.len() / rows;
+        let number =
+            |id: u32| (id as usize).checked_sub(numbers.start).filter(|k| *k < numbers.len());
         let thickness = self.options.spacing;
         let state = self.options.state;
         // Away from the walls, where the rows end.
@@ -30,7 +34,8 @@ impl Wcsph {
             trial.prepare(&at_rest, 1e-9);
             let mut pushed = vec![0.0; rows];
             for (k, id) in trial.fluid.id[..trial.fluid.len()].iter().enumerate() {
-                let (column, row) = (*id as usize / rows, *id as usize % rows);
+                let Some(id) = number(*id) else { continue };
+                let (column, row) = (id / rows, id % rows);
                 if middle.contains(&column) {
                     pushed[row] += trial.work.acceleration_y[k] / middle.len() as f64;
                 }
@@ -42,8 +47,9 @@ impl Wcsph {
                 above += own;
             }
             for (k, id) in trial.fluid.id[..trial.fluid.len()].iter().enumerate() {
-                let id = *id as usize;
-                let pressure = state.pressure(self.fluid.density[id]) + excess[id % rows];
+                let Some(own) = number(*id) else { continue };
+                let pressure =
+                    state.pressure(self.fluid.density[*id as usize]) + excess[own % rows];
                 trial.fluid.density[k] = state.density(pressure);
             }
         }

@@ -83,6 +83,11 @@ impl Wcsph {
             let wall = &mut self.planes[Place::Right.number()];
             *wall = Plane::nowhere(wall.normal);
         }
+        if self.ghosts.keeps_behind() {
+            // The floor behind the wall may lie lower.
+            let bed = &mut self.planes[Place::Bed.number()];
+            *bed = Plane::nowhere(bed.normal);
+        }
     }
 
     /// Shifts the particles, if they are, for the time since the last full step; returns the energy

@@ -1,0 +1,146 @@
+//! What a crest, and the floor behind it, ask of the rest of the scene.
+
+use super::crest::{CrestKeys, FloorKeys};
+use super::filling::WALL_HEIGHT;
+use super::lattice::Lattice;
+use super::numerics::{Numerics, Scheme};
+use super::seawall::{SeawallScene, error};
+use crate::boundary::{CrestShape, FloorBehind};
+use crate::keys::{ConfigError, value_of};
+
+/// Still water stands so many spacings below the crest, or it creeps over its edge.
+const CLEAR: f64 = 1.5;
+
+impl SeawallScene {
+    /// Where the wall ends, if water may go over it.
+    pub(super) fn crest_shape(&self, numerics: &Numerics) -> Option<CrestShape> {
+        let crest = self.crest.as_ref()?;
+        let height = self.still_water_depth_m + crest.crest_freeboard_m;
+        let floor = self.floor_behind(numerics);
+        Some(CrestShape { height, width: crest.crest_width_m, floor })
+    }
+
+    fn floor_behind(&self, numerics: &Numerics) -> Option<FloorBehind> {
+        let FloorKeys { floor_height_m: height, floor_length_m: length, .. } =
+            **self.floor.as_ref()?;
+        let basin = self.basin_lattice(numerics).map(|lattice| lattice.spacing);
+        let spacing = basin.unwrap_or_else(|| {
+            let columns = (length / numerics.particle_spacing_m).round().max(1.0);
+            [length / columns, self.lattice(numerics).spacing[1]]
+        });
+        Some(FloorBehind { height, length, spacing })
+    }
+
+    /// Height of the still water behind the wall over the paddle's foot, metres, where there is any.
+    pub(super) fn basin_level(&self) -> Option<f64> {
+        let floor = self.floor.as_ref().filter(|_| self.behind.has_water())?;
+        Some(floor.basin_level_m.unwrap_or(self.still_water_depth_m))
+    }
+
+    /// Where its particles stand, over its floor.
+    pub(super) fn basin_lattice(&self, numerics: &Numerics) -> Option<Lattice> {
+        let (level, floor) = (self.basin_level()?, self.floor.as_ref()?);
+        let size = [floor.floor_length_m, level - floor.floor_height_m];
+        Some(Lattice::new(size, numerics.particle_spacing_m, 90.0))
+    }
+
+    /// Area of the still water behind the wall, m².
+    pub(super) fn basin_area(&self) -> f64 {
+        let floor = self.basin_level().zip(self.floor.as_ref());
+        floor.map_or(0.0, |(level, floor)| floor.floor_length_m * (level - floor.floor_height_m))
+    }
+
+    /// Speed at which a wave of the scene falls from over the crest on the floor behind it, m/s.
+    pub(super) fn fall_speed(&self) -> f64 {
+        let Some((crest, floor)) = self.crest.as_ref().zip(self.floor.as_ref()) else { return 0.0 };
+        let top = self.still_water_depth_m * (1.0 + self.wave_height_ratio);
+        let fall = top + crest.crest_freeboard_m - floor.floor_height_m;
+        (2.0 * self.gravity_m_per_s2 * fall).sqrt()
+    }
+
+    /// Checks what a crest asks of wall, bed and scheme.
+    pub(super) fn validate_crest(&self, numerics: &Numerics) -> Result<(), ConfigError> {
+        let Some(CrestKeys { crest_freeboard_m, crest_width_m }) = self.crest else {
+            return Ok(());
+        };
+        let behind = value_of(&self.behind).map_or_else(String::new, |value| value.to_string());
+        let told = |allowed: &str| error("behind", &behind, allowed);
+        if numerics.scheme == Scheme::Isph {
+            return told("is for scheme = \"wcsph\": isph knows endless walls alone");
+        }
+        if self.wall_angle_deg != 90.0 {
+            return told("is for an upright wall: leave wall_angle_deg out");
+        }
+        if numerics.stop_when_settled {
+            return told("is not for stop_when_settled = true: the water becomes less");
+        }
+        let radius = numerics.support_radius_ratio * numerics.particle_spacing_m;
+        if self.floor.is_some() && crest_width_m < 2.0 * radius {
+            let allowed = format!(
+                "must be {} m or more, two of the kernel's support radii: the water before a wall \
+                 must not feel what is behind it",
+                2.0 * radius
+            );
+            return error("crest_width_m", crest_width_m, &allowed);
+        }
+        if crest_width_m < radius {
+            let allowed = format!("must be {radius} m or more, the kernel's support radius");
+            return error("crest_width_m", crest_width_m, &allowed);
+        }
+        let toe = self.bed.as_ref().map_or(0.0, |bed| bed.end()[1]);
+        let height = self.still_water_depth_m + crest_freeboard_m;
+        if height < toe + radius {
+            let least = toe + radius - self.still_water_depth_m;
+            let allowed = format!(
+                "must be {least} m or more, so that the wall rises from its bed by a support radius"
+            );
+            return error("crest_freeboard_m", crest_freeboard_m, &allowed);
+        }
+        let highest = WALL_HEIGHT * self.still_water_depth_m;
+        if height > highest {
+            let allowed = format!(
+                "must be {} m or less: walls are {highest} m high",
+                highest - self.still_water_depth_m
+            );
+            return error("crest_freeboard_m", crest_freeboard_m, &allowed);
+        }
+        self.validate_floor(numerics, (height, radius))
+    }
+
+    /// Checks the floor behind a crest of this height, metres, and the water on it.
+    fn validate_floor(
+        &self,
+        numerics: &Numerics,
+        (crest, radius): (f64, f64),
+    ) -> Result<(), ConfigError> {
+        let Some(floor) = &self.floor else { return Ok(()) };
+        let FloorKeys { floor_height_m, floor_length_m, basin_level_m } = **floor;
+        let deepest = WALL_HEIGHT * self.still_water_depth_m;
+        let [lowest, highest] = [crest - deepest, crest - radius];
+        if !(floor_height_m >= lowest && floor_height_m <= highest) {
+            let allowed = format!(
+                "must be {lowest} to {highest} m: {WALL_HEIGHT} depths to a support radius below \
+                 the crest"
+            );
+            return error("floor_height_m", floor_height_m, &allowed);
+        }
+        if floor_length_m < 2.0 * radius {
+            let allowed =
+                format!("must be {} m or more, two of the kernel's support radii", 2.0 * radius);
+            return error("floor_length_m", floor_length_m, &allowed);
+        }
+        let Some(level) = self.basin_level() else { return Ok(()) };
+        let clear = CLEAR * numerics.particle_spacing_m;
+        let [lowest, highest] = [floor_height_m + radius, crest - clear];
+        if !(level >= lowest && level <= highest) {
+            let allowed = format!(
+                "must be {lowest} to {highest} m: a support radius of water or more, and {CLEAR} \
+                 spacings or more below the crest"
+            );
+            let given = basin_level_m
+                .map_or(format!("{level} (still_water_depth_m)"), |level| level.to_string());
+            return error("basin_level_m", given, &allowed);
+        }
+        Ok(())
+    }
+}
