@@ -51,6 +51,17 @@ fn water_rests_on_slopes_steps_and_ridges() {
     }
 }
 
+#[test]
+fn water_rests_on_a_ridge_for_five_minutes() {
+    let bed = "[[0, 0], [0.4, 0], [0.6, 0.1], [0.9, 0.1], [1.1, 0], [1.6, 0]]";
+    let scene = format!(
+        "tank_length_m = 1.6\nwave_gauge_m = 0.2\nwave_height_ratio = 0\nend_time_s = 300\nbed = {bed}"
+    );
+    let still = computed(&scene, &[]);
+    println!("{} J/m", still.energy.kinetic);
+    assert!(still.energy.kinetic < 1e-4 && still.outcome.particles_lost == 0);
+}
+
 /// Above still water a beach is dry; the wedge of water on it stays, but for its thinnest part.
 #[test]
 fn water_rests_on_a_beach() {

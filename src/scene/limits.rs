@@ -11,6 +11,9 @@ use crate::scheme::isph::Laplacian;
 /// Walls this stiff, N/m per metre of width, stand as good as still under the highest waves.
 const STIFF: f64 = 1e4;
 
+/// Rise along a stretch of the bed that is a little more than that of a slope of 1:2.
+const STEEP: f64 = 0.46;
+
 /// What limits ask of a case.
 struct Facts<'a> {
     config: &'a CaseConfig,
@@ -64,6 +67,12 @@ impl Facts<'_> {
         self.weakly && self.numerics.boundary == choice
     }
 
+    /// Whether a stretch of the bed is steeper than 1:2.
+    fn has_steep_bed(&self) -> bool {
+        let bed = self.scene().seawall().and_then(|scene| scene.bed.as_ref());
+        bed.is_some_and(|bed| bed.stretches().any(|stretch| stretch.along[1].abs() > STEEP))
+    }
+
     fn has_bed(&self) -> bool {
         self.scene().seawall().is_some_and(|scene| scene.bed.is_some())
     }
@@ -106,6 +115,11 @@ const LIMITS: &[Limit] = &[
         "boundary = \"improved-shepard\" over a bed that is not level: it leans on the nearest particle, \
          and still water on a slope began to turn, by 5 mm/s after 30 s at ten rows; boundary = \
          \"normalized\" kept it below 1 mm/s",
+    ),
+    (
+        |case| case.has_steep_bed(),
+        "a bed steeper than 1:2: still water began to turn at the upper end of such a slope, at ten rows \
+         after 100 s at 1:1 and after 10 s at an upright step; up to 1:2 it rested for 300 s",
     ),
     (
         |case| case.boundary(BoundaryChoice::ImprovedShepard) && case.has_crest(),
@@ -244,9 +258,14 @@ mod tests {
         assert_eq!(count(beach, "boundary = \"normalized\""), 0);
         let train =
             "paddle = \"wave-train\"\nwave_period_s = 1\nwave_height_ratio = 0.1\nend_time_s";
-        assert_eq!(count(&format!("{train} = 20"), ""), 1);
-        assert_eq!(count(&format!("{train} = 9"), ""), 0);
-        assert_eq!(count(&format!("{train} = 20"), "boundary = \"normalized\""), 0);
+        assert_eq!(count(&format!("{train} = 20"), "boundary = \"improved-shepard\""), 1);
+        assert_eq!(count(&format!("{train} = 9"), "boundary = \"improved-shepard\""), 0);
+        assert_eq!(count(&format!("{train} = 20"), ""), 0);
+        let standing = "kind = \"standing-wave\"\nend_after_periods = 20";
+        assert_eq!(count(standing, ""), 1);
+        assert_eq!(count(standing, "volume_feedback = 0.002\nshifting = \"deep\""), 0);
+        let ridge = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [1, 0.1], [2, 0.1]]";
+        assert_eq!(count(ridge, "boundary = \"normalized\""), 1);
         assert_eq!(count("kind = \"dam-break\"", ""), 1);
         assert_eq!(count("kind = \"dam-break\"", "preset = \"huang2019\""), 0);
         assert_eq!(count("kind = \"dam-break\"", "boundary = \"mls-quadratic\""), 1);
