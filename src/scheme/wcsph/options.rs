@@ -73,7 +73,7 @@ pub struct WcsphOptions {
     pub shifting: Shifting,
     /// A, see [`super::Wcsph::finish`].
     pub shifting_coefficient: f64,
-    /// How fast densities follow the error of the volume, over c0/R: see [`super::volume`].
+    /// How fast densities follow the error of the volume, over c0/R: see `volume.rs`.
     pub volume_feedback: f64,
     /// γ of the pressure's lead, in time steps.
     pub bulk_damping: f64,
