@@ -1,6 +1,6 @@
 // Tables: sorted by a click on a heading, filtered by what stands under it. A long table holds only
 // the rows that are near what is seen.
-const WHOLE = 400, AROUND = 40;
+const WHOLE = 400, AROUND = 30;
 const plain = document.createElement("textarea");
 
 function textOf(html) {
