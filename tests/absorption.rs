@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{expect_code, run, write_file};
+use common::expect_refused;
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
 use seawall::simulation::{CaseResult, Unwatched, run_case};
@@ -94,12 +94,6 @@ fn what_cannot_absorb_is_told() {
         ("stop_when_settled = true", "scene.absorption = true: is not for stop_when_settled"),
     ] {
         let text = format!("name = \"no\"\n[scene]\nabsorption = true\n[numerics]\n{numerics}\n");
-        let file = write_file(folder.path(), &text);
-        let out = folder.path().join("out");
-        let output = run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
-        expect_code(&output, 2);
-        let error = String::from_utf8(output.stderr).unwrap();
-        assert!(error.contains(told), "{numerics}: {error}");
-        assert!(!out.exists());
+        expect_refused(folder.path(), &text, told);
     }
 }

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{expect_code, results, run, write_file};
+use common::{expect_code, expect_refused, results, run, write_file};
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
 use seawall::simulation::{CaseResult, Unwatched, run_case};
@@ -193,12 +193,6 @@ fn what_is_no_bed_is_told() {
             "is for scheme = \"wcsph\": isph knows level beds alone",
         ),
     ] {
-        let file = write_file(folder.path(), &format!("name = \"bed\"\n[scene]\n{keys}\n"));
-        let out = folder.path().join("out");
-        let output = run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
-        expect_code(&output, 2);
-        let error = String::from_utf8(output.stderr).unwrap();
-        assert!(error.contains(told), "{keys}: {error}");
-        assert!(!out.exists());
+        expect_refused(folder.path(), &format!("name = \"bed\"\n[scene]\n{keys}\n"), told);
     }
 }

@@ -5,7 +5,7 @@ mod common;
 use std::path::Path;
 use std::sync::Mutex;
 
-use common::{expect_code, results, run, write_file};
+use common::{expect_code, expect_refused, results, run, write_file};
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
 use seawall::simulation::{CaseResult, Film, Monitor, Unwatched, run_case};
@@ -272,12 +272,6 @@ fn what_is_no_crest_is_told() {
         let text = format!(
             "name = \"no\"\n[scene]\n{keys}[numerics]\nparticle_spacing_m = 0.02\n{numerics}"
         );
-        let file = write_file(folder.path(), &text);
-        let out = folder.path().join("out");
-        let output = run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
-        expect_code(&output, 2);
-        let error = String::from_utf8(output.stderr).unwrap();
-        assert!(error.contains(told), "{keys}{numerics}: {error}");
-        assert!(!out.exists());
+        expect_refused(folder.path(), &text, told);
     }
 }

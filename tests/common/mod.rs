@@ -69,6 +69,17 @@ pub fn expect_code(output: &Output, code: i32) {
     assert_eq!(output.status.code(), Some(code), "{told}");
 }
 
+/// Runs a scene file that must be refused: exit code 2, these words, and nothing written.
+pub fn expect_refused(folder: &Path, text: &str, told: &str) {
+    let file = write_file(folder, text);
+    let out = folder.join("out");
+    let output = run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
+    expect_code(&output, 2);
+    let error = String::from_utf8(output.stderr).unwrap();
+    assert!(error.contains(told), "{text}: {error}");
+    assert!(!out.exists());
+}
+
 /// Everything that must be the same bit for bit: summary without wall time, energies, histories.
 pub fn results(out: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut files = BTreeMap::new();
