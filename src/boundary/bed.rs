@@ -110,18 +110,7 @@ mod tests {
     use crate::boundary::tank_ghosts;
 
     fn layout() -> TankLayout {
-        TankLayout {
-            length: 3.0,
-            spacing_x: 0.02,
-            spacing_y: 0.02,
-            support_radius: 0.1,
-            wall_height: 0.5,
-            bed_beyond_wall: 0.0,
-            bed_before_paddle: 0.0,
-            wall_angle_deg: 90.0,
-            dry_bed: false,
-            crest: None,
-        }
+        TankLayout::plain(3.0, 0.5, None)
     }
 
     /// Ghosts behind any bed fill the strip of a support's width behind it.

@@ -54,18 +54,7 @@ mod tests {
     fn ghosts_fill_back_floor_and_end_wall() {
         let floor = FloorBehind { height: -0.1, length: 0.4, spacing: [0.02, 0.02] };
         let shape = CrestShape { height: 0.3, width: 0.2, floor: Some(floor) };
-        let layout = TankLayout {
-            length: 1.0,
-            spacing_x: 0.02,
-            spacing_y: 0.02,
-            support_radius: 0.1,
-            wall_height: 0.8,
-            bed_beyond_wall: 0.0,
-            bed_before_paddle: 0.0,
-            wall_angle_deg: 90.0,
-            dry_bed: false,
-            crest: Some(shape),
-        };
+        let layout = TankLayout::plain(1.0, 0.8, Some(shape));
         let ghosts = tank_ghosts(&layout, None, 0.05);
         let area = |place: Place| -> f64 {
             ghosts.bodies[place.number()].ghosts.clone().map(|g| ghosts.volume[g]).sum()

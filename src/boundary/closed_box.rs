@@ -79,16 +79,10 @@ mod tests {
     #[test]
     fn a_box_is_ringed_and_mirrors_its_own_inside() {
         let layout = TankLayout {
-            length: 1.0,
             spacing_x: 0.1,
             spacing_y: 0.1,
             support_radius: 0.3,
-            wall_height: 0.0,
-            bed_beyond_wall: 0.0,
-            bed_before_paddle: 0.0,
-            wall_angle_deg: 90.0,
-            dry_bed: false,
-            crest: None,
+            ..TankLayout::plain(1.0, 0.0, None)
         };
         let ghosts = box_ghosts(&layout, 0.8, 0.25);
         let area: f64 = ghosts.volume.iter().sum();

@@ -96,18 +96,7 @@ mod tests {
     use crate::boundary::tank_ghosts;
 
     fn layout(crest: Option<CrestShape>) -> TankLayout {
-        TankLayout {
-            length: 1.0,
-            spacing_x: 0.02,
-            spacing_y: 0.02,
-            support_radius: 0.1,
-            wall_height: 0.8,
-            bed_beyond_wall: 0.0,
-            bed_before_paddle: 0.0,
-            wall_angle_deg: 90.0,
-            dry_bed: false,
-            crest,
-        }
+        TankLayout::plain(1.0, 0.8, crest)
     }
 
     #[test]

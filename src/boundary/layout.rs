@@ -25,6 +25,25 @@ pub struct TankLayout {
     pub crest: Option<CrestShape>,
 }
 
+#[cfg(test)]
+impl TankLayout {
+    /// A tank of upright walls over a bed that moves with neither, at spacings of 0.02 m, for tests.
+    pub(super) fn plain(length: f64, wall_height: f64, crest: Option<CrestShape>) -> TankLayout {
+        TankLayout {
+            length,
+            spacing_x: 0.02,
+            spacing_y: 0.02,
+            support_radius: 0.1,
+            wall_height,
+            bed_beyond_wall: 0.0,
+            bed_before_paddle: 0.0,
+            wall_angle_deg: 90.0,
+            dry_bed: false,
+            crest,
+        }
+    }
+}
+
 /// The crest of an upright wall, metres.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CrestShape {
