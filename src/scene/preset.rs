@@ -84,25 +84,32 @@ impl Numerics {
             // A front that hits a wall leaves no time in which pairs could hold their geometry.
             base.acoustic_substeps = 1;
         }
-        if preset == Preset::Default && scene.seawall().is_some_and(|scene| scene.behind.keeps()) {
-            // Water that falls on a floor hits it all at once, and long steps put energy into it.
-            base.courant_number = 0.6;
-        }
-        if preset == Preset::Default && !scene.has_crest_at_upright_wall() {
-            // A wide support pays where a crest strains a lattice. Thin sheets and wedges lose by it, and
-            // water at rest begins to creep after some ten seconds.
-            base.support_radius_ratio = 4.0;
-            base.artificial_viscosity = 0.1;
-            base.shifting_coefficient = 0.25;
-        }
-        if preset == Preset::Default && scene.has_train() {
-            // Waves that go on let water creep along the walls, and sink through itself.
-            base.boundary = BoundaryChoice::Normalized;
-            base.shifting = Shifting::Deep;
-            base.volume_feedback = 0.002;
+        if preset == Preset::Default {
+            base.suit(scene);
         }
         let numerics = Numerics::read(table, Some(&base))?;
         check_conditions::<Numerics>(table, &numerics.table())?;
         Ok(numerics)
+    }
+
+    /// Takes what the preset `default` has for scenes of this kind.
+    fn suit(&mut self, scene: &Scene) {
+        if scene.seawall().is_some_and(|scene| scene.behind.keeps()) {
+            // Water that falls on a floor hits it all at once, and long steps put energy into it.
+            self.courant_number = 0.6;
+        }
+        if !scene.has_crest_at_upright_wall() {
+            // A wide support pays where a crest strains a lattice. Thin sheets and wedges lose by it, and
+            // water at rest begins to creep after some ten seconds.
+            self.support_radius_ratio = 4.0;
+            self.artificial_viscosity = 0.1;
+            self.shifting_coefficient = 0.25;
+        }
+        if scene.has_train() {
+            // Waves that go on let water creep along the walls, and sink through itself.
+            self.boundary = BoundaryChoice::Normalized;
+            self.shifting = Shifting::Deep;
+            self.volume_feedback = 0.002;
+        }
     }
 }
