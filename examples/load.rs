@@ -1,8 +1,8 @@
 //! How many cases a second go through scheduler, workers, journal and summary, where a case costs nothing.
 //!
 //! `cargo run --release --example load -- DIR CASES [THREADS [no-report]]` sweeps made-up cases into a new directory
-//! below DIR, reads it again, makes its report, and prints what each part took, on the clock and of processors, and
-//! the most memory that was held.
+//! below DIR. It reads that again and makes its report. It prints what each part took, on the clock and of
+//! processors, and the most memory that was held.
 
 use std::path::Path;
 use std::time::Instant;

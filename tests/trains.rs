@@ -126,8 +126,9 @@ fn tables_of_trains() {
     }
 }
 
-/// By how much the energy of the waves falls from wavelength to wavelength, percent, and the scatter of the fit: of
-/// the first harmonic over six periods at each gauge, from six periods after the group has come.
+/// How much the energy of the waves changes from one wavelength to the next, and the scatter of the fit, percent.
+///
+/// It is fitted to the first harmonic over six periods at each gauge, from six periods after the group has come.
 fn energy_per_wavelength(spacing: f64, length: f64) -> [f64; 2] {
     const WAVELENGTH: f64 = 1.214;
     const GROUP: f64 = 0.93;

@@ -16,8 +16,9 @@ const FROM: f64 = 0.4;
 /// ... and wholly so from this one. Above, the surface is too near to tell the volume.
 const FULL: f64 = 0.6;
 
-/// What ½ tr Σ V_j (x_j - x_i) ⊗ ∇W falls short by in even water, row by row under a level surface: that
-/// of the lattice from which water starts, so that this starts at rest.
+/// What ½ tr Σ V_j (x_j - x_i) ⊗ ∇W falls short by in even water, row by row under a level surface.
+///
+/// It is that of the lattice from which water starts. So water starts at rest.
 #[derive(Debug, Clone)]
 pub(super) struct Shortfall {
     /// Of rows half a spacing below the surface, and a spacing more each.
