@@ -29,14 +29,18 @@ addEventListener("hashchange", () => {
 });
 restore();
 document.documentElement.classList.add("alive");
-// Sections below were left out, so that the page opens at once. They are laid out when there is nothing else to
-// do, one after the other: then nothing moves when one scrolls.
+// Sections that are not near what is seen are left out, so that the page opens and answers at once. When there is
+// nothing else to do, each is laid out for one frame. The browser remembers its size, so that nothing moves when
+// one scrolls.
 const whenIdle = window.requestIdleCallback || setTimeout;
-const below = [...document.querySelectorAll("main > section, main > .beside")];
+const parts = [...document.querySelectorAll("main > section, main > .beside")];
 function layOut() {
-  const part = below.shift();
+  const part = parts.shift();
   if (!part) return document.documentElement.classList.remove("opening");
   part.style.contentVisibility = "visible";
-  whenIdle(layOut);
+  requestAnimationFrame(() => setTimeout(() => {
+    part.style.contentVisibility = "";
+    whenIdle(layOut);
+  }));
 }
 whenIdle(layOut);

@@ -1,6 +1,6 @@
 // Tables: sorted by a click on a heading, filtered by what stands under it. A long table holds only
 // the rows that are near what is seen.
-const WHOLE = 400, AROUND = 30;
+const WHOLE = 400, AROUND = 8;
 const plain = document.createElement("textarea");
 
 function textOf(html) {
@@ -161,8 +161,8 @@ class Grid {
     let from = 0, to = lines.length;
     if (!all && lines.length > WHOLE) {
       const first = Math.floor(this.top / tall);
-      from = Math.max(0, first - AROUND - (first % AROUND));
-      to = Math.min(lines.length, from + 4 * AROUND);
+      from = Math.max(0, first - (first % AROUND) - AROUND);
+      to = Math.min(lines.length, from + 6 * AROUND);
     }
     if (from === this.from && to === this.to) return;
     [this.from, this.to] = [from, to];
@@ -170,7 +170,9 @@ class Grid {
     const copy = this.copies ? '<td><button type="button" class="copy" tabindex="-1">copy</button></td></tr>' : "</tr>";
     let html = gap(from);
     for (let at = from; at < to; at++) html += this.lines[lines[at]].replace("<tr ", '<tr tabindex="' + (at === from ? 0 : -1) + '" ').replace("</tr>", copy);
+    const focused = this.body.contains(document.activeElement) && document.activeElement.closest("tr").dataset.case;
     this.body.innerHTML = html + gap(lines.length - to);
+    if (focused) this.body.querySelector('[data-case="' + focused + '"]')?.focus({ preventScroll: true });
     this.table.setAttribute("aria-rowcount", lines.length + 2);
     if (!this.tall && lines.length > WHOLE) this.tall = this.body.rows[0]?.offsetHeight;
   }
