@@ -4,31 +4,16 @@
 #[path = "common/chromium.rs"]
 mod chromium;
 mod common;
+#[path = "common/study_page.rs"]
+mod study_page;
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
+use std::path::Path;
 
 use chromium::Chromium;
-use common::{TINY, TINY_CASES, expect_code, run, seawall, write_file};
+use common::{TINY_CASES, expect_code, run, write_file};
 use serde_json::{Value, json};
-use tempfile::TempDir;
-
-/// A study with films and error bars, computed once for all tests.
-static STUDY: LazyLock<TempDir> = LazyLock::new(|| {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
-    let out = root.path().join("out");
-    let bars = "numerics.error_bars=pair";
-    let arguments = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
-    let finer = ["--set", "numerics.particle_spacing_m=0.02", "--set", bars, "--film", "auto"];
-    expect_code(&run(&[&arguments[..], &finer].concat()), 0);
-    root
-});
-
-fn page() -> PathBuf {
-    STUDY.path().join("out/report.html")
-}
+use study_page::{STUDY, many, number, page};
 
 /// Opens the study's page with a choice in its address.
 fn opened(hash: &str) -> Option<Chromium> {
@@ -46,10 +31,6 @@ fn cells(browser: &mut Chromium, column: &str) -> Vec<String> {
         return [...t.tBodies[0].rows].map((r) => r.cells[at].textContent); }})()"
     );
     serde_json::from_value(browser.run(&script)).unwrap()
-}
-
-fn number(browser: &mut Chromium, script: &str) -> u64 {
-    browser.run(script).as_u64().unwrap_or_else(|| panic!("{script}"))
 }
 
 const MARKS: &str = "document.querySelectorAll('figure svg [data-case]').length";
@@ -238,38 +219,6 @@ fn arrows_lead_down_a_long_table_and_nothing_moves() {
     assert_eq!(browser.complaints(), [""; 0]);
 }
 
-/// A made-up study of ten masses and so many waves and stiffnesses, from the rows of the small one.
-fn many(waves: usize, stiffnesses: usize) -> PathBuf {
-    let root = STUDY.path().join(format!("many-{waves}-{stiffnesses}"));
-    fs::create_dir_all(&root).unwrap();
-    let mut reader = csv::Reader::from_path(STUDY.path().join("out/summary.csv")).unwrap();
-    let head = reader.headers().unwrap().clone();
-    let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
-    let mut writer = csv::Writer::from_path(root.join("summary.csv")).unwrap();
-    writer.write_record(&head).unwrap();
-    for index in 0..10 * waves * stiffnesses {
-        let (wave, rest) = (index / (10 * stiffnesses), index % (10 * stiffnesses));
-        let power = 0.05 * (rest / 10) as f64;
-        let (k, m) = (10_f64.powf(1.0 + power), 50.0 * (1 + rest % 10) as f64);
-        let cell = |name: &str, cell: &str| match name {
-            "case_id" => format!("{index:016x}"),
-            "wave_height_ratio" => (0.2 + 0.01 * wave as f64).to_string(),
-            "spring_stiffness_n_per_m" => k.to_string(),
-            "seawall_mass_kg_per_m" => m.to_string(),
-            "log10_k_star" => (k / 392.4).log10().to_string(),
-            "m_star" => (m / 40.0).to_string(),
-            "first_force_max" => (1.0 + 0.001 * (index * 7919 % 3000) as f64).to_string(),
-            _ => cell.to_owned(),
-        };
-        let row = &rows[index % rows.len()];
-        writer.write_record(head.iter().zip(row).map(|(name, text)| cell(name, text))).unwrap();
-    }
-    writer.flush().unwrap();
-    fs::copy(STUDY.path().join("out/manifest.json"), root.join("manifest.json")).unwrap();
-    expect_code(&seawall().args(["report".as_ref(), root.as_os_str()]).output().unwrap(), 0);
-    root.join("report.html")
-}
-
 /// Words that a script finds in the page.
 fn words(browser: &mut Chromium, script: &str) -> Vec<String> {
     serde_json::from_value(browser.run(script)).unwrap()
@@ -311,98 +260,5 @@ fn a_choice_is_drawn_where_figures_show_a_part_at_first() {
     assert!(browser.run(none).as_u64() > Some(3), "figures that show nothing say so");
     browser.point_at("#choose > button", true);
     assert_eq!(browser.run(none), json!(0));
-    assert_eq!(browser.complaints(), [""; 0]);
-}
-
-/// An act may take 100 ms on a quiet machine. This is half as much again, in processor time of the page's
-/// thread: that hardly grows where the machine is busy.
-const SLOWEST_MS: f64 = 150.0;
-
-#[test]
-fn ten_thousand_cases_answer_at_once() {
-    let Some(mut browser) = Chromium::start() else { return };
-    let path = many(20, 50);
-    browser.resize(1400, 900);
-    browser.count_processor_time();
-    let open = browser.open(&path, "");
-    browser.run(
-        "window.buttons = document.querySelectorAll('#choose fieldset button');
-        window.heads = [...document.querySelectorAll('.listing[data-table=summary] th')];
-        window.head = heads.find((cell) => cell.dataset.column === 'first_force_max');
-        window.fields = document.querySelectorAll('.listing[data-table=summary] .filters input');
-        window.type = (text, at = head.cellIndex) => {
-            fields[at].value = text; fields[at].dispatchEvent(new Event('input')); };
-        window.later = setTimeout; window.held = []; 0",
-    );
-    let acts = [
-        ("choice", "buttons[3].click()"),
-        ("second", "buttons[4].click()"),
-        ("third", "buttons[25].click()"),
-        ("all", "document.querySelector('#choose > button').click()"),
-        ("table", "fields[0].scrollIntoView()"),
-        ("< 2", "type('< 2')"),
-        ("< 1.5", "type('< 1.5')"),
-        ("cleared", "type('')"),
-        ("sorted", "head.querySelector('button').click()"),
-        ("by text", "heads[0].querySelector('button').click()"),
-        ("text", "type('1', 0)"),
-        ("text cleared", "type('', 0)"),
-    ];
-    let mut took = vec![Vec::new(); acts.len()];
-    for _ in 0..5 {
-        browser.run("document.querySelector('figure').scrollIntoView()");
-        for ((name, act), took) in acts.iter().zip(&mut took) {
-            // What a person waits for: all that the script does at once, styles and layout. What
-            // follows it unseen is held until that has been measured.
-            browser.run("window.setTimeout = (act) => held.push(act)");
-            let before = browser.processor_ms();
-            browser.run(&format!("{act}; document.body.offsetHeight"));
-            took.push(browser.processor_ms() - before);
-            browser.run("window.setTimeout = later; held.splice(0).forEach((act) => later(act))");
-            browser.settle();
-            if *name == "third" {
-                let told = browser.run("document.querySelector('#choose output').textContent");
-                assert_eq!(told, json!("20 of 10000 cases are shown"));
-            }
-        }
-    }
-    let middle = |took: &mut Vec<f64>| {
-        took.sort_by(f64::total_cmp);
-        (10.0 * took[took.len() / 2]).round() / 10.0
-    };
-    let medians: Vec<_> =
-        acts.iter().zip(&mut took).map(|((name, _), took)| (*name, middle(took))).collect();
-    let size = fs::metadata(&path).unwrap().len();
-    println!("10,000 cases: {size} bytes, open after {open} ms; medians of five, ms: {medians:?}");
-    assert!(medians.iter().all(|(_, ms)| *ms < SLOWEST_MS), "{medians:?}");
-    assert_eq!(browser.complaints(), [""; 0]);
-}
-
-/// Three times what a page may take to open on a quiet machine.
-const SLOWEST_OPENING_MS: f64 = 3000.0;
-
-#[test]
-fn a_page_of_300_cases_with_films_opens_at_once() {
-    let Some(mut browser) = Chromium::start() else { return };
-    let path = many(5, 6);
-    let folder = path.with_file_name("films");
-    fs::create_dir_all(&folder).unwrap();
-    let made = STUDY.path().join("out/films");
-    let film = fs::read_dir(&made).unwrap().map(|file| file.unwrap().path());
-    let film = film.filter(|path| path.extension().is_some_and(|end| end == "html")).min().unwrap();
-    for index in 0..8 {
-        for end in ["html", "svg"] {
-            let copy = folder.join(format!("{index:016x}.{end}"));
-            fs::copy(film.with_extension(end), copy).unwrap();
-        }
-    }
-    expect_code(&run(&["report", path.parent().unwrap().to_str().unwrap()]), 0);
-    assert!(fs::metadata(&path).unwrap().len() < 5_000_000);
-    let mut times: Vec<f64> = (0..5).map(|_| browser.open(&path, "")).collect();
-    times.sort_by(f64::total_cmp);
-    println!("300 cases, eight films: opened after {times:?} ms");
-    assert!(times[2] < SLOWEST_OPENING_MS, "{times:?}");
-    let films = "document.querySelectorAll('script[id^=film-]').length";
-    assert_eq!(number(&mut browser, films), 8);
     assert_eq!(browser.complaints(), [""; 0]);
 }
