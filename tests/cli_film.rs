@@ -21,10 +21,12 @@ fn swept(directory: &Path, films: &[&str]) -> PathBuf {
     out
 }
 
+/// Pages and stills.
 fn films(out: &Path) -> Vec<String> {
     let Ok(entries) = fs::read_dir(out.join("films")) else { return Vec::new() };
     let name = |entry: fs::DirEntry| entry.file_name().to_string_lossy().into_owned();
-    let mut names: Vec<_> = entries.map(|entry| name(entry.unwrap())).collect();
+    let names = entries.map(|entry| name(entry.unwrap()));
+    let mut names: Vec<_> = names.filter(|name| name != "reasons.csv").collect();
     names.sort();
     names
 }
@@ -75,6 +77,13 @@ fn a_sweep_films_what_is_worth_a_look_and_its_report_links_to_it() {
     assert!(!pages.is_empty());
     let report = fs::read_to_string(out.join("report.html")).unwrap();
     assert!(pages.iter().all(|page| report.contains(&format!("films/{page}"))));
+    let reasons = fs::read_to_string(out.join("films/reasons.csv")).unwrap();
+    assert_eq!(reasons.lines().count(), 1 + pages.len(), "{reasons}");
+    for line in reasons.lines().skip(1) {
+        let (id, reason) = line.split_once(',').unwrap();
+        assert!(pages.contains(&format!("{id}.html")), "{reasons}");
+        assert!(report.contains(&format!("({}) <a href=\"films/{id}", reason.trim_matches('"'))));
+    }
 
     // What is there is not made again; what is missing is.
     let page = out.join("films").join(&pages[0]);
@@ -154,9 +163,9 @@ fn an_interrupted_film_is_made_by_the_same_command() {
     assert!(Command::new("kill").args(["-INT", &pid]).status().unwrap().success());
     let rest: Vec<_> = told.collect();
     assert_eq!(child.wait().unwrap().code(), Some(3), "{rest:?}");
-    assert!(films(&out).is_empty());
+    assert!(films(&out).is_empty() && !out.join("films/reasons.csv").exists());
     expect_code(&run(&["sweep", file, "--out", path]), 0);
-    assert_eq!(films(&out).len(), 2);
+    assert!(films(&out).len() == 2 && out.join("films/reasons.csv").exists());
     assert_eq!(results(&out), before);
 }
 

@@ -17,6 +17,7 @@ mod film;
 mod films;
 mod find;
 mod glossary;
+mod highlights;
 mod init;
 mod input;
 mod keep;

@@ -63,9 +63,10 @@ pub(super) struct SweepArgs {
     /// max_error_percent` in the file.
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = max_error::percent)]
     max_error: Option<f64>,
-    /// Film cases once the sweep is done, into films/: auto (largest force, highest runup, softest wall
-    /// that turns, most doubtful, as far as they took less than a minute), none, or a case by its id or by
-    /// KEY=VALUE,KEY=VALUE; repeatable. Each runs once more for it.
+    /// Film cases once the sweep is done, into films/. `auto` takes up to four: that of the largest force,
+    /// of the highest runup, of the softest wall that turns, and the most doubtful one. Cases of more than a
+    /// minute are left out. `none` films nothing. A case is named by its id or by KEY=VALUE,KEY=VALUE. The
+    /// option may be repeated. A film runs its case once more.
     #[arg(long, value_name = "CASE", default_value = "auto")]
     film: Vec<String>,
     /// Under MPI, name a rank that has not been heard of for so long, seconds.

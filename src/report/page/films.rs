@@ -1,39 +1,60 @@
 //! The films of a study: a still of each, a link to its page, and the film itself inside this page
 //! as long as that stays small.
 
+use std::collections::HashMap;
+use std::path::Path;
+
 use serde_json::Value;
 
 use crate::quantities::summary::CASE_ID;
-use crate::report::load::Loaded;
+use crate::report::error::ReportError;
+use crate::report::load::{Loaded, read_records};
 use crate::report::markup::escape;
 use crate::report::row::Row;
 
 /// The films as one section's content, with as many of them inside as there is room for, bytes;
 /// `None` where there are none.
-pub fn films(data: &Loaded, mut room: usize) -> Option<String> {
+///
+/// # Errors
+/// What tells why cases were filmed is no table.
+pub fn films(data: &Loaded, mut room: usize) -> Result<Option<String>, ReportError> {
     let filmed: Vec<_> = data.finished().filter(|row| data.has_film(row)).collect();
     if filmed.is_empty() {
-        return None;
+        return Ok(None);
     }
-    let figures: String = filmed.iter().map(|row| figure(data, row, &mut room)).collect();
-    Some(format!(
+    let reasons = reasons(&data.directory)?;
+    let mut one = |row: &&Row| figure(data, row, reasons.get(row.text(&CASE_ID)), &mut room);
+    let figures: String = filmed.iter().map(&mut one).collect();
+    Ok(Some(format!(
         "<p class=\"scripted\">Press Play to see the water move; the arrow keys then go from frame to \
          frame.</p>\n<div class=\"films\">{figures}</div>"
-    ))
+    )))
 }
 
-/// The still, what is seen, and the film for the script.
-fn figure(data: &Loaded, row: &Row, room: &mut usize) -> String {
+/// Why cases were filmed, by their ids, where a sweep chose them.
+fn reasons(directory: &Path) -> Result<HashMap<String, String>, ReportError> {
+    let path = directory.join("films/reasons.csv");
+    if !path.is_file() {
+        return Ok(HashMap::new());
+    }
+    let (_, records) = read_records(&path)?;
+    let told = |record: &csv::StringRecord| Some((record.get(0)?.into(), record.get(1)?.into()));
+    Ok(records.iter().filter_map(told).collect())
+}
+
+/// The still, what is seen and why it was filmed, and the film for the script.
+fn figure(data: &Loaded, row: &Row, reason: Option<&String>, room: &mut usize) -> String {
     let id = escape(row.text(&CASE_ID));
     let words = Some(row.words()).filter(|words| !words.is_empty());
     let words = words.map_or_else(|| id.clone(), |words| escape(&words));
+    let why = reason.map_or_else(String::new, |reason| format!(" ({})", escape(reason)));
     let page = data.film(row, "html").unwrap_or_default();
     let film = embedded(&page, &id, room);
     let still = data.film(row, "svg").unwrap_or_default();
     let still = still.find("<svg").map_or("", |start| &still[start..]);
     format!(
         "<figure class=\"film\" data-film=\"{id}\"><div class=\"poster\">{still}</div>\
-         <figcaption>{words} <a href=\"films/{id}.html\">films/{id}.html</a></figcaption>\
+         <figcaption>{words}{why} <a href=\"films/{id}.html\">films/{id}.html</a></figcaption>\
          {film}</figure>\n"
     )
 }

@@ -79,7 +79,7 @@ pub fn page(
     let (style, script) = (STYLE.concat(), SCRIPT.concat());
     let written = [&body, &rest, &json, &style, &script].map(|text| text.len());
     let room = MOST.saturating_sub(written.iter().sum());
-    if let Some(films) = films::films(data, room) {
+    if let Some(films) = films::films(data, room)? {
         section(&mut body, "Films", &films);
     }
     body.push_str(&rest);
@@ -240,9 +240,13 @@ mod tests {
         let film = format!("films/{}.html", row.text(&CASE_ID));
         std::fs::create_dir(directory.path().join("films")).unwrap();
         std::fs::write(directory.path().join(&film), "").unwrap();
-        let page = page_of(&directory);
-        let told = format!("{} <a href=\"{film}\">{film}</a>", escape(&row.words()));
-        assert!(page.contains(&told));
+        let words = escape(&row.words());
+        assert!(page_of(&directory).contains(&format!("{words} <a href=\"{film}\">{film}</a>")));
+
+        let reasons = format!("case_id,reason\n{},\"a, b\"\n", row.text(&CASE_ID));
+        std::fs::write(directory.path().join("films/reasons.csv"), reasons).unwrap();
+        let told = format!("{words} (a, b) <a href=\"{film}\">{film}</a>");
+        assert!(page_of(&directory).contains(&told));
     }
 
     #[test]
