@@ -7,7 +7,7 @@
   const colours = film.colours;
   const levels = colours.length;
   // The water at this instant, metres and levels, between two frames.
-  const now = { x: new Float32Array(count), y: new Float32Array(count), c: new Uint8Array(count), left: 0, right: 0 };
+  const now = { x: new Float32Array(count), y: new Float32Array(count), c: new Uint8Array(count), apart: new Float32Array(count), left: 0, right: 0 };
   let time = film.times[film.crest], playing = false, touched = false, last = 0;
 
   function place(times) {
@@ -47,8 +47,8 @@
     for (let k = 0; k < count; k++) byColour[next[now.c[k]]++] = k;
   }
 
-  // The top of the water that stands on the bed: in each bin along the tank climb until a gap.
-  const bin = { wide: 1.5 * film.spacing, tops: [] };
+  // The top of the water that stands on the bed: in each bin along the tank climb until a gap. Bins end at the wall.
+  const bin = { wide: 1.5 * film.spacing, left: 0, tops: [] };
   // The height of the bed: level, or straight between points.
   function bedAt(x) {
     const line = film.bed || [];
@@ -61,19 +61,33 @@
     return low;
   }
   const lean = Math.tan((film.angle - 90) * Math.PI / 180);
-  function climb() {
-    const heights = [];
-    for (let k = 0; k < count; k++) {
-      const at = Math.floor((now.x[k] - film.whole.x0) / bin.wide);
-      if (at >= 0) (heights[at] = heights[at] || []).push(now.y[k]);
+  // How far apart rows may be at the particles of a bin, which rise: src/film/tops.rs tells why.
+  function part(all) {
+    const reach = 1.5 * film.spacing;
+    let from = 0, to = 0;
+    for (const k of all) {
+      while (now.y[all[from]] < now.y[k] - reach) from++;
+      while (to < all.length && now.y[all[to]] < now.y[k] + reach) to++;
+      const high = now.y[all[to - 1]] - now.y[all[from]];
+      now.apart[k] = Math.max(2.5 * film.spacing, 0.8 * film.spacing * (to - from) - high);
     }
-    bin.tops = Array.from(heights, (all, at) => {
-      const middle = film.whole.x0 + (at + 0.5) * bin.wide, behind = middle - film.length - now.right;
+  }
+
+  function climb() {
+    const bins = [], wall = film.length + now.right;
+    bin.left = wall - Math.ceil((wall - film.whole.x0) / bin.wide) * bin.wide;
+    for (let k = 0; k < count; k++) {
+      const at = Math.floor((now.x[k] - bin.left) / bin.wide);
+      if (at >= 0) (bins[at] = bins[at] || []).push(k);
+    }
+    bin.tops = Array.from(bins, (all = [], at) => {
+      part(all.sort((a, b) => now.y[a] - now.y[b]));
+      const middle = bin.left + (at + 0.5) * bin.wide, behind = middle - wall;
       const floor = bedAt(middle);
       let top = lean > 0 ? Math.max(floor, behind / lean) : floor, found = false;
-      for (const y of (all || []).sort((a, b) => a - b)) {
-        if (y - top > 2.5 * film.spacing) break;
-        top = y;
+      for (const k of all) {
+        if (now.y[k] - top > now.apart[k]) break;
+        top = now.y[k];
         found = true;
       }
       return found ? top + 0.5 * film.spacing : null;
@@ -87,15 +101,15 @@
 
   // Between the middles of bins in a straight line.
   function topAt(x) {
-    const along = Math.max(0, (x - film.whole.x0) / bin.wide - 0.5), at = Math.floor(along);
+    const along = Math.max(0, (x - bin.left) / bin.wide - 0.5), at = Math.floor(along);
     const low = bin.tops[at] ?? null, high = bin.tops[at + 1] ?? low;
     return low === null ? null : low + (along - at) * (high - low);
   }
 
   function surface() {
     const end = film.wall === "crest" ? film.whole.x1 : film.length + now.right + Math.max(0, lean * film.tall);
-    const [from, to] = [now.left + bin.wide, end - 0.5 * bin.wide];
-    const points = bin.tops.map((top, at) => [film.whole.x0 + (at + 0.5) * bin.wide, top]);
+    const [from, to] = [now.left + bin.wide, end - 0.4 * bin.wide];
+    const points = bin.tops.map((top, at) => [bin.left + (at + 0.5) * bin.wide, top]);
     return points.map((point) => (point[1] === null || point[0] < from || point[0] > to ? null : point));
   }
 
@@ -119,16 +133,16 @@
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
     pen.clearRect(0, 0, width, height);
     const X = (x) => (x - view.x0) * scale, Y = (y) => height - (y - view.y0) * scale;
-    const size = Math.max(1.2, 1.4 * film.spacing * scale), tall = 1.25 * film.spacing;
+    const size = Math.max(1.2, 1.4 * film.spacing * scale);
     for (let c = 0; c < levels; c++) {
       pen.fillStyle = colours[c];
       for (let k = starts[c]; k < starts[c + 1]; k++) {
-        const x = X(now.x[byColour[k]]), y = now.y[byColour[k]];
+        const one = byColour[k], x = X(now.x[one]), y = now.y[one];
         if (x < -size || x > width + size) continue;
         // Rows part where water is pushed up: under the surface a particle is drawn tall.
-        const top = topAt(now.x[byColour[k]]);
-        const half = top === null || y > top ? 0.5 * tall : tall;
-        const up = half === tall ? Math.min(half, top - y) : half;
+        const top = topAt(now.x[one]), within = top !== null && y <= top;
+        const half = within ? 0.5 * now.apart[one] : 0.625 * film.spacing;
+        const up = within ? Math.min(half, top - y) : half;
         pen.fillRect(x - size / 2, Y(y + up), size, Math.max(1.2, (half + up) * scale));
       }
     }

@@ -7,6 +7,8 @@ use super::stage::{Stage, View, WallKind};
 const BIN: f64 = 1.5;
 /// From a particle to the next one above it there are at most so many spacings in water at ease.
 const APART: f64 = 2.5;
+/// Particles of a bin within so many spacings above and below belong to a row, however steep it is.
+const ROW: f64 = 1.5;
 /// Where a jet is squeezed, rows part in proportion to how many particles stand in a bin of a row: water keeps its
 /// area. This is more than their share, as no row is level.
 const SHARE: f64 = 1.2 / BIN;
@@ -24,7 +26,10 @@ pub(super) struct Tops {
 impl Tops {
     /// In every bin climbs from the bed, or from a wall that leans over it, until a gap.
     pub fn of(stage: &Stage, take: &Take, view: &View) -> Tops {
-        let (left, spacing) = (view.x0, stage.spacing);
+        let spacing = stage.spacing;
+        // Bins end at the wall: one that it cuts would hold too few particles.
+        let wall = stage.length + take.walls[1];
+        let left = wall - ((wall - view.x0) / (BIN * spacing)).ceil() * BIN * spacing;
         let open = stage.wall != WallKind::None && stage.lid.is_none();
         let count = if open { ((view.x1 - left) / (BIN * spacing)).ceil() as usize } else { 0 };
         let mut tops = Tops { left, spacing, bins: vec![Vec::new(); count], heights: Vec::new() };
@@ -37,7 +42,7 @@ impl Tops {
         let lean = (stage.angle - 90.0).to_radians().tan();
         let climb = |bin: usize| {
             let middle = tops.middle(bin);
-            let behind = middle - stage.length - take.walls[1];
+            let behind = middle - wall;
             let bed = stage.bed_at(middle);
             tops.climb(bin, if lean > 0.0 { (behind / lean).max(bed) } else { bed })
         };
@@ -66,11 +71,13 @@ impl Tops {
         self.left + (bin as f64 + 0.5) * BIN * self.spacing
     }
 
+    /// The height of the water that a particle's row is, without the height that the row itself reaches over.
     fn gap(&self, bin: usize, y: f64) -> f64 {
-        let (heights, half) = (&self.bins[bin], 0.5 * self.spacing);
+        let (heights, reach) = (&self.bins[bin], ROW * self.spacing);
         let below = |limit: f64| heights.partition_point(|height| *height < limit);
-        let row = below(y + half) - below(y - half);
-        self.spacing * APART.max(SHARE * row as f64)
+        let row = &heights[below(y - reach)..below(y + reach)];
+        let high = row.last().zip(row.first()).map_or(0.0, |(last, first)| last - first);
+        (APART * self.spacing).max(SHARE * self.spacing * row.len() as f64 - high)
     }
 
     /// How far apart rows may be at a particle.
@@ -140,5 +147,17 @@ mod tests {
         assert_eq!(top(&[&still[..], &[(1, 5.7)]].concat()), 3.0, "a drop");
         assert_eq!(top(&[&still[..], &[(5, 5.7), (5, 8.9)]].concat()), 9.4, "rows of five");
         assert_eq!(top(&[&still[..], &[(5, 7.0)]].concat()), 3.0, "a sheet that flies");
+    }
+
+    #[test]
+    fn a_steep_row_is_water_where_it_is_squeezed() {
+        // Near the largest runup at a fixed wall, steep rows counted as spray: the surface had notches there.
+        let still = [(1, 0.5), (2, 1.5), (1, 2.5)];
+        let steep = |apart: f64| -> Vec<_> {
+            let count = (3.0 / apart) as usize;
+            (0..=count).map(|k| (1, 6.5 + apart * k as f64)).collect()
+        };
+        assert_eq!(top(&[&still[..], &steep(0.125)].concat()), 10.0);
+        assert_eq!(top(&[&still[..], &steep(0.5)].concat()), 3.0, "spray, one above the other");
     }
 }
