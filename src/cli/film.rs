@@ -8,7 +8,7 @@ use serde_json::json;
 use super::failure::BadInput;
 use super::output::Output;
 use super::pick::the_case;
-use super::{CASES_FAILED, INTERRUPTED, SUCCESS, shown, stored};
+use super::{CASES_FAILED, INTERRUPTED, SUCCESS, numbers, shown, stored};
 use crate::execute::Interrupt;
 use crate::film::{Colour, Filming, PageFilm};
 use crate::results::{CaseRecord, finished, first_difference};
@@ -31,8 +31,8 @@ pub(super) struct FilmArgs {
     /// What particles are coloured by.
     #[arg(long, value_enum, default_value_t = ColourChoice::Pressure)]
     colour: ColourChoice,
-    /// Threads that share the work; the results are the same for any number [default: all].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    /// Threads that share the work. The results are the same for any number [default: all].
+    #[arg(long, value_name = "N", value_parser = numbers::threads(), allow_negative_numbers = true)]
     threads: Option<u16>,
 }
 

@@ -16,5 +16,5 @@ pub(super) struct KeepArgs {
 
 fn seconds(text: &str) -> Result<f64, String> {
     let value = text.parse::<f64>().ok().filter(|value| value.is_finite() && *value >= 0.0);
-    value.ok_or_else(|| "must be a finite number of seconds, or 0 for none".to_owned())
+    value.ok_or_else(|| "must be a number of seconds above 0, or 0 for no checkpoints".to_owned())
 }

@@ -8,6 +8,7 @@ use super::execute::{Job, on_threads};
 use super::failure::BadInput;
 use super::input::{SimdChoice, default_out, read};
 use super::keep::EVERY_S;
+use super::numbers;
 use super::output::Output;
 use crate::accuracy::{Matrix, Trial};
 use crate::execute::Ending;
@@ -33,8 +34,8 @@ pub(super) struct MatrixArgs {
     /// Move an earlier run aside and start over.
     #[arg(long)]
     fresh: bool,
-    /// Cases at once [default: one per core]; fewer give steadier times.
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    /// How many cases run at once [default: one per core]. Fewer give steadier times.
+    #[arg(long, value_name = "N", value_parser = numbers::threads(), allow_negative_numbers = true)]
     threads: Option<u16>,
 }
 

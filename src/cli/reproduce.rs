@@ -12,14 +12,14 @@ use super::keep::EVERY_S;
 use super::output::{Output, duration};
 use super::printed::told;
 use super::shown;
-use super::{INTERRUPTED, SUCCESS, cost};
+use super::{INTERRUPTED, SUCCESS, cost, numbers};
 use crate::papers::{Recipe, Run, files, paper, recipes};
 use crate::report::Reproduced;
 use crate::results::{OpenMode, counted};
 use crate::scene::ConfigError;
 use crate::study::{Study, SweepFile};
 
-/// Make a figure of a paper: run what it needs, draw it, and set the printed numbers beside it.
+/// Make a figure of a paper: run the cases that it needs, draw it, and set the printed numbers beside it.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall reproduce --list
@@ -42,8 +42,8 @@ pub(super) struct ReproduceArgs {
     /// Where figures and runs go [default: results/runs/reproduce_<paper>].
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Threads [default: all; 1 where the figure tells times].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    /// Threads [default: all, and 1 for a figure of computing times].
+    #[arg(long, value_name = "N", value_parser = numbers::threads(), allow_negative_numbers = true)]
     threads: Option<u16>,
     /// Move earlier runs aside and start over.
     #[arg(long)]

@@ -12,7 +12,7 @@ use super::input::{Setting, SimdChoice, default_out, scene};
 use super::keep::KeepArgs;
 use super::output::{Output, duration, short};
 use super::table::Table;
-use super::warnings;
+use super::{numbers, warnings};
 use crate::execute::{Ending, Interrupt};
 use crate::film::{Filming, PageFilm, VtkFilm};
 use crate::quantities::summary::{ALL, DISPLACEMENT_MAX, MEASURED_WAVE_HEIGHT_RATIO};
@@ -51,9 +51,9 @@ pub(super) struct RunArgs {
     #[arg(long, value_enum, value_name = "COLOUR", num_args = 0..=1, conflicts_with = "vtk")]
     #[arg(default_missing_value = "pressure")]
     film: Option<ColourChoice>,
-    /// Threads that share the work, as far as there are 2,000 particles for each; the results are
-    /// the same for any number [default: the processors that it may use].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    /// Threads that share the case; each needs some 2,000 particles to be worth it. The results are the
+    /// same for any number [default: the processors that it may use].
+    #[arg(long, value_name = "N", value_parser = numbers::threads(), allow_negative_numbers = true)]
     threads: Option<u16>,
     #[command(flatten)]
     keep: KeepArgs,

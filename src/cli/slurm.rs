@@ -9,7 +9,7 @@ use super::SUCCESS;
 use super::failure::BadInput;
 use super::input::{Expect, Setting, default_out, study};
 use super::output::Output;
-use super::shown;
+use super::{numbers, shown};
 
 /// Print a Slurm job script for a sweep, for sbatch. It stops before its time limit and queues itself again
 /// until every case is done.
@@ -20,20 +20,20 @@ use super::shown;
 pub(super) struct SlurmArgs {
     /// The sweep file.
     file: PathBuf,
-    /// Nodes.
-    #[arg(long, value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    /// How many nodes the job has.
+    #[arg(long, value_parser = numbers::whole(1, 100_000_u32), allow_negative_numbers = true)]
     nodes: u32,
     /// Time limit, as sbatch takes it: minutes, HH:MM:SS or DAYS-HH:MM:SS.
     #[arg(long, value_name = "TIME", value_parser = time)]
     time: String,
     /// Ranks on each node.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = numbers::whole(1, 10_000_u32), allow_negative_numbers = true)]
     ranks_per_node: u32,
     /// Threads of each rank.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=10_000))]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = numbers::whole(1, 10_000_u32), allow_negative_numbers = true)]
     threads: u32,
-    /// Seconds before the limit at which the sweep is told to stop.
-    #[arg(long, value_name = "SECONDS", default_value_t = 120, value_parser = clap::value_parser!(u32).range(1..=65_535))]
+    /// The sweep is told to stop so many seconds before the time limit.
+    #[arg(long, value_name = "SECONDS", default_value_t = 120, value_parser = numbers::whole(1, 65_535_u32), allow_negative_numbers = true)]
     grace_s: u32,
     /// What starts the ranks.
     #[arg(long, value_name = "COMMAND", default_value = "srun --mpi=pmix --kill-on-bad-exit=1")]

@@ -12,7 +12,7 @@ use super::input::demand_output_of_study;
 use super::output::{Output, duration};
 use super::table::Table;
 use super::watch::{View, Watch};
-use super::{CASES_FAILED, INTERRUPTED, SUCCESS, stored};
+use super::{CASES_FAILED, INTERRUPTED, SUCCESS, numbers, stored};
 use crate::math::name::name_of;
 use crate::results::{CaseRecord, Load, Lock, Manifest, RankInfo, counted, finished, read_journal};
 
@@ -29,14 +29,9 @@ pub(super) struct StatusArgs {
     /// Return what the sweep would: 0 all well, 1 some case failed, 3 something is left.
     #[arg(long)]
     exit_code: bool,
-    /// Look again every so many seconds while the sweep runs, and tell its rate.
-    #[arg(long, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "10", value_parser = seconds)]
+    /// Look again every so many seconds while the sweep runs, and tell how fast it goes.
+    #[arg(long, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "10", value_parser = numbers::seconds(0.1, 1e6), allow_negative_numbers = true)]
     watch: Option<f64>,
-}
-
-fn seconds(text: &str) -> Result<f64, String> {
-    let value = text.parse::<f64>().ok().filter(|value| (0.1..=1e6).contains(value));
-    value.ok_or_else(|| "must be a number of seconds from 0.1 to 1e6".to_owned())
 }
 
 /// What a look at a directory shows.

@@ -13,7 +13,7 @@ use super::input::{Expect, Setting, SimdChoice, default_out, out_of, study, swee
 use super::keep::KeepArgs;
 use super::output::Output;
 use super::overview::told;
-use super::{INTERRUPTED, SUCCESS, check, films, max_error, refine, shown, warnings};
+use super::{INTERRUPTED, SUCCESS, check, films, max_error, numbers, refine, shown, warnings};
 use crate::accuracy::{MaxError, Refinement};
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
 use crate::report::PAGE as REPORT;
@@ -41,7 +41,7 @@ pub(super) struct SweepArgs {
     executor: Executor,
     /// Threads per rank, one for each case at once, or more where there are fewer cases
     /// [default: the node's cores shared among its ranks].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    #[arg(long, value_name = "N", value_parser = numbers::threads(), allow_negative_numbers = true)]
     threads: Option<u16>,
     /// Go on with an earlier run, or start where there is none; this is the default.
     #[arg(long, conflicts_with = "fresh")]
@@ -69,8 +69,8 @@ pub(super) struct SweepArgs {
     /// option may be repeated. A film runs its case once more.
     #[arg(long, value_name = "CASE", default_value = "auto")]
     film: Vec<String>,
-    /// Under MPI, name a rank that has not been heard of for so long, seconds.
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = patience)]
+    /// Under MPI, name a rank that has said nothing for so many seconds.
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = numbers::seconds(1.0, 1e6), allow_negative_numbers = true)]
     hung_after_s: f64,
     #[command(flatten)]
     keep: KeepArgs,
@@ -82,11 +82,6 @@ pub(super) struct SweepArgs {
     /// Set a value by its path, such as numerics.boundary=improved-shepard; repeatable.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<Setting>,
-}
-
-fn patience(text: &str) -> Result<f64, String> {
-    let value = text.parse::<f64>().ok().filter(|value| (1.0..=1e6).contains(value));
-    value.ok_or_else(|| "must be a number of seconds from 1 to 1e6".to_owned())
 }
 
 /// Who does the work.

@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use clap::Args;
 use serde_json::json;
 
-use super::failure::BadInput;
+use super::input::demand_output_of_study;
 use super::output::Output;
-use super::{CASES_FAILED, SUCCESS, film, stored};
+use super::{CASES_FAILED, SUCCESS, film, numbers, stored};
 use crate::results::{CaseRecord, counted, finished, first_difference, verify};
 use crate::simulation::{Resources, Unwatched, run_case};
 use crate::study::Study;
@@ -20,19 +20,16 @@ use crate::study::Study;
 pub(super) struct VerifyArgs {
     /// The output directory of a sweep or a run.
     dir: PathBuf,
-    /// Run so many finished cases again, spread over the grid, and compare every bit.
-    #[arg(long, value_name = "N", default_value_t = 0)]
+    /// Run so many of the finished cases again, picked evenly from the grid, and compare every bit.
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = numbers::whole(0, u32::MAX as usize), allow_negative_numbers = true)]
     pub(super) rerun: usize,
-    /// Threads that share the work; the results are the same for any number [default: all].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    /// Threads that share the work. The results are the same for any number [default: all].
+    #[arg(long, value_name = "N", value_parser = numbers::threads(), allow_negative_numbers = true)]
     threads: Option<u16>,
 }
 
 pub(super) fn main(args: &VerifyArgs, output: &Output) -> anyhow::Result<u8> {
-    if !args.dir.join("journal.jsonl").is_file() {
-        let reason = "holds no journal.jsonl: not the output directory of a sweep";
-        return Err(BadInput(format!("{}: {reason}", args.dir.display())).into());
-    }
+    demand_output_of_study(&args.dir, "journal.jsonl")?;
     let (study, simd) = stored::study(&args.dir)?;
     let records = finished(&args.dir, &study)?;
     let mut told = verify(&args.dir, &study, &records)?;
