@@ -11,7 +11,7 @@ use super::{CASES_FAILED, SUCCESS};
 use crate::accuracy::{Errors, MethodScore, Scored, cheapest_within, methods, score};
 use crate::report::accuracy::{HEADER, write};
 
-/// Run many methods on cases with known answers, and tell error against processor time.
+/// Run many methods on cases with known answers. Tell the error and the processor time of each.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall accuracy --quick

@@ -20,7 +20,7 @@ use crate::scene::limits;
 use crate::simulation::cost;
 use crate::study::{Plan, Study, schema};
 
-/// Validate a sweep or scene file, list its cases and what they cost; run nothing.
+/// Check a sweep or scene file, and list its cases and what they cost. Nothing runs.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall check sweeps/nightly.toml
@@ -34,7 +34,7 @@ pub(super) struct CheckArgs {
     /// Print the JSON Schema of sweep and scene files instead, for editors.
     #[arg(long, conflicts_with_all = ["file", "settings"])]
     schema: bool,
-    /// Set a value by its path; repeatable.
+    /// Set a key of the file, such as numerics.particle_spacing_m=0.016. The option may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<Setting>,
 }

@@ -15,7 +15,7 @@ use crate::quantities::Unit;
 use crate::report::compare::{COMPARED, Comparison, Difference, Pair, compare, figure, table};
 use crate::results::counted;
 
-/// Put two studies side by side: the same waves and walls, whatever their numerics.
+/// Put two studies side by side. Cases of the same wave and wall are compared, whatever their numerics.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall compare results/runs/coarse results/runs/fine
@@ -27,9 +27,9 @@ first. Exit code: 0 where it could compare, 2 where the studies have no case in 
 pub(super) struct CompareArgs {
     /// The output directory of the first study.
     first: PathBuf,
-    /// The output directory of the second.
+    /// The output directory of the second study.
     second: PathBuf,
-    /// Writes compare.csv and compare.svg there.
+    /// Write compare.csv and compare.svg into this directory.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }

@@ -19,7 +19,7 @@ use crate::results::in_words;
   seawall completions zsh > ~/.zfunc/_seawall
   seawall completions fish > ~/.config/fish/completions/seawall.fish")]
 pub(super) struct CompletionsArgs {
-    /// The shell.
+    /// The shell that is to complete.
     #[arg(value_enum)]
     shell: Shell,
 }

@@ -10,8 +10,8 @@ use super::output::{Output, wrapped};
 use crate::keys::hint;
 use crate::quantities::summary::meant_by;
 
-/// Explain a key of a sweep or scene file, or a column of a table: unit, range, default, meaning, where it
-/// applies. Without a name, list all.
+/// Explain a key of a sweep or scene file, or a column of a table: its meaning, unit, range and default.
+/// Without a name, list all.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall explain spring_stiffness_n_per_m
@@ -19,7 +19,7 @@ use crate::quantities::summary::meant_by;
   seawall explain
   seawall explain numerics.courant_number --format json")]
 pub(super) struct ExplainArgs {
-    /// The key or the column; a key may have its section before it.
+    /// The key or the column. A key may have its section before it, as in numerics.kernel.
     #[arg(value_name = "KEY|COLUMN")]
     name: Option<String>,
 }

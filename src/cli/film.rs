@@ -15,8 +15,7 @@ use crate::results::{CaseRecord, finished, first_difference};
 use crate::simulation::{Resources, Stopped, run_case};
 use crate::study::{Case, Study};
 
-/// Run one case of a finished study again, check that its results are the same to the bit, and film
-/// it.
+/// Film one case of a finished study. The case runs again, and its results must be the same to the bit.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall film results/runs/two_waves wave_height_ratio=0.5 spring_stiffness_n_per_m=10
@@ -25,7 +24,7 @@ use crate::study::{Case, Study};
 pub(super) struct FilmArgs {
     /// The output directory of a sweep or a run.
     dir: PathBuf,
-    /// Which case: values of swept keys, or the case's id; as much as tells it from the others.
+    /// Which case: its id, or as many values of swept keys as single it out.
     #[arg(value_name = "KEY=VALUE")]
     case: Vec<String>,
     /// What particles are coloured by.

@@ -17,8 +17,8 @@ use crate::report::load::Loaded;
 use crate::report::plain;
 use crate::results::counted;
 
-/// Find the cases of a finished study that meet a condition, and where it begins and ends to be met along
-/// each swept key.
+/// Find the cases of a finished study that meet a condition. Along each swept key, tell where they begin
+/// and where they end.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall find results/runs/two_waves \"force_max < 2\"

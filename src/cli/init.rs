@@ -17,13 +17,13 @@ use crate::results::in_words;
 use crate::scene::{Kind, numerics_keys, scene_keys};
 use crate::study::SweepFile;
 
-/// Write a commented sweep file to start from, NAME.toml; never over another file.
+/// Write NAME.toml: a sweep file to start from, with comments. A file that is there already stays as it is.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall init two_waves
   seawall init two_waves && seawall check two_waves.toml && seawall sweep two_waves.toml")]
 pub(super) struct InitArgs {
-    /// The study's name; its file is NAME.toml, here.
+    /// The study's name. Its file is NAME.toml in the current directory.
     name: String,
 }
 

@@ -7,8 +7,8 @@ pub(super) const EVERY_S: f64 = 300.0;
 
 #[derive(Debug, Clone, Copy, Args)]
 pub(super) struct KeepArgs {
-    /// A case that takes longer than this, seconds, keeps a checkpoint of its own this often. After a
-    /// kill it goes on from there, to the same bits; 0 keeps none.
+    /// A long case keeps a checkpoint every so many seconds. After a kill it goes on from there, to the same
+    /// bits. 0 keeps none.
     #[arg(long, value_name = "SECONDS", default_value_t = EVERY_S, value_parser = seconds)]
     #[arg(allow_negative_numbers = true)]
     pub(super) checkpoint_every_s: f64,

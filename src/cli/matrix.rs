@@ -17,18 +17,18 @@ use crate::results::{CaseRecord, OpenMode};
 /// What both commands take.
 #[derive(Debug, Args)]
 pub(super) struct MatrixArgs {
-    /// A matrix of cases and methods [default: built in, the one of the command's name in sweeps/].
+    /// A file of cases and methods [default: the one in sweeps/ that has the command's name; it is built in].
     file: Option<PathBuf>,
     /// Where results go [default: results/runs/<name of the matrix>].
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Only the cases and methods marked quick: less than a minute.
+    /// Only the cases and methods that are marked as quick. They take less than a minute.
     #[arg(long)]
     quick: bool,
-    /// Only these cases, by name; repeatable.
+    /// Only these cases. The option may be repeated.
     #[arg(long = "case", value_name = "NAME,...")]
     cases: Vec<String>,
-    /// Only these methods, by name; repeatable.
+    /// Only these methods. The option may be repeated.
     #[arg(long = "method", value_name = "NAME,...")]
     methods: Vec<String>,
     /// Move an earlier run aside and start over.

@@ -13,7 +13,7 @@ use super::{SUCCESS, shown, stored};
 use crate::report::{Froude, Print, ReportError};
 use crate::results::{Lock, Manifest, finished, renew_summary, verify, write_all_histories};
 
-/// Write tables, figures and report.html from a sweep's files; simulate nothing.
+/// Write tables, figures and report.html from the files of a study. Nothing is simulated.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall report results/runs/nightly
@@ -22,10 +22,10 @@ use crate::results::{Lock, Manifest, finished, renew_summary, verify, write_all_
 pub(super) struct ReportArgs {
     /// The output directory of a sweep.
     dir: PathBuf,
-    /// Formats of the figures; pdf and png come in a journal's widths of 84 and 174 mm.
+    /// Formats of the figures, such as svg,pdf. PDF and PNG come in a journal's widths of 84 and 174 mm.
     #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMAT", default_value = "svg")]
     figures: Vec<FigureFormat>,
-    /// Add tables at the size of a prototype so many times as long as the tank, in kPa, kN/m, m and s.
+    /// Add tables for a prototype that is so many times as large as the tank, in kPa, kN/m, m and s.
     #[arg(long, value_name = "SCALE")]
     froude_scale: Option<Froude>,
 }

@@ -30,13 +30,13 @@ use crate::study::{Study, SweepFile};
 The files of the runs are inside the program. A run that was broken off goes on; figures that need the same
 run share it.")]
 pub(super) struct ReproduceArgs {
-    /// liang2017 or huang2019.
+    /// The paper: liang2017 or huang2019.
     #[arg(required_unless_present = "list")]
     paper: Option<String>,
-    /// The number of the figure.
+    /// Which figure: its number, or a word such as table-1. `--list` names all.
     #[arg(long, value_name = "N", required_unless_present = "list")]
     figure: Option<String>,
-    /// Show the figures and tables, what they show and what they cost; run nothing.
+    /// List the figures and tables: what each shows, and what it costs. Nothing runs.
     #[arg(long, conflicts_with_all = ["figure", "out", "threads", "fresh"])]
     list: bool,
     /// Where figures and runs go [default: results/runs/reproduce_<paper>].
@@ -48,7 +48,7 @@ pub(super) struct ReproduceArgs {
     /// Move earlier runs aside and start over.
     #[arg(long)]
     fresh: bool,
-    /// Set a value by its path in every run, such as numerics.particle_spacing_m=0.02; repeatable.
+    /// Set a key of every run, such as numerics.particle_spacing_m=0.02. The option may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<Setting>,
 }

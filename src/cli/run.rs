@@ -22,7 +22,7 @@ use crate::scene::CaseConfig;
 use crate::simulation::{EnergyBudget, NamedReading, PhaseShare, Resources};
 use crate::study::Study;
 
-/// Run one scene: its history, outcome, energy budget, and where the time went.
+/// Run one scene. Tell its results, its energy budget, and where the time went.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall run sweeps/scenes/fixed_wall.toml
@@ -32,9 +32,9 @@ use crate::study::Study;
   seawall run sweeps/scenes/movable_wall.toml --film
   seawall run sweeps/scenes/fixed_wall.toml --fresh --format json")]
 pub(super) struct RunArgs {
-    /// The scene file: name, [scene], [numerics]; or a sweep file of which KEY=VALUE name a case.
+    /// A scene file, with [scene] and [numerics]; or a sweep file, of which KEY=VALUE picks a case.
     file: PathBuf,
-    /// Of a sweep file, which case: values of swept keys, or the start of its id.
+    /// Which case of a sweep file: values of swept keys, or the start of its id.
     #[arg(value_name = "KEY=VALUE")]
     case: Vec<String>,
     /// Where results go [default: results/runs/<name>].
@@ -43,11 +43,11 @@ pub(super) struct RunArgs {
     /// Move an earlier run aside and start over.
     #[arg(long)]
     fresh: bool,
-    /// Write the particles for ParaView into vtk/, every SECONDS of simulated time.
+    /// Write files for ParaView into vtk/, one every so many seconds of simulated time.
     #[arg(long, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "0.05")]
     vtk: Option<Seconds>,
-    /// Film the water into films/, coloured by pressure or speed. A run that is finished already is
-    /// run again, and must come out the same.
+    /// Film the water into films/, coloured by pressure or speed. A run that is finished already runs
+    /// once more, and must come out the same.
     #[arg(long, value_enum, value_name = "COLOUR", num_args = 0..=1, conflicts_with = "vtk")]
     #[arg(default_missing_value = "pressure")]
     film: Option<ColourChoice>,
@@ -60,7 +60,7 @@ pub(super) struct RunArgs {
     /// Instruction set of the hot loops.
     #[arg(long, value_enum, default_value_t = SimdChoice::Auto)]
     simd: SimdChoice,
-    /// Set a value by its path, such as scene.wave_height_ratio=0.3; repeatable.
+    /// Set a key of the file, such as scene.wave_height_ratio=0.3. The option may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<Setting>,
 }

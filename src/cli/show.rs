@@ -18,8 +18,7 @@ use crate::quantities::{Column, Unit, heading, named};
 use crate::report::plain;
 use crate::results::{Manifest, counted};
 
-/// Show one case of a finished study: its parameters, its results with error bars, its health, and
-/// where its files are.
+/// Show one case of a finished study: its parameters, results, error bars, health and files.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall show results/runs/two_waves wave_height_ratio=0.5 spring_stiffness_n_per_m=10
@@ -28,10 +27,10 @@ use crate::results::{Manifest, counted};
 pub(super) struct ShowArgs {
     /// The output directory of a sweep or a run.
     dir: PathBuf,
-    /// Which case: values of swept keys, its id or the start of it; as much as tells it from the others.
+    /// Which case: its id or the start of it, or as many values of swept keys as single it out.
     #[arg(value_name = "CASE")]
     case: Vec<String>,
-    /// Print it as a scene file, which `seawall run` takes.
+    /// Print the case as a scene file, for `seawall run`.
     #[arg(long)]
     toml: bool,
 }

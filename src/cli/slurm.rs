@@ -11,8 +11,8 @@ use super::input::{Expect, Setting, default_out, study};
 use super::output::Output;
 use super::{numbers, shown};
 
-/// Print a Slurm job script for a sweep, for sbatch. It stops before its time limit and queues itself again
-/// until every case is done.
+/// Print a job script of a sweep for Slurm's sbatch. The job stops before its time limit, and queues itself
+/// again until every case is done.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall slurm sweeps/liang2017.toml --nodes 4 --time 12:00:00 | sbatch
@@ -35,13 +35,13 @@ pub(super) struct SlurmArgs {
     /// The sweep is told to stop so many seconds before the time limit.
     #[arg(long, value_name = "SECONDS", default_value_t = 120, value_parser = numbers::whole(1, 65_535_u32), allow_negative_numbers = true)]
     grace_s: u32,
-    /// What starts the ranks.
+    /// The command that starts the ranks.
     #[arg(long, value_name = "COMMAND", default_value = "srun --mpi=pmix --kill-on-bad-exit=1")]
     launcher: String,
     /// Where results go [default: results/runs/<name>].
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Set a value by its path, such as numerics.boundary=improved-shepard; repeatable.
+    /// Set a key of the file, such as numerics.boundary=improved-shepard. The option may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<Setting>,
 }

@@ -26,7 +26,7 @@ use crate::results::{CaseRecord, Load, Lock, Manifest, RankInfo, counted, finish
 pub(super) struct StatusArgs {
     /// The output directory of a sweep.
     dir: PathBuf,
-    /// Return what the sweep would: 0 all well, 1 some case failed, 3 something is left.
+    /// End with the sweep's own exit code: 0 all well, 1 some case failed, 3 something is left.
     #[arg(long)]
     exit_code: bool,
     /// Look again every so many seconds while the sweep runs, and tell how fast it goes.

@@ -10,7 +10,8 @@ use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
 use crate::accuracy::{Judged, Matrix, Verdict, judge};
 
-/// Run hard cases, each with its criterion stated beforehand, and tell what survives where.
+/// Run many methods on hard cases, and tell which method survives which case. What counts as surviving is
+/// stated beforehand.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall stress

@@ -19,8 +19,7 @@ use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunne
 use crate::report::PAGE as REPORT;
 use crate::results::{OpenMode, counted, write_all_histories};
 
-/// Run all cases of a sweep file, on threads or under mpirun, and go on where an earlier run
-/// stopped.
+/// Run all cases of a sweep file, on threads or under mpirun. Go on where an earlier run stopped.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall sweep sweeps/smoke.toml
@@ -36,31 +35,32 @@ pub(super) struct SweepArgs {
     /// Where results go [default: results/runs/<name>].
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Who does the work; auto takes MPI only when an MPI launcher started the process.
+    /// Who does the work. `auto` takes MPI only where an MPI launcher started the process.
     #[arg(long, value_enum, default_value_t = Executor::Auto)]
     executor: Executor,
-    /// Threads per rank, one for each case at once, or more where there are fewer cases
+    /// Threads per rank. Each takes a case of its own; where fewer cases are left, they share these
     /// [default: the node's cores shared among its ranks].
     #[arg(long, value_name = "N", value_parser = numbers::threads(), allow_negative_numbers = true)]
     threads: Option<u16>,
-    /// Go on with an earlier run, or start where there is none; this is the default.
+    /// Go on with an earlier run, or start where there is none. This is the default.
     #[arg(long, conflicts_with = "fresh")]
     resume: bool,
     /// Move an earlier run aside and start over.
     #[arg(long)]
     fresh: bool,
-    /// Run the cases again that failed earlier.
+    /// Run again the cases that failed earlier.
     #[arg(long)]
     retry_failed: bool,
     /// Validate and show what would run; write nothing.
     #[arg(long)]
     pub(super) dry_run: bool,
-    /// Run every case from rest, for checking: the same results, slower.
+    /// Run every case from rest, in place of sharing the stretch before the wall moves. The results are the
+    /// same and come later: for checking.
     #[arg(long)]
     no_branch: bool,
-    /// Choose the particle spacing case by case so that force and displacement are this accurate,
-    /// percent; verify with error bars, and run again finer what misses. Also `[accuracy]
-    /// max_error_percent` in the file.
+    /// Choose the particle spacing case by case, so that force and displacement are within so many
+    /// percent. Error bars verify it; what misses runs again, finer. In the file this is `[accuracy]
+    /// max_error_percent`.
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = max_error::percent)]
     max_error: Option<f64>,
     /// Film cases once the sweep is done, into films/. `auto` takes up to four: that of the largest force,
@@ -79,7 +79,7 @@ pub(super) struct SweepArgs {
     /// Instruction set of the hot loops.
     #[arg(long, value_enum, default_value_t = SimdChoice::Auto)]
     simd: SimdChoice,
-    /// Set a value by its path, such as numerics.boundary=improved-shepard; repeatable.
+    /// Set a key of the file, such as numerics.boundary=improved-shepard. The option may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<Setting>,
 }

@@ -12,7 +12,7 @@ use crate::results::{CaseRecord, counted, finished, first_difference, verify};
 use crate::simulation::{Resources, Unwatched, run_case};
 use crate::study::Study;
 
-/// Check every file of a sweep's directory against its checksum, and on request run some cases again.
+/// Check every file of a study against its checksum. With --rerun, run some cases again and compare them.
 #[derive(Debug, Args)]
 #[command(after_help = "Examples:
   seawall verify results/runs/nightly

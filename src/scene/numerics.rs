@@ -135,8 +135,8 @@ section! {
         ghost_gravity: GhostGravity = GhostGravity::InSum, weakly(plain());
         /// Tangential condition at walls.
         slip: Slip = Slip::Free, weakly(plain());
-        /// Particle spacing; stretched slightly so that whole columns fill the tank. At most a
-        /// quarter of the depth, at least what makes 20,000,000 particles.
+        /// Particle spacing. It is stretched slightly, so that whole columns fill the tank. It is at most a
+        /// quarter of the depth, and no finer than 20,000,000 particles allow.
         particle_spacing_m: f64 = 0.01, unit("m").above_zero();
         /// c0 / √(g h).
         sound_speed_ratio: f64 = 8.0, weakly(plain().within(4.0, 200.0));
@@ -179,8 +179,8 @@ section! {
         kinematic_viscosity_m2_per_s: Option<f64> = None, unit("m²/s").within(0.0, 1.0).label("ν");
         /// Precision of the pair terms of δ-SPH's full steps.
         precision: Precision = Precision::F64, weakly(plain());
-        /// Coarser companions of a case that yield its error bars; they decide no answer and are no
-        /// part of a case's identity.
+        /// Coarser companions of a case, from which its error bars come. They change neither the case's
+        /// results nor its identity.
         error_bars: ErrorBars = ErrorBars::None, plain();
     }
     with {

@@ -57,12 +57,12 @@ section! {
         paddle: PaddleChoice = PaddleChoice::Solitary, plain().newer();
         /// The paddle gives way to waves that come back to it, so that they leave the tank.
         absorption: bool = false, plain().newer();
-        /// H/h of the wave, of a recorded stroke about; 0 is still water with the paddle at rest.
+        /// H/h of the wave; about that where the stroke is recorded. 0 is still water with the paddle at rest.
         wave_height_ratio: f64 = 0.5, plain().within(0.0, 0.8);
         /// The run ends this long after the paddle passes the middle of its stroke.
         end_after_stroke_centre_s: f64 = 3.0, unit("s").above_zero().label("end after stroke");
-        /// The run ends at this time, whatever the stroke; must be given where H/h = 0 and with a
-        /// paddle that has no single stroke.
+        /// The run ends at this time, whatever the stroke. It must be given where H/h = 0, and where the
+        /// paddle has no single stroke.
         end_time_s: Option<f64> = None, unit("s").above_zero();
         /// Share of the duration T of a solitary wave's stroke over which its start is smoothed.
         paddle_ramp_fraction: f64 = 0.05, plain().within(0.0, 0.5).label("paddle ramp");
@@ -73,7 +73,7 @@ section! {
         /// Nothing, behind a wall that no water goes over. Behind one with a crest an outflow, which takes
         /// water away; or a dry floor or a basin of still water, up to an end wall.
         behind: Behind = Behind::Nothing, plain().only("wall", &["fixed"]).newer();
-        /// F_threshold, above which a movable wall gives way, over the hydrostatic force.
+        /// A movable wall gives way above F_threshold: so many times the force of still water.
         threshold_ratio: f64 = THRESHOLD_RATIO,
             plain().above_zero().read_where("wall", &["fixed", "movable"]);
         /// The factor s on the force above the threshold.
@@ -85,7 +85,7 @@ section! {
         /// Mass m of the wall, per metre of width.
         seawall_mass_kg_per_m: Option<f64> = None,
             unit("kg/m").above_zero().only("wall", &["movable", "caisson"]).needed();
-        /// Where the wave height is measured, from the paddle at rest; inside the tank.
+        /// Where the wave height is measured: from the paddle at rest, inside the tank.
         wave_gauge_m: f64 = 1.5, unit("m").above_zero();
         /// Spacing of the history's samples.
         history_interval_s: f64 = 0.005, unit("s").above_zero();
