@@ -3,16 +3,18 @@
 //!
 //! - `vtk` and `vtu`: files for ParaView, with everything that a particle has, and the walls;
 //! - [`PageFilm`]: one page that plays in a browser, and a still of the crest at the wall. `camera`
-//!   keeps what it saw, `codec` and `coder` pack it, `stage` knows what stands around the water,
-//!   `page` and `still` draw.
+//!   keeps what it saw, `reel`, `codec` and `coder` pack it, `stage` knows what stands around the
+//!   water, `title` names it, `page` and `still` draw.
 
 mod camera;
 mod codec;
 mod coder;
 mod page;
+mod reel;
 mod scale;
 mod stage;
 mod still;
+mod title;
 mod tops;
 mod vtk;
 mod vtu;

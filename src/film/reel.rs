@@ -1,0 +1,113 @@
+//! The frames of a film, packed for the page's script with all that stands around them.
+
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use serde_json::{Value, json};
+
+use super::camera::Take;
+use super::codec::{self, Point};
+use super::scale;
+use super::stage::Stage;
+use crate::math::decimal::significant;
+use crate::simulation::HistoryRow;
+
+/// Places are whole numbers up to the first of these, eleven bits; up to the next where that takes too
+/// much room, as water that is torn apart does.
+const FARTHEST: [f64; 3] = [2047.0, 1023.0, 511.0];
+/// Room for a particle in a frame, bytes, as long as a film does not fit into little room anyway.
+const ROOM: f64 = 0.4;
+const LITTLE_ROOM: usize = 100_000;
+/// Points of a curve.
+const MOST_POINTS: usize = 800;
+
+/// Frames of a film and what is around them.
+pub(super) struct Reel<'a> {
+    pub takes: &'a [Take],
+    pub crest: usize,
+    pub stage: &'a Stage,
+    /// Of the scale of colours.
+    pub end: f64,
+}
+
+/// All frames as bytes.
+struct Packed {
+    /// Metres.
+    quantum: f64,
+    /// Particles in a column.
+    column: usize,
+    bytes: Vec<u8>,
+}
+
+impl Reel<'_> {
+    /// All that the script needs.
+    pub fn json(&self, history: &[HistoryRow]) -> Value {
+        let [left, low, span] = self.extent();
+        let particles = self.takes[0].points.len();
+        let room = (ROOM * (self.takes.len() * particles) as f64) as usize;
+        let [finest, coarser @ ..] = FARTHEST.map(|farthest| span / farthest);
+        let mut packed = self.pack([left, low], finest);
+        for quantum in coarser {
+            if packed.bytes.len() > room.max(LITTLE_ROOM) {
+                packed = self.pack([left, low], quantum);
+            }
+        }
+        let times = |read: fn(&Take) -> f64| self.takes.iter().map(read).map(brief);
+        let mut film = serde_json::to_value(self.stage).unwrap_or_default();
+        film["particles"] = json!(particles);
+        film["column"] = json!(packed.column);
+        film["x0"] = json!(left);
+        film["y0"] = json!(low);
+        film["quantum"] = json!(packed.quantum);
+        film["crest"] = json!(self.crest);
+        film["times"] = times(|take| take.time_s).collect();
+        film["left"] = times(|take| take.walls[0]).collect();
+        film["right"] = times(|take| take.walls[1]).collect();
+        film["colours"] = json!(scale::colours());
+        film["history"] = curves(history);
+        film["data"] = json!(STANDARD.encode(&packed.bytes));
+        film
+    }
+
+    /// The frames with places in quanta of so many metres from a corner.
+    fn pack(&self, [left, low]: [f64; 2], quantum: f64) -> Packed {
+        let place = |value: f32, from: f64| ((f64::from(value) - from) / quantum) as f32;
+        let point =
+            |&[x, y, value]: &Point| [place(x, left), place(y, low), scale::level(value, self.end)];
+        let frame = |take: &Take| -> Vec<Point> { take.points.iter().map(point).collect() };
+        let frames: Vec<_> = self.takes.iter().map(frame).collect();
+        let (order, column) = codec::order(&frames[0], (self.stage.spacing / quantum) as f32);
+        Packed { quantum, column, bytes: codec::encode(&frames, &order, column) }
+    }
+
+    /// The left and the lower side of all water, and how far it reaches, metres.
+    fn extent(&self) -> [f64; 3] {
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for point in self.takes.iter().flat_map(|take| &take.points) {
+            for axis in 0..2 {
+                low[axis] = low[axis].min(f64::from(point[axis]));
+                high[axis] = high[axis].max(f64::from(point[axis]));
+            }
+        }
+        [low[0], low[1], (high[0] - low[0]).max(high[1] - low[1]).max(1e-9)]
+    }
+}
+
+/// F*, R* and X* over time, each where it changes.
+fn curves(history: &[HistoryRow]) -> Value {
+    let rows: Vec<_> = history.iter().step_by(history.len().div_ceil(MOST_POINTS).max(1)).collect();
+    let read = |read: fn(&HistoryRow) -> f64| rows.iter().map(move |row| brief(read(row)));
+    let mut curves = Vec::new();
+    let mut curve = |symbol: &str, name: &str, values: Vec<f64>| {
+        if values.iter().any(|&value| value != values[0]) {
+            curves.push(json!({ "symbol": symbol, "name": name, "values": values }));
+        }
+    };
+    curve("F*", "force on the wall over ρgh²/2", read(|row| row.force).collect());
+    curve("R*", "runup over h", read(|row| row.runup).collect());
+    curve("X*", "displacement of the wall over h", read(|row| row.displacement).collect());
+    json!({ "time_s": read(|row| row.time_s).collect::<Value>(), "curves": curves })
+}
+
+fn brief(value: f64) -> f64 {
+    significant(value, 5)
+}

@@ -1,0 +1,58 @@
+//! A film in words: the title of its page, and the caption of its still.
+
+use super::camera::Take;
+use crate::math::decimal::significant;
+use crate::scene::CaseConfig;
+use crate::simulation::{CaseResult, HistoryRow};
+use crate::study::CaseId;
+
+/// The title of its page.
+pub(super) fn title(config: &CaseConfig) -> String {
+    let kind = config.scene.kind();
+    match config.scene.seawall() {
+        Some(scene) => {
+            let wave = if scene.wave_train.is_some() { "Waves" } else { "Wave" };
+            format!("{wave} of H/h = {} at a {}", scene.wave_height_ratio, wall(config))
+        }
+        None if kind == "taylor-green" => "Taylor-Green vortices".to_owned(),
+        None => kind[..1].to_uppercase() + &kind[1..].replace('-', " "),
+    }
+}
+
+/// The wall of a tank in words.
+fn wall(config: &CaseConfig) -> String {
+    let Some(scene) = config.scene.seawall() else { return String::new() };
+    let numbers = [
+        (scene.spring_stiffness_n_per_m, "k", " N/m"),
+        (scene.seawall_mass_kg_per_m, "m", " kg/m"),
+    ];
+    let told: String = numbers
+        .iter()
+        .filter_map(|(value, name, unit)| Some(format!(", {name} = {}{unit}", (*value)?)))
+        .collect();
+    let kind = match (scene.wall.moves(), scene.spring_stiffness_n_per_m) {
+        (false, _) if scene.wall_angle_deg == 90.0 => match &scene.crest {
+            Some(crest) => format!("fixed wall of {} m over still water", crest.crest_freeboard_m),
+            None => "fixed wall".to_owned(),
+        },
+        (false, _) => format!("fixed wall at {}°", scene.wall_angle_deg),
+        (true, Some(_)) => "wall on a spring".to_owned(),
+        (true, None) => "sliding caisson".to_owned(),
+    };
+    kind + &told
+}
+
+/// The line under it.
+pub(super) fn about(config: &CaseConfig) -> String {
+    let spacing = significant(1000.0 * config.numerics.particle_spacing_m, 4);
+    format!("Case {}, particles {spacing} mm apart.", CaseId::of(config))
+}
+
+/// What stands over a still.
+pub(super) fn caption(config: &CaseConfig, take: &Take, result: &CaseResult) -> String {
+    let row = |row: &&HistoryRow| (row.time_s - take.time_s).abs();
+    let near = result.history.iter().min_by(|a, b| row(a).total_cmp(&row(b)));
+    let told = near
+        .map_or_else(String::new, |row| format!(", F* = {:.2}, R* = {:.2}", row.force, row.runup));
+    format!("{}: t = {:.2} s{told}", title(config), take.time_s)
+}
