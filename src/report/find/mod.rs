@@ -1,7 +1,9 @@
 //! The part of a finished study that meets a condition, from its files alone.
 
+mod boundaries;
 mod boundary;
 mod condition;
+mod line;
 mod subject;
 #[cfg(test)]
 mod tests;
@@ -30,7 +32,7 @@ pub struct Found {
 pub fn find(text: &str, data: &Loaded) -> Result<Found, String> {
     let condition = Condition::read(text, data)?;
     let verdicts = (0..data.rows.len()).map(|row| condition.verdict(row)).collect();
-    let boundaries = boundary::boundaries(&condition, data);
+    let boundaries = boundaries::boundaries(&condition, data);
     Ok(Found { condition, verdicts, boundaries })
 }
 

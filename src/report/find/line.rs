@@ -1,0 +1,210 @@
+//! A line of cases along an axis, and its boundaries.
+
+use std::collections::BTreeMap;
+
+use super::boundary::{Basis, Boundary};
+use super::condition::{Comparison, Condition, Verdict};
+use crate::math::bend;
+use crate::math::scale::Scale;
+use crate::report::load::Loaded;
+
+/// A parabola is an estimate, too: a boundary may be so many times as far from the chord's.
+const MARGIN: f64 = 1.5;
+
+/// A case on an axis.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Stop {
+    row: usize,
+    value: f64,
+    place: f64,
+}
+
+/// The cases that differ in one key alone, in the order of its values; groups in the grid's order.
+pub(super) fn lines(key: usize, scale: Scale, data: &Loaded) -> Vec<Vec<Stop>> {
+    let mut order: BTreeMap<Vec<&str>, usize> = BTreeMap::new();
+    let mut lines: Vec<Vec<Stop>> = Vec::new();
+    for row in 0..data.rows.len() {
+        let Ok(value) = data.keys[key].cells[row].parse::<f64>() else { continue };
+        let others = data.keys.iter().enumerate().filter(|(place, _)| *place != key);
+        let others = others.map(|(_, other)| other.cells[row].as_str()).collect();
+        let line = *order.entry(others).or_insert_with(|| {
+            lines.push(Vec::new());
+            lines.len() - 1
+        });
+        lines[line].push(Stop { row, value, place: scale.place(value) });
+    }
+    for line in &mut lines {
+        line.sort_by(|a, b| a.value.total_cmp(&b.value));
+    }
+    lines
+}
+
+/// One line of cases along an axis.
+pub(super) struct Line<'a> {
+    pub condition: &'a Condition,
+    pub data: &'a Loaded,
+    pub key: usize,
+    pub scale: Scale,
+    pub stops: &'a [Stop],
+}
+
+impl Line<'_> {
+    /// All of its boundaries.
+    pub fn all(&self) -> Vec<Boundary> {
+        let known = |at: &usize| self.verdict(*at) != Verdict::Unknown;
+        let told: Vec<_> = (0..self.stops.len()).filter(known).collect();
+        let mut found = Vec::new();
+        let ends = [told.first(), told.last()].map(|end| end.copied());
+        if let [Some(first), Some(last)] = ends {
+            found.extend((first > 0).then(|| self.open(first, 0)).flatten());
+            for pair in told.windows(2) {
+                found.extend(self.between(pair[0], pair[1]));
+            }
+            let end = self.stops.len() - 1;
+            found.extend((last < end).then(|| self.open(last, end)).flatten());
+        }
+        found
+    }
+
+    fn verdict(&self, at: usize) -> Verdict {
+        self.condition.verdict(self.stops[at].row)
+    }
+
+    /// The end of the known part of a line, where it is met there and nothing is known beyond.
+    fn open(&self, known: usize, end: usize) -> Option<Boundary> {
+        (self.verdict(known) == Verdict::Met).then(|| self.within(known, end, Basis::Gap))
+    }
+
+    /// A boundary of which no more is known than that it lies between a case that meets the condition and
+    /// another one.
+    fn within(&self, met: usize, other: usize, basis: Basis) -> Boundary {
+        let (low, high) = (met.min(other), met.max(other));
+        let between = [self.stops[low].value, self.stops[high].value];
+        self.boundary(low, high, met > other, None, between, basis)
+    }
+
+    fn boundary(
+        &self,
+        low: usize,
+        high: usize,
+        met_above: bool,
+        at: Option<f64>,
+        between: [f64; 2],
+        basis: Basis,
+    ) -> Boundary {
+        let is_doubtful =
+            |stop: &Stop| self.data.rows[stop.row].is(&crate::quantities::summary::DOUBTFUL);
+        let row = self.stops[low].row;
+        let doubtful = self.stops[low..=high].iter().any(is_doubtful);
+        let (key, scale) = (self.key, self.scale);
+        Boundary { key, row, scale, met_above, at, between, basis, doubtful }
+    }
+
+    /// The boundaries between two cases beside one another, or with cases between that tell nothing.
+    fn between(&self, low: usize, high: usize) -> Vec<Boundary> {
+        let verdicts = [low, high].map(|at| self.verdict(at));
+        let differ = verdicts[0] != verdicts[1];
+        let (met, other) = if verdicts[0] == Verdict::Met { (low, high) } else { (high, low) };
+        let is_bound = |comparison: &Comparison| {
+            let rows = [low, high].map(|at| self.stops[at].row);
+            let changes = comparison.verdict(rows[0]) != comparison.verdict(rows[1]);
+            changes && rows.iter().any(|row| comparison.subject.exact(*row).is_none())
+        };
+        if high > low + 1 {
+            return differ.then(|| self.within(met, other, Basis::Gap)).into_iter().collect();
+        }
+        if self.condition.0.iter().any(is_bound) {
+            return differ
+                .then(|| self.within(met, other, Basis::LowerBound))
+                .into_iter()
+                .collect();
+        }
+        self.interpolated(low)
+    }
+
+    /// The ends of the share of an interval in which the straight lines meet all comparisons.
+    fn interpolated(&self, low: usize) -> Vec<Boundary> {
+        let (mut from, mut to) = (Vec::new(), Vec::new());
+        for comparison in &self.condition.0 {
+            let verdicts = [low, low + 1].map(|at| comparison.verdict(self.stops[at].row));
+            let crossed = (self.share(comparison, low, 0.0), comparison);
+            match verdicts.map(|verdict| verdict == Verdict::Met) {
+                [true, true] => {}
+                [false, false] => return Vec::new(),
+                [true, false] => to.push(crossed),
+                [false, true] => from.push(crossed),
+            }
+        }
+        let from = from.into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
+        let to = to.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+        if from.zip(to).is_some_and(|(from, to)| from.0 > to.0) {
+            return Vec::new();
+        }
+        let ends = [(from, true), (to, false)].into_iter();
+        let end = |(end, met_above): (Option<(f64, &Comparison)>, bool)| {
+            end.map(|(share, comparison)| self.crossing(comparison, low, share, met_above))
+        };
+        ends.filter_map(end).collect()
+    }
+
+    /// Where a comparison's limit is crossed in an interval, as a share of it, on a parabola of this half
+    /// curvature.
+    fn share(&self, comparison: &Comparison, low: usize, half_curvature: f64) -> f64 {
+        if comparison.subject.name == self.data.keys[self.key].name {
+            let [left, right] = [low, low + 1].map(|at| self.stops[at].place);
+            return (self.scale.place(comparison.limit) - left) / (right - left);
+        }
+        let [Some(left), Some(right)] = [low, low + 1].map(|at| self.point(comparison, at)) else {
+            return 0.0;
+        };
+        bend::crossing([left, right], half_curvature, comparison.limit)
+    }
+
+    fn point(&self, comparison: &Comparison, at: usize) -> Option<bend::Point> {
+        let stop = self.stops.get(at)?;
+        Some((stop.place, comparison.subject.exact(stop.row)?))
+    }
+
+    /// A boundary by linear interpolation, with the range that the bend of the curve and the error bars
+    /// of both cases leave it.
+    fn crossing(
+        &self,
+        comparison: &Comparison,
+        low: usize,
+        share: f64,
+        met_above: bool,
+    ) -> Boundary {
+        let [left, right] = [self.stops[low], self.stops[low + 1]];
+        let value = |share: f64| self.scale.value(left.place + (right.place - left.place) * share);
+        let told = |between: [f64; 2], basis| {
+            self.boundary(low, low + 1, met_above, Some(value(share)), between, basis)
+        };
+        if comparison.subject.name == self.data.keys[self.key].name {
+            return told([value(share); 2], Basis::Exact);
+        }
+        let point = |at: usize| self.point(comparison, at);
+        let [Some(from), Some(to)] = [point(low), point(low + 1)] else {
+            return told([left.value, right.value], Basis::Gap);
+        };
+        let before = low.checked_sub(1).and_then(point);
+        let halves = bend::beside([from, to], before, point(low + 2));
+        let shares = halves.iter().map(|half| self.share(comparison, low, *half));
+        let bend = MARGIN * shares.map(|other| (other - share).abs()).fold(0.0, f64::max);
+        let bars = [left, right].map(|stop| comparison.subject.bar(stop.row).unwrap_or(0.0));
+        let bar = (bars[0] + (bars[1] - bars[0]) * share) / (to.1 - from.1).abs();
+        // A case whose bar does not reach the limit is on its side of the boundary for certain.
+        let sure = [left, right].map(|stop| !comparison.is_near(stop.row));
+        let (basis, reach) = match halves.is_empty() {
+            true => (Basis::TwoCases, [share, 1.0 - share].map(|reach| reach + bar)),
+            false => (Basis::Bend, [bend + bar; 2]),
+        };
+        let mut ends = [share - reach[0], share + reach[1]];
+        if sure[0] {
+            ends[0] = ends[0].max(0.0);
+        }
+        if sure[1] {
+            ends[1] = ends[1].min(1.0);
+        }
+        told(ends.map(value), basis)
+    }
+}
