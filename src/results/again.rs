@@ -7,7 +7,7 @@ use csv::StringRecord;
 
 use super::error::SweepError;
 use super::record::CaseRecord;
-use super::{files, journal, summary};
+use super::{case_tables, files, journal, summary};
 use crate::quantities::summary::{CASE_ID, WALL_TIME};
 use crate::simulation::CaseResult;
 use crate::study::{Case, Study};
@@ -58,7 +58,7 @@ pub fn first_difference(
     }
     let path = files::history_path(directory, case.id);
     let old = std::fs::read_to_string(&path).map_err(SweepError::io(&path))?;
-    Ok(in_lines(&old, &files::history(&result.history)))
+    Ok(in_lines(&old, &case_tables::history(&result.history)))
 }
 
 /// Column names and cells of a case.

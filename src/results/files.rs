@@ -1,52 +1,17 @@
 //! Per-case files: histories, probes, readings, envelopes and waves.
 
-use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use serde::{Deserialize, Serialize};
-
-use super::checksum::checksum;
-use super::error::SweepError;
-use super::{atomic_file, disk, number};
-use crate::quantities::{self, Quantity};
-use crate::simulation::{
-    CaseResult, EnvelopeRow, HistoryRow, NamedReading, ProbeColumn, ProbeTable, WaveRow,
+use super::case_tables::{
+    envelope_table, history, probe_columns, probe_table, reading_table, wave_table,
 };
+use super::error::SweepError;
+use super::seal::{Seal, Seals};
+use super::{atomic_file, disk};
+use crate::simulation::CaseResult;
 use crate::study::CaseId;
-
-/// What a file was when it was written.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(untagged)]
-pub enum Seal {
-    /// Its length, bytes, and the start of its SHA-256.
-    Whole {
-        /// Length.
-        bytes: u64,
-        /// 16 hex digits.
-        sum: String,
-    },
-    /// Its length alone, as earlier versions wrote it.
-    Length(u64),
-}
-
-impl Seal {
-    fn of(content: &[u8]) -> Seal {
-        Seal::Whole { bytes: content.len() as u64, sum: checksum(content) }
-    }
-
-    /// Whether this is the content that was written.
-    fn fits(&self, content: &[u8]) -> bool {
-        match self {
-            Seal::Length(bytes) => *bytes == content.len() as u64,
-            whole => *whole == Seal::of(content),
-        }
-    }
-}
-
-/// Seals of a case's files by their folders.
-pub(super) type Seals = BTreeMap<String, Seal>;
 
 const HISTORIES: &str = "histories";
 const PROBES: &str = "probes";
@@ -179,116 +144,4 @@ pub(super) fn clean(directory: &Path) -> Result<(), SweepError> {
 /// Where a case's history is.
 pub(super) fn history_path(directory: &Path, id: impl std::fmt::Display) -> PathBuf {
     directory.join(HISTORIES).join(format!("{id}.csv"))
-}
-
-/// Its text.
-pub(super) fn history(rows: &[HistoryRow]) -> String {
-    let columns = quantities::history::ALL;
-    let mut text = columns.iter().map(|column| column.name).collect::<Vec<_>>().join(",") + "\n";
-    for row in rows {
-        let values = columns.iter().map(|column| (column.read)(row));
-        push_row(&mut text, values);
-    }
-    text
-}
-
-fn probe_table(probes: &ProbeTable) -> String {
-    let mut text = "time_s".to_owned();
-    for column in &probes.columns {
-        text.push(',');
-        text.push_str(&column.name);
-    }
-    text.push('\n');
-    for (time, row) in probes.rows() {
-        push_row(&mut text, std::iter::once(time).chain(row.iter().copied()));
-    }
-    text
-}
-
-/// What a column of the probes' tables holds.
-fn probe_columns(probes: &ProbeTable) -> String {
-    let row = |ProbeColumn { name, unit, method }: &ProbeColumn| {
-        [name.clone(), unit.clone(), method.clone()]
-    };
-    worded(["name", "unit", "method"], probes.columns.iter().map(row))
-}
-
-fn reading_table(readings: &[NamedReading]) -> String {
-    let row = |reading: &NamedReading| {
-        [reading.name.clone(), number::text(reading.value), reading.unit.clone()]
-    };
-    worded(["name", "value", "unit"], readings.iter().map(row))
-}
-
-/// Each whole period of regular waves.
-fn wave_table(rows: &[WaveRow]) -> String {
-    declared(quantities::wave::ALL, rows, |column, row| Some((column.read)(row)))
-}
-
-/// The largest pressures up the wall; without a first impact its cells are empty.
-fn envelope_table(rows: &[EnvelopeRow]) -> String {
-    declared(quantities::envelope::ALL, rows, |column, row| (column.read)(row))
-}
-
-/// A table of declared columns.
-fn declared<Read, Row>(
-    columns: &[&Quantity<Read>],
-    rows: &[Row],
-    cell: impl Fn(&Quantity<Read>, &Row) -> Option<f64>,
-) -> String {
-    let mut text = columns.iter().map(|column| column.name).collect::<Vec<_>>().join(",") + "\n";
-    for row in rows {
-        let cells = columns.iter().map(|column| cell(column, row));
-        let cells: Vec<_> =
-            cells.map(|value| value.map(number::text).unwrap_or_default()).collect();
-        text.push_str(&cells.join(","));
-        text.push('\n');
-    }
-    text
-}
-
-/// A table with words in it, which may hold commas.
-fn worded(header: [&str; 3], rows: impl Iterator<Item = [String; 3]>) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in std::iter::once(header.map(str::to_owned)).chain(rows) {
-        writer.write_record(row).expect("rows of three cells go into memory");
-    }
-    let bytes = writer.into_inner().expect("memory takes it all");
-    String::from_utf8(bytes).expect("made of text")
-}
-
-fn push_row(text: &mut String, values: impl IntoIterator<Item = f64>) {
-    for (column, value) in values.into_iter().enumerate() {
-        if column > 0 {
-            text.push(',');
-        }
-        number::push(text, value);
-    }
-    text.push('\n');
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn probes_have_a_column_each() {
-        let probes = ProbeTable {
-            columns: vec![
-                ProbeColumn { name: "p1".into(), unit: "Pa".into(), method: "here".into() },
-                ProbeColumn { name: "level".into(), unit: "m".into(), method: "there".into() },
-            ],
-            time_s: vec![0.0, 0.005],
-            values: vec![1.5, 0.1, 2.0, 0.30000000000000004],
-        };
-        let text = probe_table(&probes);
-        assert_eq!(probe_columns(&probes), "name,unit,method\np1,Pa,here\nlevel,m,there\n");
-        assert_eq!(text, "time_s,p1,level\n0,1.5,0.1\n0.005,2,0.30000000000000004\n");
-    }
-
-    #[test]
-    fn words_may_hold_commas() {
-        let reading = NamedReading::new("arm", 0.5, "% of R, largest");
-        assert_eq!(reading_table(&[reading]), "name,value,unit\narm,0.5,\"% of R, largest\"\n");
-    }
 }

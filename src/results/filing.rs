@@ -7,7 +7,8 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use super::checksum::checksum;
-use super::files::{self, Seal, Seals};
+use super::files;
+use super::seal::{Seal, Seals};
 use super::{manifest, round_trip};
 use crate::simulation::{CaseResult, EnergyBudget, NamedReading, Outcome, PhaseShare};
 use crate::study::CaseId;

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
-use super::files::Seal;
 use super::filing::Filed;
 use super::round_trip;
+use super::seal::Seal;
 use crate::simulation::{
     CaseResult, EnergyBudget, Failure, FailureKind, NamedReading, Outcome, PhaseShare,
 };
