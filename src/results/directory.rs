@@ -2,26 +2,22 @@
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
 
 use super::attempts::Attempts;
 use super::entries::Header;
 use super::error::SweepError;
-use super::files::{self, Unsynced};
+use super::files;
 use super::filing::Filed;
-use super::group::Group;
 use super::journal::{self, Journal};
 use super::lock::Lock;
 use super::opening::{self, Filling, Found, look};
 use super::record::CaseRecord;
+use super::waiting::Waiting;
 use super::{checkpoints, disk, energy, summary};
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::simulation::CaseResult;
 use crate::study::{CaseId, Study};
-
-/// Lines and files are on the disk after this time at most.
-const GROUP: Duration = Duration::from_millis(200);
 
 /// What to do with a directory that holds something.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -49,7 +45,7 @@ pub struct Directory {
     path: PathBuf,
     _lock: Lock,
     journal: Journal,
-    unsynced: Unsynced,
+    waiting: Waiting,
     simd: SimdPath,
     records: Vec<Option<CaseRecord>>,
     /// Records before this are cases, the others companions.
@@ -58,10 +54,6 @@ pub struct Directory {
     attempts: Attempts,
     /// Cases that can go on from a checkpoint of their own.
     kept: BTreeSet<CaseId>,
-    /// Cases that are recorded, but may not be on the disk yet.
-    recorded: Vec<CaseId>,
-    /// What goes to the disk just now.
-    group: Option<Group>,
 }
 
 impl Directory {
@@ -124,13 +116,11 @@ impl Directory {
         findings.extend(told);
         let directory = Directory {
             kept,
-            recorded: Vec::new(),
-            group: None,
             attempts: Attempts::open(path)?,
             path: path.to_owned(),
             _lock: lock,
             journal,
-            unsynced: Unsynced::new(path)?,
+            waiting: Waiting::new(path)?,
             simd,
             records,
             cases: study.cases.len(),
@@ -215,7 +205,7 @@ impl Directory {
         if let Some(result) = result.filter(|_| record.is_ok() && record.index < self.cases) {
             let written = files::write(&self.path, record.id, result, false)?;
             record.files = written.seals;
-            self.unsynced.add(&self.path, record.id, &record.files);
+            self.waiting.add_files(&self.path, record.id, &record.files);
             if let Some(columns) = written.probe_columns {
                 files::write_probe_columns(&self.path, &columns)?;
             }
@@ -231,7 +221,7 @@ impl Directory {
     ) -> Result<(), SweepError> {
         record.files = filed.seals();
         if !filed.on_disk {
-            self.unsynced.add(&self.path, record.id, &record.files);
+            self.waiting.add_files(&self.path, record.id, &record.files);
         }
         if let Some(columns) = &filed.probe_columns {
             files::write_probe_columns(&self.path, columns)?;
@@ -242,7 +232,7 @@ impl Directory {
     fn take(&mut self, record: CaseRecord) -> Result<(), SweepError> {
         self.journal.record(&record)?;
         let index = record.index;
-        self.recorded.push(record.id);
+        self.waiting.add_line(record.id);
         self.records[index] = Some(record.held());
         Ok(())
     }
@@ -250,26 +240,7 @@ impl Directory {
     /// Puts everything recorded on the disk: if `now`, before it returns; otherwise what has waited long
     /// enough, beside everything else.
     pub fn sync(&mut self, now: bool) -> Result<(), SweepError> {
-        if let Some(group) = self.group.take_if(|group| now || group.is_ended()) {
-            checkpoints::remove(&self.path, group.end()?)?;
-        }
-        if !self.journal.waits(if now { Duration::ZERO } else { GROUP }) || self.group.is_some() {
-            return Ok(());
-        }
-        self.journal.demand_in_place()?;
-        if now {
-            self.unsynced.take().sync(&self.path)?;
-            self.journal.sync()?;
-            return checkpoints::remove(&self.path, self.recorded.drain(..));
-        }
-        let mut journal = self.journal.let_sync()?;
-        let (path, unsynced) = (self.path.clone(), self.unsynced.take());
-        let recorded = std::mem::take(&mut self.recorded);
-        self.group = Some(Group::start(recorded, move || {
-            unsynced.sync(&path)?;
-            journal.sync()
-        }));
-        Ok(())
+        self.waiting.sync(&self.path, &mut self.journal, now)
     }
 
     /// Makes all tables from the journal's records.
@@ -283,8 +254,10 @@ impl Directory {
 #[cfg(test)]
 mod tests {
     use std::fs;
+    use std::time::Duration;
 
     use super::super::made_up::made_up;
+    use super::super::waiting;
     use super::*;
     use crate::study::SweepFile;
 
@@ -339,11 +312,11 @@ mod tests {
             directory.record(record, Some(&result)).unwrap();
             // A line is there at once: a killed process loses nothing.
             assert_eq!(journal::read_journal(&path).unwrap().records.len(), case.index + 1);
-            std::thread::sleep(GROUP);
+            std::thread::sleep(waiting::LONGEST);
             directory.sync(false).unwrap();
         }
         directory.sync(true).unwrap();
-        assert!(directory.group.is_none() && directory.recorded.is_empty());
+        assert!(directory.waiting.is_over());
         assert!(!directory.journal.waits(Duration::ZERO));
         drop(directory);
         let (_directory, opened) = open(&path, &study, OpenMode::Resume).unwrap();

@@ -39,6 +39,7 @@ mod seal;
 mod summary;
 mod verify;
 
+mod waiting;
 pub use again::{finished, first_difference};
 pub use all_histories::write_all_histories;
 pub use attempts::Attempts;
