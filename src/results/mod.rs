@@ -11,6 +11,7 @@ mod all_histories;
 mod atomic_file;
 mod attempts;
 mod case_tables;
+mod checkpoint;
 mod checkpoints;
 mod checksum;
 mod clock;
@@ -38,12 +39,13 @@ mod round_trip;
 mod seal;
 mod summary;
 mod verify;
-
 mod waiting;
+
 pub use again::{finished, first_difference};
 pub use all_histories::write_all_histories;
 pub use attempts::Attempts;
-pub use checkpoints::{Checkpoint, has_checkpoints};
+pub use checkpoint::Checkpoint;
+pub use checkpoints::has_checkpoints;
 #[cfg(feature = "mpi")]
 pub(crate) use checksum::checksum_of;
 pub use clock::timestamp;
