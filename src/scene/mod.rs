@@ -10,6 +10,7 @@ mod crest;
 mod crest_demands;
 mod dam_break;
 mod declared;
+mod facts;
 mod filling;
 mod frame;
 mod hydrostatic;

@@ -1,0 +1,95 @@
+//! What known limits ask of a case.
+
+use super::config::CaseConfig;
+use super::kind::Scene;
+use super::numerics::{BoundaryChoice, Numerics, Scheme};
+use crate::scheme::isph::Laplacian;
+
+/// Walls this stiff, N/m per metre of width, stand as good as still under the highest waves.
+const STIFF: f64 = 1e4;
+
+/// Rise along a stretch of the bed that is a little more than that of a slope of 1:2.
+const STEEP: f64 = 0.46;
+
+/// What limits ask of a case.
+pub(super) struct Facts<'a> {
+    pub config: &'a CaseConfig,
+    pub numerics: &'a Numerics,
+    /// By δ-SPH.
+    pub weakly: bool,
+    /// H/h at a seawall, 0 for no wave.
+    pub wave: f64,
+    /// Rows of particles over the depth before a seawall.
+    pub rows: Option<f64>,
+    /// A seawall that hardly moves.
+    pub stands: bool,
+}
+
+impl Facts<'_> {
+    /// Those of a case.
+    pub fn of(config: &CaseConfig) -> Facts<'_> {
+        let numerics = &config.numerics;
+        let seawall = config.scene.seawall();
+        Facts {
+            config,
+            numerics,
+            weakly: numerics.scheme == Scheme::Wcsph,
+            wave: seawall.map_or(0.0, |scene| scene.wave_height_ratio),
+            rows: seawall.map(|scene| scene.still_water_depth_m / numerics.particle_spacing_m),
+            stands: seawall.is_some_and(|scene| {
+                !scene.wall.moves() || scene.spring_stiffness_n_per_m.is_some_and(|k| k >= STIFF)
+            }),
+        }
+    }
+
+    pub fn scene(&self) -> &Scene {
+        &self.config.scene
+    }
+
+    /// Whether waves that go on make its particles creep closer.
+    pub fn sinks(&self) -> bool {
+        let numerics = self.numerics;
+        self.weakly && numerics.corrected_gradients && numerics.volume_feedback == 0.0
+    }
+
+    pub fn breaks(&self) -> bool {
+        self.weakly && matches!(self.scene(), Scene::DamBreak(_))
+    }
+
+    /// Without gradient corrections and the shifting that goes with them.
+    pub fn uncorrected(&self) -> bool {
+        self.weakly && !self.numerics.corrected_gradients
+    }
+
+    /// Takes ghosts' values in this way.
+    pub fn boundary(&self, choice: BoundaryChoice) -> bool {
+        self.weakly && self.numerics.boundary == choice
+    }
+
+    /// Whether a stretch of the bed is steeper than 1:2.
+    pub fn has_steep_bed(&self) -> bool {
+        let bed = self.scene().seawall().and_then(|scene| scene.bed.as_ref());
+        bed.is_some_and(|bed| bed.stretches().any(|stretch| stretch.along[1].abs() > STEEP))
+    }
+
+    pub fn has_bed(&self) -> bool {
+        self.scene().seawall().is_some_and(|scene| scene.bed.is_some())
+    }
+
+    pub fn has_crest(&self) -> bool {
+        self.scene().seawall().is_some_and(|scene| scene.crest.is_some())
+    }
+
+    /// Regular waves for more than ten periods.
+    pub fn is_long_train(&self) -> bool {
+        let scene = self.scene().seawall();
+        let period =
+            scene.and_then(|scene| scene.wave_train.as_ref()).map(|train| train.wave_period_s);
+        period.is_some_and(|period| self.scene().frame().end_time > 10.0 * period)
+    }
+
+    pub fn leaves_divergence(&self) -> bool {
+        let own = self.numerics.incompressible();
+        !self.weakly && own.gravity_courant_number > 0.035 && own.laplacian != Laplacian::Exact
+    }
+}
