@@ -5,6 +5,7 @@
 //! validates, prints and returns the code; the other ranks return 0.
 
 mod accuracy;
+mod answer;
 mod check;
 mod compare;
 mod completions;

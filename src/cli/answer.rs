@@ -1,0 +1,237 @@
+//! The answer of `seawall find`, for people and for programs.
+
+use serde_json::{Map, Value, json};
+
+use super::output::{short, with_bar};
+use super::table::Table;
+use crate::quantities::heading;
+use crate::quantities::summary::{CASE_ID, DOUBTFUL};
+use crate::report::find::{Basis, Boundary, Found, Reading, Verdict};
+use crate::report::load::Loaded;
+use crate::report::plain;
+use crate::results::counted;
+
+/// Rows of a table shown without `-v`.
+const ROWS: usize = 30;
+
+/// What was found in a study.
+pub(super) struct Answer<'a> {
+    pub(super) data: &'a Loaded,
+    pub(super) found: &'a Found,
+}
+
+impl Answer<'_> {
+    /// For people.
+    pub(super) fn told(&self, all: bool) -> String {
+        let met: Vec<_> = self.found.rows(Verdict::Met).collect();
+        let cases = counted(self.data.rows.len(), "case");
+        let mut text = format!("{} of {cases} meet {}", met.len(), self.found.condition);
+        text.push_str(&self.marks(&met));
+        if !met.is_empty() {
+            text.push_str(&format!("\n{}", self.cases(&met, all)));
+        }
+        text.push_str(&self.unknown(all));
+        if !self.found.boundaries.is_empty() {
+            text.push_str(&format!("\nwhere it begins and ends\n{}", self.boundaries(all)));
+        }
+        text
+    }
+
+    /// How many of the cases that meet it are doubtful, or near the limit.
+    fn marks(&self, met: &[usize]) -> String {
+        let near = met.iter().filter(|row| self.found.condition.is_near(**row)).count();
+        let doubtful = met.iter().filter(|row| self.is_doubtful(**row)).count();
+        let mut text = String::from("\n");
+        if near > 0 {
+            text.push_str(&format!("~ {near} of them by less than the error bar\n"));
+        }
+        if doubtful > 0 {
+            text.push_str(&format!("! {doubtful} of them doubtful: look at the history first\n"));
+        }
+        text
+    }
+
+    fn is_doubtful(&self, row: usize) -> bool {
+        self.data.rows[row].is(&DOUBTFUL)
+    }
+
+    fn cases(&self, rows: &[usize], all: bool) -> String {
+        let subjects = || self.found.condition.0.iter().map(|comparison| &comparison.subject);
+        let subjects = || {
+            let mut seen = Vec::new();
+            subjects().filter(move |one| {
+                let new = !self.is_key(&one.name) && !seen.contains(&one.name.as_str());
+                seen.push(one.name.as_str());
+                new
+            })
+        };
+        let heads = self.data.keys.iter().map(|key| heading(&key.name));
+        let heads = heads.chain(subjects().map(|subject| heading(&subject.name)));
+        let mut table = Table::new(heads.chain([CASE_ID.heading(), String::new()]));
+        for &row in &rows[..shown(rows.len(), all)] {
+            let mut cells: Vec<_> =
+                (0..self.data.keys.len()).map(|key| self.cell(key, row)).collect();
+            cells.extend(subjects().map(|subject| reading(subject.readings[row])));
+            cells.push(self.data.rows[row].text(&CASE_ID).to_owned());
+            let near = if self.found.condition.is_near(row) { "~" } else { "" };
+            let doubtful = if self.is_doubtful(row) { "!" } else { "" };
+            cells.push(format!("{near}{doubtful}"));
+            table.row(cells);
+        }
+        table.render() + &more(rows.len(), all)
+    }
+
+    fn is_key(&self, name: &str) -> bool {
+        self.data.keys.iter().any(|key| key.name == name)
+    }
+
+    fn cell(&self, key: usize, row: usize) -> String {
+        match self.data.keys[key].cells[row].as_str() {
+            "" => "-".to_owned(),
+            cell => cell.parse().map_or_else(|_| cell.to_owned(), plain),
+        }
+    }
+
+    /// The cases of which nothing can be told.
+    fn unknown(&self, all: bool) -> String {
+        let rows: Vec<_> = self.found.rows(Verdict::Unknown).collect();
+        if rows.is_empty() {
+            return String::new();
+        }
+        let mut text = format!("\n{} cannot be told\n", counted(rows.len(), "case"));
+        for &row in &rows[..shown(rows.len(), all)] {
+            let (id, why) = (self.data.rows[row].text(&CASE_ID), self.found.why(row));
+            text.push_str(&format!("  {id} ({}): {why}\n", self.place(row, None)));
+        }
+        text + &more(rows.len(), all)
+    }
+
+    /// The values of the swept keys, but for one.
+    fn place(&self, row: usize, but: Option<usize>) -> String {
+        let keys = self.data.keys.iter().enumerate().filter(|(key, _)| Some(*key) != but);
+        let keys = keys.filter(|(_, key)| !key.cells[row].is_empty());
+        let part = |(key, one): (usize, &crate::report::study::Key)| {
+            let symbol = heading(&one.name);
+            let (name, unit) = symbol.split_once(", ").unwrap_or((&symbol, ""));
+            format!("{name} = {} {unit}", self.cell(key, row)).trim_end().to_owned()
+        };
+        keys.map(part).collect::<Vec<_>>().join(", ")
+    }
+
+    fn boundaries(&self, all: bool) -> String {
+        let found = &self.found.boundaries;
+        let mut table = Table::new(["along", "met", "not before", "not after", ""]);
+        for one in &found[..shown(found.len(), all)] {
+            let side = if one.met_above { "above" } else { "below" };
+            let at = one.at.map_or_else(|| "-".to_owned(), short);
+            let [from, to] = one.between.map(short);
+            let axis = heading(&self.data.keys[one.key].name);
+            let place = self.place(one.row, Some(one.key));
+            let mark = if one.doubtful { "!" } else { "" };
+            let note = [place.as_str(), mark, basis(one.basis)];
+            let note: Vec<_> = note.into_iter().filter(|word| !word.is_empty()).collect();
+            table.row([axis, format!("{side} {at}"), from, to, note.join("  ")]);
+        }
+        table.render() + &more(found.len(), all)
+    }
+
+    /// For programs.
+    pub(super) fn value(&self) -> Value {
+        let rows = |verdict| self.found.rows(verdict).map(|row| self.case(row)).collect::<Vec<_>>();
+        let met = rows(Verdict::Met);
+        json!({
+            "condition": self.found.condition.to_string(),
+            "cases": self.data.rows.len(),
+            "met": met.len(),
+            "not_met": self.found.rows(Verdict::NotMet).count(),
+            "meeting": met,
+            "unknown": rows(Verdict::Unknown),
+            "boundaries": self.found.boundaries.iter().map(|one| self.end(one)).collect::<Vec<_>>(),
+        })
+    }
+
+    fn swept(&self, row: usize, but: Option<usize>) -> Map<String, Value> {
+        let keys = self.data.keys.iter().enumerate().filter(|(key, _)| Some(*key) != but);
+        let cell = |cell: &str| match cell {
+            "" => Value::Null,
+            cell => cell.parse::<f64>().map_or_else(|_| cell.into(), Value::from),
+        };
+        keys.map(|(_, key)| (key.name.clone(), cell(&key.cells[row]))).collect()
+    }
+
+    fn case(&self, row: usize) -> Value {
+        let value = |reading: Reading| match reading {
+            Reading::Value { value, bar, bound } => {
+                json!({ "value": value, "error": bar, "bound": bound })
+            }
+            Reading::Missing | Reading::Failed => Value::Null,
+        };
+        let subjects = self.found.condition.0.iter().map(|comparison| &comparison.subject);
+        let values: Map<_, _> =
+            subjects.map(|one| (one.name.clone(), value(one.readings[row]))).collect();
+        json!({
+            "case_id": self.data.rows[row].text(&CASE_ID),
+            "swept": self.swept(row, None),
+            "values": values,
+            "within_error_bar": self.found.condition.is_near(row),
+            "doubtful": self.is_doubtful(row),
+            "reason": Some(self.found.why(row)).filter(|why| !why.is_empty()),
+        })
+    }
+
+    fn end(&self, one: &Boundary) -> Value {
+        json!({
+            "key": self.data.keys[one.key].name,
+            "scale": one.scale.name(),
+            "where": self.swept(one.row, Some(one.key)),
+            "met": if one.met_above { "above" } else { "below" },
+            "at": one.at,
+            "from": one.between[0],
+            "to": one.between[1],
+            "basis": name(one.basis),
+            "doubtful": one.doubtful,
+        })
+    }
+}
+
+/// A case's number for people.
+fn reading(reading: Reading) -> String {
+    match reading {
+        Reading::Value { value, bar, bound } => {
+            let told = bar.map_or_else(|| short(value), |bar| with_bar(value, bar));
+            if bound { format!("≥ {told}") } else { told }
+        }
+        Reading::Missing | Reading::Failed => "-".to_owned(),
+    }
+}
+
+fn name(basis: Basis) -> &'static str {
+    match basis {
+        Basis::Bend => "bend",
+        Basis::TwoCases => "two-cases",
+        Basis::LowerBound => "lower-bound",
+        Basis::Gap => "gap",
+        Basis::Exact => "exact",
+    }
+}
+
+/// What is said of a range that is more than an estimate's.
+fn basis(basis: Basis) -> &'static str {
+    match basis {
+        Basis::Bend | Basis::Exact => "",
+        Basis::TwoCases => "(two cases)",
+        Basis::LowerBound => "(≥ beyond)",
+        Basis::Gap => "(gap)",
+    }
+}
+
+fn shown(rows: usize, all: bool) -> usize {
+    if all { rows } else { rows.min(ROWS) }
+}
+
+fn more(rows: usize, all: bool) -> String {
+    match rows - shown(rows, all) {
+        0 => String::new(),
+        left => format!("... and {left} more (-v shows all)\n"),
+    }
+}
