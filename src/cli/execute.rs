@@ -1,116 +1,24 @@
 //! Running a study in its output directory: what `sweep` and `run` have in common.
 
-use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use serde_json::{Value, json};
-
 use super::cost::binary;
+use super::done::Done;
+use super::job::Job;
+use super::notices::{tallies, tell_opened, tell_start};
 use super::output::Output;
-use super::shown;
-use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::{
-    Crew, Ending, Interrupt, Keeping, Progress, Session, Setup, SphRunner, Tally, Worked,
-    coordinate, host_name, memory, threads,
+    Crew, Ending, Interrupt, Keeping, Progress, Session, Setup, SphRunner, Worked, coordinate,
+    host_name, memory, threads,
 };
 use crate::film::Filming;
-use crate::math::simd::SimdPath;
-use crate::quantities::summary::COARSE_SPACING;
-use crate::quantities::{Bars, Value as Cell};
 use crate::results::{
-    CaseRecord, Directory, Load, Manifest, OpenMode, Opened, Program, RankInfo, Savings,
-    SessionInfo, SweepError, counted, finished, has_checkpoints, timestamp,
+    Directory, Load, Manifest, Program, RankInfo, Savings, SessionInfo, SweepError, counted,
+    has_checkpoints, timestamp,
 };
 use crate::scene::CaseConfig;
 use crate::simulation::{Cost, cost};
 use crate::study::{CaseId, Plan, Study};
-
-pub(super) struct Job {
-    pub(super) study: Study,
-    pub(super) out: PathBuf,
-    pub(super) mode: OpenMode,
-    pub(super) retry_failed: bool,
-    pub(super) branching: bool,
-    /// Whether threads that the runs would leave idle work within them.
-    pub(super) shares_threads: bool,
-    pub(super) simd: Option<SimdPath>,
-    pub(super) overrides: Vec<String>,
-}
-
-pub(super) struct Done {
-    pub(super) directory: Directory,
-    pub(super) ending: Ending,
-    pub(super) savings: Savings,
-    /// `None` where everything was there before.
-    pub(super) wall_time_s: Option<f64>,
-}
-
-impl Done {
-    /// The finished cases, in grid order.
-    pub(super) fn records(&self) -> impl Iterator<Item = &CaseRecord> {
-        self.directory.records().iter().flatten()
-    }
-
-    /// Finished cases of which something touches a quoted number.
-    pub(super) fn doubtful(&self) -> usize {
-        self.doubts().count()
-    }
-
-    /// What touches a quoted number, of every finished case of which something does.
-    pub(super) fn doubts(&self) -> impl Iterator<Item = &str> {
-        let outcomes = self.records().filter_map(|record| record.outcome.as_ref());
-        outcomes.filter_map(|outcome| outcome.doubtful_reason.as_deref())
-    }
-
-    /// What to expect of every finished case whose particles are coarse.
-    pub(super) fn coarse(&self, job: &Job) -> Vec<String> {
-        let told = |record: &CaseRecord| {
-            let config = &job.study.cases[record.index].config;
-            let case =
-                record.outcome.is_some().then(|| record.reported(config, Bars::default()))?;
-            match COARSE_SPACING.value(&case)? {
-                Cell::Text(why) => Some(why),
-                _ => None,
-            }
-        };
-        self.records().filter_map(told).collect()
-    }
-
-    pub(super) fn failed(&self) -> usize {
-        self.records().filter(|record| !record.is_ok()).count()
-    }
-
-    pub(super) fn exit_code(&self) -> u8 {
-        match self.ending {
-            Ending::Interrupted => INTERRUPTED,
-            Ending::Finished if self.failed() > 0 => CASES_FAILED,
-            Ending::Finished => SUCCESS,
-        }
-    }
-
-    /// The finished cases with all that the journal has of them, in grid order.
-    pub(super) fn whole(&self, study: &Study) -> Result<Vec<CaseRecord>, SweepError> {
-        let whole = finished(self.directory.path(), study)?.into_iter();
-        let whole = whole.zip(self.directory.records());
-        Ok(whole.filter_map(|(record, here)| record.filter(|_| here.is_some())).collect())
-    }
-
-    pub(super) fn json(&self, job: &Job, report: Option<&Path>) -> Result<Value, SweepError> {
-        Ok(json!({
-            "name": job.study.name,
-            "out": shown::path(self.directory.path()),
-            "report": report.map(shown::path),
-            "cases": job.study.cases.len(),
-            "ok": self.records().count() - self.failed(),
-            "failed": self.failed(),
-            "doubtful": self.doubtful(),
-            "coarse": self.coarse(job).len(),
-            "wall_time_s": self.wall_time_s,
-            "savings": self.savings,
-            "records": self.whole(&job.study)?,
-        }))
-    }
-}
 
 /// Runs what of a study is missing on the threads of this process.
 pub(super) fn on_threads(
@@ -262,76 +170,5 @@ fn demand_memory(study: &Study, directory: &Directory, crew: &dyn Crew) -> Resul
             binary(left)
         ))),
         _ => Ok(()),
-    }
-}
-
-/// Cases and companions, and how many of them are done.
-fn tallies(directory: &Directory) -> [Tally; 2] {
-    let (cases, companions) = directory.runs().split_at(directory.records().len());
-    [cases, companions].map(|runs| Tally {
-        all: runs.len(),
-        done: runs.iter().filter(|record| record.is_some()).count(),
-    })
-}
-
-/// Cases, and companions where there are any: `8 cases and 8 companions for error bars`.
-fn in_words(cases: usize, companions: usize) -> String {
-    let cases = counted(cases, "case");
-    match companions {
-        0 => cases,
-        companions => format!("{cases} and {} for error bars", counted(companions, "companion")),
-    }
-}
-
-fn tell_opened(opened: &Opened, job: &Job, [cases, companions]: [Tally; 2], output: &Output) {
-    let out = job.out.display();
-    let all_done = cases.done == cases.all && companions.done == companions.all;
-    match opened {
-        Opened::New => {}
-        Opened::Moved(aside) => output.note(format_args!("moved {out} to {}", aside.display())),
-        Opened::Resumed(_) if all_done => {
-            output.note(format_args!("{out} is finished; --fresh would run it again"));
-        }
-        Opened::Resumed(_) => {
-            let all = in_words(cases.all, companions.all);
-            let done = match companions.all {
-                0 => cases.done.to_string(),
-                _ => format!("{} and {}", cases.done, companions.done),
-            };
-            output.note(format_args!("resuming {out}: {done} of {all} done"));
-        }
-    }
-}
-
-fn tell_start(
-    crew: &dyn Crew,
-    directory: &Directory,
-    [cases, companions]: [Tally; 2],
-    output: &Output,
-) {
-    let ranks = crew.ranks();
-    let places: usize = ranks.iter().map(RankInfo::places).sum();
-    let threads: usize = ranks.iter().map(|rank| rank.threads).sum();
-    let within = ranks.iter().map(|rank| rank.threads_per_case).max().unwrap_or(1);
-    let within = if within > 1 { format!(", up to {within} in a case") } else { String::new() };
-    let who = match crew.executor() {
-        "mpi" => {
-            let [ranks, places] = [(ranks.len(), "MPI rank"), (places, "case")]
-                .map(|(number, noun)| counted(number, noun));
-            format!("{ranks}, {places} at once{within}")
-        }
-        _ => format!("{}{within}", counted(threads, "thread")),
-    };
-    output.note(format_args!(
-        "{} on {who}, {}, into {}",
-        in_words(cases.all - cases.done, companions.all - companions.done),
-        crate::math::name::name_of(directory.simd()),
-        directory.path().display()
-    ));
-    if output.verbose {
-        for (rank, info) in ranks.iter().enumerate() {
-            let threads = counted(info.threads, "thread");
-            output.note(format_args!("rank {rank}: {}, {threads}", info.host));
-        }
     }
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use super::execute::Done;
+use super::done::Done;
 use super::failure::BadInput;
 use super::film::{self, Set, Shot};
 use super::highlights::{self, Highlight, highlights};

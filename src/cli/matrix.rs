@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::execute::{Job, on_threads};
+use super::execute::on_threads;
 use super::failure::BadInput;
 use super::input::{SimdChoice, default_out, read};
+use super::job::Job;
 use super::keep::EVERY_S;
 use super::numbers;
 use super::output::Output;

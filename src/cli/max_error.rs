@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde_json::json;
 
-use super::execute::Done;
+use super::done::Done;
 use super::failure::BadInput;
 use super::output::{Output, short};
 use crate::accuracy::{Choice, Choices, MaxError};

@@ -2,7 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::execute::{Done, Job};
+use super::done::Done;
+use super::job::Job;
 use super::output::{duration, short, with_bar};
 use super::table::Table;
 use crate::keys::{self, Shared};

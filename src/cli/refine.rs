@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::execute::Done;
+use super::done::Done;
 use super::failure::{BadFile, BadInput};
 use super::output::{Output, short};
 use crate::accuracy::Refinement;

@@ -5,9 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::{Value, json};
 
-use super::execute::{Job, on_threads};
+use super::execute::on_threads;
 use super::failure::BadInput;
 use super::input::Setting;
+use super::job::Job;
 use super::keep::EVERY_S;
 use super::output::{Output, duration};
 use super::printed::told;

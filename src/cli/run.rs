@@ -6,9 +6,11 @@ use clap::Args;
 use serde_json::json;
 
 use super::SUCCESS;
-use super::execute::{Done, Job, on_threads};
+use super::done::Done;
+use super::execute::on_threads;
 use super::film::{self, ColourChoice};
 use super::input::{Setting, SimdChoice, default_out, scene};
+use super::job::Job;
 use super::keep::KeepArgs;
 use super::output::{Output, duration, short};
 use super::table::Table;

@@ -7,9 +7,10 @@ use clap::{Args, ValueEnum};
 use serde_json::json;
 
 use super::ending::EndingArgs;
-use super::execute::{Job, execute};
+use super::execute::execute;
 use super::failure::{BadInput, exit_code};
 use super::input::{Expect, Setting, SimdChoice, default_out, out_of, study, sweep_file};
+use super::job::Job;
 use super::keep::KeepArgs;
 use super::output::Output;
 use super::overview::told;

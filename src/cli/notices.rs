@@ -1,0 +1,85 @@
+//! What is told as a study is opened and started.
+
+use super::job::Job;
+use super::output::Output;
+use crate::execute::{Crew, Tally};
+use crate::math::name::name_of;
+use crate::results::{Directory, Opened, RankInfo, counted};
+
+/// Cases and companions, and how many of them are done.
+pub(super) fn tallies(directory: &Directory) -> [Tally; 2] {
+    let (cases, companions) = directory.runs().split_at(directory.records().len());
+    [cases, companions].map(|runs| Tally {
+        all: runs.len(),
+        done: runs.iter().filter(|record| record.is_some()).count(),
+    })
+}
+
+/// Cases, and companions where there are any: `8 cases and 8 companions for error bars`.
+fn in_words(cases: usize, companions: usize) -> String {
+    let cases = counted(cases, "case");
+    match companions {
+        0 => cases,
+        companions => format!("{cases} and {} for error bars", counted(companions, "companion")),
+    }
+}
+
+/// Tells what was found on opening.
+pub(super) fn tell_opened(
+    opened: &Opened,
+    job: &Job,
+    [cases, companions]: [Tally; 2],
+    output: &Output,
+) {
+    let out = job.out.display();
+    let all_done = cases.done == cases.all && companions.done == companions.all;
+    match opened {
+        Opened::New => {}
+        Opened::Moved(aside) => output.note(format_args!("moved {out} to {}", aside.display())),
+        Opened::Resumed(_) if all_done => {
+            output.note(format_args!("{out} is finished; --fresh would run it again"));
+        }
+        Opened::Resumed(_) => {
+            let all = in_words(cases.all, companions.all);
+            let done = match companions.all {
+                0 => cases.done.to_string(),
+                _ => format!("{} and {}", cases.done, companions.done),
+            };
+            output.note(format_args!("resuming {out}: {done} of {all} done"));
+        }
+    }
+}
+
+/// Tells what runs now, and on what.
+pub(super) fn tell_start(
+    crew: &dyn Crew,
+    directory: &Directory,
+    [cases, companions]: [Tally; 2],
+    output: &Output,
+) {
+    let ranks = crew.ranks();
+    let places: usize = ranks.iter().map(RankInfo::places).sum();
+    let threads: usize = ranks.iter().map(|rank| rank.threads).sum();
+    let within = ranks.iter().map(|rank| rank.threads_per_case).max().unwrap_or(1);
+    let within = if within > 1 { format!(", up to {within} in a case") } else { String::new() };
+    let who = match crew.executor() {
+        "mpi" => {
+            let [ranks, places] = [(ranks.len(), "MPI rank"), (places, "case")]
+                .map(|(number, noun)| counted(number, noun));
+            format!("{ranks}, {places} at once{within}")
+        }
+        _ => format!("{}{within}", counted(threads, "thread")),
+    };
+    output.note(format_args!(
+        "{} on {who}, {}, into {}",
+        in_words(cases.all - cases.done, companions.all - companions.done),
+        name_of(directory.simd()),
+        directory.path().display()
+    ));
+    if output.verbose {
+        for (rank, info) in ranks.iter().enumerate() {
+            let threads = counted(info.threads, "thread");
+            output.note(format_args!("rank {rank}: {}, {threads}", info.host));
+        }
+    }
+}
