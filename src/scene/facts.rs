@@ -42,6 +42,7 @@ impl Facts<'_> {
         }
     }
 
+    /// What is in the tank.
     pub fn scene(&self) -> &Scene {
         &self.config.scene
     }
@@ -52,6 +53,7 @@ impl Facts<'_> {
         self.weakly && numerics.corrected_gradients && numerics.volume_feedback == 0.0
     }
 
+    /// A dam break: water that breaks.
     pub fn breaks(&self) -> bool {
         self.weakly && matches!(self.scene(), Scene::DamBreak(_))
     }
@@ -72,10 +74,12 @@ impl Facts<'_> {
         bed.is_some_and(|bed| bed.stretches().any(|stretch| stretch.along[1].abs() > STEEP))
     }
 
+    /// A bed that is not level.
     pub fn has_bed(&self) -> bool {
         self.scene().seawall().is_some_and(|scene| scene.bed.is_some())
     }
 
+    /// A wall that water may go over.
     pub fn has_crest(&self) -> bool {
         self.scene().seawall().is_some_and(|scene| scene.crest.is_some())
     }
@@ -88,6 +92,7 @@ impl Facts<'_> {
         period.is_some_and(|period| self.scene().frame().end_time > 10.0 * period)
     }
 
+    /// An operator for the pressure that leaves divergence at such steps.
     pub fn leaves_divergence(&self) -> bool {
         let own = self.numerics.incompressible();
         !self.weakly && own.gravity_courant_number > 0.035 && own.laplacian != Laplacian::Exact
