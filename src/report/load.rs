@@ -10,8 +10,9 @@ use serde::Deserialize;
 use serde_json::Value;
 
 use super::error::ReportError;
-use super::row::{Header, Row, name_variants};
+use super::row::{Header, Row};
 use super::study::{Key, keys, scene_number};
+use super::variant::name_variants;
 use crate::quantities::{named, summary};
 
 /// A table passed on as it stands.

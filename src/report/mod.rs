@@ -28,6 +28,7 @@ mod scene_file;
 pub mod series;
 pub mod study;
 pub mod tables;
+mod variant;
 
 use std::fs;
 use std::path::{Path, PathBuf};

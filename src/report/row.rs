@@ -1,14 +1,10 @@
 //! One row of `summary.csv`, as far as the report needs it.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::number;
-use super::study::Key;
-use crate::quantities::summary::{
-    BOUNDARY, FORCE_COUPLING, KERNEL, PARTICLE_SPACING, SCHEME, SEAWALL_MASS, SPRING_STIFFNESS,
-    STATUS, WAVE_HEIGHT_RATIO,
-};
+use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, STATUS, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, Digits, named};
 
 /// What tells a case from the others, as a rule.
@@ -149,7 +145,7 @@ impl Row {
     }
 
     /// Wave, stiffness and mass as bits, so that they can be compared and sorted on.
-    fn place(&self) -> [u64; 3] {
+    pub(super) fn place(&self) -> [u64; 3] {
         PLACE.map(|column| self.number(column).unwrap_or(f64::NAN).to_bits())
     }
 
@@ -173,89 +169,4 @@ impl Row {
 pub(super) fn label(column: &Column, value: f64) -> String {
     let text = format!("{} = {} {}", column.symbol, number::plain(value), column.unit.symbol());
     text.trim_end().to_owned()
-}
-
-/// Columns that say where and how a case was computed, and never what.
-const PROVENANCE: &[&str] =
-    &["host", "rank", "ranks", "threads", "executor", "simd", "version", "git_commit"];
-
-/// Fills in [`Row::variant`] where several rows share wave, stiffness and mass, from the choices
-/// that differ: those the report knows, and swept keys behind the columns of every sweep.
-pub(super) fn name_variants(rows: &mut [Row], swept: &[Key]) {
-    let mut places: Vec<_> = rows.iter().map(Row::place).collect();
-    places.sort_unstable();
-    if places.windows(2).all(|pair| pair[0] != pair[1]) {
-        return;
-    }
-    let cells = |column: &Column| rows.iter().map(|row| row.cell(column)).collect::<Vec<_>>();
-    let known = [&SCHEME, &BOUNDARY, &KERNEL, &PARTICLE_SPACING, &FORCE_COUPLING];
-    let mut choices: Vec<_> =
-        known.iter().map(|column| (column.name.to_owned(), cells(column))).collect();
-    choices.extend(swept.iter().map(|key| (key.name.clone(), key.cells.clone())));
-    choices.retain(|(name, values)| {
-        !PROVENANCE.contains(&name.as_str()) && values.iter().any(|value| *value != values[0])
-    });
-    for (_, values) in &mut choices {
-        shorten(values);
-    }
-    for (index, row) in rows.iter_mut().enumerate() {
-        let parts: Vec<_> =
-            choices.iter().map(|(name, values)| format!("{name} = {}", values[index])).collect();
-        row.variant = parts.join(", ");
-    }
-}
-
-/// Rounds numbers for the eye, unless that would make two of them one.
-fn shorten(values: &mut [String]) {
-    let count = |values: &[String]| values.iter().collect::<BTreeSet<_>>().len();
-    let short: Vec<_> = values
-        .iter()
-        .map(|cell| {
-            let value = cell.parse::<f64>().ok().filter(|value| value.is_finite());
-            value.map_or(cell.clone(), |value| number::significant(value, 4).to_string())
-        })
-        .collect();
-    if count(&short) == count(values) {
-        values.clone_from_slice(&short);
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn row(boundary: &str, wave: f64) -> Row {
-        Row::default().with(&WAVE_HEIGHT_RATIO, wave).with(&BOUNDARY, boundary)
-    }
-
-    #[test]
-    fn one_run_per_place_needs_no_variant() {
-        let mut rows = vec![row("sfdi", 0.2), row("normalized", 0.3)];
-        name_variants(&mut rows, &[]);
-        assert!(rows.iter().all(|row| row.variant.is_empty()));
-    }
-
-    #[test]
-    fn runs_at_one_place_are_told_apart_by_what_differs() {
-        let mut rows = vec![row("sfdi", 0.2), row("normalized", 0.2)];
-        let key = |name: &str, cells: [&str; 2]| Key {
-            name: name.to_owned(),
-            cells: cells.map(str::to_owned).to_vec(),
-        };
-        let swept = [key("slip", ["free", "no"]), key("host", ["a", "b"])];
-        name_variants(&mut rows, &swept);
-        assert_eq!(rows[0].variant, "boundary = sfdi, slip = free");
-        assert_eq!(rows[1].variant, "boundary = normalized, slip = no");
-    }
-
-    #[test]
-    fn numbers_of_a_variant_are_short_as_long_as_they_differ() {
-        let cells = |texts: [&str; 2]| texts.map(str::to_owned);
-        let mut far = cells(["0.012345678", "21544.3469003188"]);
-        shorten(&mut far);
-        assert_eq!(far, ["0.01235", "21540"]);
-        let mut near = cells(["1.00001", "1.00002"]);
-        shorten(&mut near);
-        assert_eq!(near, ["1.00001", "1.00002"]);
-    }
 }
