@@ -5,9 +5,10 @@ use toml::{Table, Value};
 use super::axis::GridAxis;
 use super::limits;
 use super::refine::Refine;
+use super::syntax::syntax_error;
 
 use crate::keys::{Key, Override, Section, read_alone, section};
-use crate::scene::{ConfigError, Kind, numerics_keys, place_of, scene_keys};
+use crate::scene::{ConfigError, place_of};
 use crate::simulation::Limits;
 
 /// A parsed sweep file; the values inside its tables are checked case by case in
@@ -171,31 +172,6 @@ fn tables(file: &Table, key: &str) -> Result<Vec<Table>, ConfigError> {
         }
         Some(other) => Err(wrong(other)),
     }
-}
-
-fn syntax_error(text: &str, error: &toml::de::Error) -> ConfigError {
-    let before = error.span().and_then(|span| text.get(..span.start)).unwrap_or_default();
-    let line = before.matches('\n').count() + 1;
-    let message = error.message().trim().replace('\n', ", ");
-    let place = format!("line {line}");
-    text.lines()
-        .nth(line - 1)
-        .and_then(|line| number_with_more(&place, line))
-        .unwrap_or_else(|| ConfigError::new(&place, "", message))
-}
-
-/// A number with its unit, which TOML does not know, is told as that.
-fn number_with_more(place: &str, line: &str) -> Option<ConfigError> {
-    let (name, value) = line.split_once('=')?;
-    let (name, value) = (name.trim(), value.split('#').next()?.trim());
-    let first = value.trim_matches(['[', ']']).split(',').map(str::trim);
-    let key = Kind::ALL.iter().flat_map(|&kind| scene_keys(kind)).chain(numerics_keys());
-    let key = key.into_iter().find(|key| key.name == name)?;
-    let more = first.filter(|value| value.parse::<f64>().is_err());
-    let told = |value: &str| {
-        Some(ConfigError::new(&format!("{place}: {name}"), value, key.advice(value)?))
-    };
-    more.filter_map(told).next()
 }
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ mod points;
 mod refine;
 mod schema;
 mod single;
+mod syntax;
 
 pub use axis::GridAxis;
 pub use case::{Assignments, Case, CaseId, PHYSICS_VERSION};

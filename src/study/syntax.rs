@@ -1,0 +1,29 @@
+//! What is wrong with a file that is not TOML, in plain words.
+
+use crate::scene::{ConfigError, Kind, numerics_keys, scene_keys};
+
+/// The line that is no TOML, and why.
+pub(super) fn syntax_error(text: &str, error: &toml::de::Error) -> ConfigError {
+    let before = error.span().and_then(|span| text.get(..span.start)).unwrap_or_default();
+    let line = before.matches('\n').count() + 1;
+    let message = error.message().trim().replace('\n', ", ");
+    let place = format!("line {line}");
+    text.lines()
+        .nth(line - 1)
+        .and_then(|line| number_with_more(&place, line))
+        .unwrap_or_else(|| ConfigError::new(&place, "", message))
+}
+
+/// A number with its unit, which TOML does not know, is told as that.
+fn number_with_more(place: &str, line: &str) -> Option<ConfigError> {
+    let (name, value) = line.split_once('=')?;
+    let (name, value) = (name.trim(), value.split('#').next()?.trim());
+    let first = value.trim_matches(['[', ']']).split(',').map(str::trim);
+    let key = Kind::ALL.iter().flat_map(|&kind| scene_keys(kind)).chain(numerics_keys());
+    let key = key.into_iter().find(|key| key.name == name)?;
+    let more = first.filter(|value| value.parse::<f64>().is_err());
+    let told = |value: &str| {
+        Some(ConfigError::new(&format!("{place}: {name}"), value, key.advice(value)?))
+    };
+    more.filter_map(told).next()
+}
