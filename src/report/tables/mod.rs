@@ -6,6 +6,7 @@ mod envelope;
 mod lines;
 mod page;
 mod readings;
+mod table;
 
 use super::curves::{RESPONSES, responses, stem, variants};
 use super::load::Loaded;
@@ -22,53 +23,7 @@ use crate::quantities::summary::{
 use crate::theory::goda::Goda;
 pub use lines::{Line, Lines};
 pub use readings::across;
-
-/// A table, ready for a file or a page.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Table {
-    /// File name without its ending.
-    pub name: String,
-    /// Heading in the report.
-    pub title: String,
-    /// Column names.
-    pub header: Vec<String>,
-    /// Cells, row by row.
-    pub rows: Vec<Vec<String>>,
-    /// How many rows the file has besides.
-    pub left: usize,
-}
-
-impl Table {
-    /// A table.
-    pub fn new(name: &str, title: &str, header: &[&str], rows: Vec<Vec<String>>) -> Table {
-        let header = header.iter().map(|column| (*column).to_owned()).collect();
-        Table { name: name.to_owned(), title: title.to_owned(), header, rows, left: 0 }
-    }
-
-    /// The same without header and rows.
-    fn empty(&self) -> Table {
-        let (name, title) = (self.name.clone(), self.title.clone());
-        Table { name, title, header: Vec::new(), rows: Vec::new(), left: self.left }
-    }
-
-    /// The table as Markdown.
-    pub fn markdown(&self) -> String {
-        let line = |cells: &Vec<String>| format!("| {} |\n", cells.join(" | "));
-        let rule = format!("|{}\n", "---|".repeat(self.header.len()));
-        line(&self.header) + &rule + &self.rows.iter().map(line).collect::<String>()
-    }
-
-    /// The table as comma-separated text.
-    pub fn csv(&self) -> String {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        let records = std::iter::once(&self.header).chain(&self.rows);
-        for record in records {
-            writer.write_record(record).expect("rows are as wide as their header");
-        }
-        let bytes = writer.into_inner().expect("memory does not run dry");
-        String::from_utf8(bytes).expect("cells are text")
-    }
-}
+pub use table::Table;
 
 /// A line per row, a column per quantity, with the digits that each shows.
 fn brief<'a>(
