@@ -13,6 +13,7 @@ mod cost;
 mod done;
 mod ending;
 mod execute;
+mod executor;
 mod explain;
 mod failure;
 mod film;

@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use serde_json::json;
 
 use super::ending::EndingArgs;
 use super::execute::execute;
+use super::executor::{Executor, choose};
 use super::failure::{BadInput, exit_code};
 use super::input::{Expect, Setting, SimdChoice, default_out, out_of, study, sweep_file};
 use super::job::Job;
@@ -85,17 +86,6 @@ pub(super) struct SweepArgs {
     settings: Vec<Setting>,
 }
 
-/// Who does the work.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum Executor {
-    /// MPI under an MPI launcher, threads otherwise.
-    Auto,
-    /// One process.
-    Threads,
-    /// All processes of an MPI job.
-    Mpi,
-}
-
 pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> anyhow::Result<u8> {
     if args.dry_run {
         if launcher.rank > 0 {
@@ -125,24 +115,6 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
         code
     };
     if use_mpi { Ok(mpi::with_crew(&setup, lead)?) } else { Ok(threads::with_crew(&setup, lead)) }
-}
-
-fn choose(executor: Executor, launcher: Launcher, available: bool) -> Result<bool, BadInput> {
-    let alone = "this build has no MPI: rebuild with `cargo build --release --features mpi`";
-    match executor {
-        Executor::Mpi if available => Ok(true),
-        Executor::Mpi => Err(BadInput(format!("--executor mpi: {alone}"))),
-        Executor::Auto if launcher.present && available => Ok(true),
-        Executor::Auto if launcher.is_parallel() => Err(BadInput(format!(
-            "an MPI launcher started several copies of this program, but {alone}"
-        ))),
-        Executor::Threads if launcher.is_parallel() => Err(BadInput(
-            "--executor threads: an MPI launcher started several copies of this program; \
-             start it without the launcher, or use --executor mpi"
-                .to_owned(),
-        )),
-        Executor::Auto | Executor::Threads => Ok(false),
-    }
 }
 
 fn lead(
@@ -243,25 +215,4 @@ fn lead(
     crate::report::write(done.directory.path())?;
     output.result(&text, &value)?;
     Ok(code)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn mpi_is_taken_only_where_a_launcher_is() {
-        let alone = Launcher::default();
-        let single = Launcher { present: true, size: Some(1), rank: 0 };
-        let four = Launcher { present: true, size: Some(4), rank: 0 };
-        let chosen = |executor, launcher, available| choose(executor, launcher, available).ok();
-        assert_eq!(chosen(Executor::Auto, alone, true), Some(false));
-        assert_eq!(chosen(Executor::Auto, four, true), Some(true));
-        assert_eq!(chosen(Executor::Auto, four, false), None);
-        assert_eq!(chosen(Executor::Auto, single, false), Some(false));
-        assert_eq!(chosen(Executor::Threads, four, true), None);
-        assert_eq!(chosen(Executor::Threads, single, true), Some(false));
-        assert_eq!(chosen(Executor::Mpi, alone, true), Some(true));
-        assert_eq!(chosen(Executor::Mpi, alone, false), None);
-    }
 }
