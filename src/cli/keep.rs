@@ -16,5 +16,7 @@ pub(super) struct KeepArgs {
 
 fn seconds(text: &str) -> Result<f64, String> {
     let value = text.parse::<f64>().ok().filter(|value| value.is_finite() && *value >= 0.0);
-    value.ok_or_else(|| "must be a number of seconds above 0, or 0 for no checkpoints".to_owned())
+    value.ok_or_else(|| {
+        "must be a finite number of seconds above 0, or 0 for no checkpoints".to_owned()
+    })
 }

@@ -30,17 +30,17 @@ addEventListener("hashchange", () => {
 restore();
 document.documentElement.classList.add("alive");
 // Sections that are not near what is seen are left out, so that the page opens and answers at once. When there is
-// nothing else to do, each is laid out for one frame. The browser remembers its size, so that nothing moves when
-// one scrolls.
+// nothing else to do, each is laid out once and keeps its size: then nothing moves when one scrolls.
 const whenIdle = window.requestIdleCallback || setTimeout;
 const parts = [...document.querySelectorAll("main > section, main > .beside")];
 function layOut() {
   const part = parts.shift();
   if (!part) return document.documentElement.classList.remove("opening");
   part.style.contentVisibility = "visible";
-  requestAnimationFrame(() => setTimeout(() => {
-    part.style.contentVisibility = "";
-    whenIdle(layOut);
-  }));
+  const own = getComputedStyle(part), around = [own.paddingTop, own.paddingBottom, own.borderTopWidth, own.borderBottomWidth];
+  const inside = around.reduce((tall, width) => tall - parseFloat(width), part.getBoundingClientRect().height);
+  part.style.containIntrinsicHeight = "auto " + inside + "px";
+  part.style.contentVisibility = "";
+  whenIdle(layOut);
 }
 whenIdle(layOut);
