@@ -31,7 +31,8 @@ restore();
 document.documentElement.classList.add("alive");
 // Sections that are not near what is seen are left out, so that the page opens and answers at once. When there is
 // nothing else to do, each is laid out once and keeps its size: then nothing moves when one scrolls.
-const whenIdle = window.requestIdleCallback || setTimeout;
+// Idle is what a busy page or one that is not seen may never be.
+const whenIdle = (act) => (window.requestIdleCallback ? requestIdleCallback(act, { timeout: 200 }) : setTimeout(act));
 const parts = [...document.querySelectorAll("main > section, main > .beside")];
 function layOut() {
   const part = parts.shift();
