@@ -19,7 +19,7 @@ use crate::quantities::summary::COARSE_SPACING;
 use crate::quantities::{Bars, Value as Cell};
 use crate::results::{
     CaseRecord, Directory, Load, Manifest, OpenMode, Opened, Program, RankInfo, Savings,
-    SessionInfo, SweepError, counted, finished, has_checkpoints, timestamp,
+    SessionInfo, SweepError, counted, finished_whole, has_checkpoints, timestamp,
 };
 use crate::scene::CaseConfig;
 use crate::simulation::{Cost, cost};
@@ -90,7 +90,7 @@ impl Done {
 
     /// The finished cases with all that the journal has of them, in grid order.
     pub(super) fn whole(&self, study: &Study) -> Result<Vec<CaseRecord>, SweepError> {
-        let whole = finished(self.directory.path(), study)?.into_iter();
+        let whole = finished_whole(self.directory.path(), study)?.into_iter();
         let whole = whole.zip(self.directory.records());
         Ok(whole.filter_map(|(record, here)| record.filter(|_| here.is_some())).collect())
     }

@@ -6,6 +6,7 @@
 
 mod accuracy;
 mod check;
+mod closed;
 mod compare;
 mod completions;
 mod cost;

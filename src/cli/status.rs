@@ -1,6 +1,6 @@
 //! `seawall status`: how far a sweep is, from its files alone.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -14,7 +14,7 @@ use super::table::Table;
 use super::watch::{View, Watch};
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS, stored};
 use crate::math::name::name_of;
-use crate::results::{CaseRecord, Load, Lock, Manifest, RankInfo, counted, finished, read_journal};
+use crate::results::{Fared, Load, Lock, Manifest, RankInfo, counted, read_journal_in_blocks};
 
 /// Show what is done, what failed and why, what is left, and the time to go.
 #[derive(Debug, Args)]
@@ -69,28 +69,33 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
 fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
     let bad = |reason: &str| BadInput(format!("{}: {reason}", args.dir.display()));
     demand_output_of_study(&args.dir, "journal.jsonl")?;
-    let content = read_journal(&args.dir)?;
+    let (mut added, mut places) = (None, None);
+    if stored::file(&args.dir).is_ok_and(|file| file.refine.is_some())
+        && let Ok((_, study)) = stored::file_and_study(&args.dir)
+    {
+        // Points that were added have moved the others' places.
+        added = Some(study.cases.len());
+        places = Some(study.runs().map(|case| (case.id, case.index)).collect::<HashMap<_, _>>());
+    }
+    let place = |fared: Fared| match &places {
+        Some(places) => Some((*places.get(&fared.id)?, fared)),
+        None => Some((fared.index, fared)),
+    };
+    let mut latest = BTreeMap::new();
+    let content = read_journal_in_blocks(&args.dir, |block: Vec<Fared>| {
+        latest.extend(block.into_iter().map(Fared::brief).filter_map(place));
+    })?;
     let Some(header) = content.header else {
         let reason = "the sweep was stopped before it began, or the journal's first line is lost";
         return Err(bad(reason).into());
     };
-    let mut latest = BTreeMap::new();
-    let mut cases = header.cases;
-    match stored::file_and_study(&args.dir) {
-        // Points that were added have moved the others' places.
-        Ok((file, study)) if file.refine.is_some() => {
-            cases = study.cases.len();
-            let records = finished(&args.dir, &study)?.into_iter().flatten();
-            latest.extend(records.map(|record| (record.index, record)));
-        }
-        _ => latest.extend(content.records.into_iter().map(|record| (record.index, record))),
-    }
+    let cases = added.unwrap_or(header.cases);
     // Lines beyond the cases are resolution companions.
     let manifest = Manifest::read(&args.dir);
     let companions = manifest.as_ref().map_or(0, |manifest| manifest.companions);
     let companions_done = latest.split_off(&cases).len().min(companions);
     let records: Vec<_> = latest.into_values().collect();
-    let failed: Vec<_> = records.iter().filter(|record| !record.is_ok()).collect();
+    let failed: Vec<_> = records.iter().filter(|record| record.failure.is_some()).collect();
     let left = cases.saturating_sub(records.len());
     let running = Lock::is_held(&args.dir);
     let to_go = time_to_go(&records, left, manifest.as_ref());
@@ -185,7 +190,7 @@ struct Failures {
     values: BTreeMap<String, BTreeMap<String, usize>>,
 }
 
-fn group(failed: &[&CaseRecord]) -> BTreeMap<String, Failures> {
+fn group(failed: &[&Fared]) -> BTreeMap<String, Failures> {
     let mut groups: BTreeMap<_, Failures> = BTreeMap::new();
     for record in failed {
         let kind = record.failure.map_or_else(|| "failed".to_owned(), name_of);
@@ -203,7 +208,7 @@ fn group(failed: &[&CaseRecord]) -> BTreeMap<String, Failures> {
 }
 
 /// The mean time of a finished case, times those left, over the places of the last session.
-fn time_to_go(records: &[CaseRecord], left: usize, manifest: Option<&Manifest>) -> Option<f64> {
+fn time_to_go(records: &[Fared], left: usize, manifest: Option<&Manifest>) -> Option<f64> {
     let spent: f64 = records.iter().map(|record| record.wall_time_s).sum();
     let session = manifest?.sessions.last()?;
     let places: usize = session.ranks.iter().map(|rank| rank.places()).sum();

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use super::attempts::Attempts;
+use super::closing::Closing;
 use super::entries::Header;
 use super::error::SweepError;
 use super::files::{self, Unsynced};
@@ -106,6 +107,9 @@ impl Directory {
             (Journal::create(path, &header)?, simd)
         } else {
             let mut filling = Filling::new(path, study);
+            if Closing::read(path).is_some() {
+                filling = filling.blind();
+            }
             let content = journal::read_in_blocks(path, |lines| filling.take(lines))?;
             findings.extend(opening::told_damage(&content));
             let header = opening::header(path, &content, study, requested.unwrap_or(widest))?;
