@@ -6,6 +6,7 @@
 
 pub mod accuracy;
 pub mod compare;
+mod column;
 mod config;
 pub mod curves;
 mod error;
@@ -25,6 +26,7 @@ pub mod plots;
 pub mod reproduce;
 mod row;
 mod scene_file;
+mod selection;
 pub mod series;
 pub mod study;
 pub mod tables;
@@ -54,12 +56,14 @@ pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
 /// Likewise, with tables in the units of a prototype, where a Froude scale is given.
 pub fn write_scaled(out_dir: &Path, scale: Option<Froude>) -> Result<PathBuf, ReportError> {
     let data = Loaded::read(out_dir)?;
-    let figures = plots::all(&data)?;
+    let part = selection::of(&data);
+    let shown = part.as_ref().unwrap_or(&data);
+    let figures = plots::all(shown)?;
     for name in Froude::TABLES {
         // Of an earlier scale.
         let _ = fs::remove_file(out_dir.join("tables").join(format!("{name}.csv")));
     }
-    let papers = papers::papers(&data)?;
+    let papers = papers::papers(shown)?;
     let (figures_dir, tables_dir) = (out_dir.join("figures"), out_dir.join("tables"));
     make(&figures_dir)?;
     make(&tables_dir)?;
@@ -73,7 +77,14 @@ pub fn write_scaled(out_dir: &Path, scale: Option<Froude>) -> Result<PathBuf, Re
         let path = tables_dir.join(format!("{}.csv", lines.name));
         lines.write(&path, page::MOST_ROWS)
     };
-    let tables = lines.map(write).collect::<Result<Vec<_>, _>>()?;
+    let mut tables = lines.map(write).collect::<Result<Vec<_>, _>>()?;
+    if let Some(part) = &part {
+        for lines in tables::all(part) {
+            if let Some(whole) = tables.iter_mut().find(|table| table.name == lines.name) {
+                *whole = lines.whole()?.part_of(whole);
+            }
+        }
+    }
     for table in papers.iter().map(|papers| &papers.tidy) {
         save(&tables_dir.join(format!("{}.csv", table.name)), &table.csv())?;
     }
@@ -81,7 +92,7 @@ pub fn write_scaled(out_dir: &Path, scale: Option<Froude>) -> Result<PathBuf, Re
     let said = papers
         .as_ref()
         .map(|papers| page::Papers { answer: papers.answer.clone(), content: papers.section() });
-    save(&path, &page::page(&data, &figures, &tables, said.as_ref())?)?;
+    save(&path, &page::page([&data, shown], &figures, &tables, said.as_ref())?)?;
     Ok(path)
 }
 
@@ -115,9 +126,11 @@ pub fn print(out_dir: &Path, format: Print) -> Result<Vec<PathBuf>, ReportError>
     #[cfg(feature = "print")]
     {
         let data = Loaded::read(out_dir)?;
-        let papers = papers::papers(&data)?;
+        let part = selection::of(&data);
+        let shown = part.as_ref().unwrap_or(&data);
+        let papers = papers::papers(shown)?;
         let theirs = papers.iter().flat_map(|papers| &papers.figures);
-        for figure in plots::all(&data)?.iter().chain(theirs) {
+        for figure in plots::all(shown)?.iter().chain(theirs) {
             paths.extend(export::write(figure, format, &out_dir.join("figures"))?);
         }
     }

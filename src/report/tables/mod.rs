@@ -36,19 +36,28 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
     /// How many rows the file has besides.
     pub left: usize,
+    /// Whether these are not the file's first rows but those of a selection of cases.
+    pub is_part: bool,
 }
 
 impl Table {
     /// A table.
     pub fn new(name: &str, title: &str, header: &[&str], rows: Vec<Vec<String>>) -> Table {
         let header = header.iter().map(|column| (*column).to_owned()).collect();
-        Table { name: name.to_owned(), title: title.to_owned(), header, rows, left: 0 }
+        Table { name: name.to_owned(), title: title.to_owned(), header, rows, left: 0, is_part: false }
     }
 
     /// The same without header and rows.
     fn empty(&self) -> Table {
         let (name, title) = (self.name.clone(), self.title.clone());
-        Table { name, title, header: Vec::new(), rows: Vec::new(), left: self.left }
+        let (left, is_part) = (self.left, self.is_part);
+        Table { name, title, header: Vec::new(), rows: Vec::new(), left, is_part }
+    }
+
+    /// The same as the part of a larger one that it is.
+    pub fn part_of(self, whole: &Table) -> Table {
+        let left = (whole.rows.len() + whole.left).saturating_sub(self.rows.len());
+        Table { left, is_part: true, ..self }
     }
 
     /// The table as Markdown.
@@ -123,7 +132,7 @@ fn summary(data: &Loaded) -> Lines<'_> {
     header.extend(has_variants.then(|| VARIANT.to_owned()));
     let line = move |row: &Row| {
         let mut cells: Vec<_> = columns.iter().map(|column| row.brief(column)).collect();
-        cells.extend(has_variants.then(|| row.variant.clone()));
+        cells.extend(has_variants.then(|| row.variant.to_string()));
         Ok(cells)
     };
     Lines::new("summary", "Cases", header, data.rows.iter().map(line))

@@ -43,8 +43,8 @@ fn groups(data: &Loaded) -> Vec<Group<'_>> {
     let mut groups: Vec<(Vec<&str>, Vec<&Row>)> = Vec::new();
     for (index, row) in data.rows.iter().enumerate().filter(|(_, row)| row.is_ok()) {
         let swept = data.keys.iter().filter(|key| !OF_THE_WALL.contains(&key.name.as_str()));
-        let mut key: Vec<_> = swept.map(|key| key.cells[index].as_str()).collect();
-        key.extend([row.text(&WAVE_HEIGHT_RATIO), row.variant.as_str()]);
+        let mut key: Vec<_> = swept.map(|key| &key.cells[index]).collect();
+        key.extend([row.text(&WAVE_HEIGHT_RATIO), &*row.variant]);
         match groups.iter_mut().find(|(known, _)| *known == key) {
             Some((_, rows)) => rows.push(row),
             None => groups.push((key, vec![row])),
