@@ -36,7 +36,12 @@ impl Asked {
 
     /// Tells the end of a study again whose directory has not changed since; the exit code. `None` where it has to
     /// be opened.
-    pub(super) fn tell(&self, out: &Path, report: &Path, output: &Output) -> anyhow::Result<Option<u8>> {
+    pub(super) fn tell(
+        &self,
+        out: &Path,
+        report: &Path,
+        output: &Output,
+    ) -> anyhow::Result<Option<u8>> {
         if output.verbose || output.is_json() || Lock::is_held(out) {
             return Ok(None);
         }

@@ -11,7 +11,9 @@ use super::input::demand_output_of_study;
 use super::output::Output;
 use super::{SUCCESS, shown, stored};
 use crate::report::{Froude, Print, ReportError};
-use crate::results::{Closing, Lock, Manifest, Verified, renew_summary, verify, write_all_histories};
+use crate::results::{
+    Closing, Lock, Manifest, Verified, renew_summary, verify, write_all_histories,
+};
 
 /// Write tables, figures and report.html from a sweep's files; simulate nothing.
 #[derive(Debug, Args)]

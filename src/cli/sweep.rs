@@ -10,7 +10,9 @@ use super::closed::Asked;
 use super::ending::EndingArgs;
 use super::execute::{Job, execute};
 use super::failure::{BadInput, exit_code};
-use super::input::{Expect, Setting, SimdChoice, default_out, named_out, out_of, study, sweep_file};
+use super::input::{
+    Expect, Setting, SimdChoice, default_out, named_out, out_of, study, sweep_file,
+};
 use super::keep::KeepArgs;
 use super::output::Output;
 use super::overview::told;

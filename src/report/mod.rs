@@ -5,8 +5,8 @@
 //! a page joins them. The same files give the same bytes.
 
 pub mod accuracy;
-pub mod compare;
 mod column;
+pub mod compare;
 mod config;
 pub mod curves;
 mod error;

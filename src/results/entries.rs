@@ -108,8 +108,7 @@ pub(super) fn parse_in_blocks<R: DeserializeOwned + Send>(
         if block.is_empty() {
             break;
         }
-        let lines: Vec<_> = block.split_inclusive(|&byte| byte == b'\n').collect();
-        let lines: Vec<Line<R>> = lines.into_par_iter().map(read).collect();
+        let lines: Vec<Line<R>> = lines_of(&block).into_par_iter().map(read).collect();
         for line in lines {
             number += 1;
             content.damaged += line.damaged;
@@ -137,11 +136,28 @@ fn block(text: &mut impl BufRead) -> std::io::Result<Vec<u8>> {
     Ok(lines)
 }
 
+/// The lines of a text, with their breaks.
+fn lines_of(mut text: &[u8]) -> Vec<&[u8]> {
+    let mut lines = Vec::new();
+    while !text.is_empty() {
+        let whole = text;
+        // To read from memory cannot fail.
+        let length = text.skip_until(b'\n').unwrap_or(whole.len());
+        lines.push(&whole[..length]);
+    }
+    lines
+}
+
 fn read<R: DeserializeOwned>(line: &[u8]) -> Line<R> {
+    let ended = line.ends_with(b"\n");
+    let entry = |text: &[u8]| serde_json::from_slice(text).map_err(|error| error.to_string());
+    // Nearly every line: then it need not be searched for another one.
+    if let Some(text) = whole_entry(line) {
+        return Line { entries: vec![entry(text)], damaged: 0, intact: ended };
+    }
     let pieces = pieces(line);
     let whole: Vec<_> = pieces.iter().filter_map(|piece| whole_entry(piece)).collect();
-    let (ended, lost) = (line.ends_with(b"\n"), pieces.len() - whole.len());
-    let entry = |text: &[u8]| serde_json::from_slice(text).map_err(|error| error.to_string());
+    let lost = pieces.len() - whole.len();
     Line {
         damaged: if ended { lost } else { 0 },
         intact: ended && pieces.len() == 1 && lost == 0,

@@ -152,7 +152,6 @@ pub fn read_in_blocks<R: DeserializeOwned + Send>(
 /// # Errors
 /// A file that cannot be read, or another program's.
 pub fn read_journal(directory: &Path) -> Result<Content, SweepError> {
-
     let path = directory.join(FILE_NAME);
     let file = File::open(&path).map_err(SweepError::io(&path))?;
     entries::parse(&path, BufReader::new(file))

@@ -173,9 +173,8 @@ impl Filling<'_> {
         for (record, damage) in looked {
             let index = record.index;
             self.damage.remove(&index);
-            self.damage.extend(damage.map(|(file, what)| {
-                (index, format!("{} {what}", file.display()))
-            }));
+            self.damage
+                .extend(damage.map(|(file, what)| (index, format!("{} {what}", file.display()))));
             self.records[index] = Some(record);
         }
     }

@@ -84,8 +84,7 @@ fn summary_fits(
         return Ok(records[..study.cases.len()].iter().any(Option::is_none));
     }
     let there = File::open(&path).map_err(SweepError::io(&path))?;
-    let mut comparison =
-        Comparison { there: BufReader::with_capacity(BUFFER, there), same: true };
+    let mut comparison = Comparison { there: BufReader::with_capacity(BUFFER, there), same: true };
     let wrong = |error: csv::Error| SweepError::io(&path)(error.into());
     summary::write_table(&mut comparison, study, records).map_err(wrong)?;
     let rest = comparison.there.fill_buf().map_err(SweepError::io(&path))?;

@@ -44,7 +44,14 @@ impl Table {
     /// A table.
     pub fn new(name: &str, title: &str, header: &[&str], rows: Vec<Vec<String>>) -> Table {
         let header = header.iter().map(|column| (*column).to_owned()).collect();
-        Table { name: name.to_owned(), title: title.to_owned(), header, rows, left: 0, is_part: false }
+        Table {
+            name: name.to_owned(),
+            title: title.to_owned(),
+            header,
+            rows,
+            left: 0,
+            is_part: false,
+        }
     }
 
     /// The same without header and rows.

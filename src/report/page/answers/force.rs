@@ -78,8 +78,10 @@ mod tests {
         let mut data = Loaded::read(directory.path()).unwrap();
         let text = "[scene]\nwall = \"movable\"\nstill_water_depth_m = 0.4\n[grid]";
         data.manifest = Some(json!({ "name": "a", "sweep_file": text }));
-        let key =
-            |name: &str, cell: &str| Key { name: name.to_owned(), cells: [cell].into_iter().collect() };
+        let key = |name: &str, cell: &str| Key {
+            name: name.to_owned(),
+            cells: [cell].into_iter().collect(),
+        };
         data.keys =
             vec![key("spring_stiffness_n_per_m", "500"), key("seawall_mass_kg_per_m", "250")];
         data.rows[0] = data.rows[0].clone().with(&FIRST_FORCE_MAX, 2.0).with(&FORCE_MAX, 2.5);
