@@ -1,6 +1,7 @@
 //! Sorts rows for figures and tables: which cases stand in a response's figure, which values occur.
 
 use std::cmp::Ordering;
+use std::collections::HashSet;
 
 use super::row::Row;
 use crate::quantities::Column;
@@ -73,13 +74,9 @@ pub fn spread<T: Clone>(items: &[T], most: usize) -> Vec<T> {
 
 /// The variants of a sweep in the order of their first row; one, without a name, as a rule.
 pub fn variants(rows: &[Row]) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for row in rows {
-        if !names.iter().any(|name| **name == *row.variant) {
-            names.push(row.variant.to_string());
-        }
-    }
-    names
+    let mut seen = HashSet::new();
+    let first = rows.iter().filter(|row| seen.insert(&*row.variant));
+    first.map(|row| row.variant.to_string()).collect()
 }
 
 #[cfg(test)]

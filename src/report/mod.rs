@@ -72,10 +72,13 @@ pub fn write_scaled(out_dir: &Path, scale: Option<Froude>) -> Result<PathBuf, Re
         save(&figures_dir.join(format!("{}.svg", figure.name)), &figure.svg())?;
     }
     let scaled = scale.map_or(Ok(Vec::new()), |scale| scale.tables(&data))?;
-    let lines = tables::all(&data).into_iter().chain(scaled.into_iter().map(Lines::from));
-    let write = |lines: Lines<'_>| {
+    // Of a study that is shown in part, the page has that part's rows.
+    let most = if part.is_some() { 0 } else { page::MOST_ROWS };
+    let lines = tables::all(&data).into_iter().map(|lines| (lines, most));
+    let lines = lines.chain(scaled.into_iter().map(|table| (table.into(), page::MOST_ROWS)));
+    let write = |(lines, most): (Lines<'_>, usize)| {
         let path = tables_dir.join(format!("{}.csv", lines.name));
-        lines.write(&path, page::MOST_ROWS)
+        lines.write(&path, most)
     };
     let mut tables = lines.map(write).collect::<Result<Vec<_>, _>>()?;
     if let Some(part) = &part {
