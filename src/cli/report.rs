@@ -63,12 +63,12 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     }
     let report = crate::report::write_scaled(&args.dir, args.froude_scale).map_err(unusable)?;
     write_all_histories(&args.dir)?;
-    if let Some(closing) = closing {
-        closing.write(&args.dir)?;
-    }
     let mut figures = Vec::new();
     for format in formats {
         figures.extend(crate::report::print(&args.dir, format).map_err(unusable)?);
+    }
+    if let Some(closing) = closing {
+        closing.write(&args.dir)?;
     }
     let mut told = format!("report: {}\n", report.display());
     let prototype = args.froude_scale.map(|scale| scale.words());
