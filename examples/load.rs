@@ -1,8 +1,11 @@
 //! How many cases a second go through scheduler, workers, journal and summary, where a case costs nothing.
 //!
-//! `cargo run --release --example load -- DIR CASES [THREADS [no-report]]` sweeps made-up cases into a new directory
+//! `cargo run --release --example load -- DIR CASES [THREADS [WORD...]]` sweeps made-up cases into a new directory
 //! below DIR. It reads that again and makes its report. It prints what each part took, on the clock and of
 //! processors, and the most memory that was held.
+//!
+//! `no-report` leaves the report out. `keep` leaves DIR/load and its sweep file DIR/load.toml behind, for
+//! `seawall sweep`, `status` and `report`; where they are there already, it starts with the reading.
 
 use std::path::Path;
 use std::time::Instant;
@@ -37,13 +40,12 @@ impl Runner for Same {
     }
 }
 
-fn study(cases: usize) -> Study {
-    let text = format!(
+fn file(cases: usize) -> String {
+    format!(
         "name = \"load\"\n[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n[grid]\nwave_height_ratio = [0.2, 0.3, 0.4, 0.5]\n\
          spring_stiffness_n_per_m = {{ from = 10, to = 1e6, points = {}, spacing = \"log\" }}",
         cases.div_ceil(4)
-    );
-    Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap()
+    )
 }
 
 fn sweep(out: &Path, study: &Study, count: usize) {
@@ -95,11 +97,14 @@ fn processor_time_s() -> f64 {
 fn main() {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let [below, cases, rest @ ..] = &words[..] else {
-        panic!("load DIR CASES [THREADS [no-report]]")
+        panic!("load DIR CASES [THREADS [no-report] [keep]]")
     };
     let count = rest.first().map_or(2, |word| word.parse().unwrap());
+    let asked = |what: &str| rest.iter().any(|word| word == what);
     let room = tempfile::tempdir_in(below).unwrap();
-    let out = room.path().join("load");
+    let text = file(cases.parse().unwrap());
+    let out = if asked("keep") { Path::new(below) } else { room.path() }.join("load");
+    std::fs::write(out.with_extension("toml"), &text).unwrap();
     let mut before = 0.0;
     let mut tell = |what: &str, start: Instant| {
         let (wall, processor) = (start.elapsed().as_secs_f64(), processor_time_s() - before);
@@ -107,20 +112,22 @@ fn main() {
         println!("{what}: {wall:.2} s, {processor:.2} s of processors, {:.0} MB", memory_mb());
     };
     let start = Instant::now();
-    let study = study(cases.parse().unwrap());
+    let study = Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap();
     tell(&format!("study of {} cases", study.cases.len()), start);
-    let start = Instant::now();
-    sweep(&out, &study, count);
-    tell("sweep", start);
-    let rate = study.cases.len() as f64 / start.elapsed().as_secs_f64();
-    println!("{rate:.0} cases per second on {count} threads");
+    if !out.exists() {
+        let start = Instant::now();
+        sweep(&out, &study, count);
+        tell("sweep", start);
+        let rate = study.cases.len() as f64 / start.elapsed().as_secs_f64();
+        println!("{rate:.0} cases per second on {count} threads");
+    }
     let start = Instant::now();
     let (directory, opened) = Directory::open(&out, &study, OpenMode::Resume, None, SIMD).unwrap();
     tell("reopening", start);
     assert_eq!(opened, Opened::Resumed(study.cases.len()));
     Manifest::new(&out, &study, &[], SIMD).write(&out).unwrap();
     drop((directory, study));
-    if rest.iter().any(|word| word == "no-report") {
+    if asked("no-report") {
         return;
     }
     let start = Instant::now();

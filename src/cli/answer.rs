@@ -86,7 +86,7 @@ impl Answer<'_> {
     }
 
     fn cell(&self, key: usize, row: usize) -> String {
-        match self.data.keys[key].cells[row].as_str() {
+        match &self.data.keys[key].cells[row] {
             "" => "-".to_owned(),
             cell => cell.parse().map_or_else(|_| cell.to_owned(), plain),
         }

@@ -10,7 +10,7 @@ use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::Ending;
 use crate::quantities::summary::COARSE_SPACING;
 use crate::quantities::{Bars, Value as Cell};
-use crate::results::{CaseRecord, Directory, Savings, SweepError, finished};
+use crate::results::{CaseRecord, Directory, Savings, SweepError, finished_whole};
 use crate::study::Study;
 
 pub(super) struct Done {
@@ -66,7 +66,7 @@ impl Done {
 
     /// The finished cases with all that the journal has of them, in grid order.
     pub(super) fn whole(&self, study: &Study) -> Result<Vec<CaseRecord>, SweepError> {
-        let whole = finished(self.directory.path(), study)?.into_iter();
+        let whole = finished_whole(self.directory.path(), study)?.into_iter();
         let whole = whole.zip(self.directory.records());
         Ok(whole.filter_map(|(record, here)| record.filter(|_| here.is_some())).collect())
     }

@@ -147,6 +147,6 @@ pub(super) fn out_of(path: &Path, settings: &[Setting]) -> Option<PathBuf> {
     sweep_file(path, settings).ok().map(|file| named_out(&file.name))
 }
 
-fn named_out(name: &str) -> PathBuf {
+pub(super) fn named_out(name: &str) -> PathBuf {
     Path::new("results").join("runs").join(name)
 }

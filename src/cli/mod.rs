@@ -7,6 +7,7 @@
 mod accuracy;
 mod answer;
 mod check;
+mod closed;
 mod compare;
 mod completions;
 mod cost;

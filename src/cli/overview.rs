@@ -1,6 +1,7 @@
 //! The table at the end of a sweep, and how its cases fared.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 
 use super::done::Done;
 use super::job::Job;
@@ -26,8 +27,18 @@ const SHOWN: [&Column; 6] =
 const GIVEN_UP: [&Column; 5] =
     [&ENERGY_GAP, &FIRST_RUNUP_MAX, &FIRST_FORCE_MAX, &RUNUP_MAX, &DISPLACEMENT_MAX];
 
+/// What is told of the cases, and where the report is.
+pub(super) fn told(job: &Job, done: &Done, report: &Path, all: bool) -> String {
+    of_cases(job, done, all) + &reported(report)
+}
+
+/// Where the report is.
+pub(super) fn reported(report: &Path) -> String {
+    format!("report: {}\n", report.display())
+}
+
 /// A row per case, `all` or the first few, and the lines below them.
-pub(super) fn told(job: &Job, done: &Done, report: &std::path::Path, all: bool) -> String {
+pub(super) fn of_cases(job: &Job, done: &Done, all: bool) -> String {
     let rows = if all { usize::MAX } else { ROWS };
     let mut text = table(job, done, rows);
     let total = done.records().count();
@@ -40,7 +51,6 @@ pub(super) fn told(job: &Job, done: &Done, report: &std::path::Path, all: bool) 
     text.push_str(&fared(done, total));
     text.push_str(&doubts(done));
     text.push_str(&coarse(&done.coarse(job)));
-    text.push_str(&format!("report: {}\n", report.display()));
     text
 }
 

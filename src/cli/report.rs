@@ -11,7 +11,9 @@ use super::input::demand_output_of_study;
 use super::output::Output;
 use super::{SUCCESS, shown, stored};
 use crate::report::{Froude, Print, ReportError};
-use crate::results::{Lock, Manifest, finished, renew_summary, verify, write_all_histories};
+use crate::results::{
+    Closing, Lock, Manifest, Verified, renew_summary, verify, write_all_histories,
+};
 
 /// Write tables, figures and report.html from the files of a study. Nothing is simulated.
 #[derive(Debug, Args)]
@@ -55,12 +57,18 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
         let reason = "this build of seawall writes svg alone: build it with --features print";
         return Err(BadInput(format!("--figures {}: {reason}", format.ending())).into());
     }
-    renew(args, output)?;
+    let closing = Closing::read(&args.dir);
+    if closing.is_none() {
+        renew(args, output)?;
+    }
     let report = crate::report::write_scaled(&args.dir, args.froude_scale).map_err(unusable)?;
     write_all_histories(&args.dir)?;
     let mut figures = Vec::new();
     for format in formats {
         figures.extend(crate::report::print(&args.dir, format).map_err(unusable)?);
+    }
+    if let Some(closing) = closing {
+        closing.write(&args.dir)?;
     }
     let mut told = format!("report: {}\n", report.display());
     let prototype = args.froude_scale.map(|scale| scale.words());
@@ -104,8 +112,8 @@ fn renew(args: &ReportArgs, output: &Output) -> anyhow::Result<()> {
         output.note("manifest.json is missing or damaged: the page says nothing of where its numbers come from");
     }
     let Ok((study, _)) = stored::study(&args.dir) else { return Ok(()) };
-    let records = finished(&args.dir, &study)?;
-    for told in verify(&args.dir, &study, &records)? {
+    let Verified { told, records } = verify(&args.dir, &study)?;
+    for told in told {
         output.note(told);
     }
     if renew_summary(&args.dir, &study, &records)? {

@@ -1,7 +1,7 @@
 //! `seawall status`: how far a sweep is, from its files alone.
 
-use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::collections::{BTreeMap, HashMap};
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::Args;
@@ -14,7 +14,10 @@ use super::table::Table;
 use super::watch::{View, Watch};
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS, numbers, stored};
 use crate::math::name::name_of;
-use crate::results::{CaseRecord, Load, Lock, Manifest, RankInfo, counted, finished, read_journal};
+use crate::results::{
+    Closing, Fared, Header, Load, Lock, Manifest, RankInfo, counted, read_journal_header,
+    read_journal_in_blocks,
+};
 
 /// Show what is done, what failed and why, what is left, and the time to go.
 #[derive(Debug, Args)]
@@ -32,6 +35,45 @@ pub(super) struct StatusArgs {
     /// Look again every so many seconds while the sweep runs, and tell how fast it goes.
     #[arg(long, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "10", value_parser = numbers::seconds(0.1, 1e6), allow_negative_numbers = true)]
     watch: Option<f64>,
+}
+
+/// What the journal tells.
+struct Known {
+    header: Option<Header>,
+    /// How many cases there are, where points were added.
+    added: Option<usize>,
+    /// The last line of each run, by its place.
+    latest: BTreeMap<usize, Fared>,
+}
+
+impl Known {
+    /// Its first line alone.
+    fn of_header(directory: &Path) -> anyhow::Result<Known> {
+        let header = read_journal_header(directory)?;
+        Ok(Known { header, added: None, latest: BTreeMap::new() })
+    }
+
+    /// All of it.
+    fn of_journal(directory: &Path) -> anyhow::Result<Known> {
+        let (mut added, mut places) = (None, None);
+        if stored::file(directory).is_ok_and(|file| file.refine.is_some())
+            && let Ok((_, study)) = stored::file_and_study(directory)
+        {
+            // Points that were added have moved the others' places.
+            added = Some(study.cases.len());
+            let index = study.runs().map(|case| (case.id, case.index));
+            places = Some(index.collect::<HashMap<_, _>>());
+        }
+        let place = |fared: Fared| match &places {
+            Some(places) => Some((*places.get(&fared.id)?, fared)),
+            None => Some((fared.index, fared)),
+        };
+        let mut latest = BTreeMap::new();
+        let content = read_journal_in_blocks(directory, |block: Vec<Fared>| {
+            latest.extend(block.into_iter().map(Fared::brief).filter_map(place));
+        })?;
+        Ok(Known { header: content.header, added, latest })
+    }
 }
 
 /// What a look at a directory shows.
@@ -64,31 +106,29 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
 fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
     let bad = |reason: &str| BadInput(format!("{}: {reason}", args.dir.display()));
     demand_output_of_study(&args.dir, "journal.jsonl")?;
-    let content = read_journal(&args.dir)?;
-    let Some(header) = content.header else {
+    let manifest = Manifest::read(&args.dir);
+    let companions = manifest.as_ref().map_or(0, |manifest| manifest.companions);
+    // Of a closed study in which nothing failed nothing more is to be told.
+    let closed = Closing::read(&args.dir).is_some_and(|closing| closing.failed == 0);
+    let known = if closed { Known::of_header(&args.dir)? } else { Known::of_journal(&args.dir)? };
+    let Known { header, added, mut latest } = known;
+    let Some(header) = header else {
         let reason = "the sweep was stopped before it began, or the journal's first line is lost";
         return Err(bad(reason).into());
     };
-    let mut latest = BTreeMap::new();
-    let mut cases = header.cases;
-    match stored::file_and_study(&args.dir) {
-        // Points that were added have moved the others' places.
-        Ok((file, study)) if file.refine.is_some() => {
-            cases = study.cases.len();
-            let records = finished(&args.dir, &study)?.into_iter().flatten();
-            latest.extend(records.map(|record| (record.index, record)));
-        }
-        _ => latest.extend(content.records.into_iter().map(|record| (record.index, record))),
-    }
+    let cases = added.unwrap_or(header.cases);
     // Lines beyond the cases are resolution companions.
-    let manifest = Manifest::read(&args.dir);
-    let companions = manifest.as_ref().map_or(0, |manifest| manifest.companions);
     let companions_done = latest.split_off(&cases).len().min(companions);
     let records: Vec<_> = latest.into_values().collect();
-    let failed: Vec<_> = records.iter().filter(|record| !record.is_ok()).collect();
-    let left = cases.saturating_sub(records.len());
+    let failed: Vec<_> = records.iter().filter(|record| record.failure.is_some()).collect();
+    let (done, companions_done) =
+        if closed { (cases, companions) } else { (records.len(), companions_done) };
+    let left = cases.saturating_sub(done);
     let running = Lock::is_held(&args.dir);
-    let to_go = time_to_go(&records, left, manifest.as_ref());
+    let to_go = match &manifest {
+        Some(manifest) if closed && !manifest.sessions.is_empty() => Some(0.0),
+        _ => time_to_go(&records, left, manifest.as_ref()),
+    };
     let companions_left = companions - companions_done;
     let groups = group(&failed);
 
@@ -98,9 +138,8 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
         (_, false) => "stopped; the same command goes on",
     };
     let mut text = format!(
-        "{}: {state}\n{} of {} done, {} failed, {left} left",
+        "{}: {state}\n{done} of {} done, {} failed, {left} left",
         header.name,
-        records.len(),
         counted(cases, "case"),
         failed.len()
     );
@@ -130,8 +169,8 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
     let mut value = json!({
         "name": header.name,
         "cases": cases,
-        "done": records.len(),
-        "ok": records.len() - failed.len(),
+        "done": done,
+        "ok": done - failed.len(),
         "failed": failed.len(),
         "left": left,
         "companions": companions,
@@ -163,7 +202,7 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
     })));
     let view = View {
         busy_s: load.as_ref().map(Load::busy_s),
-        done: records.len() + companions_done,
+        done: done + companions_done,
         spent_s: records.iter().map(|record| record.wall_time_s).sum(),
         ranks: ranks.len(),
         places: ranks.iter().map(RankInfo::places).sum(),
@@ -180,7 +219,7 @@ struct Failures {
     values: BTreeMap<String, BTreeMap<String, usize>>,
 }
 
-fn group(failed: &[&CaseRecord]) -> BTreeMap<String, Failures> {
+fn group(failed: &[&Fared]) -> BTreeMap<String, Failures> {
     let mut groups: BTreeMap<_, Failures> = BTreeMap::new();
     for record in failed {
         let kind = record.failure.map_or_else(|| "failed".to_owned(), name_of);
@@ -198,7 +237,7 @@ fn group(failed: &[&CaseRecord]) -> BTreeMap<String, Failures> {
 }
 
 /// The mean time of a finished case, times those left, over the places of the last session.
-fn time_to_go(records: &[CaseRecord], left: usize, manifest: Option<&Manifest>) -> Option<f64> {
+fn time_to_go(records: &[Fared], left: usize, manifest: Option<&Manifest>) -> Option<f64> {
     let spent: f64 = records.iter().map(|record| record.wall_time_s).sum();
     let session = manifest?.sessions.last()?;
     let places: usize = session.ranks.iter().map(|rank| rank.places()).sum();

@@ -6,7 +6,7 @@ use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::{max_error, refine};
 use crate::math::simd::SimdPath;
-use crate::results::{Manifest, read_journal};
+use crate::results::{Manifest, read_journal_header};
 use crate::study::{Override, PHYSICS_VERSION, Study, SweepFile};
 
 /// The study, and the instruction set that it was computed with.
@@ -14,7 +14,7 @@ pub(super) fn study(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     let bad = |reason: String| BadInput(format!("{}: {reason}", directory.display()));
     let (_, study) = file_and_study(directory)?;
     let unfinished = || bad("the sweep was stopped before it began".to_owned());
-    let header = read_journal(directory)?.header.ok_or_else(unfinished)?;
+    let header = read_journal_header(directory)?.ok_or_else(unfinished)?;
     if !header.simd.is_supported() {
         let simd = crate::math::name::name_of(header.simd);
         return Err(bad(format!("was computed with {simd}, which this machine lacks")).into());
@@ -22,8 +22,12 @@ pub(super) fn study(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     Ok((study, header.simd))
 }
 
-/// The file that a directory was made from, with what the command line set, and its study.
-pub(super) fn file_and_study(directory: &Path) -> anyhow::Result<(SweepFile, Study)> {
+/// The file that a directory was made from, with what the command line set.
+pub(super) fn file(directory: &Path) -> anyhow::Result<SweepFile> {
+    Ok(manifest_and_file(directory)?.1)
+}
+
+fn manifest_and_file(directory: &Path) -> anyhow::Result<(Manifest, SweepFile)> {
     let bad = |reason: String| BadInput(format!("{}: {reason}", directory.display()));
     demand_output_of_study(directory, "manifest.json")?;
     let lacking = || bad("manifest.json cannot be read".to_owned());
@@ -38,6 +42,13 @@ pub(super) fn file_and_study(directory: &Path) -> anyhow::Result<(SweepFile, Stu
         manifest.overrides.iter().map(set).collect::<Result<_, _>>().map_err(bad)?;
     let told = |error| bad(format!("sweep_file in manifest.json: {error}"));
     let file = SweepFile::read(&manifest.sweep_file, &overrides).map_err(told)?;
+    Ok((manifest, file))
+}
+
+/// The file that a directory was made from, with what the command line set, and its study.
+pub(super) fn file_and_study(directory: &Path) -> anyhow::Result<(SweepFile, Study)> {
+    let bad = |reason: String| BadInput(format!("{}: {reason}", directory.display()));
+    let (manifest, file) = manifest_and_file(directory)?;
     let plain = refine::study_in(directory, &file)?;
     let aim = manifest.max_error_percent.or(plain.max_error_percent);
     let study = match aim.filter(|_| plain.identity != manifest.sweep) {

@@ -6,11 +6,14 @@ use std::time::Duration;
 use clap::Args;
 use serde_json::json;
 
+use super::closed::Asked;
 use super::ending::EndingArgs;
 use super::execute::execute;
 use super::executor::{Executor, choose};
 use super::failure::{BadInput, exit_code};
-use super::input::{Expect, Setting, SimdChoice, default_out, out_of, study, sweep_file};
+use super::input::{
+    Expect, Setting, SimdChoice, default_out, named_out, out_of, study, sweep_file,
+};
 use super::job::Job;
 use super::keep::KeepArgs;
 use super::output::Output;
@@ -86,6 +89,13 @@ pub(super) struct SweepArgs {
     settings: Vec<Setting>,
 }
 
+impl SweepArgs {
+    /// Whether nothing is asked of a finished study but to be told again.
+    fn only_goes_on(&self) -> bool {
+        !self.fresh && !self.retry_failed && self.simd.path().is_none()
+    }
+}
+
 pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> anyhow::Result<u8> {
     if args.dry_run {
         if launcher.rank > 0 {
@@ -123,8 +133,17 @@ fn lead(
     crew: &mut dyn Crew,
     interrupt: &Interrupt,
 ) -> anyhow::Result<u8> {
-    let study = study(&args.file, &args.settings, Expect::Grid)?;
     let file = sweep_file(&args.file, &args.settings)?;
+    let overrides: Vec<_> = args.settings.iter().map(|setting| setting.text.clone()).collect();
+    let asked = Asked::of(&file, &overrides, &args.film).filter(|_| args.max_error.is_none());
+    if let Some(asked) = asked.as_ref().filter(|_| args.only_goes_on()) {
+        let out = args.out.clone().unwrap_or_else(|| named_out(&file.name));
+        args.ending.begin(&out)?;
+        if let Some(code) = asked.tell(&out, &out.join(REPORT), output)? {
+            return Ok(code);
+        }
+    }
+    let study = study(&args.file, &args.settings, Expect::Grid)?;
     let refinement = Refinement::of(&file);
     films::check(&args.film, &study)?;
     warnings::tell(&args.file, &study, output);
@@ -136,11 +155,12 @@ fn lead(
     }
     let aim = aim.map(|percent| MaxError::new(percent, &study)).transpose().map_err(BadInput)?;
     let out = args.out.clone().unwrap_or_else(|| default_out(&study));
+    // A large study is held once.
     let first = match (&aim, &refinement) {
         (Some(aim), _) => max_error::first(aim, &study, output),
         // What an earlier run has added is there from the start.
-        (_, Some(_)) if !args.fresh => refine::study_in(&out, &file).unwrap_or(study.clone()),
-        _ => study.clone(),
+        (_, Some(_)) if !args.fresh => refine::study_in(&out, &file).unwrap_or(study),
+        _ => study,
     };
     let mut job = Job {
         out,
@@ -150,7 +170,7 @@ fn lead(
         branching: !args.no_branch,
         shares_threads: true,
         simd: args.simd.path(),
-        overrides: args.settings.iter().map(|setting| setting.text.clone()).collect(),
+        overrides,
     };
     args.ending.begin(&job.out)?;
     let mut done = execute(&job, crew, interrupt, output)?;
@@ -209,10 +229,15 @@ fn lead(
         value["refined"] = refined;
     }
     let code = done.exit_code().max(filming);
+    let closing = asked.filter(|_| filming == SUCCESS);
+    let closing = closing.and_then(|asked| asked.closing(&job, &mut done));
     // The report reads files alone. Of a large study both would be too much.
     done.directory.forget_records();
     drop(job);
     crate::report::write(done.directory.path())?;
+    if let Some(closing) = closing {
+        closing.write(done.directory.path())?;
+    }
     output.result(&text, &value)?;
     Ok(code)
 }

@@ -8,7 +8,7 @@ use serde_json::json;
 use super::input::demand_output_of_study;
 use super::output::Output;
 use super::{CASES_FAILED, SUCCESS, film, numbers, stored};
-use crate::results::{CaseRecord, counted, finished, first_difference, verify};
+use crate::results::{CaseRecord, Verified, counted, first_difference, verify};
 use crate::simulation::{Resources, Unwatched, run_case};
 use crate::study::Study;
 
@@ -31,8 +31,7 @@ pub(super) struct VerifyArgs {
 pub(super) fn main(args: &VerifyArgs, output: &Output) -> anyhow::Result<u8> {
     demand_output_of_study(&args.dir, "journal.jsonl")?;
     let (study, simd) = stored::study(&args.dir)?;
-    let records = finished(&args.dir, &study)?;
-    let mut told = verify(&args.dir, &study, &records)?;
+    let Verified { mut told, records } = verify(&args.dir, &study)?;
     let resources = Resources { simd, threads: film::threads(args.threads) };
     let again = sample(&study, &records, args.rerun);
     for &place in &again {

@@ -29,7 +29,13 @@ impl Config {
 /// One for every row of the summary; `None` where the files do not tell it: without a manifest, or with
 /// one whose file is no sweep that this program reads.
 pub fn configs(data: &Loaded) -> Vec<Option<Config>> {
-    some_configs(data, 0..data.rows.len())
+    each_config(data).collect()
+}
+
+/// Likewise, made one by one: those of a large study take gigabytes.
+pub fn each_config(data: &Loaded) -> impl Iterator<Item = Option<Config>> {
+    let file = data.manifest.as_ref().and_then(file);
+    (0..data.rows.len()).map(move |row| config(file.as_ref()?, data, row))
 }
 
 /// Likewise, of some rows by their places.
@@ -94,7 +100,7 @@ fn config(file: &Table, data: &Loaded, row: usize) -> Option<Config> {
         };
         table.remove(&key.name);
         if !key.cells[row].is_empty() {
-            let set: Override = format!("{}={}", key.name, key.cells[row]).parse().ok()?;
+            let set: Override = format!("{}={}", key.name, &key.cells[row]).parse().ok()?;
             table.insert(key.name.clone(), set.value().clone());
         }
     }
@@ -134,10 +140,10 @@ mod tests {
     fn of(file: &str, overrides: &[&str], keys: &[(&str, &[&str])]) -> Vec<Option<Config>> {
         let key = |(name, cells): &(&str, &[&str])| Key {
             name: (*name).to_owned(),
-            cells: cells.iter().map(|cell| (*cell).to_owned()).collect(),
+            cells: cells.iter().collect(),
         };
         let keys: Vec<_> = keys.iter().map(key).collect();
-        let rows = vec![Default::default(); keys.first().map_or(1, |key| key.cells.len())];
+        let rows = vec![Default::default(); keys.first().map_or(1, |key| key.cells.iter().len())];
         let manifest = Some(json!({ "sweep_file": file, "overrides": overrides }));
         configs(&Loaded { rows, keys, manifest, ..Loaded::default() })
     }

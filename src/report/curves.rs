@@ -1,6 +1,7 @@
 //! Sorts rows for figures and tables: which cases stand in a response's figure, which values occur.
 
 use std::cmp::Ordering;
+use std::collections::HashSet;
 
 use super::row::Row;
 use crate::quantities::Column;
@@ -22,15 +23,31 @@ pub fn stem(response: &Column) -> &'static str {
 pub fn responses<'a>(rows: &'a [Row], variant: &str, response: &Column) -> Vec<&'a Row> {
     let sorted = [&M_STAR, &WAVE_HEIGHT_RATIO, &LOG10_K_STAR];
     let has = |row: &Row, column: &Column| row.number(column).is_some_and(f64::is_finite);
-    let all = rows.iter().filter(|row| row.is_ok() && row.variant == variant);
+    let all = rows.iter().filter(|row| row.is_ok() && *row.variant == *variant);
     let all = all.filter(|row| has(row, response) && sorted.iter().all(|column| has(row, column)));
     let mut all: Vec<_> = all.collect();
-    let by = |a: &Row, b: &Row, column: &Column| {
-        let (a, b) = (a.number(column), b.number(column));
-        a.zip(b).map_or(Ordering::Equal, |(a, b)| a.total_cmp(&b))
-    };
-    all.sort_by(|a, b| sorted.iter().fold(Ordering::Equal, |o, column| o.then(by(a, b, column))));
+    // Each number is read once: a text is not compared quickly.
+    let place = |row: &Row| sorted.map(|column| Rising(row.number(column).unwrap_or(f64::NAN)));
+    all.sort_by_cached_key(|row| place(row));
     all
+}
+
+/// A number with its place among others.
+#[derive(PartialEq)]
+struct Rising(f64);
+
+impl Eq for Rising {}
+
+impl PartialOrd for Rising {
+    fn partial_cmp(&self, other: &Rising) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Rising {
+    fn cmp(&self, other: &Rising) -> Ordering {
+        self.0.total_cmp(&other.0)
+    }
 }
 
 /// Rows of the same mass, one group after the other.
@@ -57,13 +74,9 @@ pub fn spread<T: Clone>(items: &[T], most: usize) -> Vec<T> {
 
 /// The variants of a sweep in the order of their first row; one, without a name, as a rule.
 pub fn variants(rows: &[Row]) -> Vec<String> {
-    let mut names: Vec<String> = Vec::new();
-    for row in rows {
-        if !names.contains(&row.variant) {
-            names.push(row.variant.clone());
-        }
-    }
-    names
+    let mut seen = HashSet::new();
+    let first = rows.iter().filter(|row| seen.insert(&*row.variant));
+    first.map(|row| row.variant.to_string()).collect()
 }
 
 #[cfg(test)]

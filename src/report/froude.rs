@@ -5,7 +5,7 @@ use std::str::FromStr;
 
 use toml::{Table as Toml, Value};
 
-use super::config::configs;
+use super::config::each_config;
 use super::error::ReportError;
 use super::load::Loaded;
 use super::row::Row;
@@ -122,9 +122,9 @@ impl Froude {
     /// The maxima and the envelopes of all finished cases at the size of the prototype; none where the
     /// directory does not tell how its tanks were.
     pub fn tables(self, data: &Loaded) -> Result<Vec<Table>, ReportError> {
-        let configs = configs(data);
         let (mut maxima, mut envelope) = (Vec::new(), Vec::new());
-        for (row, config) in data.rows.iter().zip(&configs).filter(|(row, _)| row.is_ok()) {
+        for (row, config) in data.rows.iter().zip(each_config(data)).filter(|(row, _)| row.is_ok())
+        {
             let Some(water) = config.as_ref().and_then(|config| Water::of(&config.scene)) else {
                 continue;
             };

@@ -16,6 +16,11 @@ pub(super) fn grid(table: &Table) -> String {
     let file = match table.name.as_str() {
         "" if table.left > 0 => format!("<p>... and {} more.</p>", table.left),
         "" => String::new(),
+        name if table.is_part => format!(
+            "<p class=\"file\">{} of {} rows; tables/{name}.csv has all</p>",
+            table.rows.len(),
+            table.rows.len() + table.left
+        ),
         name if table.left > 0 => format!(
             "<p class=\"file\">the first {} of {} rows; tables/{name}.csv has all</p>",
             table.rows.len(),

@@ -9,47 +9,44 @@ use csv::{ErrorKind, StringRecord};
 use serde::Deserialize;
 use serde_json::Value;
 
+use super::column::Cells;
 use super::error::ReportError;
 use super::row::{Header, Row};
 use super::study::{Key, keys, scene_number};
 use super::variant::name_variants;
 use crate::quantities::{named, summary};
 
-/// A table passed on as it stands.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct RawTable {
-    /// Column names.
-    pub header: Vec<String>,
-    /// Cells, row by row.
-    pub rows: Vec<StringRecord>,
-}
-
 /// All that the report knows about a sweep.
 #[derive(Debug, Clone, Default)]
 pub struct Loaded {
     /// Rows of `summary.csv`, in its order.
     pub rows: Vec<Row>,
-    /// `energy.csv`, where there is one.
-    pub energy: Option<RawTable>,
+    /// Where `energy.csv` is, if there is one.
+    pub energy: Option<PathBuf>,
     /// `manifest.json`, where there is one that can be read.
     pub manifest: Option<Value>,
     /// What was swept, in the grid's order; empty without a manifest.
     pub keys: Vec<Key>,
     pub(super) directory: PathBuf,
+    /// Whether these are some of the rows alone.
+    pub(super) is_part: bool,
 }
 
 impl Loaded {
     /// Reads everything but what each case has left in files of its own.
     pub fn read(directory: &Path) -> Result<Loaded, ReportError> {
         let energy = directory.join("energy.csv");
-        let energy = if energy.exists() { Some(read_raw(&energy, &["case_id"])?) } else { None };
+        let energy = Some(energy).filter(|path| path.exists());
+        if let Some(path) = &energy {
+            demand(path, &stream(path)?.0, std::iter::once(summary::CASE_ID.name))?;
+        }
         let manifest = read_manifest(&directory.join("manifest.json"));
         let (mut rows, keys) = read_summary(&directory.join("summary.csv"), manifest.as_ref())?;
         let angle = manifest.as_ref().and_then(|manifest| scene_number(manifest, "wall_angle_deg"));
         for row in &mut rows {
             row.wall_angle_deg = row.wall_angle_deg.or(angle);
         }
-        Ok(Loaded { rows, energy, manifest, keys, directory: directory.to_owned() })
+        Ok(Loaded { rows, energy, manifest, keys, directory: directory.to_owned(), is_part: false })
     }
 
     /// The sweep's name, as its manifest states it.
@@ -68,6 +65,27 @@ impl Loaded {
     /// Rows of cases that ran to their end.
     pub fn finished(&self) -> impl Iterator<Item = &Row> {
         self.rows.iter().filter(|row| row.is_ok())
+    }
+
+    /// The same of some rows alone.
+    pub(super) fn part(&self, places: &[usize]) -> Loaded {
+        let cells = |key: &Key| places.iter().map(|&place| &key.cells[place]).collect();
+        let key = |key: &Key| Key { name: key.name.clone(), cells: cells(key) };
+        Loaded {
+            rows: places.iter().map(|&place| self.rows[place].clone()).collect(),
+            energy: self.energy.clone(),
+            manifest: self.manifest.clone(),
+            keys: self.keys.iter().map(key).collect(),
+            directory: self.directory.clone(),
+            is_part: true,
+        }
+    }
+
+    /// The ids of the cases that were filmed.
+    pub(super) fn filmed(&self) -> Vec<String> {
+        let entries = fs::read_dir(self.directory.join("films")).into_iter().flatten().flatten();
+        let names = entries.map(|entry| entry.file_name().to_string_lossy().into_owned());
+        names.filter_map(|name| Some(name.strip_suffix(".html")?.to_owned())).collect()
     }
 
     /// Whether a case was filmed.
@@ -93,38 +111,32 @@ fn read_summary(
     path: &Path,
     manifest: Option<&Value>,
 ) -> Result<(Vec<Row>, Vec<Key>), ReportError> {
-    let (header, records) = read_records(path)?;
+    let (header, records) = stream(path)?;
     demand(path, &header, summary::first_version().map(|column| column.name))?;
     let columns = Arc::new(Header::new(header.iter()));
-    let wrong = |record: &StringRecord, place: usize, reason| ReportError::Cell {
-        path: path.to_owned(),
-        line: record.position().map_or(0, csv::Position::line),
-        column: header[place].to_owned(),
-        reason,
-    };
-    let mut rows = Vec::with_capacity(records.len());
-    for record in &records {
-        let row = Row::new(&columns, record.iter());
-        rows.push(row.map_err(|(place, reason)| wrong(record, place, reason))?);
-    }
     // Swept keys follow the columns of every summary.
     let declared = header.iter().enumerate().filter(|(_, name)| named(name).is_some());
     let known = declared.last().map_or(0, |(at, _)| at + 1);
-    let key = |column: usize| Key {
-        name: header[column].to_owned(),
-        cells: records.iter().map(|record| record[column].to_owned()).collect(),
-    };
-    let further: Vec<_> = (known..header.len()).map(key).collect();
-    name_variants(&mut rows, &further);
+    let key = |column: usize| Key { name: header[column].to_owned(), cells: Cells::default() };
     let place = |name: &String| header.iter().position(|column| column == name);
-    let swept = manifest.map(keys).unwrap_or_default();
-    Ok((rows, swept.iter().filter_map(place).map(key).collect()))
-}
-
-pub(super) fn read_raw(path: &Path, needed: &[&'static str]) -> Result<RawTable, ReportError> {
-    let (header, records) = read_records(path)?;
-    demand(path, &header, needed.iter().copied())?;
-    Ok(RawTable { header: header.iter().map(str::to_owned).collect(), rows: records })
+    let swept: Vec<_> = manifest.map(keys).unwrap_or_default().iter().filter_map(place).collect();
+    let mut swept_keys: Vec<_> = swept.iter().map(|&column| key(column)).collect();
+    let mut further: Vec<_> = (known..header.len()).map(key).collect();
+    let mut rows = Vec::new();
+    for record in records {
+        let record = record?;
+        let wrong = |(place, reason): (usize, String)| ReportError::Cell {
+            path: path.to_owned(),
+            line: record.position().map_or(0, csv::Position::line),
+            column: header[place].to_owned(),
+            reason,
+        };
+        rows.push(Row::new(&columns, record.iter()).map_err(wrong)?);
+        swept_keys.iter_mut().zip(&swept).for_each(|(key, &at)| key.cells.push(&record[at]));
+        further.iter_mut().zip(known..).for_each(|(key, at)| key.cells.push(&record[at]));
+    }
+    name_variants(&mut rows, &further);
+    Ok((rows, swept_keys))
 }
 
 /// Provenance is no answer: a report can do without one that is damaged.
@@ -143,6 +155,20 @@ pub(super) fn read_records(path: &Path) -> Result<(StringRecord, Vec<StringRecor
     let header = reader.headers().map_err(wrong)?.clone();
     let records = reader.records().collect::<Result<_, _>>().map_err(wrong)?;
     Ok((header, records))
+}
+
+/// The columns of a table, and its rows as they are read: one of a large study is never held whole.
+pub(super) fn stream(
+    path: &Path,
+) -> Result<(StringRecord, impl Iterator<Item = Result<StringRecord, ReportError>>), ReportError> {
+    let wrong = |source| ReportError::Table { path: path.to_owned(), source };
+    let unread = |source| ReportError::Read { path: path.to_owned(), source };
+    let file = fs::File::open(path).map_err(unread)?;
+    let mut reader = csv::ReaderBuilder::new().buffer_capacity(1 << 20).from_reader(file);
+    let header = reader.headers().map_err(wrong)?.clone();
+    let own = path.to_owned();
+    let wrong = move |source| ReportError::Table { path: own.clone(), source };
+    Ok((header, reader.into_records().map(move |record| record.map_err(&wrong))))
 }
 
 /// Names the first column that is wanted and not there.

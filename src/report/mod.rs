@@ -5,6 +5,7 @@
 //! a page joins them. The same files give the same bytes.
 
 pub mod accuracy;
+mod column;
 pub mod compare;
 mod config;
 pub mod curves;
@@ -25,6 +26,7 @@ pub mod plots;
 pub mod reproduce;
 mod row;
 mod scene_file;
+mod selection;
 pub mod series;
 pub mod study;
 pub mod tables;
@@ -55,12 +57,14 @@ pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
 /// Likewise, with tables in the units of a prototype, where a Froude scale is given.
 pub fn write_scaled(out_dir: &Path, scale: Option<Froude>) -> Result<PathBuf, ReportError> {
     let data = Loaded::read(out_dir)?;
-    let figures = plots::all(&data)?;
+    let part = selection::of(&data);
+    let shown = part.as_ref().unwrap_or(&data);
+    let figures = plots::all(shown)?;
     for name in Froude::TABLES {
         // Of an earlier scale.
         let _ = fs::remove_file(out_dir.join("tables").join(format!("{name}.csv")));
     }
-    let papers = papers::papers(&data)?;
+    let papers = papers::papers(shown)?;
     let (figures_dir, tables_dir) = (out_dir.join("figures"), out_dir.join("tables"));
     make(&figures_dir)?;
     make(&tables_dir)?;
@@ -69,12 +73,22 @@ pub fn write_scaled(out_dir: &Path, scale: Option<Froude>) -> Result<PathBuf, Re
         save(&figures_dir.join(format!("{}.svg", figure.name)), &figure.svg())?;
     }
     let scaled = scale.map_or(Ok(Vec::new()), |scale| scale.tables(&data))?;
-    let lines = tables::all(&data).into_iter().chain(scaled.into_iter().map(Lines::from));
-    let write = |lines: Lines<'_>| {
+    // Of a study that is shown in part, the page has that part's rows.
+    let most = if part.is_some() { 0 } else { page::MOST_ROWS };
+    let lines = tables::all(&data).into_iter().map(|lines| (lines, most));
+    let lines = lines.chain(scaled.into_iter().map(|table| (table.into(), page::MOST_ROWS)));
+    let write = |(lines, most): (Lines<'_>, usize)| {
         let path = tables_dir.join(format!("{}.csv", lines.name));
-        lines.write(&path, page::MOST_ROWS)
+        lines.write(&path, most)
     };
-    let tables = lines.map(write).collect::<Result<Vec<_>, _>>()?;
+    let mut tables = lines.map(write).collect::<Result<Vec<_>, _>>()?;
+    if let Some(part) = &part {
+        for lines in tables::all(part) {
+            if let Some(whole) = tables.iter_mut().find(|table| table.name == lines.name) {
+                *whole = lines.whole()?.part_of(whole);
+            }
+        }
+    }
     for table in papers.iter().map(|papers| &papers.tidy) {
         save(&tables_dir.join(format!("{}.csv", table.name)), &table.csv())?;
     }
@@ -82,7 +96,7 @@ pub fn write_scaled(out_dir: &Path, scale: Option<Froude>) -> Result<PathBuf, Re
     let said = papers
         .as_ref()
         .map(|papers| page::Papers { answer: papers.answer.clone(), content: papers.section() });
-    save(&path, &page::page(&data, &figures, &tables, said.as_ref())?)?;
+    save(&path, &page::page([&data, shown], &figures, &tables, said.as_ref())?)?;
     Ok(path)
 }
 
@@ -116,9 +130,11 @@ pub fn print(out_dir: &Path, format: Print) -> Result<Vec<PathBuf>, ReportError>
     #[cfg(feature = "print")]
     {
         let data = Loaded::read(out_dir)?;
-        let papers = papers::papers(&data)?;
+        let part = selection::of(&data);
+        let shown = part.as_ref().unwrap_or(&data);
+        let papers = papers::papers(shown)?;
         let theirs = papers.iter().flat_map(|papers| &papers.figures);
-        for figure in plots::all(&data)?.iter().chain(theirs) {
+        for figure in plots::all(shown)?.iter().chain(theirs) {
             paths.extend(export::write(figure, format, &out_dir.join("figures"))?);
         }
     }

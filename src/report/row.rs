@@ -35,12 +35,39 @@ pub struct Row {
     header: Arc<Header>,
     /// All cells, one behind the other, and where each ends.
     text: Box<str>,
-    ends: Box<[u32]>,
+    ends: Ends,
     /// Of a fixed wall; upright where nothing says otherwise.
     pub wall_angle_deg: Option<f64>,
     /// Which of several runs with the same wave and wall this is, such as `boundary = sfdi`;
     /// empty where the sweep holds only one.
-    pub variant: String,
+    pub variant: Arc<str>,
+}
+
+/// Where each cell of a row ends: of a large study these are half as long as the text.
+#[derive(Debug, Clone, PartialEq)]
+enum Ends {
+    Short(Box<[u16]>),
+    Long(Box<[usize]>),
+}
+
+impl Default for Ends {
+    fn default() -> Ends {
+        Ends::of(&[])
+    }
+}
+
+impl Ends {
+    fn of(ends: &[usize]) -> Ends {
+        let short: Result<_, _> = ends.iter().map(|&end| u16::try_from(end)).collect();
+        short.map_or_else(|_| Ends::Long(ends.into()), Ends::Short)
+    }
+
+    fn get(&self, place: usize) -> Option<usize> {
+        match self {
+            Ends::Short(ends) => ends.get(place).map(|&end| usize::from(end)),
+            Ends::Long(ends) => ends.get(place).copied(),
+        }
+    }
 }
 
 impl Row {
@@ -60,18 +87,18 @@ impl Row {
                 return Err((place, format!("{cell:?} is no number")));
             }
             text.push_str(cell);
-            ends.push(u32::try_from(text.len()).unwrap_or(u32::MAX));
+            ends.push(text.len());
         }
-        let (header, text, ends) = (header.clone(), text.into(), ends.into());
-        let row = Row { header, text, ends, wall_angle_deg: None, variant: String::new() };
+        let (header, text, ends) = (header.clone(), text.into(), Ends::of(&ends));
+        let row = Row { header, text, ends, wall_angle_deg: None, variant: Arc::default() };
         Ok(Row { wall_angle_deg: row.named("wall_angle_deg").parse().ok(), ..row })
     }
 
     fn named(&self, name: &str) -> &str {
         let Some(&place) = self.header.places.get(name) else { return "" };
-        let Some(&end) = self.ends.get(place) else { return "" };
-        let start = place.checked_sub(1).map_or(0, |before| self.ends[before]);
-        &self.text[start as usize..end as usize]
+        let Some(end) = self.ends.get(place) else { return "" };
+        let start = place.checked_sub(1).and_then(|before| self.ends.get(before)).unwrap_or(0);
+        &self.text[start..end]
     }
 
     /// A cell as it stands.
@@ -140,7 +167,7 @@ impl Row {
     pub fn words(&self) -> String {
         let part = |column: &&'static Column| Some(label(column, self.number(column)?));
         let mut parts: Vec<_> = PLACE.iter().filter_map(part).collect();
-        parts.extend((!self.variant.is_empty()).then(|| self.variant.clone()));
+        parts.extend((!self.variant.is_empty()).then(|| self.variant.to_string()));
         parts.join(", ")
     }
 

@@ -140,7 +140,7 @@ mod tests {
     fn study(text: &str, overrides: &[&str], keys: &[(&str, &str)]) -> Loaded {
         let key = |(name, cell): &(&str, &str)| Key {
             name: (*name).to_owned(),
-            cells: vec![(*cell).to_owned()],
+            cells: [cell].into_iter().collect(),
         };
         Loaded {
             manifest: Some(json!({ "name": "a", "sweep_file": text, "overrides": overrides })),
@@ -151,7 +151,7 @@ mod tests {
 
     /// The text of the row as a page fills it in.
     fn filled(data: &Loaded) -> String {
-        let cells: Vec<_> = data.keys.iter().map(|key| key.cells[0].as_str()).collect();
+        let cells: Vec<_> = data.keys.iter().map(|key| &key.cells[0]).collect();
         let file = SceneFile::of(data).unwrap();
         let text = file.template("0123", &cells).unwrap().replace("{id}", "0123");
         let text = data.keys.iter().fold(text, |text, key| {

@@ -3,13 +3,15 @@
 use serde_json::Value;
 use toml::Table;
 
+use super::column::Cells;
+
 /// A swept key and its cell in every row of the summary.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Key {
     /// As it stands in the sweep's grid.
     pub name: String,
     /// One cell per row.
-    pub cells: Vec<String>,
+    pub cells: Cells,
 }
 
 /// The keys of the grid, in its order.

@@ -1,7 +1,6 @@
 //! What tells several runs of the same wave and wall apart.
 
-use std::collections::BTreeSet;
-
+use super::column::Cells;
 use super::number;
 use super::row::Row;
 use super::study::Key;
@@ -20,37 +19,35 @@ pub(super) fn name_variants(rows: &mut [Row], swept: &[Key]) {
     if places.windows(2).all(|pair| pair[0] != pair[1]) {
         return;
     }
-    let cells = |column: &Column| rows.iter().map(|row| row.cell(column)).collect::<Vec<_>>();
+    let cells = |column: &Column| rows.iter().map(|row| row.cell(column)).collect::<Cells>();
     let known = [&SCHEME, &BOUNDARY, &KERNEL, &PARTICLE_SPACING, &FORCE_COUPLING];
     let mut choices: Vec<_> =
         known.iter().map(|column| (column.name.to_owned(), cells(column))).collect();
     choices.extend(swept.iter().map(|key| (key.name.clone(), key.cells.clone())));
     choices.retain(|(name, values)| {
-        !PROVENANCE.contains(&name.as_str()) && values.iter().any(|value| *value != values[0])
+        !PROVENANCE.contains(&name.as_str()) && values.different().nth(1).is_some()
     });
     for (_, values) in &mut choices {
-        shorten(values);
+        *values = shorten(values);
     }
+    let name = |index: usize| {
+        let part = |(name, values): &(String, Cells)| format!("{name} = {}", &values[index]);
+        choices.iter().map(part).collect::<Vec<_>>().join(", ")
+    };
+    let names: Cells = (0..rows.len()).map(name).collect();
     for (index, row) in rows.iter_mut().enumerate() {
-        let parts: Vec<_> =
-            choices.iter().map(|(name, values)| format!("{name} = {}", values[index])).collect();
-        row.variant = parts.join(", ");
+        row.variant = names.shared(index);
     }
 }
 
 /// Rounds numbers for the eye, unless that would make two of them one.
-fn shorten(values: &mut [String]) {
-    let count = |values: &[String]| values.iter().collect::<BTreeSet<_>>().len();
-    let short: Vec<_> = values
-        .iter()
-        .map(|cell| {
-            let value = cell.parse::<f64>().ok().filter(|value| value.is_finite());
-            value.map_or(cell.clone(), |value| number::significant(value, 4).to_string())
-        })
-        .collect();
-    if count(&short) == count(values) {
-        values.clone_from_slice(&short);
-    }
+fn shorten(values: &Cells) -> Cells {
+    let short = values.map(|cell| {
+        let value = cell.parse::<f64>().ok().filter(|value| value.is_finite());
+        value.map_or(cell.to_owned(), |value| number::significant(value, 4).to_string())
+    });
+    let count = |values: &Cells| values.different().count();
+    if count(&short) == count(values) { short } else { values.clone() }
 }
 
 #[cfg(test)]
@@ -74,22 +71,20 @@ mod tests {
         let mut rows = vec![row("sfdi", 0.2), row("normalized", 0.2)];
         let key = |name: &str, cells: [&str; 2]| Key {
             name: name.to_owned(),
-            cells: cells.map(str::to_owned).to_vec(),
+            cells: cells.into_iter().collect(),
         };
         let swept = [key("slip", ["free", "no"]), key("host", ["a", "b"])];
         name_variants(&mut rows, &swept);
-        assert_eq!(rows[0].variant, "boundary = sfdi, slip = free");
-        assert_eq!(rows[1].variant, "boundary = normalized, slip = no");
+        assert_eq!(&*rows[0].variant, "boundary = sfdi, slip = free");
+        assert_eq!(&*rows[1].variant, "boundary = normalized, slip = no");
     }
 
     #[test]
     fn numbers_of_a_variant_are_short_as_long_as_they_differ() {
-        let cells = |texts: [&str; 2]| texts.map(str::to_owned);
-        let mut far = cells(["0.012345678", "21544.3469003188"]);
-        shorten(&mut far);
-        assert_eq!(far, ["0.01235", "21540"]);
-        let mut near = cells(["1.00001", "1.00002"]);
-        shorten(&mut near);
-        assert_eq!(near, ["1.00001", "1.00002"]);
+        let cells = |texts: [&str; 2]| texts.into_iter().collect::<Cells>();
+        let far = shorten(&cells(["0.012345678", "21544.3469003188"]));
+        assert_eq!(far, cells(["0.01235", "21540"]));
+        let near = cells(["1.00001", "1.00002"]);
+        assert_eq!(shorten(&near), near);
     }
 }

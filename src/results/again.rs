@@ -1,11 +1,14 @@
 //! Whether a case that ran once more has left the same as before, to the bit.
 
 use std::collections::HashMap;
+use std::fs::File;
+use std::io::{BufReader, Read};
 use std::path::Path;
 
 use csv::StringRecord;
 
 use super::error::SweepError;
+use super::opening::Filling;
 use super::record::CaseRecord;
 use super::{case_tables, files, journal, summary};
 use crate::quantities::summary::{CASE_ID, WALL_TIME};
@@ -13,11 +16,24 @@ use crate::simulation::CaseResult;
 use crate::study::{Case, Study};
 
 /// The finished cases and companions of a study that a directory holds, in the order of
-/// [`Study::runs`], from its journal alone.
+/// [`Study::runs`], from its journal alone, as far as tables and figures need them.
 ///
 /// # Errors
 /// A journal that cannot be read.
 pub fn finished(directory: &Path, study: &Study) -> Result<Vec<Option<CaseRecord>>, SweepError> {
+    let mut filling = Filling::new(directory, study).blind();
+    journal::read_in_blocks(directory, |lines| filling.take(lines))?;
+    Ok(filling.all().0)
+}
+
+/// The same with all that the journal has of them. Of a large study this is gigabytes.
+///
+/// # Errors
+/// A journal that cannot be read.
+pub fn finished_whole(
+    directory: &Path,
+    study: &Study,
+) -> Result<Vec<Option<CaseRecord>>, SweepError> {
     let lines = journal::read_journal(directory)?.records;
     let places: HashMap<_, _> = study.runs().map(|case| (case.id, case.index)).collect();
     let mut records = vec![None; study.run_count()];
@@ -41,18 +57,14 @@ pub fn first_difference(
     case: &Case,
     result: &CaseResult,
 ) -> Result<Option<String>, SweepError> {
-    let mut records = records.to_vec();
     let record = CaseRecord::new(study, case, &Ok(result.clone()), 0.0, "");
-    if let Some(place) = records.get_mut(case.index) {
-        *place = Some(record);
-    }
     let path = directory.join("summary.csv");
     let wrong = |error: csv::Error| SweepError::io(&path)(error.into());
-    let new = summary::table(study, &records).map_err(wrong)?;
-    let old = std::fs::read(&path).map_err(SweepError::io(&path))?;
+    let new = summary::row(study, records, case, &record).map_err(wrong)?;
+    let old = File::open(&path).map_err(SweepError::io(&path))?;
     let id = case.id.to_string();
-    let row = |bytes: &[u8]| row_of(bytes, &id).map_err(wrong);
-    let difference = in_rows(row(&old)?, row(&new)?);
+    let old = row_of(BufReader::new(old), &id).map_err(wrong)?;
+    let difference = in_rows(old, row_of(&new[..], &id).map_err(wrong)?);
     if difference.is_some() {
         return Ok(difference);
     }
@@ -62,12 +74,14 @@ pub fn first_difference(
 }
 
 /// Column names and cells of a case.
-fn row_of(bytes: &[u8], id: &str) -> csv::Result<(StringRecord, Option<StringRecord>)> {
-    let mut reader = csv::Reader::from_reader(bytes);
+fn row_of(table: impl Read, id: &str) -> csv::Result<(StringRecord, Option<StringRecord>)> {
+    let mut reader = csv::Reader::from_reader(table);
     let header = reader.headers()?.clone();
     let place = header.iter().position(|name| name == CASE_ID.name).unwrap_or(0);
-    let rows = reader.records().collect::<csv::Result<Vec<_>>>()?;
-    Ok((header, rows.into_iter().find(|row| row.get(place) == Some(id))))
+    let is_its = |row: &csv::Result<StringRecord>| {
+        row.as_ref().map_or(true, |row| row.get(place) == Some(id))
+    };
+    Ok((header, reader.records().find(is_its).transpose()?))
 }
 
 fn in_rows(

@@ -11,5 +11,6 @@ pub(super) fn checksum(bytes: &[u8]) -> String {
 pub(crate) fn checksum_of<'a>(pieces: impl IntoIterator<Item = &'a [u8]>) -> String {
     let mut hash = Sha256::new();
     pieces.into_iter().for_each(|piece| hash.update(piece));
-    hash.finalize()[..8].iter().map(|byte| format!("{byte:02x}")).collect()
+    let start = hash.finalize()[..8].try_into().expect("a digest has 32 bytes");
+    format!("{:016x}", u64::from_be_bytes(start))
 }

@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::attempts::Attempts;
+use super::closing::Closing;
 use super::entries::Header;
 use super::error::SweepError;
 use super::files;
@@ -98,6 +99,9 @@ impl Directory {
             (Journal::create(path, &header)?, simd)
         } else {
             let mut filling = Filling::new(path, study);
+            if Closing::read(path).is_some() {
+                filling = filling.blind();
+            }
             let content = journal::read_in_blocks(path, |lines| filling.take(lines))?;
             findings.extend(opening::told_damage(&content));
             let header = opening::header(path, &content, study, requested.unwrap_or(widest))?;

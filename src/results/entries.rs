@@ -3,10 +3,11 @@
 //! Every line is `{"sum":"<16 hex digits>","entry":<entry>}`, the sum being the start of SHA-256
 //! over the entry's text.
 
-use std::io::BufRead;
+use std::io::{BufRead, Read};
 use std::path::Path;
 
 use rayon::prelude::*;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::checksum::checksum;
@@ -40,12 +41,12 @@ impl Header {
 
 #[derive(Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
-pub(super) enum Entry {
+pub(super) enum Entry<R = CaseRecord> {
     Header(Header),
-    Case(Box<CaseRecord>),
+    Case(Box<R>),
 }
 
-impl Entry {
+impl<R: Serialize> Entry<R> {
     /// Its line.
     pub(super) fn line(&self) -> String {
         let entry = serde_json::to_string(self).expect("an entry has a JSON form");
@@ -53,13 +54,13 @@ impl Entry {
     }
 }
 
-/// What a journal holds.
-#[derive(Debug, Default)]
-pub struct Content {
+/// What a journal holds. A record is read as far as `R` asks for.
+#[derive(Debug)]
+pub struct Content<R = CaseRecord> {
     /// The first line, where it is whole.
     pub header: Option<Header>,
     /// Records in the order of writing, where they were not handed on.
-    pub records: Vec<CaseRecord>,
+    pub records: Vec<R>,
     /// How many records there were.
     pub found: usize,
     /// How many lines are damaged.
@@ -72,8 +73,8 @@ pub struct Content {
 const BLOCK: usize = 8 << 20;
 
 /// What a line holds: entries, and how often something that is none.
-struct Line {
-    entries: Vec<Result<Entry, String>>,
+struct Line<R> {
+    entries: Vec<Result<Entry<R>, String>>,
     damaged: usize,
     /// Whether it is one entry and nothing else.
     intact: bool,
@@ -84,26 +85,30 @@ struct Line {
 ///
 /// # Errors
 /// A file that cannot be read, a whole line that this program does not know, or one that is out of place.
-pub(super) fn parse(path: &Path, text: impl BufRead) -> Result<Content, SweepError> {
+pub(super) fn parse<R: DeserializeOwned + Send>(
+    path: &Path,
+    text: impl BufRead,
+) -> Result<Content<R>, SweepError> {
     let mut records = Vec::new();
     let content = parse_in_blocks(path, text, |block| records.extend(block))?;
     Ok(Content { records, ..content })
 }
 
 /// The same without holding the records: each block of them is handed on.
-pub(super) fn parse_in_blocks(
+pub(super) fn parse_in_blocks<R: DeserializeOwned + Send>(
     path: &Path,
     mut text: impl BufRead,
-    mut take: impl FnMut(Vec<CaseRecord>),
-) -> Result<Content, SweepError> {
-    let mut content = Content { intact: true, ..Content::default() };
+    mut take: impl FnMut(Vec<R>),
+) -> Result<Content<R>, SweepError> {
+    let mut content =
+        Content { header: None, records: Vec::new(), found: 0, damaged: 0, intact: true };
     let mut number = 0;
     loop {
         let block = block(&mut text).map_err(SweepError::io(path))?;
         if block.is_empty() {
             break;
         }
-        let lines: Vec<Line> = block.par_iter().map(|line| read(line)).collect();
+        let lines: Vec<Line<R>> = lines_of(&block).into_par_iter().map(read).collect();
         for line in lines {
             number += 1;
             content.damaged += line.damaged;
@@ -122,24 +127,37 @@ pub(super) fn parse_in_blocks(
 }
 
 /// The next lines, with their breaks.
-fn block(text: &mut impl BufRead) -> std::io::Result<Vec<Vec<u8>>> {
-    let (mut lines, mut bytes) = (Vec::new(), 0);
-    while bytes < BLOCK {
-        let mut line = Vec::new();
-        if text.read_until(b'\n', &mut line)? == 0 {
-            break;
-        }
-        bytes += line.len();
-        lines.push(line);
+fn block(text: &mut impl BufRead) -> std::io::Result<Vec<u8>> {
+    let mut lines = Vec::new();
+    text.by_ref().take(BLOCK as u64).read_to_end(&mut lines)?;
+    if lines.last().is_some_and(|&last| last != b'\n') {
+        text.read_until(b'\n', &mut lines)?;
     }
     Ok(lines)
 }
 
-fn read(line: &[u8]) -> Line {
+/// The lines of a text, with their breaks.
+fn lines_of(mut text: &[u8]) -> Vec<&[u8]> {
+    let mut lines = Vec::new();
+    while !text.is_empty() {
+        let whole = text;
+        // To read from memory cannot fail.
+        let length = text.skip_until(b'\n').unwrap_or(whole.len());
+        lines.push(&whole[..length]);
+    }
+    lines
+}
+
+fn read<R: DeserializeOwned>(line: &[u8]) -> Line<R> {
+    let ended = line.ends_with(b"\n");
+    let entry = |text: &[u8]| serde_json::from_slice(text).map_err(|error| error.to_string());
+    // Nearly every line: then it need not be searched for another one.
+    if let Some(text) = whole_entry(line) {
+        return Line { entries: vec![entry(text)], damaged: 0, intact: ended };
+    }
     let pieces = pieces(line);
     let whole: Vec<_> = pieces.iter().filter_map(|piece| whole_entry(piece)).collect();
-    let (ended, lost) = (line.ends_with(b"\n"), pieces.len() - whole.len());
-    let entry = |text: &[u8]| serde_json::from_slice(text).map_err(|error| error.to_string());
+    let lost = pieces.len() - whole.len();
     Line {
         damaged: if ended { lost } else { 0 },
         intact: ended && pieces.len() == 1 && lost == 0,
@@ -147,8 +165,8 @@ fn read(line: &[u8]) -> Line {
     }
 }
 
-impl Content {
-    fn take(&mut self, line: usize, entry: Result<Entry, String>) -> Result<(), String> {
+impl<R> Content<R> {
+    fn take(&mut self, line: usize, entry: Result<Entry<R>, String>) -> Result<(), String> {
         match entry {
             Err(error) => Err(format!("is whole, but written by another version: {error}")),
             Ok(Entry::Header(header)) if header.version != VERSION => {

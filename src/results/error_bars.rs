@@ -109,13 +109,23 @@ impl Study {
     /// The error bars of a case, none where it or its companions have not ended well; `records`
     /// are in the order of [`Study::runs`].
     pub fn error_bars(&self, case: usize, records: &[Option<CaseRecord>]) -> ErrorBars {
+        let own = records.get(case).and_then(Option::as_ref);
+        own.map_or_else(Default::default, |own| self.error_bars_of(own, records))
+    }
+
+    /// Likewise, of a record that is not among the others.
+    pub(super) fn error_bars_of(
+        &self,
+        own: &CaseRecord,
+        records: &[Option<CaseRecord>],
+    ) -> ErrorBars {
         let outcome = |run: usize| records.get(run)?.as_ref()?.outcome.as_ref();
-        let companions: Vec<_> = self.companions_of[case]
+        let companions: Vec<_> = self.companions_of[own.index]
             .iter()
             .filter_map(|&run| Some((&self.run(run).config, outcome(run)?)))
             .collect();
-        outcome(case).map_or_else(Default::default, |own| {
-            ErrorBars::new(&self.cases[case].config, own, &companions)
+        own.outcome.as_ref().map_or_else(Default::default, |outcome| {
+            ErrorBars::new(&self.cases[own.index].config, outcome, &companions)
         })
     }
 }

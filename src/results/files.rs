@@ -118,15 +118,21 @@ pub(super) fn damage(
     id: CaseId,
     seals: &Seals,
 ) -> Option<(PathBuf, &'static str)> {
-    let path = |name: &str| directory.join(name).join(format!("{id}.csv"));
-    if !path(HISTORIES).is_file() {
+    let file = format!("{id}.csv");
+    let path = |name: &str| directory.join(name).join(&file);
+    let damage = seals.iter().find_map(|(name, seal)| {
+        let path = path(name);
+        match seal.fits(&path) {
+            Some(true) => None,
+            Some(false) => Some((path, "is damaged")),
+            None => Some((path, "is missing")),
+        }
+    });
+    let read = damage.is_none() && seals.contains_key(HISTORIES);
+    if !read && !path(HISTORIES).is_file() {
         return Some((path(HISTORIES), "is missing"));
     }
-    seals.iter().find_map(|(name, seal)| match fs::read(path(name)) {
-        Ok(content) if seal.fits(&content) => None,
-        Ok(_) => Some((path(name), "is damaged")),
-        Err(_) => Some((path(name), "is missing")),
-    })
+    damage
 }
 
 /// Whether there is any history.

@@ -10,6 +10,9 @@ use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
 use super::entries::{self, Content, Entry, Header};
 use super::error::SweepError;
 use super::record::CaseRecord;
@@ -33,7 +36,7 @@ impl Journal {
         let path = directory.join(FILE_NAME);
         let file = disk::create(&path).map_err(SweepError::io(&path))?;
         let mut journal = Journal { path, file, unsynced_since: None };
-        journal.append(&Entry::Header(header.clone()))?;
+        journal.append(&Entry::<CaseRecord>::Header(header.clone()))?;
         journal.sync()?;
         atomic_file::sync(directory)?;
         Ok(journal)
@@ -46,7 +49,7 @@ impl Journal {
     /// A file that cannot be written.
     pub fn resume(
         directory: &Path,
-        content: &Content,
+        content: &Content<impl Sized>,
         header: &Header,
     ) -> Result<Journal, SweepError> {
         let path = directory.join(FILE_NAME);
@@ -54,7 +57,8 @@ impl Journal {
             let text = std::fs::read(&path).map_err(SweepError::io(&path))?;
             let [whole, damaged] = entries::sorted(&text);
             keep_damaged(directory, &damaged)?;
-            let first = content.header.is_none().then(|| Entry::Header(header.clone()).line());
+            let header = || Entry::<CaseRecord>::Header(header.clone()).line();
+            let first = content.header.is_none().then(header);
             let text = [first.unwrap_or_default().as_bytes(), &whole].concat();
             atomic_file::write(&path, &text)?;
         }
@@ -64,10 +68,10 @@ impl Journal {
 
     /// Appends a finished case.
     pub fn record(&mut self, record: &CaseRecord) -> Result<(), SweepError> {
-        self.append(&Entry::Case(Box::new(record.clone())))
+        self.append(&Entry::Case(Box::new(record)))
     }
 
-    fn append(&mut self, entry: &Entry) -> Result<(), SweepError> {
+    fn append(&mut self, entry: &Entry<impl Serialize>) -> Result<(), SweepError> {
         disk::write(&self.file, entry.line().as_bytes()).map_err(SweepError::io(&self.path))?;
         self.unsynced_since.get_or_insert_with(Instant::now);
         Ok(())
@@ -121,22 +125,23 @@ fn keep_damaged(directory: &Path, lines: &[u8]) -> Result<(), SweepError> {
 ///
 /// # Errors
 /// A file that cannot be read, or another program's.
-pub(super) fn read_header(directory: &Path) -> Result<Option<Header>, SweepError> {
+pub fn read_header(directory: &Path) -> Result<Option<Header>, SweepError> {
     let path = directory.join(FILE_NAME);
     let file = File::open(&path).map_err(SweepError::io(&path))?;
     let mut line = Vec::new();
     BufReader::new(file).read_until(b'\n', &mut line).map_err(SweepError::io(&path))?;
-    Ok(entries::parse(&path, &line[..])?.header)
+    Ok(entries::parse::<CaseRecord>(&path, &line[..])?.header)
 }
 
-/// Reads a journal without touching it, and hands on its records block by block.
+/// Reads a journal without touching it, and hands on its records block by block, with no more of each than `R`
+/// asks for: of a large study the rest takes time and memory.
 ///
 /// # Errors
 /// A file that cannot be read, or another program's.
-pub(super) fn read_in_blocks(
+pub fn read_in_blocks<R: DeserializeOwned + Send>(
     directory: &Path,
-    take: impl FnMut(Vec<CaseRecord>),
-) -> Result<Content, SweepError> {
+    take: impl FnMut(Vec<R>),
+) -> Result<Content<R>, SweepError> {
     let path = directory.join(FILE_NAME);
     let file = File::open(&path).map_err(SweepError::io(&path))?;
     entries::parse_in_blocks(&path, BufReader::new(file), take)

@@ -15,6 +15,7 @@ mod checkpoint;
 mod checkpoints;
 mod checksum;
 mod clock;
+mod closing;
 mod directory;
 mod disk;
 mod energy;
@@ -41,26 +42,29 @@ mod summary;
 mod verify;
 mod waiting;
 
-pub use again::{finished, first_difference};
+pub use again::{finished, finished_whole, first_difference};
 pub use all_histories::write_all_histories;
 pub use attempts::Attempts;
 pub use checkpoint::Checkpoint;
 pub use checkpoints::has_checkpoints;
-#[cfg(feature = "mpi")]
 pub(crate) use checksum::checksum_of;
 pub use clock::timestamp;
+pub use closing::Closing;
 pub use directory::{Directory, OpenMode, Opened};
 pub use entries::{Content, Header};
 pub use error::{SweepError, in_words};
 pub use error_bars::{ErrorBars, narrowest_bar_percent, richardson};
 pub use filing::{Delivery, Filed, Filing, Mark};
-pub use journal::{Journal, read_journal};
+pub use journal::{
+    Journal, read_header as read_journal_header, read_in_blocks as read_journal_in_blocks,
+    read_journal,
+};
 pub use load::{Load, RankLoad, forget_load};
 pub use lock::Lock;
 pub use made_up::made_up;
 pub use manifest::{Manifest, RankInfo, Savings, SessionInfo};
 pub use number::counted;
 pub use program::Program;
-pub use record::CaseRecord;
+pub use record::{CaseRecord, Fared};
 pub use seal::Seal;
-pub use verify::{renew_summary, verify};
+pub use verify::{Verified, renew_summary, verify};

@@ -12,7 +12,7 @@ use super::error::SweepError;
 use super::lock::{self, Lock};
 use super::manifest::Manifest;
 use super::number::counted;
-use super::record::CaseRecord;
+use super::record::{CaseRecord, HeldLine};
 use super::{disk, files, journal};
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
@@ -58,7 +58,7 @@ pub(super) fn demand_same(path: &Path, before: &Found) -> Result<(), SweepError>
 /// study in which nothing was done yet.
 pub(super) fn header(
     path: &Path,
-    content: &Content,
+    content: &Content<impl Sized>,
     study: &Study,
     new: SimdPath,
 ) -> Result<Header, SweepError> {
@@ -84,7 +84,7 @@ pub(super) fn header(
     }
 }
 
-pub(super) fn told_damage(content: &Content) -> Option<String> {
+pub(super) fn told_damage(content: &Content<impl Sized>) -> Option<String> {
     let lines = (content.damaged > 0).then(|| counted(content.damaged, "damaged line"));
     let told = lines.map(|lines| format!("{lines}, set aside in journal.damaged"));
     let headless = content.header.is_none() && content.found > 0;
@@ -135,6 +135,8 @@ pub(super) struct Filling<'a> {
     cases: usize,
     places: HashMap<CaseId, usize>,
     records: Vec<Option<CaseRecord>>,
+    /// Whether files are looked at.
+    looks: bool,
     /// What is wrong with the files of a case, in words.
     damage: BTreeMap<usize, String>,
 }
@@ -146,26 +148,33 @@ impl Filling<'_> {
             cases: study.cases.len(),
             places: study.runs().map(|case| (case.id, case.index)).collect(),
             records: vec![None; study.run_count()],
+            looks: true,
             damage: BTreeMap::new(),
         }
     }
 
+    /// The same without a look at files.
+    pub(super) fn blind(self) -> Self {
+        Filling { looks: false, ..self }
+    }
+
     /// Takes the next lines, and looks at the files of their cases.
-    pub(super) fn take(&mut self, lines: Vec<CaseRecord>) {
-        let (path, cases, places) = (self.path, self.cases, &self.places);
-        let look = |record: CaseRecord| {
-            let index = *places.get(&record.id)?;
-            let files = (record.is_ok() && index < cases).then_some(&record.files);
+    pub(super) fn take(&mut self, lines: Vec<HeldLine>) {
+        let (path, cases, places, looks) = (self.path, self.cases, &self.places, self.looks);
+        let look = |line: HeldLine| {
+            let index = *places.get(&line.id())?;
+            let (record, files) = line.split(index);
+            let has_files = looks && record.is_ok() && record.index < cases;
+            let files = has_files.then_some(&files);
             let damage = files.and_then(|files| files::damage(path, record.id, files));
-            Some((CaseRecord { index, ..record }.held(), damage))
+            Some((record, damage))
         };
         let looked: Vec<_> = lines.into_par_iter().filter_map(look).collect();
         for (record, damage) in looked {
             let index = record.index;
             self.damage.remove(&index);
-            self.damage.extend(damage.map(|(file, what)| {
-                (index, format!("{} {what}: its case runs again", file.display()))
-            }));
+            self.damage
+                .extend(damage.map(|(file, what)| (index, format!("{} {what}", file.display()))));
             self.records[index] = Some(record);
         }
     }
@@ -175,6 +184,12 @@ impl Filling<'_> {
         for &index in self.damage.keys() {
             self.records[index] = None;
         }
+        let told = |damage| format!("{damage}: its case runs again");
+        (self.records, self.damage.into_values().map(told).collect())
+    }
+
+    /// All records, and what is wrong with files.
+    pub(super) fn all(self) -> (Vec<Option<CaseRecord>>, Vec<String>) {
         (self.records, self.damage.into_values().collect())
     }
 }

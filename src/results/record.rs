@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::filing::Filed;
 use super::round_trip;
-use super::seal::Seal;
+use super::seal::{Seal, Seals};
 use crate::simulation::{
     CaseResult, EnergyBudget, Failure, FailureKind, NamedReading, Outcome, PhaseShare,
 };
@@ -44,6 +44,71 @@ pub struct CaseRecord {
     /// What the files that it has left were when they were written, by their folders.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub files: BTreeMap<String, Seal>,
+}
+
+/// A journal line as far as a process holds it, and what it says of files: to read the rest takes as long again.
+#[derive(Debug, Deserialize)]
+pub(super) struct HeldLine {
+    id: CaseId,
+    failure: Option<FailureKind>,
+    reason: String,
+    outcome: Option<Outcome>,
+    energy: Option<EnergyBudget>,
+    #[serde(default)]
+    readings: Vec<NamedReading>,
+    wall_time_s: f64,
+    #[serde(default)]
+    cpu_time_s: Option<f64>,
+    #[serde(default)]
+    files: Seals,
+}
+
+impl HeldLine {
+    /// Whose line it is.
+    pub(super) fn id(&self) -> CaseId {
+        self.id
+    }
+
+    /// The record, which has its place in the study, and the seals of the case's files.
+    pub(super) fn split(self, index: usize) -> (CaseRecord, Seals) {
+        let record = CaseRecord {
+            failure: self.failure,
+            reason: self.reason,
+            outcome: self.outcome,
+            energy: self.energy,
+            readings: self.readings,
+            cpu_time_s: self.cpu_time_s,
+            ..CaseRecord::blank(index, self.id, self.wall_time_s, "")
+        };
+        (record, self.files)
+    }
+}
+
+/// A journal line as far as it tells how a sweep fares.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+pub struct Fared {
+    /// Place in grid order, where no points were added.
+    pub index: usize,
+    /// Identity.
+    pub id: CaseId,
+    /// Swept keys and their values.
+    pub values: BTreeMap<String, serde_json::Value>,
+    /// `None` where the case is well.
+    pub failure: Option<FailureKind>,
+    /// Why it failed.
+    pub reason: String,
+    /// Wall time, seconds.
+    pub wall_time_s: f64,
+}
+
+impl Fared {
+    /// Of a case that is well its place and time are enough.
+    pub fn brief(self) -> Fared {
+        if self.failure.is_some() {
+            return self;
+        }
+        Fared { values: BTreeMap::new(), reason: String::new(), ..self }
+    }
 }
 
 impl CaseRecord {
@@ -181,7 +246,7 @@ mod tests {
         let held = whole.clone().held();
         assert!(held.values.is_empty() && held.files.is_empty());
         assert!(held.host.is_empty() && held.phases.is_empty());
-        let table = |record| super::super::summary::table(&study, &[Some(record)]).unwrap();
+        let table = |record| super::super::summary::row(&study, &[], case, &record).unwrap();
         assert_eq!(table(held), table(whole));
         let bytes = std::mem::size_of::<CaseRecord>();
         assert!(bytes <= 900, "{bytes} bytes for each case");

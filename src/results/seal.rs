@@ -1,13 +1,17 @@
 //! What a file was when it was written, so that damage shows.
 
 use std::collections::BTreeMap;
+use std::fs::File;
+use std::io::{ErrorKind, Read};
+use std::path::Path;
 
-use serde::{Deserialize, Serialize};
+use serde::de::{self, MapAccess, Visitor};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use super::checksum::checksum;
 
 /// What a file was when it was written.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(untagged)]
 pub enum Seal {
     /// Its length, bytes, and the start of its SHA-256.
@@ -27,14 +31,69 @@ impl Seal {
         Seal::Whole { bytes: content.len() as u64, sum: checksum(content) }
     }
 
-    /// Whether this is the content that was written.
-    pub(super) fn fits(&self, content: &[u8]) -> bool {
+    /// Length of the file.
+    fn bytes(&self) -> u64 {
         match self {
-            Seal::Length(bytes) => *bytes == content.len() as u64,
-            whole => *whole == Seal::of(content),
+            Seal::Whole { bytes, .. } | Seal::Length(bytes) => *bytes,
         }
     }
+
+    /// Whether a file is as it was written; `None` where it cannot be read.
+    pub(super) fn fits(&self, path: &Path) -> Option<bool> {
+        let mut file = File::open(path).ok()?;
+        if self.bytes() > ASKED && file.metadata().ok()?.len() != self.bytes() {
+            return Some(false);
+        }
+        let length = usize::try_from(self.bytes()).ok()?;
+        // One byte more tells at once where it ends: of a million small files each call counts.
+        let mut content = vec![0; length + 1];
+        let mut read = 0;
+        while read < length {
+            match file.read(&mut content[read..]) {
+                Ok(0) => return Some(false),
+                Ok(more) => read += more,
+                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                Err(_) => return None,
+            }
+        }
+        content.truncate(read);
+        Some(match self {
+            _ if read > length => false,
+            Seal::Length(_) => true,
+            Seal::Whole { sum, .. } => *sum == checksum(&content),
+        })
+    }
 }
+
+/// By hand: what `untagged` makes of it holds every value twice before it knows which it is.
+impl<'de> Deserialize<'de> for Seal {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Seal, D::Error> {
+        struct Either;
+        impl<'de> Visitor<'de> for Either {
+            type Value = Seal;
+            fn expecting(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                f.write_str("a length, or a length and a sum")
+            }
+            fn visit_u64<E: de::Error>(self, bytes: u64) -> Result<Seal, E> {
+                Ok(Seal::Length(bytes))
+            }
+            fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Seal, A::Error> {
+                #[derive(Deserialize)]
+                struct Whole {
+                    bytes: u64,
+                    sum: String,
+                }
+                let Whole { bytes, sum } =
+                    Whole::deserialize(de::value::MapAccessDeserializer::new(map))?;
+                Ok(Seal::Whole { bytes, sum })
+            }
+        }
+        deserializer.deserialize_any(Either)
+    }
+}
+
+/// A larger file is asked for its length before there is room made for it.
+const ASKED: u64 = 1 << 20;
 
 /// Seals of a case's files by their folders.
 pub(super) type Seals = BTreeMap<String, Seal>;

@@ -41,23 +41,43 @@ pub(super) fn write(
     })
 }
 
-/// The summary's bytes.
-pub(super) fn table(study: &Study, records: &[Option<CaseRecord>]) -> csv::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    write_table(&mut bytes, study, records)?;
+/// The row of a case below the names of the columns, with another record of it than that among `records`.
+pub(super) fn row(
+    study: &Study,
+    records: &[Option<CaseRecord>],
+    case: &Case,
+    record: &CaseRecord,
+) -> csv::Result<Vec<u8>> {
+    let (mut bytes, row) = (Vec::new(), (case, record));
+    write_rows(&mut bytes, study, records, std::iter::once(row))?;
     Ok(bytes)
 }
 
-/// Writes them row by row: the table of a large study is never held whole.
-fn write_table(into: impl Write, study: &Study, records: &[Option<CaseRecord>]) -> csv::Result<()> {
+/// Writes the whole table.
+pub(super) fn write_table(
+    into: impl Write,
+    study: &Study,
+    records: &[Option<CaseRecord>],
+) -> csv::Result<()> {
+    let rows = study.cases.iter().zip(records);
+    let rows = rows.filter_map(|(case, record)| Some((case, record.as_ref()?)));
+    write_rows(into, study, records, rows)
+}
+
+/// Writes row by row: the table of a large study is never held whole.
+fn write_rows<'a>(
+    into: impl Write,
+    study: &Study,
+    records: &[Option<CaseRecord>],
+    rows: impl Iterator<Item = (&'a Case, &'a CaseRecord)>,
+) -> csv::Result<()> {
     let fixed: Vec<String> = summary::names().collect();
     let places = 0..study.keys.len();
     let further: Vec<_> = places.filter(|&at| !fixed.contains(&study.keys[at])).collect();
     let mut writer = csv::WriterBuilder::new().buffer_capacity(BUFFER).from_writer(into);
     writer.write_record(fixed.iter().chain(further.iter().map(|&at| &study.keys[at])))?;
-    for (case, record) in study.cases.iter().zip(records) {
-        let Some(record) = record else { continue };
-        let reported = record.reported(&case.config, study.error_bars(case.index, records));
+    for (case, record) in rows {
+        let reported = record.reported(&case.config, study.error_bars_of(record, records));
         let mut cells = Vec::with_capacity(fixed.len() + further.len());
         for column in summary::ALL {
             cells.push(column.value(&reported).map(cell).unwrap_or_default());
@@ -107,7 +127,8 @@ mod tests {
         let failure = Failure { kind: FailureKind::RunawaySpeed, time_s: 0.5, detail };
         let records =
             [good(&study.cases[0]), record(&study.cases[1], Err(failure)), good(&study.cases[2])];
-        let bytes = table(&study, &records).unwrap();
+        let mut bytes = Vec::new();
+        write_table(&mut bytes, &study, &records).unwrap();
         let mut reader = csv::Reader::from_reader(&bytes[..]);
         let headers = reader.headers().unwrap().clone();
         let rows: Vec<_> = reader.records().map(Result::unwrap).collect();

@@ -1,39 +1,46 @@
 //! Whether a directory still holds what was written into it.
 
+use std::fs::File;
+use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
 
 use super::error::SweepError;
 use super::manifest::Manifest;
+use super::opening::Filling;
 use super::record::CaseRecord;
-use super::{checkpoints, files, journal, opening, summary};
+use super::{checkpoints, journal, opening, summary};
 use crate::study::Study;
 
-/// Everything in a directory that is not as it was written, in words. `records` are those of the study,
-/// see [`super::finished`].
+/// What a look at all of a directory has shown.
+#[derive(Debug)]
+pub struct Verified {
+    /// Everything that is not as it was written, in words.
+    pub told: Vec<String>,
+    /// The finished cases and companions, as [`super::finished`] has them.
+    pub records: Vec<Option<CaseRecord>>,
+}
+
+/// Looks at everything in a directory.
 ///
 /// # Errors
 /// A journal that cannot be read.
-pub fn verify(
-    directory: &Path,
-    study: &Study,
-    records: &[Option<CaseRecord>],
-) -> Result<Vec<String>, SweepError> {
-    let content = journal::read_journal(directory)?;
+pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
+    let mut filling = Filling::new(directory, study);
+    let content = journal::read_in_blocks(directory, |lines| filling.take(lines))?;
+    let (records, damaged) = filling.all();
     let mut told: Vec<String> = opening::told_damage(&content).into_iter().collect();
-    let cases = records[..study.cases.len()].iter().flatten().filter(|record| record.is_ok());
-    let damaged = cases.filter_map(|record| files::damage(directory, record.id, &record.files));
-    told.extend(damaged.map(|(path, what)| format!("{} {what}", path.display())));
+    told.extend(damaged);
     let kept = checkpoints::damaged(directory);
     told.extend(
         kept.map(|path| format!("{} is damaged: what it is of starts over", path.display())),
     );
-    if !summary_fits(directory, study, records)? {
+    if !summary_fits(directory, study, &records)? {
         told.push("summary.csv is not what the journal says".to_owned());
     }
     if Manifest::read(directory).is_none() {
         told.push("manifest.json is missing or damaged".to_owned());
     }
-    Ok(told)
+    Ok(Verified { told, records })
 }
 
 /// Makes `summary.csv` again where it is not what the journal says; whether it did. A summary with more
@@ -56,8 +63,14 @@ pub fn renew_summary(
 
 /// Rows of `summary.csv`, damaged or not.
 fn rows(directory: &Path) -> usize {
-    let text = std::fs::read(directory.join("summary.csv")).unwrap_or_default();
-    text.iter().filter(|&&byte| byte == b'\n').count().saturating_sub(1)
+    let Ok(file) = File::open(directory.join(SUMMARY)) else { return 0 };
+    let (mut file, mut breaks) = (BufReader::with_capacity(BUFFER, file), 0_usize);
+    while let Ok(bytes @ [_, ..]) = file.fill_buf() {
+        breaks += bytes.iter().filter(|&&byte| byte == b'\n').count();
+        let read = bytes.len();
+        file.consume(read);
+    }
+    breaks.saturating_sub(1)
 }
 
 fn summary_fits(
@@ -65,14 +78,42 @@ fn summary_fits(
     study: &Study,
     records: &[Option<CaseRecord>],
 ) -> Result<bool, SweepError> {
-    let path = directory.join("summary.csv");
-    let wrong = |error: csv::Error| SweepError::io(&path)(error.into());
-    let table = summary::table(study, records).map_err(wrong)?;
-    if !path.exists() && records[..study.cases.len()].iter().any(Option::is_none) {
-        return Ok(true); // The sweep has not come so far.
+    let path = directory.join(SUMMARY);
+    if !path.exists() {
+        // Or else the sweep has not come so far.
+        return Ok(records[..study.cases.len()].iter().any(Option::is_none));
     }
-    let there = if path.exists() { std::fs::read(&path) } else { Ok(Vec::new()) };
-    Ok(there.map_err(SweepError::io(&path))? == table)
+    let there = File::open(&path).map_err(SweepError::io(&path))?;
+    let mut comparison = Comparison { there: BufReader::with_capacity(BUFFER, there), same: true };
+    let wrong = |error: csv::Error| SweepError::io(&path)(error.into());
+    summary::write_table(&mut comparison, study, records).map_err(wrong)?;
+    let rest = comparison.there.fill_buf().map_err(SweepError::io(&path))?;
+    Ok(rest.is_empty() && comparison.same)
+}
+
+const SUMMARY: &str = "summary.csv";
+/// Bytes that are read in one go.
+const BUFFER: usize = 1 << 20;
+
+/// Takes what a file should hold, and compares it with what is there.
+struct Comparison {
+    there: BufReader<File>,
+    same: bool,
+}
+
+impl Write for Comparison {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        if self.same {
+            let mut there = Vec::with_capacity(bytes.len());
+            (&mut self.there).take(bytes.len() as u64).read_to_end(&mut there)?;
+            self.same = there == bytes;
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        Ok(())
+    }
 }
 
 #[cfg(test)]
@@ -100,7 +141,7 @@ mod tests {
         directory.write_tables(&study).unwrap();
         Manifest::new(&path, &study, &[], SimdPath::Portable).write(&path).unwrap();
         drop(directory);
-        let told = || verify(&path, &study, &finished(&path, &study).unwrap()).unwrap();
+        let told = || verify(&path, &study).unwrap().told;
         assert_eq!(told(), Vec::<String>::new());
         let history = std::fs::read_dir(path.join("histories")).unwrap().next().unwrap().unwrap();
         for (name, case_runs_again) in [

@@ -19,7 +19,14 @@ pub fn table(comparison: &Comparison) -> Table {
         cells
     };
     let rows = comparison.pairs.iter().map(row).collect();
-    Table { name: "compare".to_owned(), title: "Comparison".to_owned(), header, rows, left: 0 }
+    Table {
+        name: "compare".to_owned(),
+        title: "Comparison".to_owned(),
+        header,
+        rows,
+        left: 0,
+        is_part: false,
+    }
 }
 
 fn of(difference: Option<&Difference>) -> [String; 8] {

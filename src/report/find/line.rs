@@ -26,7 +26,7 @@ pub(super) fn lines(key: usize, scale: Scale, data: &Loaded) -> Vec<Vec<Stop>> {
     for row in 0..data.rows.len() {
         let Ok(value) = data.keys[key].cells[row].parse::<f64>() else { continue };
         let others = data.keys.iter().enumerate().filter(|(place, _)| *place != key);
-        let others = others.map(|(_, other)| other.cells[row].as_str()).collect();
+        let others = others.map(|(_, other)| &other.cells[row]).collect();
         let line = *order.entry(others).or_insert_with(|| {
             lines.push(Vec::new());
             lines.len() - 1

@@ -54,7 +54,7 @@ impl Subject {
             number.filter(|_| row.is_ok())
         };
         let words = column.is_some_and(|column| !column.is_number())
-            || key.is_some_and(|key| key.cells.iter().any(|cell| is_word(cell)));
+            || key.is_some_and(|key| key.cells.iter().any(is_word));
         if words {
             return Err(format!("{name}: holds words; a condition needs a column of numbers"));
         }

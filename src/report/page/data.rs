@@ -1,7 +1,7 @@
 //! What the page's script works with, beside the tables that it reads from the page: which values
 //! of which swept keys a case has, its history for the eye, and its scene as a file.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 use serde_json::{Value, json};
 
@@ -44,22 +44,20 @@ fn keys(loaded: &Loaded) -> Vec<Key> {
     }
     let key = |column: &'static crate::quantities::Column| Key {
         name: column.name.to_owned(),
-        cells: loaded.rows.iter().map(|row| row.text(column).to_owned()).collect(),
+        cells: loaded.rows.iter().map(|row| row.text(column)).collect(),
     };
     let keys = PLACE.iter().map(|column| key(column));
-    keys.filter(|key| key.cells.iter().any(|cell| !cell.is_empty())).collect()
+    keys.filter(|key| key.cells.different().any(|cell| !cell.is_empty())).collect()
 }
 
 /// A key: its name, its heading, its values as in a file and as shown, and the place of each row's
 /// among them, -1 for none.
 fn key(key: &Key) -> Value {
-    let mut seen = HashSet::new();
-    let cells = key.cells.iter().map(String::as_str).filter(|cell| !cell.is_empty());
-    let mut values: Vec<&str> = cells.filter(|cell| seen.insert(*cell)).collect();
+    let mut values: Vec<_> = key.cells.different().filter(|cell| !cell.is_empty()).collect();
     let rising = |cell: &&str| cell.parse::<f64>().unwrap_or(f64::INFINITY);
     values.sort_by(|a, b| rising(a).total_cmp(&rising(b)));
     let places: HashMap<_, _> = values.iter().enumerate().map(|(at, value)| (*value, at)).collect();
-    let at = |cell: &String| places.get(cell.as_str()).map_or(-1, |&place| place as i64);
+    let at = |cell: &str| places.get(cell).map_or(-1, |&place| place as i64);
     let shown = |cell: &&str| cell.parse().map_or((*cell).to_owned(), number::plain);
     let symbol = named(&key.name).map_or("", |column| column.symbol);
     json!({
@@ -77,7 +75,7 @@ fn scenes(loaded: &Loaded, file: Option<&SceneFile>) -> Value {
     let Some(file) = file else { return Value::Null };
     let mut texts: Vec<String> = Vec::new();
     let mut of = |index: usize| {
-        let cells: Vec<_> = loaded.keys.iter().map(|key| key.cells[index].as_str()).collect();
+        let cells: Vec<_> = loaded.keys.iter().map(|key| &key.cells[index]).collect();
         let id = loaded.rows[index].text(&CASE_ID);
         let Some(text) = file.template(id, &cells) else { return -1 };
         let known = texts.iter().position(|known| *known == text);

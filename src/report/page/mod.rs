@@ -21,6 +21,7 @@ use super::load::Loaded;
 use super::markup::escape;
 use super::plots::{self, Figure};
 use super::scene_file::SceneFile;
+use super::selection;
 use super::tables::{self, Table, across};
 use crate::quantities::summary::{ENERGY_GAP, FORCE_MAX_GAP, PARTICLES_LOST};
 
@@ -35,7 +36,7 @@ const SCRIPT: [&str; 5] = [
 ];
 
 /// Rows of a table that the page shows; the files have all.
-pub const MOST_ROWS: usize = 20_000;
+pub const MOST_ROWS: usize = selection::WHOLE;
 
 /// A page that holds films has at most so many bytes, about; what does not fit is linked.
 const MOST: usize = 4_700_000;
@@ -49,12 +50,12 @@ pub struct Papers {
     pub content: String,
 }
 
-/// The whole page.
+/// The whole page: sentences of all cases, tables and figures of those that are shown.
 ///
 /// # Errors
 /// A history that cannot be read.
 pub fn page(
-    data: &Loaded,
+    [data, shown]: [&Loaded; 2],
     figures: &[Figure],
     tables: &[Table],
     papers: Option<&Papers>,
@@ -62,7 +63,7 @@ pub fn page(
     let name = escape(data.name().unwrap_or("seawall sweep"));
     let file = SceneFile::of(data);
     let (mut body, mut rest) = (String::new(), String::new());
-    head(&mut body, data, &name, file.as_ref(), papers);
+    head(&mut body, [data, shown], &name, file.as_ref(), papers);
     failures(&mut body, data);
     body.push_str(&figures::sections(figures));
     if let Some(papers) = papers {
@@ -75,11 +76,11 @@ pub fn page(
     if let Some(manifest) = &data.manifest {
         section(&mut rest, "Provenance", &provenance::provenance(manifest));
     }
-    let json = data::data(data, file.as_ref())?;
+    let json = data::data(shown, file.as_ref())?;
     let (style, script) = (STYLE.concat(), SCRIPT.concat());
     let written = [&body, &rest, &json, &style, &script].map(|text| text.len());
     let room = MOST.saturating_sub(written.iter().sum());
-    if let Some(films) = films::films(data, room)? {
+    if let Some(films) = films::films(shown, room)? {
         section(&mut body, "Films", &films);
     }
     body.push_str(&rest);
@@ -104,12 +105,15 @@ fn section(body: &mut String, title: &str, content: &str) {
 /// The name, the answers, and the place of the script's bar.
 fn head(
     body: &mut String,
-    data: &Loaded,
+    [data, shown]: [&Loaded; 2],
     name: &str,
     file: Option<&SceneFile>,
     papers: Option<&Papers>,
 ) {
     let mut answers = answers::all(data, file);
+    if shown.is_part {
+        answers.push(answers::Answer { about: "Shown", text: selection::words(shown, data) });
+    }
     answers.extend(
         papers.map(|papers| answers::Answer { about: "The papers", text: papers.answer.clone() }),
     );
@@ -189,7 +193,7 @@ mod tests {
         let data = Loaded::read(directory.path()).unwrap();
         let tables: Vec<_> =
             tables::all(&data).into_iter().map(|lines| lines.whole().unwrap()).collect();
-        super::page(&data, &plots::all(&data).unwrap(), &tables, None).unwrap()
+        super::page([&data; 2], &plots::all(&data).unwrap(), &tables, None).unwrap()
     }
 
     #[test]
@@ -207,7 +211,7 @@ mod tests {
         let data = Loaded::read(fixture::fixed().path()).unwrap();
         let papers =
             Papers { answer: "7 values < 3 % off.".to_owned(), content: "<p>a</p>".to_owned() };
-        let page = super::page(&data, &[], &[], Some(&papers)).unwrap();
+        let page = super::page([&data; 2], &[], &[], Some(&papers)).unwrap();
         assert!(page.contains("<dt>The papers</dt><dd>7 values &lt; 3\u{a0}% off.</dd>"));
         assert!(page.contains("<h2>The papers</h2>\n<p>a</p>"));
     }

@@ -51,7 +51,7 @@ pub fn tidy(found: &[Found]) -> Table {
             vec![printed.value.to_string(), word(printed.read).to_owned(), digits(found.computed)],
             vec![cell(found.error), found.bound.to_string(), digits(found.difference())],
             vec![found.percent().map(digits).unwrap_or_default(), found.is_met().to_string()],
-            vec![cell(found.coupling()), row.text(&SCHEME).to_owned(), row.variant.clone()],
+            vec![cell(found.coupling()), row.text(&SCHEME).to_owned(), row.variant.to_string()],
             vec![row.text(&CASE_ID).to_owned(), printed.note.clone()],
         ]
         .concat()
@@ -98,7 +98,14 @@ pub fn beside(found: &[Found]) -> Table {
         lines[at].1[column + 1] = difference(one);
     }
     let rows = lines.into_iter().map(|(_, cells)| cells).collect();
-    Table { name: "papers".to_owned(), title: "The papers".to_owned(), header, rows, left: 0 }
+    Table {
+        name: "papers".to_owned(),
+        title: "The papers".to_owned(),
+        header,
+        rows,
+        left: 0,
+        is_part: false,
+    }
 }
 
 /// The factors s among the movable walls, the law as printed first.
@@ -228,7 +235,7 @@ mod tests {
     fn a_variant_is_told_in_words() {
         let variant = "boundary = sfdi, still_water_depth_m = 0.2, force_coupling = 1";
         let mut row = Row::default();
-        row.variant = variant.to_owned();
+        row.variant = variant.into();
         assert_eq!(others(&row, &[]), ["boundary = sfdi", "still water depth = 0.2 m"]);
         assert_eq!(others(&row, &[&BOUNDARY]), ["still water depth = 0.2 m"]);
     }

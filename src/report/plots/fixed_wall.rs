@@ -76,7 +76,7 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
 pub fn walls<'a>(data: &'a Loaded, variant: &str) -> impl Iterator<Item = &'a Row> {
     data.finished().filter(move |row| {
         row.is_fixed()
-            && row.variant == variant
+            && *row.variant == *variant
             && row.number(&WAVE_HEIGHT_RATIO).is_some_and(|wave| wave > 0.0)
             && SIDES.iter().all(|(column, _)| row.number(column).is_some())
     })

@@ -30,7 +30,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
         for wave in distinct(data.finished(), &WAVE_HEIGHT_RATIO) {
             let rows: Vec<_> = data
                 .finished()
-                .filter(|row| row.variant == variant)
+                .filter(|row| *row.variant == *variant)
                 .filter(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(wave))
                 .collect();
             let (chosen, common, picked) = choose(&rows);

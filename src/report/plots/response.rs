@@ -24,7 +24,7 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
             }
             let all: Vec<_> = by_mass(&rows).collect();
             let shown = spread(&all, SERIES);
-            let law = coupling(data.finished().filter(|row| row.variant == variant));
+            let law = coupling(data.finished().filter(|row| *row.variant == *variant));
             let what = capitalised(response.meaning);
             let of_masses = picked(shown.len(), all.len(), "masses");
             let count = distinct(rows.iter().copied(), &WAVE_HEIGHT_RATIO).len();

@@ -79,7 +79,7 @@ const SLICES: [Slice; 3] = [
 pub fn figures(data: &Loaded) -> Vec<Figure> {
     let mut figures = Vec::new();
     for variant in variants(&data.rows) {
-        let rows: Vec<_> = data.finished().filter(|row| row.variant == variant).collect();
+        let rows: Vec<_> = data.finished().filter(|row| *row.variant == *variant).collect();
         figures.extend(SLICES.iter().filter_map(|slice| slice.figure(&rows, &variant)));
     }
     figures

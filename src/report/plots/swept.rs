@@ -46,11 +46,11 @@ pub fn key(data: &Loaded) -> Option<&Key> {
 
 /// Finished cases with a number in the key's column.
 fn cases<'a>(data: &'a Loaded, key: &Key) -> Vec<Case<'a>> {
-    let place = |(row, cell): (&'a Row, &String)| {
+    let place = |(row, cell): (&'a Row, &str)| {
         let x: f64 = cell.parse().ok()?;
         (row.is_ok() && x.is_finite()).then_some((x, row))
     };
-    data.rows.iter().zip(&key.cells).filter_map(place).collect()
+    data.rows.iter().zip(key.cells.iter()).filter_map(place).collect()
 }
 
 /// Whether a row has its place on the key's axis.
@@ -95,12 +95,12 @@ fn others(data: &Loaded, key: &Key, row: &Row) -> String {
     let varies = |other: &&Key| {
         other.name != key.name
             && other.name != WAVE_HEIGHT_RATIO.name
-            && other.cells.iter().any(|cell| *cell != other.cells[0])
+            && other.cells.different().nth(1).is_some()
     };
     let word = |key: &Key| {
         let cell = &key.cells[index];
         let value = cell.parse::<f64>().map(|value| number::significant(value, 4).to_string());
-        format!("{} = {}", key.name, value.unwrap_or_else(|_| cell.clone()))
+        format!("{} = {}", key.name, value.unwrap_or_else(|_| cell.to_owned()))
     };
     data.keys.iter().filter(varies).map(word).collect::<Vec<_>>().join(", ")
 }

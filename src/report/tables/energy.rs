@@ -7,26 +7,40 @@ use csv::StringRecord;
 use super::{Lines, cells};
 use crate::quantities::Column;
 use crate::quantities::summary::{CASE_ID, FORCE_COUPLING};
-use crate::report::load::Loaded;
+use crate::report::error::ReportError;
+use crate::report::load::{self, Loaded};
 use crate::report::row::{PLACE, Row};
 
 /// The table; `None` where the directory has no budgets.
 pub fn energy(data: &Loaded) -> Option<Lines<'_>> {
-    let raw = data.energy.as_ref()?;
-    let id = raw.header.iter().position(|name| name == CASE_ID.name)?;
+    let (header, records) = match load::stream(data.energy.as_ref()?) {
+        Ok(table) => table,
+        Err(error) => {
+            return Some(Lines::new(NAME, TITLE, Vec::new(), std::iter::once(Err(error))));
+        }
+    };
+    let id = header.iter().position(|name| name == CASE_ID.name)?;
     let place = PLACE.into_iter().chain([&FORCE_COUPLING]);
-    let place = place.filter(|column| !raw.header.iter().any(|known| known == column.name));
+    let place = place.filter(|column| !header.iter().any(|known| known == column.name));
     let place: Vec<&Column> = place.collect();
     let rows: HashMap<_, _> = data.rows.iter().map(|row| (row.text(&CASE_ID), row)).collect();
     let names = place.iter().map(|column| column.name.to_owned()).collect();
-    let header = with(id, CASE_ID.name, names, raw.header.iter());
-    let line = move |line: &StringRecord| {
-        let none = Row::default();
-        let row = rows.get(&line[id]).copied().unwrap_or(&none);
-        Ok(with(id, &line[id], cells(row, &place), line.iter()))
+    let header = with(id, CASE_ID.name, names, header.iter());
+    let none = Row::default();
+    let line = move |line: Result<StringRecord, ReportError>| {
+        let line = match line {
+            Ok(line) => line,
+            Err(error) => return Some(Err(error)),
+        };
+        let row = rows.get(&line[id]).copied();
+        let row = if data.is_part { row? } else { row.unwrap_or(&none) };
+        Some(Ok(with(id, &line[id], cells(row, &place), line.iter())))
     };
-    Some(Lines::new("energy", "Energy", header, raw.rows.iter().map(line)))
+    Some(Lines::new(NAME, TITLE, header, records.filter_map(line)))
 }
+
+const NAME: &str = "energy";
+const TITLE: &str = "Energy";
 
 /// A line with the case's place behind its id.
 fn with<'a>(

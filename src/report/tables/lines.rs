@@ -66,7 +66,6 @@ impl<'a> Lines<'a> {
     ///
     /// # Errors
     /// A file that cannot be read.
-    #[cfg(test)]
     pub fn whole(self) -> Result<Table, ReportError> {
         let head = self.head();
         Ok(Table { rows: self.rows.collect::<Result<_, _>>()?, ..head })
@@ -74,7 +73,8 @@ impl<'a> Lines<'a> {
 
     fn head(&self) -> Table {
         let (name, title) = (self.name.clone(), self.title.clone());
-        Table { name, title, header: self.header.clone(), rows: Vec::new(), left: 0 }
+        let header = self.header.clone();
+        Table { name, title, header, rows: Vec::new(), left: 0, is_part: false }
     }
 }
 

@@ -78,7 +78,7 @@ fn summary(data: &Loaded) -> Lines<'_> {
     header.extend(has_variants.then(|| VARIANT.to_owned()));
     let line = move |row: &Row| {
         let mut cells: Vec<_> = columns.iter().map(|column| row.brief(column)).collect();
-        cells.extend(has_variants.then(|| row.variant.clone()));
+        cells.extend(has_variants.then(|| row.variant.to_string()));
         Ok(cells)
     };
     Lines::new("summary", "Cases", header, data.rows.iter().map(line))

@@ -13,19 +13,35 @@ pub struct Table {
     pub rows: Vec<Vec<String>>,
     /// How many rows the file has besides.
     pub left: usize,
+    /// Whether these are not the file's first rows but those of a selection of cases.
+    pub is_part: bool,
 }
 
 impl Table {
     /// A table.
     pub fn new(name: &str, title: &str, header: &[&str], rows: Vec<Vec<String>>) -> Table {
         let header = header.iter().map(|column| (*column).to_owned()).collect();
-        Table { name: name.to_owned(), title: title.to_owned(), header, rows, left: 0 }
+        Table {
+            name: name.to_owned(),
+            title: title.to_owned(),
+            header,
+            rows,
+            left: 0,
+            is_part: false,
+        }
     }
 
     /// The same without header and rows.
     pub(super) fn empty(&self) -> Table {
         let (name, title) = (self.name.clone(), self.title.clone());
-        Table { name, title, header: Vec::new(), rows: Vec::new(), left: self.left }
+        let (left, is_part) = (self.left, self.is_part);
+        Table { name, title, header: Vec::new(), rows: Vec::new(), left, is_part }
+    }
+
+    /// The same as the part of a larger one that it is.
+    pub fn part_of(self, whole: &Table) -> Table {
+        let left = (whole.rows.len() + whole.left).saturating_sub(self.rows.len());
+        Table { left, is_part: true, ..self }
     }
 
     /// The table as Markdown.

@@ -54,7 +54,7 @@ fn later(data: &Loaded, first: f64) -> Option<String> {
 fn newtons(data: &Loaded, file: Option<&SceneFile>, row: &Row, force: f64) -> String {
     let scale = || {
         let index = data.rows.iter().position(|r| r.text(&CASE_ID) == row.text(&CASE_ID))?;
-        let cells: Vec<_> = data.keys.iter().map(|key| key.cells[index].as_str()).collect();
+        let cells: Vec<_> = data.keys.iter().map(|key| &key.cells[index]).collect();
         let frame = file?.config(row.text(&CASE_ID), &cells)?.scene.frame();
         Some(0.5 * frame.density * frame.acceleration() * frame.depth * frame.depth)
     };
@@ -78,8 +78,10 @@ mod tests {
         let mut data = Loaded::read(directory.path()).unwrap();
         let text = "[scene]\nwall = \"movable\"\nstill_water_depth_m = 0.4\n[grid]";
         data.manifest = Some(json!({ "name": "a", "sweep_file": text }));
-        let key =
-            |name: &str, cell: &str| Key { name: name.to_owned(), cells: vec![cell.to_owned()] };
+        let key = |name: &str, cell: &str| Key {
+            name: name.to_owned(),
+            cells: [cell].into_iter().collect(),
+        };
         data.keys =
             vec![key("spring_stiffness_n_per_m", "500"), key("seawall_mass_kg_per_m", "250")];
         data.rows[0] = data.rows[0].clone().with(&FIRST_FORCE_MAX, 2.0).with(&FORCE_MAX, 2.5);

@@ -1,5 +1,7 @@
 //! Which walls halve the force on the stiffest wall of the same wave.
 
+use std::collections::HashMap;
+
 use super::force::{column, most};
 use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
 use crate::report::curves::distinct;
@@ -40,17 +42,18 @@ fn force(row: &Row) -> f64 {
 
 /// The cases by all that is swept but the wall, where a wall has another to be compared with.
 fn groups(data: &Loaded) -> Vec<Group<'_>> {
-    let mut groups: Vec<(Vec<&str>, Vec<&Row>)> = Vec::new();
+    let (mut places, mut groups) = (HashMap::new(), Vec::<Vec<&Row>>::new());
     for (index, row) in data.rows.iter().enumerate().filter(|(_, row)| row.is_ok()) {
         let swept = data.keys.iter().filter(|key| !OF_THE_WALL.contains(&key.name.as_str()));
-        let mut key: Vec<_> = swept.map(|key| key.cells[index].as_str()).collect();
-        key.extend([row.text(&WAVE_HEIGHT_RATIO), row.variant.as_str()]);
-        match groups.iter_mut().find(|(known, _)| *known == key) {
-            Some((_, rows)) => rows.push(row),
-            None => groups.push((key, vec![row])),
+        let mut key: Vec<_> = swept.map(|key| &key.cells[index]).collect();
+        key.extend([row.text(&WAVE_HEIGHT_RATIO), &*row.variant]);
+        let place = *places.entry(key).or_insert(groups.len());
+        if place == groups.len() {
+            groups.push(Vec::new());
         }
+        groups[place].push(row);
     }
-    groups.into_iter().filter_map(|(_, rows)| Group::of(rows)).collect()
+    groups.into_iter().filter_map(Group::of).collect()
 }
 
 impl<'a> Group<'a> {

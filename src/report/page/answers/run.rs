@@ -42,7 +42,7 @@ fn numbers(symbol: &str, values: &[f64], unit: &str) -> String {
 
 /// A swept key: a range of numbers, or the words that it took.
 fn key(key: &Key) -> String {
-    let cells: Vec<_> = key.cells.iter().filter(|cell| !cell.is_empty()).collect();
+    let cells: Vec<_> = key.cells.different().filter(|cell| !cell.is_empty()).collect();
     let read: Option<Vec<f64>> = cells.iter().map(|cell| cell.parse().ok()).collect();
     if let Some(mut values) = read {
         values.sort_by(f64::total_cmp);
@@ -50,12 +50,7 @@ fn key(key: &Key) -> String {
         let (symbol, unit) = symbol(&key.name);
         return numbers(&symbol, &values, &unit);
     }
-    let mut words: Vec<String> = Vec::new();
-    for cell in cells {
-        if !words.contains(cell) {
-            words.push(cell.clone());
-        }
-    }
+    let words: Vec<String> = cells.into_iter().map(str::to_owned).collect();
     format!("{} = {}", symbol(&key.name).0, listed(&words))
 }
 

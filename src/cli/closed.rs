@@ -1,0 +1,69 @@
+//! `sweep` of a large study that is finished: its end is told again from what it has left.
+
+use std::path::Path;
+
+use super::done::Done;
+use super::job::Job;
+use super::output::Output;
+use super::overview;
+use super::{CASES_FAILED, SUCCESS};
+use crate::results::{Closing, Lock, Program, Savings, checksum_of};
+use crate::study::{PHYSICS_VERSION, SweepFile};
+
+/// What decides how a finished study's end is told.
+pub(super) struct Asked {
+    /// Over the build, the file and what the command line set.
+    sum: String,
+    films: Vec<String>,
+}
+
+impl Asked {
+    /// `None` where more counts than the file itself: points that are added, numerics that are chosen, a stroke in a
+    /// file of its own.
+    pub(super) fn of(file: &SweepFile, overrides: &[String], films: &[String]) -> Option<Asked> {
+        const STROKE: &str = "recorded_stroke";
+        let stroke = file.scene.contains_key(STROKE) || file.grid.iter().any(|a| a.key == STROKE);
+        if stroke || file.refine.is_some() || file.max_error_percent.is_some() {
+            return None;
+        }
+        let Program { version, sources, .. } = Program::this();
+        let physics = PHYSICS_VERSION.to_string();
+        let mut pieces = vec![&version, &sources, &physics, &file.text];
+        pieces.extend(overrides);
+        let pieces = pieces.iter().flat_map(|piece| [piece.as_bytes(), b"\0"]);
+        let films = films.iter().filter(|film| *film != "none").cloned().collect();
+        Some(Asked { sum: checksum_of(pieces), films })
+    }
+
+    /// Tells the end of a study again whose directory has not changed since; the exit code. `None` where it has to
+    /// be opened.
+    pub(super) fn tell(
+        &self,
+        out: &Path,
+        report: &Path,
+        output: &Output,
+    ) -> anyhow::Result<Option<u8>> {
+        if output.verbose || output.is_json() || Lock::is_held(out) {
+            return Ok(None);
+        }
+        let closing = Closing::read(out).filter(|closing| {
+            closing.asked == self.sum && (self.films.is_empty() || closing.films == self.films)
+        });
+        let Some(closing) = closing else { return Ok(None) };
+        output.note(format_args!("{} is finished; --fresh would run it again", out.display()));
+        let text = format!("{}{}", closing.told, overview::reported(report));
+        output.result(&text, &serde_json::json!({}))?;
+        Ok(Some(if closing.failed > 0 { CASES_FAILED } else { SUCCESS }))
+    }
+
+    /// How a finished study's end is told once it is closed; `None` of a small one.
+    pub(super) fn closing(&self, job: &Job, done: &mut Done) -> Option<Closing> {
+        if job.study.cases.len() <= Closing::ABOVE {
+            return None;
+        }
+        // Of this process's own work nothing is told again.
+        (done.wall_time_s, done.savings) = (None, Savings::default());
+        let told = overview::of_cases(job, done, false);
+        Some(Closing::new(&self.sum, &self.films, done.failed(), told))
+    }
+}

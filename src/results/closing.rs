@@ -1,0 +1,119 @@
+//! What a large study has left at its end: `closing.json`.
+//!
+//! To read every file of a million cases takes a minute. A study of so many is closed once all of it is done and
+//! on the disk. While its directory is still as it was then, nothing has to be read again: not the journal, not
+//! the cases' files, not the grid. What counts is length and time of the last change of every file and folder in
+//! the directory; a folder changes when a file in it is made, replaced or removed. A bit that has flipped in a file
+//! changes neither, and is found by [`super::verify`].
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::time::UNIX_EPOCH;
+
+use serde::{Deserialize, Serialize};
+
+use super::error::SweepError;
+use super::{atomic_file, lock};
+
+const FILE_NAME: &str = "closing.json";
+
+/// The end of a study.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Closing {
+    /// What had been asked for: a sum over the build, the sweep file and what the command line set.
+    pub asked: String,
+    /// What was to be filmed.
+    pub films: Vec<String>,
+    /// How many cases had failed.
+    pub failed: usize,
+    /// What was told of the cases.
+    pub told: String,
+    /// Length and last change, in nanoseconds, of what was in the directory.
+    found: BTreeMap<String, (u64, u64)>,
+}
+
+impl Closing {
+    /// Studies of more cases than this are closed. Smaller ones are read whole whenever they are opened.
+    pub const ABOVE: usize = 10_000;
+
+    /// A study that has just come to its end.
+    pub fn new(asked: &str, films: &[String], failed: usize, told: String) -> Closing {
+        let found = BTreeMap::new();
+        Closing { asked: asked.to_owned(), films: films.to_vec(), failed, told, found }
+    }
+
+    /// Closes a directory as it is now. All that is in it must be on the disk.
+    ///
+    /// # Errors
+    /// A file that cannot be written, a folder that cannot be read.
+    pub fn write(self, directory: &Path) -> Result<(), SweepError> {
+        let found = look(directory).map_err(SweepError::io(directory))?;
+        let text = serde_json::to_string_pretty(&Closing { found, ..self });
+        let text = text.expect("plain data has a JSON form");
+        atomic_file::write(&directory.join(FILE_NAME), format!("{text}\n").as_bytes())
+    }
+
+    /// How a directory was closed; `None` where it was not, or has changed since.
+    pub fn read(directory: &Path) -> Option<Closing> {
+        let text = fs::read(directory.join(FILE_NAME)).ok()?;
+        let closing: Closing = serde_json::from_slice(&text).ok()?;
+        (look(directory).ok()? == closing.found).then_some(closing)
+    }
+}
+
+/// What is in a directory, but for this file and the lock.
+fn look(directory: &Path) -> std::io::Result<BTreeMap<String, (u64, u64)>> {
+    let mut found = BTreeMap::new();
+    for entry in fs::read_dir(directory)? {
+        let entry = entry?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if name == FILE_NAME || name == lock::FILE_NAME {
+            continue;
+        }
+        let entry = fs::metadata(entry.path())?;
+        let changed = entry.modified()?.duration_since(UNIX_EPOCH).unwrap_or_default();
+        let changed = u64::try_from(changed.as_nanos()).unwrap_or(u64::MAX);
+        found.insert(name, (entry.len(), changed));
+    }
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_directory_stays_closed_until_anything_in_it_changes() {
+        let root = tempfile::tempdir().unwrap();
+        let (directory, history) = (root.path(), root.path().join("histories/a.csv"));
+        let pause = || std::thread::sleep(std::time::Duration::from_millis(20));
+        let close = || {
+            let closing = Closing::new("sum", &[], 3, "told".to_owned());
+            closing.write(directory).unwrap();
+            pause();
+            let read = Closing::read(directory).unwrap();
+            assert_eq!((&*read.asked, read.failed, &*read.told), ("sum", 3, "told"));
+        };
+        fs::create_dir(directory.join("histories")).unwrap();
+        fs::write(&history, "1").unwrap();
+        fs::write(directory.join("journal.jsonl"), "line\n").unwrap();
+        assert_eq!(Closing::read(directory), None);
+        close();
+        fs::write(directory.join(lock::FILE_NAME), "").unwrap();
+        assert!(Closing::read(directory).is_some());
+        let changes: [&dyn Fn(); 6] = [
+            &|| fs::write(directory.join("journal.jsonl"), "enil\n").unwrap(),
+            &|| fs::write(directory.join("journal.jsonl"), "line\nline\n").unwrap(),
+            &|| fs::write(directory.join("summary.csv"), "").unwrap(),
+            &|| atomic_file::write(&history, b"2").unwrap(),
+            &|| fs::remove_file(&history).unwrap(),
+            &|| fs::remove_dir(directory.join("histories")).unwrap(),
+        ];
+        for (number, change) in changes.iter().enumerate() {
+            change();
+            assert_eq!(Closing::read(directory), None, "change {number}");
+            close();
+        }
+    }
+}
