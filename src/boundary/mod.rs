@@ -49,7 +49,7 @@ pub use mls_linear::MlsLinear;
 pub use mls_quadratic::MlsQuadratic;
 pub use normalized::Normalized;
 pub use plane::Plane;
-pub use profile::Profile;
+pub use profile::{Profile, Stretch};
 pub use sfdi::{Sfdi, SfdiMatrix};
 pub use sums::Water;
 pub use tank::tank_ghosts;

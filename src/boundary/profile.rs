@@ -6,6 +6,8 @@ use super::plane::Plane;
 
 /// Stretches shorter than this, metres, are no stretches.
 const SHORTEST: f64 = 1e-9;
+/// Rise along a stretch of 1:2, and a little more.
+const STEEP: f64 = 0.46;
 
 /// Points of a bed, metres, from the paddle to the wall: x never goes back, and two points above one
 /// another make a step. Left of its first point and right of its last one it goes on level.
@@ -114,6 +116,13 @@ impl Profile {
         self.0.windows(2).map(|pair| Stretch::between(pair[0], pair[1]))
     }
 
+    /// The stretches steeper than 1:2 that still water of this depth covers.
+    pub fn steep_under(&self, depth: f64) -> Vec<Stretch> {
+        let covered =
+            |stretch: &Stretch| stretch.from[1].max(stretch.place(stretch.length, 0.0)[1]) < depth;
+        self.stretches().filter(|stretch| stretch.is_steep() && covered(stretch)).collect()
+    }
+
     /// The face of the bed nearest to a place in the water, where it is so near, metres.
     pub fn face_within(&self, place: [f64; 2], near: f64) -> Option<Plane> {
         let over = |x: f64| place[1] - self.height(x) > near;
@@ -181,6 +190,17 @@ impl Stretch {
     pub fn place(&self, along: f64, behind: f64) -> [f64; 2] {
         let normal = self.normal();
         [0, 1].map(|axis| self.from[axis] + along * self.along[axis] + behind * normal[axis])
+    }
+
+    /// Whether it is steeper than 1:2.
+    pub fn is_steep(&self) -> bool {
+        self.along[1].abs() > STEEP
+    }
+
+    /// How far away a place is, metres.
+    pub fn distance(&self, place: [f64; 2]) -> f64 {
+        let [x, y] = self.foot(place);
+        (place[0] - x).hypot(place[1] - y)
     }
 
     /// The nearest of its points to a place.

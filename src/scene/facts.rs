@@ -3,13 +3,12 @@
 use super::config::CaseConfig;
 use super::kind::Scene;
 use super::numerics::{BoundaryChoice, Numerics, Scheme};
+use crate::boundary::Stretch;
 use crate::scheme::isph::Laplacian;
+use crate::scheme::wcsph::Shifting;
 
 /// Walls this stiff, N/m per metre of width, stand as good as still under the highest waves.
 const STIFF: f64 = 1e4;
-
-/// Rise along a stretch of the bed that is a little more than that of a slope of 1:2.
-const STEEP: f64 = 0.46;
 
 /// What limits ask of a case.
 pub(super) struct Facts<'a> {
@@ -68,10 +67,22 @@ impl Facts<'_> {
         self.weakly && self.numerics.boundary == choice
     }
 
-    /// Whether a stretch of the bed is steeper than 1:2.
-    pub fn has_steep_bed(&self) -> bool {
+    /// Whether a stretch of the bed is steeper than 1:2, upright steps under water left out.
+    pub fn has_steep_slope(&self) -> bool {
         let bed = self.scene().seawall().and_then(|scene| scene.bed.as_ref());
-        bed.is_some_and(|bed| bed.stretches().any(|stretch| stretch.along[1].abs() > STEEP))
+        let depth = self.scene().frame().depth;
+        bed.is_some_and(|bed| {
+            let covered = bed.steep_under(depth);
+            let step = |stretch: &Stretch| stretch.along[0] < 1e-9 && covered.contains(stretch);
+            bed.stretches().any(|stretch| stretch.is_steep() && !step(&stretch))
+        })
+    }
+
+    /// Whether its steep bed is left to stir still water.
+    pub fn stirs(&self) -> bool {
+        let numerics = self.numerics;
+        let stilled = numerics.steep_feedback > 0.0 && numerics.shifting == Shifting::Deep;
+        self.weakly && self.scene().has_steep_bed() && !stilled
     }
 
     /// A bed that is not level.

@@ -121,6 +121,13 @@ impl Scene {
         self.seawall().is_some_and(|scene| scene.wave_train.is_some())
     }
 
+    /// Whether still water covers a stretch of its bed that is steeper than 1:2.
+    pub(super) fn has_steep_bed(&self) -> bool {
+        let depth = self.frame().depth;
+        let bed = self.seawall().and_then(|scene| scene.bed.as_ref());
+        bed.is_some_and(|bed| !bed.steep_under(depth).is_empty())
+    }
+
     /// The seawall's values, where the scene has one.
     pub fn seawall(&self) -> Option<&SeawallScene> {
         match self {

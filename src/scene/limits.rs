@@ -30,9 +30,21 @@ const LIMITS: &[Limit] = &[
          \"normalized\" kept it below 1 mm/s",
     ),
     (
-        |case| case.has_steep_bed(),
-        "a bed steeper than 1:2: still water began to turn at the upper end of such a slope, at ten rows \
-         after 100 s at 1:1 and after 10 s at an upright step; up to 1:2 it rested for 300 s",
+        |case| case.has_steep_slope(),
+        "a slope of the bed steeper than 1:2: still water began to turn on it, after 76 s at ten rows and \
+         55 s at sixteen; up to 1:2 it rested for 300 s at ten rows",
+    ),
+    (
+        |case| case.stirs(),
+        "a steep bed under water without shifting = \"deep\" and steep_feedback = 0.05: still water began \
+         to turn at the upper end of upright steps after 10 to 40 s",
+    ),
+    (
+        |case| {
+            case.weakly && case.scene().has_steep_bed() && case.rows.is_some_and(|rows| rows > 16.0)
+        },
+        "a steep bed under water at more than sixteen rows: still water rested for 300 s over upright \
+         steps at ten and sixteen rows, and began to turn after some 100 s at twenty",
     ),
     (
         |case| case.boundary(BoundaryChoice::ImprovedShepard) && case.has_crest(),

@@ -111,5 +111,10 @@ impl Numerics {
             self.shifting = Shifting::Deep;
             self.volume_feedback = 0.002;
         }
+        if scene.has_steep_bed() {
+            // Where it bends down, still water goes round and gains by it.
+            self.shifting = Shifting::Deep;
+            self.steep_feedback = 0.05;
+        }
     }
 }

@@ -112,16 +112,18 @@ impl Wcsph {
     /// that goes.
     pub(super) fn restore_volume(&mut self) -> f64 {
         let Some(shortfall) = &self.shortfall else { return 0.0 };
-        let per_second = self.options.volume_feedback
-            * self.options.state.sound_speed
-            * self.scaling.inverse_radius;
+        let options = &self.options;
+        let per_second =
+            |feedback: f64| feedback * options.state.sound_speed * self.scaling.inverse_radius;
         let particles = self.fluid.padded_len();
         let mut restore = Restore {
             fluid: &mut self.fluid,
             work: &self.work,
-            options: &self.options,
+            options,
             shortfall,
-            rate: per_second * self.since_full,
+            rate: per_second(options.volume_feedback) * self.since_full,
+            steep_rate: per_second(options.steep_feedback) * self.since_full,
+            steep: &self.steep,
         };
         -in_turn(self.pairs.path, particles, &mut restore)
     }

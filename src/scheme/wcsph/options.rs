@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Precision;
 use super::correction::first_row_share;
+use crate::boundary::{Ghosts, Stretch};
 use crate::kernel::KernelChoice;
 use crate::scheme::StateEquation;
 use crate::theory::central_field::CentralField;
@@ -61,6 +62,8 @@ pub struct WcsphOptions {
     pub density: f64,
     /// Gravity, m/s².
     pub gravity: f64,
+    /// Depth of still water, metres.
+    pub still_depth: f64,
     /// Kernel gradients corrected to first order.
     pub corrected_gradients: bool,
     /// Density diffusion.
@@ -75,6 +78,8 @@ pub struct WcsphOptions {
     pub shifting_coefficient: f64,
     /// How fast densities follow the error of the volume, over c0/R: see `volume.rs`.
     pub volume_feedback: f64,
+    /// How much faster they do beside steep stretches of the bed.
+    pub steep_feedback: f64,
     /// γ of the pressure's lead, in time steps.
     pub bulk_damping: f64,
     /// Steps per full step, at least 1.
@@ -91,6 +96,13 @@ impl WcsphOptions {
     /// h of the terms α h c0 and δ h c0: R/2 for Wendland C2, R/3 for the Gaussian.
     pub fn smoothing_length(&self) -> f64 {
         self.kernel.smoothing_length_ratio() * self.support_radius
+    }
+
+    /// The stretches of the bed beside which much volume is taken back, if any.
+    pub(super) fn steep_stretches(&self, ghosts: &Ghosts) -> Vec<Stretch> {
+        let wanted = self.corrected_gradients && self.gravity > 0.0 && self.steep_feedback > 0.0;
+        let bed = ghosts.profile.iter().filter(|_| wanted);
+        bed.flat_map(|bed| bed.steep_under(self.still_depth)).collect()
     }
 
     /// The first row's share of the gradient's correction, see [`first_row_share`].

@@ -8,13 +8,17 @@
 
 use super::correction::surface_share;
 use super::{WcsphOptions, Workspace};
+use crate::boundary::Stretch;
 use crate::kernel::KernelChoice;
 use crate::pairs::{Double, Fluid, Here, InTurn};
 
-/// Depth below the surface, over R, from which volume is taken back ...
-const FROM: f64 = 0.4;
-/// ... and wholly so from this one. Above, the surface is too near to tell the volume.
-const FULL: f64 = 0.6;
+/// Depths below the surface, over R, from which volume is taken back, and from which wholly so. Above, the
+/// surface is too near to tell the volume.
+const DEPTHS: [f64; 2] = [0.4, 0.6];
+/// Those beside a steep bed, where much more is taken back.
+const STEEP_DEPTHS: [f64; 2] = [0.8, 1.2];
+/// Distances from a steep stretch, over R, up to which that is so, and from which it is not.
+const BESIDE: [f64; 2] = [2.0, 3.0];
 
 /// What ½ tr Σ V_j (x_j - x_i) ⊗ ∇W falls short by in even water, row by row under a level surface.
 ///
@@ -62,6 +66,27 @@ pub(super) struct Restore<'a> {
     pub shortfall: &'a Shortfall,
     /// How much of the error is taken back now.
     pub rate: f64,
+    /// How much more beside steep stretches of the bed.
+    pub steep_rate: f64,
+    /// The steep stretches.
+    pub steep: &'a [Stretch],
+}
+
+impl Restore<'_> {
+    /// How near a place is to a steep stretch: 1 beside it, 0 far away.
+    fn beside_steep(&self, place: [f64; 2]) -> f64 {
+        let away = self.steep.iter().map(|stretch| stretch.distance(place));
+        let nearest = away.fold(f64::INFINITY, f64::min) / self.options.support_radius;
+        let [near, far] = BESIDE;
+        ((far - nearest) / (far - near)).clamp(0.0, 1.0)
+    }
+}
+
+/// From 0 at the first depth to 1 at the second.
+#[inline(always)]
+fn faded_in<D: Double>(depth: D, [from, full]: [f64; 2]) -> D {
+    let inside = (depth - D::splat(from)) * D::splat(1.0 / (full - from));
+    inside.max(D::splat(0.0)).min(D::splat(1.0))
 }
 
 impl InTurn for Restore<'_> {
@@ -73,8 +98,6 @@ impl InTurn for Restore<'_> {
         let pressure = here.of::<D>(&work.pressure);
         let depth =
             pressure.div(density) * D::splat(1.0 / (options.gravity * options.support_radius));
-        let inside = (depth - D::splat(FROM)) * D::splat(1.0 / (FULL - FROM));
-        let inside = inside.max(D::splat(0.0)).min(D::splat(1.0));
         // The correction is the inverse of the sum, but for the share that the balance takes of it.
         let [xx, xy, yy] = here.all::<D, 3>([
             &work.next_correction_xx,
@@ -87,7 +110,13 @@ impl InTurn for Restore<'_> {
         let [shortfall, _] =
             here.change([depth, depth], |_, [depth, _]| [self.shortfall.at(depth), 0.0]);
         let error = half_trace - D::splat(1.0) + shortfall;
-        let rise = density * error * inside * D::splat(self.rate);
+        let mut rise = density * error * faded_in(depth, DEPTHS) * D::splat(self.rate);
+        if !self.steep.is_empty() {
+            let place = here.all::<D, 2>([&self.fluid.x, &self.fluid.y]);
+            let [beside, _] = here.change(place, |_, place| [self.beside_steep(place), 0.0]);
+            let more = beside * faded_in(depth, STEEP_DEPTHS) * D::splat(self.steep_rate);
+            rise = (density * error).mul_add(more, rise);
+        }
         *gained += here.of::<D>(&self.fluid.mass) * pressure.div(density * density) * rise;
         here.put(&mut self.fluid.density, density + rise);
     }
