@@ -7,6 +7,7 @@ use std::fs;
 use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::sync::{Mutex, PoisonError};
 
 use seawall::execute::fake::cost;
 use seawall::execute::{
@@ -23,6 +24,9 @@ use common::{expect_code, seawall};
 /// Bytes that are held, and the most that ever were.
 static HELD: AtomicUsize = AtomicUsize::new(0);
 static MOST: AtomicUsize = AtomicUsize::new(0);
+
+/// Whose turn it is: what one test holds counts in the other, too.
+static ALONE: Mutex<()> = Mutex::new(());
 
 struct Counting;
 
@@ -121,6 +125,7 @@ fn changed(path: &Path) -> std::time::SystemTime {
 /// files, until anything of it has changed.
 #[test]
 fn a_closed_study_is_told_again_until_it_changes() {
+    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
     let root = tempfile::tempdir().unwrap();
     let (file, out) = finished(root.path(), Closing::ABOVE + 1);
     let told = again(&file, &out);
@@ -155,6 +160,7 @@ fn a_closed_study_is_told_again_until_it_changes() {
 /// them stay far below two gigabytes.
 #[test]
 fn a_report_holds_little_of_each_case() {
+    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
     const MOST_PER_CASE: usize = 1_500;
     let root = tempfile::tempdir().unwrap();
     let (_, out) = finished(root.path(), 30);
