@@ -48,17 +48,20 @@ impl Seal {
         // One byte more tells at once where it ends: of a million small files each call counts.
         let mut content = vec![0; length + 1];
         let mut read = 0;
-        while read < length {
+        loop {
             match file.read(&mut content[read..]) {
-                Ok(0) => return Some(false),
+                Ok(0) => break,
                 Ok(more) => read += more,
-                Err(error) if error.kind() == ErrorKind::Interrupted => {}
+                Err(error) if error.kind() == ErrorKind::Interrupted => continue,
                 Err(_) => return None,
+            }
+            if read >= length {
+                break;
             }
         }
         content.truncate(read);
         Some(match self {
-            _ if read > length => false,
+            _ if read != length => false,
             Seal::Length(_) => true,
             Seal::Whole { sum, .. } => *sum == checksum(&content),
         })
@@ -97,3 +100,25 @@ const ASKED: u64 = 1 << 20;
 
 /// Seals of a case's files by their folders.
 pub(super) type Seals = BTreeMap<String, Seal>;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_fits_its_seal_alone() {
+        let root = tempfile::tempdir().unwrap();
+        let path = root.path().join("a.csv");
+        assert_eq!(Seal::of(b"").fits(&path), None);
+        for written in ["", "a,b\n1,2\n"] {
+            let seals = [Seal::of(written.as_bytes()), Seal::Length(written.len() as u64)];
+            let fits = || seals.each_ref().map(|seal| seal.fits(&path));
+            std::fs::write(&path, written).unwrap();
+            assert_eq!(fits(), [Some(true); 2], "{written:?}");
+            std::fs::write(&path, format!("{written}3")).unwrap();
+            assert_eq!(fits(), [Some(false); 2], "{written:?} and more");
+        }
+        std::fs::write(&path, "a,b\n1,").unwrap();
+        assert_eq!(Seal::of(b"a,b\n1,2\n").fits(&path), Some(false));
+    }
+}
