@@ -9,14 +9,12 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError};
 
-use seawall::execute::fake::cost;
+use seawall::execute::fake::{FakeRunner, cost};
 use seawall::execute::{
-    Ending, Interrupt, Progress, ProgressStyle, Runner, Session, Setup, coordinate, threads,
+    Ending, Interrupt, Progress, ProgressStyle, Session, Setup, coordinate, threads,
 };
 use seawall::math::simd::SimdPath;
-use seawall::results::{Closing, Directory, Manifest, OpenMode, made_up};
-use seawall::scene::CaseConfig;
-use seawall::simulation::{CaseResult, Monitor, Stopped, TrunkResult};
+use seawall::results::{Closing, Directory, Manifest, OpenMode};
 use seawall::study::{Plan, Study, SweepFile};
 
 use common::{expect_code, seawall};
@@ -48,24 +46,6 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// Every case ends at once, and all alike.
-struct Same(CaseResult);
-
-impl Runner for Same {
-    fn trunk(&self, _: &CaseConfig, _: &dyn Monitor) -> Result<TrunkResult, Stopped> {
-        Ok(TrunkResult { checkpoint: vec![0; 10], time_s: 1.0, steps: 500 })
-    }
-
-    fn case(
-        &self,
-        _: &CaseConfig,
-        _: Option<&[u8]>,
-        _: &dyn Monitor,
-    ) -> Result<CaseResult, Stopped> {
-        Ok(self.0.clone())
-    }
-}
-
 /// A study of made-up cases that is finished, and its sweep file.
 fn finished(root: &Path, cases: usize) -> (PathBuf, PathBuf) {
     let text = format!(
@@ -78,7 +58,7 @@ fn finished(root: &Path, cases: usize) -> (PathBuf, PathBuf) {
     let study = Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap();
     let interrupt = Interrupt::default();
     let setup = Setup {
-        make_runner: &|_| Box::new(Same(made_up(&study.cases[0].config))),
+        make_runner: &|_| Box::new(FakeRunner::default()),
         threads: Some(2),
         interrupt: &interrupt,
         patience: std::time::Duration::MAX,

@@ -87,15 +87,9 @@ pub(super) fn tell<'a>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::cli::pick::tests::study;
     use crate::results::made_up;
-    use crate::study::{Case, SweepFile};
-
-    /// Two waves and two springs: the softer one makes its cases 0 and 2.
-    fn study() -> Study {
-        let text = "name = \"a\"\n[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n[grid]\n\
-            wave_height_ratio = [0.3, 0.5]\nspring_stiffness_n_per_m = [10, 21544.3469003188]";
-        Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap()
-    }
+    use crate::study::Case;
 
     /// Records with these forces, runups, and numbers of reasons for doubt.
     fn records(

@@ -104,11 +104,12 @@ fn same(value: &toml::Value, wanted: &toml::Value) -> bool {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::study::SweepFile;
 
-    fn study() -> Study {
+    /// Two waves and two springs: the softer one makes its cases 0 and 2.
+    pub(in crate::cli) fn study() -> Study {
         let text = "name = \"a\"\n[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n[grid]\n\
             wave_height_ratio = [0.3, 0.5]\nspring_stiffness_n_per_m = [10, 21544.3469003188]";
         Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap()
