@@ -1,8 +1,8 @@
 //! What a page shows of a study that is too large to be shown whole.
 //!
-//! Sentences and files under `tables/` are of all cases. The tables and figures of the page, and what it says of
-//! the papers, are of a selection: cases with a film, those of the largest responses, and of the others those with
-//! the smallest ids. An id is a hash, so that these are spread evenly over the grid, whatever its axes are.
+//! Sentences and files under `tables/` are of all cases. The tables and figures of the page are of a selection, and
+//! so is what it says of the papers. It has the cases with a film and those of the largest responses. The others
+//! are those with the smallest ids. An id is a hash, so that these are spread evenly over the grid, whatever its axes are.
 
 use std::collections::HashSet;
 

@@ -133,8 +133,8 @@ pub fn read_header(directory: &Path) -> Result<Option<Header>, SweepError> {
     Ok(entries::parse::<CaseRecord>(&path, &line[..])?.header)
 }
 
-/// Reads a journal without touching it, and hands on its records block by block, with no more of each than `R`
-/// asks for: of a large study the rest takes time and memory.
+/// Reads a journal without touching it, and hands on its records block by block. `R` has what is wanted of each
+/// record. Of a large study the rest takes time and memory.
 ///
 /// # Errors
 /// A file that cannot be read, or another program's.
