@@ -110,7 +110,7 @@ impl Post {
         loop {
             let received = self.take()?;
             if let Some((rank, _)) = &received {
-                self.pulse.hear(*rank, Instant::now());
+                self.pulse.hear(*rank, Instant::now()).into_iter().for_each(|news| self.tell(news));
             }
             match received {
                 Some((_, Message::Beat)) => {}

@@ -39,9 +39,10 @@ impl Pulse {
         self.gone[rank] = true;
     }
 
-    /// A rank was heard.
-    pub(super) fn hear(&mut self, rank: usize, now: Instant) {
+    /// A rank was heard, be it for the last time; news where it was told that it is silent.
+    pub(super) fn hear(&mut self, rank: usize, now: Instant) -> Option<News> {
         self.heard[rank] = now;
+        std::mem::take(&mut self.told[rank]).then_some(News::Back(rank))
     }
 
     /// Whether it is time to let hear of oneself; true once each time.
@@ -53,8 +54,8 @@ impl Pulse {
         due
     }
 
-    /// What has changed of these ranks. Nobody was listened to while this process itself stood still or was
-    /// at something else: silence counts from there on.
+    /// Who of these ranks is silent and was not told of yet. Nobody was listened to while this process
+    /// itself stood still or was at something else: silence counts from there on.
     pub(super) fn look(&mut self, ranks: impl Iterator<Item = usize>, now: Instant) -> Vec<News> {
         let away = now.duration_since(self.looked);
         self.looked = now;
@@ -65,10 +66,9 @@ impl Pulse {
         let mut news = Vec::new();
         for rank in ranks {
             let silence = now.saturating_duration_since(self.heard[rank]);
-            let silent = silence >= self.patience;
-            if silent != self.told[rank] && !self.gone[rank] {
-                self.told[rank] = silent;
-                news.push(if silent { News::Silent(rank, silence) } else { News::Back(rank) });
+            if silence >= self.patience && !self.told[rank] && !self.gone[rank] {
+                self.told[rank] = true;
+                news.push(News::Silent(rank, silence));
             }
         }
         news
@@ -88,16 +88,16 @@ mod tests {
         let mut told = Vec::new();
         for second in 1..30 {
             let now = start + second * SECOND;
-            pulse.hear(1, now);
+            told.extend(pulse.hear(1, now));
             if second >= 20 {
-                pulse.hear(2, now);
+                told.extend(pulse.hear(2, now));
             }
             told.extend(pulse.look(1..3, now));
         }
         pulse.leave(1);
         told.extend((30..50).flat_map(|second| {
-            pulse.hear(2, start + second * SECOND);
-            pulse.look(1..3, start + second * SECOND)
+            let back = pulse.hear(2, start + second * SECOND);
+            pulse.look(1..3, start + second * SECOND).into_iter().chain(back)
         }));
         assert_eq!(told, [News::Silent(2, 8 * SECOND), News::Back(2)]);
     }
@@ -111,6 +111,19 @@ mod tests {
         let told: Vec<_> =
             (101..120).flat_map(|second| pulse.look(1..2, start + second * SECOND)).collect();
         assert_eq!(told, [News::Silent(1, 8 * SECOND)]);
+    }
+
+    #[test]
+    fn a_rank_that_is_heard_for_the_last_time_is_told_as_well() {
+        let start = Instant::now();
+        let mut pulse = Pulse::new(2, 2 * SECOND, start);
+        assert_eq!(pulse.look(1..2, start), []);
+        let looks = (1..9).map(|quarter| start + quarter * SECOND / 4);
+        let told: Vec<_> = looks.flat_map(|now| pulse.look(1..2, now)).collect();
+        assert_eq!(told, [News::Silent(1, 2 * SECOND)]);
+        assert_eq!(pulse.hear(1, start + 3 * SECOND), Some(News::Back(1)));
+        pulse.leave(1);
+        assert_eq!(pulse.hear(1, start + 3 * SECOND), None);
     }
 
     #[test]
