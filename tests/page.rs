@@ -219,6 +219,49 @@ fn arrows_lead_down_a_long_table_and_nothing_moves() {
     assert_eq!(browser.complaints(), [""; 0]);
 }
 
+/// Once sections had the heights of the window before until they came near, and so the page jumped.
+#[test]
+fn what_is_left_out_has_its_size_also_after_a_change_of_window_or_choice() {
+    let Some(mut browser) = Chromium::start() else { return };
+    browser.resize(1400, 900);
+    browser.open(&many(5, 3), "");
+    let frames = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))";
+    let seen =
+        "(async () => { for (let y = 0; y < document.documentElement.scrollHeight; y += 600) {
+        scrollTo(0, y); await new Promise(requestAnimationFrame); } scrollTo(0, 0); })()";
+    let heights = "[...document.querySelectorAll('main > section, main > .beside')].map((part) =>
+        part.querySelector('h2').textContent + ' ' + Math.round(part.getBoundingClientRect().height))";
+    let left_out =
+        "[...document.querySelectorAll('main > section, main > .beside')].filter((part) =>
+        !part.querySelector('h2').checkVisibility({ contentVisibilityAuto: true })).length";
+    let lay_out = |value: &str| {
+        format!(
+            "document.querySelectorAll('main > section, main > .beside').forEach((part) => {{
+            part.style.contentVisibility = '{value}'; }})"
+        )
+    };
+    browser.run(seen);
+    let mut last = Vec::new();
+    for change in ["390", "800", "choice"] {
+        match change.parse() {
+            Ok(width) => browser.resize(width, 900),
+            Err(_) => browser.point_at("#choose fieldset button", true),
+        }
+        browser.run(frames);
+        browser.settle();
+        browser.run(frames);
+        browser.run(frames);
+        assert!(number(&mut browser, left_out) > 5, "{change}: far sections are left out");
+        let kept = words(&mut browser, heights);
+        browser.run(&lay_out("visible"));
+        assert_eq!(kept, words(&mut browser, heights), "{change}");
+        assert_ne!(kept, last, "{change} changes heights");
+        browser.run(&lay_out(""));
+        last = kept;
+    }
+    assert_eq!(browser.complaints(), [""; 0]);
+}
+
 /// Words that a script finds in the page.
 fn words(browser: &mut Chromium, script: &str) -> Vec<String> {
     serde_json::from_value(browser.run(script)).unwrap()

@@ -49,7 +49,7 @@ function choose() {
   };
   const now = new Set(watchers.filter((watcher) => seen(watcher.box)));
   for (const watcher of now) watcher.act();
-  waiting = watchers.filter((watcher) => !now.has(watcher)).map((watcher) => watcher.act).concat(remember);
+  waiting = watchers.filter((watcher) => !now.has(watcher)).map((watcher) => watcher.act).concat(remember, layOutAll);
   document.body.setAttribute("aria-busy", "true");
   clearTimeout(timer);
   timer = setTimeout(next);

@@ -30,18 +30,38 @@ addEventListener("hashchange", () => {
 restore();
 document.documentElement.classList.add("alive");
 // Sections that are not near what is seen are left out, so that the page opens and answers at once. When there is
-// nothing else to do, each is laid out once and keeps its size: then nothing moves when one scrolls.
+// nothing else to do, each is laid out once, and the browser keeps its size: then nothing moves when one scrolls. In a
+// window of another width, and after a choice, sizes are others, and each is laid out once more.
 // Idle is what a busy page or one that is not seen may never be.
 const whenIdle = (act) => (window.requestIdleCallback ? requestIdleCallback(act, { timeout: 200 }) : setTimeout(act));
 const parts = [...document.querySelectorAll("main > section, main > .beside")];
+let left = null, wide = innerWidth;
 function layOut() {
-  const part = parts.shift();
-  if (!part) return document.documentElement.classList.remove("opening");
-  part.style.contentVisibility = "visible";
-  const own = getComputedStyle(part), around = [own.paddingTop, own.paddingBottom, own.borderTopWidth, own.borderBottomWidth];
-  const inside = around.reduce((tall, width) => tall - parseFloat(width), part.getBoundingClientRect().height);
-  part.style.containIntrinsicHeight = "auto " + inside + "px";
-  part.style.contentVisibility = "";
-  whenIdle(layOut);
+  const part = left.shift();
+  if (part) {
+    part.style.contentVisibility = "visible";
+    part.getBoundingClientRect();
+    return whenIdle(layOut);
+  }
+  left = null;
+  // Sizes are kept at the end of a frame. Where none comes, all stays laid out.
+  requestAnimationFrame(() => setTimeout(() => {
+    if (left) return;
+    for (const part of parts) part.style.contentVisibility = "";
+    atRest();
+  }));
+  setTimeout(() => left || atRest(), 500);
 }
-whenIdle(layOut);
+function atRest() {
+  document.documentElement.classList.remove("opening");
+}
+function layOutAll() {
+  document.documentElement.classList.add("opening");
+  if (!left) whenIdle(layOut);
+  left = [...parts];
+}
+addEventListener("resize", () => {
+  if (innerWidth !== wide) layOutAll();
+  wide = innerWidth;
+});
+layOutAll();
