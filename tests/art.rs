@@ -134,6 +134,7 @@ fn the_page_of_a_study_keeps_the_rules_in_light_and_in_dark() {
             ("figures", 10),
             ("breakAfter", 10),
             ("breakInside", 60),
+            ("heads", 4),
         ] {
             assert!(found["counts"][what].as_u64().unwrap_or(0) >= least, "{what}: {found}");
         }
@@ -171,6 +172,11 @@ fn broken_rules_are_seen() {
         ("little contrast", "--hue-0: #5360ff", "--hue-0: #b0b0ff"),
         ("series look alike", "stroke-dasharray=\"8 3\"", "stroke-dasharray=\"4 2\""),
         ("torn in print", "break-after: avoid", "break-after: auto"),
+        (
+            "a table's head is not repeated",
+            "button { display: contents",
+            "button { display: inline",
+        ),
         ("text leaves its frame", "text-anchor=\"end\"", "text-anchor=\"end\" dx=\"-60\""),
         ("few ticks", "class=\"tick\"", "class=\"other\""),
         ("a figure wastes the width", "class=\"alone\"", "class=\"left\""),

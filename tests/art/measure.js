@@ -180,7 +180,10 @@ function checkPrint(document) {
     }
   }
   for (const head of document.querySelectorAll("thead")) {
-    if (getComputedStyle(head).display !== "table-header-group") wrong("a table's head is not repeated", head.textContent);
+    // Chromium repeats no head with a button in it.
+    const buttons = [...head.querySelectorAll("button")].filter((button) => getComputedStyle(button).display !== "contents");
+    count("heads");
+    if (getComputedStyle(head).display !== "table-header-group" || buttons.length) wrong("a table's head is not repeated", head.textContent);
   }
 }
 
