@@ -52,11 +52,23 @@ fn a_case_is_filmed_only_where_it_comes_out_the_same() {
 
     assert!(told(&["wave_height_ratio=0.5"], 0).contains("the same to the bit"));
     let names = films(&out);
-    assert!(names.len() == 2 && names[0].ends_with(".html") && names[1].ends_with(".svg"));
+    let [furthest, page, crest] = &names[..] else { panic!("{names:?}") };
+    assert!(page.ends_with(".html") && crest.ends_with(".svg"), "{names:?}");
+    assert_eq!(*furthest, page.replace(".html", "-furthest.svg"));
+    let moment = |still: &str| {
+        let text = fs::read_to_string(out.join("films").join(still)).unwrap();
+        let words = text.split("X* = ").nth(1).unwrap().split('"').next().unwrap();
+        words.parse::<f64>().unwrap()
+    };
+    assert!(moment(furthest) > 2.0 * moment(crest), "the wall went on after the largest force");
+    let report = run(&["report", out.to_str().unwrap()]);
+    expect_code(&report, 0);
+    let report = fs::read_to_string(out.join("report.html")).unwrap();
+    assert_eq!(report.matches("class=\"still\"").count(), 2, "both stills are in the report");
     assert_eq!(results(&out), before, "a film changes no result");
 
     fs::remove_dir_all(out.join("films")).unwrap();
-    let history = out.join("histories").join(names[1].replace(".svg", ".csv"));
+    let history = out.join("histories").join(crest.replace(".svg", ".csv"));
     let text = fs::read_to_string(&history).unwrap();
     let line = text.lines().nth(100).unwrap();
     fs::write(&history, text.replacen(line, &format!("{line}1"), 1)).unwrap();
@@ -165,7 +177,7 @@ fn an_interrupted_film_is_made_by_the_same_command() {
     assert_eq!(child.wait().unwrap().code(), Some(3), "{rest:?}");
     assert!(films(&out).is_empty() && !out.join("films/reasons.csv").exists());
     expect_code(&run(&["sweep", file, "--out", path]), 0);
-    assert!(films(&out).len() == 2 && out.join("films/reasons.csv").exists());
+    assert!(films(&out).len() == 3 && out.join("films/reasons.csv").exists());
     assert_eq!(results(&out), before);
 }
 
@@ -200,7 +212,7 @@ fn cases_whose_numerics_were_chosen_are_filmed_verified_and_told() {
         ]);
         expect_code(&check, 0);
     }
-    assert_eq!(films(&out).len(), 4);
+    assert_eq!(films(&out).len(), 6);
     assert_eq!(results(&out), before);
     let mut again = fs::read_dir(out.join("histories")).unwrap().map(|entry| entry.unwrap());
     let is_there = |entry: &fs::DirEntry| {
@@ -240,7 +252,7 @@ fn a_run_is_filmed_also_when_it_is_finished() {
     let (file, out) = (write_file(root.path(), &text), root.path().join("out"));
     let arguments = ["run", file.to_str().unwrap(), "--out", out.to_str().unwrap(), "--film"];
     expect_code(&run(&arguments), 0);
-    let name = films(&out)[0].clone();
+    let name = films(&out)[1].clone();
     let page = fs::read(out.join("films").join(&name)).unwrap();
     assert!(page.len() < 400_000);
     fs::remove_dir_all(out.join("films")).unwrap();

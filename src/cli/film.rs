@@ -157,7 +157,7 @@ impl Set<'_> {
         };
         let (path, study) = (self.page(case), (self.study, self.records));
         if let Some(reason) = first_difference(self.directory, study, case, &result)? {
-            for path in [path.with_extension("svg"), path] {
+            for path in page(self.directory, self.colour).files(case.id) {
                 let _ = std::fs::remove_file(path); // it may not have been written
             }
             return Ok(Shot::Differs(reason));

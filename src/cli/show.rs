@@ -130,17 +130,18 @@ impl Row {
 /// The files of a case that are there.
 fn files(directory: &Path, id: &str) -> Vec<PathBuf> {
     let places = [
-        "histories/csv",
-        "probes/csv",
-        "readings/csv",
-        "envelopes/csv",
-        "waves/csv",
-        "films/html",
-        "films/svg",
-        "vtk/pvd",
+        "histories/.csv",
+        "probes/.csv",
+        "readings/.csv",
+        "envelopes/.csv",
+        "waves/.csv",
+        "films/.html",
+        "films/.svg",
+        "films/-furthest.svg",
+        "vtk/.pvd",
     ];
     let places = places.iter().filter_map(|place| place.split_once('/'));
-    let path = |(folder, ending)| directory.join(folder).join(format!("{id}.{ending}"));
+    let path = |(folder, ending)| directory.join(folder).join(format!("{id}{ending}"));
     places.map(path).filter(|path| path.is_file()).collect()
 }
 

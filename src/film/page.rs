@@ -7,7 +7,7 @@ use super::camera::{PageCamera, Take};
 use super::reel::Reel;
 use super::scale::{self, Colour};
 use super::stage::Stage;
-use super::title::{about, caption, title};
+use super::title::{about, moment, title};
 use super::{at, still};
 use crate::math::decimal::significant;
 use crate::scene::CaseConfig;
@@ -16,7 +16,11 @@ use crate::study::CaseId;
 
 /// A page of more particles than this would be too large to open.
 const MOST_PARTICLES: u64 = 300_000;
-/// Where a film goes, and what it shows: `<folder>/<case_id>.html` and `.svg`.
+/// A displacement that a still can show, in depths of the still water.
+const SEEN: f64 = 0.01;
+
+/// Where a film goes, and what it shows: `<folder>/<case_id>.html`, a still of the crest at the wall
+/// `.svg`, and one of the largest displacement `-furthest.svg` where the wall moves.
 #[derive(Debug, Clone)]
 pub struct PageFilm {
     /// What particles are coloured by.
@@ -50,7 +54,18 @@ impl PageFilm {
         self.folder.join(format!("{id}.html"))
     }
 
-    /// Writes the page and the still of one of the frames.
+    /// Every file that the film of a case may have.
+    pub fn files(&self, id: CaseId) -> [PathBuf; 3] {
+        let page = self.path(id);
+        [self.furthest(id), page.with_extension("svg"), page]
+    }
+
+    /// The still of the largest displacement.
+    fn furthest(&self, id: CaseId) -> PathBuf {
+        self.folder.join(format!("{id}-furthest.svg"))
+    }
+
+    /// Writes the page, the still of one of the frames, and that of the largest displacement.
     pub(super) fn write(
         &self,
         config: &CaseConfig,
@@ -58,15 +73,29 @@ impl PageFilm {
         takes: &[Take],
         crest: usize,
     ) -> io::Result<()> {
-        let Some(take) = takes.get(crest) else { return Ok(()) };
+        if takes.len() <= crest {
+            return Ok(());
+        }
         let stage = Stage::of(config, takes);
-        let page = self.path(CaseId::of(config));
+        let id = CaseId::of(config);
+        let page = self.path(id);
         let end = scale::end(takes.iter().flat_map(|take| &take.points).map(|point| point[2]));
-        let still = still::Still { stage: &stage, take, colour: self.colour, end };
-        let still = still.svg(&caption(config, take, result));
+        let draw = |take: &Take| {
+            let still = still::Still { stage: &stage, take, colour: self.colour, end };
+            still.svg(&title(config), &moment(config, take, result))
+        };
         fs::create_dir_all(&self.folder).map_err(at(&self.folder))?;
-        let picture = page.with_extension("svg");
-        fs::write(&picture, &still).map_err(at(&picture))?;
+        let mut stills = String::new();
+        let moments = [
+            (page.with_extension("svg"), Some(&takes[crest])),
+            (self.furthest(id), furthest(takes, stage.depth)),
+        ];
+        for (picture, take) in moments {
+            let Some(take) = take else { continue };
+            let still = draw(take);
+            fs::write(&picture, &still).map_err(at(&picture))?;
+            stills += &still;
+        }
         let reel = Reel { takes, crest, stage: &stage, end };
         let film = reel.json(&result.history).to_string().replace('<', "\\u003c");
         let (colour, unit, units) = self.colour.told();
@@ -81,7 +110,7 @@ impl PageFilm {
             ("{unit}", unit.to_owned()),
             ("{end}", significant(end / units, 3).to_string()),
             ("{gradient}", scale::colours().join(", ")),
-            ("{still}", still),
+            ("{still}", stills),
             ("{script}", concat!(include_str!("decode.js"), include_str!("page.js")).to_owned()),
             ("{film}", film),
         ];
@@ -92,6 +121,12 @@ impl PageFilm {
         fs::write(&partial, text).map_err(at(&partial))?;
         fs::rename(&partial, &page).map_err(at(&page))
     }
+}
+
+/// The first frame of the largest displacement, of walls that moved so far that it is seen.
+fn furthest(takes: &[Take], depth: f64) -> Option<&Take> {
+    let moved = takes.iter().filter(|take| take.walls[1] > SEEN * depth);
+    moved.reduce(|most, take| if take.walls[1] > most.walls[1] { take } else { most })
 }
 
 #[cfg(test)]
@@ -117,7 +152,11 @@ mod tests {
             .collect();
         let take = |k: i32| {
             let time_s = 0.1 * f64::from(k);
-            Take { time_s, walls: [0.01 * time_s, 0.0], points: points.clone() }
+            Take {
+                time_s,
+                walls: [0.01 * time_s, 0.02 * (3.0 - (time_s * 10.0 - 3.0).abs())],
+                points: points.clone(),
+            }
         };
         let takes: Vec<_> = (0..5).map(take).collect();
         film.write(&config, &made_up(&config), &takes, 2).unwrap();
@@ -126,6 +165,10 @@ mod tests {
             fs::read_to_string(film.path(CaseId::of(&config)).with_extension("svg")).unwrap();
         roxmltree::Document::parse(&still).unwrap();
         assert!(!still.contains("<script"));
+        let files = film.files(CaseId::of(&config)).map(|path| fs::read_to_string(path).unwrap());
+        assert!(files[0].contains(">t = 0.30 s, F* = "), "the largest displacement: {}", files[0]);
+        assert!(files[0].contains(", X* = ") && files[1].contains(">t = 0.20 s, F* = "));
+        assert_eq!(page.matches("class=\"still\"").count(), 2, "both where scripts are off");
         for word in ["http:", "https:", "<link", "@import", "url(", "src=", "{film}", "{still}"] {
             assert!(!page.replace("http://www.w3.org/2000/svg", "").contains(word), "{word}");
         }

@@ -11,7 +11,7 @@ use crate::math::decimal::significant;
 /// Units of the drawing across; a unit is a quarter of a pixel.
 const ACROSS: f64 = 3840.0;
 /// Above and under the water, for words and the scale, in units.
-const ABOVE: f64 = 180.0;
+const ABOVE: f64 = 260.0;
 const UNDER: f64 = 200.0;
 /// Grey of what is solid, on black and on white.
 const SOLID: &str = "#7c8790";
@@ -60,7 +60,7 @@ impl Sheet {
 
 impl Still<'_> {
     /// The drawing: the water at the wall, or all of it where there is no wall.
-    pub fn svg(&self, caption: &str) -> String {
+    pub fn svg(&self, title: &str, moment: &str) -> String {
         let whole = self.stage.whole;
         let view = self.stage.near.map_or(whole, |near| {
             let x0 = self.stage.length + self.take.walls[1] - near.x;
@@ -70,15 +70,17 @@ impl Still<'_> {
         let bottom = ABOVE + (view.y1 - view.y0) * scale;
         let sheet = Sheet { view, scale, bottom };
         let height = (bottom + UNDER).round();
-        let caption = caption.replace('&', "&amp;").replace('<', "&lt;");
+        let [title, moment] =
+            [title, moment].map(|words| words.replace('&', "&amp;").replace('<', "&lt;"));
         let mut text = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"still\" width=\"{}\" height=\"{}\" \
-             viewBox=\"0 0 {ACROSS} {height}\" role=\"img\" aria-label=\"{caption}\">\n<style>\n\
+             viewBox=\"0 0 {ACROSS} {height}\" role=\"img\" aria-label=\"{title}: {moment}\">\n<style>\n\
              .still {{ color: #1c2329; background: #ffffff; }}\n\
              @media (prefers-color-scheme: dark) {{ .still {{ color: #e4e9ed; background: #14181c; }} }}\n\
              .still text {{ font: 62px system-ui, \"DejaVu Sans\", sans-serif; fill: currentColor; }}\n\
              .still .stroke {{ fill: none; stroke: currentColor; stroke-width: 7; stroke-linejoin: round; }}\n\
-             </style>\n<text x=\"60\" y=\"110\">{caption}</text>\n",
+             </style>\n<text x=\"60\" y=\"95\">{title}</text>\n\
+             <text x=\"60\" y=\"200\">{moment}</text>\n",
             ACROSS / 4.0,
             (height / 4.0).round(),
         );
@@ -92,32 +94,44 @@ impl Still<'_> {
     }
 
     /// Particles as upright strokes, a path for each colour. Rows part where water is pushed up: under
-    /// the surface a particle is drawn tall, and taller where particles crowd beside it.
+    /// the surface a particle is drawn tall, and taller where particles crowd beside it. What would
+    /// reach over the surface is cut along it.
     fn water(&self, text: &mut String, sheet: &Sheet, tops: &Tops) {
         let spacing = self.stage.spacing;
         let breadth = (1.4 * spacing * sheet.scale).max(4.0).round();
+        let aside = 0.5 * breadth / sheet.scale;
         let _ = writeln!(text, "<g fill=\"none\" stroke-width=\"{breadth}\">");
-        let mut paths = vec![(String::new(), [0.0; 2]); scale::LEVELS];
+        let mut paths = vec![(String::new(), [0.0; 2], String::new()); scale::LEVELS];
         for &[x, y, value] in &self.take.points {
-            let (x, y) = (f64::from(x), f64::from(y));
-            if x < sheet.view.x0 - spacing || x > sheet.view.x1 || y > sheet.view.y1 {
+            let (place, y) = (f64::from(x), f64::from(y));
+            if place < sheet.view.x0 - spacing || place > sheet.view.x1 || y > sheet.view.y1 {
                 continue;
             }
-            let (down, up) = match tops.at(x) {
-                Some(top) if y <= top => {
-                    let half = 0.5 * tops.apart(x, y);
-                    (half, half.min(top - y))
+            let (path, from, cut) = &mut paths[scale::level(value, self.end).round() as usize];
+            let top = tops.at(place).filter(|top| y <= *top);
+            let half = top.map_or(0.6 * spacing, |_| 0.5 * tops.apart(place, y));
+            let (x, foot, head) = (sheet.x(place), sheet.y(y - half), sheet.y(y + half));
+            let sides = top.map(|top| {
+                [-aside, aside].map(|aside| sheet.y(tops.at(place + aside).unwrap_or(top)))
+            });
+            match sides {
+                Some([left, right]) if head < left.max(right) => {
+                    let (x, rise) = (x - 0.5 * breadth, right - left);
+                    let feet = [foot.max(left), foot.max(right)];
+                    let _ = write!(cut, "M{x} {}V{left}l{breadth} {rise}V{}z", feet[0], feet[1]);
                 }
-                _ => (0.6 * spacing, 0.6 * spacing),
-            };
-            let (foot, head) = ([sheet.x(x), sheet.y(y - down)], sheet.y(y + up));
-            let (path, from) = &mut paths[scale::level(value, self.end).round() as usize];
-            let _ = write!(path, "m{} {}v{}", foot[0] - from[0], foot[1] - from[1], head - foot[1]);
-            *from = [foot[0], head];
+                _ => {
+                    let _ = write!(path, "m{} {}v{}", x - from[0], foot - from[1], head - foot);
+                    *from = [x, head];
+                }
+            }
         }
-        for (colour, (path, _)) in scale::colours().iter().zip(&paths) {
+        for (colour, (path, _, cut)) in scale::colours().iter().zip(&paths) {
             if !path.is_empty() {
                 let _ = writeln!(text, "<path stroke=\"{colour}\" d=\"{path}\"/>");
+            }
+            if !cut.is_empty() {
+                let _ = writeln!(text, "<path fill=\"{colour}\" stroke=\"none\" d=\"{cut}\"/>");
             }
         }
         text.push_str("</g>\n");

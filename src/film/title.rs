@@ -1,4 +1,4 @@
-//! A film in words: the title of its page, and the caption of its still.
+//! A film in words: the title of its page, and what its stills show.
 
 use super::camera::Take;
 use crate::math::decimal::significant;
@@ -48,11 +48,15 @@ pub(super) fn about(config: &CaseConfig) -> String {
     format!("Case {}, particles {spacing} mm apart.", CaseId::of(config))
 }
 
-/// What stands over a still.
-pub(super) fn caption(config: &CaseConfig, take: &Take, result: &CaseResult) -> String {
+/// What a still shows: the time, and what was read then.
+pub(super) fn moment(config: &CaseConfig, take: &Take, result: &CaseResult) -> String {
     let row = |row: &&HistoryRow| (row.time_s - take.time_s).abs();
-    let near = result.history.iter().min_by(|a, b| row(a).total_cmp(&row(b)));
-    let told = near
-        .map_or_else(String::new, |row| format!(", F* = {:.2}, R* = {:.2}", row.force, row.runup));
-    format!("{}: t = {:.2} s{told}", title(config), take.time_s)
+    let mut told = format!("t = {:.2} s", take.time_s);
+    if let Some(row) = result.history.iter().min_by(|a, b| row(a).total_cmp(&row(b))) {
+        told += &format!(", F* = {:.2}, R* = {:.2}", row.force, row.runup);
+        if config.scene.seawall().is_some_and(|scene| scene.wall.moves()) {
+            told += &format!(", X* = {:.2}", row.displacement);
+        }
+    }
+    told
 }

@@ -94,10 +94,13 @@ impl Tops {
         Some(low + (along - bin as f64) * (high - low))
     }
 
-    /// The line through the tops.
+    /// The line through the tops, to the end of the last bin, which is the wall where it is upright.
     pub fn line(&self) -> Vec<[f64; 2]> {
         let points = self.heights.iter().enumerate();
-        points.filter_map(|(bin, top)| Some([self.middle(bin), (*top)?])).collect()
+        let mut line: Vec<_> =
+            points.filter_map(|(bin, top)| Some([self.middle(bin), (*top)?])).collect();
+        line.extend(line.last().map(|[x, top]| [x + 0.5 * BIN * self.spacing, *top]));
+        line
     }
 }
 

@@ -94,10 +94,10 @@ impl Loaded {
         self.directory.join("films").join(format!("{id}.html")).is_file()
     }
 
-    /// The text of a file of a case's film, `html` or `svg`.
+    /// The text of a file of a case's film: `.html`, `.svg` or `-furthest.svg`.
     pub(super) fn film(&self, row: &Row, ending: &str) -> Option<String> {
         let id = row.text(&summary::CASE_ID);
-        fs::read_to_string(self.directory.join("films").join(format!("{id}.{ending}"))).ok()
+        fs::read_to_string(self.directory.join("films").join(format!("{id}{ending}"))).ok()
     }
 
     /// Rows of cases that failed.

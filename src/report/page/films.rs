@@ -1,4 +1,4 @@
-//! The films of a study: a still of each, a link to its page, and the film itself inside this page
+//! The films of a study: stills of each, a link to its page, and the film itself inside this page
 //! as long as that stays small.
 
 use std::collections::HashMap;
@@ -42,18 +42,21 @@ fn reasons(directory: &Path) -> Result<HashMap<String, String>, ReportError> {
     Ok(records.iter().filter_map(told).collect())
 }
 
-/// The still, what is seen and why it was filmed, and the film for the script.
+/// The stills, what is seen and why it was filmed, and the film for the script.
 fn figure(data: &Loaded, row: &Row, reason: Option<&String>, room: &mut usize) -> String {
     let id = escape(row.text(&CASE_ID));
     let words = Some(row.words()).filter(|words| !words.is_empty());
     let words = words.map_or_else(|| id.clone(), |words| escape(&words));
     let why = reason.map_or_else(String::new, |reason| format!(" ({})", escape(reason)));
-    let page = data.film(row, "html").unwrap_or_default();
+    let page = data.film(row, ".html").unwrap_or_default();
     let film = embedded(&page, &id, room);
-    let still = data.film(row, "svg").unwrap_or_default();
-    let still = still.find("<svg").map_or("", |start| &still[start..]);
+    let stills: String = [".svg", "-furthest.svg"]
+        .iter()
+        .filter_map(|ending| data.film(row, ending))
+        .map(|still| still.find("<svg").map_or(String::new(), |start| still[start..].to_owned()))
+        .collect();
     format!(
-        "<figure class=\"film\" data-film=\"{id}\"><div class=\"poster\">{still}</div>\
+        "<figure class=\"film\" data-film=\"{id}\"><div class=\"poster\">{stills}</div>\
          <figcaption>{words}{why} <a href=\"films/{id}.html\">films/{id}.html</a></figcaption>\
          {film}</figure>\n"
     )
