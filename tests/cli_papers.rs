@@ -75,8 +75,11 @@ fn a_figure_of_liang_is_made_and_made_again_without_a_run() {
     assert!(told(&again).contains("is finished"), "{}", told(&again));
     assert_eq!(before, files.map(|file| fs::read(file).unwrap()));
 
-    let in_words = run(&[&figure[..], &["--set", set]].concat());
+    let in_words = run(&[&figure[..], &["--set", set, "--figures", "pdf,png"]].concat());
     expect_code(&in_words, 0);
+    for name in ["figure-9-84mm-1.pdf", "figure-9-174mm.pdf", "figure-9-174mm.png"] {
+        assert!(out.join(name).is_file(), "{name} of {:?}", fs::read_dir(&out).unwrap());
+    }
     let text = String::from_utf8_lossy(&in_words.stdout).into_owned();
     let table = text.split("✗: not met").next().unwrap();
     assert!(table.lines().all(|line| line.chars().count() <= 80), "{table}");
@@ -234,7 +237,7 @@ fn what_cannot_be_compared_is_told() {
     let nowhere = root.path().join("nowhere");
     let missing = run(&["compare", &one, nowhere.to_str().unwrap()]);
     expect_code(&missing, 2);
-    assert!(told(&missing).contains("holds no summary.csv"), "{}", told(&missing));
+    assert!(told(&missing).contains("nowhere: no such directory"), "{}", told(&missing));
     let file = root.path().join("one/sweep.toml");
     let unwritable = run(&["compare", &one, &one, "--out", file.to_str().unwrap()]);
     expect_code(&unwritable, 2);

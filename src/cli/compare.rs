@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::SUCCESS;
 use super::failure::BadInput;
+use super::input::demand_output_of_study;
 use super::output::{Output, short};
 use super::shown;
 use super::table::Table;
@@ -40,10 +41,7 @@ const ROWS: usize = 10;
 pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<u8> {
     let directories = [args.first.as_path(), args.second.as_path()];
     for directory in directories {
-        if !directory.join("summary.csv").is_file() {
-            let reason = "holds no summary.csv: not the output directory of a sweep";
-            return Err(BadInput(format!("{}: {reason}", directory.display())).into());
-        }
+        demand_output_of_study(directory, "summary.csv")?;
     }
     let comparison = compare(directories).map_err(|error| BadInput(error.to_string()))?;
     if comparison.pairs.is_empty() {

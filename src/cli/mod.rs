@@ -20,6 +20,7 @@ mod failure;
 mod film;
 mod films;
 mod find;
+mod formats;
 mod glossary;
 mod highlights;
 mod init;

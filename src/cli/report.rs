@@ -3,14 +3,15 @@
 use std::io::ErrorKind;
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use serde_json::json;
 
 use super::failure::BadInput;
+use super::formats::{FigureFormat, for_print};
 use super::input::demand_output_of_study;
 use super::output::Output;
 use super::{SUCCESS, shown, stored};
-use crate::report::{Froude, Print, ReportError};
+use crate::report::{Froude, ReportError};
 use crate::results::{
     Closing, Lock, Manifest, Verified, renew_summary, verify, write_all_histories,
 };
@@ -32,31 +33,9 @@ pub(super) struct ReportArgs {
     froude_scale: Option<Froude>,
 }
 
-/// SVG files are always written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum FigureFormat {
-    Svg,
-    Pdf,
-    Png,
-}
-
-impl FigureFormat {
-    fn print(self) -> Option<Print> {
-        match self {
-            FigureFormat::Svg => None,
-            FigureFormat::Pdf => Some(Print::Pdf),
-            FigureFormat::Png => Some(Print::Png),
-        }
-    }
-}
-
 pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     demand_output_of_study(&args.dir, "summary.csv")?;
-    let formats: Vec<_> = args.figures.iter().filter_map(|format| format.print()).collect();
-    if let Some(format) = formats.first().filter(|_| !Print::BUILT) {
-        let reason = "this build of seawall writes svg alone: build it with --features print";
-        return Err(BadInput(format!("--figures {}: {reason}", format.ending())).into());
-    }
+    let formats = for_print(&args.figures)?;
     let closing = Closing::read(&args.dir);
     if closing.is_none() {
         renew(args, output)?;

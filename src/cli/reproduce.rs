@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::execute::on_threads;
 use super::failure::BadInput;
+use super::formats::{FigureFormat, for_print};
 use super::input::Setting;
 use super::job::Job;
 use super::keep::EVERY_S;
@@ -25,7 +26,7 @@ use crate::study::{Study, SweepFile};
 #[command(after_help = "Examples:
   seawall reproduce --list
   seawall reproduce liang2017 --figure 12
-  seawall reproduce huang2019 --figure 9
+  seawall reproduce huang2019 --figure 9 --figures pdf
   seawall reproduce liang2017 --figure 13 --set numerics.particle_spacing_m=0.016 --out results/runs/coarse13
 
 The files of the runs are inside the program. A run that was broken off goes on; figures that need the same
@@ -43,6 +44,9 @@ pub(super) struct ReproduceArgs {
     /// Where figures and runs go [default: results/runs/reproduce_<paper>].
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Formats of the figure, such as svg,pdf. PDF and PNG come in a journal's widths of 84 and 174 mm.
+    #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMAT", default_value = "svg")]
+    figures: Vec<FigureFormat>,
     /// Threads [default: all, and 1 for a figure of computing times].
     #[arg(long, value_name = "N", value_parser = numbers::threads(), allow_negative_numbers = true)]
     threads: Option<u16>,
@@ -72,6 +76,7 @@ pub(super) fn main(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> 
             format!("{} of {} is not made: {}", recipe.title(), recipe.paper, recipe.why_not);
         return Err(BadInput(reason).into());
     }
+    let formats = for_print(&args.figures)?;
     let studies: Vec<_> =
         recipe.run.iter().map(|run| study(run, &args.settings)).collect::<Result<_, _>>()?;
     let default = || Path::new("results").join("runs").join(format!("reproduce_{}", recipe.paper));
@@ -94,7 +99,10 @@ pub(super) fn main(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> 
         directories.push(job.out);
     }
     let made = crate::report::reproduce::reproduce(recipe, &directories)?;
-    let files = write(&out, &made)?;
+    let mut files = write(&out, &made)?;
+    for format in formats {
+        files.extend(crate::report::print_figure(&made.figure, format, &out)?);
+    }
     let mut text = told(&made);
     for file in &files {
         text.push_str(&format!("{}\n", file.display()));

@@ -142,6 +142,20 @@ pub fn print(out_dir: &Path, format: Print) -> Result<Vec<PathBuf>, ReportError>
     Ok(paths)
 }
 
+/// Writes one figure for print into a directory, and returns the files' paths; none where the program was
+/// built without.
+#[cfg_attr(not(feature = "print"), expect(unused_variables))]
+pub fn print_figure(
+    figure: &Figure,
+    format: Print,
+    directory: &Path,
+) -> Result<Vec<PathBuf>, ReportError> {
+    #[cfg(feature = "print")]
+    return export::write(figure, format, directory);
+    #[cfg(not(feature = "print"))]
+    Ok(Vec::new())
+}
+
 fn make(directory: &Path) -> Result<(), ReportError> {
     let wrong = |source| ReportError::Write { path: directory.to_owned(), source };
     fs::create_dir_all(directory).map_err(wrong)

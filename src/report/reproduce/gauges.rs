@@ -51,7 +51,7 @@ pub fn drawing(
         let (mut curves, mut reach) = (Vec::new(), Vec::new());
         for (case, word) in cases.iter().zip(&words) {
             let points = case.points(name, column);
-            reach.extend(lasting(&points));
+            reach.extend(if measured { bulk(&points) } else { lasting(&points) });
             let look = Look::of(order.iter().position(|other| *other == word).unwrap_or(0));
             let points = thin(&points).into_iter().map(Point::from).collect();
             let key = format!("case={}", case.row.text(&CASE_ID));
@@ -80,7 +80,8 @@ pub fn drawing(
     let size = if columns == 2 { (390.0, 210.0) } else { (640.0, 250.0) };
     let layout = Layout { columns, size };
     let beside = if measured {
-        " Measured: Buchner 2002, digitised, at 0.2 H by some sources and 0.267 H by others."
+        " Measured: Buchner 2002, digitised, at 0.2 H by some sources and 0.267 H by others. \
+         The highest and the lowest hundredth of a curve may leave the panel."
     } else {
         ""
     };
@@ -121,6 +122,14 @@ fn thin(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     points.iter().copied().step_by(points.len().div_ceil(MOST).max(1)).collect()
 }
 
+/// Without the highest and the lowest hundredth: an impact would squash what was measured.
+fn bulk(points: &[(f64, f64)]) -> Vec<f64> {
+    let mut values: Vec<f64> = points.iter().map(|point| point.1).collect();
+    values.sort_by(f64::total_cmp);
+    let aside = values.len() / 100;
+    values[aside..values.len() - aside].to_vec()
+}
+
 fn at_rest(level: f64, curves: &[Curve]) -> Curve {
     let times = curves.iter().flat_map(|curve| &curve.points).map(|point| point.x);
     let (low, high) = times.fold((f64::MAX, f64::MIN), |(l, h), t| (l.min(t), h.max(t)));
@@ -140,6 +149,14 @@ fn measurements() -> Curve {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn an_impact_leaves_the_panel() {
+        let mut points: Vec<_> = (0..200).map(|k| (f64::from(k), 1.0)).collect();
+        (points[50].1, points[60].1) = (9.0, -9.0);
+        assert_eq!(bulk(&points), [1.0; 196]);
+        assert_eq!(bulk(&points[..1]), [1.0]);
+    }
 
     #[test]
     fn the_measurements_are_read() {

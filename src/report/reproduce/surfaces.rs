@@ -63,7 +63,7 @@ pub fn drawing(
     let beside = if first_order { " Beside it the first-order solitary wave." } else { "" };
     let caption = format!(
         "The surface over still water, at times on the papers' clock. It is read at the gauges \
-         and at the wall (markers), with straight lines between.{beside}"
+         and at the wall (markers), with straight lines between. The upright line is the wall.{beside}"
     );
     Ok(drawn(charts, layout, caption))
 }
