@@ -52,7 +52,9 @@ pub(super) fn exit_code(result: anyhow::Result<u8>, launcher: Launcher, as_json:
 
 /// Tells a command line that was not understood to a program that reads JSON.
 pub(super) fn print_usage(message: &str) {
-    let lines = message.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:"));
+    let lines = message.lines().map(str::trim).take_while(|line| {
+        !line.starts_with("Usage:") && !line.starts_with("For more information")
+    });
     let words: Vec<_> = lines.filter(|line| !line.is_empty()).collect();
     let message = words.join(" ");
     let message = message.trim_start_matches("error: ");

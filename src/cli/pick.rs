@@ -68,7 +68,10 @@ fn keep_with_value(
     let path = wanted.path();
     let key = path.rsplit('.').next().unwrap_or_default();
     let Some(place) = keys.iter().position(|swept| swept == key) else {
-        return Err(BadInput(ConfigError::unknown(&path, keys).to_string()));
+        let told = ConfigError::unknown(&path, keys).to_string();
+        let is_near = told.contains("did you mean") || keys.is_empty();
+        let swept = format!("; this study sweeps {}", keys.join(", "));
+        return Err(BadInput(told + if is_near { "" } else { &swept }));
     };
     let values = values(fitting, place);
     fitting.retain(|choice| {
@@ -133,6 +136,9 @@ pub(super) mod tests {
         );
         let told = pick(&["stiffness=10"]).unwrap_err();
         assert_eq!(told, "stiffness: unknown key; did you mean spring_stiffness_n_per_m?");
+        let told = pick(&["k=10"]).unwrap_err();
+        let swept = "wave_height_ratio, spring_stiffness_n_per_m";
+        assert_eq!(told, format!("k: unknown key; this study sweeps {swept}"));
         let told = pick(&["wave_height_ratio=0.4"]).unwrap_err();
         assert_eq!(told, "wave_height_ratio=0.4: no such case; there is 0.3, 0.5");
         assert!(pick(&["0123456789abcdef"]).is_err());

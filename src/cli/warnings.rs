@@ -5,8 +5,9 @@ use std::path::Path;
 
 use super::cost::time_of_all;
 use super::output::{Output, duration};
+use crate::math::decimal::significant;
 use crate::results::counted;
-use crate::scene::odd_values;
+use crate::scene::{SeawallScene, odd_values};
 use crate::simulation::{Cost, cost};
 use crate::study::{Case, Study};
 
@@ -55,12 +56,17 @@ fn long(study: &Study) -> Option<String> {
     let longest = study.cases.iter().max_by_key(|case| cost(&case.config).steps)?;
     let (frame, numerics) = (longest.config.scene.frame(), &longest.config.numerics);
     let steps = (frame.end_time - longest.config.scene.start_s()) / frame.time_step(numerics);
+    let is_told = |scene: &SeawallScene| scene.end_time_s.is_some();
+    let ends = match longest.config.scene.seawall().is_none_or(is_told) {
+        true => "end_time_s",
+        false => "end_after_stroke_centre_s",
+    };
     Some(format!(
         "takes about {} on {}: the longest case ends at {} s, after {steps:.1e} steps, with particles \
-         {} m apart (scene.end_time_s, numerics.particle_spacing_m)",
+         {} m apart (scene.{ends}, numerics.particle_spacing_m)",
         duration(seconds),
         counted(cores, "core"),
-        frame.end_time,
+        significant(frame.end_time, 6),
         numerics.particle_spacing_m
     ))
 }

@@ -53,10 +53,12 @@ pub fn hint(word: &str, known: &[impl AsRef<str>]) -> String {
 
 /// The known word that is most like a word, and how much it is.
 fn ranked<'a>(word: &str, known: &'a [impl AsRef<str>]) -> Option<(f64, &'a str)> {
+    let word = word.to_lowercase();
     let likeness = |known: &str| {
         // A part of the right word, such as `stiffness`, is near however long the rest.
-        let part = if word.len() >= 4 && known.contains(word) { 0.9 } else { 0.0 };
-        strsim::jaro_winkler(word, known).max(part)
+        let known = known.to_lowercase();
+        let part = if word.len() >= 4 && known.contains(&word) { 0.9 } else { 0.0 };
+        strsim::jaro_winkler(&word, &known).max(part)
     };
     let all = known.iter().map(AsRef::as_ref);
     all.map(|known| (likeness(known), known)).max_by(|a, b| a.0.total_cmp(&b.0))
@@ -73,6 +75,7 @@ mod tests {
             ("spring_stifness_n_per_m", "spring_stiffness_n_per_m"),
             ("stiffness", "spring_stiffness_n_per_m"),
             ("wal", "wall"),
+            ("Wall", "wall"),
         ] {
             assert_eq!(hint(word, &known), format!("; did you mean {nearest}?"));
         }

@@ -19,6 +19,15 @@ const OTHERS: [(&str, &str, f64); 8] = [
 pub(super) fn advice(text: &str, unit: &str) -> Option<String> {
     let (number, rest) = split(text)?;
     let has_unit = format!("the unit, {unit}, is in the key");
+    if let Some(to) = rest.strip_prefix("to ").and_then(|rest| rest.trim().parse::<f64>().ok()) {
+        return Some(format!(
+            "a range stands in [grid] and says how many values it has: {{ from = {number}, to = {to}, points = 5 }}"
+        ));
+    }
+    if unit.is_empty() && rest == "%" {
+        let share = significant(number / 100.0, 15);
+        return Some(format!("write {share}: this number is a ratio, no percentage"));
+    }
     if unit.is_empty() {
         return Some(format!("write {number} alone: this number has no unit"));
     }
@@ -62,6 +71,8 @@ mod tests {
         );
         assert!(told("12 ft", "m").starts_with("write a number of m alone"));
         assert_eq!(told("0.3 h", ""), "write 0.3 alone: this number has no unit");
+        assert_eq!(told("50%", ""), "write 0.5: this number is a ratio, no percentage");
+        assert!(told("0.3 to 0.5", "").ends_with("{ from = 0.3, to = 0.5, points = 5 }"));
         assert!(told("7", "s").starts_with("write 7, without quotes"));
         for word in ["high", "", "nan m", "inf"] {
             assert_eq!(told(word, "m"), "", "{word}");

@@ -72,6 +72,14 @@ fn end(config: &CaseConfig) -> Option<ConfigError> {
 fn interval(config: &CaseConfig) -> Option<ConfigError> {
     let frame = config.scene.frame();
     let (interval, step) = (frame.history_interval, frame.time_step(&config.numerics));
+    let run = frame.end_time - config.scene.start_s();
+    if interval >= run {
+        let told = format!(
+            "is as long as the run, {:.3} s, or longer: the history has no line between its start and its end",
+            run
+        );
+        return warning("history_interval_s", interval, told);
+    }
     let told = format!(
         "is much shorter than a time step ({step:.1e} s): every step is sampled, which is slow, and the \
          history has some {:.0} lines",
@@ -122,7 +130,10 @@ mod tests {
                 "history_interval_s = 1e-9",
                 "scene.history_interval_s = 0.000000001: is much shorter",
             ),
-            ("end_time_s = 1e-308", "scene.end_time_s = 0.000000"),
+            (
+                "history_interval_s = 100",
+                "scene.history_interval_s = 100: is as long as the run, 3.",
+            ),
             (
                 &format!("{movable}\nthreshold_ratio = 0.5"),
                 "scene.threshold_ratio = 0.5: still water alone presses with 1",
@@ -131,5 +142,6 @@ mod tests {
             let all = odd(scene);
             assert!(all.len() == 1 && all[0].starts_with(told), "{all:?}");
         }
+        assert!(odd("end_time_s = 1e-308")[1].starts_with("scene.end_time_s = 0.000000"));
     }
 }

@@ -33,7 +33,9 @@ pub(super) fn validate(scene: &Scene, numerics: &Numerics) -> Result<(), ConfigE
         whole(count),
         whole(MOST_PARTICLES)
     );
-    Err(ConfigError::new("numerics.particle_spacing_m", numerics.particle_spacing_m, allowed))
+    let spacing = numerics.particle_spacing_m;
+    let written = if spacing < 1e-6 { format!("{spacing:e}") } else { spacing.to_string() };
+    Err(ConfigError::new("numerics.particle_spacing_m", written, allowed))
 }
 
 /// Refuses more steps than anybody waits for.
@@ -52,6 +54,9 @@ fn demand_an_end(scene: &Scene, numerics: &Numerics) -> Result<(), ConfigError> 
 
 /// A count in groups of three digits, or with an exponent where nobody would read them all.
 fn whole(count: f64) -> String {
+    if count.is_infinite() {
+        return "uncountably many".to_owned();
+    }
     if count >= 1e12 {
         return format!("{count:.1e}");
     }
@@ -95,6 +100,8 @@ mod tests {
         for scene in scenes {
             for spacing in ["1e-300", "0.00001"] {
                 let told = case(scene, spacing).unwrap_err();
+                assert_eq!(told.value, spacing);
+                assert!(!told.allowed.contains("inf"), "{told}");
                 assert_eq!(told.key, "numerics.particle_spacing_m");
                 let words: Vec<_> = told.allowed.split(' ').collect();
                 let smallest = words[words.len() - 4];

@@ -10,8 +10,18 @@ pub(super) fn syntax_error(text: &str, error: &toml::de::Error) -> ConfigError {
     let place = format!("line {line}");
     text.lines()
         .nth(line - 1)
-        .and_then(|line| number_with_more(&place, line))
+        .and_then(|line| number_with_more(&place, line).or_else(|| number_with_comma(&place, line)))
         .unwrap_or_else(|| ConfigError::new(&place, "", message))
+}
+
+/// A comma within a number, which others put before decimals or between thousands.
+fn number_with_comma(place: &str, line: &str) -> Option<ConfigError> {
+    let (name, value) = line.split_once('=')?;
+    let (name, value) = (name.trim(), value.split('#').next()?.trim());
+    let mut parts = value.split(',');
+    let is_one = value.contains(',') && parts.all(|part| part.parse::<f64>().is_ok());
+    let told = "has a comma: write decimals with a point, as in 0.5, and thousands without a mark";
+    is_one.then(|| ConfigError::new(&format!("{place}: {name}"), value, told))
 }
 
 /// A number with its unit, which TOML does not know, is told as that.
