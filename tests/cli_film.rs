@@ -57,10 +57,12 @@ fn a_case_is_filmed_only_where_it_comes_out_the_same() {
     assert_eq!(*furthest, page.replace(".html", "-furthest.svg"));
     let moment = |still: &str| {
         let text = fs::read_to_string(out.join("films").join(still)).unwrap();
-        let words = text.split("X* = ").nth(1).unwrap().split('"').next().unwrap();
+        let words = text.split("X* = ").nth(1).unwrap().split([' ', '"']).next().unwrap();
         words.parse::<f64>().unwrap()
     };
     assert!(moment(furthest) > 2.0 * moment(crest), "the wall went on after the largest force");
+    let still = fs::read_to_string(out.join("films").join(furthest)).unwrap();
+    assert!(still.contains("(dashed: 0)") && still.contains("stroke-dasharray"), "where it stood");
     let report = run(&["report", out.to_str().unwrap()]);
     expect_code(&report, 0);
     let report = fs::read_to_string(out.join("report.html")).unwrap();

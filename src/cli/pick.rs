@@ -3,6 +3,7 @@
 use std::str::FromStr;
 
 use super::failure::BadInput;
+use crate::quantities::summary::meant_by;
 use crate::results::counted;
 use crate::scene::ConfigError;
 use crate::study::{Assignments, Case, Override, Study};
@@ -70,8 +71,9 @@ fn keep_with_value(
     let Some(place) = keys.iter().position(|swept| swept == key) else {
         let told = ConfigError::unknown(&path, keys).to_string();
         let is_near = told.contains("did you mean") || keys.is_empty();
-        let swept = format!("; this study sweeps {}", keys.join(", "));
-        return Err(BadInput(told + if is_near { "" } else { &swept }));
+        let swept = || format!("; this study sweeps {}", keys.join(", "));
+        let help = if is_near { String::new() } else { meant_by(key).unwrap_or_else(swept) };
+        return Err(BadInput(told + &help));
     };
     let values = values(fitting, place);
     fitting.retain(|choice| {
@@ -137,8 +139,10 @@ pub(super) mod tests {
         let told = pick(&["stiffness=10"]).unwrap_err();
         assert_eq!(told, "stiffness: unknown key; did you mean spring_stiffness_n_per_m?");
         let told = pick(&["k=10"]).unwrap_err();
+        assert_eq!(told, "k: unknown key; did you mean spring_stiffness_n_per_m?");
+        let told = pick(&["colour=10"]).unwrap_err();
         let swept = "wave_height_ratio, spring_stiffness_n_per_m";
-        assert_eq!(told, format!("k: unknown key; this study sweeps {swept}"));
+        assert_eq!(told, format!("colour: unknown key; this study sweeps {swept}"));
         let told = pick(&["wave_height_ratio=0.4"]).unwrap_err();
         assert_eq!(told, "wave_height_ratio=0.4: no such case; there is 0.3, 0.5");
         assert!(pick(&["0123456789abcdef"]).is_err());

@@ -13,6 +13,8 @@ const ACROSS: f64 = 3840.0;
 /// Above and under the water, for words and the scale, in units.
 const ABOVE: f64 = 260.0;
 const UNDER: f64 = 200.0;
+/// Width of lines, in units.
+const STROKE: f64 = 7.0;
 /// Grey of what is solid, on black and on white.
 const SOLID: &str = "#7c8790";
 
@@ -70,15 +72,16 @@ impl Still<'_> {
         let bottom = ABOVE + (view.y1 - view.y0) * scale;
         let sheet = Sheet { view, scale, bottom };
         let height = (bottom + UNDER).round();
-        let [title, moment] =
-            [title, moment].map(|words| words.replace('&', "&amp;").replace('<', "&lt;"));
+        let dashed = self.rest(&sheet).map_or("", |_| " (dashed: 0)");
+        let [title, moment] = [title, &format!("{moment}{dashed}")]
+            .map(|words| words.replace('&', "&amp;").replace('<', "&lt;"));
         let mut text = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"still\" width=\"{}\" height=\"{}\" \
              viewBox=\"0 0 {ACROSS} {height}\" role=\"img\" aria-label=\"{title}: {moment}\">\n<style>\n\
              .still {{ color: #1c2329; background: #ffffff; }}\n\
              @media (prefers-color-scheme: dark) {{ .still {{ color: #e4e9ed; background: #14181c; }} }}\n\
              .still text {{ font: 62px system-ui, \"DejaVu Sans\", sans-serif; fill: currentColor; }}\n\
-             .still .stroke {{ fill: none; stroke: currentColor; stroke-width: 7; stroke-linejoin: round; }}\n\
+             .still .stroke {{ fill: none; stroke: currentColor; stroke-width: {STROKE}; stroke-linejoin: round; }}\n\
              </style>\n<text x=\"60\" y=\"95\">{title}</text>\n\
              <text x=\"60\" y=\"200\">{moment}</text>\n",
             ACROSS / 4.0,
@@ -140,6 +143,11 @@ impl Still<'_> {
     fn solids(&self, text: &mut String, sheet: &Sheet, tops: &Tops) {
         let (stage, view) = (self.stage, sheet.view);
         sheet.line(text, &tops.line());
+        if let Some(rest) = self.rest(sheet) {
+            let dashes = "class=\"stroke\" stroke-dasharray=\"40 30\"";
+            let points = sheet.points(&[[rest, 0.0], [rest, self.stage.tall]]);
+            let _ = writeln!(text, "<polyline {dashes} points=\"{points}\"/>");
+        }
         let (bed, top, thick) = (0.0, stage.tall, 0.12 * stage.depth);
         let (left, right) = (self.take.walls[0], stage.length + self.take.walls[1]);
         let (x0, x1, y0) = (view.x0, view.x1, view.y0);
@@ -163,6 +171,13 @@ impl Still<'_> {
         if stage.wall == WallKind::Spring {
             self.spring(text, sheet, right + thick);
         }
+    }
+
+    /// Where the wall stood, once it has left by more than a line is wide.
+    fn rest(&self, sheet: &Sheet) -> Option<f64> {
+        let (rest, wall) = (self.stage.length, self.stage.length + self.take.walls[1]);
+        let is_apart = sheet.x(wall) - sheet.x(rest) > STROKE;
+        (self.stage.wall != WallKind::None && rest > sheet.view.x0 && is_apart).then_some(rest)
     }
 
     fn spring(&self, text: &mut String, sheet: &Sheet, from: f64) {
