@@ -85,10 +85,10 @@ impl PageFilm {
             still.svg(&title(config), &moment(config, take, result))
         };
         fs::create_dir_all(&self.folder).map_err(at(&self.folder))?;
-        let mut stills = String::new();
+        let (mut stills, crest_s) = (String::new(), takes[crest].time_s);
         let moments = [
             (page.with_extension("svg"), Some(&takes[crest])),
-            (self.furthest(id), furthest(takes, stage.depth)),
+            (self.furthest(id), furthest(takes, stage.depth).filter(|take| take.time_s != crest_s)),
         ];
         for (picture, take) in moments {
             let Some(take) = take else { continue };

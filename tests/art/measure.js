@@ -171,13 +171,17 @@ function checkWidth(document) {
 
 // With the rules of print in force: nothing that belongs together is torn apart.
 function checkPrint(document) {
-  const rules = [["h1, h2, h3, ul.legend", "breakAfter"], ["tr, ul.legend, .panels svg", "breakInside"]];
+  const rules = [["h1, h2, h3, ul.legend", "breakAfter"], ["h1, h2, h3, tr, ul.legend, .panels svg", "breakInside"]];
   for (const [selector, rule] of rules) {
     for (const element of document.querySelectorAll(selector)) {
       count(rule);
       const value = getComputedStyle(element)[rule];
       if (!value.startsWith("avoid")) wrong("torn in print", `${element.tagName} has ${rule}: ${value}`);
     }
+  }
+  for (const heading of document.querySelectorAll("main > section > h2")) {
+    const room = parseFloat(getComputedStyle(heading, "::after").height);
+    if (!(room > 4 * parseFloat(getComputedStyle(heading).fontSize))) wrong("a heading may stand alone", heading.textContent);
   }
   for (const head of document.querySelectorAll("thead")) {
     // Chromium repeats no head with a button in it.

@@ -26,8 +26,9 @@ pub fn films(data: &Loaded, mut room: usize) -> Result<Option<String>, ReportErr
     let mut one = |row: &&Row| figure(data, row, reasons.get(row.text(&CASE_ID)), &mut room);
     let figures: String = filmed.iter().map(&mut one).collect();
     Ok(Some(format!(
-        "<p class=\"scripted\">Press Play to see the water move; the arrow keys then go from frame to \
-         frame.</p>\n<div class=\"films\">{figures}</div>"
+        "<p>The water under the largest force and, where the wall went on, at its largest displacement. \
+         <span class=\"scripted\">Press Play to see it move; the arrow keys then go from frame to \
+         frame.</span></p>\n<div class=\"films\">{figures}</div>"
     )))
 }
 

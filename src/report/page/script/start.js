@@ -44,13 +44,15 @@ function layOut() {
     return whenIdle(layOut);
   }
   left = null;
-  // Sizes are kept at the end of a frame. Where none comes, all stays laid out.
-  requestAnimationFrame(() => setTimeout(() => {
-    if (left) return;
+  // Sizes are kept at the end of a frame, and what is near is found in the next one. Where none comes, all stays laid out.
+  afterFrame(() => {
     for (const part of parts) part.style.contentVisibility = "";
-    atRest();
-  }));
-  setTimeout(() => left || atRest(), 500);
+    afterFrame(atRest);
+  });
+  setTimeout(() => left || atRest(), 2000);
+}
+function afterFrame(act) {
+  requestAnimationFrame(() => setTimeout(() => left || act()));
 }
 function atRest() {
   document.documentElement.classList.remove("opening");
