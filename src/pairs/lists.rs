@@ -116,10 +116,10 @@ impl Pairs {
 
     /// Sorts the water anew and takes along what belongs to its particles: fields, and fields of two
     /// numbers each.
-    pub fn sort<const N: usize>(
+    pub fn sort<'a>(
         &mut self,
         fluid: &mut Fluid,
-        fields: [&mut Vec<f64>; N],
+        fields: impl IntoIterator<Item = &'a mut Vec<f64>>,
         doubles: &mut [[f64; 2]],
         offsets: impl Iterator<Item = f64>,
     ) {

@@ -145,13 +145,18 @@ section! {
         /// Kernel gradients corrected to first order, in the pair of forms that conserves momentum
         /// and energy; off in both papers.
         corrected_gradients: bool = true, weakly(plain()).label("gradient correction");
+        /// The correction of a full step comes from the step before. This takes it on to the present, as
+        /// far as it has changed in that step. Trains have it by default.
+        extrapolated_correction: bool = false, weakly(plain()).newer();
         /// Density diffusion.
         density_diffusion: DensityDiffusion = DensityDiffusion::Hydrostatic, weakly(plain());
-        /// δ of Huang et al. 2019, Eq. 5.
+        /// δ of Huang et al. 2019, Eq. 5. Trains have 0.03 by default.
         density_diffusion_coefficient: f64 = 0.1, weakly(plain().within(0.0, 1.0))
             .read_where("density_diffusion", &["renormalised", "hydrostatic", "molteni"]).label("δ");
         /// α of Huang et al. 2019, Eq. 5. With 4 spacings by default 0.1.
         artificial_viscosity: f64 = 0.08, plain().within(0.0, 1.0).label("viscosity");
+        /// Artificial viscosity acts only on pairs that lose energy by it. Trains have it off by default.
+        limited_viscosity: bool = true, weakly(plain()).newer();
         /// Particle shifting. Trains have `deep` by default.
         shifting: Shifting = Shifting::Interior, plain();
         /// Strength A of the shifting. With 4 spacings by default 0.25.

@@ -110,6 +110,10 @@ impl Numerics {
             self.boundary = BoundaryChoice::Normalized;
             self.shifting = Shifting::Deep;
             self.volume_feedback = 0.002;
+            // They go so far that small gains and losses add up.
+            self.extrapolated_correction = true;
+            self.limited_viscosity = false;
+            self.density_diffusion_coefficient = 0.03;
         }
         if scene.has_steep_bed() {
             // Where it bends down, still water goes round and gains by it.

@@ -7,7 +7,7 @@ use super::state::RunState;
 use crate::scene::CaseConfig;
 
 /// Changes whenever the state's layout does.
-const VERSION: &[u8] = b"seawall checkpoint 9\n";
+const VERSION: &[u8] = b"seawall checkpoint 10\n";
 
 /// Length of the hash that binds a checkpoint to its trunk.
 const HASH: usize = 32;

@@ -57,6 +57,8 @@ struct Carried {
     density_rate: Vec<f64>,
     /// tr (∇u)², 1/s²: see [`continuity::Continuity`].
     turning: Vec<f64>,
+    /// The correction as it was found last, xx, xy, yy; empty where it is not taken on to the present.
+    found_correction: [Vec<f64>; 3],
 }
 
 impl Carried {
@@ -64,12 +66,15 @@ impl Carried {
         [&self.correction_xx, &self.correction_xy, &self.correction_yy]
     }
 
-    /// All fields, to be put into another order.
-    fn all_mut(&mut self) -> [&mut Vec<f64>; 8] {
+    /// All fields in use, to be put into another order.
+    fn all_mut(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
         let [xx, xy, yy] =
             [&mut self.correction_xx, &mut self.correction_xy, &mut self.correction_yy];
         let [x, y] = [&mut self.last_acceleration_x, &mut self.last_acceleration_y];
-        [xx, xy, yy, &mut self.tension, x, y, &mut self.density_rate, &mut self.turning]
+        let always =
+            [xx, xy, yy, &mut self.tension, x, y, &mut self.density_rate, &mut self.turning];
+        let found = self.found_correction.iter_mut().filter(|field| !field.is_empty());
+        always.into_iter().chain(found)
     }
 }
 
@@ -109,7 +114,7 @@ struct Workspace {
 }
 
 impl Workspace {
-    fn new(padded: usize, bodies: usize) -> Workspace {
+    fn new(padded: usize, bodies: usize, extrapolated: bool) -> Workspace {
         let zeros = || vec![0.0; padded];
         Workspace {
             carried: Carried {
@@ -121,6 +126,9 @@ impl Workspace {
                 last_acceleration_y: zeros(),
                 density_rate: zeros(),
                 turning: zeros(),
+                found_correction: std::array::from_fn(|_| {
+                    if extrapolated { zeros() } else { Vec::new() }
+                }),
             },
             scaled_x: zeros(),
             scaled_y: zeros(),

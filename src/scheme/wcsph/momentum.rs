@@ -73,6 +73,8 @@ pub(super) struct Momentum<'a, const CORRECTED: bool, const VISCOUS: bool, const
     pub support: Support,
     /// α h c0 ρ0 / R.
     pub viscosity: f64,
+    /// See [`ArtificialViscosity`].
+    pub limited_viscosity: bool,
     /// Rest density, kg/m³.
     pub density: f64,
     /// Gravity, m/s².
@@ -111,7 +113,8 @@ impl<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>
     fn viscosity<const GHOSTS: bool>(
         &self,
     ) -> If<VISCOUS, ArtificialViscosity<'_, CORRECTED, GHOSTS>> {
-        If(ArtificialViscosity { fluid: self.fluid, strain: self.strain })
+        let limited = self.limited_viscosity;
+        If(ArtificialViscosity { fluid: self.fluid, strain: self.strain, limited })
     }
 
     #[inline(always)]

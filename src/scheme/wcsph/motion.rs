@@ -169,8 +169,29 @@ impl Wcsph {
         loss
     }
 
-    pub(super) fn take_next_correction(&mut self) {
+    /// Takes the correction that the last pass has found, for the full step to come. With
+    /// `extrapolated_correction` it is taken on by what has changed since the `found` one before, if there is
+    /// any: L + (L - L_before).
+    ///
+    /// A correction that lags lets the pressure push a little too late all the time, and so feeds waves.
+    pub(super) fn take_next_correction(&mut self, before: bool) {
         let work = &mut self.work;
+        if self.options.extrapolated_correction {
+            let next = [
+                &mut work.next_correction_xx,
+                &mut work.next_correction_xy,
+                &mut work.next_correction_yy,
+            ];
+            for (next, found) in next.into_iter().zip(&mut work.carried.found_correction) {
+                let both = next.iter_mut().zip(found.iter_mut());
+                for (next, found) in both {
+                    let now = std::mem::replace(found, *next);
+                    if before {
+                        *next += *next - now;
+                    }
+                }
+            }
+        }
         std::mem::swap(&mut work.carried.correction_xx, &mut work.next_correction_xx);
         std::mem::swap(&mut work.carried.correction_xy, &mut work.next_correction_xy);
         std::mem::swap(&mut work.carried.correction_yy, &mut work.next_correction_yy);

@@ -66,12 +66,16 @@ pub struct WcsphOptions {
     pub still_depth: f64,
     /// Kernel gradients corrected to first order.
     pub corrected_gradients: bool,
+    /// The correction taken on to the present, see [`super::Wcsph::take_next_correction`].
+    pub extrapolated_correction: bool,
     /// Density diffusion.
     pub density_diffusion: DensityDiffusion,
     /// δ.
     pub diffusion_coefficient: f64,
     /// α.
     pub artificial_viscosity: f64,
+    /// Of pairs that dissipate alone, see [`super::viscosity::ArtificialViscosity`].
+    pub limited_viscosity: bool,
     /// Shifting.
     pub shifting: Shifting,
     /// A, see [`super::Wcsph::finish`].

@@ -120,6 +120,7 @@ impl Wcsph {
                 * options.state.sound_speed
                 * options.density
                 * self.scaling.inverse_radius,
+            limited_viscosity: options.limited_viscosity,
             density: options.density,
             gravity: options.gravity,
             steps: f64::from(options.acoustic_substeps),

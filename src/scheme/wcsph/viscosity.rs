@@ -8,13 +8,17 @@
 use crate::pairs::{Eight, Fluid, Here, Neighbour, Other, Pair, Real, Term};
 
 /// Σ_j V_j π_ij ∇W. With `CORRECTED`, π_ij holds only what a linear, divergence-free velocity field
-/// leaves of it, limited so that every pair dissipates. Of a wall, `GHOSTS`, the strain is the
-/// particle's own.
+/// leaves of it. Of a wall, `GHOSTS`, the strain is the particle's own.
+///
+/// `limited` lets every pair dissipate or do nothing. That damps smooth waves as well: what is left of them
+/// has both signs, as ∇²u = 0, and only one is let through.
 #[derive(Clone, Copy)]
 pub(super) struct ArtificialViscosity<'a, const CORRECTED: bool, const GHOSTS: bool> {
     pub fluid: &'a Fluid,
     /// See [`super::momentum::Momentum::strain`].
     pub strain: &'a [[f64; 2]],
+    /// Whether every pair is to dissipate.
+    pub limited: bool,
 }
 
 impl<const CORRECTED: bool, const GHOSTS: bool> Term
@@ -48,10 +52,14 @@ impl<const CORRECTED: bool, const GHOSTS: bool> Term
             let apart = dx.mul_sub(dx, dy * dy);
             let rest = (dx * dy).negated_mul_add(shear, approach);
             let rest = apart.negated_mul_add(stretch, rest);
-            // Between nothing and all of it: every pair then dissipates.
-            let zero = R::splat(0.0);
-            let (low, high) = (approach.min(zero), approach.max(zero));
-            approach = rest.min(high).max(low);
+            approach = if self.limited {
+                // Between nothing and all of it.
+                let zero = R::splat(0.0);
+                let (low, high) = (approach.min(zero), approach.max(zero));
+                rest.min(high).max(low)
+            } else {
+                rest
+            };
         }
         let [gx, gy] = pair.gradient();
         let drag = pair.over_square(approach);
