@@ -48,8 +48,8 @@ impl Isph {
             shifting_work -= options.gravity * self.part(dt);
         }
         let (fluid, planes, bodies) = (&mut self.fluid, &*self.planes, walls.bodies);
-        HoldInside { fluid, planes, bed: None, bodies, skin: 1e-3 * options.spacing }
-            .run(self.path);
+        HoldInside { planes, bed: None, bodies, skin: 1e-3 * options.spacing }
+            .run(self.path, fluid);
         Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }
     }
 
