@@ -42,7 +42,7 @@ pub use flow::{Flow, FlowSums, Own};
 pub use fluid::{Fluid, gather, reorder};
 pub use geometry::Pair;
 pub use lists::{GHOST_MARGIN, Pairs};
-pub use near::{Coupling, Moments, Near, Rows};
+pub use near::{Blocks, Coupling, Field, Moments, Near};
 pub use pair_list::{PairList, PointSet, build_pair_list};
 pub use parts::Tally;
 pub use pass::{Each, Equation, Held, HeldEquation, Summed};

@@ -10,6 +10,7 @@ use super::options::IsphOptions;
 use super::system::System;
 use crate::boundary::{Ghosts, Plane};
 use crate::math::simd::SimdPath;
+use crate::math::team::{Growing, Team};
 use crate::pairs::{Fluid, Near};
 use crate::scheme::Load;
 
@@ -66,6 +67,8 @@ pub struct Isph {
     pub(super) planes: Vec<Plane>,
     /// The water and its images, before these are sorted.
     pub(super) loose: Vec<Point>,
+    /// How they become more by their images.
+    pub(super) growing: Growing<Point>,
     /// The same in the order of the neighbourhood, with some padding between.
     pub(super) points: Vec<Point>,
     pub(super) near: Near,
@@ -121,6 +124,7 @@ impl Isph {
             face_offsets: Vec::new(),
             planes: Vec::new(),
             loose: Vec::new(),
+            growing: Growing::of(&Team::default()),
             points: Vec::new(),
             near: Near::new(path, options.kernel, options.support_radius, options.spacing),
             operators: Operators::default(),
