@@ -56,7 +56,7 @@ impl Csr {
     }
 
     /// Finds a value of every row, given its number.
-    pub fn each_row(&self, values: &mut [f64], find: impl Fn(usize) -> f64 + Sync) {
+    pub fn each_row<T: Send>(&self, values: &mut [T], find: impl Fn(usize) -> T + Sync) {
         let all = 0..self.len();
         let parts = if self.parts.is_empty() { std::slice::from_ref(&all) } else { &self.parts };
         self.team.read(parts, values, &|rows, values| {

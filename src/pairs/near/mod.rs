@@ -5,6 +5,7 @@
 //! any other pass, but Δ is in metres and g = F's negative in 1/m²: g Δ = V_j ∇_iW_ij.
 
 mod average;
+mod each;
 mod part;
 mod rows;
 mod sums;
@@ -182,37 +183,6 @@ impl Near {
         ties.extend(ties.len() as u32..x.len() as u32);
         image_strips.renew(x, y, &ties[..x.len()], *width, order);
         bounds
-    }
-
-    /// Writes what is found of every particle, given its number.
-    pub fn each<R: Values>(&self, values: R, find: impl Fn(usize) -> R::Value + Sync) {
-        self.team.read(&self.parts, values, &|part, mut values| {
-            let lanes = part.lanes();
-            for (place, particle) in (lanes.start..lanes.end.min(self.water)).enumerate() {
-                values.put(place, find(particle));
-            }
-        });
-    }
-
-    /// Writes what is found of every point, given its number.
-    pub fn of_points<T: Send>(&self, values: &mut [T], find: impl Fn(usize) -> T + Sync) {
-        self.team.read(&self.cuts, values, &|cut, values| {
-            for (point, value) in cut.clone().zip(values) {
-                *value = find(point);
-            }
-        });
-    }
-
-    /// Fills in the records of all points, given the number of each and that of the particle that it is, or
-    /// is the image of.
-    pub fn each_point(&mut self, fill: impl Fn([usize; 2], &mut Record) + Sync) {
-        let Near { team, cuts, records, original, .. } = self;
-        team.read(cuts, &mut records[..], &|cut, records| {
-            let originals = &original[cut.clone()];
-            for ((point, &original), record) in cut.clone().zip(originals).zip(records) {
-                fill([point, original as usize], record);
-            }
-        });
     }
 
     /// Points that are in reach of a particle or nearly so, itself among them.

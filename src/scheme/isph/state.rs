@@ -88,6 +88,8 @@ pub struct Isph {
     /// Viscous accelerations, and what they do to the bodies.
     pub(super) drag: Vec<[f64; 2]>,
     pub(super) drag_on_bodies: Vec<f64>,
+    /// Of every particle, what it loses in a step by viscosity, W, and by shifting, J.
+    pub(super) spent: [Vec<f64>; 2],
     /// By the pressure that was asked for last, and by that of the step under way.
     pub(super) accelerations: Vec<[f64; 2]>,
     pub(super) settled: Vec<[f64; 2]>,
@@ -138,6 +140,7 @@ impl Isph {
             strain: vec![[0.0; 2]; n],
             drag: Vec::new(),
             drag_on_bodies: vec![0.0; bodies],
+            spent: Default::default(),
             accelerations: vec![[0.0; 2]; n],
             settled: Vec::new(),
             forces: vec![0.0; bodies],

@@ -34,6 +34,8 @@ struct Level {
     aggregate: Vec<u32>,
     /// The coarse matrix.
     matrix: Csr,
+    /// How many entries of each row of the finer level count in a sweep from zero.
+    reached: Vec<u32>,
     /// What a sweep leaves of each right-hand side of the finer level.
     left: Vec<f64>,
     right: Vec<f64>,
@@ -90,13 +92,15 @@ fn cycle(a: &Csr, levels: &mut [Level], dense: &Dense, r: &[f64], z: &mut [f64])
         if dense.size == r.len() {
             dense.substitute(r, z);
         } else {
-            sweep_down(a, r, z);
+            z.fill(0.0);
+            relax(a, r, z, 0..a.len());
             relax(a, r, z, (0..a.len()).rev());
         }
         return;
     };
-    let Level { aggregate, matrix, left, right, solution, .. } = level;
-    sweep_down(a, r, z);
+    let Level { aggregate, matrix, reached, left, right, solution, .. } = level;
+    z.fill(0.0);
+    relax_from_zero(a, reached, r, z);
     let found = &*z;
     a.each_row(left, |row| {
         let (columns, values) = a.row(row);
@@ -117,10 +121,31 @@ fn cycle(a: &Csr, levels: &mut [Level], dense: &Dense, r: &[f64], z: &mut [f64])
     relax(a, r, z, (0..a.len()).rev());
 }
 
-/// Forward Gauss-Seidel from zero.
-fn sweep_down(a: &Csr, r: &[f64], z: &mut [f64]) {
-    z.fill(0.0);
-    relax(a, r, z, 0..a.len());
+/// Forward Gauss-Seidel from zero, without the entries that meet zeros.
+fn relax_from_zero(a: &Csr, reached: &[u32], r: &[f64], z: &mut [f64]) {
+    for row in 0..a.len() {
+        let (columns, values) = a.row(row);
+        let count = reached[row] as usize;
+        let mut sum = r[row];
+        for (&c, v) in columns[..count].iter().zip(values) {
+            sum -= v * z[c as usize];
+        }
+        if count < columns.len() {
+            // A negative entry times zero makes -0 a plain zero.
+            sum += 0.0;
+        }
+        z[row] = sum / a.diagonal[row];
+    }
+}
+
+/// How many entries of a row count in a forward sweep from zero: those after them meet zeros. All do where
+/// what comes after has no negative entry.
+fn reached(a: &Csr, row: usize) -> u32 {
+    let (columns, values) = a.row(row);
+    let later = columns.iter().rev().take_while(|&&c| c as usize > row).count();
+    let count = columns.len() - later;
+    let negative = values[count..].iter().any(|&v| v < 0.0);
+    (if negative { count } else { columns.len() }) as u32
 }
 
 /// Gauss-Seidel over rows in some order.
@@ -137,8 +162,10 @@ fn relax(a: &Csr, r: &[f64], z: &mut [f64], rows: impl Iterator<Item = usize>) {
 
 impl Level {
     fn coarsen(&mut self, fine: &Csr) {
-        let Level { aggregate, seeded, .. } = self;
+        let Level { aggregate, seeded, reached: counts, .. } = self;
         let n = fine.len();
+        counts.resize(n, 0);
+        fine.each_row(counts, |row| reached(fine, row));
         aggregate.clear();
         aggregate.resize(n, NONE);
         let mut count = 0;
