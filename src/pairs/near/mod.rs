@@ -78,7 +78,7 @@ impl Near {
             image_strips: Strips::default(),
             team: Team::default(),
             parts: vec![Part::default()],
-            cuts: vec![0..0],
+            cuts: vec![Range::default()],
             order: Vec::new(),
             ties: Vec::new(),
             scratch: Vec::new(),
@@ -89,7 +89,7 @@ impl Near {
     /// Takes on a team for what follows the next [`Near::list`].
     pub fn take_on(&mut self, team: &Team) {
         self.parts.resize_with(team.parts(), Part::default);
-        self.cuts.resize(team.parts(), 0..0);
+        self.cuts.resize(team.parts(), Range::default());
         self.team = team.clone();
     }
 
