@@ -14,7 +14,7 @@ use seawall::kernel::KernelChoice;
 use seawall::math::simd::SimdPath;
 use seawall::math::team::thread_processor_time;
 use seawall::pairs::Strips;
-use seawall::pairs::{Fluid, Record, Scaling};
+use seawall::pairs::{Factors, Flow, Fluid, Record, Scaling};
 use seawall::scene::{CaseConfig, Numerics, Preset};
 use seawall::simulation::{Unwatched, run_case};
 
@@ -139,10 +139,13 @@ fn ghost_pass(interpolator: InterpolatorChoice, spacing: f64) -> f64 {
     let read =
         Water { records: &water, pressure: &pressure, correction: Some([&ones, &ones, &ones]) };
     let mut records = vec![Record::default(); ghosts.len()];
+    let mut numbers = vec![Factors::default(); ghosts.len()];
+    let flow = Flow { corrected: true, strained: false, diffusing: true, sharing: false };
     let mut pass = || {
         exchange.weigh(path, &ghosts, &bodies, read);
         exchange.fill(path, &ghosts, &bodies, 2, &mut records);
-        exchange.refresh_velocities(path, &ghosts, &bodies, [&tenths, &tenths]);
+        let velocities = [&tenths[..], &tenths];
+        exchange.refresh_velocities(path, &ghosts, &bodies, velocities, (flow, &mut numbers));
     };
     pass();
     let mut seconds = f64::INFINITY;

@@ -96,6 +96,8 @@ fn threads_and_large_water_take_no_memory() {
     let often = format!("{WAVE}history_interval_s = 0.002\n");
     // The pool has a queue.
     check(&often, "particle_spacing_m = 0.008", 0.5, (2, 4));
+    let incompressible = "particle_spacing_m = 0.01\nscheme = \"isph\"";
+    check(&often, incompressible, 0.6, (2, 30));
     // In parts: more particles than the caches hold.
     check(&often, "particle_spacing_m = 0.003", 0.06, (1, 0));
 }

@@ -6,14 +6,15 @@ use std::ops::Range;
 use super::InterpolatorChoice;
 use super::ghosts::Ghosts;
 use super::image::{Image, Mirror};
+use super::pack::GhostVelocities;
 use super::stretch::Stretch;
 use super::sums::{Cover, Gather, KernelWeights, Means, Near, Targets, Water, Weigh};
 use super::waterline::Waterline;
 use crate::body::BodyMotion;
 use crate::kernel::KernelChoice;
 use crate::math::simd::{LANES, SimdPath, dispatch};
-use crate::math::team::{self, Team};
-use crate::pairs::{PairList, PointSet, Scaling, Strips, build_pair_list};
+use crate::math::team::{self, First, Team};
+use crate::pairs::{Factors, Flow, PairList, PointSet, Scaling, Strips, build_pair_list};
 use crate::{with_interpolator, with_kernel};
 
 /// What the ghosts of a scene obey.
@@ -206,7 +207,7 @@ impl Exchange {
         let (rules, interpolator) = (*rules, rules.interpolator);
         let rows = ([&mut scale[..], &mut fallen[..]], &mut means[..]);
         team.share(parts, rows, &|part, ([scale, fallen], means)| {
-            let Stretch { blocks: own, list, held } = part;
+            let Stretch { blocks: own, list, held, .. } = part;
             let targets = targets(&rules, (list, own), (ghosts, bodies, water), &blocks);
             dispatch(path, Near { targets: targets.clone(), held });
             if interpolator.from_kernel() {
@@ -223,46 +224,37 @@ impl Exchange {
         });
     }
 
-    /// Interpolates the velocities anew, with the weights at hand, for the continuity equation. There
-    /// walls are smooth whatever the slip (De Leffe et al. 2011): a tangential velocity turned round at
-    /// the wall would be compression that no force does work on. `water` holds the fluid's velocities
-    /// along x and y.
+    /// Interpolates the velocities anew, with the weights at hand, for the continuity equation, and puts
+    /// them into the numbers that ghosts have as neighbours. There walls are smooth whatever the slip (De
+    /// Leffe et al. 2011): a tangential velocity turned round at the wall would be compression that no
+    /// force does work on. `water` holds the fluid's velocities along x and y.
     pub fn refresh_velocities(
         &mut self,
         path: SimdPath,
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
         water: [&[f64]; 2],
+        (flow, factors): (Flow, &mut [Factors]),
     ) {
-        self.gather(path, water, |means| [&mut means.vx, &mut means.vy]);
-        self.mirror_velocities(path, ghosts, bodies);
-    }
-
-    /// Means of some fields of the water at the ghosts that count, with the weights at hand, and where
-    /// they belong.
-    pub(super) fn gather<const N: usize>(
-        &mut self,
-        path: SimdPath,
-        fields: [&[f64]; N],
-        places: fn(&mut Means) -> [&mut [f64; LANES]; N],
-    ) {
-        let Exchange { team, parts, counting, scale, means, .. } = self;
-        let (scale, blocks) = (&scale[..], &counting[..]);
-        team.share(parts, &mut means[..], &|part, means| {
-            let blocks = part.among(blocks);
-            dispatch(path, Gather { part, blocks, scale, means, fields, places });
+        let Exchange { team, parts, counting, scale, means, images, .. } = self;
+        let (scale, counting) = (&scale[..], &counting[..]);
+        let rows = (&mut means[..], (First(images, 1), First(factors, LANES)));
+        team.share(parts, rows, &|part, (means, (First(images, _), First(factors, _)))| {
+            let (blocks, first) = (part.among(counting), part.blocks.start);
+            dispatch(
+                path,
+                Gather {
+                    part,
+                    blocks,
+                    scale,
+                    means,
+                    fields: water,
+                    places: |means| [&mut means.vx, &mut means.vy],
+                },
+            );
+            dispatch(path, Mirror { blocks, first, images, means, ghosts, bodies });
+            dispatch(path, GhostVelocities { flow, blocks, first, images, factors });
         });
-    }
-
-    /// Velocities of the ghosts that count, from the means at hand.
-    pub(super) fn mirror_velocities(
-        &mut self,
-        path: SimdPath,
-        ghosts: &Ghosts,
-        bodies: &[BodyMotion],
-    ) {
-        let Exchange { images, counting, means, .. } = self;
-        dispatch(path, Mirror { images, blocks: counting, means, ghosts, bodies });
     }
 }
 

@@ -1,11 +1,16 @@
 //! What a full step makes of the ghosts: records, and images that hold until the next one.
 
+use std::mem::take;
+
 use super::exchange::Exchange;
 use super::faces::span;
 use super::ghosts::{Ghosts, Reflection};
+use super::image::{Image, Mirror, Press};
+use super::stretch::Stretch;
 use super::sums::Means;
 use crate::body::{BodyMotion, Place};
-use crate::math::simd::{LANES, SimdPath};
+use crate::math::simd::{LANES, SimdPath, dispatch};
+use crate::math::team::First;
 use crate::pairs::Record;
 
 /// Water lies on a crest whose mean is so many spacings above it: half of what a single row has.
@@ -23,48 +28,81 @@ impl Exchange {
         responds: usize,
         ghost_records: &mut [Record],
     ) {
-        self.fallbacks = 0;
-        self.counting.clear();
         let span =
             if self.rules.bed_between_walls { span(ghosts, bodies) } else { [f64::MIN, f64::MAX] };
-        for (number, body) in ghosts.bodies.iter().enumerate() {
-            let motion = &bodies[number];
-            for block in body.ghosts.start / LANES..body.ghosts.end / LANES {
-                let records = &mut ghost_records[block * LANES..][..LANES];
-                self.place(ghosts, block, motion.offset, records);
-                self.responses[block * LANES..][..LANES].fill([0.0; 3]);
-                // Most blocks are dry.
-                if self.scale[block] == [0.0; LANES] {
-                    records.iter_mut().for_each(|record| leave_dry(record, motion));
+        let wet = (0..ghosts.len() / LANES).filter(|&block| self.scale[block] != [0.0; LANES]);
+        self.counting.clear();
+        self.counting.extend(wet.map(|block| block as u32));
+        let (mut images, mut responses) = (take(&mut self.images), take(&mut self.responses));
+        let mut parts = take(&mut self.parts);
+        let (own, of_records) = (First(&mut images, 1), First(ghost_records, LANES));
+        let rows = (own, (First(&mut responses, LANES), of_records));
+        self.team.share(&mut parts, rows, &|part, (First(images, _), (responses, records))| {
+            let filling = Filling { exchange: self, ghosts, bodies, responds, span };
+            filling.fill(path, part, images, (responses.0, records.0));
+        });
+        (self.images, self.responses) = (images, responses);
+        self.fallbacks = parts.iter().map(|part| part.fallbacks).sum();
+        self.parts = parts;
+    }
+}
+
+/// What ghosts are made of: see [`Exchange::fill`].
+struct Filling<'a> {
+    exchange: &'a Exchange,
+    ghosts: &'a Ghosts,
+    bodies: &'a [BodyMotion],
+    responds: usize,
+    /// x of the walls' faces, metres, where the bed counts between them alone.
+    span: [f64; 2],
+}
+
+impl Filling<'_> {
+    /// Fills the images, responses and records of a part.
+    fn fill(
+        &self,
+        path: SimdPath,
+        part: &mut Stretch,
+        images: &mut [Image],
+        (responses, records): (&mut [[f64; 3]], &mut [Record]),
+    ) {
+        let Filling { exchange, ghosts, bodies, .. } = *self;
+        let (responses, _) = responses.as_chunks_mut::<LANES>();
+        let (records, _) = records.as_chunks_mut::<LANES>();
+        let rows = images.iter_mut().zip(responses).zip(&mut *records);
+        part.fallbacks = 0;
+        for (block, ((image, responses), records)) in part.blocks.clone().zip(rows) {
+            let body = ghosts.target_body[block] as usize;
+            let motion = &bodies[body];
+            self.place(block, motion.offset, image, records);
+            *responses = [[0.0; 3]; LANES];
+            // Most blocks are dry.
+            if exchange.scale[block] == [0.0; LANES] {
+                records.iter_mut().for_each(|record| leave_dry(record, motion));
+                continue;
+            }
+            for (lane, (record, response)) in records.iter_mut().zip(responses).enumerate() {
+                let g = block * LANES + lane;
+                let Some((volume, wet)) = self.volume((body, g), motion) else {
+                    leave_dry(record, motion);
                     continue;
-                }
-                self.counting.push(block as u32);
-                for (lane, record) in records.iter_mut().enumerate() {
-                    let g = block * LANES + lane;
-                    let Some((volume, wet)) = self.volume(ghosts, (number, g), motion, span) else {
-                        leave_dry(record, motion);
-                        continue;
-                    };
-                    record.0[Record::WEIGHT] = volume * self.rules.scaling.weight_per_volume;
-                    self.fallbacks += u64::from(volume != 0.0 && self.fallen[block][lane] > 0.5);
-                    self.reflect(ghosts, (g, wet), motion, number == responds);
-                }
+                };
+                record.0[Record::WEIGHT] = volume * exchange.rules.scaling.weight_per_volume;
+                part.fallbacks += u64::from(volume != 0.0 && exchange.fallen[block][lane] > 0.5);
+                *response = self.reflect((g, wet), motion, body == self.responds, image);
             }
         }
-        self.press(path, ghosts, bodies);
-        self.mirror_velocities(path, ghosts, bodies);
-        for &block in &self.counting {
-            let at = block as usize * LANES;
-            let image = &mut self.images[block as usize];
-            for (lane, record) in ghost_records[at..at + LANES].iter_mut().enumerate() {
-                let record = &mut record.0;
-                if self.scale[block as usize][lane] != 0.0 {
-                    let pressure = image.pressure[lane];
-                    record[Record::VX] = image.velocity[0][lane];
-                    record[Record::VY] = image.velocity[1][lane];
-                    record[Record::PRESSURE] = pressure * image.correction[0][lane];
-                    record[Record::PRESSURE_XY] = pressure * image.correction[1][lane];
-                    record[Record::PRESSURE_YY] = pressure * image.correction[2][lane];
+        let (blocks, first) = (part.among(&exchange.counting), part.blocks.start);
+        let (means, gravity) = (&exchange.means[first..], exchange.rules.gravity);
+        let density = exchange.densities();
+        dispatch(path, Press { blocks, first, images, means, ghosts, bodies, gravity, density });
+        dispatch(path, Mirror { blocks, first, images, means, ghosts, bodies });
+        for &block in blocks {
+            let row = block as usize - first;
+            let (image, scale) = (&mut images[row], &exchange.scale[block as usize]);
+            for (lane, record) in records[row].iter_mut().enumerate() {
+                if scale[lane] != 0.0 {
+                    take_over(image, lane, record);
                 }
             }
             image.mirror = image.smooth;
@@ -72,9 +110,10 @@ impl Exchange {
     }
 
     /// Puts a block of ghosts in its place.
-    fn place(&mut self, ghosts: &Ghosts, block: usize, offset: f64, records: &mut [Record]) {
-        let inverse_radius = self.rules.scaling.inverse_radius;
-        let [x, y] = &mut self.images[block].place;
+    fn place(&self, block: usize, offset: f64, image: &mut Image, records: &mut [Record; LANES]) {
+        let Filling { exchange, ghosts, .. } = *self;
+        let inverse_radius = exchange.rules.scaling.inverse_radius;
+        let [x, y] = &mut image.place;
         let (from_x, from_y) = (&ghosts.x[block * LANES..], &ghosts.y[block * LANES..]);
         for (lane, record) in records.iter_mut().enumerate() {
             x[lane] = (from_x[lane] + offset) * inverse_radius;
@@ -84,18 +123,13 @@ impl Exchange {
     }
 
     /// The volume of a ghost that counts, and how wet it is, where there is water in reach.
-    fn volume(
-        &self,
-        ghosts: &Ghosts,
-        (body, g): (usize, usize),
-        motion: &BodyMotion,
-        [left, right]: [f64; 2],
-    ) -> Option<(f64, f64)> {
-        let rules = &self.rules;
-        if self.scale[g / LANES][g % LANES] == 0.0 {
+    fn volume(&self, (body, g): (usize, usize), motion: &BodyMotion) -> Option<(f64, f64)> {
+        let Filling { exchange, ghosts, span: [left, right], .. } = *self;
+        let rules = &exchange.rules;
+        if exchange.scale[g / LANES][g % LANES] == 0.0 {
             return None;
         }
-        let wet = self.wet_share_of(ghosts, body, g) * self.share_on_crest(ghosts, body, g);
+        let wet = exchange.wet_share_of(ghosts, body, g) * self.share_on_crest(body, g);
         let mut volume = ghosts.volume[g] * wet;
         if body == 0 && rules.bed_between_walls {
             let (x, half) = (ghosts.x[g] + motion.offset, 0.5 * rules.spacing);
@@ -107,49 +141,61 @@ impl Exchange {
 
     /// How much a ghost under a crest counts. Water that climbs the face is in reach of its mirror point, too, and
     /// would be reflected downwards: only water that lies on the crest counts.
-    fn share_on_crest(&self, ghosts: &Ghosts, body: usize, g: usize) -> f64 {
+    fn share_on_crest(&self, body: usize, g: usize) -> f64 {
+        let Filling { exchange, ghosts, .. } = *self;
         let level = Reflection::Plane { normal: [0.0, -1.0] };
         match &ghosts.crest {
             Some(crest) if body == Place::Right.number() && ghosts.reflection[g] == level => {
-                let above = self.means[g / LANES].y[g % LANES] - crest.height;
-                (above / (LIES_ON * self.rules.spacing)).clamp(0.0, 1.0)
+                let above = exchange.means[g / LANES].y[g % LANES] - crest.height;
+                (above / (LIES_ON * exchange.rules.spacing)).clamp(0.0, 1.0)
             }
             _ => 1.0,
         }
     }
 
-    /// Finds what makes a ghost of the means at its mirror point.
+    /// Finds what makes a ghost of the means at its mirror point; returns its response.
     fn reflect(
-        &mut self,
-        ghosts: &Ghosts,
+        &self,
         (g, wet): (usize, f64),
         motion: &BodyMotion,
         responds: bool,
-    ) {
-        let (block, lane) = (g / LANES, g % LANES);
+        image: &mut Image,
+    ) -> [f64; 3] {
+        let Filling { exchange, ghosts, .. } = *self;
+        let lane = g % LANES;
         // A thin sheet of water on a bed or a crest goes on below as the deep water that its ghosts stand for.
         let correction = if ghosts.is_deep(g) {
             [1.0, 0.0, 1.0]
         } else {
-            mirrored_correction(&self.means[block], lane, ghosts.reflection[g])
+            mirrored_correction(&exchange.means[g / LANES], lane, ghosts.reflection[g])
         };
-        let [x, y] = self.lever(ghosts, g, motion);
+        let [x, y] = exchange.lever(ghosts, g, motion);
         let whole = wet >= 1.0;
         let lever = [if whole && !responds { x } else { 0.0 }, y];
-        let response = if whole && responds { -self.density(g) * x } else { 0.0 };
-        let smooth = self.mirror(ghosts, g, motion, false);
-        let mirror = if self.rules.no_slip { self.mirror(ghosts, g, motion, true) } else { smooth };
-        let image = &mut self.images[block];
+        let response = if whole && responds { -exchange.density(g) * x } else { 0.0 };
+        let smooth = exchange.mirror(ghosts, g, motion, false);
+        let stuck = exchange.rules.no_slip;
+        let mirror = if stuck { exchange.mirror(ghosts, g, motion, true) } else { smooth };
         for part in 0..3 {
             image.correction[part][lane] = correction[part];
             image.mirror[part][lane] = mirror[part];
             image.smooth[part][lane] = smooth[part];
-            self.responses[g][part] = response * correction[part];
         }
         image.lever[0][lane] = lever[0];
         image.lever[1][lane] = lever[1];
         image.lowest[lane] = if whole { f64::NEG_INFINITY } else { 0.0 };
+        let [xx, xy, yy] = correction;
+        [response * xx, response * xy, response * yy]
     }
+}
+
+/// Puts velocity and pressure of an image into its record.
+#[inline(always)]
+fn take_over(image: &Image, lane: usize, record: &mut Record) {
+    let (pressure, [u, v], [xx, xy, yy]) =
+        (image.pressure[lane], &image.velocity, &image.correction);
+    record.set_velocity([u[lane], v[lane]]);
+    record.set_pressure([pressure * xx[lane], pressure * xy[lane], pressure * yy[lane]]);
 }
 
 /// What has no water in reach goes with its wall, and counts for nothing.

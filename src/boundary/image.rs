@@ -30,8 +30,10 @@ pub struct Image {
 
 /// New pressures of the ghosts in some blocks.
 pub(super) struct Press<'a> {
-    pub images: &'a mut [Image],
     pub blocks: &'a [u32],
+    /// The block that images and means begin with.
+    pub first: usize,
+    pub images: &'a mut [Image],
     pub means: &'a [Means],
     pub ghosts: &'a Ghosts,
     pub bodies: &'a [BodyMotion],
@@ -48,10 +50,10 @@ impl Task for Press<'_> {
         let (gravity, zero) = (L::splat(self.gravity), L::splat(0.0));
         let (surface, per_pressure) = (L::splat(self.density[0]), L::splat(self.density[1]));
         for &block in self.blocks {
-            let block = block as usize;
-            let image = &mut self.images[block];
+            let (block, row) = (block as usize, block as usize - self.first);
+            let image = &mut self.images[row];
             let body = &self.bodies[self.ghosts.target_body[block] as usize];
-            let mean = L::load(&self.means[block].pressure);
+            let mean = L::load(&self.means[row].pressure);
             let density = mean.mul_add(per_pressure, surface);
             let (x, y) = (L::load(&image.lever[0]), L::load(&image.lever[1]));
             let head = L::splat(body.acceleration).mul_add(x, gravity * y);
@@ -63,8 +65,10 @@ impl Task for Press<'_> {
 
 /// New velocities of the ghosts in some blocks.
 pub(super) struct Mirror<'a> {
-    pub images: &'a mut [Image],
     pub blocks: &'a [u32],
+    /// The block that images and means begin with.
+    pub first: usize,
+    pub images: &'a mut [Image],
     pub means: &'a [Means],
     pub ghosts: &'a Ghosts,
     pub bodies: &'a [BodyMotion],
@@ -76,8 +80,8 @@ impl Task for Mirror<'_> {
     #[inline(always)]
     fn run<L: Lanes>(self) {
         for &block in self.blocks {
-            let block = block as usize;
-            let (image, means) = (&mut self.images[block], &self.means[block]);
+            let (block, row) = (block as usize, block as usize - self.first);
+            let (image, means) = (&mut self.images[row], &self.means[row]);
             let wall = L::splat(self.bodies[self.ghosts.target_body[block] as usize].velocity);
             let [xx, xy, yy] = &image.mirror;
             let (xx, xy, yy) = (L::load(xx), L::load(xy), L::load(yy));

@@ -1,10 +1,14 @@
 //! Pressures of the ghosts, from those of the water around their mirror points.
 
-use super::exchange::Exchange;
+use super::exchange::{Exchange, ExchangeRules};
 use super::ghosts::{Ghosts, Site};
 use super::image::Press;
+use super::pack::GhostPressures;
+use super::sums::Gather;
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, SimdPath, dispatch};
+use crate::math::team::First;
+use crate::pairs::Factors;
 
 impl Exchange {
     /// From where the water's mean pressure holds to a ghost, metres.
@@ -26,24 +30,42 @@ impl Exchange {
     }
 
     /// Interpolates the pressures anew, with the weights, wetness and corrections at hand and the
-    /// ghosts where they were.
+    /// ghosts where they were, and puts them into the numbers that ghosts have as neighbours.
     pub fn refresh_pressures(
         &mut self,
         path: SimdPath,
         ghosts: &Ghosts,
         bodies: &[BodyMotion],
         pressure: &[f64],
+        factors: &mut [Factors],
     ) {
-        self.gather(path, [pressure], |means| [&mut means.pressure]);
-        self.press(path, ghosts, bodies);
+        let (gravity, density) = (self.rules.gravity, self.densities());
+        let Exchange { team, parts, counting, scale, means, images, .. } = self;
+        let (scale, counting) = (&scale[..], &counting[..]);
+        let rows = (&mut means[..], (First(images, 1), First(factors, LANES)));
+        team.share(parts, rows, &|part, (means, (First(images, _), First(factors, _)))| {
+            let (blocks, first) = (part.among(counting), part.blocks.start);
+            dispatch(
+                path,
+                Gather {
+                    part,
+                    blocks,
+                    scale,
+                    means,
+                    fields: [pressure],
+                    places: |means| [&mut means.pressure],
+                },
+            );
+            let press = Press { blocks, first, images, means, ghosts, bodies, gravity, density };
+            dispatch(path, press);
+            dispatch(path, GhostPressures { blocks, first, images, factors });
+        });
     }
 
-    /// Pressures of the ghosts that count, from the means at hand.
-    pub(super) fn press(&mut self, path: SimdPath, ghosts: &Ghosts, bodies: &[BodyMotion]) {
-        let Exchange { rules, images, counting, means, .. } = self;
-        let (blocks, gravity) = (&counting[..], rules.gravity);
-        let density = [rules.surface_density, 1.0 / (rules.sound_speed * rules.sound_speed)];
-        dispatch(path, Press { images, blocks, means, ghosts, bodies, gravity, density });
+    /// Density at zero pressure, kg/m³, and 1/c0², s²/m².
+    pub(super) fn densities(&self) -> [f64; 2] {
+        let ExchangeRules { surface_density, sound_speed, .. } = self.rules;
+        [surface_density, 1.0 / (sound_speed * sound_speed)]
     }
 
     /// How much of a ghost counts.

@@ -12,6 +12,8 @@ pub(super) struct Stretch {
     pub blocks: Range<usize>,
     pub list: PairList,
     pub held: HeldWeights,
+    /// How many of its ghosts hold what a simpler method gave.
+    pub fallbacks: u64,
 }
 
 impl Part for Stretch {

@@ -101,10 +101,27 @@ impl Here {
         R::load(rows[self.to..self.to + LANES].first_chunk().unwrap())
     }
 
+    /// Their values in the rows, one by one.
+    #[inline(always)]
+    pub fn eight_in_rows<T>(self, rows: &mut [T]) -> &mut [T; LANES] {
+        rows[self.to..self.to + LANES].first_chunk_mut().unwrap()
+    }
+
     /// Writes their values to the rows.
     #[inline(always)]
     pub fn put<D: Lanes>(self, rows: &mut [f64], value: D) {
         store(rows, self.to, value);
+    }
+
+    /// Writes the values of those that are no padding to the rows, of `all` particles.
+    #[inline(always)]
+    pub fn put_within<D: Lanes>(self, all: usize, rows: &mut [f64], value: D) {
+        if self.at + LANES <= all {
+            return self.put(rows, value);
+        }
+        let values = value.to_array();
+        let count = all.saturating_sub(self.at);
+        rows[self.to..self.to + count].copy_from_slice(&values[..count]);
     }
 
     /// Writes eight numbers of each of them to rows of such.
@@ -144,34 +161,6 @@ fn all_lanes<L: Lanes, const N: usize>(fields: [&[f64]; N], at: usize) -> [L; N]
 #[inline(always)]
 fn store<L: Lanes>(field: &mut [f64], at: usize, value: L) {
     value.store(field[at..at + LANES].first_chunk_mut().unwrap());
-}
-
-/// values += dt · rates.
-pub struct Advance<'a, const N: usize> {
-    /// The values, and their rates.
-    pub fields: [(&'a mut [f64], &'a [f64]); N],
-    /// Length of the step, seconds.
-    pub dt: f64,
-}
-
-impl<const N: usize> Task for Advance<'_, N> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let dt = L::splat(self.dt);
-        for (values, rates) in self.fields {
-            let (blocks, rest) = values.as_chunks_mut::<LANES>();
-            for (block, values) in blocks.iter_mut().enumerate() {
-                let at = block * LANES;
-                (L::load(values) + dt * lanes::<L>(rates, at)).store(values);
-            }
-            let first = blocks.len() * LANES;
-            for (value, rate) in rest.iter_mut().zip(&rates[first..]) {
-                *value += self.dt * rate;
-            }
-        }
-    }
 }
 
 /// How far from `from` to `to` each value is: 0 at `from` and below it, 1 at `to` and above.

@@ -39,8 +39,9 @@ impl Part {
     /// Room for what its clusters leave, so that steps need none. Of whole water one cluster in four
     /// at the most comes near enough to a wall to respond to it.
     fn make_room(&mut self) {
-        let Tally { powers, responding, .. } = &mut self.tally;
+        let Tally { powers, added, responding, .. } = &mut self.tally;
         let clusters = self.clusters.len();
+        added.reserve(clusters.saturating_sub(added.len()));
         powers.reserve(clusters.saturating_sub(powers.len()));
         responding.reserve(clusters.div_ceil(4).saturating_sub(responding.len()));
     }
@@ -58,6 +59,8 @@ impl team::Part for Part {
 pub struct Tally {
     /// W per metre of width.
     pub(super) powers: Vec<f64>,
+    /// Of each cluster, what it adds to the sum of a pass.
+    pub(super) added: Vec<[f64; LANES]>,
     /// A body, its force, N/m, the viscous part of that, and its added mass, kg/m.
     pub loads: Vec<(usize, [f64; 3])>,
     /// Clusters whose acceleration responds to the wall's, with the response per lane.

@@ -34,6 +34,50 @@ pub trait Each<R>: Sync {
     fn at<D: Lanes>(&self, here: Here, rows: &mut R);
 }
 
+/// What is done particle by particle, with something that is summed over all.
+pub trait Summed<R>: Sync {
+    /// Writes what comes of eight particles; returns what they add.
+    fn at<D: Lanes>(&self, here: Here, rows: &mut R) -> D;
+}
+
+struct Adding<'a, E, R> {
+    work: &'a E,
+    part: &'a mut Part,
+    rows: R,
+}
+
+impl<R, E: Summed<R>> Task for Adding<'_, E, R> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(mut self) {
+        let Part { clusters, tally, .. } = self.part;
+        tally.added.clear();
+        for (list, cluster) in clusters.clone().enumerate() {
+            let added = self.work.at::<L>(Here::new(cluster, list), &mut self.rows);
+            tally.added.push(added.to_array());
+        }
+    }
+}
+
+/// The sum over all parts, lane by lane in the order of the clusters.
+struct Total<'a>(&'a [Part]);
+
+impl Task for Total<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> f64 {
+        let mut sum = L::splat(0.0);
+        for part in self.0 {
+            for added in &part.tally.added {
+                sum += L::load(added);
+            }
+        }
+        sum.sum()
+    }
+}
+
 struct OverAll<'a, E, R> {
     work: &'a E,
     part: &'a Part,
@@ -58,6 +102,15 @@ impl Pairs {
         self.team.share(&mut self.parts, rows, &|part, rows| {
             dispatch(path, OverAll { work, part, rows });
         });
+    }
+
+    /// Goes through all particles; returns the sum of what they add.
+    pub fn sum_each<R: Rows>(&mut self, rows: R, work: &impl Summed<R>) -> f64 {
+        let path = self.path;
+        self.team.share(&mut self.parts, rows, &|part, rows| {
+            dispatch(path, Adding { work, part, rows });
+        });
+        dispatch(path, Total(&self.parts))
     }
 
     /// Goes through all particles with an equation, finds the geometry of their pairs and holds it.

@@ -150,7 +150,7 @@ section! {
         extrapolated_correction: bool = false, weakly(plain()).newer();
         /// Density diffusion.
         density_diffusion: DensityDiffusion = DensityDiffusion::Hydrostatic, weakly(plain());
-        /// δ of Huang et al. 2019, Eq. 5. Trains have 0.03 by default.
+        /// δ of Huang et al. 2019, Eq. 5.
         density_diffusion_coefficient: f64 = 0.1, weakly(plain().within(0.0, 1.0))
             .read_where("density_diffusion", &["renormalised", "hydrostatic", "molteni"]).label("δ");
         /// α of Huang et al. 2019, Eq. 5. With 4 spacings by default 0.1.

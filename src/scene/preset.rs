@@ -113,7 +113,6 @@ impl Numerics {
             // They go so far that small gains and losses add up.
             self.extrapolated_correction = true;
             self.limited_viscosity = false;
-            self.density_diffusion_coefficient = 0.03;
         }
         if scene.has_steep_bed() {
             // Where it bends down, still water goes round and gains by it.

@@ -60,7 +60,7 @@ use serde::{Deserialize, Serialize};
 use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::pairs::Fluid;
-use crate::scene::{CaseConfig, Scheme};
+use crate::scene::CaseConfig;
 use kept::{Attempt, Kept};
 use run::Run;
 
@@ -137,9 +137,8 @@ impl From<SimdPath> for Resources {
 impl Resources {
     /// The threads that a case has work for.
     fn team(self, config: &CaseConfig) -> Team {
-        let shares = config.numerics.scheme == Scheme::Wcsph;
         let most = cost(config).particles / PARTICLES_PER_THREAD;
-        Team::of(if shares { self.threads.min(most as usize) } else { 1 })
+        Team::of(self.threads.min(most as usize))
     }
 }
 

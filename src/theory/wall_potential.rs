@@ -21,21 +21,36 @@ const CELLS: usize = 64;
 const REACH: usize = 3;
 
 static TABLE: LazyLock<Vec<f64>> = LazyLock::new(|| {
-    let cell = 1.0 / CELLS as f64;
-    let rows = (0..=REACH * CELLS).map(|column| column as f64 * cell);
-    rows.flat_map(|xi| (0..=CELLS).map(move |row| sum(xi, row as f64 * cell))).collect()
+    let place = |number: usize| number as f64 * (1.0 / CELLS as f64);
+    // A product for each entry; the functions once for each row and column.
+    let modes = |of: fn(u32, f64) -> f64, number: usize| -> Vec<f64> {
+        (0..MODES).map(|n| of(n, place(number))).collect()
+    };
+    let heights: Vec<_> = (0..=CELLS).map(|row| modes(upwards, row)).collect();
+    let mut table = Vec::with_capacity((REACH * CELLS + 1) * (CELLS + 1));
+    for column in 0..=REACH * CELLS {
+        let away = modes(outwards, column);
+        let entry = |height: &Vec<f64>| height.iter().zip(&away).map(|(h, a)| h * a).sum::<f64>();
+        table.extend(heights.iter().map(entry));
+    }
+    table
 });
 
-/// φ/d at the distance `xi` d from the wall and the height `eta` d.
-fn sum(xi: f64, eta: f64) -> f64 {
-    let mode = |n: u32| {
-        let wave_number = (f64::from(n) + 0.5) * PI;
-        let sign = if n.is_multiple_of(2) { 2.0 } else { -2.0 };
-        sign / (wave_number * wave_number)
-            * libm::cos(wave_number * eta)
-            * libm::exp(-wave_number * xi)
-    };
-    (0..MODES).map(mode).sum()
+/// λ_n d.
+fn wave_number(n: u32) -> f64 {
+    (f64::from(n) + 0.5) * PI
+}
+
+/// How φ/d of a mode goes with the height.
+fn upwards(n: u32, eta: f64) -> f64 {
+    let wave_number = wave_number(n);
+    let sign = if n.is_multiple_of(2) { 2.0 } else { -2.0 };
+    sign / (wave_number * wave_number) * libm::cos(wave_number * eta)
+}
+
+/// How it goes with the distance from the wall.
+fn outwards(n: u32, xi: f64) -> f64 {
+    libm::exp(-wave_number(n) * xi)
 }
 
 /// Makes the table, once, so that no step of a run has to.
@@ -65,6 +80,11 @@ pub fn wall_potential(xi: f64, eta: f64) -> [f64; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// φ/d at the distance `xi` d from the wall and the height `eta` d.
+    fn sum(xi: f64, eta: f64) -> f64 {
+        (0..MODES).map(|n| upwards(n, eta) * outwards(n, xi)).sum()
+    }
 
     /// A whole number of hundredths.
     fn hundredths(from: u32, to: u32) -> impl Iterator<Item = f64> {

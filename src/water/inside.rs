@@ -10,8 +10,6 @@ const MOST_PUSHES: usize = 64;
 
 /// Puts particles that have slipped through a wall back onto its face, with its velocity.
 pub struct HoldInside<'a> {
-    /// The water.
-    pub fluid: &'a mut Fluid,
     /// The walls' faces at the end of the step.
     pub planes: &'a [Plane],
     /// The bed, where it is not level.
@@ -24,56 +22,79 @@ pub struct HoldInside<'a> {
 
 impl HoldInside<'_> {
     /// Does so with all particles.
-    pub fn run(mut self, path: SimdPath) {
-        in_turn(path, self.fluid.len(), &mut self);
+    pub fn run(self, path: SimdPath, fluid: &mut Fluid) {
+        in_turn(path, fluid.len(), &mut AllInside { inside: self, fluid });
     }
-}
 
-impl InTurn for HoldInside<'_> {
+    /// Does so with eight of `all` particles, of which the rows are.
     #[inline(always)]
-    fn at<D: Double>(&mut self, here: Here, _: &mut D) {
-        let HoldInside { fluid, planes, bed, bodies, skin } = self;
-        let near = any_nearer(planes, here.all::<D, 2>([&fluid.x, &fluid.y]), 0.0);
-        if near || bed.is_some() {
-            let numbers = here.numbers();
-            for k in numbers.start..numbers.end.min(fluid.len()) {
+    pub fn at<D: Double>(
+        &self,
+        here: Here,
+        all: usize,
+        [x, y]: [&mut [f64]; 2],
+        [vx, vy]: [&mut [f64]; 2],
+    ) {
+        let near = any_nearer(self.planes, [here.in_rows::<D>(x), here.in_rows(y)], 0.0);
+        if near || self.bed.is_some() {
+            let places = here.eight_in_rows(x).iter_mut().zip(here.eight_in_rows(y));
+            let velocities = here.eight_in_rows(vx).iter_mut().zip(here.eight_in_rows(vy));
+            let particles = here.numbers().zip(places.zip(velocities));
+            for (_, ((x, y), (vx, vy))) in particles.take_while(|(k, _)| *k < all) {
+                let ([mut place, mut velocity], bed) = ([[*x, *y], [*vx, *vy]], self.bed);
                 if let Some(bed) = bed {
-                    hold_above(fluid, k, bed, *skin);
+                    hold_above(&mut place, &mut velocity, bed, self.skin);
                 }
                 if near {
-                    hold(fluid, k, (planes, bodies), *skin);
+                    hold(&mut place, &mut velocity, (self.planes, self.bodies), self.skin);
                 }
+                ([*x, *y], [*vx, *vy]) = (place, velocity);
             }
         }
     }
 }
 
-/// Puts a particle back that has slipped through an uneven bed, which stands.
-fn hold_above(fluid: &mut Fluid, k: usize, bed: &Profile, skin: f64) {
-    let place = [fluid.x[k], fluid.y[k]];
-    if place[1] >= bed.height(place[0]) {
-        return;
-    }
-    let (face, _) = bed.nearest(place);
-    [fluid.x[k], fluid.y[k]] = face.in_front(place, skin);
-    if fluid.vx[k] * face.normal[0] + fluid.vy[k] * face.normal[1] > 0.0 {
-        let velocity = [fluid.vx[k], fluid.vy[k]];
-        [fluid.vx[k], fluid.vy[k]] = face.with_across(velocity, |_| 0.0);
+struct AllInside<'a, 'f> {
+    inside: HoldInside<'a>,
+    fluid: &'f mut Fluid,
+}
+
+impl InTurn for AllInside<'_, '_> {
+    #[inline(always)]
+    fn at<D: Double>(&mut self, here: Here, _: &mut D) {
+        let all = self.fluid.len();
+        let Fluid { x, y, vx, vy, .. } = &mut *self.fluid;
+        self.inside.at::<D>(here, all, [x, y], [vx, vy]);
     }
 }
 
-fn hold(fluid: &mut Fluid, k: usize, (planes, bodies): (&[Plane], &[BodyMotion]), skin: f64) {
+/// Puts a particle back that has slipped through an uneven bed, which stands.
+fn hold_above(place: &mut [f64; 2], velocity: &mut [f64; 2], bed: &Profile, skin: f64) {
+    if place[1] >= bed.height(place[0]) {
+        return;
+    }
+    let (face, _) = bed.nearest(*place);
+    *place = face.in_front(*place, skin);
+    if velocity[0] * face.normal[0] + velocity[1] * face.normal[1] > 0.0 {
+        *velocity = face.with_across(*velocity, |_| 0.0);
+    }
+}
+
+fn hold(
+    place: &mut [f64; 2],
+    velocity: &mut [f64; 2],
+    (planes, bodies): (&[Plane], &[BodyMotion]),
+    skin: f64,
+) {
     // In an acute corner one wall may push behind the other, and that one back, nearer to the
     // corner each time.
     for _ in 0..MOST_PUSHES {
-        let place = [fluid.x[k], fluid.y[k]];
-        let crossed = planes.iter().zip(bodies).find(|(plane, _)| plane.beyond(place) > 0.0);
+        let crossed = planes.iter().zip(bodies).find(|(plane, _)| plane.beyond(*place) > 0.0);
         let Some((plane, motion)) = crossed else { break };
-        [fluid.x[k], fluid.y[k]] = plane.in_front(place, skin);
+        *place = plane.in_front(*place, skin);
         let wall = motion.velocity * plane.normal[0];
-        if fluid.vx[k] * plane.normal[0] + fluid.vy[k] * plane.normal[1] > wall {
-            let velocity = [fluid.vx[k], fluid.vy[k]];
-            [fluid.vx[k], fluid.vy[k]] = plane.with_across(velocity, |_| wall);
+        if velocity[0] * plane.normal[0] + velocity[1] * plane.normal[1] > wall {
+            *velocity = plane.with_across(*velocity, |_| wall);
         }
     }
 }
@@ -103,8 +124,8 @@ mod tests {
         let moving = BodyMotion { velocity: speed, ..BodyMotion::default() };
         let planes = [bed, wall];
         let bodies = &[BodyMotion::default(), moving];
-        let hold = HoldInside { fluid: &mut fluid, planes: &planes, bed: None, bodies, skin: 1e-3 };
-        hold.run(SimdPath::widest());
+        let hold = HoldInside { planes: &planes, bed: None, bodies, skin: 1e-3 };
+        hold.run(SimdPath::widest(), &mut fluid);
         (fluid, planes)
     }
 

@@ -8,7 +8,7 @@ use seawall::boundary::{
 use seawall::kernel::KernelChoice;
 use seawall::math::simd::{LANES, SimdPath};
 use seawall::pairs::Strips;
-use seawall::pairs::{Fluid, Record, Scaling};
+use seawall::pairs::{Factors, Flow, Fluid, Record, Scaling};
 
 pub const LENGTH: f64 = 0.6;
 pub const DEPTH: f64 = 0.2;
@@ -155,7 +155,10 @@ impl Basin {
         let mut refreshed = records.clone();
         let part = |slot: usize| water.iter().map(|record| record.0[slot]).collect::<Vec<_>>();
         let (vx, vy) = (part(Record::VX), part(Record::VY));
-        exchange.refresh_velocities(*path, ghosts, bodies, [&vx, &vy]);
+        let flow = Flow { corrected: true, strained: false, diffusing: false, sharing: false };
+        let mut numbers = vec![Factors::default(); ghosts.len()];
+        let packed = (flow, &mut numbers[..]);
+        exchange.refresh_velocities(*path, ghosts, bodies, [&vx, &vy], packed);
         let counts = |record: &&Record| record.0[Record::WEIGHT] != 0.0;
         let images = exchange.images();
         for (g, record) in refreshed.iter_mut().enumerate().filter(|(_, record)| counts(&&**record))
@@ -163,6 +166,7 @@ impl Basin {
             let [vx, vy] = &images[g / LANES].velocity;
             record.0[Record::VX] = vx[g % LANES];
             record.0[Record::VY] = vy[g % LANES];
+            assert_eq!(numbers[g].0[..2], [vx[g % LANES], vy[g % LANES]]);
         }
         if rules.no_slip {
             let mut smooth = Exchange::new(ExchangeRules { no_slip: false, ..*rules }, ghosts);

@@ -1,6 +1,9 @@
 //! Compressed rows, the diagonal apart.
 
+use std::ops::Range;
+
 use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
+use crate::math::team::{Team, cut};
 
 /// A square matrix by rows: the diagonal in an array of its own, the rest compressed.
 #[derive(Debug, Clone, Default)]
@@ -13,6 +16,9 @@ pub struct Csr {
     pub values: Vec<f64>,
     /// The diagonal.
     pub diagonal: Vec<f64>,
+    team: Team,
+    /// The rows in parts; none where nobody shares the work.
+    parts: Vec<Range<usize>>,
 }
 
 impl Csr {
@@ -23,6 +29,57 @@ impl Csr {
         self.columns.clear();
         self.values.clear();
         self.diagonal.clear();
+        self.parts.clear();
+    }
+
+    /// Appends the rows of another matrix, whose columns are those of this one.
+    pub fn append(&mut self, more: &Csr) {
+        let before = self.columns.len() as u32;
+        self.starts.extend(more.starts[1..].iter().map(|start| before + start));
+        self.columns.extend_from_slice(&more.columns);
+        self.values.extend_from_slice(&more.values);
+        self.diagonal.extend_from_slice(&more.diagonal);
+    }
+
+    /// Has a team share the products with the rows that are there.
+    pub fn share_among(&mut self, team: &Team) {
+        self.parts.clear();
+        if team.parts() > 1 {
+            self.parts.extend(cut(self.len(), team.parts()));
+        }
+        self.team = team.clone();
+    }
+
+    /// Who shares the work on the matrix.
+    pub fn team(&self) -> &Team {
+        &self.team
+    }
+
+    /// Finds a value of every row, given its number.
+    pub fn each_row<T: Send>(&self, values: &mut [T], find: impl Fn(usize) -> T + Sync) {
+        let all = 0..self.len();
+        let parts = if self.parts.is_empty() { std::slice::from_ref(&all) } else { &self.parts };
+        self.team.read(parts, values, &|rows, values| {
+            for (row, value) in rows.clone().zip(values) {
+                *value = find(row);
+            }
+        });
+    }
+
+    /// What comes of `y` and `A x`, row by row.
+    fn products(
+        &self,
+        path: SimdPath,
+        x: &[f64],
+        y: &mut [f64],
+        close: impl Fn(f64, f64) -> f64 + Sync,
+    ) {
+        let all = 0..self.len();
+        let parts = if self.parts.is_empty() { std::slice::from_ref(&all) } else { &self.parts };
+        self.team.read(parts, y, &|rows, y| {
+            let (rows, close) = (rows.clone(), &close);
+            dispatch(path, Multiply { matrix: self, rows, x, y, close });
+        });
     }
 
     /// Ends a row whose entries off the diagonal have been put in.
@@ -49,23 +106,30 @@ impl Csr {
 
     /// `y = A x`.
     pub fn multiply(&self, path: SimdPath, x: &[f64], y: &mut [f64]) {
-        dispatch(path, Multiply { matrix: self, x, y });
+        self.products(path, x, y, |_, product| product);
+    }
+
+    /// `y += factor A x`.
+    pub fn add_product(&self, path: SimdPath, factor: f64, x: &[f64], y: &mut [f64]) {
+        self.products(path, x, y, |y, product| y + factor * product);
     }
 }
 
-struct Multiply<'a> {
+struct Multiply<'a, F> {
     matrix: &'a Csr,
+    rows: Range<usize>,
     x: &'a [f64],
     y: &'a mut [f64],
+    close: &'a F,
 }
 
-impl Task for Multiply<'_> {
+impl<F: Fn(f64, f64) -> f64> Task for Multiply<'_, F> {
     type Output = ();
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Multiply { matrix, x, y } = self;
-        for (row, y) in y.iter_mut().enumerate() {
+        let Multiply { matrix, rows, x, y, close } = self;
+        for (row, y) in rows.zip(y) {
             let (columns, values) = matrix.row(row);
             let (columns, last_columns) = columns.as_chunks::<LANES>();
             let (values, last_values) = values.as_chunks::<LANES>();
@@ -77,7 +141,7 @@ impl Task for Multiply<'_> {
             for (&c, &v) in last_columns.iter().zip(last_values) {
                 rest += v * x[c as usize];
             }
-            *y = sum.sum() + rest;
+            *y = close(*y, sum.sum() + rest);
         }
     }
 }

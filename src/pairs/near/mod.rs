@@ -5,20 +5,25 @@
 //! any other pass, but Δ is in metres and g = F's negative in 1/m²: g Δ = V_j ∇_iW_ij.
 
 mod average;
+mod each;
+mod part;
 mod rows;
 mod sums;
+mod values;
 mod weigh;
 
 use std::ops::Range;
 
 use super::fluid::{Fluid, reorder};
-use super::pair_list::{PairList, PointSet, build_pair_list};
+use super::pair_list::{PointSet, build_pair_list};
 use super::record::Record;
 use super::strips::Strips;
-use super::term::Eight;
 use crate::kernel::KernelChoice;
 use crate::math::simd::{LANES, SimdPath};
-pub use rows::{Coupling, Rows};
+use crate::math::team::{Team, cut};
+use part::Part;
+pub use rows::{Blocks, Coupling};
+pub use values::{Field, Values};
 pub use weigh::Moments;
 
 /// The neighbourhood of all particles at one instant. Points are the water, padded by some without
@@ -44,9 +49,10 @@ pub struct Near {
     pub records: Vec<Record>,
     strips: Strips,
     image_strips: Strips,
-    list: PairList,
-    /// g of every listed neighbour with the eight; zero out of reach.
-    slopes: Vec<Eight>,
+    team: Team,
+    parts: Vec<Part>,
+    /// The points in as many parts.
+    cuts: Vec<Range<usize>>,
     order: Vec<u32>,
     /// 0, 1, 2, ...: images of one height keep their order.
     ties: Vec<u32>,
@@ -70,13 +76,21 @@ impl Near {
             records: Vec::new(),
             strips: Strips::default(),
             image_strips: Strips::default(),
-            list: PairList::default(),
-            slopes: Vec::new(),
+            team: Team::default(),
+            parts: vec![Part::default()],
+            cuts: vec![Range::default()],
             order: Vec::new(),
             ties: Vec::new(),
             scratch: Vec::new(),
             ahead: Default::default(),
         }
+    }
+
+    /// Takes on a team for what follows the next [`Near::list`].
+    pub fn take_on(&mut self, team: &Team) {
+        self.parts.resize_with(team.parts(), Part::default);
+        self.cuts.resize(team.parts(), Range::default());
+        self.team = team.clone();
     }
 
     /// Puts the particles, and fields of them that are not empty, into the order of the places that they
@@ -142,7 +156,16 @@ impl Near {
         };
         let sets =
             [set(strips, 0..water, PointSet::EVERYWHERE), set(image_strips, padded..count, bounds)];
-        build_pair_list(*path, &x[..padded], &y[..padded], &sets, &mut self.list);
+        let ranges = cut(padded / LANES, self.parts.len()).zip(cut(count, self.cuts.len()));
+        for ((part, points), (clusters, range)) in
+            self.parts.iter_mut().zip(&mut self.cuts).zip(ranges)
+        {
+            (part.clusters, *points) = (clusters, range);
+        }
+        self.team.share(&mut self.parts, (), &|part, ()| {
+            let lanes = part.lanes();
+            build_pair_list(*path, &x[lanes.clone()], &y[lanes], &sets, &mut part.list);
+        });
     }
 
     /// Sorts the places of images; returns the box that they fill.
@@ -164,11 +187,14 @@ impl Near {
 
     /// Points that are in reach of a particle or nearly so, itself among them.
     pub fn around(&self, particle: usize) -> &[u32] {
-        &self.list.entries()[self.list.range(particle / LANES)]
+        let cluster = particle / LANES;
+        let part = self.parts.partition_point(|part| part.clusters.end <= cluster);
+        let Part { list, clusters, .. } = &self.parts[part];
+        &list.entries()[list.range(cluster - clusters.start)]
     }
 
     /// Pairs that a pass goes through.
     pub fn pairs(&self) -> usize {
-        LANES * self.list.len()
+        LANES * self.parts.iter().map(|part| part.list.len()).sum::<usize>()
     }
 }

@@ -1,8 +1,12 @@
 //! The matrix that pairs make.
 
+use std::ops::Range;
+
 use super::Near;
+use super::part::Part;
 use crate::math::simd::{LANES, Lanes, Task, Vector, dispatch};
 use crate::math::sparse::Csr;
+use crate::math::team;
 use crate::pairs::fields::Here;
 use crate::pairs::geometry::Pair;
 use crate::pairs::term::Eight;
@@ -17,9 +21,28 @@ pub trait Coupling: Copy {
     fn of<R: Vector>(&self, own: &Self::Own<R>, pair: &Pair<R>) -> Option<R>;
 }
 
+/// Room for a matrix to be put together, part by part.
+#[derive(Debug, Clone, Default)]
+pub struct Blocks(Vec<Block>);
+
+/// The rows of a part.
+#[derive(Debug, Clone, Default)]
+struct Block {
+    /// Which part.
+    number: usize,
+    rows: Rows,
+    matrix: Csr,
+}
+
+impl team::Part for Block {
+    fn items(&self) -> Range<usize> {
+        self.number..self.number + 1
+    }
+}
+
 /// Rows of eight particles under way: common columns, with the eight values of each.
 #[derive(Debug, Clone, Default)]
-pub struct Rows {
+struct Rows {
     columns: Vec<u32>,
     values: Vec<Eight>,
     /// Where a column stands among them, if it does.
@@ -68,8 +91,8 @@ impl Rows {
 struct Assemble<'a, C> {
     near: &'a Near,
     coupling: C,
-    rows: &'a mut Rows,
-    matrix: &'a mut Csr,
+    part: &'a Part,
+    block: &'a mut Block,
 }
 
 impl<C: Coupling> Task for Assemble<'_, C> {
@@ -77,15 +100,15 @@ impl<C: Coupling> Task for Assemble<'_, C> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Assemble { near, coupling, rows, matrix } = self;
+        let Assemble { near, coupling, part, block } = self;
+        let Block { rows, matrix, .. } = block;
         let zero = L::splat(0.0);
-        for cluster in 0..near.list.clusters() {
-            let here = Here::new(cluster, cluster);
+        for (place, cluster) in part.clusters.clone().enumerate() {
+            let here = Here::new(cluster, place);
             let (places, own) = (near.eight::<L>(here), coupling.own::<L>(here));
             let mut diagonal = zero;
-            let range = near.list.range(cluster);
-            let entries = near.list.entries()[range.clone()].iter();
-            for (&e, slope) in entries.zip(&near.slopes[range]) {
+            let (entries, slopes) = part.listed(place, false);
+            for (&e, slope) in entries.iter().zip(slopes) {
                 let Some(mut weight) =
                     coupling.of(&own, &Near::pair(places, &near.records[e as usize], slope))
                 else {
@@ -110,14 +133,27 @@ impl<C: Coupling> Task for Assemble<'_, C> {
 
 impl Near {
     /// Makes a matrix of the rows Σ_j w_ij (p_i - p_j), the value at a point being that at its original.
-    pub fn couple(&self, coupling: impl Coupling, rows: &mut Rows, matrix: &mut Csr) {
-        matrix.clear();
-        if matrix.columns.capacity() == 0 {
-            // Half of all listed pairs are in reach: room for later and longer lists.
-            matrix.columns.reserve(self.pairs());
-            matrix.values.reserve(self.pairs());
+    pub fn couple(&self, coupling: impl Coupling + Sync, blocks: &mut Blocks, matrix: &mut Csr) {
+        let Blocks(blocks) = blocks;
+        blocks.resize_with(self.parts.len(), Block::default);
+        for (number, block) in blocks.iter_mut().enumerate() {
+            block.number = number;
         }
-        rows.slot.resize(self.water, 0);
-        dispatch(self.path, Assemble { near: self, coupling, rows, matrix });
+        // The first rows are put together where they belong.
+        std::mem::swap(&mut blocks[0].matrix, matrix);
+        self.team.share(blocks, (), &|block, ()| {
+            let (part, matrix) = (&self.parts[block.number], &mut block.matrix);
+            matrix.clear();
+            if matrix.columns.capacity() == 0 {
+                // Half of all listed pairs are in reach: room for later and longer lists.
+                matrix.columns.reserve(LANES * part.list.len());
+                matrix.values.reserve(LANES * part.list.len());
+            }
+            block.rows.slot.resize(self.water, 0);
+            dispatch(self.path, Assemble { near: self, coupling, part, block });
+        });
+        std::mem::swap(&mut blocks[0].matrix, matrix);
+        blocks[1..].iter().for_each(|block| matrix.append(&block.matrix));
+        matrix.share_among(&self.team);
     }
 }

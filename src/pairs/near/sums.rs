@@ -1,6 +1,7 @@
 //! Sums of terms over the pairs that were weighed.
 
-use super::Near;
+use super::part::Part;
+use super::{Near, Values};
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
 use crate::pairs::fields::Here;
 use crate::pairs::geometry::Pair;
@@ -9,16 +10,6 @@ use crate::pairs::record::Record;
 use crate::pairs::term::{Eight, Sum, Term};
 
 impl Near {
-    /// The pairs of eight particles: the whole list, or the images alone.
-    #[inline(always)]
-    fn listed(&self, cluster: usize, images_alone: bool) -> (&[u32], &[Eight]) {
-        let mut range = self.list.range(cluster);
-        if images_alone {
-            range.start = self.list.start(cluster, 1);
-        }
-        (&self.list.entries()[range.clone()], &self.slopes[range])
-    }
-
     /// Eight places.
     #[inline(always)]
     pub(super) fn eight<L: Lanes>(&self, here: Here) -> [L; 2] {
@@ -37,17 +28,20 @@ impl Near {
     }
 }
 
-struct Sums<'a, T, F> {
+struct Sums<'a, T, R, F> {
     near: &'a Near,
+    part: &'a Part,
     images_alone: bool,
     terms: T,
-    close: F,
+    values: R,
+    close: &'a F,
 }
 
-impl<const N: usize, T, F> Task for Sums<'_, T, F>
+impl<const N: usize, T, R, F> Task for Sums<'_, T, R, F>
 where
     T: Term<Total = [Eight; N]>,
-    F: FnMut(usize, [f64; N]),
+    R: Values,
+    F: Fn(usize, [f64; N]) -> R::Value,
 {
     type Output = ();
 
@@ -55,12 +49,12 @@ where
     #[allow(clippy::needless_range_loop)] // Iterators take longer here.
     fn run<L: Lanes>(mut self) {
         let (near, records, terms) = (self.near, &*self.near.records, self.terms);
-        for cluster in 0..near.list.clusters() {
-            let (entries, slopes) = near.listed(cluster, self.images_alone);
+        for (place, cluster) in self.part.clusters.clone().enumerate() {
+            let (entries, slopes) = self.part.listed(place, self.images_alone);
             if self.images_alone && entries.is_empty() {
                 continue;
             }
-            let here = Here::new(cluster, cluster);
+            let here = Here::new(cluster, place);
             let places = near.eight::<L>(here);
             let own = terms.own::<L, Record>(here);
             let mut sum = T::Sum::<L>::nothing();
@@ -75,27 +69,32 @@ where
                 for n in 0..N {
                     own[n] = sums[n][lane];
                 }
-                (self.close)(cluster * LANES + lane, own);
+                let value = (self.close)(cluster * LANES + lane, own);
+                self.values.put(place * LANES + lane, value);
             }
         }
     }
 }
 
 impl Near {
-    /// Sums terms over the neighbours of every particle and hands its sums to `close`.
-    pub fn sum<const N: usize>(
+    /// Sums terms over the neighbours of every particle, and writes what `close` makes of its sums.
+    pub fn sum<const N: usize, R: Values>(
         &self,
-        terms: impl Term<Total = [Eight; N]>,
-        close: impl FnMut(usize, [f64; N]),
+        terms: impl Term<Total = [Eight; N]> + Sync,
+        values: R,
+        close: impl Fn(usize, [f64; N]) -> R::Value + Sync,
     ) {
-        dispatch(self.path, Sums { near: self, images_alone: false, terms, close });
+        self.team.read(&self.parts, values, &|part, values| {
+            let (near, close) = (self, &close);
+            dispatch(self.path, Sums { near, part, images_alone: false, terms, values, close });
+        });
     }
 
-    /// Shows terms that sum nothing the pairs of the water with its images.
+    /// Shows terms that sum nothing the pairs of the water with its images, in their order.
     pub fn over_images(&self, terms: impl Term<Total = [Eight; 0]>) {
-        dispatch(
-            self.path,
-            Sums { near: self, images_alone: true, terms, close: |_, _: [f64; 0]| () },
-        );
+        for part in &self.parts {
+            let (near, values, close) = (self, (), &|_, _: [f64; 0]| ());
+            dispatch(self.path, Sums { near, part, images_alone: true, terms, values, close });
+        }
     }
 }

@@ -2,7 +2,8 @@
 
 use std::marker::PhantomData;
 
-use super::Near;
+use super::part::Part;
+use super::{Near, Values};
 use crate::kernel::Kernel;
 use crate::math::simd::{LANES, Lanes, Task, dispatch};
 use crate::pairs::fields::Here;
@@ -25,29 +26,37 @@ pub struct Moments {
     pub moment: [f64; 3],
 }
 
-struct Weigh<'a, K, F> {
-    near: &'a mut Near,
+struct Weigh<'a, K, R, F> {
+    part: &'a mut Part,
+    places: [&'a [f64]; 2],
+    records: &'a [Record],
+    /// How many particles the water has.
+    water: usize,
+    /// 1/R, 1/m.
+    inverse: f64,
     /// Turns w'(q)/q into g over the volume.
     slope: f64,
     /// Turns w(q) into W.
     shape: f64,
-    close: F,
+    values: R,
+    close: &'a F,
     kernel: PhantomData<K>,
 }
 
-impl<K: Kernel, F: FnMut(usize, Moments)> Task for Weigh<'_, K, F> {
+impl<K: Kernel, R: Values, F: Fn(Moments) -> R::Value> Task for Weigh<'_, K, R, F> {
     type Output = ();
 
     #[inline(always)]
     fn run<L: Lanes>(mut self) {
-        let Near { list, slopes, places: [all_x, all_y], records, radius, water, .. } = self.near;
-        let (zero, inverse) = (L::splat(0.0), 1.0 / *radius);
+        let Weigh { records, inverse, .. } = self;
+        let Part { clusters, list, slopes, .. } = self.part;
+        let zero = L::splat(0.0);
         let scale = L::splat(inverse * inverse);
-        for cluster in 0..list.clusters() {
-            let here = Here::new(cluster, cluster);
-            let [x, y] = here.all::<L, 2>([all_x, all_y]);
+        for (place, cluster) in clusters.clone().enumerate() {
+            let here = Here::new(cluster, place);
+            let [x, y] = here.all::<L, 2>(self.places);
             let mut sums = [zero; 7];
-            let range = list.range(cluster);
+            let range = list.range(place);
             for (&e, slope) in list.entries()[range.clone()].iter().zip(&mut slopes[range]) {
                 let at = &records[e as usize].0;
                 let (dx, dy) = (x - L::splat(at[Record::X]), y - L::splat(at[Record::Y]));
@@ -67,28 +76,35 @@ impl<K: Kernel, F: FnMut(usize, Moments)> Task for Weigh<'_, K, F> {
                 sums[6] = gy.mul_add(dy, sums[6]);
             }
             let [w, g, sx, sy, xx, xy, yy] = L::to_arrays(sums);
-            for lane in 0..LANES.min(*water - cluster * LANES) {
+            for lane in 0..LANES.min(self.water - cluster * LANES) {
                 let moments = Moments {
                     coverage: w[lane],
                     weight: -g[lane],
                     sway: [sx[lane], sy[lane]],
                     moment: [-xx[lane], -xy[lane], -yy[lane]],
                 };
-                (self.close)(cluster * LANES + lane, moments);
+                self.values.put(place * LANES + lane, (self.close)(moments));
             }
         }
     }
 }
 
 impl Near {
-    /// Finds the slopes of all pairs, and hands every particle's moments to `close`.
-    pub fn weigh(&mut self, close: impl FnMut(usize, Moments)) {
-        let (path, kernel, radius) = (self.path, self.kernel, self.radius);
-        self.slopes.resize(self.list.len(), [0.0; LANES]);
-        let shape = kernel.normalisation() / (radius * radius);
-        let slope = shape * kernel.slope_factor() / (radius * radius);
-        with_kernel!(kernel, K => {
-            dispatch(path, Weigh { near: self, slope, shape, close, kernel: PhantomData::<K> })
+    /// Finds the slopes of all pairs, and writes what `close` makes of every particle's moments.
+    pub fn weigh<R: Values>(&mut self, values: R, close: impl Fn(Moments) -> R::Value + Sync) {
+        let (path, kernel, inverse) = (self.path, self.kernel, 1.0 / self.radius);
+        let shape = kernel.normalisation() / (self.radius * self.radius);
+        let slope = shape * kernel.slope_factor() / (self.radius * self.radius);
+        let Near { team, parts, places: [x, y], records, water, .. } = self;
+        let (places, records, water, close) = ([&x[..], &y[..]], &records[..], *water, &close);
+        team.share(parts, values, &|part, values| {
+            part.slopes.resize(part.list.len(), [0.0; LANES]);
+            with_kernel!(kernel, K => {
+                let kernel = PhantomData::<K>;
+                dispatch(path, Weigh {
+                    part, places, records, water, inverse, slope, shape, values, close, kernel,
+                });
+            });
         });
     }
 }

@@ -68,13 +68,13 @@ impl System {
         if tilted {
             find_tilts(operators, operators.grip.len().next_multiple_of(LANES), &mut self.tilts);
         }
-        let System { matrix, rows, tilts, .. } = &mut *self;
+        let System { matrix, blocks, tilts, .. } = &mut *self;
         let coupling = Compact {
             volume: &near.volume,
             narrow: exact.then_some(even.narrow),
             tilt: tilted.then_some(tilts.as_slice()),
         };
-        near.couple(coupling, rows, matrix);
+        near.couple(coupling, blocks, matrix);
         let grip = &operators.grip;
         for ((diagonal, volume), grip) in matrix.diagonal.iter_mut().zip(&near.volume).zip(grip) {
             *diagonal += volume * grip;

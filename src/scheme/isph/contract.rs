@@ -8,6 +8,7 @@ use super::{Isph, IsphState};
 use crate::body::BodyMotion;
 use crate::boundary::Ghosts;
 use crate::kernel::KernelChoice;
+use crate::math::team::{Growing, Team};
 use crate::pairs::Fluid;
 use crate::scheme::{
     Dissipation, Load, Scheme, SchemeState, SolverSummary, StateEquation, StepError, StepWalls,
@@ -42,6 +43,11 @@ impl Scheme for Isph {
         let speeds = self.fluid.vx[..n].iter().zip(&self.fluid.vy[..n]);
         let fastest = speeds.map(|(vx, vy)| vx * vx + vy * vy).fold(0.0, f64::max).sqrt();
         self.options.courant_number * self.options.spacing / fastest
+    }
+
+    fn take_on(&mut self, team: &Team) {
+        self.near.take_on(team);
+        self.growing = Growing::of(team);
     }
 
     fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> Result<(), StepError> {

@@ -1,7 +1,7 @@
 //! The divergence of the velocity, and its strain.
 
 use super::operators::Operators;
-use crate::pairs::{Eight, Here, Near, Neighbour, Other, Pair, Real, Term};
+use crate::pairs::{Eight, Field, Here, Near, Neighbour, Other, Pair, Real, Term};
 
 /// Σ_j V_j u_j ∇_iW_ij, of Liang et al. 2017, Eq. 5: along x and y, of u and of v.
 #[derive(Clone, Copy)]
@@ -32,17 +32,20 @@ impl Term for Flow {
     }
 }
 
-/// Σ V_j (u_j - u_i)·L_i ∇_iW_ij for the velocities u_i, with u_j in the records.
+/// Writes what `of` makes of Σ V_j (u_j - u_i)·L_i ∇_iW_ij for the velocities u_i, with u_j in the records,
+/// given the particle's number.
 pub(super) fn divergence(
     (near, operators): (&Near, &Operators),
     own: &[[f64; 2]],
-    divergence: &mut [f64],
+    found: &mut [f64],
+    of: impl Fn(usize, f64) -> f64 + Sync,
 ) {
-    near.sum(Flow, |i, [ux, uy, vx, vy]| {
+    near.sum(Flow, Field(found), |i, [ux, uy, vx, vy]| {
         let ([sx, sy], [lxx, lxy, lyy], [u, v]) =
             (operators.sway[i], operators.correction[i], own[i]);
-        divergence[i] =
+        let divergence =
             lxx * (ux - sx * u) + lxy * (uy + vx - sx * v - sy * u) + lyy * (vy - sy * v);
+        of(i, divergence)
     });
 }
 
@@ -53,13 +56,12 @@ pub(super) fn strain(
     own: &[[f64; 2]],
     (strain, divergence): (&mut [[f64; 2]], &mut [f64]),
 ) {
-    near.sum(Flow, |i, [ux, uy, vx, vy]| {
+    near.sum(Flow, (Field(strain), Field(divergence)), |i, [ux, uy, vx, vy]| {
         let ([sx, sy], [xx, xy, yy], [u, v]) = (operators.sway[i], operators.correction[i], own[i]);
         let [ux, uy] = [ux - sx * u, uy - sy * u];
         let [vx, vy] = [vx - sx * v, vy - sy * v];
         let (along, across) = (ux * xx + uy * xy, vx * xy + vy * yy);
         let shear = ux * xy + uy * yy + vx * xx + vy * xy;
-        strain[i] = [0.5 * (along - across), 0.5 * shear];
-        divergence[i] = along + across;
+        ([0.5 * (along - across), 0.5 * shear], along + across)
     });
 }

@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use super::images::Point;
 use super::operators::Operators;
-use crate::pairs::{Eight, Here, Near, Neighbour, Other, Pair, Real, Record, Term};
+use crate::pairs::{Eight, Field, Here, Near, Neighbour, Other, Pair, Real, Record, Term};
 
 /// Σ_j V_j p_j L_j ∇_iW_ij, of Liang et al. 2017, Eq. 9: along x from g Δx and g Δy, along y from both.
 #[derive(Clone, Copy)]
@@ -35,15 +35,17 @@ impl Term for Pressure {
     }
 }
 
-/// Σ V_j (p_i L_i + p_j L_j) ∇_iW_ij for the pressures p_i, with p_j L_j in the records.
+/// Σ V_j (p_i L_i + p_j L_j) ∇_iW_ij for the pressures p_i, with p_j L_j in the records, times a factor.
 pub(super) fn gradient(
     (near, operators): (&Near, &Operators),
-    pressure: &[f64],
+    (pressure, factor): (&[f64], f64),
     slope: &mut [[f64; 2]],
 ) {
-    near.sum(Pressure, |i, [x, more_x, y, more_y]| {
+    near.sum(Pressure, Field(slope), |i, [x, more_x, y, more_y]| {
         let ([sx, sy], [xx, xy, yy], p) = (operators.sway[i], operators.correction[i], pressure[i]);
-        slope[i] = [(x + more_x) + p * (xx * sx + xy * sy), (y + more_y) + p * (xy * sx + yy * sy)];
+        let along = (x + more_x) + p * (xx * sx + xy * sy);
+        let up = (y + more_y) + p * (xy * sx + yy * sy);
+        [factor * along, factor * up]
     });
 }
 

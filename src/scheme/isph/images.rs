@@ -8,6 +8,7 @@
 
 use crate::body::BodyMotion;
 use crate::boundary::Plane;
+use crate::math::team::Growing;
 use crate::pairs::Fluid;
 
 /// What the walls add to an image, at known accelerations or per unit of an unknown one.
@@ -89,7 +90,7 @@ pub(super) struct Mirrors<'a> {
 impl Mirrors<'_> {
     /// The fluid at r* = r + ½ u Δt and its images. Gravity's own g Δt² is left out of Eq. 8, so that
     /// still water stays exactly where it is.
-    pub fn points(&self, fluid: &Fluid, points: &mut Vec<Point>) {
+    pub fn points(&self, fluid: &Fluid, points: &mut Vec<Point>, growing: &mut Growing<Point>) {
         let ahead = 0.5 * self.dt;
         points.clear();
         points.extend((0..fluid.len()).map(|k| Point {
@@ -101,9 +102,7 @@ impl Mirrors<'_> {
             walls: WallTerms::default(),
         }));
         for number in 0..self.planes.len() {
-            for k in 0..points.len() {
-                points.extend(self.image(number, points[k]));
-            }
+            growing.grow(points, |&point| self.image(number, point));
         }
     }
 

@@ -32,34 +32,22 @@ pub(super) struct ExactLaplacian<'a> {
 
 impl Product for ExactLaplacian<'_> {
     fn multiply(&mut self, x: &[f64], y: &mut [f64]) {
-        let (path, points, operators) = (self.path, self.points, self.operators);
-        let Exact { slope, softness, compact, .. } = &mut *self.exact;
-        let n = x.len();
-        let (water, images) = self.near.records.split_at_mut(n);
-        for ((at, correction), p) in water.iter_mut().zip(self.turned).zip(x) {
-            at.set_pressure(correction.map(|c| c * p));
-        }
-        for ((at, correction), point) in images.iter_mut().zip(&self.turned[n..]).zip(&points[n..])
-        {
-            at.set_pressure(correction.map(|c| c * x[point.original as usize]));
-        }
-        gradient((self.near, operators), x, slope);
-        let (water, images) = self.near.records.split_at_mut(n);
-        for (at, slope) in water.iter_mut().zip(&*slope) {
-            at.set_velocity(*slope);
-        }
-        for (at, point) in images.iter_mut().zip(&points[n..]) {
-            at.set_velocity(point.turned(slope[point.original as usize]));
-        }
-        divergence((self.near, operators), slope, y);
-        for (i, y) in y.iter_mut().enumerate() {
-            *y = softness[i] * x[i] - self.near.volume[i] * *y;
-        }
+        let (points, operators, turned) = (self.points, self.operators, self.turned);
+        let Exact { slope, softness, .. } = &mut *self.exact;
+        self.near.each_point(|[e, j], at| {
+            let ([xx, xy, yy], p) = (turned[e], x[j]);
+            at.set_pressure([xx * p, xy * p, yy * p]);
+        });
+        gradient((self.near, operators), (x, 1.0), slope);
+        self.near.each_point(|[e, j], at| {
+            at.set_velocity(if e == j { slope[j] } else { points[e].turned(slope[j]) });
+        });
+        let volume = &self.near.volume;
+        divergence((self.near, operators), slope, y, |i, divergence| {
+            softness[i] * x[i] - volume[i] * divergence
+        });
         if self.compact > 0.0 {
-            self.matrix.multiply(path, x, compact);
-            for (y, c) in y.iter_mut().zip(&*compact) {
-                *y += self.compact * c;
-            }
+            self.matrix.add_product(self.path, self.compact, x, y);
         }
     }
 

@@ -1,7 +1,9 @@
 //! Velocities, places, shifting: the second half of a step.
 
-use super::Isph;
+use super::operators::Operators;
 use super::parting::Parting;
+use super::{Isph, IsphOptions};
+use crate::pairs::Fluid;
 use crate::scheme::{Dissipation, StepWalls};
 use crate::water::{HoldInside, SHIFT_LIMIT, shifted_share};
 
@@ -28,47 +30,36 @@ impl Isph {
             (self.ghosts.bodies.iter().zip(walls.bodies))
                 .map(|(body, motion)| body.plane.moved(motion.offset + dt * motion.velocity)),
         );
-        let mut viscous_power = 0.0;
-        let mut shifting_work = 0.0;
-        for i in 0..n {
-            let velocity = [self.fluid.vx[i], self.fluid.vy[i]];
-            let mut change = self.settled[i];
-            change[1] -= options.gravity;
-            let drag = self.drag[i];
-            viscous_power -= self.fluid.mass[i] * (drag[0] * velocity[0] + drag[1] * velocity[1]);
-            change = [change[0] + drag[0], change[1] + drag[1]];
-            let new = [velocity[0] + dt * change[0], velocity[1] + dt * change[1]];
-            self.fluid.vx[i] = new[0];
-            self.fluid.vy[i] = new[1];
-            self.fluid.x[i] += 0.5 * dt * (velocity[0] + new[0]);
-            self.fluid.y[i] += 0.5 * dt * (velocity[1] + new[1]);
-            shifting_work -= self.fluid.mass[i] * options.gravity * self.shift(i, dt);
-        }
+        let (settled, drag) = (&self.settled, &self.drag);
+        let shifting = Shifting { options: &options, operators: &self.operators, dt };
+        let Fluid { x, y, vx, vy, mass, .. } = &mut self.fluid;
+        let [powers, works] = &mut self.spent;
+        powers.resize(n, 0.0);
+        works.resize(n, 0.0);
+        let fields = [x, y, vx, vy, powers, works].map(Vec::as_mut_slice);
+        self.near.change(fields, |i, [x, y, u, v, power, work]| {
+            let ([along, up], [drag_x, drag_y], [old_u, old_v]) = (settled[i], drag[i], [*u, *v]);
+            *u += dt * (along + drag_x);
+            *v += dt * (up - options.gravity + drag_y);
+            *x += 0.5 * dt * (old_u + *u);
+            *y += 0.5 * dt * (old_v + *v);
+            *power = mass[i] * (drag_x * old_u + drag_y * old_v);
+            *work = 0.0;
+            if let Some([right, rise]) = shifting.of(i, [*u, *v]) {
+                *x += right;
+                *y += rise;
+                *work = mass[i] * options.gravity * rise;
+            }
+        });
+        let [viscous_power, mut shifting_work] =
+            self.spent.each_ref().map(|spent| spent.iter().fold(0.0, |sum, spent| sum - spent));
         if options.shifting_coefficient > 0.0 {
             shifting_work -= options.gravity * self.part(dt);
         }
         let (fluid, planes, bodies) = (&mut self.fluid, &*self.planes, walls.bodies);
-        HoldInside { fluid, planes, bed: None, bodies, skin: 1e-3 * options.spacing }
-            .run(self.path);
+        HoldInside { planes, bed: None, bodies, skin: 1e-3 * options.spacing }
+            .run(self.path, fluid);
         Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }
-    }
-
-    /// δr = -A h |u| Δt ∇C, ∇C = Σ V ∇W, away from the surface only; returns how far it lifts.
-    fn shift(&mut self, i: usize, dt: f64) -> f64 {
-        let options = &self.options;
-        if options.shifting_coefficient == 0.0 || self.operators.grip[i] > 0.0 {
-            return 0.0;
-        }
-        let inside = shifted_share(self.operators.completeness[i], options.shifting_fades_in);
-        let smoothing = options.kernel.smoothing_length_ratio() * options.support_radius;
-        let factor = options.shifting_coefficient * smoothing * self.fluid.speed(i) * dt * inside;
-        let limit = SHIFT_LIMIT * options.spacing;
-        let [sx, sy] = self.operators.sway[i];
-        // s = Σ F Δ points to where neighbours crowd.
-        let [dx, dy] = [-factor * sx, -factor * sy].map(|shift| shift.clamp(-limit, limit));
-        self.fluid.x[i] += dx;
-        self.fluid.y[i] += dy;
-        dy
     }
 
     /// Parts what crowds near the surface; returns Σ m δy, kg m per metre.
@@ -84,5 +75,31 @@ impl Isph {
             dt,
         };
         parting.part(fluid)
+    }
+}
+
+/// Shifting of a step.
+struct Shifting<'a> {
+    options: &'a IsphOptions,
+    operators: &'a Operators,
+    /// The time step, seconds.
+    dt: f64,
+}
+
+impl Shifting<'_> {
+    /// δr = -A h |u| Δt ∇C, ∇C = Σ V ∇W, of a particle with the velocity u; away from the surface only.
+    fn of(&self, i: usize, [u, v]: [f64; 2]) -> Option<[f64; 2]> {
+        let Shifting { options, operators, dt } = self;
+        if options.shifting_coefficient == 0.0 || operators.grip[i] > 0.0 {
+            return None;
+        }
+        let inside = shifted_share(operators.completeness[i], options.shifting_fades_in);
+        let smoothing = options.kernel.smoothing_length_ratio() * options.support_radius;
+        let speed = (u * u + v * v).sqrt();
+        let factor = options.shifting_coefficient * smoothing * speed * dt * inside;
+        let limit = SHIFT_LIMIT * options.spacing;
+        let [sx, sy] = operators.sway[i];
+        // s = Σ F Δ points to where neighbours crowd.
+        Some([(-factor * sx).clamp(-limit, limit), (-factor * sy).clamp(-limit, limit)])
     }
 }

@@ -2,7 +2,7 @@
 
 use super::images::Point;
 use super::lattice::Even;
-use crate::pairs::Near;
+use crate::pairs::{Field, Near};
 
 /// The correction of gradients fades from the moment's inverse, above this eigenvalue, ...
 const CORRECT_FULL: f64 = 0.30;
@@ -39,22 +39,21 @@ impl Operators {
         self.sway.resize(n, [0.0; 2]);
         self.moment.resize(n, [0.0; 3]);
         self.correction.resize(n, [0.0; 3]);
-        self.grip.clear();
         self.grip.resize(n, 0.0);
-        near.weigh(|i, of| {
-            self.coverage[i] = of.coverage;
-            self.weight[i] = of.weight;
-            self.sway[i] = of.sway;
-            self.moment[i] = of.moment;
-            (self.correction[i], self.completeness[i]) = invert(of.moment);
+        let Operators { coverage, weight, sway, moment, correction, completeness, .. } = self;
+        let sums = (Field(coverage), (Field(weight), Field(sway)));
+        let support = (Field(moment), (Field(correction), Field(completeness)));
+        near.weigh((sums, support), |of| {
+            ((of.coverage, (of.weight, of.sway)), (of.moment, invert(of.moment)))
         });
     }
 
     /// L of every point, turned as its image is.
-    pub fn turn(&self, points: &[Point], turned: &mut Vec<[f64; 3]>) {
-        let turn = |point: &Point| point.turned_tensor(self.correction[point.original as usize]);
-        turned.clear();
-        turned.extend(points.iter().map(turn));
+    pub fn turn(&self, (near, points): (&Near, &[Point]), turned: &mut Vec<[f64; 3]>) {
+        turned.resize(points.len(), [0.0; 3]);
+        near.of_points(turned, |e| {
+            points[e].turned_tensor(self.correction[points[e].original as usize])
+        });
     }
 
     /// κ_i = ½ tr (Σ F ΔΔᵀ)⁻¹, Schwaiger's (2008) normalisation of a support that is cut off, which

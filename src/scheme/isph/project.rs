@@ -4,8 +4,9 @@
 use super::Isph;
 use super::divergence::{divergence, strain};
 use super::gradient::gradient;
-use super::images::{NO_BODY, Point, WallTerms};
+use super::images::{Point, WallTerms};
 use super::viscosity::Viscosity;
+use crate::pairs::Field;
 
 /// Which pressure a gradient is taken of.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -24,22 +25,23 @@ impl Isph {
         let options = &self.options;
         let gravity = options.density * options.gravity;
         let carried = &self.carried;
-        let points = self.points.iter().zip(&self.turned);
-        for (at, (point, turned)) in self.near.records.iter_mut().zip(points) {
-            let Point { original, walls, place: [_, y], .. } = point;
+        let (points, turned, pressure) = (&self.points, &self.turned, &self.pressure);
+        let of = |e: usize| {
+            let Point { original, walls, place: [_, y], .. } = &points[e];
             let j = *original as usize;
-            let p = match source {
+            match source {
                 Source::Pressure => {
-                    self.pressure[j] + walls.pressure + gravity * (options.still_level - y)
+                    pressure[j] + walls.pressure + gravity * (options.still_level - y)
                 }
                 Source::Walls => walls.pressure_response,
                 Source::Response => carried.response[j] + walls.pressure_response,
-            };
-            if point.body == NO_BODY {
-                self.own_pressure[j] = p;
             }
-            at.set_pressure(turned.map(|correction| correction * p));
-        }
+        };
+        self.near.each_point(|[e, _], at| {
+            let ([xx, xy, yy], p) = (turned[e], of(e));
+            at.set_pressure([xx * p, xy * p, yy * p]);
+        });
+        self.near.each(Field(&mut self.own_pressure), of);
     }
 
     /// Accelerations by a pressure, -(1/ρ) Σ F (p_i L_i + p_j L_j) Δ: equal and opposite between
@@ -47,25 +49,26 @@ impl Isph {
     pub(super) fn accelerate(&mut self, source: Source) {
         self.stresses(source);
         let near = (&self.near, &self.operators);
-        gradient(near, &self.own_pressure, &mut self.accelerations);
-        let per_density = -1.0 / self.options.density;
-        self.accelerations.iter_mut().for_each(|slope| *slope = slope.map(|s| per_density * s));
+        let pressure = (&self.own_pressure[..], -1.0 / self.options.density);
+        gradient(near, pressure, &mut self.accelerations);
     }
 
     /// The velocities at hand as the walls mirror them.
-    fn mirror(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2]) {
-        for (at, point) in self.near.records.iter_mut().zip(&self.points) {
-            let [u, v] = point.turned(self.velocities[point.original as usize]);
+    fn mirror(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2] + Sync) {
+        let (points, velocities) = (&self.points, &self.velocities);
+        self.near.each_point(|[e, j], at| {
+            let point = &points[e];
+            let [u, v] = point.turned(velocities[j]);
             let [wall_u, wall_v] = walls(&point.walls);
             at.set_velocity([u + wall_u, v + wall_v]);
-        }
+        });
     }
 
     /// ∇·u = Σ F (u_j - u_i)·L_i Δ of the velocities at hand, images moving as `walls` says.
-    pub(super) fn diverge(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2]) {
+    pub(super) fn diverge(&mut self, walls: impl Fn(&WallTerms) -> [f64; 2] + Sync) {
         self.mirror(walls);
         let near = (&self.near, &self.operators);
-        divergence(near, &self.velocities, &mut self.divergence);
+        divergence(near, &self.velocities, &mut self.divergence, |_, divergence| divergence);
     }
 
     /// Viscous accelerations, with walls that slip freely, and the divergence of the velocities.

@@ -6,6 +6,7 @@ use super::options::Laplacian;
 use super::project::Source;
 use super::system::System;
 use crate::math::sparse::{StopRule, Stored};
+use crate::pairs::Field;
 use crate::scheme::StepError;
 
 /// A solve that takes more iterations than this has failed.
@@ -53,14 +54,14 @@ impl Isph {
         exact.scaled.extend(pressures.map(|(p, old)| p - memory * old));
         self.system.matrix.multiply(self.path, &exact.scaled, &mut exact.compact);
         let (factor, relax) = (-options.density / dt, options.volume_relaxation / dt);
-        self.system.right.clear();
-        self.system.right.extend((0..self.pressure.len()).map(|i| {
+        self.system.right.resize(self.pressure.len(), 0.0);
+        self.near.each(Field(&mut self.system.right), |i| {
             let aimed = self.divergence[i] - exact.aim[i];
             let divergence = aimed - relax * operators.crowding(i, &self.even);
             factor * self.near.volume[i] * divergence
                 - exact.softness[i] * self.own_pressure[i]
                 - options.compact_share * exact.compact[i]
-        }));
+        });
         let mut change = std::mem::take(&mut self.system.change);
         change.clear();
         change.resize(self.pressure.len(), 0.0);
@@ -89,11 +90,11 @@ impl Isph {
     pub(super) fn set_velocities_after(&mut self, dt: f64) {
         let gravity = self.options.gravity;
         let (fluid, accelerations, drag) = (&self.fluid, &self.accelerations, &self.drag);
-        self.velocities.clear();
-        self.velocities.extend((0..fluid.len()).map(|i| {
-            let [ax, ay] = [0, 1].map(|k| accelerations[i][k] + drag[i][k]);
-            [fluid.vx[i] + dt * ax, fluid.vy[i] + dt * (ay - gravity)]
-        }));
+        self.velocities.resize(fluid.len(), [0.0; 2]);
+        self.near.each(Field(&mut self.velocities), |i| {
+            let ([ax, ay], [drag_x, drag_y]) = (accelerations[i], drag[i]);
+            [fluid.vx[i] + dt * (ax + drag_x), fluid.vy[i] + dt * (ay + drag_y - gravity)]
+        });
     }
 
     /// Solves for the pressure per unit acceleration of the responding wall, so that force and

@@ -10,6 +10,7 @@ use super::options::IsphOptions;
 use super::system::System;
 use crate::boundary::{Ghosts, Plane};
 use crate::math::simd::SimdPath;
+use crate::math::team::{Growing, Team};
 use crate::pairs::{Fluid, Near};
 use crate::scheme::Load;
 
@@ -66,6 +67,8 @@ pub struct Isph {
     pub(super) planes: Vec<Plane>,
     /// The water and its images, before these are sorted.
     pub(super) loose: Vec<Point>,
+    /// How they become more by their images.
+    pub(super) growing: Growing<Point>,
     /// The same in the order of the neighbourhood, with some padding between.
     pub(super) points: Vec<Point>,
     pub(super) near: Near,
@@ -85,6 +88,8 @@ pub struct Isph {
     /// Viscous accelerations, and what they do to the bodies.
     pub(super) drag: Vec<[f64; 2]>,
     pub(super) drag_on_bodies: Vec<f64>,
+    /// Of every particle, what it loses in a step by viscosity, W, and by shifting, J.
+    pub(super) spent: [Vec<f64>; 2],
     /// By the pressure that was asked for last, and by that of the step under way.
     pub(super) accelerations: Vec<[f64; 2]>,
     pub(super) settled: Vec<[f64; 2]>,
@@ -121,6 +126,7 @@ impl Isph {
             face_offsets: Vec::new(),
             planes: Vec::new(),
             loose: Vec::new(),
+            growing: Growing::of(&Team::default()),
             points: Vec::new(),
             near: Near::new(path, options.kernel, options.support_radius, options.spacing),
             operators: Operators::default(),
@@ -134,6 +140,7 @@ impl Isph {
             strain: vec![[0.0; 2]; n],
             drag: Vec::new(),
             drag_on_bodies: vec![0.0; bodies],
+            spent: Default::default(),
             accelerations: vec![[0.0; 2]; n],
             settled: Vec::new(),
             forces: vec![0.0; bodies],

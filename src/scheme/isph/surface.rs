@@ -3,7 +3,7 @@
 use super::images::Point;
 use super::lattice::Even;
 use super::operators::Operators;
-use crate::pairs::{Eight, Here, Near, Neighbour, Other, Pair, Real, Term};
+use crate::pairs::{Eight, Field, Here, Near, Neighbour, Other, Pair, Real, Term};
 
 /// A particle is at the surface where ∇·r is below this (Liang et al. 2017, Eq. 13).
 const SURFACE_DIVERGENCE: f64 = 1.5;
@@ -76,14 +76,16 @@ pub(super) fn find_surface(
     at_surface.clear();
     at_surface.extend(moment.iter().map(|[xx, _, yy]| xx + yy < SURFACE_DIVERGENCE));
     let above = Above { points, original: &near.original, at_surface, sway };
-    near.sum(above, |i, [sum, height, up_x, up_y]| {
+    near.sum(above, Field(grip), |i, [sum, height, up_x, up_y]| {
         if sum > 0.0 {
             let distance = (SKIN * spacing + height / sum).max(CLOSEST * spacing);
             let length = (up_x * up_x + up_y * up_y).sqrt().max(1e-300);
             let [sx, sy] = sway[i];
             let outwards = -(sx * up_x + sy * up_y) / length;
             let missing = (even.weight - weight[i]).max(0.0);
-            grip[i] = 2.0 * (outwards / distance).max(missing);
+            2.0 * (outwards / distance).max(missing)
+        } else {
+            0.0
         }
     });
 }

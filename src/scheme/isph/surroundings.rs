@@ -32,7 +32,7 @@ impl Isph {
             density: self.options.density,
             dt,
         };
-        mirrors.points(&self.fluid, &mut self.loose);
+        mirrors.points(&self.fluid, &mut self.loose, &mut self.growing);
         let of = |point: &Point| (point.place, point.volume, point.original);
         self.near.list(self.fluid.len(), &self.loose, &mut self.points, of);
     }
@@ -40,8 +40,8 @@ impl Isph {
     /// Operators of all particles, and the surface.
     pub(super) fn find_operators(&mut self) {
         self.operators.find(&mut self.near, self.fluid.len());
-        self.operators.turn(&self.points, &mut self.turned);
         let around = (&self.near, &self.points[..]);
+        self.operators.turn(around, &mut self.turned);
         find_surface(&mut self.operators, around, (self.options.spacing, &self.even));
     }
 

@@ -1,7 +1,7 @@
 //! The pressure equation with what solves it.
 
 use crate::math::sparse::{Csr, Krylov, Preconditioner, PreconditionerChoice};
-use crate::pairs::Rows;
+use crate::pairs::Blocks;
 
 /// A matrix, its preconditioner and the fields of a solve.
 #[derive(Debug)]
@@ -9,7 +9,7 @@ pub(super) struct System {
     pub matrix: Csr,
     pub preconditioner: Preconditioner,
     pub krylov: Krylov,
-    pub rows: Rows,
+    pub blocks: Blocks,
     pub right: Vec<f64>,
     /// What is solved for, the guess before that.
     pub change: Vec<f64>,
@@ -27,7 +27,7 @@ impl System {
             matrix: Csr::default(),
             preconditioner: Preconditioner::new(choice),
             krylov: Krylov::default(),
-            rows: Rows::default(),
+            blocks: Blocks::default(),
             right: Vec::new(),
             change: Vec::new(),
             reached: Vec::new(),

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use super::images::Point;
-use crate::pairs::{Eight, Here, Near, Neighbour, Other, Pair, Real, Record, Term};
+use crate::pairs::{Eight, Field, Here, Near, Neighbour, Other, Pair, Real, Record, Term};
 
 /// Viscous accelerations: 2 ν Σ F (u_j - u_i), Liang et al. 2017, Eq. 3, and α h c Σ F π Δ with π =
 /// (u_j - u_i)·Δ/r² less what a linear, divergence-free velocity gives, limited so that every pair
@@ -12,39 +12,23 @@ use crate::pairs::{Eight, Here, Near, Neighbour, Other, Pair, Real, Record, Term
 struct Drag<'a> {
     /// Of every point, images too: u, and the strain in place of the pressure.
     records: &'a [Record],
-    points: &'a [Point],
     /// α h c.
     artificial: f64,
     /// 2 ν.
     physical: f64,
     /// What Δ² is taken for at least, m².
     least: f64,
-    /// m_i, padded.
-    mass: &'a [f64],
-    /// What the water does to the bodies, whose images do this to the water.
-    on_bodies: &'a [Cell<f64>],
 }
 
-impl Term for Drag<'_> {
-    /// Velocity and strain, and the mass.
-    type Own<R: Real> = ([R; 4], R);
-    type Sum<R: Real> = [R; 2];
-    type Total = [Eight; 2];
-
+impl Drag<'_> {
+    /// What one pair gives, along x and up.
     #[inline(always)]
-    fn own<R: Real, N: Neighbour>(&self, here: Here) -> ([R; 4], R) {
-        let slots = [Record::VX, Record::VY, Record::PRESSURE, Record::PRESSURE_XY];
-        (here.slots(self.records, slots), here.of(self.mass))
-    }
-
-    #[inline(always)]
-    fn add<R: Real, N: Neighbour>(
+    fn of<R: Real, N: Neighbour>(
         &self,
-        &([u, v, p, q], mass): &([R; 4], R),
+        &[u, v, p, q]: &[R; 4],
         pair: &Pair<R>,
         other: Other<'_, N>,
-        [along, up]: &mut [R; 2],
-    ) {
+    ) -> [R; 2] {
         let Pair { dx, dy, .. } = *pair;
         let ([their_u, their_v], [their_p, their_q, _]) =
             (other.velocity::<R>(), other.pressure::<R>());
@@ -57,14 +41,69 @@ impl Term for Drag<'_> {
         let square = dx.mul_add(dx, dy * dy).max(R::splat(self.least));
         let factor = pair.slope() * (R::splat(self.artificial) * left).div(square);
         let weight = pair.slope() * R::splat(self.physical);
-        let (x, y) = (factor.mul_add(dx, weight * du), factor.mul_add(dy, weight * dv));
+        [factor.mul_add(dx, weight * du), factor.mul_add(dy, weight * dv)]
+    }
+}
+
+impl Term for Drag<'_> {
+    /// Velocity and strain.
+    type Own<R: Real> = [R; 4];
+    type Sum<R: Real> = [R; 2];
+    type Total = [Eight; 2];
+
+    #[inline(always)]
+    fn own<R: Real, N: Neighbour>(&self, here: Here) -> [R; 4] {
+        let slots = [Record::VX, Record::VY, Record::PRESSURE, Record::PRESSURE_XY];
+        here.slots(self.records, slots)
+    }
+
+    #[inline(always)]
+    fn add<R: Real, N: Neighbour>(
+        &self,
+        own: &[R; 4],
+        pair: &Pair<R>,
+        other: Other<'_, N>,
+        [along, up]: &mut [R; 2],
+    ) {
+        let [x, y] = self.of(own, pair, other);
         *along += x;
         *up += y;
-        // The images come behind the water and its padding.
-        if other.number >= self.mass.len() {
-            let force = &self.on_bodies[self.points[other.number].body as usize];
-            force.set(force.get() - (mass * x).total());
-        }
+    }
+}
+
+/// What the water does to the bodies, whose images drag it: the same with the opposite sign.
+#[derive(Clone, Copy)]
+struct Pull<'a> {
+    drag: Drag<'a>,
+    points: &'a [Point],
+    /// m_i, padded.
+    mass: &'a [f64],
+    on_bodies: &'a [Cell<f64>],
+}
+
+impl Term for Pull<'_> {
+    /// What the drag reads, and the mass.
+    type Own<R: Real> = ([R; 4], R);
+    type Sum<R: Real> = [R; 0];
+    type Total = [Eight; 0];
+
+    #[inline(always)]
+    fn own<R: Real, N: Neighbour>(&self, here: Here) -> ([R; 4], R) {
+        (Term::own::<R, N>(&self.drag, here), here.of(self.mass))
+    }
+
+    #[inline(always)]
+    fn add<R: Real, N: Neighbour>(
+        &self,
+        (own, mass): &([R; 4], R),
+        pair: &Pair<R>,
+        other: Other<'_, N>,
+        _: &mut [R; 0],
+    ) {
+        let number = other.number;
+        let [x, _] = self.drag.of(own, pair, other);
+        let force = &self.on_bodies[self.points[number].body as usize];
+        force.set(force.get() - (*mass * x).total());
     }
 }
 
@@ -91,19 +130,18 @@ impl Viscosity {
         if self.artificial + self.physical == 0.0 {
             return;
         }
-        for (at, point) in near.records.iter_mut().zip(points) {
-            let [p, q] = strain[point.original as usize];
-            at.set_pressure(point.turned_tensor([p, q, -p]));
-        }
+        near.each_point(|[e, j], at| {
+            let [p, q] = strain[j];
+            at.set_pressure(points[e].turned_tensor([p, q, -p]));
+        });
         let terms = Drag {
             records: &near.records,
-            points,
             artificial: self.artificial,
             physical: 2.0 * self.physical,
             least: 1e-12 * self.spacing * self.spacing,
-            mass,
-            on_bodies: Cell::from_mut(on_bodies).as_slice_of_cells(),
         };
-        near.sum(terms, |i, found| drag[i] = found);
+        near.sum(terms, Field(drag), |_, found| found);
+        let on_bodies = Cell::from_mut(on_bodies).as_slice_of_cells();
+        near.over_images(Pull { drag: terms, points, mass, on_bodies });
     }
 }

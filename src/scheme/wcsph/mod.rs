@@ -14,6 +14,7 @@ mod continuity;
 mod contract;
 mod correction;
 mod diffusion;
+mod drift;
 mod laminar;
 mod lists;
 mod momentum;
@@ -107,6 +108,8 @@ struct Workspace {
     next_correction_xx: Vec<f64>,
     next_correction_xy: Vec<f64>,
     next_correction_yy: Vec<f64>,
+    /// Elastic energy that goes in a step, of the particles that [`drift`] settles.
+    lost: Vec<f64>,
     /// Per body: force on it along x, N/m, and its added mass, kg/m.
     loads: Vec<[f64; 2]>,
     /// The viscous part of the force, which acoustic steps hold.
@@ -146,6 +149,7 @@ impl Workspace {
             next_correction_xx: vec![1.0; padded],
             next_correction_xy: zeros(),
             next_correction_yy: vec![1.0; padded],
+            lost: zeros(),
             loads: vec![[0.0; 2]; bodies],
             held_loads: vec![0.0; bodies],
         }

@@ -1,22 +1,20 @@
 //! Velocities and places: kick, drift, and what keeps particles in good order.
 
-use super::passes::{TENSION_FROM, TENSION_FULL};
+use super::passes::TENSION_FULL;
 use super::shifting::Shift;
 use super::volume::Restore;
 use super::{DensityDiffusion, Wcsph};
 use crate::body::{BodyMotion, Place};
 use crate::boundary::Plane;
 use crate::math::simd::dispatch;
-use crate::pairs::{Advance, Fluid, Ramp, in_turn};
-use crate::water::{HoldInside, Slack};
+use crate::pairs::{Fluid, Ramp};
+use crate::water::HoldInside;
 
 /// Hydrostatic density diffusion fades in from this completeness: near the surface the discrete
 /// balance differs from the exact one, and diffusion would forever work against it ...
 const DIFFUSE_FROM: f64 = 0.9;
 /// ... to this one.
 const DIFFUSE_FULL: f64 = 0.99;
-/// Where the water takes no pressure.
-const SLACK: Slack = Slack { spray: [0.45, 0.25], tension: [TENSION_FULL, TENSION_FROM] };
 
 impl Wcsph {
     /// Adds to the accelerations what the wall's own brings about, and the field.
@@ -46,28 +44,6 @@ impl Wcsph {
         }
     }
 
-    /// New velocities.
-    pub(super) fn kick(&mut self, dt: f64) {
-        let (n, work) = (self.fluid.len(), &self.work);
-        let fields = [
-            (&mut self.fluid.vx[..n], &work.acceleration_x[..n]),
-            (&mut self.fluid.vy[..n], &work.acceleration_y[..n]),
-        ];
-        dispatch(self.pairs.path, Advance { fields, dt });
-    }
-
-    /// New densities and places.
-    pub(super) fn drift(&mut self, dt: f64) {
-        let n = self.fluid.len();
-        let Fluid { x, y, vx, vy, density, .. } = &mut self.fluid;
-        let fields = [
-            (&mut density[..n], &self.work.carried.density_rate[..n]),
-            (&mut x[..n], &vx[..n]),
-            (&mut y[..n], &vy[..n]),
-        ];
-        dispatch(self.pairs.path, Advance { fields, dt });
-    }
-
     /// The walls' faces at the end of a step.
     pub(super) fn move_planes(&mut self, dt: f64, bodies: &[BodyMotion]) {
         self.planes.clear();
@@ -93,9 +69,11 @@ impl Wcsph {
     /// Shifts the particles, if they are, for the time since the last full step; returns the energy
     /// that goes.
     pub(super) fn shift(&mut self, fades_in: [f64; 2]) -> f64 {
-        let particles = self.fluid.padded_len();
-        let mut shift = Shift {
-            fluid: &mut self.fluid,
+        let n = self.fluid.padded_len();
+        let Fluid { x, y, vx, vy, density, mass, .. } = &mut self.fluid;
+        let shift = Shift {
+            mass,
+            velocity: [vx, vy],
             work: &self.work,
             options: &self.options,
             planes: &self.planes,
@@ -105,7 +83,8 @@ impl Wcsph {
             dt: self.since_full,
             inverse_radius: self.scaling.inverse_radius,
         };
-        -in_turn(self.pairs.path, particles, &mut shift)
+        let rows = [&mut x[..n], &mut y[..n], &mut density[..n]];
+        -self.pairs.sum_each(rows, &shift)
     }
 
     /// Takes back the volume that was lost since the last full step, if that is wanted; returns the energy
@@ -115,9 +94,11 @@ impl Wcsph {
         let options = &self.options;
         let per_second =
             |feedback: f64| feedback * options.state.sound_speed * self.scaling.inverse_radius;
-        let particles = self.fluid.padded_len();
-        let mut restore = Restore {
-            fluid: &mut self.fluid,
+        let n = self.fluid.padded_len();
+        let Fluid { x, y, density, mass, .. } = &mut self.fluid;
+        let restore = Restore {
+            mass,
+            places: [x, y],
             work: &self.work,
             options,
             shortfall,
@@ -125,7 +106,7 @@ impl Wcsph {
             steep_rate: per_second(options.steep_feedback) * self.since_full,
             steep: &self.steep,
         };
-        -in_turn(self.pairs.path, particles, &mut restore)
+        -self.pairs.sum_each(&mut density[..n], &restore)
     }
 
     /// Holds the particles in front of the walls.
@@ -133,11 +114,11 @@ impl Wcsph {
         let skin = 1e-3 * self.options.spacing;
         let (fluid, planes) = (&mut self.fluid, &*self.planes);
         let bed = self.ghosts.outline();
-        HoldInside { fluid, planes, bed, bodies, skin }.run(self.pairs.path);
+        HoldInside { planes, bed, bodies, skin }.run(self.pairs.path, fluid);
     }
 
-    /// Finds the particles that [`Wcsph::settle_surface`] may change: few, and the same ones until
-    /// the next full step.
+    /// Finds the particles that may settle as they drift: few, and the same ones until the next full
+    /// step.
     pub(super) fn find_surface(&mut self) {
         let completeness = &self.work.completeness[..self.fluid.len()];
         self.near_surface.clear();
@@ -145,33 +126,9 @@ impl Wcsph {
         self.near_surface.extend(near.map(|(k, _)| k as u32));
     }
 
-    /// Relaxes the density of particles that feel no pressure: spray with too few neighbours, and
-    /// water near the surface that would be under tension. Both are at the pressure of the air. Returns
-    /// the elastic energy that goes.
-    pub(super) fn settle_surface(&mut self, dt: f64) -> f64 {
-        let mut loss = 0.0;
-        let state = self.options.state;
-        let rate = (dt * state.sound_speed / self.options.smoothing_length()).min(1.0);
-        for &k in &self.near_surface {
-            let k = k as usize;
-            let completeness = self.work.completeness[k];
-            let density = self.fluid.density[k];
-            let share = SLACK.share(completeness, density < state.surface_density).min(1.0);
-            if share > 0.0 {
-                let rise = rate * share * (state.surface_density - density);
-                // Tension that did no work as it grew takes none away.
-                let acting = if rise > 0.0 { self.work.carried.tension[k] } else { 1.0 };
-                let pressure = state.pressure(density) * acting;
-                loss -= self.fluid.mass[k] * pressure / (density * density) * rise;
-                self.fluid.density[k] += rise;
-            }
-        }
-        loss
-    }
-
     /// Takes the correction that the last pass has found, for the full step to come. With
-    /// `extrapolated_correction` it is taken on by what has changed since the `found` one before, if there is
-    /// any: L + (L - L_before).
+    /// `extrapolated_correction` it is taken on by as much as it has changed since the one `before`, if there
+    /// was one: L + (L - L_before).
     ///
     /// A correction that lags lets the pressure push a little too late all the time, and so feeds waves.
     pub(super) fn take_next_correction(&mut self, before: bool) {

@@ -24,7 +24,8 @@ impl Each<WholeRows<'_>> for Whole<'_> {
     fn at<D: Double>(&self, here: Here, (fields, records): &mut WholeRows<'_>) {
         let Whole { pressing, scaling, fluid, ahead, correction } = self;
         let [pressures, diffused, scaled_x, scaled_y] = fields;
-        let [p, smoothed] = pressing.find::<D>(here);
+        let (density, y) = (here.eight(&fluid.density), here.eight(&fluid.y));
+        let [p, smoothed] = pressing.find::<D>(here, density, y);
         here.put(pressures, p);
         here.put(diffused, smoothed);
         let inverse_radius = D::splat(scaling.inverse_radius);
@@ -40,34 +41,14 @@ impl Each<WholeRows<'_>> for Whole<'_> {
     }
 }
 
-/// New pressures of the water alone, for an acoustic step: see [`super::acoustic::Acoustic`] for what a
-/// neighbour's are.
-struct Pressures<'a> {
-    pressing: Pressing<'a>,
-    /// Places over R.
-    places: [&'a [f64]; 2],
-    correction: [&'a [f64]; 3],
-}
-
-/// Rows of the pressure and of what diffusion smooths; then the numbers.
-type PressureRows<'r> = ([&'r mut [f64]; 2], &'r mut [Factors]);
-
-impl Each<PressureRows<'_>> for Pressures<'_> {
-    #[inline(always)]
-    fn at<D: Double>(&self, here: Here, (fields, factors): &mut PressureRows<'_>) {
-        let [pressures, diffused] = fields;
-        let [p, smoothed] = self.pressing.find::<D>(here);
-        here.put(pressures, p);
-        here.put(diffused, smoothed);
-        let [xx, xy, yy] = here.all::<D, 3>(self.correction);
-        let place = here.all(self.places);
-        here.put_numbers(factors, Factors::of_pressure([p * xx, p * xy, p * yy], place));
-    }
-}
-
-/// New velocities of some of the water, for the continuity pass: see [`Flow`] for what a neighbour's are.
+/// New velocities, and those of the water for the continuity pass: see [`Flow`] for what a neighbour's
+/// are.
 struct Velocities<'a, F> {
-    fluid: &'a Fluid,
+    accelerations: [&'a [f64]; 2],
+    /// Length of the step, seconds.
+    dt: f64,
+    /// How many particles there are.
+    all: usize,
     /// Places over R.
     places: [&'a [f64]; 2],
     flow: Flow,
@@ -75,10 +56,16 @@ struct Velocities<'a, F> {
     diffused: &'a [f64],
 }
 
-impl<F: Diffusion> Each<&mut [Factors]> for Velocities<'_, F> {
+/// Rows of the velocities; then the numbers.
+type VelocityRows<'r> = ([&'r mut [f64]; 2], &'r mut [Factors]);
+
+impl<F: Diffusion> Each<VelocityRows<'_>> for Velocities<'_, F> {
     #[inline(always)]
-    fn at<D: Double>(&self, here: Here, factors: &mut &mut [Factors]) {
-        let velocity = here.all::<D, 2>([&self.fluid.vx, &self.fluid.vy]);
+    fn at<D: Double>(&self, here: Here, ([vx, vy], factors): &mut VelocityRows<'_>) {
+        let ([along, up], dt) = (here.all::<D, 2>(self.accelerations), D::splat(self.dt));
+        here.put_within(self.all, vx, here.in_rows::<D>(vx) + dt * along);
+        here.put_within(self.all, vy, here.in_rows::<D>(vy) + dt * up);
+        let velocity = [here.in_rows::<D>(vx), here.in_rows(vy)];
         let smoothed = self.formulation.neighbour(here, here.of::<D>(self.diffused));
         here.put_numbers(factors, self.flow.numbers(velocity, here.all(self.places), smoothed));
     }
@@ -108,7 +95,7 @@ impl Wcsph {
         let (fluid, scaling) = (&self.fluid, self.scaling);
         let state = [&*carried.density_rate, &*carried.tension];
         let whole = Whole {
-            pressing: Pressing::of(&self.options, self.bulk_time, fluid, state),
+            pressing: Pressing::of(&self.options, self.bulk_time, state),
             scaling,
             fluid,
             ahead: [&self.ahead[0], &self.ahead[1]],
@@ -119,46 +106,37 @@ impl Wcsph {
         self.pairs.each((fields, &mut self.records[..n]), &whole);
     }
 
-    /// The new pressures alone.
-    pub(super) fn pack_pressures(&mut self) {
-        let (n, work) = (self.fluid.padded_len(), &mut self.work);
-        let state = [&*work.carried.density_rate, &*work.carried.tension];
-        let pressures = Pressures {
-            pressing: Pressing::of(&self.options, self.bulk_time, &self.fluid, state),
-            places: [&work.scaled_x, &work.scaled_y],
-            correction: work.carried.correction(),
-        };
-        let fields = [&mut work.pressure[..n], &mut self.diffused[..n]];
-        self.pairs.each((fields, &mut self.numbers[..n]), &pressures);
-    }
-
-    /// The new velocities.
-    pub(super) fn pack_velocities(&mut self) {
-        let n = self.fluid.padded_len();
-        let (flow, work, fluid, diffused) = (self.flow(), &self.work, &self.fluid, &*self.diffused);
+    /// New velocities.
+    pub(super) fn kick(&mut self, dt: f64) {
+        let (n, all) = (self.fluid.padded_len(), self.fluid.len());
+        let (flow, work, diffused) = (self.flow(), &self.work, &*self.diffused);
+        let accelerations = [&*work.acceleration_x, &*work.acceleration_y];
         let places = [&*work.scaled_x, &*work.scaled_y];
         if self.options.density_diffusion == DensityDiffusion::Renormalised {
             let gradient = [&*work.gradient_x, &*work.gradient_y];
             self.pairs.each(&mut self.slants[..n], &Slants { gradient, places });
         }
-        let factors = &mut self.numbers[..n];
+        let velocities = [&mut self.fluid.vx[..n], &mut self.fluid.vy[..n]];
+        let rows = (velocities, &mut self.numbers[..n]);
         with_diffusion!(self.options.density_diffusion, work, &[], formulation => {
-            self.pairs.each(factors, &Velocities { fluid, places, flow, formulation, diffused });
+            let velocities =
+                Velocities { accelerations, dt, all, places, flow, formulation, diffused };
+            self.pairs.each(rows, &velocities);
         });
     }
 
     /// New pressures of the ghosts that count.
     pub(super) fn press_ghosts(&mut self) {
         let (path, bodies, water) = (self.pairs.path, &self.held_bodies, &*self.work.pressure);
-        self.exchange.refresh_pressures(path, &self.ghosts, bodies, water);
-        self.exchange.pack_pressures(path, &mut self.numbers[self.fluid.padded_len()..]);
+        let numbers = &mut self.numbers[self.fluid.padded_len()..];
+        self.exchange.refresh_pressures(path, &self.ghosts, bodies, water, numbers);
     }
 
     /// New velocities of the ghosts that count.
     pub(super) fn mirror_ghosts(&mut self) {
         let (path, bodies, flow) = (self.pairs.path, &self.held_bodies, self.flow());
         let water = [&*self.fluid.vx, &*self.fluid.vy];
-        self.exchange.refresh_velocities(path, &self.ghosts, bodies, water);
-        self.exchange.pack_velocities(path, flow, &mut self.numbers[self.fluid.padded_len()..]);
+        let numbers = (flow, &mut self.numbers[self.fluid.padded_len()..]);
+        self.exchange.refresh_velocities(path, &self.ghosts, bodies, water, numbers);
     }
 }

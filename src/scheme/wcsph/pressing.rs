@@ -1,7 +1,7 @@
 //! Pressures from densities, and what density diffusion smooths.
 
 use super::WcsphOptions;
-use crate::pairs::{Double, Fluid, Here};
+use crate::pairs::{Double, Eight, Here};
 use crate::scheme::StateEquation;
 
 /// From densities to pressures.
@@ -12,8 +12,6 @@ pub(super) struct Pressing<'a> {
     bulk_time: f64,
     /// g ρ_s/c0² where diffusion takes still water for uniform, else 0.
     hydrostatic: f64,
-    density: &'a [f64],
-    y: &'a [f64],
     rate: &'a [f64],
     tension: &'a [f64],
 }
@@ -23,26 +21,22 @@ impl<'a> Pressing<'a> {
     pub fn of(
         options: &WcsphOptions,
         bulk_time: f64,
-        fluid: &'a Fluid,
         [rate, tension]: [&'a [f64]; 2],
     ) -> Pressing<'a> {
         Pressing {
             state: options.state,
             bulk_time,
             hydrostatic: options.hydrostatic_slope(),
-            density: &fluid.density,
-            y: &fluid.y,
             rate,
             tension,
         }
     }
 
-    /// Pressures, with tension left out near the free surface, and what density diffusion smooths:
-    /// ρ, or ρ less what it is in still water.
+    /// Pressures at densities and heights, with tension left out near the free surface, and what density
+    /// diffusion smooths: ρ, or ρ less what it is in still water.
     #[inline(always)]
-    pub fn find<D: Double>(self, here: Here) -> [D; 2] {
+    pub fn find<D: Double>(self, here: Here, density: &Eight, y: &Eight) -> [D; 2] {
         let Pressing { state, bulk_time, hydrostatic, .. } = self;
-        let (density, y) = (here.eight(self.density), here.eight(self.y));
         let (rate, tension) = (here.eight(self.rate), here.eight(self.tension));
         let (mut pressures, mut diffused) = (*density, *density);
         for k in 0..density.len() {

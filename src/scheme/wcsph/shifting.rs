@@ -2,7 +2,7 @@
 
 use super::{WcsphOptions, Workspace};
 use crate::boundary::{Plane, Profile};
-use crate::pairs::{Double, Fluid, Here, InTurn};
+use crate::pairs::{Double, Here, Summed};
 use crate::water::{SHIFT_LIMIT, any_nearer};
 
 /// The speed of a shift is that by which the flow differs over so many support radii.
@@ -14,7 +14,8 @@ const ACROSS: f64 = 2.0;
 /// is left alone. Where gradients are not corrected there is no E, and |u| stands for it, as in Lind et
 /// al. 2012.
 pub(super) struct Shift<'a> {
-    pub fluid: &'a mut Fluid,
+    pub mass: &'a [f64],
+    pub velocity: [&'a [f64]; 2],
     pub work: &'a Workspace,
     pub options: &'a WcsphOptions,
     pub planes: &'a [Plane],
@@ -40,7 +41,7 @@ impl Shift<'_> {
             let stretch = stretch + stretch;
             D::splat(2.0 * ACROSS) * stretch.mul_add(stretch, shear * shear).sqrt()
         } else {
-            let [vx, vy] = here.all::<D, 2>([&self.fluid.vx, &self.fluid.vy]);
+            let [vx, vy] = here.all::<D, 2>(self.velocity);
             (vx * vx + vy * vy).sqrt()
         }
     }
@@ -48,7 +49,7 @@ impl Shift<'_> {
     /// The shift, metres.
     #[inline(always)]
     fn way<D: Double>(&self, here: Here, place: [D; 2]) -> [D; 2] {
-        let Shift { fluid, work, options, planes, bed, dt, .. } = self;
+        let Shift { work, options, planes, bed, dt, .. } = self;
         let strength = options.shifting_coefficient * options.smoothing_length() * dt;
         let (limit, reach) = (SHIFT_LIMIT * options.spacing, options.spacing);
         let [from, full] = self.fades_in;
@@ -62,8 +63,9 @@ impl Shift<'_> {
         if bed.is_none() && !any_nearer(planes, place, 1.5 * reach) {
             return [dx, dy];
         }
+        let ([xs, ys], first) = (D::to_arrays(place), here.numbers().start);
         here.change([dx, dy], |k, mut shift| {
-            let place = [fluid.x[k], fluid.y[k]];
+            let place = [xs[k - first], ys[k - first]];
             let face = bed.and_then(|bed| bed.face_within(place, 1.5 * reach));
             for plane in planes.iter().chain(&face) {
                 let distance = -plane.beyond(place);
@@ -77,21 +79,24 @@ impl Shift<'_> {
     }
 }
 
-impl InTurn for Shift<'_> {
+/// Rows of places and densities.
+pub(super) type Rows<'r> = [&'r mut [f64]; 3];
+
+impl Summed<Rows<'_>> for Shift<'_> {
     /// Adds up the energy gained, J/m.
     #[inline(always)]
-    fn at<D: Double>(&mut self, here: Here, gained: &mut D) {
+    fn at<D: Double>(&self, here: Here, [to_x, to_y, to_density]: &mut Rows<'_>) -> D {
         let (work, options) = (self.work, self.options);
-        let [x, y, density] = here.all::<D, 3>([&self.fluid.x, &self.fluid.y, &self.fluid.density]);
+        let [x, y] = [here.in_rows::<D>(to_x), here.in_rows(to_y)];
+        let density = here.in_rows::<D>(to_density);
         let [dx, dy] = self.way(here, [x, y]);
         let [gradient_x, gradient_y] = here.all::<D, 2>([&work.gradient_x, &work.gradient_y]);
         let rise = (dx * gradient_x + dy * gradient_y) * D::splat(self.inverse_radius)
             - D::splat(options.hydrostatic_slope()) * dy;
         let elastic = here.of::<D>(&work.pressure).div(density * density) * rise;
-        *gained += here.of::<D>(&self.fluid.mass) * (D::splat(options.gravity) * dy + elastic);
-        let Fluid { x: to_x, y: to_y, density: to_density, .. } = &mut *self.fluid;
         here.put(to_x, x + dx);
         here.put(to_y, y + dy);
         here.put(to_density, density + rise);
+        here.of::<D>(self.mass) * (D::splat(options.gravity) * dy + elastic)
     }
 }

@@ -139,24 +139,18 @@ impl Wcsph {
     fn go_through(&mut self, dt: f64, bodies: &[BodyMotion], sample: bool, forces: bool) -> Lost {
         let mut laps = Laps(Instant::now());
         self.kick(dt);
-        self.pack_velocities();
         self.timings.integration += laps.next();
         self.mirror_ghosts();
         self.timings.ghosts += laps.next();
         let diffusion_power = self.continuity_pass(dt, sample);
         self.timings.continuity += laps.next();
-        self.drift(dt);
-        let spray = self.settle_surface(dt);
+        let spray = self.drift(dt, bodies, forces);
+        self.timings.integration += laps.next();
         if forces {
-            self.hold_inside(bodies);
-            self.pack_pressures();
-            self.timings.integration += laps.next();
             self.press_ghosts();
             self.timings.ghosts += laps.next();
             self.acoustic_pass();
             self.timings.momentum += laps.next();
-        } else {
-            self.timings.integration += laps.next();
         }
         Lost { diffusion_power, spray }
     }

@@ -10,7 +10,7 @@ use super::correction::surface_share;
 use super::{WcsphOptions, Workspace};
 use crate::boundary::Stretch;
 use crate::kernel::KernelChoice;
-use crate::pairs::{Double, Fluid, Here, InTurn};
+use crate::pairs::{Double, Here, Summed};
 
 /// Depths below the surface, over R, from which volume is taken back, and from which wholly so. Above, the
 /// surface is too near to tell the volume.
@@ -60,7 +60,8 @@ impl Shortfall {
 ///
 /// The depth is taken to be p/(ρg).
 pub(super) struct Restore<'a> {
-    pub fluid: &'a mut Fluid,
+    pub mass: &'a [f64],
+    pub places: [&'a [f64]; 2],
     pub work: &'a Workspace,
     pub options: &'a WcsphOptions,
     pub shortfall: &'a Shortfall,
@@ -89,12 +90,12 @@ fn faded_in<D: Double>(depth: D, [from, full]: [f64; 2]) -> D {
     inside.max(D::splat(0.0)).min(D::splat(1.0))
 }
 
-impl InTurn for Restore<'_> {
+impl Summed<&mut [f64]> for Restore<'_> {
     /// Adds up the elastic energy gained, J/m.
     #[inline(always)]
-    fn at<D: Double>(&mut self, here: Here, gained: &mut D) {
+    fn at<D: Double>(&self, here: Here, densities: &mut &mut [f64]) -> D {
         let (work, options) = (self.work, self.options);
-        let density = here.of::<D>(&self.fluid.density);
+        let density = here.in_rows::<D>(densities);
         let pressure = here.of::<D>(&work.pressure);
         let depth =
             pressure.div(density) * D::splat(1.0 / (options.gravity * options.support_radius));
@@ -112,13 +113,13 @@ impl InTurn for Restore<'_> {
         let error = half_trace - D::splat(1.0) + shortfall;
         let mut rise = density * error * faded_in(depth, DEPTHS) * D::splat(self.rate);
         if !self.steep.is_empty() {
-            let place = here.all::<D, 2>([&self.fluid.x, &self.fluid.y]);
+            let place = here.all::<D, 2>(self.places);
             let [beside, _] = here.change(place, |_, place| [self.beside_steep(place), 0.0]);
             let more = beside * faded_in(depth, STEEP_DEPTHS) * D::splat(self.steep_rate);
             rise = (density * error).mul_add(more, rise);
         }
-        *gained += here.of::<D>(&self.fluid.mass) * pressure.div(density * density) * rise;
-        here.put(&mut self.fluid.density, density + rise);
+        here.put(densities, density + rise);
+        here.of::<D>(self.mass) * pressure.div(density * density) * rise
     }
 }
 

@@ -1,6 +1,10 @@
 //! Multigrid by plain aggregation.
 
+use std::ops::Range;
+
+use super::dense::Dense;
 use crate::math::sparse::Csr;
+use crate::math::team::{Part, cut};
 
 /// A level is solved directly from this many unknowns down.
 const COARSEST: usize = 120;
@@ -30,6 +34,10 @@ struct Level {
     aggregate: Vec<u32>,
     /// The coarse matrix.
     matrix: Csr,
+    /// How many entries of each row of the finer level count in a sweep from zero.
+    reached: Vec<u32>,
+    /// What a sweep leaves of each right-hand side of the finer level.
+    left: Vec<f64>,
     right: Vec<f64>,
     solution: Vec<f64>,
     /// Scratch of the coarsening.
@@ -37,7 +45,22 @@ struct Level {
     starts: Vec<u32>,
     members: Vec<u32>,
     next: Vec<u32>,
+    blocks: Vec<Block>,
+}
+
+/// Consecutive rows of a coarse matrix under way.
+#[derive(Debug, Clone, Default)]
+struct Block {
+    rows: Range<usize>,
+    matrix: Csr,
+    /// Where a column stands among the entries, if it does.
     slot: Vec<u32>,
+}
+
+impl Part for Block {
+    fn items(&self) -> Range<usize> {
+        self.rows.clone()
+    }
 }
 
 impl Hierarchy {
@@ -49,7 +72,7 @@ impl Hierarchy {
             let (finer, coarser) = self.levels.split_at_mut(self.depth);
             let fine = finer.last().map_or(a, |level| &level.matrix);
             if !shrinks || fine.len() <= COARSEST || self.depth == DEEPEST {
-                self.dense.factorise(fine);
+                self.dense.factorise(fine, 4 * COARSEST);
                 return;
             }
             coarser[0].coarsen(fine);
@@ -69,21 +92,27 @@ fn cycle(a: &Csr, levels: &mut [Level], dense: &Dense, r: &[f64], z: &mut [f64])
         if dense.size == r.len() {
             dense.substitute(r, z);
         } else {
-            sweep_down(a, r, z);
+            z.fill(0.0);
+            relax(a, r, z, 0..a.len());
             relax(a, r, z, (0..a.len()).rev());
         }
         return;
     };
-    let Level { aggregate, matrix, right, solution, .. } = level;
-    sweep_down(a, r, z);
-    right.fill(0.0);
-    for row in 0..a.len() {
+    let Level { aggregate, matrix, reached, left, right, solution, .. } = level;
+    z.fill(0.0);
+    relax_from_zero(a, reached, r, z);
+    let found = &*z;
+    a.each_row(left, |row| {
         let (columns, values) = a.row(row);
-        let mut image = a.diagonal[row] * z[row];
+        let mut image = a.diagonal[row] * found[row];
         for (&c, v) in columns.iter().zip(values) {
-            image += v * z[c as usize];
+            image += v * found[c as usize];
         }
-        right[aggregate[row] as usize] += r[row] - image;
+        r[row] - image
+    });
+    right.fill(0.0);
+    for (left, &to) in left.iter().zip(&*aggregate) {
+        right[to as usize] += left;
     }
     cycle(matrix, coarser, dense, right, solution);
     for (z, &to) in z.iter_mut().zip(&*aggregate) {
@@ -92,10 +121,31 @@ fn cycle(a: &Csr, levels: &mut [Level], dense: &Dense, r: &[f64], z: &mut [f64])
     relax(a, r, z, (0..a.len()).rev());
 }
 
-/// Forward Gauss-Seidel from zero.
-fn sweep_down(a: &Csr, r: &[f64], z: &mut [f64]) {
-    z.fill(0.0);
-    relax(a, r, z, 0..a.len());
+/// Forward Gauss-Seidel from zero, without the entries that meet zeros.
+fn relax_from_zero(a: &Csr, reached: &[u32], r: &[f64], z: &mut [f64]) {
+    for row in 0..a.len() {
+        let (columns, values) = a.row(row);
+        let count = reached[row] as usize;
+        let mut sum = r[row];
+        for (&c, v) in columns[..count].iter().zip(values) {
+            sum -= v * z[c as usize];
+        }
+        if count < columns.len() {
+            // A negative entry times zero makes -0 a plain zero.
+            sum += 0.0;
+        }
+        z[row] = sum / a.diagonal[row];
+    }
+}
+
+/// How many entries of a row count in a forward sweep from zero: those after them meet zeros. All do where
+/// what comes after has no negative entry.
+fn reached(a: &Csr, row: usize) -> u32 {
+    let (columns, values) = a.row(row);
+    let later = columns.iter().rev().take_while(|&&c| c as usize > row).count();
+    let count = columns.len() - later;
+    let negative = values[count..].iter().any(|&v| v < 0.0);
+    (if negative { count } else { columns.len() }) as u32
 }
 
 /// Gauss-Seidel over rows in some order.
@@ -112,8 +162,10 @@ fn relax(a: &Csr, r: &[f64], z: &mut [f64], rows: impl Iterator<Item = usize>) {
 
 impl Level {
     fn coarsen(&mut self, fine: &Csr) {
-        let Level { aggregate, seeded, .. } = self;
+        let Level { aggregate, seeded, reached: counts, .. } = self;
         let n = fine.len();
+        counts.resize(n, 0);
+        fine.each_row(counts, |row| reached(fine, row));
         aggregate.clear();
         aggregate.resize(n, NONE);
         let mut count = 0;
@@ -148,33 +200,19 @@ impl Level {
     /// The coarse matrix: sums of entries between aggregates.
     fn gather(&mut self, fine: &Csr, count: usize) {
         self.list_members(count);
-        let Level { aggregate, matrix: coarse, starts, members, slot, .. } = self;
-        coarse.clear();
-        slot.clear();
-        slot.resize(count, NONE);
-        for own in 0..count {
-            let start = coarse.columns.len();
-            let mut diagonal = 0.0;
-            for &row in &members[starts[own] as usize..starts[own + 1] as usize] {
-                diagonal += fine.diagonal[row as usize];
-                let (columns, values) = fine.row(row as usize);
-                for (&c, &v) in columns.iter().zip(values) {
-                    let to = aggregate[c as usize] as usize;
-                    let at = slot[to] as usize;
-                    if to == own {
-                        diagonal += v;
-                    } else if slot[to] != NONE && at >= start {
-                        coarse.values[at] += v;
-                    } else {
-                        slot[to] = coarse.columns.len() as u32;
-                        coarse.columns.push(to as u32);
-                        coarse.values.push(v);
-                    }
-                }
-            }
-            coarse.end_row();
-            coarse.diagonal.push(diagonal);
+        let Level { aggregate, matrix, starts, members, blocks, .. } = self;
+        let team = fine.team();
+        blocks.resize_with(team.parts(), Block::default);
+        for (block, rows) in blocks.iter_mut().zip(cut(count, team.parts())) {
+            block.rows = rows;
         }
+        // The first rows are put together where they belong.
+        std::mem::swap(&mut blocks[0].matrix, matrix);
+        let members = |row: usize| &members[starts[row] as usize..starts[row + 1] as usize];
+        team.share(blocks, (), &|block, ()| block.gather(fine, aggregate, (count, members)));
+        std::mem::swap(&mut blocks[0].matrix, matrix);
+        blocks[1..].iter().for_each(|block| matrix.append(&block.matrix));
+        self.left.resize(fine.len(), 0.0);
         self.right.resize(count, 0.0);
         self.solution.resize(count, 0.0);
     }
@@ -200,53 +238,40 @@ impl Level {
     }
 }
 
-/// Dense LU factors without row exchanges: the matrix is diagonally dominant.
-#[derive(Debug, Clone, Default)]
-struct Dense {
-    factors: Vec<f64>,
-    /// 0 where there are none, as of a level that did not get small.
-    size: usize,
-}
-
-impl Dense {
-    fn factorise(&mut self, a: &Csr) {
-        let n = if a.len() <= 4 * COARSEST { a.len() } else { 0 };
-        let dense = &mut self.factors;
-        self.size = n;
-        dense.clear();
-        dense.resize(n * n, 0.0);
-        for row in 0..n {
-            dense[row * n + row] = a.diagonal[row];
-            let (columns, values) = a.row(row);
-            for (&c, v) in columns.iter().zip(values) {
-                dense[row * n + c as usize] += v;
-            }
-        }
-        for k in 0..n {
-            let (done, rest) = dense.split_at_mut((k + 1) * n);
-            let top = &done[k * n..];
-            for row in rest.chunks_exact_mut(n) {
-                let factor = row[k] / top[k];
-                if factor != 0.0 {
-                    row[k] = factor;
-                    for (value, top) in row[k + 1..].iter_mut().zip(&top[k + 1..]) {
-                        *value -= factor * top;
+impl Block {
+    /// Sums the entries between aggregates, of which there are `count` with the members that are told.
+    fn gather<'m>(
+        &mut self,
+        fine: &Csr,
+        aggregate: &[u32],
+        (count, members): (usize, impl Fn(usize) -> &'m [u32]),
+    ) {
+        let Block { rows, matrix: coarse, slot } = self;
+        coarse.clear();
+        slot.clear();
+        slot.resize(count, NONE);
+        for own in rows.clone() {
+            let start = coarse.columns.len();
+            let mut diagonal = 0.0;
+            for &row in members(own) {
+                diagonal += fine.diagonal[row as usize];
+                let (columns, values) = fine.row(row as usize);
+                for (&c, &v) in columns.iter().zip(values) {
+                    let to = aggregate[c as usize] as usize;
+                    let at = slot[to] as usize;
+                    if to == own {
+                        diagonal += v;
+                    } else if slot[to] != NONE && at >= start {
+                        coarse.values[at] += v;
+                    } else {
+                        slot[to] = coarse.columns.len() as u32;
+                        coarse.columns.push(to as u32);
+                        coarse.values.push(v);
                     }
                 }
             }
-        }
-    }
-
-    fn substitute(&self, r: &[f64], z: &mut [f64]) {
-        let n = r.len();
-        let known = |row: usize, columns: std::ops::Range<usize>, z: &[f64]| -> f64 {
-            columns.map(|c| self.factors[row * n + c] * z[c]).sum()
-        };
-        for row in 0..n {
-            z[row] = r[row] - known(row, 0..row, z);
-        }
-        for row in (0..n).rev() {
-            z[row] = (z[row] - known(row, row + 1..n, z)) / self.factors[row * n + row];
+            coarse.end_row();
+            coarse.diagonal.push(diagonal);
         }
     }
 }

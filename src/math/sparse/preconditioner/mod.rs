@@ -1,6 +1,7 @@
 //! Approximate inverses, one per file.
 
 mod aggregation;
+mod dense;
 mod incomplete;
 
 use serde::{Deserialize, Serialize};

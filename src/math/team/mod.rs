@@ -4,11 +4,18 @@
 //! parts are taken afterwards in a fixed order, so that the answer does not depend on how many
 //! threads there are, nor on which of them is the first.
 
+mod growing;
+mod rows;
+mod standby;
+
 use std::cell::Cell;
 use std::ops::Range;
 use std::sync::Arc;
 
-use rayon::{ThreadPool, ThreadPoolBuilder, join};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
+pub use growing::Growing;
+pub use rows::{First, Rows};
 
 /// Parts for each thread: one that is late leaves the rest of its parts to the others.
 const PARTS_PER_THREAD: usize = 4;
@@ -42,7 +49,8 @@ impl Team {
         let Some(pool) = &self.0 else { return work() };
         // From a thread of its own: a thread of another pool would take up that pool's work.
         let before = processor_time(pool);
-        let done = std::thread::scope(|scope| scope.spawn(|| pool.install(work)).join());
+        let attended = || pool.install(|| standby::attended(work));
+        let done = std::thread::scope(|scope| scope.spawn(attended).join());
         if let (Some(before), Some(after)) = (before, processor_time(pool)) {
             LED.set(LED.get() + after - before);
         }
@@ -56,39 +64,44 @@ impl Team {
         rows: R,
         work: &(impl Fn(&mut P, R) + Sync),
     ) {
-        match (&self.0, &mut *parts) {
-            (_, []) => {}
-            (_, [part]) => work(part, rows),
-            (Some(pool), parts) => pool.install(|| divide(parts, rows, work)),
-            (None, parts) => in_turn(parts, rows, work),
+        self.divide(parts, rows, work);
+    }
+
+    /// Does the work on the rows of every part. It only reads the parts.
+    pub fn read<P: Part + Sync, R: Rows>(
+        &self,
+        parts: &[P],
+        rows: R,
+        work: &(impl Fn(&P, R) + Sync),
+    ) {
+        self.divide(parts, rows, work);
+    }
+
+    fn divide<S: Parts, R: Rows>(&self, parts: S, rows: R, work: &(impl Fn(S::One, R) + Sync)) {
+        match (&self.0, parts.count()) {
+            (_, 0) => {}
+            (Some(pool), 2..) => pool.install(|| divide(parts, rows, true, work)),
+            _ => divide(parts, rows, false, work),
         }
     }
 }
 
-fn in_turn<P: Part, R: Rows>(parts: &mut [P], mut rows: R, work: &(impl Fn(&mut P, R) + Sync)) {
-    let mut left = count(parts);
-    for part in parts {
-        let items = part.items().len();
-        let (own, others) = rows.split(items, left);
-        work(part, own);
-        (rows, left) = (others, left - items);
+/// Does the work on parts, on several at once if they are shared.
+fn divide<S: Parts, R: Rows>(parts: S, rows: R, shared: bool, work: &(impl Fn(S::One, R) + Sync)) {
+    if parts.count() == 1 {
+        return work(parts.one(), rows);
     }
-}
-
-fn divide<P: Part, R: Rows>(parts: &mut [P], rows: R, work: &(impl Fn(&mut P, R) + Sync)) {
-    if let [part] = parts {
-        return work(part, rows);
+    let items = parts.items();
+    let (left, right) = parts.halves();
+    let (rows_left, rows_right) = rows.split(left.items(), items);
+    let first = || divide(left, rows_left, shared, work);
+    let second = || divide(right, rows_right, shared, work);
+    if shared {
+        standby::join(first, second);
+    } else {
+        first();
+        second();
     }
-    let (left, right) = parts.split_at_mut(parts.len() / 2);
-    let before = count(left);
-    let (rows_left, rows_right) = rows.split(before, before + count(right));
-    join(|| divide(left, rows_left, work), || divide(right, rows_right, work));
-}
-
-/// How many items consecutive parts have.
-fn count<P: Part>(parts: &[P]) -> usize {
-    let ends = parts.first().zip(parts.last());
-    ends.map_or(0, |(first, last)| last.items().end - first.items().start)
 }
 
 /// So many items in so many ranges as even as can be.
@@ -129,45 +142,65 @@ pub trait Part: Send {
     fn items(&self) -> Range<usize>;
 }
 
-/// What is written: so many values for each item, in the order of the parts.
-pub trait Rows: Send + Sized {
-    /// The rows of the first `first` items, and those of the others of `all`.
-    fn split(self, first: usize, all: usize) -> (Self, Self);
-}
-
-impl Rows for () {
-    fn split(self, _: usize, _: usize) -> ((), ()) {
-        ((), ())
+/// A part that is nothing but its items.
+impl Part for Range<usize> {
+    fn items(&self) -> Range<usize> {
+        self.clone()
     }
 }
 
-impl<T: Send> Rows for &mut [T] {
-    fn split(self, first: usize, all: usize) -> (Self, Self) {
-        let each = self.len() / all.max(1);
-        self.split_at_mut(first * each)
+/// Consecutive parts, to be written or to be read.
+trait Parts: Send + Sized {
+    /// One of them.
+    type One;
+    /// How many they are.
+    fn count(&self) -> usize;
+    /// How many items they have.
+    fn items(&self) -> usize;
+    /// The first half of them, and the others.
+    fn halves(self) -> (Self, Self);
+    /// The only one.
+    fn one(self) -> Self::One;
+}
+
+impl<'p, P: Part> Parts for &'p mut [P] {
+    type One = &'p mut P;
+
+    fn count(&self) -> usize {
+        self.len()
+    }
+    fn items(&self) -> usize {
+        items(self)
+    }
+    fn halves(self) -> (Self, Self) {
+        self.split_at_mut(self.len() / 2)
+    }
+    fn one(self) -> &'p mut P {
+        &mut self[0]
     }
 }
 
-impl<R: Rows, const N: usize> Rows for [R; N] {
-    fn split(self, first: usize, all: usize) -> (Self, Self) {
-        let mut rest = [const { None }; N];
-        let mut rests = rest.iter_mut();
-        let front = self.map(|rows| {
-            let (front, back) = rows.split(first, all);
-            if let Some(rest) = rests.next() {
-                *rest = Some(back);
-            }
-            front
-        });
-        (front, rest.map(|rows| rows.expect("as many as there are in front")))
+impl<'p, P: Part + Sync> Parts for &'p [P] {
+    type One = &'p P;
+
+    fn count(&self) -> usize {
+        self.len()
+    }
+    fn items(&self) -> usize {
+        items(self)
+    }
+    fn halves(self) -> (Self, Self) {
+        self.split_at(self.len() / 2)
+    }
+    fn one(self) -> &'p P {
+        &self[0]
     }
 }
 
-impl<A: Rows, B: Rows> Rows for (A, B) {
-    fn split(self, first: usize, all: usize) -> (Self, Self) {
-        let ((a, more_a), (b, more_b)) = (self.0.split(first, all), self.1.split(first, all));
-        ((a, b), (more_a, more_b))
-    }
+/// How many items consecutive parts have.
+fn items<P: Part>(parts: &[P]) -> usize {
+    let ends = parts.first().zip(parts.last());
+    ends.map_or(0, |(first, last)| last.items().end - first.items().start)
 }
 
 #[cfg(test)]
