@@ -98,15 +98,25 @@ impl Passing {
 /// from the level under them.
 #[test]
 fn waves_on_their_way_are_those_of_stream_function_theory() {
-    hold(&Passing::with("schaffer", ""), Some(2.5e-4));
-    // Shifting that also acts under the surface lifts the water: it goes on and ruins long runs, but here
-    // it makes up for most of what the level is low by.
-    let lifted = "shifting = \"interior\"\nvolume_feedback = 0";
+    hold(&Passing::with("schaffer", ""), Some(1.2e-4));
+    // Shifting that also acts under the surface lifts the water: it goes on and ruins long runs. A correction
+    // that lags lowers it. Here the one makes up for most of the other.
+    let lifted = "shifting = \"interior\"\nvolume_feedback = 0\nextrapolated_correction = false\n\
+                  limited_viscosity = true";
     let found = Passing::with("schaffer", lifted);
     hold(&found, Some(1e-4));
     let madsen = Passing::with("madsen", lifted);
     println!("Madsen: {} and {} free", madsen.bound, madsen.free);
     assert!(madsen.free > 0.22 * madsen.bound && madsen.free > 1.5 * found.free);
+}
+
+/// Two per cent of it on fifty wavelengths would be 0.04 % on each. With a correction that lagged and a viscosity that
+/// took it back -0.39 % were left, of +1.6 and -2.0 %.
+#[test]
+fn waves_keep_their_energy_from_wavelength_to_wavelength() {
+    let [rate, scatter] = energy_per_wavelength(0.02, 20.0);
+    println!("{rate:+.3} +- {scatter:.3} % a wavelength");
+    assert!(rate.abs() < 0.22 && scatter < 0.05, "{rate} +- {scatter}");
 }
 
 /// The tables of docs/measured.md, minutes.
