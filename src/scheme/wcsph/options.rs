@@ -66,7 +66,7 @@ pub struct WcsphOptions {
     pub still_depth: f64,
     /// Kernel gradients corrected to first order.
     pub corrected_gradients: bool,
-    /// The correction taken on to the present, see [`super::Wcsph::take_next_correction`].
+    /// The correction of a step before, taken on to the present: L + (L - L_before).
     pub extrapolated_correction: bool,
     /// Density diffusion.
     pub density_diffusion: DensityDiffusion,
@@ -74,7 +74,7 @@ pub struct WcsphOptions {
     pub diffusion_coefficient: f64,
     /// α.
     pub artificial_viscosity: f64,
-    /// Of pairs that dissipate alone, see [`super::viscosity::ArtificialViscosity`].
+    /// Whether it acts on pairs alone that lose energy by it.
     pub limited_viscosity: bool,
     /// Shifting.
     pub shifting: Shifting,
