@@ -33,16 +33,19 @@ fn a_standing_wave_has_its_period() {
     }
 }
 
+/// Sixteen rows, and waves 1.2 spacings high.
+const STANDING: &str = "kind = \"standing-wave\"\nstill_water_depth_m = 0.2\ntank_length_m = 0.6\n\
+                        amplitude_ratio = 0.075\n";
+
 /// A corrected divergence lets particles creep closer at the same densities. After some twelve periods
 /// the water sank through itself by 2 % of its depth, and was stirred by what it fell.
 #[test]
 fn waves_that_go_on_do_not_sink() {
-    let scene = "kind = \"standing-wave\"\nstill_water_depth_m = 0.2\ntank_length_m = 0.6\n\
-                 amplitude_ratio = 0.075\nend_after_periods = 20.25";
+    let scene = format!("{STANDING}end_after_periods = 20.25");
     let mean_level = |numerics: &str| {
         let numerics =
             format!("particle_spacing_m = 0.0125\nboundary = \"normalized\"\n{numerics}");
-        let samples = run(scene, &numerics).history;
+        let samples = run(&scene, &numerics).history;
         let last = samples.len() / 5;
         let levels = samples[samples.len() - last..].iter().map(|sample| sample.runup);
         levels.sum::<f64>() / last as f64
@@ -56,11 +59,10 @@ fn waves_that_go_on_do_not_sink() {
 /// The same wave for forty periods. It lost 36 % of its height where viscosity acted only on pairs that lose by it.
 #[test]
 fn waves_that_go_on_keep_their_height() {
-    let scene = "kind = \"standing-wave\"\nstill_water_depth_m = 0.2\ntank_length_m = 0.6\n\
-                 amplitude_ratio = 0.075\nend_after_periods = 40.25";
+    let scene = format!("{STANDING}end_after_periods = 40.25");
     let numerics = "particle_spacing_m = 0.0125\nboundary = \"normalized\"\nshifting = \"deep\"\n\
                     volume_feedback = 0.002\nextrapolated_correction = true\nlimited_viscosity = false";
-    let samples = run(scene, numerics).history;
+    let samples = run(&scene, numerics).history;
     let end = samples.last().unwrap().time_s;
     let height = |periods: std::ops::Range<f64>| {
         let period = end / 40.25;

@@ -8,7 +8,7 @@ use super::ghosts::Ghosts;
 use super::image::{Image, Mirror};
 use super::pack::GhostVelocities;
 use super::stretch::Stretch;
-use super::sums::{Cover, Gather, KernelWeights, Means, Near, Targets, Water, Weigh};
+use super::sums::{Cover, Gather, KernelWeights, Means, Near, Places, Targets, Water, Weigh};
 use super::waterline::Waterline;
 use crate::body::BodyMotion;
 use crate::kernel::KernelChoice;
@@ -236,26 +236,44 @@ impl Exchange {
         water: [&[f64]; 2],
         (flow, factors): (Flow, &mut [Factors]),
     ) {
+        let places: Places<2> = |means| [&mut means.vx, &mut means.vy];
+        self.renew(path, (water, places), factors, &|renewed| {
+            let Renewed { blocks, first, images, means, factors } = renewed;
+            dispatch(path, Mirror { blocks, first, images, means, ghosts, bodies });
+            dispatch(path, GhostVelocities { flow, blocks, first, images, factors });
+        });
+    }
+
+    /// Means of some fields of the water at the ghosts that count, with the weights at hand, and where they
+    /// belong; then all that comes of them.
+    pub(super) fn renew<const N: usize>(
+        &mut self,
+        path: SimdPath,
+        (fields, places): ([&[f64]; N], Places<N>),
+        factors: &mut [Factors],
+        make: &(impl Fn(Renewed<'_>) + Sync),
+    ) {
         let Exchange { team, parts, counting, scale, means, images, .. } = self;
         let (scale, counting) = (&scale[..], &counting[..]);
         let rows = (&mut means[..], (First(images, 1), First(factors, LANES)));
         team.share(parts, rows, &|part, (means, (First(images, _), First(factors, _)))| {
             let (blocks, first) = (part.among(counting), part.blocks.start);
-            dispatch(
-                path,
-                Gather {
-                    part,
-                    blocks,
-                    scale,
-                    means,
-                    fields: water,
-                    places: |means| [&mut means.vx, &mut means.vy],
-                },
-            );
-            dispatch(path, Mirror { blocks, first, images, means, ghosts, bodies });
-            dispatch(path, GhostVelocities { flow, blocks, first, images, factors });
+            dispatch(path, Gather { part, blocks, scale, means, fields, places });
+            make(Renewed { blocks, first, images, means, factors });
         });
     }
+}
+
+/// New means at the ghosts of a part, and what is to come of them.
+pub(super) struct Renewed<'a> {
+    /// Blocks that count.
+    pub blocks: &'a [u32],
+    /// The block that images, means and numbers begin with.
+    pub first: usize,
+    pub images: &'a mut [Image],
+    pub means: &'a [Means],
+    /// The ghosts' numbers as neighbours.
+    pub factors: &'a mut [Factors],
 }
 
 /// The targets of a part, its list and its blocks, among some blocks.

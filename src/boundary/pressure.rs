@@ -1,13 +1,12 @@
 //! Pressures of the ghosts, from those of the water around their mirror points.
 
-use super::exchange::{Exchange, ExchangeRules};
+use super::exchange::{Exchange, ExchangeRules, Renewed};
 use super::ghosts::{Ghosts, Site};
 use super::image::Press;
 use super::pack::GhostPressures;
-use super::sums::Gather;
+use super::sums::Places;
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, SimdPath, dispatch};
-use crate::math::team::First;
 use crate::pairs::Factors;
 
 impl Exchange {
@@ -40,22 +39,9 @@ impl Exchange {
         factors: &mut [Factors],
     ) {
         let (gravity, density) = (self.rules.gravity, self.densities());
-        let Exchange { team, parts, counting, scale, means, images, .. } = self;
-        let (scale, counting) = (&scale[..], &counting[..]);
-        let rows = (&mut means[..], (First(images, 1), First(factors, LANES)));
-        team.share(parts, rows, &|part, (means, (First(images, _), First(factors, _)))| {
-            let (blocks, first) = (part.among(counting), part.blocks.start);
-            dispatch(
-                path,
-                Gather {
-                    part,
-                    blocks,
-                    scale,
-                    means,
-                    fields: [pressure],
-                    places: |means| [&mut means.pressure],
-                },
-            );
+        let places: Places<1> = |means| [&mut means.pressure];
+        self.renew(path, ([pressure], places), factors, &|renewed| {
+            let Renewed { blocks, first, images, means, factors } = renewed;
             let press = Press { blocks, first, images, means, ghosts, bodies, gravity, density };
             dispatch(path, press);
             dispatch(path, GhostPressures { blocks, first, images, factors });

@@ -235,6 +235,9 @@ fn gather<L: Lanes, I: Interpolator>(
     }
 }
 
+/// Where some means stand among all.
+pub(super) type Places<const N: usize> = fn(&mut Means) -> [&mut [f64; LANES]; N];
+
 /// Some means alone, with the weights at hand: of `N` fields of the water.
 pub(super) struct Gather<'a, const N: usize> {
     pub part: &'a Stretch,
@@ -245,7 +248,7 @@ pub(super) struct Gather<'a, const N: usize> {
     pub means: &'a mut [Means],
     pub fields: [&'a [f64]; N],
     /// Where they belong.
-    pub places: fn(&mut Means) -> [&mut [f64; LANES]; N],
+    pub places: Places<N>,
 }
 
 impl<const N: usize> Task for Gather<'_, N> {

@@ -3,6 +3,7 @@
 use std::str::FromStr;
 
 use super::failure::BadInput;
+use crate::keys::hint;
 use crate::quantities::summary::meant_by;
 use crate::results::counted;
 use crate::scene::ConfigError;
@@ -70,9 +71,11 @@ fn keep_with_value(
     let key = path.rsplit('.').next().unwrap_or_default();
     let Some(place) = keys.iter().position(|swept| swept == key) else {
         let told = ConfigError::unknown(&path, keys).to_string();
-        let is_near = told.contains("did you mean") || keys.is_empty();
         let swept = || format!("; this study sweeps {}", keys.join(", "));
-        let help = if is_near { String::new() } else { meant_by(key).unwrap_or_else(swept) };
+        let help = match keys {
+            [_, ..] if hint(key, keys).is_empty() => meant_by(key).unwrap_or_else(swept),
+            _ => String::new(),
+        };
         return Err(BadInput(told + &help));
     };
     let values = values(fitting, place);

@@ -57,9 +57,10 @@ fn long(study: &Study) -> Option<String> {
     let (frame, numerics) = (longest.config.scene.frame(), &longest.config.numerics);
     let steps = (frame.end_time - longest.config.scene.start_s()) / frame.time_step(numerics);
     let is_told = |scene: &SeawallScene| scene.end_time_s.is_some();
-    let ends = match longest.config.scene.seawall().is_none_or(is_told) {
-        true => "end_time_s",
-        false => "end_after_stroke_centre_s",
+    let ends = if longest.config.scene.seawall().is_none_or(is_told) {
+        "end_time_s"
+    } else {
+        "end_after_stroke_centre_s"
     };
     Some(format!(
         "takes about {} on {}: the longest case ends at {} s, after {steps:.1e} steps, with particles \

@@ -30,7 +30,6 @@ mod record;
 mod rounding;
 mod strips;
 mod term;
-mod turn;
 mod verlet;
 mod weights;
 
@@ -45,13 +44,12 @@ pub use lists::{GHOST_MARGIN, Pairs};
 pub use near::{Blocks, Coupling, Field, Moments, Near};
 pub use pair_list::{PairList, PointSet, build_pair_list};
 pub use parts::Tally;
-pub use pass::{Each, Equation, Held, HeldEquation, Summed};
+pub use pass::{Each, Equation, Held, HeldEquation, Summed, each_in_turn};
 pub use precision::{Neighbour, Other, Precision};
 pub use record::{Record, Scaling, SingleRecord};
 pub use rounding::round;
 pub use strips::Strips;
 pub use term::{Eight, If, Term, loaded};
-pub use turn::{InTurn, in_turn};
 pub use weights::HeldWeights;
 
 pub use crate::math::simd::{Lanes as Double, Vector as Real};

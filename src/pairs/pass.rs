@@ -1,5 +1,7 @@
 //! Passes over all particles, eight at a time, part by part.
 
+use std::ops::Range;
+
 use super::around::{Around, Neighbours};
 use super::factors::Factors;
 use super::fields::Here;
@@ -11,7 +13,7 @@ use super::parts::{Part, Tally};
 use super::precision::{Neighbour, Other};
 use super::record::Record;
 use super::term::{Eight, Sum, Term, loaded};
-use crate::math::simd::{LANES, Lanes, Task, dispatch};
+use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
 use crate::math::team::Rows;
 
 /// An equation with terms of all pairs, which writes rows `R`.
@@ -80,7 +82,7 @@ impl Task for Total<'_> {
 
 struct OverAll<'a, E, R> {
     work: &'a E,
-    part: &'a Part,
+    clusters: Range<usize>,
     rows: R,
 }
 
@@ -89,10 +91,15 @@ impl<R, E: Each<R>> Task for OverAll<'_, E, R> {
 
     #[inline(always)]
     fn run<L: Lanes>(mut self) {
-        for (list, cluster) in self.part.clusters.clone().enumerate() {
+        for (list, cluster) in self.clusters.enumerate() {
             self.work.at::<L>(Here::new(cluster, list), &mut self.rows);
         }
     }
+}
+
+/// Goes through so many particles on one thread.
+pub fn each_in_turn<R>(path: SimdPath, particles: usize, rows: R, work: &impl Each<R>) {
+    dispatch(path, OverAll { work, clusters: 0..particles.div_ceil(LANES), rows });
 }
 
 impl Pairs {
@@ -100,7 +107,8 @@ impl Pairs {
     pub fn each<R: Rows>(&mut self, rows: R, work: &impl Each<R>) {
         let path = self.path;
         self.team.share(&mut self.parts, rows, &|part, rows| {
-            dispatch(path, OverAll { work, part, rows });
+            let clusters = part.clusters.clone();
+            dispatch(path, OverAll { work, clusters, rows });
         });
     }
 

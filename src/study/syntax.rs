@@ -14,10 +14,15 @@ pub(super) fn syntax_error(text: &str, error: &toml::de::Error) -> ConfigError {
         .unwrap_or_else(|| ConfigError::new(&place, "", message))
 }
 
+/// The two sides of a line, without a comment.
+fn key_and_value(line: &str) -> Option<(&str, &str)> {
+    let (name, value) = line.split_once('=')?;
+    Some((name.trim(), value.split('#').next()?.trim()))
+}
+
 /// A comma within a number, which others put before decimals or between thousands.
 fn number_with_comma(place: &str, line: &str) -> Option<ConfigError> {
-    let (name, value) = line.split_once('=')?;
-    let (name, value) = (name.trim(), value.split('#').next()?.trim());
+    let (name, value) = key_and_value(line)?;
     let mut parts = value.split(',');
     let is_one = value.contains(',') && parts.all(|part| part.parse::<f64>().is_ok());
     let told = "has a comma: write decimals with a point, as in 0.5, and thousands without a mark";
@@ -26,8 +31,7 @@ fn number_with_comma(place: &str, line: &str) -> Option<ConfigError> {
 
 /// A number with its unit, which TOML does not know, is told as that.
 fn number_with_more(place: &str, line: &str) -> Option<ConfigError> {
-    let (name, value) = line.split_once('=')?;
-    let (name, value) = (name.trim(), value.split('#').next()?.trim());
+    let (name, value) = key_and_value(line)?;
     let first = value.trim_matches(['[', ']']).split(',').map(str::trim);
     let key = Kind::ALL.iter().flat_map(|&kind| scene_keys(kind)).chain(numerics_keys());
     let key = key.into_iter().find(|key| key.name == name)?;

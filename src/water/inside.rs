@@ -2,69 +2,51 @@
 
 use crate::body::BodyMotion;
 use crate::boundary::{Plane, Profile};
-use crate::math::simd::SimdPath;
-use crate::pairs::{Double, Fluid, Here, InTurn, in_turn};
+use crate::pairs::{Double, Each, Here};
 
 /// A particle a spacing behind both walls of a corner of 30° takes some fifty pushes.
 const MOST_PUSHES: usize = 64;
 
+/// How far in front of the face they are put, spacings.
+const SKIN: f64 = 1e-3;
+
 /// Puts particles that have slipped through a wall back onto its face, with its velocity.
 pub struct HoldInside<'a> {
+    /// How many particles there are.
+    pub all: usize,
     /// The walls' faces at the end of the step.
     pub planes: &'a [Plane],
     /// The bed, where it is not level.
     pub bed: Option<&'a Profile>,
     /// Their motions.
     pub bodies: &'a [BodyMotion],
-    /// How far in front of the face they are put, metres.
-    pub skin: f64,
+    /// Of the particles, metres.
+    pub spacing: f64,
 }
 
-impl HoldInside<'_> {
-    /// Does so with all particles.
-    pub fn run(self, path: SimdPath, fluid: &mut Fluid) {
-        in_turn(path, fluid.len(), &mut AllInside { inside: self, fluid });
-    }
+/// Rows of places and of velocities.
+type Rows<'r> = [[&'r mut [f64]; 2]; 2];
 
-    /// Does so with eight of `all` particles, of which the rows are.
+impl Each<Rows<'_>> for HoldInside<'_> {
     #[inline(always)]
-    pub fn at<D: Double>(
-        &self,
-        here: Here,
-        all: usize,
-        [x, y]: [&mut [f64]; 2],
-        [vx, vy]: [&mut [f64]; 2],
-    ) {
+    fn at<D: Double>(&self, here: Here, [[x, y], [vx, vy]]: &mut Rows<'_>) {
         let near = any_nearer(self.planes, [here.in_rows::<D>(x), here.in_rows(y)], 0.0);
         if near || self.bed.is_some() {
+            let skin = SKIN * self.spacing;
             let places = here.eight_in_rows(x).iter_mut().zip(here.eight_in_rows(y));
             let velocities = here.eight_in_rows(vx).iter_mut().zip(here.eight_in_rows(vy));
             let particles = here.numbers().zip(places.zip(velocities));
-            for (_, ((x, y), (vx, vy))) in particles.take_while(|(k, _)| *k < all) {
+            for (_, ((x, y), (vx, vy))) in particles.take_while(|(k, _)| *k < self.all) {
                 let ([mut place, mut velocity], bed) = ([[*x, *y], [*vx, *vy]], self.bed);
                 if let Some(bed) = bed {
-                    hold_above(&mut place, &mut velocity, bed, self.skin);
+                    hold_above(&mut place, &mut velocity, bed, skin);
                 }
                 if near {
-                    hold(&mut place, &mut velocity, (self.planes, self.bodies), self.skin);
+                    hold(&mut place, &mut velocity, (self.planes, self.bodies), skin);
                 }
                 ([*x, *y], [*vx, *vy]) = (place, velocity);
             }
         }
-    }
-}
-
-struct AllInside<'a, 'f> {
-    inside: HoldInside<'a>,
-    fluid: &'f mut Fluid,
-}
-
-impl InTurn for AllInside<'_, '_> {
-    #[inline(always)]
-    fn at<D: Double>(&mut self, here: Here, _: &mut D) {
-        let all = self.fluid.len();
-        let Fluid { x, y, vx, vy, .. } = &mut *self.fluid;
-        self.inside.at::<D>(here, all, [x, y], [vx, vy]);
     }
 }
 
@@ -114,6 +96,8 @@ pub fn any_nearer<D: Double>(planes: &[Plane], [x, y]: [D; 2], distance: f64) ->
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::simd::SimdPath;
+    use crate::pairs::{Fluid, each_in_turn};
 
     /// Holds still particles between a bed and a wall that leans over the water by an angle, and
     /// moves at `speed`.
@@ -124,8 +108,11 @@ mod tests {
         let moving = BodyMotion { velocity: speed, ..BodyMotion::default() };
         let planes = [bed, wall];
         let bodies = &[BodyMotion::default(), moving];
-        let hold = HoldInside { planes: &planes, bed: None, bodies, skin: 1e-3 };
-        hold.run(SimdPath::widest(), &mut fluid);
+        let (all, spacing) = (fluid.len(), 1.0);
+        let hold = HoldInside { all, planes: &planes, bed: None, bodies, spacing };
+        let Fluid { x, y, vx, vy, .. } = &mut fluid;
+        let rows = [[x, y], [vx, vy]].map(|pair| pair.map(Vec::as_mut_slice));
+        each_in_turn(SimdPath::widest(), all, rows, &hold);
         (fluid, planes)
     }
 

@@ -57,13 +57,18 @@ impl Csr {
 
     /// Finds a value of every row, given its number.
     pub fn each_row<T: Send>(&self, values: &mut [T], find: impl Fn(usize) -> T + Sync) {
-        let all = 0..self.len();
-        let parts = if self.parts.is_empty() { std::slice::from_ref(&all) } else { &self.parts };
-        self.team.read(parts, values, &|rows, values| {
-            for (row, value) in rows.clone().zip(values) {
+        self.share(values, |rows, values| {
+            for (row, value) in rows.zip(values) {
                 *value = find(row);
             }
         });
+    }
+
+    /// Does the work on consecutive rows and their values, part by part.
+    fn share<T: Send>(&self, values: &mut [T], work: impl Fn(Range<usize>, &mut [T]) + Sync) {
+        let all = 0..self.len();
+        let parts = if self.parts.is_empty() { std::slice::from_ref(&all) } else { &self.parts };
+        self.team.read(parts, values, &|rows, values| work(rows.clone(), values));
     }
 
     /// What comes of `y` and `A x`, row by row.
@@ -74,11 +79,8 @@ impl Csr {
         y: &mut [f64],
         close: impl Fn(f64, f64) -> f64 + Sync,
     ) {
-        let all = 0..self.len();
-        let parts = if self.parts.is_empty() { std::slice::from_ref(&all) } else { &self.parts };
-        self.team.read(parts, y, &|rows, y| {
-            let (rows, close) = (rows.clone(), &close);
-            dispatch(path, Multiply { matrix: self, rows, x, y, close });
+        self.share(y, |rows, y| {
+            dispatch(path, Multiply { matrix: self, rows, x, y, close: &close });
         });
     }
 

@@ -3,7 +3,7 @@
 use super::operators::Operators;
 use super::parting::Parting;
 use super::{Isph, IsphOptions};
-use crate::pairs::Fluid;
+use crate::pairs::{Fluid, each_in_turn};
 use crate::scheme::{Dissipation, StepWalls};
 use crate::water::{HoldInside, SHIFT_LIMIT, shifted_share};
 
@@ -56,9 +56,11 @@ impl Isph {
         if options.shifting_coefficient > 0.0 {
             shifting_work -= options.gravity * self.part(dt);
         }
-        let (fluid, planes, bodies) = (&mut self.fluid, &*self.planes, walls.bodies);
-        HoldInside { planes, bed: None, bodies, skin: 1e-3 * options.spacing }
-            .run(self.path, fluid);
+        let (bodies, spacing) = (walls.bodies, options.spacing);
+        let hold = HoldInside { all: n, planes: &self.planes, bed: None, bodies, spacing };
+        let Fluid { x, y, vx, vy, .. } = &mut self.fluid;
+        let rows = [[x, y], [vx, vy]].map(|pair| pair.map(Vec::as_mut_slice));
+        each_in_turn(self.path, n, rows, &hold);
         Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }
     }
 

@@ -50,7 +50,7 @@ impl Each<Rows<'_>> for Drift<'_> {
             settling.at::<D>(here, all, density, lost);
         }
         if let Some(Next { inside, pressing, places, correction }) = &self.next {
-            inside.at::<D>(here, all, [x, y], [vx, vy]);
+            inside.at::<D>(here, &mut [[x, y], [vx, vy]]);
             let (density, y) = (here.eight_in_rows(density), here.eight_in_rows(y));
             let [p, smoothed] = pressing.find::<D>(here, density, y);
             here.put(pressures, p);
@@ -121,10 +121,11 @@ impl Wcsph {
         });
         let next = acoustic_is_next.then(|| Next {
             inside: HoldInside {
+                all,
                 planes: &self.planes,
                 bed: self.ghosts.outline(),
                 bodies,
-                skin: 1e-3 * options.spacing,
+                spacing: options.spacing,
             },
             pressing: Pressing::of(options, self.bulk_time, [rate, tension]),
             places: [scaled_x, scaled_y],

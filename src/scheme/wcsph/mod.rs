@@ -58,7 +58,7 @@ struct Carried {
     density_rate: Vec<f64>,
     /// tr (∇u)², 1/s²: see [`continuity::Continuity`].
     turning: Vec<f64>,
-    /// The correction as it was found last, xx, xy, yy; empty where it is not taken on to the present.
+    /// The correction as it was found last, xx, xy, yy, where it is taken on to the present; empty before.
     found_correction: [Vec<f64>; 3],
 }
 
@@ -117,7 +117,7 @@ struct Workspace {
 }
 
 impl Workspace {
-    fn new(padded: usize, bodies: usize, extrapolated: bool) -> Workspace {
+    fn new(padded: usize, bodies: usize) -> Workspace {
         let zeros = || vec![0.0; padded];
         Workspace {
             carried: Carried {
@@ -129,9 +129,7 @@ impl Workspace {
                 last_acceleration_y: zeros(),
                 density_rate: zeros(),
                 turning: zeros(),
-                found_correction: std::array::from_fn(|_| {
-                    if extrapolated { zeros() } else { Vec::new() }
-                }),
+                found_correction: Default::default(),
             },
             scaled_x: zeros(),
             scaled_y: zeros(),

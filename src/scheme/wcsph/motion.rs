@@ -111,10 +111,12 @@ impl Wcsph {
 
     /// Holds the particles in front of the walls.
     pub(super) fn hold_inside(&mut self, bodies: &[BodyMotion]) {
-        let skin = 1e-3 * self.options.spacing;
-        let (fluid, planes) = (&mut self.fluid, &*self.planes);
+        let (n, all, spacing) = (self.fluid.padded_len(), self.fluid.len(), self.options.spacing);
         let bed = self.ghosts.outline();
-        HoldInside { planes, bed, bodies, skin }.run(self.pairs.path, fluid);
+        let hold = HoldInside { all, planes: &self.planes, bed, bodies, spacing };
+        let Fluid { x, y, vx, vy, .. } = &mut self.fluid;
+        let rows = [[x, y], [vx, vy]].map(|pair| pair.map(|field| &mut field[..n]));
+        self.pairs.each(rows, &hold);
     }
 
     /// Finds the particles that may settle as they drift: few, and the same ones until the next full
@@ -127,11 +129,11 @@ impl Wcsph {
     }
 
     /// Takes the correction that the last pass has found, for the full step to come. With
-    /// `extrapolated_correction` it is taken on by as much as it has changed since the one `before`, if there
-    /// was one: L + (L - L_before).
+    /// `extrapolated_correction` it is taken on by as much as it has changed since the one found before, if
+    /// there was one: L + (L - L_before).
     ///
     /// A correction that lags lets the pressure push a little too late all the time, and so feeds waves.
-    pub(super) fn take_next_correction(&mut self, before: bool) {
+    pub(super) fn take_next_correction(&mut self) {
         let work = &mut self.work;
         if self.options.extrapolated_correction {
             let next = [
@@ -139,13 +141,14 @@ impl Wcsph {
                 &mut work.next_correction_xy,
                 &mut work.next_correction_yy,
             ];
-            for (next, found) in next.into_iter().zip(&mut work.carried.found_correction) {
-                let both = next.iter_mut().zip(found.iter_mut());
-                for (next, found) in both {
-                    let now = std::mem::replace(found, *next);
-                    if before {
-                        *next += *next - now;
-                    }
+            for (next, before) in next.into_iter().zip(&mut work.carried.found_correction) {
+                if before.is_empty() {
+                    before.clone_from(next);
+                    continue;
+                }
+                for (next, before) in next.iter_mut().zip(before) {
+                    let found = *next;
+                    *next += found - std::mem::replace(before, found);
                 }
             }
         }

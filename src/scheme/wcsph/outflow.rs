@@ -45,7 +45,7 @@ impl Wcsph {
         }
         let (bodies, ghosts) = (self.ghosts.bodies.len(), self.ghosts.len());
         let carried = std::mem::take(&mut self.work.carried);
-        self.work = Workspace { carried, ..Workspace::new(padded, bodies, false) };
+        self.work = Workspace { carried, ..Workspace::new(padded, bodies) };
         self.diffused = vec![0.0; padded];
         self.ahead = [vec![0.0; padded], vec![0.0; padded]];
         self.records = vec![Record::default(); padded + ghosts];

@@ -118,7 +118,7 @@ impl Wcsph {
             pairs: Pairs::new(path, options.support_radius, options.spacing),
             records: vec![Record::default(); padded + ghosts.len()],
             singles: Vec::new(),
-            work: Workspace::new(padded, bodies, options.extrapolated_correction),
+            work: Workspace::new(padded, bodies),
             diffused: vec![0.0; padded],
             strain: vec![[0.0; 2]; padded],
             column: Column::default(),

@@ -50,7 +50,7 @@ impl Wcsph {
         if at_start {
             // The first step has no correction from one before it: it takes its own. It has looked
             // ahead from rest, and does so again should a trunk end here.
-            self.take_next_correction(false);
+            self.take_next_correction();
             self.work.carried.last_acceleration_x.fill(0.0);
             self.work.carried.last_acceleration_y.fill(0.0);
             // Counted once, as for who goes on from a state kept here.
@@ -124,7 +124,7 @@ impl Wcsph {
             shifting_work += self.restore_volume();
             self.hold_inside(walls.bodies);
             self.since_full = 0.0;
-            self.take_next_correction(true);
+            self.take_next_correction();
         }
         self.timings.integration += through.elapsed().as_secs_f64();
         Dissipation {
