@@ -5,18 +5,25 @@
 //! resumed. It is no row of the summary and leaves no history.
 
 use std::collections::HashMap;
+use std::f64::consts::SQRT_2;
 
 use super::case::{Case, CaseId};
 use crate::keys::Recent;
 use crate::scene::{CaseConfig, ErrorBars};
 
-/// Spacings of the companions over the case's own. Twice the spacing costs about an eighth, √2
-/// times about a third.
-fn ratios(bars: ErrorBars) -> &'static [f64] {
+/// The fewest rows of particles over the depth that tell how a reading changes with the spacing: with
+/// fewer the runup of a steep wave is off by tenths of the depth, and in no order.
+const FEWEST_ROWS: f64 = 10.0;
+
+/// Spacings of a case's companions over its own. Twice the spacing costs about an eighth, √2 times
+/// about a third.
+fn ratios(bars: ErrorBars, config: &CaseConfig) -> &'static [f64] {
+    let rows = || config.scene.frame().depth / config.numerics.particle_spacing_m;
     match bars {
         ErrorBars::None => &[],
+        ErrorBars::Pair if rows() < 2.0 * FEWEST_ROWS - 1e-6 => &[SQRT_2],
         ErrorBars::Pair => &[2.0],
-        ErrorBars::Triple => &[std::f64::consts::SQRT_2, 2.0],
+        ErrorBars::Triple => &[SQRT_2, 2.0],
     }
 }
 
@@ -32,7 +39,7 @@ pub(super) fn plan(cases: &[Case], bars: &[ErrorBars]) -> (Vec<Case>, Vec<Vec<us
     let bars = bars.iter().copied().chain(std::iter::repeat(ErrorBars::None));
     for (case, bars) in cases.iter().zip(bars) {
         let mut own = Vec::new();
-        for &ratio in ratios(bars) {
+        for &ratio in ratios(bars, &case.config) {
             let Some(mut config) = case.config.coarsened(ratio) else { continue };
             numerics.share(&mut config.numerics);
             own.push(place(config, case, &mut places, &mut companions, cases.len()));
@@ -59,6 +66,8 @@ fn place(
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::SQRT_2;
+
     use crate::study::Study;
     use crate::study::file::SweepFile;
 
@@ -90,14 +99,26 @@ mod tests {
         assert_eq!(spacings(&pair, 1), [0.02]);
         assert_eq!(pair.companions[1].index, 3);
         let triple = study(&format!("[numerics]\nerror_bars = \"triple\"\n{WAVES}"));
-        assert_eq!(spacings(&triple, 0), [0.01 * std::f64::consts::SQRT_2, 0.02]);
+        assert_eq!(spacings(&triple, 0), [0.01 * SQRT_2, 0.02]);
     }
 
     #[test]
     fn cases_of_the_grid_serve_as_companions() {
-        let grid = "[grid]\nparticle_spacing_m = [0.008, 0.016, 0.032]";
+        let grid = "[grid]\nparticle_spacing_m = [0.005, 0.01, 0.02, 0.04]";
         let study = study(&format!("[numerics]\nerror_bars = \"pair\"\n{grid}"));
-        assert!(study.companions.is_empty(), "0.064 m is too coarse for 0.2 m");
-        assert_eq!(study.companions_of, [vec![1], vec![2], vec![]]);
+        assert_eq!(study.companions_of, [vec![1], vec![2], vec![4], vec![]]);
+        let own = study.run(4).config.numerics.particle_spacing_m;
+        assert_eq!((study.companions.len(), own), (1, 0.02 * SQRT_2));
+    }
+
+    /// Five rows of particles at twice the spacing tell nothing of ten.
+    #[test]
+    fn few_rows_have_a_nearer_companion() {
+        let spacing = |own: f64| {
+            let numerics = format!("particle_spacing_m = {own}\nerror_bars = \"pair\"");
+            let study = study(&format!("[numerics]\n{numerics}\n{WAVES}"));
+            study.run(study.companions_of[0][0]).config.numerics.particle_spacing_m / own
+        };
+        assert_eq!([0.008, 0.01, 0.0101, 0.02].map(spacing), [2.0, 2.0, SQRT_2, SQRT_2]);
     }
 }
