@@ -5,7 +5,7 @@ use std::io;
 use super::codec::Point;
 use super::page::PageFilm;
 use super::{Camera, Colour};
-use crate::scene::CaseConfig;
+use crate::scene::{CaseConfig, SeawallScene};
 use crate::simulation::{CaseResult, Film, cost};
 
 /// Frames of a film.
@@ -42,7 +42,9 @@ impl<'a> PageCamera<'a> {
     pub fn new(film: &'a PageFilm, config: &'a CaseConfig) -> PageCamera<'a> {
         let frame_bytes = cost(config).particles as usize * size_of::<Point>();
         let spare = (MOST_MEMORY / (FRAMES * frame_bytes).max(1)).clamp(1, MOST_SPARE);
-        let interval_s = config.scene.frame().end_time / (FRAMES * spare) as f64;
+        // The clock of a recorded stroke may begin late.
+        let start_s = config.scene.seawall().map_or(0.0, SeawallScene::start_s);
+        let interval_s = (config.scene.frame().end_time - start_s) / (FRAMES * spare) as f64;
         PageCamera { film, config, interval_s, takes: Vec::new() }
     }
 }
@@ -126,6 +128,22 @@ mod tests {
         assert!((30..=36).contains(&at_crest), "{at_crest}");
         let (few, crest) = pick((0..7).map(take).collect(), 0.04, 0.5);
         assert_eq!((few.len(), crest), (7, 3));
+    }
+
+    /// A run from 258 to 283 s on the clock of its stroke is 25 s long.
+    #[test]
+    fn a_film_spreads_over_the_run_and_not_over_its_clock() {
+        let shipped = concat!(env!("CARGO_MANIFEST_DIR"), "/sweeps/usace_1995/case_b.toml");
+        let mut file: toml::Table = std::fs::read_to_string(shipped).unwrap().parse().unwrap();
+        let scene = file["scene"].as_table_mut().unwrap();
+        let stroke = concat!(env!("CARGO_MANIFEST_DIR"), "/sweeps/usace_1995/stroke_b.csv");
+        scene["recorded_stroke"] = stroke.into();
+        let nothing = toml::Table::new();
+        let config = CaseConfig::from_tables(scene, &nothing).unwrap();
+        let film = PageFilm { colour: Colour::Speed, folder: std::path::PathBuf::new() };
+        let interval_s = PageCamera::new(&film, &config).interval_s;
+        let frames = FRAMES as f64;
+        assert!(25.0 / interval_s >= frames && 25.0 / interval_s <= frames * MOST_SPARE as f64);
     }
 
     #[test]

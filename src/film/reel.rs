@@ -11,9 +11,14 @@ use super::stage::Stage;
 use crate::math::decimal::significant;
 use crate::simulation::HistoryRow;
 
-/// Places are whole numbers up to the first of these, eleven bits; up to the next where that takes too
-/// much room, as water that is torn apart does.
-const FARTHEST: [f64; 3] = [2047.0, 1023.0, 511.0];
+/// Places are whole numbers up to this, eleven bits, ...
+const FARTHEST: f64 = 2047.0;
+/// ... but in a long tank at least so many to a particle's spacing, ...
+const PER_SPACING: f64 = 4.0;
+/// ... and never up to more than sixteen bits hold.
+const HIGHEST: f64 = 32767.0;
+/// So much coarser where that takes too much room, as water that is torn apart does.
+const COARSER: [f64; 2] = [2.0, 4.0];
 /// Room for a particle in a frame, bytes, as long as a film does not fit into little room anyway.
 const ROOM: f64 = 0.4;
 const LITTLE_ROOM: usize = 100_000;
@@ -44,11 +49,11 @@ impl Reel<'_> {
         let [left, low, span] = self.extent();
         let particles = self.takes[0].points.len();
         let room = (ROOM * (self.takes.len() * particles) as f64) as usize;
-        let [finest, coarser @ ..] = FARTHEST.map(|farthest| span / farthest);
+        let finest = finest_quantum(span, self.stage.spacing);
         let mut packed = self.pack([left, low], finest);
-        for quantum in coarser {
+        for times in COARSER {
             if packed.bytes.len() > room.max(LITTLE_ROOM) {
-                packed = self.pack([left, low], quantum);
+                packed = self.pack([left, low], times * finest);
             }
         }
         let times = |read: fn(&Take) -> f64| self.takes.iter().map(read).map(brief);
@@ -92,6 +97,11 @@ impl Reel<'_> {
     }
 }
 
+/// Of places over a span of so many metres, for particles so far apart; metres.
+fn finest_quantum(span: f64, spacing: f64) -> f64 {
+    (span / FARTHEST).min(spacing / PER_SPACING).max(span / HIGHEST)
+}
+
 /// F*, R* and X* over time, each where it changes.
 fn curves(history: &[HistoryRow]) -> Value {
     let rows: Vec<_> = history.iter().step_by(history.len().div_ceil(MOST_POINTS).max(1)).collect();
@@ -110,4 +120,17 @@ fn curves(history: &[HistoryRow]) -> Value {
 
 fn brief(value: f64) -> f64 {
     significant(value, 5)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// In a flume of 23 m a two-thousandth of its length is more than a spacing.
+    #[test]
+    fn places_are_told_to_a_part_of_a_spacing_in_long_tanks_too() {
+        assert_eq!(finest_quantum(2.5, 0.01), 2.5 / FARTHEST);
+        assert_eq!(finest_quantum(23.2, 0.008), 0.002);
+        assert_eq!(finest_quantum(1000.0, 0.01), 1000.0 / HIGHEST);
+    }
 }
