@@ -3,7 +3,6 @@
 use super::config::CaseConfig;
 use super::kind::Scene;
 use super::numerics::{BoundaryChoice, Numerics, Scheme};
-use crate::boundary::Stretch;
 use crate::scheme::isph::Laplacian;
 use crate::scheme::wcsph::Shifting;
 
@@ -67,14 +66,13 @@ impl Facts<'_> {
         self.weakly && self.numerics.boundary == choice
     }
 
-    /// Whether a stretch of the bed is steeper than 1:2, upright steps under water left out.
-    pub fn has_steep_slope(&self) -> bool {
+    /// Whether a stretch of the bed that is steeper than 1:2 comes out of the still water.
+    pub fn has_steep_beach(&self) -> bool {
         let bed = self.scene().seawall().and_then(|scene| scene.bed.as_ref());
         let depth = self.scene().frame().depth;
         bed.is_some_and(|bed| {
             let covered = bed.steep_under(depth);
-            let step = |stretch: &Stretch| stretch.along[0] < 1e-9 && covered.contains(stretch);
-            bed.stretches().any(|stretch| stretch.is_steep() && !step(&stretch))
+            bed.stretches().any(|stretch| stretch.is_steep() && !covered.contains(&stretch))
         })
     }
 

@@ -30,21 +30,21 @@ const LIMITS: &[Limit] = &[
          \"normalized\" kept it below 1 mm/s",
     ),
     (
-        |case| case.has_steep_slope(),
-        "a slope of the bed steeper than 1:2: still water began to turn on it, after 76 s at ten rows and \
-         55 s at sixteen; up to 1:2 it rested for 300 s at ten rows",
+        |case| case.has_steep_beach(),
+        "a beach steeper than 1:2: still water began to turn on one of 1:1, after 76 s at ten rows and \
+         168 s at sixteen; on one of 1:2 it rested for 300 s at ten rows",
     ),
     (
         |case| case.stirs(),
-        "a steep bed under water without shifting = \"deep\" and steep_feedback = 0.05: still water began \
+        "a steep bed under water without shifting = \"deep\" and steep_feedback = 0.15: still water began \
          to turn at the upper end of upright steps after 10 to 40 s",
     ),
     (
         |case| {
-            case.weakly && case.scene().has_steep_bed() && case.rows.is_some_and(|rows| rows > 16.0)
+            case.weakly && case.scene().has_steep_bed() && case.rows.is_some_and(|rows| rows > 20.0)
         },
-        "a steep bed under water at more than sixteen rows: still water rested for 300 s over upright \
-         steps at ten and sixteen rows, and began to turn after some 100 s at twenty",
+        "a steep bed under water at more than twenty rows: that still water rests for 300 s was seen at \
+         ten, sixteen and twenty rows",
     ),
     (
         |case| case.boundary(BoundaryChoice::ImprovedShepard) && case.has_crest(),
@@ -190,7 +190,11 @@ mod tests {
         assert_eq!(count(standing, ""), 1);
         assert_eq!(count(standing, "volume_feedback = 0.002\nshifting = \"deep\""), 0);
         let ridge = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [1, 0.1], [2, 0.1]]";
-        assert_eq!(count(ridge, "boundary = \"normalized\""), 1);
+        assert_eq!(count(ridge, "boundary = \"normalized\""), 0);
+        let finer = "particle_spacing_m = 0.008\nboundary = \"normalized\"";
+        assert_eq!(count(ridge, finer), 1);
+        let steep = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [2, 1]]";
+        assert_eq!(count(steep, "boundary = \"normalized\""), 1);
         assert_eq!(count("kind = \"dam-break\"", ""), 1);
         assert_eq!(count("kind = \"dam-break\"", "preset = \"huang2019\""), 0);
         assert_eq!(count("kind = \"dam-break\"", "boundary = \"mls-quadratic\""), 1);

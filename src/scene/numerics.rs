@@ -167,8 +167,8 @@ section! {
         /// 0.002 by default. It wants gravity and corrected gradients.
         volume_feedback: f64 = 0.0, weakly(plain().within(0.0, 0.02)).newer();
         /// The same beside stretches of the bed that are steeper than 1:2 and under water, deeper
-        /// below the surface. Such beds have 0.05 by default.
-        steep_feedback: f64 = 0.0, weakly(plain().within(0.0, 0.1)).newer();
+        /// below the surface, and over c0/h. Such beds have 0.15 by default.
+        steep_feedback: f64 = 0.0, weakly(plain().within(0.0, 0.3)).newer();
         /// c0 Δt / Δx.
         courant_number: f64 = 1.8, weakly(plain().within(1e-3, 2.5)).label("c0 Δt/Δx");
         /// γ: pressures are taken γ Δt ahead of the densities, which damps sound.

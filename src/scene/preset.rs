@@ -117,7 +117,7 @@ impl Numerics {
         if scene.has_steep_bed() {
             // Where it bends down, still water goes round and gains by it.
             self.shifting = Shifting::Deep;
-            self.steep_feedback = 0.05;
+            self.steep_feedback = 0.15;
         }
     }
 }

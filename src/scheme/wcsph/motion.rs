@@ -92,8 +92,7 @@ impl Wcsph {
     pub(super) fn restore_volume(&mut self) -> f64 {
         let Some(shortfall) = &self.shortfall else { return 0.0 };
         let options = &self.options;
-        let per_second =
-            |feedback: f64| feedback * options.state.sound_speed * self.scaling.inverse_radius;
+        let per_second = |feedback: f64| feedback * options.state.sound_speed;
         let n = self.fluid.padded_len();
         let Fluid { x, y, density, mass, .. } = &mut self.fluid;
         let restore = Restore {
@@ -102,8 +101,10 @@ impl Wcsph {
             work: &self.work,
             options,
             shortfall,
-            rate: per_second(options.volume_feedback) * self.since_full,
-            steep_rate: per_second(options.steep_feedback) * self.since_full,
+            rate: per_second(options.volume_feedback)
+                * self.scaling.inverse_radius
+                * self.since_full,
+            steep_rate: per_second(options.steep_feedback) / options.still_depth * self.since_full,
             steep: &self.steep,
         };
         -self.pairs.sum_each(&mut density[..n], &restore)

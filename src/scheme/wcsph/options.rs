@@ -82,7 +82,7 @@ pub struct WcsphOptions {
     pub shifting_coefficient: f64,
     /// How fast densities follow the error of the volume, over c0/R: see `volume.rs`.
     pub volume_feedback: f64,
-    /// How much faster they do beside steep stretches of the bed.
+    /// How much faster they do beside steep stretches of the bed, over c0 and the depth.
     pub steep_feedback: f64,
     /// γ of the pressure's lead, in time steps.
     pub bulk_damping: f64,

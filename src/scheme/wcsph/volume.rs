@@ -17,7 +17,8 @@ use crate::pairs::{Double, Here, Summed};
 const DEPTHS: [f64; 2] = [0.4, 0.6];
 /// Those beside a steep bed, where much more is taken back.
 const STEEP_DEPTHS: [f64; 2] = [0.8, 1.2];
-/// Distances from a steep stretch, over R, up to which that is so, and from which it is not.
+/// Distances from a steep stretch, over the depth, up to which that is so, and from which it is not: the water
+/// that goes round there does so as a whole, however fine its particles are.
 const BESIDE: [f64; 2] = [2.0, 3.0];
 
 /// What ½ tr Σ V_j (x_j - x_i) ⊗ ∇W falls short by in even water, row by row under a level surface.
@@ -77,7 +78,7 @@ impl Restore<'_> {
     /// How near a place is to a steep stretch: 1 beside it, 0 far away.
     fn beside_steep(&self, place: [f64; 2]) -> f64 {
         let away = self.steep.iter().map(|stretch| stretch.distance(place));
-        let nearest = away.fold(f64::INFINITY, f64::min) / self.options.support_radius;
+        let nearest = away.fold(f64::INFINITY, f64::min) / self.options.still_depth;
         let [near, far] = BESIDE;
         ((far - nearest) / (far - near)).clamp(0.0, 1.0)
     }
