@@ -12,7 +12,7 @@ use crate::math::name::name_of;
 use crate::quantities::summary::{
     DISPLACEMENT_MAX, ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX, STATUS,
 };
-use crate::quantities::{Case, Column, heading, named};
+use crate::quantities::{Case, Column, coarse_spacings, heading, named};
 use crate::results::{CaseRecord, counted};
 use crate::simulation::kinds_of_doubt;
 
@@ -148,9 +148,9 @@ fn doubts(done: &Done) -> String {
     )
 }
 
-/// How many cases have coarse particles, and what that means of the first.
+/// How many cases have coarse particles, and what that means of them.
 fn coarse(told: &[String]) -> String {
-    let Some(why) = told.first() else { return String::new() };
+    let Some(why) = coarse_spacings(told.iter().map(String::as_str)) else { return String::new() };
     let have = if told.len() == 1 { "has" } else { "have" };
     let cases = counted(told.len(), "finished case");
     format!("{cases} {have} coarse particles (coarse_spacing in summary.csv)\n  {why}\n")

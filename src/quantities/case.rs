@@ -7,6 +7,16 @@ use crate::theory::hydrostatics::wall_force;
 /// Fewer rows of particles over the depth are coarse.
 const ROWS: f64 = 10.0;
 
+/// What `coarse_spacing` says of several cases: the sentence of one, with the rows of all.
+pub fn coarse_spacings<'a>(told: impl IntoIterator<Item = &'a str>) -> Option<String> {
+    let mut told: Vec<_> = told.into_iter().filter_map(|why| why.split_once(' ')).collect();
+    let rows = |rows: &str| rows.parse().unwrap_or(f64::INFINITY);
+    told.sort_by(|(a, _), (b, _)| rows(a).total_cmp(&rows(b)));
+    let (&(fewest, rest), &(most, _)) = (told.first()?, told.last()?);
+    let span = if fewest == most { String::new() } else { format!(" to {most}") };
+    Some(format!("{fewest}{span} {rest}"))
+}
+
 /// Estimated absolute errors; `None` where the case has no such reading or no companion has.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Bars {
@@ -100,5 +110,19 @@ impl Case<'_> {
         let depth = scene.still_water_depth_m;
         let scale = scene.water_density_kg_per_m3 * depth * depth;
         scene.seawall_mass_kg_per_m.map(|mass| mass / scale)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn coarse_cases_are_told_with_the_rows_of_all() {
+        let rows =
+            ["8.0 rows over the depth", "10.0 rows over the depth", "6.7 rows over the depth"];
+        assert_eq!(coarse_spacings(rows).unwrap(), "6.7 to 10.0 rows over the depth");
+        assert_eq!(coarse_spacings([rows[0], rows[0]]).unwrap(), rows[0]);
+        assert_eq!(coarse_spacings([]), None);
     }
 }

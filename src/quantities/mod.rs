@@ -19,7 +19,7 @@ pub mod summary;
 mod unit;
 pub mod wave;
 
-pub use case::{Bars, Case, Value};
+pub use case::{Bars, Case, Value, coarse_spacings};
 pub use column::Read;
 pub use unit::Unit;
 

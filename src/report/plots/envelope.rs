@@ -31,7 +31,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     }
     let which = match distinct(data.finished(), &WAVE_HEIGHT_RATIO).len() {
         0 | 1 => "from the largest force to the least",
-        _ => "of a wave that of the largest force",
+        _ => "for each wave the one of the largest force",
     };
     let shown = match data.finished().count() {
         all if all > cases.len() => format!(

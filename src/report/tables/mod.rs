@@ -97,11 +97,20 @@ fn health(data: &Loaded) -> Lines<'_> {
 
 /// The first of the cases that failed, and why.
 pub fn failed(data: &Loaded, most: usize) -> Table {
-    let columns = [&[&CASE_ID][..], &PLACE, &[&REASON]].concat();
-    let cells = |row: &Row| columns.iter().map(|column| row.brief(column)).collect();
+    let columns = [&[&CASE_ID][..], &PLACE].concat();
+    let has_variants = data.failed().any(|row| !row.variant.is_empty());
+    let mut header = names(&columns);
+    header.extend(has_variants.then_some(VARIANT));
+    header.push(REASON.name);
+    let cells = |row: &Row| {
+        let mut cells: Vec<_> = columns.iter().map(|column| row.brief(column)).collect();
+        cells.extend(has_variants.then(|| row.variant.to_string()));
+        cells.push(row.brief(&REASON));
+        cells
+    };
     let rows = data.failed().take(most).map(cells).collect();
     let left = data.failed().count().saturating_sub(most);
-    Table { left, ..Table::new("", "Failed cases", &names(&columns), rows) }
+    Table { left, ..Table::new("", "Failed cases", &header, rows) }
 }
 
 fn responses_of(data: &Loaded) -> Vec<Lines<'_>> {
@@ -196,6 +205,21 @@ mod tests {
         assert_eq!(energy.header[..2], ["case_id", "wave_height_ratio"]);
         assert_eq!(energy.header[4..6], ["force_coupling", "paddle_work_j_per_m"]);
         assert!(energy.csv().contains("\ncase-0001,0.3,10,250,1,48.000,"), "{}", energy.csv());
+    }
+
+    #[test]
+    fn failed_cases_of_other_swept_keys_are_told_apart() {
+        let row = |variant: &str| {
+            let mut row = Row::default().with(&STATUS, "failed").with(&REASON, "blow-up");
+            row.variant = variant.into();
+            row
+        };
+        let rows = vec![row("sound_speed_ratio = 4"), row("sound_speed_ratio = 8")];
+        let table = failed(&Loaded { rows, ..Loaded::default() }, 9).for_page();
+        assert_eq!(table.header, [VARIANT, "reason"]);
+        assert_eq!(table.rows[1], ["sound_speed_ratio = 8", "blow-up"]);
+        let plain = Loaded { rows: vec![row("")], ..Loaded::default() };
+        assert_eq!(failed(&plain, 9).for_page().header, ["reason"]);
     }
 
     #[test]

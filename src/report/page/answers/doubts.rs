@@ -1,9 +1,9 @@
 //! Which numbers are bounds, and which results are doubtful.
 
-use crate::quantities::named;
 use crate::quantities::summary::{
     COARSE_SPACING, DISPLACEMENT_MAX, DOUBTFUL, DOUBTFUL_REASON, SPRING_STIFFNESS,
 };
+use crate::quantities::{coarse_spacings, named};
 use crate::report::curves::distinct;
 use crate::report::load::Loaded;
 use crate::report::number;
@@ -80,7 +80,7 @@ pub fn doubtful(data: &Loaded) -> Option<String> {
     ))
 }
 
-/// How many results have coarse particles, and what that means of the first of them; `None` where none has.
+/// How many results have coarse particles, and what that means of them; `None` where none has.
 pub fn coarse(data: &Loaded) -> Option<String> {
     let all = data.finished().count();
     let coarse: Vec<_> = data
@@ -88,7 +88,7 @@ pub fn coarse(data: &Loaded) -> Option<String> {
         .map(|row| row.text(&COARSE_SPACING))
         .filter(|why| !why.is_empty())
         .collect();
-    let why = coarse.first()?;
+    let why = coarse_spacings(coarse.iter().copied())?;
     if all == 1 {
         return Some(format!("Its particles are coarse: {why}."));
     }
@@ -172,6 +172,8 @@ mod tests {
         assert_eq!(coarse(&both).unwrap(), format!("2 of 3 results have coarse particles: {why}."));
         assert_eq!(doubtful(&both).unwrap(), "No result is doubtful.");
         assert_eq!(coarse(&of(&[why])).unwrap(), format!("Its particles are coarse: {why}."));
+        let mixed = coarse(&of(&[why, "6.7 rows over the depth"])).unwrap();
+        assert_eq!(mixed, "2 of 2 results have coarse particles: 6.7 to 8.0 rows over the depth.");
         assert_eq!(coarse(&of(&["", ""])), None);
     }
 }

@@ -7,7 +7,7 @@ use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RAT
 use crate::report::curves::distinct;
 use crate::report::load::Loaded;
 use crate::report::number;
-use crate::report::page::words::{at, listed, percent, range};
+use crate::report::page::words::{at, counted, listed, percent, range};
 use crate::report::row::{Row, label};
 
 /// Keys that tell walls of one wave apart.
@@ -149,7 +149,12 @@ fn in_brief(groups: &[Group<'_>], after_some: bool) -> String {
     let (some, none) = (waves(true), waves(false));
     if some.len() + none.len() < groups.len() {
         let halved = groups.iter().filter(|group| group.halved().next().is_some()).count();
-        return format!(" Some wall does so in {halved} of {} other comparisons.", groups.len());
+        let all = counted(groups.len(), "other comparison");
+        return match halved {
+            0 if after_some => format!(" No wall does so in {all}."),
+            0 => format!(" Nor does any wall in {all}."),
+            _ => format!(" Some wall does so in {halved} of {all}."),
+        };
     }
     match (range(&some, ""), range(&none, "")) {
         (_, without) if some.is_empty() && after_some => {
@@ -223,6 +228,18 @@ mod tests {
         let told = "the force is halved by 67 of 201 walls; the stiffest of them is that at H/h = 0.5, \
                     k = 208 N/m, m = 50 kg/m.";
         assert!(said(&rows).unwrap().ends_with(told), "{:?}", said(&rows));
+    }
+
+    #[test]
+    fn other_comparisons_without_a_halved_force_are_told_in_words() {
+        let walls = |variant: &str, soft: f64| {
+            let mut rows = [(10.0, soft), (1e5, 4.0)].map(|(k, f)| wall(0.5, Some((k, 50.0)), f));
+            rows.iter_mut().for_each(|row| row.variant = variant.into());
+            rows
+        };
+        let study = |[a, b]: [f64; 2]| said(&[walls("a", a), walls("b", b)].concat()).unwrap();
+        assert!(study([3.0; 2]).ends_with(" Nor does any wall in 1 other comparison."));
+        assert!(study([1.0, 3.0]).ends_with(" No wall does so in 1 other comparison."));
     }
 
     #[test]
