@@ -237,9 +237,9 @@ mod tests {
             rows.iter_mut().for_each(|row| row.variant = variant.into());
             rows
         };
-        let study = |[a, b]: [f64; 2]| said(&[walls("a", a), walls("b", b)].concat()).unwrap();
-        assert!(study([3.0; 2]).ends_with(" Nor does any wall in 1 other comparison."));
-        assert!(study([1.0, 3.0]).ends_with(" No wall does so in 1 other comparison."));
+        let study = |a, b| said(&[walls("a", a), walls("b", b), walls("c", b)].concat()).unwrap();
+        assert!(study(3.0, 3.0).ends_with(" Nor does any wall in 2 other comparisons."));
+        assert!(study(1.0, 3.0).ends_with(" No wall does so in 2 other comparisons."));
     }
 
     #[test]
