@@ -9,8 +9,7 @@ use serde::Deserialize;
 use toml::Table;
 
 use super::matrix::Matrix;
-use crate::keys::Section;
-use crate::scene::{CaseConfig, Numerics, Preset};
+use crate::scene::CaseConfig;
 
 /// Measured errors and costs by method: what the program knows about itself.
 #[derive(Debug, Clone, PartialEq)]
@@ -161,10 +160,9 @@ impl Recipe {
     /// A case with this method's numerics; `None` where that would override what its file says, or
     /// is nothing that the case can take.
     fn applied(&self, config: &CaseConfig, depth: f64, swept: &[String]) -> Option<CaseConfig> {
-        let mut numerics = config.numerics.table();
-        let default = Numerics::preset(Preset::Default).table();
+        let mut numerics = config.numerics_of_its_own();
         for (key, value) in &self.numerics {
-            if swept.contains(key) || default.get(key) != numerics.get(key) {
+            if swept.contains(key) || numerics.contains_key(key) {
                 return None;
             }
             numerics.insert(key.clone(), value.clone());
@@ -176,13 +174,13 @@ impl Recipe {
     }
 }
 
-/// What of a case's numerics is not the default, in words: `particle_spacing_m = 0.02, ...`.
-pub fn differences(numerics: &Numerics) -> String {
-    let (own, default) = (numerics.table(), Numerics::preset(Preset::Default).table());
-    let other = own.iter().filter(|(key, value)| default.get(*key) != Some(*value));
+/// What of a case's numerics its scene does not have by default, in words: `particle_spacing_m = 0.02,
+/// ...`.
+pub fn differences(config: &CaseConfig) -> String {
     let word =
         |value: &toml::Value| value.as_str().map_or_else(|| value.to_string(), str::to_owned);
-    other.map(|(key, value)| format!("{key} = {}", word(value))).collect::<Vec<_>>().join(", ")
+    let own = config.numerics_of_its_own();
+    own.iter().map(|(key, value)| format!("{key} = {}", word(value))).collect::<Vec<_>>().join(", ")
 }
 
 #[cfg(test)]
@@ -241,7 +239,7 @@ numerics = { particle_spacing_m = 0.04, courant_number = 1.0 }
         let mut own = config(0.2);
         own.numerics.courant_number = 1.2;
         assert_eq!(table().choose(&own, 2.0, 1.0, &[]).unwrap().method, "coarse");
-        assert_eq!(differences(&low.config.numerics), "particle_spacing_m = 0.02");
+        assert_eq!(differences(&low.config), "particle_spacing_m = 0.02");
     }
 
     #[test]

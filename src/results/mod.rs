@@ -53,7 +53,7 @@ pub use closing::Closing;
 pub use directory::{Directory, OpenMode, Opened};
 pub use entries::{Content, Header};
 pub use error::{SweepError, in_words};
-pub use error_bars::{ErrorBars, narrowest_bar_percent, richardson};
+pub use error_bars::{ErrorBars, narrowest_bar_percent};
 pub use filing::{Delivery, Filed, Filing, Mark};
 pub use journal::{
     Journal, read_header as read_journal_header, read_in_blocks as read_journal_in_blocks,

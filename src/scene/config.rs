@@ -5,10 +5,11 @@ use toml::Table;
 
 use super::declared::{Place, refuse_unknown};
 use super::kind::{Kind, Scene};
-use super::numerics::{ErrorBars, Numerics};
+use super::numerics::{ErrorBars, Numerics, Scheme};
+use super::preset::{LEAST_RATIO, Preset, sound_speed_ratio};
 use super::probe::Probe;
 use super::size;
-use crate::keys::{ConfigError, Shared};
+use crate::keys::{ConfigError, Section, Shared};
 
 /// One case: everything that decides its answer, and nothing else.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -106,12 +107,44 @@ impl CaseConfig {
         config
     }
 
-    /// The same case with particles `ratio` times as far apart, time steps in proportion; `None`
-    /// where that is too coarse for the scene.
+    /// The numerics that are not those which its scene has by default with these particles; their
+    /// spacing, where it is not the default one.
+    pub fn numerics_of_its_own(&self) -> Table {
+        let own = self.numerics.table();
+        let spacing = "particle_spacing_m";
+        let scheme = own.get("scheme").filter(|_| self.numerics.scheme != Scheme::Wcsph);
+        let named = [(spacing, own.get(spacing)), ("scheme", scheme)];
+        let named: Table = named
+            .into_iter()
+            .filter_map(|(key, value)| Some((key.to_owned(), value?.clone())))
+            .collect();
+        let of_scene = Numerics::of_scene(&self.scene, &named);
+        let default = of_scene.unwrap_or_else(|_| Numerics::preset(Preset::Default)).table();
+        let usual = Numerics::preset(Preset::Default).table();
+        own.into_iter()
+            .filter(|(key, value)| {
+                let default = if named.contains_key(key) { &usual } else { &default };
+                default.get(key) != Some(value)
+            })
+            .collect()
+    }
+
+    /// The same case with particles `ratio` times as far apart, time steps in proportion, and 1/c0²
+    /// too, so that the error by sound grows as the spacing does; `None` where that is too coarse for
+    /// the scene.
     pub fn coarsened(&self, ratio: f64) -> Option<CaseConfig> {
         let mut config = self.without_error_bars();
-        config.numerics.particle_spacing_m *= ratio;
-        config.numerics.time_step_s = config.numerics.time_step_s.map(|step| step * ratio);
+        let depth = self.scene.frame().depth;
+        let numerics: &mut Numerics = &mut config.numerics;
+        let spacing = numerics.particle_spacing_m;
+        numerics.particle_spacing_m *= ratio;
+        numerics.time_step_s = numerics.time_step_s.map(|step| step * ratio);
+        if numerics.scheme == Scheme::Wcsph {
+            let [own, coarse] = [spacing, spacing * ratio].map(|x| sound_speed_ratio(depth, x));
+            let is_default = numerics.sound_speed_ratio == own;
+            let scaled = (numerics.sound_speed_ratio / ratio.sqrt()).max(LEAST_RATIO);
+            numerics.sound_speed_ratio = if is_default { coarse } else { scaled };
+        }
         config.validate().ok().map(|()| config)
     }
 }
