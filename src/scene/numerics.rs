@@ -155,8 +155,8 @@ section! {
         /// δ of Huang et al. 2019, Eq. 5.
         density_diffusion_coefficient: f64 = 0.1, weakly(plain().within(0.0, 1.0))
             .read_where("density_diffusion", &["renormalised", "hydrostatic", "molteni"]).label("δ");
-        /// α of Huang et al. 2019, Eq. 5. By default 0.1 with 4 spacings, and for solitary waves at upright
-        /// walls over a level bed.
+        /// α of Huang et al. 2019, Eq. 5. By default 0.1 with 4 spacings, and 0.09 for solitary waves at
+        /// upright walls over a level bed.
         artificial_viscosity: f64 = 0.08, plain().within(0.0, 1.0).label("viscosity");
         /// Artificial viscosity acts only on pairs that lose energy by it. Trains, and solitary waves at
         /// upright walls over a level bed, have it off by default.

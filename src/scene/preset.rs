@@ -124,7 +124,7 @@ impl Numerics {
             self.shifting_coefficient = 0.25;
         }
         if scene.has_solitary_wave_at_upright_wall() {
-            self.artificial_viscosity = 0.1;
+            self.artificial_viscosity = 0.09;
         }
         if scene.has_solitary_wave_at_upright_wall() || scene.has_train() {
             // On the way to the wall small gains and losses of energy add up.
