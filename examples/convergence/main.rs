@@ -28,15 +28,15 @@ const STEEP: f64 = 0.6;
 /// Crest at [`FINE`], %: what the spacing still takes off it.
 const CREST_BOUND: f64 = 0.3;
 /// First F*, %, with any speed of sound: single blows scatter.
-const FORCE_BOUND: f64 = 0.6;
+const FORCE_BOUND: f64 = 0.3;
 /// Likewise when steep.
-const STEEP_FORCE_BOUND: f64 = 1.0;
+const STEEP_FORCE_BOUND: f64 = 0.6;
 /// First R* at [`FINE`] when steep, h: the tip is thinner than a particle.
 const STEEP_RUNUP_BOUND: f64 = 0.04;
 /// X*, %: a spring answers to the mean of the force, which scatters less than its maximum.
-const DISPLACEMENT_BOUND: f64 = 0.4;
+const DISPLACEMENT_BOUND: f64 = 0.25;
 /// F* between neighbouring spacings from [`FINE`] down, %: a scheme that converges does not jump.
-const CHANGE_BOUND: f64 = 0.5;
+const CHANGE_BOUND: f64 = 0.3;
 
 /// A run beside its truth.
 #[derive(Debug, Clone)]
@@ -343,11 +343,11 @@ mod tests {
 
     #[test]
     fn a_planted_error_breaks_its_bound_by_name() {
-        assert!(broken(&[&curve(0.5, 0.016)]).is_empty());
+        assert!(broken(&[&curve(0.5, 0.011)]).is_empty());
         let lines = broken(&[&curve(0.5, 0.04)]); // 1 % at 8 mm, 0.25 % at 4 mm
         let expected = [
-            "H/h 0.5, fixed, 8 mm: first F* +1.0000 %, bound 0.6 %",
-            "H/h 0.5, fixed, 4 mm: F* -0.7426 % from that of 8 mm, bound 0.5 %",
+            "H/h 0.5, fixed, 8 mm: first F* +1.0000 %, bound 0.3 %",
+            "H/h 0.5, fixed, 4 mm: F* -0.7426 % from that of 8 mm, bound 0.3 %",
         ];
         assert_eq!(lines, expected);
     }
