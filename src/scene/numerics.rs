@@ -93,10 +93,6 @@ section! {
             incompressible(plain());
         /// Tolerance of the pressure equation's residual, relative to its right-hand side.
         solver_tolerance: f64 = 1e-2, incompressible(plain().within(1e-15, 0.1));
-        /// Share of the volume error that a step's source term takes back.
-        volume_relaxation: f64 = 0.0, incompressible(plain().within(0.0, 1.0));
-        /// Share of the last step's dynamic pressure that the next one starts from.
-        pressure_memory: f64 = 0.98, incompressible(plain().within(0.0, 1.0));
         /// Share of the compact Laplacian that is added to the exact one.
         compact_share: f64 = 0.05,
             incompressible(plain().within(1e-3, 1.0)).read_where("laplacian", &["exact"]);
