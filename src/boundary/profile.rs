@@ -63,6 +63,11 @@ impl Profile {
         first.map_or(self.end()[0], |first| self.0[first - 1][0])
     }
 
+    /// Whether all of it is.
+    pub fn is_level(&self) -> bool {
+        self.level_up_to() >= self.end()[0]
+    }
+
     /// The same bed, so many metres longer before the paddle, and behind the wall where it ends level.
     pub(super) fn gone_on(&self, [before, behind]: [f64; 2]) -> Profile {
         let mut points = self.0.clone();

@@ -118,8 +118,9 @@ impl Scene {
 
     /// Whether a single wave meets an upright wall over a level bed.
     pub(super) fn has_solitary_wave_at_upright_wall(&self) -> bool {
-        let level = |scene: &SeawallScene| scene.is_upright_over_level_bed();
-        self.has_crest_at_upright_wall() && !self.has_train() && self.seawall().is_some_and(level)
+        self.has_crest_at_upright_wall()
+            && !self.has_train()
+            && self.seawall().is_some_and(SeawallScene::is_upright_over_level_bed)
     }
 
     /// Whether its paddle makes waves that go on.

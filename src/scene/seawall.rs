@@ -114,7 +114,7 @@ impl WallChoice {
 impl SeawallScene {
     /// Whether the wall is upright and the bed level: there forces are read without the sound of the water.
     pub fn is_upright_over_level_bed(&self) -> bool {
-        self.bed.is_none() && self.wall_angle_deg == 90.0
+        self.bed.as_ref().is_none_or(Profile::is_level) && self.wall_angle_deg == 90.0
     }
 
     /// Whether all its readings but the runup are without sound. Water that goes over a crest is heard.
