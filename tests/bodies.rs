@@ -126,7 +126,7 @@ fn a_caisson_slides_once_the_wave_beats_its_friction_and_stays_where_it_stops() 
     let case = config(
         "wave_height_ratio = 0.5\nwall = \"caisson\"\nseawall_mass_kg_per_m = 60\n\
          submerged_weight_n_per_m = 300\nstatic_friction = 0.6\nkinetic_friction = 0.5\n",
-        0.02,
+        0.016,
     );
     let path = SimdPath::widest();
     let whole = run_case(&case, None, path, &Unwatched).unwrap();

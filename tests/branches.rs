@@ -129,6 +129,7 @@ fn runs_that_end_early_before_and_after_their_walls_could_move() {
     let grid = "end_after_stroke_centre_s = 30\nseawall_mass_kg_per_m = 50\n\
                 threshold_ratio = 1.6\n\
                 [numerics]\nparticle_spacing_m = 0.04\nstop_when_settled = true\n\
+                sound_speed_ratio = 8\n\
                 [grid]\nwall = [\"fixed\", \"movable\"]\nwave_height_ratio = [0.1, 0.3]\n\
                 spring_stiffness_n_per_m = [1e4, 1e6]\n";
     let cases = compare(&format!("name = \"settled\"\n{TANK}{grid}"));

@@ -7,7 +7,7 @@ use std::path::Path;
 use common::{TINY, TINY_CASES, assert_same, expect_code, run, write_file};
 
 /// Steps that the cases of one wave need more of than those of the other.
-const STEPS: &str = "limits.steps=415";
+const STEPS: &str = "limits.steps=332";
 
 fn sweep(file: &Path, out: &Path, more: &[&str]) -> std::process::Output {
     let (file, out) = (file.to_str().unwrap(), out.to_str().unwrap());
@@ -31,7 +31,7 @@ fn a_limit_in_steps_fails_the_same_cases_however_they_are_run() {
     assert_eq!(reasons.len(), TINY_CASES / 2, "{reasons:?}");
     for reason in reasons {
         assert!(reason.starts_with("over-limit at t = 1."), "{reason}");
-        assert!(reason.ends_with(" s: needs more than 415 steps (limits.steps)"), "{reason}");
+        assert!(reason.ends_with(" s: needs more than 332 steps (limits.steps)"), "{reason}");
     }
     for more in [&["--no-branch"][..], &["--threads", "1"], &["--set", "limits.memory_mib=1000"]] {
         let other = root.path().join(format!("other{}", more.len()));

@@ -78,7 +78,11 @@ impl Truth {
 
 /// Runs a case, and holds its errors of crest, first force, displacement and runup below these.
 fn check(wave: f64, wall: Option<(f64, f64)>, bounds: [f64; 4]) {
-    let errors = Truth::of(wave, wall).errors(&run(&scene(wave, wall), COARSE).outcome);
+    check_with(COARSE, wave, wall, bounds);
+}
+
+fn check_with(numerics: &str, wave: f64, wall: Option<(f64, f64)>, bounds: [f64; 4]) {
+    let errors = Truth::of(wave, wall).errors(&run(&scene(wave, wall), numerics).outcome);
     for (error, bound) in errors.iter().zip(bounds) {
         assert!(error.abs() <= bound, "{wave} {wall:?}: {errors:.4?}, may be {bounds:?}");
     }
@@ -92,27 +96,29 @@ fn a_fixed_wall_feels_a_moderate_wave_as_in_theory() {
 /// What is missing at the crest is curvature that these particles do not see.
 #[test]
 fn a_fixed_wall_feels_a_steep_wave_as_in_theory() {
-    check(0.5, None, [0.013, 0.005, 0.0, 0.02]);
+    check(0.5, None, [0.009, 0.005, 0.0, 0.02]);
 }
 
 #[test]
 fn walls_on_springs_move_as_in_theory() {
-    check(0.5, Some((500.0, 250.0)), [0.013, 0.005, 0.008, 0.02]);
+    check(0.5, Some((500.0, 250.0)), [0.009, 0.005, 0.008, 0.02]);
     check(0.3, Some((100.0, 50.0)), [0.005, 0.005, 0.008, 0.02]);
 }
 
-/// It moves by 0.04 mm, and follows the noise of single steps as well: 1.7 % farther.
+/// It moves by 0.04 mm, and follows the noise of single steps as well: 1.6 % farther, 2.6 % at 16 mm.
 #[test]
 fn a_light_wall_on_a_stiff_spring_moves_as_in_theory() {
-    check(0.5, Some((1e7, 1.0)), [0.013, 0.005, 0.02, 0.02]);
+    let finer = "particle_spacing_m = 0.0113\n";
+    check_with(finer, 0.5, Some((1e7, 1.0)), [0.005, 0.005, 0.02, 0.02]);
 }
 
 /// The story: they followed the sound in the water and moved 1.0 % too far here, 3 % at H/h = 0.6. What
 /// compression adds to the displacement is now taken off.
 #[test]
 fn slow_sound_does_not_move_stiff_walls_farther() {
-    for mass in [1.0, 100.0] {
-        check(0.5, Some((1e5, mass)), [0.013, 0.006, 0.005, 0.02]);
+    for (mass, spacing) in [(1.0, 0.016), (100.0, 0.0125)] {
+        let numerics = format!("particle_spacing_m = {spacing}\n");
+        check_with(&numerics, 0.5, Some((1e5, mass)), [0.008, 0.006, 0.005, 0.02]);
     }
 }
 
@@ -137,7 +143,7 @@ fn slow_sound_does_not_raise_the_largest_force() {
 fn a_sharp_tip_is_not_read_too_low() {
     let outcome = run(&scene(0.6, None), COARSE).outcome;
     let [.., runup] = Truth::of(0.6, None).errors(&outcome);
-    assert!((-0.085..0.02).contains(&runup), "{runup}");
+    assert!((-0.075..0.02).contains(&runup), "{runup}");
 }
 
 /// The story: energy was lost in proportion to the time step, 1.3 % of the paddle's work here, and

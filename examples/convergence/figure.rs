@@ -5,8 +5,8 @@ use std::path::Path;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
+use crate::Case;
 use crate::common::{COMPARED, CREST, Compared, DISPLACEMENT, FORCE, RUNUP};
-use crate::{Case, QUIET};
 
 /// Colours of the waves (after Okabe and Ito).
 const COLOURS: [RGBColor; 4] =
@@ -14,7 +14,7 @@ const COLOURS: [RGBColor; 4] =
 
 /// Fixed walls: full discs on thick lines. Movable ones: open rings on thin lines.
 pub fn draw(curves: &[&[Case]], path: &Path) -> Result<(), Box<dyn std::error::Error>> {
-    let curves: Vec<_> = curves.iter().copied().filter(|curve| curve[0].sound < QUIET).collect();
+    let curves: Vec<_> = curves.iter().copied().filter(|curve| curve[0].sound.is_none()).collect();
     let mut waves: Vec<_> = curves.iter().map(|curve| curve[0].wave()).collect();
     waves.sort_by(f64::total_cmp);
     waves.dedup();

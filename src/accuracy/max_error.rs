@@ -129,7 +129,7 @@ impl MaxError {
             writer.write_record([
                 case.id.to_string(),
                 of.spacing_m.to_string(),
-                differences(&case.config.numerics),
+                differences(&case.config),
                 of.bar_percent.map(|bar| bar.to_string()).unwrap_or_default(),
                 self.percent.to_string(),
                 of.met.to_string(),

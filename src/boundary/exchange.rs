@@ -3,44 +3,19 @@
 use std::marker::PhantomData;
 use std::ops::Range;
 
-use super::InterpolatorChoice;
+use super::gathering::{Gather, Places, Renewed};
 use super::ghosts::Ghosts;
 use super::image::{Image, Mirror};
 use super::pack::GhostVelocities;
+use super::rules::{ExchangeRules, targets};
 use super::stretch::Stretch;
-use super::sums::{Cover, Gather, KernelWeights, Means, Near, Places, Targets, Water, Weigh};
+use super::sums::{Cover, KernelWeights, Means, Near, Water, Weigh};
 use super::waterline::Waterline;
 use crate::body::BodyMotion;
-use crate::kernel::KernelChoice;
 use crate::math::simd::{LANES, SimdPath, dispatch};
 use crate::math::team::{self, First, Team};
-use crate::pairs::{Factors, Flow, PairList, PointSet, Scaling, Strips, build_pair_list};
+use crate::pairs::{Factors, Flow, PointSet, Strips, build_pair_list};
 use crate::{with_interpolator, with_kernel};
-
-/// What the ghosts of a scene obey.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ExchangeRules {
-    /// Kernel of the scheme.
-    pub kernel: KernelChoice,
-    /// Interpolator.
-    pub interpolator: InterpolatorChoice,
-    /// Scaling of the records.
-    pub scaling: Scaling,
-    /// Particle spacing, metres.
-    pub spacing: f64,
-    /// Gravity, m/s², pointing down.
-    pub gravity: f64,
-    /// Density at zero pressure, kg/m³.
-    pub surface_density: f64,
-    /// Sound speed, m/s.
-    pub sound_speed: f64,
-    /// Pressure correction inside the sum (exact at rest) rather than at the mirror point.
-    pub gravity_in_sum: bool,
-    /// Reverse the tangential velocity, too, for the viscous terms.
-    pub no_slip: bool,
-    /// Body 0 only counts between the bodies 1 and 2: the bed of a tank with moving ends.
-    pub bed_between_walls: bool,
-}
 
 /// The ghosts' side of a step: neighbour lists of their targets, weights, means.
 #[derive(Debug, Clone)]
@@ -261,37 +236,5 @@ impl Exchange {
             dispatch(path, Gather { part, blocks, scale, means, fields, places });
             make(Renewed { blocks, first, images, means, factors });
         });
-    }
-}
-
-/// New means at the ghosts of a part, and what is to come of them.
-pub(super) struct Renewed<'a> {
-    /// Blocks that count.
-    pub blocks: &'a [u32],
-    /// The block that images, means and numbers begin with.
-    pub first: usize,
-    pub images: &'a mut [Image],
-    pub means: &'a [Means],
-    /// The ghosts' numbers as neighbours.
-    pub factors: &'a mut [Factors],
-}
-
-/// The targets of a part, its list and its blocks, among some blocks.
-fn targets<'a>(
-    rules: &ExchangeRules,
-    (list, own): (&'a PairList, &Range<usize>),
-    (ghosts, bodies, water): (&'a Ghosts, &'a [BodyMotion], Water<'a>),
-    blocks: &Range<usize>,
-) -> Targets<'a> {
-    Targets {
-        kernel: rules.kernel,
-        scaling: rules.scaling,
-        ghosts,
-        bodies,
-        water,
-        list,
-        first: own.start,
-        blocks: own.start.max(blocks.start)..own.end.min(blocks.end),
-        at_ghost: rules.interpolator.at_ghost(),
     }
 }

@@ -1,9 +1,9 @@
 //! How much of a kernel's support bed and walls leave open.
 
-use super::exchange::ExchangeRules;
 use super::ghosts::Ghosts;
 use super::plane::Plane;
 use super::profile::Profile;
+use super::rules::ExchangeRules;
 use crate::kernel::KernelChoice;
 
 const DIRECTIONS: usize = 96;

@@ -1,10 +1,11 @@
 //! Pressures of the ghosts, from those of the water around their mirror points.
 
-use super::exchange::{Exchange, ExchangeRules, Renewed};
+use super::exchange::Exchange;
+use super::gathering::{Places, Renewed};
 use super::ghosts::{Ghosts, Site};
 use super::image::Press;
 use super::pack::GhostPressures;
-use super::sums::Places;
+use super::rules::ExchangeRules;
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, SimdPath, dispatch};
 use crate::pairs::Factors;

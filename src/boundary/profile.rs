@@ -63,6 +63,11 @@ impl Profile {
         first.map_or(self.end()[0], |first| self.0[first - 1][0])
     }
 
+    /// Whether all of it is.
+    pub fn is_level(&self) -> bool {
+        self.level_up_to() >= self.end()[0]
+    }
+
     /// The same bed, so many metres longer before the paddle, and behind the wall where it ends level.
     pub(super) fn gone_on(&self, [before, behind]: [f64; 2]) -> Profile {
         let mut points = self.0.clone();
@@ -212,58 +217,4 @@ impl Stretch {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn beach() -> Profile {
-        let points = vec![[0.0, 0.0], [2.0, 0.0], [3.0, 0.5], [3.0, 0.7], [4.0, 0.7]];
-        Profile::checked(points).unwrap()
-    }
-
-    #[test]
-    fn heights_ends_and_areas_are_those_of_the_line() {
-        let bed = beach();
-        let heights = [-1.0, 1.0, 2.5, 2.9999999, 3.0, 3.5, 9.0].map(|x| bed.height(x));
-        let exact = [0.0, 0.0, 0.25, 0.49999995, 0.7, 0.7, 0.7];
-        assert!(heights.iter().zip(exact).all(|(a, b)| (a - b).abs() < 1e-12), "{heights:?}");
-        assert_eq!((bed.level_up_to(), bed.ends_level(), bed.range()), (2.0, true, [0.0, 0.7]));
-        assert!((bed.area_below(1.0) - (2.0 + 0.75 + 0.3)).abs() < 1e-12);
-        assert!((bed.area_below(0.25) - (0.5 + 0.5 * 0.5 * 0.25)).abs() < 1e-12);
-    }
-
-    #[test]
-    fn the_nearest_face_is_found_on_both_sides() {
-        let bed = beach();
-        for (place, behind, normal) in [
-            ([1.0, 0.2], -0.2, [0.0, -1.0]),
-            ([1.0, -0.1], 0.1, [0.0, -1.0]),
-            ([-0.5, 0.3], -0.3, [0.0, -1.0]),
-            ([3.5, 0.6], 0.1, [0.0, -1.0]),
-            ([2.9, 0.65], -0.1, [1.0, 0.0]),
-        ] {
-            let (plane, found) = bed.nearest(place);
-            assert!((found - behind).abs() < 1e-12, "{place:?}: {found}");
-            let off = (plane.normal[0] - normal[0]).hypot(plane.normal[1] - normal[1]);
-            assert!(off < 1e-12, "{place:?}: {plane:?}");
-            assert!((plane.beyond(place) - behind).abs() < 1e-12);
-        }
-        let slope = bed.stretches().nth(1).unwrap();
-        let (plane, behind) = bed.nearest(slope.place(0.4, 0.05));
-        assert!((behind - 0.05).abs() < 1e-12);
-        assert!((plane.normal[1] - slope.normal()[1]).abs() < 1e-9);
-    }
-
-    #[test]
-    fn what_is_no_bed_is_refused() {
-        for (points, told) in [
-            (vec![[0.0, 0.0]], "must have two points"),
-            (vec![[0.0, 0.0], [1.0, f64::NAN]], "has a point [1, NaN]"),
-            (vec![[0.5, 0.0], [1.0, 0.0]], "must begin at [0, 0]"),
-            (vec![[0.0, 0.0], [2.0, 0.0], [1.0, 0.1]], "goes back from x = 2 m to 1 m"),
-            (vec![[0.0, 0.0], [1.0, 0.0], [1.0, 0.0]], "has the point [1, 0] twice"),
-        ] {
-            let error = Profile::checked(points).unwrap_err();
-            assert!(error.starts_with(told), "{error}");
-        }
-    }
-}
+mod tests;

@@ -4,7 +4,6 @@ use std::ops::Range;
 
 use super::Interpolator;
 use super::ghosts::Ghosts;
-use super::stretch::Stretch;
 use super::weighing::{Stencil, Weighing};
 use crate::body::BodyMotion;
 use crate::kernel::{Kernel, KernelChoice};
@@ -232,38 +231,5 @@ fn gather<L: Lanes, I: Interpolator>(
         vx: (vx * scale).to_array(),
         vy: (vy * scale).to_array(),
         correction,
-    }
-}
-
-/// Where some means stand among all.
-pub(super) type Places<const N: usize> = fn(&mut Means) -> [&mut [f64; LANES]; N];
-
-/// Some means alone, with the weights at hand: of `N` fields of the water.
-pub(super) struct Gather<'a, const N: usize> {
-    pub part: &'a Stretch,
-    /// Some of the part's blocks.
-    pub blocks: &'a [u32],
-    pub scale: &'a [[f64; LANES]],
-    /// The part's.
-    pub means: &'a mut [Means],
-    pub fields: [&'a [f64]; N],
-    /// Where they belong.
-    pub places: Places<N>,
-}
-
-impl<const N: usize> Task for Gather<'_, N> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        for &block in self.blocks {
-            let (block, row) = (block as usize, block as usize - self.part.blocks.start);
-            let sums = self.part.held.sums::<L, N>(row, self.fields);
-            let scale = L::load(&self.scale[block]);
-            let means = (self.places)(&mut self.means[row]);
-            for n in 0..N {
-                (sums[n] * scale).store(means[n]);
-            }
-        }
     }
 }

@@ -1,15 +1,15 @@
 //! `seawall compare`: two studies side by side, from their files alone.
 
+mod json;
+
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use serde_json::{Value, json};
 
 use super::SUCCESS;
 use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::{Output, short};
-use super::shown;
 use super::table::Table;
 use crate::math::decimal::significant;
 use crate::quantities::Unit;
@@ -52,7 +52,7 @@ pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<u8> {
     for file in files.iter().flatten() {
         text.push_str(&format!("{}\n", file.display()));
     }
-    output.result(&text, &value(directories, &comparison, files.as_deref()))?;
+    output.result(&text, &json::value(directories, &comparison, files.as_deref()))?;
     Ok(SUCCESS)
 }
 
@@ -194,59 +194,4 @@ fn cases(comparison: &Comparison, all: bool) -> String {
         text.push_str("!: the difference is larger than both error bars together\n");
     }
     text
-}
-
-fn value(directories: [&Path; 2], comparison: &Comparison, files: Option<&[PathBuf]>) -> Value {
-    let difference = |one: &Option<Difference>| match one {
-        None => Value::Null,
-        Some(one) => json!({
-            "a": one.values[0],
-            "b": one.values[1],
-            "difference": one.absolute(),
-            "percent": one.percent(),
-            "error_a": one.bars[0],
-            "error_b": one.bars[1],
-            "within_bars": one.is_within(),
-            "bound": one.bounds[0] || one.bounds[1],
-        }),
-    };
-    let names = COMPARED.map(|(column, _)| column.name);
-    let pair = |pair: &Pair| {
-        let differences = names.iter().zip(&pair.differences);
-        let values: serde_json::Map<_, _> =
-            differences.map(|(name, one)| ((*name).to_owned(), difference(one))).collect();
-        json!({ "case": pair.words, "case_ids": pair.ids, "differences": values })
-    };
-    let tally = |at: usize| {
-        let tally = Pair::tally(&comparison.pairs, at)?;
-        let unit = unit(COMPARED[at].0.unit);
-        Some(json!({
-            "cases": tally.count,
-            "median": tally.median,
-            "worst": tally.worst,
-            "unit": unit,
-            "worst_case": comparison.pairs[tally.worst_pair].words,
-            "with_bars": tally.with_bars,
-            "within_bars": tally.within,
-        }))
-    };
-    let tallies: serde_json::Map<_, _> = names
-        .iter()
-        .enumerate()
-        .filter_map(|(at, n)| Some(((*n).to_owned(), tally(at)?)))
-        .collect();
-    let keys = comparison.keys.iter().map(|key| {
-        json!({ "section": key.section, "key": key.key, "a": key.values[0], "b": key.values[1] })
-    });
-    json!({
-        "directories": directories.map(shown::path),
-        "names": comparison.names,
-        "pairs": comparison.pairs.len(),
-        "only_in_a": comparison.only[0],
-        "only_in_b": comparison.only[1],
-        "keys": keys.collect::<Vec<_>>(),
-        "summary": tallies,
-        "cases": comparison.pairs.iter().map(pair).collect::<Vec<_>>(),
-        "files": files.map(shown::paths),
-    })
 }

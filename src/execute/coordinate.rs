@@ -2,70 +2,16 @@
 
 use std::time::{Duration, Instant};
 
-use super::interrupt::Interrupt;
 use super::load::Loads;
-use super::progress::Progress;
+use super::session::{Ending, Session, Worked};
 use super::{Link, Order, Report};
-use crate::results::{
-    CaseRecord, Delivery, Directory, Load, RankInfo, Savings, SweepError, forget_load,
-};
+use crate::results::{CaseRecord, Delivery, RankInfo, Savings, SweepError, forget_load};
 use crate::schedule::{Command, Event, Manager, Work};
 use crate::simulation::{CaseResult, Failure, Stopped};
-use crate::study::{CaseId, Plan, Study};
+use crate::study::Plan;
 
 /// How long to wait for a report before looking at signals and the journal.
 const PATIENCE: Duration = Duration::from_millis(50);
-
-/// How a session ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Ending {
-    /// Every case is done or has failed.
-    Finished,
-    /// The user stopped it; cases are left.
-    Interrupted,
-}
-
-/// What a session has done.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Worked {
-    /// How it ended.
-    pub ending: Ending,
-    /// What branching has saved.
-    pub savings: Savings,
-    /// How busy each rank was.
-    pub load: Load,
-}
-
-/// One process's work on an output directory.
-pub struct Session<'a> {
-    /// The study.
-    pub study: &'a Study,
-    /// What of it has still to run.
-    pub plan: &'a Plan,
-    /// Where results go.
-    pub directory: &'a mut Directory,
-    /// Who works.
-    pub ranks: &'a [RankInfo],
-    /// The user's wish to stop.
-    pub interrupt: &'a Interrupt,
-    /// How progress is shown.
-    pub progress: Progress,
-}
-
-impl Session<'_> {
-    /// A trunk's id is that of the case whose wall stays fixed.
-    fn id(&self, work: Work) -> CaseId {
-        match work {
-            Work::Trunk(trunk) => CaseId::of(&self.plan.trunks[trunk].config),
-            Work::Case(case) => self.study.run(self.plan.cases[case].index).id,
-        }
-    }
-
-    fn ended(&mut self, work: Work) -> Result<(), SweepError> {
-        let id = self.id(work);
-        self.directory.attempts().end(id)
-    }
-}
 
 /// Runs a plan to its end, or until interrupted; everything finished is recorded and on the disk
 /// when this returns.

@@ -27,6 +27,7 @@ pub mod mpi;
 mod processor;
 mod progress;
 mod runner;
+mod session;
 mod sph_runner;
 pub mod threads;
 mod worker;
@@ -39,7 +40,7 @@ use crate::results::{RankInfo, SweepError};
 use crate::schedule::Work;
 use crate::simulation::Resources;
 
-pub use coordinate::{Ending, Session, Worked, coordinate};
+pub use coordinate::coordinate;
 pub use interrupt::Interrupt;
 pub use keeping::Keeping;
 pub use launcher::Launcher;
@@ -47,6 +48,7 @@ pub use message::{Order, Report};
 pub use processor::widest_simd;
 pub use progress::{Progress, ProgressStyle, Tally, duration};
 pub use runner::{Runner, guarded};
+pub use session::{Ending, Session, Worked};
 pub use sph_runner::SphRunner;
 
 /// Makes the runner once the instruction set and a case's threads are known.

@@ -41,6 +41,7 @@
 mod error;
 mod key;
 mod overrides;
+mod rule;
 mod schema;
 mod section;
 mod shape;
@@ -50,8 +51,9 @@ mod words;
 mod written;
 
 pub use error::{ConfigError, hint, nearest};
-pub use key::{Key, Range, Rule, When, number, plain, unit};
+pub use key::{Key, number};
 pub use overrides::Override;
+pub use rule::{Range, Rule, When, plain, unit};
 pub use schema::schema;
 pub(crate) use section::section;
 pub use section::{Section, check_conditions, read_alone, store, value, value_of};

@@ -2,7 +2,8 @@
 
 use serde_json::{Map, Value, json};
 
-use super::key::{Key, Range};
+use super::key::Key;
+use super::rule::Range;
 use super::shape::Shape;
 use super::table::meaning;
 

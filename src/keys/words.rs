@@ -1,6 +1,7 @@
 //! What a declaration says of a key, in words for the terminal.
 
-use super::key::{Key, Range};
+use super::key::Key;
+use super::rule::Range;
 use super::shape::Shape;
 
 impl Key {

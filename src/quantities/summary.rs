@@ -218,35 +218,4 @@ pub fn meant_by(symbol: &str) -> Option<String> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::quantities::named;
-
-    #[test]
-    fn the_columns_are_those_of_the_contract() {
-        let contract = "case_id,status,reason,wave_height_ratio,spring_stiffness_n_per_m,\
-            seawall_mass_kg_per_m,log10_k_star,m_star,measured_wave_height_ratio,\
-            force_max,force_max_time_s,runup_max,runup_max_time_s,displacement_max,\
-            displacement_max_time_s,first_force_max,first_force_max_time_s,first_runup_max,\
-            first_runup_max_time_s,first_displacement_max,first_displacement_max_time_s,\
-            first_force_peak,first_runup_peak,force_max_raw,force_end,runup_end,displacement_end,\
-            onset_time_s,stroke_centre_s,displacement_truncated,stops,force_gap_percent,\
-            energy_gap_percent,particles_lost,force_error,runup_error,displacement_error,\
-            steps,particles,pair_evaluations,wall_time_s,scheme,boundary,kernel,\
-            particle_spacing_m,force_coupling,force_at_rest,boundary_fallbacks,force_max_gap_percent,stop_impulse,\
-            stop_impulse_time_s,force_max_error,runup_max_error,doubtful,doubtful_reason,moment_max,\
-            moment_max_time_s,first_moment_max,first_moment_max_time_s,first_impulse,rise_time_s,\
-            spring_force_max,spring_force_max_time_s,overtopping_volume_m2,\
-            overtopping_discharge_max_m2_per_s,crest_thickness_max_m,crest_speed_max_m_per_s,coarse_spacing";
-        assert_eq!(names().collect::<Vec<_>>().join(","), contract);
-    }
-
-    #[test]
-    fn bars_and_bounds_are_columns() {
-        for column in ALL {
-            let of = |name: Option<&'static str>| name.map(|name| named(name).unwrap());
-            assert!(of(column.bar).is_none_or(|bar| bar.unit == column.unit), "{}", column.name);
-            assert!(of(column.bound).is_none_or(|flag| matches!(flag.read, Read::Flag(_))));
-        }
-    }
-}
+mod tests;

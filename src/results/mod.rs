@@ -50,10 +50,10 @@ pub use checkpoints::has_checkpoints;
 pub(crate) use checksum::checksum_of;
 pub use clock::timestamp;
 pub use closing::Closing;
-pub use directory::{Directory, OpenMode, Opened};
+pub use directory::Directory;
 pub use entries::{Content, Header};
 pub use error::{SweepError, in_words};
-pub use error_bars::{ErrorBars, narrowest_bar_percent, richardson};
+pub use error_bars::{ErrorBars, narrowest_bar_percent};
 pub use filing::{Delivery, Filed, Filing, Mark};
 pub use journal::{
     Journal, read_header as read_journal_header, read_in_blocks as read_journal_in_blocks,
@@ -64,6 +64,7 @@ pub use lock::Lock;
 pub use made_up::made_up;
 pub use manifest::{Manifest, RankInfo, Savings, SessionInfo};
 pub use number::counted;
+pub use opening::{OpenMode, Opened};
 pub use program::Program;
 pub use record::{CaseRecord, Fared};
 pub use seal::Seal;

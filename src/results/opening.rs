@@ -18,6 +18,26 @@ use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::study::{CaseId, Study};
 
+/// What to do with a directory that holds something.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OpenMode {
+    /// Go on with this sweep's results.
+    Resume,
+    /// Move them aside and start over.
+    Fresh,
+}
+
+/// What was found on opening.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Opened {
+    /// Nothing: a new sweep starts.
+    New,
+    /// Nothing any more: an old directory was moved here.
+    Moved(PathBuf),
+    /// So many finished cases of this sweep.
+    Resumed(usize),
+}
+
 /// What a path holds; anything else is somebody else's.
 #[derive(Debug, PartialEq)]
 pub(super) enum Found {

@@ -213,47 +213,4 @@ fn one_line(text: &str) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::super::made_up::made_up;
-    use super::*;
-    use crate::study::SweepFile;
-
-    fn study() -> Study {
-        let text = "name = \"a\"\n[grid]\nwave_height_ratio = [0.2]";
-        Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap()
-    }
-
-    #[test]
-    fn a_result_that_is_no_number_is_a_failure() {
-        let study = study();
-        let case = &study.cases[0];
-        let mut result = made_up(&case.config);
-        let record = CaseRecord::new(&study, case, &Ok(result.clone()), 1.0, "here");
-        assert!(record.is_ok());
-        result.outcome.measured_wave_height_ratio = Some(f64::NAN);
-        let record = CaseRecord::new(&study, case, &Ok(result.clone()), 1.0, "here");
-        assert_eq!(record.failure, Some(FailureKind::NotANumber));
-        result.outcome.measured_wave_height_ratio = None;
-        result.energy.kinetic = f64::INFINITY;
-        assert!(!CaseRecord::new(&study, case, &Ok(result), 1.0, "here").is_ok());
-    }
-
-    #[test]
-    fn what_is_held_makes_the_same_table_and_owns_next_to_nothing() {
-        let study = study();
-        let case = &study.cases[0];
-        let whole = CaseRecord::new(&study, case, &Ok(made_up(&case.config)), 1.0, "here");
-        let held = whole.clone().held();
-        assert!(held.values.is_empty() && held.files.is_empty());
-        assert!(held.host.is_empty() && held.phases.is_empty());
-        let table = |record| super::super::summary::row(&study, &[], case, &record).unwrap();
-        assert_eq!(table(held), table(whole));
-        let bytes = std::mem::size_of::<CaseRecord>();
-        assert!(bytes <= 900, "{bytes} bytes for each case");
-    }
-
-    #[test]
-    fn reasons_have_no_line_breaks() {
-        assert_eq!(one_line("a\r\nb\tc\u{1b}"), "a b c");
-    }
-}
+mod tests;

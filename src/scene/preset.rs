@@ -6,7 +6,7 @@ use toml::{Table, Value};
 use super::kind::Scene;
 use super::numerics::{BoundaryChoice, GhostGravity, IncompressibleNumerics, Numerics, Scheme};
 use crate::kernel::KernelChoice;
-use crate::keys::{ConfigError, Section, check_conditions, section};
+use crate::keys::{ConfigError, Section, check_conditions, number, section};
 use crate::scheme::wcsph::{DensityDiffusion, Shifting};
 
 /// Named sets of numerics that `preset` may take.
@@ -28,6 +28,19 @@ section! {
         /// `default` is `isph`.
         preset: Preset = Preset::Default, plain();
     }
+}
+
+/// Rows of particles over the depth with which the sound speed is [`RATIO`] times √(g h).
+const ROWS: f64 = 12.5;
+const RATIO: f64 = 8.0;
+/// The least that the key allows.
+pub(super) const LEAST_RATIO: f64 = 4.0;
+
+/// c0/√(g h) with which the error by sound, which goes as 1/c0², falls as the spacing does; to two
+/// decimals.
+pub(super) fn sound_speed_ratio(depth: f64, particle_spacing: f64) -> f64 {
+    let ratio = RATIO * (depth / (ROWS * particle_spacing)).sqrt();
+    if ratio.is_finite() { ((100.0 * ratio).round() / 100.0).max(LEAST_RATIO) } else { RATIO }
 }
 
 impl Numerics {
@@ -86,6 +99,11 @@ impl Numerics {
         }
         if preset == Preset::Default {
             base.suit(scene);
+            if scene.has_solitary_wave_at_upright_wall() {
+                let spacing = table.get("particle_spacing_m").and_then(number);
+                let spacing = spacing.unwrap_or(base.particle_spacing_m);
+                base.sound_speed_ratio = sound_speed_ratio(scene.frame().depth, spacing);
+            }
         }
         let numerics = Numerics::read(table, Some(&base))?;
         check_conditions::<Numerics>(table, &numerics.table())?;
@@ -105,14 +123,19 @@ impl Numerics {
             self.artificial_viscosity = 0.1;
             self.shifting_coefficient = 0.25;
         }
+        if scene.has_solitary_wave_at_upright_wall() {
+            self.artificial_viscosity = 0.09;
+        }
+        if scene.has_solitary_wave_at_upright_wall() || scene.has_train() {
+            // On the way to the wall small gains and losses of energy add up.
+            self.extrapolated_correction = true;
+            self.limited_viscosity = false;
+        }
         if scene.has_train() {
             // Waves that go on let water creep along the walls, and sink through itself.
             self.boundary = BoundaryChoice::Normalized;
             self.shifting = Shifting::Deep;
             self.volume_feedback = 0.002;
-            // They go so far that small gains and losses add up.
-            self.extrapolated_correction = true;
-            self.limited_viscosity = false;
         }
         if scene.has_steep_bed() {
             // Where it bends down, still water goes round and gains by it.

@@ -35,8 +35,8 @@ pub enum WallChoice {
     Caisson,
 }
 
-const THRESHOLD_RATIO: f64 = 1.10;
-const FORCE_COUPLING: f64 = 1.0;
+pub(super) const THRESHOLD_RATIO: f64 = 1.10;
+pub(super) const FORCE_COUPLING: f64 = 1.0;
 
 section! {
     /// The `[scene]` table with `kind = "seawall"`, complete.
@@ -114,7 +114,7 @@ impl WallChoice {
 impl SeawallScene {
     /// Whether the wall is upright and the bed level: there forces are read without the sound of the water.
     pub fn is_upright_over_level_bed(&self) -> bool {
-        self.bed.is_none() && self.wall_angle_deg == 90.0
+        self.bed.as_ref().is_none_or(Profile::is_level) && self.wall_angle_deg == 90.0
     }
 
     /// Whether all its readings but the runup are without sound. Water that goes over a crest is heard.
@@ -138,7 +138,7 @@ impl SeawallScene {
         (ratio > 0.0).then_some(paddle)
     }
 
-    fn regular_waves(&self) -> Option<WaveTrain> {
+    pub(super) fn regular_waves(&self) -> Option<WaveTrain> {
         let (ratio, depth) = (self.wave_height_ratio, self.still_water_depth_m);
         let WaveTrainKeys { wave_period_s, second_stroke } = *self.wave_train.as_ref()?;
         let water = (depth, self.gravity_m_per_s2);
@@ -182,67 +182,6 @@ impl SeawallScene {
     /// The clock at the start of a run, seconds: 0, or that of a recorded stroke.
     pub fn start_s(&self) -> f64 {
         self.recorded.as_ref().map_or(0.0, |keys| keys.recorded_stroke.start_s())
-    }
-
-    pub(super) fn validate(&self) -> Result<(), ConfigError> {
-        if self.wave_gauge_m >= self.tank_length_m {
-            return error("wave_gauge_m", self.wave_gauge_m, "must lie inside the tank");
-        }
-        self.validate_end()?;
-        self.validate_paddle()?;
-        self.validate_wall()
-    }
-
-    fn validate_end(&self) -> Result<(), ConfigError> {
-        if let Some(end) = self.end_time_s {
-            let start = self.start_s();
-            let allowed = format!("must be after {start} s, where the recorded stroke begins");
-            return if end > start { Ok(()) } else { error("end_time_s", end, &allowed) };
-        }
-        if self.wave_height_ratio == 0.0 {
-            return error("end_time_s", "", "is needed where wave_height_ratio = 0");
-        }
-        if self.paddle != PaddleChoice::Solitary {
-            return error("end_time_s", "", "is needed where no stroke ends a run");
-        }
-        Ok(())
-    }
-
-    fn validate_paddle(&self) -> Result<(), ConfigError> {
-        if let Some((keys, waves)) = self.wave_train.as_ref().zip(self.regular_waves())
-            && !waves.is_fit(self.wave_height_ratio, self.still_water_depth_m)
-        {
-            let allowed = "makes waves too long for their height: H L²/h³ must be below 8π²/3";
-            return error("wave_period_s", keys.wave_period_s, allowed);
-        }
-        let reach = self.recorded.as_ref().map_or(0.0, |keys| keys.recorded_stroke.reach());
-        if reach > 0.5 * self.tank_length_m {
-            let allowed = format!("goes {reach} m far, more than half the tank's length");
-            return error("recorded_stroke", "", &allowed);
-        }
-        Ok(())
-    }
-
-    fn validate_wall(&self) -> Result<(), ConfigError> {
-        let angle = self.wall_angle_deg;
-        if self.wall.moves() && angle != 90.0 {
-            let wall = if self.caisson.is_some() { "caisson" } else { "movable wall" };
-            let allowed =
-                format!("a {wall} is vertical: leave it out, or set scene.wall = \"fixed\"");
-            return error("wall_angle_deg", angle, &allowed);
-        }
-        if let Some(caisson) = &self.caisson {
-            let keys = [
-                ("threshold_ratio", self.threshold_ratio, THRESHOLD_RATIO),
-                ("force_coupling", self.force_coupling, FORCE_COUPLING),
-            ];
-            if let Some((key, value, _)) = keys.iter().find(|(_, value, default)| value != default)
-            {
-                return error(key, value, "is not for a caisson: leave it out");
-            }
-            caisson.validate()?;
-        }
-        validate_lean(angle, self.still_water_depth_m, self.tank_length_m)
     }
 }
 

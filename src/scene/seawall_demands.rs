@@ -1,7 +1,9 @@
-//! What bed and paddle of a seawall ask of the rest of the scene.
+//! What tank, bed, paddle and wall of a seawall ask of one another.
 
 use super::numerics::{Numerics, Scheme};
-use super::seawall::{SeawallScene, error};
+use super::seawall::{
+    FORCE_COUPLING, PaddleChoice, SeawallScene, THRESHOLD_RATIO, error, validate_lean,
+};
 use crate::keys::ConfigError;
 
 /// Instants of a stroke at which its reach is looked at.
@@ -10,6 +12,68 @@ const INSTANTS: u32 = 200;
 const LONGEST: f64 = 1e4;
 
 impl SeawallScene {
+    /// Checks what tank, paddle and wall ask of one another.
+    pub(super) fn validate(&self) -> Result<(), ConfigError> {
+        if self.wave_gauge_m >= self.tank_length_m {
+            return error("wave_gauge_m", self.wave_gauge_m, "must lie inside the tank");
+        }
+        self.validate_end()?;
+        self.validate_paddle()?;
+        self.validate_wall()
+    }
+
+    fn validate_end(&self) -> Result<(), ConfigError> {
+        if let Some(end) = self.end_time_s {
+            let start = self.start_s();
+            let allowed = format!("must be after {start} s, where the recorded stroke begins");
+            return if end > start { Ok(()) } else { error("end_time_s", end, &allowed) };
+        }
+        if self.wave_height_ratio == 0.0 {
+            return error("end_time_s", "", "is needed where wave_height_ratio = 0");
+        }
+        if self.paddle != PaddleChoice::Solitary {
+            return error("end_time_s", "", "is needed where no stroke ends a run");
+        }
+        Ok(())
+    }
+
+    fn validate_paddle(&self) -> Result<(), ConfigError> {
+        if let Some((keys, waves)) = self.wave_train.as_ref().zip(self.regular_waves())
+            && !waves.is_fit(self.wave_height_ratio, self.still_water_depth_m)
+        {
+            let allowed = "makes waves too long for their height: H L²/h³ must be below 8π²/3";
+            return error("wave_period_s", keys.wave_period_s, allowed);
+        }
+        let reach = self.recorded.as_ref().map_or(0.0, |keys| keys.recorded_stroke.reach());
+        if reach > 0.5 * self.tank_length_m {
+            let allowed = format!("goes {reach} m far, more than half the tank's length");
+            return error("recorded_stroke", "", &allowed);
+        }
+        Ok(())
+    }
+
+    fn validate_wall(&self) -> Result<(), ConfigError> {
+        let angle = self.wall_angle_deg;
+        if self.wall.moves() && angle != 90.0 {
+            let wall = if self.caisson.is_some() { "caisson" } else { "movable wall" };
+            let allowed =
+                format!("a {wall} is vertical: leave it out, or set scene.wall = \"fixed\"");
+            return error("wall_angle_deg", angle, &allowed);
+        }
+        if let Some(caisson) = &self.caisson {
+            let keys = [
+                ("threshold_ratio", self.threshold_ratio, THRESHOLD_RATIO),
+                ("force_coupling", self.force_coupling, FORCE_COUPLING),
+            ];
+            if let Some((key, value, _)) = keys.iter().find(|(_, value, default)| value != default)
+            {
+                return error(key, value, "is not for a caisson: leave it out");
+            }
+            caisson.validate()?;
+        }
+        validate_lean(angle, self.still_water_depth_m, self.tank_length_m)
+    }
+
     /// Still water depth where the wall stands, metres; 0 where it stands dry.
     pub fn depth_at_wall_m(&self) -> f64 {
         let toe = self.bed.as_ref().map_or(0.0, |bed| bed.end()[1]);

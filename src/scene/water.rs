@@ -153,8 +153,6 @@ impl Filling {
                 Shifting::Interior | Shifting::Deep => numerics.shifting_coefficient,
             },
             shifting_fades_in: numerics.shifting.fades_in().unwrap_or(SHIFT_INTERIOR),
-            volume_relaxation: own.volume_relaxation,
-            pressure_memory: own.pressure_memory,
             laplacian: own.laplacian,
             preconditioner: own.preconditioner,
             solver_tolerance: own.solver_tolerance,

@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::onrush::Onrush;
 use super::outcome::Maximum;
+use super::peak::Peak;
 
 /// F* must last this long above or below a bound to count, over √(h/g): 0.02 s at h = 0.2 m.
 const PERSISTENCE: f64 = 0.14;
@@ -13,8 +14,6 @@ const IMPACT_FORCE: f64 = 1.15;
 const IMPACT_TRAVEL: f64 = 0.01;
 /// Samples of the force's rise are no closer than this, over √(h/g).
 const SHORT: f64 = 0.0175;
-/// A peak is over when it has dropped by this share.
-const PEAK_DROP: f64 = 0.10;
 
 /// One step's readings, non-dimensional: F*, R*, X*, and the wall's count of stops.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,33 +39,6 @@ enum Stage {
     },
     On,
     Over,
-}
-
-/// Running maximum that is closed once the quantity has dropped 10 % of its height above `base`.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-struct Peak {
-    base: f64,
-    highest: f64,
-    closed: bool,
-}
-
-impl Peak {
-    fn new(base: f64) -> Peak {
-        Peak { base, highest: f64::NEG_INFINITY, closed: false }
-    }
-
-    fn push(&mut self, value: f64) {
-        if self.closed {
-            return;
-        }
-        self.highest = self.highest.max(value);
-        let height = self.highest - self.base;
-        self.closed = height > 0.0 && value - self.base < (1.0 - PEAK_DROP) * height;
-    }
-
-    fn value(&self) -> Option<f64> {
-        self.highest.is_finite().then_some(self.highest)
-    }
 }
 
 /// Maxima and peaks since the impact's start.

@@ -1,6 +1,6 @@
 //! What the probes of a finished run say, in a few numbers.
 
-use super::outcome::{ProbeTable, Readings};
+use super::told::{ProbeTable, Readings};
 use crate::scene::{Probe, ProbeKind, Scene};
 use crate::scheme::SolverSummary;
 

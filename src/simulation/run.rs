@@ -21,8 +21,6 @@ use crate::theory::hydrostatics::wall_force;
 
 /// Samples of the history between two checks of health and of the monitor.
 const SAMPLES_PER_CHECK: u64 = 4;
-/// A paddle stands that moves no faster than this, m/s and, over g, accelerates no more.
-const STILL: f64 = 1e-6;
 
 pub(super) struct Run {
     pub(super) tank: Tank,
@@ -182,38 +180,6 @@ impl Run {
             false => wall.advance(load.force, load.added_mass, dt),
         };
         Ok((wall, step, load.force - load.added_mass * step.acceleration))
-    }
-
-    /// The water's load on the wall, made up for what the force at rest lacks of ρgh²/2.
-    ///
-    /// A coarse lattice under its surface presses a little too little, in still water and in waves
-    /// alike: about (Δx/h)² of it at rest, with supports of 5 spacings. The first force of a run tells how much.
-    fn wall_load(&mut self) -> Load {
-        let load = self.tank.water.load(Place::Right.number());
-        if self.logbook.force_at_rest.is_none() {
-            self.logbook.force_at_rest = Some(load.force);
-            self.logbook.lopsided = self.lopsided(load.force);
-        }
-        Load { force: load.force + self.lacking_at_rest(), ..load }
-    }
-
-    /// How much more than the paddle still water presses the wall with this force at the start, over
-    /// ρgh²/2; nothing where the paddle does not stand.
-    fn lopsided(&self, force: f64) -> Option<f64> {
-        let motion = self.tank.motions(0.0)[Place::Left];
-        let gravity = self.tank.frame.gravity;
-        // Walls in water of different depths say nothing of one another.
-        let alike = self.tank.water.walls().profile.is_none();
-        let stands =
-            alike && motion.velocity.abs() < STILL && motion.acceleration.abs() < STILL * gravity;
-        let paddle = self.tank.water.load(Place::Left.number()).force;
-        stands.then(|| (force + paddle) / self.tank.static_force)
-    }
-
-    /// What the force on the wall lacks, N per metre of width; nothing where it counts as it is.
-    pub(super) fn lacking_at_rest(&self) -> f64 {
-        let at_rest = self.logbook.force_at_rest.filter(|_| self.tank.from_rest);
-        at_rest.map_or(0.0, |force| self.tank.static_force - force)
     }
 
     /// Moves the water under the wall's force, N per metre of width, and books what the step did.

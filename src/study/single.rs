@@ -19,10 +19,13 @@ impl SweepFile {
     /// A swept key that no section knows.
     pub fn single(&self, case: &Case) -> Result<String, ConfigError> {
         let (scene, mut numerics) = grid::tables(self, &case.assignments)?;
-        let plain = CaseConfig::with_probes(&scene, &numerics, &self.probes)?.numerics.table();
-        for (key, value) in case.config.numerics.table() {
-            if plain.get(&key) != Some(&value) && key != "error_bars" {
-                numerics.insert(key, value);
+        // Twice, as some defaults follow the particle spacing.
+        for _ in 0..2 {
+            let plain = CaseConfig::with_probes(&scene, &numerics, &self.probes)?.numerics.table();
+            for (key, value) in case.config.numerics.table() {
+                if plain.get(&key) != Some(&value) && key != "error_bars" {
+                    numerics.insert(key, value);
+                }
             }
         }
         let id = case.id.to_string();

@@ -13,6 +13,7 @@
 //! one the launcher notices: it ends the job.
 
 mod hello;
+mod letter;
 mod post;
 mod pulse;
 mod station;
@@ -25,7 +26,7 @@ use mpi::traits::Communicator;
 use serde::{Deserialize, Serialize};
 
 use self::hello::{Hello, share_cores, stranger};
-use self::post::Post;
+use self::post::{Post, out_of_turn};
 use self::station::{RankZero, Station, work};
 use super::worker::with_worker;
 use super::{Crew, Link, Order, Report, Setup, resources, share_threads};
@@ -248,28 +249,5 @@ fn leave(post: &mut Post) -> Result<(), SweepError> {
     Ok(())
 }
 
-fn out_of_turn(rank: usize, message: &Message) -> SweepError {
-    let told = format!("{message:?}");
-    let name = told.split([' ', '(']).next().unwrap_or_default();
-    SweepError::Executor(format!("rank {rank} sent {name} out of turn"))
-}
-
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn results_cross_the_wire_bit_for_bit() {
-        use crate::execute::fake::FakeRunner;
-        use crate::execute::runner::Runner;
-        let empty = toml::Table::new();
-        let config = crate::scene::CaseConfig::from_tables(&empty, &empty).unwrap();
-        let result =
-            FakeRunner::default().case(&config, None, &crate::simulation::Unwatched).unwrap();
-        let result = Ok(crate::results::Delivery::Whole(Box::new(result)));
-        let report = Report::CaseDone { case: 3, result, wall_time_s: 0.1, cpu_time_s: Some(0.1) };
-        let bytes = postcard::to_stdvec(&Message::Reports(vec![report.clone()])).unwrap();
-        let Message::Reports(read) = postcard::from_bytes(&bytes).unwrap() else { panic!() };
-        assert_eq!(read, [report]);
-    }
-}
+mod tests;

@@ -1,15 +1,13 @@
 //! Mail between ranks: whole messages, sent and received without waiting.
 
 use std::io::Write;
-use std::mem::ManuallyDrop;
 use std::time::{Duration, Instant};
 
-use mpi::point_to_point::{Message as MatchedMessage, Status};
-use mpi::request::{Request, StaticScope};
 use mpi::topology::SimpleCommunicator;
-use mpi::traits::{Communicator, Destination, Equivalence, Source};
+use mpi::traits::{Communicator, Source};
 
 use super::Message;
+use super::letter::Letter;
 use super::pulse::{News, Pulse};
 use crate::results::SweepError;
 
@@ -225,43 +223,9 @@ fn read(rank: usize, bytes: &[u8]) -> Result<Message, SweepError> {
     postcard::from_bytes(rest).map_err(|error| unreadable(&error))
 }
 
-/// A message on its way, and the memory that MPI reads it from or writes it to.
-struct Letter {
-    /// Never dropped: rsmpi panics on that, and an unwinding rank must get to its abort.
-    request: ManuallyDrop<Request<'static, [u8], StaticScope>>,
-    bytes: *mut [u8],
-    /// The rank that it goes to; `None` where it comes here.
-    to: Option<usize>,
-}
-
-impl Letter {
-    fn send(world: &SimpleCommunicator, to: usize, bytes: Vec<u8>) -> Letter {
-        let bytes = Box::into_raw(bytes.into_boxed_slice());
-        // SAFETY: the memory is freed in `test` only, after MPI has let go of it; until then it
-        // is only read.
-        let content: &'static [u8] = unsafe { &*bytes };
-        let request = world.process_at_rank(to as i32).immediate_send(StaticScope, content);
-        Letter { request: ManuallyDrop::new(request), bytes, to: Some(to) }
-    }
-
-    fn receive(message: MatchedMessage, status: &Status) -> Letter {
-        let length = status.count(u8::equivalent_datatype()) as usize;
-        let bytes = Box::into_raw(vec![0; length].into_boxed_slice());
-        // SAFETY: the memory is read and freed in `test` only, after MPI has let go of it; until
-        // then only MPI writes there.
-        let content: &'static mut [u8] = unsafe { &mut *bytes };
-        let request = message.immediate_matched_receive_into(StaticScope, content);
-        Letter { request: ManuallyDrop::new(request), bytes, to: None }
-    }
-
-    /// What it says once it has arrived; itself while still on its way.
-    fn test(self) -> Result<Box<[u8]>, Letter> {
-        let (bytes, to) = (self.bytes, self.to);
-        match ManuallyDrop::into_inner(self.request).test() {
-            // SAFETY: made by `Box::into_raw`; the request is complete, and nothing else refers
-            // to it.
-            Ok(_) => Ok(unsafe { Box::from_raw(bytes) }),
-            Err(request) => Err(Letter { request: ManuallyDrop::new(request), bytes, to }),
-        }
-    }
+/// A message that its receiver does not expect now.
+pub(super) fn out_of_turn(rank: usize, message: &Message) -> SweepError {
+    let told = format!("{message:?}");
+    let name = told.split([' ', '(']).next().unwrap_or_default();
+    SweepError::Executor(format!("rank {rank} sent {name} out of turn"))
 }

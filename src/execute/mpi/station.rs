@@ -3,8 +3,8 @@
 use std::collections::{HashMap, VecDeque};
 use std::time::{Duration, Instant};
 
-use super::post::Post;
-use super::{Message, out_of_turn};
+use super::Message;
+use super::post::{Post, out_of_turn};
 use crate::execute::worker::Worker;
 use crate::execute::{Link, Order, Report, Setup};
 use crate::results::SweepError;

@@ -7,6 +7,7 @@
 
 use super::Isph;
 use super::project::Source;
+use super::solve::MEMORY;
 use crate::scheme::StepError;
 
 /// A support that is less complete than this has the largest κ.
@@ -17,31 +18,27 @@ impl Isph {
     /// pressure.
     pub(super) fn solve_compact(&mut self, dt: f64) -> Result<(), StepError> {
         self.system.preconditioner.prepare(&self.system.matrix);
-        // What is forgotten keeps modes from adding up that the gradient hardly feels.
-        let memory = self.options.pressure_memory;
         self.pressure.clear();
-        self.pressure.extend(self.carried.pressure.iter().map(|p| memory * p));
+        self.pressure.extend(self.carried.pressure.iter().map(|p| MEMORY * p));
         self.accelerate(Source::Pressure);
         self.set_velocities_after(dt);
         self.diverge(|walls| walls.velocity);
-        self.compact_right_hand_side(dt, self.options.volume_relaxation);
+        self.compact_right_hand_side(dt);
         let mut change = std::mem::take(&mut self.system.change);
         change.clear();
         let carried = self.carried.pressure.iter().zip(&self.carried.older_pressure);
-        change.extend(carried.map(|(p, old)| (2.0 - memory) * p - old));
+        change.extend(carried.map(|(p, old)| (2.0 - MEMORY) * p - old));
         self.settle(change, self.rule())
     }
 
-    /// -V (ρ/Δt) ∇·u / κ for the divergence at hand; a share `relax` of volume errors is taken back
-    /// as well.
-    pub(super) fn compact_right_hand_side(&mut self, dt: f64, relax: f64) {
-        let (options, operators, even) = (&self.options, &self.operators, &self.even);
+    /// -V (ρ/Δt) ∇·u / κ for the divergence at hand.
+    pub(super) fn compact_right_hand_side(&mut self, dt: f64) {
+        let (options, operators) = (&self.options, &self.operators);
         let (mass, divergence) = (&self.fluid.mass, &self.divergence);
         self.system.right.clear();
         self.system.right.extend((0..divergence.len()).map(|i| {
             let volume = mass[i] / options.density;
-            let divergence = divergence[i] - relax * operators.crowding(i, even) / dt;
-            -volume * options.density * divergence / (dt * operators.kappa(i, POOREST))
+            -volume * options.density * divergence[i] / (dt * operators.kappa(i, POOREST))
         }));
     }
 }

@@ -1,7 +1,6 @@
 //! What a particle's support is good for: its moments, and the correction of gradients.
 
 use super::images::Point;
-use super::lattice::Even;
 use crate::pairs::{Field, Near};
 
 /// The correction of gradients fades from the moment's inverse, above this eigenvalue, ...
@@ -67,14 +66,6 @@ impl Operators {
         } else {
             FULLEST
         }
-    }
-
-    /// By how much the water around a particle is too dense: Σ V W over its value in even water. Zero
-    /// near the surface.
-    pub fn crowding(&self, i: usize, even: &Even) -> f64 {
-        const INSIDE: f64 = 0.9;
-        let counts = self.completeness[i] > INSIDE && self.grip[i] == 0.0;
-        if counts { self.coverage[i] - even.coverage } else { 0.0 }
     }
 }
 

@@ -48,10 +48,6 @@ pub struct IsphOptions {
     pub shifting_coefficient: f64,
     /// Completenesses of the support between which shifting fades in.
     pub shifting_fades_in: [f64; 2],
-    /// Share of the volume error that a step's source term takes back.
-    pub volume_relaxation: f64,
-    /// Share of the last step's dynamic pressure that the next one starts from.
-    pub pressure_memory: f64,
     /// Laplacian.
     pub laplacian: Laplacian,
     /// Preconditioner of the pressure equation.

@@ -11,6 +11,9 @@ use crate::scheme::StepError;
 
 /// A solve that takes more iterations than this has failed.
 const MOST_ITERATIONS: u32 = 500;
+/// Share of the last step's dynamic pressure that the next one starts from: what is forgotten keeps modes
+/// from adding up that the gradient hardly feels.
+pub(super) const MEMORY: f64 = 0.98;
 /// Right-hand sides smaller than the weight of this share of a spacing of water, held over the
 /// surface of every particle, count as zero.
 const FLOOR: f64 = 1e-3;
@@ -32,7 +35,7 @@ impl Isph {
     ///
     /// -V D G p + C (p + ρ g (level - y)) + ε A (p - m p_old) = -(ρ/Δt) V (D u* - t), u* = u + Δt (g + drag)
     ///
-    /// p_old is the last step's pressure, m is `pressure_memory`. D stands at mid-step. t is its
+    /// p_old is the last step's pressure, m is [`MEMORY`]. D stands at mid-step. t is its
     /// [aim](super::exact::Exact::aim_at). Solved for is the change from an extrapolated pressure.
     pub(super) fn solve_exact(&mut self, dt: f64) -> Result<(), StepError> {
         self.soften();
@@ -47,18 +50,15 @@ impl Isph {
         self.accelerate(Source::Pressure);
         self.set_velocities_after(dt);
         self.diverge(|walls| walls.velocity);
-        let (options, operators, exact) = (&self.options, &self.operators, &mut self.exact);
-        let memory = options.pressure_memory;
+        let (options, exact) = (&self.options, &mut self.exact);
         exact.scaled.clear();
         let pressures = self.pressure.iter().zip(&self.carried.pressure);
-        exact.scaled.extend(pressures.map(|(p, old)| p - memory * old));
+        exact.scaled.extend(pressures.map(|(p, old)| p - MEMORY * old));
         self.system.matrix.multiply(self.path, &exact.scaled, &mut exact.compact);
-        let (factor, relax) = (-options.density / dt, options.volume_relaxation / dt);
+        let factor = -options.density / dt;
         self.system.right.resize(self.pressure.len(), 0.0);
         self.near.each(Field(&mut self.system.right), |i| {
-            let aimed = self.divergence[i] - exact.aim[i];
-            let divergence = aimed - relax * operators.crowding(i, &self.even);
-            factor * self.near.volume[i] * divergence
+            factor * self.near.volume[i] * (self.divergence[i] - exact.aim[i])
                 - exact.softness[i] * self.own_pressure[i]
                 - options.compact_share * exact.compact[i]
         });
@@ -110,7 +110,7 @@ impl Isph {
             self.system.right.clear();
             self.system.right.extend(divergences.map(|(d, v)| factor * v * d));
         } else {
-            self.compact_right_hand_side(dt, 0.0);
+            self.compact_right_hand_side(dt);
         }
         let mut response = std::mem::take(&mut self.carried.response);
         response.resize(self.fluid.len(), 0.0);

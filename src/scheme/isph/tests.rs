@@ -30,8 +30,6 @@ fn options(spacing: f64, laplacian: Laplacian) -> IsphOptions {
         artificial_viscosity: 0.0,
         shifting_coefficient: 0.0,
         shifting_fades_in: crate::water::SHIFT_INTERIOR,
-        volume_relaxation: 0.0,
-        pressure_memory: 0.98,
         laplacian,
         preconditioner: PreconditionerChoice::Multigrid,
         solver_tolerance: 1e-9,

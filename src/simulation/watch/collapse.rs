@@ -4,7 +4,7 @@ use super::cavity::Raster;
 use super::{Watch, remembers};
 use crate::pairs::Fluid;
 use crate::scene::Frame;
-use crate::simulation::outcome::Readings;
+use crate::simulation::told::Readings;
 use crate::theory::dam_break::ritter_front;
 
 /// Air counts as closed in from this area on, over H².

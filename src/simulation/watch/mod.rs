@@ -7,7 +7,7 @@ mod patch;
 mod standing_wave;
 mod vortices;
 
-use super::outcome::Readings;
+use super::told::Readings;
 use crate::pairs::Fluid;
 use crate::scene::{CaseConfig, Scene, Tank};
 

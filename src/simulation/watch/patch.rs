@@ -2,7 +2,7 @@
 
 use super::{Watch, kinetic_energy, remembers};
 use crate::pairs::Fluid;
-use crate::simulation::outcome::Readings;
+use crate::simulation::told::Readings;
 use crate::theory::rotating_patch::RotatingPatch;
 
 pub(super) struct Patch {

@@ -1,10 +1,11 @@
 //! Multigrid by plain aggregation.
 
-use std::ops::Range;
+mod block;
 
 use super::dense::Dense;
 use crate::math::sparse::Csr;
-use crate::math::team::{Part, cut};
+use crate::math::team::cut;
+use block::Block;
 
 /// A level is solved directly from this many unknowns down.
 const COARSEST: usize = 120;
@@ -46,21 +47,6 @@ struct Level {
     members: Vec<u32>,
     next: Vec<u32>,
     blocks: Vec<Block>,
-}
-
-/// Consecutive rows of a coarse matrix under way.
-#[derive(Debug, Clone, Default)]
-struct Block {
-    rows: Range<usize>,
-    matrix: Csr,
-    /// Where a column stands among the entries, if it does.
-    slot: Vec<u32>,
-}
-
-impl Part for Block {
-    fn items(&self) -> Range<usize> {
-        self.rows.clone()
-    }
 }
 
 impl Hierarchy {
@@ -234,44 +220,6 @@ impl Level {
         for (row, &to) in aggregate.iter().enumerate() {
             members[next[to as usize] as usize] = row as u32;
             next[to as usize] += 1;
-        }
-    }
-}
-
-impl Block {
-    /// Sums the entries between aggregates, of which there are `count` with the members that are told.
-    fn gather<'m>(
-        &mut self,
-        fine: &Csr,
-        aggregate: &[u32],
-        (count, members): (usize, impl Fn(usize) -> &'m [u32]),
-    ) {
-        let Block { rows, matrix: coarse, slot } = self;
-        coarse.clear();
-        slot.clear();
-        slot.resize(count, NONE);
-        for own in rows.clone() {
-            let start = coarse.columns.len();
-            let mut diagonal = 0.0;
-            for &row in members(own) {
-                diagonal += fine.diagonal[row as usize];
-                let (columns, values) = fine.row(row as usize);
-                for (&c, &v) in columns.iter().zip(values) {
-                    let to = aggregate[c as usize] as usize;
-                    let at = slot[to] as usize;
-                    if to == own {
-                        diagonal += v;
-                    } else if slot[to] != NONE && at >= start {
-                        coarse.values[at] += v;
-                    } else {
-                        slot[to] = coarse.columns.len() as u32;
-                        coarse.columns.push(to as u32);
-                        coarse.values.push(v);
-                    }
-                }
-            }
-            coarse.end_row();
-            coarse.diagonal.push(diagonal);
         }
     }
 }

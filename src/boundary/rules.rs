@@ -1,0 +1,55 @@
+//! What ghosts obey, and the targets that follow from it.
+
+use std::ops::Range;
+
+use super::InterpolatorChoice;
+use super::ghosts::Ghosts;
+use super::sums::{Targets, Water};
+use crate::body::BodyMotion;
+use crate::kernel::KernelChoice;
+use crate::pairs::{PairList, Scaling};
+
+/// What the ghosts of a scene obey.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ExchangeRules {
+    /// Kernel of the scheme.
+    pub kernel: KernelChoice,
+    /// Interpolator.
+    pub interpolator: InterpolatorChoice,
+    /// Scaling of the records.
+    pub scaling: Scaling,
+    /// Particle spacing, metres.
+    pub spacing: f64,
+    /// Gravity, m/s², pointing down.
+    pub gravity: f64,
+    /// Density at zero pressure, kg/m³.
+    pub surface_density: f64,
+    /// Sound speed, m/s.
+    pub sound_speed: f64,
+    /// Pressure correction inside the sum (exact at rest) rather than at the mirror point.
+    pub gravity_in_sum: bool,
+    /// Reverse the tangential velocity, too, for the viscous terms.
+    pub no_slip: bool,
+    /// Body 0 only counts between the bodies 1 and 2: the bed of a tank with moving ends.
+    pub bed_between_walls: bool,
+}
+
+/// The targets of a part, its list and its blocks, among some blocks.
+pub(super) fn targets<'a>(
+    rules: &ExchangeRules,
+    (list, own): (&'a PairList, &Range<usize>),
+    (ghosts, bodies, water): (&'a Ghosts, &'a [BodyMotion], Water<'a>),
+    blocks: &Range<usize>,
+) -> Targets<'a> {
+    Targets {
+        kernel: rules.kernel,
+        scaling: rules.scaling,
+        ghosts,
+        bodies,
+        water,
+        list,
+        first: own.start,
+        blocks: own.start.max(blocks.start)..own.end.min(blocks.end),
+        at_ghost: rules.interpolator.at_ghost(),
+    }
+}

@@ -1,0 +1,114 @@
+use super::*;
+use crate::report::fixture;
+
+fn drawn(directory: &tempfile::TempDir) -> Vec<Figure> {
+    all(&Loaded::read(directory.path()).unwrap()).unwrap()
+}
+
+#[test]
+fn every_figure_is_well_formed_alone_and_inline() {
+    for directory in [fixture::sweep(), fixture::fixed()] {
+        for figure in drawn(&directory) {
+            let alone = figure.svg();
+            let tree = roxmltree::Document::parse(&alone).unwrap();
+            assert!(tree.descendants().any(|node| node.has_tag_name((SVG, "text"))));
+            let page = figure.inline(Place::Usual);
+            roxmltree::Document::parse(&page).unwrap();
+            assert!(!page.contains("http") && !page.contains("NaN"), "{}", figure.name);
+        }
+    }
+}
+
+const SVG: &str = "http://www.w3.org/2000/svg";
+
+#[test]
+fn nothing_leaves_the_sheet() {
+    for figure in drawn(&fixture::sweep()) {
+        let alone = figure.svg();
+        let tree = roxmltree::Document::parse(&alone).unwrap();
+        let sheet = tree.root_element().attribute("viewBox").unwrap();
+        let size: Vec<f64> = sheet.split(' ').map(|n| n.parse().unwrap()).collect();
+        for line in tree.descendants().filter_map(|node| node.attribute("points")) {
+            for pair in line.split_whitespace() {
+                let (x, y) = pair.split_once(',').unwrap();
+                let (x, y): (f64, f64) = (x.parse().unwrap(), y.parse().unwrap());
+                assert!((0.0..=size[2]).contains(&x) && (0.0..=size[3]).contains(&y));
+            }
+        }
+    }
+}
+
+#[test]
+fn figures_without_data_are_left_out() {
+    let names = |directory: &_| -> String {
+        drawn(directory).iter().map(|figure| format!("{} ", figure.name)).collect()
+    };
+    let movable = "response-displacement response-force response-runup against-stiffness \
+                   against-mass against-wave history-wave-0.3 history-wave-0.5 ";
+    assert_eq!(names(&fixture::sweep()), movable);
+    let fixed = "fixed-wall history-wave-0.1 history-wave-0.2 history-wave-0.3 \
+                 history-wave-0.4 history-wave-0.5 history-wave-0.6 ";
+    assert_eq!(names(&fixture::fixed()), fixed);
+}
+
+#[test]
+fn one_wave_one_spring_one_mass_is_enough() {
+    let figures = drawn(&fixture::movable(&[0.5], &[500.0], &[250.0]));
+    assert_eq!(figures.len(), 4);
+    for figure in figures {
+        assert!(!figure.svg().contains("NaN"), "{}", figure.name);
+    }
+}
+
+#[test]
+fn bounds_are_open_with_an_arrow_and_only_dots_go_through_them() {
+    let mut seen = 0;
+    for figure in drawn(&fixture::sweep()) {
+        let alone = figure.svg();
+        let tree = roxmltree::Document::parse(&alone).unwrap();
+        let class = |node: &roxmltree::Node, class: &str| {
+            node.attribute("class").is_some_and(|own| own.split(' ').any(|one| one == class))
+        };
+        for series in tree.descendants().filter(|node| class(node, "series")) {
+            let solid = |node: &roxmltree::Node| class(node, "line") && !class(node, "loose");
+            let lines: Vec<_> = series.children().filter(solid).collect();
+            for point in series.children().filter(|node| class(node, "point")) {
+                let told = point.descendants().find(|node| node.has_tag_name((SVG, "title")));
+                let bound = told.unwrap().text().unwrap().contains('≥');
+                let mark = point.children().find(|node| class(node, "mark")).unwrap();
+                assert_eq!(bound, class(&mark, "open"));
+                assert_eq!(bound, point.children().any(|node| class(&node, "arrow")));
+                let at = mark.attribute("d").unwrap().split('m').next().unwrap();
+                let at = at.trim_start_matches('M').replace(' ', ",");
+                let through = |line: &roxmltree::Node| {
+                    line.attribute("points").unwrap().split(' ').any(|corner| corner == at)
+                };
+                assert!(!bound || !lines.iter().any(through), "{at}");
+                seen += usize::from(bound);
+            }
+        }
+    }
+    assert!(seen > 3, "{seen}");
+}
+
+#[test]
+fn points_and_panels_say_what_they_stand_for() {
+    let page = drawn(&fixture::sweep())[0].inline(Place::Usual);
+    for word in [
+        "data-x=\"log10_k_star\" data-y=\"displacement_max\"",
+        "data-panel=\"m_star=1.25\"",
+        "data-series=\"wave_height_ratio=0.5\"",
+        "data-case=\"case-0000\"",
+        "<title>H/h = 0.3, k = 10 N/m, m = 50 kg/m: X* max ",
+    ] {
+        assert!(page.contains(word), "{word}");
+    }
+}
+
+#[test]
+fn a_variant_becomes_part_of_a_file_name() {
+    assert_eq!(
+        file_name("force", "boundary = mls-linear, dx = 0.01"),
+        "force-boundary-mls-linear-dx-0.01"
+    );
+}

@@ -1,0 +1,109 @@
+use std::fs;
+use std::time::Duration;
+
+use super::super::made_up::made_up;
+use super::super::waiting;
+use super::*;
+use crate::study::SweepFile;
+
+fn study(ratios: &str) -> Study {
+    let text = format!("name = \"a\"\n[grid]\nwave_height_ratio = [{ratios}]");
+    Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap()
+}
+
+fn open(path: &Path, study: &Study, mode: OpenMode) -> Result<(Directory, Opened), SweepError> {
+    Directory::open(path, study, mode, None, SimdPath::Avx2)
+}
+
+fn run_first(directory: &mut Directory, study: &Study) {
+    let case = &study.cases[0];
+    let result = made_up(&case.config);
+    let record = CaseRecord::new(study, case, &Ok(result.clone()), 1.0, "here");
+    directory.record(record, Some(&result)).unwrap();
+    directory.sync(true).unwrap();
+}
+
+#[test]
+fn a_sweep_goes_on_where_it_stopped() {
+    let root = tempfile::tempdir().unwrap();
+    let (path, study) = (root.path().join("run"), study("0.1, 0.2"));
+    let (mut directory, opened) = open(&path, &study, OpenMode::Resume).unwrap();
+    assert_eq!(opened, Opened::New);
+    run_first(&mut directory, &study);
+    drop(directory);
+    let (directory, opened) = open(&path, &study, OpenMode::Resume).unwrap();
+    assert_eq!(opened, Opened::Resumed(1));
+    drop(directory);
+    // A power cut may leave the name of a file without its content.
+    let history = fs::read_dir(path.join("histories")).unwrap().next().unwrap().unwrap().path();
+    fs::File::create(&history).unwrap();
+    let (mut directory, opened) = open(&path, &study, OpenMode::Resume).unwrap();
+    assert_eq!(opened, Opened::Resumed(0));
+    run_first(&mut directory, &study);
+    drop(directory);
+    fs::remove_file(history).unwrap();
+    let (_directory, opened) = open(&path, &study, OpenMode::Resume).unwrap();
+    assert_eq!(opened, Opened::Resumed(0));
+}
+
+#[test]
+fn what_is_recorded_while_a_group_is_on_its_way_belongs_to_the_next() {
+    let root = tempfile::tempdir().unwrap();
+    let (path, study) = (root.path().join("run"), study("0.1, 0.2, 0.3"));
+    let (mut directory, _) = open(&path, &study, OpenMode::Resume).unwrap();
+    for case in &study.cases {
+        let result = made_up(&case.config);
+        let record = CaseRecord::new(&study, case, &Ok(result.clone()), 1.0, "here");
+        directory.record(record, Some(&result)).unwrap();
+        // A line is there at once: a killed process loses nothing.
+        assert_eq!(journal::read_journal(&path).unwrap().records.len(), case.index + 1);
+        std::thread::sleep(waiting::LONGEST);
+        directory.sync(false).unwrap();
+    }
+    directory.sync(true).unwrap();
+    assert!(directory.waiting.is_over());
+    assert!(!directory.journal.waits(Duration::ZERO));
+    drop(directory);
+    let (_directory, opened) = open(&path, &study, OpenMode::Resume).unwrap();
+    assert_eq!(opened, Opened::Resumed(3));
+}
+
+#[test]
+fn another_sweeps_directory_is_refused_untouched() {
+    let root = tempfile::tempdir().unwrap();
+    let path = root.path().join("run");
+    open(&path, &study("0.1, 0.2"), OpenMode::Resume).unwrap();
+    let before = fs::read(path.join(journal::FILE_NAME)).unwrap();
+    let error = open(&path, &study("0.1, 0.3"), OpenMode::Resume).unwrap_err();
+    assert!(error.to_string().contains("holds another sweep"), "{error}");
+    assert_eq!(fs::read(path.join(journal::FILE_NAME)).unwrap(), before);
+    let (_directory, opened) = open(&path, &study("0.1, 0.3"), OpenMode::Fresh).unwrap();
+    assert_eq!(opened, Opened::Moved(root.path().join("run.old-1")));
+}
+
+#[test]
+fn a_strangers_directory_is_never_moved() {
+    let root = tempfile::tempdir().unwrap();
+    fs::write(root.path().join("thesis.tex"), "").unwrap();
+    for mode in [OpenMode::Resume, OpenMode::Fresh] {
+        assert!(open(root.path(), &study("0.1"), mode).unwrap_err().is_refusal());
+    }
+    assert_eq!(fs::read_dir(root.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn the_instruction_set_is_kept() {
+    let root = tempfile::tempdir().unwrap();
+    let (path, study) = (root.path().join("run"), study("0.1, 0.2"));
+    let with = |requested, widest| {
+        Directory::open(&path, &study, OpenMode::Resume, requested, widest)
+            .map(|(directory, _)| directory.simd())
+    };
+    use SimdPath::{Avx2, Avx512, Portable};
+    assert!(with(Some(Avx512), Avx2).is_err());
+    assert!(!path.exists(), "nothing is written for a refused request");
+    assert_eq!(with(None, Avx2).unwrap(), Avx2);
+    assert_eq!(with(None, Avx512).unwrap(), Avx2);
+    assert!(with(None, Portable).is_err());
+    assert!(with(Some(Portable), Avx2).is_err());
+}

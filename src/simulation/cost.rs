@@ -1,0 +1,70 @@
+//! What a case will take, and what it may use.
+
+use serde::{Deserialize, Serialize};
+
+use crate::math::simd::SimdPath;
+use crate::math::team::Team;
+use crate::scene::CaseConfig;
+
+/// What a run may use.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Resources {
+    /// Instruction set of the hot loops.
+    pub simd: SimdPath,
+    /// Threads that may share the work of a step; a small case takes fewer. The answer is the same,
+    /// bit for bit, for any number.
+    pub threads: usize,
+}
+
+impl From<SimdPath> for Resources {
+    /// A single thread.
+    fn from(simd: SimdPath) -> Resources {
+        Resources { simd, threads: 1 }
+    }
+}
+
+impl Resources {
+    /// The threads that a case has work for.
+    pub(super) fn team(self, config: &CaseConfig) -> Team {
+        let most = cost(config).particles / PARTICLES_PER_THREAD;
+        Team::of(self.threads.min(most as usize))
+    }
+}
+
+/// With fewer particles each, threads would wait for one another more than they gain.
+const PARTICLES_PER_THREAD: u64 = 2000;
+
+/// What a case will take, estimated before it runs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Cost {
+    /// Fluid particles.
+    pub particles: u64,
+    /// Steps from rest to the end.
+    pub steps: u64,
+    /// Share of the steps before the wall can move (0 where the scene does not branch).
+    pub trunk_share: f64,
+    /// Peak memory of a run, bytes.
+    pub memory_bytes: u64,
+}
+
+/// Estimates a case's cost.
+pub fn cost(config: &CaseConfig) -> Cost {
+    let (scene, frame) = (&config.scene, config.scene.frame());
+    let particles = scene.particles(&config.numerics) as u64;
+    let end = frame.end_time;
+    let start = scene.start_s();
+    let steps = ((end - start) / frame.time_step(&config.numerics)).ceil() as u64;
+    // The front reaches the wall when the crest, made at the stroke's centre, has come about 0.6 of
+    // the way; a guess that only has to rank cases.
+    let onset = scene.seawall().map_or(0.0, |scene| {
+        let celerity = (frame.gravity * frame.depth * (1.0 + scene.wave_height_ratio)).sqrt();
+        let centre = scene.paddle().and_then(|paddle| paddle.stroke_centre());
+        centre.map_or(0.0, |centre| centre + 0.6 * frame.length / celerity)
+    });
+    Cost {
+        particles,
+        steps,
+        trunk_share: (onset / end).clamp(0.0, 1.0),
+        memory_bytes: 8_000_000 + 1_500 * particles,
+    }
+}

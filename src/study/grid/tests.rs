@@ -1,0 +1,86 @@
+use super::*;
+
+fn cases(text: &str) -> Result<Vec<Case>, ConfigError> {
+    expand(&SweepFile::read(&format!("name = \"a\"\n{text}"), &[]).unwrap())
+}
+
+#[test]
+fn the_last_axis_runs_fastest() {
+    let cases =
+        cases("[grid]\nwave_height_ratio = [0.2, 0.3]\nparticle_spacing_m = [0.01, 0.02, 0.04]")
+            .unwrap();
+    let spacings: Vec<_> =
+        cases.iter().map(|case| case.config.numerics.particle_spacing_m).collect();
+    assert_eq!(spacings, [0.01, 0.02, 0.04, 0.01, 0.02, 0.04]);
+    assert_eq!(cases[3].index, 3);
+    assert_eq!(cases[3].assignments[0], Some(Value::Float(0.3).into()));
+}
+
+#[test]
+fn fixed_walls_among_movable_ones_stand_once() {
+    let cases = cases(
+        "[scene]\nseawall_mass_kg_per_m = 50\n\
+         [grid]\nwall = [\"fixed\", \"movable\"]\nspring_stiffness_n_per_m = [1, 10, 100]",
+    )
+    .unwrap();
+    assert_eq!(cases.len(), 1 + 3);
+    assert_eq!(cases[0].assignments, [Some(Value::String("fixed".into()).into()), None]);
+    assert_eq!(cases[1].index, 1);
+}
+
+#[test]
+fn every_wall_and_every_paddle_takes_its_own_keys() {
+    let walls = cases(
+        "[scene]\nseawall_mass_kg_per_m = 50\nspring_stiffness_n_per_m = 1\n\
+         static_friction = 0.6\nkinetic_friction = 0.5\nsubmerged_weight_n_per_m = 300\n\
+         [grid]\nwall = [\"fixed\", \"movable\", \"caisson\"]\nthreshold_ratio = [1.1, 1.2]",
+    );
+    assert_eq!(walls.unwrap().len(), 2 + 2 + 1);
+    let paddles = cases(
+        "[scene]\nend_time_s = 1\n\
+         [grid]\npaddle = [\"solitary\", \"wave-train\"]\nwave_period_s = [0.9, 1]",
+    );
+    assert_eq!(paddles.unwrap().len(), 1 + 2);
+}
+
+#[test]
+fn every_bad_grid_is_told_with_its_key() {
+    let bad = [
+        ("[grid]\nwave_height_ratio = [0.2, 1.5]", "grid.wave_height_ratio = 1.5: must be"),
+        ("[grid]\nkernal = [\"gaussian\"]", "grid.kernal: unknown key; did you mean kernel?"),
+        ("[grid]\nkernel = [\"gauss\"]", "grid.kernel = \"gauss\": must be one of wendland-c2, "),
+        (
+            "[grid]\nparticle_spacing_m = [0.02, 1e-5]",
+            "grid.particle_spacing_m = 0.00001: would cut 0.5 m² of water into 5,000,000,000",
+        ),
+        (
+            "[grid]\nspring_stiffness_n_per_m = [1]",
+            "grid.spring_stiffness_n_per_m = 1: belongs to wall = \"movable\"",
+        ),
+        (
+            "[scene]\nwave_height_ratio = 0.3\n[grid]\nwave_height_ratio = [0.2]",
+            "scene.wave_height_ratio = 0.3: stands in [scene] and in [grid], which sweeps it",
+        ),
+        (
+            "[numerics]\nkernel = \"gaussian\"\n[grid]\nkernel = [\"gaussian\"]",
+            "numerics.kernel = \"gaussian\": stands in [numerics] and in [grid]",
+        ),
+        (
+            "[scene]\nseawall_mass = 1\n[grid]\nwave_height_ratio = [0.2]",
+            "scene.seawall_mass: unknown key; did you mean seawall_mass_kg_per_m?",
+        ),
+        (
+            "[numerics]\nwave_height_ratio = 0.4\n[grid]\nwave_height_ratio = [0.2]",
+            "numerics.wave_height_ratio: unknown key; did you mean scene.wave_height_ratio?",
+        ),
+        (
+            "[grid]\nwave_height_ratio = { from = 0.1, to = 0.7, points = 1001 }\n\
+             artificial_viscosity = { from = 0, to = 1, points = 1000 }",
+            "grid = 1001 x 1000: must have at most 1000000 cases",
+        ),
+    ];
+    for (text, message) in bad {
+        let told = cases(text).unwrap_err().to_string();
+        assert!(told.starts_with(message), "{told:?} should start with {message:?}");
+    }
+}
