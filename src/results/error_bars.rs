@@ -22,8 +22,8 @@ use crate::scene::CaseConfig;
 use crate::simulation::{Maximum, Outcome};
 use crate::study::Study;
 
-// What nine in ten of 144 readings stay below that are not judged by it elsewhere: walls and waves between those
-// of the 300 cases, at six spacings (`results/accuracy/coverage_between.md`).
+// Nine in ten of 144 readings stay below these. They are of walls and waves between those of the 300 cases, at six
+// spacings (`results/accuracy/coverage_between.md`).
 /// Scatter of a force, as a share of it.
 const FORCE_SCATTER: f64 = 0.0029;
 /// Scatter of a level, as a share of the spacing: of the lowest wave, whose tip is not sharp.

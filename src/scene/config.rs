@@ -5,8 +5,8 @@ use toml::Table;
 
 use super::declared::{Place, refuse_unknown};
 use super::kind::{Kind, Scene};
-use super::numerics::{ErrorBars, Numerics, Scheme};
-use super::preset::{LEAST_RATIO, Preset, sound_speed_ratio};
+use super::numerics::{ErrorBars, LEAST_SOUND_SPEED_RATIO, Numerics, Scheme};
+use super::preset::{Preset, sound_speed_ratio};
 use super::probe::Probe;
 use super::size;
 use crate::keys::{ConfigError, Section, Shared};
@@ -110,28 +110,22 @@ impl CaseConfig {
     /// The numerics that are not those which its scene has by default with these particles; their
     /// spacing, where it is not the default one.
     pub fn numerics_of_its_own(&self) -> Table {
-        let own = self.numerics.table();
-        let spacing = "particle_spacing_m";
-        let scheme = own.get("scheme").filter(|_| self.numerics.scheme != Scheme::Wcsph);
-        let named = [(spacing, own.get(spacing)), ("scheme", scheme)];
-        let named: Table = named
-            .into_iter()
-            .filter_map(|(key, value)| Some((key.to_owned(), value?.clone())))
-            .collect();
-        let of_scene = Numerics::of_scene(&self.scene, &named);
-        let default = of_scene.unwrap_or_else(|_| Numerics::preset(Preset::Default)).table();
-        let usual = Numerics::preset(Preset::Default).table();
-        own.into_iter()
-            .filter(|(key, value)| {
-                let default = if named.contains_key(key) { &usual } else { &default };
-                default.get(key) != Some(value)
-            })
-            .collect()
+        let mut own = self.numerics.table();
+        let named = ["particle_spacing_m", "scheme"];
+        let named =
+            named.into_iter().filter_map(|key| Some((key.to_owned(), own.get(key)?.clone())));
+        let named: Table = named.collect();
+        let of_scene = Numerics::of_scene(&self.scene, &named).expect("both are the case's own");
+        let [of_scene, usual] = [of_scene, Numerics::preset(Preset::Default)].map(|n| n.table());
+        own.retain(|key, value| {
+            let default = if named.contains_key(key) { &usual } else { &of_scene };
+            default.get(key) != Some(&*value)
+        });
+        own
     }
 
-    /// The same case with particles `ratio` times as far apart, time steps in proportion, and 1/c0²
-    /// too, so that the error by sound grows as the spacing does; `None` where that is too coarse for
-    /// the scene.
+    /// The same case with particles `ratio` times as far apart, or `None` where that is too coarse for
+    /// the scene. Time steps and 1/c0² grow in proportion. So the error by sound grows as the spacing does.
     pub fn coarsened(&self, ratio: f64) -> Option<CaseConfig> {
         let mut config = self.without_error_bars();
         let depth = self.scene.frame().depth;
@@ -142,7 +136,7 @@ impl CaseConfig {
         if numerics.scheme == Scheme::Wcsph {
             let [own, coarse] = [spacing, spacing * ratio].map(|x| sound_speed_ratio(depth, x));
             let is_default = numerics.sound_speed_ratio == own;
-            let scaled = (numerics.sound_speed_ratio / ratio.sqrt()).max(LEAST_RATIO);
+            let scaled = (numerics.sound_speed_ratio / ratio.sqrt()).max(LEAST_SOUND_SPEED_RATIO);
             numerics.sound_speed_ratio = if is_default { coarse } else { scaled };
         }
         config.validate().ok().map(|()| config)

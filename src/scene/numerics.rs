@@ -13,6 +13,9 @@ use crate::scheme::StateEquationChoice;
 use crate::scheme::isph::Laplacian;
 use crate::scheme::wcsph::{DensityDiffusion, Precision, Shifting};
 
+/// The slowest sound that a file may ask for, over √(g h).
+pub(super) const LEAST_SOUND_SPEED_RATIO: f64 = 4.0;
+
 /// Which set of equations is stepped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -136,7 +139,7 @@ section! {
         particle_spacing_m: f64 = 0.01, unit("m").above_zero();
         /// c0 / √(g h). Solitary waves at upright walls over a level bed have 8 √(h / (12.5 Δx)) by
         /// default, 10.12 with 20 rows of particles: error by sound then falls as the spacing does.
-        sound_speed_ratio: f64 = 8.0, weakly(plain().within(4.0, 200.0));
+        sound_speed_ratio: f64 = 8.0, weakly(plain().within(LEAST_SOUND_SPEED_RATIO, 200.0));
         /// State equation.
         state_equation: StateEquationChoice = StateEquationChoice::Linear, weakly(plain());
         /// Kernel gradients corrected to first order, in the pair of forms that conserves momentum

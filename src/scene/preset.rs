@@ -4,7 +4,9 @@ use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
 use super::kind::Scene;
-use super::numerics::{BoundaryChoice, GhostGravity, IncompressibleNumerics, Numerics, Scheme};
+use super::numerics::{
+    BoundaryChoice, GhostGravity, IncompressibleNumerics, LEAST_SOUND_SPEED_RATIO, Numerics, Scheme,
+};
 use crate::kernel::KernelChoice;
 use crate::keys::{ConfigError, Section, check_conditions, number, section};
 use crate::scheme::wcsph::{DensityDiffusion, Shifting};
@@ -33,14 +35,16 @@ section! {
 /// Rows of particles over the depth with which the sound speed is [`RATIO`] times √(g h).
 const ROWS: f64 = 12.5;
 const RATIO: f64 = 8.0;
-/// The least that the key allows.
-pub(super) const LEAST_RATIO: f64 = 4.0;
 
 /// c0/√(g h) with which the error by sound, which goes as 1/c0², falls as the spacing does; to two
 /// decimals.
 pub(super) fn sound_speed_ratio(depth: f64, particle_spacing: f64) -> f64 {
     let ratio = RATIO * (depth / (ROWS * particle_spacing)).sqrt();
-    if ratio.is_finite() { ((100.0 * ratio).round() / 100.0).max(LEAST_RATIO) } else { RATIO }
+    if ratio.is_finite() {
+        ((100.0 * ratio).round() / 100.0).max(LEAST_SOUND_SPEED_RATIO)
+    } else {
+        RATIO
+    }
 }
 
 impl Numerics {
@@ -98,20 +102,16 @@ impl Numerics {
             base.acoustic_substeps = 1;
         }
         if preset == Preset::Default {
-            base.suit(scene);
-            if scene.has_solitary_wave_at_upright_wall() {
-                let spacing = table.get("particle_spacing_m").and_then(number);
-                let spacing = spacing.unwrap_or(base.particle_spacing_m);
-                base.sound_speed_ratio = sound_speed_ratio(scene.frame().depth, spacing);
-            }
+            let spacing = table.get("particle_spacing_m").and_then(number);
+            base.suit(scene, spacing.unwrap_or(base.particle_spacing_m));
         }
         let numerics = Numerics::read(table, Some(&base))?;
         check_conditions::<Numerics>(table, &numerics.table())?;
         Ok(numerics)
     }
 
-    /// Takes what the preset `default` has for scenes of this kind.
-    fn suit(&mut self, scene: &Scene) {
+    /// Takes what the preset `default` has for scenes of this kind, with particles so far apart, metres.
+    fn suit(&mut self, scene: &Scene, particle_spacing: f64) {
         if scene.seawall().is_some_and(|scene| scene.behind.keeps()) {
             // Water that falls on a floor hits it all at once, and long steps put energy into it.
             self.courant_number = 0.6;
@@ -123,10 +123,12 @@ impl Numerics {
             self.artificial_viscosity = 0.1;
             self.shifting_coefficient = 0.25;
         }
-        if scene.has_solitary_wave_at_upright_wall() {
+        let solitary = scene.has_solitary_wave_at_upright_wall();
+        if solitary {
             self.artificial_viscosity = 0.09;
+            self.sound_speed_ratio = sound_speed_ratio(scene.frame().depth, particle_spacing);
         }
-        if scene.has_solitary_wave_at_upright_wall() || scene.has_train() {
+        if solitary || scene.has_train() {
             // On the way to the wall small gains and losses of energy add up.
             self.extrapolated_correction = true;
             self.limited_viscosity = false;

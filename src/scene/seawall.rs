@@ -117,11 +117,6 @@ impl SeawallScene {
         self.bed.as_ref().is_none_or(Profile::is_level) && self.wall_angle_deg == 90.0
     }
 
-    /// Whether all its readings but the runup are without sound. Water that goes over a crest is heard.
-    pub fn reads_without_sound(&self) -> bool {
-        self.is_upright_over_level_bed() && self.behind == Behind::Nothing
-    }
-
     /// The paddle; none for still water.
     pub fn paddle(&self) -> Option<Paddle> {
         let (ratio, depth) = (self.wave_height_ratio, self.still_water_depth_m);

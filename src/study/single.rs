@@ -19,14 +19,15 @@ impl SweepFile {
     /// A swept key that no section knows.
     pub fn single(&self, case: &Case) -> Result<String, ConfigError> {
         let (scene, mut numerics) = grid::tables(self, &case.assignments)?;
-        // Twice, as some defaults follow the particle spacing.
-        for _ in 0..2 {
+        // Again where something was chosen: some defaults follow the particle spacing.
+        loop {
             let plain = CaseConfig::with_probes(&scene, &numerics, &self.probes)?.numerics.table();
-            for (key, value) in case.config.numerics.table() {
-                if plain.get(&key) != Some(&value) && key != "error_bars" {
-                    numerics.insert(key, value);
-                }
+            let mut chosen = case.config.numerics.table();
+            chosen.retain(|key, value| plain.get(key) != Some(&*value) && key != "error_bars");
+            if chosen.is_empty() {
+                break;
             }
+            numerics.extend(chosen);
         }
         let id = case.id.to_string();
         let mut file = Table::new();
