@@ -48,12 +48,14 @@ fn main() -> Result<(), Failed> {
             cell("reason"),
         )?;
         let computed = record(&probes(&folder.path())?)?;
+        let theory = record(&out.join(format!("usace_1995/potential_{case}.csv")))?;
         let measured = match case {
             "c" => None,
             _ => Some(record(&out.join(format!("usace_1995/gauges_{case}.csv")))?),
         };
-        compare(&mut page, &computed, measured.as_ref())?;
-        draw(&computed, measured.as_ref(), &out.join(format!("usace_1995/case_{name}.svg")))?;
+        compare(&mut page, &computed, &theory, measured.as_ref())?;
+        let sheet = out.join(format!("usace_1995/case_{name}.svg"));
+        draw([&computed, &theory], measured.as_ref(), &sheet)?;
         writeln!(page, "\n![surface over still water](usace_1995/case_{name}.svg)")?;
     }
     Ok(fs::write(out.join("experiments.md"), page)?)
@@ -70,9 +72,14 @@ measured stroke. `usace_1995/` holds what was measured, public data of a public 
 here, so its rows are predictions.
 
 Gauge 4 stands at 12.64, 14.06 and 14.40 m in the cases A, B and C. Gauge 10's record of case B is cut off at 0.0533 m.
-A crest is the highest level within a second after the surface first passes 0.6 of the record's maximum. The water
+A crest is the top of the parabola through the highest level within a second after the surface first passes 0.6 of the
+record's maximum, and its neighbours. The water
 loses nothing to the glass and the bed in these runs. By Keulegan's formula for a smooth, wide channel a solitary wave of
 case B loses some 5 % of its height over the 15 m before the slopes.
+
+Theory is fully nonlinear potential flow over the same bed from the same stroke (`examples/potential_flume`), up to where
+its surface gets steeper than 1.5. It has no particles and no constants. So what a run and theory share, and the
+measurements do not, is in the stroke or in the flume.
 ";
 
 fn summary(folder: &Path) -> Result<BTreeMap<String, String>, Failed> {
@@ -101,29 +108,44 @@ fn record(path: &Path) -> Result<Record, Failed> {
 
 fn crest(series: &[(f64, f64)]) -> Option<(f64, f64)> {
     let highest = series.iter().map(|row| row.1).fold(0.0, f64::max);
-    let first = series.iter().find(|row| row.1 > RISEN * highest)?.0;
-    let near = series.iter().filter(|row| row.0 >= first && row.0 <= first + CREST_LASTS);
-    near.copied().max_by(|a, b| a.1.total_cmp(&b.1))
+    let from = series.iter().position(|row| row.1 > RISEN * highest)?;
+    let lasts = series[from..].iter().take_while(|row| row.0 <= series[from].0 + CREST_LASTS);
+    let top = from + lasts.enumerate().max_by(|a, b| a.1.1.total_cmp(&b.1.1))?.0;
+    // What was not seen to fall is no crest.
+    let (before, here, after) =
+        (series.get(top.wrapping_sub(1))?, series[top], series.get(top + 1)?);
+    let (rise, bend) = (after.1 - before.1, before.1 - 2.0 * here.1 + after.1);
+    if bend >= 0.0 {
+        return Some(here);
+    }
+    let share = -0.5 * rise / bend;
+    Some((here.0 + share * (after.0 - here.0), here.1 + 0.25 * rise * share))
 }
 
-fn compare(page: &mut String, computed: &Record, measured: Option<&Record>) -> Result<(), Failed> {
-    page.push_str("\n| gauge | crest, m | measured | off | at, s | measured | off | rms, mm |\n");
-    page.push_str("|---|---|---|---|---|---|---|---|\n");
+fn compare(
+    page: &mut String,
+    computed: &Record,
+    theory: &Record,
+    measured: Option<&Record>,
+) -> Result<(), Failed> {
+    page.push_str("\n| gauge | crest, m | theory | off | measured | off | at, s | theory | measured | rms, mm |\n");
+    page.push_str("|---|---|---|---|---|---|---|---|---|---|\n");
     for (gauge, series) in computed {
         let Some((time, level)) = crest(series) else { continue };
-        let Some((theirs, (at, high))) =
-            measured.and_then(|all| Some((&all[gauge], crest(&all[gauge])?)))
-        else {
-            writeln!(page, "| {gauge} | {level:.4} | | | {time:.2} | | | |")?;
-            continue;
-        };
-        let rms = rms(series, theirs);
+        let beside = |record: Option<&Record>| record.and_then(|all| crest(all.get(gauge)?));
+        let cells = [beside(Some(theory)), beside(measured)].map(|found| match found {
+            Some((at, high)) => (
+                format!("{high:.4} | {:+.1} %", 100.0 * (level / high - 1.0)),
+                format!("{at:.2} ({:+.2})", time - at),
+            ),
+            None => (String::from(" | "), String::new()),
+        });
+        let rms =
+            measured.map_or(String::new(), |all| format!("{:.1}", 1e3 * rms(series, &all[gauge])));
+        let [(theory, theory_at), (measured, measured_at)] = cells;
         writeln!(
             page,
-            "| {gauge} | {level:.4} | {high:.4} | {:+.1} % | {time:.2} | {at:.2} | {:+.2} | {:.1} |",
-            100.0 * (level / high - 1.0),
-            time - at,
-            1e3 * rms
+            "| {gauge} | {level:.4} | {theory} | {measured} | {time:.2} | {theory_at} | {measured_at} | {rms} |"
         )?;
     }
     Ok(())
@@ -148,7 +170,11 @@ fn rms(computed: &[(f64, f64)], measured: &[(f64, f64)]) -> f64 {
     (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
 }
 
-fn draw(computed: &Record, measured: Option<&Record>, path: &Path) -> Result<(), Failed> {
+fn draw(
+    [computed, theory]: [&Record; 2],
+    measured: Option<&Record>,
+    path: &Path,
+) -> Result<(), Failed> {
     let sheet = SVGBackend::new(path, (900, 1120)).into_drawing_area();
     sheet.fill(&WHITE)?;
     for (panel, gauge) in sheet.split_evenly((7, 1)).into_iter().zip(GAUGES) {
@@ -168,7 +194,11 @@ fn draw(computed: &Record, measured: Option<&Record>, path: &Path) -> Result<(),
             .x_labels(10)
             .y_labels(5)
             .y_desc(format!("gauge {gauge}, m"))
-            .x_desc(if gauge == 10 { "clock, s; black: measured, blue: computed" } else { "" })
+            .x_desc(if gauge == 10 {
+                "clock, s; black: measured, orange: theory, blue: computed"
+            } else {
+                ""
+            })
             .label_style(("sans-serif", 14))
             .light_line_style(WHITE)
             .draw()?;
@@ -176,6 +206,11 @@ fn draw(computed: &Record, measured: Option<&Record>, path: &Path) -> Result<(),
         if let Some(theirs) = theirs {
             let points = theirs.iter().filter(within).copied();
             chart.draw_series(LineSeries::new(points, BLACK.stroke_width(2)))?;
+        }
+        if let Some(theirs) = theory.get(&gauge) {
+            let points = theirs.iter().filter(within).copied();
+            let orange = RGBColor(213, 94, 0);
+            chart.draw_series(DashedLineSeries::new(points, 5, 4, orange.stroke_width(2)))?;
         }
         let points = ours.iter().filter(within).copied();
         chart.draw_series(LineSeries::new(points, RGBColor(0, 114, 178).stroke_width(2)))?;
