@@ -16,6 +16,10 @@ const DIFFUSE_FROM: f64 = 0.9;
 /// ... to this one.
 const DIFFUSE_FULL: f64 = 0.99;
 
+/// A correction is taken on by this much at most, in any of its components. Waves stay well below. Where a
+/// jet lands, it may change by half within a full step, and the change says nothing of the next one.
+const MOST_TAKEN_ON: f64 = 0.1;
+
 impl Wcsph {
     /// Adds to the accelerations what the wall's own brings about, and the field.
     pub(super) fn complete_accelerations(&mut self, wall_acceleration: f64) {
@@ -131,7 +135,7 @@ impl Wcsph {
 
     /// Takes the correction that the last pass has found, for the full step to come. With
     /// `extrapolated_correction` it is taken on by as much as it has changed since the one found before, if
-    /// there was one: L + (L - L_before).
+    /// there was one: L + (L - L_before), but by no more than [`MOST_TAKEN_ON`].
     ///
     /// A correction that lags lets the pressure push a little too late all the time, and so feeds waves.
     pub(super) fn take_next_correction(&mut self) {
@@ -149,7 +153,8 @@ impl Wcsph {
                 }
                 for (next, before) in next.iter_mut().zip(before) {
                     let found = *next;
-                    *next += found - std::mem::replace(before, found);
+                    let change = found - std::mem::replace(before, found);
+                    *next += change.clamp(-MOST_TAKEN_ON, MOST_TAKEN_ON);
                 }
             }
         }
