@@ -5,7 +5,7 @@ mod common;
 use std::fs;
 use std::path::Path;
 
-use common::{SOFT, expect_code, run, write_file};
+use common::{SOFT, TINY, expect_code, run, write_file};
 use serde_json::Value;
 
 const SPRINGS: &str =
@@ -80,4 +80,34 @@ fn a_directory_without_a_study_is_told() {
     let root = tempfile::tempdir().unwrap();
     let told = refused(root.path(), "force_max < 2");
     assert!(told.contains("holds no summary.csv"), "{told}");
+}
+
+/// A wall with F* below 2 was listed without a word, and then hit its stop with far more.
+#[test]
+fn a_wall_that_hits_its_stop_is_marked_in_the_tables() {
+    let root = tempfile::tempdir().unwrap();
+    let longer = TINY.replace("end_after_stroke_centre_s = 0.8", "end_after_stroke_centre_s = 1.6");
+    let file = write_file(root.path(), &longer);
+    let out = root.path().join("out");
+    let sweep = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    let swept = run(&[&sweep[..], &["--film", "none"]].concat());
+    expect_code(&swept, 0);
+    let mut reader = csv::Reader::from_path(out.join("summary.csv")).unwrap();
+    let header = reader.headers().unwrap().clone();
+    let place = header.iter().position(|name| name == "stops").unwrap();
+    let cell = |row: csv::Result<csv::StringRecord>| row.unwrap()[place].parse::<u64>().unwrap();
+    let stopped = reader.records().map(cell).filter(|stops| *stops > 0).count();
+    assert!(stopped > 0);
+    let line = "* the wall hits its stop afterwards; that load counts for no maximum\n";
+    let text = String::from_utf8(swept.stdout).unwrap();
+    assert_eq!((text.matches(" *  ").count(), text.matches(line).count()), (stopped, 1), "{text}");
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+
+    let told = run(&["find", out.to_str().unwrap(), "force_max < 100"]);
+    let told = String::from_utf8(told.stdout).unwrap();
+    let marked = told.lines().filter(|line| line.ends_with('*')).count();
+    assert_eq!((marked, told.matches(line).count()), (stopped, 1), "{told}");
+    let value = find(&out, "force_max < 100");
+    let hits = value["meeting"].as_array().unwrap().iter().filter(|case| case["hits_stop"] == true);
+    assert_eq!(hits.count(), stopped);
 }

@@ -1,12 +1,13 @@
 //! The answer of `seawall find`, for people and for programs.
 
-use serde_json::{Map, Value, json};
+mod json;
 
 use super::output::{short, with_bar};
+use super::overview;
 use super::table::Table;
 use crate::quantities::heading;
-use crate::quantities::summary::{CASE_ID, DOUBTFUL};
-use crate::report::find::{Basis, Boundary, Found, Reading, Verdict};
+use crate::quantities::summary::{CASE_ID, DOUBTFUL, STOPS};
+use crate::report::find::{Basis, Found, Reading, Verdict};
 use crate::report::load::Loaded;
 use crate::report::plain;
 use crate::results::counted;
@@ -41,6 +42,7 @@ impl Answer<'_> {
     fn marks(&self, met: &[usize]) -> String {
         let near = met.iter().filter(|row| self.found.condition.is_near(**row)).count();
         let doubtful = met.iter().filter(|row| self.is_doubtful(**row)).count();
+        let stopped = met.iter().filter(|row| self.stops(**row)).count();
         let mut text = String::from("\n");
         if near > 0 {
             text.push_str(&format!("~ {near} of them by less than the error bar\n"));
@@ -48,11 +50,19 @@ impl Answer<'_> {
         if doubtful > 0 {
             text.push_str(&format!("! {doubtful} of them doubtful: look at the history first\n"));
         }
+        if stopped > 0 {
+            text.push_str(&format!("{}\n", overview::STOPPED));
+        }
         text
     }
 
     fn is_doubtful(&self, row: usize) -> bool {
         self.data.rows[row].is(&DOUBTFUL)
+    }
+
+    /// Whether the wall comes back onto its stop, a load that no maximum counts.
+    fn stops(&self, row: usize) -> bool {
+        self.data.rows[row].number(&STOPS).is_some_and(|stops| stops > 0.0)
     }
 
     fn cases(&self, rows: &[usize], all: bool) -> String {
@@ -75,7 +85,8 @@ impl Answer<'_> {
             cells.push(self.data.rows[row].text(&CASE_ID).to_owned());
             let near = if self.found.condition.is_near(row) { "~" } else { "" };
             let doubtful = if self.is_doubtful(row) { "!" } else { "" };
-            cells.push(format!("{near}{doubtful}"));
+            let stopped = if self.stops(row) { "*" } else { "" };
+            cells.push(format!("{near}{doubtful}{stopped}"));
             table.row(cells);
         }
         table.render() + &more(rows.len(), all)
@@ -134,64 +145,6 @@ impl Answer<'_> {
         }
         table.render() + &more(found.len(), all)
     }
-
-    /// For programs.
-    pub(super) fn value(&self) -> Value {
-        let rows = |verdict| self.found.rows(verdict).map(|row| self.case(row)).collect::<Vec<_>>();
-        let met = rows(Verdict::Met);
-        json!({
-            "condition": self.found.condition.to_string(),
-            "cases": self.data.rows.len(),
-            "met": met.len(),
-            "not_met": self.found.rows(Verdict::NotMet).count(),
-            "meeting": met,
-            "unknown": rows(Verdict::Unknown),
-            "boundaries": self.found.boundaries.iter().map(|one| self.end(one)).collect::<Vec<_>>(),
-        })
-    }
-
-    fn swept(&self, row: usize, but: Option<usize>) -> Map<String, Value> {
-        let keys = self.data.keys.iter().enumerate().filter(|(key, _)| Some(*key) != but);
-        let cell = |cell: &str| match cell {
-            "" => Value::Null,
-            cell => cell.parse::<f64>().map_or_else(|_| cell.into(), Value::from),
-        };
-        keys.map(|(_, key)| (key.name.clone(), cell(&key.cells[row]))).collect()
-    }
-
-    fn case(&self, row: usize) -> Value {
-        let value = |reading: Reading| match reading {
-            Reading::Value { value, bar, bound } => {
-                json!({ "value": value, "error": bar, "bound": bound })
-            }
-            Reading::Missing | Reading::Failed => Value::Null,
-        };
-        let subjects = self.found.condition.0.iter().map(|comparison| &comparison.subject);
-        let values: Map<_, _> =
-            subjects.map(|one| (one.name.clone(), value(one.readings[row]))).collect();
-        json!({
-            "case_id": self.data.rows[row].text(&CASE_ID),
-            "swept": self.swept(row, None),
-            "values": values,
-            "within_error_bar": self.found.condition.is_near(row),
-            "doubtful": self.is_doubtful(row),
-            "reason": Some(self.found.why(row)).filter(|why| !why.is_empty()),
-        })
-    }
-
-    fn end(&self, one: &Boundary) -> Value {
-        json!({
-            "key": self.data.keys[one.key].name,
-            "scale": one.scale.name(),
-            "where": self.swept(one.row, Some(one.key)),
-            "met": if one.met_above { "above" } else { "below" },
-            "at": one.at,
-            "from": one.between[0],
-            "to": one.between[1],
-            "basis": name(one.basis),
-            "doubtful": one.doubtful,
-        })
-    }
 }
 
 /// A case's number for people.
@@ -202,16 +155,6 @@ fn reading(reading: Reading) -> String {
             if bound { format!("≥ {told}") } else { told }
         }
         Reading::Missing | Reading::Failed => "-".to_owned(),
-    }
-}
-
-fn name(basis: Basis) -> &'static str {
-    match basis {
-        Basis::Bend => "bend",
-        Basis::TwoCases => "two-cases",
-        Basis::LowerBound => "lower-bound",
-        Basis::Gap => "gap",
-        Basis::Exact => "exact",
     }
 }
 
