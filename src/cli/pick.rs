@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use super::failure::BadInput;
 use crate::keys::hint;
-use crate::quantities::summary::meant_by;
+use crate::quantities::{meant_by, name_of_symbol};
 use crate::results::counted;
 use crate::scene::ConfigError;
 use crate::study::{Assignments, Case, Override, Study};
@@ -69,7 +69,8 @@ fn keep_with_value(
     let wanted = Override::from_str(word).map_err(|error| BadInput(format!("{word}: {error}")))?;
     let path = wanted.path();
     let key = path.rsplit('.').next().unwrap_or_default();
-    let Some(place) = keys.iter().position(|swept| swept == key) else {
+    let place = |key: &str| keys.iter().position(|swept| swept == key);
+    let Some(place) = place(key).or_else(|| place(name_of_symbol(key)?)) else {
         let told = ConfigError::unknown(&path, keys).to_string();
         let swept = || format!("; this study sweeps {}", keys.join(", "));
         let help = match keys {
@@ -141,8 +142,9 @@ pub(super) mod tests {
         );
         let told = pick(&["stiffness=10"]).unwrap_err();
         assert_eq!(told, "stiffness: unknown key; did you mean spring_stiffness_n_per_m?");
-        let told = pick(&["k=10"]).unwrap_err();
-        assert_eq!(told, "k: unknown key; did you mean spring_stiffness_n_per_m?");
+        assert_eq!(pick(&["H/h=0.5", "k=2.154×10⁴"]), Ok(3), "as tables print it");
+        let told = pick(&["m=50", "k=10"]).unwrap_err();
+        assert!(told.starts_with("m: unknown key"), "{told}");
         let told = pick(&["colour=10"]).unwrap_err();
         let swept = "wave_height_ratio, spring_stiffness_n_per_m";
         assert_eq!(told, format!("colour: unknown key; this study sweeps {swept}"));

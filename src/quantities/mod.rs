@@ -16,11 +16,13 @@ pub mod energy;
 pub mod envelope;
 pub mod history;
 pub mod summary;
+mod symbol;
 mod unit;
 pub mod wave;
 
 pub use case::{Bars, Case, Value, coarse_spacings};
 pub use column::Read;
+pub use symbol::{is_meant, meant_by, name_of_symbol};
 pub use unit::Unit;
 
 /// A column of `summary.csv`; one that is a maximum has a second column with its time.

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::subject::{Reading, Subject};
+use crate::math::decimal;
 use crate::report::load::Loaded;
 
 /// How a number is compared with a limit.
@@ -143,7 +144,7 @@ fn comparison(text: &str, data: &Loaded) -> Result<Comparison, String> {
     if name.is_empty() {
         return bad("names no column");
     }
-    let Some(limit) = limit.parse::<f64>().ok().filter(|limit| limit.is_finite()) else {
+    let Some(limit) = decimal::read(limit).filter(|limit| limit.is_finite()) else {
         let only = "the limit must be one finite number, without a unit";
         return bad(&format!("{limit:?} is no limit: {only}"));
     };

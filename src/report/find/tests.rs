@@ -39,6 +39,9 @@ fn every_operator_picks_its_cases() {
     assert_eq!(ids(&data, "force_max > 2"), [2]);
     assert_eq!(ids(&data, "force_max >= 2"), [1, 2]);
     assert_eq!(ids(&data, "force_max > 1 AND seawall_mass_kg_per_m < 2.5"), [1]);
+    assert_eq!(ids(&data, "F* > 1 and m < 2.5"), [1], "by the symbols of tables");
+    let told = find("F* max > 1 and m < 2×10⁰", &data).unwrap().condition.to_string();
+    assert_eq!(told, "force_max > 1 and seawall_mass_kg_per_m < 2");
 }
 
 #[test]
@@ -47,10 +50,8 @@ fn bad_conditions_are_told() {
     let bad = [
         ("force_mx < 2", "force_mx: no column of numbers has this name; did you mean force_max?"),
         ("colour < 2", "colour: no column of numbers has this name (`seawall explain` lists all)"),
-        (
-            "F* < 2",
-            "F*: no column of numbers has this name; did you mean force_max or first_force_max?",
-        ),
+        ("F_max < 2", "F_max: no column of numbers has this name; did you mean force_max?"),
+        ("k* < 2", "k*: no column of numbers has this name; did you mean log10_k_star?"),
         ("status < 2", "status: holds words; a condition needs a column of numbers"),
         (
             "force_max = 2",
