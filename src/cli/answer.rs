@@ -7,13 +7,16 @@ use super::overview;
 use super::table::Table;
 use crate::quantities::heading;
 use crate::quantities::summary::{CASE_ID, DOUBTFUL, STOPS};
-use crate::report::find::{Basis, Found, Reading, Verdict};
+use crate::report::find::{Basis, Boundary, Found, Operator, Reading, Verdict};
 use crate::report::load::Loaded;
 use crate::report::plain;
 use crate::results::counted;
 
 /// Rows of a table shown without `-v`.
 const ROWS: usize = 30;
+
+/// What stands under the boundaries.
+const LEGEND: &str = "met: on which side of it; not before, not after: how far off it may be\n";
 
 /// What was found in a study.
 pub(super) struct Answer<'a> {
@@ -32,8 +35,15 @@ impl Answer<'_> {
             text.push_str(&format!("\n{}", self.cases(&met, all)));
         }
         text.push_str(&self.unknown(all));
-        if !self.found.boundaries.is_empty() {
-            text.push_str(&format!("\nwhere it begins and ends\n{}", self.boundaries(all)));
+        let boundaries: Vec<_> =
+            self.found.boundaries.iter().filter(|one| one.basis != Basis::Exact).collect();
+        if !boundaries.is_empty() {
+            text.push_str("\nwhere it begins and ends\n");
+            text.push_str(&self.boundaries(&boundaries, all));
+        }
+        let mut equal = self.found.condition.0.iter().filter(|one| one.operator == Operator::Equal);
+        if equal.any(|one| !self.is_key(&one.subject.name)) {
+            text.push_str("= holds to four digits; < and > tell where a value is crossed\n");
         }
         text
     }
@@ -129,13 +139,13 @@ impl Answer<'_> {
         keys.map(part).collect::<Vec<_>>().join(", ")
     }
 
-    fn boundaries(&self, all: bool) -> String {
-        let found = &self.found.boundaries;
+    /// Those that the condition does not say itself.
+    fn boundaries(&self, found: &[&Boundary], all: bool) -> String {
         let mut table = Table::new(["along", "met", "not before", "not after", ""]);
         for one in &found[..shown(found.len(), all)] {
             let side = if one.met_above { "above" } else { "below" };
             let at = one.at.map_or_else(|| "-".to_owned(), short);
-            let [from, to] = one.between.map(short);
+            let [from, to] = one.between.map(|end| self.end_in_words(one.key, end));
             let axis = heading(&self.data.keys[one.key].name);
             let place = self.place(one.row, Some(one.key));
             let mark = if one.doubtful { "!" } else { "" };
@@ -143,7 +153,17 @@ impl Answer<'_> {
             let note: Vec<_> = note.into_iter().filter(|word| !word.is_empty()).collect();
             table.row([axis, format!("{side} {at}"), from, to, note.join("  ")]);
         }
-        table.render() + &more(found.len(), all)
+        table.render() + &more(found.len(), all) + LEGEND
+    }
+
+    /// An end of a boundary's range. Beyond the study's own values it would be a guess.
+    fn end_in_words(&self, key: usize, end: f64) -> String {
+        let values = self.data.keys[key].cells.iter().filter_map(|cell| cell.parse::<f64>().ok());
+        let (least, most) =
+            values.fold((f64::MAX, f64::MIN), |(low, high), one| (low.min(one), high.max(one)));
+        let slack = 1e-9 * most.abs().max(least.abs());
+        let is_within = (least - slack..=most + slack).contains(&end);
+        if is_within { short(end) } else { "off the grid".to_owned() }
     }
 }
 
