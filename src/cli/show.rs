@@ -158,7 +158,7 @@ fn told(row: &Row, keys: &[String], files: &[PathBuf]) -> String {
         text.push_str(title);
         for column in columns {
             if let Some(value) = row.value(column) {
-                text.push_str(&line(&without_unit(column), &value));
+                text.push_str(&line(&column.heading_without_unit(), &value));
             }
         }
     }
@@ -171,13 +171,6 @@ fn told(row: &Row, keys: &[String], files: &[PathBuf]) -> String {
 
 fn line(name: &str, value: &str) -> String {
     format!("  {name:<24} {value}\n")
-}
-
-/// What stands before a value that has its unit behind it.
-fn without_unit(column: &Column) -> String {
-    let heading = column.heading();
-    let unit = format!(", {}", column.unit.symbol());
-    heading.strip_suffix(&unit).unwrap_or(&heading).to_owned()
 }
 
 /// Columns of results, of health, of parameters; bars and flags stand beside what they belong to.

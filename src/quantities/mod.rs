@@ -112,6 +112,12 @@ impl<R: Copy> Quantity<R> {
             (symbol, unit) => format!("{symbol}, {unit}"),
         }
     }
+
+    /// What stands before a value that has its unit behind it.
+    pub fn heading_without_unit(&self) -> String {
+        let (heading, unit) = (self.heading(), format!(", {}", self.unit.symbol()));
+        heading.strip_suffix(&unit).unwrap_or(&heading).to_owned()
+    }
 }
 
 impl<R> PartialEq for Quantity<R> {
