@@ -141,6 +141,9 @@ fn fared(done: &Done, total: usize) -> String {
     if let Some(wall_time) = done.wall_time_s {
         text.push_str(&format!("; {}", duration(wall_time)));
     }
+    if done.film_time_s > 0.0 {
+        text.push_str(&format!("; films {}", duration(done.film_time_s)));
+    }
     if done.savings.trunks > 0 && done.savings.steps_from_rest > 0 {
         let computed = done.savings.steps_computed as f64;
         let saved = 100.0 * (1.0 - computed / done.savings.steps_from_rest as f64);
