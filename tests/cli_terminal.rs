@@ -35,6 +35,7 @@ fn the_table_fits_a_terminal_and_shows_error_bars_and_cases_are_counted_alike() 
     assert!(rows.iter().all(|row| row.chars().count() <= 80), "{text}");
     assert!(rows[0].contains("F* max") && rows[0].contains("X* max"), "{text}");
     assert!(rows[1..].iter().all(|row| row.matches(" ± ").count() >= 2), "{text}");
+    assert!(text.contains("\nmax: of the whole run; first, "), "{text}");
     assert!(notes.contains("8 cases and 8 companions for error bars on "), "{notes}");
     assert!(!notes.contains("of 16 cases"), "{notes}");
     let status = told(&run(&["status", &out]).stdout);

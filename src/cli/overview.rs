@@ -31,6 +31,9 @@ const GIVEN_UP: [&Column; 5] =
 pub(super) const STOPPED: &str =
     "* the wall hits its stop afterwards; that load counts for no maximum";
 
+/// What the columns are maxima of.
+const MAXIMA: &str = "max: of the whole run; first, here or in summary.csv: of the first impact\n";
+
 /// What is told of the cases, and where the report is.
 pub(super) fn told(job: &Job, done: &Done, report: &Path, all: bool) -> String {
     of_cases(job, done, all) + &reported(report)
@@ -49,6 +52,7 @@ pub(super) fn of_cases(job: &Job, done: &Done, all: bool) -> String {
     if total > rows {
         text.push_str(&format!("... and {} more in summary.csv (-v shows all)\n", total - rows));
     }
+    text.push_str(MAXIMA);
     if text.contains('≥') {
         text.push_str("≥: the wall was still moving at the end, a lower bound\n");
     }
