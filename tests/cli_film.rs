@@ -109,15 +109,23 @@ fn a_sweep_films_what_is_worth_a_look_and_its_report_links_to_it() {
     swept(root.path(), &[]);
     assert!(page.exists());
 
-    // A call that makes none tells them all the same.
+    // The time at the end is that of the cases; that of films stands beside it.
+    fs::remove_file(&page).unwrap();
     let file = root.path().join("sweep.toml");
     let command = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    let told = String::from_utf8(run(&command).stdout).unwrap();
+    assert!(told.contains("2 of 2 cases are well; films "), "{told}");
+    let told = String::from_utf8(run(&["check", file.to_str().unwrap()]).stdout).unwrap();
+    assert!(told.lines().any(|line| line.ends_with(", without films")), "{told}");
+
+    // A call that makes none tells them all the same.
     let output = run(&[&command[..], &["--format", "json"]].concat());
     expect_code(&output, 0);
     let value: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     let names = value["films"].as_array().unwrap().iter().map(|path| path.as_str().unwrap());
     let names: Vec<_> = names.map(|path| path.rsplit('/').next().unwrap().to_owned()).collect();
     assert_eq!(names, pages);
+    assert_eq!(value["film_time_s"], 0.0);
 }
 
 #[test]

@@ -5,7 +5,7 @@ mod common;
 use std::fs;
 use std::path::Path;
 
-use common::{SOFT, expect_code, run, write_file};
+use common::{SOFT, TINY, expect_code, run, write_file};
 use serde_json::Value;
 
 const SPRINGS: &str =
@@ -63,7 +63,7 @@ fn a_condition_is_met_by_the_cases_of_the_summary_that_meet_it() {
 
     let told = refused(&out, "first_force_mx < 2");
     assert!(told.contains("did you mean first_force_max?"), "{told}");
-    let told = refused(&out, "first_force_max == 2");
+    let told = refused(&out, "first_force_max ~ 2");
     assert!(told.contains("write COLUMN < NUMBER"), "{told}");
 
     // A study with a case that has not come to its end.
@@ -80,4 +80,60 @@ fn a_directory_without_a_study_is_told() {
     let root = tempfile::tempdir().unwrap();
     let told = refused(root.path(), "force_max < 2");
     assert!(told.contains("holds no summary.csv"), "{told}");
+}
+
+/// A wall with F* below 2 was listed without a word, and then hit its stop with far more.
+#[test]
+fn a_wall_that_hits_its_stop_is_marked_in_the_tables() {
+    let root = tempfile::tempdir().unwrap();
+    let longer = TINY.replace("end_after_stroke_centre_s = 0.8", "end_after_stroke_centre_s = 1.6");
+    let file = write_file(root.path(), &longer);
+    let out = root.path().join("out");
+    let sweep = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    let swept = run(&[&sweep[..], &["--film", "none"]].concat());
+    expect_code(&swept, 0);
+    let mut reader = csv::Reader::from_path(out.join("summary.csv")).unwrap();
+    let header = reader.headers().unwrap().clone();
+    let place = header.iter().position(|name| name == "stops").unwrap();
+    let cell = |row: csv::Result<csv::StringRecord>| row.unwrap()[place].parse::<u64>().unwrap();
+    let stopped = reader.records().map(cell).filter(|stops| *stops > 0).count();
+    assert!(stopped > 0);
+    let line = "* the wall hits its stop afterwards; that load counts for no maximum\n";
+    let text = String::from_utf8(swept.stdout).unwrap();
+    assert_eq!((text.matches(" *  ").count(), text.matches(line).count()), (stopped, 1), "{text}");
+    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+
+    let told = run(&["find", out.to_str().unwrap(), "force_max < 100"]);
+    let told = String::from_utf8(told.stdout).unwrap();
+    let marked = told.lines().filter(|line| line.ends_with('*')).count();
+    assert_eq!((marked, told.matches(line).count()), (stopped, 1), "{told}");
+    let value = find(&out, "force_max < 100");
+    let hits = value["meeting"].as_array().unwrap().iter().filter(|case| case["hits_stop"] == true);
+    assert_eq!(hits.count(), stopped);
+}
+
+/// A range of stiffnesses reached far past the grid, and a condition on a key came back as a boundary.
+#[test]
+fn boundaries_keep_to_the_grid_and_say_what_the_condition_does_not() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let out = root.path().join("out");
+    let sweep = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    expect_code(&run(&[&sweep[..], &["--film", "none"]].concat()), 0);
+    let told = |condition: &str| {
+        let output = run(&["find", out.to_str().unwrap(), condition]);
+        expect_code(&output, 0);
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let one = told("H/h = 0.5 and k = 1e4 and m = 50");
+    assert!(one.starts_with("1 of 8 cases meet wave_height_ratio = 0.5 and "), "{one}");
+    let key = told("k < 1000");
+    assert!(key.starts_with("4 of 8 cases meet") && !key.contains("where it begins"), "{key}");
+    let both = told("H/h = 0.5 and X* < 1");
+    assert!(both.contains("not before, not after: how far off it may be\n"), "{both}");
+    let along = both.split("where it begins and ends\n").nth(1).unwrap();
+    assert!(along.lines().skip(1).all(|line| !line.trim_start().starts_with("H/h")), "{along}");
+    assert!(
+        told("X* = 1").ends_with("= holds to four digits; < and > tell where a value is crossed\n")
+    );
 }

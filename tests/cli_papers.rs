@@ -184,6 +184,8 @@ fn two_studies_stand_side_by_side() {
     expect_code(&output, 0);
     let value = json(&output);
     assert_eq!(value["pairs"], 2, "two waves on the soft spring: {value:#}");
+    let text = String::from_utf8(run(&arguments).stdout).unwrap();
+    assert!(text.contains("\nB less A, all at k = 10 N/m, m = 50 kg/m\n"), "{text}");
     let keys = value["keys"].as_array().unwrap();
     let keys: Vec<_> =
         keys.iter().map(|key| ["key", "a", "b"].map(|s| key[s].as_str().unwrap())).collect();

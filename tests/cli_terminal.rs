@@ -35,6 +35,7 @@ fn the_table_fits_a_terminal_and_shows_error_bars_and_cases_are_counted_alike() 
     assert!(rows.iter().all(|row| row.chars().count() <= 80), "{text}");
     assert!(rows[0].contains("F* max") && rows[0].contains("X* max"), "{text}");
     assert!(rows[1..].iter().all(|row| row.matches(" ± ").count() >= 2), "{text}");
+    assert!(text.contains("\nmax: of the whole run; first, "), "{text}");
     assert!(notes.contains("8 cases and 8 companions for error bars on "), "{notes}");
     assert!(!notes.contains("of 16 cases"), "{notes}");
     let status = told(&run(&["status", &out]).stdout);
@@ -151,9 +152,12 @@ fn keys_and_columns_are_explained() {
     }
     assert!(key.contains("column of summary.csv"), "{key}");
     assert!(explain("force_max").contains("error bar force_max_error"));
-    let symbol = run(&["explain", "F*"]);
-    expect_code(&symbol, 2);
-    assert!(told(&symbol.stderr).contains("did you mean force_max or first_force_max?"));
+    let symbol = explain("F*");
+    assert!(symbol.contains("force_max: column") && symbol.contains("first_force_max: column"));
+    assert!(explain("k").starts_with("spring_stiffness_n_per_m: key of [scene]"));
+    assert!(explain("refine").contains("key of [grid] refine"));
+    let nearly = told(&run(&["explain", "F_max"]).stderr);
+    assert!(nearly.contains("did you mean force_max?"), "{nearly}");
     let strange = told(&run(&["explain", "F"]).stderr);
     assert!(!strange.contains("did you mean") && strange.contains("lists all"), "{strange}");
     let miss = run(&["explain", "spring_stifness"]);

@@ -168,7 +168,7 @@ fn a_sweep_of_few_cases_gives_the_same_files_on_any_number_of_threads_and_resume
     let (alone, four, resumed) = (path("alone"), path("four"), path("resumed"));
     assert!(sweep(&alone, "1").contains("2 cases on 1 thread,"));
     let told = sweep(&four, "4");
-    assert!(told.contains("2 cases on 4 threads, up to 2 in a case,"), "{told}");
+    assert!(told.contains("2 cases on 4 threads, up to 2 threads on one case,"), "{told}");
     assert!(results(four.as_ref()) == results(alone.as_ref()), "four threads");
     // The case that came last runs again, on three threads.
     sweep(&resumed, "1");
@@ -177,7 +177,7 @@ fn a_sweep_of_few_cases_gives_the_same_files_on_any_number_of_threads_and_resume
     let last = text.trim_end().rfind('\n').unwrap() + 1;
     fs::write(&journal, &text[..last]).unwrap();
     let told = sweep(&resumed, "3");
-    assert!(told.contains("1 case on 3 threads, up to 3 in a case,"), "{told}");
+    assert!(told.contains("1 case on 3 threads, up to 3 threads on one case,"), "{told}");
     assert!(results(resumed.as_ref()) == results(alone.as_ref()), "resumed");
 }
 

@@ -28,6 +28,11 @@ def test_a_case_is_found_by_its_values(stored: seawall.Study) -> None:
     keys = {"wave_height_ratio": 0.5, "spring_stiffness_n_per_m": 500}
     case = stored.case(**keys, seawall_mass_kg_per_m=250)
     assert case["m_star"] == pytest.approx(6.25)
+    for start in (case["case_id"], case["case_id"][:10]):
+        pd.testing.assert_series_equal(stored.case(start), case)
+        assert stored.case(start, seawall_mass_kg_per_m=250)["case_id"] == case["case_id"]
+    with pytest.raises(seawall.SeawallError, match="force_max: no case of this study has an id"):
+        stored.case("force_max")
     with pytest.raises(seawall.SeawallError, match="6 cases fit; .* by seawall_mass_kg_per_m$"):
         stored.case(**keys)
     with pytest.raises(seawall.SeawallError, match="no such case; there is 0.2, 0.3"):

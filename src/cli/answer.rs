@@ -1,18 +1,22 @@
 //! The answer of `seawall find`, for people and for programs.
 
-use serde_json::{Map, Value, json};
+mod json;
 
 use super::output::{short, with_bar};
+use super::overview;
 use super::table::Table;
 use crate::quantities::heading;
-use crate::quantities::summary::{CASE_ID, DOUBTFUL};
-use crate::report::find::{Basis, Boundary, Found, Reading, Verdict};
+use crate::quantities::summary::{CASE_ID, DOUBTFUL, STOPS};
+use crate::report::find::{Basis, Boundary, Found, Operator, Reading, Verdict};
 use crate::report::load::Loaded;
 use crate::report::plain;
 use crate::results::counted;
 
 /// Rows of a table shown without `-v`.
 const ROWS: usize = 30;
+
+/// What stands under the boundaries.
+const LEGEND: &str = "met: on which side of it; not before, not after: how far off it may be\n";
 
 /// What was found in a study.
 pub(super) struct Answer<'a> {
@@ -31,8 +35,15 @@ impl Answer<'_> {
             text.push_str(&format!("\n{}", self.cases(&met, all)));
         }
         text.push_str(&self.unknown(all));
-        if !self.found.boundaries.is_empty() {
-            text.push_str(&format!("\nwhere it begins and ends\n{}", self.boundaries(all)));
+        let boundaries: Vec<_> =
+            self.found.boundaries.iter().filter(|one| one.basis != Basis::Exact).collect();
+        if !boundaries.is_empty() {
+            text.push_str("\nwhere it begins and ends\n");
+            text.push_str(&self.boundaries(&boundaries, all));
+        }
+        let mut equal = self.found.condition.0.iter().filter(|one| one.operator == Operator::Equal);
+        if equal.any(|one| !self.is_key(&one.subject.name)) {
+            text.push_str("= holds to four digits; < and > tell where a value is crossed\n");
         }
         text
     }
@@ -41,6 +52,7 @@ impl Answer<'_> {
     fn marks(&self, met: &[usize]) -> String {
         let near = met.iter().filter(|row| self.found.condition.is_near(**row)).count();
         let doubtful = met.iter().filter(|row| self.is_doubtful(**row)).count();
+        let stopped = met.iter().filter(|row| self.stops(**row)).count();
         let mut text = String::from("\n");
         if near > 0 {
             text.push_str(&format!("~ {near} of them by less than the error bar\n"));
@@ -48,11 +60,19 @@ impl Answer<'_> {
         if doubtful > 0 {
             text.push_str(&format!("! {doubtful} of them doubtful: look at the history first\n"));
         }
+        if stopped > 0 {
+            text.push_str(&format!("{}\n", overview::STOPPED));
+        }
         text
     }
 
     fn is_doubtful(&self, row: usize) -> bool {
         self.data.rows[row].is(&DOUBTFUL)
+    }
+
+    /// Whether the wall comes back onto its stop, a load that no maximum counts.
+    fn stops(&self, row: usize) -> bool {
+        self.data.rows[row].number(&STOPS).is_some_and(|stops| stops > 0.0)
     }
 
     fn cases(&self, rows: &[usize], all: bool) -> String {
@@ -75,7 +95,8 @@ impl Answer<'_> {
             cells.push(self.data.rows[row].text(&CASE_ID).to_owned());
             let near = if self.found.condition.is_near(row) { "~" } else { "" };
             let doubtful = if self.is_doubtful(row) { "!" } else { "" };
-            cells.push(format!("{near}{doubtful}"));
+            let stopped = if self.stops(row) { "*" } else { "" };
+            cells.push(format!("{near}{doubtful}{stopped}"));
             table.row(cells);
         }
         table.render() + &more(rows.len(), all)
@@ -118,13 +139,13 @@ impl Answer<'_> {
         keys.map(part).collect::<Vec<_>>().join(", ")
     }
 
-    fn boundaries(&self, all: bool) -> String {
-        let found = &self.found.boundaries;
+    /// Those that the condition does not say itself.
+    fn boundaries(&self, found: &[&Boundary], all: bool) -> String {
         let mut table = Table::new(["along", "met", "not before", "not after", ""]);
         for one in &found[..shown(found.len(), all)] {
             let side = if one.met_above { "above" } else { "below" };
             let at = one.at.map_or_else(|| "-".to_owned(), short);
-            let [from, to] = one.between.map(short);
+            let [from, to] = one.between.map(|end| self.end_in_words(one.key, end));
             let axis = heading(&self.data.keys[one.key].name);
             let place = self.place(one.row, Some(one.key));
             let mark = if one.doubtful { "!" } else { "" };
@@ -132,65 +153,17 @@ impl Answer<'_> {
             let note: Vec<_> = note.into_iter().filter(|word| !word.is_empty()).collect();
             table.row([axis, format!("{side} {at}"), from, to, note.join("  ")]);
         }
-        table.render() + &more(found.len(), all)
+        table.render() + &more(found.len(), all) + LEGEND
     }
 
-    /// For programs.
-    pub(super) fn value(&self) -> Value {
-        let rows = |verdict| self.found.rows(verdict).map(|row| self.case(row)).collect::<Vec<_>>();
-        let met = rows(Verdict::Met);
-        json!({
-            "condition": self.found.condition.to_string(),
-            "cases": self.data.rows.len(),
-            "met": met.len(),
-            "not_met": self.found.rows(Verdict::NotMet).count(),
-            "meeting": met,
-            "unknown": rows(Verdict::Unknown),
-            "boundaries": self.found.boundaries.iter().map(|one| self.end(one)).collect::<Vec<_>>(),
-        })
-    }
-
-    fn swept(&self, row: usize, but: Option<usize>) -> Map<String, Value> {
-        let keys = self.data.keys.iter().enumerate().filter(|(key, _)| Some(*key) != but);
-        let cell = |cell: &str| match cell {
-            "" => Value::Null,
-            cell => cell.parse::<f64>().map_or_else(|_| cell.into(), Value::from),
-        };
-        keys.map(|(_, key)| (key.name.clone(), cell(&key.cells[row]))).collect()
-    }
-
-    fn case(&self, row: usize) -> Value {
-        let value = |reading: Reading| match reading {
-            Reading::Value { value, bar, bound } => {
-                json!({ "value": value, "error": bar, "bound": bound })
-            }
-            Reading::Missing | Reading::Failed => Value::Null,
-        };
-        let subjects = self.found.condition.0.iter().map(|comparison| &comparison.subject);
-        let values: Map<_, _> =
-            subjects.map(|one| (one.name.clone(), value(one.readings[row]))).collect();
-        json!({
-            "case_id": self.data.rows[row].text(&CASE_ID),
-            "swept": self.swept(row, None),
-            "values": values,
-            "within_error_bar": self.found.condition.is_near(row),
-            "doubtful": self.is_doubtful(row),
-            "reason": Some(self.found.why(row)).filter(|why| !why.is_empty()),
-        })
-    }
-
-    fn end(&self, one: &Boundary) -> Value {
-        json!({
-            "key": self.data.keys[one.key].name,
-            "scale": one.scale.name(),
-            "where": self.swept(one.row, Some(one.key)),
-            "met": if one.met_above { "above" } else { "below" },
-            "at": one.at,
-            "from": one.between[0],
-            "to": one.between[1],
-            "basis": name(one.basis),
-            "doubtful": one.doubtful,
-        })
+    /// An end of a boundary's range. Beyond the study's own values it would be a guess.
+    fn end_in_words(&self, key: usize, end: f64) -> String {
+        let values = self.data.keys[key].cells.iter().filter_map(|cell| cell.parse::<f64>().ok());
+        let (least, most) =
+            values.fold((f64::MAX, f64::MIN), |(low, high), one| (low.min(one), high.max(one)));
+        let slack = 1e-9 * most.abs().max(least.abs());
+        let is_within = (least - slack..=most + slack).contains(&end);
+        if is_within { short(end) } else { "off the grid".to_owned() }
     }
 }
 
@@ -202,16 +175,6 @@ fn reading(reading: Reading) -> String {
             if bound { format!("≥ {told}") } else { told }
         }
         Reading::Missing | Reading::Failed => "-".to_owned(),
-    }
-}
-
-fn name(basis: Basis) -> &'static str {
-    match basis {
-        Basis::Bend => "bend",
-        Basis::TwoCases => "two-cases",
-        Basis::LowerBound => "lower-bound",
-        Basis::Gap => "gap",
-        Basis::Exact => "exact",
     }
 }
 

@@ -98,7 +98,8 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
     text.push_str(&line("memory per case", binary(memory)));
     text.push_str(&line("shared trunks", plan.trunks.len().to_string()));
     text.push_str(&line("saved by trunks", format!("{saved:.0} % of the steps")));
-    let time = format!("{} on {}", duration(seconds), counted(cores, "core"));
+    let films = if study.keys.is_empty() { "" } else { ", without films" };
+    let time = format!("{} on {}{films}", duration(seconds), counted(cores, "core"));
     text.push_str(&line("estimated time", time));
     for warning in &odd {
         text.push_str(&format!("\nwarning: {warning}\n"));

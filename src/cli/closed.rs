@@ -62,7 +62,7 @@ impl Asked {
             return None;
         }
         // Of this process's own work nothing is told again.
-        (done.wall_time_s, done.savings) = (None, Savings::default());
+        (done.wall_time_s, done.film_time_s, done.savings) = (None, 0.0, Savings::default());
         let told = overview::of_cases(job, done, false);
         Some(Closing::new(&self.sum, &self.films, done.failed(), told))
     }

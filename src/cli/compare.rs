@@ -103,7 +103,9 @@ fn told(directories: [&Path; 2], comparison: &Comparison, all: bool) -> String {
         }
         text.push_str(&table.render());
     }
-    text.push_str("\nB less A\n");
+    let alike = in_all(comparison);
+    let alike = if alike.is_empty() { alike } else { format!(", all at {alike}") };
+    text.push_str(&format!("\nB less A{alike}\n"));
     text.push_str(&tallies(comparison));
     text.push('\n');
     text.push_str(&cases(comparison, all));
@@ -142,10 +144,23 @@ fn tallies(comparison: &Comparison) -> String {
 
 /// A pair's point without what all pairs have in common.
 fn place(comparison: &Comparison, pair: &Pair) -> String {
-    let parts = |pair: &Pair| pair.words.split(", ").map(str::to_owned).collect::<Vec<_>>();
-    let shared = |part: &String| comparison.pairs.iter().all(|other| parts(other).contains(part));
-    let told: Vec<_> = parts(pair).into_iter().filter(|part| !shared(part)).collect();
+    let told: Vec<_> = parts(pair).filter(|part| !is_shared(comparison, part)).collect();
     if told.is_empty() { pair.words.clone() } else { told.join(", ") }
+}
+
+/// What all pairs have in common, where they differ in anything.
+fn in_all(comparison: &Comparison) -> String {
+    let Some(first) = comparison.pairs.first() else { return String::new() };
+    let told: Vec<_> = parts(first).filter(|part| is_shared(comparison, part)).collect();
+    if told.len() == parts(first).count() { String::new() } else { told.join(", ") }
+}
+
+fn parts(pair: &Pair) -> impl Iterator<Item = &str> {
+    pair.words.split(", ")
+}
+
+fn is_shared(comparison: &Comparison, part: &str) -> bool {
+    comparison.pairs.iter().all(|other| parts(other).any(|own| own == part))
 }
 
 /// What sizes are told in.

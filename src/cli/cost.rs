@@ -20,6 +20,11 @@ pub(super) fn expected_seconds(study: &Study, threads: Option<usize>) -> f64 {
     processor_time(study, &plan, SimdPath::widest()) / at_once as f64
 }
 
+/// Seconds that one core takes for all cases of a study.
+pub(super) fn seconds_of_a_core(study: &Study) -> f64 {
+    processor_time(study, &Plan::new(study, false, cost, |_| true), SimdPath::widest())
+}
+
 /// The same of all cases of a study.
 pub(super) fn time_of_all(study: &Study) -> (f64, usize) {
     estimated_time(study, &Plan::new(study, true, cost, |_| true))

@@ -19,6 +19,8 @@ pub(super) struct Done {
     pub(super) savings: Savings,
     /// `None` where everything was there before.
     pub(super) wall_time_s: Option<f64>,
+    /// What the films of this call took, seconds.
+    pub(super) film_time_s: f64,
 }
 
 impl Done {
@@ -82,6 +84,7 @@ impl Done {
             "doubtful": self.doubtful(),
             "coarse": self.coarse(job).len(),
             "wall_time_s": self.wall_time_s,
+            "film_time_s": self.film_time_s,
             "savings": self.savings,
             "records": self.whole(&job.study)?,
         }))

@@ -78,8 +78,8 @@ pub(super) fn execute(
                 .note("manifest.json is missing or damaged: made again, without earlier sessions");
             Manifest::new(&job.out, study, &job.overrides, directory.simd()).write(&job.out)?;
         }
-        let savings = Savings::default();
-        return Ok(Done { directory, ending: Ending::Finished, savings, wall_time_s: None });
+        let (savings, ending) = (Savings::default(), Ending::Finished);
+        return Ok(Done { directory, ending, savings, wall_time_s: None, film_time_s: 0.0 });
     }
     if job.shares_threads {
         crew.share_threads(missing);
@@ -148,7 +148,7 @@ pub(super) fn execute(
         session.ending = Some(word.to_owned());
     }
     manifest.write(&job.out)?;
-    Ok(Done { directory, ending, savings, wall_time_s })
+    Ok(Done { directory, ending, savings, wall_time_s, film_time_s: 0.0 })
 }
 
 /// Makes sure that as many cases as run at once on this machine fit into it.

@@ -8,7 +8,7 @@ use super::failure::BadInput;
 use super::glossary::{Entry, entries};
 use super::output::{Output, wrapped};
 use crate::keys::hint;
-use crate::quantities::summary::meant_by;
+use crate::quantities::{is_meant, meant_by};
 
 /// Explain a key of a sweep or scene file, or a column of a table: its meaning, unit, range and default.
 /// Without a name, list all.
@@ -16,10 +16,11 @@ use crate::quantities::summary::meant_by;
 #[command(after_help = "Examples:
   seawall explain spring_stiffness_n_per_m
   seawall explain force_max
+  seawall explain 'F*'
   seawall explain
   seawall explain numerics.courant_number --format json")]
 pub(super) struct ExplainArgs {
-    /// The key or the column. A key may have its section before it, as in numerics.kernel.
+    /// The key or the column, or its symbol. A key may have its section before it, as in numerics.kernel.
     #[arg(value_name = "KEY|COLUMN")]
     name: Option<String>,
 }
@@ -30,7 +31,10 @@ pub(super) fn main(args: &ExplainArgs, output: &Output) -> anyhow::Result<u8> {
         output.result(&list(&all), &json!({ "entries": all }))?;
         return Ok(SUCCESS);
     };
-    let found: Vec<_> = all.iter().filter(|entry| entry.is_called(name)).collect();
+    let mut found: Vec<_> = all.iter().filter(|entry| entry.is_called(name)).collect();
+    if found.is_empty() {
+        found = all.iter().filter(|entry| is_meant(name, &entry.symbol)).collect();
+    }
     if found.is_empty() {
         let leaf = name.rsplit('.').next().unwrap_or(name);
         let names: Vec<_> = all.iter().map(|entry| entry.name.as_str()).collect();
@@ -52,6 +56,7 @@ const INDENT: usize = 11;
 fn explained(entry: &Entry) -> String {
     let mut text = format!("{}: {}\n", entry.name, entry.of);
     let lines = [
+        ("symbol", &entry.symbol),
         ("meaning", &entry.meaning),
         ("unit", &entry.unit),
         ("allowed", &entry.allowed),

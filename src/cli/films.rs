@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use super::done::Done;
 use super::failure::BadInput;
@@ -43,7 +44,7 @@ pub(super) fn pages(directory: &Path) -> Vec<PathBuf> {
 }
 
 /// Runs the cases again that are to be filmed, one after the other. No film costs a result: what cannot
-/// be filmed is told. The exit code is what the films ask for.
+/// be filmed is told. The exit code is what the films ask for; the seconds are what they took.
 pub(super) fn make(
     words: &[String],
     study: &Study,
@@ -51,7 +52,8 @@ pub(super) fn make(
     threads: Option<u16>,
     interrupt: &Interrupt,
     output: &Output,
-) -> Result<u8, BadInput> {
+) -> Result<(u8, f64), BadInput> {
+    let start = Instant::now();
     let set = Set {
         study,
         records: done.directory.runs(),
@@ -66,7 +68,8 @@ pub(super) fn make(
     };
     let cases = wanted(words, &highlights, &set, output)?;
     let mut code = SUCCESS;
-    if !cases.is_empty() {
+    let filmed_any = !cases.is_empty();
+    if filmed_any {
         output.note(format_args!("filming {}", counted(cases.len(), "case")));
     }
     for case in cases {
@@ -87,7 +90,7 @@ pub(super) fn make(
     if let Err(error) = highlights::tell(filmed, study, set.directory) {
         output.note(format_args!("warning: the report cannot say why cases were filmed: {error}"));
     }
-    Ok(code)
+    Ok((code, if filmed_any { start.elapsed().as_secs_f64() } else { 0.0 }))
 }
 
 /// What is asked for; what is worth a look has no second film, and takes no long time.

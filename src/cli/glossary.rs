@@ -3,9 +3,12 @@
 use serde::Serialize;
 
 use crate::keys::Key;
-use crate::quantities::{Quantity, energy, envelope, history, summary, wave};
+use crate::quantities::{Quantity, energy, envelope, history, named, summary, wave};
 use crate::scene::{Kind, numerics_keys, probe_keys, scene_keys};
 use crate::study::{accuracy_keys, limits_keys, refine_keys};
+
+/// Where the keys of `refine` stand.
+const REFINE: &str = "key of [grid] refine";
 
 /// A key or a column.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -14,6 +17,9 @@ pub(super) struct Entry {
     pub name: String,
     /// The section or table that it is in.
     pub of: String,
+    /// What tables print in place of the name.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub symbol: String,
     /// What it is.
     pub meaning: String,
     /// Its unit, empty for words and ratios.
@@ -38,8 +44,9 @@ impl Entry {
     pub(super) fn is_called(&self, name: &str) -> bool {
         let (section, leaf) = name.rsplit_once('.').unwrap_or(("", name));
         let in_section = section.is_empty() || self.of.contains(&format!("[{section}]"));
+        let in_refine = ["refine", "grid.refine"].contains(&name) && self.of == REFINE;
         let of_time = self.besides.split(", ").any(|other| other == format!("time {leaf}"));
-        in_section && (self.name == leaf || of_time)
+        in_refine || in_section && (self.name == leaf || of_time)
     }
 }
 
@@ -51,7 +58,7 @@ pub(super) fn entries() -> Vec<Entry> {
         ("key of [[probe]]", probe_keys()),
         ("key of [accuracy]", accuracy_keys()),
         ("key of [limits]", limits_keys()),
-        ("key of [grid] refine", refine_keys()),
+        (REFINE, refine_keys()),
     ];
     for (of, keys) in groups {
         all.extend(keys.into_iter().map(|key| of_key(key, of)));
@@ -86,6 +93,7 @@ fn of_key(key: &Key, of: &str) -> Entry {
     Entry {
         name: key.name.to_owned(),
         of: of.to_owned(),
+        symbol: named(key.name).map_or("", |column| column.symbol).to_owned(),
         meaning: key.meaning_in_words(),
         unit: key.rule.unit.to_owned(),
         allowed: key.allowed_in_words(),
@@ -107,6 +115,7 @@ fn of_column<R: Copy>(column: &Quantity<R>, of: &str) -> Entry {
     Entry {
         name: column.name.to_owned(),
         of: of.to_owned(),
+        symbol: column.symbol.to_owned(),
         meaning: without_links(column.meaning),
         unit: column.unit.symbol().to_owned(),
         allowed: String::new(),
@@ -148,6 +157,7 @@ mod tests {
         assert_eq!(names("numerics.kernel"), ["kernel: key of [numerics]"]);
         assert_eq!(names("force_max_time_s"), ["force_max: column of summary.csv"]);
         assert_eq!(names("kernel").len(), 2);
+        assert_eq!(names("refine").len(), refine_keys().len(), "the table's keys");
         assert!(names("colour").is_empty());
     }
 }

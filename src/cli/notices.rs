@@ -61,7 +61,8 @@ pub(super) fn tell_start(
     let places: usize = ranks.iter().map(RankInfo::places).sum();
     let threads: usize = ranks.iter().map(|rank| rank.threads).sum();
     let within = ranks.iter().map(|rank| rank.threads_per_case).max().unwrap_or(1);
-    let within = if within > 1 { format!(", up to {within} in a case") } else { String::new() };
+    let within =
+        if within > 1 { format!(", up to {within} threads on one case") } else { String::new() };
     let who = match crew.executor() {
         "mpi" => {
             let [ranks, places] = [(ranks.len(), "MPI rank"), (places, "case")]

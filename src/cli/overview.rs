@@ -27,6 +27,13 @@ const SHOWN: [&Column; 6] =
 const GIVEN_UP: [&Column; 5] =
     [&ENERGY_GAP, &FIRST_RUNUP_MAX, &FIRST_FORCE_MAX, &RUNUP_MAX, &DISPLACEMENT_MAX];
 
+/// What `*` beside a load says.
+pub(super) const STOPPED: &str =
+    "* the wall hits its stop afterwards; that load counts for no maximum";
+
+/// What the columns are maxima of.
+const MAXIMA: &str = "max: of the whole run; first, here or in summary.csv: of the first impact\n";
+
 /// What is told of the cases, and where the report is.
 pub(super) fn told(job: &Job, done: &Done, report: &Path, all: bool) -> String {
     of_cases(job, done, all) + &reported(report)
@@ -45,8 +52,12 @@ pub(super) fn of_cases(job: &Job, done: &Done, all: bool) -> String {
     if total > rows {
         text.push_str(&format!("... and {} more in summary.csv (-v shows all)\n", total - rows));
     }
+    text.push_str(MAXIMA);
     if text.contains('≥') {
         text.push_str("≥: the wall was still moving at the end, a lower bound\n");
+    }
+    if done.records().take(rows).any(hits_stop) {
+        text.push_str(&format!("{STOPPED}\n"));
     }
     text.push_str(&fared(done, total));
     text.push_str(&doubts(done));
@@ -71,17 +82,31 @@ fn render(job: &Job, done: &Done, rows: usize, shown: &[&Column]) -> String {
     let symbol = |key: &String| named(key).map_or_else(|| heading(key), Column::heading);
     let headings = shown.iter().copied().chain([&STATUS]).map(Column::heading);
     let mut table = Table::new(swept_keys.iter().map(symbol).chain(headings));
+    let any_stops = done.records().take(rows).any(hits_stop);
     for record in done.records().take(rows) {
+        let mark = match hits_stop(record) {
+            true => " *",
+            false if any_stops => "  ", // numbers stand below numbers
+            false => "",
+        };
         let case = &job.study.cases[record.index];
         let (config, case_values) = (&case.config, &case.assignments);
         let bars = job.study.error_bars(record.index, done.directory.runs());
         let case = record.reported(config, bars);
         let mut cells: Vec<String> = case_values.iter().map(swept).collect();
-        cells.extend(shown.iter().map(|column| number(column, &case)));
+        cells.extend(shown.iter().map(|column| {
+            let mark = if *column == &FORCE_MAX { mark } else { "" };
+            number(column, &case) + mark
+        }));
         cells.push(status(record));
         table.row(cells);
     }
     table.render()
+}
+
+/// Whether the wall of a case comes back onto its stop.
+fn hits_stop(record: &CaseRecord) -> bool {
+    record.outcome.as_ref().and_then(|outcome| outcome.stops).is_some_and(|stops| stops > 0)
 }
 
 /// The value of a swept key.
@@ -119,6 +144,9 @@ fn fared(done: &Done, total: usize) -> String {
     }
     if let Some(wall_time) = done.wall_time_s {
         text.push_str(&format!("; {}", duration(wall_time)));
+    }
+    if done.film_time_s > 0.0 {
+        text.push_str(&format!("; films {}", duration(done.film_time_s)));
     }
     if done.savings.trunks > 0 && done.savings.steps_from_rest > 0 {
         let computed = done.savings.steps_computed as f64;

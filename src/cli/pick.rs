@@ -3,8 +3,8 @@
 use std::str::FromStr;
 
 use super::failure::BadInput;
-use crate::keys::hint;
-use crate::quantities::summary::meant_by;
+use crate::keys::{Section, hint};
+use crate::quantities::{meant_by, name_of_symbol};
 use crate::results::counted;
 use crate::scene::ConfigError;
 use crate::study::{Assignments, Case, Override, Study};
@@ -20,19 +20,31 @@ pub(super) struct Choice {
 pub(super) fn the_case<'a>(study: &'a Study, words: &[String]) -> Result<&'a Case, BadInput> {
     let choice = |case: &Case| Choice { id: case.id.to_string(), values: case.assignments.clone() };
     let choices: Vec<_> = study.cases.iter().map(choice).collect();
-    the_one(&study.keys, &choices, words).map(|place| &study.cases[place])
+    let fixed = |key: &str| in_every_case(study, key);
+    the_one(&study.keys, &fixed, &choices, words).map(|place| &study.cases[place])
 }
 
-/// The place of the only choice that fits the words.
+/// The value of a key that all cases of a study have alike; `None` where they do not, or none has it.
+pub(super) fn in_every_case(study: &Study, key: &str) -> Option<toml::Value> {
+    let value = |case: &Case| {
+        let scene = toml::Table::try_from(&case.config.scene).ok()?;
+        scene.get(key).or(case.config.numerics.table().get(key)).cloned()
+    };
+    let first = value(study.cases.first()?)?;
+    study.cases.iter().all(|case| value(case).as_ref() == Some(&first)).then_some(first)
+}
+
+/// The place of the only choice that fits the words. `fixed` tells the value of a key that all of them have.
 pub(super) fn the_one(
     keys: &[String],
+    fixed: &dyn Fn(&str) -> Option<toml::Value>,
     choices: &[Choice],
     words: &[String],
 ) -> Result<usize, BadInput> {
     let mut fitting: Vec<&Choice> = choices.iter().collect();
     for word in words {
         if word.contains('=') {
-            keep_with_value(&mut fitting, keys, word)?;
+            keep_with_value(&mut fitting, keys, fixed, word)?;
         } else {
             keep_with_id(&mut fitting, word)?;
         }
@@ -64,12 +76,18 @@ fn keep_with_id(fitting: &mut Vec<&Choice>, word: &str) -> Result<(), BadInput> 
 fn keep_with_value(
     fitting: &mut Vec<&Choice>,
     keys: &[String],
+    fixed: &dyn Fn(&str) -> Option<toml::Value>,
     word: &str,
 ) -> Result<(), BadInput> {
     let wanted = Override::from_str(word).map_err(|error| BadInput(format!("{word}: {error}")))?;
     let path = wanted.path();
     let key = path.rsplit('.').next().unwrap_or_default();
-    let Some(place) = keys.iter().position(|swept| swept == key) else {
+    let place = |key: &str| keys.iter().position(|swept| swept == key);
+    let Some(place) = place(key).or_else(|| place(name_of_symbol(key)?)) else {
+        if let Some(value) = fixed(key).or_else(|| fixed(name_of_symbol(key)?)) {
+            let told = || format!("{word}: is {} in every case of this study", in_words(&value));
+            return if same(&value, wanted.value()) { Ok(()) } else { Err(BadInput(told())) };
+        }
         let told = ConfigError::unknown(&path, keys).to_string();
         let swept = || format!("; this study sweeps {}", keys.join(", "));
         let help = match keys {
@@ -92,12 +110,21 @@ fn keep_with_value(
 fn values(cases: &[&Choice], place: usize) -> String {
     let mut words: Vec<String> = Vec::new();
     for value in cases.iter().filter_map(|case| case.values[place].as_deref()) {
-        let word = value.as_str().map_or_else(|| value.to_string(), str::to_owned);
+        let word = in_words(value);
         if !words.contains(&word) {
             words.push(word);
         }
     }
     words.join(", ")
+}
+
+/// A value as one writes it: no quotes, and no decimals where there are none.
+fn in_words(value: &toml::Value) -> String {
+    match value {
+        toml::Value::String(word) => word.clone(),
+        toml::Value::Float(number) => number.to_string(),
+        other => other.to_string(),
+    }
 }
 
 /// Equal as settings, numbers to four digits: nobody writes more by hand.
@@ -141,8 +168,14 @@ pub(super) mod tests {
         );
         let told = pick(&["stiffness=10"]).unwrap_err();
         assert_eq!(told, "stiffness: unknown key; did you mean spring_stiffness_n_per_m?");
+        assert_eq!(pick(&["H/h=0.5", "k=2.154×10⁴"]), Ok(3), "as tables print it");
+        assert_eq!(pick(&["m=50", "k=10", "H/h=0.3", "kernel=wendland-c2"]), Ok(0));
+        let told = pick(&["m=60", "k=10"]).unwrap_err();
+        assert_eq!(told, "m=60: is 50 in every case of this study");
         let told = pick(&["k=10"]).unwrap_err();
-        assert_eq!(told, "k: unknown key; did you mean spring_stiffness_n_per_m?");
+        assert_eq!(told, "2 cases fit; say which one by wave_height_ratio (0.3, 0.5)");
+        let told = pick(&["H/h=0.5"]).unwrap_err();
+        assert!(told.ends_with("(10, 21544.3469003188)"), "{told}");
         let told = pick(&["colour=10"]).unwrap_err();
         let swept = "wave_height_ratio, spring_stiffness_n_per_m";
         assert_eq!(told, format!("colour: unknown key; this study sweeps {swept}"));

@@ -1,5 +1,7 @@
 //! `seawall run`: one scene.
 
+mod told;
+
 use std::path::PathBuf;
 
 use clap::Args;
@@ -12,16 +14,13 @@ use super::film::{self, ColourChoice};
 use super::input::{Setting, SimdChoice, default_out, scene};
 use super::job::Job;
 use super::keep::KeepArgs;
-use super::output::{Output, duration, short};
-use super::table::Table;
-use super::{numbers, warnings};
+use super::output::{Output, duration};
+use super::{cost, numbers, warnings};
 use crate::execute::{Ending, Interrupt};
 use crate::film::{Filming, PageFilm, VtkFilm};
-use crate::quantities::summary::{ALL, DISPLACEMENT_MAX, MEASURED_WAVE_HEIGHT_RATIO};
-use crate::quantities::{Bars, Case, Column, Value, energy};
 use crate::results::{CaseRecord, OpenMode, has_checkpoints};
 use crate::scene::CaseConfig;
-use crate::simulation::{EnergyBudget, NamedReading, PhaseShare, Resources};
+use crate::simulation::Resources;
 use crate::study::Study;
 
 /// Run one scene. Tell its results, its energy budget, and where the time went.
@@ -84,6 +83,10 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
     let study = scene(&args.file, &args.settings, &args.case)?;
     warnings::tell(&args.file, &study, output);
     warnings::tell_threads(args.threads, output);
+    let case = &study.cases[0];
+    let expected = duration(cost::seconds_of_a_core(&study));
+    let inputs = told::inputs(&case.config);
+    output.note(format_args!("case {}: {inputs}; about {expected} of one core", case.id));
     // What picks a case of a sweep file has put all settings into a file of its own.
     let settings = if args.case.is_empty() { &args.settings[..] } else { &[] };
     let job = Job {
@@ -117,7 +120,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
     for record in &done.whole(&job.study)? {
         let text = format!(
             "{}files: {}\n",
-            told(record, &job.study.cases[record.index].config),
+            told::told(record, &job.study.cases[record.index].config),
             done.directory.path().display()
         );
         output.result(&text, &in_metres(record, &job.study.cases[record.index].config))?;
@@ -161,87 +164,4 @@ fn in_metres(record: &CaseRecord, config: &CaseConfig) -> serde_json::Value {
     let highest = record.outcome.as_ref().map(|outcome| outcome.runup_max.value);
     value["runup_max_m"] = json!(highest.map(|runup| runup * config.scene.frame().depth));
     value
-}
-
-fn told(record: &CaseRecord, config: &CaseConfig) -> String {
-    let mut text = format!("case {}", record.id);
-    let (Some(outcome), Some(energy)) = (&record.outcome, &record.energy) else {
-        text.push_str(&format!(" failed: {}\n", record.reason));
-        return text;
-    };
-    text.push_str(&format!(", {}\n\n", duration(record.wall_time_s)));
-    text.push_str(&outcome_table(&record.reported(config, Bars::default())));
-    if !record.readings.is_empty() {
-        text.push_str("\nreadings\n");
-        text.push_str(&readings_table(&record.readings));
-    }
-    text.push_str("\nenergy budget            J/m  % of paddle work\n");
-    text.push_str(&energy_table(energy, outcome.energy_gap_percent));
-    text.push_str("\nwhere the time went\n");
-    text.push_str(&phase_table(&record.phases));
-    text
-}
-
-/// What came out of a case, as far as it has it.
-fn outcome_table(case: &Case<'_>) -> String {
-    let line = |column: &Column| {
-        let text = match column.value(case)? {
-            Value::Number(value) => short(value),
-            Value::Count(count) => count.to_string(),
-            Value::Flag(_) => return None, // its reason or mark stands beside a number
-            Value::Text(text) => text,
-        };
-        let time = column.time(case).map(|time| format!(" at {time:.4} s")).unwrap_or_default();
-        // At the very end and still moving: the maximum is yet to come.
-        let (start, end) =
-            if is_bound(column, case) { ("≥ ", ", still moving at the end") } else { ("", "") };
-        Some(format!("{:<32}{start}{text}{time}{end}\n", column.heading()))
-    };
-    let results = ALL.iter().skip_while(|column| **column != &MEASURED_WAVE_HEIGHT_RATIO);
-    results.filter_map(|column| line(column)).collect()
-}
-
-/// A lower bound, or the same maximum as one.
-fn is_bound(column: &Column, case: &Case<'_>) -> bool {
-    DISPLACEMENT_MAX.is_bound(case)
-        && column.unit == DISPLACEMENT_MAX.unit
-        && column.time(case).is_some_and(|time| Some(time) == DISPLACEMENT_MAX.time(case))
-}
-
-fn readings_table(readings: &[NamedReading]) -> String {
-    let mut table = Table::default();
-    for reading in readings {
-        table.row([reading.name.clone(), short(reading.value), reading.unit.clone()]);
-    }
-    table.render()
-}
-
-/// Every term, its share of the paddle's work, and what is left over.
-fn energy_table(budget: &EnergyBudget, gap_percent: f64) -> String {
-    let (work, spent) = energy::ALL.split_first().expect("a budget has terms");
-    let work = (work.read)(budget);
-    let total: f64 = spent.iter().map(|term| (term.read)(budget)).sum();
-    let mut text = String::new();
-    let mut line = |name: &str, value: f64| {
-        let share =
-            if work == 0.0 { "-".to_owned() } else { format!("{:.2}", 100.0 * value / work) };
-        text.push_str(&format!("{name:<18}{:>10}  {share:>16}\n", short(value)));
-    };
-    for term in energy::ALL {
-        line(&term.words(), (term.read)(budget));
-    }
-    line("residual", work - total);
-    text.push_str(&format!("reported gap {gap_percent:.2} %\n"));
-    text
-}
-
-fn phase_table(phases: &[PhaseShare]) -> String {
-    let total: f64 = phases.iter().map(|phase| phase.seconds).sum();
-    let mut table = Table::default();
-    for phase in phases {
-        let share = if total > 0.0 { 100.0 * phase.seconds / total } else { 0.0 };
-        let seconds = format!("{:.2} s", phase.seconds);
-        table.row([phase.phase.clone(), seconds, format!("{share:.1} %")]);
-    }
-    table.render()
 }

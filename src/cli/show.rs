@@ -8,7 +8,7 @@ use serde_json::{Map, Value, json};
 use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::{Output, with_bar};
-use super::pick::{Choice, the_case, the_one};
+use super::pick::{Choice, in_every_case, the_case, the_one};
 use super::{SUCCESS, shown, stored};
 use crate::quantities::summary::{
     ALL, CASE_ID, COARSE_SPACING, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO, PARTICLES_LOST,
@@ -48,7 +48,8 @@ pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
     let rows = rows(&args.dir.join("summary.csv"))?;
     let keys = Manifest::read(&args.dir).map_or_else(Vec::new, |manifest| manifest.keys);
     let choices: Vec<_> = rows.iter().map(|row| row.choice(&keys)).collect();
-    let row = &rows[the_one(&keys, &choices, &args.case)?];
+    let fixed = |key: &str| in_every_case(&stored::file_and_study(&args.dir).ok()?.1, key);
+    let row = &rows[the_one(&keys, &fixed, &choices, &args.case)?];
     let files = files(&args.dir, row.cell(CASE_ID.name));
     output.result(&told(row, &keys, &files), &row.json(&files))?;
     Ok(SUCCESS)
@@ -157,7 +158,7 @@ fn told(row: &Row, keys: &[String], files: &[PathBuf]) -> String {
         text.push_str(title);
         for column in columns {
             if let Some(value) = row.value(column) {
-                text.push_str(&line(&without_unit(column), &value));
+                text.push_str(&line(&column.heading_without_unit(), &value));
             }
         }
     }
@@ -170,13 +171,6 @@ fn told(row: &Row, keys: &[String], files: &[PathBuf]) -> String {
 
 fn line(name: &str, value: &str) -> String {
     format!("  {name:<24} {value}\n")
-}
-
-/// What stands before a value that has its unit behind it.
-fn without_unit(column: &Column) -> String {
-    let heading = column.heading();
-    let unit = format!(", {}", column.unit.symbol());
-    heading.strip_suffix(&unit).unwrap_or(&heading).to_owned()
 }
 
 /// Columns of results, of health, of parameters; bars and flags stand beside what they belong to.

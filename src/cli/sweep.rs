@@ -207,7 +207,9 @@ fn lead(
         }
         return Ok(done.exit_code());
     }
-    let filming = films::make(films, &job.study, &done, args.threads, interrupt, output)?;
+    let (filming, film_time_s) =
+        films::make(films, &job.study, &done, args.threads, interrupt, output)?;
+    done.film_time_s = film_time_s;
     done.directory.demand_in_place()?;
     write_all_histories(done.directory.path())?;
     let report = done.directory.path().join(REPORT);

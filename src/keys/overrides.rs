@@ -5,6 +5,7 @@ use std::str::FromStr;
 use toml::{Table, Value};
 
 use super::error::ConfigError;
+use crate::math::decimal;
 
 /// One `KEY=VALUE`: a path into the file and the value that goes there.
 #[derive(Debug, Clone, PartialEq)]
@@ -32,14 +33,14 @@ impl FromStr for Override {
     }
 }
 
-/// A TOML value, or a bare string where it is none.
+/// A TOML value or a number as tables print it, or else a bare string.
 fn read_value(text: &str) -> Value {
     let parsed = format!("value = {text}").parse::<Table>().ok();
     match parsed {
         Some(mut table) if table.len() == 1 => {
             table.remove("value").unwrap_or_else(|| Value::String(text.to_owned()))
         }
-        _ => Value::String(text.to_owned()),
+        _ => decimal::read(text).map_or_else(|| Value::String(text.to_owned()), Value::Float),
     }
 }
 
@@ -94,6 +95,7 @@ mod tests {
         let value = |text: &str| text.parse::<Override>().unwrap().value;
         assert_eq!(value("numerics.boundary=sfdi"), Value::String("sfdi".into()));
         assert_eq!(value("numerics.courant_number=1e-1"), Value::Float(0.1));
+        assert_eq!(value("grid.spring_stiffness_n_per_m=5×10⁴"), Value::Float(5e4));
         assert_eq!(value("name=\"x\""), Value::String("x".into()));
         assert!(value("grid.wave_height_ratio=[0.1, 0.2]").is_array());
         assert_eq!(value("name=1\nother=2"), Value::String("1\nother=2".into()));

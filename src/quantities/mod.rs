@@ -16,11 +16,13 @@ pub mod energy;
 pub mod envelope;
 pub mod history;
 pub mod summary;
+mod symbol;
 mod unit;
 pub mod wave;
 
 pub use case::{Bars, Case, Value, coarse_spacings};
 pub use column::Read;
+pub use symbol::{is_meant, meant_by, name_of_symbol};
 pub use unit::Unit;
 
 /// A column of `summary.csv`; one that is a maximum has a second column with its time.
@@ -109,6 +111,12 @@ impl<R: Copy> Quantity<R> {
             (symbol, unit) if self.unit.is_ratio() || unit.is_empty() => symbol.to_owned(),
             (symbol, unit) => format!("{symbol}, {unit}"),
         }
+    }
+
+    /// What stands before a value that has its unit behind it.
+    pub fn heading_without_unit(&self) -> String {
+        let (heading, unit) = (self.heading(), format!(", {}", self.unit.symbol()));
+        heading.strip_suffix(&unit).unwrap_or(&heading).to_owned()
     }
 }
 

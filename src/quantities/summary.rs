@@ -207,15 +207,5 @@ pub fn names() -> impl Iterator<Item = String> {
     ALL.iter().flat_map(|column| std::iter::once(column.name.to_owned()).chain(column.time_name()))
 }
 
-/// The columns that somebody means by a bare symbol, such as `F*`, as a question; `None` for other words.
-pub fn meant_by(symbol: &str) -> Option<String> {
-    let own = [symbol.to_owned(), format!("{symbol} max"), format!("first {symbol}")];
-    let columns = ALL
-        .iter()
-        .filter(|column| column.is_number() && own.iter().any(|own| own == column.symbol));
-    let names: Vec<_> = columns.map(|column| column.name).collect();
-    (!names.is_empty()).then(|| format!("; did you mean {}?", names.join(" or ")))
-}
-
 #[cfg(test)]
 mod tests;

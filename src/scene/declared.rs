@@ -58,19 +58,29 @@ pub fn place_of(key: &str, scene: &Table) -> Result<Place, ConfigError> {
     Err(unknown(&format!("grid.{key}"), key, kind, &known))
 }
 
+/// The errors of all keys that a section of a file with this `[scene]` does not know; none where its kind is none.
+pub fn unknown_keys(place: Place, scene: &Table, table: &Table) -> Vec<ConfigError> {
+    Kind::of(scene).map(|kind| unknown_of(place, kind, table)).unwrap_or_default()
+}
+
 /// Refuses a key that a section of a file with this kind of scene does not know.
 pub(super) fn refuse_unknown(place: Place, kind: Kind, table: &Table) -> Result<(), ConfigError> {
+    unknown_of(place, kind, table).into_iter().next().map_or(Ok(()), Err)
+}
+
+fn unknown_of(place: Place, kind: Kind, table: &Table) -> Vec<ConfigError> {
     let (known, others, other) = match place {
         Place::Scene => (scene_keys(kind), numerics_keys(), Place::Numerics),
         Place::Numerics => (numerics_keys(), scene_keys(kind), Place::Scene),
     };
-    let Some(key) = table.keys().find(|key| !has(&known, key)) else { return Ok(()) };
-    let path = format!("{}.{key}", place.name());
-    Err(if has(&others, key) {
-        ConfigError::misplaced(&path, &format!("{}.{key}", other.name()))
-    } else {
-        unknown(&path, key, kind, &known)
-    })
+    let error = |key: &String| {
+        let path = format!("{}.{key}", place.name());
+        match has(&others, key) {
+            true => ConfigError::misplaced(&path, &format!("{}.{key}", other.name())),
+            false => unknown(&path, key, kind, &known),
+        }
+    };
+    table.keys().filter(|key| !has(&known, key)).map(error).collect()
 }
 
 fn has(keys: &[&Key], name: &str) -> bool {

@@ -36,7 +36,7 @@ mod water;
 
 pub use config::CaseConfig;
 pub use dam_break::{DamBreakScene, InitialDensity};
-pub use declared::{Place, numerics_keys, place_of, probe_keys, scene_keys};
+pub use declared::{Place, numerics_keys, place_of, probe_keys, scene_keys, unknown_keys};
 pub use frame::Frame;
 pub use hydrostatic::HydrostaticScene;
 pub use kind::{Kind, Scene};

@@ -109,6 +109,14 @@ impl WallChoice {
     pub fn moves(self) -> bool {
         self != WallChoice::Fixed
     }
+
+    /// What takes the energy that the law of motion of such a wall absorbs.
+    pub fn resistance(self) -> &'static str {
+        match self {
+            WallChoice::Fixed | WallChoice::Movable => "threshold device",
+            WallChoice::Caisson => "friction and water behind",
+        }
+    }
 }
 
 impl SeawallScene {

@@ -6,6 +6,7 @@ use super::axis::GridAxis;
 use super::limits;
 use super::refine::Refine;
 use super::syntax::syntax_error;
+use super::unknown;
 
 use crate::keys::{Key, Override, Section, read_alone, section};
 use crate::scene::{ConfigError, place_of};
@@ -54,17 +55,18 @@ impl SweepFile {
     /// Reads a file's text and puts the command line's values into it.
     ///
     /// # Errors
-    /// A syntax error, an unknown top-level key, a missing name, a malformed axis, an empty
-    /// `[grid]`.
+    /// A syntax error, an unknown top-level key, a missing name, several unknown keys anywhere, a malformed axis, an
+    /// empty `[grid]`.
     pub fn read(text: &str, overrides: &[Override]) -> Result<SweepFile, ConfigError> {
         let mut file = text.parse::<Table>().map_err(|error| syntax_error(text, &error))?;
         for set in overrides {
             set.apply(&mut file)?;
         }
-        if let Some(key) = file.keys().find(|key| !KEYS.contains(&key.as_str())) {
-            return Err(unknown_at_the_top(key, &file));
-        }
-        let name = read_name(file.get("name"))?;
+        let others = file.keys().filter(|key| !KEYS.contains(&key.as_str()));
+        let unknown = others.map(|key| unknown_at_the_top(key, &file));
+        let name = read_name(file.get("name"));
+        unknown::refuse(unknown.chain(name.clone().err()).collect(), &file)?;
+        let name = name?;
         let mut grid = table(&file, "grid")?;
         let refine = Refine::take(&mut grid)?;
         if file.contains_key("grid") && grid.is_empty() {

@@ -17,6 +17,7 @@ mod refine;
 mod schema;
 mod single;
 mod syntax;
+mod unknown;
 
 pub use axis::GridAxis;
 pub use case::{Assignments, Case, CaseId, PHYSICS_VERSION};

@@ -122,13 +122,17 @@ class Study:
         """The largest pressures up the wall of a case, by height."""
         return read_table(self._of_case("envelopes", case, keys), "envelopes")
 
-    def case(self, **keys: Any) -> pd.Series:
-        """The only row of the summary with these values, numbers to four digits.
+    def case(self, case_id: str | None = None, /, **keys: Any) -> pd.Series:
+        """The only row of the summary with this id, or the start of it, and these values, numbers to four digits.
 
         Raises:
             SeawallError: no case, or more than one, fits.
         """
         rows = self.summary
+        if case_id is not None:
+            rows = rows[rows[CASE_ID].str.startswith(str(case_id)).astype(bool)]
+            if rows.empty:
+                raise SeawallError(f"{case_id}: no case of this study has an id that starts so")
         for key, wanted in keys.items():
             if key not in rows:
                 raise SeawallError(f"{key}: no such column in {self.directory}/summary.csv")

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::subject::{Reading, Subject};
+use crate::math::decimal;
 use crate::report::load::Loaded;
 
 /// How a number is compared with a limit.
@@ -16,6 +17,8 @@ pub enum Operator {
     Above,
     /// `>=`
     AtLeast,
+    /// `=` or `==`: equal to four digits, as nobody writes more by hand.
+    Equal,
 }
 
 /// One comparison.
@@ -44,13 +47,19 @@ pub enum Verdict {
 #[derive(Debug, Clone)]
 pub struct Condition(pub Vec<Comparison>);
 
-const SHAPE: &str = "write COLUMN < NUMBER, with <, <=, > or >=, and `and` between comparisons, as in \
+const SHAPE: &str = "write COLUMN < NUMBER, with <, <=, >, >= or =, and `and` between comparisons, as in \
                      \"force_max < 2 and runup_max < 0.5\"";
 
 impl Operator {
     /// Longer ones before those that they begin with.
-    const ALL: [Operator; 4] =
-        [Operator::AtMost, Operator::AtLeast, Operator::Below, Operator::Above];
+    const SIGNS: [(&'static str, Operator); 6] = [
+        ("<=", Operator::AtMost),
+        (">=", Operator::AtLeast),
+        ("<", Operator::Below),
+        (">", Operator::Above),
+        ("==", Operator::Equal),
+        ("=", Operator::Equal),
+    ];
 
     fn sign(self) -> &'static str {
         match self {
@@ -58,12 +67,17 @@ impl Operator {
             Operator::AtMost => "<=",
             Operator::Above => ">",
             Operator::AtLeast => ">=",
+            Operator::Equal => "=",
         }
     }
 
-    /// Whether small numbers meet it.
-    pub fn wants_small(self) -> bool {
-        matches!(self, Operator::Below | Operator::AtMost)
+    /// Whether a value above this one may be on the other side.
+    fn may_change_above(self, value: f64, limit: f64) -> bool {
+        match self {
+            Operator::Below | Operator::AtMost => self.holds(value, limit),
+            Operator::Above | Operator::AtLeast => !self.holds(value, limit),
+            Operator::Equal => value < limit || self.holds(value, limit),
+        }
     }
 
     fn holds(self, value: f64, limit: f64) -> bool {
@@ -72,6 +86,7 @@ impl Operator {
             Operator::AtMost => value <= limit,
             Operator::Above => value > limit,
             Operator::AtLeast => value >= limit,
+            Operator::Equal => (value - limit).abs() <= 5e-4 * limit.abs(),
         }
     }
 }
@@ -82,17 +97,17 @@ impl Comparison {
         let Reading::Value { value, bound, .. } = self.subject.readings[row] else {
             return Verdict::Unknown;
         };
-        match (self.operator.holds(value, self.limit), bound) {
-            (true, true) if self.operator.wants_small() => Verdict::Unknown,
-            (false, true) if !self.operator.wants_small() => Verdict::Unknown,
-            (true, _) => Verdict::Met,
-            (false, _) => Verdict::NotMet,
+        match self.operator.holds(value, self.limit) {
+            _ if bound && self.operator.may_change_above(value, self.limit) => Verdict::Unknown,
+            true => Verdict::Met,
+            false => Verdict::NotMet,
         }
     }
 
-    /// Whether a case's error bar reaches the limit.
+    /// Whether a case's error bar reaches the limit; what is equal to it has no other side.
     pub fn is_near(&self, row: usize) -> bool {
         match self.subject.readings[row] {
+            _ if self.operator == Operator::Equal => false,
             Reading::Value { value, bar: Some(bar), .. } => (value - self.limit).abs() <= bar,
             _ => false,
         }
@@ -133,17 +148,17 @@ fn comparison(text: &str, data: &Loaded) -> Result<Comparison, String> {
     if text.is_empty() {
         return bad("a comparison is missing");
     }
-    let found = Operator::ALL.iter().find_map(|operator| {
-        text.split_once(operator.sign()).map(|(name, limit)| (*operator, name, limit))
+    let found = Operator::SIGNS.iter().find_map(|(sign, operator)| {
+        text.split_once(sign).map(|(name, limit)| (*operator, name, limit))
     });
     let Some((operator, name, limit)) = found else {
-        return bad("holds none of <, <=, > and >=");
+        return bad("holds none of <, <=, >, >= and =");
     };
     let (name, limit) = (name.trim(), limit.trim());
     if name.is_empty() {
         return bad("names no column");
     }
-    let Some(limit) = limit.parse::<f64>().ok().filter(|limit| limit.is_finite()) else {
+    let Some(limit) = decimal::read(limit).filter(|limit| limit.is_finite()) else {
         let only = "the limit must be one finite number, without a unit";
         return bad(&format!("{limit:?} is no limit: {only}"));
     };

@@ -1,8 +1,8 @@
 //! What a condition speaks of: a column of numbers, case by case.
 
 use crate::keys::hint;
-use crate::quantities::summary::{ALL, meant_by, names};
-use crate::quantities::{Column, named};
+use crate::quantities::summary::{ALL, names};
+use crate::quantities::{Column, meant_by, name_of_symbol, named};
 use crate::report::load::Loaded;
 use crate::report::row::Row;
 
@@ -34,12 +34,15 @@ pub enum Reading {
 }
 
 impl Subject {
-    /// The column of that name.
+    /// The column of that name or symbol.
     ///
     /// # Errors
     /// A name that no column has, a column of words.
     pub fn of(name: &str, data: &Loaded) -> Result<Subject, String> {
-        let key = data.keys.iter().find(|key| key.name == name);
+        let swept = |name: &str| data.keys.iter().find(|key| key.name == name);
+        let is_name = named(name).is_some() || swept(name).is_some();
+        let name = if is_name { name } else { name_of_symbol(name).unwrap_or(name) };
+        let key = swept(name);
         let (column, maximum) = (named(name), with_time(name));
         let reading = |(at, row): (usize, &Row)| {
             let plain = |value: Option<f64>| value.map(|value| (value, None, false));

@@ -38,7 +38,12 @@ fn every_operator_picks_its_cases() {
     assert_eq!(ids(&data, "force_max<=2"), [0, 1]);
     assert_eq!(ids(&data, "force_max > 2"), [2]);
     assert_eq!(ids(&data, "force_max >= 2"), [1, 2]);
+    assert_eq!(ids(&data, "force_max = 2.0004"), [1], "to four digits");
+    assert!(ids(&data, "force_max == 2.01").is_empty());
     assert_eq!(ids(&data, "force_max > 1 AND seawall_mass_kg_per_m < 2.5"), [1]);
+    assert_eq!(ids(&data, "F* > 1 and m < 2.5"), [1], "by the symbols of tables");
+    let told = find("F* max > 1 and m < 2×10⁰", &data).unwrap().condition.to_string();
+    assert_eq!(told, "force_max > 1 and seawall_mass_kg_per_m < 2");
 }
 
 #[test]
@@ -47,15 +52,10 @@ fn bad_conditions_are_told() {
     let bad = [
         ("force_mx < 2", "force_mx: no column of numbers has this name; did you mean force_max?"),
         ("colour < 2", "colour: no column of numbers has this name (`seawall explain` lists all)"),
-        (
-            "F* < 2",
-            "F*: no column of numbers has this name; did you mean force_max or first_force_max?",
-        ),
+        ("F_max < 2", "F_max: no column of numbers has this name; did you mean force_max?"),
+        ("k* < 2", "k*: no column of numbers has this name; did you mean log10_k_star?"),
         ("status < 2", "status: holds words; a condition needs a column of numbers"),
-        (
-            "force_max = 2",
-            "\"force_max = 2\": holds none of <, <=, > and >=; write COLUMN < NUMBER",
-        ),
+        ("force_max 2", "\"force_max 2\": holds none of <, <=, >, >= and =; write COLUMN < NUMBER"),
         ("force_max < 2 kN", "\"force_max < 2 kN\": \"2 kN\" is no limit: the limit must be one"),
         ("force_max < nan", "\"force_max < nan\": \"nan\" is no limit"),
         ("2 < force_max", "\"2 < force_max\": \"force_max\" is no limit"),
@@ -123,6 +123,8 @@ fn a_lower_bound_short_of_the_limit_proves_nothing() {
     assert_eq!(verdicts("displacement_max < 3.5"), [Unknown, Met, Met], "3 is a bound");
     assert_eq!(verdicts("displacement_max > 2.5"), [Met, NotMet, NotMet]);
     assert_eq!(verdicts("displacement_max > 3.5"), [Unknown, NotMet, NotMet]);
+    assert_eq!(verdicts("displacement_max = 3.5"), [Unknown, NotMet, NotMet]);
+    assert_eq!(verdicts("displacement_max = 2"), [NotMet, Met, NotMet]);
     let found = find("displacement_max < 3.5", &data).unwrap();
     assert_eq!(found.why(0), "a lower bound, short of the limit");
     let open = &found.boundaries[0];
@@ -163,4 +165,7 @@ fn a_limit_on_the_axis_itself_is_where_it_is() {
     let data = study(STIFFNESS, "[1, 10, 1000]", &[1.0, 10.0, 1e3], with(&FORCE_MAX, |x| x));
     let one = &find("spring_stiffness_n_per_m < 50", &data).unwrap().boundaries[0];
     assert_eq!((one.at, one.basis, one.between), (Some(50.0), Basis::Exact, [50.0; 2]));
+    for points in ["spring_stiffness_n_per_m = 10", "force_max = 10"] {
+        assert!(find(points, &data).unwrap().boundaries.is_empty(), "{points}");
+    }
 }

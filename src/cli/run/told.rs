@@ -1,0 +1,182 @@
+//! What `seawall run` tells: the inputs before it starts, and the results.
+
+use crate::cli::output::{duration, short};
+use crate::cli::table::Table;
+use crate::math::name::name_of;
+use crate::quantities::summary::{
+    ALL, COARSE_SPACING, DISPLACEMENT_MAX, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO,
+    SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO,
+};
+use crate::quantities::{Bars, Case, Column, Value, energy};
+use crate::report::plain;
+use crate::results::CaseRecord;
+use crate::scene::{CaseConfig, PaddleChoice, SeawallScene, WallChoice};
+use crate::simulation::{EnergyBudget, NamedReading, PhaseShare};
+
+/// Wave, wall, depth and spacing in a line.
+pub(super) fn inputs(config: &CaseConfig) -> String {
+    let scene = match config.scene.seawall() {
+        Some(scene) => seawall(scene),
+        None => config.scene.kind().to_owned(),
+    };
+    let (depth, spacing) = (config.scene.frame().depth, config.numerics.particle_spacing_m);
+    format!("{scene}, depth {} m, particles {} mm apart", plain(depth), plain(1e3 * spacing))
+}
+
+fn seawall(scene: &SeawallScene) -> String {
+    let value = |column: &Column, value: f64| {
+        format!("{} = {} {}", column.symbol, plain(value), column.unit.symbol())
+            .trim_end()
+            .to_owned()
+    };
+    let mut parts = Vec::new();
+    match (scene.paddle, scene.wave_height_ratio) {
+        (_, 0.0) => parts.push("still water".to_owned()),
+        (PaddleChoice::Solitary, ratio) => parts.push(value(&WAVE_HEIGHT_RATIO, ratio)),
+        (paddle, _) => parts.push(name_of(paddle)),
+    }
+    let angle = match (scene.wall, scene.wall_angle_deg) {
+        (WallChoice::Fixed, angle) if angle != 90.0 => format!(" of {}°", plain(angle)),
+        _ => String::new(),
+    };
+    let wall = if scene.wall == WallChoice::Caisson { "" } else { " wall" };
+    parts.push(format!("{}{wall}{angle}", name_of(scene.wall)));
+    parts.extend(scene.spring_stiffness_n_per_m.map(|k| value(&SPRING_STIFFNESS, k)));
+    parts.extend(scene.seawall_mass_kg_per_m.map(|m| value(&SEAWALL_MASS, m)));
+    parts.join(", ")
+}
+
+/// Results, readings, energy, and where the time went.
+pub(super) fn told(record: &CaseRecord, config: &CaseConfig) -> String {
+    let mut text = format!("case {}", record.id);
+    let (Some(outcome), Some(energy)) = (&record.outcome, &record.energy) else {
+        text.push_str(&format!(" failed: {}\n", record.reason));
+        return text;
+    };
+    let status = if outcome.doubtful_reason.is_some() { "ok, but doubtful" } else { "ok" };
+    text.push_str(&format!(": {status}, {}\n\n", duration(record.wall_time_s)));
+    text.push_str(&outcome_table(&record.reported(config, Bars::default())));
+    if !record.readings.is_empty() {
+        text.push_str("\nreadings\n");
+        text.push_str(&readings_table(&record.readings));
+    }
+    let wall = config.scene.seawall().map(|scene| scene.wall);
+    text.push_str(&energy_table(energy, outcome.energy_gap_percent, wall));
+    text.push_str("\nwhere the time went\n");
+    text.push_str(&phase_table(&record.phases));
+    text
+}
+
+/// What one has to know before one reads a number.
+const FIRST: [&Column; 2] = [&DOUBTFUL_REASON, &COARSE_SPACING];
+
+/// What came out of a case, as far as it has it.
+fn outcome_table(case: &Case<'_>) -> String {
+    let line = |column: &Column| {
+        let text = match column.value(case)? {
+            Value::Number(value) if column.unit.is_ratio() => short(value),
+            Value::Number(value) => format!("{} {}", short(value), column.unit.symbol()),
+            Value::Count(count) => count.to_string(),
+            Value::Flag(_) => return None, // its reason or mark stands beside a number
+            Value::Text(text) => text,
+        };
+        let time = column.time(case).map(|time| format!(" at {time:.4} s")).unwrap_or_default();
+        // At the very end and still moving: the maximum is yet to come.
+        let (start, end) =
+            if is_bound(column, case) { ("≥ ", ", still moving at the end") } else { ("", "") };
+        let text = text.trim_end();
+        Some(format!("{:<32}{start}{text}{time}{end}\n", column.heading_without_unit()))
+    };
+    let results = ALL.iter().skip_while(|column| **column != &MEASURED_WAVE_HEIGHT_RATIO);
+    let results = results.filter(|column| !FIRST.contains(column));
+    FIRST.iter().chain(results).filter_map(|column| line(column)).collect()
+}
+
+/// A lower bound, or the same maximum as one.
+fn is_bound(column: &Column, case: &Case<'_>) -> bool {
+    DISPLACEMENT_MAX.is_bound(case)
+        && column.unit == DISPLACEMENT_MAX.unit
+        && column.time(case).is_some_and(|time| Some(time) == DISPLACEMENT_MAX.time(case))
+}
+
+fn readings_table(readings: &[NamedReading]) -> String {
+    let mut table = Table::default();
+    for reading in readings {
+        table.row([reading.name.clone(), short(reading.value), reading.unit.clone()]);
+    }
+    table.render()
+}
+
+/// Every term, its share of the paddle's work where there is a paddle that works, and what is left over.
+fn energy_table(budget: &EnergyBudget, gap_percent: f64, wall: Option<WallChoice>) -> String {
+    let (paddle, spent) = energy::ALL.split_first().expect("a budget has terms");
+    let work = (paddle.read)(budget);
+    let total: f64 = spent.iter().map(|term| (term.read)(budget)).sum();
+    let share = if work == 0.0 { "" } else { "  % of paddle work" };
+    let mut text = format!("\n{:<26}{:>10}{share}\n", "energy budget", "J/m");
+    let mut line = |name: &str, value: f64| {
+        let share = match work {
+            0.0 => String::new(),
+            work => format!("  {:>16.2}", 100.0 * value / work),
+        };
+        text.push_str(&format!("{name:<26}{:>10}{share}\n", short(value)));
+    };
+    for term in energy::ALL.iter().filter(|term| work != 0.0 || *term != paddle) {
+        let resistance = wall.filter(|_| **term == energy::THRESHOLD_DEVICE);
+        let name = resistance.map_or_else(|| term.words(), |wall| wall.resistance().to_owned());
+        line(&name, (term.read)(budget));
+    }
+    line("residual", work - total);
+    text.push_str(&format!("reported gap {gap_percent:.2} %\n"));
+    text
+}
+
+fn phase_table(phases: &[PhaseShare]) -> String {
+    let total: f64 = phases.iter().map(|phase| phase.seconds).sum();
+    let mut table = Table::default();
+    for phase in phases {
+        let share = if total > 0.0 { 100.0 * phase.seconds / total } else { 0.0 };
+        let seconds = format!("{:.2} s", phase.seconds);
+        table.row([phase.phase.clone(), seconds, format!("{share:.1} %")]);
+    }
+    table.render()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::study::{Study, SweepFile};
+
+    fn told_of(scene: &str) -> String {
+        let file = SweepFile::read(&format!("name = \"a\"\n[scene]\n{scene}"), &[]).unwrap();
+        inputs(&Study::new(&file).unwrap().cases[0].config)
+    }
+
+    #[test]
+    fn wave_wall_depth_and_spacing_are_told() {
+        let numbers = "depth 0.2 m, particles 10 mm apart";
+        assert_eq!(told_of(""), format!("H/h = 0.5, fixed wall, {numbers}"));
+        let movable = "wall = \"movable\"\nspring_stiffness_n_per_m = 5e4\n\
+                       seawall_mass_kg_per_m = 50\nwave_height_ratio = 0.3";
+        let walls = "H/h = 0.3, movable wall, k = 5×10⁴ N/m, m = 50 kg/m";
+        assert_eq!(told_of(movable), format!("{walls}, {numbers}"));
+        assert!(told_of("wall_angle_deg = 120").contains("fixed wall of 120°"));
+        let still = told_of("wave_height_ratio = 0\nend_time_s = 1");
+        assert!(still.starts_with("still water, fixed wall"), "{still}");
+        assert!(told_of("kind = \"rotating-patch\"").starts_with("rotating-patch, "));
+    }
+
+    #[test]
+    fn energy_is_told_by_what_is_there() {
+        let budget = EnergyBudget { threshold_device: 2.0, ..EnergyBudget::default() };
+        let table = |wall| energy_table(&budget, 0.0, wall);
+        let no_paddle = table(None);
+        assert!(!no_paddle.contains("paddle") && no_paddle.contains("threshold device"));
+        let caisson = table(Some(WallChoice::Caisson));
+        assert!(caisson.contains("friction and water behind      2.000\n"), "{caisson}");
+        let works = EnergyBudget { paddle_work: 4.0, ..budget };
+        let works = energy_table(&works, 0.0, Some(WallChoice::Movable));
+        assert!(works.contains("% of paddle work\npaddle work"), "{works}");
+        assert!(works.contains("threshold device") && works.contains(" 50.00\n"), "{works}");
+    }
+}

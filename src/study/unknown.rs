@@ -1,0 +1,78 @@
+//! Keys that nothing knows, told all at once: who mends one is not to be told of the next.
+
+use toml::{Table, Value};
+
+use crate::scene::{ConfigError, Place, place_of, unknown_keys};
+
+/// So many are told behind the first.
+const MOST: usize = 3;
+
+/// Refuses a file for what is wrong at its top, and for keys of its sections where there are several errors. A
+/// single one is told where its section is read.
+pub(super) fn refuse(at_the_top: Vec<ConfigError>, file: &Table) -> Result<(), ConfigError> {
+    let sections = in_sections(file);
+    if at_the_top.is_empty() && sections.len() < 2 {
+        return Ok(());
+    }
+    let mut all = at_the_top.into_iter().chain(sections);
+    let Some(first) = all.next() else { return Ok(()) };
+    let others: Vec<_> = all.map(|error| error.to_string()).collect();
+    let mut allowed = first.allowed;
+    for other in others.iter().take(MOST) {
+        allowed += &format!("; besides, {other}");
+    }
+    if others.len() > MOST {
+        allowed += &format!("; and {} more", others.len() - MOST);
+    }
+    Err(ConfigError { allowed, ..first })
+}
+
+/// The unknown keys of `[scene]`, `[numerics]` and `[grid]`.
+fn in_sections(file: &Table) -> Vec<ConfigError> {
+    let section =
+        |name: &str| file.get(name).and_then(Value::as_table).cloned().unwrap_or_default();
+    let (scene, grid) = (section("scene"), section("grid"));
+    // What is known depends on the kind.
+    if place_of("kind", &scene).is_err() || grid.contains_key("kind") {
+        return Vec::new();
+    }
+    let mut all = unknown_keys(Place::Scene, &scene, &scene);
+    all.extend(unknown_keys(Place::Numerics, &scene, &section("numerics")));
+    let swept = grid.keys().filter(|key| *key != "refine");
+    all.extend(swept.filter_map(|key| place_of(key, &scene).err()));
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::study::SweepFile;
+
+    fn told(text: &str) -> String {
+        SweepFile::read(text, &[]).unwrap_err().to_string()
+    }
+
+    /// A file without a name hid the misspelt key, which was told once the name was there.
+    #[test]
+    fn several_errors_of_keys_are_told_together() {
+        let both = told("[scene]\nwave_hight_ratio = 0.3");
+        assert!(both.starts_with("name: is required"), "{both}");
+        let besides =
+            "besides, scene.wave_hight_ratio: unknown key; did you mean wave_height_ratio?";
+        assert!(both.ends_with(besides), "{both}");
+        let three = told(
+            "name = \"a\"\n[scene]\ncolour = 1\n[numerics]\nkernle = \"gaussian\"\n[grid]\nx = [1]",
+        );
+        let all = "scene.colour: unknown key; besides, numerics.kernle: unknown key; did you mean \
+                   kernel?; besides, grid.x: unknown key";
+        assert_eq!(three, all);
+        let many = told("[scene]\na = 1\nb = 1\nc = 1\nd = 1\ne = 1");
+        assert!(many.ends_with("; and 2 more"), "{many}");
+    }
+
+    #[test]
+    fn a_single_one_is_told_where_its_section_is_read() {
+        for text in ["[scene]\ncolour = 1", "[grid]\nx = [1]", "[scene]\nkind = \"none\"\na = 1"] {
+            assert!(SweepFile::read(&format!("name = \"a\"\n{text}"), &[]).is_ok(), "{text}");
+        }
+    }
+}
