@@ -116,11 +116,14 @@ impl Scene {
         self.seawall().is_some_and(|s| s.wave_height_ratio > 0.0 && s.wall_angle_deg == 90.0)
     }
 
-    /// Whether a single wave meets an upright wall over a level bed.
+    /// Whether a single wave meets an upright wall over a bed that is nowhere steeper than 1:2.
     pub(super) fn has_solitary_wave_at_upright_wall(&self) -> bool {
-        self.has_crest_at_upright_wall()
-            && !self.has_train()
-            && self.seawall().is_some_and(SeawallScene::is_upright_over_level_bed)
+        self.has_crest_at_upright_wall() && !self.has_train() && !self.has_steep_bed()
+    }
+
+    /// Whether it is a tank with an upright wall and a level bed.
+    pub(super) fn is_upright_over_level_bed(&self) -> bool {
+        self.seawall().is_some_and(SeawallScene::is_upright_over_level_bed)
     }
 
     /// Whether its paddle makes waves that go on.

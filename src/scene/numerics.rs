@@ -146,8 +146,8 @@ section! {
         /// and energy; off in both papers.
         corrected_gradients: bool = true, weakly(plain()).label("gradient correction");
         /// The correction of a full step comes from the step before. This takes it on to the present, as
-        /// far as it has changed in that step. Trains, and solitary waves at upright walls over a level
-        /// bed, have it by default.
+        /// far as it has changed in that step. Trains, and solitary waves at upright walls over beds no
+        /// steeper than 1:2, have it by default.
         extrapolated_correction: bool = false, weakly(plain()).newer();
         /// Density diffusion.
         density_diffusion: DensityDiffusion = DensityDiffusion::Hydrostatic, weakly(plain());
@@ -155,10 +155,10 @@ section! {
         density_diffusion_coefficient: f64 = 0.1, weakly(plain().within(0.0, 1.0))
             .read_where("density_diffusion", &["renormalised", "hydrostatic", "molteni"]).label("δ");
         /// α of Huang et al. 2019, Eq. 5. By default 0.1 with 4 spacings, and 0.09 for solitary waves at
-        /// upright walls over a level bed.
+        /// upright walls over beds no steeper than 1:2.
         artificial_viscosity: f64 = 0.08, plain().within(0.0, 1.0).label("viscosity");
         /// Artificial viscosity acts only on pairs that lose energy by it. Trains, and solitary waves at
-        /// upright walls over a level bed, have it off by default.
+        /// upright walls over beds no steeper than 1:2, have it off by default.
         limited_viscosity: bool = true, weakly(plain()).newer();
         /// Particle shifting. Trains have `deep` by default.
         shifting: Shifting = Shifting::Interior, plain();

@@ -126,6 +126,8 @@ impl Numerics {
         let solitary = scene.has_solitary_wave_at_upright_wall();
         if solitary {
             self.artificial_viscosity = 0.09;
+        }
+        if solitary && scene.is_upright_over_level_bed() {
             self.sound_speed_ratio = sound_speed_ratio(scene.frame().depth, particle_spacing);
         }
         if solitary || scene.has_train() {

@@ -16,8 +16,8 @@ const DIFFUSE_FROM: f64 = 0.9;
 /// ... to this one.
 const DIFFUSE_FULL: f64 = 0.99;
 
-/// A correction is taken on by this much at most, in any of its components. Waves stay well below. Where a
-/// jet lands, it may change by half within a full step, and the change says nothing of the next one.
+/// A correction is taken on by this much at most, in any of its components. Up to H/h = 0.3 waves stay below.
+/// Where a jet lands, it may change by half within a full step, and the change says nothing of the next one.
 const MOST_TAKEN_ON: f64 = 0.1;
 
 impl Wcsph {
