@@ -1,6 +1,7 @@
 //! Numbers for the eye.
 
 pub use crate::math::decimal::significant;
+use crate::quantities::Digits;
 
 /// A parameter as a person writes it, to four significant digits: `500`, `0.01`, `10⁷`, `2.5×10⁵`.
 pub fn plain(value: f64) -> String {
@@ -23,6 +24,15 @@ pub fn brief(cell: &str) -> String {
     let digits = mantissa.trim_start_matches(['-', '0', '.']).chars().filter(char::is_ascii_digit);
     let whole = cell.chars().all(|c| c.is_ascii_digit());
     if whole || digits.count() <= 5 { cell.to_owned() } else { plain(value) }
+}
+
+/// A number with the digits that its quantity shows; `None` where that is all there are.
+pub fn with_digits(value: f64, digits: Digits) -> Option<String> {
+    match digits {
+        Digits::All => None,
+        Digits::Decimals(decimals) => Some(format!("{value:.decimals$}")),
+        Digits::Significant(digits) => Some(significant(value, digits).to_string()),
+    }
 }
 
 /// A result with its error bar, rounded to the first digit of the bar that matters (two digits

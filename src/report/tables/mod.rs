@@ -1,4 +1,4 @@
-//! Tables: the summary in brief, the response curves, readings, energies, and the health of every
+//! Tables: the summary in few columns, the response curves, readings, energies, and the health of every
 //! case.
 
 mod energy;
@@ -25,16 +25,17 @@ pub use lines::{Line, Lines};
 pub use readings::across;
 pub use table::Table;
 
-/// A line per row, a column per quantity, with the digits that each shows.
-fn brief<'a>(
+/// A line per row, a column per quantity, with every digit: only what is for the eye is rounded, and
+/// only once.
+fn of_columns<'a>(
     name: &str,
     title: &str,
     columns: Vec<&'static Column>,
     rows: impl Iterator<Item = &'a Row> + 'a,
 ) -> Lines<'a> {
     let header = names(&columns);
-    let cells = move |row: &Row| Ok(columns.iter().map(|column| row.brief(column)).collect());
-    Lines::new(name, title, owned(&header), rows.map(cells))
+    let line = move |row: &Row| Ok(cells(row, &columns));
+    Lines::new(name, title, owned(&header), rows.map(line))
 }
 
 /// Every table that the sweep's files can fill.
@@ -48,7 +49,7 @@ pub fn all(data: &Loaded) -> Vec<Lines<'_>> {
     tables
 }
 
-/// The summary in brief: one row per case, failed ones included.
+/// The summary in few columns: one row per case, failed ones included.
 fn summary(data: &Loaded) -> Lines<'_> {
     let mut columns = vec![
         &CASE_ID,
@@ -77,7 +78,7 @@ fn summary(data: &Loaded) -> Lines<'_> {
     let mut header = owned(&names(&columns));
     header.extend(has_variants.then(|| VARIANT.to_owned()));
     let line = move |row: &Row| {
-        let mut cells: Vec<_> = columns.iter().map(|column| row.brief(column)).collect();
+        let mut cells = cells(row, &columns);
         cells.extend(has_variants.then(|| row.variant.to_string()));
         Ok(cells)
     };
@@ -92,7 +93,7 @@ fn health(data: &Loaded) -> Lines<'_> {
         &[&FORCE_COUPLING, &FORCE_GAP, &ENERGY_GAP, &PARTICLES_LOST],
         &[&PARTICLES, &STEPS, &STOP_IMPULSE, &DOUBTFUL_REASON],
     ];
-    brief("health", "Health", columns.concat(), data.finished())
+    of_columns("health", "Health", columns.concat(), data.finished())
 }
 
 /// The first of the cases that failed, and why.
@@ -102,13 +103,13 @@ pub fn failed(data: &Loaded, most: usize) -> Table {
     let mut header = names(&columns);
     header.extend(has_variants.then_some(VARIANT));
     header.push(REASON.name);
-    let cells = |row: &Row| {
-        let mut cells: Vec<_> = columns.iter().map(|column| row.brief(column)).collect();
+    let line = |row: &Row| {
+        let mut cells = cells(row, &columns);
         cells.extend(has_variants.then(|| row.variant.to_string()));
-        cells.push(row.brief(&REASON));
+        cells.push(row.cell(&REASON));
         cells
     };
-    let rows = data.failed().take(most).map(cells).collect();
+    let rows = data.failed().take(most).map(line).collect();
     let left = data.failed().count().saturating_sub(most);
     Table { left, ..Table::new("", "Failed cases", &header, rows) }
 }
