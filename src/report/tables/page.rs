@@ -5,6 +5,7 @@ use super::{Table, VARIANT};
 use crate::quantities::summary::{FORCE_COUPLING, STATUS};
 use crate::quantities::{Column, named};
 use crate::report::number;
+use crate::report::row::PLACE;
 
 /// Columns that tell nothing where all cases have the same in them.
 const ALIKE: [&Column; 2] = [&STATUS, &FORCE_COUPLING];
@@ -57,6 +58,9 @@ fn brief(name: &str, cell: &str) -> String {
     let column = named(name);
     if name == VARIANT || column.is_some_and(Column::is_text) {
         return cell.to_owned();
+    }
+    if let (true, Ok(value)) = (PLACE.iter().any(|column| column.name == name), cell.parse()) {
+        return number::plain(value);
     }
     let told = column.zip(cell.parse().ok());
     let told = told.and_then(|(column, value)| number::with_digits(value, column.digits));

@@ -200,7 +200,7 @@ mod tests {
 
     #[test]
     fn masses_of_the_same_stiffnesses_are_told_together() {
-        let told = "Compared with the stiffest wall at H/h = 0.5, k = 10⁵ N/m, m = 500 kg/m (F* = 4), \
+        let told = "Compared with the stiffest wall at H/h = 0.5, k = 100000 N/m, m = 500 kg/m (F* = 4), \
                     the force is halved by k up to 100 N/m with m = 50 kg/m; k = 10 N/m with m = 100 \
                     and 500 kg/m. No wall does so at H/h = 0.2.";
         assert_eq!(said(&walls()).unwrap(), told);

@@ -52,12 +52,12 @@ mod tests {
     fn a_movable_study() {
         assert_eq!(
             said(&fixture::sweep()),
-            "What was run: 12 cases: H/h = 0.3 and 0.5; k = 10, 500 and 10⁵ N/m; m = 50 and 250 \
+            "What was run: 12 cases: H/h = 0.3 and 0.5; k = 10, 500 and 100000 N/m; m = 50 and 250 \
              kg/m. Particles stand 8 mm apart. 11 finished, 1 failed.\n\
              Failed: 1 case failed: runaway-speed (1). It has no results.\n\
-             Largest force: The largest force of all is F* = 2.978 at H/h = 0.5, k = 10⁵ N/m, \
+             Largest force: The largest force of all is F* = 2.978 at H/h = 0.5, k = 100000 N/m, \
              m = 50 kg/m. It is that of the first impact.\n\
-             Half the force: No wall halves the force on the stiffest wall at H/h = 0.5, k = 10⁵ \
+             Half the force: No wall halves the force on the stiffest wall at H/h = 0.5, k = 100000 \
              N/m, m = 50 kg/m (F* = 2.978): the least is 76 % of it at H/h = 0.5, k = 500 N/m, \
              m = 50 kg/m. Nor does any wall at H/h = 0.3.\n\
              Bounds: 6 of 11 largest displacements are no more than a lower bound (≥): the wall \
