@@ -6,6 +6,7 @@ mod errors;
 mod force;
 mod halving;
 mod run;
+mod scene;
 
 pub use force::most;
 
@@ -25,6 +26,7 @@ pub struct Answer {
 pub fn all(data: &Loaded, file: Option<&SceneFile>) -> Vec<Answer> {
     let answers = [
         ("What was run", Some(run::what(data, file))),
+        ("The scene", scene::shared(data)),
         ("Failed", run::failed(data)),
         ("Largest force", force::largest(data, file)),
         ("Half the force", halving::half(data)),
