@@ -7,7 +7,7 @@ use super::markup::escape;
 use super::number;
 use super::tables::Table;
 use crate::quantities::heading;
-use crate::quantities::summary::{CASE_ID, DOUBTFUL_REASON};
+use crate::quantities::summary::{CASE_ID, DOUBTFUL_REASON, STOPS};
 
 /// A table as HTML. One with a row per case stands where scripts are off as it is; where they are
 /// on, they make of the same text a table that can be sorted and filtered.
@@ -56,10 +56,12 @@ fn whole(table: &Table) -> String {
             None => text.push_str("<tr>"),
         }
         for &at in &order {
-            let class = match (doubtful(&table.header[at], &row[at]), numeric[at]) {
-                (true, _) => " class=\"doubtful\"",
-                (false, true) => " class=\"number\"",
-                (false, false) => "",
+            let (name, cell) = (&table.header[at], &row[at]);
+            let class = match numeric[at] {
+                _ if doubtful(name, cell) => " class=\"doubtful\"",
+                true if hit(name, cell) => " class=\"number hit\"",
+                true => " class=\"number\"",
+                false => "",
             };
             write!(text, "<td{class}>{}</td>", escape(&row[at])).expect(GROWS);
         }
@@ -80,6 +82,11 @@ fn doubtful(column: &str, cell: &str) -> bool {
     column == DOUBTFUL_REASON.name && !cell.is_empty()
 }
 
+/// Whether a wall has come back onto its stop.
+fn hit(column: &str, cell: &str) -> bool {
+    column == STOPS.name && !matches!(cell, "" | "0")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -89,5 +96,13 @@ mod tests {
         assert!(doubtful("doubtful_reason", "energy gap -15.2 %"));
         assert!(!doubtful("doubtful_reason", ""));
         assert!(!doubtful("force_gap_percent", "48.1"));
+    }
+
+    #[test]
+    fn walls_that_hit_their_stops_are_marked() {
+        assert!(hit("stops", "2") && !hit("stops", "0") && !hit("stops", "") && !hit("steps", "2"));
+        let rows = [["a", "2"], ["b", "0"]].map(|row| row.map(str::to_owned).to_vec());
+        let text = grid(&Table::new("summary", "Cases", &["case_id", "stops"], rows.into()));
+        assert_eq!(text.matches("class=\"number hit\">2<").count(), 1, "{text}");
     }
 }

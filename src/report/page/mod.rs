@@ -158,7 +158,8 @@ fn tabled(body: &mut String, data: &Loaded, tables: &[Table]) {
 
 /// What stands before the table of cases.
 const BARS: &str = "<p>± is the estimated error bar, where bars were asked for. ≥ is a lower bound: \
-    the wall was still moving when the run ended, and the bar behind it can only lower it.</p>";
+    the wall was still moving when the run ended, and the bar behind it can only lower it. A bold number \
+    of stops says how often the wall came back onto its stop; the load of that is in no maximum.</p>";
 
 /// What stands before the table of the prototype.
 const PROTOTYPE: &str = "<p>By Froude's law, with the gravity and the density of the tank: lengths grow by \

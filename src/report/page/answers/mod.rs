@@ -7,6 +7,7 @@ mod force;
 mod halving;
 mod run;
 mod scene;
+mod stops;
 
 pub use force::most;
 
@@ -30,6 +31,7 @@ pub fn all(data: &Loaded, file: Option<&SceneFile>) -> Vec<Answer> {
         ("Failed", run::failed(data)),
         ("Largest force", force::largest(data, file)),
         ("Half the force", halving::half(data)),
+        ("Stops", stops::hits(data)),
         ("Bounds", doubts::bounds(data)),
         ("Doubts", doubts::doubtful(data)),
         ("Spacing", doubts::coarse(data)),
@@ -62,6 +64,8 @@ mod tests {
              Half the force: No other wall halves the force on the stiffest wall at H/h = 0.5, \
              k = 100000 N/m, m = 50 kg/m (F* = 2.978). The lowest force is 76 % of it, at H/h = 0.5, \
              k = 500 N/m, m = 50 kg/m. At H/h = 0.3 no wall halves it either.\n\
+             Stops: The wall hits its stop in 5 of 11 cases. The load of such a hit is in no maximum; \
+             it is in the table Health, as the stop impulse.\n\
              Bounds: 6 of 11 largest displacements are no more than a lower bound (≥): the wall \
              still moved outwards when the run ended (k up to 500 N/m).\n\
              Doubts: These files do not say which results are doubtful.\n\
