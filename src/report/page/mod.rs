@@ -46,7 +46,7 @@ const MOST: usize = 4_700_000;
 pub struct Papers {
     /// An answer at the page's top, as plain text.
     pub answer: String,
-    /// The section, as HTML.
+    /// The section, as HTML; empty where no case is one of theirs.
     pub content: String,
 }
 
@@ -66,7 +66,7 @@ pub fn page(
     head(&mut body, [data, shown], &name, file.as_ref(), papers);
     failures(&mut body, data);
     body.push_str(&figures::sections(figures));
-    if let Some(papers) = papers {
+    if let Some(papers) = papers.filter(|papers| !papers.content.is_empty()) {
         section(&mut body, "The papers", &papers.content);
     }
     tabled(&mut rest, data, tables);
