@@ -293,7 +293,7 @@ fn a_choice_is_drawn_where_figures_show_a_part_at_first() {
     browser.open(&path, "#wave_height_ratio=0.23&seawall_mass_kg_per_m=100");
     assert_eq!(words(&mut browser, &panels), ["H/h = 0.23"; 3]);
     assert_eq!(words(&mut browser, &curves).len(), 3);
-    assert_eq!(words(&mut browser, &spare), ["m* = 2.5"]);
+    assert_eq!(words(&mut browser, &spare), ["m = 100 kg/m (m* = 2.5)"]);
     let none = "document.querySelectorAll('figure .nothing:not([hidden])').length";
     assert_eq!(browser.run(&format!("{figure}.querySelector('.nothing')")), Value::Null);
     browser.point_at("#choose > button", true);

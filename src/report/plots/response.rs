@@ -3,14 +3,14 @@
 
 use super::axes::Axis;
 use super::chart::{Chart, Curve};
-use super::marks::{bounds, by, coupling, key, marks, picked, point};
+use super::marks::{bounds, by, coupling, key, marks, picked, point, said};
 use super::sheet::{Drawing, PANELS};
 use super::{Figure, SERIES, file_name, of_variant, printed};
 use crate::quantities::summary::{LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, Unit};
 use crate::report::curves::{RESPONSES, by_mass, distinct, responses, spread, stem, variants};
 use crate::report::load::Loaded;
-use crate::report::row::{Row, label};
+use crate::report::row::Row;
 
 /// The figures of every response and variant that has points.
 pub fn figures(data: &Loaded) -> Vec<Figure> {
@@ -68,7 +68,7 @@ fn drawing(data: &Loaded, response: &Column, masses: &[&[&Row]], waves: &[f64]) 
         let x = (x.clone(), title.as_str(), LOG10_K_STAR.name);
         let curves = curves(rows).into_iter().chain(bounds(&all)).collect();
         Chart::new(x, (y.clone(), up, response.name), curves)
-            .under(label(&M_STAR, mass), key(&M_STAR, mass))
+            .under(said(rows.iter().copied(), &M_STAR, mass), key(&M_STAR, mass))
     };
     Drawing::new(masses.iter().map(chart).collect(), PANELS)
 }
@@ -100,8 +100,8 @@ mod tests {
         let directory = fixture::movable(&[0.3, 0.316_227_766], &[10.0, 500.0], &[46.415_888_3]);
         let data = Loaded::read(directory.path()).unwrap();
         let svg = figures(&data)[0].inline(Place::Usual);
-        assert!(svg.contains(">H/h = 0.3162<") && svg.contains(">m* = 1.16<"), "{svg}");
-        assert!(!svg.contains(">H/h = 0.316227766<") && !svg.contains(">m* = 1.1603"));
+        assert!(svg.contains(">H/h = 0.3162<") && svg.contains(">m = 46.42 kg/m (m* = 1.16)<"));
+        assert!(!svg.contains(">H/h = 0.316227766<") && !svg.contains("m* = 1.1603"));
     }
 
     #[test]
