@@ -6,8 +6,10 @@ use std::fmt::Write as _;
 use super::markup::escape;
 use super::number;
 use super::tables::Table;
-use crate::quantities::heading;
-use crate::quantities::summary::{CASE_ID, DOUBTFUL_REASON, STOPS};
+use crate::quantities::summary::{
+    CASE_ID, DOUBTFUL_REASON, LOG10_K_STAR, M_STAR, MEASURED_WAVE_HEIGHT_RATIO, STOPS,
+};
+use crate::quantities::{Column, heading};
 
 /// A table as HTML. One with a row per case stands where scripts are off as it is; where they are
 /// on, they make of the same text a table that can be sorted and filtered.
@@ -38,6 +40,10 @@ pub(super) fn grid(table: &Table) -> String {
 /// Head and body. A case's id comes last: it is needed less than all else.
 fn whole(table: &Table) -> String {
     let mut order: Vec<usize> = (0..table.header.len()).collect();
+    // What was measured comes before ratios that follow from what was asked for.
+    if table.name == "summary" {
+        order.sort_by_key(|&at| RATIOS.iter().any(|column| column.name == table.header[at]));
+    }
     if table.header.first().is_some_and(|name| name == CASE_ID.name) {
         order.rotate_left(1);
     }
@@ -69,6 +75,9 @@ fn whole(table: &Table) -> String {
     }
     text + "</tbody>"
 }
+
+/// Ratios of a case's own parameters.
+const RATIOS: [&Column; 3] = [&MEASURED_WAVE_HEIGHT_RATIO, &LOG10_K_STAR, &M_STAR];
 
 const GROWS: &str = "a string grows";
 

@@ -1,6 +1,8 @@
 // Tables: sorted by a click on a heading, filtered by what stands under it. A long table holds only
 // the rows that are near what is seen.
 const WHOLE = 400, AROUND = 8;
+// So many rows are seen at once, without a bar to scroll them.
+const SHORT = 50;
 const plain = document.createElement("textarea");
 
 function textOf(html) {
@@ -42,6 +44,7 @@ class Grid {
     this.lineOf = new Map(this.rows.map((row, line) => [row, line]));
     box.insertAdjacentHTML("beforeend", html.slice(0, start) + html.slice(end));
     this.scroll = box.querySelector(".wide");
+    this.scroll.classList.toggle("long", this.lines.length > SHORT);
     this.table = box.querySelector("table");
     this.body = this.table.tBodies[0];
     this.heads = [...this.table.tHead.rows[0].cells];
