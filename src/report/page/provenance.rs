@@ -93,7 +93,7 @@ fn loads(data: &Loaded) -> Option<String> {
         ];
         cells.to_vec()
     };
-    let header = ["rank", "host", "busy", "busy time", "cases", "shared stretches"];
+    let header = ["rank", "host", "busy", "busy time", "cases and companions", "shared stretches"];
     let shown = ranks.len().min(MOST_RANKS);
     let table = Table::new("", "Load", &header, (0..shown).map(line).collect());
     let left = ranks.len() - shown;
