@@ -25,7 +25,12 @@ pub fn nearest(data: &Loaded) -> Option<String> {
         let own = cases.iter().filter(|(_, config)| text(config, "wall") == Some(&number.scene));
         own.map(|(row, _)| distance(number, row)).min_by(f64::total_cmp)
     };
-    let walls = printed().iter().filter(|number| number.wave_height_ratio.is_some());
+    // A number of many stiffnesses together is that of no wall.
+    let is_of_a_wall = |number: &&Printed| {
+        let has_spring = number.scene != "movable" || number.spring_stiffness_n_per_m.is_some();
+        number.wave_height_ratio.is_some() && has_spring
+    };
+    let walls = printed().iter().filter(is_of_a_wall);
     let walls = walls.filter_map(|number| Some((number, apart(number)?)));
     let (nearest, _) = walls.min_by(|a, b| a.1.total_cmp(&b.1))?;
     let in_their_tank = cases.iter().any(|(_, config)| scenes(&config.scene).next().is_some());
