@@ -52,9 +52,14 @@ fn a_case_is_filmed_only_where_it_comes_out_the_same() {
 
     assert!(told(&["wave_height_ratio=0.5"], 0).contains("the same to the bit"));
     let names = films(&out);
-    let [furthest, page, crest] = &names[..] else { panic!("{names:?}") };
+    let [furthest, highest, page, crest] = &names[..] else { panic!("{names:?}") };
     assert!(page.ends_with(".html") && crest.ends_with(".svg"), "{names:?}");
     assert_eq!(*furthest, page.replace(".html", "-furthest.svg"));
+    assert_eq!(
+        *highest,
+        page.replace(".html", "-highest.svg"),
+        "another frame than the largest force"
+    );
     let moment = |still: &str| {
         let text = fs::read_to_string(out.join("films").join(still)).unwrap();
         let words = text.split("X* = ").nth(1).unwrap().split([' ', '"']).next().unwrap();
@@ -62,7 +67,10 @@ fn a_case_is_filmed_only_where_it_comes_out_the_same() {
     };
     assert!(moment(furthest) > 2.0 * moment(crest), "the wall went on after the largest force");
     let still = fs::read_to_string(out.join("films").join(furthest)).unwrap();
-    assert!(still.contains("(dashed: 0)") && still.contains("stroke-dasharray"), "where it stood");
+    assert!(
+        still.contains("(dashed: the wall at rest)") && still.contains("stroke-dasharray"),
+        "where it stood"
+    );
     let report = run(&["report", out.to_str().unwrap()]);
     expect_code(&report, 0);
     let report = fs::read_to_string(out.join("report.html")).unwrap();
@@ -187,7 +195,7 @@ fn an_interrupted_film_is_made_by_the_same_command() {
     assert_eq!(child.wait().unwrap().code(), Some(3), "{rest:?}");
     assert!(films(&out).is_empty() && !out.join("films/reasons.csv").exists());
     expect_code(&run(&["sweep", file, "--out", path]), 0);
-    assert!(films(&out).len() == 3 && out.join("films/reasons.csv").exists());
+    assert!(films(&out).len() == 4 && out.join("films/reasons.csv").exists());
     assert_eq!(results(&out), before);
 }
 
@@ -222,7 +230,7 @@ fn cases_whose_numerics_were_chosen_are_filmed_verified_and_told() {
         ]);
         expect_code(&check, 0);
     }
-    assert_eq!(films(&out).len(), 6);
+    assert_eq!(films(&out).len(), 8);
     assert_eq!(results(&out), before);
     let mut again = fs::read_dir(out.join("histories")).unwrap().map(|entry| entry.unwrap());
     let is_there = |entry: &fs::DirEntry| {

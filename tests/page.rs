@@ -113,6 +113,21 @@ fn a_choice_holds_for_figures_and_tables_and_stands_in_the_address() {
     assert_eq!(browser.complaints(), [""; 0]);
 }
 
+/// A unit behind the number once emptied all tables without a word.
+#[test]
+fn a_filter_that_is_not_understood_is_told_and_holds_nothing_back() {
+    let Some(mut browser) = opened("#summary.first_force_max=%3C2+N") else { return };
+    let told = ".listing[data-table=summary] .unread";
+    let told = format!("document.querySelector('{told}:not([hidden])')?.textContent ?? ''");
+    assert_eq!(cells(&mut browser, "first_force_max").len(), TINY_CASES);
+    let words = browser.run(&told).as_str().unwrap().to_owned();
+    assert!(words.contains("“<2 N” is not understood") && words.contains("0.2..0.4"), "{words}");
+    browser.open(&page(), "#summary.first_force_max=%3C0.1&summary.stops=%3C");
+    assert_eq!(cells(&mut browser, "first_force_max"), [""; 0], "one that is understood");
+    assert_eq!(browser.run(&told), json!(""), "a sign alone is the start of one");
+    assert_eq!(browser.complaints(), [""; 0]);
+}
+
 #[test]
 fn a_heading_sorts_up_and_down() {
     let Some(mut browser) = opened("") else { return };
@@ -293,7 +308,7 @@ fn a_choice_is_drawn_where_figures_show_a_part_at_first() {
     browser.open(&path, "#wave_height_ratio=0.23&seawall_mass_kg_per_m=100");
     assert_eq!(words(&mut browser, &panels), ["H/h = 0.23"; 3]);
     assert_eq!(words(&mut browser, &curves).len(), 3);
-    assert_eq!(words(&mut browser, &spare), ["m* = 2.5"]);
+    assert_eq!(words(&mut browser, &spare), ["m = 100 kg/m (m* = 2.5)"]);
     let none = "document.querySelectorAll('figure .nothing:not([hidden])').length";
     assert_eq!(browser.run(&format!("{figure}.querySelector('.nothing')")), Value::Null);
     browser.point_at("#choose > button", true);

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use rayon::prelude::*;
 use toml::{Table, Value};
 
-use crate::keys::{Key, Section, Shared, number};
+use crate::keys::{Key, Section, Shared};
 use crate::scene::{Kind, Numerics, Scene, numerics_keys, scene_keys};
 use crate::study::{Case, Study};
 
@@ -108,7 +108,7 @@ fn occurring(keys: &[&'static Key], cases: &[Case]) -> Vec<Column> {
         let numerics = &shared.insert((own, numerics)).1;
         let case = values(&case.config.scene, numerics);
         for (key, column) in keys.iter().zip(&mut columns) {
-            let value = case.get(key.name).filter(|value| is_on(key, &case, value));
+            let value = case.get(key.name).filter(|_| key.is_on(&case));
             column.is_on |= value.is_some();
             column.take(value.map_or_else(|| "none".to_owned(), text));
         }
@@ -119,17 +119,6 @@ fn occurring(keys: &[&'static Key], cases: &[Case]) -> Vec<Column> {
 fn line(key: &'static Key, column: Column) -> Option<Line> {
     let (name, label, unit) = (key.name, key.label(), key.rule.unit);
     column.is_on.then_some(Line { name, label, unit, values: column.values })
-}
-
-/// Whether a case reads a key, and has it on where it is off by default.
-fn is_on(key: &Key, case: &Table, value: &Value) -> bool {
-    let off = |value: &Value| {
-        number(value) == Some(0.0)
-            || matches!(value.as_str(), Some("none"))
-            || *value == false.into()
-    };
-    let off_by_default = (key.default)().is_none_or(|default| off(&default));
-    key.applies(case) && !(off_by_default && off(value))
 }
 
 fn text(value: &Value) -> String {

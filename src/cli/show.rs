@@ -138,6 +138,7 @@ fn files(directory: &Path, id: &str) -> Vec<PathBuf> {
         "waves/.csv",
         "films/.html",
         "films/.svg",
+        "films/-highest.svg",
         "films/-furthest.svg",
         "vtk/.pvd",
     ];

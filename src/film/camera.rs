@@ -107,7 +107,8 @@ fn pick(takes: Vec<Take>, crest_s: f64, close: f64) -> (Vec<Take>, usize) {
     (picked.collect(), if all { crest } else { place })
 }
 
-fn nearest(times: &[f64], time: f64) -> usize {
+/// The place of the time that is nearest to another one.
+pub(super) fn nearest(times: &[f64], time: f64) -> usize {
     let gap = |&at: &usize| (times[at] - time).abs();
     (0..times.len()).min_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(0)
 }

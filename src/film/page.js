@@ -195,16 +195,21 @@
   // Curves of F*, R* and X* over time, each with a cursor.
   const charts = film.history.curves.map((curve) => {
     const times = film.history.time_s, box = document.createElement("figure");
-    let low = Math.min(0, ...curve.values), high = Math.max(...curve.values);
-    if (high - low < 1e-9) high = low + 1;
+    const { low, high } = curve, air = 0.1 * (high - low);
+    const beyond = curve.values.some((value) => value > high + air || value < low - air);
     const first = film.times[0], end = film.times[frames - 1];
-    const x = (t) => 1000 * (t - first) / (end - first || 1), y = (v) => 96 - 92 * (v - low) / (high - low);
+    const x = (t) => 1000 * (t - first) / (end - first || 1), y = (v) => 100 - 100 * (v - low) / (high - low);
     const points = times.map((t, k) => x(t).toFixed(1) + "," + y(curve.values[k]).toFixed(1)).join(" ");
+    // Three levels and five instants, as words beside a drawing that is stretched.
+    const levels = [0, 0.5, 1].map((share) => (low + share * (high - low)).toFixed(2));
+    const instants = [0, 0.25, 0.5, 0.75, 1].map((share) => (first + share * (end - first)).toFixed(2));
     box.innerHTML = "<figcaption><b>" + curve.symbol + "</b> <output></output><span></span></figcaption>"
+      + '<div class="plot"><div class="levels">' + levels.reverse().map((text) => "<span>" + text + "</span>").join("") + "</div>"
       + '<svg viewBox="0 0 1000 100" preserveAspectRatio="none" role="img">'
       + '<line class="zero" x1="0" x2="1000" y1="' + y(0) + '" y2="' + y(0) + '"/>'
-      + '<polyline points="' + points + '"/><line class="cursor" y1="0" y2="100"/></svg>';
-    box.querySelector("span").textContent = curve.name + ", " + low.toFixed(2) + " to " + high.toFixed(2);
+      + '<polyline points="' + points + '"/><line class="cursor" y1="0" y2="100"/></svg>'
+      + '<div class="instants">' + instants.map((text, k) => "<span>" + text + (k === 4 ? " s" : "") + "</span>").join("") + "</div></div>";
+    box.querySelector("span").textContent = curve.name + (beyond ? "; spikes leave the panel" : "");
     const drawing = box.querySelector("svg"), cursor = box.querySelector(".cursor"), told = box.querySelector("output");
     drawing.setAttribute("aria-label", curve.name + " over time, from " + low.toFixed(2) + " to " + high.toFixed(2));
     const pick = (event) => {
@@ -276,7 +281,9 @@
   }
 
   play.addEventListener("click", toggle);
-  find("crest").addEventListener("click", () => { if (playing) toggle(); go(film.times[film.crest]); });
+  for (const name of ["crest", "highest"]) {
+    find(name).addEventListener("click", () => { if (playing) toggle(); go(film.times[film[name]]); });
+  }
   slider.addEventListener("input", () => go(Number(slider.value)));
   document.addEventListener("keydown", (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || event.target.tagName === "SELECT") return;
@@ -295,5 +302,6 @@
   find("player").hidden = false;
   if (!film.near) find("wall").parentNode.remove();
   if (!charts.length) find("crest").remove();
+  if (!charts.length || film.highest === film.crest) find("highest").remove();
   render();
 })();

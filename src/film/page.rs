@@ -8,7 +8,7 @@ use super::reel::Reel;
 use super::scale::{self, Colour};
 use super::stage::Stage;
 use super::title::{about, moment, title};
-use super::{at, still};
+use super::{at, camera, still};
 use crate::math::decimal::significant;
 use crate::scene::CaseConfig;
 use crate::simulation::{CaseResult, cost};
@@ -20,7 +20,8 @@ const MOST_PARTICLES: u64 = 300_000;
 const SEEN: f64 = 0.01;
 
 /// Where a film goes, and what it shows: `<folder>/<case_id>.html`, a still of the crest at the wall
-/// `.svg`, and one of the largest displacement `-furthest.svg` where the wall moves.
+/// `.svg`, one of the highest runup `-highest.svg` where that is another frame, and one of the largest
+/// displacement `-furthest.svg` where the wall moves.
 #[derive(Debug, Clone)]
 pub struct PageFilm {
     /// What particles are coloured by.
@@ -55,17 +56,18 @@ impl PageFilm {
     }
 
     /// Every file that the film of a case may have.
-    pub fn files(&self, id: CaseId) -> [PathBuf; 3] {
+    pub fn files(&self, id: CaseId) -> [PathBuf; 4] {
         let page = self.path(id);
-        [self.furthest(id), page.with_extension("svg"), page]
+        [self.still(id, "furthest"), self.still(id, "highest"), page.with_extension("svg"), page]
     }
 
-    /// The still of the largest displacement.
-    fn furthest(&self, id: CaseId) -> PathBuf {
-        self.folder.join(format!("{id}-furthest.svg"))
+    /// A still besides that of the largest force.
+    fn still(&self, id: CaseId, of: &str) -> PathBuf {
+        self.folder.join(format!("{id}-{of}.svg"))
     }
 
-    /// Writes the page, the still of one of the frames, and that of the largest displacement.
+    /// Writes the page, the still of one of the frames, and those of the highest runup and of the largest
+    /// displacement.
     pub(super) fn write(
         &self,
         config: &CaseConfig,
@@ -86,18 +88,21 @@ impl PageFilm {
         };
         fs::create_dir_all(&self.folder).map_err(at(&self.folder))?;
         let (mut stills, crest_s) = (String::new(), takes[crest].time_s);
+        let highest = nearest(takes, result.outcome.runup_max.time_s);
+        let other = |take: &&Take| take.time_s != crest_s;
         let moments = [
-            (page.with_extension("svg"), Some(&takes[crest])),
-            (self.furthest(id), furthest(takes, stage.depth).filter(|take| take.time_s != crest_s)),
+            (page.with_extension("svg"), Some(&takes[crest]), true),
+            (self.still(id, "highest"), Some(&takes[highest]).filter(other), false),
+            (self.still(id, "furthest"), furthest(takes, stage.depth).filter(other), true),
         ];
-        for (picture, take) in moments {
+        for (picture, take, inside) in moments {
             let Some(take) = take else { continue };
             let still = draw(take);
             fs::write(&picture, &still).map_err(at(&picture))?;
-            stills += &still;
+            stills += if inside { &still } else { "" };
         }
-        let reel = Reel { takes, crest, stage: &stage, end };
-        let film = reel.json(&result.history).to_string().replace('<', "\\u003c");
+        let reel = Reel { takes, crest, highest, stage: &stage, end };
+        let film = reel.json(result).to_string().replace('<', "\\u003c");
         let (colour, unit, units) = self.colour.told();
         let fields = [
             ("{title}", title(config)),
@@ -121,6 +126,12 @@ impl PageFilm {
         fs::write(&partial, text).map_err(at(&partial))?;
         fs::rename(&partial, &page).map_err(at(&page))
     }
+}
+
+/// The frame that is nearest to a time.
+fn nearest(takes: &[Take], time_s: f64) -> usize {
+    let times: Vec<_> = takes.iter().map(|take| take.time_s).collect();
+    camera::nearest(&times, time_s)
 }
 
 /// The first frame of the largest displacement, of walls that moved so far that it is seen.
@@ -159,7 +170,9 @@ mod tests {
             }
         };
         let takes: Vec<_> = (0..5).map(take).collect();
-        film.write(&config, &made_up(&config), &takes, 2).unwrap();
+        let mut result = made_up(&config);
+        result.outcome.runup_max.time_s = 0.4;
+        film.write(&config, &result, &takes, 2).unwrap();
         let page = fs::read_to_string(film.path(CaseId::of(&config))).unwrap();
         let still =
             fs::read_to_string(film.path(CaseId::of(&config)).with_extension("svg")).unwrap();
@@ -167,8 +180,9 @@ mod tests {
         assert!(!still.contains("<script"));
         let files = film.files(CaseId::of(&config)).map(|path| fs::read_to_string(path).unwrap());
         assert!(files[0].contains(">t = 0.30 s, F* = "), "the largest displacement: {}", files[0]);
-        assert!(files[0].contains(", X* = ") && files[1].contains(">t = 0.20 s, F* = "));
-        assert_eq!(page.matches("class=\"still\"").count(), 2, "both where scripts are off");
+        assert!(files[0].contains(", X* = ") && files[2].contains(">t = 0.20 s, F* = "));
+        assert!(files[1].contains(">t = 0.40 s, F* = "), "the highest runup: {}", files[1]);
+        assert_eq!(page.matches("class=\"still\"").count(), 2, "two of them where scripts are off");
         for word in ["http:", "https:", "<link", "@import", "url(", "src=", "{film}", "{still}"] {
             assert!(!page.replace("http://www.w3.org/2000/svg", "").contains(word), "{word}");
         }

@@ -9,7 +9,7 @@ use super::codec::{self, Point};
 use super::scale;
 use super::stage::Stage;
 use crate::math::decimal::significant;
-use crate::simulation::HistoryRow;
+use crate::simulation::{CaseResult, HistoryRow, Maximum};
 
 /// Places are whole numbers up to this, eleven bits, ...
 const FARTHEST: f64 = 2047.0;
@@ -28,7 +28,10 @@ const MOST_POINTS: usize = 800;
 /// Frames of a film and what is around them.
 pub(super) struct Reel<'a> {
     pub takes: &'a [Take],
+    /// The frame of the largest force.
     pub crest: usize,
+    /// The frame of the highest runup.
+    pub highest: usize,
     pub stage: &'a Stage,
     /// Of the scale of colours.
     pub end: f64,
@@ -45,7 +48,7 @@ struct Packed {
 
 impl Reel<'_> {
     /// All that the script needs.
-    pub fn json(&self, history: &[HistoryRow]) -> Value {
+    pub fn json(&self, result: &CaseResult) -> Value {
         let [left, low, span] = self.extent();
         let particles = self.takes[0].points.len();
         let room = (ROOM * (self.takes.len() * particles) as f64) as usize;
@@ -64,11 +67,12 @@ impl Reel<'_> {
         film["y0"] = json!(low);
         film["quantum"] = json!(packed.quantum);
         film["crest"] = json!(self.crest);
+        film["highest"] = json!(self.highest);
         film["times"] = times(|take| take.time_s).collect();
         film["left"] = times(|take| take.walls[0]).collect();
         film["right"] = times(|take| take.walls[1]).collect();
         film["colours"] = json!(scale::colours());
-        film["history"] = curves(history);
+        film["history"] = curves(result);
         film["data"] = json!(STANDARD.encode(&packed.bytes));
         film
     }
@@ -102,20 +106,50 @@ fn finest_quantum(span: f64, spacing: f64) -> f64 {
     (span / FARTHEST).min(spacing / PER_SPACING).max(span / HIGHEST)
 }
 
-/// F*, R* and X* over time, each where it changes.
-fn curves(history: &[HistoryRow]) -> Value {
+/// F*, R* and X* over time, each where it changes, with the ends of its axis.
+fn curves(result: &CaseResult) -> Value {
+    let history = &result.history;
     let rows: Vec<_> = history.iter().step_by(history.len().div_ceil(MOST_POINTS).max(1)).collect();
     let read = |read: fn(&HistoryRow) -> f64| rows.iter().map(move |row| brief(read(row)));
     let mut curves = Vec::new();
-    let mut curve = |symbol: &str, name: &str, values: Vec<f64>| {
+    let mut curve = |symbol: &str,
+                     name: &str,
+                     of: fn(&HistoryRow) -> f64,
+                     quoted: Option<Maximum>| {
+        let values: Vec<f64> = read(of).collect();
         if values.iter().any(|&value| value != values[0]) {
-            curves.push(json!({ "symbol": symbol, "name": name, "values": values }));
+            let all: Vec<f64> = history.iter().map(of).collect();
+            let [low, high] = axis(&all, quoted.map(|maximum| maximum.value)).map(brief);
+            let curve = json!({ "symbol": symbol, "name": name, "values": values, "low": low, "high": high });
+            curves.push(curve);
         }
     };
-    curve("F*", "force on the wall over ρgh²/2", read(|row| row.force).collect());
-    curve("R*", "runup over h", read(|row| row.runup).collect());
-    curve("X*", "displacement of the wall over h", read(|row| row.displacement).collect());
+    let outcome = &result.outcome;
+    let (force, runup) = (Some(outcome.force_max), Some(outcome.runup_max));
+    curve("F*", "force on the wall over ρgh²/2", |row| row.force, force);
+    curve("R*", "runup over h", |row| row.runup, runup);
+    curve(
+        "X*",
+        "displacement of the wall over h",
+        |row| row.displacement,
+        outcome.displacement_max,
+    );
     json!({ "time_s": read(|row| row.time_s).collect::<Value>(), "curves": curves })
+}
+
+/// The ends of a curve's axis: up to the maximum that is quoted, in which no hit of the wall on its stop
+/// is, and down to what lasts. A spike leaves it.
+fn axis(values: &[f64], quoted: Option<f64>) -> [f64; 2] {
+    let middle = |window: &[f64]| {
+        let mut window = window.to_vec();
+        window.sort_by(f64::total_cmp);
+        window[window.len() / 2]
+    };
+    let lasting: Vec<f64> = values.windows(values.len().clamp(1, 5)).map(middle).collect();
+    let most = lasting.iter().copied().fold(0.0, f64::max);
+    let high = quoted.filter(|quoted| quoted.is_finite() && *quoted > 0.0).unwrap_or(most);
+    let low = lasting.iter().copied().fold(0.0, f64::min).max(-high);
+    if high - low > 1e-9 { [low, low + 1.05 * (high - low)] } else { [low, low + 1.0] }
 }
 
 fn brief(value: f64) -> f64 {
@@ -125,6 +159,20 @@ fn brief(value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A hit on the stop once set the scale, and the wave was a ripple under it.
+    #[test]
+    fn the_axis_reaches_to_the_quoted_maximum_and_a_spike_leaves_it() {
+        let wave = |k: i32| 1.0 + 1.5 / (0.1 * f64::from(k - 100)).cosh();
+        let mut values: Vec<_> = (0..300).map(wave).collect();
+        values[220] = 40.0;
+        values[222] = -30.0;
+        assert_eq!(axis(&values, Some(2.5)), [0.0, 2.625]);
+        let [low, high] = axis(&values, None);
+        assert!(low == 0.0 && (2.5..2.7).contains(&high), "{high}");
+        assert_eq!(axis(&[], None), [0.0, 1.0]);
+        assert_eq!(axis(&[0.0, -9.0, -9.0, -9.0, -9.0, -9.0, 0.0], Some(3.0))[0], -3.0);
+    }
 
     /// In a flume of 23 m a two-thousandth of its length is more than a spacing.
     #[test]

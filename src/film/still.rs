@@ -72,7 +72,7 @@ impl Still<'_> {
         let bottom = ABOVE + (view.y1 - view.y0) * scale;
         let sheet = Sheet { view, scale, bottom };
         let height = (bottom + UNDER).round();
-        let dashed = self.rest(&sheet).map_or("", |_| " (dashed: 0)");
+        let dashed = self.rest(&sheet).map_or("", |_| " (dashed: the wall at rest)");
         let [title, moment] = [title, &format!("{moment}{dashed}")]
             .map(|words| words.replace('&', "&amp;").replace('<', "&lt;"));
         let mut text = format!(
@@ -221,6 +221,6 @@ impl Still<'_> {
         }
         let (x, end) =
             (from + wide * scale::LEVELS as f64 + 30.0, significant(self.end / units, 3));
-        let _ = writeln!(text, "<text x=\"{x}\" y=\"{baseline}\">{end} {unit}</text>");
+        let _ = writeln!(text, "<text x=\"{x}\" y=\"{baseline}\">≥ {end} {unit}</text>");
     }
 }

@@ -6,13 +6,17 @@ use crate::scene::CaseConfig;
 use crate::simulation::{CaseResult, HistoryRow};
 use crate::study::CaseId;
 
+/// Digits of parameters, as in the report.
+const DIGITS: usize = 4;
+
 /// The title of its page.
 pub(super) fn title(config: &CaseConfig) -> String {
     let kind = config.scene.kind();
     match config.scene.seawall() {
         Some(scene) => {
             let wave = if scene.wave_train.is_some() { "Waves" } else { "Wave" };
-            format!("{wave} of H/h = {} at a {}", scene.wave_height_ratio, wall(config))
+            let height = significant(scene.wave_height_ratio, DIGITS);
+            format!("{wave} of H/h = {height} at a {}", wall(config))
         }
         None if kind == "taylor-green" => "Taylor-Green vortices".to_owned(),
         None => kind[..1].to_uppercase() + &kind[1..].replace('-', " "),
@@ -28,7 +32,9 @@ fn wall(config: &CaseConfig) -> String {
     ];
     let told: String = numbers
         .iter()
-        .filter_map(|(value, name, unit)| Some(format!(", {name} = {}{unit}", (*value)?)))
+        .filter_map(|(value, name, unit)| {
+            Some(format!(", {name} = {}{unit}", significant((*value)?, DIGITS)))
+        })
         .collect();
     let kind = match (scene.wall.moves(), scene.spring_stiffness_n_per_m) {
         (false, _) if scene.wall_angle_deg == 90.0 => match &scene.crest {
@@ -44,7 +50,7 @@ fn wall(config: &CaseConfig) -> String {
 
 /// The line under it.
 pub(super) fn about(config: &CaseConfig) -> String {
-    let spacing = significant(1000.0 * config.numerics.particle_spacing_m, 4);
+    let spacing = significant(1000.0 * config.numerics.particle_spacing_m, DIGITS);
     format!("Case {}, particles {spacing} mm apart.", CaseId::of(config))
 }
 
@@ -59,4 +65,18 @@ pub(super) fn moment(config: &CaseConfig, take: &Take, result: &CaseResult) -> S
         }
     }
     told
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parameters_of_a_range_are_rounded() {
+        let scene = "wall = \"movable\"\nspring_stiffness_n_per_m = 1196.27902497698\n\
+                     seawall_mass_kg_per_m = 50\nwave_height_ratio = 0.316227766";
+        let config = CaseConfig::from_tables(&scene.parse().unwrap(), &toml::Table::new()).unwrap();
+        let told = "Wave of H/h = 0.3162 at a wall on a spring, k = 1196 N/m, m = 50 kg/m";
+        assert_eq!(title(&config), told);
+    }
 }

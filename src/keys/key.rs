@@ -49,6 +49,18 @@ impl Key {
         self.conditions().all(|when| when.holds(values))
     }
 
+    /// Whether a section with these values has it on: it is read, and not left off by default.
+    pub fn is_on(&self, values: &Table) -> bool {
+        let off = |value: &Value| {
+            number(value) == Some(0.0)
+                || matches!(value.as_str(), Some("none"))
+                || *value == false.into()
+        };
+        let off_by_default = (self.default)().is_none_or(|default| off(&default));
+        let value = values.get(self.name);
+        value.is_some_and(|value| self.applies(values) && !(off_by_default && off(value)))
+    }
+
     /// What must hold where it is read.
     pub fn conditions(&self) -> impl Iterator<Item = When> + use<> {
         [self.rule.only, self.rule.read].into_iter().flatten()

@@ -104,5 +104,5 @@ pub(super) const fn maximum(
     unit: Unit,
     read: fn(&Case<'_>) -> Option<Maximum>,
 ) -> Column {
-    Quantity::new(name, symbol, unit, Read::Maximum(read)).decimals(4)
+    Quantity::new(name, symbol, unit, Read::Maximum(read)).significant(4)
 }

@@ -108,7 +108,12 @@ impl<R: Copy> Quantity<R> {
     pub fn heading(&self) -> String {
         match (self.symbol, self.unit.symbol()) {
             ("", _) => heading(self.name),
-            (symbol, unit) if self.unit.is_ratio() || unit.is_empty() => symbol.to_owned(),
+            // An impulse has no star that says what it was divided by.
+            (symbol, unit)
+                if unit.is_empty() || self.unit.is_ratio() && self.unit != Unit::Impulse =>
+            {
+                symbol.to_owned()
+            }
             (symbol, unit) => format!("{symbol}, {unit}"),
         }
     }

@@ -142,11 +142,11 @@ quantities! { Read;
     /// what it is at rest
     FORCE_MAX_GAP = number("force_max_gap_percent", "", Percent, |c| {
         Some(c.outcome?.force_max_gap_percent)
-    });
+    }).decimals(3);
     /// strongest impulse of the water on the wall by a hit on its stop; negative, as it is suction;
     /// 0, without a time, where the wall never came back; in no maximum of the force, see
     /// [physics.md](physics.md#the-seawall)
-    STOP_IMPULSE = maximum("stop_impulse", "", Impulse, |c| {
+    STOP_IMPULSE = maximum("stop_impulse", "stop impulse", Impulse, |c| {
         c.outcome?.stop_impulse
     });
     /// error bar of `force_max`

@@ -192,7 +192,7 @@ mod tests {
             paths.iter().map(|p| p.file_name().unwrap().to_str().unwrap()).collect();
         assert_eq!(
             names,
-            ["84mm-1", "84mm-2", "174mm"].map(|end| format!("response-displacement-{end}.pdf"))
+            ["84mm-1", "84mm-2", "174mm"].map(|end| format!("response-force-{end}.pdf"))
         );
     }
 }

@@ -6,8 +6,10 @@ use std::fmt::Write as _;
 use super::markup::escape;
 use super::number;
 use super::tables::Table;
-use crate::quantities::heading;
-use crate::quantities::summary::{CASE_ID, DOUBTFUL_REASON};
+use crate::quantities::summary::{
+    CASE_ID, DOUBTFUL_REASON, LOG10_K_STAR, M_STAR, MEASURED_WAVE_HEIGHT_RATIO, STOPS,
+};
+use crate::quantities::{Column, heading};
 
 /// A table as HTML. One with a row per case stands where scripts are off as it is; where they are
 /// on, they make of the same text a table that can be sorted and filtered.
@@ -38,6 +40,10 @@ pub(super) fn grid(table: &Table) -> String {
 /// Head and body. A case's id comes last: it is needed less than all else.
 fn whole(table: &Table) -> String {
     let mut order: Vec<usize> = (0..table.header.len()).collect();
+    // What was measured comes before ratios that follow from what was asked for.
+    if table.name == "summary" {
+        order.sort_by_key(|&at| RATIOS.iter().any(|column| column.name == table.header[at]));
+    }
     if table.header.first().is_some_and(|name| name == CASE_ID.name) {
         order.rotate_left(1);
     }
@@ -56,10 +62,12 @@ fn whole(table: &Table) -> String {
             None => text.push_str("<tr>"),
         }
         for &at in &order {
-            let class = match (doubtful(&table.header[at], &row[at]), numeric[at]) {
-                (true, _) => " class=\"doubtful\"",
-                (false, true) => " class=\"number\"",
-                (false, false) => "",
+            let (name, cell) = (&table.header[at], &row[at]);
+            let class = match numeric[at] {
+                _ if doubtful(name, cell) => " class=\"doubtful\"",
+                true if hit(name, cell) => " class=\"number hit\"",
+                true => " class=\"number\"",
+                false => "",
             };
             write!(text, "<td{class}>{}</td>", escape(&row[at])).expect(GROWS);
         }
@@ -67,6 +75,9 @@ fn whole(table: &Table) -> String {
     }
     text + "</tbody>"
 }
+
+/// Ratios of a case's own parameters.
+const RATIOS: [&Column; 3] = [&MEASURED_WAVE_HEIGHT_RATIO, &LOG10_K_STAR, &M_STAR];
 
 const GROWS: &str = "a string grows";
 
@@ -80,6 +91,11 @@ fn doubtful(column: &str, cell: &str) -> bool {
     column == DOUBTFUL_REASON.name && !cell.is_empty()
 }
 
+/// Whether a wall has come back onto its stop.
+fn hit(column: &str, cell: &str) -> bool {
+    column == STOPS.name && !matches!(cell, "" | "0")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -89,5 +105,13 @@ mod tests {
         assert!(doubtful("doubtful_reason", "energy gap -15.2 %"));
         assert!(!doubtful("doubtful_reason", ""));
         assert!(!doubtful("force_gap_percent", "48.1"));
+    }
+
+    #[test]
+    fn walls_that_hit_their_stops_are_marked() {
+        assert!(hit("stops", "2") && !hit("stops", "0") && !hit("stops", "") && !hit("steps", "2"));
+        let rows = [["a", "2"], ["b", "0"]].map(|row| row.map(str::to_owned).to_vec());
+        let text = grid(&Table::new("summary", "Cases", &["case_id", "stops"], rows.into()));
+        assert_eq!(text.matches("class=\"number hit\">2<").count(), 1, "{text}");
     }
 }

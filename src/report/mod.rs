@@ -93,9 +93,14 @@ pub fn write_scaled(out_dir: &Path, scale: Option<Froude>) -> Result<PathBuf, Re
         save(&tables_dir.join(format!("{}.csv", table.name)), &table.csv())?;
     }
     let path = out_dir.join(PAGE);
-    let said = papers
-        .as_ref()
-        .map(|papers| page::Papers { answer: papers.answer.clone(), content: papers.section() });
+    let said = match &papers {
+        Some(papers) => {
+            Some(page::Papers { answer: papers.answer.clone(), content: papers.section() })
+        }
+        None => {
+            papers::nearest(shown).map(|answer| page::Papers { answer, content: String::new() })
+        }
+    };
     save(&path, &page::page([&data, shown], &figures, &tables, said.as_ref())?)?;
     Ok(path)
 }

@@ -1,9 +1,17 @@
 //! Numbers for the eye.
 
 pub use crate::math::decimal::significant;
+use crate::quantities::Digits;
 
-/// A parameter as a person writes it, to four significant digits: `500`, `0.01`, `10⁷`, `2.5×10⁵`.
+/// A parameter as a person types it, to four significant digits: `500`, `0.01`, `50000`, `2.5e8`.
 pub fn plain(value: f64) -> String {
+    let value = significant(value, 4);
+    let written = value == 0.0 || (1e-4..1e7).contains(&value.abs());
+    if written { value.to_string() } else { format!("{value:e}") }
+}
+
+/// A number that nobody types, as a person writes it: `500`, `0.01`, `10⁷`, `2.5×10⁵`.
+pub fn in_powers(value: f64) -> String {
     let value = significant(value, 4);
     let size = value.abs();
     if value == 0.0 || (1e-3..1e4).contains(&size) {
@@ -16,13 +24,22 @@ pub fn plain(value: f64) -> String {
 }
 
 /// A table's cell: the same, or, where it is a number of more than five digits and no whole one,
-/// as [`plain`] writes it.
+/// as [`in_powers`] writes it.
 pub fn brief(cell: &str) -> String {
     let Ok(value) = cell.parse::<f64>() else { return cell.to_owned() };
     let mantissa = cell.split(['e', 'E']).next().unwrap_or_default();
     let digits = mantissa.trim_start_matches(['-', '0', '.']).chars().filter(char::is_ascii_digit);
     let whole = cell.chars().all(|c| c.is_ascii_digit());
-    if whole || digits.count() <= 5 { cell.to_owned() } else { plain(value) }
+    if whole || digits.count() <= 5 { cell.to_owned() } else { in_powers(value) }
+}
+
+/// A number with the digits that its quantity shows; `None` where that is all there are.
+pub fn with_digits(value: f64, digits: Digits) -> Option<String> {
+    match digits {
+        Digits::All => None,
+        Digits::Decimals(decimals) => Some(format!("{value:.decimals$}")),
+        Digits::Significant(digits) => Some(significant(value, digits).to_string()),
+    }
 }
 
 /// A result with its error bar, rounded to the first digit of the bar that matters (two digits
@@ -58,7 +75,7 @@ pub fn median(rising: &[f64]) -> Option<f64> {
     Some((rising[low] + rising[high]) / 2.0)
 }
 
-/// Whether a text is a number, written out, with an error bar, as a bound or as [`plain`] writes it.
+/// Whether a text is a number, written out, with an error bar, as a bound or as [`in_powers`] writes it.
 pub fn is_number(text: &str) -> bool {
     let text = text.strip_prefix("≥ ").unwrap_or(text);
     let bar = text.split_once(" ± ").or_else(|| text.split_once(" − "));
@@ -90,14 +107,19 @@ mod tests {
 
     #[test]
     fn parameters_read_as_written_by_hand() {
-        let written = [0.0, 0.01, 500.0, 9999.0, 1e7, 2.5e5, 1e-4].map(plain);
+        let numbers = [0.0, 0.01, 500.0, 5e4, 1e7, 2.5e5, 1e-4];
+        let typed = ["0", "0.01", "500", "50000", "1e7", "250000", "0.0001"];
+        assert_eq!(numbers.map(plain), typed);
+        assert_eq!(typed.map(|text| text.parse::<f64>().unwrap()), numbers);
+        let written = [0.0, 0.01, 500.0, 9999.0, 1e7, 2.5e5, 1e-4].map(in_powers);
         assert_eq!(written, ["0", "0.01", "500", "9999", "10⁷", "2.5×10⁵", "10⁻⁴"]);
     }
 
     #[test]
     fn long_parameters_are_rounded_to_four_digits() {
-        let written = [21544.3469003188, 0.31622776601683794, 464.158883, 9999.9].map(plain);
-        assert_eq!(written, ["2.154×10⁴", "0.3162", "464.2", "10⁴"]);
+        let long = [21544.3469003188, 0.31622776601683794, 464.158883, 9999.9];
+        assert_eq!(long.map(plain), ["21540", "0.3162", "464.2", "10000"]);
+        assert_eq!(long.map(in_powers), ["2.154×10⁴", "0.3162", "464.2", "10⁴"]);
     }
 
     #[test]
@@ -128,7 +150,9 @@ mod tests {
 
     #[test]
     fn what_is_written_is_recognised() {
-        assert!([0.0, 0.01, 10.0, 110.0, 1e7, 2.5e5, 1e-4].map(plain).iter().all(|t| is_number(t)));
+        assert!(
+            [0.0, 0.01, 10.0, 110.0, 1e7, 2.5e5, 1e-4].map(in_powers).iter().all(|t| is_number(t))
+        );
         assert!(!is_number("case-10") && !is_number("ok") && !is_number(""));
     }
 }

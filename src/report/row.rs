@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::number;
 use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, STATUS, WAVE_HEIGHT_RATIO};
-use crate::quantities::{Column, Digits, named};
+use crate::quantities::{Column, named};
 
 /// What tells a case from the others, as a rule.
 pub(super) const PLACE: [&Column; 3] = [&WAVE_HEIGHT_RATIO, &SPRING_STIFFNESS, &SEAWALL_MASS];
@@ -139,13 +139,9 @@ impl Row {
 
     /// A cell with as many digits as its column shows.
     pub fn brief(&self, column: &Column) -> String {
-        match (column.digits, self.number(column)) {
-            (Digits::Decimals(decimals), Some(value)) => format!("{value:.decimals$}"),
-            (Digits::Significant(digits), Some(value)) => {
-                number::significant(value, digits).to_string()
-            }
-            _ => self.cell(column),
-        }
+        let number = self.number(column);
+        let told = number.and_then(|value| number::with_digits(value, column.digits));
+        told.unwrap_or_else(|| self.cell(column))
     }
 
     /// The case ran to its end.

@@ -26,7 +26,8 @@ pub fn films(data: &Loaded, mut room: usize) -> Result<Option<String>, ReportErr
     let mut one = |row: &&Row| figure(data, row, reasons.get(row.text(&CASE_ID)), &mut room);
     let figures: String = filmed.iter().map(&mut one).collect();
     Ok(Some(format!(
-        "<p>The water under the largest force and, where the wall went on, at its largest displacement. \
+        "<p>The water under the largest force, or at the highest runup where it was filmed for that, and, where \
+         the wall went on, at its largest displacement. \
          <span class=\"scripted\">Press Play to see it move; the arrow keys then go from frame to \
          frame.</span></p>\n<div class=\"films\">{figures}</div>"
     )))
@@ -51,8 +52,18 @@ fn figure(data: &Loaded, row: &Row, reason: Option<&String>, room: &mut usize) -
     let why = reason.map_or_else(String::new, |reason| format!(" ({})", escape(reason)));
     let page = data.film(row, ".html").unwrap_or_default();
     let film = embedded(&page, &id, room);
-    let stills: String = [".svg", "-furthest.svg"]
+    // What it was filmed for is what is seen of it.
+    let is_for = |what: &str| reason.is_some_and(|reason| reason.contains(what));
+    let first = match data.film(row, "-highest.svg") {
+        Some(_) if is_for("highest runup") && is_for("largest force") => {
+            &[".svg", "-highest.svg"][..]
+        }
+        Some(_) if is_for("highest runup") => &["-highest.svg"],
+        _ => &[".svg"],
+    };
+    let stills: String = first
         .iter()
+        .chain(&["-furthest.svg"])
         .filter_map(|ending| data.film(row, ending))
         .map(|still| still.find("<svg").map_or(String::new(), |start| still[start..].to_owned()))
         .collect();

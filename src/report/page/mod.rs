@@ -46,7 +46,7 @@ const MOST: usize = 4_700_000;
 pub struct Papers {
     /// An answer at the page's top, as plain text.
     pub answer: String,
-    /// The section, as HTML.
+    /// The section, as HTML; empty where no case is one of theirs.
     pub content: String,
 }
 
@@ -66,7 +66,7 @@ pub fn page(
     head(&mut body, [data, shown], &name, file.as_ref(), papers);
     failures(&mut body, data);
     body.push_str(&figures::sections(figures));
-    if let Some(papers) = papers {
+    if let Some(papers) = papers.filter(|papers| !papers.content.is_empty()) {
         section(&mut body, "The papers", &papers.content);
     }
     tabled(&mut rest, data, tables);
@@ -158,7 +158,8 @@ fn tabled(body: &mut String, data: &Loaded, tables: &[Table]) {
 
 /// What stands before the table of cases.
 const BARS: &str = "<p>± is the estimated error bar, where bars were asked for. ≥ is a lower bound: \
-    the wall was still moving when the run ended, and the bar behind it can only lower it.</p>";
+    the wall was still moving when the run ended, and the bar behind it can only lower it. A bold number \
+    of stops says how often the wall came back onto its stop; the load of that is in no maximum.</p>";
 
 /// What stands before the table of the prototype.
 const PROTOTYPE: &str = "<p>By Froude's law, with the gravity and the density of the tank: lengths grow by \
@@ -177,7 +178,9 @@ fn health_line(data: &Loaded) -> String {
     let energy =
         largest(&ENERGY_GAP).map(|gap| format!("The energy budget is off by up to {gap:.2} %. "));
     format!(
-        "{}{}{lost} particles were lost. In the table, the reasons for doubt stand out.",
+        "{}{}{lost} particles were lost. In the table, the reasons for doubt stand out. The force max gap is \
+         that where the force is largest. The force gap is the worst of the whole run: where a wall hits \
+         its stop it may be many percent, and no result is read there.",
         force.unwrap_or_default(),
         energy.unwrap_or_default()
     )

@@ -10,7 +10,7 @@ use crate::quantities::summary::{PAIR_EVALUATIONS, PARTICLES, STEPS, WALL_TIME};
 use crate::report::grid::grid;
 use crate::report::load::Loaded;
 use crate::report::markup::escape;
-use crate::report::number::{plain, significant};
+use crate::report::number::{in_powers, plain, significant};
 use crate::report::tables::Table;
 
 /// What the cases cost; `None` where no case says.
@@ -39,7 +39,7 @@ pub fn cost(data: &Loaded) -> Option<String> {
     }
     let pairs: f64 = all(&PAIR_EVALUATIONS).iter().sum();
     if pairs > 0.0 {
-        write!(text, " Pairs of particles were summed over {} times.", plain(pairs)).ok()?;
+        write!(text, " Pairs of particles were summed over {} times.", in_powers(pairs)).ok()?;
     }
     let more = [saved(data), pace(data)].into_iter().flatten().collect::<String>();
     Some(format!("<p>{}{}</p>{}", escape(&text), escape(&more), loads(data).unwrap_or_default()))
@@ -93,7 +93,7 @@ fn loads(data: &Loaded) -> Option<String> {
         ];
         cells.to_vec()
     };
-    let header = ["rank", "host", "busy", "busy time", "cases", "shared stretches"];
+    let header = ["rank", "host", "busy", "busy time", "cases and companions", "shared stretches"];
     let shown = ranks.len().min(MOST_RANKS);
     let table = Table::new("", "Load", &header, (0..shown).map(line).collect());
     let left = ranks.len() - shown;

@@ -45,7 +45,8 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
         title: "Largest pressure up the wall".to_owned(),
         caption: format!(
             "The largest pressure at each height of the wall, of the first impact and of the whole run, \
-             each when it was largest there: running means, without what a hit on the stop drowns.{shown}"
+             each when it was largest there. They are running means; the moments after the wall hit its stop \
+             are left out.{shown}"
         ),
         drawing: drawing(&cases),
     }])

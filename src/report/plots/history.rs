@@ -3,6 +3,7 @@
 //! stiffness); without, one figure of a few cases.
 
 use super::look::Look;
+use super::marks::said;
 use super::over_time::{self, Strip};
 use super::{Figure, file_name, of_variant};
 use crate::quantities::history::{DISPLACEMENT, FORCE, RUNUP};
@@ -11,7 +12,7 @@ use crate::report::curves::{distinct, spread, variants};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::number;
-use crate::report::row::{Row, label};
+use crate::report::row::Row;
 use crate::report::series::Series;
 
 const CURVES: usize = 6;
@@ -117,11 +118,11 @@ fn choose<'a>(rows: &[&'a Row]) -> (Vec<(String, &'a Row)>, String, String) {
     let (mut common, mut picked) = (String::new(), String::new());
     if let Some(&kept) = kept {
         let (column, values) = varied;
-        common = format!(", {}", label(held, kept));
+        common = format!(", {}", said(movable(), held, kept));
         for value in spread(values, CURVES) {
             let is_it =
                 |row: &&Row| row.number(column) == Some(value) && row.number(held) == Some(kept);
-            chosen.extend(movable().find(is_it).map(|row| (label(column, value), row)));
+            chosen.extend(movable().find(is_it).map(|row| (said(movable(), column, value), row)));
         }
         picked = format!("{} of {} {plural}", chosen.len(), values.len());
         if held == &SEAWALL_MASS && masses.len() > 1 {

@@ -4,9 +4,11 @@ use super::chart::{Curve, Point};
 use super::legend::Entry;
 use super::look::Look;
 use crate::quantities::Column;
-use crate::quantities::summary::{CASE_ID, FORCE_COUPLING};
+use crate::quantities::summary::{
+    CASE_ID, FORCE_COUPLING, LOG10_K_STAR, M_STAR, SEAWALL_MASS, SPRING_STIFFNESS,
+};
 use crate::report::curves::distinct;
-use crate::report::number::{plain, with_error};
+use crate::report::number::{plain, with_digits, with_error};
 use crate::report::row::{Row, label};
 
 /// A case's point, if it has a number.
@@ -45,14 +47,39 @@ pub fn by(
     let all = values.iter().map(|value| Some(*value)).chain([None]).enumerate();
     let curve = |(index, own): (usize, Option<f64>)| {
         let cases = cases.iter().filter(|(_, row)| row.number(column) == own);
-        let points: Vec<_> = cases.filter_map(|(x, row)| value(*x, row)).collect();
+        let points: Vec<_> = cases.clone().filter_map(|(x, row)| value(*x, row)).collect();
         let entry = match own {
-            Some(own) => Entry::marked(label(column, own), Look::of(index)).keyed(key(column, own)),
+            Some(own) => {
+                let words = said(cases.clone().map(|(_, row)| *row), column, own);
+                Entry::marked(words, Look::of(index)).keyed(key(column, own))
+            }
             None => Entry::marked(String::new(), Look::of(0)),
         };
         (!points.is_empty()).then_some(Curve { entry, points })
     };
     all.filter_map(curve).collect()
+}
+
+/// A value of a column as legends and headings say it: mass and stiffness as they are typed, and then what
+/// the equations know them by, `m = 10 kg/m (m* = 0.25)`, where cases agree in both.
+pub fn said<'a>(
+    cases: impl Iterator<Item = &'a Row> + Clone,
+    column: &Column,
+    value: f64,
+) -> String {
+    let pairs = [(&SEAWALL_MASS, &M_STAR), (&SPRING_STIFFNESS, &LOG10_K_STAR)];
+    let pair = pairs.into_iter().find(|(own, ratio)| column == *own || column == *ratio);
+    let one = |of: &Column| {
+        let cases = cases.clone().filter(|row| row.number(column) == Some(value));
+        match distinct(cases, of)[..] {
+            [one] => Some(one),
+            _ => None,
+        }
+    };
+    let both = pair.and_then(|(own, ratio)| Some(((own, one(own)?), (ratio, one(ratio)?))));
+    let Some(((own, typed), (ratio, known))) = both else { return label(column, value) };
+    let known = with_digits(known, ratio.digits).unwrap_or_else(|| plain(known));
+    format!("{} ({} = {known})", label(own, typed), ratio.symbol)
 }
 
 /// A value of a column as programs read it.
@@ -101,4 +128,23 @@ pub fn picked(shown: usize, all: usize, what: &str) -> String {
         return String::new();
     }
     format!(" Shown are {shown} of {all} {what}.")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mass_is_said_as_it_is_typed_and_then_as_a_ratio() {
+        let row = |m: f64, m_star: f64| {
+            let row = Row::default().with(&SEAWALL_MASS, m).with(&M_STAR, m_star);
+            row.with(&SPRING_STIFFNESS, 1196.279).with(&LOG10_K_STAR, 0.484_12)
+        };
+        let rows = [row(10.0, 0.25), row(50.0, 1.25), row(90.0, 1.25)];
+        let told = |column, value| said(rows.iter(), column, value);
+        assert_eq!(told(&M_STAR, 0.25), "m = 10 kg/m (m* = 0.25)");
+        assert_eq!(told(&SEAWALL_MASS, 10.0), "m = 10 kg/m (m* = 0.25)");
+        assert_eq!(told(&M_STAR, 1.25), "m* = 1.25", "two masses in water of other depths");
+        assert_eq!(told(&SPRING_STIFFNESS, 1196.279), "k = 1196 N/m (log₁₀ k* = 0.48)");
+    }
 }

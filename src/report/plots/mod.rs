@@ -91,7 +91,9 @@ impl Figure {
 
     /// The drawing with its caption for a page that has [`STYLE`].
     pub(super) fn inline(&self, place: Place) -> String {
-        let drawing = self.drawing.inline(&self.title, place != Place::Usual);
+        // Two panels share the page's width between them.
+        let large = place != Place::Usual || self.drawing.shown() == 2;
+        let drawing = self.drawing.inline(&self.title, large);
         let (class, name) =
             (if place == Place::Alone { " class=\"alone\"" } else { "" }, &self.name);
         format!(

@@ -3,21 +3,26 @@
 
 use super::axes::Axis;
 use super::chart::{Chart, Curve};
-use super::marks::{bounds, by, coupling, key, marks, picked, point};
+use super::marks::{bounds, by, coupling, key, marks, picked, point, said};
 use super::sheet::{Drawing, PANELS};
 use super::{Figure, SERIES, file_name, of_variant, printed};
-use crate::quantities::summary::{LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
+use crate::quantities::summary::{
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO,
+};
 use crate::quantities::{Column, Unit};
-use crate::report::curves::{RESPONSES, by_mass, distinct, responses, spread, stem, variants};
+use crate::report::curves::{by_mass, distinct, responses, spread, stem, variants};
 use crate::report::load::Loaded;
-use crate::report::row::{Row, label};
+use crate::report::row::Row;
+
+/// What is drawn: what the page's first answer is about comes first.
+const DRAWN: [&Column; 3] = [&FIRST_FORCE_MAX, &FIRST_RUNUP_MAX, &DISPLACEMENT_MAX];
 
 /// The figures of every response and variant that has points.
 pub fn figures(data: &Loaded) -> Vec<Figure> {
     let waves = spread(&distinct(data.rows.iter(), &WAVE_HEIGHT_RATIO), SERIES);
     let mut figures = Vec::new();
     for variant in variants(&data.rows) {
-        for response in RESPONSES {
+        for response in DRAWN {
             let rows = responses(&data.rows, &variant, response);
             if rows.is_empty() {
                 continue;
@@ -68,7 +73,7 @@ fn drawing(data: &Loaded, response: &Column, masses: &[&[&Row]], waves: &[f64]) 
         let x = (x.clone(), title.as_str(), LOG10_K_STAR.name);
         let curves = curves(rows).into_iter().chain(bounds(&all)).collect();
         Chart::new(x, (y.clone(), up, response.name), curves)
-            .under(label(&M_STAR, mass), key(&M_STAR, mass))
+            .under(said(rows.iter().copied(), &M_STAR, mass), key(&M_STAR, mass))
     };
     Drawing::new(masses.iter().map(chart).collect(), PANELS)
 }
@@ -100,8 +105,8 @@ mod tests {
         let directory = fixture::movable(&[0.3, 0.316_227_766], &[10.0, 500.0], &[46.415_888_3]);
         let data = Loaded::read(directory.path()).unwrap();
         let svg = figures(&data)[0].inline(Place::Usual);
-        assert!(svg.contains(">H/h = 0.3162<") && svg.contains(">m* = 1.16<"), "{svg}");
-        assert!(!svg.contains(">H/h = 0.316227766<") && !svg.contains(">m* = 1.1603"));
+        assert!(svg.contains(">H/h = 0.3162<") && svg.contains(">m = 46.42 kg/m (m* = 1.16)<"));
+        assert!(!svg.contains(">H/h = 0.316227766<") && !svg.contains("m* = 1.1603"));
     }
 
     #[test]

@@ -4,7 +4,7 @@
 
 use super::axes::Axis;
 use super::chart::{Chart, Curve, Point};
-use super::marks::{bounds, by, coupling, key, marks, picked, point};
+use super::marks::{bounds, by, coupling, key, marks, picked, point, said};
 use super::sheet::{Drawing, PANELS};
 use super::{Figure, SERIES, file_name, of_variant};
 use crate::quantities::summary::{
@@ -13,7 +13,7 @@ use crate::quantities::summary::{
 use crate::quantities::{Column, Unit};
 use crate::report::curves::{distinct, spread, variants};
 use crate::report::load::Loaded;
-use crate::report::row::{Row, label};
+use crate::report::row::Row;
 
 /// What is drawn, from the left.
 const DRAWN: [&Column; 3] = [&FIRST_FORCE_MAX, &FIRST_RUNUP_MAX, &DISPLACEMENT_MAX];
@@ -151,7 +151,8 @@ impl Slice {
             let y = (y, column.unit.axis(), column.name);
             let mut chart = Chart::new((x, title.as_str(), self.along.name), y, drawn);
             chart.spare = !kept.contains(&value);
-            Some(chart.under(label(self.rows, value), key(self.rows, value)))
+            let heading = said(rows.iter().copied(), self.rows, value);
+            Some(chart.under(heading, key(self.rows, value)))
         };
         let cells = held.iter().flat_map(|value| DRAWN.map(|column| panel(*value, column)));
         cells.flatten().collect()

@@ -1,6 +1,6 @@
 //! Round places on an axis.
 
-use crate::report::number::plain;
+use crate::report::number::in_powers;
 
 /// What an axis must at least have.
 pub const FEWEST: usize = 4;
@@ -86,7 +86,7 @@ fn exact(factor: i32, power: i32) -> f64 {
 }
 
 fn worded(at: f64) -> Tick {
-    Tick { at, label: plain(at) }
+    Tick { at, label: in_powers(at) }
 }
 
 #[cfg(test)]

@@ -1,4 +1,4 @@
-//! Tables: the summary in brief, the response curves, readings, energies, and the health of every
+//! Tables: the summary in few columns, the response curves, readings, energies, and the health of every
 //! case.
 
 mod energy;
@@ -16,25 +16,26 @@ use crate::quantities::Column;
 use crate::quantities::summary::{
     CASE_ID, DISPLACEMENT_ERROR, DISPLACEMENT_MAX, DISPLACEMENT_TRUNCATED, DOUBTFUL_REASON,
     ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_COUPLING, FORCE_ERROR, FORCE_GAP,
-    FORCE_MAX, LOG10_K_STAR, M_STAR, MEASURED_WAVE_HEIGHT_RATIO, PARTICLES, PARTICLES_LOST, REASON,
-    RUNUP_ERROR, RUNUP_MAX, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STEPS, STOP_IMPULSE, STOPS,
-    WAVE_HEIGHT_RATIO,
+    FORCE_MAX, FORCE_MAX_GAP, LOG10_K_STAR, M_STAR, MEASURED_WAVE_HEIGHT_RATIO, PARTICLES,
+    PARTICLES_LOST, REASON, RUNUP_ERROR, RUNUP_MAX, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STEPS,
+    STOP_IMPULSE, STOPS, WAVE_HEIGHT_RATIO,
 };
 use crate::theory::goda::Goda;
 pub use lines::{Line, Lines};
 pub use readings::across;
 pub use table::Table;
 
-/// A line per row, a column per quantity, with the digits that each shows.
-fn brief<'a>(
+/// A line per row, a column per quantity, with every digit: only what is for the eye is rounded, and
+/// only once.
+fn of_columns<'a>(
     name: &str,
     title: &str,
     columns: Vec<&'static Column>,
     rows: impl Iterator<Item = &'a Row> + 'a,
 ) -> Lines<'a> {
     let header = names(&columns);
-    let cells = move |row: &Row| Ok(columns.iter().map(|column| row.brief(column)).collect());
-    Lines::new(name, title, owned(&header), rows.map(cells))
+    let line = move |row: &Row| Ok(cells(row, &columns));
+    Lines::new(name, title, owned(&header), rows.map(line))
 }
 
 /// Every table that the sweep's files can fill.
@@ -48,7 +49,7 @@ pub fn all(data: &Loaded) -> Vec<Lines<'_>> {
     tables
 }
 
-/// The summary in brief: one row per case, failed ones included.
+/// The summary in few columns: one row per case, failed ones included.
 fn summary(data: &Loaded) -> Lines<'_> {
     let mut columns = vec![
         &CASE_ID,
@@ -77,7 +78,7 @@ fn summary(data: &Loaded) -> Lines<'_> {
     let mut header = owned(&names(&columns));
     header.extend(has_variants.then(|| VARIANT.to_owned()));
     let line = move |row: &Row| {
-        let mut cells: Vec<_> = columns.iter().map(|column| row.brief(column)).collect();
+        let mut cells = cells(row, &columns);
         cells.extend(has_variants.then(|| row.variant.to_string()));
         Ok(cells)
     };
@@ -89,10 +90,10 @@ fn health(data: &Loaded) -> Lines<'_> {
     let columns = [
         &[&CASE_ID][..],
         &PLACE,
-        &[&FORCE_COUPLING, &FORCE_GAP, &ENERGY_GAP, &PARTICLES_LOST],
+        &[&FORCE_COUPLING, &FORCE_MAX_GAP, &FORCE_GAP, &ENERGY_GAP, &PARTICLES_LOST],
         &[&PARTICLES, &STEPS, &STOP_IMPULSE, &DOUBTFUL_REASON],
     ];
-    brief("health", "Health", columns.concat(), data.finished())
+    of_columns("health", "Health", columns.concat(), data.finished())
 }
 
 /// The first of the cases that failed, and why.
@@ -102,13 +103,13 @@ pub fn failed(data: &Loaded, most: usize) -> Table {
     let mut header = names(&columns);
     header.extend(has_variants.then_some(VARIANT));
     header.push(REASON.name);
-    let cells = |row: &Row| {
-        let mut cells: Vec<_> = columns.iter().map(|column| row.brief(column)).collect();
+    let line = |row: &Row| {
+        let mut cells = cells(row, &columns);
         cells.extend(has_variants.then(|| row.variant.to_string()));
-        cells.push(row.brief(&REASON));
+        cells.push(row.cell(&REASON));
         cells
     };
-    let rows = data.failed().take(most).map(cells).collect();
+    let rows = data.failed().take(most).map(line).collect();
     let left = data.failed().count().saturating_sub(most);
     Table { left, ..Table::new("", "Failed cases", &header, rows) }
 }

@@ -5,6 +5,7 @@ use super::{Table, VARIANT};
 use crate::quantities::summary::{FORCE_COUPLING, STATUS};
 use crate::quantities::{Column, named};
 use crate::report::number;
+use crate::report::row::PLACE;
 
 /// Columns that tell nothing where all cases have the same in them.
 const ALIKE: [&Column; 2] = [&STATUS, &FORCE_COUPLING];
@@ -19,11 +20,7 @@ impl Table {
         }
         let told = |at: usize| has_cells(&table, at) && !self.is_alike(at);
         let kept: Vec<_> = (0..table.header.len()).filter(|at| told(*at)).collect();
-        let words = |name: &str| name == VARIANT || named(name).is_some_and(Column::is_text);
-        let cell = |row: &[String], column: usize| {
-            let text = &row[column];
-            if words(&table.header[column]) { text.clone() } else { number::brief(text) }
-        };
+        let cell = |row: &[String], at: usize| brief(&table.header[at], &row[at]);
         let rows = table.rows.iter().map(|row| kept.iter().map(|at| cell(row, *at)).collect());
         let header = kept.iter().map(|column| table.header[*column].clone()).collect();
         Table { rows: rows.collect(), header, ..self.empty() }
@@ -48,12 +45,26 @@ impl Table {
             let Ok(read) = row[value].parse() else { continue };
             row[value] = match (is_bound, bar) {
                 (true, Some(bar)) => number::bound_with_error(read, bar),
-                (true, None) => format!("≥ {}", number::brief(&row[value])),
+                (true, None) => format!("≥ {}", brief(column.name, &row[value])),
                 (false, Some(bar)) => number::with_error(read, bar),
                 (false, None) => continue,
             };
         }
     }
+}
+
+/// A cell with the digits of its column. What [`Table::join`] has written is no number, and stays.
+fn brief(name: &str, cell: &str) -> String {
+    let column = named(name);
+    if name == VARIANT || column.is_some_and(Column::is_text) {
+        return cell.to_owned();
+    }
+    if let (true, Ok(value)) = (PLACE.iter().any(|column| column.name == name), cell.parse()) {
+        return number::plain(value);
+    }
+    let told = column.zip(cell.parse().ok());
+    let told = told.and_then(|(column, value)| number::with_digits(value, column.digits));
+    told.unwrap_or_else(|| number::brief(cell))
 }
 
 fn has_cells(table: &Table, column: usize) -> bool {
@@ -63,6 +74,9 @@ fn has_cells(table: &Table, column: usize) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantities::summary::{CASE_ID, DISPLACEMENT_ERROR, DISPLACEMENT_MAX};
+    use crate::report::load::Loaded;
+    use crate::report::row::Row;
 
     #[test]
     fn bars_join_their_values_and_empty_columns_go() {
@@ -79,7 +93,7 @@ mod tests {
         let page = table.for_page();
         assert_eq!(page.header, ["case_id", "first_force_max", "steps"]);
         assert_eq!(page.rows[0], ["1234567e1", "2.41 ± 0.03", "1234567"]);
-        assert_eq!(page.rows[1], ["b", "2.4137", "5"]);
+        assert_eq!(page.rows[1], ["b", "2.414", "5"]);
     }
 
     #[test]
@@ -100,7 +114,28 @@ mod tests {
         let page = Table::new("summary", "Cases", &header, rows).for_page();
         assert_eq!(page.header, ["case_id", "displacement_max"]);
         let cells: Vec<_> = page.rows.iter().map(|row| row[1].as_str()).collect();
-        assert_eq!(cells, ["≥ 2.41 − 0.03", "≥ 2.4137", "2.4137"]);
+        assert_eq!(cells, ["≥ 2.41 − 0.03", "≥ 2.414", "2.414"]);
+    }
+
+    /// Rounded to four decimals first, and then to their bars, these came out as 0.01510 and 2.263.
+    #[test]
+    fn a_value_is_rounded_once() {
+        let row = |value: f64, bar: f64| {
+            let row = Row::default().with(&CASE_ID, "a").with(&STATUS, "ok");
+            row.with(&DISPLACEMENT_MAX, value).with(&DISPLACEMENT_ERROR, bar)
+        };
+        let rows = vec![row(0.015147, 0.00019), row(2.262462, 0.0012)];
+        let data = Loaded { rows, ..Loaded::default() };
+        let table = super::super::summary(&data).whole().unwrap();
+        let at = |table: &Table| {
+            let is = |name: &String| name == DISPLACEMENT_MAX.name;
+            let at = table.header.iter().position(is).unwrap();
+            table.rows.iter().map(|row| row[at].clone()).collect::<Vec<_>>()
+        };
+        assert_eq!(at(&table), ["0.015147", "2.262462"], "the file has every digit");
+        assert_eq!(at(&table.for_page()), ["0.01515 ± 0.00019", "2.2625 ± 0.0012"]);
+        let told = number::with_error(0.015147, 0.00019);
+        assert_eq!(told, at(&table.for_page())[0], "as the terminal writes it");
     }
 
     #[test]

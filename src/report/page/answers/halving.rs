@@ -98,9 +98,9 @@ impl<'a> Group<'a> {
         let lowest = most(self.rows.iter().copied().filter(|row| !row.is_fixed()), least);
         let told = lowest.map(|(row, _)| {
             let share = percent(force(row) / whole);
-            format!(": the least is {share} of it{}", at(row))
+            format!(" The lowest force is {share} of it,{}.", at(row))
         });
-        format!("No wall halves the force on {held}{}.", told.unwrap_or_default())
+        format!("No other wall halves the force on {held}.{}", told.unwrap_or_default())
     }
 
     /// Masses, each with the stiffnesses that halve the force; equal ones together.
@@ -149,21 +149,21 @@ fn in_brief(groups: &[Group<'_>], after_some: bool) -> String {
     let (some, none) = (waves(true), waves(false));
     if some.len() + none.len() < groups.len() {
         let halved = groups.iter().filter(|group| group.halved().next().is_some()).count();
-        let all = counted(groups.len(), "other comparison");
+        let all = counted(groups.len(), "other combination") + " of wave and settings";
         return match halved {
-            0 if after_some => format!(" No wall does so in {all}."),
-            0 => format!(" Nor does any wall in {all}."),
-            _ => format!(" Some wall does so in {halved} of {all}."),
+            0 if after_some => format!(" In {all} no wall halves it."),
+            0 => format!(" In {all} no wall halves it either."),
+            _ => format!(" In {halved} of {all} some wall halves it."),
         };
     }
     match (range(&some, ""), range(&none, "")) {
         (_, without) if some.is_empty() && after_some => {
-            format!(" No wall does so at H/h = {without}.")
+            format!(" At H/h = {without} no wall halves it.")
         }
-        (_, without) if some.is_empty() => format!(" Nor does any wall at H/h = {without}."),
-        (with, _) if none.is_empty() => format!(" Some wall does so at H/h = {with}, too."),
+        (_, without) if some.is_empty() => format!(" At H/h = {without} no wall halves it either."),
+        (with, _) if none.is_empty() => format!(" At H/h = {with} some wall halves it, too."),
         (with, without) => {
-            format!(" Some wall does so at H/h = {with}, none at H/h = {without}.")
+            format!(" At H/h = {with} some wall halves it, at H/h = {without} none.")
         }
     }
 }
@@ -200,9 +200,9 @@ mod tests {
 
     #[test]
     fn masses_of_the_same_stiffnesses_are_told_together() {
-        let told = "Compared with the stiffest wall at H/h = 0.5, k = 10⁵ N/m, m = 500 kg/m (F* = 4), \
+        let told = "Compared with the stiffest wall at H/h = 0.5, k = 100000 N/m, m = 500 kg/m (F* = 4), \
                     the force is halved by k up to 100 N/m with m = 50 kg/m; k = 10 N/m with m = 100 \
-                    and 500 kg/m. No wall does so at H/h = 0.2.";
+                    and 500 kg/m. At H/h = 0.2 no wall halves it.";
         assert_eq!(said(&walls()).unwrap(), told);
     }
 
@@ -211,11 +211,9 @@ mod tests {
         let mut rows = walls();
         rows.push(wall(0.5, None, 3.6));
         let told = said(&rows).unwrap();
-        assert!(
-            told.starts_with("No wall halves the force on the fixed wall at H/h = 0.5"),
-            "{told}"
-        );
-        assert!(told.contains("the least is 53 % of it at H/h = 0.5, k = 10 N/m"), "{told}");
+        let none = "No other wall halves the force on the fixed wall at H/h = 0.5";
+        let lowest = "The lowest force is 53 % of it, at H/h = 0.5, k = 10 N/m";
+        assert!(told.starts_with(none) && told.contains(lowest), "{told}");
     }
 
     #[test]
@@ -238,8 +236,9 @@ mod tests {
             rows
         };
         let study = |a, b| said(&[walls("a", a), walls("b", b), walls("c", b)].concat()).unwrap();
-        assert!(study(3.0, 3.0).ends_with(" Nor does any wall in 2 other comparisons."));
-        assert!(study(1.0, 3.0).ends_with(" No wall does so in 2 other comparisons."));
+        let none = " In 2 other combinations of wave and settings no wall halves it";
+        assert!(study(3.0, 3.0).ends_with(&format!("{none} either.")));
+        assert!(study(1.0, 3.0).ends_with(&format!("{none}.")));
     }
 
     #[test]

@@ -6,6 +6,8 @@ mod errors;
 mod force;
 mod halving;
 mod run;
+mod scene;
+mod stops;
 
 pub use force::most;
 
@@ -25,9 +27,11 @@ pub struct Answer {
 pub fn all(data: &Loaded, file: Option<&SceneFile>) -> Vec<Answer> {
     let answers = [
         ("What was run", Some(run::what(data, file))),
+        ("The scene", scene::shared(data)),
         ("Failed", run::failed(data)),
         ("Largest force", force::largest(data, file)),
         ("Half the force", halving::half(data)),
+        ("Stops", stops::hits(data)),
         ("Bounds", doubts::bounds(data)),
         ("Doubts", doubts::doubtful(data)),
         ("Spacing", doubts::coarse(data)),
@@ -52,14 +56,16 @@ mod tests {
     fn a_movable_study() {
         assert_eq!(
             said(&fixture::sweep()),
-            "What was run: 12 cases: H/h = 0.3 and 0.5; k = 10, 500 and 10⁵ N/m; m = 50 and 250 \
+            "What was run: 12 cases: H/h = 0.3 and 0.5; k = 10, 500 and 100000 N/m; m = 50 and 250 \
              kg/m. Particles stand 8 mm apart. 11 finished, 1 failed.\n\
              Failed: 1 case failed: runaway-speed (1). It has no results.\n\
-             Largest force: The largest force of all is F* = 2.978 at H/h = 0.5, k = 10⁵ N/m, \
+             Largest force: The largest force of all is F* = 2.978 at H/h = 0.5, k = 100000 N/m, \
              m = 50 kg/m. It is that of the first impact.\n\
-             Half the force: No wall halves the force on the stiffest wall at H/h = 0.5, k = 10⁵ \
-             N/m, m = 50 kg/m (F* = 2.978): the least is 76 % of it at H/h = 0.5, k = 500 N/m, \
-             m = 50 kg/m. Nor does any wall at H/h = 0.3.\n\
+             Half the force: No other wall halves the force on the stiffest wall at H/h = 0.5, \
+             k = 100000 N/m, m = 50 kg/m (F* = 2.978). The lowest force is 76 % of it, at H/h = 0.5, \
+             k = 500 N/m, m = 50 kg/m. At H/h = 0.3 no wall halves it either.\n\
+             Stops: The wall hits its stop in 5 of 11 cases. The load of such a hit is in no maximum; \
+             it is in the table Health, as the stop impulse.\n\
              Bounds: 6 of 11 largest displacements are no more than a lower bound (≥): the wall \
              still moved outwards when the run ended (k up to 500 N/m).\n\
              Doubts: These files do not say which results are doubtful.\n\

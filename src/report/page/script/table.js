@@ -1,6 +1,8 @@
 // Tables: sorted by a click on a heading, filtered by what stands under it. A long table holds only
 // the rows that are near what is seen.
 const WHOLE = 400, AROUND = 8;
+// So many rows are seen at once, without a bar to scroll them.
+const SHORT = 50;
 const plain = document.createElement("textarea");
 
 function textOf(html) {
@@ -19,16 +21,22 @@ function numberOf(text) {
   return Number(power[1] ?? 1) * 10 ** Number(digits.join(""));
 }
 
-// What a filter asks for: < 2, >= 0.5, 0.2..0.4, or a part of the text.
-function asked(text) {
-  const bound = text.match(/^\s*(<=|>=|<|>|=|≤|≥)\s*(-?[\d.]+(?:e-?\d+)?)\s*$/i);
+// What a filter asks for: < 2, >= 0.5, 0.2..0.4, or a part of the text; null where it is not understood.
+const NUMBER = "[-+]?(?:\\d+\\.?\\d*|\\.\\d+)(?:e[-+]?\\d+)?", SIGN = "<=|>=|<|>|=|≤|≥";
+const BOUND = new RegExp("^(" + SIGN + ")\\s*(" + NUMBER + ")$", "i");
+const RANGE = new RegExp("^(" + NUMBER + ")\\s*\\.\\.\\s*(" + NUMBER + ")$", "i");
+const ALLOWED = "< 2, >= 0.5, 0.2..0.4, or a part of the text";
+function asked(text, numeric) {
+  text = text.trim();
+  const bound = text.match(BOUND);
   if (bound) {
     const value = Number(bound[2]), sign = bound[1];
     return { number: (cell) => ({ "<": cell < value, ">": cell > value, "=": cell === value, "<=": cell <= value, "≤": cell <= value, ">=": cell >= value, "≥": cell >= value })[sign] };
   }
-  const range = text.match(/^\s*(-?[\d.]+)\s*\.\.\s*(-?[\d.]+)\s*$/);
+  const range = text.match(RANGE);
   if (range) return { number: (cell) => cell >= Number(range[1]) && cell <= Number(range[2]) };
-  const part = text.trim().toLowerCase();
+  if (numeric && /^[<>=≤≥]|\.\.|\p{L}/u.test(text)) return null;
+  const part = text.toLowerCase();
   return { text: (cell) => cell.toLowerCase().includes(part) };
 }
 
@@ -42,6 +50,10 @@ class Grid {
     this.lineOf = new Map(this.rows.map((row, line) => [row, line]));
     box.insertAdjacentHTML("beforeend", html.slice(0, start) + html.slice(end));
     this.scroll = box.querySelector(".wide");
+    this.scroll.classList.toggle("long", this.lines.length > SHORT);
+    this.unread = make("p", { className: "unread", hidden: true });
+    this.unread.setAttribute("role", "status");
+    this.scroll.before(this.unread);
     this.table = box.querySelector("table");
     this.body = this.table.tBodies[0];
     this.heads = [...this.table.tHead.rows[0].cells];
@@ -93,12 +105,30 @@ class Grid {
 
   test(name, text) {
     if (!this.columns.includes(name)) return () => true;
-    const wanted = asked(text), cells = wanted.number ? this.numbersOf(name) : this.column(name);
+    const wanted = asked(text, this.isNumeric(name));
+    if (!wanted) return () => true;
+    const cells = wanted.number ? this.numbersOf(name) : this.column(name);
     const fits = wanted.number || wanted.text;
     return (row) => this.lineOf.has(row) && fits(cells[this.lineOf.get(row)]);
   }
 
+  isNumeric(name) {
+    return this.heads[this.columns.indexOf(name)].classList.contains("number");
+  }
+
+  // A filter that is not understood holds nothing back, and says so.
+  complain() {
+    const own = this.columns.map((name) => filters.get(this.name + "." + name) || "");
+    const wrong = own.map((text, at) => text && !asked(text, this.isNumeric(this.columns[at])));
+    wrong.forEach((is, at) => this.fields[at].setAttribute("aria-invalid", is));
+    const told = own.filter((text, at) => wrong[at] && !/^[<>=≤≥]+$/.test(text));
+    this.unread.hidden = !told.length;
+    this.unread.textContent = told.map((text) => "“" + text + "”").join(" and ") + (told.length > 1 ? " are" : " is")
+      + " not understood and left out. Write a number without its unit: " + ALLOWED + ".";
+  }
+
   head() {
+    const example = this.cells(this.lines.length >> 1).map(numberOf);
     const fields = this.heads.map((head, at) => {
       const name = this.columns[at], label = head.textContent;
       const button = make("button", { type: "button", textContent: label });
@@ -112,7 +142,8 @@ class Grid {
       });
       head.replaceChildren(button);
       const number = head.classList.contains("number");
-      const field = make("input", { type: "search", placeholder: number ? "< 2" : "text", size: 6, title: number ? "< 2, >= 0.5, 0.2..0.4, or a part of the text" : "a part of the text" });
+      const hint = Number.isFinite(example[at]) ? (example[at] ? "< " + Number(example[at].toPrecision(2)) : "> 0") : "number";
+      const field = make("input", { type: "search", placeholder: number ? hint : "text", size: 6, title: number ? ALLOWED : "a part of the text" });
       field.setAttribute("aria-label", "Filter " + label);
       field.addEventListener("input", () => {
         if (field.value.trim()) filters.set(this.name + "." + name, field.value.trim());
@@ -150,6 +181,7 @@ class Grid {
       const value = filters.get(this.name + "." + this.columns[at]) || "";
       if (this.fields[at].value.trim() !== value) this.fields[at].value = value;
     });
+    this.complain();
     this.from = -1;
     if (this.top) this.scroll.scrollTop = this.top = 0;
     this.fill();

@@ -1,0 +1,102 @@
+//! The tank and the water that all cases share: what was not swept, values that files left out included.
+
+use toml::Table;
+
+use crate::keys::Key;
+use crate::keys::number as read;
+use crate::report::config::some_configs;
+use crate::report::curves::spread;
+use crate::report::load::Loaded;
+use crate::report::page::words::{listed, range};
+use crate::scene::{Kind, scene_keys};
+
+/// So many cases are looked at: only what was swept may differ in more of them.
+const LOOKED_AT: usize = 50;
+
+/// What is no part of the tank, and what is said with the number of cases.
+const UNSAID: [&str; 2] = ["kind", "history_interval_s"];
+
+/// Every key of the scene that is on and was not swept, with its value; `None` where the files do not tell
+/// it.
+pub fn shared(data: &Loaded) -> Option<String> {
+    let places: Vec<usize> = (0..data.rows.len()).collect();
+    let configs = some_configs(data, spread(&places, LOOKED_AT).into_iter());
+    let scenes: Vec<Table> = configs.into_iter().flatten().map(|config| config.scene).collect();
+    let kind = scenes.first()?.get("kind")?.as_str()?.to_owned();
+    let kind = Kind::ALL.iter().find(|one| one.name() == kind)?;
+    let swept = |key: &&Key| data.keys.iter().any(|one| one.name == key.name);
+    let keys = scene_keys(*kind).into_iter().filter(|key| !swept(key));
+    let told = keys.filter(|key| !UNSAID.contains(&key.name));
+    let told: Vec<_> = told.filter_map(|key| value(key, &scenes)).collect();
+    (!told.is_empty()).then(|| capitalised(&format!("{}.", told.join(", "))))
+}
+
+/// A key and its values, as a sentence has them: `tank length 2.5 m`.
+fn value(key: &Key, scenes: &[Table]) -> Option<String> {
+    let on = scenes.iter().filter(|scene| key.is_on(scene));
+    let values: Vec<_> = on.filter_map(|scene| scene.get(key.name)).collect();
+    let name = key.label();
+    let mut numbers: Vec<f64> = values.iter().filter_map(|value| read(value)).collect();
+    if !numbers.is_empty() {
+        numbers.sort_by(f64::total_cmp);
+        numbers.dedup();
+        let symbol = if key.name == "still_water_depth_m" { " h =" } else { "" };
+        return Some(format!("{name}{symbol} {}", range(&numbers, key.rule.unit)));
+    }
+    let mut words: Vec<String> = values.iter().map(|value| word(value)).collect();
+    words.dedup();
+    match &words[..] {
+        [] => None,
+        [off] if off == "nothing" => None,
+        [yes] if yes == "true" => Some(name),
+        _ => Some(format!("{name} {}", listed(&words))),
+    }
+}
+
+fn word(value: &toml::Value) -> String {
+    match value {
+        toml::Value::String(text) => text.replace('-', " "),
+        toml::Value::Array(points) => format!("through {} points", points.len()),
+        other => other.to_string(),
+    }
+}
+
+fn capitalised(text: &str) -> String {
+    let mut letters = text.chars();
+    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::report::study::Key as Swept;
+    use serde_json::json;
+
+    fn of(file: &str, key: &str, cells: &[&str]) -> Option<String> {
+        let keys = vec![Swept { name: key.to_owned(), cells: cells.iter().collect() }];
+        let manifest = Some(json!({ "sweep_file": file, "overrides": [] }));
+        let rows = vec![Default::default(); cells.len()];
+        shared(&Loaded { rows, keys, manifest, ..Loaded::default() })
+    }
+
+    #[test]
+    fn what_files_leave_out_is_told_too_and_what_was_swept_is_not() {
+        let file = "name = \"a\"\n[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n\
+                    spring_stiffness_n_per_m = 10\n[grid]\nwave_height_ratio = [0.2, 0.3]";
+        assert_eq!(
+            of(file, "wave_height_ratio", &["0.2", "0.3"]).unwrap(),
+            "Still water depth h = 0.2 m, tank length 2.5 m, gravity 9.81 m/s², water density 1000 \
+             kg/m³, end after stroke 3 s, paddle ramp 0.05, wall movable, threshold \
+             ratio 1.1, force coupling 1, spring stiffness 10 N/m, seawall mass 50 kg/m, wave gauge \
+             1.5 m."
+        );
+    }
+
+    #[test]
+    fn other_scenes_have_their_own_keys() {
+        let file = "name = \"a\"\n[scene]\nkind = \"dam-break\"\n[grid]\ncolumn_height_m = [0.6]";
+        let told = of(file, "column_height_m", &["0.6"]).unwrap();
+        assert!(told.starts_with("Column length 1.2 m, tank length 3.22 m"), "{told}");
+        assert_eq!(of("[[case]]", "case", &["a"]), None);
+    }
+}

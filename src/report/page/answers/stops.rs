@@ -1,0 +1,39 @@
+//! Walls that come back onto their stops.
+
+use crate::quantities::summary::STOPS;
+use crate::report::load::Loaded;
+use crate::report::page::words::counted;
+
+/// In how many cases the wall hits its stop, and where the load of that is; `None` where none does.
+pub fn hits(data: &Loaded) -> Option<String> {
+    let all = data.finished().filter(|row| row.number(&STOPS).is_some()).count();
+    let hit = data.finished().filter(|row| row.number(&STOPS).is_some_and(|hits| hits > 0.0));
+    let often = match (hit.count(), all) {
+        (0, _) => return None,
+        (_, 1) => "The wall hits its stop.".to_owned(),
+        (hit, all) => format!("The wall hits its stop in {hit} of {}.", counted(all, "case")),
+    };
+    let load =
+        "The load of such a hit is in no maximum; it is in the table Health, as the stop impulse.";
+    Some(format!("{often} {load}"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantities::summary::STATUS;
+    use crate::report::row::Row;
+
+    #[test]
+    fn walls_that_hit_their_stops_are_counted_among_those_that_have_one() {
+        let said = |stops: &[&str]| {
+            let row = |hits: &&str| Row::default().with(&STATUS, "ok").with(&STOPS, hits);
+            hits(&Loaded { rows: stops.iter().map(row).collect(), ..Loaded::default() })
+        };
+        assert!(
+            said(&["2", "", "0"]).unwrap().starts_with("The wall hits its stop in 1 of 2 cases. ")
+        );
+        assert!(said(&["3"]).unwrap().starts_with("The wall hits its stop. The load"));
+        assert_eq!([said(&["0", "0"]), said(&["", ""]), said(&[])], [None, None, None]);
+    }
+}
