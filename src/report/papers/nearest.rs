@@ -42,8 +42,8 @@ pub fn nearest(data: &Loaded) -> Option<String> {
     let (name, figure) = (&nearest.paper, &nearest.figure);
     let words = paper(name).map_or("", |paper| paper.words.as_str());
     Some(format!(
-        "{none} The nearest of theirs is {} (Fig. {figure} of {words}): see `seawall reproduce {name} \
-         --figure {figure}`.",
+        "{none} The nearest of theirs is {} (Fig. {figure} of {words}): run seawall reproduce {name} --figure \
+         {figure} to see them.",
         place(nearest)
     ))
 }
@@ -111,8 +111,8 @@ mod tests {
         assert_eq!(
             of(2.5, 47.0).unwrap(),
             "None of these cases is one that the papers print numbers of. The nearest of theirs is \
-             H/h = 0.3, k = 100 N/m, m = 50 kg/m (Fig. 10 of Liang et al. 2017): see `seawall \
-             reproduce liang2017 --figure 10`."
+             H/h = 0.3, k = 100 N/m, m = 50 kg/m (Fig. 10 of Liang et al. 2017): run seawall reproduce \
+             liang2017 --figure 10 to see them."
         );
         let other = of(3.0, 50.0).unwrap();
         assert!(
