@@ -182,9 +182,13 @@ mod tests {
 
     #[test]
     fn a_file_is_read_in_order() {
-        let file = SweepFile::read("name = \"a\"\n[grid]\nz = [1]\na = [2, 3]", &[]).unwrap();
+        let file = SweepFile::read(
+            "name = \"a\"\n[grid]\nwave_height_ratio = [0.1]\nparticle_spacing_m = [0.02, 0.03]",
+            &[],
+        )
+        .unwrap();
         let keys: Vec<_> = file.grid.iter().map(|axis| axis.key.as_str()).collect();
-        assert_eq!(keys, ["z", "a"]);
+        assert_eq!(keys, ["wave_height_ratio", "particle_spacing_m"]);
     }
 
     #[test]

@@ -158,7 +158,7 @@ mod tests {
         assert_eq!(told_of(""), format!("H/h = 0.5, fixed wall, {numbers}"));
         let movable = "wall = \"movable\"\nspring_stiffness_n_per_m = 5e4\n\
                        seawall_mass_kg_per_m = 50\nwave_height_ratio = 0.3";
-        let walls = "H/h = 0.3, movable wall, k = 5×10⁴ N/m, m = 50 kg/m";
+        let walls = "H/h = 0.3, movable wall, k = 50000 N/m, m = 50 kg/m";
         assert_eq!(told_of(movable), format!("{walls}, {numbers}"));
         assert!(told_of("wall_angle_deg = 120").contains("fixed wall of 120°"));
         let still = told_of("wave_height_ratio = 0\nend_time_s = 1");
