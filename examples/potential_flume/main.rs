@@ -13,7 +13,8 @@ use std::path::PathBuf;
 
 use anyhow::{Context, Result, bail};
 use clap::Parser;
-use seawall::scene::{CaseConfig, Scene};
+use seawall::scene::{ProbeKind, Scene};
+use seawall::study::{Study, SweepFile};
 
 use water::{Flume, Surface};
 
@@ -39,47 +40,35 @@ struct Arguments {
     /// Time step, seconds
     #[arg(long, default_value_t = 0.01)]
     step: f64,
-    /// Sets a key of the scene, as `wave_height_ratio=0.3`
-    #[arg(long)]
-    set: Vec<String>,
 }
 
 fn main() -> Result<()> {
     let arguments = Arguments::parse();
     let path = &arguments.scene;
     let text = fs::read_to_string(path).with_context(|| path.display().to_string())?;
-    let mut file: toml::Table = text.parse()?;
-    let Some(mut table) = file.remove("scene").and_then(|scene| scene.try_into().ok()) else {
-        bail!("{}: no [scene]", path.display());
-    };
-    for setting in &arguments.set {
-        let set: toml::Table = setting.parse()?;
-        toml::Table::extend(&mut table, set);
-    }
-    let config = CaseConfig::from_tables(&table, &toml::Table::new())?;
+    let study = Study::new(&SweepFile::read(&text, &[])?)?;
+    let config = &study.cases[0].config;
     let Scene::Seawall(scene) = &config.scene else { bail!("{}: no tank", path.display()) };
     let Some(paddle) = scene.paddle() else { bail!("{}: its water is still", path.display()) };
-    let gauges = gauges(&file);
+    let probes = config.probes.iter().filter(|probe| probe.kind == ProbeKind::Elevation);
+    let gauges: Vec<_> = probes.filter_map(|probe| Some((&*probe.name, probe.x_m?))).collect();
+    let frame = config.scene.frame();
     let mut flume = Flume {
         paddle: &*paddle,
         bed: scene.bed.as_ref(),
-        depth: scene.still_water_depth_m,
-        gravity: scene.gravity_m_per_s2,
-        length: scene.tank_length_m,
-        columns: (scene.tank_length_m / arguments.column).round() as usize,
+        depth: frame.depth,
+        gravity: frame.gravity,
+        length: frame.length,
+        columns: (frame.length / arguments.column).round() as usize,
         layers: arguments.layers,
         time: scene.start_s(),
         surface: Surface::default(),
     };
     flume.rest();
-    let end = scene
-        .end_time_s
-        .unwrap_or(f64::INFINITY)
-        .min(paddle.stroke_centre().map_or(f64::INFINITY, |t| t + scene.end_after_stroke_centre_s));
     let mut writer = csv::Writer::from_path(&arguments.out)?;
-    writer.write_record(std::iter::once("time_s").chain(gauges.iter().map(|g| &*g.0)))?;
+    writer.write_record(std::iter::once("time_s").chain(gauges.iter().map(|gauge| gauge.0)))?;
     let steps = (INTERVAL / arguments.step).round().max(1.0);
-    while flume.time < end {
+    while flume.time < frame.end_time {
         for _ in 0..steps as usize {
             flume.step(INTERVAL / steps);
         }
@@ -93,17 +82,4 @@ fn main() -> Result<()> {
     }
     eprintln!("volume off by {:.1e} of the water", flume.volume_error());
     Ok(writer.flush()?)
-}
-
-/// Names and places of the scene's elevation probes.
-fn gauges(file: &toml::Table) -> Vec<(String, f64)> {
-    let probes = file.get("probe").and_then(toml::Value::as_array).into_iter().flatten();
-    let read = |probe: &toml::Value| {
-        let name = probe.get("name")?.as_str()?.to_owned();
-        let elevation = probe.get("kind")?.as_str()? == "elevation";
-        let x = probe.get("x_m")?;
-        let x = x.as_float().or_else(|| x.as_integer().map(|x| x as f64))?;
-        elevation.then_some((name, x))
-    };
-    probes.filter_map(read).collect()
 }
