@@ -6,8 +6,8 @@ use super::output::{short, with_bar};
 use super::overview;
 use super::table::Table;
 use crate::quantities::heading;
-use crate::quantities::summary::{CASE_ID, DOUBTFUL, STOPS};
-use crate::report::find::{Basis, Boundary, Found, Operator, Reading, Verdict};
+use crate::quantities::summary::{CASE_ID, DOUBTFUL};
+use crate::report::find::{Basis, Boundary, Found, Reading, Verdict};
 use crate::report::load::Loaded;
 use crate::report::plain;
 use crate::results::counted;
@@ -41,8 +41,7 @@ impl Answer<'_> {
             text.push_str("\nwhere it begins and ends\n");
             text.push_str(&self.boundaries(&boundaries, all));
         }
-        let mut equal = self.found.condition.0.iter().filter(|one| one.operator == Operator::Equal);
-        if equal.any(|one| !self.is_key(&one.subject.name)) {
+        if self.found.condition.picks_points(self.data) {
             text.push_str("= holds to four digits; < and > tell where a value is crossed\n");
         }
         text
@@ -70,9 +69,8 @@ impl Answer<'_> {
         self.data.rows[row].is(&DOUBTFUL)
     }
 
-    /// Whether the wall comes back onto its stop, a load that no maximum counts.
     fn stops(&self, row: usize) -> bool {
-        self.data.rows[row].number(&STOPS).is_some_and(|stops| stops > 0.0)
+        self.data.rows[row].hits_stop()
     }
 
     fn cases(&self, rows: &[usize], all: bool) -> String {

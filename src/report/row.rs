@@ -4,7 +4,9 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::number;
-use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, STATUS, WAVE_HEIGHT_RATIO};
+use crate::quantities::summary::{
+    SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STOPS, WAVE_HEIGHT_RATIO,
+};
 use crate::quantities::{Column, named};
 
 /// What tells a case from the others, as a rule.
@@ -152,6 +154,11 @@ impl Row {
     /// The wall does not move: it has neither spring nor mass.
     pub fn is_fixed(&self) -> bool {
         [&SPRING_STIFFNESS, &SEAWALL_MASS].iter().all(|column| self.number(column).is_none())
+    }
+
+    /// The wall comes back onto its stop, a load that no maximum counts.
+    pub fn hits_stop(&self) -> bool {
+        self.number(&STOPS).is_some_and(|stops| stops > 0.0)
     }
 
     /// The wall stands upright.

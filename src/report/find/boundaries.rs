@@ -1,7 +1,7 @@
 //! The boundaries of a condition along every swept key.
 
 use super::boundary::Boundary;
-use super::condition::{Condition, Operator};
+use super::condition::Condition;
 use super::line::{Line, lines};
 use crate::math::scale::Scale;
 use crate::report::load::Loaded;
@@ -9,14 +9,12 @@ use crate::report::study::{Key, file};
 
 /// The boundaries along every swept key of numbers.
 pub fn boundaries(condition: &Condition, data: &Loaded) -> Vec<Boundary> {
-    let equal = || condition.0.iter().filter(|one| one.operator == Operator::Equal);
-    let is_key = |name: &str| data.keys.iter().any(|key| key.name == name);
-    if equal().any(|one| !is_key(&one.subject.name)) {
-        return Vec::new(); // points are no part of an axis
+    if condition.picks_points(data) {
+        return Vec::new();
     }
     let of_key = |key: usize| {
         let axis = &data.keys[key];
-        if equal().any(|one| one.subject.name == axis.name) {
+        if condition.equal().any(|one| one.name == axis.name) {
             return Vec::new();
         }
         let Some(scale) = scale(axis, data) else { return Vec::new() };

@@ -125,6 +125,17 @@ impl Condition {
         parts.map(|part| comparison(&part.join(" "), data)).collect::<Result<_, _>>().map(Condition)
     }
 
+    /// What is to be equal to a number.
+    pub fn equal(&self) -> impl Iterator<Item = &Subject> {
+        let equal = self.0.iter().filter(|one| one.operator == Operator::Equal);
+        equal.map(|one| &one.subject)
+    }
+
+    /// Whether something that was not swept is to be equal to a number: such points are no part of an axis.
+    pub fn picks_points(&self, data: &Loaded) -> bool {
+        self.equal().any(|one| data.keys.iter().all(|key| key.name != one.name))
+    }
+
     /// Whether a case meets all comparisons: one that is not met decides, whatever is unknown.
     pub fn verdict(&self, row: usize) -> Verdict {
         let verdicts = || self.0.iter().map(|comparison| comparison.verdict(row));

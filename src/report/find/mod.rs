@@ -9,7 +9,7 @@ mod subject;
 mod tests;
 
 pub use boundary::{Basis, Boundary};
-pub use condition::{Comparison, Condition, Operator, Verdict};
+pub use condition::{Comparison, Condition, Verdict};
 pub use subject::{Reading, Subject};
 
 use super::load::Loaded;

@@ -45,6 +45,8 @@ pub(super) use sheet::{Drawing, Layout};
 use super::error::ReportError;
 use super::load::Loaded;
 use super::markup::escape;
+use crate::quantities::Column;
+use crate::quantities::summary::{DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX};
 #[cfg(feature = "print")]
 pub use text::FONT;
 
@@ -74,6 +76,9 @@ pub(super) enum Place {
 
 /// Series in a panel, and panels of one figure, at most: more than that nobody tells apart.
 const SERIES: usize = 6;
+
+/// The responses that are drawn: what the page's first answer is about comes first.
+const DRAWN: [&Column; 3] = [&FIRST_FORCE_MAX, &FIRST_RUNUP_MAX, &DISPLACEMENT_MAX];
 
 /// What a page needs to show figures, in light and in dark.
 pub const STYLE: &str = include_str!("plots.css");

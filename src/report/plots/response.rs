@@ -5,17 +5,12 @@ use super::axes::Axis;
 use super::chart::{Chart, Curve};
 use super::marks::{bounds, by, coupling, key, marks, picked, point, said};
 use super::sheet::{Drawing, PANELS};
-use super::{Figure, SERIES, file_name, of_variant, printed};
-use crate::quantities::summary::{
-    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO,
-};
+use super::{DRAWN, Figure, SERIES, file_name, of_variant, printed};
+use crate::quantities::summary::{LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, Unit};
 use crate::report::curves::{by_mass, distinct, responses, spread, stem, variants};
 use crate::report::load::Loaded;
 use crate::report::row::Row;
-
-/// What is drawn: what the page's first answer is about comes first.
-const DRAWN: [&Column; 3] = [&FIRST_FORCE_MAX, &FIRST_RUNUP_MAX, &DISPLACEMENT_MAX];
 
 /// The figures of every response and variant that has points.
 pub fn figures(data: &Loaded) -> Vec<Figure> {

@@ -6,17 +6,13 @@ use super::axes::Axis;
 use super::chart::{Chart, Curve, Point};
 use super::marks::{bounds, by, coupling, key, marks, picked, point, said};
 use super::sheet::{Drawing, PANELS};
-use super::{Figure, SERIES, file_name, of_variant};
-use crate::quantities::summary::{
-    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, M_STAR, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO,
-};
+use super::{DRAWN, Figure, SERIES, file_name, of_variant};
+use crate::quantities::summary::{M_STAR, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, Unit};
 use crate::report::curves::{distinct, spread, variants};
 use crate::report::load::Loaded;
 use crate::report::row::Row;
 
-/// What is drawn, from the left.
-const DRAWN: [&Column; 3] = [&FIRST_FORCE_MAX, &FIRST_RUNUP_MAX, &DISPLACEMENT_MAX];
 /// Values of the second parameter, at most.
 const ROWS: usize = 3;
 /// A page holds the others, too, up to so many in all: they show where a choice asks for them.

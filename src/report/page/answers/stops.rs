@@ -7,7 +7,7 @@ use crate::report::page::words::counted;
 /// In how many cases the wall hits its stop, and where the load of that is; `None` where none does.
 pub fn hits(data: &Loaded) -> Option<String> {
     let all = data.finished().filter(|row| row.number(&STOPS).is_some()).count();
-    let hit = data.finished().filter(|row| row.number(&STOPS).is_some_and(|hits| hits > 0.0));
+    let hit = data.finished().filter(|row| row.hits_stop());
     let often = match (hit.count(), all) {
         (0, _) => return None,
         (_, 1) => "The wall hits its stop.".to_owned(),
