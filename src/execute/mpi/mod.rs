@@ -14,6 +14,7 @@
 
 mod hello;
 mod letter;
+mod message;
 mod post;
 mod pulse;
 mod station;
@@ -23,50 +24,18 @@ use std::path::Path;
 
 use mpi::Threading;
 use mpi::traits::Communicator;
-use serde::{Deserialize, Serialize};
 
 use self::hello::{Hello, share_cores, stranger};
+use self::message::Message;
 use self::post::{Post, out_of_turn};
 use self::station::{RankZero, Station, work};
 use super::worker::with_worker;
-use super::{Crew, Link, Order, Report, Setup, resources, share_threads};
+use super::{Crew, Link, Setup, resources, share_threads};
 use crate::math::simd::SimdPath;
 use crate::results::{Filing, Mark, RankInfo, SweepError};
-use crate::schedule::Work;
 
 /// Whether this build can run under MPI.
 pub const AVAILABLE: bool = true;
-
-/// Everything that ranks say to each other.
-#[derive(Debug, Serialize, Deserialize)]
-enum Message {
-    Hello(Hello),
-    Start {
-        simd: SimdPath,
-        rank: RankInfo,
-        /// The output directory.
-        out: Option<Mark>,
-    },
-    Order(Order),
-    /// What has ended since the last time.
-    Reports(Vec<Report>),
-    /// What is being worked on, and the share of it that is done.
-    UnderWay(Vec<(Work, f64)>),
-    Pull {
-        trunk: usize,
-    },
-    Checkpoint {
-        trunk: usize,
-        bytes: Option<Vec<u8>>,
-    },
-    /// Nothing is left to do; rank 0 no longer listens all the time.
-    Rest,
-    Finish,
-    Bye,
-    Leave,
-    /// Still here.
-    Beat,
-}
 
 /// Joins the other ranks. `lead` runs on rank 0 only and yields its exit code; the other ranks
 /// serve it and return 0.
