@@ -101,6 +101,14 @@ impl Profile {
         y0 + (y1 - y0) * (x - x0) / (x1 - x0)
     }
 
+    /// Its highest place between two x, metres.
+    pub fn highest_between(&self, left: f64, right: f64) -> f64 {
+        let first = self.0.partition_point(|point| point[0] < left);
+        let between = self.0[first..].iter().take_while(|point| point[0] <= right);
+        let ends = self.height(left).max(self.height(right));
+        between.fold(ends, |highest, point| highest.max(point[1]))
+    }
+
     /// Area between it and a level above it, m²; dry stretches count for nothing.
     pub fn area_below(&self, level: f64) -> f64 {
         let stretch = |pair: &[[f64; 2]]| {

@@ -17,6 +17,19 @@ fn heights_ends_and_areas_are_those_of_the_line() {
 }
 
 #[test]
+fn no_place_between_is_higher_than_the_highest() {
+    let bed = beach();
+    for (left, right, highest) in
+        [(0.5, 1.5, 0.0), (1.5, 2.5, 0.25), (2.9, 3.1, 0.7), (2.5, 2.5, 0.25), (-2.0, 9.0, 0.7)]
+    {
+        let found = bed.highest_between(left, right);
+        assert!((found - highest).abs() < 1e-12, "{left} to {right}: {found}");
+        let within = |k: u32| bed.height(left + (right - left) * f64::from(k) / 100.0);
+        assert!((0..=100).map(within).all(|height| height <= found + 1e-12));
+    }
+}
+
+#[test]
 fn the_nearest_face_is_found_on_both_sides() {
     let bed = beach();
     for (place, behind, normal) in [
