@@ -96,6 +96,16 @@ fn errors_are_objects_for_programs() {
     }
 }
 
+/// Who asks for JSON gets it, and nothing besides with `--quiet`.
+#[test]
+fn quiet_json_is_the_answer_alone() {
+    let quiet = run(&["explain", "kernel", "--format", "json", "--quiet"]);
+    expect_code(&quiet, 0);
+    assert_eq!(json(&quiet), json(&run(&["explain", "kernel", "--format", "json"])));
+    assert!(quiet.stderr.is_empty());
+    assert!(run(&["explain", "kernel", "--quiet"]).stdout.is_empty());
+}
+
 #[test]
 fn there_are_no_colours_where_nobody_wants_them() {
     let plain = |output: &Output| !output.stdout.contains(&0x1b) && !output.stderr.contains(&0x1b);

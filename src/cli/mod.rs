@@ -87,7 +87,7 @@ struct Cli {
 /// Options of every command.
 #[derive(Debug, Clone, Args)]
 struct Global {
-    /// Print nothing but errors.
+    /// Print nothing but errors, and with `--format json` the answer.
     #[arg(long, global = true)]
     quiet: bool,
     /// How results are printed.

@@ -39,11 +39,9 @@ impl Output {
 
     /// Prints a result: text for the human eye, or the value as JSON.
     pub(super) fn result(&self, text: &str, value: &impl Serialize) -> anyhow::Result<()> {
-        if self.quiet {
-            return Ok(());
-        }
         let mut out = std::io::stdout().lock();
         match self.format {
+            Format::Human if self.quiet => {}
             Format::Human => out.write_all(text.as_bytes())?,
             Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(value)?)?,
         }
