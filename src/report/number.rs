@@ -52,7 +52,7 @@ pub fn with_error(value: f64, error: f64) -> String {
     let first = significant(error, 1);
     let digits = if significant(error, 2) < 2.0 * power_of_ten_below(first) { 2 } else { 1 };
     let error = significant(error, digits);
-    let unit = power_of_ten_below(error) / if digits == 2 { 10.0 } else { 1.0 };
+    let unit = power_of_ten_below(first) / if digits == 2 { 10.0 } else { 1.0 };
     let decimals = (0..9).find(|&n| unit * 10_f64.powi(n) > 0.99).unwrap_or(9) as usize;
     format!("{value:.decimals$} ± {error:.decimals$}")
 }
@@ -136,6 +136,8 @@ mod tests {
         let pairs = [(2.4137, 0.0312), (1.22412, 0.0123), (3.4, 0.0997), (12.6, 2.2), (0.5, 0.0)];
         let written = pairs.map(|(value, error)| with_error(value, error));
         assert_eq!(written, ["2.41 ± 0.03", "1.224 ± 0.012", "3.40 ± 0.10", "13 ± 2", "0.5"]);
+        // A bar that is rounded up to a 1.
+        assert_eq!(with_error(2.8548, 0.0098), "2.855 ± 0.010");
         assert!(is_number("2.41 ± 0.03"));
         let bounds = [0.0312, 0.0].map(|error| bound_with_error(2.4137, error));
         assert_eq!(bounds, ["≥ 2.41 − 0.03", "≥ 2.414"]);
