@@ -49,13 +49,13 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     if let Some(closing) = closing {
         closing.write(&args.dir)?;
     }
-    let mut told = format!("report: {}\n", report.display());
+    let mut told = format!("report: {}\n", shown::told(&report));
     let prototype = args.froude_scale.map(|scale| scale.words());
     if let Some(scale) = &prototype {
         let tables = Froude::TABLES.map(|name| args.dir.join("tables").join(format!("{name}.csv")));
         let made: Vec<_> = tables.iter().filter(|path| path.is_file()).collect();
         for path in &made {
-            told.push_str(&format!("at Froude scale {scale}: {}\n", path.display()));
+            told.push_str(&format!("at Froude scale {scale}: {}\n", shown::told(path)));
         }
         if made.is_empty() {
             output.note(
@@ -67,7 +67,7 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
         let count = figures.len();
         told.push_str(&format!(
             "figures for print: {count} files in {}\n",
-            args.dir.join("figures").display()
+            shown::told(&args.dir.join("figures"))
         ));
     }
     output.result(
