@@ -3,7 +3,7 @@
 mod common;
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
@@ -188,6 +188,85 @@ fn flipped_bits_are_told_and_mended() {
     }
 }
 
+/// Every file below a directory, but for the lock, which holds nothing.
+fn files(directory: &Path) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    for path in fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().path()) {
+        if path.is_dir() {
+            files.extend(self::files(&path));
+        } else if path.file_name().unwrap() != "lock" {
+            files.push(path);
+        }
+    }
+    files.sort();
+    files
+}
+
+#[test]
+fn a_flipped_bit_in_any_file_is_told_and_mended() {
+    let root = tempfile::tempdir().unwrap();
+    let gauge = "[[probe]]\nname = \"level\"\nkind = \"level\"\nx_m = 0.5\n[numerics]";
+    let file = write_file(root.path(), &TINY.replace("[numerics]", gauge));
+    let out = root.path().join("out");
+    let directory = out.to_str().unwrap();
+    let arguments = ["sweep", file.to_str().unwrap(), "--out", directory, "--threads", "2"];
+    expect_code(&run(&arguments), 0);
+    expect_code(&run(&["verify", directory]), 0);
+    let all = files(&out);
+    let mut seen = std::collections::BTreeMap::new();
+    for path in all.iter().rev() {
+        // Of each folder two: what differs in kind stands at its ends.
+        let folder: &mut Vec<_> = seen.entry(path.parent().unwrap().to_owned()).or_default();
+        if folder.len() < 2 || path.parent() == Some(&out) || path.ends_with("columns.csv") {
+            folder.push(path.clone());
+        }
+    }
+    let chosen: Vec<_> = seen.into_values().flatten().collect();
+    for name in ["films", "figures", "tables", "probes/columns.csv", "derived.json", "energy.csv"] {
+        assert!(chosen.iter().any(|path| path.starts_with(out.join(name))), "{name}");
+    }
+    for path in chosen {
+        let before = fs::read(&path).unwrap();
+        let mut bytes = before.clone();
+        let place = bytes.len() / 2;
+        bytes[place] ^= 2;
+        fs::write(&path, bytes).unwrap();
+        let told_path = path.display();
+        assert_eq!(run(&["verify", directory]).status.code(), Some(1), "{told_path}");
+        expect_code(&run(&arguments), 0);
+        let verified = run(&["verify", directory]);
+        assert_eq!(verified.status.code(), Some(0), "{told_path}: {}", told(&verified));
+        let changes = ["journal.jsonl", "manifest.json", "report.html", "derived.json"];
+        let changes =
+            path.parent() == Some(&out) && changes.iter().any(|name| path.ends_with(name));
+        assert!(changes || fs::read(&path).unwrap() == before, "{told_path}");
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn a_terminal_that_goes_away_stops_a_sweep_in_good_order() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), &TINY.replace("0.025", "0.015"));
+    let hang_up = |child: &Child| {
+        let id = child.id().to_string();
+        assert!(Command::new("kill").args(["-HUP", &id]).status().unwrap().success());
+    };
+    let out = root.path().join("out");
+    let child = start(&file, &out, &[]);
+    wait_for(&out, 2);
+    hang_up(&child);
+    expect_code(&child.wait_with_output().unwrap(), 3);
+    // What `nohup` has started goes on.
+    let mut command = Command::new("sh");
+    command.args(["-c", "trap '' HUP; exec \"$0\" \"$@\"", env!("CARGO_BIN_EXE_seawall"), "sweep"]);
+    command.arg(&file).arg("--out").arg(&out).args(["--threads", "2", "--film", "none"]);
+    let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+    wait_for(&out, 4);
+    hang_up(&child);
+    expect_code(&child.wait_with_output().unwrap(), 0);
+}
+
 #[test]
 fn a_journal_without_a_beginning_is_not_started_over() {
     let root = tempfile::tempdir().unwrap();
@@ -198,6 +277,9 @@ fn a_journal_without_a_beginning_is_not_started_over() {
     let journal = fs::read_to_string(out.join("journal.jsonl")).unwrap();
     let (_, cases) = journal.split_once('\n').unwrap();
     fs::write(out.join("journal.jsonl"), cases).unwrap();
+    let directory = out.to_str().unwrap();
+    expect_code(&run(&["verify", directory]), 1);
+    expect_code(&run(&["status", directory, "--exit-code"]), 0);
     expect_code(&sweep(&file, &out, &[]), 0);
     assert_eq!(results(&out), before);
     assert_eq!(journal_lines(&out), TINY_CASES + 1);

@@ -77,12 +77,18 @@ pub(super) fn execute(
     let missing = directory.runs().iter().filter(|record| record.is_none()).count();
     let tallies = tallies(&directory);
     tell_opened(&opened, job, tallies, output);
+    // One who died before it had a manifest has done nothing.
+    let began = matches!(opened, Opened::Resumed(done) if missing == 0 || done > 0);
+    let damage = Manifest::damage(&job.out).filter(|_| began);
+    if let Some(what) = damage {
+        let rest =
+            if Manifest::read(&job.out).is_none() { ", without earlier sessions" } else { "" };
+        output.note(format_args!("manifest.json {what}: made again{rest}"));
+    }
     if missing == 0 {
         directory.write_tables(study)?;
         directory.clear_checkpoints()?;
-        if Manifest::read(&job.out).is_none() {
-            output
-                .note("manifest.json is missing or damaged: made again, without earlier sessions");
+        if damage.is_some() {
             Manifest::new(&job.out, study, &job.overrides, directory.simd()).write(&job.out)?;
         }
         let (savings, ending) = (Savings::default(), Ending::Finished);

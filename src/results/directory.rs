@@ -88,6 +88,7 @@ impl Directory {
             opening::check_header(path, &header, study, requested, widest)?;
             let journal = Journal::resume(path, &content, &header)?;
             files::clean(path)?;
+            filling.demand_probe_columns()?;
             let (filled, damaged) = filling.end();
             records = filled;
             findings.extend(damaged);

@@ -135,6 +135,11 @@ pub(super) fn damage(
     damage
 }
 
+/// Whether a case has left probes.
+pub(super) fn has_probes(seals: &Seals) -> bool {
+    seals.contains_key(PROBES)
+}
+
 /// Whether there is any history.
 pub(super) fn any(directory: &Path) -> bool {
     fs::read_dir(directory.join(HISTORIES)).is_ok_and(|mut entries| entries.next().is_some())

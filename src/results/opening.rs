@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::slice;
 use std::time::SystemTime;
 
 use rayon::prelude::*;
@@ -13,7 +14,7 @@ use super::lock::{self, Lock};
 use super::manifest::Manifest;
 use super::number::counted;
 use super::record::{CaseRecord, HeldLine};
-use super::{disk, files, journal};
+use super::{Derived, atomic_file, derived, disk, files, journal};
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::study::{CaseId, Study};
@@ -159,6 +160,8 @@ pub(super) struct Filling<'a> {
     looks: bool,
     /// What is wrong with the files of a case, in words.
     damage: BTreeMap<usize, String>,
+    /// A case that has left probes.
+    probed: Option<usize>,
 }
 
 impl Filling<'_> {
@@ -170,6 +173,7 @@ impl Filling<'_> {
             records: vec![None; study.run_count()],
             looks: true,
             damage: BTreeMap::new(),
+            probed: None,
         }
     }
 
@@ -187,16 +191,37 @@ impl Filling<'_> {
             let has_files = looks && record.is_ok() && record.index < cases;
             let files = has_files.then_some(&files);
             let damage = files.and_then(|files| files::damage(path, record.id, files));
-            Some((record, damage))
+            let probed = files.is_some_and(files::has_probes);
+            Some((record, damage, probed))
         };
         let looked: Vec<_> = lines.into_par_iter().filter_map(look).collect();
-        for (record, damage) in looked {
+        for (record, damage, probed) in looked {
             let index = record.index;
+            self.probed = self.probed.or(Some(index).filter(|_| probed));
             self.damage.remove(&index);
             self.damage
                 .extend(damage.map(|(file, what)| (index, format!("{} {what}", file.display()))));
             self.records[index] = Some(record);
         }
+    }
+
+    /// What the columns of probes hold is lost: a case that runs again tells it.
+    ///
+    /// # Errors
+    /// A file that cannot be removed or written.
+    pub(super) fn demand_probe_columns(&mut self) -> Result<(), SweepError> {
+        let columns = self.path.join(derived::PROBE_COLUMNS);
+        let Some(index) =
+            self.probed.filter(|_| Derived::is_damaged(self.path, slice::from_ref(&columns)))
+        else {
+            return Ok(());
+        };
+        if columns.exists() {
+            disk::remove_file(&columns).map_err(SweepError::io(&columns))?;
+        }
+        let told = format!("{} is damaged or missing", columns.display());
+        self.damage.entry(index).or_insert(told);
+        Derived::renew(self.path, &[columns])
     }
 
     /// The records, without those whose files are damaged or missing, and what is wrong with these.
