@@ -116,10 +116,11 @@ fn kills_in_quick_succession_make_no_case_fail() {
 fn a_directory_that_goes_away_is_never_called_well() {
     let root = tempfile::tempdir().unwrap();
     let file = write_file(root.path(), TINY);
-    let ways: [fn(&Path); 3] = [
+    let ways: [fn(&Path); 4] = [
         |out| fs::rename(out, out.with_extension("gone")).unwrap(),
         |out| fs::remove_file(out.join("journal.jsonl")).unwrap(),
         |out| while fs::remove_dir_all(out).is_err() {},
+        |out| fs::write(out.join("journal.jsonl"), "").unwrap(),
     ];
     for (number, way) in ways.iter().enumerate() {
         let out = root.path().join(format!("out{number}"));
@@ -129,6 +130,14 @@ fn a_directory_that_goes_away_is_never_called_well() {
         let output = child.wait_with_output().unwrap();
         expect_code(&output, 70);
         assert!(told(&output).contains("error: "), "{}", told(&output));
+        // What is left is nobody else's directory.
+        if number == 1 {
+            let refused = sweep(&file, &out, &[]);
+            expect_code(&refused, 2);
+            assert!(told(&refused).contains("journal.jsonl is missing"), "{}", told(&refused));
+        }
+        let more: &[&str] = if number == 0 || number == 2 { &[] } else { &["--fresh"] };
+        expect_code(&sweep(&file, &out, more), 0);
     }
 }
 

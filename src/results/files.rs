@@ -54,7 +54,7 @@ pub(super) fn write(
     for (name, text) in texts {
         let folder = directory.join(name);
         if !folder.is_dir() {
-            disk::create_folder(&folder).map_err(SweepError::io(&folder))?;
+            disk::create_folder_in(&folder).map_err(SweepError::io(&folder))?;
         }
         put(&folder.join(format!("{id}.csv")), text.as_bytes())?;
         seals.insert(name.to_owned(), Seal::of(text.as_bytes()));

@@ -43,8 +43,11 @@ pub enum Opened {
 #[derive(Debug, PartialEq)]
 pub(super) enum Found {
     Nothing,
-    /// A journal, which began at this time: it tells a new one from an old one.
-    Journal(Option<SystemTime>),
+    /// A journal, which began at this time, where the system tells, and what its directory is to the system: both
+    /// tell a new one from an old one.
+    Journal(Option<SystemTime>, [u64; 2]),
+    /// A study whose journal was deleted.
+    Remains,
 }
 
 pub(super) fn look(path: &Path) -> Result<Found, SweepError> {
@@ -54,17 +57,35 @@ pub(super) fn look(path: &Path) -> Result<Found, SweepError> {
     let journal = path.join(journal::FILE_NAME);
     if journal.is_file() {
         let created = fs::metadata(&journal).and_then(|file| file.created()).ok();
-        return Ok(Found::Journal(created));
+        let directory = fs::metadata(path).map_err(|error| SweepError::unusable(path, &error))?;
+        return Ok(Found::Journal(created, atomic_file::identity(&directory)));
+    }
+    if Manifest::read(path).is_some() && !journal.is_file() {
+        return Ok(Found::Remains);
     }
     let entries = fs::read_dir(path).map_err(|error| SweepError::unusable(path, &error))?;
     for entry in entries {
         let entry = entry.map_err(SweepError::io(path))?;
         if entry.file_name() != lock::FILE_NAME {
+            if journal.is_file() {
+                // Another process has begun meanwhile.
+                return look(path);
+            }
             let reason = "is not empty and holds no journal; choose another --out";
             return Err(SweepError::refused(path, reason));
         }
     }
     Ok(Found::Nothing)
+}
+
+/// Refuses to go on without a journal: what lies there would be written over.
+pub(super) fn refuse_remains(path: &Path, mode: OpenMode, found: &Found) -> Result<(), SweepError> {
+    if mode == OpenMode::Fresh || *found != Found::Remains {
+        return Ok(());
+    }
+    let reason = "journal.jsonl is missing, though a study's other files lie here; restore it from a copy, or \
+                  start over with --fresh";
+    Err(SweepError::refused(path, reason))
 }
 
 /// While this process waited for the lock, another may have started over.
@@ -239,21 +260,31 @@ impl Filling<'_> {
     }
 }
 
-/// Moves a directory aside and puts an empty one in its place, which is locked from the start.
+/// Moves a directory aside and puts an empty one in its place, which is locked from the start. Where the system can,
+/// the name is never without a directory: another process would take it for a new one.
 pub(super) fn replace(path: &Path) -> Result<(PathBuf, Lock), SweepError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let new = path.with_file_name(format!("{name}.new-{}", std::process::id()));
     disk::create_folder(&new).map_err(SweepError::io(&new))?;
     let lock = Lock::hold(&new)?;
-    let aside = move_aside(path)?;
-    disk::rename(&new, path).map_err(SweepError::io(path))?;
+    let aside = if disk::exchange(&new, path) {
+        move_aside(path, &new).inspect_err(|_| {
+            // As it was; where this fails as well, the old one stays under the other name.
+            let _ = disk::exchange(&new, path);
+        })?
+    } else {
+        let aside = move_aside(path, path)?;
+        disk::rename(&new, path).map_err(SweepError::io(path))?;
+        aside
+    };
     Ok((aside, lock))
 }
 
-fn move_aside(path: &Path) -> Result<PathBuf, SweepError> {
+/// Gives a directory that was at `path`, and is at `now`, a name of its own.
+fn move_aside(path: &Path, now: &Path) -> Result<PathBuf, SweepError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let free = (1..).map(|number| path.with_file_name(format!("{name}.old-{number}")));
     let aside = free.into_iter().find(|aside| !aside.exists()).expect("numbers do not end");
-    disk::rename(path, &aside).map_err(SweepError::io(path))?;
+    disk::rename(now, &aside).map_err(SweepError::io(path))?;
     Ok(aside)
 }
