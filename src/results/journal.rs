@@ -36,7 +36,8 @@ impl Journal {
     /// Starts a journal.
     pub fn create(directory: &Path, header: &Header) -> Result<Journal, SweepError> {
         let path = directory.join(FILE_NAME);
-        let file = disk::create(&path).map_err(SweepError::io(&path))?;
+        // At its end wherever that is: behind a cut a write at a place of its own would leave a hole.
+        let file = disk::append(&path).map_err(SweepError::io(&path))?;
         let mut journal = Journal { path, file, length: 0, unsynced_since: None };
         journal.append(&Entry::<CaseRecord>::Header(header.clone()))?;
         journal.sync()?;
