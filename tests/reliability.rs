@@ -3,12 +3,13 @@
 mod common;
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
 use common::{
-    TINY, TINY_CASES, assert_same, expect_code, journal_lines, results, run, seawall, write_file,
+    SOFT, TINY, TINY_CASES, assert_same, expect_code, journal_lines, results, run, seawall,
+    write_file,
 };
 
 /// Three cases; the second one needs more memory than `ulimit` leaves.
@@ -48,21 +49,42 @@ fn told(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
+/// A sweep with little memory.
+fn limited(file: &Path, out: &Path) -> Output {
+    let script = format!("ulimit -v {LITTLE}; exec \"$0\" \"$@\"");
+    let mut command = Command::new("sh");
+    command.args(["-c", &script, env!("CARGO_BIN_EXE_seawall"), "sweep"]);
+    command.arg(file).arg("--out").arg(out);
+    command.args(["--threads", "2", "--film", "none"]).output().unwrap()
+}
+
+/// The shared stretch of four cases needs too much memory, and so do they from rest: each of them took the process
+/// with it in turn.
+#[test]
+#[cfg(target_os = "linux")]
+fn cases_whose_shared_stretch_ends_its_process_are_not_tried_in_the_open() {
+    let root = tempfile::tempdir().unwrap();
+    let grid =
+        "[grid]\nparticle_spacing_m = [0.025, 0.0006]\nspring_stiffness_n_per_m = [10, 20, 30, 40]";
+    let text = SOFT.replace("particle_spacing_m = 0.025\n", "").replace("[grid]", grid);
+    let file = write_file(root.path(), &text);
+    let out = root.path().join("out");
+    let first = limited(&file, &out);
+    assert_eq!(first.status.code(), None, "the process itself should have died: {}", told(&first));
+    expect_code(&limited(&file, &out), 1);
+    let summary = fs::read_to_string(out.join("summary.csv")).unwrap();
+    assert_eq!(summary.matches("ended-the-process").count(), 4, "{summary}");
+    assert_eq!(summary.lines().count(), 9, "{summary}");
+}
+
 #[test]
 #[cfg(target_os = "linux")]
 fn a_case_that_ends_its_process_is_recorded_and_the_sweep_goes_on() {
     let root = tempfile::tempdir().unwrap();
     let (file, out) = (write_file(root.path(), POISON), root.path().join("out"));
-    let limited = || {
-        let script = format!("ulimit -v {LITTLE}; exec \"$0\" \"$@\"");
-        let mut command = Command::new("sh");
-        command.args(["-c", &script, env!("CARGO_BIN_EXE_seawall"), "sweep"]);
-        command.arg(&file).arg("--out").arg(&out);
-        command.args(["--threads", "2", "--film", "none"]).output().unwrap()
-    };
-    let first = limited();
+    let first = limited(&file, &out);
     assert_eq!(first.status.code(), None, "the process itself should have died: {}", told(&first));
-    let second = limited();
+    let second = limited(&file, &out);
     expect_code(&second, 1);
     let summary = fs::read_to_string(out.join("summary.csv")).unwrap();
     let failed: Vec<_> = summary.lines().filter(|line| line.contains("failed")).collect();
@@ -94,10 +116,11 @@ fn kills_in_quick_succession_make_no_case_fail() {
 fn a_directory_that_goes_away_is_never_called_well() {
     let root = tempfile::tempdir().unwrap();
     let file = write_file(root.path(), TINY);
-    let ways: [fn(&Path); 3] = [
+    let ways: [fn(&Path); 4] = [
         |out| fs::rename(out, out.with_extension("gone")).unwrap(),
         |out| fs::remove_file(out.join("journal.jsonl")).unwrap(),
         |out| while fs::remove_dir_all(out).is_err() {},
+        |out| fs::write(out.join("journal.jsonl"), "").unwrap(),
     ];
     for (number, way) in ways.iter().enumerate() {
         let out = root.path().join(format!("out{number}"));
@@ -107,6 +130,14 @@ fn a_directory_that_goes_away_is_never_called_well() {
         let output = child.wait_with_output().unwrap();
         expect_code(&output, 70);
         assert!(told(&output).contains("error: "), "{}", told(&output));
+        // What is left is nobody else's directory.
+        if number == 1 {
+            let refused = sweep(&file, &out, &[]);
+            expect_code(&refused, 2);
+            assert!(told(&refused).contains("journal.jsonl is missing"), "{}", told(&refused));
+        }
+        let more: &[&str] = if number == 0 || number == 2 { &[] } else { &["--fresh"] };
+        expect_code(&sweep(&file, &out, more), 0);
     }
 }
 
@@ -166,6 +197,85 @@ fn flipped_bits_are_told_and_mended() {
     }
 }
 
+/// Every file below a directory, but for the lock, which holds nothing.
+fn files(directory: &Path) -> Vec<PathBuf> {
+    let mut files = Vec::new();
+    for path in fs::read_dir(directory).unwrap().map(|entry| entry.unwrap().path()) {
+        if path.is_dir() {
+            files.extend(self::files(&path));
+        } else if path.file_name().unwrap() != "lock" {
+            files.push(path);
+        }
+    }
+    files.sort();
+    files
+}
+
+#[test]
+fn a_flipped_bit_in_any_file_is_told_and_mended() {
+    let root = tempfile::tempdir().unwrap();
+    let gauge = "[[probe]]\nname = \"level\"\nkind = \"level\"\nx_m = 0.5\n[numerics]";
+    let file = write_file(root.path(), &TINY.replace("[numerics]", gauge));
+    let out = root.path().join("out");
+    let directory = out.to_str().unwrap();
+    let arguments = ["sweep", file.to_str().unwrap(), "--out", directory, "--threads", "2"];
+    expect_code(&run(&arguments), 0);
+    expect_code(&run(&["verify", directory]), 0);
+    let all = files(&out);
+    let mut seen = std::collections::BTreeMap::new();
+    for path in all.iter().rev() {
+        // Of each folder two: what differs in kind stands at its ends.
+        let folder: &mut Vec<_> = seen.entry(path.parent().unwrap().to_owned()).or_default();
+        if folder.len() < 2 || path.parent() == Some(&out) || path.ends_with("columns.csv") {
+            folder.push(path.clone());
+        }
+    }
+    let chosen: Vec<_> = seen.into_values().flatten().collect();
+    for name in ["films", "figures", "tables", "probes/columns.csv", "derived.json", "energy.csv"] {
+        assert!(chosen.iter().any(|path| path.starts_with(out.join(name))), "{name}");
+    }
+    for path in chosen {
+        let before = fs::read(&path).unwrap();
+        let mut bytes = before.clone();
+        let place = bytes.len() / 2;
+        bytes[place] ^= 2;
+        fs::write(&path, bytes).unwrap();
+        let told_path = path.display();
+        assert_eq!(run(&["verify", directory]).status.code(), Some(1), "{told_path}");
+        expect_code(&run(&arguments), 0);
+        let verified = run(&["verify", directory]);
+        assert_eq!(verified.status.code(), Some(0), "{told_path}: {}", told(&verified));
+        let changes = ["journal.jsonl", "manifest.json", "report.html", "derived.json"];
+        let changes =
+            path.parent() == Some(&out) && changes.iter().any(|name| path.ends_with(name));
+        assert!(changes || fs::read(&path).unwrap() == before, "{told_path}");
+    }
+}
+
+#[test]
+#[cfg(unix)]
+fn a_terminal_that_goes_away_stops_a_sweep_in_good_order() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), &TINY.replace("0.025", "0.015"));
+    let hang_up = |child: &Child| {
+        let id = child.id().to_string();
+        assert!(Command::new("kill").args(["-HUP", &id]).status().unwrap().success());
+    };
+    let out = root.path().join("out");
+    let child = start(&file, &out, &[]);
+    wait_for(&out, 2);
+    hang_up(&child);
+    expect_code(&child.wait_with_output().unwrap(), 3);
+    // What `nohup` has started goes on.
+    let mut command = Command::new("sh");
+    command.args(["-c", "trap '' HUP; exec \"$0\" \"$@\"", env!("CARGO_BIN_EXE_seawall"), "sweep"]);
+    command.arg(&file).arg("--out").arg(&out).args(["--threads", "2", "--film", "none"]);
+    let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+    wait_for(&out, 4);
+    hang_up(&child);
+    expect_code(&child.wait_with_output().unwrap(), 0);
+}
+
 #[test]
 fn a_journal_without_a_beginning_is_not_started_over() {
     let root = tempfile::tempdir().unwrap();
@@ -176,6 +286,9 @@ fn a_journal_without_a_beginning_is_not_started_over() {
     let journal = fs::read_to_string(out.join("journal.jsonl")).unwrap();
     let (_, cases) = journal.split_once('\n').unwrap();
     fs::write(out.join("journal.jsonl"), cases).unwrap();
+    let directory = out.to_str().unwrap();
+    expect_code(&run(&["verify", directory]), 1);
+    expect_code(&run(&["status", directory, "--exit-code"]), 0);
     expect_code(&sweep(&file, &out, &[]), 0);
     assert_eq!(results(&out), before);
     assert_eq!(journal_lines(&out), TINY_CASES + 1);

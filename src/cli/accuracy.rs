@@ -68,7 +68,7 @@ pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
             text.push_str(&format!("best at {target} %, {what}: {best}\n"));
         }
     }
-    text.push_str(&format!("report: {}\n", page.display()));
+    text.push_str(&format!("report: {}\n", shown::told(&page)));
     let value = json!({ "out": shown::path(&ran.out), "report": shown::path(&page), "methods": scores, "loads": loads, "rows": scored });
     output.result(&text, &value)?;
     Ok(if scored.iter().any(|row| row.errors().next().is_none()) { CASES_FAILED } else { SUCCESS })

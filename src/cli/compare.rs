@@ -6,11 +6,11 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::SUCCESS;
 use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::{Output, short};
 use super::table::Table;
+use super::{SUCCESS, shown};
 use crate::math::decimal::significant;
 use crate::quantities::Unit;
 use crate::report::compare::{COMPARED, Comparison, Difference, Pair, compare, figure, table};
@@ -89,7 +89,7 @@ fn told(directories: [&Path; 2], comparison: &Comparison, all: bool) -> String {
         let (name, finished) = (&comparison.names[one], comparison.finished[one]);
         let letter = ['A', 'B'][one];
         let cases = counted(finished, "finished case");
-        text.push_str(&format!("{letter}  {} ({name}, {cases})\n", directory.display()));
+        text.push_str(&format!("{letter}  {} ({name}, {cases})\n", shown::told(directory)));
     }
     let [a, b] = comparison.only.each_ref().map(Vec::len);
     let pairs = counted(comparison.pairs.len(), "pair");

@@ -13,12 +13,12 @@ use crate::execute::{
 };
 use crate::film::Filming;
 use crate::results::{
-    Directory, Load, Manifest, Program, RankInfo, Savings, SessionInfo, SweepError, counted,
-    has_checkpoints, timestamp,
+    Directory, Load, Manifest, OpenMode, Opened, Program, RankInfo, Savings, SessionInfo,
+    SweepError, counted, has_checkpoints, timestamp,
 };
 use crate::scene::CaseConfig;
 use crate::simulation::{Cost, cost};
-use crate::study::{CaseId, Plan, Study};
+use crate::study::{Case, CaseId, Plan};
 
 /// Runs what of a study is missing on the threads of this process.
 pub(super) fn on_threads(
@@ -52,6 +52,13 @@ pub(super) fn execute(
     output: &Output,
 ) -> Result<Done, SweepError> {
     let study = &job.study;
+    if job.mode == OpenMode::Fresh || !job.out.join("journal.jsonl").exists() {
+        // Before anything is written or moved aside.
+        if job.shares_threads {
+            crew.share_threads(study.run_count());
+        }
+        demand_memory(study.runs(), crew)?;
+    }
     let (mut directory, opened) =
         Directory::open(&job.out, study, job.mode, job.simd, crew.widest_simd())?;
     for finding in directory.findings() {
@@ -70,12 +77,18 @@ pub(super) fn execute(
     let missing = directory.runs().iter().filter(|record| record.is_none()).count();
     let tallies = tallies(&directory);
     tell_opened(&opened, job, tallies, output);
+    // One who died before it had a manifest has done nothing.
+    let began = matches!(opened, Opened::Resumed(done) if missing == 0 || done > 0);
+    let damage = Manifest::damage(&job.out).filter(|_| began);
+    if let Some(what) = damage {
+        let rest =
+            if Manifest::read(&job.out).is_none() { ", without earlier sessions" } else { "" };
+        output.note(format_args!("manifest.json {what}: made again{rest}"));
+    }
     if missing == 0 {
         directory.write_tables(study)?;
         directory.clear_checkpoints()?;
-        if Manifest::read(&job.out).is_none() {
-            output
-                .note("manifest.json is missing or damaged: made again, without earlier sessions");
+        if damage.is_some() {
             Manifest::new(&job.out, study, &job.overrides, directory.simd()).write(&job.out)?;
         }
         let (savings, ending) = (Savings::default(), Ending::Finished);
@@ -84,7 +97,8 @@ pub(super) fn execute(
     if job.shares_threads {
         crew.share_threads(missing);
     }
-    demand_memory(study, &directory, crew)?;
+    let missing = study.runs().zip(directory.runs()).filter(|(_, record)| record.is_none());
+    demand_memory(missing.map(|(case, _)| case), crew)?;
     let kept = directory.kept();
     if !kept.is_empty() {
         let cases = counted(kept.len(), "checkpoint");
@@ -152,12 +166,14 @@ pub(super) fn execute(
 }
 
 /// Makes sure that as many cases as run at once on this machine fit into it.
-fn demand_memory(study: &Study, directory: &Directory, crew: &dyn Crew) -> Result<(), SweepError> {
+fn demand_memory<'a>(
+    runs: impl Iterator<Item = &'a Case>,
+    crew: &dyn Crew,
+) -> Result<(), SweepError> {
     let here = host_name();
     let ranks = crew.ranks().iter().filter(|rank| rank.host == here);
     let places: usize = ranks.map(RankInfo::places).sum();
-    let missing = study.runs().zip(directory.runs()).filter(|(_, record)| record.is_none());
-    let mut sizes: Vec<_> = missing.map(|(case, _)| cost(&case.config).memory_bytes).collect();
+    let mut sizes: Vec<_> = runs.map(|case| cost(&case.config).memory_bytes).collect();
     sizes.sort_unstable_by(|a, b| b.cmp(a));
     sizes.truncate(places);
     let needed: u64 = sizes.iter().sum();

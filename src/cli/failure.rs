@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::shown::{self, shown};
 use super::{BAD_INPUT, INTERNAL, SUCCESS};
 use crate::execute::Launcher;
+use crate::report::ReportError;
 use crate::results::SweepError;
 use crate::scene::ConfigError;
 
@@ -72,7 +73,8 @@ fn print(value: &Value) {
 
 fn is_bad_input(error: &anyhow::Error) -> bool {
     let refused = error.downcast_ref::<SweepError>().is_some_and(SweepError::is_refusal);
-    refused || error.is::<BadInput>() || error.is::<BadFile>()
+    let damaged = error.downcast_ref::<ReportError>().is_some_and(ReportError::is_of_the_files);
+    refused || damaged || error.is::<BadInput>() || error.is::<BadFile>()
 }
 
 /// The error as an object: file, key, value and what is allowed where they are known.
@@ -122,6 +124,8 @@ mod tests {
         assert_eq!(code(bad_file.into()), BAD_INPUT);
         assert_eq!(code(SweepError::Refused("x".into()).into()), BAD_INPUT);
         assert_eq!(code(SweepError::Executor("x".into()).into()), INTERNAL);
+        let damaged = ReportError::MissingColumn { path: "a".into(), column: "b" };
+        assert_eq!(code(damaged.into()), BAD_INPUT);
         assert_eq!(code(std::io::Error::from(ErrorKind::BrokenPipe).into()), SUCCESS);
         assert_eq!(code(anyhow::anyhow!("x")), INTERNAL);
     }

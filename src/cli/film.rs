@@ -11,7 +11,7 @@ use super::pick::the_case;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS, numbers, shown, stored};
 use crate::execute::Interrupt;
 use crate::film::{Colour, Filming, PageFilm};
-use crate::results::{CaseRecord, finished, first_difference};
+use crate::results::{CaseRecord, Derived, finished, first_difference};
 use crate::simulation::{Resources, Stopped, run_case};
 use crate::study::{Case, Study};
 
@@ -142,8 +142,19 @@ impl Set<'_> {
         page(self.directory, self.colour).path(case.id)
     }
 
+    /// The files of a case's film.
+    pub(super) fn files(&self, case: &Case) -> [PathBuf; 4] {
+        page(self.directory, self.colour).files(case.id)
+    }
+
     /// Runs a case again and films it; a film is kept only where the results are those of the study.
     pub(super) fn shoot(&self, case: &Case) -> anyhow::Result<Shot> {
+        let shot = self.film(case);
+        Derived::renew(self.directory, &self.files(case))?;
+        shot
+    }
+
+    fn film(&self, case: &Case) -> anyhow::Result<Shot> {
         self.demand_finished(case)?;
         demand_small(case)?;
         let film = page(self.directory, self.colour);
@@ -157,7 +168,7 @@ impl Set<'_> {
         };
         let (path, study) = (self.page(case), (self.study, self.records));
         if let Some(reason) = first_difference(self.directory, study, case, &result)? {
-            for path in page(self.directory, self.colour).files(case.id) {
+            for path in self.files(case) {
                 let _ = std::fs::remove_file(path); // it may not have been written
             }
             return Ok(Shot::Differs(reason));

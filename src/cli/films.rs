@@ -13,7 +13,7 @@ use super::pick;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::Interrupt;
 use crate::film::Colour;
-use crate::results::counted;
+use crate::results::{Derived, counted};
 use crate::simulation::Resources;
 use crate::study::{Case, Study};
 
@@ -52,7 +52,7 @@ pub(super) fn make(
     threads: Option<u16>,
     interrupt: &Interrupt,
     output: &Output,
-) -> Result<(u8, f64), BadInput> {
+) -> anyhow::Result<(u8, f64)> {
     let start = Instant::now();
     let set = Set {
         study,
@@ -89,6 +89,8 @@ pub(super) fn make(
     let filmed = highlights.iter().filter(|one| set.page(&study.cases[one.index]).exists());
     if let Err(error) = highlights::tell(filmed, study, set.directory) {
         output.note(format_args!("warning: the report cannot say why cases were filmed: {error}"));
+    } else if !highlights.is_empty() {
+        Derived::renew(set.directory, &[set.directory.join(highlights::REASONS)])?;
     }
     Ok((code, if filmed_any { start.elapsed().as_secs_f64() } else { 0.0 }))
 }
@@ -115,7 +117,12 @@ fn wanted<'a>(
                     ));
                 }
                 let fits = seconds <= LONGEST_S && film::demand_small(case).is_ok();
-                (fits && !set.page(case).exists()).then_some(case)
+                let there = set.page(case).exists();
+                let damaged = there && Derived::is_damaged(set.directory, &set.files(case));
+                if damaged {
+                    output.note(format_args!("the film of case {} is damaged", case.id));
+                }
+                (fits && (damaged || !there)).then_some(case)
             })),
             word => cases.push(named(set.study, word)?),
         }

@@ -8,7 +8,7 @@ use crate::simulation::Outcome;
 use crate::study::Study;
 
 /// Where a directory tells why its cases were filmed; the report reads it.
-const REASONS: &str = "films/reasons.csv";
+pub(super) const REASONS: &str = "films/reasons.csv";
 
 /// What makes a case worth a look.
 const CRITERIA: [Criterion; 4] = [

@@ -6,6 +6,7 @@ use std::path::Path;
 use super::done::Done;
 use super::job::Job;
 use super::output::{duration, short, with_bar};
+use super::shown;
 use super::table::Table;
 use crate::keys::{self, Shared};
 use crate::math::name::name_of;
@@ -41,7 +42,7 @@ pub(super) fn told(job: &Job, done: &Done, report: &Path, all: bool) -> String {
 
 /// Where the report is.
 pub(super) fn reported(report: &Path) -> String {
-    format!("report: {}\n", report.display())
+    format!("report: {}\n", shown::told(report))
 }
 
 /// A row per case, `all` or the first few, and the lines below them.

@@ -13,7 +13,8 @@ use super::output::Output;
 use super::{SUCCESS, shown, stored};
 use crate::report::{Froude, ReportError};
 use crate::results::{
-    Closing, Lock, Manifest, Verified, renew_summary, verify, write_all_histories,
+    Closing, Derived, Lock, Manifest, SweepError, Verified, renew_tables, verify,
+    write_all_histories,
 };
 
 /// Write tables, figures and report.html from the files of a study. Nothing is simulated.
@@ -40,22 +41,24 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     if closing.is_none() {
         renew(args, output)?;
     }
+    Derived::begin(&args.dir).map_err(refused)?;
     let report = crate::report::write_scaled(&args.dir, args.froude_scale).map_err(unusable)?;
     write_all_histories(&args.dir)?;
     let mut figures = Vec::new();
     for format in formats {
         figures.extend(crate::report::print(&args.dir, format).map_err(unusable)?);
     }
+    Derived::end(&args.dir)?;
     if let Some(closing) = closing {
         closing.write(&args.dir)?;
     }
-    let mut told = format!("report: {}\n", report.display());
+    let mut told = format!("report: {}\n", shown::told(&report));
     let prototype = args.froude_scale.map(|scale| scale.words());
     if let Some(scale) = &prototype {
         let tables = Froude::TABLES.map(|name| args.dir.join("tables").join(format!("{name}.csv")));
         let made: Vec<_> = tables.iter().filter(|path| path.is_file()).collect();
         for path in &made {
-            told.push_str(&format!("at Froude scale {scale}: {}\n", path.display()));
+            told.push_str(&format!("at Froude scale {scale}: {}\n", shown::told(path)));
         }
         if made.is_empty() {
             output.note(
@@ -67,7 +70,7 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
         let count = figures.len();
         told.push_str(&format!(
             "figures for print: {count} files in {}\n",
-            args.dir.join("figures").display()
+            shown::told(&args.dir.join("figures"))
         ));
     }
     output.result(
@@ -81,8 +84,8 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     Ok(SUCCESS)
 }
 
-/// A summary that is not what the journal says is made again. Where the study cannot be made from the
-/// directory alone, the summary is taken as it is.
+/// Tables that are not what the journal says are made again. Where the study cannot be made from the
+/// directory alone, they are taken as they are.
 fn renew(args: &ReportArgs, output: &Output) -> anyhow::Result<()> {
     if Lock::is_held(&args.dir) {
         return Ok(());
@@ -95,10 +98,20 @@ fn renew(args: &ReportArgs, output: &Output) -> anyhow::Result<()> {
     for told in told {
         output.note(told);
     }
-    if renew_summary(&args.dir, &study, &records)? {
-        output.note("summary.csv: made again from the journal");
+    for table in renew_tables(&args.dir, &study, &records)? {
+        output.note(format_args!("{table}: made again from the journal"));
     }
     Ok(())
+}
+
+/// The same of what is kept beside the page.
+fn refused(error: SweepError) -> anyhow::Error {
+    match &error {
+        SweepError::Io { error: source, .. } if !is_the_disks(source.kind()) => {
+            BadInput(error.to_string()).into()
+        }
+        _ => error.into(),
+    }
 }
 
 /// A directory that cannot be written is bad input, as for every command with an output directory.

@@ -15,7 +15,7 @@ use super::input::{Setting, SimdChoice, default_out, scene};
 use super::job::Job;
 use super::keep::KeepArgs;
 use super::output::{Output, duration};
-use super::{cost, numbers, warnings};
+use super::{cost, numbers, shown, warnings};
 use crate::execute::{Ending, Interrupt};
 use crate::film::{Filming, PageFilm, VtkFilm};
 use crate::results::{CaseRecord, OpenMode, has_checkpoints};
@@ -121,7 +121,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         let text = format!(
             "{}files: {}\n",
             told::told(record, &job.study.cases[record.index].config),
-            done.directory.path().display()
+            shown::told(done.directory.path())
         );
         output.result(&text, &in_metres(record, &job.study.cases[record.index].config))?;
     }

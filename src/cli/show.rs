@@ -165,7 +165,7 @@ fn told(row: &Row, keys: &[String], files: &[PathBuf]) -> String {
     }
     text.push_str(&format!("\n{}\n", counted(files.len(), "file")));
     for file in files {
-        text.push_str(&format!("  {}\n", file.display()));
+        text.push_str(&format!("  {}\n", shown::told(file)));
     }
     text
 }

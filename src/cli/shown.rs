@@ -33,6 +33,13 @@ fn push(shown: &mut String, char: char) {
     }
 }
 
+/// A path between other words of a result.
+pub(super) fn told(path: &Path) -> String {
+    let mut told = String::new();
+    path.to_string_lossy().chars().for_each(|char| push(&mut told, char));
+    told
+}
+
 /// A path for JSON, which knows no other text than UTF-8.
 pub(super) fn path(path: &Path) -> String {
     path.to_string_lossy().into_owned()

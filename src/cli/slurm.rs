@@ -50,18 +50,47 @@ pub(super) struct SlurmArgs {
 const SCRIPT: &str = include_str!("../../data/slurm.sh");
 
 fn time(text: &str) -> Result<String, String> {
-    let (days, clock) =
-        text.split_once('-').map_or((None, text), |(days, clock)| (Some(days), clock));
-    let parts: Vec<_> = days.into_iter().chain(clock.split(':')).collect();
-    let number = |part: &&str| !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
-    let some = parts.iter().any(|part| part.bytes().any(|byte| byte != b'0'));
-    if parts.len() <= 4 && parts.iter().all(number) && some {
-        return Ok(text.to_owned());
+    let refused = || "must be minutes, HH:MM:SS or DAYS-HH:MM:SS, and more than nothing".to_owned();
+    seconds(text).filter(|&seconds| seconds > 0.0).map(|_| text.to_owned()).ok_or_else(refused)
+}
+
+/// A time limit in seconds: of a time without days that has no hours, minutes come first.
+fn seconds(text: &str) -> Option<f64> {
+    let (days, clock) = text.split_once('-').map_or((None, text), |(d, clock)| (Some(d), clock));
+    let number = |part: &str| {
+        let digits = !part.is_empty() && part.bytes().all(|byte| byte.is_ascii_digit());
+        part.parse::<f64>().ok().filter(|_| digits)
+    };
+    let clock = clock.split(':').map(number).collect::<Option<Vec<_>>>()?;
+    let units = match (days, clock.len()) {
+        (Some(_), 1..=3) | (None, 3) => [3600.0, 60.0, 1.0],
+        (None, 1 | 2) => [60.0, 1.0, 0.0],
+        _ => return None,
+    };
+    let clock: f64 = clock.iter().zip(units).map(|(value, unit)| value * unit).sum();
+    Some(clock + 86_400.0 * days.map_or(Some(0.0), number)?)
+}
+
+/// A text with `{NAME}` for each of these names, filled in; what is filled in is not looked at again.
+fn filled(mut script: &str, names: &[(&str, String)]) -> String {
+    let mut text = String::new();
+    while let Some(at) = script.find('{') {
+        let (before, rest) = script.split_at(at);
+        let name = names.iter().find(|(name, _)| rest.starts_with(name));
+        text += before;
+        text += name.map_or("{", |(_, is)| is);
+        script = &rest[name.map_or(1, |(name, _)| name.len())..];
     }
-    Err("must be minutes, HH:MM:SS or DAYS-HH:MM:SS, and more than nothing".to_owned())
+    text + script
 }
 
 pub(super) fn main(args: &SlurmArgs, output: &Output) -> anyhow::Result<u8> {
+    if seconds(&args.time).is_some_and(|limit| limit <= f64::from(args.grace_s)) {
+        let (time, grace) = (&args.time, args.grace_s);
+        let reason =
+            format!("the sweep is told to stop {grace} s before (--grace-s), at its start");
+        return Err(BadInput(format!("--time {time}: {reason}; give it more time")).into());
+    }
     let study = study(&args.file, &args.settings, Expect::Grid)?;
     let out = args.out.clone().unwrap_or_else(|| default_out(&study));
     let mut more = format!(" --threads {}", args.threads);
@@ -81,7 +110,7 @@ pub(super) fn main(args: &SlurmArgs, output: &Output) -> anyhow::Result<u8> {
         ("{LAUNCH}", args.launcher.clone()),
         ("{MORE}", more),
     ];
-    let script = text.iter().fold(SCRIPT.to_owned(), |script, (name, is)| script.replace(name, is));
+    let script = filled(SCRIPT, &text);
     output.result(&script, &json!({ "script": script, "out": shown::path(&out) }))?;
     Ok(SUCCESS)
 }
@@ -107,9 +136,18 @@ mod tests {
         for good in ["30", "1:30", "12:00:00", "2-0", "2-12:30", "1-00:00:00"] {
             assert_eq!(time(good).as_deref(), Ok(good));
         }
-        for bad in ["", "0", "00:00", "1h", "1-", "-5", "1:2:3:4:5", "1:", "ten"] {
+        for bad in ["", "0", "00:00", "1h", "1-", "-5", "1:2:3:4", "1-2:3:4:5", "1:", "ten", "1e3"]
+        {
             assert!(time(bad).is_err(), "{bad}");
         }
+        let all = ["2", "1:30", "1:00:01", "1-2", "1-0:1", "0-0:0:5"].map(seconds);
+        assert_eq!(all, [120.0, 90.0, 3601.0, 93_600.0, 86_460.0, 5.0].map(Some));
+    }
+
+    #[test]
+    fn what_is_filled_in_stays_as_it_is() {
+        let names = [("{A}", "{B} {".to_owned()), ("{B}", "it".to_owned())];
+        assert_eq!(filled("${x} {A}{B}{", &names), "${x} {B} {it{");
     }
 
     #[test]

@@ -112,6 +112,12 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
     let closed = Closing::read(&args.dir).is_some_and(|closing| closing.failed == 0);
     let known = if closed { Known::of_header(&args.dir)? } else { Known::of_journal(&args.dir)? };
     let Known { header, added, mut latest } = known;
+    // Where the journal's first line is lost, the manifest tells the same.
+    let lost = manifest.as_ref().filter(|_| !latest.is_empty());
+    let header = header.or_else(|| {
+        let Manifest { name, sweep, cases, .. } = lost?;
+        Some(Header::new(name, sweep, *cases, lost?.simd_path()?))
+    });
     let Some(header) = header else {
         let reason = "the sweep was stopped before it began, or the journal's first line is lost";
         return Err(bad(reason).into());

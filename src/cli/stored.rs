@@ -14,12 +14,14 @@ pub(super) fn study(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     let bad = |reason: String| BadInput(format!("{}: {reason}", directory.display()));
     let (_, study) = file_and_study(directory)?;
     let unfinished = || bad("the sweep was stopped before it began".to_owned());
-    let header = read_journal_header(directory)?.ok_or_else(unfinished)?;
-    if !header.simd.is_supported() {
-        let simd = crate::math::name::name_of(header.simd);
+    // Where the journal's first line is lost, the manifest tells the same.
+    let simd = read_journal_header(directory)?.map(|header| header.simd);
+    let simd = simd.or_else(|| Manifest::read(directory)?.simd_path()).ok_or_else(unfinished)?;
+    if !simd.is_supported() {
+        let simd = crate::math::name::name_of(simd);
         return Err(bad(format!("was computed with {simd}, which this machine lacks")).into());
     }
-    Ok((study, header.simd))
+    Ok((study, simd))
 }
 
 /// The file that a directory was made from, with what the command line set.

@@ -45,7 +45,7 @@ pub(super) fn main(args: &StressArgs, output: &Output) -> anyhow::Result<u8> {
     for row in &judged {
         table.row([&row.case, &row.method, word(&row.verdict), &edge(row), &row.reason]);
     }
-    let text = format!("{}\nreport: {}\n", table.render(), page.display());
+    let text = format!("{}\nreport: {}\n", table.render(), shown::told(&page));
     output.result(
         &text,
         &json!({ "out": shown::path(&ran.out), "report": shown::path(&page), "rows": judged }),

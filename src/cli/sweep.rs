@@ -22,7 +22,7 @@ use super::{INTERRUPTED, SUCCESS, check, films, max_error, numbers, refine, show
 use crate::accuracy::{MaxError, Refinement};
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
 use crate::report::PAGE as REPORT;
-use crate::results::{OpenMode, counted, write_all_histories};
+use crate::results::{Derived, OpenMode, counted, write_all_histories};
 
 /// Run all cases of a sweep file, on threads or under mpirun. Go on where an earlier run stopped.
 #[derive(Debug, Args)]
@@ -207,6 +207,7 @@ fn lead(
         }
         return Ok(done.exit_code());
     }
+    Derived::begin(done.directory.path())?;
     let (filming, film_time_s) =
         films::make(films, &job.study, &done, args.threads, interrupt, output)?;
     done.film_time_s = film_time_s;
@@ -237,6 +238,7 @@ fn lead(
     done.directory.forget_records();
     drop(job);
     crate::report::write(done.directory.path())?;
+    Derived::end(done.directory.path())?;
     if let Some(closing) = closing {
         closing.write(done.directory.path())?;
     }

@@ -8,7 +8,7 @@ use serde_json::json;
 use super::input::demand_output_of_study;
 use super::output::Output;
 use super::{CASES_FAILED, SUCCESS, film, numbers, stored};
-use crate::results::{CaseRecord, Verified, counted, first_difference, verify};
+use crate::results::{CaseRecord, Manifest, Verified, counted, first_difference, verify};
 use crate::simulation::{Resources, Unwatched, run_case};
 use crate::study::Study;
 
@@ -30,7 +30,10 @@ pub(super) struct VerifyArgs {
 
 pub(super) fn main(args: &VerifyArgs, output: &Output) -> anyhow::Result<u8> {
     demand_output_of_study(&args.dir, "journal.jsonl")?;
-    let (study, simd) = stored::study(&args.dir)?;
+    let (study, simd) = match (stored::study(&args.dir), Manifest::damage(&args.dir)) {
+        (Err(_), Some(what)) => return lost(what, output),
+        (study, _) => study?,
+    };
     let Verified { mut told, records } = verify(&args.dir, &study)?;
     let resources = Resources { simd, threads: film::threads(args.threads) };
     let again = sample(&study, &records, args.rerun);
@@ -49,11 +52,18 @@ pub(super) fn main(args: &VerifyArgs, output: &Output) -> anyhow::Result<u8> {
         text = format!("{cases}: every file is as it was written\n");
     }
     if !again.is_empty() {
-        text.push_str(&format!("{} again, from rest\n", counted(again.len(), "case ran")));
+        text.push_str(&format!("{} ran again, from rest\n", counted(again.len(), "case")));
     }
     let value = json!({ "cases": study.cases.len(), "rerun": again.len(), "damage": told });
     output.result(&text, &value)?;
     Ok(if told.is_empty() { SUCCESS } else { CASES_FAILED })
+}
+
+/// Without the manifest nothing tells what the other files should hold.
+fn lost(what: &str, output: &Output) -> anyhow::Result<u8> {
+    let told = format!("manifest.json {what}: `seawall sweep` of the same file makes it again");
+    output.result(&format!("{told}\n"), &json!({ "cases": null, "rerun": 0, "damage": [told] }))?;
+    Ok(CASES_FAILED)
 }
 
 /// Places of so many well cases, spread evenly.

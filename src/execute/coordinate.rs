@@ -7,7 +7,7 @@ use super::session::{Ending, Session, Worked};
 use super::{Link, Order, Report};
 use crate::results::{CaseRecord, Delivery, RankInfo, Savings, SweepError, forget_load};
 use crate::schedule::{Command, Event, Manager, Work};
-use crate::simulation::{CaseResult, Failure, Stopped};
+use crate::simulation::{CaseResult, Failure, FailureKind, Stopped};
 use crate::study::Plan;
 
 /// How long to wait for a report before looking at signals and the journal.
@@ -131,6 +131,12 @@ impl Loop {
                     self.savings.trunks += 1;
                     self.savings.steps_computed += steps;
                     self.trunk_steps[trunk] = steps;
+                }
+                if let Err(Stopped::Failed(Failure {
+                    kind: FailureKind::EndedTheProcess, ..
+                })) = result
+                {
+                    session.suspect_branches(trunk);
                 }
                 session.progress.trunk(session.plan.trunks[trunk].cost);
                 Event::Done { rank, work: Work::Trunk(trunk), ok: result.is_ok() }

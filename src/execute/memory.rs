@@ -1,6 +1,7 @@
 //! Whether what is to run fits into this machine.
 
 use std::fs;
+use std::path::Path;
 
 /// Bytes that are left here, by the kernel and by the control group of this process, where either tells.
 pub fn available_bytes() -> Option<u64> {
@@ -13,16 +14,43 @@ fn meminfo(text: &str) -> Option<u64> {
     line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok().map(|kilobytes| 1024 * kilobytes)
 }
 
-/// Version 2 of control groups, as containers and Slurm set them.
+/// Where a version of control groups is, and how its files call the limit, what is taken, and what of that is
+/// read from files and can be let go.
+const VERSIONS: [(&str, &str, &str, &str); 2] = [
+    ("/sys/fs/cgroup", "memory.max", "memory.current", "inactive_file "),
+    (
+        "/sys/fs/cgroup/memory",
+        "memory.limit_in_bytes",
+        "memory.usage_in_bytes",
+        "total_inactive_file ",
+    ),
+];
+
+/// What is left in the control groups of this process, as containers and Slurm set them: each up to the root may
+/// have a limit.
 fn group() -> Option<u64> {
-    let place = fs::read_to_string("/proc/self/cgroup").ok()?;
-    let place =
-        place.lines().find_map(|line| line.strip_prefix("0::"))?.trim_matches('/').to_owned();
-    let number = |name: &str| {
-        let text = fs::read_to_string(format!("/sys/fs/cgroup/{place}/{name}")).ok()?;
-        text.trim().parse::<u64>().ok()
+    let text = fs::read_to_string("/proc/self/cgroup").ok()?;
+    let [second, first] = VERSIONS;
+    let own = |(root, ..): (&str, &str, &str, &str), prefix: &str| {
+        let place = text.lines().find_map(|line| line.split_once(prefix))?.1.trim_matches('/');
+        Some(Path::new(root).join(place))
     };
-    Some(number("memory.max")?.saturating_sub(number("memory.current")?))
+    let places = [(second, own(second, "0::")), (first, own(first, ":memory:"))];
+    let left = places.into_iter().filter_map(|(version, place)| {
+        let place = place?;
+        let groups = place.ancestors().take_while(|group| group.starts_with(version.0));
+        groups.filter_map(|group| left_in(group, version)).min()
+    });
+    left.min()
+}
+
+fn left_in(group: &Path, (_, limit, taken, cache): (&str, &str, &str, &str)) -> Option<u64> {
+    let read = |name: &str| fs::read_to_string(group.join(name)).ok();
+    let number = |name: &str| read(name)?.trim().parse::<u64>().ok();
+    let stat = read("memory.stat").unwrap_or_default();
+    let cache = stat.lines().find_map(|line| line.strip_prefix(cache)?.trim().parse::<u64>().ok());
+    let taken = number(taken)?.saturating_sub(cache.unwrap_or(0));
+    Some(number(limit)?.saturating_sub(taken))
 }
 
 #[cfg(test)]
@@ -34,5 +62,21 @@ mod tests {
         let text = "MemTotal:       24 kB\nMemFree: 7 kB\nMemAvailable:   16 kB\n";
         assert_eq!(meminfo(text), Some(16 * 1024));
         assert_eq!(meminfo("MemTotal: 24 kB"), None);
+    }
+    #[test]
+    fn what_a_group_has_read_from_files_is_left() {
+        let root = tempfile::tempdir().unwrap();
+        let [second, first] = VERSIONS;
+        let write = |name: &str, text: &str| fs::write(root.path().join(name), text).unwrap();
+        assert_eq!(left_in(root.path(), second), None);
+        write("memory.stat", "anon 2\ninactive_file 30\ntotal_inactive_file 50\n");
+        write("memory.current", "60\n");
+        write("memory.max", "max\n");
+        assert_eq!(left_in(root.path(), second), None, "no limit");
+        write("memory.max", "100\n");
+        assert_eq!(left_in(root.path(), second), Some(70));
+        write("memory.limit_in_bytes", "100\n");
+        write("memory.usage_in_bytes", "160\n");
+        assert_eq!(left_in(root.path(), first), Some(0));
     }
 }

@@ -51,6 +51,14 @@ impl Session<'_> {
         }
     }
 
+    /// A shared stretch has ended its process: from rest its cases do the same.
+    pub(super) fn suspect_branches(&mut self, trunk: usize) {
+        let cases = self.plan.cases.iter().filter(|case| case.trunk == Some(trunk));
+        for id in cases.map(|case| self.study.run(case.index).id) {
+            self.directory.attempts().suspect(id);
+        }
+    }
+
     pub(super) fn ended(&mut self, work: Work) -> Result<(), SweepError> {
         let id = self.id(work);
         self.directory.attempts().end(id)

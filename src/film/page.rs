@@ -86,7 +86,10 @@ impl PageFilm {
             let still = still::Still { stage: &stage, take, colour: self.colour, end };
             still.svg(&title(config), &moment(config, take, result))
         };
-        fs::create_dir_all(&self.folder).map_err(at(&self.folder))?;
+        // Only in a directory that is still there.
+        if !self.folder.is_dir() {
+            fs::create_dir(&self.folder).map_err(at(&self.folder))?;
+        }
         let (mut stills, crest_s) = (String::new(), takes[crest].time_s);
         let highest = nearest(takes, result.outcome.runup_max.time_s);
         let other = |take: &&Take| take.time_s != crest_s;

@@ -2,7 +2,7 @@
 
 /// A value that a scene or sweep file may not have.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("{key}{}: {allowed}", if value.is_empty() { String::new() } else { format!(" = {value}") })]
+#[error("{key}{}: {allowed}", told(value))]
 pub struct ConfigError {
     /// Dotted path of the key, such as `numerics.particle_spacing_m`.
     pub key: String,
@@ -10,6 +10,28 @@ pub struct ConfigError {
     pub value: String,
     /// What is wrong and what is allowed.
     pub allowed: String,
+}
+
+/// A longer value is cut in messages.
+const LONGEST: usize = 300;
+/// What is left of it.
+const KEPT: usize = 60;
+/// A number of more digits is told with its power of ten.
+const DIGITS: usize = 24;
+
+/// A value behind its key.
+fn told(value: &str) -> String {
+    let length = value.chars().count();
+    let number = value.parse::<f64>().ok().filter(|number| number.is_finite() && length > DIGITS);
+    match number {
+        Some(number) => format!(" = {number:e}"),
+        None if value.is_empty() => String::new(),
+        None if length > LONGEST => {
+            let start: String = value.chars().take(KEPT).collect();
+            format!(" = {start}... ({length} characters)")
+        }
+        None => format!(" = {value}"),
+    }
 }
 
 impl ConfigError {
@@ -67,6 +89,19 @@ fn ranked<'a>(word: &str, known: &'a [impl AsRef<str>]) -> Option<(f64, &'a str)
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn long_values_are_cut() {
+        let told =
+            |value: &dyn ToString| ConfigError::new("k", value.to_string(), "no").to_string();
+        assert_eq!(
+            [told(&1e-308), told(&1e300), told(&0.25)],
+            ["k = 1e-308: no", "k = 1e300: no", "k = 0.25: no"]
+        );
+        assert_eq!(told(&""), "k: no");
+        let cut = told(&"x y".repeat(1000));
+        assert!(cut.len() < 100 && cut.ends_with("... (3000 characters): no"), "{cut}");
+    }
 
     #[test]
     fn only_near_words_are_suggested() {

@@ -26,3 +26,14 @@ pub enum ReportError {
     #[error("cannot draw {figure}: {reason}")]
     Draw { figure: String, reason: String },
 }
+
+impl ReportError {
+    /// Whether a table is not what it should be, rather than the program or the machine failing.
+    pub fn is_of_the_files(&self) -> bool {
+        match self {
+            ReportError::MissingColumn { .. } | ReportError::Cell { .. } => true,
+            ReportError::Table { source, .. } => !source.is_io_error(),
+            _ => false,
+        }
+    }
+}

@@ -163,7 +163,7 @@ pub fn print_figure(
 
 fn make(directory: &Path) -> Result<(), ReportError> {
     let wrong = |source| ReportError::Write { path: directory.to_owned(), source };
-    fs::create_dir_all(directory).map_err(wrong)
+    if directory.is_dir() { Ok(()) } else { fs::create_dir(directory).map_err(wrong) }
 }
 
 fn save(path: &Path, content: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), ReportError> {

@@ -10,7 +10,7 @@ use csv::StringRecord;
 use super::error::SweepError;
 use super::opening::Filling;
 use super::record::CaseRecord;
-use super::{case_tables, files, journal, summary};
+use super::{files, journal, summary};
 use crate::quantities::summary::{CASE_ID, WALL_TIME};
 use crate::simulation::CaseResult;
 use crate::study::{Case, Study};
@@ -45,9 +45,9 @@ pub fn finished_whole(
     Ok(records)
 }
 
-/// The first difference between a case's new result and its row in `summary.csv` and its history in a
-/// directory, in words; `None` where all but the wall time is the same to the bit. `records` are those
-/// of the study, see [`finished`].
+/// The first difference between a case's new result and its row in `summary.csv`, its energies and its files in
+/// a directory, in words; `None` where all but the wall time is the same to the bit. `records` are those of the
+/// study, see [`finished`].
 ///
 /// # Errors
 /// A file that cannot be read.
@@ -68,9 +68,23 @@ pub fn first_difference(
     if difference.is_some() {
         return Ok(difference);
     }
-    let path = files::history_path(directory, case.id);
-    let old = std::fs::read_to_string(&path).map_err(SweepError::io(&path))?;
-    Ok(in_lines(&old, &case_tables::history(&result.history)))
+    let energy = records.get(case.index).and_then(|record| record.as_ref()?.energy);
+    if energy.is_some_and(|energy| energy != result.energy) {
+        return Ok(Some("the journal has other energies".to_owned()));
+    }
+    for (folder, new) in files::texts(result) {
+        let path = files::path(directory, folder, case.id);
+        if !path.exists() && path != files::history_path(directory, case.id) {
+            continue; // earlier versions left less
+        }
+        let old = std::fs::read_to_string(&path).map_err(SweepError::io(&path))?;
+        let name = files::name(folder);
+        let difference = in_lines(&old, &new, name);
+        if difference.is_some() {
+            return Ok(difference);
+        }
+    }
+    Ok(None)
 }
 
 /// Column names and cells of a case.
@@ -100,12 +114,12 @@ fn in_rows(
     cells.filter(|cell| differs(cell)).map(told).next()
 }
 
-fn in_lines(old: &str, new: &str) -> Option<String> {
+fn in_lines(old: &str, new: &str, name: &str) -> Option<String> {
     let pairs = old.lines().zip(new.lines()).enumerate();
-    let told = |(at, (old, new))| format!("line {} of the history is {old}, not {new}", at + 1);
+    let told = |(at, (old, new))| format!("line {} of the {name} is {old}, not {new}", at + 1);
     let first = pairs.filter(|(_, (old, new))| old != new).map(told).next();
     let [lines, now] = [old, new].map(|text| text.lines().count());
-    first.or_else(|| (old != new).then(|| format!("the history has {lines} lines, not {now}")))
+    first.or_else(|| (old != new).then(|| format!("the {name} has {lines} lines, not {now}")))
 }
 
 #[cfg(test)]
@@ -153,5 +167,11 @@ mod tests {
             "{}",
             told(&planted)
         );
+        let mut planted = result.clone();
+        planted.energy.kinetic += 1.0;
+        assert_eq!(told(&planted), "the journal has other energies");
+        let mut planted = result.clone();
+        planted.envelope[1].pressure_max_pa += 1.0;
+        assert!(told(&planted).starts_with("line 3 of the envelope is "), "{}", told(&planted));
     }
 }

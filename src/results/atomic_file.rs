@@ -68,16 +68,16 @@ pub(super) fn is_same(file: &File, path: &Path) -> bool {
     open.is_ok_and(|open| named.is_ok_and(|named| identity(&open) == identity(&named)))
 }
 
-/// Device and number.
+/// Device and number: what a file or folder is to the system, whatever its name.
 #[cfg(unix)]
-fn identity(file: &fs::Metadata) -> [u64; 2] {
+pub(super) fn identity(file: &fs::Metadata) -> [u64; 2] {
     use std::os::unix::fs::MetadataExt;
     [file.dev(), file.ino()]
 }
 
 /// There is nothing to compare elsewhere.
 #[cfg(not(unix))]
-fn identity(_file: &fs::Metadata) -> [u64; 2] {
+pub(super) fn identity(_file: &fs::Metadata) -> [u64; 2] {
     [0; 2]
 }
 

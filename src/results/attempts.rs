@@ -41,6 +41,11 @@ impl Attempts {
         self.suspects.contains(&id)
     }
 
+    /// This case may end its process, too.
+    pub fn suspect(&mut self, id: CaseId) {
+        self.suspects.insert(id);
+    }
+
     /// How many suspects there are.
     pub fn suspects(&self) -> usize {
         self.suspects.len()

@@ -90,7 +90,7 @@ impl Checkpoint {
         }
         let folder = self.directory.join(FOLDER);
         if !folder.is_dir() {
-            disk::create_folder(&folder).map_err(SweepError::io(&folder))?;
+            disk::create_folder_in(&folder).map_err(SweepError::io(&folder))?;
         }
         let head = Head { layout: LAYOUT, program: Program::this(), id: self.id, simd: self.simd };
         let head = head.line(state);

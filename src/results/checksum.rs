@@ -1,5 +1,7 @@
 //! Short sums that tell damage.
 
+use std::io::{Read, Result};
+
 use sha2::{Digest, Sha256};
 
 /// The start of SHA-256 over some bytes, 16 hex digits.
@@ -11,6 +13,24 @@ pub(super) fn checksum(bytes: &[u8]) -> String {
 pub(crate) fn checksum_of<'a>(pieces: impl IntoIterator<Item = &'a [u8]>) -> String {
     let mut hash = Sha256::new();
     pieces.into_iter().for_each(|piece| hash.update(piece));
+    digits(hash)
+}
+
+/// The same over all that is left to be read, and how many bytes that was.
+pub(super) fn checksum_of_rest(mut from: impl Read) -> Result<(u64, String)> {
+    let (mut hash, mut bytes) = (Sha256::new(), 0);
+    let mut buffer = vec![0; 1 << 20];
+    loop {
+        let read = from.read(&mut buffer)?;
+        if read == 0 {
+            return Ok((bytes, digits(hash)));
+        }
+        hash.update(&buffer[..read]);
+        bytes += read as u64;
+    }
+}
+
+fn digits(hash: Sha256) -> String {
     let start = hash.finalize()[..8].try_into().expect("a digest has 32 bytes");
     format!("{:016x}", u64::from_be_bytes(start))
 }

@@ -14,7 +14,7 @@ use std::time::UNIX_EPOCH;
 use serde::{Deserialize, Serialize};
 
 use super::error::SweepError;
-use super::{atomic_file, lock};
+use super::{atomic_file, lock, sealed};
 
 const FILE_NAME: &str = "closing.json";
 
@@ -49,14 +49,14 @@ impl Closing {
     /// A file that cannot be written, a folder that cannot be read.
     pub fn write(self, directory: &Path) -> Result<(), SweepError> {
         let found = look(directory).map_err(SweepError::io(directory))?;
-        let text = serde_json::to_string_pretty(&Closing { found, ..self });
-        let text = text.expect("plain data has a JSON form");
-        atomic_file::write(&directory.join(FILE_NAME), format!("{text}\n").as_bytes())
+        let text = sealed::sealed(&Closing { found, ..self });
+        atomic_file::write(&directory.join(FILE_NAME), text.as_bytes())
     }
 
-    /// How a directory was closed; `None` where it was not, or has changed since.
+    /// How a directory was closed; `None` where it was not, has changed since, or what tells of it is damaged.
     pub fn read(directory: &Path) -> Option<Closing> {
-        let text = fs::read(directory.join(FILE_NAME)).ok()?;
+        let text =
+            fs::read(directory.join(FILE_NAME)).ok().filter(|text| sealed::is_whole(text))?;
         let closing: Closing = serde_json::from_slice(&text).ok()?;
         (look(directory).ok()? == closing.found).then_some(closing)
     }

@@ -62,6 +62,7 @@ impl Directory {
         {
             opening::check_header(path, &header, study, requested, widest)?;
         }
+        opening::refuse_remains(path, mode, &before)?;
         disk::create_folder(path).map_err(|error| SweepError::unusable(path, &error))?;
         let mut lock = Lock::hold(path)?;
         let mut opened = Opened::New;
@@ -88,6 +89,7 @@ impl Directory {
             opening::check_header(path, &header, study, requested, widest)?;
             let journal = Journal::resume(path, &content, &header)?;
             files::clean(path)?;
+            filling.demand_probe_columns()?;
             let (filled, damaged) = filling.end();
             records = filled;
             findings.extend(damaged);

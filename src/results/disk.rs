@@ -88,6 +88,19 @@ pub(super) fn rename(from: &Path, to: &Path) -> Result<()> {
     fs::rename(from, to)
 }
 
+/// Lets two folders change their names in one step, so that neither name is ever without one; whether it did.
+#[cfg(target_os = "linux")]
+pub(super) fn exchange(one: &Path, other: &Path) -> bool {
+    use rustix::fs::{CWD, RenameFlags, renameat_with};
+    faults::next().is_ok() && renameat_with(CWD, one, CWD, other, RenameFlags::EXCHANGE).is_ok()
+}
+
+/// There is no such call elsewhere.
+#[cfg(not(target_os = "linux"))]
+pub(super) fn exchange(_one: &Path, _other: &Path) -> bool {
+    false
+}
+
 /// Removes a file.
 pub(super) fn remove_file(path: &Path) -> Result<()> {
     faults::next()?;
@@ -98,6 +111,16 @@ pub(super) fn remove_file(path: &Path) -> Result<()> {
 pub(super) fn create_folder(path: &Path) -> Result<()> {
     faults::next()?;
     fs::create_dir_all(path)
+}
+
+/// Makes a folder in one that is there, or was there: then it is not made anew.
+pub(super) fn create_folder_in(path: &Path) -> Result<()> {
+    faults::next()?;
+    match fs::create_dir(path) {
+        // Somebody else was quicker.
+        Err(_) if path.is_dir() => Ok(()),
+        made => made,
+    }
 }
 
 /// Removes a folder and all in it.

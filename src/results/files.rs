@@ -29,13 +29,8 @@ pub(super) struct Written {
     pub(super) probe_columns: Option<String>,
 }
 
-/// Writes what a case leaves besides its journal line; onto the disk itself if `durable`.
-pub(super) fn write(
-    directory: &Path,
-    id: CaseId,
-    result: &CaseResult,
-    durable: bool,
-) -> Result<Written, SweepError> {
+/// What a case leaves besides its journal line: folders, and what stands in a file in each.
+pub(super) fn texts(result: &CaseResult) -> Vec<(&'static str, String)> {
     let mut texts = vec![(HISTORIES, history(&result.history))];
     if let Some(probes) = &result.probes {
         texts.push((PROBES, probe_table(probes)));
@@ -49,12 +44,22 @@ pub(super) fn write(
     if !result.waves.is_empty() {
         texts.push((WAVES, wave_table(&result.waves)));
     }
+    texts
+}
+
+/// Writes what a case leaves besides its journal line; onto the disk itself if `durable`.
+pub(super) fn write(
+    directory: &Path,
+    id: CaseId,
+    result: &CaseResult,
+    durable: bool,
+) -> Result<Written, SweepError> {
     let put = if durable { atomic_file::write } else { atomic_file::write_unsynced };
     let mut seals = Seals::new();
-    for (name, text) in texts {
+    for (name, text) in texts(result) {
         let folder = directory.join(name);
         if !folder.is_dir() {
-            disk::create_folder(&folder).map_err(SweepError::io(&folder))?;
+            disk::create_folder_in(&folder).map_err(SweepError::io(&folder))?;
         }
         put(&folder.join(format!("{id}.csv")), text.as_bytes())?;
         seals.insert(name.to_owned(), Seal::of(text.as_bytes()));
@@ -135,6 +140,11 @@ pub(super) fn damage(
     damage
 }
 
+/// Whether a case has left probes.
+pub(super) fn has_probes(seals: &Seals) -> bool {
+    seals.contains_key(PROBES)
+}
+
 /// Whether there is any history.
 pub(super) fn any(directory: &Path) -> bool {
     fs::read_dir(directory.join(HISTORIES)).is_ok_and(|mut entries| entries.next().is_some())
@@ -149,5 +159,18 @@ pub(super) fn clean(directory: &Path) -> Result<(), SweepError> {
 
 /// Where a case's history is.
 pub(super) fn history_path(directory: &Path, id: impl std::fmt::Display) -> PathBuf {
-    directory.join(HISTORIES).join(format!("{id}.csv"))
+    path(directory, HISTORIES, id)
+}
+
+/// Where a case's file in a folder is.
+pub(super) fn path(directory: &Path, folder: &str, id: impl std::fmt::Display) -> PathBuf {
+    directory.join(folder).join(format!("{id}.csv"))
+}
+
+/// What a file in a folder is called in sentences.
+pub(super) fn name(folder: &str) -> &str {
+    match folder {
+        HISTORIES => "history",
+        other => other.strip_suffix('s').unwrap_or(other),
+    }
 }

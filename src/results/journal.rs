@@ -27,6 +27,8 @@ const DAMAGED: &str = "journal.damaged";
 pub struct Journal {
     path: PathBuf,
     file: File,
+    /// Bytes that were there, and that were appended.
+    length: u64,
     unsynced_since: Option<Instant>,
 }
 
@@ -34,8 +36,9 @@ impl Journal {
     /// Starts a journal.
     pub fn create(directory: &Path, header: &Header) -> Result<Journal, SweepError> {
         let path = directory.join(FILE_NAME);
-        let file = disk::create(&path).map_err(SweepError::io(&path))?;
-        let mut journal = Journal { path, file, unsynced_since: None };
+        // At its end wherever that is: behind a cut a write at a place of its own would leave a hole.
+        let file = disk::append(&path).map_err(SweepError::io(&path))?;
+        let mut journal = Journal { path, file, length: 0, unsynced_since: None };
         journal.append(&Entry::<CaseRecord>::Header(header.clone()))?;
         journal.sync()?;
         atomic_file::sync(directory)?;
@@ -63,7 +66,8 @@ impl Journal {
             atomic_file::write(&path, &text)?;
         }
         let file = disk::append(&path).map_err(SweepError::io(&path))?;
-        Ok(Journal { path, file, unsynced_since: None })
+        let length = file.metadata().map_err(SweepError::io(&path))?.len();
+        Ok(Journal { path, file, length, unsynced_since: None })
     }
 
     /// Appends a finished case.
@@ -72,7 +76,9 @@ impl Journal {
     }
 
     fn append(&mut self, entry: &Entry<impl Serialize>) -> Result<(), SweepError> {
-        disk::write(&self.file, entry.line().as_bytes()).map_err(SweepError::io(&self.path))?;
+        let line = entry.line();
+        disk::write(&self.file, line.as_bytes()).map_err(SweepError::io(&self.path))?;
+        self.length += line.len() as u64;
         self.unsynced_since.get_or_insert_with(Instant::now);
         Ok(())
     }
@@ -94,19 +100,22 @@ impl Journal {
     /// Leaves it to somebody else to put the lines so far on the disk.
     pub(super) fn let_sync(&mut self) -> Result<Journal, SweepError> {
         let file = self.file.try_clone().map_err(SweepError::io(&self.path))?;
-        Ok(Journal { path: self.path.clone(), file, unsynced_since: self.unsynced_since.take() })
+        let (path, unsynced_since) = (self.path.clone(), self.unsynced_since.take());
+        Ok(Journal { path, file, length: self.length, unsynced_since })
     }
 
-    /// Makes sure that the file which is written to is still the one that has its name.
+    /// Makes sure that the file which is written to is still the one that has its name, and holds what was written.
     ///
     /// # Errors
-    /// Somebody has deleted or moved it, or the directory with it.
+    /// Somebody has deleted, moved or cut it, or has moved the directory with it.
     pub fn demand_in_place(&self) -> Result<(), SweepError> {
-        if atomic_file::is_same(&self.file, &self.path) {
+        let reason = if !atomic_file::is_same(&self.file, &self.path) {
+            "was deleted, moved or replaced while the sweep ran; what finished since then is lost"
+        } else if self.file.metadata().map_or(0, |file| file.len()) != self.length {
+            "was cut or written to by somebody else while the sweep ran"
+        } else {
             return Ok(());
-        }
-        let reason = "was deleted, moved or replaced while the sweep ran; what finished since then \
-                      is lost";
+        };
         Err(SweepError::Executor(format!("{}: {reason}", self.path.display())))
     }
 }

@@ -4,10 +4,10 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::atomic_file;
 use super::error::SweepError;
 use super::load::Load;
 use super::program::Program;
+use super::{atomic_file, sealed};
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::study::{PHYSICS_VERSION, Study};
@@ -145,6 +145,16 @@ impl Manifest {
             .find(|p| **p != this)
     }
 
+    /// What is wrong with a directory's manifest as a file. One without a sum is an earlier version's.
+    pub fn damage(directory: &Path) -> Option<&'static str> {
+        /// How it began before it had a sum.
+        const EARLIER: &[u8] = b"{\n  \"version\": \"";
+        let Ok(text) = std::fs::read(directory.join(FILE_NAME)) else { return Some("is missing") };
+        let readable = Manifest::read(directory).is_some();
+        let whole = readable && (sealed::is_whole(&text) || text.starts_with(EARLIER));
+        (!whole).then_some("is damaged")
+    }
+
     /// Reads a directory's manifest, `None` where there is none that can be read.
     pub fn read(directory: &Path) -> Option<Manifest> {
         let text = std::fs::read_to_string(directory.join(FILE_NAME)).ok()?;
@@ -158,7 +168,6 @@ impl Manifest {
 
     /// Writes it.
     pub fn write(&self, directory: &Path) -> Result<(), SweepError> {
-        let text = serde_json::to_string_pretty(self).expect("a manifest has a JSON form");
-        atomic_file::write(&directory.join(FILE_NAME), format!("{text}\n").as_bytes())
+        atomic_file::write(&directory.join(FILE_NAME), sealed::sealed(self).as_bytes())
     }
 }

@@ -4,7 +4,7 @@
 //! - [`Directory`] is an output directory, locked; [`Journal`] has a [`CaseRecord`] per finished case;
 //! - the summary, `energy.csv`, and the files of every case are written from records and results;
 //! - [`write_all_histories`] joins the histories of all cases in one table;
-//! - [`Manifest`] says where the results come from.
+//! - [`Manifest`] says where the results come from; [`Derived`] what is made last was when it was made.
 
 mod again;
 mod all_histories;
@@ -16,6 +16,7 @@ mod checkpoints;
 mod checksum;
 mod clock;
 mod closing;
+mod derived;
 mod directory;
 mod disk;
 mod energy;
@@ -38,6 +39,7 @@ mod program;
 mod record;
 mod round_trip;
 mod seal;
+mod sealed;
 mod summary;
 mod verify;
 mod waiting;
@@ -50,6 +52,7 @@ pub use checkpoints::has_checkpoints;
 pub(crate) use checksum::checksum_of;
 pub use clock::timestamp;
 pub use closing::Closing;
+pub use derived::Derived;
 pub use directory::Directory;
 pub use entries::{Content, Header};
 pub use error::{SweepError, in_words};
@@ -68,4 +71,4 @@ pub use opening::{OpenMode, Opened};
 pub use program::Program;
 pub use record::{CaseRecord, Fared};
 pub use seal::Seal;
-pub use verify::{Verified, renew_summary, verify};
+pub use verify::{Verified, renew_tables, verify};

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, HashMap};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::slice;
 use std::time::SystemTime;
 
 use rayon::prelude::*;
@@ -13,7 +14,7 @@ use super::lock::{self, Lock};
 use super::manifest::Manifest;
 use super::number::counted;
 use super::record::{CaseRecord, HeldLine};
-use super::{disk, files, journal};
+use super::{Derived, atomic_file, derived, disk, files, journal};
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::study::{CaseId, Study};
@@ -42,8 +43,11 @@ pub enum Opened {
 #[derive(Debug, PartialEq)]
 pub(super) enum Found {
     Nothing,
-    /// A journal, which began at this time: it tells a new one from an old one.
-    Journal(Option<SystemTime>),
+    /// A journal, which began at this time, where the system tells, and what its directory is to the system: both
+    /// tell a new one from an old one.
+    Journal(Option<SystemTime>, [u64; 2]),
+    /// A study whose journal was deleted.
+    Remains,
 }
 
 pub(super) fn look(path: &Path) -> Result<Found, SweepError> {
@@ -53,17 +57,35 @@ pub(super) fn look(path: &Path) -> Result<Found, SweepError> {
     let journal = path.join(journal::FILE_NAME);
     if journal.is_file() {
         let created = fs::metadata(&journal).and_then(|file| file.created()).ok();
-        return Ok(Found::Journal(created));
+        let directory = fs::metadata(path).map_err(|error| SweepError::unusable(path, &error))?;
+        return Ok(Found::Journal(created, atomic_file::identity(&directory)));
+    }
+    if Manifest::read(path).is_some() && !journal.is_file() {
+        return Ok(Found::Remains);
     }
     let entries = fs::read_dir(path).map_err(|error| SweepError::unusable(path, &error))?;
     for entry in entries {
         let entry = entry.map_err(SweepError::io(path))?;
         if entry.file_name() != lock::FILE_NAME {
+            if journal.is_file() {
+                // Another process has begun meanwhile.
+                return look(path);
+            }
             let reason = "is not empty and holds no journal; choose another --out";
             return Err(SweepError::refused(path, reason));
         }
     }
     Ok(Found::Nothing)
+}
+
+/// Refuses to go on without a journal: what lies there would be written over.
+pub(super) fn refuse_remains(path: &Path, mode: OpenMode, found: &Found) -> Result<(), SweepError> {
+    if mode == OpenMode::Fresh || *found != Found::Remains {
+        return Ok(());
+    }
+    let reason = "journal.jsonl is missing, though a study's other files lie here; restore it from a copy, or \
+                  start over with --fresh";
+    Err(SweepError::refused(path, reason))
 }
 
 /// While this process waited for the lock, another may have started over.
@@ -159,6 +181,8 @@ pub(super) struct Filling<'a> {
     looks: bool,
     /// What is wrong with the files of a case, in words.
     damage: BTreeMap<usize, String>,
+    /// A case that has left probes.
+    probed: Option<usize>,
 }
 
 impl Filling<'_> {
@@ -170,6 +194,7 @@ impl Filling<'_> {
             records: vec![None; study.run_count()],
             looks: true,
             damage: BTreeMap::new(),
+            probed: None,
         }
     }
 
@@ -187,16 +212,37 @@ impl Filling<'_> {
             let has_files = looks && record.is_ok() && record.index < cases;
             let files = has_files.then_some(&files);
             let damage = files.and_then(|files| files::damage(path, record.id, files));
-            Some((record, damage))
+            let probed = files.is_some_and(files::has_probes);
+            Some((record, damage, probed))
         };
         let looked: Vec<_> = lines.into_par_iter().filter_map(look).collect();
-        for (record, damage) in looked {
+        for (record, damage, probed) in looked {
             let index = record.index;
+            self.probed = self.probed.or(Some(index).filter(|_| probed));
             self.damage.remove(&index);
             self.damage
                 .extend(damage.map(|(file, what)| (index, format!("{} {what}", file.display()))));
             self.records[index] = Some(record);
         }
+    }
+
+    /// What the columns of probes hold is lost: a case that runs again tells it.
+    ///
+    /// # Errors
+    /// A file that cannot be removed or written.
+    pub(super) fn demand_probe_columns(&mut self) -> Result<(), SweepError> {
+        let columns = self.path.join(derived::PROBE_COLUMNS);
+        let Some(index) =
+            self.probed.filter(|_| Derived::is_damaged(self.path, slice::from_ref(&columns)))
+        else {
+            return Ok(());
+        };
+        if columns.exists() {
+            disk::remove_file(&columns).map_err(SweepError::io(&columns))?;
+        }
+        let told = format!("{} is damaged or missing", columns.display());
+        self.damage.entry(index).or_insert(told);
+        Derived::renew(self.path, &[columns])
     }
 
     /// The records, without those whose files are damaged or missing, and what is wrong with these.
@@ -214,21 +260,31 @@ impl Filling<'_> {
     }
 }
 
-/// Moves a directory aside and puts an empty one in its place, which is locked from the start.
+/// Moves a directory aside and puts an empty one in its place, which is locked from the start. Where the system can,
+/// the name is never without a directory: another process would take it for a new one.
 pub(super) fn replace(path: &Path) -> Result<(PathBuf, Lock), SweepError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let new = path.with_file_name(format!("{name}.new-{}", std::process::id()));
     disk::create_folder(&new).map_err(SweepError::io(&new))?;
     let lock = Lock::hold(&new)?;
-    let aside = move_aside(path)?;
-    disk::rename(&new, path).map_err(SweepError::io(path))?;
+    let aside = if disk::exchange(&new, path) {
+        move_aside(path, &new).inspect_err(|_| {
+            // As it was; where this fails as well, the old one stays under the other name.
+            let _ = disk::exchange(&new, path);
+        })?
+    } else {
+        let aside = move_aside(path, path)?;
+        disk::rename(&new, path).map_err(SweepError::io(path))?;
+        aside
+    };
     Ok((aside, lock))
 }
 
-fn move_aside(path: &Path) -> Result<PathBuf, SweepError> {
+/// Gives a directory that was at `path`, and is at `now`, a name of its own.
+fn move_aside(path: &Path, now: &Path) -> Result<PathBuf, SweepError> {
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let free = (1..).map(|number| path.with_file_name(format!("{name}.old-{number}")));
     let aside = free.into_iter().find(|aside| !aside.exists()).expect("numbers do not end");
-    disk::rename(path, &aside).map_err(SweepError::io(path))?;
+    disk::rename(now, &aside).map_err(SweepError::io(path))?;
     Ok(aside)
 }

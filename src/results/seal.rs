@@ -8,7 +8,7 @@ use std::path::Path;
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::checksum::checksum;
+use super::checksum::{checksum, checksum_of_rest};
 
 /// What a file was when it was written.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -31,6 +31,12 @@ impl Seal {
         Seal::Whole { bytes: content.len() as u64, sum: checksum(content) }
     }
 
+    /// That of a file, which may be large.
+    pub(super) fn of_file(path: &Path) -> std::io::Result<Seal> {
+        let (bytes, sum) = checksum_of_rest(File::open(path)?)?;
+        Ok(Seal::Whole { bytes, sum })
+    }
+
     /// Length of the file.
     fn bytes(&self) -> u64 {
         match self {
@@ -41,8 +47,10 @@ impl Seal {
     /// Whether a file is as it was written; `None` where it cannot be read.
     pub(super) fn fits(&self, path: &Path) -> Option<bool> {
         let mut file = File::open(path).ok()?;
-        if self.bytes() > ASKED && file.metadata().ok()?.len() != self.bytes() {
-            return Some(false);
+        if self.bytes() > ASKED {
+            let alike = file.metadata().ok()?.len() == self.bytes();
+            let whole = || Some(*self == Seal::of_file(path).ok()?);
+            return if alike && matches!(self, Seal::Whole { .. }) { whole() } else { Some(alike) };
         }
         let length = usize::try_from(self.bytes()).ok()?;
         // One byte more tells at once where it ends: of a million small files each call counts.
@@ -95,7 +103,7 @@ impl<'de> Deserialize<'de> for Seal {
     }
 }
 
-/// A larger file is asked for its length before there is room made for it.
+/// A larger file is asked for its length first, and never held whole.
 const ASKED: u64 = 1 << 20;
 
 /// Seals of a case's files by their folders.

@@ -8,7 +8,7 @@ use super::error::SweepError;
 use super::manifest::Manifest;
 use super::opening::Filling;
 use super::record::CaseRecord;
-use super::{checkpoints, journal, opening, summary};
+use super::{checkpoints, derived, energy, journal, opening, summary};
 use crate::study::Study;
 
 /// What a look at all of a directory has shown.
@@ -29,36 +29,63 @@ pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
     let content = journal::read_in_blocks(directory, |lines| filling.take(lines))?;
     let (records, damaged) = filling.all();
     let mut told: Vec<String> = opening::told_damage(&content).into_iter().collect();
+    match &content.header {
+        Some(header) if header.sweep != study.identity => {
+            told.push(format!("journal.jsonl is of another sweep (\"{}\")", header.name));
+        }
+        None if told.is_empty() => told.push("journal.jsonl has lost its beginning".to_owned()),
+        _ if told.is_empty() && !content.intact => {
+            told.push("journal.jsonl: its last line does not end".to_owned());
+        }
+        _ => {}
+    }
     told.extend(damaged);
     let kept = checkpoints::damaged(directory);
     told.extend(
         kept.map(|path| format!("{} is damaged: what it is of starts over", path.display())),
     );
-    if !summary_fits(directory, study, &records)? {
-        told.push("summary.csv is not what the journal says".to_owned());
+    for table in Table::ALL {
+        if !table.fits(directory, study, &records)? {
+            told.push(format!("{} is not what the journal says", table.name()));
+        }
     }
-    if Manifest::read(directory).is_none() {
-        told.push("manifest.json is missing or damaged".to_owned());
-    }
+    told.extend(Manifest::damage(directory).map(|what| format!("manifest.json {what}")));
+    told.extend(derived::damage(directory));
     Ok(Verified { told, records })
 }
 
-/// Makes `summary.csv` again where it is not what the journal says; whether it did. A summary with more
-/// rows than the journal knows stays: the sweep's next run brings both together.
+/// Makes the tables again that are not what the journal says; their names. Where the summary has more rows than
+/// the journal knows all stay: the sweep's next run brings them together.
 ///
 /// # Errors
 /// A file that cannot be read or written.
-pub fn renew_summary(
+pub fn renew_tables(
     directory: &Path,
     study: &Study,
     records: &[Option<CaseRecord>],
-) -> Result<bool, SweepError> {
-    let known = records[..study.cases.len()].iter().flatten().count();
-    let renew = !summary_fits(directory, study, records)? && rows(directory) <= known;
-    if renew {
-        summary::write(directory, study, records)?;
+) -> Result<Vec<&'static str>, SweepError> {
+    let mut renewed = Vec::new();
+    let cases = &records[..study.cases.len()];
+    if rows(directory) > cases.iter().flatten().count() {
+        return Ok(renewed);
     }
-    Ok(renew)
+    for table in Table::ALL {
+        if !table.fits(directory, study, records)? {
+            match table {
+                Table::Summary => summary::write(directory, study, records)?,
+                Table::Energy => energy::write(directory, cases)?,
+            }
+            renewed.push(table.name());
+        }
+    }
+    Ok(renewed)
+}
+
+/// What is made from the journal alone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Table {
+    Summary,
+    Energy,
 }
 
 /// Rows of `summary.csv`, damaged or not.
@@ -73,22 +100,42 @@ fn rows(directory: &Path) -> usize {
     breaks.saturating_sub(1)
 }
 
-fn summary_fits(
-    directory: &Path,
-    study: &Study,
-    records: &[Option<CaseRecord>],
-) -> Result<bool, SweepError> {
-    let path = directory.join(SUMMARY);
-    if !path.exists() {
-        // Or else the sweep has not come so far.
-        return Ok(records[..study.cases.len()].iter().any(Option::is_none));
+impl Table {
+    const ALL: [Table; 2] = [Table::Summary, Table::Energy];
+
+    fn name(self) -> &'static str {
+        match self {
+            Table::Summary => SUMMARY,
+            Table::Energy => energy::FILE_NAME,
+        }
     }
-    let there = File::open(&path).map_err(SweepError::io(&path))?;
-    let mut comparison = Comparison { there: BufReader::with_capacity(BUFFER, there), same: true };
-    let wrong = |error: csv::Error| SweepError::io(&path)(error.into());
-    summary::write_table(&mut comparison, study, records).map_err(wrong)?;
-    let rest = comparison.there.fill_buf().map_err(SweepError::io(&path))?;
-    Ok(rest.is_empty() && comparison.same)
+
+    /// Whether it is what the journal says.
+    fn fits(
+        self,
+        directory: &Path,
+        study: &Study,
+        records: &[Option<CaseRecord>],
+    ) -> Result<bool, SweepError> {
+        let path = directory.join(self.name());
+        let cases = &records[..study.cases.len()];
+        if !path.exists() {
+            // Or else the sweep has not come so far.
+            return Ok(cases.iter().any(Option::is_none));
+        }
+        let there = File::open(&path).map_err(SweepError::io(&path))?;
+        let there = BufReader::with_capacity(BUFFER, there);
+        let mut comparison = Comparison { there, same: true };
+        let written = match self {
+            Table::Summary => {
+                summary::write_table(&mut comparison, study, records).map_err(Into::into)
+            }
+            Table::Energy => energy::write_table(&mut comparison, cases),
+        };
+        written.map_err(SweepError::io(&path))?;
+        let rest = comparison.there.fill_buf().map_err(SweepError::io(&path))?;
+        Ok(rest.is_empty() && comparison.same)
+    }
 }
 
 const SUMMARY: &str = "summary.csv";
@@ -147,6 +194,8 @@ mod tests {
         for (name, case_runs_again) in [
             (history.path(), true),
             (path.join("summary.csv"), false),
+            (path.join("energy.csv"), false),
+            (path.join("manifest.json"), false),
             (path.join("journal.jsonl"), true),
         ] {
             let before = std::fs::read(&name).unwrap();
@@ -162,10 +211,14 @@ mod tests {
             std::fs::write(&name, before).unwrap();
         }
         std::fs::write(path.join("manifest.json"), "").unwrap();
-        assert_eq!(told(), ["manifest.json is missing or damaged"]);
-        std::fs::write(path.join("summary.csv"), "x").unwrap();
+        assert_eq!(told(), ["manifest.json is damaged"]);
+        for table in Table::ALL {
+            std::fs::write(path.join(table.name()), "x").unwrap();
+        }
         let records = finished(&path, &study).unwrap();
-        assert!(renew_summary(&path, &study, &records).unwrap());
-        assert!(!renew_summary(&path, &study, &records).unwrap());
+        assert_eq!(renew_tables(&path, &study, &records).unwrap(), ["summary.csv", "energy.csv"]);
+        assert!(renew_tables(&path, &study, &records).unwrap().is_empty());
+        std::fs::write(path.join("journal.jsonl"), "").unwrap();
+        assert_eq!(told()[0], "journal.jsonl has lost its beginning");
     }
 }

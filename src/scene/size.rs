@@ -47,7 +47,7 @@ fn demand_an_end(scene: &Scene, numerics: &Numerics) -> Result<(), ConfigError> 
             "would take {steps:.1e} steps, and {MOST_STEPS:e} are the most; where no end_time_s is given, a \
              low wave is a long one"
         );
-        return Err(ConfigError::new("scene.end_time_s", format!("{:e}", frame.end_time), allowed));
+        return Err(ConfigError::new("scene.end_time_s", frame.end_time, allowed));
     }
     Ok(())
 }

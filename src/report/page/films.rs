@@ -7,41 +7,34 @@ use std::path::Path;
 use serde_json::Value;
 
 use crate::quantities::summary::CASE_ID;
-use crate::report::error::ReportError;
 use crate::report::load::{Loaded, read_records};
 use crate::report::markup::escape;
 use crate::report::row::Row;
 
 /// The films as one section's content, with as many of them inside as there is room for, bytes;
 /// `None` where there are none.
-///
-/// # Errors
-/// What tells why cases were filmed is no table.
-pub fn films(data: &Loaded, mut room: usize) -> Result<Option<String>, ReportError> {
+pub fn films(data: &Loaded, mut room: usize) -> Option<String> {
     let filmed: Vec<_> = data.finished().filter(|row| data.has_film(row)).collect();
     if filmed.is_empty() {
-        return Ok(None);
+        return None;
     }
-    let reasons = reasons(&data.directory)?;
+    let reasons = reasons(&data.directory);
     let mut one = |row: &&Row| figure(data, row, reasons.get(row.text(&CASE_ID)), &mut room);
     let figures: String = filmed.iter().map(&mut one).collect();
-    Ok(Some(format!(
+    Some(format!(
         "<p>The water under the largest force, or at the highest runup where it was filmed for that, and, where \
          the wall went on, at its largest displacement. \
          <span class=\"scripted\">Press Play to see it move; the arrow keys then go from frame to \
          frame.</span></p>\n<div class=\"films\">{figures}</div>"
-    )))
+    ))
 }
 
-/// Why cases were filmed, by their ids, where a sweep chose them.
-fn reasons(directory: &Path) -> Result<HashMap<String, String>, ReportError> {
-    let path = directory.join("films/reasons.csv");
-    if !path.is_file() {
-        return Ok(HashMap::new());
-    }
-    let (_, records) = read_records(&path)?;
+/// Why cases were filmed, by their ids, where a sweep chose them. A page can do without.
+fn reasons(directory: &Path) -> HashMap<String, String> {
+    let records = read_records(&directory.join("films/reasons.csv"));
+    let records = records.map_or_else(|_| Vec::new(), |(_, records)| records);
     let told = |record: &csv::StringRecord| Some((record.get(0)?.into(), record.get(1)?.into()));
-    Ok(records.iter().filter_map(told).collect())
+    records.iter().filter_map(told).collect()
 }
 
 /// The stills, what is seen and why it was filmed, and the film for the script.

@@ -80,7 +80,7 @@ pub fn page(
     let (style, script) = (STYLE.concat(), SCRIPT.concat());
     let written = [&body, &rest, &json, &style, &script].map(|text| text.len());
     let room = MOST.saturating_sub(written.iter().sum());
-    if let Some(films) = films::films(shown, room)? {
+    if let Some(films) = films::films(shown, room) {
         section(&mut body, "Films", &films);
     }
     body.push_str(&rest);

@@ -129,7 +129,7 @@ pub fn provenance(manifest: &Value) -> String {
     let mut lines = Vec::new();
     for (name, value) in manifest.as_object().into_iter().flatten() {
         match name.as_str() {
-            "sweep_file" => (),
+            "sum" | "sweep_file" => (),
             "sessions" => {
                 for session in value.as_array().into_iter().flatten() {
                     lines.push(("worked on".to_owned(), told(session)));

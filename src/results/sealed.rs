@@ -1,0 +1,50 @@
+//! JSON files that carry their own sum, so that a bit which flips in them shows.
+//!
+//! The first line of such an object is `"sum"`, the start of SHA-256 over all lines below it.
+
+use serde::Serialize;
+
+use super::checksum::checksum;
+
+/// What stands before the sum, and behind it.
+const FRAME: [&str; 2] = ["{\n  \"sum\": \"", "\",\n"];
+/// Length of a sum.
+const SUM: usize = 16;
+
+/// The text of an object with fields, under its sum.
+pub(super) fn sealed(object: &impl Serialize) -> String {
+    let text = serde_json::to_string_pretty(object).expect("plain data has a JSON form");
+    let fields = text.strip_prefix("{\n").expect("an object with fields has a line each");
+    let ([before, behind], fields) = (FRAME, format!("{fields}\n"));
+    format!("{before}{}{behind}{fields}", checksum(fields.as_bytes()))
+}
+
+/// Whether a text is as [`sealed`] made it.
+pub(super) fn is_whole(text: &[u8]) -> bool {
+    let [before, behind] = FRAME.map(str::as_bytes);
+    let rest = text.strip_prefix(before).and_then(|rest| rest.split_at_checked(SUM));
+    rest.is_some_and(|(sum, rest)| {
+        rest.strip_prefix(behind).is_some_and(|fields| checksum(fields).as_bytes() == sum)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn any_flipped_bit_and_any_cut_shows() {
+        let text = sealed(&serde_json::json!({ "a": 1, "b": { "c": "d" } }));
+        let read: serde_json::Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(read["b"]["c"], "d");
+        assert!(is_whole(text.as_bytes()));
+        for place in 0..text.len() {
+            for bit in 0..8 {
+                let mut flipped = text.clone().into_bytes();
+                flipped[place] ^= 1 << bit;
+                assert!(!is_whole(&flipped), "bit {bit} of byte {place}");
+            }
+            assert!(!is_whole(&text.as_bytes()[..place]), "cut at {place}");
+        }
+    }
+}
