@@ -97,6 +97,24 @@ fn water_rests_on_a_beach() {
     assert!(highest < 3e-3, "a surface {highest} m off");
 }
 
+/// A bed that ends level goes on behind the wall, where it is dry: no edge of the water, whose level at the wall
+/// is that of the surface before it.
+#[test]
+fn runup_before_a_level_end_is_that_of_the_surface() {
+    let springs = "wall = \"movable\"\nspring_stiffness_n_per_m = 1e5\nseawall_mass_kg_per_m = 50";
+    for wall in ["", springs] {
+        let scene = format!(
+            "tank_length_m = 2.4\nstill_water_depth_m = 0.25\nwave_height_ratio = 0.2\nwave_gauge_m = 1\n\
+             end_after_stroke_centre_s = 1.5\nbed = [[0, 0], [0.9, 0], [0.9, 0.1], [2.4, 0.1]]\n{wall}"
+        );
+        let wave = computed(&scene, &gauges(&[2.39]));
+        let highest = wave.probes.as_ref().unwrap().values.iter().fold(0.0, |a: f64, b| a.max(*b));
+        let runup = 0.25 * wave.outcome.runup_max.value;
+        println!("runup {runup} m, surface before the wall {highest} m");
+        assert!(highest > 0.1 && (runup / highest - 1.0).abs() < 0.1, "{runup} and {highest}");
+    }
+}
+
 /// A bed that is written out and level is the bed that needs no writing.
 #[test]
 fn a_level_bed_is_a_flat_tank() {

@@ -50,7 +50,7 @@ impl Stroke {
         }
         let mut points = Vec::new();
         for row in reader.records() {
-            let row = row.map_err(|error| error.to_string())?;
+            let row = row.map_err(|error| in_words(&error))?;
             let line = row.position().map_or(0, csv::Position::line);
             let cell = |place: usize| {
                 let text = row.get(place).unwrap_or_default().trim();
@@ -86,6 +86,16 @@ impl Stroke {
     pub fn reach(&self) -> f64 {
         let start = self.0[0][1];
         self.0.iter().map(|point| (point[1] - start).abs()).fold(0.0, f64::max)
+    }
+}
+
+/// What is wrong with a line, in words.
+fn in_words(error: &csv::Error) -> String {
+    match error.kind() {
+        csv::ErrorKind::UnequalLengths { pos: Some(position), len, .. } => {
+            format!("line {}: must have two columns, not {len}", position.line())
+        }
+        _ => error.to_string(),
     }
 }
 

@@ -96,10 +96,12 @@ impl Exchange {
 
     /// Level of the water along a wall, metres above the bed: the first crossing of the wetness
     /// that a level surface has at its contact with the wall (1/2 for a vertical one), so connected
-    /// to the water below. Where the water's edge lies on the bed, that of the edge.
-    pub fn level(&self, ghosts: &Ghosts, body: usize) -> f64 {
-        let ends_bed = body == Place::Right.number();
-        if let Some(edge) = self.shoreline(ghosts).filter(|_| ends_bed) {
+    /// to the water below. Where the water's edge lies on the bed, that of the edge. The body has moved so
+    /// far, metres.
+    pub fn level(&self, ghosts: &Ghosts, body: usize, offset: f64) -> f64 {
+        if body == Place::Right.number()
+            && let Some(edge) = self.shoreline(ghosts, offset)
+        {
             return edge;
         }
         let faces = ghosts.bodies[body].faces.clone();
@@ -118,10 +120,16 @@ impl Exchange {
 
     /// Height of the water's edge on a bed that is not level, metres: going up from the paddle, the first
     /// place where the bed is less than half wet. There a tongue is some one spacing thick. None where
-    /// the water reaches the wall.
-    fn shoreline(&self, ghosts: &Ghosts) -> Option<f64> {
+    /// the water reaches the wall, which has moved so far, metres: behind it a bed that ends level goes on
+    /// and is dry.
+    fn shoreline(&self, ghosts: &Ghosts, offset: f64) -> Option<f64> {
         ghosts.profile.as_ref()?;
+        // Of a wall that has come nearer no place before it is cut off as at rest.
+        let near = if offset < 0.0 { self.rules.scaling.support_radius } else { 0.0 };
+        let end = ghosts.bodies[Place::Right.number()].plane.point[0] + offset.min(0.0) - near;
         let faces = ghosts.bodies[0].faces.clone();
+        let before = ghosts.target_x[faces.clone()].partition_point(|&x| x < end);
+        let faces = faces.start..faces.start + before;
         let wetness = &self.wetness[faces.clone()];
         let heights = &ghosts.target_y[faces];
         let edge = wetness.iter().position(|&wet| wet < 0.5)?;

@@ -17,7 +17,9 @@ pub struct Profile(Vec<[f64; 2]>);
 
 impl<'de> Deserialize<'de> for Profile {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Profile, D::Error> {
-        Profile::checked(Vec::deserialize(deserializer)?).map_err(de::Error::custom)
+        let points = Vec::deserialize(deserializer);
+        let points = points.map_err(|_| de::Error::custom("must be a list of points [x, y]"))?;
+        Profile::checked(points).map_err(de::Error::custom)
     }
 }
 

@@ -134,7 +134,12 @@ fn same(value: &toml::Value, wanted: &toml::Value) -> bool {
     };
     match (number(value), number(wanted)) {
         (Some(value), Some(wanted)) => (value - wanted).abs() <= 5e-4 * value.abs(),
-        _ => value == wanted,
+        _ => match (value.as_array(), wanted.as_array()) {
+            (Some(value), Some(wanted)) => {
+                value.len() == wanted.len() && value.iter().zip(wanted).all(|(a, b)| same(a, b))
+            }
+            _ => value == wanted,
+        },
     }
 }
 

@@ -88,7 +88,7 @@ pub(super) fn report(refinement: &Refinement, study: &Study, done: &Done) -> (St
     }
     match (open, round.worst) {
         _ if pending > 0 => {}
-        (0, _) | (_, None) => text.push_str(" everywhere"),
+        (0, _) | (_, None) => text.push_str(" along every line of the grid as written"),
         (open, Some(worst)) => {
             let open = counted(open, "interval");
             text.push_str(&format!(" in all but {open}, the worst {} off", short(worst)));

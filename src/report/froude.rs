@@ -1,5 +1,5 @@
-//! Results at the size of a prototype, by Froude's law: lengths λ, times √λ, pressures λ, forces per
-//! metre λ², moments per metre λ³, with the same gravity and density.
+//! Results at the size of a prototype, by Froude's law: lengths λ, times √λ, pressures λ, forces and
+//! volumes per metre λ², moments per metre λ³, discharges per metre λ^1.5, with the same gravity and density.
 
 use std::str::FromStr;
 
@@ -13,9 +13,9 @@ use super::tables::Table;
 use crate::keys::number;
 use crate::quantities::Column;
 use crate::quantities::summary::{
-    CASE_ID, DISPLACEMENT_MAX, DISPLACEMENT_TRUNCATED, FIRST_FORCE_MAX, FIRST_IMPULSE,
-    FIRST_MOMENT_MAX, FIRST_RUNUP_MAX, FORCE_MAX, MOMENT_MAX, RISE_TIME, RUNUP_MAX,
-    SPRING_FORCE_MAX,
+    CASE_ID, CREST_SPEED, CREST_THICKNESS, DISPLACEMENT_MAX, DISPLACEMENT_TRUNCATED,
+    FIRST_FORCE_MAX, FIRST_IMPULSE, FIRST_MOMENT_MAX, FIRST_RUNUP_MAX, FORCE_MAX, MOMENT_MAX,
+    OVERTOPPING_DISCHARGE, OVERTOPPING_VOLUME, RISE_TIME, RUNUP_MAX, SPRING_FORCE_MAX,
 };
 use crate::theory::hydrostatics::wall_force;
 
@@ -88,7 +88,12 @@ const fn moment(column: &'static Column, name: &'static str) -> Scaled {
     Scaled { column, name, unit: |water| KILO * water.force() * water.at_wall / 3.0, power: 3.0 }
 }
 
-const SCALED: [Scaled; 10] = [
+/// In the unit that it has in the tank.
+const fn same(column: &'static Column, name: &'static str, power: f64) -> Scaled {
+    Scaled { column, name, unit: |_| 1.0, power }
+}
+
+const SCALED: [Scaled; 14] = [
     force(&FIRST_FORCE_MAX, "first_force_max_kn_per_m"),
     force(&FORCE_MAX, "force_max_kn_per_m"),
     moment(&FIRST_MOMENT_MAX, "first_moment_max_kn_m_per_m"),
@@ -104,6 +109,10 @@ const SCALED: [Scaled; 10] = [
     length(&RUNUP_MAX, "runup_max_m"),
     length(&DISPLACEMENT_MAX, "displacement_max_m"),
     force(&SPRING_FORCE_MAX, "spring_force_max_kn_per_m"),
+    same(&OVERTOPPING_VOLUME, "overtopping_volume_m2", 2.0),
+    same(&OVERTOPPING_DISCHARGE, "overtopping_discharge_max_m2_per_s", 1.5),
+    same(&CREST_THICKNESS, "crest_thickness_max_m", 1.0),
+    same(&CREST_SPEED, "crest_speed_max_m_per_s", 0.5),
 ];
 
 impl Froude {
@@ -189,8 +198,11 @@ mod tests {
     fn still_water_has_the_hydrostatics_of_the_prototype() {
         let file = "name = \"a\"\n[scene]\nwave_height_ratio = 0\nend_time_s = 1";
         let row = [(&FORCE_MAX, 1.0), (&MOMENT_MAX, 1.0), (&RUNUP_MAX, 0.5), (&RISE_TIME, 0.1)];
-        let row =
-            row.into_iter().fold(Row::default(), |row, (column, value)| row.with(column, value));
+        let over = [(&OVERTOPPING_VOLUME, 0.002), (&OVERTOPPING_DISCHARGE, 0.01)];
+        let row = row
+            .into_iter()
+            .chain(over)
+            .fold(Row::default(), |row, (column, value)| row.with(column, value));
         let row = row.with(&crate::quantities::summary::STATUS, "ok");
         let manifest = Some(json!({ "sweep_file": file, "overrides": [] }));
         let data = Loaded { rows: vec![row], manifest, ..Loaded::default() };
@@ -208,6 +220,8 @@ mod tests {
             ("moment_max_kn_m_per_m", 104.64),
             ("runup_max_m", 2.0),
             ("rise_time_s", 0.1 * 20.0_f64.sqrt()),
+            ("overtopping_volume_m2", 0.8),
+            ("overtopping_discharge_max_m2_per_s", 0.01 * 20.0_f64.powf(1.5)),
         ] {
             assert!((value(name) / exact - 1.0).abs() < 1e-5, "{name}: {}", value(name));
         }

@@ -16,6 +16,7 @@ pub mod find;
 #[cfg(test)]
 mod fixture;
 mod froude;
+mod goda;
 mod grid;
 pub mod load;
 mod markup;

@@ -11,6 +11,10 @@ use crate::quantities::summary::{BOUNDARY, FORCE_COUPLING, KERNEL, PARTICLE_SPAC
 const PROVENANCE: &[&str] =
     &["host", "rank", "ranks", "threads", "executor", "simd", "version", "git_commit"];
 
+/// Values longer than this, such as beds of many points, are told by their number in the study: they are
+/// part of names of files.
+const LONGEST: usize = 60;
+
 /// Fills in [`Row::variant`] where several rows share wave, stiffness and mass, from the choices
 /// that differ: those the report knows, and swept keys behind the columns of every sweep.
 pub(super) fn name_variants(rows: &mut [Row], swept: &[Key]) {
@@ -47,7 +51,13 @@ fn shorten(values: &Cells) -> Cells {
         value.map_or(cell.to_owned(), |value| number::significant(value, 4).to_string())
     });
     let count = |values: &Cells| values.different().count();
-    if count(&short) == count(values) { short } else { values.clone() }
+    let values = if count(&short) == count(values) { &short } else { values };
+    if values.different().all(|cell| cell.len() <= LONGEST) {
+        return values.clone();
+    }
+    let known: Vec<_> = values.different().map(str::to_owned).collect();
+    let number = |cell: &str| known.iter().position(|one| one == cell).map_or(0, |at| at + 1);
+    values.map(|cell| format!("number {}", number(cell)))
 }
 
 #[cfg(test)]
@@ -86,5 +96,8 @@ mod tests {
         assert_eq!(far, cells(["0.01235", "21540"]));
         let near = cells(["1.00001", "1.00002"]);
         assert_eq!(shorten(&near), near);
+        let beds = [9, 8].map(|last| format!("[[0, 0], {}[5, {last}]]", "[1, 0.123], ".repeat(5)));
+        let beds = cells([&beds[0], &beds[1]]);
+        assert_eq!(shorten(&beds), cells(["number 1", "number 2"]));
     }
 }

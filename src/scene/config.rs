@@ -8,6 +8,7 @@ use super::kind::{Kind, Scene};
 use super::numerics::{ErrorBars, LEAST_SOUND_SPEED_RATIO, Numerics, Scheme};
 use super::preset::{Preset, sound_speed_ratio};
 use super::probe::Probe;
+use super::seawall::SeawallScene;
 use super::size;
 use crate::keys::{ConfigError, Section, Shared};
 
@@ -44,11 +45,11 @@ impl CaseConfig {
         let probes = Probe::read_all(probes)?;
         let kind = Kind::of(scene)?;
         refuse_unknown(Place::Scene, kind, scene)?;
-        let scene = kind.read(scene)?;
+        let (scene, scene_given) = (kind.read(scene)?, scene);
         refuse_unknown(Place::Numerics, kind, numerics)?;
         let numerics = Numerics::of_scene(&scene, numerics)?.into();
         let config = CaseConfig { numerics, scene, probes };
-        config.validate()?;
+        config.validate().map_err(|error| with_value(error, scene_given))?;
         Ok(config)
     }
 
@@ -63,12 +64,16 @@ impl CaseConfig {
             return Err(ConfigError::new("numerics.particle_spacing_m", spacing, allowed));
         }
         size::validate(&self.scene, &self.numerics)?;
+        if let Some(scene) = self.scene.seawall() {
+            size::validate_walls(scene, &self.numerics)?;
+        }
         let upright = self.scene.seawall().is_some_and(|scene| scene.wall_angle_deg == 90.0);
         if self.numerics.stop_when_settled && !upright {
             let allowed = "belongs to a wave on a vertical seawall";
             return Err(ConfigError::new("numerics.stop_when_settled", true, allowed));
         }
-        Probe::validate_all(&self.probes, &frame)
+        let behind = self.scene.seawall().map_or([0.0; 2], SeawallScene::behind_m);
+        Probe::validate_all(&self.probes, &frame, behind)
     }
 
     /// The stretch of this case that it shares with all others that differ only in what the wall
@@ -141,6 +146,25 @@ impl CaseConfig {
         }
         config.validate().ok().map(|()| config)
     }
+}
+
+/// The longest value that an error shows whole, and how much of its start and its end is left of others.
+const SHOWN: [usize; 3] = [120, 70, 40];
+
+/// An error about a key of the scene, with the value that the file has.
+fn with_value(error: ConfigError, scene: &Table) -> ConfigError {
+    let key = error.key.strip_prefix("scene.").filter(|_| error.value.is_empty());
+    let Some(value) = key.and_then(|key| scene.get(key)) else { return error };
+    let value = value.to_string();
+    let [longest, first, last] = SHOWN;
+    let letters: Vec<char> = value.chars().collect();
+    let part = |letters: &[char]| letters.iter().collect::<String>();
+    let value = if letters.len() <= longest {
+        value
+    } else {
+        format!("{} ... {}", part(&letters[..first]), part(&letters[letters.len() - last..]))
+    };
+    ConfigError { value, ..error }
 }
 
 #[cfg(test)]

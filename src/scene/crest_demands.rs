@@ -7,9 +7,15 @@ use super::numerics::{Numerics, Scheme};
 use super::seawall::{SeawallScene, error};
 use crate::boundary::{CrestShape, FloorBehind};
 use crate::keys::{ConfigError, value_of};
+use crate::math::decimal::significant;
 
 /// Still water stands so many spacings below the crest, or it creeps over its edge.
 const CLEAR: f64 = 1.5;
+
+/// A bound as one writes it: sums of decimals have a tail of rounding.
+fn told(bound: f64) -> f64 {
+    significant(bound, 9)
+}
 
 impl SeawallScene {
     /// Where the wall ends, if water may go over it.
@@ -44,6 +50,14 @@ impl SeawallScene {
         Some(Lattice::new(size, numerics.particle_spacing_m, 90.0))
     }
 
+    /// How far what is behind the wall's face reaches, and its lowest place over the paddle's foot, metres.
+    pub(super) fn behind_m(&self) -> [f64; 2] {
+        let crest = self.crest.as_ref().map_or(0.0, |crest| crest.crest_width_m);
+        let floor = self.floor.as_ref().map(|floor| (floor.floor_length_m, floor.floor_height_m));
+        let (length, height) = floor.unwrap_or_default();
+        [crest + length, height.min(0.0)]
+    }
+
     /// Area of the still water behind the wall, m².
     pub(super) fn basin_area(&self) -> f64 {
         let floor = self.basin_level().zip(self.floor.as_ref());
@@ -64,33 +78,34 @@ impl SeawallScene {
             return Ok(());
         };
         let behind = value_of(&self.behind).map_or_else(String::new, |value| value.to_string());
-        let told = |allowed: &str| error("behind", &behind, allowed);
+        let no = |allowed: &str| error("behind", &behind, allowed);
         if numerics.scheme == Scheme::Isph {
-            return told("is for scheme = \"wcsph\": isph knows endless walls alone");
+            return no("is for scheme = \"wcsph\": isph knows endless walls alone");
         }
         if self.wall_angle_deg != 90.0 {
-            return told("is for an upright wall: leave wall_angle_deg out");
+            return no("is for an upright wall: leave wall_angle_deg out");
         }
         if numerics.stop_when_settled {
-            return told("is not for stop_when_settled = true: the water becomes less");
+            return no("is not for stop_when_settled = true: the water becomes less");
         }
         let radius = numerics.support_radius_ratio * numerics.particle_spacing_m;
         if self.floor.is_some() && crest_width_m < 2.0 * radius {
             let allowed = format!(
                 "must be {} m or more, two of the kernel's support radii: the water before a wall \
                  must not feel what is behind it",
-                2.0 * radius
+                told(2.0 * radius)
             );
             return error("crest_width_m", crest_width_m, &allowed);
         }
         if crest_width_m < radius {
-            let allowed = format!("must be {radius} m or more, the kernel's support radius");
+            let allowed =
+                format!("must be {} m or more, the kernel's support radius", told(radius));
             return error("crest_width_m", crest_width_m, &allowed);
         }
         let toe = self.bed.as_ref().map_or(0.0, |bed| bed.end()[1]);
         let height = self.still_water_depth_m + crest_freeboard_m;
         if height < toe + radius {
-            let least = toe + radius - self.still_water_depth_m;
+            let least = told(toe + radius - self.still_water_depth_m);
             let allowed = format!(
                 "must be {least} m or more, so that the wall rises from its bed by a support radius"
             );
@@ -99,8 +114,9 @@ impl SeawallScene {
         let highest = WALL_HEIGHT * self.still_water_depth_m;
         if height > highest {
             let allowed = format!(
-                "must be {} m or less: walls are {highest} m high",
-                highest - self.still_water_depth_m
+                "must be {} m or less: walls are {} m high",
+                told(highest - self.still_water_depth_m),
+                told(highest)
             );
             return error("crest_freeboard_m", crest_freeboard_m, &allowed);
         }
@@ -118,6 +134,7 @@ impl SeawallScene {
         let deepest = WALL_HEIGHT * self.still_water_depth_m;
         let [lowest, highest] = [crest - deepest, crest - radius];
         if !(floor_height_m >= lowest && floor_height_m <= highest) {
+            let [lowest, highest] = [lowest, highest].map(told);
             let allowed = format!(
                 "must be {lowest} to {highest} m: {WALL_HEIGHT} depths to a support radius below \
                  the crest"
@@ -125,14 +142,17 @@ impl SeawallScene {
             return error("floor_height_m", floor_height_m, &allowed);
         }
         if floor_length_m < 2.0 * radius {
-            let allowed =
-                format!("must be {} m or more, two of the kernel's support radii", 2.0 * radius);
+            let allowed = format!(
+                "must be {} m or more, two of the kernel's support radii",
+                told(2.0 * radius)
+            );
             return error("floor_length_m", floor_length_m, &allowed);
         }
         let Some(level) = self.basin_level() else { return Ok(()) };
         let clear = CLEAR * numerics.particle_spacing_m;
         let [lowest, highest] = [floor_height_m + radius, crest - clear];
         if !(level >= lowest && level <= highest) {
+            let [lowest, highest] = [lowest, highest].map(told);
             let allowed = format!(
                 "must be {lowest} to {highest} m: a support radius of water or more, and {CLEAR} \
                  spacings or more below the crest"

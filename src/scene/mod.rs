@@ -47,7 +47,7 @@ pub use numerics::{
 pub use odd::odd_values;
 pub use oscillating_drop::OscillatingDropScene;
 pub use preset::Preset;
-pub use probe::{Probe, ProbeKind, Side};
+pub use probe::{CREST_COLUMNS, Probe, ProbeKind, Side};
 pub use rotating_patch::RotatingPatchScene;
 pub use seawall::{PaddleChoice, SeawallScene, WallChoice};
 pub use standing_wave::StandingWaveScene;

@@ -22,7 +22,7 @@ pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
     let all = [density(config), interval(config), end(config)];
     let mut odd: Vec<_> = all.into_iter().flatten().collect();
     if let Some(scene) = config.scene.seawall() {
-        odd.extend([tank(scene), threshold(scene)].into_iter().flatten());
+        odd.extend([tank(scene), threshold(scene), steep(scene)].into_iter().flatten());
     }
     odd
 }
@@ -58,6 +58,18 @@ fn threshold(scene: &SeawallScene) -> Option<ConfigError> {
     let told = "still water alone presses with 1 and moves the wall from the first step; 1 or above \
                 lets it stand until the wave comes";
     gives_way.then(|| warning("threshold_ratio", scene.threshold_ratio, told.to_owned())).flatten()
+}
+
+fn steep(scene: &SeawallScene) -> Option<ConfigError> {
+    let period = scene.wave_train.as_ref()?.wave_period_s;
+    let waves = scene.regular_waves()?;
+    let [steep, most] = waves.steepness(scene.wave_height_ratio, scene.still_water_depth_m);
+    let told = format!(
+        "waves of wave_height_ratio = {} would be {steep:.3} of their length high, and break from \
+         {most:.3} on",
+        scene.wave_height_ratio
+    );
+    (steep > most).then(|| warning("wave_period_s", period, told)).flatten()
 }
 
 fn end(config: &CaseConfig) -> Option<ConfigError> {
@@ -133,6 +145,10 @@ mod tests {
             (
                 "history_interval_s = 100",
                 "scene.history_interval_s = 100: is as long as the run, 3.",
+            ),
+            (
+                "paddle = \"wave-train\"\nwave_period_s = 0.3\nend_time_s = 5",
+                "scene.wave_period_s = 0.3: waves of wave_height_ratio = 0.5 would be 0.712 of",
             ),
             (
                 &format!("{movable}\nthreshold_ratio = 0.5"),

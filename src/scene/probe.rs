@@ -5,6 +5,16 @@ use toml::{Table, Value};
 
 use super::frame::Frame;
 use crate::keys::{ConfigError, Range, read_alone, section};
+use crate::math::decimal::significant;
+
+/// Columns that follow those of the probes where the wall has a crest: what has gone over, m² per metre of
+/// width; the discharge, m²/s; thickness, m, and speed, m/s, on the crest.
+pub const CREST_COLUMNS: [&str; 4] = [
+    "overtopping_volume_m2",
+    "overtopping_discharge_m2_per_s",
+    "crest_thickness_m",
+    "crest_speed_m_per_s",
+];
 
 /// What a probe measures.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
@@ -49,7 +59,7 @@ section! {
         wall: Option<Side> = None, plain();
         /// Place along the tank from the left wall at rest, of a probe in no wall.
         x_m: Option<f64> = None, unit("m");
-        /// Height above the bed.
+        /// Height over the paddle's foot, where the bed is level the height above it.
         y_m: Option<f64> = None, unit("m").only("kind", &["pressure"]);
         /// Diameter of the disc over which pressure is averaged.
         diameter_m: Option<f64> = None, unit("m").only("kind", &["pressure"]).otherwise("0, a point");
@@ -119,9 +129,14 @@ impl Probe {
         tables.iter().enumerate().map(read).collect()
     }
 
-    pub(super) fn validate_all(probes: &[Probe], frame: &Frame) -> Result<(), ConfigError> {
+    /// `behind`: how far the scene reaches behind the wall's face, and how far down there, metres.
+    pub(super) fn validate_all(
+        probes: &[Probe],
+        frame: &Frame,
+        behind: [f64; 2],
+    ) -> Result<(), ConfigError> {
         for (number, probe) in probes.iter().enumerate() {
-            probe.validate(frame)?;
+            probe.validate(frame, behind)?;
             if probes[..number].iter().any(|earlier| earlier.name == probe.name) {
                 let allowed = "is taken by an earlier probe";
                 return Err(ConfigError::new("probe.name", format!("{:?}", probe.name), allowed));
@@ -130,7 +145,7 @@ impl Probe {
         Ok(())
     }
 
-    fn validate(&self, frame: &Frame) -> Result<(), ConfigError> {
+    fn validate(&self, frame: &Frame, [behind, lowest]: [f64; 2]) -> Result<(), ConfigError> {
         let error = |key: &str, value: String, allowed: &str| {
             Err(ConfigError::new(&format!("probe.{key}"), value, allowed))
         };
@@ -139,7 +154,13 @@ impl Probe {
             let allowed = "must be a word of ASCII letters, digits, '-', '_' and '.', not time_s";
             return error("name", format!("{:?}", self.name), allowed);
         }
+        if CREST_COLUMNS.contains(&self.name.as_str()) {
+            let allowed = "is the name of a column that walls with a crest have of themselves";
+            return error("name", format!("{:?}", self.name), allowed);
+        }
         let name = &self.name;
+        // A wall that leans or moves lets water go farther than it stands.
+        let farthest = (2.0 * frame.length).max(frame.length + behind);
         let wrong =
             |key: &str, value: String, why: &str| error(key, value, &format!("{name} {why}"));
         let none = String::new();
@@ -157,14 +178,15 @@ impl Probe {
             (_, Some(_), Some(x)) => {
                 return wrong("x_m", x.to_string(), "sits in a wall: leave it out");
             }
-            (_, None, Some(x)) if !(x >= 0.0 && x <= 2.0 * frame.length) => {
-                let why = format!("must stand in the tank, 0 to {} m", frame.length);
+            (_, None, Some(x)) if !(x >= 0.0 && x <= farthest) => {
+                let end = significant(frame.length + behind, 9);
+                let why = format!("must stand in the tank, 0 to {end} m");
                 return wrong("x_m", x.to_string(), &why);
             }
             _ => {}
         }
         let highest = super::filling::WALL_HEIGHT * frame.depth;
-        let (height, disc) = (Range::Within(0.0, highest), Range::Within(0.0, frame.depth));
+        let (height, disc) = (Range::Within(lowest, highest), Range::Within(0.0, frame.depth));
         match self.y_m {
             None if self.kind == ProbeKind::Pressure => {
                 wrong("y_m", none, "measures pressure and needs it")

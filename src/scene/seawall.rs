@@ -47,7 +47,8 @@ section! {
         tank_length_m: f64 = 2.5, unit("m").above_zero();
         /// The bed, `[[x, y], ...]` in metres: straight stretches between points, from `[0, 0]` at the foot of the
         /// paddle at rest to the foot of the wall at `tank_length_m`. x never goes back; two points
-        /// above one another make a step. What lies above the still water is a dry beach.
+        /// above one another make a step. It is level as far as the paddle goes, and nowhere below 0. What
+        /// lies above the still water is a dry beach.
         bed: Option<Profile> = None, plain().otherwise("level").newer();
         /// Gravity g.
         gravity_m_per_s2: f64 = 9.81, unit("m/s²").above_zero();

@@ -2,10 +2,15 @@
 
 use super::kind::Scene;
 use super::numerics::Numerics;
+use super::seawall::SeawallScene;
 use crate::keys::ConfigError;
 
 /// Particles of water that are taken at most: some 30 GB, and weeks on one core.
 pub(super) const MOST_PARTICLES: f64 = 20e6;
+
+/// Ghosts of a bed, of a crest or of the floor behind it that are taken at most: a tank of
+/// [`MOST_PARTICLES`] has far fewer.
+const MOST_GHOSTS: f64 = 2e6;
 
 /// Steps that are taken at most: thousands of years on one core.
 const MOST_STEPS: f64 = 1e13;
@@ -36,6 +41,32 @@ pub(super) fn validate(scene: &Scene, numerics: &Numerics) -> Result<(), ConfigE
     let spacing = numerics.particle_spacing_m;
     let written = if spacing < 1e-6 { format!("{spacing:e}") } else { spacing.to_string() };
     Err(ConfigError::new("numerics.particle_spacing_m", written, allowed))
+}
+
+/// Refuses beds, crests and floors so long that their ghosts alone fill a machine.
+///
+/// # Errors
+/// The key, and the longest that it may be with these particles.
+pub(super) fn validate_walls(scene: &SeawallScene, numerics: &Numerics) -> Result<(), ConfigError> {
+    let (spacing, rows) = (numerics.particle_spacing_m, numerics.support_radius_ratio);
+    let longest = rounded_down(MOST_GHOSTS * spacing / rows);
+    let bed = scene.bed.as_ref().map(|bed| bed.stretches().map(|one| one.length).sum::<f64>());
+    let crest = scene.crest.as_ref().map(|crest| crest.crest_width_m);
+    let floor = scene.floor.as_ref().map(|floor| floor.floor_length_m);
+    for (key, length) in [("bed", bed), ("crest_width_m", crest), ("floor_length_m", floor)] {
+        let Some(length) = length.filter(|length: &f64| *length > longest) else { continue };
+        let (subject, value) = match key {
+            "bed" => (format!("is {length} m long along its face; "), String::new()),
+            _ => (String::new(), length.to_string()),
+        };
+        let allowed = format!(
+            "{subject}must be {longest} m or less: with particles {spacing} m apart it would have \
+             more than {} ghosts",
+            whole(MOST_GHOSTS)
+        );
+        return Err(ConfigError::new(&format!("scene.{key}"), value, allowed));
+    }
+    Ok(())
 }
 
 /// Refuses more steps than anybody waits for.
@@ -74,6 +105,12 @@ fn rounded_up(value: f64) -> f64 {
     crate::math::decimal::significant((value / unit).ceil() * unit, 3)
 }
 
+/// Rounds down to three.
+fn rounded_down(value: f64) -> f64 {
+    let unit = libm::pow(10.0, libm::log10(value).floor() - 2.0);
+    crate::math::decimal::significant((value / unit).floor() * unit, 3)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -108,6 +145,21 @@ mod tests {
                 case(scene, smallest).unwrap();
             }
         }
+    }
+
+    #[test]
+    fn walls_longer_than_any_machine_are_refused() {
+        let over = "behind = \"floor\"\ncrest_freeboard_m = 0.1";
+        for (scene, key) in [
+            (&*format!("{over}\ncrest_width_m = 1e9\nfloor_length_m = 1"), "crest_width_m"),
+            (&*format!("{over}\ncrest_width_m = 0.2\nfloor_length_m = 1e12"), "floor_length_m"),
+            ("bed = [[0, 0], [2, 0], [2.5, 1e9]]", "bed"),
+        ] {
+            let told = case(scene, "0.02").unwrap_err();
+            assert_eq!(told.key, format!("scene.{key}"));
+            assert!(told.allowed.contains("must be 8000 m or less"), "{told}");
+        }
+        case(&format!("{over}\ncrest_width_m = 7999\nfloor_length_m = 7999"), "0.02").unwrap();
     }
 
     #[test]

@@ -7,7 +7,7 @@ use super::numerics::{GhostGravity, Numerics, Scheme as SchemeChoice, Slip};
 use super::packing::{Packing, Uneven};
 use super::tank::Tank;
 use crate::body::Place;
-use crate::boundary::{Ghosts, TankLayout, box_ghosts, no_ghosts, tank_ghosts};
+use crate::boundary::{CrestShape, Ghosts, TankLayout, box_ghosts, no_ghosts, tank_ghosts};
 use crate::math::simd::SimdPath;
 use crate::pairs::{Fluid, Strips};
 use crate::scheme::isph::{Isph, IsphOptions};
@@ -26,7 +26,7 @@ impl Filling {
 
     /// The water between its walls, ready to be stepped.
     fn water(&self, frame: &Frame, numerics: &Numerics, path: SimdPath) -> Box<dyn Scheme> {
-        let ghosts = self.ghosts(frame, numerics);
+        let ghosts = self.ghosts(frame, numerics, self.crest);
         if numerics.scheme == SchemeChoice::Isph {
             return self.incompressible(frame, numerics, ghosts, path);
         }
@@ -65,6 +65,9 @@ impl Filling {
         let level = self.profile.is_none();
         let points = if self.lattice.upright() && level {
             self.points.clone()
+        } else if self.crest.is_some() {
+            // The rows that stand in above the surface need a wall, or they push the water over its crest.
+            self.packed(frame, numerics, &self.ghosts(frame, numerics, None), &state)
         } else {
             self.packed(frame, numerics, &ghosts, &state)
         };
@@ -178,7 +181,8 @@ impl Filling {
         fluid
     }
 
-    fn ghosts(&self, frame: &Frame, numerics: &Numerics) -> Ghosts {
+    /// What holds the water; its right wall ends in this crest, or nowhere.
+    fn ghosts(&self, frame: &Frame, numerics: &Numerics, crest: Option<CrestShape>) -> Ghosts {
         let [dx, dy] = self.lattice.spacing;
         let layout = TankLayout {
             length: frame.length,
@@ -190,7 +194,7 @@ impl Filling {
             bed_before_paddle: self.bed_before_paddle,
             wall_angle_deg: self.wall_angle_deg,
             dry_bed: self.dry_bed,
-            crest: self.crest,
+            crest,
         };
         let strip_width = Strips::width(dx);
         match self.walls {

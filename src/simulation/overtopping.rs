@@ -7,7 +7,7 @@ use super::outcome::Overtopped;
 use super::told::{ProbeColumn, Readings};
 use crate::boundary::Crest;
 use crate::pairs::Fluid;
-use crate::scene::Tank;
+use crate::scene::{CREST_COLUMNS, Tank};
 use crate::scheme::Scheme;
 
 /// The crest is looked at in columns of about so many particle spacings.
@@ -99,29 +99,17 @@ impl Overtopping {
 
 /// Columns of `probes/<case_id>.csv`, behind those of the probes.
 pub(super) fn columns() -> [ProbeColumn; 4] {
-    let column = |name: &str, unit: &str, method: &str| ProbeColumn {
-        name: name.to_owned(),
-        unit: unit.to_owned(),
-        method: method.to_owned(),
-    };
-    [
-        column("overtopping_volume_m2", "m2", "mass behind the back of the crest over the density"),
-        column(
-            "overtopping_discharge_m2_per_s",
-            "m2/s",
-            "thickness times speed of the last column before the back of the crest",
-        ),
-        column(
-            "crest_thickness_m",
-            "m",
-            "volume of the fullest column on the crest over its width",
-        ),
-        column(
-            "crest_speed_m_per_s",
-            "m/s",
-            "momentum over mass of the fastest column on the crest",
-        ),
-    ]
+    let told = [
+        ("m2", "mass behind the back of the crest over the density"),
+        ("m2/s", "thickness times speed of the last column before the back of the crest"),
+        ("m", "volume of the fullest column on the crest over its width"),
+        ("m/s", "momentum over mass of the fastest column on the crest"),
+    ];
+    std::array::from_fn(|at| ProbeColumn {
+        name: CREST_COLUMNS[at].to_owned(),
+        unit: told[at].0.to_owned(),
+        method: told[at].1.to_owned(),
+    })
 }
 
 fn mass(fluid: &Fluid) -> f64 {

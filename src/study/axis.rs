@@ -13,7 +13,7 @@ use crate::scene::ConfigError;
 pub struct GridAxis {
     /// The key, without its section.
     pub key: String,
-    /// Its values: strings, numbers or booleans.
+    /// Its values: strings, numbers, booleans, or the points of beds.
     pub values: Vec<Value>,
     /// How they are spread: as a range says, or else by the values of a list.
     pub scale: Scale,
@@ -54,7 +54,8 @@ impl GridAxis {
     /// Reads the value of a key in `[grid]`.
     ///
     /// # Errors
-    /// An empty list, a value that is no scalar or not finite, a duplicate, a malformed range.
+    /// An empty list, a value that is neither a scalar nor a list of points, one that is not finite, a
+    /// duplicate, a malformed range.
     pub fn read(key: &str, value: &Value) -> Result<GridAxis, ConfigError> {
         let path = format!("grid.{key}");
         let values = match value {
@@ -73,8 +74,11 @@ impl GridAxis {
                 let number = number.to_string().to_lowercase();
                 return Err(ConfigError::new(&path, number, "must be a finite number"));
             }
-            if matches!(value, Value::Array(_) | Value::Table(_) | Value::Datetime(_)) {
-                let allowed = "must be numbers, strings or booleans";
+            if matches!(value, Value::Table(_) | Value::Datetime(_))
+                || value.as_array().is_some_and(|points| !points.iter().all(Value::is_array))
+            {
+                let allowed =
+                    "must be numbers, strings or booleans, or beds: lists of points [x, y]";
                 return Err(ConfigError::new(&path, value, allowed));
             }
             if !seen.insert(meaning(value)) {
@@ -192,6 +196,13 @@ mod tests {
         assert_eq!(decades, [0.01, 0.1, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5, 1e6, 1e7]);
         let steps = numbers("{ from = 0.1, to = 0.7, points = 7 }");
         assert_eq!(steps, [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7]);
+    }
+
+    #[test]
+    fn a_bed_is_a_value() {
+        let axis = read("[[[0, 0], [1, 0.1]], [[0, 0], [1, 0.2]]]").unwrap();
+        assert_eq!((axis.values.len(), axis.numbers()), (2, None));
+        assert_eq!(axis.first(), "x=[[0, 0], [1, 0.1]]");
     }
 
     #[test]

@@ -11,7 +11,7 @@ section! {
     /// `refine = { ... }` in `[grid]`.
     pub struct Refine in "grid.refine" {
         /// The result whose curves are to be known between the points: a column of summary.csv in units of
-        /// force, moment, impulse, runup, displacement, height or time.
+        /// force, moment, impulse, runup, displacement, height or time, or of what goes over a crest.
         quantity: String, plain();
         /// How far linear interpolation between two neighbours may be off, in the quantity's own unit.
         to: f64, plain().above_zero();
@@ -70,7 +70,15 @@ impl Refine {
 /// Whether a column is a number that the water decides, the same on every machine.
 fn is_result(column: &Column) -> bool {
     let is_bar = summary::ALL.iter().any(|other| other.bar == Some(column.name));
-    let others = [&summary::ONSET_TIME, &summary::RISE_TIME, &summary::MEASURED_WAVE_HEIGHT_RATIO];
+    let others = [
+        &summary::ONSET_TIME,
+        &summary::RISE_TIME,
+        &summary::MEASURED_WAVE_HEIGHT_RATIO,
+        &summary::OVERTOPPING_VOLUME,
+        &summary::OVERTOPPING_DISCHARGE,
+        &summary::CREST_THICKNESS,
+        &summary::CREST_SPEED,
+    ];
     column.is_number() && !is_bar && (column.unit.is_ratio() || others.contains(&column))
 }
 

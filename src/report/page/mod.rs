@@ -141,6 +141,11 @@ fn tabled(body: &mut String, data: &Loaded, tables: &[Table]) {
     if let Some(table) = find("summary") {
         section(body, &table.title, &format!("{BARS}{}", grid(&table.for_page())));
     }
+    for name in ["loads", "overtopping"] {
+        if let Some(table) = find(name) {
+            section(body, &table.title, &grid(&table.for_page()));
+        }
+    }
     if let Some(table) = find("prototype") {
         section(body, &table.title, &format!("{PROTOTYPE}{}", grid(&table.for_page())));
     }
@@ -163,8 +168,8 @@ const BARS: &str = "<p>± is the estimated error bar, where bars were asked for.
 
 /// What stands before the table of the prototype.
 const PROTOTYPE: &str = "<p>By Froude's law, with the gravity and the density of the tank: lengths grow by \
-    the scale, times by its root, pressures by the scale, forces per metre by its square, moments per \
-    metre by its cube. Viscosity, air and the water's compression do not scale so.</p>";
+    the scale, times by its root, pressures by the scale, forces and volumes per metre by its square, moments \
+    per metre by its cube, discharges per metre by its power of 1.5. Viscosity, air and the water's compression do not scale so.</p>";
 
 /// The largest gaps of all finished cases: of the force where it is largest, as elsewhere it touches
 /// no number that is quoted.

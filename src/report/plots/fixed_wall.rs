@@ -1,5 +1,5 @@
-//! Runup and force at a fixed wall against the wave's height; at an upright wall beside the exact
-//! solitary wave.
+//! Runup and force at a fixed wall against the wave's height; at an upright wall beside Goda's formula,
+//! over a level bed beside the exact solitary wave, too.
 
 use super::axes::Axis;
 use super::chart::{Chart, Curve};
@@ -13,9 +13,9 @@ use crate::quantities::summary::{
     FIRST_FORCE_MAX, FIRST_RUNUP_MAX, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO,
 };
 use crate::report::curves::variants;
+use crate::report::goda::{Setting, Settings};
 use crate::report::load::Loaded;
 use crate::report::row::Row;
-use crate::theory::goda::Goda;
 
 /// What is drawn, side by side, and where it stands in [`EXACT`].
 const SIDES: [(&Column, usize); 2] = [(&FIRST_RUNUP_MAX, 1), (&FIRST_FORCE_MAX, 2)];
@@ -34,10 +34,10 @@ const EXACT: [[f64; 3]; 7] = [
 
 /// The figure of every variant with fixed walls and waves.
 pub fn figures(data: &Loaded) -> Vec<Figure> {
-    let key = swept::key(data);
+    let (key, settings) = (swept::key(data), Settings::of(data));
     let mut figures = Vec::new();
     for variant in variants(&data.rows) {
-        let rows: Vec<_> = walls(data, &variant).collect();
+        let (places, rows): (Vec<_>, Vec<_>) = walls(data, &variant).unzip();
         // A lone point makes no curve: it is worth a figure only beside the exact wave, and where
         // no other figure has it.
         let elsewhere = |row: &Row| key.is_some_and(|key| swept::holds(data, key, row));
@@ -48,23 +48,16 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
         let name = file_name("fixed-wall", &variant);
         let measured = rows.iter().all(|row| row.number(&MEASURED_WAVE_HEIGHT_RATIO).is_some());
         let height = if measured { "measured at the gauge" } else { "nominal" };
-        let vertical = rows.iter().all(|row| row.is_vertical());
-        let beside = if vertical {
-            " Line: the exact solitary wave of the Euler equations reflected by a vertical wall. \
-             Beside the force Goda's formula of 1974 for an upright wall, in the limit of long waves, \
-             with the solitary wave's height for H."
-        } else {
-            " The wall is inclined, for which there is no exact solution to compare with; the \
-             force is that along x."
-        };
+        let beside = Beside::of(&settings, &places);
+        let told = beside.caption(rows.iter().all(|row| row.is_vertical()));
         let has_bar = |row: &&Row| SIDES.iter().any(|(column, _)| row.error(column).is_some());
         let bars = if rows.iter().any(has_bar) { " Bars: estimated errors." } else { "" };
         figures.push(Figure {
-            drawing: drawing(data, &rows, measured, vertical),
+            drawing: drawing(data, &rows, measured, &beside),
             title: format!("Runup and force at a fixed wall{}", of_variant(&variant)),
             caption: format!(
                 "Largest runup and force of the first impact on a fixed wall against the wave \
-                 height ({height}).{beside}{bars}"
+                 height ({height}).{told}{bars}"
             ),
             name,
         });
@@ -72,31 +65,98 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
     figures
 }
 
-/// Finished cases of one variant with a wave and a fixed wall.
-pub fn walls<'a>(data: &'a Loaded, variant: &str) -> impl Iterator<Item = &'a Row> {
-    data.finished().filter(move |row| {
-        row.is_fixed()
+/// Finished cases of one variant with a wave and a fixed wall, each behind its place among all rows.
+pub fn walls<'a>(data: &'a Loaded, variant: &str) -> impl Iterator<Item = (usize, &'a Row)> {
+    data.rows.iter().enumerate().filter(move |(_, row)| {
+        row.is_ok()
+            && row.is_fixed()
             && *row.variant == *variant
             && row.number(&WAVE_HEIGHT_RATIO).is_some_and(|wave| wave > 0.0)
             && SIDES.iter().all(|(column, _)| row.number(column).is_some())
     })
 }
 
-/// A pair of panels; with the exact wave where the walls are `vertical`.
-fn drawing(data: &Loaded, rows: &[&Row], measured: bool, vertical: bool) -> Drawing {
+/// What is drawn beside the cases.
+enum Beside {
+    /// The exact solitary wave, and Goda's formula, where both hold of all cases.
+    Exact,
+    /// Goda's formula alone: over beds, for crests, for regular waves; one setting for each case.
+    Goda(Vec<Option<Setting>>),
+    /// Nothing.
+    Nothing,
+}
+
+impl Beside {
+    fn of(settings: &Settings, places: &[usize]) -> Beside {
+        let each: Vec<_> = places.iter().map(|place| settings.at(*place)).collect();
+        match &each[..] {
+            all if all.iter().all(|one| one.is_some_and(Setting::is_plain)) => Beside::Exact,
+            all if all.iter().any(Option::is_some) => Beside::Goda(each),
+            _ => Beside::Nothing,
+        }
+    }
+
+    fn caption(&self, vertical: bool) -> &'static str {
+        match self {
+            Beside::Exact => {
+                " Line: the exact solitary wave of the Euler equations reflected by a vertical wall. \
+                 Beside the force Goda's formula of 1974 for an upright wall, in the limit of long \
+                 waves, with the solitary wave's height for H."
+            }
+            Beside::Goda(_) => {
+                " Beside the force Goda's formula of 1974 for an upright wall, with the depth of the \
+                 still water there and as far up as its crest; single waves in the limit of long \
+                 ones, with their height for H."
+            }
+            Beside::Nothing if vertical => {
+                " The wall stands dry, for which Goda's formula gives no force to compare with."
+            }
+            Beside::Nothing => {
+                " The wall is inclined, for which there is no exact solution to compare with; the \
+                 force is that along x."
+            }
+        }
+    }
+
+    /// Goda's curve over places on the horizontal axis; where it is not the same for all cases, a point
+    /// for each.
+    fn goda(&self, rows: &[&Row], wave: &Column) -> Option<Curve> {
+        let waves = || EXACT.iter().map(|known| known[0]);
+        let line = |setting: Setting| {
+            let words = if setting.is_plain() { "Goda, long waves" } else { "Goda" };
+            let points = waves().map(|wave| (wave, setting.force(wave)).into()).collect();
+            Curve { entry: Entry::line(words.to_owned(), Look::of(1)), points }
+        };
+        match self {
+            Beside::Nothing => None,
+            Beside::Exact => Some(line(Setting::PLAIN)),
+            Beside::Goda(each) => {
+                let first = each[0].filter(|first| !first.is_regular());
+                if let Some(first) = first.filter(|_| each.iter().all(|one| *one == each[0])) {
+                    return Some(line(first));
+                }
+                let point = |(row, setting): (&&Row, &Option<Setting>)| {
+                    Some((row.number(wave)?, setting.as_ref()?.of_case(row)?).into())
+                };
+                let points = rows.iter().zip(each).filter_map(point).collect();
+                Some(Curve { entry: Entry::dots("Goda", Look::of(1), false), points })
+            }
+        }
+    }
+}
+
+/// A pair of panels.
+fn drawing(data: &Loaded, rows: &[&Row], measured: bool, beside: &Beside) -> Drawing {
     let wave = if measured { &MEASURED_WAVE_HEIGHT_RATIO } else { &WAVE_HEIGHT_RATIO };
     let chart = |(column, exact): (&Column, usize)| {
         let mut curves = Vec::new();
-        if vertical {
+        if matches!(beside, Beside::Exact) {
             let entry = Entry::line("exact solitary wave".to_owned(), Look::plain());
             let points = EXACT.iter().map(|known| (known[0], known[exact]).into());
             curves.push(Curve { entry, points: points.collect() });
         }
-        if vertical && column == &FIRST_FORCE_MAX {
-            let entry = Entry::line("Goda, long waves".to_owned(), Look::of(1));
-            let points =
-                EXACT.iter().map(|&[wave, ..]| (wave, Goda::solitary(wave).force()).into());
-            curves.push(Curve { entry, points: points.collect() });
+        if column == &FIRST_FORCE_MAX {
+            curves.extend(beside.goda(rows, wave));
         }
         let points = rows.iter().filter_map(|row| point(row, row.number(wave)?, column));
         let entry = Entry::dots("computed", Look::of(0), false);

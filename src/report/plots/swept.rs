@@ -1,6 +1,8 @@
 //! Responses against whatever was swept besides the wave's height, where the spring's stiffness
 //! was not: a panel for each of force, runup and displacement, one curve per wave height.
 
+use toml::Value;
+
 use super::axes::Axis;
 use super::chart::{Chart, Curve};
 use super::marks::{bounds, by, coupling, marks, picked, point};
@@ -9,26 +11,30 @@ use super::{Figure, SERIES, file_name, of_variant};
 use crate::math::scale::Scale;
 use crate::quantities::summary::{
     CASE_ID, DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, LOG10_K_STAR,
-    RUNUP_MAX, WAVE_HEIGHT_RATIO,
+    OVERTOPPING_VOLUME, RUNUP_MAX, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, heading};
 use crate::report::curves::{by_mass, distinct, responses, spread, variants};
 use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::row::Row;
-use crate::report::study::Key;
+use crate::report::study::{Key, literal};
 
 /// What is drawn, and what stands in for it where a case has no first impact.
-const DRAWN: [(&Column, Option<&Column>); 3] = [
+const DRAWN: [(&Column, Option<&Column>); 4] = [
     (&FIRST_FORCE_MAX, Some(&FORCE_MAX)),
     (&FIRST_RUNUP_MAX, Some(&RUNUP_MAX)),
     (&DISPLACEMENT_MAX, None),
+    (&OVERTOPPING_VOLUME, None),
 ];
 
 /// One case: its place on the horizontal axis and its row.
 type Case<'a> = (f64, &'a Row);
 
-/// The first swept key of numbers besides the wave's height, if no two cases differ in their
+/// The key whose values are beds: they have their places by their slopes.
+const BED: &str = "bed";
+
+/// The first swept key of numbers, or of beds that differ in their slope, besides the wave's height, if no two cases differ in their
 /// stiffness alone: response curves would have one point each.
 pub fn key(data: &Loaded) -> Option<&Key> {
     let has_curve = |rows: &[&Row]| {
@@ -47,10 +53,26 @@ pub fn key(data: &Loaded) -> Option<&Key> {
 /// Finished cases with a number in the key's column.
 fn cases<'a>(data: &'a Loaded, key: &Key) -> Vec<Case<'a>> {
     let place = |(row, cell): (&'a Row, &str)| {
-        let x: f64 = cell.parse().ok()?;
+        let x = if key.name == BED { slope(cell)? } else { cell.parse().ok()? };
         (row.is_ok() && x.is_finite()).then_some((x, row))
     };
     data.rows.iter().zip(key.cells.iter()).filter_map(place).collect()
+}
+
+/// Mean slope of a bed from where it leaves the level to the wall; 0 of a level one.
+fn slope(cell: &str) -> Option<f64> {
+    let bed = literal(cell);
+    let number = |point: &Value, at: usize| crate::keys::number(point.get(at)?);
+    let point = |point: &Value| Some([number(point, 0)?, number(point, 1)?]);
+    let points: Vec<_> = bed.as_array()?.iter().map(point).collect::<Option<_>>()?;
+    let first = points.iter().position(|point| point[1] != 0.0).map_or(0, |at| at.saturating_sub(1));
+    let ([x0, y0], [x1, y1]) = (points[first], *points.last()?);
+    Some((y1 - y0) / (x1 - x0)).filter(|slope| slope.is_finite())
+}
+
+/// What stands below the axis.
+fn title(key: &Key) -> String {
+    if key.name == BED { "mean slope of the bed".to_owned() } else { heading(&key.name) }
 }
 
 /// Whether a row has its place on the key's axis.
@@ -76,7 +98,7 @@ pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
         let stem = format!("swept-{}", key.name.replace('_', "-"));
         let name = file_name(&stem, &words);
         let Some(drawing) = drawing(key, &group, &waves) else { continue };
-        let heading = heading(&key.name);
+        let heading = title(key);
         let what = heading.split(", ").next().unwrap_or(&heading);
         figures.push(Figure {
             drawing,
@@ -107,11 +129,12 @@ fn others(data: &Loaded, key: &Key, row: &Row) -> String {
 
 fn caption(what: &str, group: &[Case]) -> String {
     let rows: Vec<_> = group.iter().map(|(_, row)| *row).collect();
-    let moves = rows.iter().any(|row| row.number(&DISPLACEMENT_MAX).is_some());
+    let has = |column| rows.iter().any(|row| row.number(column).is_some());
     let mut text = format!(
         "Largest force (running mean) and runup of the first impact, or of the whole run where \
-         there is none{}, against {what}",
-        if moves { ", and largest displacement of the run" } else { "" }
+         there is none{}{}, against {what}",
+        if has(&DISPLACEMENT_MAX) { ", and largest displacement of the run" } else { "" },
+        if has(&OVERTOPPING_VOLUME) { ", and volume that went over the crest" } else { "" }
     );
     let waves = distinct(rows.iter().copied(), &WAVE_HEIGHT_RATIO);
     let shown = picked(SERIES, waves.len(), "wave heights");
@@ -127,7 +150,7 @@ fn drawing(key: &Key, group: &[Case], waves: &[f64]) -> Option<Drawing> {
     let places = || group.iter().map(|(x, _)| *x);
     let wide = Scale::of(places()) == Scale::Log;
     let x = if wide { Axis::logarithmic(places()) } else { Axis::around(places(), 5.0) }?;
-    let title = heading(&key.name);
+    let title = title(key);
     let chart = |(column, whole): (&'static Column, Option<&'static Column>)| {
         let whole = whole.unwrap_or(column);
         let point = |x: f64, row: &Row| point(row, x, column).or_else(|| point(row, x, whole));
@@ -135,7 +158,9 @@ fn drawing(key: &Key, group: &[Case], waves: &[f64]) -> Option<Drawing> {
         let y = Axis::around(curves.iter().flat_map(Curve::reach), 6.0)?;
         curves.extend(bounds(&curves));
         let x = (x.clone(), title.as_str(), key.name.as_str());
-        Some(Chart::new(x, (y, column.unit.axis(), column.name), curves))
+        let heading = column.heading();
+        let what = if column.unit.is_ratio() { column.unit.axis() } else { &heading };
+        Some(Chart::new(x, (y, what, column.name), curves))
     };
     let charts: Vec<_> = DRAWN.into_iter().filter_map(chart).collect();
     (!charts.is_empty()).then_some(Drawing::new(charts, PANELS))
@@ -169,6 +194,20 @@ mod tests {
         }
         let all = super::super::all(&data).unwrap();
         assert!(!all.iter().any(|figure| figure.name.starts_with("response")));
+    }
+
+    #[test]
+    fn beds_stand_by_their_slopes() {
+        assert_eq!(slope("[[0, 0], [1, 0], [3, 0.5]]"), Some(0.25));
+        assert_eq!(slope("[[0, 0], [2.5, 0]]"), Some(0.0));
+        assert_eq!(slope("[[0, 0], [2.5, 0], [2.5, 0.1]]"), None, "a step at the wall");
+        let directory = fixture::movable(&[0.3], &[500.0], &[50.0, 100.0]);
+        let mut data = Loaded::read(directory.path()).unwrap();
+        let cells = ["[[0, 0], [1, 0], [2, 0.1]]", "[[0, 0], [1, 0], [2, 0.05]]"];
+        data.keys = vec![Key { name: BED.to_owned(), cells: cells.into_iter().collect() }];
+        let figures = figures(&data, key(&data).unwrap());
+        assert_eq!(figures.len(), 1);
+        assert!(figures[0].svg().contains("mean slope of the bed"));
     }
 
     #[test]

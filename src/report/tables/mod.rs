@@ -4,11 +4,13 @@
 mod energy;
 mod envelope;
 mod lines;
+mod loads;
 mod page;
 mod readings;
 mod table;
 
 use super::curves::{RESPONSES, responses, stem, variants};
+use super::goda::{OVER_GODA, Settings};
 use super::load::Loaded;
 use super::plots::{file_name, fixed_walls};
 use super::row::{PLACE, Row};
@@ -20,7 +22,6 @@ use crate::quantities::summary::{
     PARTICLES_LOST, REASON, RUNUP_ERROR, RUNUP_MAX, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STEPS,
     STOP_IMPULSE, STOPS, WAVE_HEIGHT_RATIO,
 };
-use crate::theory::goda::Goda;
 pub use lines::{Line, Lines};
 pub use readings::across;
 pub use table::Table;
@@ -43,6 +44,8 @@ pub fn all(data: &Loaded) -> Vec<Lines<'_>> {
     let mut tables = vec![summary(data), health(data)];
     tables.extend(responses_of(data));
     tables.extend(fixed(data));
+    tables.extend(loads::loads(data));
+    tables.extend(loads::overtopping(data));
     tables.extend(readings::readings(data));
     tables.extend(energy::energy(data));
     tables.extend(envelope::envelope(data));
@@ -140,7 +143,10 @@ fn fixed(data: &Loaded) -> Vec<Lines<'_>> {
         let wave = [&WAVE_HEIGHT_RATIO, &MEASURED_WAVE_HEIGHT_RATIO];
         let columns = [&wave[..], &[&FIRST_RUNUP_MAX, &FIRST_FORCE_MAX, &CASE_ID]].concat();
         let header = [names(&columns), vec![OVER_GODA]].concat();
-        let line = move |row: &Row| Ok([cells(row, &columns), vec![over_goda(row)]].concat());
+        let settings = Settings::of(data);
+        let line = move |(place, row): (usize, &Row)| {
+            Ok([cells(row, &columns), vec![over_goda(&settings, place, row)]].concat())
+        };
         let rows: Vec<_> = fixed_walls(data, &variant).collect();
         let name = file_name("fixed-wall", &variant);
         Lines::some(&name, "Fixed wall", owned(&header), rows.into_iter().map(line))
@@ -152,15 +158,9 @@ fn owned(names: &[&str]) -> Vec<String> {
     names.iter().map(|name| (*name).to_owned()).collect()
 }
 
-/// The column with the force over that of Goda's formula.
-const OVER_GODA: &str = "force_over_goda";
-
-/// The force of the first impact over Goda's, for an upright wall and the wave's measured height, or the
-/// nominal one; empty elsewhere.
-fn over_goda(row: &Row) -> String {
-    let wave = row.number(&MEASURED_WAVE_HEIGHT_RATIO).or(row.number(&WAVE_HEIGHT_RATIO));
-    let ratio = |(force, wave): (f64, f64)| force / Goda::solitary(wave).force();
-    plain(row.number(&FIRST_FORCE_MAX).zip(wave).filter(|_| row.is_vertical()).map(ratio))
+/// The force over Goda's, at an upright wall; empty elsewhere.
+fn over_goda(settings: &Settings, place: usize, row: &Row) -> String {
+    plain(settings.at(place).and_then(|setting| setting.over(row)))
 }
 
 /// The column that tells runs of the same wave and wall apart.

@@ -29,7 +29,7 @@ impl Wcsph {
 
     /// Level of the water at an upright body, metres above the bed.
     pub fn level_at(&self, body: usize) -> f64 {
-        self.exchange.level(&self.ghosts, body)
+        self.exchange.level(&self.ghosts, body, self.held_bodies[body].offset)
     }
 
     /// Force on a body by integrating the interpolated pressure over its face, N per metre.

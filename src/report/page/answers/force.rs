@@ -50,13 +50,17 @@ fn later(data: &Loaded, first: f64) -> Option<String> {
     Some(format!(" A later one reaches F* = {}{}.", number::with_error(force, bar), at(row)))
 }
 
-/// `, that is 0.77 kN per metre of wall`: F* times ½ρgh² of the row's own scene.
+/// `, that is 0.77 kN per metre of wall`: F* times ½ρgd² of the row's own scene, d being the depth at the
+/// wall, or where that stands dry the still water's.
 fn newtons(data: &Loaded, file: Option<&SceneFile>, row: &Row, force: f64) -> String {
     let scale = || {
         let index = data.rows.iter().position(|r| r.text(&CASE_ID) == row.text(&CASE_ID))?;
         let cells: Vec<_> = data.keys.iter().map(|key| &key.cells[index]).collect();
-        let frame = file?.config(row.text(&CASE_ID), &cells)?.scene.frame();
-        Some(0.5 * frame.density * frame.acceleration() * frame.depth * frame.depth)
+        let scene = file?.config(row.text(&CASE_ID), &cells)?.scene;
+        let (frame, seawall) = (scene.frame(), scene.seawall());
+        let at_wall = seawall.map(|scene| scene.depth_at_wall_m()).filter(|depth| *depth > 0.0);
+        let depth = at_wall.unwrap_or(frame.depth);
+        Some(0.5 * frame.density * frame.acceleration() * depth * depth)
     };
     let told = |scale: f64| {
         let force = number::significant(force * scale / 1000.0, 3);
@@ -92,5 +96,11 @@ mod tests {
              N/m, m = 250 kg/m. It is that of the first impact. A later one reaches F* = 2.5 at \
              H/h = 0.5, k = 500 N/m, m = 250 kg/m."
         );
+        // Over a bed F* counts by the depth at the wall, here half of the paddle's.
+        let bed = "[scene]\nbed = [[0, 0], [1, 0], [2, 0.2], [2.5, 0.2]]\n";
+        data.manifest = Some(json!({ "name": "a", "sweep_file": text.replace("[scene]\n", bed) }));
+        let file = SceneFile::of(&data);
+        let told = largest(&data, file.as_ref()).unwrap();
+        assert!(told.contains("that is 0.392 kN per metre of wall"), "{told}");
     }
 }

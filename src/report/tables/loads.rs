@@ -1,0 +1,93 @@
+//! What engineers build by: loads on the wall, and what goes over its crest.
+
+use super::{Lines, VARIANT, cells, names, over_goda, owned};
+use crate::quantities::Column;
+use crate::quantities::summary::{
+    CASE_ID, CREST_SPEED, CREST_THICKNESS, FIRST_FORCE_MAX, FIRST_IMPULSE, FIRST_MOMENT_MAX,
+    FORCE_MAX, MOMENT_MAX, OVERTOPPING_DISCHARGE, OVERTOPPING_VOLUME, RISE_TIME, SPRING_FORCE_MAX,
+};
+use crate::report::goda::{OVER_GODA, Settings};
+use crate::report::load::Loaded;
+use crate::report::row::{PLACE, Row};
+
+const LOADS: [&Column; 7] = [
+    &FIRST_FORCE_MAX,
+    &FORCE_MAX,
+    &FIRST_MOMENT_MAX,
+    &MOMENT_MAX,
+    &FIRST_IMPULSE,
+    &RISE_TIME,
+    &SPRING_FORCE_MAX,
+];
+
+const OVER: [&Column; 4] =
+    [&OVERTOPPING_VOLUME, &OVERTOPPING_DISCHARGE, &CREST_THICKNESS, &CREST_SPEED];
+
+/// Force, moment, impulse, rise time and spring force of every finished case, and Goda's formula beside
+/// the force; `None` where no case has a moment.
+pub fn loads(data: &Loaded) -> Option<Lines<'_>> {
+    table(data, ("loads", "Loads on the wall"), &LOADS, &MOMENT_MAX, Some(Settings::of(data)))
+}
+
+/// What went over the crest; `None` where no wall has one.
+pub fn overtopping(data: &Loaded) -> Option<Lines<'_>> {
+    table(data, ("overtopping", "Over the crest"), &OVER, &OVERTOPPING_VOLUME, None)
+}
+
+/// A line for every finished case that has a number in the column `has`.
+fn table<'a>(
+    data: &'a Loaded,
+    (name, title): (&str, &str),
+    told: &[&'static Column],
+    has: &'static Column,
+    settings: Option<Settings<'a>>,
+) -> Option<Lines<'a>> {
+    let columns = [&[&CASE_ID][..], &PLACE, told].concat();
+    let has_variants = data.finished().any(|row| !row.variant.is_empty());
+    let mut header = owned(&names(&columns));
+    header.extend(settings.is_some().then(|| OVER_GODA.to_owned()));
+    header.extend(has_variants.then(|| VARIANT.to_owned()));
+    let rows = data.rows.iter().enumerate();
+    let rows = rows.filter(|(_, row)| row.is_ok() && row.number(has).is_some());
+    let line = move |(place, row): (usize, &Row)| {
+        let mut cells = cells(row, &columns);
+        cells.extend(settings.as_ref().map(|settings| over_goda(settings, place, row)));
+        cells.extend(has_variants.then(|| row.variant.to_string()));
+        Ok(cells)
+    };
+    Lines::some(name, title, header, rows.map(line))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantities::summary::{STATUS, WAVE_HEIGHT_RATIO};
+    use crate::report::tables::Table;
+
+    fn row() -> Row {
+        let row = Row::default().with(&STATUS, "ok").with(&WAVE_HEIGHT_RATIO, 0.3);
+        row.with(&FIRST_FORCE_MAX, 1.8085).with(&MOMENT_MAX, 2.5)
+    }
+
+    #[test]
+    fn a_wall_on_a_spring_has_goda_beside_its_force_too() {
+        let sprung = row().with(&SPRING_FORCE_MAX, 0.5);
+        let failed = row().with(&STATUS, "failed");
+        let data = Loaded { rows: vec![sprung, failed], ..Loaded::default() };
+        let table: Table = loads(&data).unwrap().whole().unwrap();
+        assert_eq!(table.rows.len(), 1);
+        let over: f64 = table.rows[0].last().unwrap().parse().unwrap();
+        assert!((over - 1.0).abs() < 1e-9, "{over}");
+        assert!(overtopping(&data).is_none());
+        assert!(loads(&Loaded::default()).is_none());
+    }
+
+    #[test]
+    fn a_crest_has_a_table_of_what_went_over() {
+        let rows = vec![row(), row().with(&OVERTOPPING_VOLUME, 0.002)];
+        let data = Loaded { rows, ..Loaded::default() };
+        let table = overtopping(&data).unwrap().whole().unwrap();
+        assert_eq!((table.rows.len(), table.header[4].as_str()), (1, "overtopping_volume_m2"));
+        assert_eq!(table.rows[0][4], "0.002");
+    }
+}
