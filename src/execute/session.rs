@@ -2,7 +2,7 @@
 
 use super::interrupt::Interrupt;
 use super::progress::Progress;
-use crate::results::{Directory, Load, RankInfo, Savings, SweepError};
+use crate::results::{Directory, Load, RankInfo, Savings};
 use crate::schedule::Work;
 use crate::study::{CaseId, Plan, Study};
 
@@ -49,10 +49,5 @@ impl Session<'_> {
             Work::Trunk(trunk) => CaseId::of(&self.plan.trunks[trunk].config),
             Work::Case(case) => self.study.run(self.plan.cases[case].index).id,
         }
-    }
-
-    pub(super) fn ended(&mut self, work: Work) -> Result<(), SweepError> {
-        let id = self.id(work);
-        self.directory.attempts().end(id)
     }
 }
