@@ -6,8 +6,10 @@ use std::path::Path;
 use super::disk::Writer;
 use super::error::SweepError;
 use super::record::CaseRecord;
-use super::{atomic_file, number};
+use super::{atomic_file, number, rows};
 use crate::quantities::{energy, summary};
+use crate::simulation::{EnergyBudget, Outcome};
+use crate::study::CaseId;
 
 /// Bytes that go to the file in one go.
 const BUFFER: usize = 1 << 20;
@@ -21,12 +23,11 @@ pub(super) fn write(directory: &Path, records: &[Option<CaseRecord>]) -> Result<
     let names = names.chain([summary::ENERGY_GAP.name]).chain(later_names);
     let path = directory.join("energy.csv");
     let header = names.collect::<Vec<_>>().join(",") + "\n";
-    atomic_file::write_with(&path, |file| {
-        let mut file = BufWriter::with_capacity(BUFFER, Writer(file));
-        let mut text = header;
-        for record in records.iter().flatten() {
-            let (Some(budget), Some(outcome)) = (&record.energy, &record.outcome) else { continue };
-            text.push_str(&record.id.to_string());
+    let wrong = |error| SweepError::io(&path)(error);
+    let text = |rows: &[(CaseId, &EnergyBudget, &Outcome)]| {
+        let mut text = String::new();
+        for &(id, budget, outcome) in rows {
+            text.push_str(&id.to_string());
             let [first, later] =
                 [first, later].map(|terms| terms.iter().map(|term| (term.read)(budget)));
             for value in first.chain([outcome.energy_gap_percent]).chain(later) {
@@ -34,10 +35,18 @@ pub(super) fn write(directory: &Path, records: &[Option<CaseRecord>]) -> Result<
                 number::push(&mut text, value);
             }
             text.push('\n');
-            file.write_all(text.as_bytes()).map_err(SweepError::io(&path))?;
-            text.clear();
         }
-        file.write_all(text.as_bytes()).map_err(SweepError::io(&path))?;
-        file.flush().map_err(SweepError::io(&path))
+        text.into_bytes()
+    };
+    atomic_file::write_with(&path, |file| {
+        let mut file = BufWriter::with_capacity(BUFFER, Writer(file));
+        file.write_all(header.as_bytes()).map_err(wrong)?;
+        rows::write(&mut file, records.iter().flatten().filter_map(budget), text).map_err(wrong)?;
+        file.flush().map_err(wrong)
     })
+}
+
+/// What a row is of; none of a case that failed.
+fn budget(record: &CaseRecord) -> Option<(CaseId, &EnergyBudget, &Outcome)> {
+    Some((record.id, record.energy.as_ref()?, record.outcome.as_ref()?))
 }

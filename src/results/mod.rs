@@ -37,6 +37,7 @@ mod opening;
 mod program;
 mod record;
 mod round_trip;
+mod rows;
 mod seal;
 mod summary;
 mod verify;
