@@ -12,7 +12,7 @@ use std::collections::{BTreeMap, BinaryHeap, VecDeque};
 use std::fmt::Write as _;
 use std::time::Instant;
 
-use seawall::execute::{Order, Report};
+use seawall::execute::{Order, Posted, Report};
 use seawall::math::simd::SimdPath;
 use seawall::math::team::thread_processor_time;
 use seawall::results::{CaseRecord, Delivery, Directory, Filing, OpenMode};
@@ -135,7 +135,7 @@ fn recording(result: &CaseResult) -> Recording {
         directory.attempts().begin(case.id).unwrap();
         let order = Order::Run {
             work: Work::Case(case.index),
-            config: serde_json::to_string(&case.config).unwrap(),
+            config: Posted::from(&case.config),
             from: None,
             apart: false,
             limits: study.limits,

@@ -86,6 +86,23 @@ fn no_file_is_too_long() {
     assert!(wrong.is_empty(), "longer than {LONGEST} lines: {wrong:?}");
 }
 
+/// A file of tests that no program has would never run.
+#[test]
+fn every_file_of_tests_is_in_one_program() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let manifest = fs::read_to_string(root.join("Cargo.toml")).unwrap();
+    let all = sources("tests");
+    let own = |path: &Path| path.parent() == Some(Path::new("tests"));
+    for (path, _) in all.iter().filter(|(path, _)| own(path)) {
+        let name = path.file_name().unwrap().to_str().unwrap();
+        let alone = manifest.matches(&format!("path = \"tests/{name}\"")).count();
+        let joined = |text: &String| text.contains(&format!("#[path = \"../{name}\"]"));
+        let joined =
+            all.iter().filter(|(path, text)| path.starts_with("tests/programs") && joined(text));
+        assert_eq!(alone + joined.count(), 1, "{name}: name it in tests/programs or in Cargo.toml");
+    }
+}
+
 #[test]
 fn the_scan_sees_what_it_should() {
     let text =

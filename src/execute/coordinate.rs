@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use super::load::Loads;
 use super::session::{Ending, Session, Worked};
-use super::{Link, Order, Report};
+use super::{Link, Order, Posted, Report};
 use crate::results::{CaseRecord, Delivery, RankInfo, Savings, SweepError, forget_load};
 use crate::schedule::{Command, Event, Manager, Work};
 use crate::simulation::{CaseResult, Failure, FailureKind, Stopped};
@@ -76,6 +76,16 @@ impl Loop {
         session: &mut Session<'_>,
     ) -> Result<(), SweepError> {
         self.manager.on(event, &mut self.commands);
+        let ended = match event {
+            Event::Done { work, .. } | Event::GivenBack { work, .. } => Some(session.id(work)),
+            Event::Ready { .. } | Event::Interrupted => None,
+        };
+        let begun = self.commands.iter().filter_map(|command| match *command {
+            Command::Run { work, .. } => Some(session.id(work)),
+            Command::Drop { .. } | Command::Cancel => None,
+        });
+        let begun: Vec<_> = begun.collect();
+        session.directory.attempts().turn(ended, &begun)?;
         for command in self.commands.drain(..) {
             match command {
                 Command::Run { rank, work, from } => {
@@ -86,12 +96,9 @@ impl Loop {
                             &session.study.run(session.plan.cases[case].index).config
                         }
                     };
-                    let config = serde_json::to_string(config);
-                    let config = config.expect("a configuration has a JSON form");
+                    let config = Posted::from(config);
                     let id = session.id(work);
-                    let attempts = session.directory.attempts();
-                    let apart = attempts.is_suspect(id);
-                    attempts.begin(id)?;
+                    let apart = session.directory.attempts().is_suspect(id);
                     let limits = session.study.limits;
                     let cases = session.study.cases.len();
                     let is_case = |case: usize| session.plan.cases[case].index < cases;
@@ -146,9 +153,8 @@ impl Loop {
                     Ok(delivery) => Ok(delivery),
                     Err(Stopped::Failed(failure)) => Err(failure),
                     Err(Stopped::Interrupted) => {
-                        let work = Work::Case(case);
-                        session.ended(work)?;
-                        return self.tell(Event::GivenBack { rank, work }, link, session);
+                        let event = Event::GivenBack { rank, work: Work::Case(case) };
+                        return self.tell(event, link, session);
                     }
                 };
                 self.loads.end(rank, Work::Case(case), wall_time_s);
@@ -157,9 +163,6 @@ impl Loop {
             }
             Report::Interrupted => Event::Interrupted,
         };
-        if let Event::Done { work, .. } | Event::GivenBack { work, .. } = event {
-            session.ended(work)?;
-        }
         self.tell(event, link, session)
     }
 

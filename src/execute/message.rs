@@ -1,8 +1,9 @@
 //! What coordinator and workers say to each other.
 
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::results::Delivery;
+use crate::scene::CaseConfig;
 use crate::schedule::{Held, Work};
 use crate::simulation::{Limits, Stopped};
 use crate::study::CaseId;
@@ -11,12 +12,11 @@ use crate::study::CaseId;
 #[expect(missing_docs, reason = "fields are called what they are")]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Order {
-    /// Do a piece of work. Its configuration is JSON, which carries every bit; the last is the
-    /// checkpoint to start from. `apart`: in a process of its own, as an earlier one may have died of it.
-    /// `files`: the name of the files that it leaves; a companion leaves none.
+    /// Do a piece of work, from a checkpoint if there is one. `apart`: in a process of its own, as an earlier one
+    /// may have died of it. `files`: the name of the files that it leaves; a companion leaves none.
     Run {
         work: Work,
-        config: String,
+        config: Posted,
         from: Option<Held>,
         apart: bool,
         limits: Limits,
@@ -26,6 +26,49 @@ pub enum Order {
     Drop { trunk: usize },
     /// Stop what is running and give it back.
     Cancel,
+}
+
+/// A configuration on its way: as it is within a process, as JSON between processes, which carries every bit.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Posted {
+    /// As it is: to write and read a text takes longer than all else that is said of a small case.
+    Whole(Box<CaseConfig>),
+    /// JSON.
+    Text(String),
+}
+
+impl Posted {
+    /// The configuration, or why it cannot be read.
+    pub(super) fn read(self) -> Result<CaseConfig, String> {
+        match self {
+            Posted::Whole(config) => Ok(*config),
+            Posted::Text(text) => serde_json::from_str(&text).map_err(|error| error.to_string()),
+        }
+    }
+}
+
+impl From<&CaseConfig> for Posted {
+    fn from(config: &CaseConfig) -> Posted {
+        Posted::Whole(Box::new(config.clone()))
+    }
+}
+
+impl Serialize for Posted {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        match self {
+            Posted::Whole(config) => {
+                let text = serde_json::to_string(config).map_err(serde::ser::Error::custom)?;
+                serializer.serialize_str(&text)
+            }
+            Posted::Text(text) => serializer.serialize_str(text),
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for Posted {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Posted, D::Error> {
+        String::deserialize(deserializer).map(Posted::Text)
+    }
 }
 
 /// From a worker to the coordinator; numbers are places in the plan.
@@ -53,5 +96,23 @@ impl Report {
             Report::CaseDone { case, .. } => Some(Work::Case(case)),
             Report::Interrupted => None,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_configuration_arrives_bit_for_bit() {
+        let scene = "wave_height_ratio = 0.30000000000000004\ntank_length_m = 2.7".parse().unwrap();
+        let config = CaseConfig::from_tables(&scene, &toml::Table::new()).unwrap();
+        let posted = Posted::from(&config);
+        let bytes = postcard::to_stdvec(&posted).unwrap();
+        let arrived: Posted = postcard::from_bytes(&bytes).unwrap();
+        assert_eq!(postcard::to_stdvec(&arrived).unwrap(), bytes, "it can be sent on");
+        assert_eq!(arrived.read(), Ok(config.clone()));
+        assert_eq!(posted.read(), Ok(config));
+        assert!(Posted::Text("{".to_owned()).read().is_err());
     }
 }

@@ -44,7 +44,7 @@ pub use coordinate::coordinate;
 pub use interrupt::Interrupt;
 pub use keeping::Keeping;
 pub use launcher::Launcher;
-pub use message::{Order, Report};
+pub use message::{Order, Posted, Report};
 pub use processor::widest_simd;
 pub use progress::{Progress, ProgressStyle, Tally, duration};
 pub use runner::{Runner, guarded};

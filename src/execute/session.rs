@@ -2,7 +2,7 @@
 
 use super::interrupt::Interrupt;
 use super::progress::Progress;
-use crate::results::{Directory, Load, RankInfo, Savings, SweepError};
+use crate::results::{Directory, Load, RankInfo, Savings};
 use crate::schedule::Work;
 use crate::study::{CaseId, Plan, Study};
 
@@ -57,10 +57,5 @@ impl Session<'_> {
         for id in cases.map(|case| self.study.run(case.index).id) {
             self.directory.attempts().suspect(id);
         }
-    }
-
-    pub(super) fn ended(&mut self, work: Work) -> Result<(), SweepError> {
-        let id = self.id(work);
-        self.directory.attempts().end(id)
     }
 }

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use rayon::Scope;
 
 use super::gauge::{Cancel, Gauges};
-use super::message::{Order, Report};
+use super::message::{Order, Posted, Report};
 use super::runner::{Runner, guarded};
 use crate::math::team::thread_processor_time;
 use crate::results::{Delivery, Filing, SweepError};
@@ -20,7 +20,7 @@ use crate::study::CaseId;
 /// A case to run.
 struct Task {
     case: usize,
-    config: String,
+    config: Posted,
     /// In a process of its own.
     apart: bool,
     limits: Limits,
@@ -157,13 +157,13 @@ impl Worker<'_, '_> {
         (waiting.len() == 1).then_some(from)
     }
 
-    fn start_trunk(&self, trunk: usize, config: String, apart: bool, limits: Limits) {
+    fn start_trunk(&self, trunk: usize, config: Posted, apart: bool, limits: Limits) {
         let (runner, cancel, sender) = (self.runner, self.cancel, self.sender.clone());
         let gauges = self.gauges;
         self.scope.spawn(move |_| {
             let child = runner.apart().filter(|_| apart || limits.memory_mib.is_some());
             let (runner, start) = (child.as_deref().unwrap_or(runner), Instant::now());
-            let result = attempt(cancel, &config, limits, |config| {
+            let result = attempt(cancel, config, limits, |config| {
                 let gauge = gauges.watch(cancel, Work::Trunk(trunk), config, false, limits);
                 runner.trunk(config, &gauge)
             });
@@ -186,21 +186,21 @@ impl Worker<'_, '_> {
             let child = runner.apart().filter(|_| apart || limits.memory_mib.is_some());
             let runner = child.as_deref().unwrap_or(runner);
             let (start, cpu_start) = (Instant::now(), thread_processor_time());
-            let run = |checkpoint: Option<&[u8]>| {
-                attempt(cancel, &config, limits, |config| {
+            let result = attempt(cancel, config, limits, |config| {
+                let run = |checkpoint: Option<&[u8]>| {
                     let branches = checkpoint.is_some();
                     let gauge = gauges.watch(cancel, Work::Case(case), config, branches, limits);
                     runner.case(config, checkpoint, &gauge)
-                })
-            };
-            let mut result = run(checkpoint.as_deref());
-            let unreadable = |stopped: &Stopped| {
-                matches!(stopped, Stopped::Failed(failure)
-                    if failure.kind == FailureKind::CheckpointUnreadable)
-            };
-            if checkpoint.is_some() && result.as_ref().is_err_and(unreadable) {
-                result = run(None);
-            }
+                };
+                match (run(checkpoint.as_deref()), &checkpoint) {
+                    (Err(Stopped::Failed(failure)), Some(_))
+                        if failure.kind == FailureKind::CheckpointUnreadable =>
+                    {
+                        run(None)
+                    }
+                    (result, _) => result,
+                }
+            });
             let cpu_time_s = thread_processor_time().zip(cpu_start).map(|(end, start)| end - start);
             let wall_time_s = start.elapsed().as_secs_f64();
             let result = result.map(|result| match filing {
@@ -215,7 +215,7 @@ impl Worker<'_, '_> {
 /// Runs something guarded against panics, unless it is already too late.
 fn attempt<T>(
     cancel: &Cancel,
-    config: &str,
+    config: Posted,
     limits: Limits,
     run: impl Fn(&CaseConfig) -> Result<T, Stopped>,
 ) -> Result<T, Stopped> {
@@ -224,9 +224,12 @@ fn attempt<T>(
     }
     let failed = |kind, detail: String| Stopped::Failed(Failure { kind, time_s: 0.0, detail });
     let internal = |detail: String| failed(FailureKind::Internal, detail);
-    let config: CaseConfig = serde_json::from_str(config)
+    let config = config
+        .read()
         .map_err(|error| internal(format!("the configuration cannot be read: {error}")))?;
-    if let Some(detail) = limits.on_memory(cost(&config).memory_bytes, "needs some") {
+    let memory_bytes = || cost(&config).memory_bytes;
+    let over = limits.memory_mib.and_then(|_| limits.on_memory(memory_bytes(), "needs some"));
+    if let Some(detail) = over {
         return Err(failed(FailureKind::OverLimit, detail));
     }
     match guarded(|| run(&config)) {

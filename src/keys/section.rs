@@ -1,11 +1,14 @@
 //! Sections of files: structs whose fields are declared keys.
 
+use std::cell::LazyCell;
+
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use toml::{Table, Value};
 
 use super::error::ConfigError;
 use super::key::Key;
+use super::rule::When;
 
 /// A table of a file. `section!` writes it from the declarations of its keys.
 pub trait Section: Sized {
@@ -186,23 +189,29 @@ pub fn read_alone<S: Section>(table: &Table) -> Result<S, ConfigError> {
         return Err(ConfigError::unknown(&format!("{}.{name}", S::NAME), &known));
     }
     let section = S::read(table, None)?;
-    check_conditions::<S>(table, &section.table())?;
+    check_conditions(table, &section)?;
     Ok(section)
 }
 
-/// Checks what keys say of one another: `given` is what a file says, `complete` what holds in the
-/// end.
+/// Checks what keys say of one another: `given` is what a file says, `section` what holds in the end.
 ///
 /// # Errors
 /// A key that belongs to other values of another key; one that is needed and not there.
-pub fn check_conditions<S: Section>(given: &Table, complete: &Table) -> Result<(), ConfigError> {
+pub fn check_conditions<S: Section>(given: &Table, section: &S) -> Result<(), ConfigError> {
+    // Mostly no condition has to be looked at, and to write a table takes as long as to read it.
+    let complete = LazyCell::new(|| section.table());
+    let holds = |when: &When| match given.contains_key(when.key) {
+        true => when.holds(given),
+        false => when.holds(&complete),
+    };
     for key in S::keys() {
         let path = || format!("{}.{}", S::NAME, key.name);
-        if key.rule.needed && key.applies(complete) && !complete.contains_key(key.name) {
+        let missed = key.rule.needed && !given.contains_key(key.name);
+        if missed && key.applies(&complete) && !complete.contains_key(key.name) {
             return Err(key.missing(&path()));
         }
         let Some((when, value)) = key.rule.only.zip(given.get(key.name)) else { continue };
-        if !when.holds(complete) {
+        if !holds(&when) {
             return Err(ConfigError::new(&path(), value, format!("belongs to {when}")));
         }
     }

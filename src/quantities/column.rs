@@ -53,9 +53,14 @@ impl Column {
         reached.map(|maximum| maximum.time_s)
     }
 
-    /// The name of the column with the time of a maximum.
+    /// Whether it has a second column, with the time of a maximum.
+    pub fn has_time(&self) -> bool {
+        matches!(self.read, Read::Maximum(_))
+    }
+
+    /// The name of that column.
     pub fn time_name(&self) -> Option<String> {
-        matches!(self.read, Read::Maximum(_)).then(|| format!("{}_time_s", self.name))
+        self.has_time().then(|| format!("{}_time_s", self.name))
     }
 
     /// Whether it holds words.

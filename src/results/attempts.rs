@@ -56,7 +56,7 @@ impl Attempts {
     /// # Errors
     /// A file that cannot be written.
     pub fn begin(&mut self, id: CaseId) -> Result<(), SweepError> {
-        if self.running.insert(id) { self.append('+', id) } else { Ok(()) }
+        self.turn(None, &[id])
     }
 
     /// It has ended, well or not, or was given back.
@@ -64,8 +64,27 @@ impl Attempts {
     /// # Errors
     /// A file that cannot be written.
     pub fn end(&mut self, id: CaseId) -> Result<(), SweepError> {
-        self.suspects.remove(&id);
-        if self.running.remove(&id) { self.append('-', id) } else { Ok(()) }
+        self.turn(Some(id), &[])
+    }
+
+    /// Something has ended, and others are about to start: one call of the system for all of them.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn turn(&mut self, ended: Option<CaseId>, begun: &[CaseId]) -> Result<(), SweepError> {
+        let mut lines = String::new();
+        let mut add = |sign: char, id: CaseId| {
+            // A line before it may be torn: it must not take this one with it.
+            lines.push_str(&format!("\n{sign}{id}\n"));
+        };
+        if let Some(id) = ended {
+            self.suspects.remove(&id);
+            if self.running.remove(&id) {
+                add('-', id);
+            }
+        }
+        begun.iter().filter(|&&id| self.running.insert(id)).for_each(|&id| add('+', id));
+        if lines.is_empty() { Ok(()) } else { self.append(&lines) }
     }
 
     /// Everything has ended in good order.
@@ -81,14 +100,12 @@ impl Attempts {
         Ok(())
     }
 
-    fn append(&mut self, sign: char, id: CaseId) -> Result<(), SweepError> {
+    fn append(&mut self, lines: &str) -> Result<(), SweepError> {
         let file = match &mut self.file {
             Some(file) => Ok(file),
             none => disk::append(&self.path).map(|file| none.insert(file)),
         };
-        // A line before it may be torn: it must not take this one with it.
-        let line = format!("\n{sign}{id}\n");
-        let written = file.and_then(|file| disk::write(file, line.as_bytes()));
+        let written = file.and_then(|file| disk::write(file, lines.as_bytes()));
         written.map_err(SweepError::io(&self.path))
     }
 }
@@ -129,7 +146,11 @@ mod tests {
         drop(second);
         let mut third = Attempts::open(directory.path()).unwrap();
         assert!(third.is_suspect(id(2)));
-        third.end(id(2)).unwrap();
+        third.turn(Some(id(2)), &[id(3), id(4)]).unwrap();
+        third.turn(Some(id(4)), &[]).unwrap();
+        let fourth = Attempts::open(directory.path()).unwrap();
+        assert_eq!(fourth.suspects, BTreeSet::from([id(3)]));
+        third.end(id(3)).unwrap();
         assert!(!Attempts::open(directory.path()).unwrap().is_suspect(id(2)));
         third.close().unwrap();
         assert_eq!(fs::read_dir(directory.path()).unwrap().count(), 0);

@@ -31,6 +31,10 @@ pub(super) fn write(mut file: &File, bytes: &[u8]) -> Result<()> {
 pub(super) fn write_new(path: &Path, bytes: &[u8]) -> bool {
     use rustix::fs::{AtFlags, CWD, Mode, OFlags};
     use std::os::fd::AsRawFd;
+    use std::sync::atomic::{AtomicBool, Ordering};
+    /// An open file can be given a name by itself; until Linux 6.10 by root alone. Its path in `/proc` does for
+    /// everybody, and has to be looked up.
+    static BY_ITSELF: AtomicBool = AtomicBool::new(true);
     let made = || {
         faults::next()?;
         let folder = path.parent().unwrap_or(path);
@@ -38,6 +42,12 @@ pub(super) fn write_new(path: &Path, bytes: &[u8]) -> bool {
         let file = File::from(rustix::fs::open(folder, flags, Mode::from_raw_mode(0o666))?);
         write(&file, bytes)?;
         faults::next()?;
+        if BY_ITSELF.load(Ordering::Relaxed) {
+            match rustix::fs::linkat(&file, "", CWD, path, AtFlags::EMPTY_PATH) {
+                Err(rustix::io::Errno::NOENT) => BY_ITSELF.store(false, Ordering::Relaxed),
+                other => return Ok(other?),
+            }
+        }
         let open = format!("/proc/self/fd/{}", file.as_raw_fd());
         Ok(rustix::fs::linkat(CWD, open, CWD, path, AtFlags::SYMLINK_FOLLOW)?)
     };

@@ -6,8 +6,10 @@ use std::path::Path;
 use super::disk::Writer;
 use super::error::SweepError;
 use super::record::CaseRecord;
-use super::{atomic_file, number};
+use super::{atomic_file, number, rows};
 use crate::quantities::{energy, summary};
+use crate::simulation::{EnergyBudget, Outcome};
+use crate::study::CaseId;
 
 pub(super) const FILE_NAME: &str = "energy.csv";
 /// Bytes that go to the file in one go.
@@ -28,21 +30,27 @@ pub(super) fn write_table(into: impl Write, records: &[Option<CaseRecord>]) -> s
     let [first_names, later_names] = [first, later].map(|terms| terms.iter().map(|term| term.name));
     let names = [summary::CASE_ID.name].into_iter().chain(first_names);
     let names = names.chain([summary::ENERGY_GAP.name]).chain(later_names);
-    let mut file = BufWriter::with_capacity(BUFFER, into);
-    let mut text = names.collect::<Vec<_>>().join(",") + "\n";
-    for record in records.iter().flatten() {
-        let (Some(budget), Some(outcome)) = (&record.energy, &record.outcome) else { continue };
-        text.push_str(&record.id.to_string());
-        let [first, later] =
-            [first, later].map(|terms| terms.iter().map(|term| (term.read)(budget)));
-        for value in first.chain([outcome.energy_gap_percent]).chain(later) {
-            text.push(',');
-            number::push(&mut text, value);
+    let text = |rows: &[(CaseId, &EnergyBudget, &Outcome)]| {
+        let mut text = String::new();
+        for &(id, budget, outcome) in rows {
+            text.push_str(&id.to_string());
+            let [first, later] =
+                [first, later].map(|terms| terms.iter().map(|term| (term.read)(budget)));
+            for value in first.chain([outcome.energy_gap_percent]).chain(later) {
+                text.push(',');
+                number::push(&mut text, value);
+            }
+            text.push('\n');
         }
-        text.push('\n');
-        file.write_all(text.as_bytes())?;
-        text.clear();
-    }
-    file.write_all(text.as_bytes())?;
+        text.into_bytes()
+    };
+    let mut file = BufWriter::with_capacity(BUFFER, into);
+    file.write_all((names.collect::<Vec<_>>().join(",") + "\n").as_bytes())?;
+    rows::write(&mut file, records.iter().flatten().filter_map(budget), text)?;
     file.flush()
+}
+
+/// What a row is of; none of a case that failed.
+fn budget(record: &CaseRecord) -> Option<(CaseId, &EnergyBudget, &Outcome)> {
+    Some((record.id, record.energy.as_ref()?, record.outcome.as_ref()?))
 }

@@ -103,8 +103,9 @@ pub(super) fn parse_in_blocks<R: DeserializeOwned + Send>(
     let mut content =
         Content { header: None, records: Vec::new(), found: 0, damaged: 0, intact: true };
     let mut number = 0;
+    let mut block = Vec::new();
     loop {
-        let block = block(&mut text).map_err(SweepError::io(path))?;
+        next_lines(&mut text, &mut block).map_err(SweepError::io(path))?;
         if block.is_empty() {
             break;
         }
@@ -126,14 +127,14 @@ pub(super) fn parse_in_blocks<R: DeserializeOwned + Send>(
     Ok(content)
 }
 
-/// The next lines, with their breaks.
-fn block(text: &mut impl BufRead) -> std::io::Result<Vec<u8>> {
-    let mut lines = Vec::new();
-    text.by_ref().take(BLOCK as u64).read_to_end(&mut lines)?;
+/// The next lines, with their breaks, in the place of those before.
+fn next_lines(text: &mut impl BufRead, lines: &mut Vec<u8>) -> std::io::Result<()> {
+    lines.clear();
+    text.by_ref().take(BLOCK as u64).read_to_end(lines)?;
     if lines.last().is_some_and(|&last| last != b'\n') {
-        text.read_until(b'\n', &mut lines)?;
+        text.read_until(b'\n', lines)?;
     }
-    Ok(lines)
+    Ok(())
 }
 
 /// The lines of a text, with their breaks.

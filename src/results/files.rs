@@ -58,10 +58,15 @@ pub(super) fn write(
     let mut seals = Seals::new();
     for (name, text) in texts(result) {
         let folder = directory.join(name);
-        if !folder.is_dir() {
+        let path = folder.join(format!("{id}.csv"));
+        // Nearly always the folder is there: it is asked for where it is missed.
+        if let Err(error) = put(&path, text.as_bytes()) {
+            if folder.is_dir() {
+                return Err(error);
+            }
             disk::create_folder_in(&folder).map_err(SweepError::io(&folder))?;
+            put(&path, text.as_bytes())?;
         }
-        put(&folder.join(format!("{id}.csv")), text.as_bytes())?;
         seals.insert(name.to_owned(), Seal::of(text.as_bytes()));
     }
     Ok(Written { seals, probe_columns: result.probes.as_ref().map(probe_columns) })

@@ -38,6 +38,7 @@ mod opening;
 mod program;
 mod record;
 mod round_trip;
+mod rows;
 mod seal;
 mod sealed;
 mod summary;

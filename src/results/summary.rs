@@ -1,12 +1,12 @@
 //! `summary.csv`: one row per finished case, in grid order, made from the journal.
 
-use std::io::Write;
+use std::io::{BufWriter, Write};
 use std::path::Path;
 
 use super::disk::Writer;
 use super::error::SweepError;
 use super::record::CaseRecord;
-use super::{atomic_file, number};
+use super::{atomic_file, number, rows};
 use crate::quantities::{self, Bars, Value, summary};
 use crate::scene::CaseConfig;
 use crate::study::{Case, Study};
@@ -74,28 +74,58 @@ fn write_rows<'a>(
     let fixed: Vec<String> = summary::names().collect();
     let places = 0..study.keys.len();
     let further: Vec<_> = places.filter(|&at| !fixed.contains(&study.keys[at])).collect();
-    let mut writer = csv::WriterBuilder::new().buffer_capacity(BUFFER).from_writer(into);
-    writer.write_record(fixed.iter().chain(further.iter().map(|&at| &study.keys[at])))?;
-    for (case, record) in rows {
-        let reported = record.reported(&case.config, study.error_bars_of(record, records));
-        let mut cells = Vec::with_capacity(fixed.len() + further.len());
-        for column in summary::ALL {
-            cells.push(column.value(&reported).map(cell).unwrap_or_default());
-            let time = || column.time(&reported).map(number::text).unwrap_or_default();
-            cells.extend(column.time_name().map(|_| time()));
-        }
-        cells.extend(further.iter().map(|&place| swept(case, place)));
-        writer.write_record(cells)?;
-    }
-    writer.flush().map_err(csv::Error::from)
+    let names = fixed.iter().chain(further.iter().map(|&at| &study.keys[at]));
+    let mut into = BufWriter::with_capacity(BUFFER, into);
+    let mut header = csv::Writer::from_writer(&mut into);
+    header.write_record(names)?;
+    header.flush()?;
+    drop(header);
+    let text = |rows: &[(&Case, &CaseRecord)]| {
+        let mut writer = csv::Writer::from_writer(Vec::new());
+        let mut written =
+            rows.iter().map(|row| write_row(&mut writer, study, records, *row, &further));
+        written.try_for_each(|row| row).expect("text takes it all");
+        writer.into_inner().expect("text takes it all")
+    };
+    rows::write(&mut into, rows, text)?;
+    Ok(into.flush()?)
 }
 
-fn cell(value: Value) -> String {
+fn write_row(
+    writer: &mut csv::Writer<Vec<u8>>,
+    study: &Study,
+    records: &[Option<CaseRecord>],
+    (case, record): (&Case, &CaseRecord),
+    further: &[usize],
+) -> csv::Result<()> {
+    let reported = record.reported(&case.config, study.error_bars_of(record, records));
+    let mut text = String::new();
+    for column in summary::ALL {
+        text.clear();
+        if let Some(value) = column.value(&reported) {
+            push(&mut text, value);
+        }
+        writer.write_field(&text)?;
+        if column.has_time() {
+            text.clear();
+            if let Some(time) = column.time(&reported) {
+                number::push(&mut text, time);
+            }
+            writer.write_field(&text)?;
+        }
+    }
+    for &place in further {
+        writer.write_field(swept(case, place))?;
+    }
+    writer.write_record(None::<&[u8]>)
+}
+
+fn push(cell: &mut String, value: Value) {
     match value {
-        Value::Number(value) => number::text(value),
-        Value::Count(count) => count.to_string(),
-        Value::Flag(flag) => flag.to_string(),
-        Value::Text(text) => text,
+        Value::Number(value) => number::push(cell, value),
+        Value::Count(count) => cell.push_str(&count.to_string()),
+        Value::Flag(flag) => cell.push_str(if flag { "true" } else { "false" }),
+        Value::Text(text) => cell.push_str(&text),
     }
 }
 

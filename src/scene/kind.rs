@@ -44,7 +44,7 @@ macro_rules! kinds {
                 match self {
                     $(Kind::$kind => {
                         let scene = <$scene>::read(table, None)?;
-                        check_conditions::<$scene>(table, &scene.table())?;
+                        check_conditions(table, &scene)?;
                         Ok(Scene::$kind(scene))
                     })*
                 }

@@ -106,7 +106,7 @@ impl Numerics {
             base.suit(scene, spacing.unwrap_or(base.particle_spacing_m));
         }
         let numerics = Numerics::read(table, Some(&base))?;
-        check_conditions::<Numerics>(table, &numerics.table())?;
+        check_conditions(table, &numerics)?;
         Ok(numerics)
     }
 

@@ -30,7 +30,7 @@ fn starts(answer: Option<Vec<u8>>) -> Vec<Option<Vec<u8>>> {
         let empty = toml::Table::new();
         let config = CaseConfig::from_tables(&empty, &empty).unwrap();
         let mut order = |case, holder| {
-            let config = serde_json::to_string(&config).unwrap();
+            let config = Posted::from(&config);
             let from = Some(Held { trunk: 7, holder });
             let (work, limits) = (Work::Case(case), Limits::default());
             let apart = false;

@@ -65,7 +65,8 @@ fn slope(cell: &str) -> Option<f64> {
     let number = |point: &Value, at: usize| crate::keys::number(point.get(at)?);
     let point = |point: &Value| Some([number(point, 0)?, number(point, 1)?]);
     let points: Vec<_> = bed.as_array()?.iter().map(point).collect::<Option<_>>()?;
-    let first = points.iter().position(|point| point[1] != 0.0).map_or(0, |at| at.saturating_sub(1));
+    let first =
+        points.iter().position(|point| point[1] != 0.0).map_or(0, |at| at.saturating_sub(1));
     let ([x0, y0], [x1, y1]) = (points[first], *points.last()?);
     Some((y1 - y0) / (x1 - x0)).filter(|slope| slope.is_finite())
 }

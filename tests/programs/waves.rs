@@ -1,0 +1,18 @@
+//! Waves before walls of every kind, asked through the library and the program.
+//!
+//! One program for all of them: each links the whole library, and in one of them the short tests fill the time of
+//! the long ones. `cargo test --test waves absorption::` asks one file alone.
+#![allow(clippy::duplicate_mod, reason = "each file brings what it shares with others")]
+
+#[path = "../absorption.rs"]
+mod absorption;
+#[path = "../bed.rs"]
+mod bed;
+#[path = "../behind.rs"]
+mod behind;
+#[path = "../crest.rs"]
+mod crest;
+#[path = "../threads.rs"]
+mod threads;
+#[path = "../trains.rs"]
+mod trains;
