@@ -16,6 +16,10 @@ use super::taylor_green::TaylorGreenScene;
 use crate::keys::{ConfigError, Key, Section, check_conditions, section};
 use crate::math::simd::SimdPath;
 
+/// H/h above which what a solitary wave throws up an upright wall comes down free of the rest, and closes cavities in
+/// front of the wall.
+pub const FALLS_FREE: f64 = 0.7;
+
 /// Declares the kinds: for each its name in files and its section.
 macro_rules! kinds {
     ($($(#[doc = $about:literal])* $name:literal => $kind:ident($scene:ty);)*) => {
@@ -119,6 +123,11 @@ impl Scene {
     /// Whether a single wave meets an upright wall over a bed that is nowhere steeper than 1:2.
     pub(super) fn has_solitary_wave_at_upright_wall(&self) -> bool {
         self.has_crest_at_upright_wall() && !self.has_train() && !self.has_steep_bed()
+    }
+
+    /// Whether its wave is so steep that what it throws up a wall falls free and closes cavities.
+    pub(super) fn falls_free(&self) -> bool {
+        self.seawall().is_some_and(|scene| scene.wave_height_ratio > FALLS_FREE)
     }
 
     /// Whether it is a tank with an upright wall and a level bed.

@@ -39,7 +39,7 @@ pub use dam_break::{DamBreakScene, InitialDensity};
 pub use declared::{Place, numerics_keys, place_of, probe_keys, scene_keys, unknown_keys};
 pub use frame::Frame;
 pub use hydrostatic::HydrostaticScene;
-pub use kind::{Kind, Scene};
+pub use kind::{FALLS_FREE, Kind, Scene};
 pub use limits::limits;
 pub use numerics::{
     BoundaryChoice, ErrorBars, GhostGravity, IncompressibleNumerics, Numerics, Scheme, Slip,

@@ -172,6 +172,10 @@ section! {
         /// The same beside stretches of the bed that are steeper than 1:2 and under water, deeper
         /// below the surface, and over c0/h. Such beds have 0.15 by default.
         steep_feedback: f64 = 0.0, weakly(plain().within(0.0, 0.3)).newer();
+        /// Water near the surface gives up what it presses by more than 5 ρgh, as the surface lets go of
+        /// sound. Solitary waves above H/h = 0.7 at upright walls over beds no steeper than 1:2 have it by
+        /// default. It wants gravity and corrected gradients.
+        surface_relief: bool = false, weakly(plain()).newer();
         /// c0 Δt / Δx.
         courant_number: f64 = 1.8, weakly(plain().within(1e-3, 2.5)).label("c0 Δt/Δx");
         /// γ: pressures are taken γ Δt ahead of the densities, which damps sound.

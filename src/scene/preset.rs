@@ -127,6 +127,10 @@ impl Numerics {
         if solitary {
             self.artificial_viscosity = 0.09;
         }
+        if solitary && scene.falls_free() {
+            // Single particles beside a cavity would hold it open.
+            self.surface_relief = true;
+        }
         if solitary && scene.is_upright_over_level_bed() {
             self.sound_speed_ratio = sound_speed_ratio(scene.frame().depth, particle_spacing);
         }

@@ -50,6 +50,7 @@ impl Filling {
             shifting_coefficient: numerics.shifting_coefficient,
             volume_feedback: numerics.volume_feedback,
             steep_feedback: numerics.steep_feedback,
+            surface_relief: numerics.surface_relief && frame.gravity > 0.0,
             bulk_damping: numerics.bulk_damping,
             acoustic_substeps: numerics.acoustic_substeps,
             precision: numerics.precision,

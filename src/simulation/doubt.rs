@@ -3,6 +3,7 @@
 use super::blows::Blows;
 use super::face_gaps::FaceGaps;
 use super::found::Found;
+use super::health::LASTING_GAP;
 use super::outcome::{Maximum, Outcome};
 use super::quoted::{forces, others};
 
@@ -27,6 +28,8 @@ const LOPSIDED_OF_SPACING: f64 = 0.1;
 pub(super) struct Evidence<'a> {
     /// The two ways to read the force.
     pub gaps: &'a FaceGaps,
+    /// The largest mean of their gap over some ten looks, over the larger of the force and the hydrostatic one.
+    pub largest_gap: f64,
     /// Hits on the stop.
     pub blows: &'a Blows,
     /// Whether the largest X* is of a way out that began in the sound of a blow.
@@ -51,6 +54,7 @@ impl Evidence<'_> {
     pub fn doubt(&self, outcome: &Outcome) -> Option<String> {
         let mut reasons = Vec::new();
         reasons.extend(self.gap(outcome));
+        reasons.extend(self.voids());
         reasons.extend(self.energy(outcome));
         reasons.extend(self.compression(outcome));
         reasons.extend(self.at_rest());
@@ -67,6 +71,16 @@ impl Evidence<'_> {
         let told: Vec<_> = open.map(|(name, gap)| format!("{gap:+.1} % at {name}")).collect();
         let told = told.join(", ");
         (!told.is_empty()).then(|| format!("force gap: the pressure on the face is off by {told}"))
+    }
+
+    /// Cavities at the wall, where they do not end a run.
+    fn voids(&self) -> Option<String> {
+        let percent = 100.0 * self.largest_gap;
+        (self.is_wave && self.largest_gap > LASTING_GAP).then(|| {
+            format!(
+                "force gap: for a while the pressure on the face was off by {percent:.0} %, beside cavities"
+            )
+        })
     }
 
     fn energy(&self, outcome: &Outcome) -> Option<String> {
@@ -162,6 +176,7 @@ mod tests {
         [(0.5, 0.2), (2.0, 0.8)].into_iter().for_each(|(time, joules)| found.push(time, joules));
         let mut evidence = Evidence {
             gaps: &gaps,
+            largest_gap: 0.1,
             blows: &blows,
             kicked: false,
             found: &found,
@@ -181,6 +196,16 @@ mod tests {
         let told = doubt(&outcome(), [0.9, 1.1], 0.06, |_| ()).unwrap();
         let words = "off by -6.0 % at force_max";
         assert_eq!(told, format!("force gap: the pressure on the face is {words}"));
+    }
+
+    #[test]
+    fn cavities_at_the_wall_count_where_they_do_not_end_a_run() {
+        let with = |gap| doubt(&outcome(), [0.0, 0.0], 0.0, |e| e.largest_gap = gap);
+        assert_eq!(with(0.5), None);
+        let words = "for a while the pressure on the face was off by 74 %, beside cavities";
+        assert_eq!(with(0.743).unwrap(), format!("force gap: {words}"));
+        let collapse = |e: &mut Evidence<'_>| (e.largest_gap, e.is_wave) = (1.5, false);
+        assert_eq!(doubt(&outcome(), [0.0, 0.0], 0.0, collapse), None);
     }
 
     #[test]

@@ -181,6 +181,7 @@ impl Run {
             gaps: &logbook.face_gaps,
             blows: &m.blows,
             kicked: m.kicked,
+            largest_gap: logbook.health.largest_gap(&self.bounds),
             found: &logbook.found,
             work: scale,
             spacing: tank.spacing / tank.frame.depth,

@@ -10,6 +10,8 @@ mod absorption;
 mod bed;
 #[path = "../behind.rs"]
 mod behind;
+#[path = "../breaking.rs"]
+mod breaking;
 #[path = "../crest.rs"]
 mod crest;
 #[path = "../threads.rs"]

@@ -63,11 +63,14 @@ impl Each<Rows<'_>> for Drift<'_> {
 }
 
 /// Relaxes the density of particles that feel no pressure: spray with too few neighbours, and water near
-/// the surface that would be under tension. Both are at the pressure of the air.
+/// the surface that would be under tension. Both are at the pressure of the air. And that of water near the
+/// surface that would press harder than it can: see [`super::WcsphOptions::most_at_surface`].
 struct Settling<'a> {
     state: StateEquation,
     /// How much of a difference goes in the step.
     rate: f64,
+    /// The largest density that water near the surface keeps, kg/m³.
+    most: f64,
     completeness: &'a [f64],
     tension: &'a [f64],
     mass: &'a [f64],
@@ -91,10 +94,14 @@ impl Settling<'_> {
     fn settle(&self, k: usize, density: &mut f64) -> f64 {
         let (state, now) = (&self.state, *density);
         let share = SLACK.share(self.completeness[k], now < state.surface_density).min(1.0);
-        if share <= 0.0 {
+        let mut rise = self.rate * share.max(0.0) * (state.surface_density - now);
+        if now > self.most {
+            let relieved = SLACK.share(self.completeness[k], true).clamp(0.0, 1.0);
+            rise = rise.min(self.rate * relieved * (self.most - now));
+        }
+        if rise == 0.0 {
             return 0.0;
         }
-        let rise = self.rate * share * (state.surface_density - now);
         // Tension that did no work as it grew takes none away.
         let acting = if rise > 0.0 { self.tension[k] } else { 1.0 };
         let pressure = state.pressure(now) * acting;
@@ -115,6 +122,7 @@ impl Wcsph {
         let settling = options.corrected_gradients.then(|| Settling {
             state: options.state,
             rate: (dt * options.state.sound_speed / options.smoothing_length()).min(1.0),
+            most: options.most_at_surface(),
             completeness,
             tension,
             mass,
@@ -136,5 +144,43 @@ impl Wcsph {
         let found = [lost, pressure, &mut self.diffused].map(|field| &mut field[..n]);
         self.pairs.each(((water, found), &mut self.numbers[..n]), &drift);
         self.near_surface.iter().fold(0.0, |loss, &k| loss - self.work.lost[k as usize])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scheme::StateEquationChoice;
+
+    #[test]
+    fn water_near_the_surface_gives_up_what_it_cannot_press() {
+        let choice = StateEquationChoice::Linear;
+        let state = StateEquation { choice, surface_density: 1000.0, sound_speed: 11.2 };
+        let completeness = [1.0, 0.95, 0.75, 0.6, 0.2];
+        let settling = Settling {
+            state,
+            rate: 0.5,
+            most: 1080.0,
+            completeness: &completeness,
+            tension: &[1.0; 5],
+            mass: &[0.1; 5],
+        };
+        let settled = |start: f64| {
+            let mut densities = [start; 5];
+            let gained: f64 = densities
+                .iter_mut()
+                .enumerate()
+                .map(|(k, density)| settling.settle(k, density))
+                .sum();
+            (densities, gained)
+        };
+        // Inside, and in sound, nothing happens but to spray.
+        let (sound, _) = settled(1079.0);
+        assert_eq!(sound[..4], [1079.0; 4]);
+        assert!((sound[4] - 1039.5).abs() < 1e-9, "{sound:?}");
+        let (pressed, gained) = settled(1180.0);
+        let expected = [1180.0, 1180.0, 1155.0, 1130.0, 1090.0];
+        assert!(pressed.iter().zip(expected).all(|(a, b)| (a - b).abs() < 1e-9), "{pressed:?}");
+        assert!(gained < 0.0, "energy goes");
     }
 }

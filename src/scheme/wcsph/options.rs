@@ -84,6 +84,8 @@ pub struct WcsphOptions {
     pub volume_feedback: f64,
     /// How much faster they do beside steep stretches of the bed, over c0 and the depth.
     pub steep_feedback: f64,
+    /// Whether water near the surface gives up pressure that it cannot have.
+    pub surface_relief: bool,
     /// γ of the pressure's lead, in time steps.
     pub bulk_damping: f64,
     /// Steps per full step, at least 1.
@@ -96,10 +98,26 @@ pub struct WcsphOptions {
     pub field: Option<CentralField>,
 }
 
+/// Of water that a solitary wave throws up a wall, over the depth, to the bed: 1 + 4 H/h, of a wave as high as the
+/// water is deep, which is higher than any.
+const HIGHEST_FALL: f64 = 5.0;
+
 impl WcsphOptions {
     /// h of the terms α h c0 and δ h c0: R/2 for Wendland C2, R/3 for the Gaussian.
     pub fn smoothing_length(&self) -> f64 {
         self.kernel.smoothing_length_ratio() * self.support_radius
+    }
+
+    /// The largest density that water near the surface keeps, kg/m³; infinite where any is kept.
+    ///
+    /// Steady flow presses no harder than at its stagnation points: with the head of the highest fall, to which
+    /// [`HIGHEST_FALL`] is. What is more is sound, and the surface lets that go within the time in which it
+    /// crosses the support.
+    pub(super) fn most_at_surface(&self) -> f64 {
+        if !self.surface_relief {
+            return f64::INFINITY;
+        }
+        self.state.density(self.density * self.gravity * HIGHEST_FALL * self.still_depth)
     }
 
     /// The stretches of the bed beside which much volume is taken back, if any.

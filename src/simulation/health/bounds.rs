@@ -1,7 +1,10 @@
 //! Bounds that a healthy run keeps, by the scales of its scene.
 
-use crate::scene::Tank;
+use crate::scene::{FALLS_FREE, Tank};
 use crate::simulation::energy::WaterEnergy;
+
+/// The mean gap between the two readings of a force from which there are voids at the wall.
+pub const LASTING_GAP: f64 = 0.5;
 
 /// Bounds that a healthy run keeps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -35,6 +38,7 @@ impl HealthBounds {
         let fall = fall.max(tank.fall_speed);
         let speed = 2.0 * fall.max(tank.front_speed);
         let splashes = tank.front_speed > 0.0;
+        let falls_free = tank.wave_height_ratio > FALLS_FREE;
         HealthBounds {
             speed,
             density_change: 20.0 * head / (tank.sound_speed * tank.sound_speed)
@@ -45,9 +49,9 @@ impl HealthBounds {
                 .map_or(frame.density, |state| state.surface_density),
             lost_share: 0.02,
             clustered_share: 0.25,
-            // A front that hits a wall splashes: what is at its face and what presses on it differ
-            // for a while, and its books close less well.
-            force_gap: if splashes { 2.0 } else { 0.5 },
+            // A front that hits a wall splashes, and water that falls free in front of one leaves cavities at its
+            // face: what is there and what presses on it differ for a while. A front's books close less well.
+            force_gap: if splashes || falls_free { 2.0 } else { LASTING_GAP },
             energy_growth: 0.25,
             energy_floor: if splashes { 0.05 } else { 0.01 } * start.potential.abs()
                 + 0.25 * start.kinetic,

@@ -4,7 +4,7 @@
 mod bounds;
 mod crowding;
 
-pub use bounds::HealthBounds;
+pub use bounds::{HealthBounds, LASTING_GAP};
 pub use crowding::Crowding;
 
 use serde::{Deserialize, Serialize};
@@ -82,6 +82,11 @@ impl HealthState {
     /// Takes a reading of the force gap, over the larger of the force and the hydrostatic one.
     pub fn see_gap(&mut self, gap: f64) {
         self.mean_gap += (gap - self.mean_gap) / GAP_MEMORY;
+    }
+
+    /// The largest mean force gap at any check.
+    pub fn largest_gap(&self, bounds: &HealthBounds) -> f64 {
+        self.margins.force_gap * bounds.force_gap
     }
 
     /// Checks the water.
