@@ -229,10 +229,8 @@ fn group(failed: &[&Fared]) -> BTreeMap<String, Failures> {
     let mut groups: BTreeMap<_, Failures> = BTreeMap::new();
     for record in failed {
         let kind = record.failure.map_or_else(|| "failed".to_owned(), name_of);
-        let group = groups.entry(kind).or_default();
-        if group.cases == 0 {
-            group.example.clone_from(&record.reason);
-        }
+        let first = || Failures { example: record.reason.clone(), ..Failures::default() };
+        let group = groups.entry(kind).or_insert_with(first);
         group.cases += 1;
         for (key, value) in &record.values {
             let counts = group.values.entry(key.clone()).or_default();

@@ -8,7 +8,7 @@ use std::path::Path;
 use csv::StringRecord;
 
 use super::error::SweepError;
-use super::opening::Filling;
+use super::filling::Filling;
 use super::record::CaseRecord;
 use super::{files, journal, summary};
 use crate::quantities::summary::{CASE_ID, WALL_TIME};

@@ -27,6 +27,7 @@ mod error_bars;
 mod failing;
 mod files;
 mod filing;
+mod filling;
 mod group;
 mod journal;
 mod load;

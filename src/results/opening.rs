@@ -1,23 +1,18 @@
 //! Opening an output directory: what it holds, whether it fits, what of it is damaged.
 
-use std::collections::{BTreeMap, HashMap};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::slice;
 use std::time::SystemTime;
-
-use rayon::prelude::*;
 
 use super::entries::{Content, Header};
 use super::error::SweepError;
 use super::lock::{self, Lock};
 use super::manifest::Manifest;
 use super::number::counted;
-use super::record::{CaseRecord, HeldLine};
-use super::{Derived, atomic_file, derived, disk, files, journal};
+use super::{atomic_file, disk, files, journal};
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
-use crate::study::{CaseId, Study};
+use crate::study::Study;
 
 /// What to do with a directory that holds something.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -168,96 +163,6 @@ pub(super) fn check_header(
         return Err(SweepError::refused(path, reason));
     }
     Ok(())
-}
-
-/// Sorts journal lines into the order of the runs; a later line of the same run wins. Companions
-/// are known by their id: asking for other error bars renumbers them.
-pub(super) struct Filling<'a> {
-    path: &'a Path,
-    cases: usize,
-    places: HashMap<CaseId, usize>,
-    records: Vec<Option<CaseRecord>>,
-    /// Whether files are looked at.
-    looks: bool,
-    /// What is wrong with the files of a case, in words.
-    damage: BTreeMap<usize, String>,
-    /// A case that has left probes.
-    probed: Option<usize>,
-}
-
-impl Filling<'_> {
-    pub(super) fn new<'a>(path: &'a Path, study: &Study) -> Filling<'a> {
-        Filling {
-            path,
-            cases: study.cases.len(),
-            places: study.runs().map(|case| (case.id, case.index)).collect(),
-            records: vec![None; study.run_count()],
-            looks: true,
-            damage: BTreeMap::new(),
-            probed: None,
-        }
-    }
-
-    /// The same without a look at files.
-    pub(super) fn blind(self) -> Self {
-        Filling { looks: false, ..self }
-    }
-
-    /// Takes the next lines, and looks at the files of their cases.
-    pub(super) fn take(&mut self, lines: Vec<HeldLine>) {
-        let (path, cases, places, looks) = (self.path, self.cases, &self.places, self.looks);
-        let look = |line: HeldLine| {
-            let index = *places.get(&line.id())?;
-            let (record, files) = line.split(index);
-            let has_files = looks && record.is_ok() && record.index < cases;
-            let files = has_files.then_some(&files);
-            let damage = files.and_then(|files| files::damage(path, record.id, files));
-            let probed = files.is_some_and(files::has_probes);
-            Some((record, damage, probed))
-        };
-        let looked: Vec<_> = lines.into_par_iter().filter_map(look).collect();
-        for (record, damage, probed) in looked {
-            let index = record.index;
-            self.probed = self.probed.or(Some(index).filter(|_| probed));
-            self.damage.remove(&index);
-            self.damage
-                .extend(damage.map(|(file, what)| (index, format!("{} {what}", file.display()))));
-            self.records[index] = Some(record);
-        }
-    }
-
-    /// What the columns of probes hold is lost: a case that runs again tells it.
-    ///
-    /// # Errors
-    /// A file that cannot be removed or written.
-    pub(super) fn demand_probe_columns(&mut self) -> Result<(), SweepError> {
-        let columns = self.path.join(derived::PROBE_COLUMNS);
-        let Some(index) =
-            self.probed.filter(|_| Derived::is_damaged(self.path, slice::from_ref(&columns)))
-        else {
-            return Ok(());
-        };
-        if columns.exists() {
-            disk::remove_file(&columns).map_err(SweepError::io(&columns))?;
-        }
-        let told = format!("{} is damaged or missing", columns.display());
-        self.damage.entry(index).or_insert(told);
-        Derived::renew(self.path, &[columns])
-    }
-
-    /// The records, without those whose files are damaged or missing, and what is wrong with these.
-    pub(super) fn end(mut self) -> (Vec<Option<CaseRecord>>, Vec<String>) {
-        for &index in self.damage.keys() {
-            self.records[index] = None;
-        }
-        let told = |damage| format!("{damage}: its case runs again");
-        (self.records, self.damage.into_values().map(told).collect())
-    }
-
-    /// All records, and what is wrong with files.
-    pub(super) fn all(self) -> (Vec<Option<CaseRecord>>, Vec<String>) {
-        (self.records, self.damage.into_values().collect())
-    }
 }
 
 /// Moves a directory aside and puts an empty one in its place, which is locked from the start. Where the system can,

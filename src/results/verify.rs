@@ -5,8 +5,8 @@ use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
 
 use super::error::SweepError;
+use super::filling::Filling;
 use super::manifest::Manifest;
-use super::opening::Filling;
 use super::record::CaseRecord;
 use super::{checkpoints, derived, energy, journal, opening, summary};
 use crate::study::Study;

@@ -1,0 +1,136 @@
+use super::super::blows::{Acoustics, Hit};
+use super::super::outcome::Maximum;
+use super::*;
+
+fn at(value: f64, time_s: f64) -> Maximum {
+    Maximum { value, time_s }
+}
+
+/// F* = 2 at 1 s, R* = 0.5 at 1.1 s, X* = 0.8 at 1.5 s; a weaker load at 2.5 s.
+fn outcome() -> Outcome {
+    Outcome {
+        force_max: at(2.0, 1.0),
+        runup_max: at(0.5, 1.1),
+        displacement_max: Some(at(0.8, 1.5)),
+        first_force_max: Some(at(2.0, 1.0)),
+        first_runup_max: Some(at(0.5, 1.1)),
+        first_displacement_max: Some(at(0.8, 1.5)),
+        force_gap_percent: 60.0,
+        energy_gap_percent: 1.0,
+        ..Outcome::default()
+    }
+}
+
+/// What a sound case leaves, with a void of a share of the force in a stretch of time, s.
+fn doubt(
+    outcome: &Outcome,
+    [from, to]: [f64; 2],
+    void: f64,
+    change: impl Fn(&mut Evidence<'_>),
+) -> Option<String> {
+    let mut gaps = FaceGaps::new(0.1428);
+    for k in 0..800 {
+        let time = 0.005 * f64::from(k);
+        let lost = if (from..to).contains(&time) { void } else { 0.0 };
+        gaps.push(time, [1.046 * (1.0 - lost), 1.0]);
+    }
+    let water = Acoustics { depth: 0.2, gravity: 9.81, sound_speed: Some(11.2) };
+    let mut blows = Blows::new(water);
+    blows.hit(Hit { time_s: 2.0, dt: 0.001, speed: 0.3, runup: 0.0 }, 0.8);
+    let mut found = Found::default();
+    [(0.5, 0.2), (2.0, 0.8)].into_iter().for_each(|(time, joules)| found.push(time, joules));
+    let mut evidence = Evidence {
+        gaps: &gaps,
+        largest_gap: 0.1,
+        blows: &blows,
+        kicked: false,
+        found: &found,
+        work: 100.0,
+        spacing: 0.06,
+        is_wave: true,
+        lopsided: Some(1e-4),
+        compression_percent: 1.6,
+    };
+    change(&mut evidence);
+    evidence.doubt(outcome)
+}
+
+#[test]
+fn a_gap_counts_where_a_quoted_force_is_and_nowhere_else() {
+    assert_eq!(doubt(&outcome(), [2.0, 2.3], 0.6, |_| ()), None, "after a stop");
+    let told = doubt(&outcome(), [0.9, 1.1], 0.06, |_| ()).unwrap();
+    let words = "off by -6.0 % at force_max";
+    assert_eq!(told, format!("force gap: the pressure on the face is {words}"));
+}
+
+#[test]
+fn cavities_at_the_wall_count_where_they_do_not_end_a_run() {
+    let with = |gap| doubt(&outcome(), [0.0, 0.0], 0.0, |e| e.largest_gap = gap);
+    assert_eq!(with(0.5), None);
+    let words = "for a while the pressure on the face was off by 74 %, beside cavities";
+    assert_eq!(with(0.743).unwrap(), format!("force gap: {words}"));
+    let collapse = |e: &mut Evidence<'_>| (e.largest_gap, e.is_wave) = (1.5, false);
+    assert_eq!(doubt(&outcome(), [0.0, 0.0], 0.0, collapse), None);
+}
+
+#[test]
+fn energy_counts_on_either_side() {
+    let with = |energy_gap_percent| {
+        let outcome = Outcome { energy_gap_percent, ..outcome() };
+        doubt(&outcome, [0.0, 0.0], 0.0, |_| ())
+    };
+    assert_eq!(with(2.9), None);
+    assert_eq!(with(3.1).unwrap(), "energy: the budget is open by +3.1 %");
+    assert_eq!(with(-15.2).unwrap(), "energy: the budget is open by -15.2 %");
+}
+
+#[test]
+fn energy_from_nowhere_counts_against_what_the_spacing_makes() {
+    let with = |work: f64, spacing: f64| {
+        let change = |e: &mut Evidence<'_>| (e.work, e.spacing) = (work, spacing);
+        doubt(&outcome(), [0.0, 0.0], 0.0, change)
+    };
+    // 0.2 of it until the largest force at 1 s, 0.8 in all.
+    assert_eq!(with(100.0, 0.045), None);
+    let told = with(100.0, 0.035).unwrap();
+    assert_eq!(told, "energy: 0.2 % of the paddle's work came from nowhere");
+    assert_eq!(with(81.0, 0.07), None);
+    assert!(with(79.0, 0.07).unwrap().contains("1.0 % of the paddle's work"));
+}
+
+#[test]
+fn coarse_particles_alone_are_no_doubt() {
+    let with = |spacing: f64, void: f64| {
+        doubt(&outcome(), [0.9, 1.1], void, |e| e.spacing = spacing).unwrap_or_default()
+    };
+    assert_eq!(with(0.125, 0.02), "");
+    assert!(with(0.125, 0.03).starts_with("force gap: "));
+}
+
+#[test]
+fn still_water_presses_both_walls_alike() {
+    let with = |lopsided| doubt(&outcome(), [0.0, 0.0], 0.0, |e| e.lopsided = Some(lopsided));
+    assert_eq!(with(-3e-4), None);
+    assert!(with(-5e-4).unwrap().starts_with("force at rest: still water pressed the wall -0.05"));
+}
+
+#[test]
+fn soft_water_is_doubtful() {
+    let with = |ratio: f64| {
+        doubt(&outcome(), [0.0, 0.0], 0.0, |e| e.compression_percent = 100.0 / ratio.powi(2))
+    };
+    assert_eq!((with(8.0), with(7.0)), (None, None));
+    assert_eq!(with(4.0).unwrap(), "compression: its weight makes the water 9.4 % denser");
+}
+
+#[test]
+fn a_maximum_in_the_sound_of_a_blow_is_named() {
+    let late = Outcome { force_max: at(2.3, 2.15), ..outcome() };
+    let told = doubt(&late, [0.0, 0.0], 0.0, |_| ()).unwrap();
+    let words = "force_max is 0.149 s after the wall hit its stop, in the sound of it";
+    assert_eq!(told, format!("stop impact: {words}"));
+    let later = Outcome { force_max: at(2.3, 2.4), ..outcome() };
+    assert_eq!(doubt(&later, [0.0, 0.0], 0.0, |_| ()), None);
+    let kicked = doubt(&outcome(), [0.0, 0.0], 0.0, |e| e.kicked = true).unwrap();
+    assert!(kicked.starts_with("stop impact: displacement_max"), "{kicked}");
+}
