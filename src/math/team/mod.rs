@@ -4,15 +4,16 @@
 //! parts are taken afterwards in a fixed order, so that the answer does not depend on how many
 //! threads there are, nor on which of them is the first.
 
-mod crew;
 mod growing;
 mod rows;
+mod standby;
 
 use std::cell::Cell;
 use std::ops::Range;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
-use crew::{Crew, MOST};
+use rayon::{ThreadPool, ThreadPoolBuilder};
+
 pub use growing::Growing;
 pub use rows::{First, Rows};
 
@@ -21,25 +22,39 @@ const PARTS_PER_THREAD: usize = 4;
 
 /// A case's own threads; none by default, then all is done by whoever asks.
 #[derive(Debug, Clone, Default)]
-pub struct Team(Option<Arc<Crew>>);
+pub struct Team(Option<Arc<ThreadPool>>);
 
 impl Team {
-    /// So many threads; none for a single one.
+    /// So many threads; none for a single one, nor where the system starts no more of them.
     pub fn of(threads: usize) -> Team {
-        Team((threads > 1).then(|| Arc::new(Crew::new(threads))))
+        if threads <= 1 {
+            return Team(None);
+        }
+        let pool = ThreadPoolBuilder::new()
+            .num_threads(threads)
+            .thread_name(|number| format!("team-{number}"))
+            .stack_size(8 << 20)
+            .build();
+        Team(pool.ok().map(Arc::new))
     }
 
     /// Into how many parts the work is best cut: one where there is nobody to share it.
     pub fn parts(&self) -> usize {
-        self.0.as_ref().map_or(1, |crew| PARTS_PER_THREAD * crew.threads())
+        self.0.as_ref().map_or(1, |pool| PARTS_PER_THREAD * pool.current_num_threads())
     }
 
-    /// Does a piece of work while the other threads are at hand.
-    pub fn lead<T>(&self, work: impl FnOnce() -> T) -> T {
-        let Some(crew) = &self.0 else { return work() };
-        let (done, spent) = crew.lead(work, own_processor_time);
-        LED.set(LED.get() + spent.into_iter().flatten().sum::<f64>());
-        done
+    /// Does a piece of work on one of the threads, where the others are at hand; the calling thread
+    /// waits, and does nothing else meanwhile.
+    pub fn lead<T: Send>(&self, work: impl FnOnce() -> T + Send) -> T {
+        let Some(pool) = &self.0 else { return work() };
+        // From a thread of its own: a thread of another pool would take up that pool's work.
+        let before = processor_time(pool);
+        let attended = || pool.install(|| standby::attended(work));
+        let done = std::thread::scope(|scope| scope.spawn(attended).join());
+        if let (Some(before), Some(after)) = (before, processor_time(pool)) {
+            LED.set(LED.get() + after - before);
+        }
+        done.unwrap_or_else(|panic| std::panic::resume_unwind(panic))
     }
 
     /// Does the work on every part and its rows.
@@ -63,51 +78,30 @@ impl Team {
     }
 
     fn divide<S: Parts, R: Rows>(&self, parts: S, rows: R, work: &(impl Fn(S::One, R) + Sync)) {
-        let Some(crew) = self.0.as_ref().filter(|_| parts.count() > 1) else {
-            return divide(parts, rows, work);
-        };
-        let pieces = [const { Mutex::new(None) }; MOST];
-        let mut count = 0;
-        pieces_of(parts, rows, MOST, &mut |parts, rows| {
-            *pieces[count].lock().unwrap_or_else(PoisonError::into_inner) = Some((parts, rows));
-            count += 1;
-        });
-        crew.share(count, &|piece| {
-            let taken = pieces[piece].lock().unwrap_or_else(PoisonError::into_inner).take();
-            let (parts, rows) = taken.expect("each piece is taken once");
-            divide(parts, rows, work);
-        });
-    }
-}
-
-/// Cuts parts, with their rows, into at most so many pieces: halves of halves, as far as single parts.
-fn pieces_of<S: Parts, R: Rows>(parts: S, rows: R, most: usize, take: &mut impl FnMut(S, R)) {
-    if most == 1 || parts.count() <= 1 {
-        return take(parts, rows);
-    }
-    let ([left, right], [rows_left, rows_right]) = halves(parts, rows);
-    pieces_of(left, rows_left, most / 2, take);
-    pieces_of(right, rows_right, most / 2, take);
-}
-
-/// Does the work on parts, one after the other.
-fn divide<S: Parts, R: Rows>(parts: S, rows: R, work: &impl Fn(S::One, R)) {
-    match parts.count() {
-        0 => {}
-        1 => work(parts.one(), rows),
-        _ => {
-            let ([left, right], [rows_left, rows_right]) = halves(parts, rows);
-            divide(left, rows_left, work);
-            divide(right, rows_right, work);
+        match (&self.0, parts.count()) {
+            (_, 0) => {}
+            (Some(pool), 2..) => pool.install(|| divide(parts, rows, true, work)),
+            _ => divide(parts, rows, false, work),
         }
     }
 }
 
-fn halves<S: Parts, R: Rows>(parts: S, rows: R) -> ([S; 2], [R; 2]) {
+/// Does the work on parts, on several at once if they are shared.
+fn divide<S: Parts, R: Rows>(parts: S, rows: R, shared: bool, work: &(impl Fn(S::One, R) + Sync)) {
+    if parts.count() == 1 {
+        return work(parts.one(), rows);
+    }
     let items = parts.items();
     let (left, right) = parts.halves();
     let (rows_left, rows_right) = rows.split(left.items(), items);
-    ([left, right], [rows_left, rows_right])
+    let first = || divide(left, rows_left, shared, work);
+    let second = || divide(right, rows_right, shared, work);
+    if shared {
+        standby::join(first, second);
+    } else {
+        first();
+        second();
+    }
 }
 
 /// So many items in so many ranges as even as can be.
@@ -116,13 +110,18 @@ pub fn cut(items: usize, parts: usize) -> impl Iterator<Item = Range<usize>> {
 }
 
 thread_local! {
-    /// Processor time of the threads that stood by while this one led, seconds.
+    /// Processor time of the teams that this thread has let work, seconds.
     static LED: Cell<f64> = const { Cell::new(0.0) };
 }
 
-/// Processor time of the calling thread so far, and of the threads that stood by while it led, seconds; `None` where the system does not tell.
+/// Processor time of the calling thread so far, and of the teams whose work it has waited for,
+/// seconds; `None` where the system does not tell.
 pub fn thread_processor_time() -> Option<f64> {
     own_processor_time().map(|own| own + LED.get())
+}
+
+fn processor_time(pool: &ThreadPool) -> Option<f64> {
+    pool.broadcast(|_| own_processor_time()).into_iter().sum()
 }
 
 #[cfg(target_os = "linux")]

@@ -48,61 +48,12 @@ fn short_work_takes_no_longer_than_the_clock_says() {
 
 #[test]
 fn the_time_of_a_team_counts() {
-    let work = |_: &mut Stretch, ()| {
-        std::hint::black_box((0..50_000_000_u64).fold(1, |a, b| std::hint::black_box(a ^ b)));
-    };
-    let team = Team::of(2);
-    let mut parts: Vec<_> = (0..8).map(|part| Stretch(part..part + 1)).collect();
+    let work = || (0..50_000_000_u64).fold(1, |a, b| std::hint::black_box(a ^ b));
     let before = thread_processor_time();
-    team.lead(|| team.share(&mut parts, (), &work));
+    Team::of(2).lead(work);
     let after = (own_processor_time(), thread_processor_time());
     if let (Some(before), (Some(own), Some(all))) = (before, after) {
-        // No processor is done with it in sixteen milliseconds. The other thread had its share of it, unless it
-        // never got a processor.
-        assert!(all - before > 0.016 && own <= all, "{before} {own} {all}");
+        // No processor is done with it in two milliseconds.
+        assert!(all - before > 0.002 && own - before < 0.5 * (all - before), "{own} {all}");
     }
-}
-
-#[test]
-fn a_piece_that_panics_ends_the_work_and_the_next_goes_on() {
-    let team = Team::of(3);
-    let mut parts: Vec<_> = (0..12).map(|part| Stretch(part..part + 1)).collect();
-    let done = std::sync::atomic::AtomicUsize::new(0);
-    let count = |_: &mut Stretch, ()| {
-        done.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-    };
-    let thrown = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| {
-        team.lead(|| {
-            team.share(&mut parts, (), &|part, ()| {
-                count(part, ());
-                assert!(part.0.start != 7, "the eighth");
-            });
-        });
-    }));
-    assert!(thrown.is_err());
-    assert_eq!(done.load(std::sync::atomic::Ordering::Relaxed), 12);
-    team.lead(|| team.share(&mut parts, (), &count));
-    assert_eq!(done.load(std::sync::atomic::Ordering::Relaxed), 24);
-}
-
-#[test]
-fn work_within_work_and_beside_it_is_done() {
-    let team = Team::of(2);
-    let sum = std::sync::atomic::AtomicUsize::new(0);
-    let add = |part: &mut Stretch, ()| {
-        sum.fetch_add(part.0.start, std::sync::atomic::Ordering::Relaxed);
-    };
-    let within = |_: &mut Stretch, ()| {
-        let mut inner: Vec<_> = (0..5).map(|part| Stretch(part..part + 1)).collect();
-        team.lead(|| team.share(&mut inner, (), &add));
-    };
-    let mut parts: Vec<_> = (0..200).map(|part| Stretch(part..part + 1)).collect();
-    team.lead(|| {
-        for _ in 0..100 {
-            team.share(&mut parts, (), &within);
-        }
-    });
-    // Without a leader one thread does it all.
-    team.share(&mut parts[..3], (), &within);
-    assert_eq!(sum.load(std::sync::atomic::Ordering::Relaxed), 10 * (200 * 100 + 3));
 }
