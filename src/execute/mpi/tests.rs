@@ -1,4 +1,5 @@
 use super::*;
+use crate::execute::Report;
 
 #[test]
 fn results_cross_the_wire_bit_for_bit() {
