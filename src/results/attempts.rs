@@ -51,22 +51,6 @@ impl Attempts {
         self.suspects.len()
     }
 
-    /// A case or trunk is about to start.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
-    pub fn begin(&mut self, id: CaseId) -> Result<(), SweepError> {
-        self.turn(None, &[id])
-    }
-
-    /// It has ended, well or not, or was given back.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
-    pub fn end(&mut self, id: CaseId) -> Result<(), SweepError> {
-        self.turn(Some(id), &[])
-    }
-
     /// Something has ended, and others are about to start: one call of the system for all of them.
     ///
     /// # Errors
@@ -136,13 +120,13 @@ mod tests {
     fn what_has_begun_and_not_ended_is_a_suspect() {
         let directory = tempfile::tempdir().unwrap();
         let mut first = Attempts::open(directory.path()).unwrap();
-        first.begin(id(1)).unwrap();
-        first.begin(id(2)).unwrap();
-        first.end(id(1)).unwrap();
+        first.turn(None, &[id(1)]).unwrap();
+        first.turn(None, &[id(2)]).unwrap();
+        first.turn(Some(id(1)), &[]).unwrap();
         drop(first); // as a killed process would
         let mut second = Attempts::open(directory.path()).unwrap();
         assert!(second.is_suspect(id(2)) && !second.is_suspect(id(1)));
-        second.begin(id(2)).unwrap();
+        second.turn(None, &[id(2)]).unwrap();
         drop(second);
         let mut third = Attempts::open(directory.path()).unwrap();
         assert!(third.is_suspect(id(2)));
@@ -150,7 +134,7 @@ mod tests {
         third.turn(Some(id(4)), &[]).unwrap();
         let fourth = Attempts::open(directory.path()).unwrap();
         assert_eq!(fourth.suspects, BTreeSet::from([id(3)]));
-        third.end(id(3)).unwrap();
+        third.turn(Some(id(3)), &[]).unwrap();
         assert!(!Attempts::open(directory.path()).unwrap().is_suspect(id(2)));
         third.close().unwrap();
         assert_eq!(fs::read_dir(directory.path()).unwrap().count(), 0);
@@ -160,7 +144,7 @@ mod tests {
     fn torn_and_foreign_lines_count_for_nothing() {
         let directory = tempfile::tempdir().unwrap();
         fs::write(directory.path().join(FILE_NAME), "+00000000").unwrap();
-        Attempts::open(directory.path()).unwrap().begin(id(2)).unwrap();
+        Attempts::open(directory.path()).unwrap().turn(None, &[id(2)]).unwrap();
         assert!(Attempts::open(directory.path()).unwrap().is_suspect(id(2)));
         assert_eq!(begun("+0000000000000001\nhello\n-\n+00000000"), BTreeSet::from([id(1)]));
     }

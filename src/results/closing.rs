@@ -14,7 +14,7 @@ use std::time::UNIX_EPOCH;
 use serde::{Deserialize, Serialize};
 
 use super::error::SweepError;
-use super::{atomic_file, lock, sealed};
+use super::{lock, sealed};
 
 const FILE_NAME: &str = "closing.json";
 
@@ -49,15 +49,12 @@ impl Closing {
     /// A file that cannot be written, a folder that cannot be read.
     pub fn write(self, directory: &Path) -> Result<(), SweepError> {
         let found = look(directory).map_err(SweepError::io(directory))?;
-        let text = sealed::sealed(&Closing { found, ..self });
-        atomic_file::write(&directory.join(FILE_NAME), text.as_bytes())
+        sealed::write(&directory.join(FILE_NAME), &Closing { found, ..self })
     }
 
     /// How a directory was closed; `None` where it was not, has changed since, or what tells of it is damaged.
     pub fn read(directory: &Path) -> Option<Closing> {
-        let text =
-            fs::read(directory.join(FILE_NAME)).ok().filter(|text| sealed::is_whole(text))?;
-        let closing: Closing = serde_json::from_slice(&text).ok()?;
+        let closing: Closing = sealed::read(&directory.join(FILE_NAME))?;
         (look(directory).ok()? == closing.found).then_some(closing)
     }
 }
@@ -81,6 +78,7 @@ fn look(directory: &Path) -> std::io::Result<BTreeMap<String, (u64, u64)>> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::atomic_file;
     use super::*;
 
     #[test]

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use super::error::SweepError;
 use super::seal::Seal;
-use super::{atomic_file, sealed};
+use super::sealed;
 
 const FILE_NAME: &str = "derived.json";
 /// What the columns of probes hold: the first cases that end leave it.
@@ -31,12 +31,11 @@ pub struct Derived {
 impl Derived {
     /// Those of a directory; none where nothing tells of them, or what tells is damaged.
     fn read(directory: &Path) -> Derived {
-        let text = fs::read(directory.join(FILE_NAME)).ok().filter(|text| sealed::is_whole(text));
-        text.and_then(|text| serde_json::from_slice(&text).ok()).unwrap_or_default()
+        sealed::read(&directory.join(FILE_NAME)).unwrap_or_default()
     }
 
     fn write(&self, directory: &Path) -> Result<(), SweepError> {
-        atomic_file::write(&directory.join(FILE_NAME), sealed::sealed(self).as_bytes())
+        sealed::write(&directory.join(FILE_NAME), self)
     }
 
     /// All but films are about to be made again: only they keep their seals.

@@ -34,12 +34,12 @@ fn session(
     let missing = |case: &&Case| directory.runs()[case.index].is_none();
     let missing: Vec<_> = study.runs().filter(missing).cloned().collect();
     for case in &missing {
-        directory.attempts().begin(case.id)?;
+        directory.attempts().turn(None, &[case.id])?;
         // A checkpoint that cannot be written costs nothing but itself.
         let _ = Checkpoint::of_case(path, case.id, SIMD).write(b"state");
         let result = made_up(&case.config);
         record(&mut directory, study, case, result)?;
-        directory.attempts().end(case.id)?;
+        directory.attempts().turn(Some(case.id), &[])?;
         directory.sync(true)?;
         kept.push(case.id);
     }

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::error::SweepError;
 use super::load::Load;
 use super::program::Program;
-use super::{atomic_file, sealed};
+use super::sealed;
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::study::{PHYSICS_VERSION, Study};
@@ -168,6 +168,6 @@ impl Manifest {
 
     /// Writes it.
     pub fn write(&self, directory: &Path) -> Result<(), SweepError> {
-        atomic_file::write(&directory.join(FILE_NAME), sealed::sealed(self).as_bytes())
+        sealed::write(&directory.join(FILE_NAME), self)
     }
 }

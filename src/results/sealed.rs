@@ -2,17 +2,37 @@
 //!
 //! The first line of such an object is `"sum"`, the start of SHA-256 over all lines below it.
 
-use serde::Serialize;
+use std::fs;
+use std::path::Path;
 
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use super::atomic_file;
 use super::checksum::checksum;
+use super::error::SweepError;
 
 /// What stands before the sum, and behind it.
 const FRAME: [&str; 2] = ["{\n  \"sum\": \"", "\",\n"];
 /// Length of a sum.
 const SUM: usize = 16;
 
+/// Writes an object with fields, under its sum.
+///
+/// # Errors
+/// A file that cannot be written.
+pub(super) fn write(path: &Path, object: &impl Serialize) -> Result<(), SweepError> {
+    atomic_file::write(path, sealed(object).as_bytes())
+}
+
+/// Reads one; `None` where there is none, or it is not as it was written.
+pub(super) fn read<T: DeserializeOwned>(path: &Path) -> Option<T> {
+    let text = fs::read(path).ok().filter(|text| is_whole(text))?;
+    serde_json::from_slice(&text).ok()
+}
+
 /// The text of an object with fields, under its sum.
-pub(super) fn sealed(object: &impl Serialize) -> String {
+fn sealed(object: &impl Serialize) -> String {
     let text = serde_json::to_string_pretty(object).expect("plain data has a JSON form");
     let fields = text.strip_prefix("{\n").expect("an object with fields has a line each");
     let ([before, behind], fields) = (FRAME, format!("{fields}\n"));
