@@ -52,7 +52,8 @@ pub(super) fn execute(
     output: &Output,
 ) -> Result<Done, SweepError> {
     let study = &job.study;
-    if job.mode == OpenMode::Fresh || !job.out.join("journal.jsonl").exists() {
+    let anew = job.mode == OpenMode::Fresh || !job.out.join("journal.jsonl").exists();
+    if anew {
         // Before anything is written or moved aside.
         if job.shares_threads {
             crew.share_threads(study.run_count());
@@ -97,8 +98,10 @@ pub(super) fn execute(
     if job.shares_threads {
         crew.share_threads(missing);
     }
-    let missing = study.runs().zip(directory.runs()).filter(|(_, record)| record.is_none());
-    demand_memory(missing.map(|(case, _)| case), crew)?;
+    if !anew {
+        let missing = study.runs().zip(directory.runs()).filter(|(_, record)| record.is_none());
+        demand_memory(missing.map(|(case, _)| case), crew)?;
+    }
     let kept = directory.kept();
     if !kept.is_empty() {
         let cases = counted(kept.len(), "checkpoint");
