@@ -48,8 +48,8 @@ impl Setting {
         Goda { ratio: wave_height_ratio / depth, depth_in_waves: in_waves, freeboard }.force()
     }
 
-    /// F* by the formula for the wave of a case: a single wave's measured height, or the nominal one;
-    /// the nominal one of regular waves, as the gauge has the first crest alone.
+    /// F* by the formula for the wave of a case. A single wave has its measured height, or else the nominal one.
+    /// Regular waves have the nominal one, as the gauge knows their first crest alone.
     pub fn of_case(self, row: &Row) -> Option<f64> {
         let measured = row.number(&MEASURED_WAVE_HEIGHT_RATIO).filter(|_| !self.is_regular());
         let wave = measured.or_else(|| row.number(&WAVE_HEIGHT_RATIO));

@@ -7,8 +7,8 @@ use super::frame::Frame;
 use crate::keys::{ConfigError, Range, read_alone, section};
 use crate::math::decimal::significant;
 
-/// Columns that follow those of the probes where the wall has a crest: what has gone over, m² per metre of
-/// width; the discharge, m²/s; thickness, m, and speed, m/s, on the crest.
+/// Columns that follow those of the probes where the wall has a crest. They hold what has gone over (m³ per metre of
+/// width), the discharge (m²/s), and thickness (m) and speed (m/s) on the crest.
 pub const CREST_COLUMNS: [&str; 4] = [
     "overtopping_volume_m2",
     "overtopping_discharge_m2_per_s",

@@ -98,8 +98,8 @@ pub struct WcsphOptions {
     pub field: Option<CentralField>,
 }
 
-/// Of water that a solitary wave throws up a wall, over the depth, to the bed: 1 + 4 H/h, of a wave as high as the
-/// water is deep, which is higher than any.
+/// How high above the bed a solitary wave can throw water up a wall, over the depth: 1 + 4 H/h. H/h = 1 is taken, which
+/// no such wave has.
 const HIGHEST_FALL: f64 = 5.0;
 
 impl WcsphOptions {

@@ -49,8 +49,8 @@ impl HealthBounds {
                 .map_or(frame.density, |state| state.surface_density),
             lost_share: 0.02,
             clustered_share: 0.25,
-            // A front that hits a wall splashes, and water that falls free in front of one leaves cavities at its
-            // face: what is there and what presses on it differ for a while. A front's books close less well.
+            // A front that hits a wall splashes. Water that falls free in front of one leaves cavities at its face.
+            // What is there and what presses on it differ for a while. A front's books close less well.
             force_gap: if splashes || falls_free { 2.0 } else { LASTING_GAP },
             energy_growth: 0.25,
             energy_floor: if splashes { 0.05 } else { 0.01 } * start.potential.abs()
