@@ -132,7 +132,7 @@ fn recording(result: &CaseResult) -> Recording {
     let spent = || thread_processor_time().expect("the system tells what a thread takes");
     let before = spent();
     for (case, message) in study.cases.iter().zip(&messages) {
-        directory.attempts().begin(case.id).unwrap();
+        directory.attempts().turn(None, &[case.id]).unwrap();
         let order = Order::Run {
             work: Work::Case(case.index),
             config: Posted::from(&case.config),
@@ -149,7 +149,7 @@ fn recording(result: &CaseResult) -> Recording {
         };
         let record = CaseRecord::of_filed(&study, case, &filed, 1.0, "host");
         directory.record_filed(record, &filed).unwrap();
-        directory.attempts().end(case.id).unwrap();
+        directory.attempts().turn(Some(case.id), &[]).unwrap();
         directory.sync(false).unwrap();
     }
     let record_s = (spent() - before) / RECORDED as f64;
