@@ -13,25 +13,32 @@ pub struct ConfigError {
 }
 
 /// A longer value is cut in messages.
-const LONGEST: usize = 300;
-/// What is left of it.
-const KEPT: usize = 60;
+const LONGEST: usize = 120;
+/// What is left of the start and of the end of what is cut.
+const KEPT: [usize; 2] = [60, 40];
 /// A number of more digits is told with its power of ten.
 const DIGITS: usize = 24;
 
+/// A text of more than so many characters, cut: its start, its end, and how long it is.
+pub fn cut(text: &str, longest: usize) -> Option<String> {
+    let length = text.chars().count();
+    if length <= longest {
+        return None;
+    }
+    let start: String = text.chars().take(KEPT[0]).collect();
+    let end: String = text.chars().skip(length.saturating_sub(KEPT[1])).collect();
+    Some(format!("{start} ... {end} ({length} characters)"))
+}
+
 /// A value behind its key.
 fn told(value: &str) -> String {
-    let length = value.chars().count();
-    let number = value.parse::<f64>().ok().filter(|number| number.is_finite() && length > DIGITS);
-    match number {
-        Some(number) => format!(" = {number:e}"),
-        None if value.is_empty() => String::new(),
-        None if length > LONGEST => {
-            let start: String = value.chars().take(KEPT).collect();
-            format!(" = {start}... ({length} characters)")
-        }
-        None => format!(" = {value}"),
+    if value.is_empty() {
+        return String::new();
     }
+    let number = value.parse::<f64>().ok().filter(|number| number.is_finite());
+    let short = number.filter(|_| value.len() > DIGITS).map(|number| format!("{number:e}"));
+    let short = short.or_else(|| cut(value, LONGEST));
+    format!(" = {}", short.as_deref().unwrap_or(value))
 }
 
 impl ConfigError {
@@ -99,8 +106,9 @@ mod tests {
             ["k = 1e-308: no", "k = 1e300: no", "k = 0.25: no"]
         );
         assert_eq!(told(&""), "k: no");
-        let cut = told(&"x y".repeat(1000));
-        assert!(cut.len() < 100 && cut.ends_with("... (3000 characters): no"), "{cut}");
+        let cut = told(&format!("{}end", "x y".repeat(1000)));
+        assert!(cut.len() < 150 && cut.starts_with("k = x yx"), "{cut}");
+        assert!(cut.ends_with("yend (3003 characters): no"), "{cut}");
     }
 
     #[test]

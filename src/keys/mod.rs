@@ -50,7 +50,7 @@ mod table;
 mod words;
 mod written;
 
-pub use error::{ConfigError, hint, nearest};
+pub use error::{ConfigError, cut, hint, nearest};
 pub use key::{Key, number};
 pub use overrides::Override;
 pub use rule::{Range, Rule, When, plain, unit};

@@ -148,23 +148,11 @@ impl CaseConfig {
     }
 }
 
-/// The longest value that an error shows whole, and how much of its start and its end is left of others.
-const SHOWN: [usize; 3] = [120, 70, 40];
-
 /// An error about a key of the scene, with the value that the file has.
 fn with_value(error: ConfigError, scene: &Table) -> ConfigError {
     let key = error.key.strip_prefix("scene.").filter(|_| error.value.is_empty());
     let Some(value) = key.and_then(|key| scene.get(key)) else { return error };
-    let value = value.to_string();
-    let [longest, first, last] = SHOWN;
-    let letters: Vec<char> = value.chars().collect();
-    let part = |letters: &[char]| letters.iter().collect::<String>();
-    let value = if letters.len() <= longest {
-        value
-    } else {
-        format!("{} ... {}", part(&letters[..first]), part(&letters[letters.len() - last..]))
-    };
-    ConfigError { value, ..error }
+    ConfigError { value: value.to_string(), ..error }
 }
 
 #[cfg(test)]
