@@ -56,6 +56,17 @@ fn waves_that_go_on_do_not_sink() {
     assert!(sunk < -0.01, "{sunk} h");
 }
 
+/// A single wave that wall and paddle throw back for forty seconds has the energy that the paddle gave it, but for
+/// what its crest loses at each wall. Half a minute of stirring took a quarter of it, and the water sank.
+#[test]
+fn a_wave_that_comes_back_keeps_its_energy() {
+    let energy =
+        run("wave_height_ratio = 0.3\nend_time_s = 40", "particle_spacing_m = 0.02").energy;
+    let kept = (energy.kinetic + energy.potential + energy.elastic) / energy.paddle_work;
+    println!("{kept} of the paddle's work is left");
+    assert!(kept > 0.9 && kept < 1.03, "{kept}");
+}
+
 /// The same wave for forty periods. It lost 36 % of its height where viscosity acted only on pairs that lose by it.
 #[test]
 fn waves_that_go_on_keep_their_height() {

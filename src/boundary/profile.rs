@@ -138,6 +138,15 @@ impl Profile {
         self.stretches().filter(|stretch| stretch.is_steep() && covered(stretch)).collect()
     }
 
+    /// Whether a stretch steeper than 1:2 comes out of still water of this depth.
+    pub fn is_steep_at(&self, depth: f64) -> bool {
+        let through = |stretch: &Stretch| {
+            let [from, to] = [stretch.from[1], stretch.place(stretch.length, 0.0)[1]];
+            from.min(to) < depth && from.max(to) >= depth
+        };
+        self.stretches().any(|stretch| stretch.is_steep() && through(&stretch))
+    }
+
     /// The face of the bed nearest to a place in the water, where it is so near, metres.
     pub fn face_within(&self, place: [f64; 2], near: f64) -> Option<Plane> {
         let over = |x: f64| place[1] - self.height(x) > near;

@@ -66,14 +66,18 @@ impl Facts<'_> {
         self.weakly && self.numerics.boundary == choice
     }
 
-    /// Whether a stretch of the bed that is steeper than 1:2 comes out of the still water.
-    pub fn has_steep_beach(&self) -> bool {
-        let bed = self.scene().seawall().and_then(|scene| scene.bed.as_ref());
-        let depth = self.scene().frame().depth;
-        bed.is_some_and(|bed| {
-            let covered = bed.steep_under(depth);
-            bed.stretches().any(|stretch| stretch.is_steep() && !covered.contains(&stretch))
-        })
+    /// Whether a steep bed that comes out of the water is left to stir it.
+    pub fn stirs_at_shore(&self) -> bool {
+        let numerics = self.numerics;
+        let stilled = numerics.volume_feedback > 0.0 && numerics.shifting == Shifting::Deep;
+        self.weakly && self.scene().has_steep_shore() && !stilled
+    }
+
+    /// Whether its wave comes back to the wall before the run ends.
+    pub fn hits_again(&self) -> bool {
+        let scene = self.scene();
+        let timed = !self.numerics.stop_when_settled;
+        timed && scene.has_solitary_wave_at_upright_wall() && scene.hits_again()
     }
 
     /// Whether its steep bed is left to stir still water.

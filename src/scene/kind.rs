@@ -20,6 +20,10 @@ use crate::math::simd::SimdPath;
 /// front of the wall.
 pub const FALLS_FREE: f64 = 0.7;
 
+/// After so many √(h/g) of stirring, water whose volume is not held has lost some hundredths of a wave's energy by it
+/// (H/h = 0.3, twelve rows).
+const SINKS_AFTER: f64 = 70.0;
+
 /// Declares the kinds: for each its name in files and its section.
 macro_rules! kinds {
     ($($(#[doc = $about:literal])* $name:literal => $kind:ident($scene:ty);)*) => {
@@ -122,7 +126,19 @@ impl Scene {
 
     /// Whether a single wave meets an upright wall over a bed that is nowhere steeper than 1:2.
     pub(super) fn has_solitary_wave_at_upright_wall(&self) -> bool {
-        self.has_crest_at_upright_wall() && !self.has_train() && !self.has_steep_bed()
+        let steep = self.has_steep_bed() || self.has_steep_shore();
+        self.has_crest_at_upright_wall() && !self.has_train() && !steep
+    }
+
+    /// Whether the run lasts until its wave, thrown back by the wall and then by the paddle, is at the wall again,
+    /// and so long that what this stirs sinks.
+    pub(super) fn hits_again(&self) -> bool {
+        self.seawall().is_some_and(|scene| {
+            let Frame { length, depth, gravity, end_time, .. } = scene.frame();
+            let celerity = (gravity * depth * (1.0 + scene.wave_height_ratio)).sqrt();
+            let time = end_time - scene.start_s();
+            time > 3.0 * length / celerity && time > SINKS_AFTER * (depth / gravity).sqrt()
+        })
     }
 
     /// Whether its wave is so steep that what it throws up a wall falls free and closes cavities.
@@ -145,6 +161,13 @@ impl Scene {
         let depth = self.frame().depth;
         let bed = self.seawall().and_then(|scene| scene.bed.as_ref());
         bed.is_some_and(|bed| !bed.steep_under(depth).is_empty())
+    }
+
+    /// Whether a stretch of its bed that is steeper than 1:2 comes out of the still water.
+    pub(super) fn has_steep_shore(&self) -> bool {
+        let depth = self.frame().depth;
+        let bed = self.seawall().and_then(|scene| scene.bed.as_ref());
+        bed.is_some_and(|bed| bed.is_steep_at(depth))
     }
 
     /// The seawall's values, where the scene has one.

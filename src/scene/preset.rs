@@ -103,15 +103,18 @@ impl Numerics {
         }
         if preset == Preset::Default {
             let spacing = table.get("particle_spacing_m").and_then(number);
-            base.suit(scene, spacing.unwrap_or(base.particle_spacing_m));
+            let timed = table.get("stop_when_settled").and_then(Value::as_bool) != Some(true);
+            base.suit(scene, spacing.unwrap_or(base.particle_spacing_m), timed);
         }
         let numerics = Numerics::read(table, Some(&base))?;
         check_conditions(table, &numerics)?;
         Ok(numerics)
     }
 
-    /// Takes what the preset `default` has for scenes of this kind, with particles so far apart, metres.
-    fn suit(&mut self, scene: &Scene, particle_spacing: f64) {
+    /// Takes what the preset `default` has for scenes of this kind, with particles so far apart, metres,
+    /// and whether the run ends with its end time alone.
+    fn suit(&mut self, scene: &Scene, particle_spacing: f64, timed: bool) {
+        let lasts = timed && scene.hits_again();
         if scene.seawall().is_some_and(|scene| scene.behind.keeps()) {
             // Water that falls on a floor hits it all at once, and long steps put energy into it.
             self.courant_number = 0.6;
@@ -140,8 +143,11 @@ impl Numerics {
             self.limited_viscosity = false;
         }
         if scene.has_train() {
-            // Waves that go on let water creep along the walls, and sink through itself.
+            // Waves that go on let water creep along the walls.
             self.boundary = BoundaryChoice::Normalized;
+        }
+        if scene.has_train() || scene.has_steep_shore() || (solitary && lasts) {
+            // Its volumes must be held where water that is stirred has the time to sink through itself.
             self.shifting = Shifting::Deep;
             self.volume_feedback = 0.002;
         }
