@@ -70,31 +70,39 @@ fn water_rests_on_a_ridge_for_five_minutes() {
     );
 }
 
+const STEEP: [&str; 4] = [
+    "[[0, 0], [0.4, 0], [0.4, 0.1], [1.1, 0.1], [1.1, 0], [1.6, 0]]",
+    "[[0, 0], [0.6, 0], [0.6, 0.15], [1.6, 0.15]]",
+    "[[0, 0], [0.5, 0], [0.6, 0.1], [1.6, 0.1]]",
+    "[[0, 0], [0.5, 0], [0.55, 0.1], [1.6, 0.1]]",
+];
+
 /// Without what the steep bed's feedback takes back, runs ended after 10 to 74 s: water went round at the upper
 /// end of a step and gained by it.
 #[test]
+fn water_rests_on_steep_beds() {
+    for bed in STEEP {
+        assert!(motion_left(bed, 2) < 1e-5, "{bed}");
+    }
+}
+
+#[test]
+#[ignore = "takes minutes: scripts/nightly runs it"]
 fn water_rests_on_steep_beds_for_five_minutes() {
-    for bed in [
-        "[[0, 0], [0.4, 0], [0.4, 0.1], [1.1, 0.1], [1.1, 0], [1.6, 0]]",
-        "[[0, 0], [0.6, 0], [0.6, 0.15], [1.6, 0.15]]",
-        "[[0, 0], [0.5, 0], [0.6, 0.1], [1.6, 0.1]]",
-        "[[0, 0], [0.5, 0], [0.55, 0.1], [1.6, 0.1]]",
-    ] {
+    for bed in STEEP {
         assert!(motion_left(bed, 5) < 1e-5, "{bed}");
     }
 }
 
-/// Beds steeper than 1:2 that come out of the water: a step, revetments of 1:1 and 2:1, and a step behind a slope.
+/// Beds steeper than 1:2 that come out of the water: a step, and one behind a slope.
 /// Without what holds the water's volume energy came from nowhere, and such runs ended after 70 to 100 s.
 #[test]
-fn water_rests_on_steep_shores_for_two_minutes() {
+fn water_rests_on_steep_shores() {
     for bed in [
         "[[0, 0], [1.2, 0], [1.2, 0.4], [1.6, 0.4]]",
-        "[[0, 0], [1.1, 0], [1.5, 0.4], [1.6, 0.4]]",
-        "[[0, 0], [1.1, 0], [1.3, 0.4], [1.6, 0.4]]",
         "[[0, 0], [0.3, 0], [0.8, 0.06], [1.2, 0.06], [1.2, 0.4], [1.6, 0.4]]",
     ] {
-        assert!(motion_left(bed, 2) < 5e-3, "{bed}");
+        assert!(motion_left(bed, 2) < 1e-3, "{bed}");
     }
 }
 
