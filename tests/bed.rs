@@ -95,7 +95,7 @@ fn water_rests_on_steep_beds_for_five_minutes() {
 }
 
 /// Beds steeper than 1:2 that come out of the water: a step, and one behind a slope.
-/// Without what holds the water's volume energy came from nowhere, and such runs ended after 70 to 100 s.
+/// Without what holds the water's volume energy came from nowhere, and such runs ended after 51 to 134 s.
 #[test]
 fn water_rests_on_steep_shores() {
     for bed in [
