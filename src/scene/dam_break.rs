@@ -68,6 +68,12 @@ impl DamBreakScene {
         }
     }
 
+    /// Whether it goes on when the front has come back from the wall and plunges on the water behind it.
+    pub(super) fn plunges(&self) -> bool {
+        let unit = (self.column_height_m / self.gravity_m_per_s2).sqrt();
+        self.frame().end_time > 1.001 * END * unit
+    }
+
     pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {
         let size = [self.column_length_m, self.column_height_m];
         Lattice::new(size, numerics.particle_spacing_m, 90.0)

@@ -73,6 +73,12 @@ impl Facts<'_> {
         self.weakly && self.scene().has_steep_shore() && !stilled
     }
 
+    /// Whether water is to rest before a steep shore for longer than it was seen to.
+    pub fn rests_long_at_shore(&self) -> bool {
+        let rests = self.weakly && self.wave == 0.0 && self.scene().has_steep_shore();
+        rests && self.scene().frame().end_time > 100.0
+    }
+
     /// Whether its wave comes back to the wall before the run ends.
     pub fn hits_again(&self) -> bool {
         let scene = self.scene();

@@ -35,6 +35,12 @@ const LIMITS: &[Limit] = &[
          = 0.002: still water began to turn beside it, and energy came from nowhere after 51 to 134 s",
     ),
     (
+        |case| case.rests_long_at_shore(),
+        "still water for more than 100 s before a bed steeper than 1:2 that comes out of it: for so long it \
+         rested at ten to twenty rows, but at ten rows energy came from nowhere in four of eight runs, \
+         after 117 to 296 s",
+    ),
+    (
         |case| case.hits_again() && case.sinks(),
         "a wave that comes back to the wall, without volume_feedback = 0.002: water that is stirred \
          sinks through itself, by 2 % of its depth within 40 s and 9 % within 80 s at twelve rows",
@@ -199,7 +205,15 @@ mod tests {
         let finer = "particle_spacing_m = 0.008\nboundary = \"normalized\"";
         assert_eq!(count(ridge, finer), 1);
         let steep = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [2, 1]]";
-        assert_eq!(count(steep, "boundary = \"normalized\""), 1);
+        assert_eq!(count(steep, "boundary = \"normalized\""), 0);
+        let interior = "boundary = \"normalized\"\nshifting = \"interior\"";
+        assert_eq!(count(steep, interior), 1);
+        let still = format!("{steep}\nwave_height_ratio = 0\nend_time_s");
+        assert_eq!(count(&format!("{still} = 90"), "boundary = \"normalized\""), 0);
+        assert_eq!(count(&format!("{still} = 110"), "boundary = \"normalized\""), 1);
+        let sinks = "volume_feedback = 0";
+        assert_eq!([8, 20].map(|s| count(&format!("end_time_s = {s}"), sinks)), [0, 1]);
+        assert_eq!(count("end_time_s = 20", ""), 0);
         assert_eq!(count("kind = \"dam-break\"", ""), 1);
         assert_eq!(count("kind = \"dam-break\"", "preset = \"huang2019\""), 0);
         assert_eq!(count("kind = \"dam-break\"", "boundary = \"mls-quadratic\""), 1);

@@ -13,6 +13,7 @@ mod declared;
 mod facts;
 mod filling;
 mod frame;
+mod happening;
 mod hydrostatic;
 mod kind;
 mod lattice;
@@ -38,8 +39,9 @@ pub use config::CaseConfig;
 pub use dam_break::{DamBreakScene, InitialDensity};
 pub use declared::{Place, numerics_keys, place_of, probe_keys, scene_keys, unknown_keys};
 pub use frame::Frame;
+pub use happening::FALLS_FREE;
 pub use hydrostatic::HydrostaticScene;
-pub use kind::{FALLS_FREE, Kind, Scene};
+pub use kind::{Kind, Scene};
 pub use limits::limits;
 pub use numerics::{
     BoundaryChoice, ErrorBars, GhostGravity, IncompressibleNumerics, Numerics, Scheme, Slip,

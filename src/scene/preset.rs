@@ -115,8 +115,8 @@ impl Numerics {
     /// and whether the run ends with its end time alone.
     fn suit(&mut self, scene: &Scene, particle_spacing: f64, timed: bool) {
         let lasts = timed && scene.hits_again();
-        if scene.seawall().is_some_and(|scene| scene.behind.keeps()) {
-            // Water that falls on a floor hits it all at once, and long steps put energy into it.
+        if scene.plunges() {
+            // Long steps put energy into water that is hit all at once.
             self.courant_number = 0.6;
         }
         if !scene.has_crest_at_upright_wall() {
@@ -130,7 +130,7 @@ impl Numerics {
         if solitary {
             self.artificial_viscosity = 0.09;
         }
-        if solitary && scene.falls_free() {
+        if (solitary && scene.falls_free()) || scene.plunges_on_water() {
             // Single particles beside a cavity would hold it open.
             self.surface_relief = true;
         }
