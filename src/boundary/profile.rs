@@ -133,16 +133,15 @@ impl Profile {
 
     /// The stretches steeper than 1:2 that still water of this depth covers.
     pub fn steep_under(&self, depth: f64) -> Vec<Stretch> {
-        let covered =
-            |stretch: &Stretch| stretch.from[1].max(stretch.place(stretch.length, 0.0)[1]) < depth;
+        let covered = |stretch: &Stretch| stretch.heights()[1] < depth;
         self.stretches().filter(|stretch| stretch.is_steep() && covered(stretch)).collect()
     }
 
     /// Whether a stretch steeper than 1:2 comes out of still water of this depth.
     pub fn is_steep_at(&self, depth: f64) -> bool {
         let through = |stretch: &Stretch| {
-            let [from, to] = [stretch.from[1], stretch.place(stretch.length, 0.0)[1]];
-            from.min(to) < depth && from.max(to) >= depth
+            let [low, high] = stretch.heights();
+            low < depth && high >= depth
         };
         self.stretches().any(|stretch| stretch.is_steep() && through(&stretch))
     }
@@ -214,6 +213,12 @@ impl Stretch {
     pub fn place(&self, along: f64, behind: f64) -> [f64; 2] {
         let normal = self.normal();
         [0, 1].map(|axis| self.from[axis] + along * self.along[axis] + behind * normal[axis])
+    }
+
+    /// Its lowest and its highest place, metres above the bed at the paddle.
+    fn heights(&self) -> [f64; 2] {
+        let [from, to] = [self.from[1], self.place(self.length, 0.0)[1]];
+        [from.min(to), from.max(to)]
     }
 
     /// Whether it is steeper than 1:2.

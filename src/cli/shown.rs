@@ -12,10 +12,9 @@ pub(super) fn shown(text: &str) -> String {
     let mut shown = String::with_capacity(text.len());
     for piece in text.split_inclusive(char::is_whitespace) {
         let word = piece.trim_end();
-        let cut = cut(word, LONGEST);
-        let word_shown = cut.as_deref().unwrap_or(word);
-        word_shown.chars().for_each(|char| push(&mut shown, char));
-        piece[word.len()..].chars().for_each(|char| push(&mut shown, char));
+        let (short, space) = (cut(word, LONGEST), &piece[word.len()..]);
+        let told = short.as_deref().unwrap_or(word).chars().chain(space.chars());
+        told.for_each(|char| push(&mut shown, char));
     }
     shown
 }

@@ -56,22 +56,26 @@ impl DamBreakScene {
     }
 
     pub(super) fn frame(&self) -> Frame {
-        let unit = (self.column_height_m / self.gravity_m_per_s2).sqrt();
         Frame {
             length: self.tank_length_m,
             depth: self.column_height_m,
             gravity: self.gravity_m_per_s2,
             speed: None,
             density: self.water_density_kg_per_m3,
-            end_time: self.end_time_s.unwrap_or(END * unit),
+            end_time: self.end_time_s.unwrap_or(self.usual_end()),
             history_interval: self.history_interval_s,
         }
     }
 
     /// Whether it goes on when the front has come back from the wall and plunges on the water behind it.
     pub(super) fn plunges(&self) -> bool {
-        let unit = (self.column_height_m / self.gravity_m_per_s2).sqrt();
-        self.frame().end_time > 1.001 * END * unit
+        // An end that is written out may be rounded.
+        self.frame().end_time > 1.001 * self.usual_end()
+    }
+
+    /// Where no end is given, seconds.
+    fn usual_end(&self) -> f64 {
+        END * (self.column_height_m / self.gravity_m_per_s2).sqrt()
     }
 
     pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {

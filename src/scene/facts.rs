@@ -68,9 +68,7 @@ impl Facts<'_> {
 
     /// Whether a steep bed that comes out of the water is left to stir it.
     pub fn stirs_at_shore(&self) -> bool {
-        let numerics = self.numerics;
-        let stilled = numerics.volume_feedback > 0.0 && numerics.shifting == Shifting::Deep;
-        self.weakly && self.scene().has_steep_shore() && !stilled
+        self.scene().has_steep_shore() && self.lets_stir(self.numerics.volume_feedback)
     }
 
     /// Whether water is to rest before a steep shore for longer than it was seen to.
@@ -81,21 +79,23 @@ impl Facts<'_> {
 
     /// Whether its wave comes back to the wall before the run ends.
     pub fn hits_again(&self) -> bool {
-        let scene = self.scene();
-        let timed = !self.numerics.stop_when_settled;
-        timed && scene.has_solitary_wave_at_upright_wall() && scene.hits_again()
+        self.scene().hits_again() && !self.numerics.stop_when_settled
     }
 
     /// Whether its steep bed is left to stir still water.
     pub fn stirs(&self) -> bool {
-        let numerics = self.numerics;
-        let stilled = numerics.steep_feedback > 0.0 && numerics.shifting == Shifting::Deep;
-        self.weakly && self.scene().has_steep_bed() && !stilled
+        self.scene().has_steep_bed() && self.lets_stir(self.numerics.steep_feedback)
+    }
+
+    /// Without the feedback and the shifting that still water beside a steep bed.
+    fn lets_stir(&self, feedback: f64) -> bool {
+        let stilled = feedback > 0.0 && self.numerics.shifting == Shifting::Deep;
+        self.weakly && !stilled
     }
 
     /// A bed that is not level.
     pub fn has_bed(&self) -> bool {
-        self.scene().seawall().is_some_and(|scene| scene.bed.is_some())
+        self.scene().bed().is_some()
     }
 
     /// A wall that water may go over.

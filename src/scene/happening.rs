@@ -3,6 +3,7 @@
 use super::frame::Frame;
 use super::kind::Scene;
 use super::seawall::SeawallScene;
+use crate::boundary::Profile;
 
 /// H/h above which what a solitary wave throws up an upright wall comes down free of the rest, and closes cavities in
 /// front of the wall.
@@ -24,15 +25,16 @@ impl Scene {
         self.has_crest_at_upright_wall() && !self.has_train() && !steep
     }
 
-    /// Whether the run lasts until its wave, thrown back by the wall and then by the paddle, is at the wall again,
-    /// and so long that what this stirs sinks.
+    /// Whether a run to the end time lasts until a solitary wave, thrown back by its upright wall and then by the
+    /// paddle, is at the wall again, and so long that what this stirs sinks.
     pub(super) fn hits_again(&self) -> bool {
-        self.seawall().is_some_and(|scene| {
-            let Frame { length, depth, gravity, end_time, .. } = scene.frame();
-            let celerity = (gravity * depth * (1.0 + scene.wave_height_ratio)).sqrt();
-            let time = end_time - scene.start_s();
-            time > 3.0 * length / celerity && time > SINKS_AFTER * (depth / gravity).sqrt()
-        })
+        self.has_solitary_wave_at_upright_wall()
+            && self.seawall().is_some_and(|scene| {
+                let Frame { length, depth, gravity, end_time, .. } = scene.frame();
+                let celerity = (gravity * depth * (1.0 + scene.wave_height_ratio)).sqrt();
+                let time = end_time - scene.start_s();
+                time > 3.0 * length / celerity && time > SINKS_AFTER * (depth / gravity).sqrt()
+            })
     }
 
     /// Whether its wave is so steep that what it throws up a wall falls free and closes cavities.
@@ -52,16 +54,17 @@ impl Scene {
 
     /// Whether still water covers a stretch of its bed that is steeper than 1:2.
     pub(super) fn has_steep_bed(&self) -> bool {
-        let depth = self.frame().depth;
-        let bed = self.seawall().and_then(|scene| scene.bed.as_ref());
-        bed.is_some_and(|bed| !bed.steep_under(depth).is_empty())
+        self.bed().is_some_and(|bed| !bed.steep_under(self.frame().depth).is_empty())
     }
 
     /// Whether a stretch of its bed that is steeper than 1:2 comes out of the still water.
     pub(super) fn has_steep_shore(&self) -> bool {
-        let depth = self.frame().depth;
-        let bed = self.seawall().and_then(|scene| scene.bed.as_ref());
-        bed.is_some_and(|bed| bed.is_steep_at(depth))
+        self.bed().is_some_and(|bed| bed.is_steep_at(self.frame().depth))
+    }
+
+    /// The bed, where it is written out.
+    pub(super) fn bed(&self) -> Option<&Profile> {
+        self.seawall()?.bed.as_ref()
     }
 
     /// Whether water falls on a floor or on other water, and hits it all at once.

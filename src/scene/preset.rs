@@ -114,7 +114,6 @@ impl Numerics {
     /// Takes what the preset `default` has for scenes of this kind, with particles so far apart, metres,
     /// and whether the run ends with its end time alone.
     fn suit(&mut self, scene: &Scene, particle_spacing: f64, timed: bool) {
-        let lasts = timed && scene.hits_again();
         if scene.plunges() {
             // Long steps put energy into water that is hit all at once.
             self.courant_number = 0.6;
@@ -146,7 +145,7 @@ impl Numerics {
             // Waves that go on let water creep along the walls.
             self.boundary = BoundaryChoice::Normalized;
         }
-        if scene.has_train() || scene.has_steep_shore() || (solitary && lasts) {
+        if scene.has_train() || scene.has_steep_shore() || (timed && scene.hits_again()) {
             // Its volumes must be held where water that is stirred has the time to sink through itself.
             self.shifting = Shifting::Deep;
             self.volume_feedback = 0.002;
