@@ -160,17 +160,16 @@ section! {
         /// Artificial viscosity acts only on pairs that lose energy by it. Trains, and solitary waves at
         /// upright walls over beds no steeper than 1:2, have it off by default.
         limited_viscosity: bool = true, weakly(plain()).newer();
-        /// Particle shifting. By default `deep` for trains, for beds steeper than 1:2, and for solitary waves at
-        /// upright walls in runs of more than 70 √(h/g), if the wave comes back to the wall within them.
+        /// Particle shifting. Trains, beds steeper than 1:2 and waves that come back have `deep` by default.
         shifting: Shifting = Shifting::Interior, plain();
         /// Strength A of the shifting. With 4 spacings by default 0.25.
         shifting_coefficient: f64 = 0.5,
             plain().within(0.0, 10.0).read_where("shifting", &["interior", "deep"])
                 .label("shifting strength");
-        /// How fast densities follow the error of the particles' volume, over c0/R. By default 0.002 for
-        /// trains, for beds steeper than 1:2 that come out of the still water, and for solitary waves at
-        /// upright walls in runs of more than 70 √(h/g), if the wave comes back to the wall within them. It
-        /// wants gravity and corrected gradients.
+        /// How fast densities follow the error of the particles' volume, over c0/R. Trains have 0.002 by
+        /// default. So do steep shores, which are beds steeper than 1:2 that come out of the still water. So do
+        /// waves that come back: a solitary wave is at its upright wall again, and the run lasts more than
+        /// 70 √(h/g). It wants gravity and corrected gradients.
         volume_feedback: f64 = 0.0, weakly(plain().within(0.0, 0.02)).newer();
         /// The same beside stretches of the bed that are steeper than 1:2 and under water, deeper
         /// below the surface, and over c0/h. Such beds have 0.15 by default.
