@@ -229,3 +229,29 @@ fn figures_for_print_come_in_two_widths_and_no_other_format() {
     }
     assert!(!root.path().join("figures/response-force-84mm.png").exists());
 }
+
+/// Whatever a path holds, no message lets it move the cursor or begin a line.
+#[test]
+#[cfg(unix)]
+fn paths_are_told_as_text() {
+    let root = tempfile::tempdir().unwrap();
+    let (file, out) = (write_file(root.path(), TINY), root.path().join("a\n\u{1b}[31mb"));
+    let (file, directory) = (file.to_str().unwrap(), out.to_str().unwrap());
+    let sweep = || run(&["sweep", file, "--out", directory, "--checkpoint-every-s", "0.001"]);
+    expect_code(&sweep(), 0);
+    let history = || fs::read_dir(out.join("histories")).unwrap().next().unwrap().unwrap().path();
+    let told_whole = |output: &std::process::Output, words: &str| {
+        let text = told(&output.stdout) + &told(&output.stderr);
+        assert!(text.lines().any(|line| line.contains(words)), "{text}");
+        assert!(!text.contains('\u{1b}') && !text.contains("\n["), "{text:?}");
+        let whole = text.lines().filter(|line| line.contains("31mb"));
+        assert!(whole.into_iter().all(|line| line.contains(r"a\n\u{1b}[31mb")), "{text:?}");
+    };
+    fs::write(history(), "").unwrap();
+    told_whole(&run(&["verify", directory]), ".csv is damaged");
+    // No checkpoint can be written beside a file of the folder's name.
+    fs::write(out.join("checkpoints"), "").unwrap();
+    let again = sweep();
+    expect_code(&again, 0);
+    told_whole(&again, "no checkpoint could be written");
+}

@@ -7,6 +7,7 @@ use super::job::Job;
 use super::output::Output;
 use super::overview;
 use super::{CASES_FAILED, SUCCESS};
+use crate::keys::named;
 use crate::results::{Closing, Lock, Program, Savings, checksum_of};
 use crate::study::{PHYSICS_VERSION, SweepFile};
 
@@ -50,7 +51,7 @@ impl Asked {
             closing.asked == self.sum && (self.films.is_empty() || closing.films == self.films)
         });
         let Some(closing) = closing else { return Ok(None) };
-        output.note(format_args!("{} is finished; --fresh would run it again", out.display()));
+        output.note(format_args!("{} is finished; --fresh would run it again", named(out)));
         let text = format!("{}{}", closing.told, overview::reported(report));
         output.result(&text, &serde_json::json!({}))?;
         Ok(Some(if closing.failed > 0 { CASES_FAILED } else { SUCCESS }))

@@ -11,6 +11,7 @@ use super::input::demand_output_of_study;
 use super::output::{Output, short};
 use super::table::Table;
 use super::{SUCCESS, shown};
+use crate::keys::named;
 use crate::math::decimal::significant;
 use crate::quantities::Unit;
 use crate::report::compare::{COMPARED, Comparison, Difference, Pair, compare, figure, table};
@@ -50,7 +51,7 @@ pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<u8> {
     let files = args.out.as_ref().map(|out| write(out, &comparison)).transpose()?;
     let mut text = told(directories, &comparison, output.verbose);
     for file in files.iter().flatten() {
-        text.push_str(&format!("{}\n", file.display()));
+        text.push_str(&format!("{}\n", named(file)));
     }
     output.result(&text, &json::value(directories, &comparison, files.as_deref()))?;
     Ok(SUCCESS)
@@ -60,8 +61,8 @@ fn nothing_in_common([a, b]: [&Path; 2], comparison: &Comparison) -> BadInput {
     let one = |one: usize| comparison.only[one].first().map_or("none finished", String::as_str);
     BadInput(format!(
         "{} and {} have no case in common: the first of the one is {}, of the other {}",
-        a.display(),
-        b.display(),
+        named(a),
+        named(b),
         one(0),
         one(1)
     ))
@@ -69,7 +70,7 @@ fn nothing_in_common([a, b]: [&Path; 2], comparison: &Comparison) -> BadInput {
 
 fn write(out: &Path, comparison: &Comparison) -> anyhow::Result<Vec<PathBuf>> {
     let bad = |error: std::io::Error| {
-        let out = out.display();
+        let out = named(out);
         BadInput(format!("--out {out}: must be a directory that can be written to ({error})"))
     };
     std::fs::create_dir_all(out).map_err(bad)?;

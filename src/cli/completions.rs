@@ -10,6 +10,7 @@ use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::Output;
 use super::shown;
+use crate::keys::named;
 use crate::results::in_words;
 
 /// Print a script with which a shell completes commands and options.
@@ -56,11 +57,11 @@ pub(super) fn man(args: &ManArgs, command: Command, output: &Output) -> anyhow::
         return Ok(SUCCESS);
     };
     let unusable = |error: std::io::Error| {
-        BadInput(format!("--out {}: {}", directory.display(), in_words(error.kind())))
+        BadInput(format!("--out {}: {}", named(directory), in_words(error.kind())))
     };
     std::fs::create_dir_all(directory).map_err(unusable)?;
     clap_mangen::generate_to(command, directory).map_err(unusable)?;
-    let told = format!("pages: {}\n", directory.display());
+    let told = format!("pages: {}\n", named(directory));
     output.result(&told, &json!({ "out": shown::path(directory) }))?;
     Ok(SUCCESS)
 }

@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::failure::BadInput;
+use crate::keys::named;
 
 #[derive(Debug, Clone, Args)]
 pub(super) struct EndingArgs {
@@ -23,7 +24,7 @@ impl EndingArgs {
         let Some(file) = &self.ending else { return Ok(()) };
         let line = [b"out ", directory.as_os_str().as_encoded_bytes(), b"\n"].concat();
         fs::write(file, line)
-            .map_err(|error| BadInput(format!("--ending {}: {error}", file.display())))
+            .map_err(|error| BadInput(format!("--ending {}: {error}", named(file))))
     }
 
     /// This is the exit code. Where it cannot be written, the launcher's has to do.

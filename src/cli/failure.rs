@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use super::shown::{self, shown};
 use super::{BAD_INPUT, INTERNAL, SUCCESS};
 use crate::execute::Launcher;
+use crate::keys::named;
 use crate::report::ReportError;
 use crate::results::SweepError;
 use crate::scene::ConfigError;
@@ -19,7 +20,7 @@ pub(super) struct BadInput(pub(super) String);
 
 /// A value in a file that the user can put right.
 #[derive(Debug, thiserror::Error)]
-#[error("{}: {error}", path.display())]
+#[error("{}: {error}", named(path))]
 pub(super) struct BadFile {
     path: PathBuf,
     error: ConfigError,

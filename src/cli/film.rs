@@ -11,6 +11,7 @@ use super::pick::the_case;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS, numbers, shown, stored};
 use crate::execute::Interrupt;
 use crate::film::{Colour, Filming, PageFilm};
+use crate::keys::named;
 use crate::results::{CaseRecord, Derived, finished, first_difference};
 use crate::simulation::{Resources, Stopped, run_case};
 use crate::study::{Case, Study};
@@ -68,8 +69,8 @@ pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
     shot.tell(case, output);
     if let Shot::Filmed(path) = &shot {
         let value = json!({ "case_id": case.id, "same": true, "film": shown::path(path) });
-        output.result(&format!("{}\n", path.display()), &value)?;
-        output.note(format_args!("`seawall report {}` puts it into the page", args.dir.display()));
+        output.result(&format!("{}\n", named(path)), &value)?;
+        output.note(format_args!("`seawall report {}` puts it into the page", named(&args.dir)));
     }
     Ok(shot.code())
 }
@@ -114,7 +115,7 @@ impl Shot {
         match self {
             Shot::Filmed(path) => output.note(format_args!(
                 "case {id}: the same to the bit as in the study; filmed into {}",
-                path.display()
+                named(path)
             )),
             Shot::Interrupted => {}
             Shot::NotFilmed(why) => {

@@ -9,6 +9,7 @@ use super::answer::Answer;
 use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::Output;
+use crate::keys::named;
 use crate::report::find::find;
 use crate::report::load::Loaded;
 use crate::results::counted;
@@ -35,7 +36,7 @@ pub(super) struct FindArgs {
 
 pub(super) fn main(args: &FindArgs, output: &Output) -> anyhow::Result<u8> {
     demand_output_of_study(&args.dir, "summary.csv")?;
-    let bad = |reason: &str| BadInput(format!("{}: {reason}", args.dir.display()));
+    let bad = |reason: &str| BadInput(format!("{}: {reason}", named(&args.dir)));
     let data = Loaded::read(&args.dir).map_err(|error| BadInput(error.to_string()))?;
     if data.manifest.is_none() {
         return Err(bad("manifest.json is missing or damaged: it says what was swept").into());

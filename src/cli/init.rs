@@ -12,7 +12,7 @@ use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::{Output, wrapped};
 use super::shown;
-use crate::keys::Key;
+use crate::keys::{Key, named};
 use crate::results::in_words;
 use crate::scene::{Kind, numerics_keys, scene_keys};
 use crate::study::SweepFile;
@@ -52,12 +52,12 @@ pub(super) fn main(args: &InitArgs, output: &Output) -> anyhow::Result<u8> {
     let file = OpenOptions::new().write(true).create_new(true).open(&path);
     let mut file = file.map_err(|error| match error.kind() {
         ErrorKind::AlreadyExists => {
-            BadInput(format!("{}: is there already; choose another NAME", path.display()))
+            BadInput(format!("{}: is there already; choose another NAME", named(&path)))
         }
-        kind => BadInput(format!("{}: cannot be written: {}", path.display(), in_words(kind))),
+        kind => BadInput(format!("{}: cannot be written: {}", named(&path), in_words(kind))),
     })?;
     file.write_all(text.as_bytes())?;
-    let told = path.display();
+    let told = named(&path);
     let next = format!("{told}: 12 cases to start from\nnext: seawall check {told}\n");
     output.result(&next, &json!({ "file": shown::path(&path) }))?;
     Ok(SUCCESS)

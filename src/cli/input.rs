@@ -6,6 +6,7 @@ use clap::ValueEnum;
 
 use super::failure::{BadFile, BadInput};
 use super::pick::the_case;
+use crate::keys::named;
 use crate::math::simd::SimdPath;
 use crate::results::in_words;
 use crate::study::{Override, Study, SweepFile};
@@ -63,13 +64,13 @@ pub(super) fn read(path: &Path) -> Result<String, BadInput> {
     String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        BadInput(format!("{}: line {line}: is not UTF-8 text; save it as UTF-8", path.display()))
+        BadInput(format!("{}: line {line}: is not UTF-8 text; save it as UTF-8", named(path)))
     })
 }
 
 /// Why a file cannot be read, and what would be one.
 fn unreadable(path: &Path, error: &std::io::Error) -> BadInput {
-    let told = path.display();
+    let told = named(path);
     BadInput(if path.join(MANIFEST).is_file() {
         format!(
             "{told}: is the output directory of a study; `seawall status {told}` tells how it fares"
@@ -77,7 +78,7 @@ fn unreadable(path: &Path, error: &std::io::Error) -> BadInput {
     } else if path.is_dir() {
         format!(
             "{told}: is a directory; give a sweep or scene file, such as {}",
-            path.join("NAME.toml").display()
+            named(&path.join("NAME.toml"))
         )
     } else {
         format!(
@@ -92,7 +93,7 @@ const MANIFEST: &str = "manifest.json";
 
 /// Refuses a directory that does not hold a file which every output directory of a study has.
 pub(super) fn demand_output_of_study(directory: &Path, holds: &str) -> Result<(), BadInput> {
-    let told = directory.display();
+    let told = named(directory);
     let reason = if directory.join(holds).is_file() {
         return Ok(());
     } else if !directory.exists() {

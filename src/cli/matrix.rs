@@ -13,6 +13,7 @@ use super::numbers;
 use super::output::Output;
 use crate::accuracy::{Matrix, Trial};
 use crate::execute::Ending;
+use crate::keys::named;
 use crate::results::{CaseRecord, OpenMode};
 
 /// What both commands take.
@@ -63,7 +64,7 @@ pub(super) fn run(args: &MatrixArgs, request: &Request, output: &Output) -> anyh
         Some(path) => read(path)?,
     };
     let built_in = || "the built-in matrix".to_owned();
-    let name = args.file.as_ref().map_or_else(built_in, |path| path.display().to_string());
+    let name = args.file.as_ref().map_or_else(built_in, |path| named(path));
     let told = |error| BadInput(format!("{name}: {error}"));
     let whole = Matrix::read(&text).map_err(told)?;
     let matrix = whole.only(&args.cases, &args.methods).map_err(told)?;

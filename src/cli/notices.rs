@@ -3,6 +3,7 @@
 use super::job::Job;
 use super::output::Output;
 use crate::execute::{Crew, Tally};
+use crate::keys::named;
 use crate::math::name::name_of;
 use crate::results::{Directory, Opened, RankInfo, counted};
 
@@ -31,11 +32,11 @@ pub(super) fn tell_opened(
     [cases, companions]: [Tally; 2],
     output: &Output,
 ) {
-    let out = job.out.display();
+    let out = named(&job.out);
     let all_done = cases.done == cases.all && companions.done == companions.all;
     match opened {
         Opened::New => {}
-        Opened::Moved(aside) => output.note(format_args!("moved {out} to {}", aside.display())),
+        Opened::Moved(aside) => output.note(format_args!("moved {out} to {}", named(aside))),
         Opened::Resumed(_) if all_done => {
             output.note(format_args!("{out} is finished; --fresh would run it again"));
         }
@@ -75,7 +76,7 @@ pub(super) fn tell_start(
         "{} on {who}, {}, into {}",
         in_words(cases.all - cases.done, companions.all - companions.done),
         name_of(directory.simd()),
-        directory.path().display()
+        named(directory.path())
     ));
     if output.verbose {
         for (rank, info) in ranks.iter().enumerate() {

@@ -8,6 +8,7 @@ use super::done::Done;
 use super::failure::{BadFile, BadInput};
 use super::output::{Output, short};
 use crate::accuracy::Refinement;
+use crate::keys::named;
 use crate::results::{SweepError, counted, finished};
 use crate::scene::ConfigError;
 use crate::study::{Refine, Study, SweepFile};
@@ -16,7 +17,7 @@ use crate::study::{Refine, Study, SweepFile};
 /// alone where it asks for none.
 pub(super) fn study_in(directory: &Path, file: &SweepFile) -> anyhow::Result<Study> {
     let bad = |error: ConfigError| {
-        BadInput(format!("{}: sweep_file in manifest.json: {error}", directory.display()))
+        BadInput(format!("{}: sweep_file in manifest.json: {error}", named(directory)))
     };
     let Some(refinement) = Refinement::of(file) else { return Ok(Study::new(file).map_err(bad)?) };
     let records = |study: &Study| finished(directory, study).map_err(Failed::from);

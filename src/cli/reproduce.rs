@@ -15,6 +15,7 @@ use super::output::{Output, duration};
 use super::printed::told;
 use super::shown;
 use super::{INTERRUPTED, SUCCESS, cost, numbers};
+use crate::keys::named;
 use crate::papers::{Recipe, Run, files, paper, recipes};
 use crate::report::Reproduced;
 use crate::results::{OpenMode, counted};
@@ -105,7 +106,7 @@ pub(super) fn main(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> 
     }
     let mut text = told(&made);
     for file in &files {
-        text.push_str(&format!("{}\n", file.display()));
+        text.push_str(&format!("{}\n", named(file)));
     }
     output.result(&text, &value(recipe, &made, &files, &directories))?;
     Ok(code)
@@ -168,7 +169,7 @@ fn write(out: &Path, made: &Reproduced) -> Result<Vec<PathBuf>, BadInput> {
             continue;
         }
         let path = out.join(format!("{}.{ending}", figure.name));
-        std::fs::write(&path, text).map_err(|e| BadInput(format!("{}: {e}", path.display())))?;
+        std::fs::write(&path, text).map_err(|e| BadInput(format!("{}: {e}", named(&path))))?;
         files.push(path);
     }
     Ok(files)

@@ -18,6 +18,7 @@ use super::output::{Output, duration};
 use super::{cost, numbers, shown, warnings};
 use crate::execute::{Ending, Interrupt};
 use crate::film::{Filming, PageFilm, VtkFilm};
+use crate::keys::named;
 use crate::results::{CaseRecord, OpenMode, has_checkpoints};
 use crate::scene::CaseConfig;
 use crate::simulation::Resources;
@@ -145,7 +146,7 @@ fn film_of(
     if done.wall_time_s.is_some() {
         let path = page.path(case.id);
         if path.exists() {
-            output.note(format_args!("filmed into {}", path.display()));
+            output.note(format_args!("filmed into {}", named(&path)));
         }
         return Ok(SUCCESS);
     }

@@ -39,7 +39,7 @@ pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
     if args.toml {
         let (file, study) = stored::file_and_study(&args.dir)?;
         let text = file.single(the_case(&study, &args.case)?).map_err(|error| {
-            BadInput(format!("{}: sweep_file in manifest.json: {error}", args.dir.display()))
+            BadInput(format!("{}: sweep_file in manifest.json: {error}", shown::told(&args.dir)))
         })?;
         output.result(&text, &json!({ "toml": text }))?;
         return Ok(SUCCESS);
@@ -59,7 +59,7 @@ pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
 struct Row(Vec<(String, String)>);
 
 fn rows(path: &Path) -> anyhow::Result<Vec<Row>> {
-    let bad = |error: csv::Error| BadInput(format!("{}: {error}", path.display()));
+    let bad = |error: csv::Error| BadInput(format!("{}: {error}", shown::told(path)));
     let mut reader = csv::Reader::from_path(path).map_err(bad)?;
     let names: Vec<_> = reader.headers().map_err(bad)?.iter().map(str::to_owned).collect();
     let row = |record: csv::Result<csv::StringRecord>| {

@@ -10,6 +10,7 @@ use super::failure::BadInput;
 use super::input::{Expect, Setting, default_out, study};
 use super::output::Output;
 use super::{numbers, shown};
+use crate::keys::named;
 
 /// Print a job script of a sweep for Slurm's sbatch. The job stops before its time limit, and queues itself
 /// again until every case is done.
@@ -117,7 +118,7 @@ pub(super) fn main(args: &SlurmArgs, output: &Output) -> anyhow::Result<u8> {
 
 /// A path that holds wherever the job starts, as a word of the shell.
 fn absolute(path: &Path) -> Result<String, BadInput> {
-    let told = || format!("{}: is no UTF-8 text, which a job script must be", path.display());
+    let told = || format!("{}: is no UTF-8 text, which a job script must be", named(path));
     let whole = std::path::absolute(path).map_err(|error| BadInput(error.to_string()))?;
     whole.to_str().map(quoted).ok_or_else(|| BadInput(told()))
 }

@@ -12,7 +12,7 @@ use super::input::demand_output_of_study;
 use super::output::{Output, duration};
 use super::table::Table;
 use super::watch::{View, Watch};
-use super::{CASES_FAILED, INTERRUPTED, SUCCESS, numbers, stored};
+use super::{CASES_FAILED, INTERRUPTED, SUCCESS, numbers, shown, stored};
 use crate::math::name::name_of;
 use crate::results::{
     Closing, Fared, Header, Load, Lock, Manifest, RankInfo, counted, read_journal_header,
@@ -104,7 +104,7 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
 }
 
 fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
-    let bad = |reason: &str| BadInput(format!("{}: {reason}", args.dir.display()));
+    let bad = |reason: &str| BadInput(format!("{}: {reason}", shown::told(&args.dir)));
     demand_output_of_study(&args.dir, "journal.jsonl")?;
     let manifest = Manifest::read(&args.dir);
     let companions = manifest.as_ref().map_or(0, |manifest| manifest.companions);

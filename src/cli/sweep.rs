@@ -21,6 +21,7 @@ use super::overview::told;
 use super::{INTERRUPTED, SUCCESS, check, films, max_error, numbers, refine, shown, warnings};
 use crate::accuracy::{MaxError, Refinement};
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
+use crate::keys::named;
 use crate::report::PAGE as REPORT;
 use crate::results::{Derived, OpenMode, counted, write_all_histories};
 
@@ -202,7 +203,7 @@ fn lead(
             output.note(format_args!(
                 "the journal is whole. A launcher that was told to end may return 1; seawall's own code is \
                  {INTERRUPTED}, as `seawall status {} --exit-code` tells",
-                done.directory.path().display()
+                named(done.directory.path())
             ));
         }
         return Ok(done.exit_code());

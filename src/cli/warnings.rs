@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::cost::time_of_all;
 use super::output::{Output, duration};
+use crate::keys::named;
 use crate::math::decimal::significant;
 use crate::results::counted;
 use crate::scene::{SeawallScene, odd_values};
@@ -17,7 +18,7 @@ const LONG_S: f64 = 86_400.0;
 /// Tells the warnings of a file as notes.
 pub(super) fn tell(file: &Path, study: &Study, output: &Output) {
     for line in warnings(study) {
-        output.note(format_args!("warning: {}: {line}", file.display()));
+        output.note(format_args!("warning: {}: {line}", named(file)));
     }
 }
 

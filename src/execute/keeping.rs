@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use serde::{Deserialize, Serialize};
 
+use crate::keys::{named, shown};
 use crate::results::Checkpoint;
 use crate::simulation::{Keeper, Limits, Monitor};
 
@@ -85,8 +86,8 @@ impl FileKeeper {
     fn tell(&self, what: &str) {
         if !self.told.swap(true, Ordering::Relaxed) {
             // A note that nobody reads must not end a case.
-            let path = self.checkpoint.path().display();
-            let _ = writeln!(std::io::stderr(), "note: {path}: {what}");
+            let path = named(self.checkpoint.path());
+            let _ = writeln!(std::io::stderr(), "note: {path}: {}", shown(what));
         }
     }
 }

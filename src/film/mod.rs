@@ -27,6 +27,7 @@ pub use page::PageFilm;
 pub use scale::Colour;
 pub use vtk::VtkFilm;
 
+use crate::keys::named;
 use crate::scene::CaseConfig;
 use crate::simulation::{CaseResult, Film, Monitor, Stopped};
 
@@ -41,7 +42,7 @@ pub enum Filming {
 
 /// Names the file that an error concerns.
 fn at(path: &Path) -> impl FnOnce(io::Error) -> io::Error + '_ {
-    move |error| io::Error::new(error.kind(), format!("{}: {error}", path.display()))
+    move |error| io::Error::new(error.kind(), format!("{}: {error}", named(path)))
 }
 
 /// What watches one run.

@@ -2,25 +2,27 @@
 
 use std::path::PathBuf;
 
+use crate::keys::named;
+
 /// Why a report could not be written.
 #[expect(missing_docs, reason = "fields are called what they are")]
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReportError {
     /// A file could not be read.
-    #[error("cannot read {}: {source}", path.display())]
+    #[error("cannot read {}: {source}", named(path))]
     Read { path: PathBuf, source: std::io::Error },
     /// A file or folder could not be written.
-    #[error("cannot write {}: {source}", path.display())]
+    #[error("cannot write {}: {source}", named(path))]
     Write { path: PathBuf, source: std::io::Error },
     /// A table lacks a column that the report needs.
-    #[error("{}: no column {column:?}", path.display())]
+    #[error("{}: no column {column:?}", named(path))]
     MissingColumn { path: PathBuf, column: &'static str },
     /// A table is not well formed.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {source}", named(path))]
     Table { path: PathBuf, source: csv::Error },
     /// A cell holds something that is not what its column holds.
-    #[error("{}, line {line}, column {column:?}: {reason}", path.display())]
+    #[error("{}, line {line}, column {column:?}: {reason}", named(path))]
     Cell { path: PathBuf, line: u64, column: String, reason: String },
     /// A figure could not be drawn: a fault of the program, not of the data.
     #[error("cannot draw {figure}: {reason}")]

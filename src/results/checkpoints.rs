@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use super::checkpoint::{CASE, Checkpoint, FOLDER, TRUNK, whole};
 use super::error::SweepError;
 use super::{atomic_file, disk};
+use crate::keys::named;
 use crate::math::simd::SimdPath;
 use crate::study::CaseId;
 
@@ -40,7 +41,7 @@ pub(super) fn look(directory: &Path, simd: SimdPath) -> (BTreeSet<CaseId>, Vec<S
             Ok(_) => {}
             Err(why) => {
                 let what = if is_case { "its case" } else { "that shared stretch" };
-                findings.push(format!("{} {why}: {what} starts over", path.display()));
+                findings.push(format!("{} {why}: {what} starts over", named(&path)));
             }
         }
     }

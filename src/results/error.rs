@@ -3,6 +3,8 @@
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
+use crate::keys::named;
+
 /// An error that ends a sweep.
 #[expect(missing_docs, reason = "fields are called what they are")]
 #[derive(Debug, thiserror::Error)]
@@ -12,7 +14,7 @@ pub enum SweepError {
     #[error("{0}")]
     Refused(String),
     /// The system failed to read or write a file.
-    #[error("{}: {error}", path.display())]
+    #[error("{}: {error}", named(path))]
     Io { path: PathBuf, error: std::io::Error },
     /// The machinery between ranks failed.
     #[error("{0}")]
@@ -30,15 +32,15 @@ pub fn in_words(kind: ErrorKind) -> String {
 impl SweepError {
     /// A refusal that concerns a file or directory.
     pub fn refused(path: &Path, reason: impl std::fmt::Display) -> SweepError {
-        SweepError::Refused(format!("{}: {reason}", path.display()))
+        SweepError::Refused(format!("{}: {reason}", named(path)))
     }
 
     /// An output directory in which nothing can be written.
     pub fn unusable(path: &Path, error: &std::io::Error) -> SweepError {
-        let path_told = path.display();
+        let path_told = named(path);
         let reason = match path.ancestors().find(|part| part.is_file()) {
             Some(file) if file == path => "is a file".to_owned(),
-            Some(file) => format!("{} is a file", file.display()),
+            Some(file) => format!("{} is a file", named(file)),
             None => format!("nothing can be written there ({})", in_words(error.kind())),
         };
         SweepError::Refused(format!(

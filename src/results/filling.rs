@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use super::error::SweepError;
 use super::record::{CaseRecord, HeldLine};
 use super::{Derived, derived, disk, files};
+use crate::keys::named;
 use crate::study::{CaseId, Study};
 
 /// Sorts journal lines into the order of the runs; a later line of the same run wins. Companions
@@ -62,7 +63,7 @@ impl Filling<'_> {
             self.probed = self.probed.or(Some(index).filter(|_| probed));
             self.damage.remove(&index);
             self.damage
-                .extend(damage.map(|(file, what)| (index, format!("{} {what}", file.display()))));
+                .extend(damage.map(|(file, what)| (index, format!("{} {what}", named(&file)))));
             self.records[index] = Some(record);
         }
     }
@@ -81,7 +82,7 @@ impl Filling<'_> {
         if columns.exists() {
             disk::remove_file(&columns).map_err(SweepError::io(&columns))?;
         }
-        let told = format!("{} is damaged or missing", columns.display());
+        let told = format!("{} is damaged or missing", named(&columns));
         self.damage.entry(index).or_insert(told);
         Derived::renew(self.path, &[columns])
     }

@@ -17,6 +17,7 @@ use super::entries::{self, Content, Entry, Header};
 use super::error::SweepError;
 use super::record::CaseRecord;
 use super::{atomic_file, disk};
+use crate::keys::named;
 
 pub(super) const FILE_NAME: &str = "journal.jsonl";
 /// Where damaged lines go.
@@ -116,7 +117,7 @@ impl Journal {
         } else {
             return Ok(());
         };
-        Err(SweepError::Executor(format!("{}: {reason}", self.path.display())))
+        Err(SweepError::Executor(format!("{}: {reason}", named(&self.path))))
     }
 }
 

@@ -9,6 +9,7 @@ use super::filling::Filling;
 use super::manifest::Manifest;
 use super::record::CaseRecord;
 use super::{checkpoints, derived, energy, journal, opening, summary};
+use crate::keys::named;
 use crate::study::Study;
 
 /// What a look at all of a directory has shown.
@@ -41,9 +42,7 @@ pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
     }
     told.extend(damaged);
     let kept = checkpoints::damaged(directory);
-    told.extend(
-        kept.map(|path| format!("{} is damaged: what it is of starts over", path.display())),
-    );
+    told.extend(kept.map(|path| format!("{} is damaged: what it is of starts over", named(&path))));
     for table in Table::ALL {
         if !table.fits(directory, study, &records)? {
             told.push(format!("{} is not what the journal says", table.name()));

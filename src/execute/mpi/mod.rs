@@ -31,6 +31,7 @@ use self::post::{Post, out_of_turn};
 use self::station::{RankZero, Station, work};
 use super::worker::with_worker;
 use super::{Crew, Link, Setup, resources, share_threads};
+use crate::keys::{named, shown};
 use crate::math::simd::SimdPath;
 use crate::results::{Filing, Mark, RankInfo, SweepError};
 
@@ -62,7 +63,7 @@ pub fn with_crew(
     match ended {
         Ok(Ok(code)) => Ok(code),
         Ok(Err(error)) => {
-            eprintln!("error: rank {rank}: {error}");
+            eprintln!("error: rank {rank}: {}", shown(&error.to_string()));
             world.abort(70)
         }
         Err(_) => world.abort(70),
@@ -182,7 +183,7 @@ fn serve(setup: &Setup<'_>, mut post: Post) -> Result<(), SweepError> {
                 let post = &mut post;
                 let filing = out.as_ref().and_then(Filing::elsewhere);
                 if let (Some(out), None) = (&out, &filing) {
-                    let (host, out) = (&info.host, out.directory().display());
+                    let (host, out) = (&info.host, named(out.directory()));
                     let rest = "rank 0 writes the files of its cases";
                     eprintln!("note: rank {rank} on {host} does not see {out} of rank 0: {rest}");
                 }
