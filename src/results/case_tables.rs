@@ -30,11 +30,11 @@ pub(super) fn probe_table(probes: &ProbeTable) -> String {
 }
 
 /// What a column of the probes' tables holds.
-pub(super) fn probe_columns(probes: &ProbeTable) -> String {
+pub(super) fn probe_columns(columns: &[ProbeColumn]) -> String {
     let row = |ProbeColumn { name, unit, method }: &ProbeColumn| {
         [name.clone(), unit.clone(), method.clone()]
     };
-    worded(["name", "unit", "method"], probes.columns.iter().map(row))
+    worded(["name", "unit", "method"], columns.iter().map(row))
 }
 
 /// The readings.
@@ -107,7 +107,7 @@ mod tests {
             values: vec![1.5, 0.1, 2.0, 0.30000000000000004],
         };
         let text = probe_table(&probes);
-        assert_eq!(probe_columns(&probes), "name,unit,method\np1,Pa,here\nlevel,m,there\n");
+        assert_eq!(probe_columns(&probes.columns), "name,unit,method\np1,Pa,here\nlevel,m,there\n");
         assert_eq!(text, "time_s,p1,level\n0,1.5,0.1\n0.005,2,0.30000000000000004\n");
     }
 

@@ -16,9 +16,7 @@ use super::seal::Seal;
 use super::sealed;
 
 const FILE_NAME: &str = "derived.json";
-/// What the columns of probes hold: the first cases that end leave it.
-pub(super) const PROBE_COLUMNS: &str = "probes/columns.csv";
-const FILES: [&str; 4] = ["histories.csv.gz", "max_error.csv", "report.html", PROBE_COLUMNS];
+const FILES: [&str; 3] = ["histories.csv.gz", "max_error.csv", "report.html"];
 const FILMS: &str = "films/";
 const FOLDERS: [&str; 3] = ["figures", "tables", "films"];
 

@@ -15,7 +15,7 @@ use super::lock::Lock;
 use super::opening::{self, Found, OpenMode, Opened, look};
 use super::record::CaseRecord;
 use super::waiting::Waiting;
-use super::{checkpoints, disk, energy, summary};
+use super::{checkpoints, disk, energy, probe_columns, summary};
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::simulation::CaseResult;
@@ -36,6 +36,8 @@ pub struct Directory {
     attempts: Attempts,
     /// Cases that can go on from a checkpoint of their own.
     kept: BTreeSet<CaseId>,
+    /// What the columns of probes hold, until that is written.
+    probe_columns: Option<String>,
 }
 
 impl Directory {
@@ -90,7 +92,6 @@ impl Directory {
             opening::check_header(path, &header, study, requested, widest)?;
             let journal = Journal::resume(path, &content, &header)?;
             files::clean(path)?;
-            filling.demand_probe_columns()?;
             let (filled, damaged) = filling.end();
             records = filled;
             findings.extend(damaged);
@@ -103,6 +104,7 @@ impl Directory {
         findings.extend(told);
         let directory = Directory {
             kept,
+            probe_columns: probe_columns::text(study),
             attempts: Attempts::open(path)?,
             path: path.to_owned(),
             _lock: lock,
@@ -190,12 +192,8 @@ impl Directory {
         result: Option<&CaseResult>,
     ) -> Result<(), SweepError> {
         if let Some(result) = result.filter(|_| record.is_ok() && record.index < self.cases) {
-            let written = files::write(&self.path, record.id, result, false)?;
-            record.files = written.seals;
+            record.files = files::write(&self.path, record.id, result, false)?;
             self.waiting.add_files(&self.path, record.id, &record.files);
-            if let Some(columns) = written.probe_columns {
-                files::write_probe_columns(&self.path, &columns)?;
-            }
         }
         self.take(record)
     }
@@ -210,13 +208,13 @@ impl Directory {
         if !filed.on_disk {
             self.waiting.add_files(&self.path, record.id, &record.files);
         }
-        if let Some(columns) = &filed.probe_columns {
-            files::write_probe_columns(&self.path, columns)?;
-        }
         self.take(record)
     }
 
     fn take(&mut self, record: CaseRecord) -> Result<(), SweepError> {
+        if let Some(columns) = self.probe_columns.take_if(|_| files::has_probes(&record.files)) {
+            probe_columns::put(&self.path, &columns)?;
+        }
         self.journal.record(&record)?;
         let index = record.index;
         self.waiting.add_line(record.id);
@@ -234,7 +232,8 @@ impl Directory {
     pub fn write_tables(&self, study: &Study) -> Result<(), SweepError> {
         self.demand_in_place()?;
         summary::write(&self.path, study, &self.records)?;
-        energy::write(&self.path, self.records())
+        energy::write(&self.path, self.records())?;
+        probe_columns::write(&self.path, study, self.records())
     }
 }
 

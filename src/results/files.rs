@@ -4,9 +4,7 @@ use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::case_tables::{
-    envelope_table, history, probe_columns, probe_table, reading_table, wave_table,
-};
+use super::case_tables::{envelope_table, history, probe_table, reading_table, wave_table};
 use super::error::SweepError;
 use super::seal::{Seal, Seals};
 use super::{atomic_file, disk};
@@ -20,14 +18,6 @@ const ENVELOPES: &str = "envelopes";
 const WAVES: &str = "waves";
 /// All folders.
 const FOLDERS: [&str; 5] = [HISTORIES, PROBES, READINGS, ENVELOPES, WAVES];
-
-/// What writing a case's files left to be done and told.
-#[derive(Debug, Default)]
-pub(super) struct Written {
-    pub(super) seals: Seals,
-    /// What the columns of its probes hold.
-    pub(super) probe_columns: Option<String>,
-}
 
 /// What a case leaves besides its journal line: folders, and what stands in a file in each.
 pub(super) fn texts(result: &CaseResult) -> Vec<(&'static str, String)> {
@@ -53,7 +43,7 @@ pub(super) fn write(
     id: CaseId,
     result: &CaseResult,
     durable: bool,
-) -> Result<Written, SweepError> {
+) -> Result<Seals, SweepError> {
     let put = if durable { atomic_file::write } else { atomic_file::write_unsynced };
     let mut seals = Seals::new();
     for (name, text) in texts(result) {
@@ -69,15 +59,7 @@ pub(super) fn write(
         }
         seals.insert(name.to_owned(), Seal::of(text.as_bytes()));
     }
-    Ok(Written { seals, probe_columns: result.probes.as_ref().map(probe_columns) })
-}
-
-/// Writes what the columns of probes hold. It is the same for all cases of a sweep, but that some walls may
-/// have a crest and some not.
-pub(super) fn write_probe_columns(directory: &Path, text: &str) -> Result<(), SweepError> {
-    let path = directory.join(PROBES).join("columns.csv");
-    let known = fs::metadata(&path).map_or(0, |file| file.len());
-    if known < text.len() as u64 { atomic_file::write(&path, text.as_bytes()) } else { Ok(()) }
+    Ok(seals)
 }
 
 /// So many files go to the disk with all else that waits to: one by one they take seven times as long.

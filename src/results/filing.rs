@@ -22,8 +22,6 @@ pub struct Filed {
     pub(super) phases: Vec<PhaseShare>,
     /// Folder, length and sum of each file.
     seals: Vec<(String, u64, String)>,
-    /// What the columns of its probes hold; rank 0 writes that down.
-    pub(super) probe_columns: Option<String>,
     /// Whether the files are on the disk for certain.
     pub(super) on_disk: bool,
 }
@@ -116,7 +114,7 @@ impl Filing {
     pub fn deliver(&self, files: Option<CaseId>, result: CaseResult) -> Delivery {
         let written = round_trip::demand_of(&result).ok().and_then(|()| match files {
             Some(id) => files::write(&self.directory, id, &result, self.syncs).ok(),
-            None => Some(files::Written::default()),
+            None => Some(Seals::new()),
         });
         let Some(written) = written else { return Delivery::Whole(Box::new(result)) };
         let seal = |(folder, seal)| match seal {
@@ -128,8 +126,7 @@ impl Filing {
             energy: result.energy,
             readings: result.readings,
             phases: result.phases,
-            seals: written.seals.into_iter().map(seal).collect(),
-            probe_columns: written.probe_columns,
+            seals: written.into_iter().map(seal).collect(),
             on_disk: self.syncs,
         }))
     }

@@ -2,13 +2,11 @@
 
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
-use std::slice;
 
 use rayon::prelude::*;
 
-use super::error::SweepError;
+use super::files;
 use super::record::{CaseRecord, HeldLine};
-use super::{Derived, derived, disk, files};
 use crate::keys::named;
 use crate::study::{CaseId, Study};
 
@@ -23,8 +21,6 @@ pub(super) struct Filling<'a> {
     looks: bool,
     /// What is wrong with the files of a case, in words.
     damage: BTreeMap<usize, String>,
-    /// A case that has left probes.
-    probed: Option<usize>,
 }
 
 impl Filling<'_> {
@@ -36,7 +32,6 @@ impl Filling<'_> {
             records: vec![None; study.run_count()],
             looks: true,
             damage: BTreeMap::new(),
-            probed: None,
         }
     }
 
@@ -54,37 +49,16 @@ impl Filling<'_> {
             let has_files = looks && record.is_ok() && record.index < cases;
             let files = has_files.then_some(&files);
             let damage = files.and_then(|files| files::damage(path, record.id, files));
-            let probed = files.is_some_and(files::has_probes);
-            Some((record, damage, probed))
+            Some((record, damage))
         };
         let looked: Vec<_> = lines.into_par_iter().filter_map(look).collect();
-        for (record, damage, probed) in looked {
+        for (record, damage) in looked {
             let index = record.index;
-            self.probed = self.probed.or(Some(index).filter(|_| probed));
             self.damage.remove(&index);
             self.damage
                 .extend(damage.map(|(file, what)| (index, format!("{} {what}", named(&file)))));
             self.records[index] = Some(record);
         }
-    }
-
-    /// What the columns of probes hold is lost: a case that runs again tells it.
-    ///
-    /// # Errors
-    /// A file that cannot be removed or written.
-    pub(super) fn demand_probe_columns(&mut self) -> Result<(), SweepError> {
-        let columns = self.path.join(derived::PROBE_COLUMNS);
-        let Some(index) =
-            self.probed.filter(|_| Derived::is_damaged(self.path, slice::from_ref(&columns)))
-        else {
-            return Ok(());
-        };
-        if columns.exists() {
-            disk::remove_file(&columns).map_err(SweepError::io(&columns))?;
-        }
-        let told = format!("{} is damaged or missing", named(&columns));
-        self.damage.entry(index).or_insert(told);
-        Derived::renew(self.path, &[columns])
     }
 
     /// The records, without those whose files are damaged or missing, and what is wrong with these.

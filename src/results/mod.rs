@@ -36,6 +36,7 @@ mod made_up;
 mod manifest;
 mod number;
 mod opening;
+mod probe_columns;
 mod program;
 mod record;
 mod round_trip;

@@ -8,7 +8,7 @@ use super::error::SweepError;
 use super::filling::Filling;
 use super::manifest::Manifest;
 use super::record::CaseRecord;
-use super::{checkpoints, derived, energy, journal, opening, summary};
+use super::{checkpoints, derived, energy, journal, opening, probe_columns, summary};
 use crate::keys::named;
 use crate::study::Study;
 
@@ -45,7 +45,7 @@ pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
     told.extend(kept.map(|path| format!("{} is damaged: what it is of starts over", named(&path))));
     for table in Table::ALL {
         if !table.fits(directory, study, &records)? {
-            told.push(format!("{} is not what the journal says", table.name()));
+            told.push(format!("{} {}", table.name(), table.told()));
         }
     }
     told.extend(Manifest::damage(directory).map(|what| format!("manifest.json {what}")));
@@ -73,6 +73,7 @@ pub fn renew_tables(
             match table {
                 Table::Summary => summary::write(directory, study, records)?,
                 Table::Energy => energy::write(directory, cases)?,
+                Table::ProbeColumns => probe_columns::write(directory, study, cases)?,
             }
             renewed.push(table.name());
         }
@@ -80,11 +81,12 @@ pub fn renew_tables(
     Ok(renewed)
 }
 
-/// What is made from the journal alone.
+/// What is made from journal and study alone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Table {
     Summary,
     Energy,
+    ProbeColumns,
 }
 
 /// Rows of `summary.csv`, damaged or not.
@@ -100,12 +102,21 @@ fn rows(directory: &Path) -> usize {
 }
 
 impl Table {
-    const ALL: [Table; 2] = [Table::Summary, Table::Energy];
+    const ALL: [Table; 3] = [Table::Summary, Table::Energy, Table::ProbeColumns];
 
     fn name(self) -> &'static str {
         match self {
             Table::Summary => SUMMARY,
             Table::Energy => energy::FILE_NAME,
+            Table::ProbeColumns => probe_columns::FILE_NAME,
+        }
+    }
+
+    /// What is wrong with one that does not fit.
+    fn told(self) -> &'static str {
+        match self {
+            Table::Summary | Table::Energy => "is not what the journal says",
+            Table::ProbeColumns => "is damaged or missing",
         }
     }
 
@@ -118,6 +129,9 @@ impl Table {
     ) -> Result<bool, SweepError> {
         let path = directory.join(self.name());
         let cases = &records[..study.cases.len()];
+        if self == Table::ProbeColumns {
+            return Ok(probe_columns::fits(directory, study, cases));
+        }
         if !path.exists() {
             // Or else the sweep has not come so far.
             return Ok(cases.iter().any(Option::is_none));
@@ -130,6 +144,7 @@ impl Table {
                 summary::write_table(&mut comparison, study, records).map_err(Into::into)
             }
             Table::Energy => energy::write_table(&mut comparison, cases),
+            Table::ProbeColumns => Ok(()),
         };
         written.map_err(SweepError::io(&path))?;
         let rest = comparison.there.fill_buf().map_err(SweepError::io(&path))?;
@@ -211,7 +226,7 @@ mod tests {
         }
         std::fs::write(path.join("manifest.json"), "").unwrap();
         assert_eq!(told(), ["manifest.json is damaged"]);
-        for table in Table::ALL {
+        for table in [Table::Summary, Table::Energy] {
             std::fs::write(path.join(table.name()), "x").unwrap();
         }
         let records = finished(&path, &study).unwrap();

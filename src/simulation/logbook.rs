@@ -91,7 +91,7 @@ impl Logbook {
             found: Found::default(),
             health: HealthState::default(),
             liveliness: Liveliness::default(),
-            probes: probes::table(&config.probes, crest.is_some()),
+            probes: probes::table(config),
             absorption: tank.absorbs.then(|| Absorption::new(span)),
             overtopping: crest.map(|_| Overtopping::open(tank.water.fluid())),
         }

@@ -58,6 +58,7 @@ pub use outcome::{
     CaseResult, EnergyBudget, EnvelopeRow, HistoryRow, Maximum, Outcome, Overtopped, PhaseShare,
     TrunkResult,
 };
+pub use probes::probe_columns;
 pub use told::{NamedReading, ProbeColumn, ProbeTable};
 pub use waves::WaveRow;
 

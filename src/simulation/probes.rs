@@ -4,20 +4,23 @@ use super::overtopping;
 use super::sounding::Sounding;
 use super::told::{ProbeColumn, ProbeTable};
 use crate::body::Place;
-use crate::scene::{Probe, ProbeKind, Side};
+use crate::scene::{CaseConfig, Probe, ProbeKind, Side};
 
-/// An empty table with a column for every probe, and those of a crest where there is one; none without
-/// either.
-pub(super) fn table(probes: &[Probe], crest: bool) -> Option<ProbeTable> {
-    let mut columns: Vec<_> = probes
-        .iter()
-        .map(|probe| ProbeColumn {
-            name: probe.name.clone(),
-            unit: probe.unit().to_owned(),
-            method: probe.method(),
-        })
-        .collect();
-    columns.extend(overtopping::columns().into_iter().filter(|_| crest));
+/// A column for every probe of a case, and those of its crest where it has one.
+pub fn probe_columns(config: &CaseConfig) -> Vec<ProbeColumn> {
+    let of_probe = |probe: &Probe| ProbeColumn {
+        name: probe.name.clone(),
+        unit: probe.unit().to_owned(),
+        method: probe.method(),
+    };
+    let crest = config.scene.seawall().is_some_and(|scene| scene.crest.is_some());
+    let of_crest = crest.then(overtopping::columns);
+    config.probes.iter().map(of_probe).chain(of_crest.into_iter().flatten()).collect()
+}
+
+/// An empty table of them; none without a column.
+pub(super) fn table(config: &CaseConfig) -> Option<ProbeTable> {
+    let columns = probe_columns(config);
     (!columns.is_empty()).then(|| ProbeTable { columns, ..ProbeTable::default() })
 }
 

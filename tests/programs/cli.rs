@@ -10,6 +10,8 @@ mod art;
 mod bad_inputs;
 #[path = "../branches.rs"]
 mod branches;
+#[path = "../cli_damage.rs"]
+mod cli_damage;
 #[path = "../cli_film.rs"]
 mod cli_film;
 #[path = "../cli_find.rs"]

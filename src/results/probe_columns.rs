@@ -1,0 +1,85 @@
+//! `probes/columns.csv`: what the columns of the probes hold. The study alone tells that.
+
+use std::fs;
+use std::path::Path;
+
+use super::error::SweepError;
+use super::record::CaseRecord;
+use super::{atomic_file, case_tables, disk};
+use crate::simulation::probe_columns;
+use crate::study::{Case, Study};
+
+pub(super) const FILE_NAME: &str = "probes/columns.csv";
+
+/// The whole file; `None` where no case has probes. They are the same for all cases of a sweep, but that some walls
+/// may have a crest and some not: the file has the columns of those that do.
+pub(super) fn text(study: &Study) -> Option<String> {
+    let columns = study.cases.iter().map(|case| probe_columns(&case.config));
+    let most = columns.max_by_key(Vec::len).filter(|columns| !columns.is_empty())?;
+    Some(case_tables::probe_columns(&most))
+}
+
+/// Whether a case with probes has ended well: then the file is there.
+fn is_due(study: &Study, records: &[Option<CaseRecord>]) -> bool {
+    let ended = |record: &Option<CaseRecord>| record.as_ref().is_some_and(CaseRecord::is_ok);
+    let is_probed = |case: &Case| !probe_columns(&case.config).is_empty();
+    study.cases.iter().zip(records).any(|(case, record)| ended(record) && is_probed(case))
+}
+
+/// Whether it is there as it should be, or need not be there.
+pub(super) fn fits(directory: &Path, study: &Study, records: &[Option<CaseRecord>]) -> bool {
+    !is_due(study, records) || text(study).is_none_or(|text| is_written(directory, &text))
+}
+
+/// Writes it where it should be there and is not as it should be.
+pub(super) fn write(
+    directory: &Path,
+    study: &Study,
+    records: &[Option<CaseRecord>],
+) -> Result<(), SweepError> {
+    let text = text(study).filter(|_| is_due(study, records));
+    text.map_or(Ok(()), |text| put(directory, &text))
+}
+
+/// The same for a text that is known, of a case that has probes.
+pub(super) fn put(directory: &Path, text: &str) -> Result<(), SweepError> {
+    if is_written(directory, text) {
+        return Ok(());
+    }
+    let path = directory.join(FILE_NAME);
+    let folder = path.parent().unwrap_or(directory);
+    disk::create_folder(folder).map_err(SweepError::io(folder))?;
+    atomic_file::write(&path, text.as_bytes())
+}
+
+fn is_written(directory: &Path, text: &str) -> bool {
+    fs::read(directory.join(FILE_NAME)).is_ok_and(|there| there == text.as_bytes())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::made_up::made_up;
+    use super::*;
+    use crate::study::SweepFile;
+
+    #[test]
+    fn columns_of_a_crest_are_there_whichever_case_has_ended() {
+        let text = "name = \"a\"\n[scene]\nwall = \"fixed\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.1\n\
+            [[probe]]\nname = \"p\"\nkind = \"level\"\nx_m = 0.5\n\
+            [grid]\nbehind = [\"nothing\", \"outflow\"]";
+        let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
+        let root = tempfile::tempdir().unwrap();
+        let case = &study.cases[0];
+        let record = CaseRecord::new(&study, case, &Ok(made_up(&case.config)), 1.0, "here");
+        let mut records = vec![None; 2];
+        assert!(fits(root.path(), &study, &records), "it need not be there yet");
+        records[0] = Some(record);
+        assert!(!fits(root.path(), &study, &records));
+        write(root.path(), &study, &records).unwrap();
+        assert!(fits(root.path(), &study, &records));
+        let text = fs::read_to_string(root.path().join(FILE_NAME)).unwrap();
+        assert_eq!(text.lines().count(), 6, "{text}");
+        fs::write(root.path().join(FILE_NAME), "name,unit,method\n").unwrap();
+        assert!(!fits(root.path(), &study, &records));
+    }
+}
