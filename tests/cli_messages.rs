@@ -112,6 +112,38 @@ fn lower_bounds_are_marked_and_nothing_is_filmed_twice() {
 }
 
 #[test]
+fn what_a_run_has_filmed_is_verified() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), &short_scene());
+    for (option, ending, folder) in [("--vtk", ".vtu", "vtk"), ("--film", ".svg", "films")] {
+        let out = root.path().join(folder);
+        let directory = out.to_str().unwrap();
+        let spacing = "numerics.particle_spacing_m=0.05";
+        let run_it = ["run", file.to_str().unwrap(), "--set", spacing, "--out", directory, option];
+        expect_code(&run(&run_it), 0);
+        expect_code(&run(&["verify", directory]), 0);
+        let case = fs::read_dir(out.join("histories")).unwrap().next().unwrap().unwrap().path();
+        let case = case.file_stem().unwrap().to_str().unwrap().to_owned();
+        let inside = if folder == "vtk" { out.join("vtk").join(&case) } else { out.join("films") };
+        let path = fs::read_dir(inside).unwrap().map(|entry| entry.unwrap().path());
+        let path = path.into_iter().find(|path| path.to_str().unwrap().ends_with(ending)).unwrap();
+        let mut bytes = fs::read(&path).unwrap();
+        let middle = bytes.len() / 2;
+        bytes[middle] ^= 2;
+        fs::write(&path, bytes).unwrap();
+        let verified = run(&["verify", directory]);
+        expect_code(&verified, 1);
+        let name = path.strip_prefix(&out).unwrap().to_str().unwrap();
+        assert_eq!(told(&verified.stdout), format!("{name} is damaged\n"));
+        // A report makes its own files and leaves what was filmed.
+        expect_code(&run(&["report", directory]), 0);
+        assert_eq!(told(&run(&["verify", directory]).stdout), format!("{name} is damaged\n"));
+        expect_code(&run(&[&run_it[..], &["--fresh"]].concat()), 0);
+        expect_code(&run(&["verify", directory]), 0);
+    }
+}
+
+#[test]
 fn a_sweeps_table_marks_lower_bounds_and_doubtful_cases() {
     let root = tempfile::tempdir().unwrap();
     let file = write_file(root.path(), TINY);

@@ -19,7 +19,7 @@ use super::{cost, numbers, shown, warnings};
 use crate::execute::{Ending, Interrupt};
 use crate::film::{Filming, PageFilm, VtkFilm};
 use crate::keys::named;
-use crate::results::{CaseRecord, OpenMode, has_checkpoints};
+use crate::results::{CaseRecord, Derived, OpenMode, has_checkpoints};
 use crate::scene::CaseConfig;
 use crate::simulation::Resources;
 use crate::study::Study;
@@ -117,6 +117,11 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
             true => "interrupted: the same command goes on from the last checkpoint",
             false => "interrupted: a single scene starts over",
         });
+    }
+    if done.wall_time_s.is_some() && done.ending == Ending::Finished {
+        let filmed = [args.vtk.map(|_| "vtk"), args.film.map(|_| "films")];
+        let seal = |folder| Derived::renew_folder(done.directory.path(), folder);
+        filmed.into_iter().flatten().try_for_each(seal)?;
     }
     for record in &done.whole(&job.study)? {
         let text = format!(

@@ -1,7 +1,7 @@
 //! What the files that are made last were when they were made: `derived.json`.
 //!
 //! Journal, manifest and the files of cases have sums of their own, and `summary.csv` and `energy.csv` are compared
-//! with the journal. Here stands the rest: page, figures, tables, films. Whoever makes them again first takes their
+//! with the journal. Here stands the rest: page, figures, tables, films, files for ParaView. Whoever makes them again first takes their
 //! seals away, so that a process which dies meanwhile leaves no false ones.
 
 use std::collections::BTreeMap;
@@ -17,8 +17,9 @@ use super::sealed;
 
 const FILE_NAME: &str = "derived.json";
 const FILES: [&str; 3] = ["histories.csv.gz", "max_error.csv", "report.html"];
-const FILMS: &str = "films/";
-const FOLDERS: [&str; 3] = ["figures", "tables", "films"];
+const FOLDERS: [&str; 4] = ["figures", "tables", "films", "vtk"];
+/// What only a case makes that runs.
+const FILMED: [&str; 2] = ["films/", "vtk/"];
 
 /// The seals of a directory's derived files, by their paths in it.
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -36,7 +37,7 @@ impl Derived {
         sealed::write(&directory.join(FILE_NAME), self)
     }
 
-    /// All but films are about to be made again: only they keep their seals.
+    /// All but what was filmed is about to be made again: only that keeps its seals.
     ///
     /// # Errors
     /// A file that cannot be written.
@@ -45,11 +46,11 @@ impl Derived {
             return Ok(());
         }
         let mut derived = Derived::read(directory);
-        derived.files.retain(|name, _| name.starts_with(FILMS));
+        derived.files.retain(|name, _| FILMED.iter().any(|folder| name.starts_with(folder)));
         derived.write(directory)
     }
 
-    /// Everything is made. A film that has a seal keeps it.
+    /// Everything is made. What was filmed and has a seal keeps it.
     ///
     /// # Errors
     /// A file that cannot be read or written.
@@ -64,14 +65,11 @@ impl Derived {
         derived.write(directory)
     }
 
-    /// These files were made or removed, if seals are kept here.
+    /// These files were made or removed.
     ///
     /// # Errors
     /// A file that cannot be read or written.
     pub fn renew(directory: &Path, paths: &[PathBuf]) -> Result<(), SweepError> {
-        if !directory.join(FILE_NAME).exists() {
-            return Ok(());
-        }
         let mut derived = Derived::read(directory);
         for path in paths {
             let Ok(name) = path.strip_prefix(directory) else { continue };
@@ -82,7 +80,21 @@ impl Derived {
                 derived.files.insert(name, seal);
             }
         }
+        if derived.files.is_empty() && !directory.join(FILE_NAME).exists() {
+            return Ok(());
+        }
         derived.write(directory)
+    }
+
+    /// The same of all files in a folder of the directory.
+    ///
+    /// # Errors
+    /// A file that cannot be read or written.
+    pub fn renew_folder(directory: &Path, folder: &str) -> Result<(), SweepError> {
+        let known = Derived::read(directory).files.into_keys();
+        let known = known.filter(|name| Path::new(name).starts_with(folder));
+        let all: Vec<_> = known.chain(inside(directory, folder)).collect();
+        Derived::renew(directory, &all.iter().map(|name| directory.join(name)).collect::<Vec<_>>())
     }
 
     /// Whether any of these files is not as it was made.
@@ -112,16 +124,19 @@ pub(super) fn damage(directory: &Path) -> Vec<String> {
 
 /// The derived files that there are.
 fn names(directory: &Path) -> Vec<String> {
-    let mut names: Vec<_> = FILES.map(str::to_owned).into();
-    for folder in FOLDERS {
-        let entries = fs::read_dir(directory.join(folder)).into_iter().flatten().flatten();
-        names.extend(entries.filter_map(|entry| {
-            let name = entry.file_name().into_string().ok()?;
-            Some(format!("{folder}/{name}"))
-        }));
-    }
-    names.retain(|name| directory.join(name).is_file());
-    names
+    let files = FILES.iter().filter(|name| directory.join(name).is_file());
+    let files = files.map(|name| (*name).to_owned());
+    files.chain(FOLDERS.iter().flat_map(|folder| inside(directory, folder))).collect()
+}
+
+/// All files in a folder of a directory, and in its folders.
+fn inside(directory: &Path, folder: &str) -> Vec<String> {
+    let entries = fs::read_dir(directory.join(folder)).into_iter().flatten().flatten();
+    let names = entries.filter_map(|entry| {
+        let name = format!("{folder}/{}", entry.file_name().into_string().ok()?);
+        Some(if entry.path().is_dir() { inside(directory, &name) } else { vec![name] })
+    });
+    names.flatten().collect()
 }
 
 #[cfg(test)]
@@ -135,21 +150,27 @@ mod tests {
         for folder in FOLDERS {
             fs::create_dir(directory.join(folder)).unwrap();
         }
+        fs::create_dir(directory.join("vtk/a")).unwrap();
         let write = |name: &str, text: &str| fs::write(directory.join(name), text).unwrap();
-        let names = ["report.html", "figures/a.svg", "films/a.html", "tables/a.csv"];
+        let names = ["report.html", "figures/a.svg", "films/a.html", "tables/a.csv", "vtk/a/b.vtu"];
         names.iter().for_each(|name| write(name, "old"));
         assert!(damage(directory).is_empty(), "nothing is known of them yet");
+        Derived::begin(directory).unwrap();
+        Derived::renew(directory, &[directory.join("films/b.html")]).unwrap();
+        assert!(!directory.join(FILE_NAME).exists());
         Derived::renew(directory, std::slice::from_ref(&film)).unwrap();
         Derived::begin(directory).unwrap();
-        assert!(!directory.join(FILE_NAME).exists());
         Derived::end(directory).unwrap();
         assert!(damage(directory).is_empty());
         names.iter().for_each(|name| write(name, "new"));
-        let told = ["figures/a.svg", "films/a.html", "report.html", "tables/a.csv"];
+        let told = ["figures/a.svg", "films/a.html", "report.html", "tables/a.csv", "vtk/a/b.vtu"];
         assert_eq!(damage(directory), told.map(|name| format!("{name} is damaged")));
-        // To make all again mends all but the film, which nobody has made.
+        // To make all again mends all but what nobody has filmed.
         Derived::begin(directory).unwrap();
         Derived::end(directory).unwrap();
+        assert_eq!(damage(directory), ["films/a.html is damaged", "vtk/a/b.vtu is damaged"]);
+        fs::remove_file(directory.join("vtk/a/b.vtu")).unwrap();
+        Derived::renew_folder(directory, "vtk").unwrap();
         assert_eq!(damage(directory), ["films/a.html is damaged"]);
         assert!(Derived::is_damaged(directory, std::slice::from_ref(&film)));
         Derived::renew(directory, std::slice::from_ref(&film)).unwrap();
