@@ -302,3 +302,25 @@ fn a_journal_without_a_beginning_is_not_started_over() {
     assert!(told(&refused).contains("has lost its beginning"), "{}", told(&refused));
     assert_eq!(results(&out), before);
 }
+
+/// A sweep that has lost files does not end well, though the cases after them make the folder again. The same command
+/// brings them back.
+#[test]
+fn histories_that_go_away_are_missed_before_the_end() {
+    let root = tempfile::tempdir().unwrap();
+    let few = TINY.replace("0.025", "0.0125").replace("[50, 250]", "[50]");
+    let file = write_file(root.path(), &few);
+    let (whole, out) = (root.path().join("whole"), root.path().join("out"));
+    expect_code(&sweep(&file, &whole, &[]), 0);
+    let child = start(&file, &out, &[]);
+    wait_for(&out, 2);
+    // After 0.2 s the first case is on the disk, and nobody opens its files again.
+    std::thread::sleep(Duration::from_millis(300));
+    while fs::remove_dir_all(out.join("histories")).is_err() {}
+    let output = child.wait_with_output().unwrap();
+    expect_code(&output, 70);
+    assert!(told(&output).contains("histories/"), "{}", told(&output));
+    expect_code(&sweep(&file, &out, &[]), 0);
+    assert_same(&whole, &out);
+    expect_code(&run(&["verify", out.to_str().unwrap()]), 0);
+}

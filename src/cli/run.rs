@@ -118,6 +118,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
             false => "interrupted: a single scene starts over",
         });
     }
+    done.directory.left().demand(done.directory.path())?;
     if done.wall_time_s.is_some() && done.ending == Ending::Finished {
         let filmed = [args.vtk.map(|_| "vtk"), args.film.map(|_| "films")];
         let seal = |folder| Derived::renew_folder(done.directory.path(), folder);

@@ -236,10 +236,12 @@ fn lead(
     let closing = asked.filter(|_| filming == SUCCESS);
     let closing = closing.and_then(|asked| asked.closing(&job, &mut done));
     // The report reads files alone. Of a large study both would be too much.
+    let left = done.directory.left();
     done.directory.forget_records();
     drop(job);
     crate::report::write(done.directory.path())?;
     Derived::end(done.directory.path())?;
+    left.demand(done.directory.path())?;
     if let Some(closing) = closing {
         closing.write(done.directory.path())?;
     }

@@ -11,6 +11,7 @@ use super::files;
 use super::filing::Filed;
 use super::filling::Filling;
 use super::journal::{self, Journal};
+use super::left::{self, Left, Places};
 use super::lock::Lock;
 use super::opening::{self, Found, OpenMode, Opened, look};
 use super::record::CaseRecord;
@@ -30,6 +31,8 @@ pub struct Directory {
     waiting: Waiting,
     simd: SimdPath,
     records: Vec<Option<CaseRecord>>,
+    /// Where the files of each case are.
+    left: Places,
     /// Records before this are cases, the others companions.
     cases: usize,
     findings: Vec<String>,
@@ -76,6 +79,7 @@ impl Directory {
             opened = Opened::Moved(aside);
         }
         let (mut records, mut findings) = (Vec::new(), Vec::new());
+        let mut left = Places::new(study.cases.len());
         let (journal, simd) = if look(path)? == Found::Nothing {
             records.resize(study.run_count(), None);
             let simd = requested.unwrap_or(widest);
@@ -92,8 +96,8 @@ impl Directory {
             opening::check_header(path, &header, study, requested, widest)?;
             let journal = Journal::resume(path, &content, &header)?;
             files::clean(path)?;
-            let (filled, damaged) = filling.end();
-            records = filled;
+            let damaged;
+            (records, left, damaged) = filling.end();
             findings.extend(damaged);
             opened = Opened::Resumed(records.iter().flatten().count());
             (journal, header.simd)
@@ -112,6 +116,7 @@ impl Directory {
             waiting: Waiting::new(path)?,
             simd,
             records,
+            left,
             cases: study.cases.len(),
             findings,
         };
@@ -173,10 +178,13 @@ impl Directory {
     /// Forgets failed cases, so that they run again.
     pub fn retry_failed(&mut self) {
         for record in &mut self.records {
-            if record.as_ref().is_some_and(|record| !record.is_ok()) {
-                *record = None;
-            }
+            record.take_if(|record| !record.is_ok());
         }
+    }
+
+    /// What all cases so far have left, to be looked for once more.
+    pub fn left(&self) -> Left {
+        self.left.of(self.records())
     }
 
     /// Forgets what was recorded, and stays locked: for what reads files alone.
@@ -217,6 +225,7 @@ impl Directory {
         }
         self.journal.record(&record)?;
         let index = record.index;
+        self.left.set(index, left::folders(&record.files));
         self.waiting.add_line(record.id);
         self.records[index] = Some(record.held());
         Ok(())

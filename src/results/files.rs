@@ -16,8 +16,8 @@ const PROBES: &str = "probes";
 const READINGS: &str = "readings";
 const ENVELOPES: &str = "envelopes";
 const WAVES: &str = "waves";
-/// All folders.
-const FOLDERS: [&str; 5] = [HISTORIES, PROBES, READINGS, ENVELOPES, WAVES];
+/// All folders, that of histories first.
+pub(super) const FOLDERS: [&str; 5] = [HISTORIES, PROBES, READINGS, ENVELOPES, WAVES];
 
 /// What a case leaves besides its journal line: folders, and what stands in a file in each.
 pub(super) fn texts(result: &CaseResult) -> Vec<(&'static str, String)> {

@@ -5,8 +5,9 @@ use std::path::Path;
 
 use rayon::prelude::*;
 
-use super::files;
+use super::left::Places;
 use super::record::{CaseRecord, HeldLine};
+use super::{files, left};
 use crate::keys::named;
 use crate::study::{CaseId, Study};
 
@@ -17,6 +18,8 @@ pub(super) struct Filling<'a> {
     cases: usize,
     places: HashMap<CaseId, usize>,
     records: Vec<Option<CaseRecord>>,
+    /// Where the files of each case are.
+    left: Places,
     /// Whether files are looked at.
     looks: bool,
     /// What is wrong with the files of a case, in words.
@@ -30,6 +33,7 @@ impl Filling<'_> {
             cases: study.cases.len(),
             places: study.runs().map(|case| (case.id, case.index)).collect(),
             records: vec![None; study.run_count()],
+            left: Places::new(study.cases.len()),
             looks: true,
             damage: BTreeMap::new(),
         }
@@ -46,14 +50,17 @@ impl Filling<'_> {
         let look = |line: HeldLine| {
             let index = *places.get(&line.id())?;
             let (record, files) = line.split(index);
-            let has_files = looks && record.is_ok() && record.index < cases;
+            let has_files = record.is_ok() && record.index < cases;
             let files = has_files.then_some(&files);
-            let damage = files.and_then(|files| files::damage(path, record.id, files));
-            Some((record, damage))
+            let left = files.map_or(0, left::folders);
+            let damage = files.filter(|_| looks);
+            let damage = damage.and_then(|files| files::damage(path, record.id, files));
+            Some((record, left, damage))
         };
         let looked: Vec<_> = lines.into_par_iter().filter_map(look).collect();
-        for (record, damage) in looked {
+        for (record, left, damage) in looked {
             let index = record.index;
+            self.left.set(index, left);
             self.damage.remove(&index);
             self.damage
                 .extend(damage.map(|(file, what)| (index, format!("{} {what}", named(&file)))));
@@ -61,13 +68,14 @@ impl Filling<'_> {
         }
     }
 
-    /// The records, without those whose files are damaged or missing, and what is wrong with these.
-    pub(super) fn end(mut self) -> (Vec<Option<CaseRecord>>, Vec<String>) {
+    /// The records, without those whose files are damaged or missing, where the files of each are, and what is
+    /// wrong with them.
+    pub(super) fn end(mut self) -> (Vec<Option<CaseRecord>>, Places, Vec<String>) {
         for &index in self.damage.keys() {
             self.records[index] = None;
         }
         let told = |damage| format!("{damage}: its case runs again");
-        (self.records, self.damage.into_values().map(told).collect())
+        (self.records, self.left, self.damage.into_values().map(told).collect())
     }
 
     /// All records, and what is wrong with files.

@@ -30,6 +30,7 @@ mod filing;
 mod filling;
 mod group;
 mod journal;
+mod left;
 mod load;
 mod lock;
 mod made_up;
@@ -65,6 +66,7 @@ pub use journal::{
     Journal, read_header as read_journal_header, read_in_blocks as read_journal_in_blocks,
     read_journal,
 };
+pub use left::Left;
 pub use load::{Load, RankLoad, forget_load};
 pub use lock::Lock;
 pub use made_up::made_up;

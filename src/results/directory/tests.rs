@@ -107,3 +107,22 @@ fn the_instruction_set_is_kept() {
     assert!(with(None, Portable).is_err());
     assert!(with(Some(Portable), Avx2).is_err());
 }
+
+#[test]
+fn files_that_go_away_are_missed() {
+    let root = tempfile::tempdir().unwrap();
+    let (path, study) = (root.path().join("run"), study("0.1, 0.2"));
+    let (mut directory, _) = open(&path, &study, OpenMode::Resume).unwrap();
+    run_first(&mut directory, &study);
+    let told = |directory: &Directory| directory.left().demand(&path).map_err(|e| e.to_string());
+    assert_eq!(told(&directory), Ok(()));
+    // What is read from the journal knows it as well as what has just run.
+    drop(directory);
+    let (directory, _) = open(&path, &study, OpenMode::Resume).unwrap();
+    assert_eq!(told(&directory), Ok(()));
+    fs::remove_dir_all(path.join("histories")).unwrap();
+    let first = told(&directory).unwrap_err();
+    assert!(first.contains("histories/") && first.contains(".csv went away"), "{first}");
+    fs::remove_dir_all(path.join("envelopes")).unwrap();
+    assert!(told(&directory).unwrap_err().contains(".csv and 1 other file went away"));
+}
