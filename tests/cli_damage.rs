@@ -3,7 +3,7 @@
 mod common;
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Output;
 
 use common::{TINY, expect_code, journal_lines, run, write_file};
@@ -11,6 +11,14 @@ use common::{TINY, expect_code, journal_lines, run, write_file};
 fn sweep(file: &Path, out: &Path) -> Output {
     let (file, out) = (file.to_str().unwrap(), out.to_str().unwrap());
     run(&["sweep", file, "--out", out, "--threads", "2", "--film", "none"])
+}
+
+/// The files in a folder.
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let mut files: Vec<_> =
+        fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.sort();
+    files
 }
 
 /// No case has to run for it: the study tells what the columns of probes hold.
@@ -41,4 +49,47 @@ fn what_columns_of_probes_hold_is_told_and_mended() {
         }
     }
     assert_eq!(journal_lines(&out), lines, "no case ran again");
+}
+
+/// A report without the files that cannot be drawn, with their names, and whole again after the same command.
+#[test]
+fn a_report_leaves_out_what_is_damaged_and_names_it() {
+    let root = tempfile::tempdir().unwrap();
+    let gauge = "[[probe]]\nname = \"level\"\nkind = \"level\"\nx_m = 0.5\n[numerics]";
+    let file = write_file(root.path(), &TINY.replace("[numerics]", gauge));
+    let out = root.path().join("out");
+    let directory = out.to_str().unwrap();
+    expect_code(&sweep(&file, &out), 0);
+    let ways: [fn(&Path); 4] = [
+        |path| fs::remove_file(path).unwrap(),
+        |path| fs::write(path, "").unwrap(),
+        |path| fs::write(path, "time_s,force\nx,y\n").unwrap(),
+        |path| {
+            let mut bytes = fs::read(path).unwrap();
+            let middle = bytes.len() / 2;
+            bytes[middle] ^= 0x80;
+            fs::write(path, bytes).unwrap();
+        },
+    ];
+    for folder in ["histories", "probes", "envelopes"] {
+        for (number, way) in ways.iter().enumerate() {
+            let path = files(&out.join(folder)).swap_remove(number);
+            way(&path);
+            let report = run(&["report", directory]);
+            expect_code(&report, 1);
+            let words = String::from_utf8(report.stderr).unwrap();
+            let name = path.file_name().unwrap().to_str().unwrap();
+            assert!(words.lines().any(|line| line.contains(name)), "{words}");
+            assert!(words.contains("1 file left out: the same `seawall sweep`"), "{words}");
+            assert!(fs::read_to_string(out.join("report.html")).unwrap().contains("</html>"));
+            // Without what tells how the file was, what cannot be read shows all the same.
+            let manifest = fs::read(out.join("manifest.json")).unwrap();
+            fs::remove_file(out.join("manifest.json")).unwrap();
+            assert_ne!(run(&["report", directory]).status.code(), Some(2));
+            fs::write(out.join("manifest.json"), manifest).unwrap();
+            expect_code(&sweep(&file, &out), 0);
+            expect_code(&run(&["report", directory]), 0);
+            expect_code(&run(&["verify", directory]), 0);
+        }
+    }
 }

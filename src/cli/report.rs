@@ -1,7 +1,7 @@
 //! `seawall report`: tables and figures from files alone.
 
 use std::io::ErrorKind;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde_json::json;
@@ -10,11 +10,11 @@ use super::failure::BadInput;
 use super::formats::{FigureFormat, for_print};
 use super::input::demand_output_of_study;
 use super::output::Output;
-use super::{SUCCESS, shown, stored};
-use crate::report::{Froude, ReportError};
+use super::{CASES_FAILED, SUCCESS, shown, stored};
+use crate::report::{Froude, Omitted, ReportError};
 use crate::results::{
-    Closing, Derived, Lock, Manifest, SweepError, Verified, renew_tables, verify,
-    write_all_histories,
+    Closing, Derived, Lock, Manifest, SweepError, Verified, counted, renew_tables, verify,
+    write_sound_histories,
 };
 
 /// Write tables, figures and report.html from the files of a study. Nothing is simulated.
@@ -22,7 +22,9 @@ use crate::results::{
 #[command(after_help = "Examples:
   seawall report results/runs/nightly
   seawall report results/runs/nightly --figures pdf,png
-  seawall report results/runs/nightly --froude-scale 20")]
+  seawall report results/runs/nightly --froude-scale 20
+
+Exit code: 0, or 1 where a file of a case is damaged or missing and was left out.")]
 pub(super) struct ReportArgs {
     /// The output directory of a sweep.
     dir: PathBuf,
@@ -38,18 +40,30 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     demand_output_of_study(&args.dir, "summary.csv")?;
     let formats = for_print(&args.figures)?;
     let closing = Closing::read(&args.dir);
-    if closing.is_none() {
-        renew(args, output)?;
-    }
+    let damaged = if closing.is_none() { renew(args, output)? } else { Vec::new() };
+    let omitted = Omitted::from(damaged);
     Derived::begin(&args.dir).map_err(refused)?;
-    let report = crate::report::write_scaled(&args.dir, args.froude_scale).map_err(unusable)?;
-    write_all_histories(&args.dir)?;
+    let report =
+        crate::report::write_scaled(&args.dir, args.froude_scale, &omitted).map_err(unusable)?;
+    let spare = |path: &Path, error: &SweepError| omitted.add(path, error);
+    write_sound_histories(&args.dir, &|path| omitted.has(path), &spare)?;
     let mut figures = Vec::new();
     for format in formats {
-        figures.extend(crate::report::print(&args.dir, format).map_err(unusable)?);
+        figures.extend(crate::report::print(&args.dir, format, &omitted).map_err(unusable)?);
     }
     Derived::end(&args.dir)?;
-    if let Some(closing) = closing {
+    let (left_out, found) = omitted.told();
+    for found in found {
+        output.note(found);
+    }
+    if left_out > 0 {
+        let files = counted(left_out, "file");
+        output.note(format_args!(
+            "{files} left out: the same `seawall sweep` or `run` makes them again"
+        ));
+    }
+    // What is wrong in a closed study is mended once it is read again.
+    if let Some(closing) = closing.filter(|_| left_out == 0) {
         closing.write(&args.dir)?;
     }
     let mut told = format!("report: {}\n", shown::told(&report));
@@ -78,30 +92,31 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
         &json!({
             "report": shown::path(&report),
             "figures": shown::paths(&figures),
-            "froude_scale": prototype
+            "froude_scale": prototype,
+            "left_out": left_out
         }),
     )?;
-    Ok(SUCCESS)
+    Ok(if left_out == 0 { SUCCESS } else { CASES_FAILED })
 }
 
 /// Tables that are not what the journal says are made again. Where the study cannot be made from the
-/// directory alone, they are taken as they are.
-fn renew(args: &ReportArgs, output: &Output) -> anyhow::Result<()> {
+/// directory alone, they are taken as they are. The files of cases that are damaged or missing.
+fn renew(args: &ReportArgs, output: &Output) -> anyhow::Result<Vec<PathBuf>> {
     if Lock::is_held(&args.dir) {
-        return Ok(());
+        return Ok(Vec::new());
     }
     if Manifest::read(&args.dir).is_none() {
         output.note("manifest.json is missing or damaged: the page says nothing of where its numbers come from");
     }
-    let Ok((study, _)) = stored::study(&args.dir) else { return Ok(()) };
-    let Verified { told, records } = verify(&args.dir, &study)?;
+    let Ok((study, _)) = stored::study(&args.dir) else { return Ok(Vec::new()) };
+    let Verified { told, damaged, records } = verify(&args.dir, &study)?;
     for told in told {
         output.note(told);
     }
     for table in renew_tables(&args.dir, &study, &records)? {
         output.note(format_args!("{table}: made again from the journal"));
     }
-    Ok(())
+    Ok(damaged)
 }
 
 /// The same of what is kept beside the page.

@@ -34,7 +34,7 @@ pub(super) fn main(args: &VerifyArgs, output: &Output) -> anyhow::Result<u8> {
         (Err(_), Some(what)) => return lost(what, output),
         (study, _) => study?,
     };
-    let Verified { mut told, records } = verify(&args.dir, &study)?;
+    let Verified { mut told, records, .. } = verify(&args.dir, &study)?;
     let resources = Resources { simd, threads: film::threads(args.threads) };
     let again = sample(&study, &records, args.rerun);
     for &place in &again {

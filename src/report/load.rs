@@ -11,6 +11,7 @@ use serde_json::Value;
 
 use super::column::Cells;
 use super::error::ReportError;
+use super::omitted::Omitted;
 use super::row::{Header, Row};
 use super::study::{Key, keys, scene_number};
 use super::variant::name_variants;
@@ -30,6 +31,8 @@ pub struct Loaded {
     pub(super) directory: PathBuf,
     /// Whether these are some of the rows alone.
     pub(super) is_part: bool,
+    /// Files of cases that are left out.
+    pub(super) omitted: Omitted,
 }
 
 impl Loaded {
@@ -46,7 +49,13 @@ impl Loaded {
         for row in &mut rows {
             row.wall_angle_deg = row.wall_angle_deg.or(angle);
         }
-        Ok(Loaded { rows, energy, manifest, keys, directory: directory.to_owned(), is_part: false })
+        let (directory, omitted) = (directory.to_owned(), Omitted::default());
+        Ok(Loaded { rows, energy, manifest, keys, directory, is_part: false, omitted })
+    }
+
+    /// The same, in which files of cases may be left out.
+    pub fn without(self, omitted: &Omitted) -> Loaded {
+        Loaded { omitted: omitted.clone(), ..self }
     }
 
     /// The sweep's name, as its manifest states it.
@@ -78,6 +87,7 @@ impl Loaded {
             keys: self.keys.iter().map(key).collect(),
             directory: self.directory.clone(),
             is_part: true,
+            omitted: self.omitted.clone(),
         }
     }
 

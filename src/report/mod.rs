@@ -21,6 +21,7 @@ mod grid;
 pub mod load;
 mod markup;
 mod number;
+mod omitted;
 mod page;
 pub mod papers;
 pub mod plots;
@@ -39,6 +40,7 @@ use std::path::{Path, PathBuf};
 pub use error::ReportError;
 pub use froude::Froude;
 pub use number::{plain, with_error};
+pub use omitted::Omitted;
 pub use plots::Figure;
 pub use reproduce::Reproduced;
 pub use row::Row;
@@ -52,12 +54,17 @@ pub const PAGE: &str = "report.html";
 /// Writes `figures/*.svg`, `tables/*.csv` and `report.html` into an output directory that holds
 /// at least a `summary.csv`, and returns the page's path.
 pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
-    write_scaled(out_dir, None)
+    write_scaled(out_dir, None, &Omitted::default())
 }
 
-/// Likewise, with tables in the units of a prototype, where a Froude scale is given.
-pub fn write_scaled(out_dir: &Path, scale: Option<Froude>) -> Result<PathBuf, ReportError> {
-    let data = Loaded::read(out_dir)?;
+/// Likewise, with tables in the units of a prototype, where a Froude scale is given, and without files that may be
+/// left out.
+pub fn write_scaled(
+    out_dir: &Path,
+    scale: Option<Froude>,
+    omitted: &Omitted,
+) -> Result<PathBuf, ReportError> {
+    let data = Loaded::read(out_dir)?.without(omitted);
     let part = selection::of(&data);
     let shown = part.as_ref().unwrap_or(&data);
     let figures = plots::all(shown)?;
@@ -131,11 +138,15 @@ impl Print {
 /// Writes every figure of an output directory for print, in the widths of a journal's column (84 mm)
 /// and page (174 mm), and returns the files' paths; none where the program was built without.
 #[cfg_attr(not(feature = "print"), expect(unused_variables))]
-pub fn print(out_dir: &Path, format: Print) -> Result<Vec<PathBuf>, ReportError> {
+pub fn print(
+    out_dir: &Path,
+    format: Print,
+    omitted: &Omitted,
+) -> Result<Vec<PathBuf>, ReportError> {
     let mut paths = Vec::new();
     #[cfg(feature = "print")]
     {
-        let data = Loaded::read(out_dir)?;
+        let data = Loaded::read(out_dir)?.without(omitted);
         let part = selection::of(&data);
         let shown = part.as_ref().unwrap_or(&data);
         let papers = papers::papers(shown)?;

@@ -48,7 +48,8 @@ pub struct Pressed {
 impl Loaded {
     /// Whether a case has a file of gauges.
     pub fn has_gauges(&self, case_id: &str) -> bool {
-        self.directory.join(format!("probes/{case_id}.csv")).exists()
+        let path = self.directory.join(format!("probes/{case_id}.csv"));
+        path.exists() && !self.omitted.has(&path)
     }
 
     /// The gauges of a case, in the order of their columns; none where it has no file of them.
@@ -76,60 +77,59 @@ impl Loaded {
         needed: &[&'static str],
     ) -> Result<Vec<Series>, ReportError> {
         let path = self.directory.join(format!("{folder}/{case_id}.csv"));
-        if !path.exists() {
-            return Ok(Vec::new());
-        }
-        let (header, records) = read_records(&path)?;
-        demand(&path, &header, needed.iter().copied())?;
-        let rows: Vec<Vec<Option<f64>>> = deserialize(&path, &header, &records)?;
-        let time = header.iter().position(|name| name == history::TIME.name).unwrap_or(0);
-        let series = |(column, name): (usize, &str)| Series {
-            name: name.to_owned(),
-            unit: String::new(),
-            points: rows
-                .iter()
-                .filter_map(|row| row[time].zip(row[column]))
-                .filter(|(time, value)| time.is_finite() && value.is_finite())
-                .collect(),
-        };
-        Ok(header.iter().enumerate().filter(|(column, _)| *column != time).map(series).collect())
+        self.omitted.read(&path, |path| series(path, needed))
     }
 
     /// What the scene of a case tells besides its row, in the file's order.
     pub fn readings(&self, case_id: &str) -> Result<Vec<Reading>, ReportError> {
         let path = self.directory.join(format!("readings/{case_id}.csv"));
-        if !path.exists() {
-            return Ok(Vec::new());
-        }
-        let (header, records) = read_loosely(&path)?;
-        demand(&path, &header, ["name", "value", "unit"].into_iter())?;
-        deserialize(&path, &header, &records)
+        self.omitted.read(&path, |path| {
+            let (header, records) = read_loosely(path)?;
+            demand(path, &header, ["name", "value", "unit"].into_iter())?;
+            deserialize(path, &header, &records)
+        })
     }
 
     /// The largest pressures up the wall of a case; none where it has no file of them.
     pub fn envelope(&self, case_id: &str) -> Result<Vec<Pressed>, ReportError> {
         let path = self.directory.join(format!("envelopes/{case_id}.csv"));
-        if !path.exists() {
-            return Ok(Vec::new());
-        }
-        let (header, records) = read_records(&path)?;
-        demand(&path, &header, envelope::ALL.iter().map(|column| column.name))?;
-        deserialize(&path, &header, &records)
+        self.omitted.read(&path, |path| {
+            let (header, records) = read_records(path)?;
+            demand(path, &header, envelope::ALL.iter().map(|column| column.name))?;
+            deserialize(path, &header, &records)
+        })
     }
 
     /// The units of the gauges' columns by their names.
     fn units(&self) -> Result<BTreeMap<String, String>, ReportError> {
         let path = self.directory.join("probes/columns.csv");
-        if !path.exists() {
-            return Ok(BTreeMap::new());
-        }
-        let (header, records) = read_loosely(&path)?;
-        demand(&path, &header, ["name", "unit"].into_iter())?;
-        let at = |name: &str| header.iter().position(|column| column == name).unwrap_or(0);
-        let cell = |record: &StringRecord, name| record.get(at(name)).unwrap_or("").to_owned();
-        let unit = |record| (cell(record, "name"), cell(record, "unit"));
-        Ok(records.iter().map(unit).collect())
+        self.omitted.read(&path, |path| {
+            let (header, records) = read_loosely(path)?;
+            demand(path, &header, ["name", "unit"].into_iter())?;
+            let at = |name: &str| header.iter().position(|column| column == name).unwrap_or(0);
+            let cell = |record: &StringRecord, name| record.get(at(name)).unwrap_or("").to_owned();
+            let unit = |record| (cell(record, "name"), cell(record, "unit"));
+            Ok(records.iter().map(unit).collect())
+        })
     }
+}
+
+/// The columns of a table over time.
+fn series(path: &Path, needed: &[&'static str]) -> Result<Vec<Series>, ReportError> {
+    let (header, records) = read_records(path)?;
+    demand(path, &header, needed.iter().copied())?;
+    let rows: Vec<Vec<Option<f64>>> = deserialize(path, &header, &records)?;
+    let time = header.iter().position(|name| name == history::TIME.name).unwrap_or(0);
+    let series = |(column, name): (usize, &str)| Series {
+        name: name.to_owned(),
+        unit: String::new(),
+        points: rows
+            .iter()
+            .filter_map(|row| row[time].zip(row[column]))
+            .filter(|(time, value)| time.is_finite() && value.is_finite())
+            .collect(),
+    };
+    Ok(header.iter().enumerate().filter(|(column, _)| *column != time).map(series).collect())
 }
 
 /// A table whose last column is told in words, in which directories of earlier versions have commas

@@ -20,14 +20,27 @@ const FILE_NAME: &str = "histories.csv.gz";
 /// # Errors
 /// A file that cannot be read or written, or histories with different columns.
 pub fn write_all_histories(directory: &Path) -> Result<Option<PathBuf>, SweepError> {
+    write_sound_histories(directory, &|_| false, &|_, _| false)
+}
+
+/// The same without those that are left out. One that turns out to be wrong is an error, unless `spare` says that it
+/// is left out, too.
+///
+/// # Errors
+/// The same.
+pub fn write_sound_histories(
+    directory: &Path,
+    is_left_out: &dyn Fn(&Path) -> bool,
+    spare: &dyn Fn(&Path, &SweepError) -> bool,
+) -> Result<Option<PathBuf>, SweepError> {
     let ids = ids(&directory.join("summary.csv"))?.into_iter();
     let cases = ids.map(|id| (files::history_path(directory, &id), id));
-    let cases: Vec<_> = cases.filter(|(path, _)| path.is_file()).collect();
+    let cases: Vec<_> = cases.filter(|(path, _)| path.is_file() && !is_left_out(path)).collect();
     let path = directory.join(FILE_NAME);
     if cases.is_empty() {
         return Ok(None);
     }
-    atomic_file::write_with(&path, |file| write(file, &path, &cases))?;
+    atomic_file::write_with(&path, |file| write(file, &path, &cases, spare))?;
     Ok(Some(path))
 }
 
@@ -42,22 +55,26 @@ fn ids(summary: &Path) -> Result<Vec<String>, SweepError> {
     reader.records().map(|row| row.map(cell).map_err(wrong)).collect()
 }
 
-fn write(file: &File, path: &Path, cases: &[(PathBuf, String)]) -> Result<(), SweepError> {
+fn write(
+    file: &File,
+    path: &Path,
+    cases: &[(PathBuf, String)],
+    spare: &dyn Fn(&Path, &SweepError) -> bool,
+) -> Result<(), SweepError> {
     // Neither a time stamp nor a name in its head. Slower levels save a twentieth.
     let mut table = GzBuilder::new().write(BufWriter::new(Writer(file)), Compression::fast());
-    let mut columns = None;
+    let mut columns: Option<String> = None;
     for (from, id) in cases {
-        let text = fs::read_to_string(from).map_err(SweepError::io(from))?;
+        let text = match history(from, columns.as_deref()) {
+            Ok(text) => text,
+            Err(error) if spare(from, &error) => continue,
+            Err(error) => return Err(error),
+        };
         let (header, rows) = text.split_once('\n').unwrap_or((&text, ""));
         let mut lines = String::with_capacity(2 * text.len());
         if columns.is_none() {
             lines = format!("{},{header}\n", CASE_ID.name);
-        }
-        if columns.get_or_insert_with(|| header.to_owned()) != header {
-            return Err(SweepError::refused(
-                from,
-                "has other columns than the histories before it",
-            ));
+            columns = Some(header.to_owned());
         }
         for row in rows.lines() {
             lines.extend([id, ",", row, "\n"]);
@@ -66,6 +83,18 @@ fn write(file: &File, path: &Path, cases: &[(PathBuf, String)]) -> Result<(), Sw
     }
     let mut rest = table.finish().map_err(SweepError::io(path))?;
     rest.flush().map_err(SweepError::io(path))
+}
+
+/// The text of a history, which has the columns of those before it.
+fn history(from: &Path, columns: Option<&str>) -> Result<String, SweepError> {
+    let text = fs::read_to_string(from).map_err(SweepError::io(from))?;
+    match text.lines().next() {
+        None => Err(SweepError::refused(from, "is empty")),
+        Some(header) if columns.is_some_and(|columns| columns != header) => {
+            Err(SweepError::refused(from, "has other columns than the histories before it"))
+        }
+        Some(_) => Ok(text),
+    }
 }
 
 #[cfg(test)]
@@ -111,6 +140,9 @@ mod tests {
         let told = write_all_histories(root.path()).unwrap_err().to_string();
         assert!(told.ends_with("a.csv: has other columns than the histories before it"), "{told}");
         assert_eq!(fs::read(root.path().join(FILE_NAME)).unwrap(), b"old");
+        let spare = |path: &Path, _: &SweepError| path.ends_with("a.csv");
+        write_sound_histories(root.path(), &|_| false, &spare).unwrap();
+        assert_ne!(fs::read(root.path().join(FILE_NAME)).unwrap(), b"old");
         fs::write(root.path().join("summary.csv"), "case\na\n").unwrap();
         let told = write_all_histories(root.path()).unwrap_err().to_string();
         assert!(told.ends_with("summary.csv: no column case_id"), "{told}");

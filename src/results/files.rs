@@ -104,25 +104,20 @@ impl Unsynced {
     }
 }
 
-/// The first file of a case that is not as it was written: its path, and what is wrong with it.
-pub(super) fn damage(
-    directory: &Path,
-    id: CaseId,
-    seals: &Seals,
-) -> Option<(PathBuf, &'static str)> {
-    let file = format!("{id}.csv");
-    let path = |name: &str| directory.join(name).join(&file);
-    let damage = seals.iter().find_map(|(name, seal)| {
-        let path = path(name);
+/// The files of a case that are not as they were written: their paths, and what is wrong with them.
+pub(super) fn damage(directory: &Path, id: CaseId, seals: &Seals) -> Vec<(PathBuf, &'static str)> {
+    let look = |(name, seal): (&String, &Seal)| {
+        let path = path(directory, name, id);
         match seal.fits(&path) {
             Some(true) => None,
             Some(false) => Some((path, "is damaged")),
             None => Some((path, "is missing")),
         }
-    });
-    let read = damage.is_none() && seals.contains_key(HISTORIES);
-    if !read && !path(HISTORIES).is_file() {
-        return Some((path(HISTORIES), "is missing"));
+    };
+    let mut damage: Vec<_> = seals.iter().filter_map(look).collect();
+    let history = history_path(directory, id);
+    if !seals.contains_key(HISTORIES) && !history.is_file() {
+        damage.push((history, "is missing"));
     }
     damage
 }

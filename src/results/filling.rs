@@ -1,7 +1,7 @@
 //! The records of a study, filled from journal lines, with a look at the files of each case.
 
 use std::collections::{BTreeMap, HashMap};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
@@ -22,8 +22,8 @@ pub(super) struct Filling<'a> {
     left: Places,
     /// Whether files are looked at.
     looks: bool,
-    /// What is wrong with the files of a case, in words.
-    damage: BTreeMap<usize, String>,
+    /// What is wrong with the files of a case.
+    damage: BTreeMap<usize, Vec<Damaged>>,
 }
 
 impl Filling<'_> {
@@ -54,7 +54,7 @@ impl Filling<'_> {
             let files = has_files.then_some(&files);
             let left = files.map_or(0, left::folders);
             let damage = files.filter(|_| looks);
-            let damage = damage.and_then(|files| files::damage(path, record.id, files));
+            let damage = damage.map(|files| files::damage(path, record.id, files));
             Some((record, left, damage))
         };
         let looked: Vec<_> = lines.into_par_iter().filter_map(look).collect();
@@ -62,8 +62,7 @@ impl Filling<'_> {
             let index = record.index;
             self.left.set(index, left);
             self.damage.remove(&index);
-            self.damage
-                .extend(damage.map(|(file, what)| (index, format!("{} {what}", named(&file)))));
+            self.damage.extend(damage.filter(|all| !all.is_empty()).map(|all| (index, all)));
             self.records[index] = Some(record);
         }
     }
@@ -74,12 +73,21 @@ impl Filling<'_> {
         for &index in self.damage.keys() {
             self.records[index] = None;
         }
-        let told = |damage| format!("{damage}: its case runs again");
-        (self.records, self.left, self.damage.into_values().map(told).collect())
+        let damage = self.damage.into_values().flatten();
+        let told = |file: Damaged| format!("{}: its case runs again", told(&file));
+        (self.records, self.left, damage.map(told).collect())
     }
 
     /// All records, and what is wrong with files.
-    pub(super) fn all(self) -> (Vec<Option<CaseRecord>>, Vec<String>) {
-        (self.records, self.damage.into_values().collect())
+    pub(super) fn all(self) -> (Vec<Option<CaseRecord>>, Vec<Damaged>) {
+        (self.records, self.damage.into_values().flatten().collect())
     }
+}
+
+/// A file, and what is wrong with it.
+pub(super) type Damaged = (PathBuf, &'static str);
+
+/// That in words.
+pub(super) fn told((file, what): &Damaged) -> String {
+    format!("{} {what}", named(file))
 }

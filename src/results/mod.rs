@@ -49,7 +49,7 @@ mod verify;
 mod waiting;
 
 pub use again::{finished, finished_whole, first_difference};
-pub use all_histories::write_all_histories;
+pub use all_histories::{write_all_histories, write_sound_histories};
 pub use attempts::Attempts;
 pub use checkpoint::Checkpoint;
 pub use checkpoints::has_checkpoints;

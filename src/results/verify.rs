@@ -2,10 +2,10 @@
 
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use super::error::SweepError;
-use super::filling::Filling;
+use super::filling::{self, Filling};
 use super::manifest::Manifest;
 use super::record::CaseRecord;
 use super::{checkpoints, derived, energy, journal, opening, probe_columns, summary};
@@ -17,6 +17,8 @@ use crate::study::Study;
 pub struct Verified {
     /// Everything that is not as it was written, in words.
     pub told: Vec<String>,
+    /// Files of cases that are damaged or missing.
+    pub damaged: Vec<PathBuf>,
     /// The finished cases and companions, as [`super::finished`] has them.
     pub records: Vec<Option<CaseRecord>>,
 }
@@ -40,7 +42,8 @@ pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
         }
         _ => {}
     }
-    told.extend(damaged);
+    told.extend(damaged.iter().map(filling::told));
+    let damaged = damaged.into_iter().map(|(path, _)| path).collect();
     let kept = checkpoints::damaged(directory);
     told.extend(kept.map(|path| format!("{} is damaged: what it is of starts over", named(&path))));
     for table in Table::ALL {
@@ -50,7 +53,7 @@ pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
     }
     told.extend(Manifest::damage(directory).map(|what| format!("manifest.json {what}")));
     told.extend(derived::damage(directory));
-    Ok(Verified { told, records })
+    Ok(Verified { told, damaged, records })
 }
 
 /// Makes the tables again that are not what the journal says; their names. Where the summary has more rows than

@@ -1,0 +1,55 @@
+//! Files of cases that a report leaves out, as they are not what was written.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::error::ReportError;
+
+/// What is left out, and what was found wrong on reading it; nothing where each must be read. Clones share it.
+#[derive(Debug, Clone, Default)]
+pub struct Omitted(Option<Arc<Mutex<Files>>>);
+
+/// Those that were known before have no words.
+type Files = BTreeMap<PathBuf, Option<String>>;
+
+impl Omitted {
+    /// These, and all that turn out to be unreadable.
+    pub fn from(known: Vec<PathBuf>) -> Omitted {
+        let files = known.into_iter().map(|path| (path, None)).collect();
+        Omitted(Some(Arc::new(Mutex::new(files))))
+    }
+
+    fn with<T>(&self, ask: impl FnOnce(&mut Files) -> T) -> Option<T> {
+        self.0.as_ref().map(|files| ask(&mut files.lock().unwrap_or_else(PoisonError::into_inner)))
+    }
+
+    /// Whether a file is left out.
+    pub fn has(&self, path: &Path) -> bool {
+        self.with(|files| files.contains_key(path)).unwrap_or(false)
+    }
+
+    /// Leaves out one that is wrong; whether it may be.
+    pub fn add(&self, path: &Path, why: &dyn std::fmt::Display) -> bool {
+        self.with(|files| files.insert(path.to_owned(), Some(why.to_string()))).is_some()
+    }
+
+    /// How many there are, and what was found wrong on reading.
+    pub fn told(&self) -> (usize, Vec<String>) {
+        let told = |files: &mut Files| (files.len(), files.values().flatten().cloned().collect());
+        self.with(told).unwrap_or_default()
+    }
+
+    /// What a file holds; nothing where there is none, or it is left out.
+    pub(super) fn read<T: Default>(
+        &self,
+        path: &Path,
+        read: impl FnOnce(&Path) -> Result<T, ReportError>,
+    ) -> Result<T, ReportError> {
+        if !path.exists() || self.has(path) {
+            return Ok(T::default());
+        }
+        read(path)
+            .or_else(|error| if self.add(path, &error) { Ok(T::default()) } else { Err(error) })
+    }
+}
