@@ -21,7 +21,7 @@ end_time_s = 0.01
 [grid]
 particle_spacing_m = [0.02, 0.0008, 0.025]
 "#;
-/// Kilobytes of address space.
+/// Kilobytes of data, or of address space.
 const LITTLE: u32 = 450_000;
 
 fn sweep(file: &Path, out: &Path, more: &[&str]) -> Output {
@@ -49,9 +49,13 @@ fn told(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
-/// A sweep with little memory.
+/// A sweep with little memory, of which only a process that takes too much gets to know.
 fn limited(file: &Path, out: &Path) -> Output {
-    let script = format!("ulimit -v {LITTLE}; exec \"$0\" \"$@\"");
+    limited_by("-d", file, out)
+}
+
+fn limited_by(option: &str, file: &Path, out: &Path) -> Output {
+    let script = format!("ulimit {option} {LITTLE}; exec \"$0\" \"$@\"");
     let mut command = Command::new("sh");
     command.args(["-c", &script, env!("CARGO_BIN_EXE_seawall"), "sweep"]);
     command.arg(file).arg("--out").arg(out);
@@ -94,6 +98,21 @@ fn a_case_that_ends_its_process_is_recorded_and_the_sweep_goes_on() {
     assert!(!out.join("running").exists());
     // With memory enough it is well.
     expect_code(&sweep(&file, &out, &["--retry-failed"]), 0);
+}
+
+#[test]
+#[cfg(target_os = "linux")]
+fn a_limit_of_the_address_space_is_asked_before_anything_runs() {
+    let root = tempfile::tempdir().unwrap();
+    let (file, out) = (write_file(root.path(), POISON), root.path().join("out"));
+    let refused = limited_by("-v", &file, &out);
+    expect_code(&refused, 2);
+    let words = told(&refused);
+    assert!(words.contains("(ulimit -v) has") && words.contains("fewer --threads"), "{words}");
+    assert!(!out.exists(), "nothing is written");
+    // What fits runs.
+    let coarse = write_file(root.path(), &POISON.replace("0.0008", "0.015"));
+    expect_code(&limited_by("-v", &coarse, &out), 0);
 }
 
 #[test]

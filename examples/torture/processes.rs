@@ -50,7 +50,7 @@ pub fn out_of_memory(study: &Study, trial: u64, _: f64) -> Result<Outcome> {
     fs::write(&file, GREEDY)?;
     let start = |limit: &str, more: &[&str]| -> Result<Output> {
         let mut command = Command::new("sh");
-        command.args(["-c", &format!("ulimit -v {limit}; exec \"$0\" \"$@\"")]);
+        command.args(["-c", &format!("ulimit -d {limit}; exec \"$0\" \"$@\"")]);
         command.arg(study.program()).arg("sweep").arg(&file).arg("--out").arg(&out);
         command.args(["--threads", "2", "--film", "none"]).args(more);
         Ok(command.output()?)

@@ -168,26 +168,34 @@ pub(super) fn execute(
     Ok(Done { directory, ending, savings, wall_time_s, film_time_s: 0.0 })
 }
 
-/// Makes sure that as many cases as run at once on this machine fit into it.
+/// Makes sure that as many cases as run at once on this machine fit into it, and those of a rank into the address
+/// space that it may take.
 fn demand_memory<'a>(
     runs: impl Iterator<Item = &'a Case>,
     crew: &dyn Crew,
 ) -> Result<(), SweepError> {
     let here = host_name();
     let ranks = crew.ranks().iter().filter(|rank| rank.host == here);
-    let places: usize = ranks.map(RankInfo::places).sum();
+    let places: Vec<usize> = ranks.map(RankInfo::places).collect();
     let mut sizes: Vec<_> = runs.map(|case| cost(&case.config).memory_bytes).collect();
     sizes.sort_unstable_by(|a, b| b.cmp(a));
-    sizes.truncate(places);
-    let needed: u64 = sizes.iter().sum();
-    match memory::available_bytes() {
-        Some(left) if needed > left => Err(SweepError::Refused(format!(
-            "{} at once may take {} of memory, and {here} has {} left: take fewer --threads, or a \
-             larger particle_spacing_m",
-            counted(sizes.len(), "case"),
-            binary(needed),
-            binary(left)
-        ))),
-        _ => Ok(()),
+    let of_rank = places.iter().max().copied().unwrap_or(0);
+    let limits = [
+        (places.iter().sum(), memory::available_bytes(), format!("{here} has")),
+        (of_rank, memory::address_space_left(), "the limit of this process (ulimit -v) has".into()),
+    ];
+    for (at_once, left, whose) in limits {
+        let sizes = &sizes[..sizes.len().min(at_once)];
+        let needed: u64 = sizes.iter().sum();
+        if let Some(left) = left.filter(|&left| needed > left) {
+            return Err(SweepError::Refused(format!(
+                "{} at once may take {} of memory, and {whose} {} left: take fewer --threads, or a \
+                 larger particle_spacing_m",
+                counted(sizes.len(), "case"),
+                binary(needed),
+                binary(left)
+            )));
+        }
     }
+    Ok(())
 }

@@ -11,6 +11,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use super::keeping::Keeping;
+use super::memory::kilobytes;
 use super::runner::{Runner, guarded};
 use crate::scene::CaseConfig;
 use crate::simulation::{
@@ -165,8 +166,7 @@ fn talk(child: &mut Child, task: &[u8], monitor: &dyn Monitor) -> std::io::Resul
 /// The most memory that a process has taken so far, where the system tells.
 fn peak_bytes(process: u32) -> Option<u64> {
     let text = std::fs::read_to_string(format!("/proc/{process}/status")).ok()?;
-    let line = text.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
-    line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok().map(|kilobytes| 1024 * kilobytes)
+    kilobytes(&text, "VmHWM:")
 }
 
 /// Watches a child's limits from within.

@@ -5,12 +5,27 @@ use std::path::Path;
 
 /// Bytes that are left here, by the kernel and by the control group of this process, where either tells.
 pub fn available_bytes() -> Option<u64> {
-    let machine = fs::read_to_string("/proc/meminfo").ok().and_then(|text| meminfo(&text));
+    let machine = fs::read_to_string("/proc/meminfo").ok();
+    let machine = machine.and_then(|text| kilobytes(&text, "MemAvailable:"));
     [machine, group()].into_iter().flatten().min()
 }
 
-fn meminfo(text: &str) -> Option<u64> {
-    let line = text.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
+/// Bytes of address space that this process may still take, where it has a limit (`ulimit -v`).
+pub fn address_space_left() -> Option<u64> {
+    let read = |name: &str| fs::read_to_string(format!("/proc/self/{name}")).ok();
+    let taken = read("status").and_then(|text| kilobytes(&text, "VmSize:")).unwrap_or(0);
+    Some(address_space(&read("limits")?)?.saturating_sub(taken))
+}
+
+/// The soft limit; `None` where there is none.
+fn address_space(limits: &str) -> Option<u64> {
+    let line = limits.lines().find_map(|line| line.strip_prefix("Max address space"))?;
+    line.split_whitespace().next()?.parse().ok()
+}
+
+/// What a line of the kernel's tells, in bytes.
+pub(super) fn kilobytes(text: &str, name: &str) -> Option<u64> {
+    let line = text.lines().find_map(|line| line.strip_prefix(name))?;
     line.trim().strip_suffix("kB")?.trim().parse::<u64>().ok().map(|kilobytes| 1024 * kilobytes)
 }
 
@@ -60,9 +75,17 @@ mod tests {
     #[test]
     fn the_kernel_is_understood() {
         let text = "MemTotal:       24 kB\nMemFree: 7 kB\nMemAvailable:   16 kB\n";
-        assert_eq!(meminfo(text), Some(16 * 1024));
-        assert_eq!(meminfo("MemTotal: 24 kB"), None);
+        assert_eq!(kilobytes(text, "MemAvailable:"), Some(16 * 1024));
+        assert_eq!(kilobytes("MemTotal: 24 kB", "MemAvailable:"), None);
+        let limits = |limit: &str| {
+            format!(
+                "Max processes  9  9  processes\nMax address space  {limit}  unlimited  bytes\n"
+            )
+        };
+        assert_eq!(address_space(&limits("4096")), Some(4096));
+        assert_eq!(address_space(&limits("unlimited")), None);
     }
+
     #[test]
     fn what_a_group_has_read_from_files_is_left() {
         let root = tempfile::tempdir().unwrap();
