@@ -17,6 +17,12 @@ pub(super) const PLACE: [&Column; 3] = [&WAVE_HEIGHT_RATIO, &SPRING_STIFFNESS, &
 pub struct Header {
     places: HashMap<String, usize>,
     declared: Vec<Option<&'static Column>>,
+    /// Where declared columns stand, in the order of their addresses: of a large study names take too long.
+    known: Vec<(usize, usize)>,
+}
+
+fn address(column: &Column) -> usize {
+    std::ptr::from_ref(column).addr()
 }
 
 impl Header {
@@ -24,10 +30,12 @@ impl Header {
     pub fn new<'a>(names: impl Iterator<Item = &'a str>) -> Header {
         let names: Vec<_> = names.collect();
         let place = |(place, name): (usize, &&str)| ((*name).to_owned(), place);
-        Header {
-            places: names.iter().enumerate().map(place).collect(),
-            declared: names.iter().map(|name| named(name)).collect(),
-        }
+        let declared: Vec<_> = names.iter().map(|name| named(name)).collect();
+        let known = declared.iter().enumerate();
+        let known = known.filter_map(|(place, column)| Some((address((*column)?), place)));
+        let mut known: Vec<_> = known.collect();
+        known.sort_unstable();
+        Header { places: names.iter().enumerate().map(place).collect(), declared, known }
     }
 }
 
@@ -97,7 +105,10 @@ impl Row {
     }
 
     fn named(&self, name: &str) -> &str {
-        let Some(&place) = self.header.places.get(name) else { return "" };
+        self.header.places.get(name).map_or("", |&place| self.at(place))
+    }
+
+    fn at(&self, place: usize) -> &str {
         let Some(end) = self.ends.get(place) else { return "" };
         let start = place.checked_sub(1).and_then(|before| self.ends.get(before)).unwrap_or(0);
         &self.text[start..end]
@@ -105,7 +116,11 @@ impl Row {
 
     /// A cell as it stands.
     pub fn text(&self, column: &Column) -> &str {
-        self.named(column.name)
+        let known = &self.header.known;
+        match known.binary_search_by_key(&address(column), |(address, _)| *address) {
+            Ok(found) => self.at(known[found].1),
+            Err(_) => self.named(column.name),
+        }
     }
 
     /// A number; `None` where the cell is empty.

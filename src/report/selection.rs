@@ -35,7 +35,7 @@ fn some(data: &Loaded, whole: usize, shown: usize) -> Option<Loaded> {
     }
     let id = |place: &usize| data.rows[*place].text(&CASE_ID);
     let mut places: Vec<usize> = (0..data.rows.len()).collect();
-    places.sort_unstable_by_key(|place| (!first.contains(id(place)), id(place), *place));
+    places.sort_by_cached_key(|place| (!first.contains(id(place)), id(place), *place));
     places.truncate(shown);
     places.sort_unstable();
     Some(data.part(&places))
