@@ -40,7 +40,7 @@ const NOT_FOR_REPORTS: &[&str] = &[
 ];
 
 /// Exported macros stand at the crate's root: the modules they belong to.
-const MACROS: &[(&str, &str)] = &[("with_kernel", "kernel"), ("with_interpolator", "boundary")];
+const MACROS: &[(&str, &str)] = &[("with_kernel", "kernel")];
 
 const LONGEST: usize = 400;
 
@@ -115,7 +115,7 @@ fn the_scan_sees_what_it_should() {
     assert!(!names_mpi_crate("use crate::x::{y, mpi, z};\nmpi::run()"));
     assert!(names_mpi_crate("use crate::x::{y, z};\nmpi::run()"));
     assert!(layer_of("theory") < layer_of("kernel"));
-    assert_eq!(layer_of("with_interpolator"), layer_of("boundary"));
+    assert_eq!(layer_of("with_kernel"), layer_of("kernel"));
 }
 
 fn sources(folder: &str) -> Vec<(PathBuf, String)> {

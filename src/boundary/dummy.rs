@@ -14,6 +14,7 @@ use super::Interpolator;
 pub struct Dummy;
 
 impl Interpolator for Dummy {
+    const TRIED: &'static [Dummy] = &[Dummy];
     const AT_GHOST: bool = true;
     const FROM_KERNEL: bool = true;
 }

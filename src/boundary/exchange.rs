@@ -11,11 +11,12 @@ use super::rules::{ExchangeRules, targets};
 use super::stretch::Stretch;
 use super::sums::{Cover, KernelWeights, Means, Near, Water, Weigh};
 use super::waterline::Waterline;
+use super::with_interpolator;
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, SimdPath, dispatch};
 use crate::math::team::{self, First, Team};
 use crate::pairs::{Factors, Flow, PointSet, Strips, build_pair_list};
-use crate::{with_interpolator, with_kernel};
+use crate::with_kernel;
 
 /// The ghosts' side of a step: neighbour lists of their targets, weights, means.
 #[derive(Debug, Clone)]

@@ -40,6 +40,7 @@ impl ImprovedShepard {
 }
 
 impl Interpolator for ImprovedShepard {
+    const TRIED: &'static [ImprovedShepard] = &[ImprovedShepard { lambda: 2.0, sigma: 1.0 }];
     const PEAKED: bool = true;
 
     #[inline(always)]

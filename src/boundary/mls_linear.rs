@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Interpolator;
 use super::weighing::{Stencil, Totals, Weighing, choose};
+use super::{AMPLIFICATION_LIMIT, Interpolator};
 use crate::math::simd::{LANES, Lanes};
 
 /// w_j = e₁ᵀM⁻¹ b_j W_j V_j, M = Σ b_j ⊗ b_j W_j V_j, b = (1, x_j - x, y_j - y) (Huang et al. 2019,
@@ -82,6 +82,7 @@ impl<L: Lanes> Plane<L> {
 }
 
 impl Interpolator for MlsLinear {
+    const TRIED: &'static [MlsLinear] = &[MlsLinear { amplification_limit: AMPLIFICATION_LIMIT }];
     const FROM_KERNEL: bool = true;
     const SIGNED: bool = true;
 

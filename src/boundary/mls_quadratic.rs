@@ -2,9 +2,9 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Interpolator;
 use super::mls_linear::Plane;
 use super::weighing::{Stencil, Totals, Weighing, choose};
+use super::{AMPLIFICATION_LIMIT, Interpolator};
 use crate::math::simd::{LANES, Lanes};
 
 /// Huang et al. 2019, Eqs. 8-9, with b = (1, ξ, η, ξ², ξη, η²), (ξ, η) = (r_j - r)/R: exact for
@@ -80,6 +80,8 @@ fn polynomial<L: Lanes>(c: &[L; SIZE], (x, y): (L, L)) -> L {
 }
 
 impl Interpolator for MlsQuadratic {
+    const TRIED: &'static [MlsQuadratic] =
+        &[MlsQuadratic { amplification_limit: AMPLIFICATION_LIMIT }];
     const FROM_KERNEL: bool = true;
     const SIGNED: bool = true;
 

@@ -3,7 +3,8 @@
 //! Every ghost mirrors a point in the water (Huang et al. 2019, Fig. 1). Each step an
 //! [`Interpolator`] gives weights to the fluid particles around that point; [`Exchange`] turns the
 //! weighted sums into the ghost's pressure and velocity, the same way for every interpolator.
-//! A new interpolator is one file and one arm of [`with_interpolator!`](crate::with_interpolator).
+//! A new interpolator is one file, a line of `interpolators!`, and the arm of `Numerics::interpolator`
+//! that gives it its parameters.
 
 mod bed;
 mod behind;
@@ -41,19 +42,14 @@ mod weighing;
 
 pub use closed_box::{box_ghosts, no_ghosts};
 pub use crest::Crest;
-pub use dummy::Dummy;
 pub use exchange::Exchange;
 pub use ghosts::{BodySites, GhostBody, Ghosts, Reflection, Site};
 pub use image::Image;
-pub use improved_shepard::ImprovedShepard;
 pub use layout::{CrestShape, FloorBehind, TankLayout};
-pub use mls_linear::MlsLinear;
-pub use mls_quadratic::MlsQuadratic;
-pub use normalized::Normalized;
 pub use plane::Plane;
 pub use profile::{Profile, Stretch};
 pub use rules::ExchangeRules;
-pub use sfdi::{Sfdi, SfdiMatrix};
+pub use sfdi::SfdiMatrix;
 pub use sums::Water;
 pub use tank::tank_ghosts;
 #[cfg(test)]
@@ -66,6 +62,8 @@ use crate::math::simd::{LANES, Lanes};
 
 /// Gives fluid particles their weights in the interpolation at a point.
 pub trait Interpolator: Copy + Send + Sync + 'static {
+    /// With its default parameters, and with all others that tests are to try.
+    const TRIED: &'static [Self];
     /// The water around the ghost itself is taken, rather than around the point that it mirrors.
     const AT_GHOST: bool = false;
     /// Weights may be negative, and a simpler method may have to stand in.
@@ -91,36 +89,58 @@ pub trait Interpolator: Copy + Send + Sync + 'static {
     }
 }
 
-/// Runs `$body` with `$interpolator` bound to the interpolator of a choice.
-#[macro_export]
-macro_rules! with_interpolator {
-    ($choice:expr, $interpolator:ident => $body:expr) => {
-        match $choice {
-            $crate::boundary::InterpolatorChoice::ImprovedShepard($interpolator) => $body,
-            $crate::boundary::InterpolatorChoice::Normalized($interpolator) => $body,
-            $crate::boundary::InterpolatorChoice::Sfdi($interpolator) => $body,
-            $crate::boundary::InterpolatorChoice::MlsLinear($interpolator) => $body,
-            $crate::boundary::InterpolatorChoice::MlsQuadratic($interpolator) => $body,
-            $crate::boundary::InterpolatorChoice::Dummy($interpolator) => $body,
+/// Declares the family: the names of scene files (in kebab case), each with its parameters, and
+/// `with_interpolator!`, which runs a body with a name bound to the interpolator of a choice.
+macro_rules! interpolators {
+    ($d:tt $($(#[$doc:meta])* $name:ident in $file:ident;)+) => {
+        $(pub use $file::$name;)+
+
+        /// How ghost particles get their values.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+        #[serde(rename_all = "kebab-case")]
+        pub enum BoundaryChoice {
+            $($(#[$doc])* $name,)+
+        }
+
+        /// An interpolator with its parameters.
+        #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+        pub enum InterpolatorChoice {
+            $($(#[$doc])* $name($name),)+
+        }
+
+        macro_rules! with_interpolator {
+            ($d choice:expr, $d interpolator:ident => $d body:expr) => {
+                match $d choice {
+                    $($crate::boundary::InterpolatorChoice::$name($d interpolator) => $d body,)+
+                }
+            };
+        }
+        use with_interpolator;
+
+        impl InterpolatorChoice {
+            /// Every interpolator, see [`Interpolator::TRIED`].
+            pub fn every() -> Vec<InterpolatorChoice> {
+                let mut every = Vec::new();
+                $(every.extend($name::TRIED.iter().copied().map(InterpolatorChoice::$name));)+
+                every
+            }
         }
     };
 }
 
-/// An interpolator with its parameters.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub enum InterpolatorChoice {
-    /// Improved Shepard, Huang et al. 2019, Eqs. 17-21.
-    ImprovedShepard(ImprovedShepard),
-    /// The normalized kernel, Eqs. 14-16.
-    Normalized(Normalized),
+interpolators! { $
+    /// Improved Shepard interpolation, Huang et al. 2019, Eqs. 17-21.
+    ImprovedShepard in improved_shepard;
+    /// Normalized kernel, Huang et al. 2019, Eqs. 14-16.
+    Normalized in normalized;
     /// Simplified finite difference interpolation, Eqs. 10-13.
-    Sfdi(Sfdi),
-    /// Moving least squares with a linear basis, Eqs. 8-9.
-    MlsLinear(MlsLinear),
-    /// Moving least squares with a quadratic basis.
-    MlsQuadratic(MlsQuadratic),
-    /// The normalized kernel around the ghost itself, Adami et al. 2012.
-    Dummy(Dummy),
+    Sfdi in sfdi;
+    /// Moving least squares, linear basis, Eqs. 8-9.
+    MlsLinear in mls_linear;
+    /// Moving least squares, quadratic basis.
+    MlsQuadratic in mls_quadratic;
+    /// Dummy particles: the normalized kernel around the ghost itself, Adami et al. 2012.
+    Dummy in dummy;
 }
 
 /// Bound on Σ|w_j| with which weights count as fit, by default: that of linear extrapolation by half
@@ -128,23 +148,6 @@ pub enum InterpolatorChoice {
 pub const AMPLIFICATION_LIMIT: f64 = 2.0;
 
 impl InterpolatorChoice {
-    /// Every interpolator, with its default parameters (and the source's matrix for SFDI, too).
-    pub const EVERY: [InterpolatorChoice; 7] = [
-        InterpolatorChoice::ImprovedShepard(ImprovedShepard { lambda: 2.0, sigma: 1.0 }),
-        InterpolatorChoice::Normalized(Normalized),
-        InterpolatorChoice::Sfdi(Sfdi {
-            matrix: SfdiMatrix::Full,
-            amplification_limit: AMPLIFICATION_LIMIT,
-        }),
-        InterpolatorChoice::Sfdi(Sfdi {
-            matrix: SfdiMatrix::Diagonal,
-            amplification_limit: AMPLIFICATION_LIMIT,
-        }),
-        InterpolatorChoice::MlsLinear(MlsLinear { amplification_limit: AMPLIFICATION_LIMIT }),
-        InterpolatorChoice::MlsQuadratic(MlsQuadratic { amplification_limit: AMPLIFICATION_LIMIT }),
-        InterpolatorChoice::Dummy(Dummy),
-    ];
-
     /// See [`Interpolator::FROM_KERNEL`].
     pub fn from_kernel(&self) -> bool {
         fn told<I: Interpolator>(_: &I) -> bool {
@@ -159,5 +162,14 @@ impl InterpolatorChoice {
             I::AT_GHOST
         }
         with_interpolator!(self, interpolator => told(interpolator))
+    }
+
+    /// See [`Interpolator::weigh`]: for tests, which weigh a few points.
+    pub fn weigh<L: Lanes>(
+        &self,
+        stencil: &Stencil<'_, L>,
+        weights: &mut [[f64; LANES]],
+    ) -> Weighing<L> {
+        with_interpolator!(self, interpolator => interpolator.weigh(stencil, weights))
     }
 }

@@ -12,5 +12,6 @@ use super::Interpolator;
 pub struct Normalized;
 
 impl Interpolator for Normalized {
+    const TRIED: &'static [Normalized] = &[Normalized];
     const FROM_KERNEL: bool = true;
 }

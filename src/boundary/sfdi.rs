@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::Interpolator;
 use super::weighing::{Stencil, Totals, Weighing, choose};
+use super::{AMPLIFICATION_LIMIT, Interpolator};
 use crate::math::simd::{LANES, Lanes};
 
 /// Which part of N = Σ w ΔΔᵀ/Δ² is kept.
@@ -54,6 +54,10 @@ fn difference<L: Lanes>(
 }
 
 impl Interpolator for Sfdi {
+    const TRIED: &'static [Sfdi] = &[
+        Sfdi { matrix: SfdiMatrix::Full, amplification_limit: AMPLIFICATION_LIMIT },
+        Sfdi { matrix: SfdiMatrix::Diagonal, amplification_limit: AMPLIFICATION_LIMIT },
+    ];
     const SIGNED: bool = true;
 
     #[inline(always)]

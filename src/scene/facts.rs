@@ -2,7 +2,8 @@
 
 use super::config::CaseConfig;
 use super::kind::Scene;
-use super::numerics::{BoundaryChoice, Numerics, Scheme};
+use super::numerics::{Numerics, Scheme};
+use crate::boundary::BoundaryChoice;
 use crate::scheme::isph::Laplacian;
 use crate::scheme::wcsph::Shifting;
 

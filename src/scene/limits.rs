@@ -5,8 +5,9 @@
 use super::config::CaseConfig;
 use super::facts::Facts;
 use super::kind::Scene;
-use super::numerics::{BoundaryChoice, GhostGravity, Slip};
+use super::numerics::{GhostGravity, Slip};
 use super::size;
+use crate::boundary::BoundaryChoice;
 
 /// What is known to go wrong, or to be inaccurate, with a case; a line each, the same line for the
 /// same limit.

@@ -43,9 +43,7 @@ pub use happening::FALLS_FREE;
 pub use hydrostatic::HydrostaticScene;
 pub use kind::{Kind, Scene};
 pub use limits::limits;
-pub use numerics::{
-    BoundaryChoice, ErrorBars, GhostGravity, IncompressibleNumerics, Numerics, Scheme, Slip,
-};
+pub use numerics::{ErrorBars, GhostGravity, IncompressibleNumerics, Numerics, Scheme, Slip};
 pub use odd::odd_values;
 pub use oscillating_drop::OscillatingDropScene;
 pub use preset::Preset;

@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use crate::boundary::{
-    AMPLIFICATION_LIMIT, Dummy, ImprovedShepard, InterpolatorChoice, MlsLinear, MlsQuadratic,
-    Normalized, Sfdi, SfdiMatrix,
+    AMPLIFICATION_LIMIT, BoundaryChoice, Dummy, ImprovedShepard, InterpolatorChoice, MlsLinear,
+    MlsQuadratic, Normalized, Sfdi, SfdiMatrix,
 };
 use crate::kernel::KernelChoice;
 use crate::keys::{Rule, Section, section};
@@ -24,24 +24,6 @@ pub enum Scheme {
     Wcsph,
     /// Incompressible SPH, Liang et al. 2017.
     Isph,
-}
-
-/// How ghost particles get their values.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum BoundaryChoice {
-    /// Improved Shepard interpolation, Huang et al. 2019, Eqs. 17-21.
-    ImprovedShepard,
-    /// Normalized kernel, Huang et al. 2019, Eqs. 14-16.
-    Normalized,
-    /// Simplified finite difference interpolation, Eqs. 10-13.
-    Sfdi,
-    /// Moving least squares, linear basis, Eqs. 8-9.
-    MlsLinear,
-    /// Moving least squares, quadratic basis.
-    MlsQuadratic,
-    /// Dummy particles: the normalized kernel around the ghost itself, Adami et al. 2012.
-    Dummy,
 }
 
 /// Where gravity and the wall's acceleration enter a ghost's pressure.

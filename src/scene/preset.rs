@@ -5,8 +5,9 @@ use toml::{Table, Value};
 
 use super::kind::Scene;
 use super::numerics::{
-    BoundaryChoice, GhostGravity, IncompressibleNumerics, LEAST_SOUND_SPEED_RATIO, Numerics, Scheme,
+    GhostGravity, IncompressibleNumerics, LEAST_SOUND_SPEED_RATIO, Numerics, Scheme,
 };
+use crate::boundary::BoundaryChoice;
 use crate::kernel::KernelChoice;
 use crate::keys::{ConfigError, Section, check_conditions, number, section};
 use crate::scheme::wcsph::{DensityDiffusion, Shifting};

@@ -34,7 +34,7 @@ pub const SHEPARD: &[InterpolatorChoice] = &[
 
 /// Runs a check with every interpolator on every instruction set, and with every kernel.
 pub fn everywhere(check: impl Fn(&dyn Fn(&mut Basin))) {
-    with_each(&InterpolatorChoice::EVERY, check);
+    with_each(&InterpolatorChoice::every(), check);
 }
 
 pub fn with_each(interpolators: &[InterpolatorChoice], check: impl Fn(&dyn Fn(&mut Basin))) {
