@@ -1,8 +1,8 @@
 //! Walls and paddles: each turns time or the water's force into motion, and knows nothing of
 //! particles. [`WallLaw`] and [`PaddleLaw`] say what a run asks of them.
 //!
-//! A new member is one file here with its keys, and one arm in [`Wall`] or [`Paddle`]; the scene
-//! of the seawall names both.
+//! A new member is one file here with its keys, and a line of [`Wall`] or [`Paddle`]; the scene of the
+//! seawall names both.
 
 mod contract;
 mod fixed_wall;
@@ -26,58 +26,54 @@ pub use sliding_caisson::{CaissonKeys, SlidingCaisson};
 pub use spring_wall::SpringWall;
 pub use wave_train::{SecondStroke, WaveTrain, WaveTrainKeys};
 
-/// The wall at the end of a tank.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub enum Wall {
+/// Declares a family: a variant for each member, which answers by its law.
+macro_rules! family {
+    ($(#[$about:meta])* $name:ident: $law:ident; $($(#[$doc:meta])* $variant:ident($member:ty);)+) => {
+        $(#[$about])*
+        pub enum $name {
+            $($(#[$doc])* $variant($member),)+
+        }
+
+        impl Deref for $name {
+            type Target = dyn $law;
+
+            fn deref(&self) -> &Self::Target {
+                match self {
+                    $($name::$variant(member) => member,)+
+                }
+            }
+        }
+
+        impl DerefMut for $name {
+            fn deref_mut(&mut self) -> &mut Self::Target {
+                match self {
+                    $($name::$variant(member) => member,)+
+                }
+            }
+        }
+    };
+}
+
+family! {
+    /// The wall at the end of a tank.
+    #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+    Wall: WallLaw;
     /// It stands still.
-    Fixed(FixedWall),
+    Fixed(FixedWall);
     /// It is mounted on a spring.
-    Spring(SpringWall),
+    Spring(SpringWall);
     /// It slides on its bed with friction.
-    Caisson(SlidingCaisson),
+    Caisson(SlidingCaisson);
 }
 
-impl Deref for Wall {
-    type Target = dyn WallLaw;
-
-    fn deref(&self) -> &Self::Target {
-        match self {
-            Wall::Fixed(wall) => wall,
-            Wall::Spring(wall) => wall,
-            Wall::Caisson(wall) => wall,
-        }
-    }
-}
-
-impl DerefMut for Wall {
-    fn deref_mut(&mut self) -> &mut Self::Target {
-        match self {
-            Wall::Fixed(wall) => wall,
-            Wall::Spring(wall) => wall,
-            Wall::Caisson(wall) => wall,
-        }
-    }
-}
-
-/// What moves the water at the start of a tank.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Paddle {
+family! {
+    /// What moves the water at the start of a tank.
+    #[derive(Debug, Clone, PartialEq)]
+    Paddle: PaddleLaw;
     /// A piston that makes a solitary wave.
-    Goring(GoringPaddle),
+    Goring(GoringPaddle);
     /// A piston that makes regular waves.
-    WaveTrain(WaveTrain),
+    WaveTrain(WaveTrain);
     /// It plays a stroke from a file.
-    Recorded(RecordedStroke),
-}
-
-impl Deref for Paddle {
-    type Target = dyn PaddleLaw;
-
-    fn deref(&self) -> &Self::Target {
-        match self {
-            Paddle::Goring(paddle) => paddle,
-            Paddle::WaveTrain(paddle) => paddle,
-            Paddle::Recorded(paddle) => paddle,
-        }
-    }
+    Recorded(RecordedStroke);
 }

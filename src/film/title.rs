@@ -36,16 +36,13 @@ fn wall(config: &CaseConfig) -> String {
             Some(format!(", {name} = {}{unit}", significant((*value)?, DIGITS)))
         })
         .collect();
-    let kind = match (scene.wall.moves(), scene.spring_stiffness_n_per_m) {
-        (false, _) if scene.wall_angle_deg == 90.0 => match &scene.crest {
-            Some(crest) => format!("fixed wall of {} m over still water", crest.crest_freeboard_m),
-            None => "fixed wall".to_owned(),
-        },
-        (false, _) => format!("fixed wall at {}°", scene.wall_angle_deg),
-        (true, Some(_)) => "wall on a spring".to_owned(),
-        (true, None) => "sliding caisson".to_owned(),
+    // Of walls that move, none leans and none has a crest.
+    let more = match &scene.crest {
+        _ if scene.wall_angle_deg != 90.0 => format!(" at {}°", scene.wall_angle_deg),
+        Some(crest) => format!(" of {} m over still water", crest.crest_freeboard_m),
+        None => String::new(),
     };
-    kind + &told
+    format!("{}{more}{told}", scene.wall.title())
 }
 
 /// The line under it.

@@ -111,6 +111,24 @@ impl WallChoice {
         self != WallChoice::Fixed
     }
 
+    /// What it is called.
+    pub fn words(self) -> &'static str {
+        match self {
+            WallChoice::Fixed => "fixed wall",
+            WallChoice::Movable => "movable wall",
+            WallChoice::Caisson => "caisson",
+        }
+    }
+
+    /// The same with what it does, for a title.
+    pub fn title(self) -> &'static str {
+        match self {
+            WallChoice::Fixed => "fixed wall",
+            WallChoice::Movable => "wall on a spring",
+            WallChoice::Caisson => "sliding caisson",
+        }
+    }
+
     /// What takes the energy that the law of motion of such a wall absorbs.
     pub fn resistance(self) -> &'static str {
         match self {
@@ -129,15 +147,18 @@ impl SeawallScene {
     /// The paddle; none for still water.
     pub fn paddle(&self) -> Option<Paddle> {
         let (ratio, depth) = (self.wave_height_ratio, self.still_water_depth_m);
-        let paddle = match (self.regular_waves(), &self.recorded) {
-            (Some(waves), _) => Paddle::WaveTrain(waves),
-            (_, Some(keys)) => Paddle::Recorded(RecordedStroke::new(&keys.recorded_stroke)),
-            _ => Paddle::Goring(GoringPaddle::new(
+        let paddle = match self.paddle {
+            PaddleChoice::Solitary => Paddle::Goring(GoringPaddle::new(
                 ratio,
                 depth,
                 self.gravity_m_per_s2,
                 self.paddle_ramp_fraction,
             )),
+            PaddleChoice::WaveTrain => Paddle::WaveTrain(self.regular_waves()?),
+            PaddleChoice::RecordedStroke => {
+                let stroke = &self.recorded.as_ref()?.recorded_stroke;
+                Paddle::Recorded(RecordedStroke::new(stroke))
+            }
         };
         (ratio > 0.0).then_some(paddle)
     }
@@ -151,34 +172,43 @@ impl SeawallScene {
 
     /// F_th over the hydrostatic force, N per metre of width.
     pub(super) fn onset_ratio(&self, static_force: f64) -> f64 {
-        let friction = |caisson: &CaissonKeys| 1.0 + caisson.holding_friction() / static_force;
-        self.caisson.as_ref().map_or(self.threshold_ratio, friction)
+        let friction = |keys: &CaissonKeys| 1.0 + keys.holding_friction() / static_force;
+        match self.wall {
+            WallChoice::Fixed | WallChoice::Movable => self.threshold_ratio,
+            WallChoice::Caisson => self.caisson.as_ref().map_or(self.threshold_ratio, friction),
+        }
     }
 
     /// The wall at rest, under this hydrostatic force, N per metre of width; one without a mass is held.
     pub(super) fn law(&self, static_force: f64) -> Wall {
-        if let Some(caisson) = &self.caisson {
-            return caisson.wall(self.seawall_mass_kg_per_m, static_force);
-        }
         let threshold = self.onset_ratio(static_force) * static_force;
-        match (self.wall, self.seawall_mass_kg_per_m, self.spring_stiffness_n_per_m) {
-            (WallChoice::Movable, Some(mass), Some(stiffness)) => {
-                let coupling = self.force_coupling;
-                Wall::Spring(SpringWall::at_rest(mass, stiffness, threshold, coupling))
+        let mass = self.seawall_mass_kg_per_m;
+        let law = match self.wall {
+            WallChoice::Fixed => None,
+            WallChoice::Movable => {
+                mass.zip(self.spring_stiffness_n_per_m).map(|(mass, stiffness)| {
+                    let coupling = self.force_coupling;
+                    Wall::Spring(SpringWall::at_rest(mass, stiffness, threshold, coupling))
+                })
             }
-            _ => Wall::Fixed(FixedWall::up_to(threshold)),
-        }
+            WallChoice::Caisson => self.caisson.as_ref().map(|keys| keys.wall(mass, static_force)),
+        };
+        law.unwrap_or(Wall::Fixed(FixedWall::up_to(threshold)))
     }
 
-    /// The same scene with its wall held fixed, and nothing left of what it does once it moves.
+    /// The same scene with its wall held fixed, and nothing left of what it does once it moves. A wall
+    /// whose own keys say what holds it stays what it is, without a mass.
     pub(super) fn held(&self) -> SeawallScene {
-        let caisson = self.caisson.as_ref().map(CaissonKeys::held);
+        let wall = match self.wall {
+            WallChoice::Fixed | WallChoice::Movable => WallChoice::Fixed,
+            WallChoice::Caisson => self.wall,
+        };
         SeawallScene {
-            wall: caisson.as_ref().map_or(WallChoice::Fixed, |_| WallChoice::Caisson),
+            wall,
             spring_stiffness_n_per_m: None,
             seawall_mass_kg_per_m: None,
             force_coupling: FORCE_COUPLING,
-            caisson,
+            caisson: self.caisson.as_ref().map(CaissonKeys::held),
             ..self.clone()
         }
     }

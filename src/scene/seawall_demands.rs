@@ -2,8 +2,9 @@
 
 use super::numerics::{Numerics, Scheme};
 use super::seawall::{
-    FORCE_COUPLING, PaddleChoice, SeawallScene, THRESHOLD_RATIO, error, validate_lean,
+    FORCE_COUPLING, PaddleChoice, SeawallScene, THRESHOLD_RATIO, WallChoice, error, validate_lean,
 };
+use crate::body::CaissonKeys;
 use crate::keys::ConfigError;
 
 /// Instants of a stroke at which its reach is looked at.
@@ -55,22 +56,24 @@ impl SeawallScene {
     fn validate_wall(&self) -> Result<(), ConfigError> {
         let angle = self.wall_angle_deg;
         if self.wall.moves() && angle != 90.0 {
-            let wall = if self.caisson.is_some() { "caisson" } else { "movable wall" };
-            let allowed =
-                format!("a {wall} is vertical: leave it out, or set scene.wall = \"fixed\"");
+            let allowed = format!(
+                "a {} is vertical: leave it out, or set scene.wall = \"fixed\"",
+                self.wall.words()
+            );
             return error("wall_angle_deg", angle, &allowed);
         }
-        if let Some(caisson) = &self.caisson {
+        if !matches!(self.wall, WallChoice::Fixed | WallChoice::Movable) {
             let keys = [
                 ("threshold_ratio", self.threshold_ratio, THRESHOLD_RATIO),
                 ("force_coupling", self.force_coupling, FORCE_COUPLING),
             ];
             if let Some((key, value, _)) = keys.iter().find(|(_, value, default)| value != default)
             {
-                return error(key, value, "is not for a caisson: leave it out");
+                let allowed = format!("is not for a {}: leave it out", self.wall.words());
+                return error(key, value, &allowed);
             }
-            caisson.validate()?;
         }
+        self.caisson.as_ref().map_or(Ok(()), CaissonKeys::validate)?;
         validate_lean(angle, self.still_water_depth_m, self.tank_length_m)
     }
 

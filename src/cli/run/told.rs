@@ -39,8 +39,7 @@ fn seawall(scene: &SeawallScene) -> String {
         (WallChoice::Fixed, angle) if angle != 90.0 => format!(" of {}°", plain(angle)),
         _ => String::new(),
     };
-    let wall = if scene.wall == WallChoice::Caisson { "" } else { " wall" };
-    parts.push(format!("{}{wall}{angle}", name_of(scene.wall)));
+    parts.push(format!("{}{angle}", scene.wall.words()));
     parts.extend(scene.spring_stiffness_n_per_m.map(|k| value(&SPRING_STIFFNESS, k)));
     parts.extend(scene.seawall_mass_kg_per_m.map(|m| value(&SEAWALL_MASS, m)));
     parts.join(", ")
