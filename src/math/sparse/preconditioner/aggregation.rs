@@ -2,6 +2,7 @@
 
 mod block;
 
+use super::Inverse;
 use super::dense::Dense;
 use crate::math::sparse::Csr;
 use crate::math::team::cut;
@@ -49,9 +50,9 @@ struct Level {
     blocks: Vec<Block>,
 }
 
-impl Hierarchy {
+impl Inverse for Hierarchy {
     /// Builds all levels for a matrix.
-    pub fn prepare(&mut self, a: &Csr) {
+    fn prepare(&mut self, a: &Csr) {
         self.depth = 0;
         let mut shrinks = true;
         loop {
@@ -68,7 +69,7 @@ impl Hierarchy {
     }
 
     /// One V-cycle from zero.
-    pub fn apply(&mut self, a: &Csr, r: &[f64], z: &mut [f64]) {
+    fn apply(&mut self, a: &Csr, r: &[f64], z: &mut [f64]) {
         cycle(a, &mut self.levels[..self.depth], &self.dense, r, z);
     }
 }

@@ -1,5 +1,6 @@
 //! Incomplete factors in the form (D + L) D⁻¹ (D + U), where only D is factorised.
 
+use super::Inverse;
 use crate::math::sparse::Csr;
 
 /// D-ILU: A ≈ (D + L) D⁻¹ (D + U) with A's own strict triangles L and U and the pivots
@@ -14,9 +15,9 @@ pub struct Incomplete {
     upper: Csr,
 }
 
-impl Incomplete {
+impl Inverse for Incomplete {
     /// Finds triangles and pivots.
-    pub fn prepare(&mut self, a: &Csr) {
+    fn prepare(&mut self, a: &Csr) {
         let Incomplete { inverse_pivots: inverse, lower, upper } = self;
         lower.clear();
         upper.clear();
@@ -42,7 +43,7 @@ impl Incomplete {
     }
 
     /// `z` = (D + U)⁻¹ D (D + L)⁻¹ `r`.
-    pub fn apply(&self, r: &[f64], z: &mut [f64]) {
+    fn apply(&mut self, _: &Csr, r: &[f64], z: &mut [f64]) {
         for row in 0..r.len() {
             z[row] = (r[row] - dot(self.lower.row(row), z)) * self.inverse_pivots[row];
         }
