@@ -4,8 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use seawall::accuracy::{Matrix, Trial};
-use seawall::keys::Section;
-use seawall::scene::{CaseConfig, Numerics, Preset};
+use seawall::keys::{Section, Shape};
+use seawall::scene::{CaseConfig, Numerics, Preset, numerics_keys};
 use toml::{Table, Value};
 
 #[test]
@@ -58,6 +58,36 @@ fn names_are_the_files_own_and_differ() {
     names.sort();
     names.dedup();
     assert_eq!(names.len(), count, "two files of one name would share an output directory");
+}
+
+/// A choice that no run makes, and a scene that none takes, could change unseen.
+#[test]
+fn same_answers_has_every_choice_and_every_scene() {
+    let script = fs::read_to_string(root().join("scripts/same_answers")).unwrap();
+    let words: Vec<_> = script.split(|c: char| !c.is_ascii_alphanumeric() && c != '-').collect();
+    for key in numerics_keys() {
+        let Shape::Names(names) = (key.shape)() else { continue };
+        let default = (key.default)();
+        let default = default.as_ref().and_then(Value::as_str);
+        for name in names.iter().filter(|name| Some(**name) != default) {
+            assert!(words.contains(name), "no run has {} = {name:?}", key.name);
+        }
+    }
+    for path in files("sweeps/scenes") {
+        let name = format!(" scenes/{} ", path.file_name().unwrap().to_str().unwrap());
+        assert!(script.contains(&name), "no run takes {}", path.display());
+    }
+}
+
+#[test]
+fn every_script_is_in_the_architecture() {
+    let text = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    let (_, table) = text.split_once("| script | what it does |").unwrap();
+    for entry in fs::read_dir(root().join("scripts")).unwrap().map(|entry| entry.unwrap()) {
+        let name = entry.file_name().into_string().unwrap();
+        let told = table.contains(&format!("`{name}`"));
+        assert!(told || entry.path().is_dir(), "the table of scripts has no {name}");
+    }
 }
 
 #[test]
