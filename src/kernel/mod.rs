@@ -205,7 +205,9 @@ mod tests {
         for kernel in KernelChoice::ALL {
             let beyond = with_kernel!(kernel, K => crate::math::simd::dispatch(
                 crate::math::simd::SimdPath::widest(), Beyond::<K>(std::marker::PhantomData)));
-            assert!(beyond.iter().all(|v| v.abs() < 1e-30), "{kernel:?}: {beyond:?}");
+            // At q = 1 itself a slope that falls straight to zero has what rounding leaves of 1 - q.
+            assert!(beyond[0].abs() < 1e-15, "{kernel:?}: {beyond:?}");
+            assert!(beyond[1..].iter().all(|v| v.abs() < 1e-30), "{kernel:?}: {beyond:?}");
             assert!(kernel.shape_at(0.999_999).abs() < 1e-4, "{kernel:?}");
         }
     }

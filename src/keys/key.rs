@@ -34,7 +34,7 @@ impl Key {
     /// Its unit as the end of its name says it: `_kg_per_m3` for kg/m³.
     pub fn unit_in_name(&self) -> String {
         let plain = self.rule.unit.trim_start_matches('1').to_lowercase().replace('/', "_per_");
-        let plain = plain.replace('²', "2").replace('³', "3").replace('°', "deg");
+        let plain = plain.replace(' ', "_").replace('²', "2").replace('³', "3").replace('°', "deg");
         if plain.is_empty() { plain } else { format!("_{}", plain.trim_start_matches('_')) }
     }
 

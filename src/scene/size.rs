@@ -114,7 +114,7 @@ fn rounded_down(value: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::CaseConfig;
+    use crate::scene::{CaseConfig, Kind};
 
     fn case(scene: &str, spacing: &str) -> Result<CaseConfig, ConfigError> {
         let numerics = format!("particle_spacing_m = {spacing}");
@@ -123,26 +123,17 @@ mod tests {
 
     #[test]
     fn the_smallest_spacing_that_is_named_is_taken() {
-        let scenes = [
-            "",
-            "wall_angle_deg = 60",
-            "wall_angle_deg = 120",
-            "kind = \"hydrostatic\"",
-            "kind = \"dam-break\"",
-            "kind = \"standing-wave\"",
-            "kind = \"taylor-green\"",
-            "kind = \"rotating-patch\"",
-            "kind = \"oscillating-drop\"",
-        ];
-        for scene in scenes {
+        let kinds = Kind::ALL.iter().map(|kind| format!("kind = \"{}\"", kind.name()));
+        let leaning = [60, 120].map(|angle| format!("wall_angle_deg = {angle}"));
+        for scene in kinds.chain(leaning) {
             for spacing in ["1e-300", "0.00001"] {
-                let told = case(scene, spacing).unwrap_err();
+                let told = case(&scene, spacing).unwrap_err();
                 assert_eq!(told.value, spacing);
                 assert!(!told.allowed.contains("inf"), "{told}");
                 assert_eq!(told.key, "numerics.particle_spacing_m");
                 let words: Vec<_> = told.allowed.split(' ').collect();
                 let smallest = words[words.len() - 4];
-                case(scene, smallest).unwrap();
+                case(&scene, smallest).unwrap();
             }
         }
     }
