@@ -48,7 +48,7 @@ fn the_docs_have_the_tables_of_the_declarations() {
     } else {
         assert!(
             renewed == text,
-            "docs/files.md is out of date: run `RENEW_DOCS=1 cargo test --test house key_tables`"
+            "docs/files.md is out of date: run `RENEW_DOCS=1 cargo test --release --test house key_tables`"
         );
     }
 }

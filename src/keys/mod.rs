@@ -22,7 +22,7 @@
 //!   one that is added once there are results.
 //! - What depends on two values at once is checked by the section's `validate`.
 //!
-//! Then use the value, and renew the tables: `RENEW_DOCS=1 cargo test --test house key_tables`.
+//! Then use the value, and renew the tables: `RENEW_DOCS=1 cargo test --release --test house key_tables`.
 //!
 //! # Adding a group of keys
 //! What has keys of its own, such as a body, declares them in a `section!` in its own file, each

@@ -46,7 +46,9 @@ fn the_columns_in_the_documentation_are_those_that_are_declared() {
     if std::env::var_os("RENEW_DOCS").is_some() {
         fs::write(&path, new).unwrap();
     } else if new != text {
-        panic!("docs/files.md is out of date: RENEW_DOCS=1 cargo test --lib quantities::docs");
+        panic!(
+            "docs/files.md is out of date: RENEW_DOCS=1 cargo test --release --lib quantities::docs"
+        );
     }
 }
 
@@ -92,7 +94,8 @@ fn the_python_package_knows_the_columns_that_are_declared() {
     if std::env::var_os("RENEW_DOCS").is_some() {
         fs::write(&path, new).unwrap();
     } else if fs::read_to_string(&path).ok() != Some(new) {
-        let (file, renew) = (path.display(), "RENEW_DOCS=1 cargo test --lib quantities::docs");
+        let (file, renew) =
+            (path.display(), "RENEW_DOCS=1 cargo test --release --lib quantities::docs");
         panic!("{file} is out of date: {renew}");
     }
 }
