@@ -10,6 +10,10 @@ use super::waterline::{corner_angle, wedge_fraction};
 use crate::body::{BodyMotion, Place};
 use crate::math::simd::{LANES, SimdPath};
 
+/// So many points of the bed in a row are dry at the water's edge. At a step that is lower than a spacing one or two
+/// may read as dry under deep water.
+const EDGE: usize = 3;
+
 impl Exchange {
     /// Turns the kernel coverage of the face points into a wetness: 2 Σ W V over what a full,
     /// endless body of water would give there; 1/2 at the waterline of a vertical wall.
@@ -119,9 +123,9 @@ impl Exchange {
     }
 
     /// Height of the water's edge on a bed that is not level, metres: going up from the paddle, the first
-    /// place where the bed is less than half wet. There a tongue is some one spacing thick. None where
-    /// the water reaches the wall, which has moved so far, metres: behind it a bed that ends level goes on
-    /// and is dry.
+    /// place from where on the bed is less than half wet for [`EDGE`] points. There a tongue is some one
+    /// spacing thick. None where the water reaches the wall, which has moved so far, metres: behind it a bed
+    /// that ends level goes on and is dry.
     fn shoreline(&self, ghosts: &Ghosts, offset: f64) -> Option<f64> {
         ghosts.profile.as_ref()?;
         // Of a wall that has come nearer no place before it is cut off as at rest.
@@ -132,7 +136,8 @@ impl Exchange {
         let faces = faces.start..faces.start + before;
         let wetness = &self.wetness[faces.clone()];
         let heights = &ghosts.target_y[faces];
-        let edge = wetness.iter().position(|&wet| wet < 0.5)?;
+        let from = |place: usize| &wetness[place..wetness.len().min(place + EDGE)];
+        let edge = (0..wetness.len()).find(|&place| from(place).iter().all(|&wet| wet < 0.5))?;
         let Some(before) = edge.checked_sub(1) else { return Some(heights[0]) };
         let part = (wetness[before] - 0.5) / (wetness[before] - wetness[edge]);
         Some(heights[before] + part * (heights[edge] - heights[before]))

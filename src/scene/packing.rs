@@ -58,7 +58,8 @@ impl Packing<'_> {
     /// different directions; left as they are, they press unevenly on the water between them until
     /// it has crept to where they do not.
     pub(super) fn pack(&self, particles: &mut [[f64; 3]]) {
-        let movers = self.movers(particles);
+        let volumes: Vec<f64> = (0..self.ghosts.len()).map(|g| self.volume(g)).collect();
+        let movers = self.movers(particles, &volumes);
         let slopes: Vec<f64> =
             (0..=ENTRIES).map(|k| self.kernel.slope_at(k as f64 / ENTRIES as f64)).collect();
         // C/R³ of the gradient times τ R², per place over R.
@@ -73,7 +74,7 @@ impl Packing<'_> {
                 }
                 for &g in &mover.solid {
                     let g = g as usize;
-                    let ghost = [self.ghosts.x[g], self.ghosts.y[g], self.ghosts.volume[g]];
+                    let ghost = [self.ghosts.x[g], self.ghosts.y[g], volumes[g]];
                     self.add(&slopes, place, ghost, &mut sum);
                 }
                 *step = sum.map(|part| -factor * part);
@@ -100,16 +101,22 @@ impl Packing<'_> {
         }
     }
 
-    /// Whether a ghost is of a level bed that goes on beneath the wall: the wall's corner block stands
-    /// for it.
-    fn is_double(&self, g: usize) -> bool {
+    /// Volume of a ghost. Of a level bed that goes on beneath the wall only what lies before the wall counts: the
+    /// wall's corner block stands for the rest. A column of the bed may lie on both sides.
+    fn volume(&self, g: usize) -> f64 {
         let [bed, wall] =
             [Place::Bed, Place::Right].map(|place| &self.ghosts.bodies[place.number()]);
         let goes_on = matches!(self.face, Uneven::Bed(bed) if bed.ends_level());
-        goes_on && bed.ghosts.contains(&g) && self.ghosts.x[g] > wall.plane.point[0]
+        let volume = self.ghosts.volume[g];
+        if goes_on && bed.ghosts.contains(&g) {
+            let before = (wall.plane.point[0] - self.ghosts.x[g]) / self.spacing;
+            volume * (0.5 + before).clamp(0.0, 1.0)
+        } else {
+            volume
+        }
     }
 
-    fn movers(&self, particles: &[[f64; 3]]) -> Vec<Mover> {
+    fn movers(&self, particles: &[[f64; 3]], volumes: &[f64]) -> Vec<Mover> {
         let (reach, slack) = (self.support_radius + self.spacing, REACH * self.support_radius);
         let near = |place: &[f64; 3], room: f64| self.face.is_near([place[0], place[1]], room);
         let around: Vec<u32> = (0..particles.len() as u32)
@@ -119,8 +126,7 @@ impl Packing<'_> {
         let solid: Vec<u32> = (0..ghosts.len() as u32)
             .filter(|&g| {
                 let g = g as usize;
-                let counts = ghosts.volume[g] > 0.0 && !self.is_double(g);
-                counts && near(&[ghosts.x[g], ghosts.y[g], 0.0], slack + reach)
+                volumes[g] > 0.0 && near(&[ghosts.x[g], ghosts.y[g], 0.0], slack + reach)
             })
             .collect();
         let close = |here: &[f64; 3], x: f64, y: f64| {

@@ -8,6 +8,8 @@
 mod absorption;
 #[path = "../bed.rs"]
 mod bed;
+#[path = "../bed_rest.rs"]
+mod bed_rest;
 #[path = "../behind.rs"]
 mod behind;
 #[path = "../breaking.rs"]

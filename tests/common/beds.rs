@@ -1,0 +1,24 @@
+//! Cases over a bed, computed through the library.
+
+use seawall::math::simd::SimdPath;
+use seawall::scene::CaseConfig;
+use seawall::simulation::{CaseResult, Unwatched, run_case};
+use toml::Table;
+
+const NUMERICS: &str = "particle_spacing_m = 0.02\nboundary = \"normalized\"\n";
+
+/// A case of water of ten rows over a bed, with probes.
+pub fn computed(scene: &str, probes: &[Table]) -> CaseResult {
+    let table = |text: &str| text.parse::<Table>().unwrap();
+    let mut config = CaseConfig::from_tables(&table(scene), &table(NUMERICS)).unwrap();
+    config.probes = probes.iter().map(|table| table.clone().try_into().unwrap()).collect();
+    run_case(&config, None, SimdPath::widest(), &Unwatched).unwrap()
+}
+
+/// Surface over still water at places.
+pub fn gauges(places: &[f64]) -> Vec<Table> {
+    let gauge = |(number, x): (usize, &f64)| {
+        format!("name = \"g{number}\"\nkind = \"elevation\"\nx_m = {x}").parse().unwrap()
+    };
+    places.iter().enumerate().map(gauge).collect()
+}
