@@ -217,7 +217,7 @@ fn progress_is_that_of_all_ranks() {
         return;
     }
     let root = tempfile::tempdir().unwrap();
-    let fine = LONG.replace("0.01\n", "0.0045\n").replace("[10, 1e4]", "[10]");
+    let fine = LONG.replace("0.01\n", "0.0065\n").replace("[10, 1e4]", "[10]");
     let file = write_file(root.path(), &fine);
     let out = root.path().join("out");
     let mut command = mpirun(2);
