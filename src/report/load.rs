@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use csv::{ErrorKind, Position, StringRecord};
+use csv::{ErrorKind, StringRecord};
 use serde::Deserialize;
 use serde_json::Value;
 
@@ -161,35 +161,10 @@ pub(super) fn read(path: &Path) -> Result<Vec<u8>, ReportError> {
 pub(super) fn read_records(path: &Path) -> Result<(StringRecord, Vec<StringRecord>), ReportError> {
     let wrong = |source| ReportError::Table { path: path.to_owned(), source };
     let text = read(path)?;
-    if let Some(table) = plain_table(&text) {
-        return Ok(table);
-    }
     let mut reader = csv::Reader::from_reader(text.as_slice());
     let header = reader.headers().map_err(wrong)?.clone();
     let records = reader.records().collect::<Result<_, _>>().map_err(wrong)?;
     Ok((header, records))
-}
-
-/// A table of numbers, as nearly all are. A reader that knows more takes longer to be made than to read it. `None` of
-/// any other table, and of one that is not well formed.
-fn plain_table(text: &[u8]) -> Option<(StringRecord, Vec<StringRecord>)> {
-    let text = std::str::from_utf8(text).ok().filter(|text| text.ends_with('\n'))?;
-    let is_empty = text.starts_with('\n') || text.contains("\n\n");
-    if is_empty || text.bytes().any(|byte| matches!(byte, b'"' | b'\r')) {
-        return None;
-    }
-    let mut start = 0;
-    let mut rows = text.lines().zip(0..).map(|(line, at)| {
-        let mut row: StringRecord = line.split(',').collect();
-        let mut position = Position::new();
-        position.set_byte(start).set_line(at + 1).set_record(at);
-        row.set_position(Some(position));
-        start += line.len() as u64 + 1;
-        row
-    });
-    let header = rows.next()?;
-    let rows: Vec<_> = rows.collect();
-    rows.iter().all(|row| row.len() == header.len()).then_some((header, rows))
 }
 
 /// The columns of a table, and its rows as they are read: one of a large study is never held whole.

@@ -17,12 +17,6 @@ pub(super) const PLACE: [&Column; 3] = [&WAVE_HEIGHT_RATIO, &SPRING_STIFFNESS, &
 pub struct Header {
     places: HashMap<String, usize>,
     declared: Vec<Option<&'static Column>>,
-    /// Where declared columns stand, in the order of their addresses: of a large study names take too long.
-    known: Vec<(usize, usize)>,
-}
-
-fn address(column: &Column) -> usize {
-    std::ptr::from_ref(column).addr()
 }
 
 impl Header {
@@ -30,12 +24,10 @@ impl Header {
     pub fn new<'a>(names: impl Iterator<Item = &'a str>) -> Header {
         let names: Vec<_> = names.collect();
         let place = |(place, name): (usize, &&str)| ((*name).to_owned(), place);
-        let declared: Vec<_> = names.iter().map(|name| named(name)).collect();
-        let known = declared.iter().enumerate();
-        let known = known.filter_map(|(place, column)| Some((address((*column)?), place)));
-        let mut known: Vec<_> = known.collect();
-        known.sort_unstable();
-        Header { places: names.iter().enumerate().map(place).collect(), declared, known }
+        Header {
+            places: names.iter().enumerate().map(place).collect(),
+            declared: names.iter().map(|name| named(name)).collect(),
+        }
     }
 }
 
@@ -105,10 +97,7 @@ impl Row {
     }
 
     fn named(&self, name: &str) -> &str {
-        self.header.places.get(name).map_or("", |&place| self.at(place))
-    }
-
-    fn at(&self, place: usize) -> &str {
+        let Some(&place) = self.header.places.get(name) else { return "" };
         let Some(end) = self.ends.get(place) else { return "" };
         let start = place.checked_sub(1).and_then(|before| self.ends.get(before)).unwrap_or(0);
         &self.text[start..end]
@@ -116,11 +105,7 @@ impl Row {
 
     /// A cell as it stands.
     pub fn text(&self, column: &Column) -> &str {
-        let known = &self.header.known;
-        match known.binary_search_by_key(&address(column), |(address, _)| *address) {
-            Ok(found) => self.at(known[found].1),
-            Err(_) => self.named(column.name),
-        }
+        self.named(column.name)
     }
 
     /// A number; `None` where the cell is empty.

@@ -55,22 +55,3 @@ fn what_an_interrupted_sweep_has_not_come_to_is_left() {
     assert_eq!(loaded(json!({ "cases": 5 })).left(), 0);
     assert_eq!(loaded(json!({})).left(), 0);
 }
-
-#[test]
-fn a_plain_table_is_what_the_reader_makes_of_it() {
-    let plain = ["a\n", "a,b\n1,2\n,x y\n", "a,b,c\n1e-300,,\n\u{f6},2,3\n"];
-    for text in plain {
-        let mut reader = csv::Reader::from_reader(text.as_bytes());
-        let header = reader.headers().unwrap().clone();
-        let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
-        let (own_header, own) = plain_table(text.as_bytes()).unwrap();
-        assert_eq!((&own_header, &own), (&header, &rows), "{text:?}");
-        let places = |rows: &[StringRecord]| -> Vec<_> {
-            rows.iter().map(|row| row.position().cloned()).collect()
-        };
-        assert_eq!(places(&own), places(&rows), "{text:?}");
-    }
-    let others = ["", "\n", "a", "\na\n", "a\n\n1\n", "a,b\n1\n", "\"a\"\n", "a\r\n", "a\n1"];
-    assert!(others.iter().all(|text| plain_table(text.as_bytes()).is_none()));
-    assert!(plain_table(b"a\n\xff\n").is_none());
-}
