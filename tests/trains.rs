@@ -104,7 +104,10 @@ fn waves_on_their_way_are_those_of_stream_function_theory() {
     let lifted = "shifting = \"interior\"\nvolume_feedback = 0\nextrapolated_correction = false\n\
                   limited_viscosity = true";
     let found = Passing::with("schaffer", lifted);
-    hold(&found, Some(1e-4));
+    hold(&found, None);
+    assert!((found.level + 0.00033).abs() < 1e-4, "level {}", found.level);
+    // They lose 0.4 % of the energy on each wavelength, which the default does not.
+    assert!(((found.crest - found.trough) / 0.03 - 1.0).abs() < 0.03);
     let madsen = Passing::with("madsen", lifted);
     println!("Madsen: {} and {} free", madsen.bound, madsen.free);
     assert!(madsen.free > 0.22 * madsen.bound && madsen.free > 1.5 * found.free);

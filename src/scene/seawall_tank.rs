@@ -15,6 +15,10 @@ const BED_BEYOND: f64 = 12.0;
 
 /// And as many before a paddle that gives way to waves.
 const BED_BEFORE: f64 = 12.0;
+/// A paddle that goes back by less, in depths, stays before the bed that it stands on.
+const LEAST_BACK: f64 = 1e-3;
+/// At so many instants of a run a paddle is looked at.
+const INSTANTS: u32 = 4096;
 
 impl SeawallScene {
     /// When the run ends, seconds.
@@ -49,6 +53,18 @@ impl SeawallScene {
         Some(basin(frame, lattice, [start, floor.floor_height_m, level], numerics))
     }
 
+    /// How far the bed goes on behind the paddle, metres: one that gives way goes back past where it stood, and a
+    /// train or a record may do so as well.
+    fn bed_before_paddle(&self) -> f64 {
+        let (paddle, depth) = (self.paddle(), self.still_water_depth_m);
+        let span = self.end_time() - self.start_s();
+        let at = |instant: u32| span * f64::from(instant) / f64::from(INSTANTS);
+        let offset =
+            |instant| paddle.as_ref().map_or(0.0, |paddle| paddle.motion(at(instant)).offset);
+        let back = (0..=INSTANTS).map(offset).fold(0.0, f64::min).abs();
+        if self.absorption || back > LEAST_BACK * depth { BED_BEFORE * depth + back } else { 0.0 }
+    }
+
     /// Builds the tank: a lattice of particles in hydrostatic balance between ghost walls.
     pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let frame = self.frame();
@@ -61,8 +77,7 @@ impl SeawallScene {
             wall_angle_deg: self.wall_angle_deg,
             crest: self.crest_shape(numerics),
             basin: self.basin(&frame, numerics),
-            // A paddle that gives way goes back past where it stood.
-            bed_before_paddle: if self.absorption { BED_BEFORE * frame.depth } else { 0.0 },
+            bed_before_paddle: self.bed_before_paddle(),
             // The same for a fixed wall, so that both share a trunk to the bit.
             bed_beyond_wall: if self.wall_angle_deg == 90.0 {
                 BED_BEYOND * frame.depth

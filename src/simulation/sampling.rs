@@ -32,13 +32,14 @@ impl Run {
         let wall = tank.wall.state();
         let (_, radius) = tank.water.kernel();
         let toe = tank.water.walls().profile.as_ref().map_or(0.0, |bed| bed.end()[1]);
-        let deep = toe == 0.0 || depth - toe > SHALLOW * radius;
+        // A level bed lets water be read that is a support radius deep at this moment.
+        let deep = if toe == 0.0 { at_wall > radius } else { depth - toe > SHALLOW * radius };
         // Over a crest the surface goes on, and no wall holds its slope.
         let top = tank.water.walls().crest.as_ref().map(|crest| crest.height);
         let deep = deep && top.is_none_or(|top| at_wall < top - radius);
         let inside = (tank.wave_gauge.is_some() && tank.upright() && deep).then(|| {
-            let from =
-                (at_wall - 1.5 * radius).max(if toe > 0.0 { toe + 0.5 * radius } else { 0.0 });
+            // Nearer to the bed half of what is in reach is missing.
+            let from = (at_wall - 1.5 * radius).max(toe + 0.5 * radius);
             let face = frame.length + wall.unwrap_or_default().displacement;
             tank.water.level_in_water(face - APART * radius, from)
         });
@@ -87,7 +88,9 @@ impl Run {
             let waves =
                 waves.and_then(|waves| waves.is_due(clock.time, intervals).then_some(waves));
             if crest || waves.is_some() {
-                let level = lens.level_in_water(tank.water.as_mut(), gauge, 0.5 * depth);
+                let bed = tank.water.walls().profile.as_ref().map_or(0.0, |bed| bed.height(gauge));
+                let from = (0.5 * depth).max(bed + 0.5 * radius);
+                let level = lens.level_in_water(tank.water.as_mut(), gauge, from);
                 if crest {
                     logbook.gauge.read(level, depth);
                 }
