@@ -14,7 +14,7 @@ fn swept(directory: &Path, films: &[&str]) -> PathBuf {
     let text = TINY
         .replace("[10, 1e4]", "[10]")
         .replace("[50, 250]", "[50]")
-        .replace("particle_spacing_m = 0.025", "particle_spacing_m = 0.04");
+        .replace("particle_spacing_m = 0.025", "particle_spacing_m = 0.03");
     let (file, out) = (write_file(directory, &text), directory.join("out"));
     let arguments = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
     expect_code(&run(&[&arguments[..], films].concat()), 0);
