@@ -53,6 +53,11 @@ pub trait PaddleLaw {
         None
     }
 
+    /// How far it goes back past where it starts, metres. By default not at all.
+    fn goes_back(&self) -> f64 {
+        0.0
+    }
+
     /// From when on it stands, seconds; infinite where it never does.
     fn still_from(&self) -> f64;
 

@@ -156,6 +156,10 @@ impl PaddleLaw for RecordedStroke {
         None
     }
 
+    fn goes_back(&self) -> f64 {
+        self.points.iter().map(|point| -point[1]).fold(0.0, f64::max)
+    }
+
     fn still_from(&self) -> f64 {
         self.points.last().map_or(0.0, |point| point[0])
     }

@@ -135,6 +135,10 @@ impl PaddleLaw for WaveTrain {
         Some(std::f64::consts::TAU / self.frequency)
     }
 
+    fn goes_back(&self) -> f64 {
+        self.stroke.iter().map(|part| part.abs()).sum()
+    }
+
     fn still_from(&self) -> f64 {
         f64::INFINITY
     }

@@ -16,9 +16,7 @@ const BED_BEYOND: f64 = 12.0;
 /// And as many before a paddle that gives way to waves.
 const BED_BEFORE: f64 = 12.0;
 /// A paddle that goes back by less, in depths, stays before the bed that it stands on.
-const LEAST_BACK: f64 = 1e-3;
-/// At so many instants of a run a paddle is looked at.
-const INSTANTS: u32 = 4096;
+const LEAST_BACK: f64 = 2e-3;
 
 impl SeawallScene {
     /// When the run ends, seconds.
@@ -56,12 +54,8 @@ impl SeawallScene {
     /// How far the bed goes on behind the paddle, metres: one that gives way goes back past where it stood, and a
     /// train or a record may do so as well.
     fn bed_before_paddle(&self) -> f64 {
-        let (paddle, depth) = (self.paddle(), self.still_water_depth_m);
-        let span = self.end_time() - self.start_s();
-        let at = |instant: u32| span * f64::from(instant) / f64::from(INSTANTS);
-        let offset =
-            |instant| paddle.as_ref().map_or(0.0, |paddle| paddle.motion(at(instant)).offset);
-        let back = (0..=INSTANTS).map(offset).fold(0.0, f64::min).abs();
+        let depth = self.still_water_depth_m;
+        let back = self.paddle().map_or(0.0, |paddle| paddle.goes_back());
         if self.absorption || back > LEAST_BACK * depth { BED_BEFORE * depth + back } else { 0.0 }
     }
 
