@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Output;
 
-use common::{TINY, expect_code, journal_lines, run, write_file};
+use common::{TINY, expect_code, journal_lines, run, with_gauge, write_file};
 
 fn sweep(file: &Path, out: &Path) -> Output {
     let (file, out) = (file.to_str().unwrap(), out.to_str().unwrap());
@@ -25,8 +25,7 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 #[test]
 fn what_columns_of_probes_hold_is_told_and_mended() {
     let root = tempfile::tempdir().unwrap();
-    let gauge = "[[probe]]\nname = \"level\"\nkind = \"level\"\nx_m = 0.5\n[numerics]";
-    let file = write_file(root.path(), &TINY.replace("[numerics]", gauge));
+    let file = write_file(root.path(), &with_gauge(TINY));
     let out = root.path().join("out");
     let directory = out.to_str().unwrap();
     expect_code(&sweep(&file, &out), 0);
@@ -55,8 +54,7 @@ fn what_columns_of_probes_hold_is_told_and_mended() {
 #[test]
 fn a_report_leaves_out_what_is_damaged_and_names_it() {
     let root = tempfile::tempdir().unwrap();
-    let gauge = "[[probe]]\nname = \"level\"\nkind = \"level\"\nx_m = 0.5\n[numerics]";
-    let file = write_file(root.path(), &TINY.replace("[numerics]", gauge));
+    let file = write_file(root.path(), &with_gauge(TINY));
     let out = root.path().join("out");
     let directory = out.to_str().unwrap();
     expect_code(&sweep(&file, &out), 0);

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use common::{
     SOFT, TINY, TINY_CASES, assert_same, expect_code, journal_lines, results, run, seawall,
-    write_file,
+    with_gauge, write_file,
 };
 
 /// Three cases; the second one needs more memory than `ulimit` leaves.
@@ -233,8 +233,7 @@ fn files(directory: &Path) -> Vec<PathBuf> {
 #[test]
 fn a_flipped_bit_in_any_file_is_told_and_mended() {
     let root = tempfile::tempdir().unwrap();
-    let gauge = "[[probe]]\nname = \"level\"\nkind = \"level\"\nx_m = 0.5\n[numerics]";
-    let file = write_file(root.path(), &TINY.replace("[numerics]", gauge));
+    let file = write_file(root.path(), &with_gauge(TINY));
     let out = root.path().join("out");
     let directory = out.to_str().unwrap();
     let arguments = ["sweep", file.to_str().unwrap(), "--out", directory, "--threads", "2"];

@@ -42,6 +42,12 @@ particle_spacing_m = 0.025
 [grid]
 "#;
 
+/// A sweep with a gauge, whose cases leave probes.
+pub fn with_gauge(sweep: &str) -> String {
+    let gauge = "[[probe]]\nname = \"level\"\nkind = \"level\"\nx_m = 0.5\n[numerics]";
+    sweep.replace("[numerics]", gauge)
+}
+
 /// Writes a sweep file.
 pub fn write_file(directory: &Path, text: &str) -> PathBuf {
     let path = directory.join("sweep.toml");
