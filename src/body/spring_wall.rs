@@ -46,13 +46,12 @@ impl SpringWall {
         }
     }
 
-    /// Comes onto the stop, which takes this energy from it, J per metre of width.
-    fn stop(&mut self, loss: f64) -> WallStep {
+    /// Comes onto the stop with this speed, m/s, and loses this energy there, J per metre of width.
+    fn stop(&mut self, loss: f64, stop_speed: f64) -> WallStep {
         let travel = -self.displacement;
         self.displacement = 0.0;
         self.velocity = 0.0;
         self.stops += 1;
-        let stop_speed = (2.0 * loss / self.mass).sqrt();
         WallStep { acceleration: 0.0, travel, stop_loss: loss, stop_speed }
     }
 
@@ -107,7 +106,7 @@ impl WallLaw for SpringWall {
         }
         if let Some(instant) = system.first_return(from, dt) {
             let velocity = system.advance(from, instant).velocity;
-            return self.stop(0.5 * self.mass * velocity * velocity);
+            return self.stop(0.5 * self.mass * velocity * velocity, -velocity);
         }
         let to = system.advance(from, dt);
         self.displacement = to.position;

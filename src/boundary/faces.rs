@@ -37,6 +37,7 @@ impl Exchange {
     pub(super) fn complete_walls(&mut self, ghosts: &Ghosts) {
         if let Some(profile) = ghosts.profile.as_ref().and(ghosts.outline()) {
             self.complete_along(ghosts, profile, |_, _| true);
+            self.complete_below_crest(ghosts);
             return;
         }
         for body in ghosts.bodies.iter().skip(1) {
@@ -56,25 +57,46 @@ impl Exchange {
             // Farther down it is an endless wall.
             let reach = self.rules.scaling.support_radius;
             let above = crest.height - reach;
-            self.complete_along(ghosts, &crest.outline, |body, y| {
-                y > above || crest.end.is_some() && body == Place::Behind.number()
+            let front = crest.ends[0];
+            self.complete_along(ghosts, &crest.outline, |body, [x, y]| {
+                let behind = crest.end.is_some() && body == Place::Behind.number();
+                behind || y > above && (x != front || body != Place::Right.number())
             });
+            self.complete_below_crest(ghosts);
         }
     }
 
-    /// What bed and walls leave of the discs around those points of bodies' faces, by their height in metres, where
+    /// At the face of a wall that ends in a crest a level surface reads as the surface. Below the top the wall is
+    /// as an endless one. Above it water lies over the top, too.
+    fn complete_below_crest(&mut self, ghosts: &Ghosts) {
+        let Some(crest) = &ghosts.crest else { return };
+        let open = ghosts.profile.as_ref().map(|bed| Open::of_endless(&self.rules, bed, ghosts));
+        for face in ghosts.bodies[Place::Right.number()].faces.clone() {
+            let place @ [x, y] = [ghosts.target_x[face], ghosts.target_y[face]];
+            if x != crest.ends[0] {
+                continue;
+            }
+            if y > crest.height {
+                self.complete[face] = 2.0 * self.share(y - crest.height);
+            } else if let Some(open) = &open {
+                self.complete[face] = 2.0 * open.share(place);
+            }
+        }
+    }
+
+    /// What bed and walls leave of the discs around those points of bodies' faces, by their place in metres, where
     /// the water's outline is not a level bed between endless walls.
     fn complete_along(
         &mut self,
         ghosts: &Ghosts,
         outline: &Profile,
-        asks: impl Fn(usize, f64) -> bool,
+        asks: impl Fn(usize, [f64; 2]) -> bool,
     ) {
         let open = Open::of(&self.rules, outline, ghosts);
+        let place = |face: usize| [ghosts.target_x[face], ghosts.target_y[face]];
         for (number, body) in ghosts.bodies.iter().enumerate() {
-            for face in body.faces.clone().filter(|&face| asks(number, ghosts.target_y[face])) {
-                self.complete[face] =
-                    2.0 * open.share([ghosts.target_x[face], ghosts.target_y[face]]);
+            for face in body.faces.clone().filter(|&face| asks(number, place(face))) {
+                self.complete[face] = 2.0 * open.share(place(face));
             }
         }
     }

@@ -4,6 +4,7 @@ use super::ghosts::Ghosts;
 use super::plane::Plane;
 use super::profile::Profile;
 use super::rules::ExchangeRules;
+use crate::body::Place;
 use crate::kernel::KernelChoice;
 
 const DIRECTIONS: usize = 96;
@@ -20,11 +21,27 @@ pub(super) struct Open<'a> {
 impl<'a> Open<'a> {
     pub(super) fn of(rules: &ExchangeRules, profile: &'a Profile, ghosts: &Ghosts) -> Open<'a> {
         // A wall with a crest is part of the outline.
-        let walls = match ghosts.crest {
-            Some(_) => 1..2,
-            None => 1..ghosts.bodies.len(),
-        };
-        let walls = ghosts.bodies[walls].iter().map(|body| body.plane).collect();
+        let walls = if ghosts.crest.is_some() { 1 } else { ghosts.bodies.len() - 1 };
+        Open::within(rules, profile, ghosts, walls)
+    }
+
+    /// The same over a bed before an endless wall, whether or not it ends in a crest.
+    pub(super) fn of_endless(
+        rules: &ExchangeRules,
+        bed: &'a Profile,
+        ghosts: &Ghosts,
+    ) -> Open<'a> {
+        Open::within(rules, bed, ghosts, Place::Right.number())
+    }
+
+    /// Between the first so many walls.
+    fn within(
+        rules: &ExchangeRules,
+        profile: &'a Profile,
+        ghosts: &Ghosts,
+        walls: usize,
+    ) -> Open<'a> {
+        let walls = ghosts.bodies[1..].iter().take(walls).map(|body| body.plane).collect();
         Open { profile, walls, disc: disc(rules.kernel, rules.scaling.support_radius) }
     }
 

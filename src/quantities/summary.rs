@@ -188,9 +188,9 @@ quantities! { Read;
     CREST_THICKNESS = number("crest_thickness_max_m", "crest d max", Metres, |c| {
         Some(c.outcome?.overtopped?.thickness_max_m)
     }).significant(4);
-    /// fastest water on the crest, away from the tank: the mean over a column of water
+    /// fastest water on the crest, away from the tank: the mean over a column; empty where it was too thin to tell
     CREST_SPEED = number("crest_speed_max_m_per_s", "crest u max", MetresPerSecond, |c| {
-        Some(c.outcome?.overtopped?.speed_max_m_per_s)
+        c.outcome?.overtopped?.speed_max_m_per_s
     }).significant(4);
     /// what to expect of it, where a wave has fewer than 10 rows of particles over the depth; empty
     /// where there are more

@@ -102,6 +102,7 @@ impl OscillatingDropScene {
             ..Filling::of(lattice, points.collect(), frame.density)
         };
         let filling = filling.moving(|place| start.velocity(place));
-        filling.tank(frame, numerics, path)
+        let other_speed = self.stretching_rate_per_s * self.radius_m;
+        Tank { other_speed, ..filling.tank(frame, numerics, path) }
     }
 }

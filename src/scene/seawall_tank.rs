@@ -90,7 +90,7 @@ impl SeawallScene {
             absorbs: self.absorption && self.wave_height_ratio > 0.0,
             wall: self.law(static_force),
             mass_behind,
-            fall_speed: self.fall_speed(),
+            other_speed: self.fall_speed(),
             static_force,
             start_time: self.start_s(),
             from_rest: at_wall > 0.0,

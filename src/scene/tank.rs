@@ -31,8 +31,8 @@ pub struct Tank {
     pub wave_gauge: Option<f64>,
     /// Speed of a front that may hit a wall at once, m/s; 0 for none.
     pub front_speed: f64,
-    /// Speed at which water falls on a floor behind the wall, m/s; 0 where there is none.
-    pub fall_speed: f64,
+    /// Of water that falls on a floor behind the wall, or of a drop that starts to stretch, m/s; 0 for none.
+    pub other_speed: f64,
     /// c0, m/s.
     pub sound_speed: f64,
     /// Particle spacing along the bed, metres.
@@ -70,7 +70,7 @@ impl Tank {
             wave_height_ratio: 0.0,
             wave_gauge: None,
             front_speed: 0.0,
-            fall_speed: 0.0,
+            other_speed: 0.0,
             sound_speed: frame.sound_speed(numerics),
             spacing,
             mass_behind: 0.0,

@@ -8,8 +8,10 @@ use super::peak::Peak;
 
 /// F* must last this long above or below a bound to count, over √(h/g): 0.02 s at h = 0.2 m.
 const PERSISTENCE: f64 = 0.14;
-/// The first impact is on once F* has stayed above this, and the threshold.
+/// The first impact is on once F* has stayed above this.
 const IMPACT_FORCE: f64 = 1.15;
+/// It is over below this, the papers' threshold, where the wall's own is higher than an impact.
+const USUAL_THRESHOLD: f64 = 1.1;
 /// A stop ends the first impact only after X* has exceeded this.
 const IMPACT_TRAVEL: f64 = 0.01;
 /// Samples of the force's rise are no closer than this, over √(h/g).
@@ -69,7 +71,10 @@ impl Readings {
 /// The first impact so far.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct FirstImpact {
+    /// F* above which the wall gives way.
     threshold: f64,
+    /// F* below which the impact is over.
+    let_go: f64,
     persistence: f64,
     stage: Stage,
     above_since: Option<f64>,
@@ -81,17 +86,20 @@ pub struct FirstImpact {
 }
 
 impl FirstImpact {
-    /// For F_threshold over the hydrostatic force; √(h/g) in seconds.
+    /// For F_threshold over the hydrostatic force; √(h/g) in seconds. A wall that holds against more than an
+    /// impact has the same one as a wall of the usual threshold.
     pub fn new(threshold: f64, unit_time: f64) -> FirstImpact {
+        let let_go = if threshold < IMPACT_FORCE { threshold } else { USUAL_THRESHOLD };
         FirstImpact {
             threshold,
+            let_go,
             persistence: PERSISTENCE * unit_time,
             stage: Stage::Before,
             above_since: None,
             below_since: None,
             readings: Readings::new(0),
             onset: None,
-            onrush: Onrush::new(IMPACT_FORCE.max(threshold), SHORT * unit_time),
+            onrush: Onrush::new(IMPACT_FORCE, SHORT * unit_time),
             trials: 0,
         }
     }
@@ -100,16 +108,19 @@ impl FirstImpact {
     pub fn push_force(&mut self, at: f64, mean: f64, stops: u32) {
         let persistence = self.persistence;
         if mean > self.threshold {
-            self.below_since = None;
             let since = *self.above_since.get_or_insert(at);
             if self.onset.is_none() && at - since >= persistence {
                 self.onset = Some(since);
             }
         } else {
             self.above_since = None;
+        }
+        if mean > self.let_go {
+            self.below_since = None;
+        } else {
             self.below_since.get_or_insert(at);
         }
-        let above = mean > self.threshold.max(IMPACT_FORCE);
+        let above = mean > IMPACT_FORCE;
         if self.stage == Stage::Before && above {
             self.stage = Stage::Trial { above_since: Some(at) };
             self.readings = Readings::new(stops);

@@ -182,8 +182,8 @@ pub struct Overtopped {
     pub discharge_max_m2_per_s: f64,
     /// Thickest water on the crest, m.
     pub thickness_max_m: f64,
-    /// Fastest water on the crest, m/s.
-    pub speed_max_m_per_s: f64,
+    /// Fastest water on the crest, m/s; none where it was too thin to tell.
+    pub speed_max_m_per_s: Option<f64>,
 }
 
 /// Share of the run's time spent in a phase, for the human eye: never part of an identity.

@@ -10,7 +10,7 @@ use crate::pairs::Fluid;
 use crate::scene::{CREST_COLUMNS, Tank};
 use crate::scheme::Scheme;
 
-/// The crest is looked at in columns of about so many particle spacings.
+/// The crest is looked at in columns of so many particle spacings.
 const COLUMN: f64 = 3.0;
 /// A column has a speed once it holds so many particles' worth of water.
 const FEWEST: f64 = 3.0;
@@ -24,8 +24,8 @@ pub(super) struct Sight {
     pub discharge: f64,
     /// Of the fullest column, m.
     pub thickness: f64,
-    /// Of the fastest column, m/s.
-    pub speed: f64,
+    /// Of the fastest column, m/s; none where no column has one.
+    pub speed: Option<f64>,
 }
 
 /// Follows what goes over.
@@ -57,13 +57,14 @@ impl Overtopping {
         most.volume = last.volume;
         most.discharge = most.discharge.max(last.discharge);
         most.thickness = most.thickness.max(last.thickness);
-        most.speed = most.speed.max(last.speed);
+        // None is less than any speed.
+        most.speed = if last.speed > most.speed { last.speed } else { most.speed };
     }
 
     /// What the last look told, in the order of [`columns`].
     pub fn values(&self) -> [f64; 4] {
         let Sight { volume, discharge, thickness, speed } = self.last;
-        [volume, discharge, thickness, speed]
+        [volume, discharge, thickness, speed.unwrap_or(0.0)]
     }
 
     /// What has gone over by now.
@@ -116,32 +117,60 @@ fn mass(fluid: &Fluid) -> f64 {
     fluid.mass.iter().sum()
 }
 
+/// Where columns of this width begin that cover the crest; the first at its front, the last one ends at its back.
+/// They overlap where no whole number of them fills it, so that nothing jumps where a column is added.
+fn beginnings([front, back]: [f64; 2], width: f64) -> impl Iterator<Item = f64> {
+    let room = back - front - width;
+    let steps = (room / width - 1e-9).ceil().max(0.0);
+    (0..=steps as usize).map(move |k| if k == 0 { front } else { front + room * k as f64 / steps })
+}
+
 fn sight(tank: &Tank, crest: &Crest) -> Sight {
     let (water, spacing, density) = (tank.water.as_ref(), tank.spacing, tank.frame.density);
     let [front, back] = crest.ends;
-    let count = ((back - front) / (COLUMN * spacing)).floor().max(1.0);
-    let width = (back - front) / count;
-    let (fluid, last) = (water.fluid(), count as usize - 1);
+    let width = (COLUMN * spacing).min(back - front);
+    let fluid = water.fluid();
     let mut behind = water.taken().mass - tank.mass_behind;
-    // Mass and momentum along the crest, column by column.
-    let mut on_top = vec![[0.0; 2]; count as usize];
+    let mut on_top = Vec::new();
     for k in (0..fluid.len()).filter(|&k| fluid.x[k] > front) {
-        let mass = fluid.mass[k];
         if fluid.x[k] > back {
-            behind += mass;
+            behind += fluid.mass[k];
         } else {
-            let column = ((fluid.x[k] - front) / width) as usize;
-            let [of_mass, of_momentum] = &mut on_top[column.min(last)];
-            *of_mass += mass;
-            *of_momentum += mass * fluid.vx[k];
+            on_top.push(k);
         }
     }
+    // Mass and momentum along the crest, column by column.
+    let columns: Vec<[f64; 2]> = beginnings(crest.ends, width)
+        .map(|from| {
+            let inside = on_top.iter().filter(|&&k| (from..=from + width).contains(&fluid.x[k]));
+            inside.fold([0.0; 2], |[mass, momentum], &k| {
+                [mass + fluid.mass[k], momentum + fluid.mass[k] * fluid.vx[k]]
+            })
+        })
+        .collect();
     let fewest = FEWEST * density * spacing * spacing;
-    let moving = on_top.iter().filter(|[mass, _]| *mass > fewest);
+    let moving = columns.iter().filter(|[mass, _]| *mass > fewest);
     Sight {
         volume: behind / density,
-        discharge: on_top[last][1] / (density * width),
-        thickness: on_top.iter().map(|[mass, _]| mass / (density * width)).fold(0.0, f64::max),
-        speed: moving.map(|[mass, momentum]| momentum / mass).fold(0.0, f64::max),
+        discharge: columns.last().map_or(0.0, |[_, momentum]| momentum / (density * width)),
+        thickness: columns.iter().map(|[mass, _]| mass / (density * width)).fold(0.0, f64::max),
+        speed: moving.map(|[mass, momentum]| (momentum / mass).max(0.0)).reduce(f64::max),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_cover_the_crest_and_grow_in_number_without_a_jump() {
+        let of = |back: f64| beginnings([1.0, back], 0.1).collect::<Vec<_>>();
+        assert_eq!(of(1.1), [1.0]);
+        for back in [1.11, 1.199, 1.2, 1.201, 1.37] {
+            let all = of(back);
+            assert!((all.last().unwrap() + 0.1 - back).abs() < 1e-12, "{all:?}");
+            assert!(all.windows(2).all(|pair| pair[1] - pair[0] < 0.1 + 1e-9), "{all:?}");
+        }
+        assert_eq!([of(1.199).len(), of(1.2).len(), of(1.201).len()], [2, 2, 3]);
     }
 }

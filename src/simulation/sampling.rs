@@ -36,7 +36,7 @@ impl Run {
         let deep = if toe == 0.0 { at_wall > radius } else { depth - toe > SHALLOW * radius };
         // Over a crest the surface goes on, and no wall holds its slope.
         let top = tank.water.walls().crest.as_ref().map(|crest| crest.height);
-        let deep = deep && top.is_none_or(|top| at_wall < top - radius);
+        let deep = deep && top.is_none_or(|top| at_wall < top);
         let inside = (tank.wave_gauge.is_some() && tank.upright() && deep).then(|| {
             // Nearer to the bed half of what is in reach is missing.
             let from = (at_wall - 1.5 * radius).max(toe + 0.5 * radius);
@@ -45,6 +45,8 @@ impl Run {
         });
         logbook.level.feel(clock.time, (acceleration, at_wall), frame.acceleration());
         let runup = logbook.level.over_rest(lens, at_wall, inside);
+        // Where the water is about to go over it is as high as the crest.
+        let runup = top.map_or(runup, |top| runup.min(top.max(at_wall) - logbook.level.at_rest()));
         let reading = Reading {
             time: clock.time,
             force: force / tank.static_force,

@@ -116,6 +116,11 @@ impl WallLevel {
         }
     }
 
+    /// The level read at the wall over still water, metres above the bed; 0 before there is one.
+    pub(super) fn at_rest(&self) -> f64 {
+        self.at_rest.map_or(0.0, |[at_wall, _]| at_wall)
+    }
+
     /// The level over still water, metres, from what is read at the wall and, where it stands upright,
     /// half a radius away from it.
     pub(super) fn over_rest(&mut self, lens: &Lens, at_wall: f64, inside: Option<f64>) -> f64 {

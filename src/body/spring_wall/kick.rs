@@ -27,7 +27,7 @@ impl SpringWall {
         if self.displacement + velocity * dt < 0.0 {
             let work = self.force_coupling * (force - self.threshold).max(0.0) * -self.displacement;
             let energy = self.kinetic_energy() + self.spring_energy() + work;
-            return self.stop(energy.max(0.0));
+            return self.stop(energy.max(0.0), -velocity);
         }
         self.displacement += velocity * dt;
         self.velocity = velocity;
@@ -130,6 +130,20 @@ mod tests {
         let loss: f64 = (0..2000).map(|_| wall.kick(0.0, 0.0, 0.001).stop_loss).sum();
         assert_eq!((wall.displacement, wall.velocity, wall.stops), (0.0, 0.0, 1));
         assert!((loss - 0.5 * 8.0 * 0.3 * 0.3).abs() < 2e-3 * loss, "{loss}");
+    }
+
+    #[test]
+    fn a_wall_comes_onto_its_stop_as_fast_as_it_moves() {
+        // A light wall is held back by the water that it carries.
+        for (mass, carried) in [(2.0, 0.0), (1e-3, 5.0), (1e-6, 5.0)] {
+            let mut wall = SpringWall { displacement: 0.3, ..wall(mass, 8.0) };
+            let speed = (0..4000).find_map(|_| {
+                let step = wall.kick(200.0, carried, 5e-4);
+                (wall.stops > 0).then_some(step.stop_speed)
+            });
+            let exact = 0.3 * (8.0 / (mass + carried)).sqrt();
+            assert!((speed.unwrap() - exact).abs() < 2e-3 * exact, "{mass} {speed:?} {exact}");
+        }
     }
 
     /// A wall at the end of a column of water that only carries sound, in cells with ρ = c0 = Δx = 1

@@ -35,14 +35,14 @@ impl HealthBounds {
         let (frame, head) = (tank.frame, tank.frame.speed_squared());
         // Compression scales with g h/c0² and, where water hits a wall or a floor, with its speed over c0.
         let fall = (2.0 * head * (1.0 + 4.0 * tank.wave_height_ratio)).sqrt();
-        let fall = fall.max(tank.fall_speed);
+        let fall = fall.max(tank.other_speed);
         let speed = 2.0 * fall.max(tank.front_speed);
         let splashes = tank.front_speed > 0.0;
         let falls_free = tank.wave_height_ratio > FALLS_FREE;
         HealthBounds {
             speed,
             density_change: 20.0 * head / (tank.sound_speed * tank.sound_speed)
-                + 2.0 * tank.front_speed.max(tank.fall_speed) / tank.sound_speed,
+                + 2.0 * tank.front_speed.max(tank.other_speed) / tank.sound_speed,
             surface_density: tank
                 .water
                 .state_equation()

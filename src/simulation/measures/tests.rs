@@ -39,6 +39,17 @@ fn the_first_impact_ends_when_the_force_stays_low_whatever_the_threshold() {
 }
 
 #[test]
+fn a_wall_that_holds_has_its_first_impact_all_the_same() {
+    let force = |time| 1.0 + bell(time, 1.0, 1.0) + bell(time, 3.0, 1.5);
+    let told = |threshold| feed(threshold, |time| ([force(time), force(time) - 1.0, 0.0], 0)).first;
+    let (held, usual) = (told(3.0), told(1.1));
+    assert_eq!(held.onset(), None);
+    assert_eq!([held.force(), held.runup()], [usual.force(), usual.runup()]);
+    assert_eq!([held.impulse(), held.rise_time()], [usual.impulse(), usual.rise_time()]);
+    assert!(held.force().is_some() && held.rise_time().is_some());
+}
+
+#[test]
 fn a_stop_after_real_travel_ends_it_and_a_touch_does_not() {
     let force = |t: f64| 1.0 + bell(t, 1.0, 1.0) + bell(t, 1.6, 1.5);
     let touched = measure(force, |t| (1e-4, u32::from(t > 0.9)));
