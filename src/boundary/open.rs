@@ -26,11 +26,7 @@ impl<'a> Open<'a> {
     }
 
     /// The same over a bed before an endless wall, whether or not it ends in a crest.
-    pub(super) fn of_endless(
-        rules: &ExchangeRules,
-        bed: &'a Profile,
-        ghosts: &Ghosts,
-    ) -> Open<'a> {
+    pub(super) fn of_endless(rules: &ExchangeRules, bed: &'a Profile, ghosts: &Ghosts) -> Open<'a> {
         Open::within(rules, bed, ghosts, Place::Right.number())
     }
 

@@ -67,15 +67,26 @@ impl DamBreakScene {
         }
     }
 
-    /// Whether it goes on when the front has come back from the wall and plunges on the water behind it.
+    /// Whether it goes on when the front has come back from the wall and plunges on the water behind it, or when
+    /// nothing is left of the column.
     pub(super) fn plunges(&self) -> bool {
         // An end that is written out may be rounded.
-        self.frame().end_time > 1.001 * self.usual_end()
+        self.frame().end_time > 1.001 * self.usual_end() * self.slenderness()
     }
 
     /// Where no end is given, seconds.
     fn usual_end(&self) -> f64 {
         END * (self.column_height_m / self.gravity_m_per_s2).sqrt()
+    }
+
+    /// A column of less than twice its height has run out so much earlier: a long wave crosses it in L/√(gH).
+    fn slenderness(&self) -> f64 {
+        (0.5 * self.column_length_m / self.column_height_m).min(1.0)
+    }
+
+    /// Rows of particles over the depth of the water once it covers the tank.
+    pub(super) fn rows_in_the_end(&self, spacing: f64) -> f64 {
+        self.column_length_m * self.column_height_m / (self.tank_length_m * spacing)
     }
 
     pub(super) fn lattice(&self, numerics: &Numerics) -> Lattice {

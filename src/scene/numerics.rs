@@ -158,10 +158,10 @@ section! {
         steep_feedback: f64 = 0.0, weakly(plain().within(0.0, 0.3)).newer();
         /// Water near the surface gives up what it presses by more than 5 ρgh, as the surface lets go of
         /// sound. Solitary waves above H/h = 0.7 at upright walls over beds no steeper than 1:2 have it by
-        /// default, and dam breaks of more than 8 √(H/g). It wants gravity and corrected gradients.
+        /// default, and dam breaks of more than 8 √(H/g) or 4 L/√(gH). It wants gravity and corrected gradients.
         surface_relief: bool = false, weakly(plain()).newer();
         /// c0 Δt / Δx. By default 0.6 where water falls behind a wall, and in dam breaks of more than
-        /// 8 √(H/g).
+        /// 8 √(H/g) or 4 L/√(gH).
         courant_number: f64 = 1.8, weakly(plain().within(1e-3, 2.5)).label("c0 Δt/Δx");
         /// γ: pressures are taken γ Δt ahead of the densities, which damps sound.
         bulk_damping: f64 = 0.1, weakly(plain().within(0.0, 1.0));

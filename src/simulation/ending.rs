@@ -121,14 +121,15 @@ impl Run {
     fn outcome(&self, energy: &EnergyBudget) -> Outcome {
         let Run { tank, logbook, .. } = self;
         let (water, m) = (&tank.water, &logbook.measures);
-        let scale = if tank.absorbs {
+        let worked = if tank.absorbs {
             // What an absorbing paddle gives it takes back.
             logbook.ledger.exchanged
-        } else if tank.paddle.is_some() {
-            energy.paddle_work.abs()
         } else {
-            logbook.ledger.start.given()
+            energy.paddle_work.abs()
         };
+        // A paddle that has never moved has done no work.
+        let moves = tank.paddle.is_some() && worked > 0.0;
+        let scale = if moves { worked } else { logbook.ledger.start.given() };
         // The first impact of a wave has no meaning in other scenes.
         let has_wave = tank.wave_gauge.is_some();
         let wall = tank.wall.state();

@@ -24,7 +24,7 @@ impl Run {
     /// How much more than the paddle still water presses the wall with this force at the start, over
     /// ρgh²/2; nothing where the paddle does not stand.
     fn lopsided(&self, force: f64) -> Option<f64> {
-        let motion = self.tank.motions(0.0)[Place::Left];
+        let motion = self.tank.motions(self.clock.time)[Place::Left];
         let gravity = self.tank.frame.gravity;
         // Walls in water of different depths say nothing of one another.
         let alike = self.tank.water.walls().profile.is_none();
