@@ -1,0 +1,73 @@
+use super::*;
+
+#[test]
+fn each_limit_is_told_and_the_default_is_clear_of_them() {
+    let count = |scene: &str, numerics: &str| {
+        let config = CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap());
+        limits(&config.unwrap()).len()
+    };
+    assert_eq!(count("", ""), 0);
+    assert_eq!(count("", "courant_number = 2.3"), 1);
+    assert_eq!(count("", "particle_spacing_m = 0.0005"), 1);
+    assert_eq!(count("", "boundary = \"sfdi\""), 1);
+    assert_eq!(count("", "boundary = \"normalized\""), 0);
+    assert_eq!(count("", "boundary = \"normalized\"\nghost_gravity = \"at-mirror\""), 1);
+    let beach = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [2, 0.1]]";
+    assert_eq!(count(beach, ""), 1);
+    assert_eq!(count(beach, "boundary = \"normalized\""), 0);
+    let train = "paddle = \"wave-train\"\nwave_period_s = 1\nwave_height_ratio = 0.1\nend_time_s";
+    assert_eq!(count(&format!("{train} = 20"), "boundary = \"improved-shepard\""), 1);
+    assert_eq!(count(&format!("{train} = 9"), "boundary = \"improved-shepard\""), 0);
+    assert_eq!(count(&format!("{train} = 20"), ""), 0);
+    let standing = "kind = \"standing-wave\"\nend_after_periods = 20";
+    assert_eq!(count(standing, ""), 1);
+    assert_eq!(count(standing, "volume_feedback = 0.002\nshifting = \"deep\""), 0);
+    let ridge = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [1, 0.1], [2, 0.1]]";
+    assert_eq!(count(ridge, "boundary = \"normalized\""), 0);
+    let finer = "particle_spacing_m = 0.008\nboundary = \"normalized\"";
+    assert_eq!(count(ridge, finer), 1);
+    let steep = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [2, 1]]";
+    assert_eq!(count(steep, "boundary = \"normalized\""), 0);
+    let interior = "boundary = \"normalized\"\nshifting = \"interior\"";
+    assert_eq!(count(steep, interior), 1);
+    let still = format!("{steep}\nwave_height_ratio = 0\nend_time_s");
+    assert_eq!(count(&format!("{still} = 90"), "boundary = \"normalized\""), 0);
+    assert_eq!(count(&format!("{still} = 110"), "boundary = \"normalized\""), 1);
+    let sinks = "volume_feedback = 0";
+    assert_eq!([8, 20].map(|s| count(&format!("end_time_s = {s}"), sinks)), [0, 1]);
+    assert_eq!(count("end_time_s = 20", ""), 0);
+    assert_eq!(count("kind = \"dam-break\"", ""), 1);
+    assert_eq!(count("kind = \"dam-break\"", "preset = \"huang2019\""), 0);
+    assert_eq!(count("kind = \"dam-break\"", "boundary = \"mls-quadratic\""), 1);
+    assert_eq!(count("kind = \"dam-break\"", "preset = \"huang2019\"\nslip = \"no\""), 1);
+    let thin = "kind = \"dam-break\"\ncolumn_length_m = 0.3";
+    assert_eq!(count(thin, "preset = \"huang2019\"\nparticle_spacing_m = 0.02"), 1);
+    let long = "kind = \"hydrostatic\"\nend_time_s = 35";
+    assert_eq!(count(long, "boundary = \"mls-linear\""), 0);
+    assert_eq!(count(long, "boundary = \"dummy\""), 1);
+    assert_eq!(count("kind = \"hydrostatic\"\nend_time_s = 300", ""), 0);
+    assert_eq!(count("kind = \"oscillating-drop\"", ""), 0);
+    assert_eq!(count("kind = \"oscillating-drop\"\nend_after_periods = 30", ""), 1);
+    let isph = "scheme = \"isph\"";
+    assert_eq!(count("wave_height_ratio = 0.4", isph), 0);
+    assert_eq!(count("wave_height_ratio = 0.5", isph), 1);
+    assert_eq!(count("wave_height_ratio = 0.6", isph), 1);
+    let fine = "scheme = \"isph\"\nparticle_spacing_m = 0.004";
+    assert_eq!(count("wave_height_ratio = 0.4", fine), 1);
+    let compact = "scheme = \"isph\"\nlaplacian = \"symmetric\"";
+    assert_eq!(count("wave_height_ratio = 0.4", compact), 1);
+    assert_eq!(count("", "particle_spacing_m = 0.025"), 1);
+    assert_eq!(count("wave_height_ratio = 0.6", ""), 1);
+    assert_eq!(count("wave_height_ratio = 0.8", ""), 2);
+    let vortices = "kind = \"taylor-green\"";
+    assert_eq!(count(vortices, ""), 0);
+    let source = "preset = \"huang2019\"";
+    assert_eq!(count(vortices, source), 1);
+    assert_eq!(count("kind = \"standing-wave\"", source), 1);
+    assert_eq!(count("kind = \"rotating-patch\"", source), 1);
+    assert_eq!(count("", source), 0);
+    assert_eq!(count("", "preset = \"huang2019\"\nparticle_spacing_m = 0.0125"), 1);
+    let soft = "wave_height_ratio = 0.6\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n\
+                spring_stiffness_n_per_m = 10";
+    assert_eq!(count(soft, ""), 0);
+}
