@@ -39,6 +39,11 @@ impl Frame {
         self.speed.map_or(self.gravity * self.depth, |speed| speed * speed)
     }
 
+    /// The history's, and √(h/g), s.
+    pub fn intervals(&self) -> (f64, f64) {
+        (self.history_interval, (self.depth / self.acceleration()).sqrt())
+    }
+
     /// g, or where the scene has a speed of its own, its square over the depth, m/s².
     pub fn acceleration(&self) -> f64 {
         self.speed.map_or(self.gravity, |speed| speed * speed / self.depth)

@@ -22,7 +22,8 @@ pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
     let all = [density(config), interval(config), end(config)];
     let mut odd: Vec<_> = all.into_iter().flatten().collect();
     if let Some(scene) = config.scene.seawall() {
-        odd.extend([tank(scene), threshold(scene), steep(scene)].into_iter().flatten());
+        let all = [tank(scene), threshold(scene), steep(scene), early(scene)];
+        odd.extend(all.into_iter().flatten());
     }
     odd
 }
@@ -81,6 +82,22 @@ fn end(config: &CaseConfig) -> Option<ConfigError> {
         .flatten()
 }
 
+/// No solitary wave goes faster than over the paddle's depth. Its crest leaves the paddle in the middle of the stroke.
+fn early(scene: &SeawallScene) -> Option<ConfigError> {
+    let (frame, paddle) = (scene.frame(), scene.paddle()?);
+    let centre = paddle.stroke_centre()?;
+    let celerity = (frame.gravity * frame.depth * (1.0 + scene.wave_height_ratio)).sqrt();
+    let way = (frame.length - paddle.motion(centre).offset) / celerity;
+    let told = format!(
+        "the run ends at {:.3} s, before the crest can be at the wall, at {:.3} s; with \
+         end_after_stroke_centre_s = {:.1} the run shows what it does there",
+        frame.end_time,
+        centre + way,
+        2.0 * way
+    );
+    (frame.end_time < centre + way).then(|| warning("tank_length_m", frame.length, told)).flatten()
+}
+
 fn interval(config: &CaseConfig) -> Option<ConfigError> {
     let frame = config.scene.frame();
     let (interval, step) = (frame.history_interval, frame.time_step(&config.numerics));
@@ -123,6 +140,7 @@ mod tests {
             "threshold_ratio = 0.5",
             &format!("{movable}\nthreshold_ratio = 1"),
             "kind = \"hydrostatic\"\ntank_length_m = 0.3",
+            "tank_length_m = 3\nend_after_stroke_centre_s = 1.7",
             "kind = \"rotating-patch\"",
         ] {
             assert_eq!(odd(scene), [""; 0], "{scene}");
@@ -137,6 +155,7 @@ mod tests {
                 "still_water_depth_m = 0.51",
                 "scene.still_water_depth_m = 0.51: the tank, tank_length",
             ),
+            ("tank_length_m = 7", "scene.tank_length_m = 7: the run ends at 3."),
             ("water_density_kg_per_m3 = 1", "scene.water_density_kg_per_m3 = 1: this is no water"),
             (
                 "history_interval_s = 1e-9",

@@ -21,6 +21,8 @@ const FOUND_PERCENT: f64 = 1.0;
 const FOUND_OF_SPACING: f64 = 125.0;
 /// And water at the foot of the wall that its own weight makes denser by more than this, percent.
 const COMPRESSION_PERCENT: f64 = 6.0;
+/// A force and a runup of less than this at the end, over those of still water and over h, tell of no wave.
+const RIPPLE: f64 = 0.01;
 /// Still water presses wall and paddle alike: of sound ghosts within so many times (Δx/h)².
 const LOPSIDED_OF_SPACING: f64 = 0.1;
 
@@ -46,6 +48,8 @@ pub(super) struct Evidence<'a> {
     pub lopsided: Option<f64>,
     /// g h/c0², percent; zero where the water is incompressible.
     pub compression_percent: f64,
+    /// From when on a maximum is one of the end, seconds.
+    pub end: f64,
 }
 
 impl Evidence<'_> {
@@ -59,6 +63,7 @@ impl Evidence<'_> {
         reasons.extend(self.compression(outcome));
         reasons.extend(self.at_rest());
         reasons.extend(self.stops(outcome));
+        reasons.extend(self.cut_off(outcome));
         (!reasons.is_empty()).then(|| reasons.join("; "))
     }
 
@@ -112,6 +117,21 @@ impl Evidence<'_> {
             format!(
                 "force at rest: still water pressed the wall {percent:+.2} % more than the paddle"
             )
+        })
+    }
+
+    /// Forces and runups that would have gone on rising. Displacements have a column of their own for it.
+    fn cut_off(&self, outcome: &Outcome) -> Option<String> {
+        let risen = |maximum: Maximum, still: f64| maximum.value > still + RIPPLE;
+        let force = ("force_max", outcome.force_max, 1.0);
+        let runup = ("runup_max", outcome.runup_max, 0.0);
+        let at_end = |&(_, maximum, still): &(&str, Maximum, f64)| {
+            self.is_wave && maximum.time_s >= self.end && risen(maximum, still)
+        };
+        let told: Vec<_> =
+            [force, runup].into_iter().filter(at_end).map(|(name, ..)| name).collect();
+        (!told.is_empty()).then(|| {
+            format!("end of run: {} at the very end, so more may have followed", told.join(", "))
         })
     }
 

@@ -2,6 +2,7 @@
 
 use super::doubt::Evidence;
 use super::energy::WaterEnergy;
+use super::measures::MEAN_SPAN;
 use super::outcome::{CaseResult, EnergyBudget, EnvelopeRow, Outcome, PhaseShare};
 use super::overtopping::Overtopping;
 use super::readings;
@@ -46,7 +47,7 @@ impl Run {
     pub(super) fn may_settle_within(&self, seconds: f64) -> bool {
         let Some(paddle) = &self.tank.paddle else { return false };
         let then = self.clock.time + seconds;
-        let due = self.tank.frame.history_interval * self.clock.samples as f64;
+        let due = self.clock.looks.due(0.0, self.tank.frame.intervals());
         let can_stop = self.config.numerics.stop_when_settled && then > paddle.still_from();
         can_stop && then > due && self.tank.water.can_be_kept()
     }
@@ -161,7 +162,7 @@ impl Run {
             first_moment_max: m.pressed.first_moment(&m.first).filter(|_| has_wave),
             first_impulse: m.first.impulse().filter(|_| has_wave).map(|seconds| {
                 let frame = &tank.frame;
-                seconds / (frame.depth / frame.acceleration()).sqrt()
+                seconds / frame.intervals().1
             }),
             rise_time_s: m.first.rise_time().filter(|_| has_wave),
             force_gap_percent: logbook.worst_gap,
@@ -187,6 +188,8 @@ impl Run {
             work: scale,
             spacing: tank.spacing / tank.frame.depth,
             is_wave: has_wave && tank.paddle.is_some(),
+            // Means end half their span earlier.
+            end: self.clock.time - MEAN_SPAN * tank.frame.intervals().1 - self.time_step,
             lopsided: logbook.lopsided.filter(|_| compressible && has_wave && tank.upright()),
             compression_percent: if compressible {
                 100.0 * depth_speed / tank.sound_speed.powi(2)

@@ -21,6 +21,11 @@ impl FaceGaps {
         FaceGaps { span: SPAN * unit_time, samples: Vec::new() }
     }
 
+    /// Samples so far.
+    pub fn len(&self) -> usize {
+        self.samples.len()
+    }
+
     /// Makes room for so many more samples.
     pub fn make_room(&mut self, more: usize) {
         self.samples.reserve_exact(more);

@@ -9,6 +9,7 @@ use super::face_gaps::FaceGaps;
 use super::found::Found;
 use super::gauge::CrestGauge;
 use super::health::HealthState;
+use super::looks::Looks;
 use super::measures::{MEAN_SPAN, Measures};
 use super::outcome::HistoryRow;
 use super::overtopping::Overtopping;
@@ -19,11 +20,11 @@ use super::surface::WallLevel;
 use super::told::ProbeTable;
 use super::waves::Waves;
 use crate::body::Place;
-use crate::scene::{CaseConfig, Tank};
+use crate::scene::{CaseConfig, Frame, Tank};
 
 /// Room is made beforehand for so many samples at most.
 const MOST_ROOM: usize = 100_000;
-/// The fewest samples between two looks at the health.
+/// The fewest looks at the wall's face between two at the energy.
 const LOOK_EVERY: usize = 4;
 
 /// All that a run keeps of what it has seen; a branch takes over that of its trunk.
@@ -97,12 +98,16 @@ impl Logbook {
         }
     }
 
-    /// Makes room for so many samples in all, within reason, so that none takes memory of its own.
-    pub fn make_room(&mut self, samples: usize) {
-        let more = samples.saturating_sub(self.history.len()).min(MOST_ROOM);
+    /// Makes room for all samples and looks, within reason, so that none takes memory of its own.
+    pub fn make_room(&mut self, frame: &Frame) {
+        let count = |interval: f64| (frame.end_time / interval) as usize + 2;
+        let all = count(frame.history_interval);
+        let more = all.saturating_sub(self.history.len()).min(MOST_ROOM);
+        let looks = count(Looks::interval(frame.intervals()));
+        let looks = looks.saturating_sub(self.face_gaps.len()).min(MOST_ROOM);
         self.history.reserve_exact(more);
-        self.face_gaps.make_room(more);
-        self.found.make_room(more / LOOK_EVERY + 1);
+        self.face_gaps.make_room(looks);
+        self.found.make_room(looks / LOOK_EVERY + 1);
         if let Some(table) = &mut self.probes {
             table.time_s.reserve_exact(more);
             table.values.reserve_exact(more * table.columns.len());

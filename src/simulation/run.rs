@@ -19,8 +19,8 @@ use crate::scene::{CaseConfig, Tank};
 use crate::scheme::{Load, NextStep, StepError, StepWalls};
 use crate::theory::hydrostatics::wall_force;
 
-/// Samples of the history between two checks of health and of the monitor.
-const SAMPLES_PER_CHECK: u64 = 4;
+/// Looks at the force gap between two checks of health and of the monitor.
+const LOOKS_PER_CHECK: u64 = 4;
 
 pub(super) struct Run {
     pub(super) tank: Tank,
@@ -90,7 +90,7 @@ impl Run {
     ) -> Result<Option<RunState>, Stopped> {
         let frame = self.tank.frame;
         let (mut kept, mut stopping) = (None, false);
-        self.logbook.make_room((frame.end_time / frame.history_interval) as usize + 2);
+        self.logbook.make_room(&frame);
         loop {
             let time = self.clock.time;
             if let Some(detail) = monitor.over_limit(self.clock.steps) {
@@ -99,6 +99,7 @@ impl Run {
             let last = time >= frame.end_time * (1.0 - 1e-12);
             let due = frame.history_interval * self.clock.samples as f64 * (1.0 - 1e-12);
             let sample = last || time >= due;
+            let look = last || self.clock.looks.comes(time, 0.0, frame.intervals());
             let bodies = self.tank.motions(time);
             let dt = self.time_step.min(self.tank.water.step_limit());
             self.tank.water.prepare(&bodies, dt).map_err(|error| self.step_failure(&error))?;
@@ -125,13 +126,16 @@ impl Run {
                 self.logbook.measures.hit(time, dt, step.stop_speed);
             }
             if sample {
-                self.sample(&reading, &bodies, (force, step.acceleration))?;
+                self.sample(&reading, &bodies);
+            }
+            if look {
+                self.look(&reading, &bodies, (force, step.acceleration))?;
             }
             self.reading_time += start.elapsed().as_secs_f64();
             if last {
                 return Ok(kept);
             }
-            if sample && self.clock.samples.is_multiple_of(SAMPLES_PER_CHECK) {
+            if look && self.clock.looks.complete(LOOKS_PER_CHECK) {
                 let start = Instant::now();
                 let energy = self.check_health(&bodies)?;
                 self.reading_time += start.elapsed().as_secs_f64();
@@ -139,6 +143,9 @@ impl Run {
                 // settled before the one that never does.
                 self.note_liveliness(&bodies, &energy);
                 if self.has_settled(&bodies, &energy) {
+                    if !sample {
+                        self.sample(&reading, &bodies);
+                    }
                     self.film(monitor, time, true);
                     return Ok(kept);
                 }
@@ -149,7 +156,7 @@ impl Run {
                 }
             }
             self.tank.wall = moved;
-            self.finish_step(dt, bodies, force, step, sample);
+            self.finish_step(dt, bodies, force, step, look);
         }
     }
 
@@ -189,7 +196,7 @@ impl Run {
         mut bodies: Motions,
         force: f64,
         step: WallStep,
-        sample: bool,
+        look: bool,
     ) {
         let time = self.clock.time;
         self.give_way(dt, bodies[Place::Left]);
@@ -209,7 +216,7 @@ impl Run {
         ledger.book_paddle([paddle_force, -push], paddle_travel);
         ledger.book_wall(&self.tank.wall, [uncounted, force], step);
         // Splashes dissipate in bursts, and swirls from the start: summed at every step.
-        let sample = sample || self.watch.is_some();
+        let look = look || self.watch.is_some();
         self.clock.time += dt;
         self.clock.steps += 1;
         let walls = StepWalls {
@@ -217,8 +224,8 @@ impl Run {
             acceleration: step.acceleration,
             next: NextStep { bodies: &after, dt: self.time_step },
         };
-        let losses = self.tank.water.finish(dt, &walls, sample);
-        self.logbook.ledger.book_losses(time, sample, losses);
+        let losses = self.tank.water.finish(dt, &walls, look);
+        self.logbook.ledger.book_losses(time, look, losses);
     }
 
     /// Lets a paddle that absorbs waves go on by `dt` seconds; it moves like this at their start.

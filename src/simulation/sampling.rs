@@ -15,8 +15,8 @@ use super::surface::APART;
 use crate::body::{BodyMotion, Motions, Place};
 use crate::theory::hydrostatics::wall_force;
 
-/// Samples between two looks for clusters.
-const SAMPLES_PER_CLUSTER_CHECK: u64 = 20;
+/// Looks between two at clusters.
+const LOOKS_PER_CLUSTER_CHECK: u64 = 20;
 /// Water at a wall shallower than so many support radii is read at the wall alone.
 const SHALLOW: f64 = 3.0;
 /// A wall farther out than this, X*, has come loose.
@@ -76,15 +76,14 @@ impl Run {
         self.logbook.measures.push(reading, compression, mount);
         self.press(&reading, acceleration);
         let Run { tank, logbook, clock, lens, .. } = self;
-        let unit = (depth / frame.acceleration()).sqrt();
+        let intervals = frame.intervals();
         if let (Some(crest), Some(overtopping)) =
             (&tank.water.walls().crest, &mut logbook.overtopping)
-            && overtopping.is_due(clock.time, tank.start_time, (frame.history_interval, unit))
+            && overtopping.is_due(clock.time, tank.start_time, intervals)
         {
             overtopping.look(tank, crest);
         }
         if let Some(gauge) = tank.wave_gauge {
-            let intervals = (frame.history_interval, unit);
             let crest = logbook.gauge.is_due(clock.time, intervals);
             let waves = logbook.measures.waves.as_mut();
             let waves =
@@ -131,19 +130,8 @@ impl Run {
         logbook.measures.press(reading.time, moment, pressed);
     }
 
-    /// Takes a sample: history, probes and force gap. The water pushes the wall with `force`,
-    /// N per metre of width, and the wall answers with `acceleration`, m/s²; `bodies` move as they did
-    /// before that.
-    ///
-    /// # Errors
-    /// The wall has come loose.
-    pub(super) fn sample(
-        &mut self,
-        reading: &Reading,
-        bodies: &Motions,
-        (force, acceleration): (f64, f64),
-    ) -> Result<(), Failure> {
-        let lacking = self.lacking_at_rest();
+    /// Takes a sample: history and probes, while `bodies` move like this.
+    pub(super) fn sample(&mut self, reading: &Reading, bodies: &Motions) {
         let Run { tank, logbook, clock, .. } = self;
         let (time, depth) = (reading.time, tank.frame.depth);
         clock.samples += 1;
@@ -167,6 +155,24 @@ impl Run {
         if let Some(watch) = &mut self.watch {
             watch.sample(time, tank.water.fluid());
         }
+    }
+
+    /// Sets the pressure on the wall's face beside the force. The water pushes the wall with `force`,
+    /// N per metre of width, and the wall answers with `acceleration`, m/s²; `bodies` move as they did
+    /// before that.
+    ///
+    /// # Errors
+    /// The wall has come loose.
+    pub(super) fn look(
+        &mut self,
+        reading: &Reading,
+        bodies: &Motions,
+        (force, acceleration): (f64, f64),
+    ) -> Result<(), Failure> {
+        let lacking = self.lacking_at_rest();
+        let Run { tank, logbook, clock, .. } = self;
+        let (time, depth) = (reading.time, tank.frame.depth);
+        clock.looks.is_due(time, 0.0, tank.frame.intervals());
         let motion = BodyMotion { acceleration, ..bodies[Place::Right] };
         let face = tank.water.face_force(Place::Right.number(), &motion);
         let force = force - lacking;
@@ -199,7 +205,7 @@ impl Run {
             spacing: self.tank.spacing,
             energy_residual: energy.residual(),
             work: energy.paddle_work,
-            clusters: self.clock.samples.is_multiple_of(SAMPLES_PER_CLUSTER_CHECK),
+            clusters: self.clock.looks.complete(LOOKS_PER_CLUSTER_CHECK),
         };
         let fluid = self.tank.water.fluid();
         self.logbook.health.check(&self.bounds, fluid, &vitals, &mut self.crowding)?;

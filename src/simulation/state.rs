@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::logbook::Logbook;
+use super::looks::Looks;
 use crate::scheme::SchemeState;
 
 /// Everything that changes in a trunk. It ends before its wall moves, so the wall is not among it; `Kept` has
@@ -25,5 +26,8 @@ impl RunState {
 pub(super) struct Clock {
     pub(super) time: f64,
     pub(super) steps: u64,
+    /// Of the history.
     pub(super) samples: u64,
+    /// At the water's health.
+    pub(super) looks: Looks,
 }

@@ -50,6 +50,7 @@ fn doubt(
         is_wave: true,
         lopsided: Some(1e-4),
         compression_percent: 1.6,
+        end: 3.9,
     };
     change(&mut evidence);
     evidence.doubt(outcome)
@@ -133,4 +134,18 @@ fn a_maximum_in_the_sound_of_a_blow_is_named() {
     assert_eq!(doubt(&later, [0.0, 0.0], 0.0, |_| ()), None);
     let kicked = doubt(&outcome(), [0.0, 0.0], 0.0, |e| e.kicked = true).unwrap();
     assert!(kicked.starts_with("stop impact: displacement_max"), "{kicked}");
+}
+
+#[test]
+fn a_largest_force_or_runup_at_the_very_end_may_have_been_passed() {
+    let with = |force, runup| {
+        let late = Outcome { force_max: force, runup_max: runup, ..outcome() };
+        doubt(&late, [9.0, 9.0], 0.0, |_| ())
+    };
+    let both = with(at(2.5, 3.95), at(0.6, 3.99)).unwrap();
+    assert!(both.starts_with("end of run: force_max, runup_max at the very end"), "{both}");
+    assert!(with(at(2.0, 1.0), at(0.6, 3.99)).unwrap().starts_with("end of run: runup_max at"));
+    assert_eq!(with(at(1.005, 3.95), at(0.005, 3.99)), None, "still water");
+    let still = Outcome { force_max: at(2.5, 3.95), ..outcome() };
+    assert_eq!(doubt(&still, [9.0, 9.0], 0.0, |evidence| evidence.is_wave = false), None);
 }
