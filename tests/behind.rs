@@ -109,7 +109,7 @@ fn what_goes_over_lies_on_the_floor() {
     let volume = over.volume_m2;
     println!("{volume} m² over, {there} m² there, {beyond} m² beyond, {passed} m² passed");
     println!("energy gap {} %", case.outcome.energy_gap_percent);
-    assert!(volume > 0.02 && over.thickness_max_m > 0.04 && over.speed_max_m_per_s > 0.5);
+    assert!(volume > 0.02 && over.thickness_max_m > 0.04 && over.speed_max_m_per_s > Some(0.5));
     assert!((there / volume - 1.0).abs() < 0.02 && (beyond / volume - 1.0).abs() < 0.02);
     assert!((passed / volume - 1.0).abs() < 0.1);
     assert!(case.outcome.energy_gap_percent.abs() < 3.0);
@@ -139,7 +139,7 @@ fn the_front_feels_nothing_of_what_is_behind() {
         println!("{} and {} m² over", a.volume_m2, b.volume_m2);
         assert!(before < 0.01 && force < 0.1 && runup < 0.02, "{before} {force} {runup}");
         assert!((b.thickness_max_m / a.thickness_max_m - 1.0).abs() < 0.01);
-        assert!((b.speed_max_m_per_s / a.speed_max_m_per_s - 1.0).abs() < 0.05);
+        assert!((b.speed_max_m_per_s.unwrap() / a.speed_max_m_per_s.unwrap() - 1.0).abs() < 0.05);
         assert!((b.volume_m2 / a.volume_m2 - 1.0).abs() < 0.05);
         assert!(b.volume_m2 > 0.01, "nothing went over");
     }

@@ -64,6 +64,21 @@ fn a_crest_that_no_water_reaches_is_an_endless_wall() {
     }
 }
 
+/// The story: within a support radius of the top the room above it counted as missing water, and the level read up
+/// to 8 % low. A wave that stays a spacing below the top climbs as before an endless wall.
+#[test]
+fn a_level_is_the_same_however_near_the_crest_is() {
+    let wave = format!("{TANK}wave_height_ratio = 0.5\nend_after_stroke_centre_s = 1.3\n");
+    let runup = |end: &str| computed(&(wave.clone() + end), "normalized").outcome.runup_max.value;
+    let endless = runup("");
+    for freeboard in [0.27, 0.285, 0.31] {
+        let high = runup(&crest(freeboard));
+        assert!((high - endless).abs() < 0.01, "{freeboard}: {high} and {endless}");
+    }
+    let reached = runup(&crest(0.2));
+    assert!((1.0..endless).contains(&reached), "{reached} and {endless}");
+}
+
 /// Surface over still water, every 25 mm along the tank.
 fn gauges(length: f64) -> (Vec<f64>, Vec<Table>) {
     let all = (0_u32..).map(|k| 0.0125 + 0.025 * f64::from(k));
@@ -128,7 +143,7 @@ fn what_goes_over_is_what_the_tank_has_lost() {
     assert!((passed / over.volume_m2 - 1.0).abs() < 0.1);
     let rises = series.windows(2).all(|w| w[1].1[0] >= w[0].1[0] - 1e-3);
     assert!(rises, "water came back from behind the wall");
-    assert!(over.speed_max_m_per_s > 0.5 && over.thickness_max_m > 0.04);
+    assert!(over.speed_max_m_per_s > Some(0.5) && over.thickness_max_m > 0.04);
 }
 
 /// What has passed a section before the wall by its velocities is what is beyond it by its mass; beyond the crest's back

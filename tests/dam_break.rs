@@ -68,3 +68,42 @@ fn the_jet_of_an_impact_is_no_runaway() {
     let (_, share) = collapse(scene, numerics);
     assert!(share.abs() < 0.02, "{share}");
 }
+
+/// The story: checks came with the samples of the history. With few of them a run that lost its books ended well.
+#[test]
+fn a_sick_run_ends_whatever_its_history() {
+    let ended = |interval: f64| {
+        let scene = format!(
+            "kind = \"dam-break\"\ncolumn_height_m = 0.57\ncolumn_length_m = 0.19\ntank_length_m = 3.2\n\
+             history_interval_s = {interval}"
+        );
+        let numerics = "particle_spacing_m = 0.031\ncourant_number = 1.8";
+        let config = CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap());
+        run_case(&config.unwrap(), None, SimdPath::widest(), &Unwatched).map(|_| ())
+    };
+    let fine = format!("{:?}", ended(0.002).unwrap_err());
+    assert!(fine.contains("EnergyGrowth"), "{fine}");
+    for interval in [0.3, 1.9] {
+        assert!(
+            format!("{:?}", ended(interval).unwrap_err()).contains("EnergyGrowth"),
+            "{interval}"
+        );
+    }
+}
+
+/// The story: the long steps of columns that are twice as long as high ended square ones with energy from nowhere.
+#[test]
+fn square_columns_collapse_in_tanks_of_any_length() {
+    for tank_length in [1.4, 2.0, 2.6] {
+        let scene = format!(
+            "kind = \"dam-break\"\ncolumn_height_m = 0.57\ncolumn_length_m = 0.57\n\
+             tank_length_m = {tank_length}"
+        );
+        let numerics = "particle_spacing_m = 0.031";
+        let config =
+            CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap()).unwrap();
+        let result = run_case(&config, None, SimdPath::widest(), &Unwatched).unwrap();
+        let gap = result.outcome.energy_gap_percent;
+        assert!(gap.abs() < 2.5, "{tank_length}: {gap} %");
+    }
+}

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use super::surface::{Lens, WallLevel};
 use crate::body::{BodyMotion, Paddle};
-use crate::scene::Frame;
+use crate::scene::{Frame, Tank};
 
 /// The paddle takes on the speed that it should have over so many √(h/g): sound is faster and is left out.
 const SPAN: f64 = 0.15;
@@ -21,6 +21,8 @@ const RETURN: f64 = 100.0;
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct Absorption {
     level: WallLevel,
+    /// No wave can have come back before, seconds.
+    alone_until: f64,
     /// The excess that lasts, metres.
     lasting: f64,
     added: [f64; 3],
@@ -28,8 +30,9 @@ pub(super) struct Absorption {
 
 impl Absorption {
     /// A paddle that has met no wave yet; `span` as for [`WallLevel::new`].
-    pub fn new(span: f64) -> Absorption {
-        Absorption { level: WallLevel::new(span), lasting: 0.0, added: [0.0; 3] }
+    pub fn new(span: f64, tank: &Tank) -> Absorption {
+        let alone_until = alone_until(tank).unwrap_or(0.0);
+        Absorption { level: WallLevel::new(span), alone_until, lasting: 0.0, added: [0.0; 3] }
     }
 
     /// What is added now.
@@ -56,6 +59,9 @@ impl Absorption {
             self.lasting += dt / span * (excess - self.lasting);
             excess -= self.lasting;
         }
+        if time < self.alone_until {
+            excess = 0.0;
+        }
         let unit = (depth / gravity).sqrt();
         let [offset, velocity, acceleration] = self.added;
         let wanted = -paddle.gives_way(excess, depth, gravity) - offset / (RETURN * unit);
@@ -65,4 +71,16 @@ impl Absorption {
             (wanted - velocity) / (SPAN * unit),
         ];
     }
+}
+
+/// Until when the surface at a paddle of a single stroke is its own, seconds: nothing comes back before a wave has
+/// gone to where the bed rises, or to the wall, and back. What is read there until then is an error of the reading or
+/// of Goring's theory, and would take some hundredths from the wave.
+fn alone_until(tank: &Tank) -> Option<f64> {
+    let paddle = tank.paddle.as_ref().filter(|paddle| paddle.stroke_centre().is_some())?;
+    let Frame { length, depth, gravity, .. } = tank.frame;
+    let level = tank.water.walls().profile.as_ref().map_or(length, |bed| bed.level_up_to());
+    let stroke = paddle.motion(paddle.still_from()).offset;
+    let celerity = (gravity * depth * (1.0 + tank.wave_height_ratio)).sqrt();
+    Some(paddle.still_from().min((2.0 * level.min(length) - stroke) / celerity))
 }

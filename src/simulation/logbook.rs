@@ -93,7 +93,7 @@ impl Logbook {
             health: HealthState::default(),
             liveliness: Liveliness::default(),
             probes: probes::table(config),
-            absorption: tank.absorbs.then(|| Absorption::new(span)),
+            absorption: tank.absorbs.then(|| Absorption::new(span, tank)),
             overtopping: crest.map(|_| Overtopping::open(tank.water.fluid())),
         }
     }
