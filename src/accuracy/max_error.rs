@@ -35,7 +35,7 @@ pub struct Verified {
     pub spacing_m: f64,
     /// The larger of the bars of force and displacement, percent; `None` without bars.
     pub bar_percent: Option<f64>,
-    /// Whether that is what was wanted.
+    /// Whether that is what was wanted, and nothing makes the numbers doubtful.
     pub met: bool,
 }
 
@@ -106,7 +106,8 @@ impl MaxError {
         let verified = |case: &Case| {
             let record = records[case.index].as_ref().filter(|record| record.is_ok())?;
             let bar_percent = bar_percent(record, &study.error_bars(case.index, records));
-            let met = bar_percent.is_some_and(|bar| bar <= self.percent);
+            let doubtful = record.outcome.as_ref().is_some_and(|of| of.doubtful_reason.is_some());
+            let met = !doubtful && bar_percent.is_some_and(|bar| bar <= self.percent);
             let spacing_m = case.config.numerics.particle_spacing_m;
             Some(Verified { index: case.index, spacing_m, bar_percent, met })
         };
