@@ -22,6 +22,8 @@ pub(super) struct Facts<'a> {
     pub rows: Option<f64>,
     /// A seawall that hardly moves.
     pub stands: bool,
+    /// Between bed and seawall, degrees; 90 for no seawall.
+    pub angle: f64,
 }
 
 impl Facts<'_> {
@@ -38,6 +40,7 @@ impl Facts<'_> {
             stands: seawall.is_some_and(|scene| {
                 !scene.wall.moves() || scene.spring_stiffness_n_per_m.is_some_and(|k| k >= STIFF)
             }),
+            angle: seawall.map_or(90.0, |scene| scene.wall_angle_deg),
         }
     }
 

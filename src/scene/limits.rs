@@ -107,6 +107,11 @@ const LIMITS: &[Limit] = &[
          2 to 5 % at three rows, and at two runs ended early",
     ),
     (
+        |case| case.weakly && case.angle > 110.0,
+        "wall_angle_deg above 110: the tip of still water on such a wall is thinner than a particle, and within half \
+         a second its level reads 0.01 (120 degrees) to 0.04 h (145) low at twenty rows; runups count from the start",
+    ),
+    (
         |case| case.leaves_divergence(),
         "laplacian = \"symmetric\" or \"schwaiger\" leaves divergence in the water and wants \
          gravity_courant_number = 0.035; \"exact\" does neither",

@@ -151,7 +151,7 @@ section! {
         /// How fast densities follow the error of the particles' volume, over c0/R. Trains have 0.002 by
         /// default. So do steep shores, which are beds steeper than 1:2 that come out of the still water. So do
         /// waves that come back: a solitary wave is at its upright wall again, and the run lasts more than
-        /// 70 √(h/g). It wants gravity and corrected gradients.
+        /// 70 √(h/g) and is without `stop_when_settled`. It wants gravity and corrected gradients.
         volume_feedback: f64 = 0.0, weakly(plain().within(0.0, 0.02)).newer();
         /// The same beside stretches of the bed that are steeper than 1:2 and under water, deeper
         /// below the surface, and over c0/h. Such beds have 0.15 by default.
@@ -173,7 +173,7 @@ section! {
         /// Further attempts, each with half the time step, where a run becomes unstable.
         retries: u32 = 0, plain().within(0.0, 6.0).newer();
         /// End a run once no reported maximum is likely to be passed any more; of waves at vertical
-        /// seawalls.
+        /// seawalls. Such a run is short: it has none of the defaults of waves that come back.
         stop_when_settled: bool = false, plain().newer().label("stops when settled");
         /// Kinematic viscosity ν, of either scheme.
         kinematic_viscosity_m2_per_s: Option<f64> = None, unit("m²/s").within(0.0, 1.0).label("ν");

@@ -148,7 +148,8 @@ fn sight(tank: &Tank, crest: &Crest) -> Sight {
             })
         })
         .collect();
-    let fewest = FEWEST * density * spacing * spacing;
+    // Particles weigh a little less than a row has room for.
+    let fewest = (FEWEST - 0.5) * density * spacing * spacing;
     let moving = columns.iter().filter(|[mass, _]| *mass > fewest);
     Sight {
         volume: behind / density,

@@ -237,8 +237,7 @@ impl Run {
         };
         let (_, radius) = tank.water.kernel();
         let at_face = tank.water.level_at(Place::Left.number());
-        let from = (at_face - 1.5 * radius).max(0.5 * radius);
-        let inside = tank.water.level_in_water(motion.offset + radius, from);
+        let inside = tank.water.level_in_water(motion.offset + radius, lens.from(at_face, 0.0));
         let levels = (at_face, inside);
         absorption.advance((clock.time, dt), levels, (paddle, motion), (lens, &tank.frame));
         tank.added = absorption.added();

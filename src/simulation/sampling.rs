@@ -38,10 +38,8 @@ impl Run {
         let top = tank.water.walls().crest.as_ref().map(|crest| crest.height);
         let deep = deep && top.is_none_or(|top| at_wall < top);
         let inside = (tank.wave_gauge.is_some() && tank.upright() && deep).then(|| {
-            // Nearer to the bed half of what is in reach is missing.
-            let from = (at_wall - 1.5 * radius).max(toe + 0.5 * radius);
             let face = frame.length + wall.unwrap_or_default().displacement;
-            tank.water.level_in_water(face - APART * radius, from)
+            tank.water.level_in_water(face - APART * radius, lens.from(at_wall, toe))
         });
         logbook.level.feel(clock.time, (acceleration, at_wall), frame.acceleration());
         let runup = logbook.level.over_rest(lens, at_wall, inside);

@@ -43,6 +43,12 @@ impl Lens {
         Lens { radius, first, second, aside }
     }
 
+    /// From where upwards a level is looked for beside a wall at which it stands there, over a bed of this height;
+    /// metres. Nearer to the bed half of what is in reach is missing.
+    pub(super) fn from(&self, at_wall: f64, bed: f64) -> f64 {
+        (at_wall - 1.5 * self.radius).max(bed + 0.5 * self.radius)
+    }
+
     /// The level of the surface at x, metres above the bed, from three readings.
     pub(super) fn level_in_water(&self, water: &mut dyn Scheme, x: f64, from: f64) -> f64 {
         let apart = APART * self.radius;

@@ -42,6 +42,9 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     assert_eq!(count("kind = \"dam-break\"", "preset = \"huang2019\"\nslip = \"no\""), 1);
     let thin = "kind = \"dam-break\"\ncolumn_length_m = 0.3";
     assert_eq!(count(thin, "preset = \"huang2019\"\nparticle_spacing_m = 0.02"), 1);
+    let leaning =
+        |angle: f64| count(&format!("wave_height_ratio = 0.3\nwall_angle_deg = {angle}"), "");
+    assert_eq!([60.0, 105.0, 120.0].map(leaning), [0, 0, 1]);
     let long = "kind = \"hydrostatic\"\nend_time_s = 35";
     assert_eq!(count(long, "boundary = \"mls-linear\""), 0);
     assert_eq!(count(long, "boundary = \"dummy\""), 1);
