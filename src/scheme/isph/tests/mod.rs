@@ -1,6 +1,7 @@
 //! Operators and the pressure equation against exact fields.
 
 mod step;
+mod viscosity;
 
 use super::options::{IsphOptions, Laplacian};
 use super::state::Isph;
