@@ -134,3 +134,15 @@ fn a_basin_and_a_dam_break_run_too() {
         fallen.outcome.energy_gap_percent
     );
 }
+
+/// Viscosity is explicit: from 0.07 m²/s on at ten rows, 0.28 at five, runs blew up at the step of thin water.
+#[test]
+fn thick_water_takes_shorter_steps() {
+    let viscous = |value: f64| config(SHORT, &format!("kinematic_viscosity_m2_per_s = {value}\n"));
+    let steps = |viscosity: f64| try_run(&viscous(viscosity)).unwrap().outcome.steps;
+    assert_eq!(steps(1e-3), try_run(&config(SHORT, "")).unwrap().outcome.steps);
+    let thick = try_run(&viscous(0.3)).unwrap().outcome;
+    assert!(thick.steps > 10 * steps(1e-3), "{}", thick.steps);
+    // None comes from nowhere.
+    assert!(thick.energy_gap_percent > -1.0, "{}", thick.energy_gap_percent);
+}
