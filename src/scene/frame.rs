@@ -68,8 +68,8 @@ impl Frame {
     }
 
     /// Time step, seconds: bounded by c0 Δt/Δx (of supports narrower than 3.9 Δx by as much less), or Δt/√(Δx/g) where the water is incompressible,
-    /// by α n c0 Δt/Δx and ν n Δt/R² over the n steps for which viscosity is explicit, and by
-    /// `time_step_s`.
+    /// by α n c0 Δt/Δx and ν n Δt/R² over the n steps for which viscosity is explicit (one where the water
+    /// is incompressible), and by `time_step_s`.
     pub fn time_step(&self, numerics: &Numerics) -> f64 {
         let spacing = numerics.particle_spacing_m;
         let mut bound = match numerics.scheme {
@@ -80,8 +80,12 @@ impl Frame {
             }
         };
         let viscosity = numerics.kinematic_viscosity_m2_per_s.unwrap_or(0.0);
-        if numerics.scheme == Scheme::Wcsph && viscosity > 0.0 {
-            let explicit = viscosity * f64::from(numerics.acoustic_substeps);
+        if viscosity > 0.0 {
+            let steps = match numerics.scheme {
+                Scheme::Wcsph => numerics.acoustic_substeps,
+                Scheme::Isph => 1,
+            };
+            let explicit = viscosity * f64::from(steps);
             let support_radius = numerics.support_radius_ratio * spacing;
             bound = bound.min(VISCOUS_NUMBER * support_radius * support_radius / explicit);
         }

@@ -104,17 +104,16 @@ impl Mirrors<'_> {
         for number in 0..self.planes.len() {
             growing.grow(points, |&point| self.image(number, point));
         }
+        self.fill_corners(fluid.len(), points);
     }
 
     /// The image of a point in a wall, if the water needs it.
     fn image(&self, number: usize, point: Point) -> Option<Point> {
-        let &Mirrors { planes, bodies, density, dt, reach, .. } = self;
-        let (plane, motion) = (&planes[number], &bodies[number]);
-        let responds = number == self.responds;
-        let known = if responds { 0.0 } else { motion.acceleration };
+        let &Mirrors { planes, reach, .. } = self;
+        let plane = &planes[number];
         let [nx, ny] = plane.normal;
-        // Images of images fill the corners of right and acute angles. At an obtuse one each
-        // wall's images end half-way round the corner.
+        // Images of images fill right corners here, others in `corner.rs`. From 120° on there is no room for
+        // them: each wall's images end half-way round the corner.
         let obtuse = |other: usize| {
             let [mx, my] = planes[other].normal;
             other != number && mx * nx + my * ny > 1e-9
@@ -122,19 +121,29 @@ impl Mirrors<'_> {
         let distance = -plane.beyond(point.place);
         if distance >= reach
             || distance <= -reach
-            || (point.body != NO_BODY && obtuse(point.body as usize))
+            || (point.body != NO_BODY && self.askew(point.body as usize, number))
         {
             return None;
         }
+        let image = self.mirrored_in(number, point);
+        let beyond = plane.beyond(image.place);
+        let other_is_nearer = |q: usize| obtuse(q) && planes[q].beyond(image.place) > beyond;
+        (!(0..planes.len()).any(other_is_nearer)).then_some(image)
+    }
+
+    /// The image of a point in a wall.
+    pub(super) fn mirrored_in(&self, number: usize, point: Point) -> Point {
+        let &Mirrors { planes, bodies, density, dt, .. } = self;
+        let (plane, motion) = (&planes[number], &bodies[number]);
+        let responds = number == self.responds;
+        let known = if responds { 0.0 } else { motion.acceleration };
+        let [nx, ny] = plane.normal;
+        let distance = -plane.beyond(point.place);
         let place = [point.place[0] + 2.0 * distance * nx, point.place[1] + 2.0 * distance * ny];
-        let beyond = plane.beyond(place);
-        if (0..planes.len()).any(|q| obtuse(q) && planes[q].beyond(place) > beyond) {
-            return None;
-        }
         let (speed, gain) = (motion.velocity + dt * known, if responds { dt } else { 0.0 });
         let spring = -2.0 * density * distance * nx;
         let old = point.walls;
-        Some(Point {
+        Point {
             place,
             body: number as u8,
             turn: reflected(plane.normal, point.turn),
@@ -146,6 +155,6 @@ impl Mirrors<'_> {
                 pressure_response: old.pressure_response + if responds { spring } else { 0.0 },
             },
             ..point
-        })
+        }
     }
 }

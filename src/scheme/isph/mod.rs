@@ -11,6 +11,7 @@
 mod assembly;
 mod compact;
 mod contract;
+mod corner;
 mod divergence;
 mod exact;
 mod gradient;

@@ -5,16 +5,21 @@ use std::cell::Cell;
 use super::images::Point;
 use crate::pairs::{Eight, Field, Here, Near, Neighbour, Other, Pair, Real, Record, Term};
 
-/// Viscous accelerations: 2 ν Σ F (u_j - u_i), Liang et al. 2017, Eq. 3, and α h c Σ F π Δ with π =
-/// (u_j - u_i)·Δ/r² less what a linear, divergence-free velocity gives, limited so that every pair
+/// Viscous accelerations: 8 ν Σ F π Δ with π = (u_j - u_i)·Δ/r², Monaghan & Gingold 1983, and α h c Σ F π Δ
+/// with what is left of π without a linear, divergence-free velocity, limited so that every pair
 /// dissipates or does nothing. F = -g, Δ = r_j - r_i; both signs cancel.
+///
+/// Inside the water the first is ν∇²u, as 2 ν Σ F (u_j - u_i) is too (Liang et al. 2017, Eq. 3). At a free
+/// surface they differ: there the sum over what neighbours there are means that the surface bears no
+/// stress, and the stress of Eq. 3 is ν∇u in place of ν(∇u + ∇uᵀ). It takes ν|∇u|² from the water, where
+/// the viscosity of water takes 2ν E:E: twice as much of a wave.
 #[derive(Clone, Copy)]
 struct Drag<'a> {
     /// Of every point, images too: u, and the strain in place of the pressure.
     records: &'a [Record],
     /// α h c.
     artificial: f64,
-    /// 2 ν.
+    /// 8 ν.
     physical: f64,
     /// What Δ² is taken for at least, m².
     least: f64,
@@ -39,9 +44,9 @@ impl Drag<'_> {
         let zero = R::splat(0.0);
         let left = (approach - linear).min(approach.max(zero)).max(approach.min(zero));
         let square = dx.mul_add(dx, dy * dy).max(R::splat(self.least));
-        let factor = pair.slope() * (R::splat(self.artificial) * left).div(square);
-        let weight = pair.slope() * R::splat(self.physical);
-        [factor.mul_add(dx, weight * du), factor.mul_add(dy, weight * dv)]
+        let taken = R::splat(self.physical).mul_add(approach, R::splat(self.artificial) * left);
+        let factor = pair.slope() * taken.div(square);
+        [factor * dx, factor * dy]
     }
 }
 
@@ -137,7 +142,7 @@ impl Viscosity {
         let terms = Drag {
             records: &near.records,
             artificial: self.artificial,
-            physical: 2.0 * self.physical,
+            physical: 8.0 * self.physical,
             least: 1e-12 * self.spacing * self.spacing,
         };
         near.sum(terms, Field(drag), |_, found| found);

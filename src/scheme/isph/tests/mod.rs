@@ -1,6 +1,8 @@
 //! Operators and the pressure equation against exact fields.
 
+mod corner;
 mod step;
+mod viscosity;
 
 use super::options::{IsphOptions, Laplacian};
 use super::state::Isph;
@@ -37,21 +39,17 @@ fn options(spacing: f64, laplacian: Laplacian) -> IsphOptions {
     }
 }
 
-/// A unit square of `side` x `side` particles, moved about by up to `jitter` spacings, in a box that
-/// it fills or in the open, with its lists made.
-fn square(side: usize, jitter: f64, closed: bool, laplacian: Laplacian) -> Isph {
-    let spacing = 1.0 / side as f64;
+/// Numbers from -1 to 1.
+fn noise() -> impl FnMut() -> f64 {
     let mut seed = 1_u64;
-    let mut random = || {
+    move || {
         seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (seed >> 33) as f64 / f64::from(1_u32 << 31) * 2.0 - 1.0
-    };
-    let mass = DENSITY * spacing * spacing;
-    let points = (0..side * side).map(|k| {
-        let at = |number: usize, random: f64| (number as f64 + 0.5 + jitter * random) * spacing;
-        [at(k % side, random()), at(k / side, random()), DENSITY, mass]
-    });
-    let layout = TankLayout {
+    }
+}
+
+fn layout(spacing: f64) -> TankLayout {
+    TankLayout {
         length: 1.0,
         spacing_x: spacing,
         spacing_y: spacing,
@@ -62,7 +60,20 @@ fn square(side: usize, jitter: f64, closed: bool, laplacian: Laplacian) -> Isph 
         wall_angle_deg: 90.0,
         dry_bed: false,
         crest: None,
-    };
+    }
+}
+
+/// A unit square of `side` x `side` particles, moved about by up to `jitter` spacings, in a box that
+/// it fills or in the open, with its lists made.
+fn square(side: usize, jitter: f64, closed: bool, laplacian: Laplacian) -> Isph {
+    let spacing = 1.0 / side as f64;
+    let mut random = noise();
+    let mass = DENSITY * spacing * spacing;
+    let points = (0..side * side).map(|k| {
+        let at = |number: usize, random: f64| (number as f64 + 0.5 + jitter * random) * spacing;
+        [at(k % side, random()), at(k / side, random()), DENSITY, mass]
+    });
+    let layout = layout(spacing);
     let ghosts: Ghosts =
         if closed { box_ghosts(&layout, 1.0, spacing) } else { no_ghosts(spacing) };
     let water = Fluid::at_rest(points.collect::<Vec<_>>());
