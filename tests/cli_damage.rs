@@ -91,3 +91,31 @@ fn a_report_leaves_out_what_is_damaged_and_names_it() {
         }
     }
 }
+
+/// The second sweep made a summary without the bars of the first one, but the manifest still told the file that asked
+/// for them: `verify` called the summary damaged, and `report` put the bars back.
+#[test]
+fn other_error_bars_of_the_same_cases_are_no_damage() {
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().join("out");
+    let directory = out.to_str().unwrap();
+    let text = TINY.replace("[0.4, 0.5]", "[0.4]").replace("[50, 250]", "[50]");
+    let summary = || fs::read_to_string(out.join("summary.csv")).unwrap();
+    let mut bars_of = std::collections::BTreeMap::new();
+    for bars in ["triple", "none", "pair", "triple", "none"] {
+        let text = text.replace("[grid]", &format!("error_bars = {bars:?}\n[grid]"));
+        expect_code(&sweep(&write_file(root.path(), &text), &out), 0);
+        let swept = summary();
+        let mut rows = csv::Reader::from_reader(swept.as_bytes());
+        let column = rows.headers().unwrap().iter().position(|name| name == "force_error").unwrap();
+        let told: Vec<_> = rows.records().map(|row| row.unwrap()[column].to_owned()).collect();
+        assert!(told.len() == 2 && told.iter().all(|bar| bar.is_empty() == (bars == "none")));
+        assert_eq!(*bars_of.entry(bars).or_insert_with(|| told.clone()), told, "{bars}");
+        expect_code(&run(&["verify", directory, "--rerun", "1"]), 0);
+        let report = run(&["report", directory]);
+        expect_code(&report, 0);
+        let words = String::from_utf8(report.stderr).unwrap();
+        assert!(!words.contains("summary.csv"), "{bars}: {words}");
+        assert_eq!(summary(), swept, "{bars}");
+    }
+}

@@ -104,3 +104,50 @@ fn a_wanted_error_is_chosen_for_verified_and_told() {
     expect_code(&told, 2);
     assert!(String::from_utf8_lossy(&told.stderr).contains("[grid] sweeps it"));
 }
+
+/// `check` told default numerics with the ids and the cost of other cases than those that the sweep then had.
+#[test]
+fn check_chooses_numerics_for_a_wanted_error_as_sweep_does() {
+    let root = tempfile::tempdir().unwrap();
+    let text = TINY.replace("[0.4, 0.5]", "[0.4]").replace("[10, 1e4]", "[10]");
+    let text = text.replace("particle_spacing_m = 0.025", "particle_spacing_m = 0.02");
+    let file = write_file(root.path(), &text);
+    let (file, out) = (file.to_str().unwrap(), root.path().join("out"));
+    let told = |arguments: &[&str]| {
+        let output = run(&[arguments, &["--format", "json"]].concat());
+        expect_code(&output, 0);
+        serde_json::from_slice::<serde_json::Value>(&output.stdout).unwrap()
+    };
+    let checked = told(&["check", file, "--max-error", "60"]);
+    assert_eq!(checked["max_error_percent"], 60.0);
+    assert_eq!(checked["companions"], 2);
+    assert_ne!(checked["cases"], told(&["check", file])["cases"]);
+    assert_eq!(checked, told(&["sweep", file, "--dry-run", "--max-error", "60"]));
+    expect_code(&run(&["sweep", file, "--max-error", "60", "--out", out.to_str().unwrap()]), 0);
+    let table = fs::read_to_string(out.join("max_error.csv")).unwrap();
+    let swept: Vec<_> = table.lines().skip(1).map(|line| line.split(',').next().unwrap()).collect();
+    let cases = checked["cases"].as_array().unwrap().iter();
+    assert_eq!(cases.map(|case| case["id"].as_str().unwrap()).collect::<Vec<_>>(), swept);
+
+    fs::write(file, text.replace("[grid]", "[accuracy]\nmax_error_percent = 60\n[grid]")).unwrap();
+    assert_eq!(checked, told(&["check", file]));
+    let words = run(&["check", file]);
+    let notes = String::from_utf8_lossy(&words.stderr).into_owned();
+    assert!(notes.contains("the cheapest that is expected to be within 60 %"), "{notes}");
+    let words = String::from_utf8_lossy(&words.stdout).into_owned();
+    assert!(words.contains("\nmax error           60 %: these are the numerics that"), "{words}");
+    assert!(words.contains(" with what runs again, without films\n"), "{words}");
+    let seconds =
+        ["estimated_time_s", "longest_time_s"].map(|name| checked[name].as_f64().unwrap());
+    assert!(seconds[1] > 5.0 * seconds[0], "{seconds:?}");
+
+    // A single scene runs as it is.
+    let scene = "name = \"a\"\n[accuracy]\nmax_error_percent = 60";
+    fs::write(file, scene).unwrap();
+    let warned = told(&["check", file])["warnings"].to_string();
+    assert!(warned.contains("accuracy.max_error_percent = 60: only `seawall sweep`"), "{warned}");
+    let refused = run(&["check", file, "--max-error", "2"]);
+    expect_code(&refused, 2);
+    let words = String::from_utf8_lossy(&refused.stderr).into_owned();
+    assert!(words.contains("--max-error 2: chooses the numerics of a sweep"), "{words}");
+}

@@ -217,6 +217,42 @@ fn a_case_of_a_study_is_shown_and_runs_alone_as_the_same_case() {
     assert_eq!(json(&again)["case"]["force_max_error"], object["case"]["force_max_error"]);
 }
 
+/// A case that had not run yet was no case: "no such case; there is", and then nothing.
+#[test]
+fn a_case_that_is_not_finished_is_told_as_such() {
+    let (root, out) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let file = write_file(root.path(), TINY);
+    let arguments = ["sweep", file.to_str().unwrap(), "--film", "none", "--out"];
+    expect_code(&run(&[&arguments, &[out.path().to_str().unwrap()][..]].concat()), 0);
+    // As a sweep leaves it that is stopped: fewer lines, no case or two.
+    let (journal, summary) = (out.path().join("journal.jsonl"), out.path().join("summary.csv"));
+    let [lines, rows] = [&journal, &summary].map(|path| fs::read_to_string(path).unwrap());
+    let first =
+        |text: &str, count: usize| -> String { text.split_inclusive('\n').take(count).collect() };
+    let show = |words: &[&str]| {
+        let output = run(&[&["show", out.path().to_str().unwrap()], words].concat());
+        expect_code(&output, 2);
+        told(&output.stderr)
+    };
+    let last = ["H/h=0.5", "k=1e4", "m=250"];
+    for finished in [0, 2] {
+        fs::write(&journal, first(&lines, 1 + finished)).unwrap();
+        fs::write(&summary, first(&rows, 1 + finished)).unwrap();
+        let words = show(&last);
+        let id = words.split(' ').nth(2).unwrap();
+        assert!(rows.lines().last().unwrap().starts_with(id), "{words}");
+        assert!(words.contains(" is not finished yet; `seawall status "), "{words}");
+        assert_eq!(show(&[id]), words);
+        let words = show(&["H/h=0.5"]);
+        assert!(words.contains("4 cases fit; say which one by spring_stiffness_n"), "{words}");
+        let words = show(&["H/h=0.6"]);
+        assert!(words.contains("H/h=0.6: no such case; there is 0.4, 0.5"), "{words}");
+    }
+    fs::remove_file(&summary).unwrap();
+    let words = show(&last);
+    assert!(words.contains("has no summary.csv; `seawall sweep` or `run` of the same"), "{words}");
+}
+
 #[test]
 fn shells_and_man_are_told_of_every_command() {
     for shell in ["bash", "zsh", "fish"] {

@@ -73,14 +73,24 @@ impl MaxError {
     pub fn finer(&self, study: &Study, records: &[Option<CaseRecord>]) -> Choices {
         let choose = |verified: &Verified| {
             verified.bar_percent.filter(|&bar| bar > self.percent)?;
-            let case = &study.cases[verified.index];
-            if self.is_out_of_reach(case) {
-                return None; // finer particles would make its bar no narrower
-            }
-            let depth = case.config.scene.seawall()?.still_water_depth_m;
-            Some((case.index, self.choose(study, case, 0.99 * verified.spacing_m / depth)?))
+            self.next(study, &study.cases[verified.index])
         };
         self.verify(study, records).iter().filter_map(choose).collect()
+    }
+
+    /// The same if the bars of all cases were too wide.
+    pub fn all_finer(&self, study: &Study) -> Choices {
+        study.cases.iter().filter_map(|case| self.next(study, case)).collect()
+    }
+
+    /// The next finer spacing of a case, with its number.
+    fn next(&self, study: &Study, case: &Case) -> Option<(usize, Choice)> {
+        if self.is_out_of_reach(case) {
+            return None; // finer particles would make its bar no narrower
+        }
+        let depth = case.config.scene.seawall()?.still_water_depth_m;
+        let spacing = case.config.numerics.particle_spacing_m;
+        Some((case.index, self.choose(study, case, 0.99 * spacing / depth)?))
     }
 
     /// The narrowest bar, percent, of the cases whose bars cannot be as narrow as wanted, and how many

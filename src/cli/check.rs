@@ -6,14 +6,14 @@ use std::path::PathBuf;
 use clap::Args;
 use serde_json::json;
 
-use super::SUCCESS;
 use super::cost::{binary, estimated_time};
+use super::failure::BadInput;
 use super::input::{Expect, Setting, study};
 use super::output::{Output, duration};
 use super::physics::physics;
-use super::refine;
 use super::table::Table;
 use super::warnings::warnings;
+use super::{SUCCESS, max_error, refine};
 use crate::keys::Shared;
 use crate::results::counted;
 use crate::scene::limits;
@@ -37,6 +37,9 @@ pub(super) struct CheckArgs {
     /// Set a key of the file, such as numerics.particle_spacing_m=0.016. The option may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<Setting>,
+    /// Choose the numerics case by case, as `seawall sweep --max-error` does.
+    #[arg(long, value_name = "PERCENT", conflicts_with = "schema", allow_hyphen_values = true, value_parser = max_error::percent)]
+    max_error: Option<f64>,
 }
 
 /// Cases listed without `-v`.
@@ -48,7 +51,16 @@ pub(super) fn main(args: &CheckArgs, output: &Output) -> anyhow::Result<u8> {
         output.result(&format!("{schema:#}\n"), &schema)?;
         return Ok(SUCCESS);
     };
-    show(&study(file, &args.settings, Expect::Either)?, true, output)
+    let study = study(file, &args.settings, Expect::Either)?;
+    let study = match (study.keys.is_empty(), args.max_error) {
+        (false, _) => max_error::chosen(args.max_error, study, output)?,
+        (true, None) => study,
+        (true, Some(percent)) => {
+            let reason = "chooses the numerics of a sweep; this file has no [grid], and `run` takes it as it is";
+            return Err(BadInput(format!("--max-error {percent}: {reason}")).into());
+        }
+    };
+    show(&study, true, output)
 }
 
 pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::Result<u8> {
@@ -62,6 +74,8 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
     let steps = range(|cost| cost.steps);
     let memory = range(|cost| cost.memory_bytes).1;
     let (seconds, cores) = estimated_time(study, &plan);
+    let aim = study.max_error_percent.filter(|_| !study.keys.is_empty());
+    let longest = aim.map(|percent| max_error::longest(percent, study)).transpose()?;
     let (computed, from_rest) = (plan.total_cost(), plan.unbranched_cost());
     let saved = 100.0 * (1.0 - computed as f64 / from_rest.max(1) as f64);
     let (physics, odd) = (physics(study), warnings(study));
@@ -90,6 +104,9 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
     if let Some(asked) = &study.refine {
         text.push_str(&line("refine", refine::ahead(asked)));
     }
+    if let Some(percent) = aim {
+        text.push_str(&line("max error", max_error::ahead(percent)));
+    }
     if !study.companions.is_empty() {
         text.push_str(&line("error bars", counted(study.companions.len(), "coarser companion")));
     }
@@ -99,7 +116,10 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
     text.push_str(&line("shared trunks", plan.trunks.len().to_string()));
     text.push_str(&line("saved by trunks", format!("{saved:.0} % of the steps")));
     let films = if study.keys.is_empty() { "" } else { ", without films" };
-    let time = format!("{} on {}{films}", duration(seconds), counted(cores, "core"));
+    let again = longest.filter(|&longest| longest > seconds);
+    let again = again.map(|longest| format!(", up to {} with what runs again", duration(longest)));
+    let (cores_told, again) = (counted(cores, "core"), again.unwrap_or_default());
+    let time = format!("{} on {cores_told}{again}{films}", duration(seconds));
     text.push_str(&line("estimated time", time));
     for warning in &odd {
         text.push_str(&format!("\nwarning: {warning}\n"));
@@ -124,6 +144,7 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
         "warnings": warnings,
         "cases": cases,
         "refine": study.refine,
+        "max_error_percent": study.max_error_percent,
         "companions": study.companions.len(),
         "particles": particles,
         "steps": steps,
@@ -133,6 +154,7 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
         "particle_steps_without_trunks": from_rest,
         "cores": cores,
         "estimated_time_s": seconds,
+        "longest_time_s": longest,
     });
     output.result(&text, &value)?;
     Ok(SUCCESS)

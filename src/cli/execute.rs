@@ -87,11 +87,15 @@ pub(super) fn execute(
         output.note(format_args!("manifest.json {what}: made again{rest}"));
     }
     if missing == 0 {
+        // Tables follow the file, which may ask for other error bars than before. The manifest has to tell the same
+        // file, or `verify` and `report` would make other tables.
+        let manifest = Manifest::new(&job.out, study, &job.overrides, directory.simd());
+        match damage {
+            Some(_) => manifest.write(&job.out)?,
+            None => manifest.asked_again(&job.out)?,
+        }
         directory.write_tables(study)?;
         directory.clear_checkpoints()?;
-        if damage.is_some() {
-            Manifest::new(&job.out, study, &job.overrides, directory.simd()).write(&job.out)?;
-        }
         let (savings, ending) = (Savings::default(), Ending::Finished);
         return Ok(Done { directory, ending, savings, wall_time_s: None, film_time_s: 0.0 });
     }

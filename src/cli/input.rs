@@ -90,6 +90,7 @@ fn unreadable(path: &Path, error: &std::io::Error) -> BadInput {
 
 /// What every output directory holds.
 const MANIFEST: &str = "manifest.json";
+const JOURNAL: &str = "journal.jsonl";
 
 /// Refuses a directory that does not hold a file which every output directory of a study has.
 pub(super) fn demand_output_of_study(directory: &Path, holds: &str) -> Result<(), BadInput> {
@@ -101,6 +102,8 @@ pub(super) fn demand_output_of_study(directory: &Path, holds: &str) -> Result<()
             .to_owned()
     } else if directory.is_file() {
         "is a file; give the output directory of a study, such as results/runs/NAME".to_owned()
+    } else if directory.join(JOURNAL).is_file() {
+        format!("has no {holds}; `seawall sweep` or `run` of the same file makes it")
     } else {
         format!("holds no {holds}: not the output directory of a study")
     };

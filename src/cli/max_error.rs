@@ -1,16 +1,18 @@
 //! `sweep --max-error`: telling what numerics were chosen, and whether they kept to the aim.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use serde_json::json;
 
+use super::cost::{estimated_time, time_of_all};
 use super::done::Done;
 use super::failure::BadInput;
 use super::output::{Output, short};
 use crate::accuracy::{Choice, Choices, MaxError};
 use crate::results::{counted, finished};
-use crate::study::Study;
+use crate::simulation::cost;
+use crate::study::{Plan, Study};
 
 /// Reads the argument of `--max-error`.
 pub(super) fn percent(text: &str) -> Result<f64, String> {
@@ -21,6 +23,50 @@ pub(super) fn percent(text: &str) -> Result<f64, String> {
         Some(percent) => Err(format!("write {percent}: it is {allowed}")),
         None => Err(format!("must be {allowed}")),
     }
+}
+
+/// The error that is aimed at: by the command line, or else by the file.
+pub(super) fn aim(asked: Option<f64>, study: &Study) -> Result<Option<MaxError>, BadInput> {
+    let Some(percent) = asked.or(study.max_error_percent) else { return Ok(None) };
+    if study.refine.is_some() {
+        let reason = "cannot stand beside grid.refine: give one of the two";
+        return Err(BadInput(format!("--max-error {percent}: {reason}")));
+    }
+    MaxError::new(percent, study).map(Some).map_err(BadInput)
+}
+
+/// The study as `sweep` begins it: with the numerics that are chosen, where an error is aimed at.
+pub(super) fn chosen(asked: Option<f64>, study: Study, output: &Output) -> Result<Study, BadInput> {
+    Ok(match aim(asked, &study)? {
+        Some(aim) => first(&aim, &study, output),
+        None => study,
+    })
+}
+
+/// Seconds on this machine's cores for a study whose numerics were chosen, if all bars come out too wide until nothing
+/// finer is known.
+pub(super) fn longest(percent: f64, study: &Study) -> Result<f64, BadInput> {
+    let aim = MaxError::new(percent, study).map_err(BadInput)?;
+    let mut seconds = time_of_all(study).0;
+    let mut choices = aim.all_finer(study);
+    let mut study = with(study, &choices);
+    while !choices.is_empty() {
+        let companions = choices.keys().flat_map(|&case| &study.companions_of[case]);
+        let again: BTreeSet<_> = choices.keys().chain(companions).copied().collect();
+        let plan = Plan::new(&study, true, cost, |run| again.contains(&run));
+        seconds += estimated_time(&study, &plan).0;
+        choices = aim.all_finer(&study);
+        study = with(&study, &choices);
+    }
+    Ok(seconds)
+}
+
+/// What `check` says of a study whose numerics were chosen.
+pub(super) fn ahead(percent: f64) -> String {
+    format!(
+        "{percent} %: these are the numerics that `sweep` begins with; cases whose error bars come out wider run \
+         again, finer"
+    )
 }
 
 /// The study with the numerics that are expected to do, and why, told.

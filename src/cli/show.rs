@@ -46,13 +46,29 @@ pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
     }
     demand_output_of_study(&args.dir, "summary.csv")?;
     let rows = rows(&args.dir.join("summary.csv"))?;
-    let keys = Manifest::read(&args.dir).map_or_else(Vec::new, |manifest| manifest.keys);
+    let (keys, cases) = Manifest::read(&args.dir)
+        .map_or_else(Default::default, |manifest| (manifest.keys, manifest.cases));
     let choices: Vec<_> = rows.iter().map(|row| row.choice(&keys)).collect();
     let fixed = |key: &str| in_every_case(&stored::file_and_study(&args.dir).ok()?.1, key);
-    let row = &rows[the_one(&keys, &fixed, &choices, &args.case)?];
+    let place = the_one(&keys, &fixed, &choices, &args.case);
+    let left = rows.len() < cases;
+    let row = &rows[place.map_err(|error| if left { unfinished(args, error) } else { error })?];
     let files = files(&args.dir, row.cell(CASE_ID.name));
     output.result(&told(row, &keys, &files), &row.json(&files))?;
     Ok(SUCCESS)
+}
+
+/// Why none of the finished cases of a study that is not finished is the one: the study has more.
+fn unfinished(args: &ShowArgs, error: BadInput) -> BadInput {
+    let Ok((_, study)) = stored::file_and_study(&args.dir) else { return error };
+    match the_case(&study, &args.case) {
+        Ok(case) => {
+            let (id, told) = (case.id, shown::told(&args.dir));
+            let help = "tells how far the study is";
+            BadInput(format!("case {id} is not finished yet; `seawall status {told}` {help}"))
+        }
+        Err(error) => error,
+    }
 }
 
 /// A row of `summary.csv`: names and cells.

@@ -10,7 +10,7 @@ use super::closed::Asked;
 use super::ending::EndingArgs;
 use super::execute::execute;
 use super::executor::{Executor, choose};
-use super::failure::{BadInput, exit_code};
+use super::failure::exit_code;
 use super::input::{
     Expect, Setting, SimdChoice, default_out, named_out, out_of, study, sweep_file,
 };
@@ -19,7 +19,7 @@ use super::keep::KeepArgs;
 use super::output::Output;
 use super::overview::told;
 use super::{INTERRUPTED, SUCCESS, check, films, max_error, numbers, refine, shown, warnings};
-use crate::accuracy::{MaxError, Refinement};
+use crate::accuracy::Refinement;
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
 use crate::keys::named;
 use crate::report::PAGE as REPORT;
@@ -103,6 +103,7 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
             return Ok(SUCCESS);
         }
         let study = study(&args.file, &args.settings, Expect::Grid)?;
+        let study = max_error::chosen(args.max_error, study, output)?;
         films::check(&args.film, &study)?;
         return check::show(&study, !args.no_branch, output);
     }
@@ -146,15 +147,7 @@ fn lead(
     }
     let study = study(&args.file, &args.settings, Expect::Grid)?;
     let refinement = Refinement::of(&file);
-    films::check(&args.film, &study)?;
-    warnings::tell(&args.file, &study, output);
-    warnings::tell_threads(args.threads, output);
-    let aim = args.max_error.or(study.max_error_percent);
-    if let Some(percent) = aim.filter(|_| refinement.is_some()) {
-        let reason = "cannot stand beside grid.refine: give one of the two";
-        return Err(BadInput(format!("--max-error {percent}: {reason}")).into());
-    }
-    let aim = aim.map(|percent| MaxError::new(percent, &study)).transpose().map_err(BadInput)?;
+    let aim = max_error::aim(args.max_error, &study)?;
     let out = args.out.clone().unwrap_or_else(|| default_out(&study));
     // A large study is held once.
     let first = match (&aim, &refinement) {
@@ -163,6 +156,9 @@ fn lead(
         (_, Some(_)) if !args.fresh => refine::study_in(&out, &file).unwrap_or(study),
         _ => study,
     };
+    films::check(&args.film, &first)?;
+    warnings::tell(&args.file, &first, output);
+    warnings::tell_threads(args.threads, output);
     let mut job = Job {
         out,
         study: first,

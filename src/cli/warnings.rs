@@ -33,7 +33,17 @@ pub(super) fn warnings(study: &Study) -> Vec<String> {
         cases if cases == study.cases.len() => line,
         cases => format!("{line} (in {})", counted(cases, "case")),
     };
-    odd.into_values().map(told).chain(long(study)).chain(limited(study)).collect()
+    let odd = odd.into_values().map(told).chain(unaimed(study));
+    odd.chain(long(study)).chain(limited(study)).collect()
+}
+
+/// A single scene runs as it is, whatever error its file aims at.
+fn unaimed(study: &Study) -> Option<String> {
+    let percent = study.max_error_percent.filter(|_| study.keys.is_empty())?;
+    Some(format!(
+        "accuracy.max_error_percent = {percent}: only `seawall sweep` of a file with [grid] chooses numerics; this \
+         scene has those of the file"
+    ))
 }
 
 /// How many cases are expected to take more than `[limits]` allows.

@@ -135,6 +135,20 @@ impl Manifest {
         }
     }
 
+    /// Writes it where nothing is left to do, and only if something else is asked for than before. This program has
+    /// then computed nothing: the earlier one stays named.
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn asked_again(mut self, directory: &Path) -> Result<(), SweepError> {
+        let earlier = Manifest::read(directory);
+        if let Some(earlier) = &earlier {
+            self.version.clone_from(&earlier.version);
+            self.git_commit.clone_from(&earlier.git_commit);
+        }
+        if earlier.as_ref() == Some(&self) { Ok(()) } else { self.write(directory) }
+    }
+
     /// Another build that has worked here before this one.
     pub fn other_program(&self) -> Option<&Program> {
         let this = Program::this();

@@ -2,6 +2,7 @@
 
 use super::config::CaseConfig;
 use super::kind::Scene;
+use super::numerics::Numerics;
 use super::seawall::{SeawallScene, WallChoice};
 use crate::keys::ConfigError;
 
@@ -22,7 +23,8 @@ pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
     let all = [density(config), interval(config), end(config)];
     let mut odd: Vec<_> = all.into_iter().flatten().collect();
     if let Some(scene) = config.scene.seawall() {
-        let all = [tank(scene), threshold(scene), steep(scene), early(scene)];
+        let near = gauge(scene, &config.numerics);
+        let all = [tank(scene), threshold(scene), steep(scene), early(scene), near];
         odd.extend(all.into_iter().flatten());
     }
     odd
@@ -98,6 +100,25 @@ fn early(scene: &SeawallScene) -> Option<ConfigError> {
     (frame.end_time < centre + way).then(|| warning("tank_length_m", frame.length, told)).flatten()
 }
 
+/// What is nearer to the paddle than a support radius is water at its face, and where it has been there is none.
+fn gauge(scene: &SeawallScene, numerics: &Numerics) -> Option<ConfigError> {
+    let paddle = scene.paddle()?;
+    let stroke = match (&scene.recorded, paddle.stroke_centre()) {
+        (Some(keys), _) => keys.recorded_stroke.reach(),
+        (None, Some(_)) => paddle.motion(paddle.still_from()).offset,
+        // A train's goes as far forth as back.
+        (None, None) => paddle.goes_back(),
+    };
+    let least = stroke + numerics.support_radius_ratio * numerics.particle_spacing_m;
+    let told = format!(
+        "the paddle goes {stroke:.3} m into the tank, and a gauge nearer than {least:.3} m reads the water at its \
+         face, no wave"
+    );
+    (scene.wave_gauge_m < least)
+        .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told))
+        .flatten()
+}
+
 fn interval(config: &CaseConfig) -> Option<ConfigError> {
     let frame = config.scene.frame();
     let (interval, step) = (frame.history_interval, frame.time_step(&config.numerics));
@@ -142,6 +163,9 @@ mod tests {
             "kind = \"hydrostatic\"\ntank_length_m = 0.3",
             "tank_length_m = 3\nend_after_stroke_centre_s = 1.7",
             "kind = \"rotating-patch\"",
+            "wave_gauge_m = 0.38",
+            "wave_gauge_m = 0.01\nwave_height_ratio = 0\nend_time_s = 1",
+            "paddle = \"wave-train\"\nwave_period_s = 1\nwave_height_ratio = 0.1\nend_time_s = 5\nwave_gauge_m = 0.1",
         ] {
             assert_eq!(odd(scene), [""; 0], "{scene}");
         }
@@ -168,6 +192,11 @@ mod tests {
             (
                 "paddle = \"wave-train\"\nwave_period_s = 0.3\nend_time_s = 5",
                 "scene.wave_period_s = 0.3: waves of wave_height_ratio = 0.5 would be 0.712 of",
+            ),
+            ("wave_gauge_m = 0.37", "scene.wave_gauge_m = 0.37: the paddle goes 0.326 m into the"),
+            (
+                "paddle = \"wave-train\"\nwave_period_s = 1\nwave_height_ratio = 0.1\nend_time_s = 5\nwave_gauge_m = 0.05",
+                "scene.wave_gauge_m = 0.05: the paddle goes 0.0",
             ),
             (
                 &format!("{movable}\nthreshold_ratio = 0.5"),

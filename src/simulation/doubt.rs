@@ -38,8 +38,10 @@ pub(super) struct Evidence<'a> {
     pub kicked: bool,
     /// Energy that has come from nowhere.
     pub found: &'a Found,
-    /// What it is counted in, the paddle's work as a rule, J per metre of width.
+    /// What it is counted in, the paddle's work as a rule, J per metre of width ...
     pub work: f64,
+    /// ... and in words.
+    pub counted_in: &'static str,
     /// Δx/h.
     pub spacing: f64,
     /// Whether a paddle makes a wave.
@@ -99,7 +101,7 @@ impl Evidence<'_> {
         let early = first.map_or(0.0, |first| until(first.time_s));
         let found = if early > of_spacing { early } else { until(ever) };
         let is_open = early > of_spacing || found > FOUND_PERCENT.max(of_spacing);
-        is_open.then(|| format!("energy: {found:.1} % of the paddle's work came from nowhere"))
+        is_open.then(|| format!("energy: {found:.1} % of {} came from nowhere", self.counted_in))
     }
 
     fn compression(&self, outcome: &Outcome) -> Option<String> {

@@ -186,6 +186,11 @@ impl Run {
             largest_gap: logbook.health.largest_gap(&self.bounds),
             found: &logbook.found,
             work: scale,
+            counted_in: match (moves, tank.absorbs) {
+                (true, false) => "the paddle's work",
+                (true, true) => "the work that passed between paddle and water",
+                (false, _) => "the water's initial energy",
+            },
             spacing: tank.spacing / tank.frame.depth,
             is_wave: has_wave && tank.paddle.is_some(),
             // Means end half their span earlier.

@@ -46,6 +46,7 @@ fn doubt(
         kicked: false,
         found: &found,
         work: 100.0,
+        counted_in: "the paddle's work",
         spacing: 0.06,
         is_wave: true,
         lopsided: Some(1e-4),
@@ -97,6 +98,11 @@ fn energy_from_nowhere_counts_against_what_the_spacing_makes() {
     assert_eq!(told, "energy: 0.2 % of the paddle's work came from nowhere");
     assert_eq!(with(81.0, 0.07), None);
     assert!(with(79.0, 0.07).unwrap().contains("1.0 % of the paddle's work"));
+    // A dam break has no paddle.
+    let column =
+        |e: &mut Evidence<'_>| (e.spacing, e.counted_in) = (0.035, "the water's initial energy");
+    let told = doubt(&outcome(), [0.0, 0.0], 0.0, column).unwrap();
+    assert_eq!(told, "energy: 0.2 % of the water's initial energy came from nowhere");
 }
 
 #[test]
