@@ -95,6 +95,7 @@ impl SeawallScene {
             start_time: self.start_s(),
             from_rest: at_wall > 0.0,
             threshold_ratio: self.onset_ratio(static_force),
+            impact_ratio: self.threshold_ratio,
             wave_height_ratio: self.wave_height_ratio,
             wave_gauge: Some(self.wave_gauge_m),
             ..filling.tank(frame, numerics, path)

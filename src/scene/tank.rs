@@ -25,6 +25,8 @@ pub struct Tank {
     pub from_rest: bool,
     /// F_th over the hydrostatic force; infinite where there is no threshold.
     pub threshold_ratio: f64,
+    /// F* below which an impact is over: that of spring walls, whatever holds this wall.
+    pub impact_ratio: f64,
     /// H/h of the wave; 0 for none.
     pub wave_height_ratio: f64,
     /// Where the wave height is measured, metres from the left wall; none for no wave.
@@ -67,6 +69,7 @@ impl Tank {
             },
             from_rest: false,
             threshold_ratio: f64::INFINITY,
+            impact_ratio: f64::INFINITY,
             wave_height_ratio: 0.0,
             wave_gauge: None,
             front_speed: 0.0,

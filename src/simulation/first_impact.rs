@@ -8,10 +8,8 @@ use super::peak::Peak;
 
 /// F* must last this long above or below a bound to count, over √(h/g): 0.02 s at h = 0.2 m.
 const PERSISTENCE: f64 = 0.14;
-/// The first impact is on once F* has stayed above this.
+/// The first impact is on once F* has stayed above this, and the force below which it is over.
 const IMPACT_FORCE: f64 = 1.15;
-/// It is over below this, the papers' threshold, where the wall's own is higher than an impact.
-const USUAL_THRESHOLD: f64 = 1.1;
 /// A stop ends the first impact only after X* has exceeded this.
 const IMPACT_TRAVEL: f64 = 0.01;
 /// Samples of the force's rise are no closer than this, over √(h/g).
@@ -86,10 +84,8 @@ pub struct FirstImpact {
 }
 
 impl FirstImpact {
-    /// For F_threshold over the hydrostatic force; √(h/g) in seconds. A wall that holds against more than an
-    /// impact has the same one as a wall of the usual threshold.
-    pub fn new(threshold: f64, unit_time: f64) -> FirstImpact {
-        let let_go = if threshold < IMPACT_FORCE { threshold } else { USUAL_THRESHOLD };
+    /// For the F* above which the wall gives way and that below which an impact is over; √(h/g) in seconds.
+    pub fn new([threshold, let_go]: [f64; 2], unit_time: f64) -> FirstImpact {
         FirstImpact {
             threshold,
             let_go,
@@ -99,7 +95,7 @@ impl FirstImpact {
             below_since: None,
             readings: Readings::new(0),
             onset: None,
-            onrush: Onrush::new(IMPACT_FORCE, SHORT * unit_time),
+            onrush: Onrush::new(IMPACT_FORCE.max(let_go), SHORT * unit_time),
             trials: 0,
         }
     }
@@ -120,7 +116,7 @@ impl FirstImpact {
         } else {
             self.below_since.get_or_insert(at);
         }
-        let above = mean > IMPACT_FORCE;
+        let above = mean > IMPACT_FORCE.max(self.let_go);
         if self.stage == Stage::Before && above {
             self.stage = Stage::Trial { above_since: Some(at) };
             self.readings = Readings::new(stops);

@@ -71,7 +71,7 @@ impl Logbook {
         let sound = Sound::of(&config.scene, tank);
         let turn = f64::from(config.numerics.acoustic_substeps) * frame.time_step(&config.numerics);
         let mut measures = Measures::new(
-            tank.threshold_ratio,
+            [tank.threshold_ratio, tank.impact_ratio],
             acoustics,
             sound.as_ref().map(|_| turn),
             points_on_wall(tank),

@@ -46,10 +46,10 @@ pub struct Measures {
 }
 
 impl Measures {
-    /// For F_threshold over the hydrostatic force, the scales of the water, and so many points on the
-    /// wall's face. The water's compression is told once in `turn` seconds, if at all.
+    /// For the F* above which the wall gives way and that below which an impact is over, the scales of the
+    /// water, and so many points on the wall's face. The water's compression is told once in `turn` seconds, if at all.
     pub fn new(
-        threshold_ratio: f64,
+        thresholds: [f64; 2],
         acoustics: Acoustics,
         turn: Option<f64>,
         points: usize,
@@ -59,7 +59,7 @@ impl Measures {
             quiet: QuietForce::new(MEAN_SPAN * unit_time, turn),
             travel: QuietTravel::new(),
             listens: turn.is_some(),
-            first: FirstImpact::new(threshold_ratio, unit_time),
+            first: FirstImpact::new(thresholds, unit_time),
             blows: Blows::new(acoustics),
             force: None,
             runup: None,

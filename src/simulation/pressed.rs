@@ -133,7 +133,7 @@ mod tests {
     }
 
     fn pressed() -> (Pressed, FirstImpact) {
-        let (mut pressed, mut first) = (Pressed::new(4, 0.01), FirstImpact::new(1.1, 0.1428));
+        let (mut pressed, mut first) = (Pressed::new(4, 0.01), FirstImpact::new([1.1; 2], 0.1428));
         for step in 0..3000 {
             let time = 0.001 * f64::from(step);
             let pressures = pressures(time);
@@ -163,7 +163,7 @@ mod tests {
 
     #[test]
     fn a_dry_wall_has_no_envelope_and_still_water_no_first_impact() {
-        let (dry, none) = (Pressed::new(4, 0.01), FirstImpact::new(1.1, 0.1428));
+        let (dry, none) = (Pressed::new(4, 0.01), FirstImpact::new([1.1; 2], 0.1428));
         assert!(dry.envelope(&HEIGHTS, &none).is_empty());
         let mut still = Pressed::new(4, 0.01);
         (0..50).for_each(|k| still.push(0.001 * f64::from(k), 1.0, &[3.0, 2.0, 1.0, 0.0], &none));

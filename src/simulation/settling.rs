@@ -103,7 +103,7 @@ mod tests {
 
     /// A wave of F* = 2, R* = 0.5, X* = `x` that has come and gone.
     fn after_a_wave(x: f64) -> Measures {
-        let mut measures = Measures::new(1.1, WATER, None, 0);
+        let mut measures = Measures::new([1.1; 2], WATER, None, 0);
         for k in 0..2000 {
             let bell = (-(f64::from(k) * 0.005 - 3.0).powi(2)).exp();
             let reading = Reading {
@@ -179,7 +179,7 @@ mod tests {
 
     #[test]
     fn nothing_ends_within_the_first_impact() {
-        let mut measures = Measures::new(1.1, WATER, None, 0);
+        let mut measures = Measures::new([1.1; 2], WATER, None, 0);
         for k in 0..200 {
             let time = 0.005 * f64::from(k);
             let reading = Reading { time, force: 1.6, runup: 0.3, displacement: 0.0, stops: 0 };

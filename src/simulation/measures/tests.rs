@@ -3,8 +3,8 @@ use super::*;
 const WATER: Acoustics = Acoustics { depth: 0.2, gravity: 9.81, sound_speed: Some(11.2) };
 
 /// Feeds F*, R*, X* and the stops at a time, every millisecond.
-fn feed(threshold: f64, at: impl Fn(f64) -> ([f64; 3], u32)) -> Measures {
-    let mut measures = Measures::new(threshold, WATER, None, 0);
+fn feed(thresholds: [f64; 2], at: impl Fn(f64) -> ([f64; 3], u32)) -> Measures {
+    let mut measures = Measures::new(thresholds, WATER, None, 0);
     for k in 0..4000 {
         let time = 0.001 * f64::from(k);
         let ([force, runup, x], stops) = at(time);
@@ -15,7 +15,7 @@ fn feed(threshold: f64, at: impl Fn(f64) -> ([f64; 3], u32)) -> Measures {
 
 /// With R* = F* - 1.
 fn measure(force: impl Fn(f64) -> f64, x: impl Fn(f64) -> (f64, u32)) -> Measures {
-    feed(1.1, |time| {
+    feed([1.1; 2], |time| {
         let (force, (x, stops)) = (force(time), x(time));
         ([force, force - 1.0, x], stops)
     })
@@ -29,7 +29,7 @@ fn bell(time: f64, centre: f64, height: f64) -> f64 {
 fn the_first_impact_ends_when_the_force_stays_low_whatever_the_threshold() {
     for threshold in [1.02, 1.1, 1.15, 1.2, 1.7] {
         let force = |time| 1.0 + bell(time, 1.0, 1.0) + bell(time, 3.0, 1.5);
-        let m = feed(threshold, |time| ([force(time), force(time) - 1.0, 0.0], 0));
+        let m = feed([threshold; 2], |time| ([force(time), force(time) - 1.0, 0.0], 0));
         assert!((m.first.force().unwrap().value - 2.0).abs() < 2e-3, "{threshold}");
         assert!((m.force.unwrap().value - 2.5).abs() < 2e-3, "{threshold}");
         assert!((m.first.runup().unwrap().value - 1.0).abs() < 1e-6, "{threshold}");
@@ -39,9 +39,10 @@ fn the_first_impact_ends_when_the_force_stays_low_whatever_the_threshold() {
 }
 
 #[test]
-fn a_wall_that_holds_has_its_first_impact_all_the_same() {
+fn a_caisson_that_holds_has_its_first_impact_all_the_same() {
     let force = |time| 1.0 + bell(time, 1.0, 1.0) + bell(time, 3.0, 1.5);
-    let told = |threshold| feed(threshold, |time| ([force(time), force(time) - 1.0, 0.0], 0)).first;
+    let told =
+        |threshold| feed([threshold, 1.1], |time| ([force(time), force(time) - 1.0, 0.0], 0)).first;
     let (held, usual) = (told(3.0), told(1.1));
     assert_eq!(held.onset(), None);
     assert_eq!([held.force(), held.runup()], [usual.force(), usual.runup()]);
@@ -75,7 +76,7 @@ fn sound_is_not_water() {
 
 /// F* that rises in noise of the given height and period, s, and falls again; R* is without noise.
 fn noisy(height: f64, period: f64) -> Measures {
-    feed(1.1, |time| {
+    feed([1.1; 2], |time| {
         let water = bell(time, 1.5, 2.0);
         let noise = height * (std::f64::consts::TAU * time / period).sin();
         ([1.0 + water + noise, 0.5 * water, 0.0], 0)
@@ -84,7 +85,7 @@ fn noisy(height: f64, period: f64) -> Measures {
 
 #[test]
 fn a_blip_neither_opens_nor_closes_the_first_impact() {
-    let measures = feed(1.1, |time| {
+    let measures = feed([1.1; 2], |time| {
         let (blip, water) = (0.4 * bell(time / 0.05, 0.5 / 0.05, 1.0), bell(time, 2.0, 1.5));
         ([1.0 + blip + water, water + 0.3 * blip, 0.0], 0)
     });
@@ -114,7 +115,7 @@ fn noise_in_the_midst_of_a_rise_does_not_end_the_first_impact() {
 /// A wall that comes back at 1.5 s with `speed`, m/s, in F* = 1 + a bell, and what it meets then:
 /// suction and a rebound to F* = 4, told to be sound or not.
 fn struck(farthest: f64, speed: f64) -> Measures {
-    let mut measures = Measures::new(1.1, WATER, None, 0);
+    let mut measures = Measures::new([1.1; 2], WATER, None, 0);
     for k in 0..4000 {
         let time = 0.001 * f64::from(k);
         let displacement = if (0.8..1.5).contains(&time) { farthest } else { 0.0 };
