@@ -42,6 +42,19 @@ fn a_solitary_wave_leaves_by_the_paddle() {
     assert!(shares[0] > 0.7 && shares[1] < 0.1, "{shares:?}");
 }
 
+/// The story: what the paddle read of its own wave passed for one that has come back, and took 2 % from the force.
+#[test]
+fn a_paddle_makes_the_same_wave_whether_or_not_it_absorbs() {
+    let scene = "tank_length_m = 3\nwave_gauge_m = 1.5\nwave_height_ratio = 0.5\nend_after_stroke_centre_s = 2.2\n";
+    let [throws, absorbs] = ["", "absorption = true\n"].map(|key| {
+        let outcome = computed(&(scene.to_owned() + key), 1.5).outcome;
+        [outcome.first_force_max.unwrap().value, outcome.measured_wave_height_ratio.unwrap()]
+    });
+    for (throws, absorbs) in throws.into_iter().zip(absorbs) {
+        assert!((absorbs / throws - 1.0).abs() < 2e-3, "{absorbs} and {throws}");
+    }
+}
+
 /// The largest F* - 1 of each period of a second, and the energy gap in percent.
 fn peaks(periods: u32) -> (Vec<f64>, f64) {
     let scene = format!(

@@ -143,8 +143,8 @@ fn thick_water_takes_shorter_steps() {
     assert_eq!(steps(1e-3), try_run(&config(SHORT, "")).unwrap().outcome.steps);
     let thick = try_run(&viscous(0.3)).unwrap().outcome;
     assert!(thick.steps > 10 * steps(1e-3), "{}", thick.steps);
-    // None comes from nowhere.
-    assert!(thick.energy_gap_percent > -1.0, "{}", thick.energy_gap_percent);
+    // The paddle's push on thick water once counted twice: 10 % were missing.
+    assert!(thick.energy_gap_percent.abs() < 2.0, "{}", thick.energy_gap_percent);
 }
 
 /// The corner between bed and a leaning wall was partly empty: water leaked its pressure there. Force at rest was

@@ -12,7 +12,7 @@ use super::sounding::Near;
 use super::state::{Clock, RunState};
 use super::surface::Lens;
 use super::watch::{self, Watch};
-use crate::body::{BodyMotion, Motions, Place, Wall, WallStep};
+use crate::body::{Motions, Place, Wall, WallStep};
 use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::scene::{CaseConfig, Tank};
@@ -226,21 +226,6 @@ impl Run {
         };
         let losses = self.tank.water.finish(dt, &walls, look);
         self.logbook.ledger.book_losses(time, look, losses);
-    }
-
-    /// Lets a paddle that absorbs waves go on by `dt` seconds; it moves like this at their start.
-    fn give_way(&mut self, dt: f64, motion: BodyMotion) {
-        let Run { tank, logbook, clock, lens, .. } = self;
-        let Some((absorption, paddle)) = logbook.absorption.as_mut().zip(tank.paddle.as_ref())
-        else {
-            return;
-        };
-        let (_, radius) = tank.water.kernel();
-        let at_face = tank.water.level_at(Place::Left.number());
-        let inside = tank.water.level_in_water(motion.offset + radius, lens.from(at_face, 0.0));
-        let levels = (at_face, inside);
-        absorption.advance((clock.time, dt), levels, (paddle, motion), (lens, &tank.frame));
-        tank.added = absorption.added();
     }
 
     pub(super) fn failure(&self, kind: FailureKind, detail: String) -> Failure {

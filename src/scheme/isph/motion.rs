@@ -51,8 +51,13 @@ impl Isph {
                 *work = mass[i] * options.gravity * rise;
             }
         });
-        let [viscous_power, mut shifting_work] =
+        let [mut viscous_power, mut shifting_work] =
             self.spent.each_ref().map(|spent| spent.iter().fold(0.0, |sum, spent| sum - spent));
+        if options.viscosity > 0.0 {
+            // What bodies do by their drag is work on the water, and none of its loss.
+            let drags = walls.bodies.iter().zip(&self.drag_on_bodies);
+            viscous_power -= drags.map(|(body, drag)| drag * body.velocity).sum::<f64>();
+        }
         if options.shifting_coefficient > 0.0 {
             shifting_work -= options.gravity * self.part(dt);
         }
