@@ -8,9 +8,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::run::Run;
-use super::surface::{APART, Lens, WallLevel};
-use crate::body::{BodyMotion, Paddle, Place};
+use super::surface::{Lens, WallLevel};
+use crate::body::{BodyMotion, Paddle};
 use crate::scene::{Frame, Tank};
 
 /// The paddle takes on the speed that it should have over so many √(h/g): sound is faster and is left out.
@@ -71,24 +70,6 @@ impl Absorption {
             velocity + dt * acceleration,
             (wanted - velocity) / (SPAN * unit),
         ];
-    }
-}
-
-impl Run {
-    /// Lets a paddle that absorbs waves go on by `dt` seconds; it moves like this at their start.
-    pub(super) fn give_way(&mut self, dt: f64, motion: BodyMotion) {
-        let Run { tank, logbook, clock, lens, .. } = self;
-        let Some((absorption, paddle)) = logbook.absorption.as_mut().zip(tank.paddle.as_ref())
-        else {
-            return;
-        };
-        let (_, radius) = tank.water.kernel();
-        let at_face = tank.water.level_at(Place::Left.number());
-        let inside =
-            tank.water.level_in_water(motion.offset + APART * radius, lens.from(at_face, 0.0));
-        let levels = (at_face, inside);
-        absorption.advance((clock.time, dt), levels, (paddle, motion), (lens, &tank.frame));
-        tank.added = absorption.added();
     }
 }
 

@@ -99,6 +99,22 @@ impl Run {
         reading
     }
 
+    /// Lets a paddle that absorbs waves go on by `dt` seconds; it moves like this at their start.
+    pub(super) fn give_way(&mut self, dt: f64, motion: BodyMotion) {
+        let Run { tank, logbook, clock, lens, .. } = self;
+        let Some((absorption, paddle)) = logbook.absorption.as_mut().zip(tank.paddle.as_ref())
+        else {
+            return;
+        };
+        let (_, radius) = tank.water.kernel();
+        let at_face = tank.water.level_at(Place::Left.number());
+        let inside =
+            tank.water.level_in_water(motion.offset + APART * radius, lens.from(at_face, 0.0));
+        let levels = (at_face, inside);
+        absorption.advance((clock.time, dt), levels, (paddle, motion), (lens, &tank.frame));
+        tank.added = absorption.added();
+    }
+
     /// What holds the wall, where something drives it back.
     pub(super) fn mount(&self) -> Option<Mount> {
         let frame = &self.tank.frame;
