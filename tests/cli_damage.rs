@@ -92,8 +92,8 @@ fn a_report_leaves_out_what_is_damaged_and_names_it() {
     }
 }
 
-/// The second sweep made a summary without the bars of the first one, but the manifest still told the file that asked
-/// for them: `verify` called the summary damaged, and `report` put the bars back.
+/// The second sweep made a summary without the bars of the first one. The manifest still told the file that asked for
+/// them. So `verify` called the summary damaged, and `report` put the bars back.
 #[test]
 fn other_error_bars_of_the_same_cases_are_no_damage() {
     let root = tempfile::tempdir().unwrap();

@@ -2,7 +2,12 @@
 
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
-use seawall::simulation::{CaseResult, Unwatched, run_case};
+use seawall::simulation::{CaseResult, Stopped, Unwatched, run_case};
+
+fn computed(scene: &str, numerics: &str) -> Result<CaseResult, Stopped> {
+    let config = CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap());
+    run_case(&config.unwrap(), None, SimdPath::widest(), &Unwatched)
+}
 
 /// The shipped column with these keys besides: its result, and the share of its energy that is lost
 /// unaccounted for.
@@ -12,9 +17,7 @@ fn collapse(scene: &str, numerics: &str) -> (CaseResult, f64) {
          tank_length_m = 3.2196\n{scene}"
     );
     let numerics = format!("{numerics}\nsound_speed_ratio = 20");
-    let config =
-        CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap()).unwrap();
-    let result = run_case(&config, None, SimdPath::widest(), &Unwatched);
+    let result = computed(&scene, &numerics);
     let result = result.unwrap_or_else(|stopped| panic!("{numerics}: {stopped:?}"));
     let start = 0.5 * 1000.0 * 9.81 * 1.2 * 0.6 * 0.6;
     let share = result.energy.residual() / start;
@@ -78,8 +81,7 @@ fn a_sick_run_ends_whatever_its_history() {
              history_interval_s = {interval}"
         );
         let numerics = "particle_spacing_m = 0.031\ncourant_number = 1.8";
-        let config = CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap());
-        run_case(&config.unwrap(), None, SimdPath::widest(), &Unwatched).map(|_| ())
+        computed(&scene, numerics).map(|_| ())
     };
     let fine = format!("{:?}", ended(0.002).unwrap_err());
     assert!(fine.contains("EnergyGrowth"), "{fine}");
@@ -99,10 +101,7 @@ fn square_columns_collapse_in_tanks_of_any_length() {
             "kind = \"dam-break\"\ncolumn_height_m = 0.57\ncolumn_length_m = 0.57\n\
              tank_length_m = {tank_length}"
         );
-        let numerics = "particle_spacing_m = 0.031";
-        let config =
-            CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap()).unwrap();
-        let result = run_case(&config, None, SimdPath::widest(), &Unwatched).unwrap();
+        let result = computed(&scene, "particle_spacing_m = 0.031").unwrap();
         let gap = result.outcome.energy_gap_percent;
         assert!(gap.abs() < 2.5, "{tank_length}: {gap} %");
     }

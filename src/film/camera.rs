@@ -78,7 +78,7 @@ impl Camera for PageCamera<'_> {
 
     fn finish(self: Box<Self>, result: &CaseResult) -> io::Result<()> {
         let frame = self.config.scene.frame();
-        let close = CLOSE * (frame.depth / frame.acceleration()).sqrt();
+        let close = CLOSE * frame.unit_time();
         let (takes, crest) = pick(self.takes, result.outcome.force_max.time_s, close);
         self.film.write(self.config, result, &takes, crest)
     }

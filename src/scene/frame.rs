@@ -41,7 +41,12 @@ impl Frame {
 
     /// The history's, and √(h/g), s.
     pub fn intervals(&self) -> (f64, f64) {
-        (self.history_interval, (self.depth / self.acceleration()).sqrt())
+        (self.history_interval, self.unit_time())
+    }
+
+    /// √(h/g), s.
+    pub fn unit_time(&self) -> f64 {
+        (self.depth / self.acceleration()).sqrt()
     }
 
     /// g, or where the scene has a speed of its own, its square over the depth, m/s².

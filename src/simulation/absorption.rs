@@ -73,9 +73,9 @@ impl Absorption {
     }
 }
 
-/// Until when the surface at a paddle of a single stroke is its own, seconds: nothing comes back before a wave has
-/// gone to where the bed rises, or to the wall, and back. What is read there until then is an error of the reading or
-/// of Goring's theory, and would take some hundredths from the wave.
+/// Until when the surface at a paddle of a single stroke is its own, seconds. A wave has to go to where the bed rises,
+/// or to the wall, and back. Until then a difference is an error of the reading or of Goring's theory. To give way to
+/// it would take some hundredths from the wave.
 fn alone_until(tank: &Tank) -> Option<f64> {
     let paddle = tank.paddle.as_ref().filter(|paddle| paddle.stroke_centre().is_some())?;
     let Frame { length, depth, gravity, .. } = tank.frame;

@@ -162,7 +162,7 @@ impl Run {
             first_moment_max: m.pressed.first_moment(&m.first).filter(|_| has_wave),
             first_impulse: m.first.impulse().filter(|_| has_wave).map(|seconds| {
                 let frame = &tank.frame;
-                seconds / frame.intervals().1
+                seconds / frame.unit_time()
             }),
             rise_time_s: m.first.rise_time().filter(|_| has_wave),
             force_gap_percent: logbook.worst_gap,
@@ -194,7 +194,7 @@ impl Run {
             spacing: tank.spacing / tank.frame.depth,
             is_wave: has_wave && tank.paddle.is_some(),
             // Means end half their span earlier.
-            end: self.clock.time - MEAN_SPAN * tank.frame.intervals().1 - self.time_step,
+            end: self.clock.time - MEAN_SPAN * tank.frame.unit_time() - self.time_step,
             lopsided: logbook.lopsided.filter(|_| compressible && has_wave && tank.upright()),
             compression_percent: if compressible {
                 100.0 * depth_speed / tank.sound_speed.powi(2)

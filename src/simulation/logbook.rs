@@ -62,7 +62,7 @@ impl Logbook {
     pub fn open(config: &CaseConfig, tank: &Tank, start: WaterEnergy) -> Logbook {
         let frame = tank.frame;
         let crest = tank.water.walls().crest.as_ref();
-        let span = MEAN_SPAN * (frame.depth / frame.acceleration()).sqrt();
+        let span = MEAN_SPAN * frame.unit_time();
         let acoustics = Acoustics {
             depth: frame.depth,
             gravity: frame.acceleration(),
@@ -88,7 +88,7 @@ impl Logbook {
             lopsided: None,
             level: WallLevel::new(span),
             worst_gap: 0.0,
-            face_gaps: FaceGaps::new((frame.depth / frame.acceleration()).sqrt()),
+            face_gaps: FaceGaps::new(frame.unit_time()),
             found: Found::default(),
             health: HealthState::default(),
             liveliness: Liveliness::default(),

@@ -1,8 +1,8 @@
 //! Images behind the corner of bed and wall, where it is not a right one.
 //!
-//! Bed and face mirror water of the angle φ into the two sectors beside its own. Of what is left of the solid,
-//! 2π - 3φ, images of images fill two sectors of φ more at a time: what k reflections make of the water, in bed and
-//! face by turns, once from the bed and once from the face. The last two sectors may be larger together than what is
+//! Bed and face mirror water of the angle φ into the two sectors beside its own. 2π - 3φ of the solid is left. Images
+//! of images fill it, two sectors of φ at a time. They are what k reflections make of the water, in bed and face by
+//! turns. One begins with the bed, one with the face. The last two sectors may be larger together than what is
 //! left. So they overlap, and their images count by the share that is left. At φ = 2π/n none do but those that
 //! coincide, at a right angle n = 4.
 //!
