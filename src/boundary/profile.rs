@@ -111,6 +111,14 @@ impl Profile {
         between.fold(ends, |highest, point| highest.max(point[1]))
     }
 
+    /// Whether one of these places, neighbours in the water, may be so near to it, metres, or below it. One look
+    /// at the bed serves all.
+    pub fn may_be_within(&self, [x, y]: [&[f64]; 2], near: f64) -> bool {
+        let least = |row: &[f64]| row.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = x.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        least(y) - near <= self.highest_between(least(x) - near, most + near)
+    }
+
     /// Area between it and a level above it, m²; dry stretches count for nothing.
     pub fn area_below(&self, level: f64) -> f64 {
         let stretch = |pair: &[[f64; 2]]| {
@@ -161,16 +169,17 @@ impl Profile {
     pub fn nearest(&self, place: [f64; 2]) -> (Plane, f64) {
         let mut best = (f64::INFINITY, self.0[0]);
         let mut see = |foot: [f64; 2]| {
-            let away = (place[0] - foot[0]).hypot(place[1] - foot[1]);
-            if away < best.0 {
-                best = (away, foot);
+            let square = (place[0] - foot[0]).powi(2) + (place[1] - foot[1]).powi(2);
+            if square < best.0 {
+                best = (square, foot);
             }
         };
         let [first, last] = [self.0[0], self.end()];
         see([place[0].min(first[0]), first[1]]);
         see([place[0].max(last[0]), last[1]]);
         self.stretches().for_each(|stretch| see(stretch.foot(place)));
-        let (away, foot) = best;
+        let foot = best.1;
+        let away = (place[0] - foot[0]).hypot(place[1] - foot[1]);
         let inside = place[1] < self.height(place[0]);
         let normal = if away > SHORTEST {
             let sign = if inside { 1.0 } else { -1.0 };

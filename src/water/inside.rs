@@ -31,8 +31,8 @@ impl Each<Rows<'_>> for HoldInside<'_> {
     #[inline(always)]
     fn at<D: Double>(&self, here: Here, [[x, y], [vx, vy]]: &mut Rows<'_>) {
         let near = any_nearer(self.planes, [here.in_rows::<D>(x), here.in_rows(y)], 0.0);
-        let bed =
-            self.bed.filter(|bed| may_be_below(bed, here.eight_in_rows(x), here.eight_in_rows(y)));
+        let places: [&[f64]; 2] = [here.eight_in_rows(x), here.eight_in_rows(y)];
+        let bed = self.bed.filter(|bed| bed.may_be_within(places, 0.0));
         if near || bed.is_some() {
             let skin = SKIN * self.spacing;
             let places = here.eight_in_rows(x).iter_mut().zip(here.eight_in_rows(y));
@@ -50,13 +50,6 @@ impl Each<Rows<'_>> for HoldInside<'_> {
             }
         }
     }
-}
-
-/// Whether one of these places can be below the bed. They are neighbours: one look at the bed serves all.
-fn may_be_below(bed: &Profile, x: &[f64], y: &[f64]) -> bool {
-    let least = |row: &[f64]| row.iter().copied().fold(f64::INFINITY, f64::min);
-    let most = x.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    least(y) < bed.highest_between(least(x), most)
 }
 
 /// Puts a particle back that has slipped through an uneven bed, which stands.

@@ -51,6 +51,23 @@ fn the_nearest_face_is_found_on_both_sides() {
     assert!((plane.normal[1] - slope.normal()[1]).abs() < 1e-9);
 }
 
+/// Neighbours that are all too far away are passed by with one look, and no others are.
+#[test]
+fn a_look_at_neighbours_misses_no_face_within_reach() {
+    let (bed, near) = (beach(), 0.15);
+    let mut passed = 0;
+    for step in 0..400 {
+        let (column, row) = (f64::from(step % 40), f64::from(step / 40));
+        let x = [0.0, 0.03, 0.06, 0.09].map(|dx| 0.1 * column + dx);
+        let y = [0.02, 0.0, 0.05, 0.01].map(|dy| 0.1 * row + dy);
+        let may_be = bed.may_be_within([&x, &y], near);
+        let is = x.iter().zip(y).any(|(&x, y)| bed.face_within([x, y], near).is_some());
+        assert!(may_be || !is, "{x:?} {y:?}");
+        passed += i32::from(!may_be);
+    }
+    assert!(passed > 150, "{passed}");
+}
+
 #[test]
 fn what_is_no_bed_is_refused() {
     for (points, told) in [

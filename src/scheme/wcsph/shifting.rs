@@ -60,6 +60,10 @@ impl Shift<'_> {
         let [dx, dy] = here.all::<D, 2>([&work.concentration_x, &work.concentration_y]);
         let dx = (factor * dx).max(D::splat(-limit)).min(D::splat(limit));
         let dy = (factor * dy).max(D::splat(-limit)).min(D::splat(limit));
+        let bed = bed.filter(|bed| {
+            let [xs, ys] = D::to_arrays(place);
+            bed.may_be_within([&xs, &ys], 1.5 * reach)
+        });
         if bed.is_none() && !any_nearer(planes, place, 1.5 * reach) {
             return [dx, dy];
         }
