@@ -8,38 +8,23 @@ use serde::{Deserialize, Serialize};
 const ROOM: usize = 128;
 
 /// Keeps the samples of the last `span` seconds and tells their mean, which belongs to the middle
-/// of the span. The sum is formed anew each time: no rounding piles up.
+/// of the span.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct RunningMean {
-    span: f64,
-    filled: bool,
-    samples: VecDeque<(f64, f64)>,
-}
+pub struct RunningMean(RunningMeans);
 
 impl RunningMean {
     /// A mean over `span` seconds.
     pub fn new(span: f64) -> RunningMean {
-        RunningMean { span, filled: false, samples: VecDeque::with_capacity(ROOM) }
+        RunningMean(RunningMeans::new(span, 1))
     }
 
     /// Takes a sample; returns the mean and the time it belongs to, once the span is filled.
     pub fn push(&mut self, time: f64, value: f64) -> Option<(f64, f64)> {
-        self.samples.push_back((time, value));
-        let oldest = time - self.span * (1.0 + 1e-9);
-        while self.samples.front().is_some_and(|&(t, _)| t < oldest) {
-            self.samples.pop_front();
-            self.filled = true;
-        }
-        if !self.filled {
-            return None;
-        }
-        let (first, last) = (self.samples.front()?.0, self.samples.back()?.0);
-        let sum: f64 = self.samples.iter().map(|&(_, value)| value).sum();
-        Some((0.5 * (first + last), sum / self.samples.len() as f64))
+        self.0.push(time, value, &[]).map(|(middle, means)| (middle, means[0]))
     }
 }
 
-/// Running means of many columns over the same span.
+/// Running means of many columns over the same span. Sums are formed anew each time: no rounding piles up.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RunningMeans {
     span: f64,
@@ -102,7 +87,8 @@ mod tests {
 
     #[test]
     fn means_of_many_columns_are_those_of_each() {
-        let (mut one, mut many) = (RunningMean::new(0.01), RunningMeans::new(0.01, 3));
+        let mut one = RunningMean::new(0.01);
+        let mut many = RunningMeans::new(0.01, 3);
         for k in 0..200 {
             let time = 0.0009 * f64::from(k);
             let value = (40.0 * time).sin();
