@@ -53,7 +53,7 @@ mod written;
 
 pub use error::{ConfigError, cut, hint, nearest};
 pub use key::{Key, number};
-pub use overrides::Override;
+pub use overrides::{Override, read_value};
 pub use rule::{Range, Rule, When, plain, unit};
 pub use schema::schema;
 pub(crate) use section::section;

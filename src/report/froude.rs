@@ -132,7 +132,11 @@ impl Froude {
     /// directory does not tell how its tanks were.
     pub fn tables(self, data: &Loaded) -> Result<Vec<Table>, ReportError> {
         let (mut maxima, mut envelope) = (Vec::new(), Vec::new());
-        for (row, config) in data.rows.iter().zip(each_config(data)).filter(|(row, _)| row.is_ok())
+        for (row, config) in data
+            .rows
+            .iter()
+            .zip(each_config(data, 0..data.rows.len()))
+            .filter(|(row, _)| row.is_ok())
         {
             let Some(water) = config.as_ref().and_then(|config| Water::of(&config.scene)) else {
                 continue;

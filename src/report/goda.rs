@@ -5,8 +5,7 @@ use toml::{Table, Value};
 
 use super::load::Loaded;
 use super::row::Row;
-use super::study::{file, literal};
-use crate::keys::{Section, number};
+use crate::keys::{Section, number, read_value};
 use crate::quantities::summary::{
     FIRST_FORCE_MAX, FORCE_MAX, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO,
 };
@@ -74,10 +73,7 @@ pub struct Settings<'a> {
 impl<'a> Settings<'a> {
     /// Of a study.
     pub fn of(data: &'a Loaded) -> Settings<'a> {
-        let file = data.manifest.as_ref().and_then(file);
-        let scene = file
-            .map(|file| file.get("scene").and_then(Value::as_table).cloned().unwrap_or_default());
-        Settings { data, scene }
+        Settings { data, scene: data.file().map(|file| file.scene) }
     }
 
     /// Of the case in a row; `None` where no wave meets an upright wall in still water.
@@ -91,7 +87,7 @@ impl<'a> Settings<'a> {
         for key in &self.data.keys {
             match &key.cells[place] {
                 "" => drop(scene.remove(&key.name)),
-                cell => drop(scene.insert(key.name.clone(), literal(cell))),
+                cell => drop(scene.insert(key.name.clone(), read_value(cell))),
             }
         }
         setting(&scene)

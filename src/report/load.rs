@@ -13,8 +13,9 @@ use super::column::Cells;
 use super::error::ReportError;
 use super::omitted::Omitted;
 use super::row::{Header, Row};
-use super::study::{Key, keys, scene_number};
+use super::study::{Key, StudyFile, keys};
 use super::variant::name_variants;
+use crate::keys::number;
 use crate::quantities::{named, summary};
 
 /// All that the report knows about a sweep.
@@ -45,7 +46,8 @@ impl Loaded {
         }
         let manifest = read_manifest(&directory.join("manifest.json"));
         let (mut rows, keys) = read_summary(&directory.join("summary.csv"), manifest.as_ref())?;
-        let angle = manifest.as_ref().and_then(|manifest| scene_number(manifest, "wall_angle_deg"));
+        let file = StudyFile::of(manifest.as_ref());
+        let angle = file.and_then(|file| number(file.scene.get("wall_angle_deg")?));
         for row in &mut rows {
             row.wall_angle_deg = row.wall_angle_deg.or(angle);
         }
@@ -56,6 +58,11 @@ impl Loaded {
     /// The same, in which files of cases may be left out.
     pub fn without(self, omitted: &Omitted) -> Loaded {
         Loaded { omitted: omitted.clone(), ..self }
+    }
+
+    /// The file that the study was made from, with what the command line set.
+    pub(super) fn file(&self) -> Option<StudyFile> {
+        StudyFile::of(self.manifest.as_ref())
     }
 
     /// The sweep's name, as its manifest states it.

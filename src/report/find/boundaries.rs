@@ -5,7 +5,7 @@ use super::condition::Condition;
 use super::line::{Line, lines};
 use crate::math::scale::Scale;
 use crate::report::load::Loaded;
-use crate::report::study::{Key, file};
+use crate::report::study::Key;
 
 /// The boundaries along every swept key of numbers.
 pub fn boundaries(condition: &Condition, data: &Loaded) -> Vec<Boundary> {
@@ -33,8 +33,8 @@ fn scale(key: &Key, data: &Loaded) -> Option<Scale> {
         return None;
     }
     let written = || {
-        let file = file(data.manifest.as_ref()?)?;
-        let axis = file.get("grid")?.get(&key.name)?.as_table()?.clone();
+        let grid = data.file()?.grid;
+        let axis = grid.get(&key.name)?.as_table()?;
         let spacing = axis.get("spacing").and_then(toml::Value::as_str);
         Some(if spacing == Some("log") { Scale::Log } else { Scale::Linear })
     };

@@ -12,8 +12,8 @@ fn reads_failed_rows_and_ignores_columns_it_does_not_know() {
     assert!(failed.text(&summary::REASON).starts_with("runaway-speed"));
     assert_eq!(loaded.name(), Some("fixture"));
     let first = loaded.rows[0].text(&summary::CASE_ID);
-    assert!(loaded.history(first).unwrap()[0].points.len() > 100);
-    assert!(loaded.history("no-such-case").unwrap().is_empty());
+    assert!(loaded.history(first).unwrap().points("force").len() > 100);
+    assert!(loaded.history("no-such-case").unwrap().0.is_empty());
 }
 
 #[test]

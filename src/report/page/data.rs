@@ -6,6 +6,7 @@ use std::collections::HashMap;
 use serde_json::{Value, json};
 
 use super::thin;
+use crate::keys::read_value;
 use crate::quantities::summary::CASE_ID;
 use crate::quantities::{heading, named};
 use crate::report::error::ReportError;
@@ -13,7 +14,7 @@ use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::row::PLACE;
 use crate::report::scene_file::SceneFile;
-use crate::report::study::{Key, literal};
+use crate::report::study::Key;
 
 /// All histories together, bytes.
 const ROOM: usize = 1_400_000;
@@ -64,7 +65,7 @@ fn key(key: &Key) -> Value {
         "name": key.name,
         "heading": heading(&key.name),
         "symbol": if symbol.is_empty() { heading(&key.name) } else { symbol.to_owned() },
-        "literals": values.iter().map(|cell| literal(cell).to_string()).collect::<Vec<_>>(),
+        "literals": values.iter().map(|cell| read_value(cell).to_string()).collect::<Vec<_>>(),
         "shown": values.iter().map(shown).collect::<Vec<_>>(),
         "at": key.cells.iter().map(at).collect::<Vec<_>>(),
     })
@@ -75,9 +76,7 @@ fn scenes(loaded: &Loaded, file: Option<&SceneFile>) -> Value {
     let Some(file) = file else { return Value::Null };
     let mut texts: Vec<String> = Vec::new();
     let mut of = |index: usize| {
-        let cells: Vec<_> = loaded.keys.iter().map(|key| &key.cells[index]).collect();
-        let id = loaded.rows[index].text(&CASE_ID);
-        let Some(text) = file.template(id, &cells) else { return -1 };
+        let Some(text) = file.template(loaded, index) else { return -1 };
         let known = texts.iter().position(|known| *known == text);
         known.unwrap_or_else(|| {
             texts.push(text);

@@ -5,7 +5,9 @@ use super::table::{couplings, words};
 use crate::quantities::Unit;
 use crate::quantities::summary::{CASE_ID, FORCE_COUPLING};
 use crate::report::number;
-use crate::report::plots::{Axis, Chart, Curve, Drawing, Entry, Figure, Layout, Look, Point, key};
+use crate::report::plots::{
+    Axis, Chart, Curve, Drawing, Entry, Figure, Layout, Look, Point, key, points,
+};
 
 /// What stands in a panel: how the names of its quantities begin, and their unit.
 const PANELS: [(&[&str], Unit); 3] = [
@@ -55,14 +57,15 @@ fn chart(found: &[Found], names: &[&str], unit: Unit) -> Option<Chart> {
         curves.push(of_walls(&format!("s = {}", number::plain(s)), index, Some(s)));
     }
     curves.retain(|curve| !curve.points.is_empty());
-    let ends = curves.iter().flat_map(|curve| &curve.points).flat_map(|p| [p.x, p.y]);
+    let ends = points(&curves).flat_map(|point| [point.x, point.y]);
     let axis = Axis::around(ends.clone(), 5.0)?;
     let (low, high) = ends.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
-    let same = Entry::line("the same".to_owned(), Look::plain());
-    curves.insert(0, Curve { entry: same, points: vec![(low, low).into(), (high, high).into()] });
-    let titles = ["printed", "computed"].map(|what| format!("{} {what}", unit.axis()));
-    let x = (axis.clone(), titles[0].as_str(), "printed");
-    Some(Chart::new(x, (axis, &titles[1], "computed"), curves))
+    let same = Entry::line("the same", Look::plain());
+    curves.insert(0, Curve::through(same, [(low, low), (high, high)]));
+    let names = ["printed", "computed"];
+    let titles = names.map(|what| format!("{} {what}", unit.axis()));
+    let titles = titles.each_ref().map(String::as_str);
+    Some(Chart::new((axis.clone(), axis), titles, names, curves))
 }
 
 fn point(found: &Found) -> Point {

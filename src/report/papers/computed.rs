@@ -41,9 +41,7 @@ pub fn of(
             "wall_position_m" => ("displacement", true),
             name => (name, false),
         };
-        let history = data.history(id)?;
-        let points = history.iter().find(|one| one.name == series).map(|one| &one.points[..]);
-        let value = points.and_then(|points| at(points, time));
+        let value = at(data.history(id)?.points(series), time);
         let config =
             all.iter().find(|(other, _)| std::ptr::eq(*other, row)).map(|(_, config)| *config);
         return Ok(if wall { value.zip(config).and_then(|(x, c)| place(x, c)) } else { value });
@@ -75,8 +73,7 @@ pub fn at(points: &[(f64, f64)], time: f64) -> Option<f64> {
 
 /// Where the wall stands, m from the paddle at rest.
 fn place(displacement: f64, config: &Config) -> Option<f64> {
-    let length = |key: &str| config.scene.get(key).and_then(crate::keys::number);
-    Some(length("tank_length_m")? + displacement * length("still_water_depth_m")?)
+    Some(config.value("tank_length_m")? + displacement * config.value("still_water_depth_m")?)
 }
 
 /// The time of a step over that of the same case with the interpolator that costs are told over.

@@ -1,7 +1,7 @@
 //! The largest pressures up the wall, of a few cases.
 
 use super::axes::Axis;
-use super::chart::{Chart, Curve};
+use super::chart::{Chart, Curve, places, points};
 use super::legend::Entry;
 use super::look::Look;
 use super::sheet::{Drawing, PANELS};
@@ -78,19 +78,18 @@ fn drawing(cases: &[Case<'_>]) -> Drawing {
             let points = envelope.iter().filter_map(|at| Some((1e-3 * pressure(at)?, at.height_m)));
             let key = format!("case={}", row.text(&CASE_ID));
             let entry = Entry::line(words, Look::of(index)).keyed(key);
-            Curve { entry, points: points.map(Into::into).collect() }
+            Curve::through(entry, points)
         };
         let curves: Vec<_> = cases.iter().enumerate().map(curve).collect();
-        let points = || curves.iter().flat_map(|curve| &curve.points);
-        let x = Axis::around(points().map(|point| point.x).chain([0.0]), 4.0)?;
-        let y = Axis::around(points().map(|point| point.y).chain([0.0]), 5.0)?;
-        points().next()?;
+        let x = Axis::around(places(&curves).chain([0.0]), 4.0)?;
+        let y = Axis::around(points(&curves).map(|point| point.y).chain([0.0]), 5.0)?;
+        points(&curves).next()?;
         let (heading, name) = match first {
             true => ("first impact", FIRST_PRESSURE_MAX.name),
             false => ("whole run", PRESSURE_MAX.name),
         };
-        let axes = ((x, "p, kPa", name), (y, "height, m", HEIGHT.name));
-        Some(Chart::new(axes.0, axes.1, curves).under(heading.to_owned(), String::new()))
+        let titles = ["p, kPa", "height, m"];
+        Some(Chart::new((x, y), titles, [name, HEIGHT.name], curves).under(heading, ""))
     };
     Drawing::new([true, false].into_iter().filter_map(chart).collect(), PANELS)
 }

@@ -46,12 +46,10 @@ fn figure(data: &Loaded, variant: &str) -> Option<Figure> {
         let own = rows.iter().filter(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(*wave));
         let cells = own.filter_map(|row| cell(row, &columns, &lines, &bar)).collect();
         let (x, y) = (steps(&columns, &LOG10_K_STAR), steps(&lines, &M_STAR));
-        let title = LOG10_K_STAR.heading();
-        let x = (x, title.as_str(), LOG10_K_STAR.name);
-        let mut chart = Chart::new(x, (y, M_STAR.symbol, M_STAR.name), Vec::new())
+        let (title, names) = (LOG10_K_STAR.heading(), [LOG10_K_STAR.name, M_STAR.name]);
+        let chart = Chart::new((x, y), [&title, M_STAR.symbol], names, Vec::new())
             .under(label(&WAVE_HEIGHT_RATIO, *wave), key(&WAVE_HEIGHT_RATIO, *wave));
-        chart.cells = cells;
-        chart
+        Chart { cells, ..chart }
     };
     let charts = shown.iter().map(chart).collect();
     let law = coupling(rows.iter().copied());

@@ -1,6 +1,6 @@
 //! From rows to points, and what captions say of them.
 
-use super::chart::{Curve, Point};
+use super::chart::{Curve, Point, points};
 use super::legend::Entry;
 use super::look::Look;
 use crate::quantities::Column;
@@ -53,7 +53,7 @@ pub fn by(
                 let words = said(cases.clone().map(|(_, row)| *row), column, own);
                 Entry::marked(words, Look::of(index)).keyed(key(column, own))
             }
-            None => Entry::marked(String::new(), Look::of(0)),
+            None => Entry::marked("", Look::of(0)),
         };
         (!points.is_empty()).then_some(Curve { entry, points })
     };
@@ -89,7 +89,7 @@ pub fn key(column: &Column, value: f64) -> String {
 
 /// What the legend says of bounds, where there are any.
 pub fn bounds(curves: &[Curve]) -> Option<Curve> {
-    let any = curves.iter().flat_map(|curve| &curve.points).any(|point| point.bound);
+    let any = points(curves).any(|point| point.bound);
     let entry = Entry::dots("lower bound: still moving at the end", Look::plain(), true);
     any.then_some(Curve { entry, points: Vec::new() })
 }

@@ -30,7 +30,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut figures = Vec::new();
     for row in chosen {
         let case_id = row.text(&CASE_ID);
-        let strips = strips(case_id, &data.gauges(case_id)?);
+        let strips = strips(case_id, &data.gauges(case_id)?.0);
         if strips.is_empty() {
             continue;
         }

@@ -2,7 +2,7 @@
 //! against the spring's stiffness, one panel per mass, one curve per wave height.
 
 use super::axes::Axis;
-use super::chart::{Chart, Curve};
+use super::chart::{Chart, Curve, places};
 use super::marks::{bounds, by, coupling, key, marks, picked, point, said};
 use super::sheet::{Drawing, PANELS};
 use super::{DRAWN, Figure, SERIES, file_name, of_variant, printed};
@@ -54,20 +54,21 @@ fn drawing(data: &Loaded, response: &Column, masses: &[&[&Row]], waves: &[f64]) 
         let places = rows.iter().filter_map(|row| Some((row.number(&LOG10_K_STAR)?, *row)));
         let cases: Vec<_> = places.collect();
         let curves = by(&WAVE_HEIGHT_RATIO, waves, &cases, |x, row| point(row, x, response));
-        curves.into_iter().chain(printed::of_response(data, response, rows)).collect::<Vec<_>>()
+        curves
+            .into_iter()
+            .chain(printed::beside(data, response, rows, &LOG10_K_STAR))
+            .collect::<Vec<_>>()
     };
     let all: Vec<Curve> = masses.iter().flat_map(|rows| curves(rows)).collect();
-    let places = all.iter().flat_map(|curve| &curve.points).map(|point| point.x);
     let floor = if response.unit == Unit::Force { 1.0 } else { 0.0 };
-    let x = Axis::around(places, 6.0);
+    let x = Axis::around(places(&all), 6.0);
     let y = Axis::around(all.iter().flat_map(Curve::reach).chain([floor]), 6.0);
     let (x, y) = x.zip(y).expect("a response has points, and points are finite");
     let chart = |rows: &&[&Row]| {
         let mass = rows[0].number(&M_STAR).unwrap_or_default();
-        let (title, up) = (LOG10_K_STAR.heading(), response.unit.axis());
-        let x = (x.clone(), title.as_str(), LOG10_K_STAR.name);
+        let (title, names) = (LOG10_K_STAR.heading(), [LOG10_K_STAR.name, response.name]);
         let curves = curves(rows).into_iter().chain(bounds(&all)).collect();
-        Chart::new(x, (y.clone(), up, response.name), curves)
+        Chart::new((x.clone(), y.clone()), [&title, response.unit.axis()], names, curves)
             .under(said(rows.iter().copied(), &M_STAR, mass), key(&M_STAR, mass))
     };
     Drawing::new(masses.iter().map(chart).collect(), PANELS)

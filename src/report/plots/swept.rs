@@ -8,6 +8,7 @@ use super::chart::{Chart, Curve};
 use super::marks::{bounds, by, coupling, marks, picked, point};
 use super::sheet::{Drawing, PANELS};
 use super::{Figure, SERIES, file_name, of_variant};
+use crate::keys::read_value;
 use crate::math::scale::Scale;
 use crate::quantities::summary::{
     CASE_ID, DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, LOG10_K_STAR,
@@ -18,7 +19,7 @@ use crate::report::curves::{by_mass, distinct, responses, spread, variants};
 use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::row::Row;
-use crate::report::study::{Key, literal};
+use crate::report::study::Key;
 
 /// What is drawn, and what stands in for it where a case has no first impact.
 const DRAWN: [(&Column, Option<&Column>); 4] = [
@@ -61,7 +62,7 @@ fn cases<'a>(data: &'a Loaded, key: &Key) -> Vec<Case<'a>> {
 
 /// Mean slope of a bed from where it leaves the level to the wall; 0 of a level one.
 fn slope(cell: &str) -> Option<f64> {
-    let bed = literal(cell);
+    let bed = read_value(cell);
     let number = |point: &Value, at: usize| crate::keys::number(point.get(at)?);
     let point = |point: &Value| Some([number(point, 0)?, number(point, 1)?]);
     let points: Vec<_> = bed.as_array()?.iter().map(point).collect::<Option<_>>()?;
@@ -158,10 +159,9 @@ fn drawing(key: &Key, group: &[Case], waves: &[f64]) -> Option<Drawing> {
         let mut curves = by(&WAVE_HEIGHT_RATIO, waves, group, point);
         let y = Axis::around(curves.iter().flat_map(Curve::reach), 6.0)?;
         curves.extend(bounds(&curves));
-        let x = (x.clone(), title.as_str(), key.name.as_str());
         let heading = column.heading();
         let what = if column.unit.is_ratio() { column.unit.axis() } else { &heading };
-        Some(Chart::new(x, (y, what, column.name), curves))
+        Some(Chart::new((x.clone(), y), [&title, what], [&key.name, column.name], curves))
     };
     let charts: Vec<_> = DRAWN.into_iter().filter_map(chart).collect();
     (!charts.is_empty()).then_some(Drawing::new(charts, PANELS))

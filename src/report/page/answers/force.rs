@@ -55,8 +55,7 @@ fn later(data: &Loaded, first: f64) -> Option<String> {
 fn newtons(data: &Loaded, file: Option<&SceneFile>, row: &Row, force: f64) -> String {
     let scale = || {
         let index = data.rows.iter().position(|r| r.text(&CASE_ID) == row.text(&CASE_ID))?;
-        let cells: Vec<_> = data.keys.iter().map(|key| &key.cells[index]).collect();
-        let scene = file?.config(row.text(&CASE_ID), &cells)?.scene;
+        let scene = file?.config(data, index)?.scene;
         let (frame, seawall) = (scene.frame(), scene.seawall());
         let at_wall = seawall.map(|scene| scene.depth_at_wall_m()).filter(|depth| *depth > 0.0);
         let depth = at_wall.unwrap_or(frame.depth);

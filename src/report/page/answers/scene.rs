@@ -4,7 +4,7 @@ use toml::Table;
 
 use crate::keys::Key;
 use crate::keys::number as read;
-use crate::report::config::some_configs;
+use crate::report::config::each_config;
 use crate::report::curves::spread;
 use crate::report::load::Loaded;
 use crate::report::page::words::{listed, range};
@@ -20,8 +20,8 @@ const UNSAID: [&str; 2] = ["kind", "history_interval_s"];
 /// it.
 pub fn shared(data: &Loaded) -> Option<String> {
     let places: Vec<usize> = (0..data.rows.len()).collect();
-    let configs = some_configs(data, spread(&places, LOOKED_AT).into_iter());
-    let scenes: Vec<Table> = configs.into_iter().flatten().map(|config| config.scene).collect();
+    let configs = each_config(data, spread(&places, LOOKED_AT).into_iter());
+    let scenes: Vec<Table> = configs.flatten().map(|config| config.scene).collect();
     let kind = scenes.first()?.get("kind")?.as_str()?.to_owned();
     let kind = Kind::ALL.iter().find(|one| one.name() == kind)?;
     let swept = |key: &&Key| data.keys.iter().any(|one| one.name == key.name);
