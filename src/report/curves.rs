@@ -64,17 +64,6 @@ pub fn distinct<'a>(rows: impl Iterator<Item = &'a Row>, column: &Column) -> Vec
     values
 }
 
-/// The different items, in the order of the first of each.
-pub fn different<T: PartialEq>(items: impl IntoIterator<Item = T>) -> Vec<T> {
-    let mut different = Vec::new();
-    for item in items {
-        if !different.contains(&item) {
-            different.push(item);
-        }
-    }
-    different
-}
-
 /// At most so many of the items, evenly spread and with both ends.
 pub fn spread<T: Clone>(items: &[T], most: usize) -> Vec<T> {
     let count = items.len().min(most);

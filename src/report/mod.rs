@@ -86,13 +86,13 @@ pub fn write_scaled(
     let lines = tables::all(&data).into_iter().map(|lines| (lines, most));
     let lines = lines.chain(scaled.into_iter().map(|table| (table.into(), page::MOST_ROWS)));
     let write = |(lines, most): (Lines<'_>, usize)| {
-        let path = tables_dir.join(format!("{}.csv", lines.name));
+        let path = tables_dir.join(format!("{}.csv", lines.head.name));
         lines.write(&path, most)
     };
     let mut tables = lines.map(write).collect::<Result<Vec<_>, _>>()?;
     if let Some(part) = &part {
         for lines in tables::all(part) {
-            if let Some(whole) = tables.iter_mut().find(|table| table.name == lines.name) {
+            if let Some(whole) = tables.iter_mut().find(|table| table.name == lines.head.name) {
                 *whole = lines.whole()?.part_of(whole);
             }
         }

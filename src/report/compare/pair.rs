@@ -1,11 +1,11 @@
 //! Two cases of the same point: what they differ by.
 
 use super::Side;
+use crate::math::lists;
 use crate::quantities::summary::{
     CASE_ID, DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX,
 };
 use crate::quantities::{Column, Unit};
-use crate::report::number;
 use crate::report::row::{PLACE, Row, label};
 
 /// What is compared, and what stands in for it where one of the cases has no first impact.
@@ -126,7 +126,7 @@ impl Pair {
             |is: bool| sized.iter().filter(move |(.., one)| one.is_within() == Some(is)).count();
         Some(Tally {
             count: sized.len(),
-            median: number::median(&sized.iter().map(|one| one.1).collect::<Vec<_>>())?,
+            median: lists::median(&sized.iter().map(|one| one.1).collect::<Vec<_>>())?,
             worst,
             worst_pair,
             with_bars: within(true) + within(false),

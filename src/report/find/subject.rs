@@ -7,7 +7,7 @@ use crate::report::load::Loaded;
 use crate::report::row::Row;
 
 /// A column of the summary, or a swept key.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Subject {
     /// As it stands in the summary.
     pub name: String,

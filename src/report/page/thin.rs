@@ -1,5 +1,6 @@
 //! Histories for the eye: few points of each curve, as text that a script reads back.
 
+use crate::math::lists::ends;
 use crate::quantities::history::{DISPLACEMENT, FORCE, RUNUP};
 use crate::report::series::History;
 
@@ -20,25 +21,21 @@ pub fn history(history: &History) -> String {
     let curves = drawn.map(|(column, symbol)| (symbol, history.points(column.name)));
     let curves: Vec<_> = curves.into_iter().filter(|(_, points)| moves(points)).collect();
     let times = curves.iter().flat_map(|(_, points)| points.iter().map(|point| point.0));
-    let [first, last] = ends(times);
+    let Some((first, last)) = ends(times) else { return String::new() };
     let mut text = format!("{first:.4} {last:.4}");
     for (symbol, points) in &curves {
-        let [low, high] = ends(points.iter().map(|point| point.1));
+        let (low, high) = ends(points.iter().map(|point| point.1)).unwrap_or_default();
         let share = |&(time, value): &(f64, f64)| {
             ((time - first) / (last - first), (value - low) / (high - low))
         };
         let shares: Vec<_> = points.iter().map(share).collect();
         text.push_str(&format!(" {symbol} {low:.4e} {high:.4e} {}", packed(&thinned(&shares))));
     }
-    if curves.is_empty() { String::new() } else { text }
+    text
 }
 
 fn moves(points: &[(f64, f64)]) -> bool {
     points.iter().any(|point| point.1 != points[0].1) && points.iter().any(|p| p.0 > points[0].0)
-}
-
-fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
 }
 
 /// The points without which the curve would be another, after Ramer, Douglas and Peucker.

@@ -2,6 +2,7 @@
 
 use super::Found;
 use super::table::{couplings, words};
+use crate::math::lists::ends;
 use crate::quantities::Unit;
 use crate::quantities::summary::{CASE_ID, FORCE_COUPLING};
 use crate::report::number;
@@ -57,9 +58,9 @@ fn chart(found: &[Found], names: &[&str], unit: Unit) -> Option<Chart> {
         curves.push(of_walls(&format!("s = {}", number::plain(s)), index, Some(s)));
     }
     curves.retain(|curve| !curve.points.is_empty());
-    let ends = points(&curves).flat_map(|point| [point.x, point.y]);
-    let axis = Axis::around(ends.clone(), 5.0)?;
-    let (low, high) = ends.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
+    let numbers = points(&curves).flat_map(|point| [point.x, point.y]);
+    let axis = Axis::around(numbers.clone(), 5.0)?;
+    let (low, high) = ends(numbers)?;
     let same = Entry::line("the same", Look::plain());
     curves.insert(0, Curve::through(same, [(low, low), (high, high)]));
     let names = ["printed", "computed"];

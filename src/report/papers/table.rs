@@ -98,14 +98,7 @@ pub fn beside(found: &[Found]) -> Table {
         lines[at].1[column + 1] = difference(one);
     }
     let rows = lines.into_iter().map(|(_, cells)| cells).collect();
-    Table {
-        name: "papers".to_owned(),
-        title: "The papers".to_owned(),
-        header,
-        rows,
-        left: 0,
-        is_part: false,
-    }
+    Table::new("papers", "The papers", &header, rows)
 }
 
 /// The factors s among the movable walls, the law as printed first.

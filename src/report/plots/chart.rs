@@ -3,6 +3,7 @@
 use super::axes::Axis;
 use super::legend::Entry;
 use super::look::Look;
+use crate::math::lists::ends;
 
 /// One point of a curve.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -48,8 +49,7 @@ impl Curve {
 
     /// A plain line at one level, as far as others reach.
     pub fn level(label: impl Into<String>, level: f64, others: &[Curve]) -> Curve {
-        let wide = |(low, high): (f64, f64), point: &Point| (low.min(point.x), high.max(point.x));
-        let (low, high) = points(others).fold((f64::MAX, f64::MIN), wide);
+        let (low, high) = ends(places(others)).unwrap_or_default();
         Curve::through(Entry::line(label, Look::plain()), [(low, level), (high, level)])
     }
 

@@ -117,7 +117,7 @@ mod tests {
             assert!(svg.contains(word), "{word}");
         }
         let mut tables = crate::report::tables::all(&data).into_iter();
-        let table = tables.find(|table| table.name == "pressure_envelope").unwrap();
+        let table = tables.find(|table| table.head.name == "pressure_envelope").unwrap();
         let table = table.whole().unwrap();
         assert_eq!(table.rows.len(), 2 * 11);
         assert_eq!(table.rows[1][2..], ["0.1", "1500", ""]);

@@ -3,6 +3,7 @@
 
 use super::Figure;
 use super::over_time::{self, Line, Strip};
+use crate::math::lists::different;
 use crate::quantities::summary::CASE_ID;
 use crate::report::curves::spread;
 use crate::report::error::ReportError;
@@ -52,12 +53,8 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
 
 /// Gauges by unit, in the order of their first column, at most [`CURVES`] together.
 fn strips(case_id: &str, gauges: &[Series]) -> Vec<Strip> {
-    let mut units: Vec<&str> = Vec::new();
-    for gauge in gauges.iter().filter(|gauge| gauge.points.len() > 1) {
-        if !units.contains(&gauge.unit.as_str()) {
-            units.push(&gauge.unit);
-        }
-    }
+    let recorded = gauges.iter().filter(|gauge| gauge.points.len() > 1);
+    let units = different(recorded.map(|gauge| gauge.unit.as_str()));
     let strips = |unit: &str| {
         let alike: Vec<_> = gauges.iter().filter(|gauge| gauge.unit == unit).collect();
         let (title, scale) = scale(unit);

@@ -6,6 +6,7 @@ use super::chart::{Chart, Curve, places};
 use super::marks::{bounds, by, coupling, key, marks, picked, point, said};
 use super::sheet::{Drawing, PANELS};
 use super::{DRAWN, Figure, SERIES, file_name, of_variant, printed};
+use crate::math::words::capitalised;
 use crate::quantities::summary::{LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, Unit};
 use crate::report::curves::{by_mass, distinct, responses, spread, stem, variants};
@@ -42,11 +43,6 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
         }
     }
     figures
-}
-
-fn capitalised(text: &str) -> String {
-    let mut letters = text.trim().chars();
-    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
 fn drawing(data: &Loaded, response: &Column, masses: &[&[&Row]], waves: &[f64]) -> Drawing {

@@ -1,7 +1,8 @@
 //! Columns of panels by the factor s of the wall's law of motion, and words that tell cases apart.
 
+use crate::math::lists::different;
 use crate::quantities::summary::{BOUNDARY, FORCE_COUPLING, SCHEME};
-use crate::report::curves::{different, distinct};
+use crate::report::curves::distinct;
 use crate::report::number;
 use crate::report::papers::others;
 use crate::report::plots::Look;

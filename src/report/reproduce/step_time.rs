@@ -2,6 +2,7 @@
 //! interpolator at walls, and the same over that of improved Shepard.
 
 use super::{Drawn, Material, drawn};
+use crate::math::lists::different;
 use crate::quantities::summary::{BOUNDARY, CASE_ID, PARTICLES};
 use crate::report::error::ReportError;
 use crate::report::papers::step_time;
@@ -61,15 +62,9 @@ fn curves(rows: &[&Row], names: &[&str], y: impl Fn(f64, f64) -> Option<f64>) ->
 
 /// Printed ratios at the right end, each once with the name of its interpolator.
 fn marks(material: &Material, particles: f64) -> Vec<Point> {
-    let mut marks: Vec<Point> = Vec::new();
-    for found in material.found {
-        let Some(name) = found.printed.quantity.strip_prefix("step_time_of_") else { continue };
+    different(material.found.iter().filter_map(|found| {
+        let note = found.printed.quantity.strip_prefix("step_time_of_")?.to_owned();
         let place = (particles, found.printed.value);
-        let mark = printed_point(place, &Row::default(), found.printed);
-        let mark = Point { note: name.to_owned(), ..mark };
-        if !marks.contains(&mark) {
-            marks.push(mark);
-        }
-    }
-    marks
+        Some(Point { note, ..printed_point(place, &Row::default(), found.printed) })
+    }))
 }

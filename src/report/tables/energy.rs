@@ -16,7 +16,7 @@ pub fn energy(data: &Loaded) -> Option<Lines<'_>> {
     let (header, records) = match load::stream(data.energy.as_ref()?) {
         Ok(table) => table,
         Err(error) => {
-            return Some(Lines::new(NAME, TITLE, Vec::new(), std::iter::once(Err(error))));
+            return Some(Lines::new(NAME, TITLE, &[""; 0], std::iter::once(Err(error))));
         }
     };
     let id = header.iter().position(|name| name == CASE_ID.name)?;
@@ -36,7 +36,7 @@ pub fn energy(data: &Loaded) -> Option<Lines<'_>> {
         let row = if data.is_part { row? } else { row.unwrap_or(&none) };
         Some(Ok(with(id, &line[id], cells(row, &place), line.iter())))
     };
-    Some(Lines::new(NAME, TITLE, header, records.filter_map(line)))
+    Some(Lines::new(NAME, TITLE, &header, records.filter_map(line)))
 }
 
 const NAME: &str = "energy";

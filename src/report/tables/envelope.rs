@@ -1,6 +1,6 @@
 //! The largest pressures up the wall, of all cases in one table.
 
-use super::{Line, Lines, plain};
+use super::{Line, Lines, names, plain};
 use crate::quantities::envelope::ALL;
 use crate::quantities::summary::CASE_ID;
 use crate::report::load::Loaded;
@@ -21,7 +21,7 @@ pub fn envelope(data: &Loaded) -> Option<Lines<'_>> {
             Err(error) => vec![Err(error)],
         }
     };
-    let header = [CASE_ID.name, "case"].into_iter().chain(ALL.iter().map(|column| column.name));
-    let header = header.map(str::to_owned).collect();
-    Lines::some("pressure_envelope", "Pressure envelope", header, data.finished().flat_map(of))
+    let header = [&[CASE_ID.name, "case"], &names(ALL)[..]].concat();
+    let rows = data.finished().flat_map(of);
+    Lines::new("pressure_envelope", "Pressure envelope", &header, rows).filled()
 }

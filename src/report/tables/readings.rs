@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::{Line, Lines, Table, plain};
+use crate::math::lists::different;
 use crate::quantities::summary::CASE_ID;
 use crate::report::load::Loaded;
 use crate::report::number;
@@ -25,28 +26,26 @@ pub fn readings(data: &Loaded) -> Option<Lines<'_>> {
             Err(error) => vec![Err(error)],
         }
     };
-    let header = [CASE_ID.name, "case", "reading", "value", "unit"].map(str::to_owned).to_vec();
-    Lines::some("readings", "Readings", header, data.finished().flat_map(of))
+    let header = [CASE_ID.name, "case", "reading", "value", "unit"];
+    Lines::new("readings", "Readings", &header, data.finished().flat_map(of)).filled()
 }
 
 /// The table of `readings` as the page shows it: a line per reading and a column per case, or,
 /// with many cases, the other way round.
 pub fn across(long: &Table) -> Table {
     type Name<'a> = (&'a str, &'a str);
-    let (mut cases, mut names): (Vec<Name>, Vec<Name>) = (Vec::new(), Vec::new());
+    let (mut cases, mut names) = (Vec::new(), Vec::new());
     let mut values = BTreeMap::new();
     for row in &long.rows {
         let [id, words, name, value, unit] = row.as_slice() else { continue };
         let (case, name) = ((id.as_str(), words.as_str()), (name.as_str(), unit.as_str()));
-        if cases.last() != Some(&case) {
-            cases.push(case);
-        }
-        if !names.contains(&name) {
-            names.push(name);
-        }
+        cases.push(case);
+        names.push(name);
         let value = value.parse().map(number::plain).unwrap_or_default();
         values.insert((case, name), value);
     }
+    cases.dedup();
+    let names = different(names);
     let cell = |case: Name, name: Name| values.get(&(case, name)).cloned().unwrap_or_default();
     // One case needs no name; several without words go by their ids.
     let case_name = |(id, words): &Name| match (cases.len(), words.is_empty()) {
@@ -73,7 +72,7 @@ pub fn across(long: &Table) -> Table {
         let header = std::iter::once("case".to_owned()).chain(names.iter().map(with_unit));
         (header.collect(), cases.iter().map(line).collect())
     };
-    Table { header, rows, ..long.empty() }
+    Table { header, rows, ..long.clone() }
 }
 
 #[cfg(test)]

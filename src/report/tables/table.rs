@@ -1,7 +1,7 @@
 //! A table and its text.
 
 /// A table, ready for a file or a page.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Table {
     /// File name without its ending.
     pub name: String,
@@ -19,23 +19,10 @@ pub struct Table {
 
 impl Table {
     /// A table.
-    pub fn new(name: &str, title: &str, header: &[&str], rows: Vec<Vec<String>>) -> Table {
-        let header = header.iter().map(|column| (*column).to_owned()).collect();
-        Table {
-            name: name.to_owned(),
-            title: title.to_owned(),
-            header,
-            rows,
-            left: 0,
-            is_part: false,
-        }
-    }
-
-    /// The same without header and rows.
-    pub(super) fn empty(&self) -> Table {
-        let (name, title) = (self.name.clone(), self.title.clone());
-        let (left, is_part) = (self.left, self.is_part);
-        Table { name, title, header: Vec::new(), rows: Vec::new(), left, is_part }
+    pub fn new(name: &str, title: &str, header: &[impl ToString], rows: Vec<Vec<String>>) -> Table {
+        let (name, title) = (name.to_owned(), title.to_owned());
+        let header = header.iter().map(ToString::to_string).collect();
+        Table { name, title, header, rows, ..Table::default() }
     }
 
     /// The same as the part of a larger one that it is.

@@ -1,11 +1,13 @@
 //! How large the error bars are.
 
 use super::force::most;
+use crate::math::lists::median;
+use crate::math::words::{counted, listed};
 use crate::quantities::Column;
 use crate::quantities::summary::{DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX};
 use crate::report::load::Loaded;
 use crate::report::number::significant;
-use crate::report::page::words::{at, counted, listed, median, percent};
+use crate::report::page::words::{at, percent};
 use crate::report::row::Row;
 
 /// Symbol and column of each number that gets a bar, and whether the bar is told in percent of it:

@@ -4,10 +4,11 @@ use toml::Table;
 
 use crate::keys::Key;
 use crate::keys::number as read;
+use crate::math::words::{capitalised, listed};
 use crate::report::config::each_config;
 use crate::report::curves::spread;
 use crate::report::load::Loaded;
-use crate::report::page::words::{listed, range};
+use crate::report::page::words::range;
 use crate::scene::{Kind, scene_keys};
 
 /// So many cases are looked at: only what was swept may differ in more of them.
@@ -59,11 +60,6 @@ fn word(value: &toml::Value) -> String {
         toml::Value::Array(points) => format!("through {} points", points.len()),
         other => other.to_string(),
     }
-}
-
-fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
 }
 
 #[cfg(test)]
