@@ -2,15 +2,16 @@
 
 mod json;
 
-use super::output::{short, with_bar};
+use super::output::{short, with_marks};
 use super::overview;
 use super::table::Table;
+use crate::math::lists::{different, ends};
+use crate::math::words::counted;
 use crate::quantities::heading;
 use crate::quantities::summary::{CASE_ID, DOUBTFUL};
 use crate::report::find::{Basis, Boundary, Found, Reading, Verdict};
 use crate::report::load::Loaded;
 use crate::report::plain;
-use crate::results::counted;
 
 /// Rows of a table shown without `-v`.
 const ROWS: usize = 30;
@@ -74,22 +75,16 @@ impl Answer<'_> {
     }
 
     fn cases(&self, rows: &[usize], all: bool) -> String {
-        let subjects = || self.found.condition.0.iter().map(|comparison| &comparison.subject);
-        let subjects = || {
-            let mut seen = Vec::new();
-            subjects().filter(move |one| {
-                let new = !self.is_key(&one.name) && !seen.contains(&one.name.as_str());
-                seen.push(one.name.as_str());
-                new
-            })
-        };
+        let subjects = self.found.condition.0.iter().map(|comparison| &comparison.subject);
+        let is_key = |name: &str| self.data.keys.iter().any(|key| key.name == name);
+        let subjects = different(subjects.filter(|subject| !is_key(&subject.name)));
         let heads = self.data.keys.iter().map(|key| heading(&key.name));
-        let heads = heads.chain(subjects().map(|subject| heading(&subject.name)));
+        let heads = heads.chain(subjects.iter().map(|subject| heading(&subject.name)));
         let mut table = Table::new(heads.chain([CASE_ID.heading(), String::new()]));
         for &row in &rows[..shown(rows.len(), all)] {
             let mut cells: Vec<_> =
                 (0..self.data.keys.len()).map(|key| self.cell(key, row)).collect();
-            cells.extend(subjects().map(|subject| reading(subject.readings[row])));
+            cells.extend(subjects.iter().map(|subject| reading(subject.readings[row])));
             cells.push(self.data.rows[row].text(&CASE_ID).to_owned());
             let near = if self.found.condition.is_near(row) { "~" } else { "" };
             let doubtful = if self.is_doubtful(row) { "!" } else { "" };
@@ -98,10 +93,6 @@ impl Answer<'_> {
             table.row(cells);
         }
         table.render() + &more(rows.len(), all)
-    }
-
-    fn is_key(&self, name: &str) -> bool {
-        self.data.keys.iter().any(|key| key.name == name)
     }
 
     fn cell(&self, key: usize, row: usize) -> String {
@@ -157,8 +148,7 @@ impl Answer<'_> {
     /// An end of a boundary's range. Beyond the study's own values it would be a guess.
     fn end_in_words(&self, key: usize, end: f64) -> String {
         let values = self.data.keys[key].cells.iter().filter_map(|cell| cell.parse::<f64>().ok());
-        let (least, most) =
-            values.fold((f64::MAX, f64::MIN), |(low, high), one| (low.min(one), high.max(one)));
+        let (least, most) = ends(values).unwrap_or_default();
         let slack = 1e-9 * most.abs().max(least.abs());
         let is_within = (least - slack..=most + slack).contains(&end);
         if is_within { short(end) } else { "off the grid".to_owned() }
@@ -168,10 +158,7 @@ impl Answer<'_> {
 /// A case's number for people.
 fn reading(reading: Reading) -> String {
     match reading {
-        Reading::Value { value, bar, bound } => {
-            let told = bar.map_or_else(|| short(value), |bar| with_bar(value, bar));
-            if bound { format!("≥ {told}") } else { told }
-        }
+        Reading::Value { value, bar, bound } => with_marks(value, bar, bound),
         Reading::Missing | Reading::Failed => "-".to_owned(),
     }
 }

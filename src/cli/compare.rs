@@ -6,16 +6,16 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::SUCCESS;
 use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::{Output, short};
 use super::table::Table;
-use super::{SUCCESS, shown};
 use crate::keys::named;
 use crate::math::decimal::significant;
+use crate::math::words::counted;
 use crate::quantities::Unit;
 use crate::report::compare::{COMPARED, Comparison, Difference, Pair, compare, figure, table};
-use crate::results::counted;
 
 /// Put two studies side by side. Cases of the same wave and wall are compared, whatever their numerics.
 #[derive(Debug, Args)]
@@ -90,7 +90,7 @@ fn told(directories: [&Path; 2], comparison: &Comparison, all: bool) -> String {
         let (name, finished) = (&comparison.names[one], comparison.finished[one]);
         let letter = ['A', 'B'][one];
         let cases = counted(finished, "finished case");
-        text.push_str(&format!("{letter}  {} ({name}, {cases})\n", shown::told(directory)));
+        text.push_str(&format!("{letter}  {} ({name}, {cases})\n", named(directory)));
     }
     let [a, b] = comparison.only.each_ref().map(Vec::len);
     let pairs = counted(comparison.pairs.len(), "pair");

@@ -4,12 +4,12 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::done::Done;
 use super::failure::{BadFile, BadInput};
+use super::job::Done;
 use super::output::{Output, short};
 use crate::accuracy::Refinement;
-use crate::keys::named;
-use crate::results::{SweepError, counted, finished};
+use crate::math::words::counted;
+use crate::results::{SweepError, finished};
 use crate::scene::ConfigError;
 use crate::study::{Refine, Study, SweepFile};
 
@@ -17,7 +17,7 @@ use crate::study::{Refine, Study, SweepFile};
 /// alone where it asks for none.
 pub(super) fn study_in(directory: &Path, file: &SweepFile) -> anyhow::Result<Study> {
     let bad = |error: ConfigError| {
-        BadInput(format!("{}: sweep_file in manifest.json: {error}", named(directory)))
+        BadInput::of(directory, format_args!("sweep_file in manifest.json: {error}"))
     };
     let Some(refinement) = Refinement::of(file) else { return Ok(Study::new(file).map_err(bad)?) };
     let records = |study: &Study| finished(directory, study).map_err(Failed::from);

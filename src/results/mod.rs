@@ -70,7 +70,6 @@ pub use left::Left;
 pub use load::{Load, RankLoad, forget_load};
 pub use lock::Lock;
 pub use made_up::made_up;
-pub use crate::math::words::counted;
 pub use manifest::{Manifest, RankInfo, Savings, SessionInfo};
 pub use opening::{OpenMode, Opened};
 pub use program::Program;
