@@ -103,11 +103,7 @@ mod tests {
     use serde_json::json;
 
     fn of(file: &str, overrides: &[&str], keys: &[(&str, &[&str])]) -> Vec<Option<Config>> {
-        let key = |(name, cells): &(&str, &[&str])| Key {
-            name: (*name).to_owned(),
-            cells: cells.iter().collect(),
-        };
-        let keys: Vec<_> = keys.iter().map(key).collect();
+        let keys: Vec<_> = keys.iter().map(|(name, cells)| Key::new(name, *cells)).collect();
         let rows = vec![Default::default(); keys.first().map_or(1, |key| key.cells.iter().len())];
         let manifest = Some(json!({ "sweep_file": file, "overrides": overrides }));
         configs(&Loaded { rows, keys, manifest, ..Loaded::default() })

@@ -166,11 +166,8 @@ mod tests {
 
     #[test]
     fn a_swept_key_is_that_of_its_row() {
-        let key = |name: &str, cells: &[&str]| Key {
-            name: name.to_owned(),
-            cells: cells.iter().copied().collect(),
-        };
-        let beds = key("bed", &["[[0, 0], [1, 0], [2.5, 0.1]]", "[[0, 0], [1, 0], [2.5, 0.15]]"]);
+        let beds = ["[[0, 0], [1, 0], [2.5, 0.1]]", "[[0, 0], [1, 0], [2.5, 0.15]]"];
+        let beds = Key::new("bed", beds);
         let row = || Row::default().with(&FORCE_MAX, 5.828).with(&WAVE_HEIGHT_RATIO, 0.3);
         let manifest = Some(json!({ "sweep_file": "[scene]\nwave_height_ratio = 0.3" }));
         let rows = vec![row(), row()];

@@ -9,7 +9,6 @@ use csv::{ErrorKind, StringRecord};
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::column::Cells;
 use super::error::ReportError;
 use super::omitted::Omitted;
 use super::row::{Header, Row};
@@ -85,8 +84,8 @@ impl Loaded {
 
     /// The same of some rows alone.
     pub(super) fn part(&self, places: &[usize]) -> Loaded {
-        let cells = |key: &Key| places.iter().map(|&place| &key.cells[place]).collect();
-        let key = |key: &Key| Key { name: key.name.clone(), cells: cells(key) };
+        let key =
+            |Key { name, cells }: &Key| Key::new(name, places.iter().map(|&place| &cells[place]));
         Loaded {
             rows: places.iter().map(|&place| self.rows[place].clone()).collect(),
             energy: self.energy.clone(),
@@ -134,7 +133,7 @@ fn read_summary(
     // Swept keys follow the columns of every summary.
     let declared = header.iter().enumerate().filter(|(_, name)| named(name).is_some());
     let known = declared.last().map_or(0, |(at, _)| at + 1);
-    let key = |column: usize| Key { name: header[column].to_owned(), cells: Cells::default() };
+    let key = |column: usize| Key::new(&header[column], [""; 0]);
     let place = |name: &String| header.iter().position(|column| column == name);
     let swept: Vec<_> = manifest.map(keys).unwrap_or_default().iter().filter_map(place).collect();
     let mut swept_keys: Vec<_> = swept.iter().map(|&column| key(column)).collect();

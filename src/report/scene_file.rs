@@ -102,13 +102,9 @@ mod tests {
 
     /// A study of these keys and cells, one row.
     fn study(text: &str, overrides: &[&str], keys: &[(&str, &str)]) -> Loaded {
-        let key = |(name, cell): &(&str, &str)| Key {
-            name: (*name).to_owned(),
-            cells: [cell].into_iter().collect(),
-        };
         Loaded {
             manifest: Some(json!({ "name": "a", "sweep_file": text, "overrides": overrides })),
-            keys: keys.iter().map(key).collect(),
+            keys: keys.iter().map(|(name, cell)| Key::new(name, [cell])).collect(),
             rows: vec![Row::default().with(&CASE_ID, "0123")],
             ..Loaded::default()
         }

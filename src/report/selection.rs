@@ -60,8 +60,7 @@ mod tests {
 
     #[test]
     fn a_large_study_is_shown_in_part_and_always_the_same_part() {
-        let directory = fixture::sweep();
-        let data = Loaded::read(directory.path()).unwrap();
+        let (_directory, data) = fixture::read(fixture::sweep());
         assert!(of(&data).is_none() && some(&data, 12, 4).is_none());
         let ids = |data: &Loaded| -> Vec<String> {
             data.rows.iter().map(|row| row.text(&CASE_ID).to_owned()).collect()

@@ -164,8 +164,7 @@ mod tests {
 
     #[test]
     fn gauges_have_units_and_readings_their_order() {
-        let directory = fixture::dam_breaks(1);
-        let data = Loaded::read(directory.path()).unwrap();
+        let (_directory, data) = fixture::read(fixture::dam_breaks(1));
         let History(gauges) = data.gauges("case-0000").unwrap();
         let told: Vec<_> = gauges.iter().map(|g| (g.name.as_str(), g.unit.as_str())).collect();
         assert_eq!(told, [("P1", "Pa"), ("front", "m")]);

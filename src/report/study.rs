@@ -16,6 +16,13 @@ pub struct Key {
     pub cells: Cells,
 }
 
+impl Key {
+    /// A key of this name with these cells.
+    pub fn new<S: AsRef<str>>(name: &str, cells: impl IntoIterator<Item = S>) -> Key {
+        Key { name: name.to_owned(), cells: cells.into_iter().collect() }
+    }
+}
+
 /// The keys of the grid, in its order.
 pub(super) fn keys(manifest: &Json) -> Vec<String> {
     let keys = manifest.get("keys").and_then(Json::as_array);

@@ -4,8 +4,7 @@ use serde_json::json;
 
 #[test]
 fn reads_failed_rows_and_ignores_columns_it_does_not_know() {
-    let directory = fixture::sweep();
-    let loaded = Loaded::read(directory.path()).unwrap();
+    let (_directory, loaded) = fixture::read(fixture::sweep());
     assert_eq!(loaded.failed().count(), 1);
     let failed = loaded.failed().next().unwrap();
     assert_eq!(failed.number(&summary::FIRST_FORCE_MAX), None);

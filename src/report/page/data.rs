@@ -43,11 +43,8 @@ fn keys(loaded: &Loaded) -> Vec<Key> {
     if !loaded.keys.is_empty() {
         return loaded.keys.clone();
     }
-    let key = |column: &'static crate::quantities::Column| Key {
-        name: column.name.to_owned(),
-        cells: loaded.rows.iter().map(|row| row.text(column)).collect(),
-    };
-    let keys = PLACE.iter().map(|column| key(column));
+    let cells = |column| loaded.rows.iter().map(move |row| row.text(column));
+    let keys = PLACE.iter().map(|column| Key::new(column.name, cells(column)));
     keys.filter(|key| key.cells.different().any(|cell| !cell.is_empty())).collect()
 }
 
@@ -117,8 +114,7 @@ mod tests {
 
     #[test]
     fn keys_hold_their_values_once_and_rows_their_places() {
-        let directory = fixture::sweep();
-        let loaded = Loaded::read(directory.path()).unwrap();
+        let (_directory, loaded) = fixture::read(fixture::sweep());
         let text = data(&loaded, None).unwrap();
         assert!(!text.contains('<'));
         let read: Value = serde_json::from_str(&text).unwrap();

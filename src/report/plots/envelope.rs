@@ -101,8 +101,7 @@ mod tests {
 
     #[test]
     fn envelopes_are_drawn_where_there_are_files_of_them() {
-        let directory = fixture::sweep();
-        let data = Loaded::read(directory.path()).unwrap();
+        let (directory, data) = fixture::read(fixture::sweep());
         assert!(figures(&data).unwrap().is_empty());
         let folder = directory.path().join("envelopes");
         std::fs::create_dir(&folder).unwrap();

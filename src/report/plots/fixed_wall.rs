@@ -177,8 +177,7 @@ mod tests {
 
     #[test]
     fn an_inclined_wall_is_not_drawn_against_an_upright_ones_answer() {
-        let directory = fixture::fixed();
-        let mut data = Loaded::read(directory.path()).unwrap();
+        let (_directory, mut data) = fixture::read(fixture::fixed());
         let upright = figures(&data).remove(0);
         assert!(upright.svg().contains("exact solitary wave"));
         assert!(upright.svg().contains("Goda"));

@@ -110,8 +110,7 @@ mod tests {
 
     #[test]
     fn every_case_has_a_field_with_its_number() {
-        let directory = fixture::movable(&[0.3, 0.5], &STIFF, &HEAVY);
-        let data = Loaded::read(directory.path()).unwrap();
+        let (_directory, data) = fixture::read(fixture::movable(&[0.3, 0.5], &STIFF, &HEAVY));
         let figure = figures(&data).remove(0);
         let fields: Vec<_> = figure.drawing.charts.iter().map(|chart| chart.cells.len()).collect();
         assert_eq!(fields, [16, 15], "one case failed");

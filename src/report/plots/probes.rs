@@ -93,8 +93,7 @@ mod tests {
     fn every_unit_has_a_panel() {
         let data = Loaded::read(fixture::dam_breaks(1).path()).unwrap();
         assert!(figures(&data).unwrap().is_empty(), "the directory is gone");
-        let directory = fixture::dam_breaks(1);
-        let data = Loaded::read(directory.path()).unwrap();
+        let (_directory, data) = fixture::read(fixture::dam_breaks(1));
         let figures = figures(&data).unwrap();
         assert_eq!(figures.len(), 1);
         for word in ["p, kPa", "level, m", "P1", "front"] {

@@ -79,8 +79,7 @@ mod tests {
 
     #[test]
     fn bars_are_told_where_there_are_any() {
-        let directory = fixture::sweep();
-        let mut data = Loaded::read(directory.path()).unwrap();
+        let (_directory, mut data) = fixture::read(fixture::sweep());
         assert!(figures(&data).iter().all(|f| !f.caption.contains("Bars")));
         for row in &mut data.rows {
             *row = row.clone().with(&FORCE_ERROR, 0.03);
@@ -94,8 +93,8 @@ mod tests {
 
     #[test]
     fn masses_and_waves_of_a_range_are_rounded_in_labels() {
-        let directory = fixture::movable(&[0.3, 0.316_227_766], &[10.0, 500.0], &[46.415_888_3]);
-        let data = Loaded::read(directory.path()).unwrap();
+        let (_directory, data) =
+            fixture::read(fixture::movable(&[0.3, 0.316_227_766], &[10.0, 500.0], &[46.415_888_3]));
         let svg = figures(&data)[0].inline(Place::Usual);
         assert!(svg.contains(">H/h = 0.3162<") && svg.contains(">m = 46.42 kg/m (m* = 1.16)<"));
         assert!(!svg.contains(">H/h = 0.316227766<") && !svg.contains("m* = 1.1603"));

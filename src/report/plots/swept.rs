@@ -202,10 +202,10 @@ mod tests {
         assert_eq!(slope("[[0, 0], [1, 0], [3, 0.5]]"), Some(0.25));
         assert_eq!(slope("[[0, 0], [2.5, 0]]"), Some(0.0));
         assert_eq!(slope("[[0, 0], [2.5, 0], [2.5, 0.1]]"), None, "a step at the wall");
-        let directory = fixture::movable(&[0.3], &[500.0], &[50.0, 100.0]);
-        let mut data = Loaded::read(directory.path()).unwrap();
+        let (_directory, mut data) =
+            fixture::read(fixture::movable(&[0.3], &[500.0], &[50.0, 100.0]));
         let cells = ["[[0, 0], [1, 0], [2, 0.1]]", "[[0, 0], [1, 0], [2, 0.05]]"];
-        data.keys = vec![Key { name: BED.to_owned(), cells: cells.into_iter().collect() }];
+        data.keys = vec![Key::new(BED, cells)];
         let figures = figures(&data, key(&data).unwrap());
         assert_eq!(figures.len(), 1);
         assert!(figures[0].svg().contains("mean slope of the bed"));
@@ -219,8 +219,7 @@ mod tests {
 
     #[test]
     fn scenes_without_a_wave_have_one_curve() {
-        let directory = fixture::dam_breaks(5);
-        let data = Loaded::read(directory.path()).unwrap();
+        let (_directory, data) = fixture::read(fixture::dam_breaks(5));
         let figures = figures(&data, key(&data).unwrap());
         assert_eq!(figures.len(), 1);
         assert!(figures[0].svg().contains("column height, m"));

@@ -117,8 +117,8 @@ mod tests {
 
     #[test]
     fn doubtful_results_are_counted_by_reason() {
-        let directory = fixture::movable(&[0.3], &[10.0, 500.0, 1e5], &[50.0]);
-        let mut data = Loaded::read(directory.path()).unwrap();
+        let (_directory, mut data) =
+            fixture::read(fixture::movable(&[0.3], &[10.0, 500.0, 1e5], &[50.0]));
         for row in &mut data.rows {
             *row = row.clone().with(&DOUBTFUL, "false");
         }

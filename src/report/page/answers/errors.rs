@@ -74,8 +74,7 @@ mod tests {
 
     #[test]
     fn the_middle_and_the_worst_bar_are_told() {
-        let directory = fixture::movable(&[0.3, 0.5], &[10.0], &[50.0]);
-        let mut data = Loaded::read(directory.path()).unwrap();
+        let (_directory, mut data) = fixture::read(fixture::movable(&[0.3, 0.5], &[10.0], &[50.0]));
         data.rows.push(data.rows[0].clone());
         let bars = [0.01, 0.05];
         for (row, bar) in data.rows.iter_mut().zip(bars) {

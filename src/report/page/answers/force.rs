@@ -77,16 +77,11 @@ mod tests {
 
     #[test]
     fn a_force_is_told_in_newtons_and_a_later_one_too() {
-        let directory = fixture::movable(&[0.5], &[500.0], &[250.0]);
-        let mut data = Loaded::read(directory.path()).unwrap();
+        let (_directory, mut data) = fixture::read(fixture::movable(&[0.5], &[500.0], &[250.0]));
         let text = "[scene]\nwall = \"movable\"\nstill_water_depth_m = 0.4\n[grid]";
         data.manifest = Some(json!({ "name": "a", "sweep_file": text }));
-        let key = |name: &str, cell: &str| Key {
-            name: name.to_owned(),
-            cells: [cell].into_iter().collect(),
-        };
-        data.keys =
-            vec![key("spring_stiffness_n_per_m", "500"), key("seawall_mass_kg_per_m", "250")];
+        let keys = [("spring_stiffness_n_per_m", "500"), ("seawall_mass_kg_per_m", "250")];
+        data.keys = keys.map(|(name, cell)| Key::new(name, [cell])).into();
         data.rows[0] = data.rows[0].clone().with(&FIRST_FORCE_MAX, 2.0).with(&FORCE_MAX, 2.5);
         let file = SceneFile::of(&data);
         assert_eq!(

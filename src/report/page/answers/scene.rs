@@ -69,7 +69,7 @@ mod tests {
     use serde_json::json;
 
     fn of(file: &str, key: &str, cells: &[&str]) -> Option<String> {
-        let keys = vec![Swept { name: key.to_owned(), cells: cells.iter().collect() }];
+        let keys = vec![Swept::new(key, cells)];
         let manifest = Some(json!({ "sweep_file": file, "overrides": [] }));
         let rows = vec![Default::default(); cells.len()];
         shared(&Loaded { rows, keys, manifest, ..Loaded::default() })
