@@ -45,14 +45,10 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     let damaged = if closing.is_none() { renew(args, output)? } else { Vec::new() };
     let omitted = Omitted::from(damaged);
     Derived::begin(&args.dir).map_err(refused)?;
-    let report =
-        crate::report::write_scaled(&args.dir, args.froude_scale, &omitted).map_err(unusable)?;
+    let written = crate::report::write_with(&args.dir, args.froude_scale, &formats, &omitted);
+    let (report, figures) = written.map_err(unusable)?;
     let spare = |path: &Path, error: &SweepError| omitted.add(path, error);
     write_sound_histories(&args.dir, &|path| omitted.has(path), &spare)?;
-    let mut figures = Vec::new();
-    for format in formats {
-        figures.extend(crate::report::print(&args.dir, format, &omitted).map_err(unusable)?);
-    }
     Derived::end(&args.dir)?;
     let (left_out, found) = omitted.told();
     for found in found {

@@ -102,7 +102,7 @@ pub(super) fn main(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> 
     let made = crate::report::reproduce::reproduce(recipe, &directories)?;
     let mut files = write(&out, &made)?;
     for format in formats {
-        files.extend(crate::report::print_figure(&made.figure, format, &out)?);
+        files.extend(crate::report::print(&made.figure, format, &out)?);
     }
     let mut text = told(&made);
     for file in &files {

@@ -44,8 +44,8 @@ const MOST: usize = 4_700_000;
 /// What the page says of the values that papers print.
 #[derive(Debug, Clone, Default)]
 pub struct Papers {
-    /// An answer at the page's top, as plain text.
-    pub answer: String,
+    /// An answer at the page's top, as plain text; `None` where there is nothing to say.
+    pub answer: Option<String>,
     /// The section, as HTML; empty where no case is one of theirs.
     pub content: String,
 }
@@ -58,18 +58,18 @@ pub fn page(
     [data, shown]: [&Loaded; 2],
     figures: &[Figure],
     tables: &[Table],
-    papers: Option<&Papers>,
+    papers: &Papers,
 ) -> Result<String, ReportError> {
     let name = escape(data.name().unwrap_or("seawall sweep"));
     let file = SceneFile::of(data);
     let (mut body, mut rest) = (String::new(), String::new());
-    head(&mut body, [data, shown], &name, file.as_ref(), papers);
+    head(&mut body, [data, shown], &name, file.as_ref(), papers.answer.as_deref());
     let failed = tables::failed(data, MOST_ROWS).whole()?.for_page();
     if !failed.rows.is_empty() {
         section(&mut body, &failed.title, &grid(&failed));
     }
     body.push_str(&figures::sections(figures));
-    if let Some(papers) = papers.filter(|papers| !papers.content.is_empty()) {
+    if !papers.content.is_empty() {
         section(&mut body, "The papers", &papers.content);
     }
     tabled(&mut rest, data, tables);
@@ -111,15 +111,14 @@ fn head(
     [data, shown]: [&Loaded; 2],
     name: &str,
     file: Option<&SceneFile>,
-    papers: Option<&Papers>,
+    papers: Option<&str>,
 ) {
     let mut answers = answers::all(data, file);
     if shown.is_part {
         answers.push(answers::Answer { about: "Shown", text: selection::words(shown, data) });
     }
-    answers.extend(
-        papers.map(|papers| answers::Answer { about: "The papers", text: papers.answer.clone() }),
-    );
+    let papers = papers.map(str::to_owned);
+    answers.extend(papers.map(|text| answers::Answer { about: "The papers", text }));
     let answer = |answer: &answers::Answer| {
         format!("<dt>{}</dt><dd>{}</dd>\n", answer.about, escape(&unbroken(&answer.text)))
     };

@@ -6,7 +6,7 @@ fn page_of(directory: &tempfile::TempDir) -> String {
     let data = Loaded::read(directory.path()).unwrap();
     let tables: Vec<_> =
         tables::all(&data).into_iter().map(|lines| lines.whole().unwrap()).collect();
-    super::page([&data; 2], &plots::all(&data).unwrap(), &tables, None).unwrap()
+    super::page([&data; 2], &plots::all(&data).unwrap(), &tables, &Papers::default()).unwrap()
 }
 
 #[test]
@@ -23,8 +23,8 @@ fn nothing_is_fetched() {
 fn the_papers_have_their_answer_and_their_section() {
     let data = Loaded::read(fixture::fixed().path()).unwrap();
     let papers =
-        Papers { answer: "7 values < 3 % off.".to_owned(), content: "<p>a</p>".to_owned() };
-    let page = super::page([&data; 2], &[], &[], Some(&papers)).unwrap();
+        Papers { answer: Some("7 values < 3 % off.".to_owned()), content: "<p>a</p>".to_owned() };
+    let page = super::page([&data; 2], &[], &[], &papers).unwrap();
     assert!(page.contains("<dt>The papers</dt><dd>7 values &lt; 3\u{a0}% off.</dd>"));
     assert!(page.contains("<h2>The papers</h2>\n<p>a</p>"));
 }
