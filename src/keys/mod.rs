@@ -47,7 +47,6 @@ mod section;
 mod shape;
 mod shared;
 mod shown;
-mod table;
 mod words;
 mod written;
 
@@ -61,4 +60,3 @@ pub use section::{Section, check_conditions, read_alone, store, value, value_of}
 pub use shape::Shape;
 pub use shared::{Recent, Shared};
 pub use shown::{named, shown};
-pub use table::table;

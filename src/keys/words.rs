@@ -10,6 +10,15 @@ impl Key {
         self.meaning.split_whitespace().collect::<Vec<_>>().join(" ").replace('`', "")
     }
 
+    /// The same as it is declared, and where it means anything.
+    pub fn meaning_in_markdown(&self) -> String {
+        let mut text = self.meaning.trim().to_owned();
+        for when in self.conditions() {
+            text += &format!(" Only with `{when}`.");
+        }
+        text
+    }
+
     /// What it may hold.
     pub fn allowed_in_words(&self) -> String {
         let whole = if (self.shape)() == Shape::Whole { ", whole" } else { "" };
