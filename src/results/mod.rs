@@ -28,7 +28,6 @@ mod failing;
 mod files;
 mod filing;
 mod filling;
-mod group;
 mod journal;
 mod left;
 mod load;
