@@ -44,6 +44,8 @@ mod rows;
 mod seal;
 mod sealed;
 mod summary;
+#[cfg(test)]
+mod trial;
 mod verify;
 mod waiting;
 
