@@ -85,7 +85,7 @@ impl Answer<'_> {
             let mut cells: Vec<_> =
                 (0..self.data.keys.len()).map(|key| self.cell(key, row)).collect();
             cells.extend(subjects.iter().map(|subject| reading(subject.readings[row])));
-            cells.push(self.data.rows[row].text(&CASE_ID).to_owned());
+            cells.push(self.data.rows[row].id().to_owned());
             let near = if self.found.condition.is_near(row) { "~" } else { "" };
             let doubtful = if self.is_doubtful(row) { "!" } else { "" };
             let stopped = if self.stops(row) { "*" } else { "" };
@@ -110,7 +110,7 @@ impl Answer<'_> {
         }
         let mut text = format!("\n{} cannot be told\n", counted(rows.len(), "case"));
         for &row in &rows[..shown(rows.len(), all)] {
-            let (id, why) = (self.data.rows[row].text(&CASE_ID), self.found.why(row));
+            let (id, why) = (self.data.rows[row].id(), self.found.why(row));
             text.push_str(&format!("  {id} ({}): {why}\n", self.place(row, None)));
         }
         text + &more(rows.len(), all)

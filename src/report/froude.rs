@@ -141,8 +141,8 @@ impl Froude {
             let Some(water) = config.as_ref().and_then(Water::of) else {
                 continue;
             };
-            let head = || [row.text(&CASE_ID).to_owned(), row.words(), self.words()].into_iter();
-            let pressed = data.envelope(row.text(&CASE_ID))?;
+            let head = || [row.id().to_owned(), row.words(), self.words()].into_iter();
+            let pressed = data.envelope(row.id())?;
             let most = pressed.iter().map(|at| at.pressure_max_pa).max_by(f64::total_cmp);
             let depth = self.grown(water.depth, 1.0);
             let numbers = [Some(depth), most.map(|most| KILO * self.grown(most, 1.0))].into_iter();

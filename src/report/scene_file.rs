@@ -8,7 +8,6 @@ use toml::{Table, Value};
 use super::load::Loaded;
 use super::study::{Key, StudyFile};
 use crate::keys::read_value;
-use crate::quantities::summary::CASE_ID;
 use crate::scene::{CaseConfig, Place, place_of};
 
 /// The study's file, of which each row is one case.
@@ -72,7 +71,7 @@ impl SceneFile {
 
     fn tables(&self, data: &Loaded, row: usize) -> Option<[Table; 2]> {
         let numerics = match &self.chosen {
-            Some(chosen) => chosen.get(data.rows[row].text(&CASE_ID))?,
+            Some(chosen) => chosen.get(data.rows[row].id())?,
             None => &self.file.numerics,
         };
         self.file.of_row(&data.keys, row, numerics)
@@ -97,6 +96,7 @@ fn chosen(path: &Path) -> Option<HashMap<String, Table>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantities::summary::CASE_ID;
     use crate::report::row::Row;
     use serde_json::json;
 

@@ -3,10 +3,10 @@
 use super::Side;
 use crate::math::lists;
 use crate::quantities::summary::{
-    CASE_ID, DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX,
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX,
 };
 use crate::quantities::{Column, Unit};
-use crate::report::row::{PLACE, Row, label};
+use crate::report::row::{PLACE, label};
 
 /// What is compared, and what stands in for it where one of the cases has no first impact.
 pub const COMPARED: [(&Column, Option<&Column>); 3] = [
@@ -108,7 +108,7 @@ impl Pair {
         Pair {
             words: point(a, b),
             place: PLACE.map(|column| a.row.cell(column)),
-            ids: rows.map(|row| row.text(&CASE_ID).to_owned()),
+            ids: rows.map(|row| row.id().to_owned()),
             differences: COMPARED.map(difference),
         }
     }
@@ -135,12 +135,6 @@ impl Pair {
     }
 }
 
-/// A case in words, or its identity where nothing tells it from others.
-pub(super) fn words(row: &Row) -> String {
-    let words = row.words();
-    if words.is_empty() { row.text(&CASE_ID).to_owned() } else { words }
-}
-
 /// Both cases in words.
 fn point(a: &Side, b: &Side) -> String {
     let parts = PLACE.iter().filter_map(|column| Some(label(column, a.row.number(column)?)));
@@ -150,13 +144,14 @@ fn point(a: &Side, b: &Side) -> String {
         let shown = variants.map(|variant| if variant.is_empty() { "-" } else { variant });
         parts.push(if shown[0] == shown[1] { shown[0].to_owned() } else { shown.join(" | ") });
     }
-    if parts.is_empty() { a.row.text(&CASE_ID).to_owned() } else { parts.join(", ") }
+    if parts.is_empty() { a.row.id().to_owned() } else { parts.join(", ") }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::quantities::summary::{FORCE_ERROR, WAVE_HEIGHT_RATIO};
+    use crate::report::row::Row;
 
     fn pair(a: f64, b: f64, bar: Option<f64>) -> Pair {
         let row = |force: f64| {

@@ -7,7 +7,6 @@ use serde_json::{Value, json};
 
 use super::thin;
 use crate::keys::read_value;
-use crate::quantities::summary::CASE_ID;
 use crate::quantities::{heading, named};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
@@ -24,7 +23,7 @@ const ROOM: usize = 1_400_000;
 /// # Errors
 /// A history that cannot be read.
 pub fn data(loaded: &Loaded, file: Option<&SceneFile>) -> Result<String, ReportError> {
-    let ids: Vec<_> = loaded.rows.iter().map(|row| row.text(&CASE_ID)).collect();
+    let ids: Vec<_> = loaded.rows.iter().map(|row| row.id()).collect();
     let keys = keys(loaded);
     let keys: Vec<Value> = keys.iter().map(key).collect();
     let (histories, cut) = histories(loaded)?;
@@ -91,7 +90,7 @@ fn histories(loaded: &Loaded) -> Result<(Value, bool), ReportError> {
     let mut room = ROOM;
     let filmed = loaded.finished().filter(|row| loaded.has_film(row));
     for row in filmed.chain(loaded.finished()) {
-        let id = row.text(&CASE_ID);
+        let id = row.id();
         if histories.contains_key(id) {
             continue;
         }

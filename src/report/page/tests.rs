@@ -1,5 +1,4 @@
 use super::*;
-use crate::quantities::summary::CASE_ID;
 use crate::report::fixture;
 
 fn page_of(directory: &tempfile::TempDir) -> String {
@@ -54,13 +53,13 @@ fn films_that_are_there_are_linked() {
     assert!(!page_of(&directory).contains("<h2>Films</h2>"));
     let data = Loaded::read(directory.path()).unwrap();
     let row = data.finished().next().unwrap();
-    let film = format!("films/{}.html", row.text(&CASE_ID));
+    let film = format!("films/{}.html", row.id());
     std::fs::create_dir(directory.path().join("films")).unwrap();
     std::fs::write(directory.path().join(&film), "").unwrap();
     let words = escape(&row.words());
     assert!(page_of(&directory).contains(&format!("{words} <a href=\"{film}\">{film}</a>")));
 
-    let reasons = format!("case_id,reason\n{},\"a, b\"\n", row.text(&CASE_ID));
+    let reasons = format!("case_id,reason\n{},\"a, b\"\n", row.id());
     std::fs::write(directory.path().join("films/reasons.csv"), reasons).unwrap();
     let told = format!("{words} (a, b) <a href=\"{film}\">{film}</a>");
     assert!(page_of(&directory).contains(&told));

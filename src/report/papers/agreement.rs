@@ -4,7 +4,7 @@ use super::Found;
 use super::table::{couplings, words};
 use crate::math::lists::ends;
 use crate::quantities::Unit;
-use crate::quantities::summary::{CASE_ID, FORCE_COUPLING};
+use crate::quantities::summary::FORCE_COUPLING;
 use crate::report::number;
 use crate::report::plots::{
     Axis, Chart, Curve, Drawing, Entry, Figure, Layout, Look, Point, key, points,
@@ -75,7 +75,7 @@ fn point(found: &Found) -> Point {
     Point {
         error: found.error.unwrap_or(0.0),
         bound: found.bound,
-        case: found.row.text(&CASE_ID).to_owned(),
+        case: found.row.id().to_owned(),
         told: format!("{source}: printed {x}, computed {}", number::significant(y, 4)),
         ..(x, y).into()
     }

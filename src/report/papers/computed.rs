@@ -1,7 +1,7 @@
 //! What a case has in the place of a printed number.
 
 use crate::papers::{PAPER_CLOCK_CENTRE_S, Printed};
-use crate::quantities::summary::{BOUNDARY, CASE_ID, STEPS, STROKE_CENTRE, WALL_TIME};
+use crate::quantities::summary::{BOUNDARY, STEPS, STROKE_CENTRE, WALL_TIME};
 use crate::quantities::{Column, Unit, named};
 use crate::report::config::Config;
 use crate::report::error::ReportError;
@@ -34,7 +34,7 @@ pub fn of(
     if let Some(boundary) = name.strip_prefix("step_time_of_") {
         return Ok(step_time_ratio(row, boundary, all));
     }
-    let id = row.text(&CASE_ID);
+    let id = row.id();
     if let Some(time) = printed.time_s {
         let Some(time) = off_their_clock(row, time) else { return Ok(None) };
         let (series, wall) = match name {

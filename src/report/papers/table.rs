@@ -52,7 +52,7 @@ pub fn tidy(found: &[Found]) -> Table {
             vec![cell(found.error), found.bound.to_string(), digits(found.difference())],
             vec![found.percent().map(digits).unwrap_or_default(), found.is_met().to_string()],
             vec![cell(found.coupling()), row.text(&SCHEME).to_owned(), row.variant.to_string()],
-            vec![row.text(&CASE_ID).to_owned(), printed.note.clone()],
+            vec![row.id().to_owned(), printed.note.clone()],
         ]
         .concat()
     };

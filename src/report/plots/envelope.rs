@@ -7,7 +7,7 @@ use super::look::Look;
 use super::sheet::{Drawing, PANELS};
 use super::{Figure, SERIES};
 use crate::quantities::envelope::{FIRST_PRESSURE_MAX, HEIGHT, PRESSURE_MAX};
-use crate::quantities::summary::{CASE_ID, FIRST_FORCE_MAX, FORCE_MAX, WAVE_HEIGHT_RATIO};
+use crate::quantities::summary::{FIRST_FORCE_MAX, FORCE_MAX, WAVE_HEIGHT_RATIO};
 use crate::report::curves::{distinct, spread};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
@@ -21,7 +21,7 @@ type Case<'a> = (&'a Row, Vec<Pressed>);
 pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut cases: Vec<Case<'_>> = Vec::new();
     for row in chosen(data) {
-        let envelope = data.envelope(row.text(&CASE_ID))?;
+        let envelope = data.envelope(row.id())?;
         if envelope.len() > 1 {
             cases.push((row, envelope));
         }
@@ -76,7 +76,7 @@ fn drawing(cases: &[Case<'_>]) -> Drawing {
                 if first { at.first_pressure_max_pa } else { Some(at.pressure_max_pa) }
             };
             let points = envelope.iter().filter_map(|at| Some((1e-3 * pressure(at)?, at.height_m)));
-            let key = format!("case={}", row.text(&CASE_ID));
+            let key = format!("case={}", row.id());
             let entry = Entry::line(words, Look::of(index)).keyed(key);
             Curve::through(entry, points)
         };
@@ -107,7 +107,7 @@ mod tests {
         std::fs::create_dir(&folder).unwrap();
         let rows = "height_m,pressure_max_pa,first_pressure_max_pa\n0.004,3000,2900\n0.1,1500,\n";
         for row in data.finished() {
-            std::fs::write(folder.join(format!("{}.csv", row.text(&CASE_ID))), rows).unwrap();
+            std::fs::write(folder.join(format!("{}.csv", row.id())), rows).unwrap();
         }
         let figure = figures(&data).unwrap().remove(0);
         assert!(figure.caption.contains("Shown are 2 of 11 cases"), "{}", figure.caption);

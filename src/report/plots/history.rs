@@ -7,7 +7,7 @@ use super::marks::said;
 use super::over_time::{self, Strip};
 use super::{Figure, file_name, of_variant};
 use crate::quantities::history::{DISPLACEMENT, FORCE, RUNUP};
-use crate::quantities::summary::{CASE_ID, SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
+use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
 use crate::report::curves::{distinct, spread, variants};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
@@ -94,7 +94,7 @@ fn dropped(shown: usize, cases: usize, whose: &str, picked: &str) -> String {
 fn read(data: &Loaded, chosen: Vec<(String, &Row)>) -> Result<Vec<Line>, ReportError> {
     let mut lines = Vec::new();
     for (label, row) in chosen {
-        let case = row.text(&CASE_ID).to_owned();
+        let case = row.id().to_owned();
         let history = data.history(&case)?;
         if history.0.iter().any(|series| series.points.len() > 1) {
             lines.push(Line { label, case, history });

@@ -10,9 +10,7 @@ use super::text::{SMALL, width};
 use super::ticks::FEWEST;
 use super::{Figure, SERIES, file_name, of_variant};
 use crate::quantities::Column;
-use crate::quantities::summary::{
-    CASE_ID, FIRST_FORCE_MAX, LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO,
-};
+use crate::quantities::summary::{FIRST_FORCE_MAX, LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
 use crate::report::curves::{distinct, responses, spread, variants};
 use crate::report::load::Loaded;
 use crate::report::number::significant;
@@ -95,7 +93,7 @@ fn cell(row: &Row, columns: &[f64], lines: &[f64], bar: &Bar) -> Option<Cell> {
         at: (place(columns, &LOG10_K_STAR)?, place(lines, &M_STAR)?),
         colour: bar.colour(force),
         label: if fits { words } else { String::new() },
-        case: row.text(&CASE_ID).to_owned(),
+        case: row.id().to_owned(),
         told: told(row, SHOWN),
     })
 }

@@ -5,7 +5,7 @@ use super::legend::Entry;
 use super::look::Look;
 use crate::quantities::Column;
 use crate::quantities::summary::{
-    CASE_ID, FORCE_COUPLING, LOG10_K_STAR, M_STAR, SEAWALL_MASS, SPRING_STIFFNESS,
+    FORCE_COUPLING, LOG10_K_STAR, M_STAR, SEAWALL_MASS, SPRING_STIFFNESS,
 };
 use crate::report::curves::distinct;
 use crate::report::number::{plain, with_digits, with_error};
@@ -19,7 +19,7 @@ pub fn point(row: &Row, x: f64, column: &Column) -> Option<Point> {
         y,
         error: row.error(column).filter(|error| error.is_finite()).unwrap_or(0.0),
         bound: row.is_bound(column),
-        case: row.text(&CASE_ID).to_owned(),
+        case: row.id().to_owned(),
         told: told(row, column),
         ..Point::default()
     })

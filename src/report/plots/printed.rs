@@ -5,7 +5,6 @@ use super::legend::Entry;
 use super::look::Look;
 use crate::papers::{Printed, printed, scenes};
 use crate::quantities::Column;
-use crate::quantities::summary::CASE_ID;
 use crate::report::config::each_config;
 use crate::report::load::Loaded;
 use crate::report::row::{PLACE, Row};
@@ -21,7 +20,7 @@ pub(in crate::report) fn entry() -> Entry {
 /// A printed number as a point.
 pub(in crate::report) fn point(place: (f64, f64), row: &Row, printed: &Printed) -> Point {
     let told = format!("printed in Fig. {}: {} {}", printed.figure, printed.value, printed.unit);
-    let case = row.text(&CASE_ID).to_owned();
+    let case = row.id().to_owned();
     Point { open: true, case, told: told.trim_end().to_owned(), ..place.into() }
 }
 

@@ -4,7 +4,6 @@
 use super::Figure;
 use super::over_time::{self, Line, Strip};
 use crate::math::lists::different;
-use crate::quantities::summary::CASE_ID;
 use crate::report::curves::spread;
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
@@ -16,7 +15,7 @@ const CURVES: usize = 6;
 
 /// The figures of a few cases with gauges, spread over the sweep.
 pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
-    let rows: Vec<_> = data.finished().filter(|row| data.has_gauges(row.text(&CASE_ID))).collect();
+    let rows: Vec<_> = data.finished().filter(|row| data.has_gauges(row.id())).collect();
     let chosen = spread(&rows, CASES);
     let shown = if chosen.len() < rows.len() {
         format!(
@@ -30,7 +29,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     };
     let mut figures = Vec::new();
     for row in chosen {
-        let case_id = row.text(&CASE_ID);
+        let case_id = row.id();
         let strips = strips(case_id, &data.gauges(case_id)?.0);
         if strips.is_empty() {
             continue;

@@ -11,7 +11,7 @@ use super::{Figure, SERIES, file_name, of_variant};
 use crate::keys::read_value;
 use crate::math::scale::Scale;
 use crate::quantities::summary::{
-    CASE_ID, DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, LOG10_K_STAR,
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, LOG10_K_STAR,
     OVERTOPPING_VOLUME, RUNUP_MAX, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, heading};
@@ -79,7 +79,7 @@ fn title(key: &Key) -> String {
 
 /// Whether a row has its place on the key's axis.
 pub fn holds(data: &Loaded, key: &Key, row: &Row) -> bool {
-    cases(data, key).iter().any(|(_, other)| other.text(&CASE_ID) == row.text(&CASE_ID))
+    cases(data, key).iter().any(|(_, other)| other.id() == row.id())
 }
 
 /// The figures of every combination of what else was swept.
@@ -114,8 +114,7 @@ pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
 
 /// What else was swept, as far as it varies.
 fn others(data: &Loaded, key: &Key, row: &Row) -> String {
-    let index =
-        data.rows.iter().position(|other| other.text(&CASE_ID) == row.text(&CASE_ID)).unwrap_or(0);
+    let index = data.rows.iter().position(|other| other.id() == row.id()).unwrap_or(0);
     let varies = |other: &&Key| {
         other.name != key.name
             && other.name != WAVE_HEIGHT_RATIO.name

@@ -3,7 +3,7 @@
 
 use super::{Drawn, Material, drawn};
 use crate::quantities::history::FORCE;
-use crate::quantities::summary::{CASE_ID, RUNUP_MAX, WAVE_HEIGHT_RATIO};
+use crate::quantities::summary::{RUNUP_MAX, WAVE_HEIGHT_RATIO};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::plots::{Axis, Chart, Curve, Entry, Layout, Look, key, lasting};
@@ -43,7 +43,7 @@ pub fn drawing(material: &Material, panels: &[Vec<f64>]) -> Result<Option<Drawn>
 
 /// The force around the largest runup of a case.
 fn points(data: &Loaded, row: &Row) -> Result<Vec<(f64, f64)>, ReportError> {
-    let history = data.history(row.text(&CASE_ID))?;
+    let history = data.history(row.id())?;
     let Some(top) = row.time(&RUNUP_MAX) else { return Ok(Vec::new()) };
     let force =
         history.points(FORCE.name).iter().map(|(time, force)| ((time - top) / unit_s(), *force));

@@ -2,7 +2,6 @@
 
 use super::laws::{looks, words};
 use super::{Drawn, Material, drawn};
-use crate::quantities::summary::CASE_ID;
 use crate::report::error::ReportError;
 use crate::report::plots::{
     Axis, Chart, Curve, Entry, Layout, Look, Point, places, points, printed_entry, printed_point,
@@ -19,7 +18,7 @@ pub fn drawing(material: &Material) -> Result<Option<Drawn>, ReportError> {
         let end = config.value("tank_length_m").zip(config.value("column_height_m"));
         let end = end.map(|(length, height)| length / height);
         let mut front: Vec<Point> = Vec::new();
-        for reading in data.readings(row.text(&CASE_ID))? {
+        for reading in data.readings(row.id())? {
             let Some(value) = reading.value else { continue };
             let at = |prefix: &str| reading.name.strip_prefix(prefix)?.parse::<f64>().ok();
             front.extend(at(FRONT).map(|time| Point::from((time, value))));

@@ -3,7 +3,7 @@
 use super::laws::{looks, words};
 use super::{Drawn, Material, drawn};
 use crate::papers::PAPER_CLOCK_CENTRE_S;
-use crate::quantities::summary::{CASE_ID, STROKE_CENTRE};
+use crate::quantities::summary::STROKE_CENTRE;
 use crate::report::config::{Config, gauges};
 use crate::report::error::ReportError;
 use crate::report::plots::{Axis, Chart, Curve, Entry, Layout, Look, Point, lasting, places};
@@ -31,7 +31,7 @@ pub fn drawing(
 ) -> Result<Option<Drawn>, ReportError> {
     let mut cases = Vec::new();
     for (data, row, config) in material.known() {
-        cases.push(Case { row, config, gauges: data.gauges(row.text(&CASE_ID))? });
+        cases.push(Case { row, config, gauges: data.gauges(row.id())? });
     }
     let heights: Vec<_> = material.studies.iter().flat_map(|study| gauges(study.data)).collect();
     let rows: Vec<_> = cases.iter().map(|case| case.row).collect();
@@ -48,7 +48,7 @@ pub fn drawing(
         for ((case, word), look) in cases.iter().zip(&words).zip(&looks) {
             let points = case.points(name, column);
             reach.extend(if measured { bulk(&points) } else { lasting(&points) });
-            let key = format!("case={}", case.row.text(&CASE_ID));
+            let key = format!("case={}", case.row.id());
             curves.push(Curve::through(Entry::line(word, *look).keyed(key), thin(&points)));
         }
         let Some(x) = Axis::within(places(&curves), 7.0) else { continue };

@@ -5,7 +5,7 @@ use super::laws::{heading, laws, looks, stands, words};
 use super::{Drawn, Material, drawn};
 use crate::papers::{PAPER_CLOCK_CENTRE_S, Printed, printed};
 use crate::quantities::history;
-use crate::quantities::summary::{CASE_ID, STROKE_CENTRE};
+use crate::quantities::summary::STROKE_CENTRE;
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::papers::{self, Found, on_their_clock};
@@ -91,7 +91,7 @@ fn strip(
         strip.heights.extend(lasting(&points));
         // One line of the legend stands for the same wall in every column.
         let label = if law == first { word } else { "" };
-        let entry = Entry::line(label, look).keyed(format!("case={}", row.text(&CASE_ID)));
+        let entry = Entry::line(label, look).keyed(format!("case={}", row.id()));
         strip.curves.push(Curve::through(entry, points));
         let own = material.of(row).filter_map(|found| {
             mark(found, name).map(|place| printed_point(place, row, found.printed))
@@ -110,7 +110,7 @@ fn strip(
 
 /// A column of a case's history on the papers' clock, or on its own where no paddle moves.
 fn points(data: &Loaded, row: &Row, name: &str) -> Result<Vec<(f64, f64)>, ReportError> {
-    let history = data.history(row.text(&CASE_ID))?;
+    let history = data.history(row.id())?;
     let points = history.points(name).iter().copied();
     let Some(centre) = row.number(&STROKE_CENTRE) else { return Ok(points.collect()) };
     let shifted = points.map(|(t, y)| (t - centre + PAPER_CLOCK_CENTRE_S, y));

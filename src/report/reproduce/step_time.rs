@@ -3,7 +3,7 @@
 
 use super::{Drawn, Material, drawn};
 use crate::math::lists::different;
-use crate::quantities::summary::{BOUNDARY, CASE_ID, PARTICLES};
+use crate::quantities::summary::{BOUNDARY, PARTICLES};
 use crate::report::error::ReportError;
 use crate::report::papers::step_time;
 use crate::report::plots::{
@@ -49,7 +49,7 @@ fn curves(rows: &[&Row], names: &[&str], y: impl Fn(f64, f64) -> Option<f64>) ->
         let own = rows.iter().filter(|row| row.text(&BOUNDARY) == *name);
         let point = |row: &&Row| {
             let particles = row.number(&PARTICLES)?;
-            let case = row.text(&CASE_ID).to_owned();
+            let case = row.id().to_owned();
             Some(Point { case, ..(particles, y(particles, step_time(row)?)?).into() })
         };
         let mut points: Vec<_> = own.filter_map(point).collect();

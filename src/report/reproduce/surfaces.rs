@@ -5,7 +5,7 @@ use super::laws::{heading, looks, words};
 use super::{Drawn, Material, drawn};
 use crate::papers::PAPER_CLOCK_CENTRE_S;
 use crate::quantities::history::{DISPLACEMENT, RUNUP};
-use crate::quantities::summary::{CASE_ID, FORCE_COUPLING, STROKE_CENTRE, WAVE_HEIGHT_RATIO};
+use crate::quantities::summary::{FORCE_COUPLING, STROKE_CENTRE, WAVE_HEIGHT_RATIO};
 use crate::report::config::{Config, Gauge, gauges};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
@@ -83,7 +83,7 @@ impl<'a> Case<'a> {
         let [Some(depth), Some(length), Some(gravity)] = keys.map(|key| config.value(key)) else {
             return Ok(None);
         };
-        let (id, mut gauges) = (row.text(&CASE_ID), gauges(data));
+        let (id, mut gauges) = (row.id(), gauges(data));
         gauges.retain(|gauge| gauge.kind == "level");
         if gauges.is_empty() {
             return Ok(None);
@@ -108,7 +108,7 @@ impl<'a> Case<'a> {
         let Some(top) = of(RUNUP.name).filter(|_| !points.is_empty()) else { return Vec::new() };
         points.push((wall, top).into());
         let low = points.iter().map(|point| point.y).fold(0.0, f64::min) - 0.1;
-        let key = format!("case={}", self.row.text(&CASE_ID));
+        let key = format!("case={}", self.row.id());
         let water = Curve { entry: Entry::marked(words, look).keyed(key), points };
         vec![water, Curve::through(Entry::line("", look), [(wall, top), (wall, low)])]
     }

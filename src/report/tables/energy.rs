@@ -23,7 +23,7 @@ pub fn energy(data: &Loaded) -> Option<Lines<'_>> {
     let place = PLACE.into_iter().chain([&FORCE_COUPLING]);
     let place = place.filter(|column| !header.iter().any(|known| known == column.name));
     let place: Vec<&Column> = place.collect();
-    let rows: HashMap<_, _> = data.rows.iter().map(|row| (row.text(&CASE_ID), row)).collect();
+    let rows: HashMap<_, _> = data.rows.iter().map(|row| (row.id(), row)).collect();
     let names = place.iter().map(|column| column.name.to_owned()).collect();
     let header = with(id, CASE_ID.name, names, header.iter());
     let none = Row::default();

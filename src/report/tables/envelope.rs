@@ -10,7 +10,7 @@ use crate::report::series::Pressed;
 /// A line for every height of every finished case, to every digit; `None` where there are none.
 pub fn envelope(data: &Loaded) -> Option<Lines<'_>> {
     let of = |row: &Row| -> Vec<Line> {
-        let id = row.text(&CASE_ID);
+        let id = row.id();
         let line = |at: &Pressed| {
             let numbers = [Some(at.height_m), Some(at.pressure_max_pa), at.first_pressure_max_pa];
             let cells = numbers.into_iter().map(plain);

@@ -16,7 +16,7 @@ const SIDE_BY_SIDE: usize = 6;
 /// All readings of finished cases, one per line, to every digit; `None` where there are none.
 pub fn readings(data: &Loaded) -> Option<Lines<'_>> {
     let of = |row: &Row| -> Vec<Line> {
-        let id = row.text(&CASE_ID);
+        let id = row.id();
         let line = |reading: Reading| {
             let value = plain(reading.value);
             vec![id.to_owned(), row.words(), reading.name, value, reading.unit]

@@ -1,7 +1,7 @@
 //! The largest force, and where it is.
 
 use crate::quantities::Column;
-use crate::quantities::summary::{CASE_ID, FIRST_FORCE_MAX, FORCE_MAX, FORCE_MAX_ERROR};
+use crate::quantities::summary::{FIRST_FORCE_MAX, FORCE_MAX, FORCE_MAX_ERROR};
 use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::page::words::{at, result};
@@ -54,7 +54,7 @@ fn later(data: &Loaded, first: f64) -> Option<String> {
 /// wall, or where that stands dry the still water's.
 fn newtons(data: &Loaded, file: Option<&SceneFile>, row: &Row, force: f64) -> String {
     let scale = || {
-        let index = data.rows.iter().position(|r| r.text(&CASE_ID) == row.text(&CASE_ID))?;
+        let index = data.rows.iter().position(|r| r.id() == row.id())?;
         let scene = file?.config(data, index)?.scene;
         let (frame, seawall) = (scene.frame(), scene.seawall());
         let at_wall = seawall.map(|scene| scene.depth_at_wall_m()).filter(|depth| *depth > 0.0);
