@@ -35,6 +35,14 @@ pub fn ends(mut numbers: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
     Some(numbers.fold((first, first), |(low, high), number| (low.min(number), high.max(number))))
 }
 
+/// The different numbers, from the lowest up.
+pub fn rising(numbers: impl IntoIterator<Item = f64>) -> Vec<f64> {
+    let mut rising: Vec<f64> = numbers.into_iter().collect();
+    rising.sort_by(f64::total_cmp);
+    rising.dedup();
+    rising
+}
+
 /// The number in the middle; the mean of two where their count is even.
 pub fn median(numbers: &[f64]) -> Option<f64> {
     let mut rising = numbers.to_vec();

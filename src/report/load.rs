@@ -82,6 +82,11 @@ impl Loaded {
         self.rows.iter().filter(|row| row.is_ok())
     }
 
+    /// Those of one variant.
+    pub fn of_variant(&self, variant: &str) -> impl Iterator<Item = &Row> {
+        self.finished().filter(move |row| *row.variant == *variant)
+    }
+
     /// The same of some rows alone.
     pub(super) fn part(&self, places: &[usize]) -> Loaded {
         let key =

@@ -1,6 +1,7 @@
 //! Printed and computed numbers in tables: a line for each, and with the factors s side by side.
 
 use super::Found;
+use crate::math::lists::rising;
 use crate::papers::{Printed, Read, paper};
 use crate::quantities::summary::{
     BOUNDARY, CASE_ID, FORCE_COUPLING, LOG10_K_STAR, SCHEME, SEAWALL_MASS, SPRING_STIFFNESS,
@@ -103,9 +104,8 @@ pub fn beside(found: &[Found]) -> Table {
 
 /// The factors s among the movable walls, the law as printed first.
 pub(super) fn couplings(found: &[Found]) -> Vec<f64> {
-    let mut factors: Vec<f64> = found.iter().filter_map(Found::coupling).collect();
-    factors.sort_by(|a, b| b.total_cmp(a));
-    factors.dedup();
+    let mut factors = rising(found.iter().filter_map(Found::coupling));
+    factors.reverse();
     factors
 }
 

@@ -70,6 +70,11 @@ pub fn places(curves: &[Curve]) -> impl Iterator<Item = f64> + Clone {
     points(curves).map(|point| point.x)
 }
 
+/// How far their values reach up and down, bars and arrows included.
+pub fn reach(curves: &[Curve]) -> impl Iterator<Item = f64> {
+    curves.iter().flat_map(Curve::reach)
+}
+
 /// A coloured field of a map.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cell {

@@ -2,7 +2,7 @@
 //! over a level bed beside the exact solitary wave, too.
 
 use super::axes::Axis;
-use super::chart::{Chart, Curve, places};
+use super::chart::{Chart, Curve, places, reach};
 use super::legend::Entry;
 use super::look::Look;
 use super::marks::point;
@@ -162,7 +162,7 @@ fn drawing(data: &Loaded, rows: &[&Row], measured: bool, beside: &Beside) -> Dra
         curves.push(Curve { entry, points: points.collect() });
         curves.extend(printed::beside(data, column, rows, wave));
         let x = Axis::around(places(&curves), 6.0)?;
-        let y = Axis::around(curves.iter().flat_map(Curve::reach), 6.0)?;
+        let y = Axis::around(reach(&curves), 6.0)?;
         let title = wave.heading();
         let titles = [&title, column.unit.axis()];
         Some(Chart::new((x, y), titles, [wave.name, column.name], curves))

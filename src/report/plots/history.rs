@@ -29,11 +29,9 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut figures = Vec::new();
     for variant in variants(&data.rows) {
         for wave in distinct(data.finished(), &WAVE_HEIGHT_RATIO) {
-            let rows: Vec<_> = data
-                .finished()
-                .filter(|row| *row.variant == *variant)
-                .filter(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(wave))
-                .collect();
+            let own = data.of_variant(&variant);
+            let rows: Vec<_> =
+                own.filter(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(wave)).collect();
             let (chosen, common, picked) = choose(&rows);
             let lines = read(data, chosen)?;
             if lines.is_empty() {

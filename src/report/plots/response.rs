@@ -2,7 +2,7 @@
 //! against the spring's stiffness, one panel per mass, one curve per wave height.
 
 use super::axes::Axis;
-use super::chart::{Chart, Curve, places};
+use super::chart::{Chart, Curve, places, reach};
 use super::marks::{bounds, by, coupling, key, marks, picked, point, said};
 use super::sheet::{Drawing, PANELS};
 use super::{DRAWN, Figure, SERIES, file_name, of_variant, printed};
@@ -25,7 +25,7 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
             }
             let all: Vec<_> = by_mass(&rows).collect();
             let shown = spread(&all, SERIES);
-            let law = coupling(data.finished().filter(|row| *row.variant == *variant));
+            let law = coupling(data.of_variant(&variant));
             let what = capitalised(response.meaning);
             let of_masses = picked(shown.len(), all.len(), "masses");
             let count = distinct(rows.iter().copied(), &WAVE_HEIGHT_RATIO).len();
@@ -58,7 +58,7 @@ fn drawing(data: &Loaded, response: &Column, masses: &[&[&Row]], waves: &[f64]) 
     let all: Vec<Curve> = masses.iter().flat_map(|rows| curves(rows)).collect();
     let floor = if response.unit == Unit::Force { 1.0 } else { 0.0 };
     let x = Axis::around(places(&all), 6.0);
-    let y = Axis::around(all.iter().flat_map(Curve::reach).chain([floor]), 6.0);
+    let y = Axis::around(reach(&all).chain([floor]), 6.0);
     let (x, y) = x.zip(y).expect("a response has points, and points are finite");
     let chart = |rows: &&[&Row]| {
         let mass = rows[0].number(&M_STAR).unwrap_or_default();

@@ -3,7 +3,7 @@
 //! below is the same at another value of a second parameter; curves are of the third.
 
 use super::axes::Axis;
-use super::chart::{Chart, Curve, Point, places, points};
+use super::chart::{Chart, Curve, Point, places, points, reach};
 use super::marks::{bounds, by, coupling, key, marks, picked, point, said};
 use super::sheet::{Drawing, PANELS};
 use super::{DRAWN, Figure, SERIES, file_name, of_variant};
@@ -75,7 +75,7 @@ const SLICES: [Slice; 3] = [
 pub fn figures(data: &Loaded) -> Vec<Figure> {
     let mut figures = Vec::new();
     for variant in variants(&data.rows) {
-        let rows: Vec<_> = data.finished().filter(|row| *row.variant == *variant).collect();
+        let rows: Vec<_> = data.of_variant(&variant).collect();
         figures.extend(SLICES.iter().filter_map(|slice| slice.figure(&rows, &variant)));
     }
     figures
@@ -165,7 +165,7 @@ impl Slice {
             let top = |point: &Point| if point.bound { ARROW * point.y } else { point.y };
             Axis::logarithmic(points(curves).flat_map(|point| [point.y, top(point)]))
         } else {
-            Axis::around(curves.iter().flat_map(Curve::reach), 6.0)
+            Axis::around(reach(curves), 6.0)
         };
         x.zip(y)
     }

@@ -4,7 +4,7 @@
 use toml::Value;
 
 use super::axes::Axis;
-use super::chart::{Chart, Curve};
+use super::chart::{Chart, reach};
 use super::marks::{bounds, by, coupling, marks, picked, point};
 use super::sheet::{Drawing, PANELS};
 use super::{Figure, SERIES, file_name, of_variant};
@@ -156,7 +156,7 @@ fn drawing(key: &Key, group: &[Case], waves: &[f64]) -> Option<Drawing> {
         let whole = whole.unwrap_or(column);
         let point = |x: f64, row: &Row| point(row, x, column).or_else(|| point(row, x, whole));
         let mut curves = by(&WAVE_HEIGHT_RATIO, waves, group, point);
-        let y = Axis::around(curves.iter().flat_map(Curve::reach), 6.0)?;
+        let y = Axis::around(reach(&curves), 6.0)?;
         curves.extend(bounds(&curves));
         let heading = column.heading();
         let what = if column.unit.is_ratio() { column.unit.axis() } else { &heading };

@@ -1,6 +1,6 @@
 //! What was run, and what failed.
 
-use crate::math::lists::counts;
+use crate::math::lists::{counts, rising};
 use crate::math::words::{counted, listed};
 use crate::quantities::summary::{PARTICLE_SPACING, REASON};
 use crate::quantities::{Column, heading, named};
@@ -44,11 +44,9 @@ fn numbers(symbol: &str, values: &[f64], unit: &str) -> String {
 fn key(key: &Key) -> String {
     let cells: Vec<_> = key.cells.different().filter(|cell| !cell.is_empty()).collect();
     let read: Option<Vec<f64>> = cells.iter().map(|cell| cell.parse().ok()).collect();
-    if let Some(mut values) = read {
-        values.sort_by(f64::total_cmp);
-        values.dedup();
+    if let Some(values) = read {
         let (symbol, unit) = symbol(&key.name);
-        return numbers(&symbol, &values, &unit);
+        return numbers(&symbol, &rising(values), &unit);
     }
     let words: Vec<String> = cells.into_iter().map(str::to_owned).collect();
     format!("{} = {}", symbol(&key.name).0, listed(&words))

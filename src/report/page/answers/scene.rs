@@ -4,6 +4,7 @@ use toml::Table;
 
 use crate::keys::Key;
 use crate::keys::number as read;
+use crate::math::lists::rising;
 use crate::math::words::{capitalised, listed};
 use crate::report::config::each_config;
 use crate::report::curves::spread;
@@ -37,10 +38,8 @@ fn value(key: &Key, scenes: &[Table]) -> Option<String> {
     let on = scenes.iter().filter(|scene| key.is_on(scene));
     let values: Vec<_> = on.filter_map(|scene| scene.get(key.name)).collect();
     let name = key.label();
-    let mut numbers: Vec<f64> = values.iter().filter_map(|value| read(value)).collect();
+    let numbers = rising(values.iter().filter_map(|value| read(value)));
     if !numbers.is_empty() {
-        numbers.sort_by(f64::total_cmp);
-        numbers.dedup();
         let symbol = if key.name == "still_water_depth_m" { " h =" } else { "" };
         return Some(format!("{name}{symbol} {}", range(&numbers, key.rule.unit)));
     }
