@@ -2,7 +2,7 @@
 
 mod json;
 
-use super::output::{short, with_marks};
+use super::output::{first, short, with_marks};
 use super::overview;
 use super::table::Table;
 use crate::math::lists::{different, ends};
@@ -81,7 +81,8 @@ impl Answer<'_> {
         let heads = self.data.keys.iter().map(|key| heading(&key.name));
         let heads = heads.chain(subjects.iter().map(|subject| heading(&subject.name)));
         let mut table = Table::new(heads.chain([CASE_ID.heading(), String::new()]));
-        for &row in &rows[..shown(rows.len(), all)] {
+        let (shown, more) = first(rows, ROWS, all);
+        for &row in shown {
             let mut cells: Vec<_> =
                 (0..self.data.keys.len()).map(|key| self.cell(key, row)).collect();
             cells.extend(subjects.iter().map(|subject| reading(subject.readings[row])));
@@ -92,7 +93,7 @@ impl Answer<'_> {
             cells.push(format!("{near}{doubtful}{stopped}"));
             table.row(cells);
         }
-        table.render() + &more(rows.len(), all)
+        table.render() + &more
     }
 
     fn cell(&self, key: usize, row: usize) -> String {
@@ -109,11 +110,12 @@ impl Answer<'_> {
             return String::new();
         }
         let mut text = format!("\n{} cannot be told\n", counted(rows.len(), "case"));
-        for &row in &rows[..shown(rows.len(), all)] {
+        let (shown, more) = first(&rows, ROWS, all);
+        for &row in shown {
             let (id, why) = (self.data.rows[row].id(), self.found.why(row));
             text.push_str(&format!("  {id} ({}): {why}\n", self.place(row, None)));
         }
-        text + &more(rows.len(), all)
+        text + &more
     }
 
     /// The values of the swept keys, but for one.
@@ -131,7 +133,8 @@ impl Answer<'_> {
     /// Those that the condition does not say itself.
     fn boundaries(&self, found: &[&Boundary], all: bool) -> String {
         let mut table = Table::new(["along", "met", "not before", "not after", ""]);
-        for one in &found[..shown(found.len(), all)] {
+        let (shown, more) = first(found, ROWS, all);
+        for one in shown {
             let side = if one.met_above { "above" } else { "below" };
             let at = one.at.map_or_else(|| "-".to_owned(), short);
             let [from, to] = one.between.map(|end| self.end_in_words(one.key, end));
@@ -142,7 +145,7 @@ impl Answer<'_> {
             let note: Vec<_> = note.into_iter().filter(|word| !word.is_empty()).collect();
             table.row([axis, format!("{side} {at}"), from, to, note.join("  ")]);
         }
-        table.render() + &more(found.len(), all) + LEGEND
+        table.render() + &more + LEGEND
     }
 
     /// An end of a boundary's range. Beyond the study's own values it would be a guess.
@@ -170,16 +173,5 @@ fn basis(basis: Basis) -> &'static str {
         Basis::TwoCases => "(two cases)",
         Basis::LowerBound => "(≥ beyond)",
         Basis::Gap => "(gap)",
-    }
-}
-
-fn shown(rows: usize, all: bool) -> usize {
-    if all { rows } else { rows.min(ROWS) }
-}
-
-fn more(rows: usize, all: bool) -> String {
-    match rows - shown(rows, all) {
-        0 => String::new(),
-        left => format!("... and {left} more (-v shows all)\n"),
     }
 }

@@ -110,6 +110,16 @@ pub(super) fn with_marks(value: f64, bar: Option<f64>, bound: bool) -> String {
     if bound { format!("≥ {told}") } else { told }
 }
 
+/// The first items of a list, or all of them, and a line that says how many more there are.
+pub(super) fn first<T>(items: &[T], most: usize, all: bool) -> (&[T], String) {
+    let (shown, rest) = items.split_at(if all { items.len() } else { items.len().min(most) });
+    let more = match rest.len() {
+        0 => String::new(),
+        left => format!("... and {left} more (-v shows all)\n"),
+    };
+    (shown, more)
+}
+
 /// A path for JSON, which knows no other text than UTF-8.
 pub(super) fn json_path(path: &Path) -> String {
     path.to_string_lossy().into_owned()

@@ -85,9 +85,9 @@ impl Difference {
         self.bar().map(|bar| self.absolute().abs() <= bar)
     }
 
-    /// What is tallied: percent, or h for runups.
-    fn size(&self) -> Option<f64> {
-        if self.relative { self.percent() } else { Some(self.absolute()) }.map(f64::abs)
+    /// What is told and tallied: percent, or h for runups.
+    pub fn size(&self) -> Option<f64> {
+        if self.relative { self.percent() } else { Some(self.absolute()) }
     }
 }
 
@@ -117,7 +117,7 @@ impl Pair {
     pub fn tally(pairs: &[Pair], quantity: usize) -> Option<Tally> {
         let sized = pairs.iter().enumerate().filter_map(|(at, pair)| {
             let difference = pair.differences[quantity]?;
-            Some((at, difference.size()?, difference))
+            Some((at, difference.size()?.abs(), difference))
         });
         let mut sized: Vec<_> = sized.collect();
         sized.sort_by(|a, b| a.1.total_cmp(&b.1));
