@@ -23,6 +23,11 @@ impl BadInput {
     pub(super) fn of(path: &Path, reason: impl std::fmt::Display) -> BadInput {
         BadInput(format!("{}: {reason}", named(path)))
     }
+
+    /// Something that is wrong with the sweep file that an output directory was made from.
+    pub(super) fn of_stored(directory: &Path, error: &ConfigError) -> BadInput {
+        BadInput::of(directory, format_args!("sweep_file in manifest.json: {error}"))
+    }
 }
 
 /// A value in a file that the user can put right.

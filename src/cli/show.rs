@@ -40,9 +40,8 @@ pub(super) struct ShowArgs {
 pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
     if args.toml {
         let (file, study) = stored::file_and_study(&args.dir)?;
-        let text = file.single(the_case(&study, &args.case)?).map_err(|error| {
-            BadInput::of(&args.dir, format_args!("sweep_file in manifest.json: {error}"))
-        })?;
+        let text = file.single(the_case(&study, &args.case)?);
+        let text = text.map_err(|error| BadInput::of_stored(&args.dir, &error))?;
         output.result(&text, &json!({ "toml": text }))?;
         return Ok(SUCCESS);
     }

@@ -42,8 +42,8 @@ fn manifest_and_file(directory: &Path) -> anyhow::Result<(Manifest, SweepFile)> 
     let set = |text: &String| text.parse::<Override>();
     let overrides: Vec<_> =
         manifest.overrides.iter().map(set).collect::<Result<_, _>>().map_err(bad)?;
-    let told = |error| bad(format!("sweep_file in manifest.json: {error}"));
-    let file = SweepFile::read(&manifest.sweep_file, &overrides).map_err(told)?;
+    let file = SweepFile::read(&manifest.sweep_file, &overrides)
+        .map_err(|error| BadInput::of_stored(directory, &error))?;
     Ok((manifest, file))
 }
 
