@@ -1,6 +1,7 @@
 //! What every case was: all values of its `[scene]` and `[numerics]`, from the manifest and from the
 //! swept keys in its row.
 
+use serde::Deserialize;
 use toml::{Table, Value};
 
 use super::load::Loaded;
@@ -47,7 +48,7 @@ pub fn each_config(
 }
 
 /// A gauge of a study.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Gauge {
     /// Its column.
     pub name: String,
@@ -61,17 +62,8 @@ pub struct Gauge {
 
 /// The gauges of a study.
 pub fn gauges(data: &Loaded) -> Vec<Gauge> {
-    let gauge = |table: &Table| {
-        let word = |key: &str| Some(table.get(key)?.as_str()?.to_owned());
-        let place = |key: &str| table.get(key).and_then(number);
-        Some(Gauge {
-            name: word("name")?,
-            kind: word("kind")?,
-            x_m: place("x_m"),
-            y_m: place("y_m"),
-        })
-    };
-    data.file().unwrap_or_default().probes.iter().filter_map(gauge).collect()
+    let probes = data.file().unwrap_or_default().probes.into_iter();
+    probes.filter_map(|table| table.try_into().ok()).collect()
 }
 
 fn config(file: &StudyFile, data: &Loaded, row: usize) -> Option<Config> {

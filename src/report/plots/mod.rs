@@ -23,7 +23,6 @@ mod pen;
 mod printed;
 mod probes;
 mod response;
-mod shape;
 mod sheet;
 mod slices;
 mod swept;

@@ -8,8 +8,7 @@ use super::chart::Chart;
 use super::frame::{Frame, Margins};
 use super::legend::{Entry, list, rows};
 use super::panel::panel;
-use super::pen::{GROUND, INK, bare};
-use super::shape::tidy;
+use super::pen::{GROUND, INK, bare, tidy};
 use super::text::FAMILY;
 use crate::math::lists::different;
 

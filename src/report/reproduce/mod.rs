@@ -11,7 +11,6 @@ mod laws;
 mod response;
 mod step_time;
 mod surfaces;
-mod walls;
 
 use std::path::PathBuf;
 
@@ -97,7 +96,7 @@ pub fn reproduce(recipe: &Recipe, directories: &[PathBuf]) -> Result<Reproduced,
     let drawing = match draw.ok_or_else(nothing)? {
         Draw::Response { column } => response::drawing(&material, column)?,
         Draw::Histories { columns, line } => histories::drawing(&material, columns, *line)?,
-        Draw::Walls => walls::drawing(&material)?,
+        Draw::Walls => walls(&material),
         Draw::AroundRunup { panels } => around_runup::drawing(&material, panels)?,
         Draw::Surfaces { times_s, first_order } => {
             surfaces::drawing(&material, times_s, *first_order)?
@@ -130,6 +129,13 @@ pub fn reproduce(recipe: &Recipe, directories: &[PathBuf]) -> Result<Reproduced,
         beside: papers::beside(&found),
         sentences: if found.is_empty() { Vec::new() } else { papers::sentences(&found) },
     })
+}
+
+/// Fig. 3 of Liang et al. 2017: the report's own figure of fixed walls.
+fn walls(material: &Material) -> Option<Drawn> {
+    let figure = |study: &Cases| plots::at_fixed_walls(study.data).into_iter().next();
+    let Figure { drawing, caption, .. } = material.studies.iter().find_map(figure)?;
+    Some(Drawn { drawing, caption })
 }
 
 /// Whether a printed number belongs beside a figure: its own, and those of the same cases that it draws.

@@ -2,8 +2,6 @@
 //! case.
 
 mod energy;
-mod envelope;
-mod lines;
 mod loads;
 mod page;
 mod readings;
@@ -22,9 +20,8 @@ use crate::quantities::summary::{
     STOP_IMPULSE, STOPS, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, Quantity};
-pub use lines::{Line, Lines};
 pub use readings::across;
-pub use table::Table;
+pub use table::{Line, Lines, Table};
 
 /// A column of a table: its name, and what it has of a row, which stands at a place in the summary.
 type Field<'a> = (&'static str, Box<dyn Fn(usize, &Row) -> String + 'a>);
@@ -76,7 +73,7 @@ pub fn all(data: &Loaded) -> Vec<Lines<'_>> {
     tables.extend(loads::overtopping(data));
     tables.extend(readings::readings(data));
     tables.extend(energy::energy(data));
-    tables.extend(envelope::envelope(data));
+    tables.extend(readings::envelope(data));
     tables
 }
 
