@@ -47,7 +47,6 @@ mod section;
 mod shape;
 mod shared;
 mod shown;
-mod words;
 mod written;
 
 pub use error::{ConfigError, cut, hint, nearest};
