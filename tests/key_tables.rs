@@ -3,9 +3,53 @@
 use std::fs;
 use std::path::Path;
 
-use seawall::keys::{Section, table};
+use seawall::keys::{Key, Section, Shape};
 use seawall::scene::{Kind, Numerics, Preset, numerics_keys, probe_keys, scene_keys};
 use seawall::study::{limits_keys, refine_keys};
+use toml::Table;
+
+/// A table in Markdown, a row per key, with a column for the defaults and one more for each named
+/// set of values that may stand in for them.
+fn table(keys: &[&Key], sets: &[(&str, Table)]) -> String {
+    let names: String = sets.iter().map(|(name, _)| format!(" `{name}` |")).collect();
+    let rule = "---|".repeat(sets.len());
+    let defaults = if sets.is_empty() { " default |" } else { "" };
+    let rule = if sets.is_empty() { "---|" } else { &rule };
+    let mut text =
+        format!("| key | unit |{defaults}{names} allowed | meaning |\n|---|---|{rule}---|---|\n");
+    for key in keys {
+        let value = |set: &Table| match set.get(key.name) {
+            Some(value) => format!(" {} |", code(&value.to_string())),
+            None => " none |".to_owned(),
+        };
+        let mut values: String = sets.iter().map(|(_, set)| value(set)).collect();
+        if sets.is_empty() {
+            values = format!(" {} |", code(&key.default_in_words()));
+        }
+        let (name, unit) = (key.name, key.rule.unit);
+        text += &format!(
+            "| `{name}` | {unit} |{values} {} | {} |\n",
+            allowed(key),
+            key.meaning_in_markdown()
+        );
+    }
+    text
+}
+
+/// Names in quotes stand as they do in files.
+fn code(value: &str) -> String {
+    if value.starts_with('"') { format!("`{value}`") } else { value.to_owned() }
+}
+
+/// What a key takes.
+fn allowed(key: &Key) -> String {
+    match (key.shape)() {
+        Shape::Names(names) => {
+            names.iter().map(|name| format!("`\"{name}\"`")).collect::<Vec<_>>().join(", ")
+        }
+        _ => key.allowed_in_words(),
+    }
+}
 
 /// The table that belongs between two markers.
 fn of(name: &str) -> String {

@@ -4,11 +4,11 @@ use clap::Args;
 use serde_json::json;
 
 use super::matrix::{MatrixArgs, Request, run};
-use super::output::{Output, short};
-use super::shown;
+use super::output::{Output, json_path, short};
 use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
 use crate::accuracy::{Errors, MethodScore, Scored, cheapest_within, methods, score};
+use crate::keys::named;
 use crate::report::accuracy::{HEADER, write};
 
 /// Run many methods on cases with known answers. Tell the error and the processor time of each.
@@ -68,8 +68,8 @@ pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
             text.push_str(&format!("best at {target} %, {what}: {best}\n"));
         }
     }
-    text.push_str(&format!("report: {}\n", shown::told(&page)));
-    let value = json!({ "out": shown::path(&ran.out), "report": shown::path(&page), "methods": scores, "loads": loads, "rows": scored });
+    text.push_str(&format!("report: {}\n", named(&page)));
+    let value = json!({ "out": json_path(&ran.out), "report": json_path(&page), "methods": scores, "loads": loads, "rows": scored });
     output.result(&text, &value)?;
     Ok(if scored.iter().any(|row| row.errors().next().is_none()) { CASES_FAILED } else { SUCCESS })
 }

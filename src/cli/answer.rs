@@ -2,15 +2,16 @@
 
 mod json;
 
-use super::output::{short, with_bar};
+use super::output::{first, short, with_marks};
 use super::overview;
 use super::table::Table;
+use crate::math::lists::{different, ends};
+use crate::math::words::counted;
 use crate::quantities::heading;
 use crate::quantities::summary::{CASE_ID, DOUBTFUL};
 use crate::report::find::{Basis, Boundary, Found, Reading, Verdict};
 use crate::report::load::Loaded;
 use crate::report::plain;
-use crate::results::counted;
 
 /// Rows of a table shown without `-v`.
 const ROWS: usize = 30;
@@ -74,34 +75,25 @@ impl Answer<'_> {
     }
 
     fn cases(&self, rows: &[usize], all: bool) -> String {
-        let subjects = || self.found.condition.0.iter().map(|comparison| &comparison.subject);
-        let subjects = || {
-            let mut seen = Vec::new();
-            subjects().filter(move |one| {
-                let new = !self.is_key(&one.name) && !seen.contains(&one.name.as_str());
-                seen.push(one.name.as_str());
-                new
-            })
-        };
+        let subjects = self.found.condition.0.iter().map(|comparison| &comparison.subject);
+        let is_key = |name: &str| self.data.keys.iter().any(|key| key.name == name);
+        let subjects = different(subjects.filter(|subject| !is_key(&subject.name)));
         let heads = self.data.keys.iter().map(|key| heading(&key.name));
-        let heads = heads.chain(subjects().map(|subject| heading(&subject.name)));
+        let heads = heads.chain(subjects.iter().map(|subject| heading(&subject.name)));
         let mut table = Table::new(heads.chain([CASE_ID.heading(), String::new()]));
-        for &row in &rows[..shown(rows.len(), all)] {
+        let (shown, more) = first(rows, ROWS, all);
+        for &row in shown {
             let mut cells: Vec<_> =
                 (0..self.data.keys.len()).map(|key| self.cell(key, row)).collect();
-            cells.extend(subjects().map(|subject| reading(subject.readings[row])));
-            cells.push(self.data.rows[row].text(&CASE_ID).to_owned());
+            cells.extend(subjects.iter().map(|subject| reading(subject.readings[row])));
+            cells.push(self.data.rows[row].id().to_owned());
             let near = if self.found.condition.is_near(row) { "~" } else { "" };
             let doubtful = if self.is_doubtful(row) { "!" } else { "" };
             let stopped = if self.stops(row) { "*" } else { "" };
             cells.push(format!("{near}{doubtful}{stopped}"));
             table.row(cells);
         }
-        table.render() + &more(rows.len(), all)
-    }
-
-    fn is_key(&self, name: &str) -> bool {
-        self.data.keys.iter().any(|key| key.name == name)
+        table.render() + &more
     }
 
     fn cell(&self, key: usize, row: usize) -> String {
@@ -118,11 +110,12 @@ impl Answer<'_> {
             return String::new();
         }
         let mut text = format!("\n{} cannot be told\n", counted(rows.len(), "case"));
-        for &row in &rows[..shown(rows.len(), all)] {
-            let (id, why) = (self.data.rows[row].text(&CASE_ID), self.found.why(row));
+        let (shown, more) = first(&rows, ROWS, all);
+        for &row in shown {
+            let (id, why) = (self.data.rows[row].id(), self.found.why(row));
             text.push_str(&format!("  {id} ({}): {why}\n", self.place(row, None)));
         }
-        text + &more(rows.len(), all)
+        text + &more
     }
 
     /// The values of the swept keys, but for one.
@@ -140,7 +133,8 @@ impl Answer<'_> {
     /// Those that the condition does not say itself.
     fn boundaries(&self, found: &[&Boundary], all: bool) -> String {
         let mut table = Table::new(["along", "met", "not before", "not after", ""]);
-        for one in &found[..shown(found.len(), all)] {
+        let (shown, more) = first(found, ROWS, all);
+        for one in shown {
             let side = if one.met_above { "above" } else { "below" };
             let at = one.at.map_or_else(|| "-".to_owned(), short);
             let [from, to] = one.between.map(|end| self.end_in_words(one.key, end));
@@ -151,14 +145,13 @@ impl Answer<'_> {
             let note: Vec<_> = note.into_iter().filter(|word| !word.is_empty()).collect();
             table.row([axis, format!("{side} {at}"), from, to, note.join("  ")]);
         }
-        table.render() + &more(found.len(), all) + LEGEND
+        table.render() + &more + LEGEND
     }
 
     /// An end of a boundary's range. Beyond the study's own values it would be a guess.
     fn end_in_words(&self, key: usize, end: f64) -> String {
         let values = self.data.keys[key].cells.iter().filter_map(|cell| cell.parse::<f64>().ok());
-        let (least, most) =
-            values.fold((f64::MAX, f64::MIN), |(low, high), one| (low.min(one), high.max(one)));
+        let (least, most) = ends(values).unwrap_or_default();
         let slack = 1e-9 * most.abs().max(least.abs());
         let is_within = (least - slack..=most + slack).contains(&end);
         if is_within { short(end) } else { "off the grid".to_owned() }
@@ -168,10 +161,7 @@ impl Answer<'_> {
 /// A case's number for people.
 fn reading(reading: Reading) -> String {
     match reading {
-        Reading::Value { value, bar, bound } => {
-            let told = bar.map_or_else(|| short(value), |bar| with_bar(value, bar));
-            if bound { format!("≥ {told}") } else { told }
-        }
+        Reading::Value { value, bar, bound } => with_marks(value, bar, bound),
         Reading::Missing | Reading::Failed => "-".to_owned(),
     }
 }
@@ -183,16 +173,5 @@ fn basis(basis: Basis) -> &'static str {
         Basis::TwoCases => "(two cases)",
         Basis::LowerBound => "(≥ beyond)",
         Basis::Gap => "(gap)",
-    }
-}
-
-fn shown(rows: usize, all: bool) -> usize {
-    if all { rows } else { rows.min(ROWS) }
-}
-
-fn more(rows: usize, all: bool) -> String {
-    match rows - shown(rows, all) {
-        0 => String::new(),
-        left => format!("... and {left} more (-v shows all)\n"),
     }
 }

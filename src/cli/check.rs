@@ -15,7 +15,8 @@ use super::table::Table;
 use super::warnings::warnings;
 use super::{SUCCESS, max_error, refine};
 use crate::keys::Shared;
-use crate::results::counted;
+use crate::math::lists::counts;
+use crate::math::words::counted;
 use crate::scene::limits;
 use crate::simulation::cost;
 use crate::study::{Plan, Study, schema};
@@ -162,11 +163,7 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
 
 /// The known limits that the study runs into, with the number of cases.
 fn known_limits(study: &Study) -> BTreeMap<&'static str, usize> {
-    let mut found = BTreeMap::new();
-    for limit in study.cases.iter().flat_map(|case| limits(&case.config)) {
-        *found.entry(limit).or_default() += 1;
-    }
-    found
+    counts(study.cases.iter().flat_map(|case| limits(&case.config)))
 }
 
 fn between((low, high): (u64, u64)) -> String {

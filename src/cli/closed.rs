@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use super::done::Done;
-use super::job::Job;
+use super::job::{Done, Job};
 use super::output::Output;
 use super::overview;
 use super::{CASES_FAILED, SUCCESS};

@@ -6,16 +6,16 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::SUCCESS;
 use super::failure::BadInput;
 use super::input::demand_output_of_study;
-use super::output::{Output, short};
+use super::output::{Output, first, short};
 use super::table::Table;
-use super::{SUCCESS, shown};
 use crate::keys::named;
 use crate::math::decimal::significant;
+use crate::math::words::counted;
 use crate::quantities::Unit;
-use crate::report::compare::{COMPARED, Comparison, Difference, Pair, compare, figure, table};
-use crate::results::counted;
+use crate::report::compare::{COMPARED, Comparison, Pair, compare, figure, table};
 
 /// Put two studies side by side. Cases of the same wave and wall are compared, whatever their numerics.
 #[derive(Debug, Args)]
@@ -90,7 +90,7 @@ fn told(directories: [&Path; 2], comparison: &Comparison, all: bool) -> String {
         let (name, finished) = (&comparison.names[one], comparison.finished[one]);
         let letter = ['A', 'B'][one];
         let cases = counted(finished, "finished case");
-        text.push_str(&format!("{letter}  {} ({name}, {cases})\n", shown::told(directory)));
+        text.push_str(&format!("{letter}  {} ({name}, {cases})\n", named(directory)));
     }
     let [a, b] = comparison.only.each_ref().map(Vec::len);
     let pairs = counted(comparison.pairs.len(), "pair");
@@ -169,43 +169,35 @@ fn unit(unit: Unit) -> &'static str {
     if unit == Unit::Runup { "h" } else { "%" }
 }
 
-/// A difference in percent, or of a runup in h.
-fn told_size(one: &Difference, unit: Unit) -> Option<f64> {
-    if unit == Unit::Runup { Some(one.absolute()) } else { one.percent() }
-}
-
 /// The pairs with the largest differences first; a hundredth of the depth counts as a percent.
 fn cases(comparison: &Comparison, all: bool) -> String {
     let mut pairs: Vec<&Pair> = comparison.pairs.iter().collect();
     let size = |pair: &Pair| {
         let sizes = pair.differences.iter().zip(COMPARED).filter_map(|(one, (column, _))| {
             let scale = if column.unit == Unit::Runup { 100.0 } else { 1.0 };
-            Some(scale * told_size(one.as_ref()?, column.unit)?.abs())
+            Some(scale * one.as_ref()?.size()?.abs())
         });
         sizes.fold(0.0, f64::max)
     };
     pairs.sort_by(|a, b| size(b).total_cmp(&size(a)));
-    let rows = if all { pairs.len() } else { pairs.len().min(ROWS) };
+    let (shown, more) = first(&pairs, ROWS, all);
     let heads = COMPARED.iter().flat_map(|(column, _)| {
         let symbol = column.symbol.trim_start_matches("first ").trim_end_matches(" max");
         [format!("{symbol} of A"), format!("B - A, {}", unit(column.unit))]
     });
     let mut table = Table::new(["case".to_owned()].into_iter().chain(heads));
-    for pair in &pairs[..rows] {
-        let cells = pair.differences.iter().zip(COMPARED).flat_map(|(one, (column, _))| {
+    for pair in shown {
+        let cells = pair.differences.iter().flat_map(|one| {
             let Some(one) = one else { return ["-".to_owned(), "-".to_owned()] };
             let mark = if one.is_within() == Some(false) { " !" } else { "" };
-            let size = told_size(one, column.unit);
-            let size = size.map_or_else(|| "-".to_owned(), |size| format!("{size:+.3}{mark}"));
+            let size =
+                one.size().map_or_else(|| "-".to_owned(), |size| format!("{size:+.3}{mark}"));
             let bound = if one.bounds[0] { "≥ " } else { "" };
             [format!("{bound}{}", short(one.values[0])), size]
         });
         table.row([place(comparison, pair)].into_iter().chain(cells));
     }
-    let mut text = table.render();
-    if rows < pairs.len() {
-        text.push_str(&format!("... and {} more (-v shows all)\n", pairs.len() - rows));
-    }
+    let mut text = table.render() + &more;
     if text.contains('!') {
         text.push_str("!: the difference is larger than both error bars together\n");
     }

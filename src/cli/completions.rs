@@ -8,8 +8,7 @@ use serde_json::json;
 
 use super::SUCCESS;
 use super::failure::BadInput;
-use super::output::Output;
-use super::shown;
+use super::output::{Output, json_path};
 use crate::keys::named;
 use crate::results::in_words;
 
@@ -62,6 +61,6 @@ pub(super) fn man(args: &ManArgs, command: Command, output: &Output) -> anyhow::
     std::fs::create_dir_all(directory).map_err(unusable)?;
     clap_mangen::generate_to(command, directory).map_err(unusable)?;
     let told = format!("pages: {}\n", named(directory));
-    output.result(&told, &json!({ "out": shown::path(directory) }))?;
+    output.result(&told, &json!({ "out": json_path(directory) }))?;
     Ok(SUCCESS)
 }

@@ -1,5 +1,6 @@
 //! What a study will cost: time and memory, for the eye.
 
+use crate::execute::available_cores;
 use crate::math::simd::SimdPath;
 use crate::scene::{CaseConfig, Scheme};
 use crate::simulation::cost;
@@ -7,22 +8,20 @@ use crate::study::{Plan, Study};
 
 /// Seconds on the cores of this machine, and how many these are.
 pub(super) fn estimated_time(study: &Study, plan: &Plan) -> (f64, usize) {
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let at_once = cores.min(study.run_count());
-    (processor_time(study, plan, SimdPath::widest()) / at_once.max(1) as f64, cores)
+    let cores = available_cores();
+    (processor_time(study, plan) / cores.min(study.run_count()).max(1) as f64, cores)
 }
 
 /// Seconds that a study takes on this machine's cores, or on so many threads.
 pub(super) fn expected_seconds(study: &Study, threads: Option<usize>) -> f64 {
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let cores = available_cores();
     let at_once = threads.unwrap_or(cores).min(cores).min(study.run_count()).max(1);
-    let plan = Plan::new(study, true, cost, |_| true);
-    processor_time(study, &plan, SimdPath::widest()) / at_once as f64
+    processor_time(study, &Plan::new(study, true, cost, |_| true)) / at_once as f64
 }
 
 /// Seconds that one core takes for all cases of a study.
 pub(super) fn seconds_of_a_core(study: &Study) -> f64 {
-    processor_time(study, &Plan::new(study, false, cost, |_| true), SimdPath::widest())
+    processor_time(study, &Plan::new(study, false, cost, |_| true))
 }
 
 /// The same of all cases of a study.
@@ -32,9 +31,9 @@ pub(super) fn time_of_all(study: &Study) -> (f64, usize) {
 
 /// Seconds that one core takes for a plan. Within a factor of two on the machines that it was
 /// measured on: an AMD EPYC (Zen 5) is faster, an Intel Xeon (Sapphire Rapids) slower.
-fn processor_time(study: &Study, plan: &Plan, simd: SimdPath) -> f64 {
+fn processor_time(study: &Study, plan: &Plan) -> f64 {
     let time = |cost: u64, config: &CaseConfig| {
-        cost as f64 / particle_steps_per_second(config.numerics.scheme, simd)
+        cost as f64 / particle_steps_per_second(config.numerics.scheme, SimdPath::widest())
     };
     let trunks = plan.trunks.iter().map(|trunk| time(trunk.cost, &trunk.config));
     let cases = plan.cases.iter().map(|case| {
@@ -75,7 +74,7 @@ mod tests {
     fn seconds(scheme: &str) -> f64 {
         let text = format!("name = \"a\"\n[numerics]\nscheme = \"{scheme}\"");
         let study = Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap();
-        processor_time(&study, &Plan::new(&study, true, cost, |_| true), SimdPath::Avx512)
+        seconds_of_a_core(&study)
     }
 
     #[test]

@@ -3,8 +3,7 @@
 use std::time::{Duration, Instant};
 
 use super::cost::binary;
-use super::done::Done;
-use super::job::Job;
+use super::job::{Done, Job};
 use super::notices::{tallies, tell_opened, tell_start};
 use super::output::Output;
 use crate::execute::{
@@ -12,9 +11,10 @@ use crate::execute::{
     host_name, memory, threads,
 };
 use crate::film::Filming;
+use crate::math::words::counted;
 use crate::results::{
     Directory, Load, Manifest, OpenMode, Opened, Program, RankInfo, Savings, SessionInfo,
-    SweepError, counted, has_checkpoints, timestamp,
+    SweepError, has_checkpoints, timestamp,
 };
 use crate::scene::CaseConfig;
 use crate::simulation::{Cost, cost};

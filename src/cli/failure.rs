@@ -5,10 +5,10 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
 
-use super::shown::{self, shown};
+use super::output::json_path;
 use super::{BAD_INPUT, INTERNAL, SUCCESS};
 use crate::execute::Launcher;
-use crate::keys::named;
+use crate::keys::{named, shown};
 use crate::report::ReportError;
 use crate::results::SweepError;
 use crate::scene::ConfigError;
@@ -17,6 +17,18 @@ use crate::scene::ConfigError;
 #[derive(Debug, thiserror::Error)]
 #[error("{0}")]
 pub(super) struct BadInput(pub(super) String);
+
+impl BadInput {
+    /// Something that is wrong with a file or directory.
+    pub(super) fn of(path: &Path, reason: impl std::fmt::Display) -> BadInput {
+        BadInput(format!("{}: {reason}", named(path)))
+    }
+
+    /// Something that is wrong with the sweep file that an output directory was made from.
+    pub(super) fn of_stored(directory: &Path, error: &ConfigError) -> BadInput {
+        BadInput::of(directory, format_args!("sweep_file in manifest.json: {error}"))
+    }
+}
 
 /// A value in a file that the user can put right.
 #[derive(Debug, thiserror::Error)]
@@ -83,13 +95,13 @@ fn object(error: &anyhow::Error, message: &str, code: u8) -> Value {
     let kind = if code == BAD_INPUT { "bad-input" } else { "internal" };
     let mut told = json!({ "kind": kind, "message": message, "exit_code": code });
     if let Some(BadFile { path, error }) = error.downcast_ref() {
-        told["file"] = json!(shown::path(path));
+        told["file"] = json!(json_path(path));
         told["key"] = json!(error.key);
         told["value"] = json!(error.value);
         told["allowed"] = json!(error.allowed);
     }
     if let Some(SweepError::Io { path, .. }) = error.downcast_ref() {
-        told["file"] = json!(shown::path(path));
+        told["file"] = json!(json_path(path));
     }
     json!({ "error": told })
 }

@@ -2,14 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use serde_json::json;
 
 use super::failure::BadInput;
-use super::output::Output;
+use super::output::{Output, json_path};
 use super::pick::the_case;
-use super::{CASES_FAILED, INTERRUPTED, SUCCESS, numbers, shown, stored};
-use crate::execute::Interrupt;
+use super::{CASES_FAILED, INTERRUPTED, SUCCESS, options, stored};
+use crate::execute::{Interrupt, available_cores};
 use crate::film::{Colour, Filming, PageFilm};
 use crate::keys::named;
 use crate::results::{CaseRecord, Derived, finished, first_difference};
@@ -29,29 +29,11 @@ pub(super) struct FilmArgs {
     #[arg(value_name = "KEY=VALUE")]
     case: Vec<String>,
     /// What particles are coloured by.
-    #[arg(long, value_enum, default_value_t = ColourChoice::Pressure)]
-    colour: ColourChoice,
+    #[arg(long, value_enum, default_value_t = Colour::Pressure)]
+    colour: Colour,
     /// Threads that share the work. The results are the same for any number [default: all].
-    #[arg(long, value_name = "N", value_parser = numbers::threads(), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = options::threads(), allow_negative_numbers = true)]
     threads: Option<u16>,
-}
-
-/// What particles are coloured by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(super) enum ColourChoice {
-    /// Pressure, kPa.
-    Pressure,
-    /// Speed, m/s.
-    Speed,
-}
-
-impl From<ColourChoice> for Colour {
-    fn from(choice: ColourChoice) -> Colour {
-        match choice {
-            ColourChoice::Pressure => Colour::Pressure,
-            ColourChoice::Speed => Colour::Speed,
-        }
-    }
 }
 
 pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
@@ -61,14 +43,14 @@ pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
         study: &study,
         records: &finished(&args.dir, &study)?,
         directory: &args.dir,
-        colour: args.colour.into(),
+        colour: args.colour,
         resources: Resources { simd, threads: threads(args.threads) },
         interrupt: &Interrupt::listen()?,
     };
     let shot = set.shoot(case)?;
     shot.tell(case, output);
     if let Shot::Filmed(path) = &shot {
-        let value = json!({ "case_id": case.id, "same": true, "film": shown::path(path) });
+        let value = json!({ "case_id": case.id, "same": true, "film": json_path(path) });
         output.result(&format!("{}\n", named(path)), &value)?;
         output.note(format_args!("`seawall report {}` puts it into the page", named(&args.dir)));
     }
@@ -77,8 +59,7 @@ pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
 
 /// The threads asked for, or all that there are.
 pub(super) fn threads(asked: Option<u16>) -> usize {
-    let all = || std::thread::available_parallelism().map_or(1, usize::from);
-    asked.map_or_else(all, usize::from)
+    asked.map_or_else(available_cores, usize::from)
 }
 
 /// The folder of films in an output directory, and what they show.

@@ -4,16 +4,17 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use super::done::Done;
 use super::failure::BadInput;
 use super::film::{self, Set, Shot};
 use super::highlights::{self, Highlight, highlights};
+use super::job::Done;
 use super::output::{Output, duration};
 use super::pick;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::Interrupt;
 use crate::film::Colour;
-use crate::results::{Derived, counted};
+use crate::math::words::counted;
+use crate::results::Derived;
 use crate::simulation::Resources;
 use crate::study::{Case, Study};
 

@@ -9,10 +9,9 @@ use super::answer::Answer;
 use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::Output;
-use crate::keys::named;
+use crate::math::words::counted;
 use crate::report::find::find;
 use crate::report::load::Loaded;
-use crate::results::counted;
 
 /// Find the cases of a finished study that meet a condition. Along each swept key, tell where they begin
 /// and where they end.
@@ -36,7 +35,7 @@ pub(super) struct FindArgs {
 
 pub(super) fn main(args: &FindArgs, output: &Output) -> anyhow::Result<u8> {
     demand_output_of_study(&args.dir, "summary.csv")?;
-    let bad = |reason: &str| BadInput(format!("{}: {reason}", named(&args.dir)));
+    let bad = |reason: &str| BadInput::of(&args.dir, reason);
     let data = Loaded::read(&args.dir).map_err(|error| BadInput(error.to_string()))?;
     if data.manifest.is_none() {
         return Err(bad("manifest.json is missing or damaged: it says what was swept").into());

@@ -11,7 +11,7 @@ use crate::study::{accuracy_keys, limits_keys, refine_keys};
 const REFINE: &str = "key of [grid] refine";
 
 /// A key or a column.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, Default, PartialEq, Serialize)]
 pub(super) struct Entry {
     /// Its name.
     pub name: String,
@@ -99,7 +99,7 @@ fn of_key(key: &Key, of: &str) -> Entry {
         allowed: key.allowed_in_words(),
         default: key.default_in_words(),
         only: key.where_in_words(),
-        besides: String::new(),
+        ..Entry::default()
     }
 }
 
@@ -118,10 +118,7 @@ fn of_column<R: Copy>(column: &Quantity<R>, of: &str) -> Entry {
         symbol: column.symbol.to_owned(),
         meaning: without_links(column.meaning),
         unit: column.unit.symbol().to_owned(),
-        allowed: String::new(),
-        default: String::new(),
-        only: String::new(),
-        besides: String::new(),
+        ..Entry::default()
     }
 }
 

@@ -10,8 +10,7 @@ use serde_json::json;
 
 use super::SUCCESS;
 use super::failure::BadInput;
-use super::output::{Output, wrapped};
-use super::shown;
+use super::output::{Output, json_path, wrapped};
 use crate::keys::{Key, named};
 use crate::results::in_words;
 use crate::scene::{Kind, numerics_keys, scene_keys};
@@ -51,15 +50,13 @@ pub(super) fn main(args: &InitArgs, output: &Output) -> anyhow::Result<u8> {
     let path = PathBuf::from(format!("{name}.toml"));
     let file = OpenOptions::new().write(true).create_new(true).open(&path);
     let mut file = file.map_err(|error| match error.kind() {
-        ErrorKind::AlreadyExists => {
-            BadInput(format!("{}: is there already; choose another NAME", named(&path)))
-        }
-        kind => BadInput(format!("{}: cannot be written: {}", named(&path), in_words(kind))),
+        ErrorKind::AlreadyExists => BadInput::of(&path, "is there already; choose another NAME"),
+        kind => BadInput::of(&path, format_args!("cannot be written: {}", in_words(kind))),
     })?;
     file.write_all(text.as_bytes())?;
     let told = named(&path);
     let next = format!("{told}: 12 cases to start from\nnext: seawall check {told}\n");
-    output.result(&next, &json!({ "file": shown::path(&path) }))?;
+    output.result(&next, &json!({ "file": json_path(&path) }))?;
     Ok(SUCCESS)
 }
 

@@ -64,28 +64,23 @@ pub(super) fn read(path: &Path) -> Result<String, BadInput> {
     String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        BadInput(format!("{}: line {line}: is not UTF-8 text; save it as UTF-8", named(path)))
+        BadInput::of(path, format_args!("line {line}: is not UTF-8 text; save it as UTF-8"))
     })
 }
 
 /// Why a file cannot be read, and what would be one.
 fn unreadable(path: &Path, error: &std::io::Error) -> BadInput {
-    let told = named(path);
-    BadInput(if path.join(MANIFEST).is_file() {
-        format!(
-            "{told}: is the output directory of a study; `seawall status {told}` tells how it fares"
-        )
+    let reason = if path.join(MANIFEST).is_file() {
+        let told = named(path);
+        format!("is the output directory of a study; `seawall status {told}` tells how it fares")
     } else if path.is_dir() {
-        format!(
-            "{told}: is a directory; give a sweep or scene file, such as {}",
-            named(&path.join("NAME.toml"))
-        )
+        let such = named(&path.join("NAME.toml"));
+        format!("is a directory; give a sweep or scene file, such as {such}")
     } else {
-        format!(
-            "{told}: {}; give a sweep or scene file (`seawall init NAME` writes one)",
-            in_words(error.kind())
-        )
-    })
+        let why = in_words(error.kind());
+        format!("{why}; give a sweep or scene file (`seawall init NAME` writes one)")
+    };
+    BadInput::of(path, reason)
 }
 
 /// What every output directory holds.
@@ -94,7 +89,6 @@ const JOURNAL: &str = "journal.jsonl";
 
 /// Refuses a directory that does not hold a file which every output directory of a study has.
 pub(super) fn demand_output_of_study(directory: &Path, holds: &str) -> Result<(), BadInput> {
-    let told = named(directory);
     let reason = if directory.join(holds).is_file() {
         return Ok(());
     } else if !directory.exists() {
@@ -107,7 +101,7 @@ pub(super) fn demand_output_of_study(directory: &Path, holds: &str) -> Result<()
     } else {
         format!("holds no {holds}: not the output directory of a study")
     };
-    Err(BadInput(format!("{told}: {reason}")))
+    Err(BadInput::of(directory, reason))
 }
 
 /// A sweep or scene file with the command line's values.

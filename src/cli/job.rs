@@ -1,9 +1,16 @@
-//! A study that is to be run.
+//! A study that is to be run, and what came of it.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
+use serde_json::{Value, json};
+
+use super::output::json_path;
+use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
+use crate::execute::Ending;
 use crate::math::simd::SimdPath;
-use crate::results::OpenMode;
+use crate::quantities::summary::COARSE_SPACING;
+use crate::quantities::{Bars, Value as Cell};
+use crate::results::{CaseRecord, Directory, OpenMode, Savings, SweepError, finished_whole};
 use crate::study::Study;
 
 /// A study, where it runs, and how.
@@ -17,4 +24,83 @@ pub(super) struct Job {
     pub(super) shares_threads: bool,
     pub(super) simd: Option<SimdPath>,
     pub(super) overrides: Vec<String>,
+}
+
+/// What came of it.
+pub(super) struct Done {
+    pub(super) directory: Directory,
+    pub(super) ending: Ending,
+    pub(super) savings: Savings,
+    /// `None` where everything was there before.
+    pub(super) wall_time_s: Option<f64>,
+    /// What the films of this call took, seconds.
+    pub(super) film_time_s: f64,
+}
+
+impl Done {
+    /// The finished cases, in grid order.
+    pub(super) fn records(&self) -> impl Iterator<Item = &CaseRecord> {
+        self.directory.records().iter().flatten()
+    }
+
+    /// Finished cases of which something touches a quoted number.
+    pub(super) fn doubtful(&self) -> usize {
+        self.doubts().count()
+    }
+
+    /// What touches a quoted number, of every finished case of which something does.
+    pub(super) fn doubts(&self) -> impl Iterator<Item = &str> {
+        let outcomes = self.records().filter_map(|record| record.outcome.as_ref());
+        outcomes.filter_map(|outcome| outcome.doubtful_reason.as_deref())
+    }
+
+    /// What to expect of every finished case whose particles are coarse.
+    pub(super) fn coarse(&self, job: &Job) -> Vec<String> {
+        let told = |record: &CaseRecord| {
+            let config = &job.study.cases[record.index].config;
+            let case =
+                record.outcome.is_some().then(|| record.reported(config, Bars::default()))?;
+            match COARSE_SPACING.value(&case)? {
+                Cell::Text(why) => Some(why),
+                _ => None,
+            }
+        };
+        self.records().filter_map(told).collect()
+    }
+
+    pub(super) fn failed(&self) -> usize {
+        self.records().filter(|record| !record.is_ok()).count()
+    }
+
+    pub(super) fn exit_code(&self) -> u8 {
+        match self.ending {
+            Ending::Interrupted => INTERRUPTED,
+            Ending::Finished if self.failed() > 0 => CASES_FAILED,
+            Ending::Finished => SUCCESS,
+        }
+    }
+
+    /// The finished cases with all that the journal has of them, in grid order.
+    pub(super) fn whole(&self, study: &Study) -> Result<Vec<CaseRecord>, SweepError> {
+        let whole = finished_whole(self.directory.path(), study)?.into_iter();
+        let whole = whole.zip(self.directory.records());
+        Ok(whole.filter_map(|(record, here)| record.filter(|_| here.is_some())).collect())
+    }
+
+    pub(super) fn json(&self, job: &Job, report: Option<&Path>) -> Result<Value, SweepError> {
+        Ok(json!({
+            "name": job.study.name,
+            "out": json_path(self.directory.path()),
+            "report": report.map(json_path),
+            "cases": job.study.cases.len(),
+            "ok": self.records().count() - self.failed(),
+            "failed": self.failed(),
+            "doubtful": self.doubtful(),
+            "coarse": self.coarse(job).len(),
+            "wall_time_s": self.wall_time_s,
+            "film_time_s": self.film_time_s,
+            "savings": self.savings,
+            "records": self.whole(&job.study)?,
+        }))
+    }
 }

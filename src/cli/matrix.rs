@@ -8,8 +8,8 @@ use super::execute::on_threads;
 use super::failure::BadInput;
 use super::input::{SimdChoice, default_out, read};
 use super::job::Job;
-use super::keep::EVERY_S;
-use super::numbers;
+use super::options;
+use super::options::EVERY_S;
 use super::output::Output;
 use crate::accuracy::{Matrix, Trial};
 use crate::execute::Ending;
@@ -37,7 +37,7 @@ pub(super) struct MatrixArgs {
     #[arg(long)]
     fresh: bool,
     /// How many cases run at once [default: one per core]. Fewer give steadier times.
-    #[arg(long, value_name = "N", value_parser = numbers::threads(), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = options::threads(), allow_negative_numbers = true)]
     threads: Option<u16>,
 }
 

@@ -1,16 +1,18 @@
 //! `sweep --max-error`: telling what numerics were chosen, and whether they kept to the aim.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use serde_json::json;
 
 use super::cost::{estimated_time, time_of_all};
-use super::done::Done;
 use super::failure::BadInput;
+use super::job::Done;
 use super::output::{Output, short};
 use crate::accuracy::{Choice, Choices, MaxError};
-use crate::results::{counted, finished};
+use crate::math::lists::counts;
+use crate::math::words::counted;
+use crate::results::finished;
 use crate::simulation::cost;
 use crate::study::{Plan, Study};
 
@@ -72,11 +74,7 @@ pub(super) fn ahead(percent: f64) -> String {
 /// The study with the numerics that are expected to do, and why, told.
 pub(super) fn first(aim: &MaxError, study: &Study, output: &Output) -> Study {
     let choices = aim.first(study);
-    let mut told: BTreeMap<String, usize> = BTreeMap::new();
-    for choice in choices.values() {
-        *told.entry(reason(choice, aim.percent())).or_default() += 1;
-    }
-    for (line, cases) in told {
+    for (line, cases) in counts(choices.values().map(|choice| reason(choice, aim.percent()))) {
         output.note(format_args!("{}: {line}", counted(cases, "case")));
     }
     let chosen = with(study, &choices).aiming_at(aim.percent());

@@ -11,8 +11,6 @@ mod closed;
 mod compare;
 mod completions;
 mod cost;
-mod done;
-mod ending;
 mod execute;
 mod executor;
 mod explain;
@@ -20,17 +18,15 @@ mod failure;
 mod film;
 mod films;
 mod find;
-mod formats;
 mod glossary;
 mod highlights;
 mod init;
 mod input;
 mod job;
-mod keep;
 mod matrix;
 mod max_error;
 mod notices;
-mod numbers;
+mod options;
 mod output;
 mod overview;
 mod physics;
@@ -41,7 +37,6 @@ mod report;
 mod reproduce;
 mod run;
 mod show;
-mod shown;
 mod slurm;
 mod status;
 mod stored;
@@ -182,7 +177,7 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
             }
             // Where nobody listens there is nobody to tell.
             let plain = error.to_string();
-            let told = shown::shown(&plain);
+            let told = crate::keys::shown(&plain);
             let _ = match told == plain {
                 true => error.print(),
                 false => write!(std::io::stderr(), "{told}"),

@@ -5,7 +5,8 @@ use super::output::Output;
 use crate::execute::{Crew, Tally};
 use crate::keys::named;
 use crate::math::name::name_of;
-use crate::results::{Directory, Opened, RankInfo, counted};
+use crate::math::words::counted;
+use crate::results::{Directory, Opened, RankInfo};
 
 /// Cases and companions, and how many of them are done.
 pub(super) fn tallies(directory: &Directory) -> [Tally; 2] {

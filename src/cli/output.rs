@@ -1,13 +1,14 @@
 //! What goes to standard output (results) and to standard error (notes).
 
 use std::io::{IsTerminal, Write};
+use std::path::{Path, PathBuf};
 
 use clap::ValueEnum;
 use serde::Serialize;
 
 use super::Global;
-use super::shown::shown;
 use crate::execute::{Launcher, ProgressStyle};
+use crate::keys::shown;
 
 /// How results are printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -101,6 +102,32 @@ pub(super) fn with_bar(value: f64, bar: f64) -> String {
     let power = value.abs().log10().floor() as i32;
     let unit = 10_f64.powi(power);
     format!("{} e{power}", crate::report::with_error(value / unit, bar / unit))
+}
+
+/// A number with its error bar where it has one, and a sign before it where it is a lower bound.
+pub(super) fn with_marks(value: f64, bar: Option<f64>, bound: bool) -> String {
+    let told = bar.map_or_else(|| short(value), |bar| with_bar(value, bar));
+    if bound { format!("≥ {told}") } else { told }
+}
+
+/// The first items of a list, or all of them, and a line that says how many more there are.
+pub(super) fn first<T>(items: &[T], most: usize, all: bool) -> (&[T], String) {
+    let (shown, rest) = items.split_at(if all { items.len() } else { items.len().min(most) });
+    let more = match rest.len() {
+        0 => String::new(),
+        left => format!("... and {left} more (-v shows all)\n"),
+    };
+    (shown, more)
+}
+
+/// A path for JSON, which knows no other text than UTF-8.
+pub(super) fn json_path(path: &Path) -> String {
+    path.to_string_lossy().into_owned()
+}
+
+/// Paths for JSON.
+pub(super) fn json_paths(paths: &[PathBuf]) -> Vec<String> {
+    paths.iter().map(|path| json_path(path)).collect()
 }
 
 /// A text in lines of so many characters at most, broken between words.

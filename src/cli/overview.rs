@@ -1,20 +1,20 @@
 //! The table at the end of a sweep, and how its cases fared.
 
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 use std::path::Path;
 
-use super::done::Done;
-use super::job::Job;
-use super::output::{duration, short, with_bar};
-use super::shown;
+use super::job::{Done, Job};
+use super::output::{duration, with_marks};
 use super::table::Table;
 use crate::keys::{self, Shared};
+use crate::math::lists::counts;
 use crate::math::name::name_of;
+use crate::math::words::counted;
 use crate::quantities::summary::{
     DISPLACEMENT_MAX, ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX, STATUS,
 };
 use crate::quantities::{Case, Column, coarse_spacings, heading, named};
-use crate::results::{CaseRecord, counted};
+use crate::results::CaseRecord;
 use crate::simulation::kinds_of_doubt;
 
 /// Rows shown without `-v`.
@@ -42,7 +42,7 @@ pub(super) fn told(job: &Job, done: &Done, report: &Path, all: bool) -> String {
 
 /// Where the report is.
 pub(super) fn reported(report: &Path) -> String {
-    format!("report: {}\n", shown::told(report))
+    format!("report: {}\n", keys::named(report))
 }
 
 /// A row per case, `all` or the first few, and the lines below them.
@@ -123,8 +123,7 @@ fn swept(value: &Option<Shared<toml::Value>>) -> String {
 fn number(column: &Column, case: &Case<'_>) -> String {
     let Some(value) = column.number(case) else { return "-".to_owned() };
     let bar = column.bar.and_then(named).and_then(|bar| bar.number(case));
-    let told = bar.map_or_else(|| short(value), |bar| with_bar(value, bar));
-    if column.is_bound(case) { format!("≥ {told}") } else { told }
+    with_marks(value, bar, column.is_bound(case))
 }
 
 fn status(record: &CaseRecord) -> String {
@@ -163,11 +162,8 @@ fn doubts(done: &Done) -> String {
     if doubtful == 0 {
         return String::new();
     }
-    let mut kinds: BTreeMap<&str, usize> = BTreeMap::new();
-    for doubt in done.doubts() {
-        let of_case: std::collections::BTreeSet<_> = kinds_of_doubt(doubt).collect();
-        of_case.into_iter().for_each(|kind| *kinds.entry(kind).or_default() += 1);
-    }
+    let of_case = |doubt| kinds_of_doubt(doubt).collect::<BTreeSet<_>>();
+    let kinds = counts(done.doubts().flat_map(of_case));
     let kinds: Vec<_> = kinds.iter().map(|(kind, cases)| format!("{kind} {cases}")).collect();
     let (is, its) = if doubtful == 1 { ("is", "its history") } else { ("are", "their histories") };
     format!(

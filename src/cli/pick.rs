@@ -3,9 +3,10 @@
 use std::str::FromStr;
 
 use super::failure::BadInput;
-use crate::keys::{Section, hint};
+use crate::keys::{Section, hint, number};
+use crate::math::lists::different;
+use crate::math::words::counted;
 use crate::quantities::{meant_by, name_of_symbol};
-use crate::results::counted;
 use crate::scene::ConfigError;
 use crate::study::{Assignments, Case, Override, Study};
 
@@ -108,14 +109,8 @@ fn keep_with_value(
 
 /// The values of a swept key among some cases, in words.
 fn values(cases: &[&Choice], place: usize) -> String {
-    let mut words: Vec<String> = Vec::new();
-    for value in cases.iter().filter_map(|case| case.values[place].as_deref()) {
-        let word = in_words(value);
-        if !words.contains(&word) {
-            words.push(word);
-        }
-    }
-    words.join(", ")
+    let values = cases.iter().filter_map(|case| case.values[place].as_deref());
+    different(values.map(in_words)).join(", ")
 }
 
 /// A value as one writes it: no quotes, and no decimals where there are none.
@@ -129,9 +124,6 @@ fn in_words(value: &toml::Value) -> String {
 
 /// Equal as settings, numbers to four digits: nobody writes more by hand.
 fn same(value: &toml::Value, wanted: &toml::Value) -> bool {
-    let number = |value: &toml::Value| {
-        value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64))
-    };
     match (number(value), number(wanted)) {
         (Some(value), Some(wanted)) => (value - wanted).abs() <= 5e-4 * value.abs(),
         _ => match (value.as_array(), wanted.as_array()) {

@@ -1,5 +1,6 @@
 //! What a made figure tells in a terminal: its caption, and printed and computed numbers beside each other.
 
+use super::output::wrapped;
 use super::table::Table;
 use crate::report::Reproduced;
 
@@ -8,30 +9,17 @@ const WIDTH: usize = 80;
 
 /// Caption, numbers and sentences.
 pub(super) fn told(made: &Reproduced) -> String {
-    let mut text = wrapped(&made.figure.caption);
+    let mut text = prose(&made.figure.caption);
     if !made.beside.rows.is_empty() {
         text.push_str(&format!("\n{}", numbers(made)));
-        made.sentences.iter().for_each(|said| text.push_str(&format!("\n{}", wrapped(said))));
+        made.sentences.iter().for_each(|said| text.push_str(&format!("\n{}", prose(said))));
     }
     text + "\n"
 }
 
 /// Prose in lines of a terminal's width.
-fn wrapped(text: &str) -> String {
-    let (mut lines, mut width) = (String::new(), 0);
-    for word in text.split(' ') {
-        let length = word.chars().count();
-        if width > 0 && width + 1 + length > WIDTH {
-            lines.push('\n');
-            width = 0;
-        } else if width > 0 {
-            lines.push(' ');
-            width += 1;
-        }
-        lines.push_str(word);
-        width += length;
-    }
-    lines + "\n"
+fn prose(text: &str) -> String {
+    wrapped(text, WIDTH).join("\n") + "\n"
 }
 
 /// Printed and computed numbers, a difference beside each; what all movable walls or all fixed ones have in
@@ -86,7 +74,7 @@ fn fitting(heads: &[String], lines: &[Vec<String>]) -> String {
             Some((paper, number)) => format!("{paper}, Fig. {number}"),
             None => format!("Fig. {}", line[0]),
         };
-        text.push_str(&wrapped(&format!("{source}: {}", what.join(", "))));
+        text.push_str(&prose(&format!("{source}: {}", what.join(", "))));
         text.push_str(&format!("        {values}\n"));
     }
     text

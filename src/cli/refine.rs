@@ -4,46 +4,26 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
-use super::done::Done;
 use super::failure::{BadFile, BadInput};
+use super::job::Done;
 use super::output::{Output, short};
 use crate::accuracy::Refinement;
-use crate::keys::named;
-use crate::results::{SweepError, counted, finished};
+use crate::math::words::counted;
+use crate::results::finished;
 use crate::scene::ConfigError;
 use crate::study::{Refine, Study, SweepFile};
 
 /// The study that a directory holds, with the points of all rounds that its journal has; that of the file
 /// alone where it asks for none.
 pub(super) fn study_in(directory: &Path, file: &SweepFile) -> anyhow::Result<Study> {
-    let bad = |error: ConfigError| {
-        BadInput(format!("{}: sweep_file in manifest.json: {error}", named(directory)))
+    let Some(refinement) = Refinement::of(file) else {
+        return Ok(Study::new(file).map_err(|error| BadInput::of_stored(directory, &error))?);
     };
-    let Some(refinement) = Refinement::of(file) else { return Ok(Study::new(file).map_err(bad)?) };
-    let records = |study: &Study| finished(directory, study).map_err(Failed::from);
-    match refinement.so_far(records) {
-        Ok(study) => Ok(study),
-        Err(Failed::File(error)) => Err(bad(error).into()),
-        Err(Failed::Journal(error)) => Err(error.into()),
-    }
-}
-
-/// Why the points of a directory cannot be found.
-enum Failed {
-    File(ConfigError),
-    Journal(SweepError),
-}
-
-impl From<ConfigError> for Failed {
-    fn from(error: ConfigError) -> Failed {
-        Failed::File(error)
-    }
-}
-
-impl From<SweepError> for Failed {
-    fn from(error: SweepError) -> Failed {
-        Failed::Journal(error)
-    }
+    let records = |study: &Study| finished(directory, study).map_err(anyhow::Error::from);
+    refinement.so_far(records).map_err(|error| match error.downcast::<ConfigError>() {
+        Ok(error) => BadInput::of_stored(directory, &error).into(),
+        Err(error) => error,
+    })
 }
 
 /// The study of the next round, told; `None` where nothing is to be added.

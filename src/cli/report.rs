@@ -7,13 +7,15 @@ use clap::Args;
 use serde_json::json;
 
 use super::failure::BadInput;
-use super::formats::{FigureFormat, for_print};
 use super::input::demand_output_of_study;
-use super::output::Output;
-use super::{CASES_FAILED, SUCCESS, shown, stored};
+use super::options::{FigureFormat, for_print};
+use super::output::{Output, json_path, json_paths};
+use super::{CASES_FAILED, SUCCESS, stored};
+use crate::keys::named;
+use crate::math::words::counted;
 use crate::report::{Froude, Omitted, ReportError};
 use crate::results::{
-    Closing, Derived, Lock, Manifest, SweepError, Verified, counted, renew_tables, verify,
+    Closing, Derived, Lock, Manifest, SweepError, Verified, renew_tables, verify,
     write_sound_histories,
 };
 
@@ -43,14 +45,10 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     let damaged = if closing.is_none() { renew(args, output)? } else { Vec::new() };
     let omitted = Omitted::from(damaged);
     Derived::begin(&args.dir).map_err(refused)?;
-    let report =
-        crate::report::write_scaled(&args.dir, args.froude_scale, &omitted).map_err(unusable)?;
+    let written = crate::report::write_with(&args.dir, args.froude_scale, &formats, &omitted);
+    let (report, figures) = written.map_err(unusable)?;
     let spare = |path: &Path, error: &SweepError| omitted.add(path, error);
     write_sound_histories(&args.dir, &|path| omitted.has(path), &spare)?;
-    let mut figures = Vec::new();
-    for format in formats {
-        figures.extend(crate::report::print(&args.dir, format, &omitted).map_err(unusable)?);
-    }
     Derived::end(&args.dir)?;
     let (left_out, found) = omitted.told();
     for found in found {
@@ -66,13 +64,13 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     if let Some(closing) = closing.filter(|_| left_out == 0) {
         closing.write(&args.dir)?;
     }
-    let mut told = format!("report: {}\n", shown::told(&report));
+    let mut told = format!("report: {}\n", named(&report));
     let prototype = args.froude_scale.map(|scale| scale.words());
     if let Some(scale) = &prototype {
         let tables = Froude::TABLES.map(|name| args.dir.join("tables").join(format!("{name}.csv")));
         let made: Vec<_> = tables.iter().filter(|path| path.is_file()).collect();
         for path in &made {
-            told.push_str(&format!("at Froude scale {scale}: {}\n", shown::told(path)));
+            told.push_str(&format!("at Froude scale {scale}: {}\n", named(path)));
         }
         if made.is_empty() {
             output.note(
@@ -84,14 +82,14 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
         let count = figures.len();
         told.push_str(&format!(
             "figures for print: {count} files in {}\n",
-            shown::told(&args.dir.join("figures"))
+            named(&args.dir.join("figures"))
         ));
     }
     output.result(
         &told,
         &json!({
-            "report": shown::path(&report),
-            "figures": shown::paths(&figures),
+            "report": json_path(&report),
+            "figures": json_paths(&figures),
             "froude_scale": prototype,
             "left_out": left_out
         }),

@@ -7,18 +7,18 @@ use serde_json::{Value, json};
 
 use super::execute::on_threads;
 use super::failure::BadInput;
-use super::formats::{FigureFormat, for_print};
 use super::input::Setting;
 use super::job::Job;
-use super::keep::EVERY_S;
-use super::output::{Output, duration};
+use super::options::EVERY_S;
+use super::options::{FigureFormat, for_print};
+use super::output::{Output, duration, json_paths};
 use super::printed::told;
-use super::shown;
-use super::{INTERRUPTED, SUCCESS, cost, numbers};
+use super::{INTERRUPTED, SUCCESS, cost, options};
 use crate::keys::named;
+use crate::math::words::counted;
 use crate::papers::{Recipe, Run, files, paper, recipes};
 use crate::report::Reproduced;
-use crate::results::{OpenMode, counted};
+use crate::results::OpenMode;
 use crate::scene::ConfigError;
 use crate::study::{Study, SweepFile};
 
@@ -49,7 +49,7 @@ pub(super) struct ReproduceArgs {
     #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMAT", default_value = "svg")]
     figures: Vec<FigureFormat>,
     /// Threads [default: all, and 1 for a figure of computing times].
-    #[arg(long, value_name = "N", value_parser = numbers::threads(), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = options::threads(), allow_negative_numbers = true)]
     threads: Option<u16>,
     /// Move earlier runs aside and start over.
     #[arg(long)]
@@ -102,7 +102,7 @@ pub(super) fn main(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> 
     let made = crate::report::reproduce::reproduce(recipe, &directories)?;
     let mut files = write(&out, &made)?;
     for format in formats {
-        files.extend(crate::report::print_figure(&made.figure, format, &out)?);
+        files.extend(crate::report::print(&made.figure, format, &out)?);
     }
     let mut text = told(&made);
     for file in &files {
@@ -169,7 +169,7 @@ fn write(out: &Path, made: &Reproduced) -> Result<Vec<PathBuf>, BadInput> {
             continue;
         }
         let path = out.join(format!("{}.{ending}", figure.name));
-        std::fs::write(&path, text).map_err(|e| BadInput(format!("{}: {e}", named(&path))))?;
+        std::fs::write(&path, text).map_err(|error| BadInput::of(&path, error))?;
         files.push(path);
     }
     Ok(files)
@@ -186,8 +186,8 @@ fn value(recipe: &Recipe, made: &Reproduced, files: &[PathBuf], directories: &[P
         "caption": made.figure.caption,
         "sentences": made.sentences,
         "numbers": made.tidy.rows.iter().map(line).collect::<Vec<_>>(),
-        "files": shown::paths(files),
-        "studies": shown::paths(directories),
+        "files": json_paths(files),
+        "studies": json_paths(directories),
     })
 }
 

@@ -8,16 +8,15 @@ use clap::Args;
 use serde_json::json;
 
 use super::SUCCESS;
-use super::done::Done;
 use super::execute::on_threads;
-use super::film::{self, ColourChoice};
+use super::film;
 use super::input::{Setting, SimdChoice, default_out, scene};
-use super::job::Job;
-use super::keep::KeepArgs;
+use super::job::{Done, Job};
+use super::options::KeepArgs;
 use super::output::{Output, duration};
-use super::{cost, numbers, shown, warnings};
+use super::{cost, options, warnings};
 use crate::execute::{Ending, Interrupt};
-use crate::film::{Filming, PageFilm, VtkFilm};
+use crate::film::{Colour, Filming, PageFilm, VtkFilm};
 use crate::keys::named;
 use crate::results::{CaseRecord, Derived, OpenMode, has_checkpoints};
 use crate::scene::CaseConfig;
@@ -47,15 +46,16 @@ pub(super) struct RunArgs {
     fresh: bool,
     /// Write files for ParaView into vtk/, one every so many seconds of simulated time.
     #[arg(long, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "0.05")]
-    vtk: Option<Seconds>,
+    #[arg(value_parser = options::above_zero)]
+    vtk: Option<f64>,
     /// Film the water into films/, coloured by pressure or speed. A run that is finished already runs
     /// once more, and must come out the same.
     #[arg(long, value_enum, value_name = "COLOUR", num_args = 0..=1, conflicts_with = "vtk")]
     #[arg(default_missing_value = "pressure")]
-    film: Option<ColourChoice>,
+    film: Option<Colour>,
     /// Threads that share the case; each needs some 2,000 particles to be worth it. The results are the
     /// same for any number [default: the processors that it may use].
-    #[arg(long, value_name = "N", value_parser = numbers::threads(), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = options::threads(), allow_negative_numbers = true)]
     threads: Option<u16>,
     #[command(flatten)]
     keep: KeepArgs,
@@ -65,19 +65,6 @@ pub(super) struct RunArgs {
     /// Set a key of the file, such as scene.wave_height_ratio=0.3. The option may be repeated.
     #[arg(long = "set", value_name = "KEY=VALUE")]
     settings: Vec<Setting>,
-}
-
-/// A time above 0.
-#[derive(Debug, Clone, Copy)]
-struct Seconds(f64);
-
-impl std::str::FromStr for Seconds {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Seconds, String> {
-        let value = text.parse::<f64>().ok().filter(|value| value.is_finite() && *value > 0.0);
-        value.map(Seconds).ok_or_else(|| "must be a finite number of seconds above 0".to_owned())
-    }
 }
 
 pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
@@ -101,8 +88,8 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         overrides: settings.iter().map(|setting| setting.text.clone()).collect(),
     };
     let folder = job.out.join("vtk");
-    let vtk = args.vtk.map(|Seconds(interval_s)| Filming::Vtk(VtkFilm { interval_s, folder }));
-    let page = args.film.map(|colour| film::page(&job.out, colour.into()));
+    let vtk = args.vtk.map(|interval_s| Filming::Vtk(VtkFilm { interval_s, folder }));
+    let page = args.film.map(|colour| film::page(&job.out, colour));
     if page.is_some() {
         film::demand_small(&job.study.cases[0])?;
     }
@@ -128,7 +115,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         let text = format!(
             "{}files: {}\n",
             told::told(record, &job.study.cases[record.index].config),
-            shown::told(done.directory.path())
+            named(done.directory.path())
         );
         output.result(&text, &in_metres(record, &job.study.cases[record.index].config))?;
     }

@@ -7,16 +7,18 @@ use serde_json::{Map, Value, json};
 
 use super::failure::BadInput;
 use super::input::demand_output_of_study;
-use super::output::{Output, with_bar};
+use super::output::{Output, json_paths, with_bar};
 use super::pick::{Choice, in_every_case, the_case, the_one};
-use super::{SUCCESS, shown, stored};
+use super::{SUCCESS, stored};
+use crate::keys;
+use crate::math::words::counted;
 use crate::quantities::summary::{
     ALL, CASE_ID, COARSE_SPACING, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO, PARTICLES_LOST,
     REASON, STATUS, STOP_IMPULSE,
 };
 use crate::quantities::{Column, Unit, heading, named};
 use crate::report::plain;
-use crate::results::{Manifest, counted};
+use crate::results::Manifest;
 
 /// Show one case of a finished study: its parameters, results, error bars, health and files.
 #[derive(Debug, Args)]
@@ -38,9 +40,8 @@ pub(super) struct ShowArgs {
 pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
     if args.toml {
         let (file, study) = stored::file_and_study(&args.dir)?;
-        let text = file.single(the_case(&study, &args.case)?).map_err(|error| {
-            BadInput(format!("{}: sweep_file in manifest.json: {error}", shown::told(&args.dir)))
-        })?;
+        let text = file.single(the_case(&study, &args.case)?);
+        let text = text.map_err(|error| BadInput::of_stored(&args.dir, &error))?;
         output.result(&text, &json!({ "toml": text }))?;
         return Ok(SUCCESS);
     }
@@ -63,7 +64,7 @@ fn unfinished(args: &ShowArgs, error: BadInput) -> BadInput {
     let Ok((_, study)) = stored::file_and_study(&args.dir) else { return error };
     match the_case(&study, &args.case) {
         Ok(case) => {
-            let (id, told) = (case.id, shown::told(&args.dir));
+            let (id, told) = (case.id, keys::named(&args.dir));
             let help = "tells how far the study is";
             BadInput(format!("case {id} is not finished yet; `seawall status {told}` {help}"))
         }
@@ -75,7 +76,7 @@ fn unfinished(args: &ShowArgs, error: BadInput) -> BadInput {
 struct Row(Vec<(String, String)>);
 
 fn rows(path: &Path) -> anyhow::Result<Vec<Row>> {
-    let bad = |error: csv::Error| BadInput(format!("{}: {error}", shown::told(path)));
+    let bad = |error: csv::Error| BadInput::of(path, error);
     let mut reader = csv::Reader::from_path(path).map_err(bad)?;
     let names: Vec<_> = reader.headers().map_err(bad)?.iter().map(str::to_owned).collect();
     let row = |record: csv::Result<csv::StringRecord>| {
@@ -140,7 +141,7 @@ impl Row {
         };
         let cells: Map<_, _> =
             self.0.iter().map(|(name, text)| (name.clone(), id(name, text))).collect();
-        json!({ "case": cells, "files": shown::paths(files) })
+        json!({ "case": cells, "files": json_paths(files) })
     }
 }
 
@@ -181,7 +182,7 @@ fn told(row: &Row, keys: &[String], files: &[PathBuf]) -> String {
     }
     text.push_str(&format!("\n{}\n", counted(files.len(), "file")));
     for file in files {
-        text.push_str(&format!("  {}\n", shown::told(file)));
+        text.push_str(&format!("  {}\n", keys::named(file)));
     }
     text
 }

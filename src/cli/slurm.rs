@@ -8,8 +8,8 @@ use serde_json::json;
 use super::SUCCESS;
 use super::failure::BadInput;
 use super::input::{Expect, Setting, default_out, study};
-use super::output::Output;
-use super::{numbers, shown};
+use super::options;
+use super::output::{Output, json_path};
 use crate::keys::named;
 
 /// Print a job script of a sweep for Slurm's sbatch. The job stops before its time limit, and queues itself
@@ -22,19 +22,19 @@ pub(super) struct SlurmArgs {
     /// The sweep file.
     file: PathBuf,
     /// How many nodes the job has.
-    #[arg(long, value_parser = numbers::whole(1, 100_000_u32), allow_negative_numbers = true)]
+    #[arg(long, value_parser = options::whole(1, 100_000_u32), allow_negative_numbers = true)]
     nodes: u32,
     /// Time limit, as sbatch takes it: minutes, HH:MM:SS or DAYS-HH:MM:SS.
     #[arg(long, value_name = "TIME", value_parser = time)]
     time: String,
     /// Ranks on each node.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = numbers::whole(1, 10_000_u32), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = options::whole(1, 10_000_u32), allow_negative_numbers = true)]
     ranks_per_node: u32,
     /// Threads of each rank.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = numbers::whole(1, 10_000_u32), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = options::whole(1, 10_000_u32), allow_negative_numbers = true)]
     threads: u32,
     /// The sweep is told to stop so many seconds before the time limit.
-    #[arg(long, value_name = "SECONDS", default_value_t = 120, value_parser = numbers::whole(1, 65_535_u32), allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 120, value_parser = options::whole(1, 65_535_u32), allow_negative_numbers = true)]
     grace_s: u32,
     /// The command that starts the ranks.
     #[arg(long, value_name = "COMMAND", default_value = "srun --mpi=pmix --kill-on-bad-exit=1")]
@@ -112,7 +112,7 @@ pub(super) fn main(args: &SlurmArgs, output: &Output) -> anyhow::Result<u8> {
         ("{MORE}", more),
     ];
     let script = filled(SCRIPT, &text);
-    output.result(&script, &json!({ "script": script, "out": shown::path(&out) }))?;
+    output.result(&script, &json!({ "script": script, "out": json_path(&out) }))?;
     Ok(SUCCESS)
 }
 

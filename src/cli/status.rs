@@ -12,10 +12,11 @@ use super::input::demand_output_of_study;
 use super::output::{Output, duration};
 use super::table::Table;
 use super::watch::{View, Watch};
-use super::{CASES_FAILED, INTERRUPTED, SUCCESS, numbers, shown, stored};
+use super::{CASES_FAILED, INTERRUPTED, SUCCESS, options, stored};
 use crate::math::name::name_of;
+use crate::math::words::counted;
 use crate::results::{
-    Closing, Fared, Header, Load, Lock, Manifest, RankInfo, counted, read_journal_header,
+    Closing, Fared, Header, Load, Lock, Manifest, RankInfo, read_journal_header,
     read_journal_in_blocks,
 };
 
@@ -33,7 +34,7 @@ pub(super) struct StatusArgs {
     #[arg(long)]
     exit_code: bool,
     /// Look again every so many seconds while the sweep runs, and tell how fast it goes.
-    #[arg(long, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "10", value_parser = numbers::seconds(0.1, 1e6), allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "10", value_parser = options::seconds(0.1, 1e6), allow_negative_numbers = true)]
     watch: Option<f64>,
 }
 
@@ -104,7 +105,6 @@ pub(super) fn main(args: &StatusArgs, output: &Output) -> anyhow::Result<u8> {
 }
 
 fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
-    let bad = |reason: &str| BadInput(format!("{}: {reason}", shown::told(&args.dir)));
     demand_output_of_study(&args.dir, "journal.jsonl")?;
     let manifest = Manifest::read(&args.dir);
     let companions = manifest.as_ref().map_or(0, |manifest| manifest.companions);
@@ -120,7 +120,7 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
     });
     let Some(header) = header else {
         let reason = "the sweep was stopped before it began, or the journal's first line is lost";
-        return Err(bad(reason).into());
+        return Err(BadInput::of(&args.dir, reason).into());
     };
     let cases = added.unwrap_or(header.cases);
     // Lines beyond the cases are resolution companions.

@@ -5,14 +5,13 @@ use std::path::Path;
 use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::{max_error, refine};
-use crate::keys::named;
 use crate::math::simd::SimdPath;
 use crate::results::{Manifest, read_journal_header};
 use crate::study::{Override, PHYSICS_VERSION, Study, SweepFile};
 
 /// The study, and the instruction set that it was computed with.
 pub(super) fn study(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
-    let bad = |reason: String| BadInput(format!("{}: {reason}", named(directory)));
+    let bad = |reason: String| BadInput::of(directory, reason);
     let (_, study) = file_and_study(directory)?;
     let unfinished = || bad("the sweep was stopped before it began".to_owned());
     // Where the journal's first line is lost, the manifest tells the same.
@@ -31,7 +30,7 @@ pub(super) fn file(directory: &Path) -> anyhow::Result<SweepFile> {
 }
 
 fn manifest_and_file(directory: &Path) -> anyhow::Result<(Manifest, SweepFile)> {
-    let bad = |reason: String| BadInput(format!("{}: {reason}", named(directory)));
+    let bad = |reason: String| BadInput::of(directory, reason);
     demand_output_of_study(directory, "manifest.json")?;
     let lacking = || bad("manifest.json cannot be read".to_owned());
     let manifest = Manifest::read(directory).ok_or_else(lacking)?;
@@ -43,14 +42,14 @@ fn manifest_and_file(directory: &Path) -> anyhow::Result<(Manifest, SweepFile)> 
     let set = |text: &String| text.parse::<Override>();
     let overrides: Vec<_> =
         manifest.overrides.iter().map(set).collect::<Result<_, _>>().map_err(bad)?;
-    let told = |error| bad(format!("sweep_file in manifest.json: {error}"));
-    let file = SweepFile::read(&manifest.sweep_file, &overrides).map_err(told)?;
+    let file = SweepFile::read(&manifest.sweep_file, &overrides)
+        .map_err(|error| BadInput::of_stored(directory, &error))?;
     Ok((manifest, file))
 }
 
 /// The file that a directory was made from, with what the command line set, and its study.
 pub(super) fn file_and_study(directory: &Path) -> anyhow::Result<(SweepFile, Study)> {
-    let bad = |reason: String| BadInput(format!("{}: {reason}", named(directory)));
+    let bad = |reason: String| BadInput::of(directory, reason);
     let (manifest, file) = manifest_and_file(directory)?;
     let plain = refine::study_in(directory, &file)?;
     let aim = manifest.max_error_percent.or(plain.max_error_percent);

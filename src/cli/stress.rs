@@ -4,11 +4,12 @@ use clap::Args;
 use serde_json::json;
 
 use super::matrix::{MatrixArgs, Request, run};
-use super::output::Output;
-use super::shown;
+use super::output::{Output, json_path};
 use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
 use crate::accuracy::{Judged, Matrix, Verdict, judge};
+use crate::keys::named;
+use crate::math::lists::different;
 
 /// Run many methods on hard cases, and tell which method survives which case. What counts as surviving is
 /// stated beforehand.
@@ -45,10 +46,10 @@ pub(super) fn main(args: &StressArgs, output: &Output) -> anyhow::Result<u8> {
     for row in &judged {
         table.row([&row.case, &row.method, word(&row.verdict), &edge(row), &row.reason]);
     }
-    let text = format!("{}\nreport: {}\n", table.render(), shown::told(&page));
+    let text = format!("{}\nreport: {}\n", table.render(), named(&page));
     output.result(
         &text,
-        &json!({ "out": shown::path(&ran.out), "report": shown::path(&page), "rows": judged }),
+        &json!({ "out": json_path(&ran.out), "report": json_path(&page), "rows": judged }),
     )?;
     Ok(if all_well { SUCCESS } else { CASES_FAILED })
 }
@@ -80,12 +81,7 @@ fn csv(judged: &[Judged]) -> anyhow::Result<Vec<u8>> {
 
 /// The matrix of what survives where, then every case with its criterion.
 fn markdown(matrix: &Matrix, judged: &[Judged]) -> String {
-    let mut methods: Vec<&str> = Vec::new();
-    for row in judged {
-        if !methods.contains(&row.method.as_str()) {
-            methods.push(&row.method);
-        }
-    }
+    let methods = different(judged.iter().map(|row| row.method.as_str()));
     let mut text = format!(
         "# Hard cases\n\nWritten by `seawall stress` (physics version {}). A number is the largest \
          share of a bound that the run reached,\ncriteria and health alike: below 1 it passed, \

@@ -7,7 +7,6 @@ use clap::Args;
 use serde_json::json;
 
 use super::closed::Asked;
-use super::ending::EndingArgs;
 use super::execute::execute;
 use super::executor::{Executor, choose};
 use super::failure::exit_code;
@@ -15,15 +14,17 @@ use super::input::{
     Expect, Setting, SimdChoice, default_out, named_out, out_of, study, sweep_file,
 };
 use super::job::Job;
-use super::keep::KeepArgs;
-use super::output::Output;
+use super::options::EndingArgs;
+use super::options::KeepArgs;
+use super::output::{Output, json_paths};
 use super::overview::told;
-use super::{INTERRUPTED, SUCCESS, check, films, max_error, numbers, refine, shown, warnings};
+use super::{INTERRUPTED, SUCCESS, check, films, max_error, options, refine, warnings};
 use crate::accuracy::Refinement;
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
 use crate::keys::named;
+use crate::math::words::counted;
 use crate::report::PAGE as REPORT;
-use crate::results::{Derived, OpenMode, counted, write_all_histories};
+use crate::results::{Derived, OpenMode, write_all_histories};
 
 /// Run all cases of a sweep file, on threads or under mpirun. Go on where an earlier run stopped.
 #[derive(Debug, Args)]
@@ -46,7 +47,7 @@ pub(super) struct SweepArgs {
     executor: Executor,
     /// Threads per rank. Each takes a case of its own; where fewer cases are left, they share these
     /// [default: the node's cores shared among its ranks].
-    #[arg(long, value_name = "N", value_parser = numbers::threads(), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = options::threads(), allow_negative_numbers = true)]
     threads: Option<u16>,
     /// Go on with an earlier run, or start where there is none. This is the default.
     #[arg(long, conflicts_with = "fresh")]
@@ -76,7 +77,7 @@ pub(super) struct SweepArgs {
     #[arg(long, value_name = "CASE", default_value = "auto")]
     film: Vec<String>,
     /// Under MPI, name a rank that has said nothing for so many seconds.
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = numbers::seconds(1.0, 1e6), allow_negative_numbers = true)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = options::seconds(1.0, 1e6), allow_negative_numbers = true)]
     hung_after_s: f64,
     #[command(flatten)]
     keep: KeepArgs,
@@ -216,7 +217,7 @@ fn lead(
         true => done.json(&job, Some(&report))?,
         false => json!({}),
     };
-    value["films"] = json!(shown::paths(&films::pages(done.directory.path())));
+    value["films"] = json!(json_paths(&films::pages(done.directory.path())));
     if let Some(aim) = &aim {
         // The page reads what this writes.
         let (told, accuracy) = max_error::report(aim, &job.study, &done)?;

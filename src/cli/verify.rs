@@ -7,8 +7,9 @@ use serde_json::json;
 
 use super::input::demand_output_of_study;
 use super::output::Output;
-use super::{CASES_FAILED, SUCCESS, film, numbers, stored};
-use crate::results::{CaseRecord, Manifest, Verified, counted, first_difference, verify};
+use super::{CASES_FAILED, SUCCESS, film, options, stored};
+use crate::math::words::counted;
+use crate::results::{CaseRecord, Manifest, Verified, first_difference, verify};
 use crate::simulation::{Resources, Unwatched, run_case};
 use crate::study::Study;
 
@@ -21,10 +22,10 @@ pub(super) struct VerifyArgs {
     /// The output directory of a sweep or a run.
     dir: PathBuf,
     /// Run so many of the finished cases again, picked evenly from the grid, and compare every bit.
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = numbers::whole(0, u32::MAX as usize), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = options::whole(0, u32::MAX as usize), allow_negative_numbers = true)]
     pub(super) rerun: usize,
     /// Threads that share the work. The results are the same for any number [default: all].
-    #[arg(long, value_name = "N", value_parser = numbers::threads(), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", value_parser = options::threads(), allow_negative_numbers = true)]
     threads: Option<u16>,
 }
 

@@ -5,9 +5,10 @@ use std::path::Path;
 
 use super::cost::time_of_all;
 use super::output::{Output, duration};
+use crate::execute::available_cores;
 use crate::keys::named;
 use crate::math::decimal::significant;
-use crate::results::counted;
+use crate::math::words::counted;
 use crate::scene::{SeawallScene, odd_values};
 use crate::simulation::{Cost, cost};
 use crate::study::{Case, Study};
@@ -85,7 +86,7 @@ fn long(study: &Study) -> Option<String> {
 
 /// Tells where there are more threads than processors.
 pub(super) fn tell_threads(threads: Option<u16>, output: &Output) {
-    let processors = std::thread::available_parallelism().map_or(1, usize::from);
+    let processors = available_cores();
     if let Some(threads) = threads.filter(|&threads| usize::from(threads) > processors) {
         output.note(format_args!(
             "warning: --threads {threads}: this machine has {}; more threads make nothing faster, and \

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use crate::results::counted;
+use crate::math::words::counted;
 
 /// What counts of a look.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -129,7 +129,7 @@ pub fn host_name() -> String {
 }
 
 /// The processors that this process may use.
-fn available_cores() -> usize {
+pub fn available_cores() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 

@@ -3,9 +3,9 @@
 use crate::math::decimal::significant;
 
 /// What particles are coloured by.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum Colour {
-    /// Pressure, Pa.
+    /// Pressure, kPa.
     Pressure,
     /// Speed, m/s.
     Speed,

@@ -1,9 +1,9 @@
-//! One key of a file, as it is declared: what it means, what it may hold, where it applies.
+//! One key of a file, as it is declared: what it means, what it may hold, where it applies, also in words.
 
 use toml::{Table, Value};
 
 use super::error::ConfigError;
-use super::rule::{Rule, When};
+use super::rule::{Range, Rule, When};
 use super::shape::Shape;
 use super::written;
 
@@ -75,6 +75,39 @@ impl Key {
                 if self.required || self.rule.needed { "must be given" } else { "none" }.to_owned()
             }
         }
+    }
+
+    /// Its meaning in one line.
+    pub fn meaning_in_words(&self) -> String {
+        self.meaning.split_whitespace().collect::<Vec<_>>().join(" ").replace('`', "")
+    }
+
+    /// The same as it is declared, and where it means anything.
+    pub fn meaning_in_markdown(&self) -> String {
+        let mut text = self.meaning.trim().to_owned();
+        for when in self.conditions() {
+            text += &format!(" Only with `{when}`.");
+        }
+        text
+    }
+
+    /// What it may hold.
+    pub fn allowed_in_words(&self) -> String {
+        let whole = if (self.shape)() == Shape::Whole { ", whole" } else { "" };
+        match ((self.shape)(), self.rule.range) {
+            (Shape::Names(names), _) => {
+                names.iter().map(|name| format!("{name:?}")).collect::<Vec<_>>().join(", ")
+            }
+            (_, Range::AboveZero) => format!("above 0{whole}"),
+            (_, Range::NotNegative) => format!("0 or above{whole}"),
+            (_, Range::Within(low, high)) => format!("{low} to {high}{whole}"),
+            (shape, Range::Any) => shape.what().to_owned(),
+        }
+    }
+
+    /// Where it applies; empty where it always does.
+    pub fn where_in_words(&self) -> String {
+        self.conditions().map(|when| when.to_string()).collect::<Vec<_>>().join(", ")
     }
 
     /// The error of a value that its type does not take, and what the type says of it.

@@ -47,13 +47,11 @@ mod section;
 mod shape;
 mod shared;
 mod shown;
-mod table;
-mod words;
 mod written;
 
 pub use error::{ConfigError, cut, hint, nearest};
 pub use key::{Key, number};
-pub use overrides::Override;
+pub use overrides::{Override, read_value};
 pub use rule::{Range, Rule, When, plain, unit};
 pub use schema::schema;
 pub(crate) use section::section;
@@ -61,4 +59,3 @@ pub use section::{Section, check_conditions, read_alone, store, value, value_of}
 pub use shape::Shape;
 pub use shared::{Recent, Shared};
 pub use shown::{named, shown};
-pub use table::table;

@@ -33,8 +33,8 @@ impl FromStr for Override {
     }
 }
 
-/// A TOML value or a number as tables print it, or else a bare string.
-fn read_value(text: &str) -> Value {
+/// What a text stands for: a TOML value or a number as tables print it, or else a bare string.
+pub fn read_value(text: &str) -> Value {
     let parsed = format!("value = {text}").parse::<Table>().ok();
     match parsed {
         Some(mut table) if table.len() == 1 => {

@@ -5,7 +5,6 @@ use serde_json::{Map, Value, json};
 use super::key::Key;
 use super::rule::Range;
 use super::shape::Shape;
-use super::table::meaning;
 
 /// The schema of a table with these keys and no others. What depends on two values at once is not in
 /// it, nor what must be given only where another key has some value.
@@ -51,7 +50,7 @@ impl Key {
         }
         let unit = Some(self.rule.unit).filter(|unit| !unit.is_empty());
         let unit = unit.map(|unit| format!(" Unit: {unit}.")).unwrap_or_default();
-        schema["description"] = json!(format!("{}{unit}", meaning(self)));
+        schema["description"] = json!(format!("{}{unit}", self.meaning_in_markdown()));
         if let Some(default) = (self.default)() {
             schema["default"] = json!(default);
         }

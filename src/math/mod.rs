@@ -1,9 +1,12 @@
-//! SIMD lanes, sparse systems, threads that share the work of one case, scales and curves through points.
+//! SIMD lanes, sparse systems, threads that share the work of one case, scales and curves through points,
+//! lists, words.
 
 pub mod bend;
 pub mod decimal;
+pub mod lists;
 pub mod name;
 pub mod scale;
 pub mod simd;
 pub mod sparse;
 pub mod team;
+pub mod words;

@@ -16,9 +16,8 @@ impl Scale {
     /// That of values of which nobody says more: logarithmic where all are above 0 and the largest is a
     /// hundred times the smallest or more.
     pub fn of(values: impl Iterator<Item = f64>) -> Scale {
-        let around = |(low, high): (f64, f64), value: f64| (low.min(value), high.max(value));
-        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), around);
-        if low > 0.0 && high >= FAR * low { Scale::Log } else { Scale::Linear }
+        let is_far = |(low, high): (f64, f64)| low > 0.0 && high >= FAR * low;
+        if super::lists::ends(values).is_some_and(is_far) { Scale::Log } else { Scale::Linear }
     }
 
     /// Where a value stands.

@@ -9,6 +9,7 @@ use super::load::{demand, deserialize, read_records};
 use super::plots::{self, Dot};
 use super::tables::Table;
 use super::{make, save};
+use crate::math::lists::different;
 
 /// The columns of `accuracy.csv`. Rows of the cases `all` and `loads` are a method's sums.
 pub const HEADER: [&str; 10] = [
@@ -73,12 +74,7 @@ fn page(lines: &[Line], about: &[(String, String)]) -> String {
         the root mean square over all cases and quantities. Times are processor seconds.\n\n\
         ![error against processor time](figures/error-against-time.svg)\n"
         .to_owned();
-    let mut cases: Vec<&str> = Vec::new();
-    for line in lines {
-        if !cases.contains(&line.case.as_str()) {
-            cases.push(&line.case);
-        }
-    }
+    let cases = different(lines.iter().map(|line| line.case.as_str()));
     let tables = GROUPS.iter().map(|&(group, title)| methods(lines, group, title));
     for table in tables.chain([cheapest(lines, &cases), every_pair(lines)]) {
         text.push_str(&format!("\n## {}\n\n{}", table.title, table.markdown()));

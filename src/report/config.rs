@@ -1,14 +1,15 @@
 //! What every case was: all values of its `[scene]` and `[numerics]`, from the manifest and from the
 //! swept keys in its row.
 
-use serde_json::Value as Json;
+use serde::Deserialize;
 use toml::{Table, Value};
 
 use super::load::Loaded;
-use crate::keys::{Override, Section, number, value_of};
+use super::study::StudyFile;
+use crate::keys::{number, value_of};
 use crate::quantities::Column;
 use crate::quantities::summary::{BOUNDARY, KERNEL, PARTICLE_SPACING, SCHEME};
-use crate::scene::{CaseConfig, Place, SeawallScene, place_of};
+use crate::scene::CaseConfig;
 
 /// All values of one case, those that the program chose included.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -20,32 +21,34 @@ pub struct Config {
 }
 
 impl Config {
+    /// A number of the scene.
+    pub fn value(&self, key: &str) -> Option<f64> {
+        number(self.scene.get(key)?)
+    }
+
     /// The number of a key of the scene that is also a column.
     pub fn number(&self, column: &Column) -> Option<f64> {
-        number(self.scene.get(column.name)?)
+        self.value(column.name)
     }
 }
 
 /// One for every row of the summary; `None` where the files do not tell it: without a manifest, or with
 /// one whose file is no sweep that this program reads.
 pub fn configs(data: &Loaded) -> Vec<Option<Config>> {
-    each_config(data).collect()
+    each_config(data, 0..data.rows.len()).collect()
 }
 
-/// Likewise, made one by one: those of a large study take gigabytes.
-pub fn each_config(data: &Loaded) -> impl Iterator<Item = Option<Config>> {
-    let file = data.manifest.as_ref().and_then(file);
-    (0..data.rows.len()).map(move |row| config(file.as_ref()?, data, row))
-}
-
-/// Likewise, of some rows by their places.
-pub fn some_configs(data: &Loaded, rows: impl Iterator<Item = usize>) -> Vec<Option<Config>> {
-    let file = data.manifest.as_ref().and_then(file);
-    rows.map(|row| config(file.as_ref()?, data, row)).collect()
+/// Likewise, of some rows by their places, made one by one: those of a large study take gigabytes.
+pub fn each_config(
+    data: &Loaded,
+    rows: impl Iterator<Item = usize>,
+) -> impl Iterator<Item = Option<Config>> {
+    let file = data.file();
+    rows.map(move |row| config(file.as_ref()?, data, row))
 }
 
 /// A gauge of a study.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Gauge {
     /// Its column.
     pub name: String,
@@ -59,59 +62,13 @@ pub struct Gauge {
 
 /// The gauges of a study.
 pub fn gauges(data: &Loaded) -> Vec<Gauge> {
-    let file = data.manifest.as_ref().and_then(file).unwrap_or_default();
-    let gauge = |table: &Table| {
-        let word = |key: &str| Some(table.get(key)?.as_str()?.to_owned());
-        let place = |key: &str| table.get(key).and_then(number);
-        Some(Gauge {
-            name: word("name")?,
-            kind: word("kind")?,
-            x_m: place("x_m"),
-            y_m: place("y_m"),
-        })
-    };
-    probes(&file).iter().filter_map(gauge).collect()
+    let probes = data.file().unwrap_or_default().probes.into_iter();
+    probes.filter_map(|table| table.try_into().ok()).collect()
 }
 
-/// The sweep file with what the command line set.
-fn file(manifest: &Json) -> Option<Table> {
-    let mut file: Table = manifest.get("sweep_file")?.as_str()?.parse().ok()?;
-    for set in manifest.get("overrides").and_then(Json::as_array).into_iter().flatten() {
-        set.as_str()?.parse::<Override>().ok()?.apply(&mut file).ok()?;
-    }
-    Some(file)
-}
-
-fn table(file: &Table, key: &str) -> Table {
-    file.get(key).and_then(Value::as_table).cloned().unwrap_or_default()
-}
-
-fn probes(file: &Table) -> Vec<Table> {
-    let probes = file.get("probe").and_then(Value::as_array);
-    probes.into_iter().flatten().filter_map(Value::as_table).cloned().collect()
-}
-
-fn config(file: &Table, data: &Loaded, row: usize) -> Option<Config> {
-    let (mut scene, mut numerics) = (table(file, "scene"), table(file, "numerics"));
-    for key in &data.keys {
-        let table = match place_of(&key.name, &scene).ok()? {
-            Place::Scene => &mut scene,
-            Place::Numerics => &mut numerics,
-        };
-        table.remove(&key.name);
-        if !key.cells[row].is_empty() {
-            let set: Override = format!("{}={}", key.name, &key.cells[row]).parse().ok()?;
-            table.insert(key.name.clone(), set.value().clone());
-        }
-    }
-    // What another wall or paddle of the same sweep needs.
-    let swept = |name: &str| data.keys.iter().any(|key| key.name == name);
-    for key in SeawallScene::keys() {
-        if !key.conditions().all(|when| !swept(when.key) || when.holds(&scene)) {
-            scene.remove(key.name);
-        }
-    }
-    let config = CaseConfig::with_probes(&scene, &numerics, &probes(file)).ok()?;
+fn config(file: &StudyFile, data: &Loaded, row: usize) -> Option<Config> {
+    let [scene, numerics] = file.of_row(&data.keys, row, &file.numerics)?;
+    let config = CaseConfig::with_probes(&scene, &numerics, &file.probes).ok()?;
     let row = &data.rows[row];
     let table = |value: Option<Value>| value?.as_table().cloned();
     let mut numerics = table(value_of(&config.numerics))?;
@@ -138,11 +95,7 @@ mod tests {
     use serde_json::json;
 
     fn of(file: &str, overrides: &[&str], keys: &[(&str, &[&str])]) -> Vec<Option<Config>> {
-        let key = |(name, cells): &(&str, &[&str])| Key {
-            name: (*name).to_owned(),
-            cells: cells.iter().collect(),
-        };
-        let keys: Vec<_> = keys.iter().map(key).collect();
+        let keys: Vec<_> = keys.iter().map(|(name, cells)| Key::new(name, *cells)).collect();
         let rows = vec![Default::default(); keys.first().map_or(1, |key| key.cells.iter().len())];
         let manifest = Some(json!({ "sweep_file": file, "overrides": overrides }));
         configs(&Loaded { rows, keys, manifest, ..Loaded::default() })

@@ -1,9 +1,9 @@
 //! Sorts rows for figures and tables: which cases stand in a response's figure, which values occur.
 
-use std::cmp::Ordering;
 use std::collections::HashSet;
 
 use super::row::Row;
+use crate::math::lists::rising;
 use crate::quantities::Column;
 use crate::quantities::summary::{
     DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO,
@@ -21,33 +21,18 @@ pub fn stem(response: &Column) -> &'static str {
 /// The finished cases of one variant that have a response, by rising mass, wave height and
 /// stiffness. Cases without a spring have no place on a logarithmic axis and are left out.
 pub fn responses<'a>(rows: &'a [Row], variant: &str, response: &Column) -> Vec<&'a Row> {
-    let sorted = [&M_STAR, &WAVE_HEIGHT_RATIO, &LOG10_K_STAR];
-    let has = |row: &Row, column: &Column| row.number(column).is_some_and(f64::is_finite);
+    let finite = |row: &Row, column: &Column| row.number(column).filter(|one| one.is_finite());
+    let place = |row: &Row| {
+        finite(row, response)?;
+        let [mass, wave, stiffness] =
+            [&M_STAR, &WAVE_HEIGHT_RATIO, &LOG10_K_STAR].map(|column| finite(row, column));
+        Some([mass?, wave?, stiffness?])
+    };
     let all = rows.iter().filter(|row| row.is_ok() && *row.variant == *variant);
-    let all = all.filter(|row| has(row, response) && sorted.iter().all(|column| has(row, column)));
-    let mut all: Vec<_> = all.collect();
     // Each number is read once: a text is not compared quickly.
-    let place = |row: &Row| sorted.map(|column| Rising(row.number(column).unwrap_or(f64::NAN)));
-    all.sort_by_cached_key(|row| place(row));
-    all
-}
-
-/// A number with its place among others.
-#[derive(PartialEq)]
-struct Rising(f64);
-
-impl Eq for Rising {}
-
-impl PartialOrd for Rising {
-    fn partial_cmp(&self, other: &Rising) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Rising {
-    fn cmp(&self, other: &Rising) -> Ordering {
-        self.0.total_cmp(&other.0)
-    }
+    let mut all: Vec<_> = all.filter_map(|row| Some((place(row)?, row))).collect();
+    all.sort_by(|(a, _), (b, _)| a.partial_cmp(b).expect("finite numbers have an order"));
+    all.into_iter().map(|(_, row)| row).collect()
 }
 
 /// Rows of the same mass, one group after the other.
@@ -58,10 +43,7 @@ pub fn by_mass<'r, 'a>(sorted: &'r [&'a Row]) -> impl Iterator<Item = &'r [&'a R
 /// The different values of a column among rows, rising; empty cells are left out.
 pub fn distinct<'a>(rows: impl Iterator<Item = &'a Row>, column: &Column) -> Vec<f64> {
     let numbers = rows.filter_map(|row| row.number(column));
-    let mut values: Vec<f64> = numbers.filter(|value| value.is_finite()).collect();
-    values.sort_by(f64::total_cmp);
-    values.dedup();
-    values
+    rising(numbers.filter(|value| value.is_finite()))
 }
 
 /// At most so many of the items, evenly spread and with both ends.

@@ -8,6 +8,7 @@ use tempfile::TempDir;
 
 use crate::quantities::Column;
 use crate::quantities::summary::first_version;
+use crate::report::load::Loaded;
 
 /// What every row holds: one cell per line, `column=text`.
 const ENDED: &str = "steps=9000\nparticles=7800\nscheme=wcsph\nboundary=improved-shepard\n\
@@ -15,6 +16,12 @@ const ENDED: &str = "steps=9000\nparticles=7800\nscheme=wcsph\nboundary=improved
 
 /// A wall of a made-up case: stiffness and mass, or neither.
 type Wall = Option<(f64, f64)>;
+
+/// What is read from a directory, which is gone once it is dropped.
+pub fn read(directory: TempDir) -> (TempDir, Loaded) {
+    let data = Loaded::read(directory.path()).unwrap();
+    (directory, data)
+}
 
 /// A small movable sweep with one failed case, an unknown column, energies and a manifest.
 pub fn sweep() -> TempDir {

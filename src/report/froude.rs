@@ -3,9 +3,9 @@
 
 use std::str::FromStr;
 
-use toml::{Table as Toml, Value};
+use toml::Value;
 
-use super::config::each_config;
+use super::config::{Config, each_config};
 use super::error::ReportError;
 use super::load::Loaded;
 use super::row::Row;
@@ -55,10 +55,10 @@ struct Water {
 
 impl Water {
     /// Of a case's scene; `None` where it is no seawall.
-    fn of(scene: &Toml) -> Option<Water> {
-        let value = |key: &str| scene.get(key).and_then(number);
+    fn of(case: &Config) -> Option<Water> {
+        let value = |key| case.value(key);
         let (depth, gravity) = (value("still_water_depth_m")?, value("gravity_m_per_s2")?);
-        let bed = scene.get("bed").and_then(Value::as_array).and_then(|points| points.last());
+        let bed = case.scene.get("bed").and_then(Value::as_array).and_then(|points| points.last());
         let toe = bed.and_then(Value::as_array).and_then(|point| number(point.get(1)?));
         let at_wall = Some(depth - toe.unwrap_or(0.0)).filter(|depth| *depth > 0.0);
         let weight = gravity * value("water_density_kg_per_m3")?;
@@ -132,13 +132,17 @@ impl Froude {
     /// directory does not tell how its tanks were.
     pub fn tables(self, data: &Loaded) -> Result<Vec<Table>, ReportError> {
         let (mut maxima, mut envelope) = (Vec::new(), Vec::new());
-        for (row, config) in data.rows.iter().zip(each_config(data)).filter(|(row, _)| row.is_ok())
+        for (row, config) in data
+            .rows
+            .iter()
+            .zip(each_config(data, 0..data.rows.len()))
+            .filter(|(row, _)| row.is_ok())
         {
-            let Some(water) = config.as_ref().and_then(|config| Water::of(&config.scene)) else {
+            let Some(water) = config.as_ref().and_then(Water::of) else {
                 continue;
             };
-            let head = || [row.text(&CASE_ID).to_owned(), row.words(), self.words()].into_iter();
-            let pressed = data.envelope(row.text(&CASE_ID))?;
+            let head = || [row.id().to_owned(), row.words(), self.words()].into_iter();
+            let pressed = data.envelope(row.id())?;
             let most = pressed.iter().map(|at| at.pressure_max_pa).max_by(f64::total_cmp);
             let depth = self.grown(water.depth, 1.0);
             let numbers = [Some(depth), most.map(|most| KILO * self.grown(most, 1.0))].into_iter();

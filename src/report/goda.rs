@@ -5,8 +5,7 @@ use toml::{Table, Value};
 
 use super::load::Loaded;
 use super::row::Row;
-use super::study::{file, literal};
-use crate::keys::{Section, number};
+use crate::keys::{Section, number, read_value};
 use crate::quantities::summary::{
     FIRST_FORCE_MAX, FORCE_MAX, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO,
 };
@@ -74,10 +73,7 @@ pub struct Settings<'a> {
 impl<'a> Settings<'a> {
     /// Of a study.
     pub fn of(data: &'a Loaded) -> Settings<'a> {
-        let file = data.manifest.as_ref().and_then(file);
-        let scene = file
-            .map(|file| file.get("scene").and_then(Value::as_table).cloned().unwrap_or_default());
-        Settings { data, scene }
+        Settings { data, scene: data.file().map(|file| file.scene) }
     }
 
     /// Of the case in a row; `None` where no wave meets an upright wall in still water.
@@ -91,7 +87,7 @@ impl<'a> Settings<'a> {
         for key in &self.data.keys {
             match &key.cells[place] {
                 "" => drop(scene.remove(&key.name)),
-                cell => drop(scene.insert(key.name.clone(), literal(cell))),
+                cell => drop(scene.insert(key.name.clone(), read_value(cell))),
             }
         }
         setting(&scene)
@@ -170,11 +166,8 @@ mod tests {
 
     #[test]
     fn a_swept_key_is_that_of_its_row() {
-        let key = |name: &str, cells: &[&str]| Key {
-            name: name.to_owned(),
-            cells: cells.iter().copied().collect(),
-        };
-        let beds = key("bed", &["[[0, 0], [1, 0], [2.5, 0.1]]", "[[0, 0], [1, 0], [2.5, 0.15]]"]);
+        let beds = ["[[0, 0], [1, 0], [2.5, 0.1]]", "[[0, 0], [1, 0], [2.5, 0.15]]"];
+        let beds = Key::new("bed", beds);
         let row = || Row::default().with(&FORCE_MAX, 5.828).with(&WAVE_HEIGHT_RATIO, 0.3);
         let manifest = Some(json!({ "sweep_file": "[scene]\nwave_height_ratio = 0.3" }));
         let rows = vec![row(), row()];

@@ -15,25 +15,20 @@ use crate::quantities::{Column, heading};
 /// on, they make of the same text a table that can be sorted and filtered.
 pub(super) fn grid(table: &Table) -> String {
     let text = format!("<div class=\"wide\"><table>\n{}</table></div>", whole(table));
-    let file = match table.name.as_str() {
-        "" if table.left > 0 => format!("<p>... and {} more.</p>", table.left),
+    let (name, rows, all) = (&table.name, table.rows.len(), table.rows.len() + table.left);
+    let file = match name.as_str() {
+        "" if rows < all => format!("<p>... and {} more.</p>", table.left),
         "" => String::new(),
-        name if table.is_part => format!(
-            "<p class=\"file\">{} of {} rows; tables/{name}.csv has all</p>",
-            table.rows.len(),
-            table.rows.len() + table.left
-        ),
-        name if table.left > 0 => format!(
-            "<p class=\"file\">the first {} of {} rows; tables/{name}.csv has all</p>",
-            table.rows.len(),
-            table.rows.len() + table.left
-        ),
-        name => format!("<p class=\"file\">tables/{name}.csv</p>"),
+        _ if rows == all && !table.is_part => format!("<p class=\"file\">tables/{name}.csv</p>"),
+        _ => {
+            let first = if table.is_part { "" } else { "the first " };
+            let all = format!("{rows} of {all} rows; tables/{name}.csv has all");
+            format!("<p class=\"file\">{first}{all}</p>")
+        }
     };
     if table.header.first().is_none_or(|name| name != CASE_ID.name) || table.name.is_empty() {
         return text + &file;
     }
-    let name = &table.name;
     format!("<div class=\"listing\" data-table=\"{name}\"><noscript>{text}</noscript></div>{file}")
 }
 

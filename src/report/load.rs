@@ -9,12 +9,12 @@ use csv::{ErrorKind, StringRecord};
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::column::Cells;
 use super::error::ReportError;
 use super::omitted::Omitted;
 use super::row::{Header, Row};
-use super::study::{Key, keys, scene_number};
+use super::study::{Key, StudyFile, keys};
 use super::variant::name_variants;
+use crate::keys::number;
 use crate::quantities::{named, summary};
 
 /// All that the report knows about a sweep.
@@ -45,7 +45,8 @@ impl Loaded {
         }
         let manifest = read_manifest(&directory.join("manifest.json"));
         let (mut rows, keys) = read_summary(&directory.join("summary.csv"), manifest.as_ref())?;
-        let angle = manifest.as_ref().and_then(|manifest| scene_number(manifest, "wall_angle_deg"));
+        let file = StudyFile::of(manifest.as_ref());
+        let angle = file.and_then(|file| number(file.scene.get("wall_angle_deg")?));
         for row in &mut rows {
             row.wall_angle_deg = row.wall_angle_deg.or(angle);
         }
@@ -56,6 +57,11 @@ impl Loaded {
     /// The same, in which files of cases may be left out.
     pub fn without(self, omitted: &Omitted) -> Loaded {
         Loaded { omitted: omitted.clone(), ..self }
+    }
+
+    /// The file that the study was made from, with what the command line set.
+    pub(super) fn file(&self) -> Option<StudyFile> {
+        StudyFile::of(self.manifest.as_ref())
     }
 
     /// The sweep's name, as its manifest states it.
@@ -76,10 +82,15 @@ impl Loaded {
         self.rows.iter().filter(|row| row.is_ok())
     }
 
+    /// Those of one variant.
+    pub fn of_variant(&self, variant: &str) -> impl Iterator<Item = &Row> {
+        self.finished().filter(move |row| *row.variant == *variant)
+    }
+
     /// The same of some rows alone.
     pub(super) fn part(&self, places: &[usize]) -> Loaded {
-        let cells = |key: &Key| places.iter().map(|&place| &key.cells[place]).collect();
-        let key = |key: &Key| Key { name: key.name.clone(), cells: cells(key) };
+        let key =
+            |Key { name, cells }: &Key| Key::new(name, places.iter().map(|&place| &cells[place]));
         Loaded {
             rows: places.iter().map(|&place| self.rows[place].clone()).collect(),
             energy: self.energy.clone(),
@@ -127,7 +138,7 @@ fn read_summary(
     // Swept keys follow the columns of every summary.
     let declared = header.iter().enumerate().filter(|(_, name)| named(name).is_some());
     let known = declared.last().map_or(0, |(at, _)| at + 1);
-    let key = |column: usize| Key { name: header[column].to_owned(), cells: Cells::default() };
+    let key = |column: usize| Key::new(&header[column], [""; 0]);
     let place = |name: &String| header.iter().position(|column| column == name);
     let swept: Vec<_> = manifest.map(keys).unwrap_or_default().iter().filter_map(place).collect();
     let mut swept_keys: Vec<_> = swept.iter().map(|&column| key(column)).collect();

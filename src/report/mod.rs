@@ -46,6 +46,7 @@ pub use reproduce::Reproduced;
 pub use row::Row;
 
 use load::Loaded;
+use papers::Papers;
 use tables::Lines;
 
 /// The page's file in an output directory.
@@ -54,16 +55,18 @@ pub const PAGE: &str = "report.html";
 /// Writes `figures/*.svg`, `tables/*.csv` and `report.html` into an output directory that holds
 /// at least a `summary.csv`, and returns the page's path.
 pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
-    write_scaled(out_dir, None, &Omitted::default())
+    Ok(write_with(out_dir, None, &[], &Omitted::default())?.0)
 }
 
-/// Likewise, with tables in the units of a prototype, where a Froude scale is given, and without files that may be
-/// left out.
-pub fn write_scaled(
+/// Likewise, with tables in the units of a prototype, where a Froude scale is given, with figures for print, in the
+/// widths of a journal's column (84 mm) and page (174 mm), and without files that may be left out. Returns the paths
+/// of the page and of figures for print.
+pub fn write_with(
     out_dir: &Path,
     scale: Option<Froude>,
+    formats: &[Print],
     omitted: &Omitted,
-) -> Result<PathBuf, ReportError> {
+) -> Result<(PathBuf, Vec<PathBuf>), ReportError> {
     let data = Loaded::read(out_dir)?.without(omitted);
     let part = selection::of(&data);
     let shown = part.as_ref().unwrap_or(&data);
@@ -77,7 +80,8 @@ pub fn write_scaled(
     make(&figures_dir)?;
     make(&tables_dir)?;
     let theirs = papers.iter().flat_map(|papers| &papers.figures);
-    for figure in figures.iter().chain(theirs) {
+    let drawn: Vec<_> = figures.iter().chain(theirs).collect();
+    for figure in &drawn {
         save(&figures_dir.join(format!("{}.svg", figure.name)), &figure.svg())?;
     }
     let scaled = scale.map_or(Ok(Vec::new()), |scale| scale.tables(&data))?;
@@ -86,31 +90,33 @@ pub fn write_scaled(
     let lines = tables::all(&data).into_iter().map(|lines| (lines, most));
     let lines = lines.chain(scaled.into_iter().map(|table| (table.into(), page::MOST_ROWS)));
     let write = |(lines, most): (Lines<'_>, usize)| {
-        let path = tables_dir.join(format!("{}.csv", lines.name));
+        let path = tables_dir.join(format!("{}.csv", lines.head.name));
         lines.write(&path, most)
     };
     let mut tables = lines.map(write).collect::<Result<Vec<_>, _>>()?;
-    if let Some(part) = &part {
-        for lines in tables::all(part) {
-            if let Some(whole) = tables.iter_mut().find(|table| table.name == lines.name) {
-                *whole = lines.whole()?.part_of(whole);
-            }
+    for lines in part.iter().flat_map(tables::all) {
+        if let Some(whole) = tables.iter_mut().find(|table| table.name == lines.head.name) {
+            *whole = lines.whole()?.part_of(whole);
         }
     }
     for table in papers.iter().map(|papers| &papers.tidy) {
         save(&tables_dir.join(format!("{}.csv", table.name)), &table.csv())?;
     }
-    let path = out_dir.join(PAGE);
-    let said = match &papers {
-        Some(papers) => {
-            Some(page::Papers { answer: papers.answer.clone(), content: papers.section() })
-        }
-        None => {
-            papers::nearest(shown).map(|answer| page::Papers { answer, content: String::new() })
-        }
+    let answer = papers.as_ref().map(|papers| papers.answer.clone());
+    let said = page::Papers {
+        answer: answer.or_else(|| papers::nearest(shown)),
+        content: papers.as_ref().map(Papers::section).unwrap_or_default(),
     };
-    save(&path, &page::page([&data, shown], &figures, &tables, said.as_ref())?)?;
-    Ok(path)
+    let path = out_dir.join(PAGE);
+    save(&path, &page::page([&data, shown], &figures, &tables, &said)?)?;
+    let mut printed = Vec::new();
+    for format in formats {
+        let figures = drawn.iter().map(|figure| print(figure, *format, &figures_dir));
+        let mut paths = figures.collect::<Result<Vec<_>, _>>()?.concat();
+        paths.sort();
+        printed.extend(paths);
+    }
+    Ok((path, printed))
 }
 
 /// A format of figures for print.
@@ -135,34 +141,10 @@ impl Print {
     }
 }
 
-/// Writes every figure of an output directory for print, in the widths of a journal's column (84 mm)
-/// and page (174 mm), and returns the files' paths; none where the program was built without.
-#[cfg_attr(not(feature = "print"), expect(unused_variables))]
-pub fn print(
-    out_dir: &Path,
-    format: Print,
-    omitted: &Omitted,
-) -> Result<Vec<PathBuf>, ReportError> {
-    let mut paths = Vec::new();
-    #[cfg(feature = "print")]
-    {
-        let data = Loaded::read(out_dir)?.without(omitted);
-        let part = selection::of(&data);
-        let shown = part.as_ref().unwrap_or(&data);
-        let papers = papers::papers(shown)?;
-        let theirs = papers.iter().flat_map(|papers| &papers.figures);
-        for figure in plots::all(shown)?.iter().chain(theirs) {
-            paths.extend(export::write(figure, format, &out_dir.join("figures"))?);
-        }
-    }
-    paths.sort();
-    Ok(paths)
-}
-
 /// Writes one figure for print into a directory, and returns the files' paths; none where the program was
 /// built without.
 #[cfg_attr(not(feature = "print"), expect(unused_variables))]
-pub fn print_figure(
+pub fn print(
     figure: &Figure,
     format: Print,
     directory: &Path,

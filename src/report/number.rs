@@ -69,12 +69,6 @@ fn power_of_ten_below(value: f64) -> f64 {
     format!("1e{exponent}").parse().unwrap_or(1.0)
 }
 
-/// The middle of numbers that rise; the mean of the two in the middle where their count is even.
-pub fn median(rising: &[f64]) -> Option<f64> {
-    let (low, high) = (rising.len().checked_sub(1)? / 2, rising.len() / 2);
-    Some((rising[low] + rising[high]) / 2.0)
-}
-
 /// Whether a text is a number, written out, with an error bar, as a bound or as [`in_powers`] writes it.
 pub fn is_number(text: &str) -> bool {
     let text = text.strip_prefix("≥ ").unwrap_or(text);
@@ -142,12 +136,6 @@ mod tests {
         let bounds = [0.0312, 0.0].map(|error| bound_with_error(2.4137, error));
         assert_eq!(bounds, ["≥ 2.41 − 0.03", "≥ 2.414"]);
         assert!(bounds.iter().all(|bound| is_number(bound)));
-    }
-
-    #[test]
-    fn the_median_is_in_the_middle() {
-        let found = [&[][..], &[3.0], &[1.0, 2.0], &[1.0, 2.0, 9.0]].map(median);
-        assert_eq!(found, [None, Some(3.0), Some(1.5), Some(2.0)]);
     }
 
     #[test]

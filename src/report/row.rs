@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use super::number;
 use crate::quantities::summary::{
-    SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STOPS, WAVE_HEIGHT_RATIO,
+    CASE_ID, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STOPS, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, named};
 
@@ -108,6 +108,11 @@ impl Row {
         self.named(column.name)
     }
 
+    /// The id of its case.
+    pub fn id(&self) -> &str {
+        self.text(&CASE_ID)
+    }
+
     /// A number; `None` where the cell is empty.
     pub fn number(&self, column: &Column) -> Option<f64> {
         self.text(column).parse().ok()
@@ -172,6 +177,11 @@ impl Row {
         let mut parts: Vec<_> = PLACE.iter().filter_map(part).collect();
         parts.extend((!self.variant.is_empty()).then(|| self.variant.to_string()));
         parts.join(", ")
+    }
+
+    /// The same, or its identity where nothing tells it from others.
+    pub fn title(&self) -> String {
+        Some(self.words()).filter(|words| !words.is_empty()).unwrap_or_else(|| self.id().to_owned())
     }
 
     /// Wave, stiffness and mass as bits, so that they can be compared and sorted on.

@@ -6,67 +6,53 @@ use std::path::Path;
 use toml::{Table, Value};
 
 use super::load::Loaded;
-use super::study::{file, literal};
-use crate::keys::{Section, When};
-use crate::scene::{CaseConfig, Place, SeawallScene, place_of};
+use super::study::{Key, StudyFile};
+use crate::keys::read_value;
+use crate::scene::{CaseConfig, Place, place_of};
 
-/// The study's file, without its grid.
+/// The study's file, of which each row is one case.
 #[derive(Debug, Clone)]
 pub struct SceneFile {
     name: String,
-    scene: Table,
-    numerics: Table,
+    file: StudyFile,
     /// Numerics that were chosen case by case, by the case's id.
     chosen: Option<HashMap<String, Table>>,
-    probes: Vec<Table>,
-    /// Where each swept key goes.
-    swept: Vec<(String, Place)>,
 }
 
 impl SceneFile {
     /// Reads the study's file in the manifest. `None` where there is none, and where a swept key is not
     /// known. Numerics that were chosen case by case are those of `max_error.csv`.
     pub fn of(data: &Loaded) -> Option<SceneFile> {
-        let file = file(data.manifest.as_ref()?)?;
+        let file = data.file()?;
         let chosen = chosen(&data.directory.join("max_error.csv"));
-        let chosen = chosen.or_else(|| file.contains_key("accuracy").then(HashMap::new));
-        let table = |key| file.get(key).and_then(Value::as_table).cloned().unwrap_or_default();
-        let scene = table("scene");
-        let place = |key: &String| Some((key.clone(), place_of(key, &scene).ok()?));
-        let probes = file.get("probe").and_then(Value::as_array).into_iter().flatten();
-        let swept = data.keys.iter().map(|key| place(&key.name)).collect::<Option<_>>()?;
-        Some(SceneFile {
-            name: data.name().unwrap_or("case").to_owned(),
-            probes: probes.filter_map(Value::as_table).cloned().collect(),
-            numerics: table("numerics"),
-            chosen,
-            scene,
-            swept,
-        })
+        let chosen = chosen.or_else(|| file.aims.then(HashMap::new));
+        let known = data.keys.iter().all(|key| place_of(&key.name, &file.scene).is_ok());
+        let name = data.name().unwrap_or("case").to_owned();
+        known.then_some(SceneFile { name, file, chosen })
     }
 
     /// The kind of the scene, as the file states it.
     pub fn kind(&self) -> Option<&str> {
-        self.scene.get("kind")?.as_str()
+        self.file.scene.get("kind")?.as_str()
     }
 
-    /// The case of a row, whose swept keys have these cells; `None` where it is not a valid one, or what
-    /// was chosen for it is not known.
-    pub fn config(&self, id: &str, cells: &[&str]) -> Option<CaseConfig> {
-        let (scene, numerics) = self.tables(id, cells)?;
-        CaseConfig::with_probes(&scene, &numerics, &self.probes).ok()
+    /// The case of a row; `None` where it is not a valid one, or what was chosen for it is not known.
+    pub fn config(&self, data: &Loaded, row: usize) -> Option<CaseConfig> {
+        let [scene, numerics] = self.tables(data, row)?;
+        CaseConfig::with_probes(&scene, &numerics, &self.file.probes).ok()
     }
 
     /// The file of a row with `{id}` for the case's id, and for the value of each swept key its name
     /// in braces: rows whose texts are equal share one. `None` where what was chosen for the row is not
     /// known.
-    pub fn template(&self, id: &str, cells: &[&str]) -> Option<String> {
-        let (mut scene, mut numerics) = self.tables(id, cells)?;
-        for ((key, place), cell) in self.swept.iter().zip(cells) {
-            if !cell.is_empty() {
-                let blank = Value::String(format!("{{{key}}}"));
-                table(*place, &mut scene, &mut numerics).insert(key.clone(), blank);
-            }
+    pub fn template(&self, data: &Loaded, row: usize) -> Option<String> {
+        let [mut scene, mut numerics] = self.tables(data, row)?;
+        for Key { name, .. } in data.keys.iter().filter(|key| !key.cells[row].is_empty()) {
+            let table = match place_of(name, &self.file.scene).ok()? {
+                Place::Scene => &mut scene,
+                Place::Numerics => &mut numerics,
+            };
+            table.insert(name.clone(), Value::String(format!("{{{name}}}")));
         }
         let name = &self.name;
         let mut text = format!("# Case {{id}} of the study {name}.\nname = \"{name}-{{id}}\"\n");
@@ -75,36 +61,20 @@ impl SceneFile {
                 text.push_str(&format!("\n{title}\n{table}"));
             }
         }
-        for probe in &self.probes {
+        for probe in &self.file.probes {
             text.push_str(&format!("\n[[probe]]\n{probe}"));
         }
-        Some(self.swept.iter().fold(text, |text, (key, _)| {
-            text.replace(&format!("\"{{{key}}}\""), &format!("{{{key}}}"))
+        Some(data.keys.iter().fold(text, |text, Key { name, .. }| {
+            text.replace(&format!("\"{{{name}}}\""), &format!("{{{name}}}"))
         }))
     }
 
-    /// Scene and numerics with the values of a row, without what its wall or paddle does not have.
-    fn tables(&self, id: &str, cells: &[&str]) -> Option<(Table, Table)> {
-        let mut scene = self.scene.clone();
-        let mut numerics = match &self.chosen {
-            Some(chosen) => chosen.get(id)?.clone(),
-            None => self.numerics.clone(),
+    fn tables(&self, data: &Loaded, row: usize) -> Option<[Table; 2]> {
+        let numerics = match &self.chosen {
+            Some(chosen) => chosen.get(data.rows[row].id())?,
+            None => &self.file.numerics,
         };
-        for ((key, place), cell) in self.swept.iter().zip(cells) {
-            let table = table(*place, &mut scene, &mut numerics);
-            table.remove(key);
-            if !cell.is_empty() {
-                table.insert(key.clone(), literal(cell));
-            }
-        }
-        let swept = |when: &When| self.swept.iter().any(|(key, _)| key == when.key);
-        let values = scene.clone();
-        let known = SeawallScene::keys();
-        scene.retain(|name, _| {
-            let key = known.iter().find(|key| key.name == name);
-            key.is_none_or(|key| key.conditions().all(|when| !swept(&when) || when.holds(&values)))
-        });
-        Some((scene, numerics))
+        self.file.of_row(&data.keys, row, numerics)
     }
 }
 
@@ -116,52 +86,42 @@ fn chosen(path: &Path) -> Option<HashMap<String, Table>> {
     let numerics = |list: &str| -> Option<Table> {
         let pair = |pair: &str| {
             let (key, value) = pair.split_once(" = ")?;
-            Some((key.to_owned(), literal(value)))
+            Some((key.to_owned(), read_value(value)))
         };
         list.split(", ").filter(|pair| !pair.is_empty()).map(pair).collect()
     };
     Some(rows.filter_map(|row| Some((row.get(0)?.to_owned(), numerics(row.get(of)?)?))).collect())
 }
 
-fn table<'a>(place: Place, scene: &'a mut Table, numerics: &'a mut Table) -> &'a mut Table {
-    match place {
-        Place::Scene => scene,
-        Place::Numerics => numerics,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::report::study::Key;
+    use crate::quantities::summary::CASE_ID;
+    use crate::report::row::Row;
     use serde_json::json;
 
     /// A study of these keys and cells, one row.
     fn study(text: &str, overrides: &[&str], keys: &[(&str, &str)]) -> Loaded {
-        let key = |(name, cell): &(&str, &str)| Key {
-            name: (*name).to_owned(),
-            cells: [cell].into_iter().collect(),
-        };
         Loaded {
             manifest: Some(json!({ "name": "a", "sweep_file": text, "overrides": overrides })),
-            keys: keys.iter().map(key).collect(),
+            keys: keys.iter().map(|(name, cell)| Key::new(name, [cell])).collect(),
+            rows: vec![Row::default().with(&CASE_ID, "0123")],
             ..Loaded::default()
         }
     }
 
     /// The text of the row as a page fills it in.
     fn filled(data: &Loaded) -> String {
-        let cells: Vec<_> = data.keys.iter().map(|key| &key.cells[0]).collect();
         let file = SceneFile::of(data).unwrap();
-        let text = file.template("0123", &cells).unwrap().replace("{id}", "0123");
+        let text = file.template(data, 0).unwrap().replace("{id}", "0123");
         let text = data.keys.iter().fold(text, |text, key| {
-            text.replace(&format!("{{{}}}", key.name), &literal(&key.cells[0]).to_string())
+            text.replace(&format!("{{{}}}", key.name), &read_value(&key.cells[0]).to_string())
         });
         let read: Table = text.parse().unwrap();
         let table =
             |key: &str| read.get(key).and_then(Value::as_table).cloned().unwrap_or_default();
         let config = CaseConfig::from_tables(&table("scene"), &table("numerics")).unwrap();
-        assert_eq!(file.config("0123", &cells), Some(config), "{text}");
+        assert_eq!(file.config(data, 0), Some(config), "{text}");
         text
     }
 
@@ -192,8 +152,7 @@ mod tests {
         let with = format!("{TEXT}\n[accuracy]\nmax_error_percent = 2");
         let cells = [("boundary", "sfdi"), ("spring_stiffness_n_per_m", "10")];
         let mut data = study(&with, &["numerics.particle_spacing_m=0.02"], &cells);
-        let untold = SceneFile::of(&data).unwrap();
-        assert!(untold.template("0123", &["sfdi", "10"]).is_none());
+        assert!(SceneFile::of(&data).unwrap().template(&data, 0).is_none());
         let root = tempfile::tempdir().unwrap();
         let rows = "case_id,particle_spacing_m,numerics,met\n\
             0123,0.0125,\"particle_spacing_m = 0.0125, boundary = sfdi, sound_speed_ratio = 12.0\",true\n";
@@ -206,8 +165,8 @@ mod tests {
             "{text}"
         );
         assert!(text.contains("boundary = \"sfdi\""), "{text}");
-        let file = SceneFile::of(&data).unwrap();
-        assert!(file.config("4567", &["sfdi", "10"]).is_none());
+        data.rows = vec![Row::default().with(&CASE_ID, "4567")];
+        assert!(SceneFile::of(&data).unwrap().config(&data, 0).is_none());
     }
 
     #[test]

@@ -9,7 +9,6 @@ use std::collections::HashSet;
 use super::curves::RESPONSES;
 use super::load::Loaded;
 use super::row::Row;
-use crate::quantities::summary::CASE_ID;
 
 /// A study of so many cases is shown whole.
 pub const WHOLE: usize = 20_000;
@@ -31,9 +30,9 @@ fn some(data: &Loaded, whole: usize, shown: usize) -> Option<Loaded> {
     for response in RESPONSES {
         let number = |row: &&Row| row.number(response).unwrap_or(f64::NEG_INFINITY);
         let most = data.finished().max_by(|a, b| number(a).total_cmp(&number(b)));
-        first.extend(most.map(|row| row.text(&CASE_ID)));
+        first.extend(most.map(|row| row.id()));
     }
-    let id = |place: &usize| data.rows[*place].text(&CASE_ID);
+    let id = |place: &usize| data.rows[*place].id();
     let mut places: Vec<usize> = (0..data.rows.len()).collect();
     places.sort_by_cached_key(|place| (!first.contains(id(place)), id(place), *place));
     places.truncate(shown);
@@ -60,11 +59,10 @@ mod tests {
 
     #[test]
     fn a_large_study_is_shown_in_part_and_always_the_same_part() {
-        let directory = fixture::sweep();
-        let data = Loaded::read(directory.path()).unwrap();
+        let (_directory, data) = fixture::read(fixture::sweep());
         assert!(of(&data).is_none() && some(&data, 12, 4).is_none());
         let ids = |data: &Loaded| -> Vec<String> {
-            data.rows.iter().map(|row| row.text(&CASE_ID).to_owned()).collect()
+            data.rows.iter().map(|row| row.id().to_owned()).collect()
         };
         let part = some(&data, 11, 6).unwrap();
         assert_eq!(part.rows.len(), 6);

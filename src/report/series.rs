@@ -23,6 +23,17 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
 }
 
+/// Series of one case, in the order of their columns; none where it has no file of them.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct History(pub Vec<Series>);
+
+impl History {
+    /// The points of a column; none where it is not there.
+    pub fn points(&self, name: &str) -> &[(f64, f64)] {
+        self.0.iter().find(|series| series.name == name).map_or(&[], |series| &series.points)
+    }
+}
+
 /// A number of a case that has no column in the summary.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Reading {
@@ -52,20 +63,20 @@ impl Loaded {
         path.exists() && !self.omitted.has(&path)
     }
 
-    /// The gauges of a case, in the order of their columns; none where it has no file of them.
-    pub fn gauges(&self, case_id: &str) -> Result<Vec<Series>, ReportError> {
+    /// The gauges of a case.
+    pub fn gauges(&self, case_id: &str) -> Result<History, ReportError> {
         let mut gauges = self.series("probes", case_id, &[history::TIME.name])?;
-        if !gauges.is_empty() {
+        if !gauges.0.is_empty() {
             let units = self.units()?;
-            for gauge in &mut gauges {
+            for gauge in &mut gauges.0 {
                 gauge.unit = units.get(&gauge.name).cloned().unwrap_or_default();
             }
         }
         Ok(gauges)
     }
 
-    /// The history of a case, in the order of its columns; none where it has no file of it.
-    pub fn history(&self, case_id: &str) -> Result<Vec<Series>, ReportError> {
+    /// The history of a case.
+    pub fn history(&self, case_id: &str) -> Result<History, ReportError> {
         let needed = [&history::TIME, &history::FORCE, &history::RUNUP, &history::DISPLACEMENT];
         self.series("histories", case_id, &needed.map(|column| column.name))
     }
@@ -75,7 +86,7 @@ impl Loaded {
         folder: &str,
         case_id: &str,
         needed: &[&'static str],
-    ) -> Result<Vec<Series>, ReportError> {
+    ) -> Result<History, ReportError> {
         let path = self.directory.join(format!("{folder}/{case_id}.csv"));
         self.omitted.read(&path, |path| series(path, needed))
     }
@@ -115,7 +126,7 @@ impl Loaded {
 }
 
 /// The columns of a table over time.
-fn series(path: &Path, needed: &[&'static str]) -> Result<Vec<Series>, ReportError> {
+fn series(path: &Path, needed: &[&'static str]) -> Result<History, ReportError> {
     let (header, records) = read_records(path)?;
     demand(path, &header, needed.iter().copied())?;
     let rows: Vec<Vec<Option<f64>>> = deserialize(path, &header, &records)?;
@@ -129,7 +140,8 @@ fn series(path: &Path, needed: &[&'static str]) -> Result<Vec<Series>, ReportErr
             .filter(|(time, value)| time.is_finite() && value.is_finite())
             .collect(),
     };
-    Ok(header.iter().enumerate().filter(|(column, _)| *column != time).map(series).collect())
+    let columns = header.iter().enumerate().filter(|(column, _)| *column != time);
+    Ok(History(columns.map(series).collect()))
 }
 
 /// A table whose last column is told in words, in which directories of earlier versions have commas
@@ -152,9 +164,8 @@ mod tests {
 
     #[test]
     fn gauges_have_units_and_readings_their_order() {
-        let directory = fixture::dam_breaks(1);
-        let data = Loaded::read(directory.path()).unwrap();
-        let gauges = data.gauges("case-0000").unwrap();
+        let (_directory, data) = fixture::read(fixture::dam_breaks(1));
+        let History(gauges) = data.gauges("case-0000").unwrap();
         let told: Vec<_> = gauges.iter().map(|g| (g.name.as_str(), g.unit.as_str())).collect();
         assert_eq!(told, [("P1", "Pa"), ("front", "m")]);
         assert_eq!(gauges[0].points.len(), 400);
@@ -162,7 +173,7 @@ mod tests {
         let readings = data.readings("case-0000").unwrap();
         assert_eq!(readings[0].name, "front_at_wall");
         assert_eq!(readings[1].value, None);
-        assert!(data.gauges("no-such-case").unwrap().is_empty());
+        assert!(data.gauges("no-such-case").unwrap().0.is_empty());
         assert!(data.readings("no-such-case").unwrap().is_empty());
     }
 

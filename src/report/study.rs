@@ -1,9 +1,11 @@
-//! What the manifest tells of the study as a whole: what was swept, and how its scene was set.
+//! What the manifest tells of the study as a whole: what was swept, and the file that it was made from.
 
-use serde_json::Value;
-use toml::Table;
+use serde_json::Value as Json;
+use toml::{Table, Value};
 
 use super::column::Cells;
+use crate::keys::{Override, Section, When, read_value};
+use crate::scene::{Place, SeawallScene, place_of};
 
 /// A swept key and its cell in every row of the summary.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -14,46 +16,75 @@ pub struct Key {
     pub cells: Cells,
 }
 
+impl Key {
+    /// A key of this name with these cells.
+    pub fn new<S: AsRef<str>>(name: &str, cells: impl IntoIterator<Item = S>) -> Key {
+        Key { name: name.to_owned(), cells: cells.into_iter().collect() }
+    }
+}
+
 /// The keys of the grid, in its order.
-pub(super) fn keys(manifest: &Value) -> Vec<String> {
-    let keys = manifest.get("keys").and_then(Value::as_array);
+pub(super) fn keys(manifest: &Json) -> Vec<String> {
+    let keys = manifest.get("keys").and_then(Json::as_array);
     keys.into_iter().flatten().filter_map(|key| key.as_str().map(str::to_owned)).collect()
 }
 
-/// The sweep file with what the command line set; `None` where the manifest has none that can be
-/// read.
-pub(super) fn file(manifest: &Value) -> Option<Table> {
-    let mut file: Table = manifest.get("sweep_file")?.as_str()?.parse().ok()?;
-    let overrides = manifest.get("overrides").and_then(Value::as_array);
-    for text in overrides.into_iter().flatten().filter_map(Value::as_str) {
-        let (path, value) = text.split_once('=')?;
-        let value = literal(value.trim());
-        match path.trim().split_once('.') {
-            Some((section, key)) => {
-                let section = file.entry(section).or_insert_with(|| Table::new().into());
-                section.as_table_mut()?.insert(key.to_owned(), value);
-            }
-            None => {
-                file.insert(path.trim().to_owned(), value);
+/// The sweep file with what the command line set.
+#[derive(Debug, Clone, Default)]
+pub(super) struct StudyFile {
+    /// `[scene]`.
+    pub scene: Table,
+    /// `[numerics]`.
+    pub numerics: Table,
+    /// `[grid]`.
+    pub grid: Table,
+    /// `[[probe]]`.
+    pub probes: Vec<Table>,
+    /// Whether the numerics were chosen case by case.
+    pub aims: bool,
+}
+
+impl StudyFile {
+    /// `None` where the manifest has none that can be read.
+    pub fn of(manifest: Option<&Json>) -> Option<StudyFile> {
+        let mut file: Table = manifest?.get("sweep_file")?.as_str()?.parse().ok()?;
+        for set in manifest?.get("overrides").and_then(Json::as_array).into_iter().flatten() {
+            set.as_str()?.parse::<Override>().ok()?.apply(&mut file).ok()?;
+        }
+        let table = |key| file.get(key).and_then(Value::as_table).cloned().unwrap_or_default();
+        let probes = file.get("probe").and_then(Value::as_array).into_iter().flatten();
+        Some(StudyFile {
+            scene: table("scene"),
+            numerics: table("numerics"),
+            grid: table("grid"),
+            probes: probes.filter_map(Value::as_table).cloned().collect(),
+            aims: file.contains_key("accuracy"),
+        })
+    }
+
+    /// `[scene]` and `[numerics]` of a row, from these numerics and its swept keys, without what its wall or
+    /// paddle does not have; `None` where a key is not known.
+    pub fn of_row(&self, keys: &[Key], row: usize, numerics: &Table) -> Option<[Table; 2]> {
+        let [mut scene, mut numerics] = [&self.scene, numerics].map(Clone::clone);
+        for key in keys {
+            let table = match place_of(&key.name, &scene).ok()? {
+                Place::Scene => &mut scene,
+                Place::Numerics => &mut numerics,
+            };
+            table.remove(&key.name);
+            if !key.cells[row].is_empty() {
+                table.insert(key.name.clone(), read_value(&key.cells[row]));
             }
         }
+        let swept = |when: &When| keys.iter().any(|key| key.name == when.key);
+        let values = scene.clone();
+        for key in SeawallScene::keys() {
+            if !key.conditions().all(|when| !swept(&when) || when.holds(&values)) {
+                scene.remove(key.name);
+            }
+        }
+        Some([scene, numerics])
     }
-    Some(file)
-}
-
-/// A cell or the command line's text as a value: a number or a flag where it reads as one, or else
-/// a string.
-pub(super) fn literal(text: &str) -> toml::Value {
-    let parsed = format!("value = {text}").parse::<Table>().ok().filter(|table| table.len() == 1);
-    let value = parsed.and_then(|mut table| table.remove("value"));
-    value.unwrap_or_else(|| toml::Value::String(text.to_owned()))
-}
-
-/// A number of the scene that all cases share: what the command line set, or else the file.
-pub(super) fn scene_number(manifest: &Value, key: &str) -> Option<f64> {
-    let file = file(manifest)?;
-    let value = file.get("scene")?.get(key)?;
-    value.as_float().or_else(|| value.as_integer().map(|value| value as f64))
 }
 
 #[cfg(test)]
@@ -64,15 +95,15 @@ mod tests {
     #[test]
     fn the_command_line_wins_over_the_file() {
         let text = "[scene]\nwall_angle_deg = 120\n[numerics]\nwall_angle_deg = 1";
-        let mut manifest = json!({ "sweep_file": text, "overrides": [] });
-        assert_eq!(scene_number(&manifest, "wall_angle_deg"), Some(120.0));
-        assert_eq!(scene_number(&manifest, "tank_length_m"), None);
-        manifest["overrides"] = json!(["scene.wall_angle_deg=60", "scene.wall_angle_deg=75.5"]);
-        assert_eq!(scene_number(&manifest, "wall_angle_deg"), Some(75.5));
-        manifest["overrides"] = json!(["numerics.boundary=sfdi", "accuracy.max_error_percent=2"]);
-        let file = file(&manifest).unwrap();
-        assert_eq!(file["numerics"]["boundary"].as_str(), Some("sfdi"));
-        assert_eq!(file["accuracy"]["max_error_percent"].as_integer(), Some(2));
-        assert_eq!(scene_number(&json!({}), "wall_angle_deg"), None);
+        let read = |overrides: &[&str]| {
+            StudyFile::of(Some(&json!({ "sweep_file": text, "overrides": overrides }))).unwrap()
+        };
+        assert_eq!(read(&[]).scene["wall_angle_deg"].as_integer(), Some(120));
+        let twice = read(&["scene.wall_angle_deg=60", "scene.wall_angle_deg=75.5"]);
+        assert_eq!(twice.scene["wall_angle_deg"].as_float(), Some(75.5));
+        let others = read(&["numerics.boundary=sfdi", "accuracy.max_error_percent=2"]);
+        assert_eq!(others.numerics["boundary"].as_str(), Some("sfdi"));
+        assert!(others.aims && !twice.aims);
+        assert!(StudyFile::of(Some(&json!({}))).is_none());
     }
 }

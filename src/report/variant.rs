@@ -79,11 +79,7 @@ mod tests {
     #[test]
     fn runs_at_one_place_are_told_apart_by_what_differs() {
         let mut rows = vec![row("sfdi", 0.2), row("normalized", 0.2)];
-        let key = |name: &str, cells: [&str; 2]| Key {
-            name: name.to_owned(),
-            cells: cells.into_iter().collect(),
-        };
-        let swept = [key("slip", ["free", "no"]), key("host", ["a", "b"])];
+        let swept = [Key::new("slip", ["free", "no"]), Key::new("host", ["a", "b"])];
         name_variants(&mut rows, &swept);
         assert_eq!(&*rows[0].variant, "boundary = sfdi, slip = free");
         assert_eq!(&*rows[1].variant, "boundary = normalized, slip = no");

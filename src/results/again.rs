@@ -125,26 +125,14 @@ fn in_lines(old: &str, new: &str, name: &str) -> Option<String> {
 #[cfg(test)]
 mod tests {
     use super::super::made_up::made_up;
-    use super::super::{Directory, OpenMode};
+    use super::super::trial;
     use super::*;
-    use crate::math::simd::SimdPath;
-    use crate::study::SweepFile;
 
     #[test]
     fn a_planted_difference_is_told() {
         let root = tempfile::tempdir().unwrap();
-        let text = "name = \"a\"\n[grid]\nwave_height_ratio = [0.2, 0.3]";
-        let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
-        let path = root.path().join("run");
-        let open = Directory::open(&path, &study, OpenMode::Resume, None, SimdPath::Portable);
-        let (mut directory, _) = open.unwrap();
-        for case in &study.cases {
-            let result = made_up(&case.config);
-            let record = CaseRecord::new(&study, case, &Ok(result.clone()), 1.0, "here");
-            directory.record(record, Some(&result)).unwrap();
-        }
-        directory.sync(true).unwrap();
-        directory.write_tables(&study).unwrap();
+        let (path, study) = (root.path().join("run"), trial::study("0.2, 0.3"));
+        let directory = trial::finished(&path, &study);
         let case = &study.cases[1];
         let told = |result: &CaseResult| {
             first_difference(&path, (&study, directory.runs()), case, result)

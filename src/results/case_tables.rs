@@ -6,27 +6,14 @@ use crate::simulation::{EnvelopeRow, HistoryRow, NamedReading, ProbeColumn, Prob
 
 /// The history.
 pub(super) fn history(rows: &[HistoryRow]) -> String {
-    let columns = quantities::history::ALL;
-    let mut text = columns.iter().map(|column| column.name).collect::<Vec<_>>().join(",") + "\n";
-    for row in rows {
-        let values = columns.iter().map(|column| (column.read)(row));
-        push_row(&mut text, values);
-    }
-    text
+    declared(quantities::history::ALL, rows, |column, row| Some((column.read)(row)))
 }
 
 /// The probes over time.
 pub(super) fn probe_table(probes: &ProbeTable) -> String {
-    let mut text = "time_s".to_owned();
-    for column in &probes.columns {
-        text.push(',');
-        text.push_str(&column.name);
-    }
-    text.push('\n');
-    for (time, row) in probes.rows() {
-        push_row(&mut text, std::iter::once(time).chain(row.iter().copied()));
-    }
-    text
+    let names = probes.columns.iter().map(|column| column.name.as_str());
+    let rows = probes.rows().map(|(time, row)| [time].into_iter().chain(row.iter().copied()));
+    table(["time_s"].into_iter().chain(names), rows.map(|row| row.map(Some)))
 }
 
 /// What a column of the probes' tables holds.
@@ -61,12 +48,24 @@ fn declared<Read, Row>(
     rows: &[Row],
     cell: impl Fn(&Quantity<Read>, &Row) -> Option<f64>,
 ) -> String {
-    let mut text = columns.iter().map(|column| column.name).collect::<Vec<_>>().join(",") + "\n";
+    let cell = &cell;
+    let cells = rows.iter().map(|row| columns.iter().map(move |column| cell(column, row)));
+    table(columns.iter().map(|column| column.name), cells)
+}
+
+/// A table of numbers; what there is none of is an empty cell.
+fn table<'a>(
+    names: impl Iterator<Item = &'a str>,
+    rows: impl Iterator<Item = impl Iterator<Item = Option<f64>>>,
+) -> String {
+    let mut text = names.collect::<Vec<_>>().join(",") + "\n";
     for row in rows {
-        let cells = columns.iter().map(|column| cell(column, row));
-        let cells: Vec<_> =
-            cells.map(|value| value.map(number::text).unwrap_or_default()).collect();
-        text.push_str(&cells.join(","));
+        for (column, value) in row.enumerate() {
+            if column > 0 {
+                text.push(',');
+            }
+            value.into_iter().for_each(|value| number::push(&mut text, value));
+        }
         text.push('\n');
     }
     text
@@ -80,16 +79,6 @@ fn worded(header: [&str; 3], rows: impl Iterator<Item = [String; 3]>) -> String 
     }
     let bytes = writer.into_inner().expect("memory takes it all");
     String::from_utf8(bytes).expect("made of text")
-}
-
-fn push_row(text: &mut String, values: impl IntoIterator<Item = f64>) {
-    for (column, value) in values.into_iter().enumerate() {
-        if column > 0 {
-            text.push(',');
-        }
-        number::push(text, value);
-    }
-    text.push('\n');
 }
 
 #[cfg(test)]

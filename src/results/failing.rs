@@ -6,19 +6,16 @@ use std::fs;
 use std::path::Path;
 
 use super::disk::faults;
+use super::trial::{self, SIMD};
 use super::{
     CaseRecord, Checkpoint, Delivery, Directory, Filing, Manifest, OpenMode, Opened, SweepError,
     made_up, write_all_histories,
 };
-use crate::math::simd::SimdPath;
 use crate::simulation::{CaseResult, Failure};
-use crate::study::{Case, CaseId, Study, SweepFile};
-
-const SIMD: SimdPath = SimdPath::Portable;
+use crate::study::{Case, CaseId, Study};
 
 fn study() -> Study {
-    let text = "name = \"a\"\n[grid]\nwave_height_ratio = [0.1, 0.2, 0.3]";
-    Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap()
+    trial::study("0.1, 0.2, 0.3")
 }
 
 /// A session as `sweep` has it, with made-up results. `kept` gets the cases of which it is certain that

@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 
 use super::error::SweepError;
 use super::files::{self, FOLDERS};
-use super::number::counted;
 use super::record::CaseRecord;
 use super::seal::Seals;
 use crate::keys::named;
+use crate::math::words::counted;
 use crate::study::CaseId;
 
 /// Folders that hold a file of a case, a bit each.

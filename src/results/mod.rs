@@ -28,7 +28,6 @@ mod failing;
 mod files;
 mod filing;
 mod filling;
-mod group;
 mod journal;
 mod left;
 mod load;
@@ -45,6 +44,8 @@ mod rows;
 mod seal;
 mod sealed;
 mod summary;
+#[cfg(test)]
+mod trial;
 mod verify;
 mod waiting;
 
@@ -71,7 +72,6 @@ pub use load::{Load, RankLoad, forget_load};
 pub use lock::Lock;
 pub use made_up::made_up;
 pub use manifest::{Manifest, RankInfo, Savings, SessionInfo};
-pub use number::counted;
 pub use opening::{OpenMode, Opened};
 pub use program::Program;
 pub use record::{CaseRecord, Fared};

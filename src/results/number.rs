@@ -1,4 +1,4 @@
-//! Numbers in tables: the shortest text that reads back as the same number. Numbers in sentences.
+//! Numbers in tables: the shortest text that reads back as the same number.
 
 use std::fmt::Write;
 
@@ -20,12 +20,6 @@ pub(super) fn push(text: &mut String, value: f64) {
     } else {
         write!(text, "{value:e}").expect("text takes it all");
     }
-}
-
-/// `1 case`, `2 cases`.
-pub fn counted(number: usize, noun: &str) -> String {
-    let ending = if number == 1 { "" } else { "s" };
-    format!("{number} {noun}{ending}")
 }
 
 #[cfg(test)]
@@ -69,7 +63,6 @@ mod tests {
             let read: f64 = text(value).parse().unwrap();
             assert_eq!(read.to_bits(), value.to_bits(), "{}", text(value));
         }
-        assert_eq!([0, 1, 2].map(|n| counted(n, "run")), ["0 runs", "1 run", "2 runs"]);
         assert_eq!([1e7, 0.2, 1e-7].map(text), ["10000000", "0.2", "1e-7"]);
     }
 }

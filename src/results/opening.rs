@@ -8,10 +8,10 @@ use super::entries::{Content, Header};
 use super::error::SweepError;
 use super::lock::{self, Lock};
 use super::manifest::Manifest;
-use super::number::counted;
 use super::{atomic_file, disk, files, journal};
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
+use crate::math::words::counted;
 use crate::study::Study;
 
 /// What to do with a directory that holds something.

@@ -58,19 +58,17 @@ fn is_written(directory: &Path, text: &str) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use super::super::made_up::made_up;
+    use super::super::trial;
     use super::*;
-    use crate::study::SweepFile;
 
     #[test]
     fn columns_of_a_crest_are_there_whichever_case_has_ended() {
         let text = "name = \"a\"\n[scene]\nwall = \"fixed\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.1\n\
             [[probe]]\nname = \"p\"\nkind = \"level\"\nx_m = 0.5\n\
             [grid]\nbehind = [\"nothing\", \"outflow\"]";
-        let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
+        let study = trial::of_file(text);
         let root = tempfile::tempdir().unwrap();
-        let case = &study.cases[0];
-        let record = CaseRecord::new(&study, case, &Ok(made_up(&case.config)), 1.0, "here");
+        let record = trial::record(&study, &study.cases[0]);
         let mut records = vec![None; 2];
         assert!(fits(root.path(), &study, &records), "it need not be there yet");
         records[0] = Some(record);

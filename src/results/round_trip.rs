@@ -1,7 +1,7 @@
 //! Whether journal and tables can carry every number: JSON has none that are not finite. All else comes back from it
 //! as it was.
 
-use std::fmt::{self, Display};
+use std::fmt::Display;
 
 use serde::ser::{
     Error, Serialize, SerializeMap, SerializeSeq, SerializeStruct, SerializeStructVariant,
@@ -27,16 +27,9 @@ pub(super) fn demand_of(result: &CaseResult) -> Result<(), String> {
 #[derive(Clone, Copy)]
 struct Finite;
 
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
+#[error("not a finite number")]
 struct NotFinite;
-
-impl Display for NotFinite {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("not a finite number")
-    }
-}
-
-impl std::error::Error for NotFinite {}
 
 impl Error for NotFinite {
     fn custom<T: Display>(_: T) -> NotFinite {

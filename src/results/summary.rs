@@ -140,23 +140,20 @@ fn swept(case: &Case, place: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::made_up::made_up;
+    use super::super::trial;
     use super::*;
     use crate::simulation::{Failure, FailureKind};
-    use crate::study::SweepFile;
 
     #[test]
     fn rows_are_in_grid_order_and_leave_out_what_is_not_there() {
         let text = "name = \"a\"\n[scene]\nseawall_mass_kg_per_m = 50\n[grid]\n\
             wall = [\"fixed\", \"movable\"]\nspring_stiffness_n_per_m = [0, 10]";
-        let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
-        let record =
-            |case: &Case, result| Some(CaseRecord::new(&study, case, &result, 1.0, "here"));
-        let good = |case: &Case| record(case, Ok(made_up(&case.config)));
+        let study = trial::of_file(text);
+        let good = |case: usize| Some(trial::record(&study, &study.cases[case]));
         let detail = "first line\nsecond line".to_owned();
         let failure = Failure { kind: FailureKind::RunawaySpeed, time_s: 0.5, detail };
-        let records =
-            [good(&study.cases[0]), record(&study.cases[1], Err(failure)), good(&study.cases[2])];
+        let failed = CaseRecord::new(&study, &study.cases[1], &Err(failure), 1.0, "here");
+        let records = [good(0), Some(failed), good(2)];
         let mut bytes = Vec::new();
         write_table(&mut bytes, &study, &records).unwrap();
         let mut reader = csv::Reader::from_reader(&bytes[..]);

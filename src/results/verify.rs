@@ -182,29 +182,15 @@ impl Write for Comparison {
 
 #[cfg(test)]
 mod tests {
-    use super::super::made_up::made_up;
-    use super::super::{Directory, OpenMode, finished};
+    use super::super::{finished, trial};
     use super::*;
-    use crate::math::simd::SimdPath;
-    use crate::study::SweepFile;
 
     #[test]
     fn a_flipped_bit_is_told_wherever_it_is() {
         let root = tempfile::tempdir().unwrap();
-        let text = "name = \"a\"\n[grid]\nwave_height_ratio = [0.2, 0.3]";
-        let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
-        let path = root.path().join("run");
-        let open = || Directory::open(&path, &study, OpenMode::Resume, None, SimdPath::Portable);
-        let (mut directory, _) = open().unwrap();
-        for case in &study.cases {
-            let result = made_up(&case.config);
-            let record = CaseRecord::new(&study, case, &Ok(result.clone()), 1.0, "here");
-            directory.record(record, Some(&result)).unwrap();
-        }
-        directory.sync(true).unwrap();
-        directory.write_tables(&study).unwrap();
-        Manifest::new(&path, &study, &[], SimdPath::Portable).write(&path).unwrap();
-        drop(directory);
+        let (path, study) = (root.path().join("run"), trial::study("0.2, 0.3"));
+        drop(trial::finished(&path, &study));
+        Manifest::new(&path, &study, &[], trial::SIMD).write(&path).unwrap();
         let told = || verify(&path, &study).unwrap().told;
         assert_eq!(told(), Vec::<String>::new());
         let history = std::fs::read_dir(path.join("histories")).unwrap().next().unwrap().unwrap();
@@ -221,7 +207,7 @@ mod tests {
             damaged[place] ^= 4;
             std::fs::write(&name, damaged).unwrap();
             assert!(!told().is_empty(), "{}", name.display());
-            let (directory, _) = open().unwrap();
+            let directory = trial::open(&path, &study);
             assert_eq!(directory.records().iter().flatten().count() == 1, case_runs_again);
             assert_eq!(!directory.findings().is_empty(), case_runs_again);
             drop(directory);

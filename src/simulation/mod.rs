@@ -2,7 +2,6 @@
 
 mod absorption;
 mod blows;
-mod checkpoint;
 mod cost;
 mod doubt;
 mod doubt_reasons;
@@ -15,7 +14,6 @@ mod first_impact;
 mod found;
 mod gauge;
 mod health;
-mod keeper;
 mod keeping;
 mod kept;
 mod limits;
@@ -52,7 +50,7 @@ pub use doubt_reasons::kinds_of_doubt;
 pub use faces::Face;
 pub use failure::{Failure, FailureKind, Stopped};
 pub use health::HealthMargins;
-pub use keeper::Keeper;
+pub use kept::Keeper;
 pub use limits::Limits;
 pub use outcome::{
     CaseResult, EnergyBudget, EnvelopeRow, HistoryRow, Maximum, Outcome, Overtopped, PhaseShare,
@@ -152,7 +150,7 @@ pub fn run_case(
             run.attempt = attempt.clone();
             match start {
                 Start::Rest => {}
-                Start::Trunk(bytes) => run.restore(checkpoint::decode(bytes, &tried)?),
+                Start::Trunk(bytes) => run.restore(state::decode(bytes, &tried)?),
                 Start::Kept(kept) => run.take_up(*kept)?,
             }
             run.advance(monitor)?;
@@ -194,6 +192,6 @@ pub fn run_trunk(
         }
         let state = run.advance_to_onset(monitor)?;
         let (time_s, steps) = state.progress();
-        Ok(TrunkResult { checkpoint: checkpoint::encode(&state, config), time_s, steps })
+        Ok(TrunkResult { checkpoint: state::encode(&state, config), time_s, steps })
     })
 }

@@ -1,9 +1,12 @@
-//! What changes in a run while its wall stands.
+//! What changes in a run while its wall stands, and as a checkpoint: as bytes, bound to the trunk that made it.
 
 use serde::{Deserialize, Serialize};
+use sha2::{Digest, Sha256};
 
+use super::failure::{Failure, FailureKind};
 use super::logbook::Logbook;
 use super::looks::Looks;
+use crate::scene::CaseConfig;
 use crate::scheme::SchemeState;
 
 /// Everything that changes in a trunk. It ends before its wall moves, so the wall is not among it; `Kept` has
@@ -30,4 +33,42 @@ pub(super) struct Clock {
     pub(super) samples: u64,
     /// At the water's health.
     pub(super) looks: Looks,
+}
+
+/// Changes whenever the state's layout does.
+const VERSION: &[u8] = b"seawall checkpoint 10\n";
+
+/// Length of the hash that binds a checkpoint to its trunk.
+const HASH: usize = 32;
+
+/// The bytes of a state, under the name of its trunk.
+pub(super) fn encode(state: &RunState, config: &CaseConfig) -> Vec<u8> {
+    let mut bytes = VERSION.to_vec();
+    bytes.extend(trunk_hash(config));
+    postcard::to_extend(state, bytes).expect("a state always serialises")
+}
+
+/// Reads a state back.
+///
+/// # Errors
+/// Another version, another trunk, or damaged bytes.
+pub(super) fn decode(bytes: &[u8], config: &CaseConfig) -> Result<RunState, Failure> {
+    let unreadable = |detail: &str| Failure {
+        kind: FailureKind::CheckpointUnreadable,
+        time_s: 0.0,
+        detail: detail.to_owned(),
+    };
+    let rest = bytes.strip_prefix(VERSION).ok_or_else(|| unreadable("made by another version"))?;
+    let (hash, state) =
+        rest.split_at_checked(HASH).ok_or_else(|| unreadable("the checkpoint is cut short"))?;
+    if hash != trunk_hash(config) {
+        return Err(unreadable("the checkpoint belongs to another trunk"));
+    }
+    postcard::from_bytes(state).map_err(|error| unreadable(&error.to_string()))
+}
+
+fn trunk_hash(config: &CaseConfig) -> [u8; HASH] {
+    let trunk = config.trunk().unwrap_or_else(|| config.clone());
+    let text = serde_json::to_vec(&trunk).expect("a configuration always serialises");
+    Sha256::digest(text).into()
 }

@@ -35,18 +35,9 @@ fn refined(file: &SweepFile, force: impl Fn(f64) -> Option<f64>) -> (Refinement,
     let all = |study: &Study| -> Vec<_> {
         study.cases.iter().map(|case| Some(record(study, case, &force))).collect()
     };
-    let study = refinement.so_far(|study| Ok::<_, Never>(all(study))).unwrap();
+    let study = refinement.so_far(|study| Ok::<_, ConfigError>(all(study))).unwrap();
     let round = refinement.round(&study, &all(&study));
     (refinement, study, round)
-}
-
-#[derive(Debug)]
-struct Never;
-
-impl From<ConfigError> for Never {
-    fn from(error: ConfigError) -> Never {
-        panic!("{error}")
-    }
 }
 
 fn stiffnesses(study: &Study) -> Vec<f64> {
@@ -124,7 +115,7 @@ fn rounds_are_found_again_from_what_is_known_of_them() {
         };
         study.cases.iter().map(one).collect()
     };
-    let waiting = refinement.so_far(|study| Ok::<_, Never>(known(study))).unwrap();
+    let waiting = refinement.so_far(|study| Ok::<_, ConfigError>(known(study))).unwrap();
     assert!(waiting.cases.len() < whole.cases.len());
     assert!(waiting.cases.iter().any(|case| case.id == whole.cases[3].id));
     assert!(waiting.cases.iter().all(|case| whole.cases.iter().any(|one| one.id == case.id)));

@@ -3,7 +3,6 @@
 use serde_json::{Map, Value, json};
 
 use super::Answer;
-use crate::quantities::summary::CASE_ID;
 use crate::report::find::{Basis, Boundary, Reading, Verdict};
 
 impl Answer<'_> {
@@ -42,7 +41,7 @@ impl Answer<'_> {
         let values: Map<_, _> =
             subjects.map(|one| (one.name.clone(), value(one.readings[row]))).collect();
         json!({
-            "case_id": self.data.rows[row].text(&CASE_ID),
+            "case_id": self.data.rows[row].id(),
             "swept": self.swept(row, None),
             "values": values,
             "within_error_bar": self.found.condition.is_near(row),

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use serde_json::{Value, json};
 
 use super::unit;
-use crate::cli::shown;
+use crate::cli::output::{json_path, json_paths};
 use crate::report::compare::{COMPARED, Comparison, Difference, Pair};
 
 pub(super) fn value(
@@ -55,7 +55,7 @@ pub(super) fn value(
         json!({ "section": key.section, "key": key.key, "a": key.values[0], "b": key.values[1] })
     });
     json!({
-        "directories": directories.map(shown::path),
+        "directories": directories.map(json_path),
         "names": comparison.names,
         "pairs": comparison.pairs.len(),
         "only_in_a": comparison.only[0],
@@ -63,6 +63,6 @@ pub(super) fn value(
         "keys": keys.collect::<Vec<_>>(),
         "summary": tallies,
         "cases": comparison.pairs.iter().map(pair).collect::<Vec<_>>(),
-        "files": files.map(shown::paths),
+        "files": files.map(json_paths),
     })
 }

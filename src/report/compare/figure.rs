@@ -34,16 +34,12 @@ fn chart(comparison: &Comparison, at: usize, column: &Column) -> Option<Chart> {
     };
     let points: Vec<Point> = comparison.pairs.iter().filter_map(point).collect();
     let x = Axis::around(points.iter().map(|point| point.x), 5.0)?;
-    let ends = points.iter().map(|point| point.x);
-    let (low, high) = ends.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
-    let none = vec![(low, 0.0).into(), (high, 0.0).into()];
-    let dots =
-        Curve { entry: Entry::dots("", Look::of(0), false).keyed("difference".to_owned()), points };
+    let dots = Curve { entry: Entry::dots("", Look::of(0), false).keyed("difference"), points };
     let y = Axis::around(dots.reach().chain([0.0]), 5.0)?;
-    let same = Entry::line("no difference".to_owned(), Look::plain());
+    let same = Curve::level("no difference", 0.0, std::slice::from_ref(&dots));
     let title = column.unit.axis();
     let titles = [format!("{title}, first study"), format!("second less first, {title}")];
-    let curves = vec![Curve { entry: same, points: none }, dots];
-    let chart = Chart::new((x, &titles[0], column.name), (y, &titles[1], "difference"), curves);
-    Some(chart.under(column.symbol.to_owned(), String::new()))
+    let names = [column.name, "difference"];
+    let chart = Chart::new((x, y), titles.each_ref().map(String::as_str), names, vec![same, dots]);
+    Some(chart.under(column.symbol, ""))
 }

@@ -6,6 +6,7 @@ use toml::{Table, Value};
 
 use super::{DifferentKey, Side};
 use crate::keys::number;
+use crate::math::lists::different;
 use crate::report::config::Config;
 use crate::report::load::Loaded;
 use crate::report::row::PLACE;
@@ -87,16 +88,10 @@ pub fn different_keys(sides: &[Vec<Side<'_>>; 2], pairs: &[(usize, usize)]) -> V
 
 /// The different values of a key, the first few.
 fn values<'a>(tables: impl Iterator<Item = &'a Table>, key: &str) -> String {
-    let mut all: Vec<String> = Vec::new();
-    for value in tables.filter_map(|table| table.get(key)) {
-        let word = match value {
-            Value::String(text) => text.clone(),
-            other => other.to_string(),
-        };
-        if !all.contains(&word) {
-            all.push(word);
-        }
-    }
+    let mut all = different(tables.filter_map(|table| table.get(key)).map(|value| match value {
+        Value::String(text) => text.clone(),
+        other => other.to_string(),
+    }));
     let more = if all.len() > SHOWN { ", ..." } else { "" };
     all.truncate(SHOWN);
     all.join(", ") + more

@@ -63,7 +63,7 @@ pub fn compare(directories: [&Path; 2]) -> Result<Comparison, ReportError> {
     let only = [0, 1].map(|one| {
         let has = |at: usize| matches.iter().any(|&(a, b)| [a, b][one] == at);
         let lone = sides[one].iter().enumerate().filter(|(at, _)| !has(*at));
-        lone.map(|(_, side)| pair::words(side.row)).collect()
+        lone.map(|(_, side)| side.row.title()).collect()
     });
     let name = |one: usize| studies[one].name().unwrap_or_default().to_owned();
     Ok(Comparison {

@@ -1,12 +1,12 @@
 //! Two cases of the same point: what they differ by.
 
 use super::Side;
+use crate::math::lists;
 use crate::quantities::summary::{
-    CASE_ID, DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX,
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX,
 };
 use crate::quantities::{Column, Unit};
-use crate::report::number;
-use crate::report::row::{PLACE, Row, label};
+use crate::report::row::{PLACE, label};
 
 /// What is compared, and what stands in for it where one of the cases has no first impact.
 pub const COMPARED: [(&Column, Option<&Column>); 3] = [
@@ -85,9 +85,9 @@ impl Difference {
         self.bar().map(|bar| self.absolute().abs() <= bar)
     }
 
-    /// What is tallied: percent, or h for runups.
-    fn size(&self) -> Option<f64> {
-        if self.relative { self.percent() } else { Some(self.absolute()) }.map(f64::abs)
+    /// What is told and tallied: percent, or h for runups.
+    pub fn size(&self) -> Option<f64> {
+        if self.relative { self.percent() } else { Some(self.absolute()) }
     }
 }
 
@@ -108,7 +108,7 @@ impl Pair {
         Pair {
             words: point(a, b),
             place: PLACE.map(|column| a.row.cell(column)),
-            ids: rows.map(|row| row.text(&CASE_ID).to_owned()),
+            ids: rows.map(|row| row.id().to_owned()),
             differences: COMPARED.map(difference),
         }
     }
@@ -117,7 +117,7 @@ impl Pair {
     pub fn tally(pairs: &[Pair], quantity: usize) -> Option<Tally> {
         let sized = pairs.iter().enumerate().filter_map(|(at, pair)| {
             let difference = pair.differences[quantity]?;
-            Some((at, difference.size()?, difference))
+            Some((at, difference.size()?.abs(), difference))
         });
         let mut sized: Vec<_> = sized.collect();
         sized.sort_by(|a, b| a.1.total_cmp(&b.1));
@@ -126,19 +126,13 @@ impl Pair {
             |is: bool| sized.iter().filter(move |(.., one)| one.is_within() == Some(is)).count();
         Some(Tally {
             count: sized.len(),
-            median: number::median(&sized.iter().map(|one| one.1).collect::<Vec<_>>())?,
+            median: lists::median(&sized.iter().map(|one| one.1).collect::<Vec<_>>())?,
             worst,
             worst_pair,
             with_bars: within(true) + within(false),
             within: within(true),
         })
     }
-}
-
-/// A case in words, or its identity where nothing tells it from others.
-pub(super) fn words(row: &Row) -> String {
-    let words = row.words();
-    if words.is_empty() { row.text(&CASE_ID).to_owned() } else { words }
 }
 
 /// Both cases in words.
@@ -150,13 +144,14 @@ fn point(a: &Side, b: &Side) -> String {
         let shown = variants.map(|variant| if variant.is_empty() { "-" } else { variant });
         parts.push(if shown[0] == shown[1] { shown[0].to_owned() } else { shown.join(" | ") });
     }
-    if parts.is_empty() { a.row.text(&CASE_ID).to_owned() } else { parts.join(", ") }
+    if parts.is_empty() { a.row.id().to_owned() } else { parts.join(", ") }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::quantities::summary::{FORCE_ERROR, WAVE_HEIGHT_RATIO};
+    use crate::report::row::Row;
 
     fn pair(a: f64, b: f64, bar: Option<f64>) -> Pair {
         let row = |force: f64| {

@@ -18,15 +18,7 @@ pub fn table(comparison: &Comparison) -> Table {
         pair.differences.iter().for_each(|difference| cells.extend(of(difference.as_ref())));
         cells
     };
-    let rows = comparison.pairs.iter().map(row).collect();
-    Table {
-        name: "compare".to_owned(),
-        title: "Comparison".to_owned(),
-        header,
-        rows,
-        left: 0,
-        is_part: false,
-    }
+    Table::new("compare", "Comparison", &header, comparison.pairs.iter().map(row).collect())
 }
 
 fn of(difference: Option<&Difference>) -> [String; 8] {

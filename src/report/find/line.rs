@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use super::boundary::{Basis, Boundary};
 use super::condition::{Comparison, Condition, Verdict};
+use super::{Basis, Boundary};
 use crate::math::bend;
 use crate::math::scale::Scale;
 use crate::report::load::Loaded;
@@ -110,16 +110,12 @@ impl Line<'_> {
             let changes = comparison.verdict(rows[0]) != comparison.verdict(rows[1]);
             changes && rows.iter().any(|row| comparison.subject.exact(*row).is_none())
         };
-        if high > low + 1 {
-            return differ.then(|| self.within(met, other, Basis::Gap)).into_iter().collect();
-        }
-        if self.condition.0.iter().any(is_bound) {
-            return differ
-                .then(|| self.within(met, other, Basis::LowerBound))
-                .into_iter()
-                .collect();
-        }
-        self.interpolated(low)
+        let basis = match high > low + 1 {
+            true => Basis::Gap,
+            false if self.condition.0.iter().any(is_bound) => Basis::LowerBound,
+            false => return self.interpolated(low),
+        };
+        differ.then(|| self.within(met, other, basis)).into_iter().collect()
     }
 
     /// The ends of the share of an interval in which the straight lines meet all comparisons.

@@ -1,18 +1,54 @@
 //! The part of a finished study that meets a condition, from its files alone.
 
-mod boundaries;
-mod boundary;
 mod condition;
 mod line;
 mod subject;
 #[cfg(test)]
 mod tests;
 
-pub use boundary::{Basis, Boundary};
 pub use condition::{Comparison, Condition, Verdict};
 pub use subject::{Reading, Subject};
 
+use self::line::{Line, lines};
 use super::load::Loaded;
+use super::study::Key;
+use crate::math::scale::Scale;
+
+/// One end of a part of an axis that meets the condition.
+#[derive(Debug, Clone)]
+pub struct Boundary {
+    /// The swept key, by its place among the study's keys.
+    pub key: usize,
+    /// A case of the line, which has the values of the other swept keys.
+    pub row: usize,
+    /// How the axis is spread.
+    pub scale: Scale,
+    /// Whether the condition is met above the boundary, rather than below it.
+    pub met_above: bool,
+    /// The boundary; `None` where there is nothing to interpolate with.
+    pub at: Option<f64>,
+    /// It lies between these as far as can be told.
+    pub between: [f64; 2],
+    /// What was found there, and what it rests on.
+    pub basis: Basis,
+    /// One of the cases beside it is doubtful.
+    pub doubtful: bool,
+}
+
+/// What the range of a boundary rests on.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Basis {
+    /// The bend of the curve, from a point beside the two that are interpolated, and error bars.
+    Bend,
+    /// Two cases alone: no third tells how the curve bends.
+    TwoCases,
+    /// The value beyond is a lower bound.
+    LowerBound,
+    /// The cases between have no value or failed.
+    Gap,
+    /// The condition is on the axis itself.
+    Exact,
+}
 
 /// What was found.
 #[derive(Debug, Clone)]
@@ -32,7 +68,7 @@ pub struct Found {
 pub fn find(text: &str, data: &Loaded) -> Result<Found, String> {
     let condition = Condition::read(text, data)?;
     let verdicts = (0..data.rows.len()).map(|row| condition.verdict(row)).collect();
-    let boundaries = boundaries::boundaries(&condition, data);
+    let boundaries = boundaries(&condition, data);
     Ok(Found { condition, verdicts, boundaries })
 }
 
@@ -56,4 +92,38 @@ impl Found {
             None => "",
         }
     }
+}
+
+/// The boundaries along every swept key of numbers.
+fn boundaries(condition: &Condition, data: &Loaded) -> Vec<Boundary> {
+    if condition.picks_points(data) {
+        return Vec::new();
+    }
+    let of_key = |key: usize| {
+        let axis = &data.keys[key];
+        if condition.equal().any(|one| one.name == axis.name) {
+            return Vec::new();
+        }
+        let Some(scale) = scale(axis, data) else { return Vec::new() };
+        let lines = lines(key, scale, data);
+        lines.iter().flat_map(|stops| Line { condition, data, key, scale, stops }.all()).collect()
+    };
+    (0..data.keys.len()).flat_map(of_key).collect()
+}
+
+/// How an axis is spread: as the sweep file says, or else by its values; `None` where it is none of
+/// numbers, or none at all.
+fn scale(key: &Key, data: &Loaded) -> Option<Scale> {
+    let numbers = || key.cells.iter().filter(|cell| !cell.is_empty());
+    let values: Vec<f64> = numbers().map(|cell| cell.parse()).collect::<Result<_, _>>().ok()?;
+    if values.iter().all(|value| *value == values[0]) {
+        return None;
+    }
+    let written = || {
+        let grid = data.file()?.grid;
+        let axis = grid.get(&key.name)?.as_table()?;
+        let spacing = axis.get("spacing").and_then(toml::Value::as_str);
+        Some(if spacing == Some("log") { Scale::Log } else { Scale::Linear })
+    };
+    Some(written().unwrap_or_else(|| Scale::of(values.into_iter())))
 }

@@ -7,7 +7,7 @@ use crate::report::load::Loaded;
 use crate::report::row::Row;
 
 /// A column of the summary, or a swept key.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Subject {
     /// As it stands in the summary.
     pub name: String,
@@ -45,16 +45,21 @@ impl Subject {
         let key = swept(name);
         let (column, maximum) = (named(name), with_time(name));
         let reading = |(at, row): (usize, &Row)| {
-            let plain = |value: Option<f64>| value.map(|value| (value, None, false));
-            let number = match (key, column, maximum) {
-                (Some(key), ..) => return plain(key.cells[at].parse().ok()),
-                (_, Some(column), _) => row
-                    .number(column)
-                    .map(|value| (value, row.error(column).map(f64::abs), row.is_bound(column))),
-                (.., Some(maximum)) => plain(row.time(maximum)),
-                _ => None,
+            let (mut bar, mut bound) = (None, false);
+            let value = match (key, column, maximum) {
+                (Some(key), ..) => key.cells[at].parse().ok(),
+                _ if !row.is_ok() => None,
+                (_, Some(column), _) => {
+                    (bar, bound) = (row.error(column).map(f64::abs), row.is_bound(column));
+                    row.number(column)
+                }
+                (.., maximum) => maximum.and_then(|maximum| row.time(maximum)),
             };
-            number.filter(|_| row.is_ok())
+            match value {
+                Some(value) => Reading::Value { value, bar, bound },
+                None if row.is_ok() => Reading::Missing,
+                None => Reading::Failed,
+            }
         };
         let words = column.is_some_and(|column| !column.is_number())
             || key.is_some_and(|key| key.cells.iter().any(is_word));
@@ -64,12 +69,7 @@ impl Subject {
         if key.is_none() && column.is_none() && maximum.is_none() {
             return Err(unknown(name, data));
         }
-        let told = |(at, row): (usize, &Row)| match reading((at, row)) {
-            Some((value, bar, bound)) => Reading::Value { value, bar, bound },
-            None if row.is_ok() => Reading::Missing,
-            None => Reading::Failed,
-        };
-        let readings = data.rows.iter().enumerate().map(told).collect();
+        let readings = data.rows.iter().enumerate().map(reading).collect();
         Ok(Subject { name: name.to_owned(), readings })
     }
 

@@ -10,12 +10,11 @@ use crate::report::study::Key;
 
 /// A study over one key, its rows made by a function of the key's value.
 fn study(name: &str, grid: &str, values: &[f64], row: impl Fn(f64) -> Row) -> Loaded {
-    let cells = values.iter().map(f64::to_string).collect();
     let file = format!("name = \"a\"\n[grid]\n{name} = {grid}");
     Loaded {
         rows: values.iter().map(|value| row(*value).with(&STATUS, "ok")).collect(),
         manifest: Some(json!({ "sweep_file": file, "overrides": [] })),
-        keys: vec![Key { name: name.to_owned(), cells }],
+        keys: vec![Key::new(name, values.iter().map(f64::to_string))],
         ..Loaded::default()
     }
 }

@@ -4,16 +4,15 @@ use serde_json::json;
 
 #[test]
 fn reads_failed_rows_and_ignores_columns_it_does_not_know() {
-    let directory = fixture::sweep();
-    let loaded = Loaded::read(directory.path()).unwrap();
+    let (_directory, loaded) = fixture::read(fixture::sweep());
     assert_eq!(loaded.failed().count(), 1);
     let failed = loaded.failed().next().unwrap();
     assert_eq!(failed.number(&summary::FIRST_FORCE_MAX), None);
     assert!(failed.text(&summary::REASON).starts_with("runaway-speed"));
     assert_eq!(loaded.name(), Some("fixture"));
     let first = loaded.rows[0].text(&summary::CASE_ID);
-    assert!(loaded.history(first).unwrap()[0].points.len() > 100);
-    assert!(loaded.history("no-such-case").unwrap().is_empty());
+    assert!(loaded.history(first).unwrap().points("force").len() > 100);
+    assert!(loaded.history("no-such-case").unwrap().0.is_empty());
 }
 
 #[test]

@@ -6,14 +6,14 @@ use std::collections::HashMap;
 use serde_json::{Value, json};
 
 use super::thin;
-use crate::quantities::summary::CASE_ID;
+use crate::keys::read_value;
 use crate::quantities::{heading, named};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::row::PLACE;
 use crate::report::scene_file::SceneFile;
-use crate::report::study::{Key, literal};
+use crate::report::study::Key;
 
 /// All histories together, bytes.
 const ROOM: usize = 1_400_000;
@@ -23,7 +23,7 @@ const ROOM: usize = 1_400_000;
 /// # Errors
 /// A history that cannot be read.
 pub fn data(loaded: &Loaded, file: Option<&SceneFile>) -> Result<String, ReportError> {
-    let ids: Vec<_> = loaded.rows.iter().map(|row| row.text(&CASE_ID)).collect();
+    let ids: Vec<_> = loaded.rows.iter().map(|row| row.id()).collect();
     let keys = keys(loaded);
     let keys: Vec<Value> = keys.iter().map(key).collect();
     let (histories, cut) = histories(loaded)?;
@@ -42,11 +42,8 @@ fn keys(loaded: &Loaded) -> Vec<Key> {
     if !loaded.keys.is_empty() {
         return loaded.keys.clone();
     }
-    let key = |column: &'static crate::quantities::Column| Key {
-        name: column.name.to_owned(),
-        cells: loaded.rows.iter().map(|row| row.text(column)).collect(),
-    };
-    let keys = PLACE.iter().map(|column| key(column));
+    let cells = |column| loaded.rows.iter().map(move |row| row.text(column));
+    let keys = PLACE.iter().map(|column| Key::new(column.name, cells(column)));
     keys.filter(|key| key.cells.different().any(|cell| !cell.is_empty())).collect()
 }
 
@@ -64,7 +61,7 @@ fn key(key: &Key) -> Value {
         "name": key.name,
         "heading": heading(&key.name),
         "symbol": if symbol.is_empty() { heading(&key.name) } else { symbol.to_owned() },
-        "literals": values.iter().map(|cell| literal(cell).to_string()).collect::<Vec<_>>(),
+        "literals": values.iter().map(|cell| read_value(cell).to_string()).collect::<Vec<_>>(),
         "shown": values.iter().map(shown).collect::<Vec<_>>(),
         "at": key.cells.iter().map(at).collect::<Vec<_>>(),
     })
@@ -75,9 +72,7 @@ fn scenes(loaded: &Loaded, file: Option<&SceneFile>) -> Value {
     let Some(file) = file else { return Value::Null };
     let mut texts: Vec<String> = Vec::new();
     let mut of = |index: usize| {
-        let cells: Vec<_> = loaded.keys.iter().map(|key| &key.cells[index]).collect();
-        let id = loaded.rows[index].text(&CASE_ID);
-        let Some(text) = file.template(id, &cells) else { return -1 };
+        let Some(text) = file.template(loaded, index) else { return -1 };
         let known = texts.iter().position(|known| *known == text);
         known.unwrap_or_else(|| {
             texts.push(text);
@@ -95,7 +90,7 @@ fn histories(loaded: &Loaded) -> Result<(Value, bool), ReportError> {
     let mut room = ROOM;
     let filmed = loaded.finished().filter(|row| loaded.has_film(row));
     for row in filmed.chain(loaded.finished()) {
-        let id = row.text(&CASE_ID);
+        let id = row.id();
         if histories.contains_key(id) {
             continue;
         }
@@ -118,8 +113,7 @@ mod tests {
 
     #[test]
     fn keys_hold_their_values_once_and_rows_their_places() {
-        let directory = fixture::sweep();
-        let loaded = Loaded::read(directory.path()).unwrap();
+        let (_directory, loaded) = fixture::read(fixture::sweep());
         let text = data(&loaded, None).unwrap();
         assert!(!text.contains('<'));
         let read: Value = serde_json::from_str(&text).unwrap();

@@ -6,7 +6,6 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use crate::quantities::summary::CASE_ID;
 use crate::report::load::{Loaded, read_records};
 use crate::report::markup::escape;
 use crate::report::row::Row;
@@ -19,7 +18,7 @@ pub fn films(data: &Loaded, mut room: usize) -> Option<String> {
         return None;
     }
     let reasons = reasons(&data.directory);
-    let mut one = |row: &&Row| figure(data, row, reasons.get(row.text(&CASE_ID)), &mut room);
+    let mut one = |row: &&Row| figure(data, row, reasons.get(row.id()), &mut room);
     let figures: String = filmed.iter().map(&mut one).collect();
     Some(format!(
         "<p>The water under the largest force, or at the highest runup where it was filmed for that, and, where \
@@ -39,9 +38,8 @@ fn reasons(directory: &Path) -> HashMap<String, String> {
 
 /// The stills, what is seen and why it was filmed, and the film for the script.
 fn figure(data: &Loaded, row: &Row, reason: Option<&String>, room: &mut usize) -> String {
-    let id = escape(row.text(&CASE_ID));
-    let words = Some(row.words()).filter(|words| !words.is_empty());
-    let words = words.map_or_else(|| id.clone(), |words| escape(&words));
+    let id = escape(row.id());
+    let words = escape(&row.title());
     let why = reason.map_or_else(String::new, |reason| format!(" ({})", escape(reason)));
     let page = data.film(row, ".html").unwrap_or_default();
     let film = embedded(&page, &id, room);

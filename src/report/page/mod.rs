@@ -44,8 +44,8 @@ const MOST: usize = 4_700_000;
 /// What the page says of the values that papers print.
 #[derive(Debug, Clone, Default)]
 pub struct Papers {
-    /// An answer at the page's top, as plain text.
-    pub answer: String,
+    /// An answer at the page's top, as plain text; `None` where there is nothing to say.
+    pub answer: Option<String>,
     /// The section, as HTML; empty where no case is one of theirs.
     pub content: String,
 }
@@ -58,15 +58,18 @@ pub fn page(
     [data, shown]: [&Loaded; 2],
     figures: &[Figure],
     tables: &[Table],
-    papers: Option<&Papers>,
+    papers: &Papers,
 ) -> Result<String, ReportError> {
     let name = escape(data.name().unwrap_or("seawall sweep"));
     let file = SceneFile::of(data);
     let (mut body, mut rest) = (String::new(), String::new());
-    head(&mut body, [data, shown], &name, file.as_ref(), papers);
-    failures(&mut body, data);
+    head(&mut body, [data, shown], &name, file.as_ref(), papers.answer.as_deref());
+    let failed = tables::failed(data, MOST_ROWS).whole()?.for_page();
+    if !failed.rows.is_empty() {
+        section(&mut body, &failed.title, &grid(&failed));
+    }
     body.push_str(&figures::sections(figures));
-    if let Some(papers) = papers.filter(|papers| !papers.content.is_empty()) {
+    if !papers.content.is_empty() {
         section(&mut body, "The papers", &papers.content);
     }
     tabled(&mut rest, data, tables);
@@ -108,15 +111,14 @@ fn head(
     [data, shown]: [&Loaded; 2],
     name: &str,
     file: Option<&SceneFile>,
-    papers: Option<&Papers>,
+    papers: Option<&str>,
 ) {
     let mut answers = answers::all(data, file);
     if shown.is_part {
         answers.push(answers::Answer { about: "Shown", text: selection::words(shown, data) });
     }
-    answers.extend(
-        papers.map(|papers| answers::Answer { about: "The papers", text: papers.answer.clone() }),
-    );
+    let papers = papers.map(str::to_owned);
+    answers.extend(papers.map(|text| answers::Answer { about: "The papers", text }));
     let answer = |answer: &answers::Answer| {
         format!("<dt>{}</dt><dd>{}</dd>\n", answer.about, escape(&unbroken(&answer.text)))
     };
@@ -129,35 +131,19 @@ fn head(
     .expect("a string grows");
 }
 
-fn failures(body: &mut String, data: &Loaded) {
-    let table = tables::failed(data, MOST_ROWS).for_page();
-    if !table.rows.is_empty() {
-        section(body, &table.title, &grid(&table));
-    }
-}
-
 fn tabled(body: &mut String, data: &Loaded, tables: &[Table]) {
-    let find = |name: &str| tables.iter().find(|t| t.name == name && !t.rows.is_empty());
-    if let Some(table) = find("summary") {
-        section(body, &table.title, &format!("{BARS}{}", grid(&table.for_page())));
-    }
-    for name in ["loads", "overtopping"] {
-        if let Some(table) = find(name) {
-            section(body, &table.title, &grid(&table.for_page()));
-        }
-    }
-    if let Some(table) = find("prototype") {
-        section(body, &table.title, &format!("{PROTOTYPE}{}", grid(&table.for_page())));
-    }
-    if let Some(table) = find("readings") {
-        section(body, &table.title, &grid(&across(table)));
-    }
-    if let Some(table) = find("health") {
-        let text = format!("<p>{}</p>{}", health_line(data), grid(&table.for_page()));
-        section(body, &table.title, &text);
-    }
-    if let Some(table) = find("energy") {
-        section(body, &table.title, &grid(&table.for_page()));
+    let names = ["summary", "loads", "overtopping", "prototype", "readings", "health", "energy"];
+    for name in names {
+        let found = tables.iter().find(|table| table.name == name && !table.rows.is_empty());
+        let Some(table) = found else { continue };
+        let before = match name {
+            "summary" => BARS.to_owned(),
+            "prototype" => PROTOTYPE.to_owned(),
+            "health" => format!("<p>{}</p>", health_line(data)),
+            _ => String::new(),
+        };
+        let shown = if name == "readings" { across(table) } else { table.for_page() };
+        section(body, &table.title, &(before + &grid(&shown)));
     }
 }
 

@@ -5,7 +5,9 @@ use std::fmt::Write as _;
 use serde_json::Value;
 
 use super::answers::most;
-use super::words::{at, counted, median};
+use super::words::at;
+use crate::math::lists::median;
+use crate::math::words::counted;
 use crate::quantities::summary::{PAIR_EVALUATIONS, PARTICLES, STEPS, WALL_TIME};
 use crate::report::grid::grid;
 use crate::report::load::Loaded;

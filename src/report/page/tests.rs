@@ -1,12 +1,11 @@
 use super::*;
-use crate::quantities::summary::CASE_ID;
 use crate::report::fixture;
 
 fn page_of(directory: &tempfile::TempDir) -> String {
     let data = Loaded::read(directory.path()).unwrap();
     let tables: Vec<_> =
         tables::all(&data).into_iter().map(|lines| lines.whole().unwrap()).collect();
-    super::page([&data; 2], &plots::all(&data).unwrap(), &tables, None).unwrap()
+    super::page([&data; 2], &plots::all(&data).unwrap(), &tables, &Papers::default()).unwrap()
 }
 
 #[test]
@@ -23,8 +22,8 @@ fn nothing_is_fetched() {
 fn the_papers_have_their_answer_and_their_section() {
     let data = Loaded::read(fixture::fixed().path()).unwrap();
     let papers =
-        Papers { answer: "7 values < 3 % off.".to_owned(), content: "<p>a</p>".to_owned() };
-    let page = super::page([&data; 2], &[], &[], Some(&papers)).unwrap();
+        Papers { answer: Some("7 values < 3 % off.".to_owned()), content: "<p>a</p>".to_owned() };
+    let page = super::page([&data; 2], &[], &[], &papers).unwrap();
     assert!(page.contains("<dt>The papers</dt><dd>7 values &lt; 3\u{a0}% off.</dd>"));
     assert!(page.contains("<h2>The papers</h2>\n<p>a</p>"));
 }
@@ -54,13 +53,13 @@ fn films_that_are_there_are_linked() {
     assert!(!page_of(&directory).contains("<h2>Films</h2>"));
     let data = Loaded::read(directory.path()).unwrap();
     let row = data.finished().next().unwrap();
-    let film = format!("films/{}.html", row.text(&CASE_ID));
+    let film = format!("films/{}.html", row.id());
     std::fs::create_dir(directory.path().join("films")).unwrap();
     std::fs::write(directory.path().join(&film), "").unwrap();
     let words = escape(&row.words());
     assert!(page_of(&directory).contains(&format!("{words} <a href=\"{film}\">{film}</a>")));
 
-    let reasons = format!("case_id,reason\n{},\"a, b\"\n", row.text(&CASE_ID));
+    let reasons = format!("case_id,reason\n{},\"a, b\"\n", row.id());
     std::fs::write(directory.path().join("films/reasons.csv"), reasons).unwrap();
     let told = format!("{words} (a, b) <a href=\"{film}\">{film}</a>");
     assert!(page_of(&directory).contains(&told));

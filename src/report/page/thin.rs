@@ -1,7 +1,8 @@
 //! Histories for the eye: few points of each curve, as text that a script reads back.
 
+use crate::math::lists::ends;
 use crate::quantities::history::{DISPLACEMENT, FORCE, RUNUP};
-use crate::report::series::Series;
+use crate::report::series::History;
 
 /// Points are dropped as long as the curve stays within this share of its height; wider where
 /// more than [`MOST`] points would be left.
@@ -15,31 +16,26 @@ const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxy
 /// The curves of one case, each as its symbol, its lowest and highest value and its points, after
 /// the first and the last time, all with spaces between them. Curves that hold one value are left
 /// out; empty where none is left.
-pub fn history(series: &[Series]) -> String {
+pub fn history(history: &History) -> String {
     let drawn = [(&FORCE, "F*"), (&RUNUP, "R*"), (&DISPLACEMENT, "X*")];
-    let find = |name: &str| series.iter().find(|series| series.name == name);
-    let curves = drawn.map(|(column, symbol)| Some((symbol, &find(column.name)?.points[..])));
-    let curves: Vec<_> = curves.into_iter().flatten().filter(|(_, points)| moves(points)).collect();
+    let curves = drawn.map(|(column, symbol)| (symbol, history.points(column.name)));
+    let curves: Vec<_> = curves.into_iter().filter(|(_, points)| moves(points)).collect();
     let times = curves.iter().flat_map(|(_, points)| points.iter().map(|point| point.0));
-    let [first, last] = ends(times);
+    let Some((first, last)) = ends(times) else { return String::new() };
     let mut text = format!("{first:.4} {last:.4}");
     for (symbol, points) in &curves {
-        let [low, high] = ends(points.iter().map(|point| point.1));
+        let (low, high) = ends(points.iter().map(|point| point.1)).unwrap_or_default();
         let share = |&(time, value): &(f64, f64)| {
             ((time - first) / (last - first), (value - low) / (high - low))
         };
         let shares: Vec<_> = points.iter().map(share).collect();
         text.push_str(&format!(" {symbol} {low:.4e} {high:.4e} {}", packed(&thinned(&shares))));
     }
-    if curves.is_empty() { String::new() } else { text }
+    text
 }
 
 fn moves(points: &[(f64, f64)]) -> bool {
     points.iter().any(|point| point.1 != points[0].1) && points.iter().any(|p| p.0 > points[0].0)
-}
-
-fn ends(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
 }
 
 /// The points without which the curve would be another, after Ramer, Douglas and Peucker.
@@ -83,6 +79,7 @@ fn packed(points: &[(f64, f64)]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::report::series::Series;
 
     fn series(name: &str, value: impl Fn(f64) -> f64) -> Series {
         let points = (0..900).map(|k| 0.005 * f64::from(k)).map(|t| (t, value(t))).collect();
@@ -107,7 +104,7 @@ mod tests {
     #[test]
     fn noise_does_not_make_it_long() {
         let noise = |t: f64| (1e4 * t * t).sin();
-        let text = history(&[series("force", noise), series("runup", |_| 0.0)]);
+        let text = history(&History(vec![series("force", noise), series("runup", |_| 0.0)]));
         let words: Vec<_> = text.split(' ').collect();
         assert_eq!(words[..3], ["0.0000", "4.4950", "F*"]);
         assert_eq!(words.len(), 6, "a runup of 0 throughout has no curve: {text}");
@@ -117,8 +114,8 @@ mod tests {
 
     #[test]
     fn no_history_is_no_text() {
-        assert_eq!(history(&[]), "");
+        assert_eq!(history(&History::default()), "");
         let one = Series { points: vec![(0.0, 1.0)], ..series("force", |_| 1.0) };
-        assert_eq!(history(&[one]), "");
+        assert_eq!(history(&History(vec![one])), "");
     }
 }

@@ -1,22 +1,9 @@
 //! Words and numbers of generated sentences.
 
+use crate::math::words::listed;
 use crate::quantities::Column;
 use crate::report::number;
 use crate::report::row::Row;
-
-/// `1 case`, `12 cases`.
-pub fn counted(count: usize, noun: &str) -> String {
-    format!("{count} {noun}{}", if count == 1 { "" } else { "s" })
-}
-
-/// `a`, `a and b`, `a, b and c`.
-pub fn listed(words: &[String]) -> String {
-    match words {
-        [] => String::new(),
-        [word] => word.clone(),
-        [first @ .., last] => format!("{} and {last}", first.join(", ")),
-    }
-}
 
 /// Rising values: all of them where they are few, or else both ends and how many there are.
 pub fn range(values: &[f64], unit: &str) -> String {
@@ -41,13 +28,6 @@ pub fn unbroken(text: &str) -> String {
         text = text.replace(&format!(" h{end}"), &format!("\u{a0}h{end}"));
     }
     text
-}
-
-/// The value in the middle; the mean of two where their number is even.
-pub fn median(values: &[f64]) -> Option<f64> {
-    let mut values = values.to_vec();
-    values.sort_by(f64::total_cmp);
-    number::median(&values)
 }
 
 /// `F* = 3.92 ± 0.04`, and `X* ≥ 3.1` for a lower bound.
@@ -77,15 +57,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn lists_and_ranges_read_as_written_by_hand() {
-        let words = |count: usize| {
-            ["a", "b", "c"][..count].iter().map(ToString::to_string).collect::<Vec<_>>()
-        };
-        let told = [0, 1, 2, 3].map(|count| listed(&words(count)));
-        assert_eq!(told, ["", "a", "a and b", "a, b and c"]);
+    fn ranges_and_shares_read_as_written_by_hand() {
         assert_eq!(range(&[0.01, 10.0, 500.0, 1e7], "N/m"), "0.01 to 1e7 N/m (4 values)");
         assert_eq!(range(&[0.3, 0.5], ""), "0.3 and 0.5");
-        assert_eq!((counted(1, "case"), counted(2, "case")), ("1 case".into(), "2 cases".into()));
+        assert_eq!([0.0042, 0.031, 0.123].map(percent), ["0.42 %", "3.1 %", "12 %"]);
     }
 
     #[test]
@@ -95,13 +70,5 @@ mod tests {
         let pairs = ["R*\u{a0}=\u{a0}0.3\u{a0}±\u{a0}0.0047\u{a0}h,", "0.099\u{a0}h"];
         assert_eq!(words[..2], pairs, "{told}");
         assert_eq!(words.last(), Some(&"h"));
-    }
-
-    #[test]
-    fn the_middle_of_an_even_number_of_values_is_between_two() {
-        assert_eq!(median(&[3.0, 1.0, 2.0]), Some(2.0));
-        assert_eq!(median(&[4.0, 1.0, 2.0, 3.0]), Some(2.5));
-        assert_eq!(median(&[]), None);
-        assert_eq!([0.0042, 0.031, 0.123].map(percent), ["0.42 %", "3.1 %", "12 %"]);
     }
 }

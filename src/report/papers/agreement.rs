@@ -2,10 +2,13 @@
 
 use super::Found;
 use super::table::{couplings, words};
+use crate::math::lists::ends;
 use crate::quantities::Unit;
-use crate::quantities::summary::{CASE_ID, FORCE_COUPLING};
+use crate::quantities::summary::FORCE_COUPLING;
 use crate::report::number;
-use crate::report::plots::{Axis, Chart, Curve, Drawing, Entry, Figure, Layout, Look, Point, key};
+use crate::report::plots::{
+    Axis, Chart, Curve, Drawing, Entry, Figure, Layout, Look, Point, key, points,
+};
 
 /// What stands in a panel: how the names of its quantities begin, and their unit.
 const PANELS: [(&[&str], Unit); 3] = [
@@ -55,14 +58,15 @@ fn chart(found: &[Found], names: &[&str], unit: Unit) -> Option<Chart> {
         curves.push(of_walls(&format!("s = {}", number::plain(s)), index, Some(s)));
     }
     curves.retain(|curve| !curve.points.is_empty());
-    let ends = curves.iter().flat_map(|curve| &curve.points).flat_map(|p| [p.x, p.y]);
-    let axis = Axis::around(ends.clone(), 5.0)?;
-    let (low, high) = ends.fold((f64::MAX, f64::MIN), |(l, h), v| (l.min(v), h.max(v)));
-    let same = Entry::line("the same".to_owned(), Look::plain());
-    curves.insert(0, Curve { entry: same, points: vec![(low, low).into(), (high, high).into()] });
-    let titles = ["printed", "computed"].map(|what| format!("{} {what}", unit.axis()));
-    let x = (axis.clone(), titles[0].as_str(), "printed");
-    Some(Chart::new(x, (axis, &titles[1], "computed"), curves))
+    let numbers = points(&curves).flat_map(|point| [point.x, point.y]);
+    let axis = Axis::around(numbers.clone(), 5.0)?;
+    let (low, high) = ends(numbers)?;
+    let same = Entry::line("the same", Look::plain());
+    curves.insert(0, Curve::through(same, [(low, low), (high, high)]));
+    let names = ["printed", "computed"];
+    let titles = names.map(|what| format!("{} {what}", unit.axis()));
+    let titles = titles.each_ref().map(String::as_str);
+    Some(Chart::new((axis.clone(), axis), titles, names, curves))
 }
 
 fn point(found: &Found) -> Point {
@@ -71,7 +75,7 @@ fn point(found: &Found) -> Point {
     Point {
         error: found.error.unwrap_or(0.0),
         bound: found.bound,
-        case: found.row.text(&CASE_ID).to_owned(),
+        case: found.row.id().to_owned(),
         told: format!("{source}: printed {x}, computed {}", number::significant(y, 4)),
         ..(x, y).into()
     }

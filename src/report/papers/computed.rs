@@ -1,7 +1,7 @@
 //! What a case has in the place of a printed number.
 
 use crate::papers::{PAPER_CLOCK_CENTRE_S, Printed};
-use crate::quantities::summary::{BOUNDARY, CASE_ID, STEPS, STROKE_CENTRE, WALL_TIME};
+use crate::quantities::summary::{BOUNDARY, STEPS, STROKE_CENTRE, WALL_TIME};
 use crate::quantities::{Column, Unit, named};
 use crate::report::config::Config;
 use crate::report::error::ReportError;
@@ -34,16 +34,14 @@ pub fn of(
     if let Some(boundary) = name.strip_prefix("step_time_of_") {
         return Ok(step_time_ratio(row, boundary, all));
     }
-    let id = row.text(&CASE_ID);
+    let id = row.id();
     if let Some(time) = printed.time_s {
         let Some(time) = off_their_clock(row, time) else { return Ok(None) };
         let (series, wall) = match name {
             "wall_position_m" => ("displacement", true),
             name => (name, false),
         };
-        let history = data.history(id)?;
-        let points = history.iter().find(|one| one.name == series).map(|one| &one.points[..]);
-        let value = points.and_then(|points| at(points, time));
+        let value = at(data.history(id)?.points(series), time);
         let config =
             all.iter().find(|(other, _)| std::ptr::eq(*other, row)).map(|(_, config)| *config);
         return Ok(if wall { value.zip(config).and_then(|(x, c)| place(x, c)) } else { value });
@@ -75,8 +73,7 @@ pub fn at(points: &[(f64, f64)], time: f64) -> Option<f64> {
 
 /// Where the wall stands, m from the paddle at rest.
 fn place(displacement: f64, config: &Config) -> Option<f64> {
-    let length = |key: &str| config.scene.get(key).and_then(crate::keys::number);
-    Some(length("tank_length_m")? + displacement * length("still_water_depth_m")?)
+    Some(config.value("tank_length_m")? + displacement * config.value("still_water_depth_m")?)
 }
 
 /// The time of a step over that of the same case with the interpolator that costs are told over.

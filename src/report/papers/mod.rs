@@ -71,7 +71,7 @@ impl Found<'_> {
 /// All values of a study's cases.
 #[derive(Debug)]
 pub struct Cases<'a> {
-    data: &'a Loaded,
+    pub(super) data: &'a Loaded,
     configs: Vec<Option<Config>>,
 }
 
@@ -82,7 +82,7 @@ impl<'a> Cases<'a> {
     }
 
     /// Finished cases with their values.
-    fn finished(&self) -> impl Iterator<Item = (&'a Row, &Config)> {
+    pub(super) fn finished(&self) -> impl Iterator<Item = (&'a Row, &Config)> {
         let pairs = self.data.rows.iter().zip(&self.configs);
         pairs
             .filter_map(|(row, config)| Some((row, config.as_ref()?)))

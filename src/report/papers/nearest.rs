@@ -1,6 +1,6 @@
 //! A study without a case of the papers: which of their walls is nearest to one of its own.
 
-use super::super::config::{Config, some_configs};
+use super::super::config::{Config, each_config};
 use super::super::curves::spread;
 use super::super::load::Loaded;
 use super::super::number;
@@ -17,7 +17,7 @@ pub fn nearest(data: &Loaded) -> Option<String> {
     let finished: Vec<usize> =
         data.rows.iter().enumerate().filter(|(_, row)| row.is_ok()).map(|(at, _)| at).collect();
     let places = spread(&finished, LOOKED_AT);
-    let configs = some_configs(data, places.iter().copied());
+    let configs: Vec<_> = each_config(data, places.iter().copied()).collect();
     let rows = places.iter().map(|&at| &data.rows[at]);
     let cases = rows.zip(&configs).filter_map(|(row, config)| Some((row, config.as_ref()?)));
     let cases: Vec<(&Row, &Config)> = cases.filter(|(_, config)| is_theirs(config)).collect();
@@ -50,7 +50,7 @@ pub fn nearest(data: &Loaded) -> Option<String> {
 
 /// A solitary wave at a wall that is upright and fixed, or has a spring.
 fn is_theirs(config: &Config) -> bool {
-    let upright = || config.scene.get("wall_angle_deg").and_then(crate::keys::number) == Some(90.0);
+    let upright = || config.value("wall_angle_deg") == Some(90.0);
     text(config, "kind") == Some("seawall")
         && text(config, "paddle").is_none_or(|paddle| paddle == "solitary")
         && match text(config, "wall") {

@@ -1,7 +1,10 @@
 //! What agrees with the papers, what does not, and why: sentences from the numbers.
 
+use std::collections::BTreeSet;
+
 use super::Found;
 use super::table::{couplings, words};
+use crate::math::lists::{different, median, tallied};
 use crate::papers::{Read, cause, paper};
 use crate::quantities::summary::{PARTICLE_SPACING, SCHEME};
 use crate::report::curves::distinct;
@@ -45,15 +48,11 @@ pub fn sentences(found: &[Found]) -> Vec<String> {
 /// How far the printed numbers are, in a sentence.
 pub fn answer(found: &[Found]) -> String {
     let met = found.iter().filter(|one| one.is_met()).count();
-    let mut sizes: Vec<f64> = found
-        .iter()
-        .filter(|one| one.printed.is_size())
-        .filter_map(|one| Some(one.percent()?.abs()))
-        .collect();
-    sizes.sort_by(f64::total_cmp);
-    let (median, worst) = (number::median(&sizes), sizes.last());
-    let off = median.zip(worst).map(|(median, worst)| {
-        let [median, worst] = [median, *worst].map(|size| number::significant(size, 2));
+    let sizes = found.iter().filter(|one| one.printed.is_size());
+    let sizes: Vec<f64> = sizes.filter_map(|one| Some(one.percent()?.abs())).collect();
+    let worst = sizes.iter().copied().max_by(f64::total_cmp);
+    let off = median(&sizes).zip(worst).map(|(median, worst)| {
+        let [median, worst] = [median, worst].map(|size| number::significant(size, 2));
         format!(" Sizes differ by {median} % in the median and {worst} % at most.")
     });
     format!(
@@ -65,16 +64,9 @@ pub fn answer(found: &[Found]) -> String {
 }
 
 fn opening(found: &[Found]) -> String {
-    let mut names: Vec<&str> = Vec::new();
-    for one in found {
-        let name = paper(&one.printed.paper).map_or("", |paper| paper.words.as_str());
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
-    let mut numbers: Vec<_> = found.iter().map(|one| std::ptr::from_ref(one.printed)).collect();
-    numbers.sort_unstable();
-    numbers.dedup();
+    let name = |one: &Found| paper(&one.printed.paper).map_or("", |paper| paper.words.as_str());
+    let names = different(found.iter().map(name));
+    let numbers: BTreeSet<_> = found.iter().map(|one| std::ptr::from_ref(one.printed)).collect();
     let are = if numbers.len() == 1 { "number has" } else { "numbers have" };
     let compared = match found.len() {
         all if all > numbers.len() => format!(", some of them several: {all} comparisons"),
@@ -92,9 +84,8 @@ fn opening(found: &[Found]) -> String {
 
 /// The schemes and spacings of the cases.
 fn method(found: &[Found]) -> String {
-    let mut schemes: Vec<&str> = found.iter().map(|one| one.row.text(&SCHEME)).collect();
-    schemes.sort_unstable();
-    schemes.dedup();
+    let schemes: BTreeSet<_> = found.iter().map(|one| one.row.text(&SCHEME)).collect();
+    let schemes: Vec<_> = schemes.into_iter().collect();
     let spacings = distinct(found.iter().map(|one| one.row), &PARTICLE_SPACING);
     let spacings: Vec<_> = spacings.into_iter().map(number::plain).collect();
     format!("{} with particles {} m apart", schemes.join(" and "), spacings.join(", "))
@@ -108,8 +99,7 @@ fn counted(what: &str, found: &[&Found]) -> Option<String> {
     let by = |one: &Found| one.percent().unwrap_or(0.0).abs();
     let in_percent = first.printed.is_size() || first.printed.quantity.starts_with("step_time");
     let size = |one: &Found| if in_percent { by(one) } else { one.difference().abs() };
-    let mut all: Vec<f64> = found.iter().map(|one| size(one)).collect();
-    all.sort_by(f64::total_cmp);
+    let all: Vec<f64> = found.iter().map(|one| size(one)).collect();
     let worst = found.iter().max_by(|a, b| size(a).total_cmp(&size(b)))?;
     let unit = match first.printed.unit.as_str() {
         _ if in_percent => "%",
@@ -120,7 +110,7 @@ fn counted(what: &str, found: &[&Found]) -> Option<String> {
     let at = if place.is_empty() { String::new() } else { format!(" at {}", place.join(", ")) };
     text.push_str(&format!(
         ". The differences have a median of {} {unit}; the largest is {} {unit}, of {} (Fig. {}){at}.",
-        number::significant(number::median(&all)?, 2),
+        number::significant(median(&all)?, 2),
         number::significant(size(worst), 2),
         words(worst.printed),
         worst.printed.figure,
@@ -130,22 +120,17 @@ fn counted(what: &str, found: &[&Found]) -> Option<String> {
 
 /// Why numbers are not met, each reason once, those of most numbers first.
 fn reasons(found: &[Found]) -> Vec<String> {
-    let mut counts: Vec<(&str, usize)> = Vec::new();
-    for one in found.iter().filter(|one| !one.is_met()) {
+    let name = |one: &Found| {
         // With a fitted factor the law as printed is no reason any more.
         let name = one.printed.cause.as_str();
         let fitted = name == "coupling" && one.coupling().is_some_and(|s| s != 1.0);
-        let name = if fitted { "fitted" } else { name };
-        match counts.iter_mut().find(|(other, _)| *other == name) {
-            Some((_, count)) => *count += 1,
-            None => counts.push((name, 1)),
-        }
-    }
-    counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+        if fitted { "fitted" } else { name }
+    };
+    let names: Vec<_> = found.iter().filter(|one| !one.is_met()).map(name).collect();
     let said = |(name, count): (&str, usize)| {
         let why = cause(name).unwrap_or("no reason is known.");
         let are = if count == 1 { "is" } else { "are" };
         format!("Why {count} {are} not met: {why}")
     };
-    counts.into_iter().map(said).collect()
+    tallied(&names).into_iter().map(said).collect()
 }

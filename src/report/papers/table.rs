@@ -1,6 +1,7 @@
 //! Printed and computed numbers in tables: a line for each, and with the factors s side by side.
 
 use super::Found;
+use crate::math::lists::rising;
 use crate::papers::{Printed, Read, paper};
 use crate::quantities::summary::{
     BOUNDARY, CASE_ID, FORCE_COUPLING, LOG10_K_STAR, SCHEME, SEAWALL_MASS, SPRING_STIFFNESS,
@@ -52,7 +53,7 @@ pub fn tidy(found: &[Found]) -> Table {
             vec![cell(found.error), found.bound.to_string(), digits(found.difference())],
             vec![found.percent().map(digits).unwrap_or_default(), found.is_met().to_string()],
             vec![cell(found.coupling()), row.text(&SCHEME).to_owned(), row.variant.to_string()],
-            vec![row.text(&CASE_ID).to_owned(), printed.note.clone()],
+            vec![row.id().to_owned(), printed.note.clone()],
         ]
         .concat()
     };
@@ -98,21 +99,13 @@ pub fn beside(found: &[Found]) -> Table {
         lines[at].1[column + 1] = difference(one);
     }
     let rows = lines.into_iter().map(|(_, cells)| cells).collect();
-    Table {
-        name: "papers".to_owned(),
-        title: "The papers".to_owned(),
-        header,
-        rows,
-        left: 0,
-        is_part: false,
-    }
+    Table::new("papers", "The papers", &header, rows)
 }
 
 /// The factors s among the movable walls, the law as printed first.
 pub(super) fn couplings(found: &[Found]) -> Vec<f64> {
-    let mut factors: Vec<f64> = found.iter().filter_map(Found::coupling).collect();
-    factors.sort_by(|a, b| b.total_cmp(a));
-    factors.dedup();
+    let mut factors = rising(found.iter().filter_map(Found::coupling));
+    factors.reverse();
     factors
 }
 

@@ -37,14 +37,11 @@ pub fn error_against_time(dots: &[Dot]) -> Option<Figure> {
     front.sort_by(|a, b| a.x.total_cmp(&b.x));
     let look = Look::of(0);
     let curves = vec![
-        Curve { entry: Entry::line(String::new(), look), points: front },
+        Curve { entry: Entry::line("", look), points: front },
         Curve { entry: Entry::dots("", look, false), points },
     ];
-    let chart = Chart::new(
-        (x, "processor time, s", "cpu_time_s"),
-        (y, "error, %", "error_percent"),
-        curves,
-    );
+    let titles = ["processor time, s", "error, %"];
+    let chart = Chart::new((x, y), titles, ["cpu_time_s", "error_percent"], curves);
     Some(Figure {
         name: "error-against-time".to_owned(),
         title: "Error against processor time".to_owned(),

@@ -1,6 +1,7 @@
 //! An axis: its range, its ticks, and where a value lies on it.
 
 use super::ticks::{Tick, linear, logarithmic};
+use crate::math::lists::ends;
 
 /// How values are spread along an axis.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -74,15 +75,6 @@ impl Axis {
         };
         along.clamp(0.0, 1.0)
     }
-}
-
-/// The lowest and the highest; `None` without values.
-fn ends(values: impl Iterator<Item = f64>) -> Option<(f64, f64)> {
-    let wide = |ends: Option<(f64, f64)>, value: f64| {
-        let (low, high) = ends.unwrap_or((value, value));
-        Some((low.min(value), high.max(value)))
-    };
-    values.fold(None, wide)
 }
 
 #[cfg(test)]

@@ -4,8 +4,7 @@ use colorous::VIRIDIS;
 use svg::node::element::{Group, Rectangle};
 
 use super::axes::Axis;
-use super::pen::{Align, INK, drawn, group, hex, strokes, text};
-use super::shape::tidy;
+use super::pen::{Align, INK, drawn, group, hex, strokes, text, tidy};
 use super::text::{NORMAL, SMALL, width};
 
 /// Height of the coloured strip, of all of it, and width of the strip, CSS pixels.

@@ -2,6 +2,8 @@
 
 use super::axes::Axis;
 use super::legend::Entry;
+use super::look::Look;
+use crate::math::lists::ends;
 
 /// One point of a curve.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -40,11 +42,37 @@ pub struct Curve {
 }
 
 impl Curve {
+    /// A curve whose points have nothing but their places.
+    pub fn through(entry: Entry, points: impl IntoIterator<Item = (f64, f64)>) -> Curve {
+        Curve { entry, points: points.into_iter().map(Point::from).collect() }
+    }
+
+    /// A plain line at one level, as far as others reach.
+    pub fn level(label: impl Into<String>, level: f64, others: &[Curve]) -> Curve {
+        let (low, high) = ends(places(others)).unwrap_or_default();
+        Curve::through(Entry::line(label, Look::plain()), [(low, level), (high, level)])
+    }
+
     /// The lower and upper ends of all points; a bound has no upper end, but an arrow.
     pub fn reach(&self) -> impl Iterator<Item = f64> {
         let up = |point: &Point| if point.bound { 0.06 * point.y } else { point.error };
         self.points.iter().flat_map(move |point| [point.y - point.error, point.y + up(point)])
     }
+}
+
+/// The points of all curves.
+pub fn points(curves: &[Curve]) -> impl Iterator<Item = &Point> + Clone {
+    curves.iter().flat_map(|curve| &curve.points)
+}
+
+/// Their places on the horizontal axis.
+pub fn places(curves: &[Curve]) -> impl Iterator<Item = f64> + Clone {
+    points(curves).map(|point| point.x)
+}
+
+/// How far their values reach up and down, bars and arrows included.
+pub fn reach(curves: &[Curve]) -> impl Iterator<Item = f64> {
+    curves.iter().flat_map(Curve::reach)
 }
 
 /// A coloured field of a map.
@@ -86,15 +114,20 @@ pub struct Chart {
 }
 
 impl Chart {
-    /// A panel without a heading. An axis is given with its title and the name of its quantity.
-    pub fn new(x: (Axis, &str, &str), y: (Axis, &str, &str), curves: Vec<Curve>) -> Chart {
+    /// A panel without a heading: its axes, their titles, and the names of their quantities.
+    pub fn new(
+        (x, y): (Axis, Axis),
+        titles: [&str; 2],
+        names: [&str; 2],
+        curves: Vec<Curve>,
+    ) -> Chart {
         Chart {
             heading: String::new(),
             key: String::new(),
-            titles: [x.1, y.1].map(str::to_owned),
-            names: [x.2, y.2].map(str::to_owned),
-            x: x.0,
-            y: y.0,
+            titles: titles.map(str::to_owned),
+            names: names.map(str::to_owned),
+            x,
+            y,
             curves,
             cells: Vec::new(),
             spare: false,
@@ -102,8 +135,7 @@ impl Chart {
     }
 
     /// With words above it, and what all of it has in common as `key=value`.
-    pub fn under(mut self, heading: String, key: String) -> Chart {
-        (self.heading, self.key) = (heading, key);
-        self
+    pub fn under(self, heading: impl Into<String>, key: impl Into<String>) -> Chart {
+        Chart { heading: heading.into(), key: key.into(), ..self }
     }
 }

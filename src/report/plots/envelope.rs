@@ -1,13 +1,13 @@
 //! The largest pressures up the wall, of a few cases.
 
 use super::axes::Axis;
-use super::chart::{Chart, Curve};
+use super::chart::{Chart, Curve, places, points};
 use super::legend::Entry;
 use super::look::Look;
 use super::sheet::{Drawing, PANELS};
 use super::{Figure, SERIES};
 use crate::quantities::envelope::{FIRST_PRESSURE_MAX, HEIGHT, PRESSURE_MAX};
-use crate::quantities::summary::{CASE_ID, FIRST_FORCE_MAX, FORCE_MAX, WAVE_HEIGHT_RATIO};
+use crate::quantities::summary::{FIRST_FORCE_MAX, FORCE_MAX, WAVE_HEIGHT_RATIO};
 use crate::report::curves::{distinct, spread};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
@@ -21,7 +21,7 @@ type Case<'a> = (&'a Row, Vec<Pressed>);
 pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut cases: Vec<Case<'_>> = Vec::new();
     for row in chosen(data) {
-        let envelope = data.envelope(row.text(&CASE_ID))?;
+        let envelope = data.envelope(row.id())?;
         if envelope.len() > 1 {
             cases.push((row, envelope));
         }
@@ -76,21 +76,20 @@ fn drawing(cases: &[Case<'_>]) -> Drawing {
                 if first { at.first_pressure_max_pa } else { Some(at.pressure_max_pa) }
             };
             let points = envelope.iter().filter_map(|at| Some((1e-3 * pressure(at)?, at.height_m)));
-            let key = format!("case={}", row.text(&CASE_ID));
+            let key = format!("case={}", row.id());
             let entry = Entry::line(words, Look::of(index)).keyed(key);
-            Curve { entry, points: points.map(Into::into).collect() }
+            Curve::through(entry, points)
         };
         let curves: Vec<_> = cases.iter().enumerate().map(curve).collect();
-        let points = || curves.iter().flat_map(|curve| &curve.points);
-        let x = Axis::around(points().map(|point| point.x).chain([0.0]), 4.0)?;
-        let y = Axis::around(points().map(|point| point.y).chain([0.0]), 5.0)?;
-        points().next()?;
+        let x = Axis::around(places(&curves).chain([0.0]), 4.0)?;
+        let y = Axis::around(points(&curves).map(|point| point.y).chain([0.0]), 5.0)?;
+        points(&curves).next()?;
         let (heading, name) = match first {
             true => ("first impact", FIRST_PRESSURE_MAX.name),
             false => ("whole run", PRESSURE_MAX.name),
         };
-        let axes = ((x, "p, kPa", name), (y, "height, m", HEIGHT.name));
-        Some(Chart::new(axes.0, axes.1, curves).under(heading.to_owned(), String::new()))
+        let titles = ["p, kPa", "height, m"];
+        Some(Chart::new((x, y), titles, [name, HEIGHT.name], curves).under(heading, ""))
     };
     Drawing::new([true, false].into_iter().filter_map(chart).collect(), PANELS)
 }
@@ -102,14 +101,13 @@ mod tests {
 
     #[test]
     fn envelopes_are_drawn_where_there_are_files_of_them() {
-        let directory = fixture::sweep();
-        let data = Loaded::read(directory.path()).unwrap();
+        let (directory, data) = fixture::read(fixture::sweep());
         assert!(figures(&data).unwrap().is_empty());
         let folder = directory.path().join("envelopes");
         std::fs::create_dir(&folder).unwrap();
         let rows = "height_m,pressure_max_pa,first_pressure_max_pa\n0.004,3000,2900\n0.1,1500,\n";
         for row in data.finished() {
-            std::fs::write(folder.join(format!("{}.csv", row.text(&CASE_ID))), rows).unwrap();
+            std::fs::write(folder.join(format!("{}.csv", row.id())), rows).unwrap();
         }
         let figure = figures(&data).unwrap().remove(0);
         assert!(figure.caption.contains("Shown are 2 of 11 cases"), "{}", figure.caption);
@@ -118,7 +116,7 @@ mod tests {
             assert!(svg.contains(word), "{word}");
         }
         let mut tables = crate::report::tables::all(&data).into_iter();
-        let table = tables.find(|table| table.name == "pressure_envelope").unwrap();
+        let table = tables.find(|table| table.head.name == "pressure_envelope").unwrap();
         let table = table.whole().unwrap();
         assert_eq!(table.rows.len(), 2 * 11);
         assert_eq!(table.rows[1][2..], ["0.1", "1500", ""]);

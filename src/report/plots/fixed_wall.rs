@@ -2,7 +2,7 @@
 //! over a level bed beside the exact solitary wave, too.
 
 use super::axes::Axis;
-use super::chart::{Chart, Curve};
+use super::chart::{Chart, Curve, places, reach};
 use super::legend::Entry;
 use super::look::Look;
 use super::marks::point;
@@ -124,8 +124,8 @@ impl Beside {
         let waves = || EXACT.iter().map(|known| known[0]);
         let line = |setting: Setting| {
             let words = if setting.is_plain() { "Goda, long waves" } else { "Goda" };
-            let points = waves().map(|wave| (wave, setting.force(wave)).into()).collect();
-            Curve { entry: Entry::line(words.to_owned(), Look::of(1)), points }
+            let points = waves().map(|wave| (wave, setting.force(wave)));
+            Curve::through(Entry::line(words, Look::of(1)), points)
         };
         match self {
             Beside::Nothing => None,
@@ -136,10 +136,10 @@ impl Beside {
                     return Some(line(first));
                 }
                 let point = |(row, setting): (&&Row, &Option<Setting>)| {
-                    Some((row.number(wave)?, setting.as_ref()?.of_case(row)?).into())
+                    Some((row.number(wave)?, setting.as_ref()?.of_case(row)?))
                 };
-                let points = rows.iter().zip(each).filter_map(point).collect();
-                Some(Curve { entry: Entry::dots("Goda", Look::of(1), false), points })
+                let points = rows.iter().zip(each).filter_map(point);
+                Some(Curve::through(Entry::dots("Goda", Look::of(1), false), points))
             }
         }
     }
@@ -151,9 +151,8 @@ fn drawing(data: &Loaded, rows: &[&Row], measured: bool, beside: &Beside) -> Dra
     let chart = |(column, exact): (&Column, usize)| {
         let mut curves = Vec::new();
         if matches!(beside, Beside::Exact) {
-            let entry = Entry::line("exact solitary wave".to_owned(), Look::plain());
-            let points = EXACT.iter().map(|known| (known[0], known[exact]).into());
-            curves.push(Curve { entry, points: points.collect() });
+            let entry = Entry::line("exact solitary wave", Look::plain());
+            curves.push(Curve::through(entry, EXACT.map(|known| (known[0], known[exact]))));
         }
         if column == &FIRST_FORCE_MAX {
             curves.extend(beside.goda(rows, wave));
@@ -161,12 +160,12 @@ fn drawing(data: &Loaded, rows: &[&Row], measured: bool, beside: &Beside) -> Dra
         let points = rows.iter().filter_map(|row| point(row, row.number(wave)?, column));
         let entry = Entry::dots("computed", Look::of(0), false);
         curves.push(Curve { entry, points: points.collect() });
-        curves.extend(printed::at_fixed_walls(data, column, rows, measured));
-        let places = curves.iter().flat_map(|curve| &curve.points).map(|point| point.x);
-        let x = Axis::around(places, 6.0)?;
-        let y = Axis::around(curves.iter().flat_map(Curve::reach), 6.0)?;
+        curves.extend(printed::beside(data, column, rows, wave));
+        let x = Axis::around(places(&curves), 6.0)?;
+        let y = Axis::around(reach(&curves), 6.0)?;
         let title = wave.heading();
-        Some(Chart::new((x, &title, wave.name), (y, column.unit.axis(), column.name), curves))
+        let titles = [&title, column.unit.axis()];
+        Some(Chart::new((x, y), titles, [wave.name, column.name], curves))
     };
     Drawing::new(SIDES.into_iter().filter_map(chart).collect(), PANELS)
 }
@@ -178,8 +177,7 @@ mod tests {
 
     #[test]
     fn an_inclined_wall_is_not_drawn_against_an_upright_ones_answer() {
-        let directory = fixture::fixed();
-        let mut data = Loaded::read(directory.path()).unwrap();
+        let (_directory, mut data) = fixture::read(fixture::fixed());
         let upright = figures(&data).remove(0);
         assert!(upright.svg().contains("exact solitary wave"));
         assert!(upright.svg().contains("Goda"));

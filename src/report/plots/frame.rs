@@ -67,8 +67,7 @@ impl<'a> Frame<'a> {
 
     /// Where a pair of values lies; values beyond the axes lie on the frame.
     pub fn at(&self, x: f64, y: f64) -> (f64, f64) {
-        let (right, up) = (self.chart.x.share(x), self.chart.y.share(y));
-        (self.left + self.wide * right, self.top + self.high * (1.0 - up))
+        (self.x(x), self.y(y))
     }
 
     /// Whether a pair of values has a place on both axes.

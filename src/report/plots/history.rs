@@ -7,13 +7,13 @@ use super::marks::said;
 use super::over_time::{self, Strip};
 use super::{Figure, file_name, of_variant};
 use crate::quantities::history::{DISPLACEMENT, FORCE, RUNUP};
-use crate::quantities::summary::{CASE_ID, SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
+use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
 use crate::report::curves::{distinct, spread, variants};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::row::Row;
-use crate::report::series::Series;
+use crate::report::series::History;
 
 const CURVES: usize = 6;
 
@@ -21,7 +21,7 @@ const CURVES: usize = 6;
 struct Line {
     label: String,
     case: String,
-    series: Vec<Series>,
+    history: History,
 }
 
 /// The figures of every wave height and variant that has histories, and of cases without a wave.
@@ -29,11 +29,9 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut figures = Vec::new();
     for variant in variants(&data.rows) {
         for wave in distinct(data.finished(), &WAVE_HEIGHT_RATIO) {
-            let rows: Vec<_> = data
-                .finished()
-                .filter(|row| *row.variant == *variant)
-                .filter(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(wave))
-                .collect();
+            let own = data.of_variant(&variant);
+            let rows: Vec<_> =
+                own.filter(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(wave)).collect();
             let (chosen, common, picked) = choose(&rows);
             let lines = read(data, chosen)?;
             if lines.is_empty() {
@@ -94,10 +92,10 @@ fn dropped(shown: usize, cases: usize, whose: &str, picked: &str) -> String {
 fn read(data: &Loaded, chosen: Vec<(String, &Row)>) -> Result<Vec<Line>, ReportError> {
     let mut lines = Vec::new();
     for (label, row) in chosen {
-        let case = row.text(&CASE_ID).to_owned();
-        let series = data.history(&case)?;
-        if series.iter().any(|series| series.points.len() > 1) {
-            lines.push(Line { label, case, series });
+        let case = row.id().to_owned();
+        let history = data.history(&case)?;
+        if history.0.iter().any(|series| series.points.len() > 1) {
+            lines.push(Line { label, case, history });
         }
     }
     Ok(lines)
@@ -137,23 +135,20 @@ fn choose<'a>(rows: &[&'a Row]) -> (Vec<(String, &'a Row)>, String, String) {
     (chosen, common, picked)
 }
 
-impl Line {
-    fn points(&self, name: &str) -> &[(f64, f64)] {
-        let series = self.series.iter().find(|series| series.name == name);
-        series.map_or(&[], |series| &series.points)
-    }
-}
-
 fn moves(lines: &[Line]) -> bool {
-    lines.iter().flat_map(|line| line.points(DISPLACEMENT.name)).any(|(_, x)| *x != 0.0)
+    lines.iter().flat_map(|line| line.history.points(DISPLACEMENT.name)).any(|(_, x)| *x != 0.0)
 }
 
 fn strips(lines: &[Line]) -> Vec<Strip> {
     let all = [&FORCE, &RUNUP, &DISPLACEMENT];
     let drawn = if moves(lines) { &all[..] } else { &all[..2] };
     let curve = |(index, line): (usize, &Line), name: &str| {
-        let mut curve =
-            over_time::Line::new(index, &line.label, &line.case, line.points(name).to_vec());
+        let mut curve = over_time::Line::new(
+            index,
+            &line.label,
+            &line.case,
+            line.history.points(name).to_vec(),
+        );
         // More curves than that have no look of their own: the fixed wall is drawn in ink.
         if index >= CURVES {
             curve.entry.look = Look::plain();

@@ -29,24 +29,24 @@ pub struct Entry {
 
 impl Entry {
     /// A line with filled markers.
-    pub fn marked(label: String, look: Look) -> Entry {
-        Entry { label, key: String::new(), look, spare: false, line: true, marker: Some(false) }
+    pub fn marked(label: impl Into<String>, look: Look) -> Entry {
+        let (label, key) = (label.into(), String::new());
+        Entry { label, key, look, spare: false, line: true, marker: Some(false) }
     }
 
     /// A line without markers.
-    pub fn line(label: String, look: Look) -> Entry {
+    pub fn line(label: impl Into<String>, look: Look) -> Entry {
         Entry { marker: None, ..Entry::marked(label, look) }
     }
 
     /// Markers without a line, filled or of bounds.
-    pub fn dots(label: &str, look: Look, bound: bool) -> Entry {
-        Entry { line: false, marker: Some(bound), ..Entry::marked(label.to_owned(), look) }
+    pub fn dots(label: impl Into<String>, look: Look, bound: bool) -> Entry {
+        Entry { line: false, marker: Some(bound), ..Entry::marked(label, look) }
     }
 
     /// With what its points have in common.
-    pub fn keyed(mut self, key: String) -> Entry {
-        self.key = key;
-        self
+    pub fn keyed(self, key: impl Into<String>) -> Entry {
+        Entry { key: key.into(), ..self }
     }
 
     /// A short piece of it.

@@ -5,14 +5,29 @@
 
 use svg::node::element::{Group, Path};
 
-use super::pen::{GROUND, INK, drawn, group};
-use super::shape::{self, outline};
+use super::pen::{GROUND, INK, drawn, group, tidy};
 
 /// Hues on a white ground. A page has a second set for a dark one, in `plots.css`.
 const HUES: [&str; 6] = ["#5360ff", "#943909", "#00492a", "#c60d58", "#079bb3", "#5e0156"];
 
 /// Dashes of lines; the first is solid.
 const DASHES: [&str; 6] = ["", "8 3", "4 2", "9 2.5 2 2.5", "15 3", "6 2 1.5 2 1.5 2"];
+
+/// Shapes of markers, each as a path that starts at its point.
+const SHAPES: [&str; 8] = [
+    "m-3.3 0a3.3 3.3 0 1 0 6.6 0a3.3 3.3 0 1 0-6.6 0z",
+    "m-3-3h6v6h-6z",
+    "m0-4.3l4 7.1h-8z",
+    "m0-4.5l4.5 4.5l-4.5 4.5l-4.5-4.5z",
+    "m0 4.3l4-7.1h-8z",
+    "m-1.5-4.5h3v3h3v3h-3v3h-3v-3h-3v-3h3z",
+    "m-4.3-2h8.6v4h-8.6z",
+    "m-2-4.3h4v8.6h-4z",
+];
+
+/// A star, which no series has.
+const STAR: &str =
+    "m0.0 -5.4l1.4 3.5l3.7 0.2l-2.9 2.4l1 3.7l-3.2 -2.1l-3.2 2.1l1 -3.7l-2.9 -2.4l3.7 -0.2z";
 
 /// Line through a lower bound: dots, which no series has.
 pub const DOTS: &str = "0.8 3.4";
@@ -61,10 +76,10 @@ impl Look {
     }
 
     /// A marker; open ones show the ground inside.
-    pub fn marker(self, at: (f64, f64), open: bool) -> Path {
-        let shape = self.series.map_or(0, |index| index % shape::COUNT);
-        let outline = if self.printed { shape::star(at) } else { outline(shape, at) };
-        let path = Path::new().set("d", outline);
+    pub fn marker(self, (x, y): (f64, f64), open: bool) -> Path {
+        let shape = SHAPES[self.series.unwrap_or(0) % SHAPES.len()];
+        let shape = if self.printed { STAR } else { shape };
+        let path = Path::new().set("d", format!("M{} {}{shape}", tidy(x), tidy(y)));
         if open {
             return path.set("class", "mark open").set("fill", GROUND);
         }
@@ -121,6 +136,15 @@ mod tests {
     fn a_page_in_light_has_the_hues_of_a_file() {
         for (index, hue) in HUES.iter().enumerate() {
             assert!(super::super::STYLE.contains(&format!("--hue-{index}: {hue};")), "{hue}");
+        }
+    }
+
+    #[test]
+    fn no_two_shapes_are_alike() {
+        let shapes = [&SHAPES[..], &[STAR]].concat();
+        for (index, path) in shapes.iter().enumerate() {
+            assert!(!shapes[..index].contains(path));
+            assert!(path.starts_with('m') && path.ends_with('z'));
         }
     }
 

@@ -10,9 +10,7 @@ use super::text::{SMALL, width};
 use super::ticks::FEWEST;
 use super::{Figure, SERIES, file_name, of_variant};
 use crate::quantities::Column;
-use crate::quantities::summary::{
-    CASE_ID, FIRST_FORCE_MAX, LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO,
-};
+use crate::quantities::summary::{FIRST_FORCE_MAX, LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
 use crate::report::curves::{distinct, responses, spread, variants};
 use crate::report::load::Loaded;
 use crate::report::number::significant;
@@ -46,12 +44,10 @@ fn figure(data: &Loaded, variant: &str) -> Option<Figure> {
         let own = rows.iter().filter(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(*wave));
         let cells = own.filter_map(|row| cell(row, &columns, &lines, &bar)).collect();
         let (x, y) = (steps(&columns, &LOG10_K_STAR), steps(&lines, &M_STAR));
-        let title = LOG10_K_STAR.heading();
-        let x = (x, title.as_str(), LOG10_K_STAR.name);
-        let mut chart = Chart::new(x, (y, M_STAR.symbol, M_STAR.name), Vec::new())
+        let (title, names) = (LOG10_K_STAR.heading(), [LOG10_K_STAR.name, M_STAR.name]);
+        let chart = Chart::new((x, y), [&title, M_STAR.symbol], names, Vec::new())
             .under(label(&WAVE_HEIGHT_RATIO, *wave), key(&WAVE_HEIGHT_RATIO, *wave));
-        chart.cells = cells;
-        chart
+        Chart { cells, ..chart }
     };
     let charts = shown.iter().map(chart).collect();
     let law = coupling(rows.iter().copied());
@@ -97,7 +93,7 @@ fn cell(row: &Row, columns: &[f64], lines: &[f64], bar: &Bar) -> Option<Cell> {
         at: (place(columns, &LOG10_K_STAR)?, place(lines, &M_STAR)?),
         colour: bar.colour(force),
         label: if fits { words } else { String::new() },
-        case: row.text(&CASE_ID).to_owned(),
+        case: row.id().to_owned(),
         told: told(row, SHOWN),
     })
 }
@@ -112,8 +108,7 @@ mod tests {
 
     #[test]
     fn every_case_has_a_field_with_its_number() {
-        let directory = fixture::movable(&[0.3, 0.5], &STIFF, &HEAVY);
-        let data = Loaded::read(directory.path()).unwrap();
+        let (_directory, data) = fixture::read(fixture::movable(&[0.3, 0.5], &STIFF, &HEAVY));
         let figure = figures(&data).remove(0);
         let fields: Vec<_> = figure.drawing.charts.iter().map(|chart| chart.cells.len()).collect();
         assert_eq!(fields, [16, 15], "one case failed");

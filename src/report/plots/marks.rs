@@ -1,11 +1,11 @@
 //! From rows to points, and what captions say of them.
 
-use super::chart::{Curve, Point};
+use super::chart::{Curve, Point, points};
 use super::legend::Entry;
 use super::look::Look;
 use crate::quantities::Column;
 use crate::quantities::summary::{
-    CASE_ID, FORCE_COUPLING, LOG10_K_STAR, M_STAR, SEAWALL_MASS, SPRING_STIFFNESS,
+    FORCE_COUPLING, LOG10_K_STAR, M_STAR, SEAWALL_MASS, SPRING_STIFFNESS,
 };
 use crate::report::curves::distinct;
 use crate::report::number::{plain, with_digits, with_error};
@@ -19,7 +19,7 @@ pub fn point(row: &Row, x: f64, column: &Column) -> Option<Point> {
         y,
         error: row.error(column).filter(|error| error.is_finite()).unwrap_or(0.0),
         bound: row.is_bound(column),
-        case: row.text(&CASE_ID).to_owned(),
+        case: row.id().to_owned(),
         told: told(row, column),
         ..Point::default()
     })
@@ -53,7 +53,7 @@ pub fn by(
                 let words = said(cases.clone().map(|(_, row)| *row), column, own);
                 Entry::marked(words, Look::of(index)).keyed(key(column, own))
             }
-            None => Entry::marked(String::new(), Look::of(0)),
+            None => Entry::marked("", Look::of(0)),
         };
         (!points.is_empty()).then_some(Curve { entry, points })
     };
@@ -89,7 +89,7 @@ pub fn key(column: &Column, value: f64) -> String {
 
 /// What the legend says of bounds, where there are any.
 pub fn bounds(curves: &[Curve]) -> Option<Curve> {
-    let any = curves.iter().flat_map(|curve| &curve.points).any(|point| point.bound);
+    let any = points(curves).any(|point| point.bound);
     let entry = Entry::dots("lower bound: still moving at the end", Look::plain(), true);
     any.then_some(Curve { entry, points: Vec::new() })
 }

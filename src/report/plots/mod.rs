@@ -23,7 +23,6 @@ mod pen;
 mod printed;
 mod probes;
 mod response;
-mod shape;
 mod sheet;
 mod slices;
 mod swept;
@@ -33,7 +32,7 @@ mod trace;
 
 pub use accuracy::{Dot, error_against_time};
 pub(super) use axes::Axis;
-pub(super) use chart::{Chart, Curve, Point};
+pub(super) use chart::{Chart, Curve, Point, places, points};
 pub(super) use fixed_wall::{figures as at_fixed_walls, walls as fixed_walls};
 pub(super) use legend::Entry;
 pub(super) use look::Look;

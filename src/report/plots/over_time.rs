@@ -27,7 +27,7 @@ pub struct Line {
 impl Line {
     /// The `index`-th line of a figure.
     pub fn new(index: usize, label: &str, case: &str, points: Points) -> Line {
-        let entry = Entry::line(label.to_owned(), Look::of(index)).keyed(format!("case={case}"));
+        let entry = Entry::line(label, Look::of(index)).keyed(format!("case={case}"));
         Line { entry, case: case.to_owned(), points }
     }
 }
@@ -63,13 +63,10 @@ impl Strip {
     }
 
     fn chart(&self, x: &Axis) -> Option<Chart> {
-        let curve = |line: &Line| Curve {
-            entry: line.entry.clone(),
-            points: thin(&line.points).into_iter().map(Into::into).collect(),
-        };
+        let curve = |line: &Line| Curve::through(line.entry.clone(), thin(&line.points));
         let curves = self.curves.iter().map(curve).collect();
-        let x = (x.clone(), TIME.unit.axis(), TIME.name);
-        Some(Chart::new(x, (self.axis()?, &self.title, &self.name), curves))
+        let (axes, titles) = ((x.clone(), self.axis()?), [TIME.unit.axis(), &self.title]);
+        Some(Chart::new(axes, titles, [TIME.name, &self.name], curves))
     }
 }
 

@@ -3,8 +3,6 @@
 
 use svg::node::element::{Group, Path, Polyline, SVG, Text, Title};
 
-use super::shape::tidy;
-
 /// The colour of words and axes; a page replaces it with its own.
 pub const INK: &str = "#1c2329";
 /// The ground of a figure that stands alone.
@@ -89,4 +87,10 @@ pub fn hex([red, green, blue]: [u8; 3]) -> String {
 pub fn bare(svg: &SVG) -> String {
     let text = svg.to_string().replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
     text.replace(">\n", ">").replace("\n<", "<")
+}
+
+/// A length to the tenth of a pixel: on paper some 0.03 mm.
+pub fn tidy(length: f64) -> f64 {
+    let rounded = (length * 10.0).round() / 10.0;
+    if rounded == 0.0 { 0.0 } else { rounded }
 }

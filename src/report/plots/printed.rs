@@ -5,46 +5,28 @@ use super::legend::Entry;
 use super::look::Look;
 use crate::papers::{Printed, printed, scenes};
 use crate::quantities::Column;
-use crate::quantities::summary::{
-    CASE_ID, LOG10_K_STAR, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO,
-};
-use crate::report::config::some_configs;
+use crate::report::config::each_config;
 use crate::report::load::Loaded;
 use crate::report::row::{PLACE, Row};
 
 /// The legend's words.
 pub(in crate::report) const PRINTED: &str = "printed in the papers";
 
-/// Markers of a panel of response curves: what the papers print of the response in its cases, at their
-/// stiffness. None where they print nothing of them.
-pub fn of_response(data: &Loaded, column: &Column, rows: &[&Row]) -> Option<Curve> {
-    curve(data, column, rows, &LOG10_K_STAR)
-}
-
-/// Markers of a panel of fixed walls, at the measured or the nominal height of the wave.
-pub fn at_fixed_walls(
-    data: &Loaded,
-    column: &Column,
-    rows: &[&Row],
-    measured: bool,
-) -> Option<Curve> {
-    let wave = if measured { &MEASURED_WAVE_HEIGHT_RATIO } else { &WAVE_HEIGHT_RATIO };
-    curve(data, column, rows, wave)
-}
-
 /// How they look everywhere.
 pub(in crate::report) fn entry() -> Entry {
-    Entry::dots(PRINTED, Look::plain().printed(), false).keyed("printed".to_owned())
+    Entry::dots(PRINTED, Look::plain().printed(), false).keyed("printed")
 }
 
 /// A printed number as a point.
 pub(in crate::report) fn point(place: (f64, f64), row: &Row, printed: &Printed) -> Point {
     let told = format!("printed in Fig. {}: {} {}", printed.figure, printed.value, printed.unit);
-    let case = row.text(&CASE_ID).to_owned();
+    let case = row.id().to_owned();
     Point { open: true, case, told: told.trim_end().to_owned(), ..place.into() }
 }
 
-fn curve(data: &Loaded, column: &Column, rows: &[&Row], x: &Column) -> Option<Curve> {
+/// Markers of a panel: what the papers print of a column in its cases, at their places in the column `x`. None where
+/// they print nothing of them.
+pub fn beside(data: &Loaded, column: &Column, rows: &[&Row], x: &Column) -> Option<Curve> {
     let mut points: Vec<Point> = Vec::new();
     for number in printed().iter().filter(|number| number.quantity == column.name) {
         let own = rows.iter().filter(|row| number.holds_at(PLACE.map(|c| row.number(c))));
@@ -59,6 +41,6 @@ fn curve(data: &Loaded, column: &Column, rows: &[&Row], x: &Column) -> Option<Cu
 /// Whether a case has the scene of a printed number.
 fn is_theirs(data: &Loaded, row: &Row, number: &Printed) -> bool {
     let place = data.rows.iter().position(|other| std::ptr::eq(other, row));
-    let config = some_configs(data, place.into_iter()).pop().flatten();
+    let config = each_config(data, place.into_iter()).next().flatten();
     config.is_some_and(|config| scenes(&config.scene).any(|scene| scene == number.scene))
 }

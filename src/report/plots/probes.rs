@@ -3,7 +3,7 @@
 
 use super::Figure;
 use super::over_time::{self, Line, Strip};
-use crate::quantities::summary::CASE_ID;
+use crate::math::lists::different;
 use crate::report::curves::spread;
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
@@ -15,7 +15,7 @@ const CURVES: usize = 6;
 
 /// The figures of a few cases with gauges, spread over the sweep.
 pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
-    let rows: Vec<_> = data.finished().filter(|row| data.has_gauges(row.text(&CASE_ID))).collect();
+    let rows: Vec<_> = data.finished().filter(|row| data.has_gauges(row.id())).collect();
     let chosen = spread(&rows, CASES);
     let shown = if chosen.len() < rows.len() {
         format!(
@@ -29,8 +29,8 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     };
     let mut figures = Vec::new();
     for row in chosen {
-        let case_id = row.text(&CASE_ID);
-        let strips = strips(case_id, &data.gauges(case_id)?);
+        let case_id = row.id();
+        let strips = strips(case_id, &data.gauges(case_id)?.0);
         if strips.is_empty() {
             continue;
         }
@@ -52,12 +52,8 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
 
 /// Gauges by unit, in the order of their first column, at most [`CURVES`] together.
 fn strips(case_id: &str, gauges: &[Series]) -> Vec<Strip> {
-    let mut units: Vec<&str> = Vec::new();
-    for gauge in gauges.iter().filter(|gauge| gauge.points.len() > 1) {
-        if !units.contains(&gauge.unit.as_str()) {
-            units.push(&gauge.unit);
-        }
-    }
+    let recorded = gauges.iter().filter(|gauge| gauge.points.len() > 1);
+    let units = different(recorded.map(|gauge| gauge.unit.as_str()));
     let strips = |unit: &str| {
         let alike: Vec<_> = gauges.iter().filter(|gauge| gauge.unit == unit).collect();
         let (title, scale) = scale(unit);
@@ -96,8 +92,7 @@ mod tests {
     fn every_unit_has_a_panel() {
         let data = Loaded::read(fixture::dam_breaks(1).path()).unwrap();
         assert!(figures(&data).unwrap().is_empty(), "the directory is gone");
-        let directory = fixture::dam_breaks(1);
-        let data = Loaded::read(directory.path()).unwrap();
+        let (_directory, data) = fixture::read(fixture::dam_breaks(1));
         let figures = figures(&data).unwrap();
         assert_eq!(figures.len(), 1);
         for word in ["p, kPa", "level, m", "P1", "front"] {

@@ -2,10 +2,11 @@
 //! against the spring's stiffness, one panel per mass, one curve per wave height.
 
 use super::axes::Axis;
-use super::chart::{Chart, Curve};
+use super::chart::{Chart, Curve, places, reach};
 use super::marks::{bounds, by, coupling, key, marks, picked, point, said};
 use super::sheet::{Drawing, PANELS};
 use super::{DRAWN, Figure, SERIES, file_name, of_variant, printed};
+use crate::math::words::capitalised;
 use crate::quantities::summary::{LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, Unit};
 use crate::report::curves::{by_mass, distinct, responses, spread, stem, variants};
@@ -24,7 +25,7 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
             }
             let all: Vec<_> = by_mass(&rows).collect();
             let shown = spread(&all, SERIES);
-            let law = coupling(data.finished().filter(|row| *row.variant == *variant));
+            let law = coupling(data.of_variant(&variant));
             let what = capitalised(response.meaning);
             let of_masses = picked(shown.len(), all.len(), "masses");
             let count = distinct(rows.iter().copied(), &WAVE_HEIGHT_RATIO).len();
@@ -44,30 +45,26 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
     figures
 }
 
-fn capitalised(text: &str) -> String {
-    let mut letters = text.trim().chars();
-    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
-}
-
 fn drawing(data: &Loaded, response: &Column, masses: &[&[&Row]], waves: &[f64]) -> Drawing {
     let curves = |rows: &[&Row]| {
         let places = rows.iter().filter_map(|row| Some((row.number(&LOG10_K_STAR)?, *row)));
         let cases: Vec<_> = places.collect();
         let curves = by(&WAVE_HEIGHT_RATIO, waves, &cases, |x, row| point(row, x, response));
-        curves.into_iter().chain(printed::of_response(data, response, rows)).collect::<Vec<_>>()
+        curves
+            .into_iter()
+            .chain(printed::beside(data, response, rows, &LOG10_K_STAR))
+            .collect::<Vec<_>>()
     };
     let all: Vec<Curve> = masses.iter().flat_map(|rows| curves(rows)).collect();
-    let places = all.iter().flat_map(|curve| &curve.points).map(|point| point.x);
     let floor = if response.unit == Unit::Force { 1.0 } else { 0.0 };
-    let x = Axis::around(places, 6.0);
-    let y = Axis::around(all.iter().flat_map(Curve::reach).chain([floor]), 6.0);
+    let x = Axis::around(places(&all), 6.0);
+    let y = Axis::around(reach(&all).chain([floor]), 6.0);
     let (x, y) = x.zip(y).expect("a response has points, and points are finite");
     let chart = |rows: &&[&Row]| {
         let mass = rows[0].number(&M_STAR).unwrap_or_default();
-        let (title, up) = (LOG10_K_STAR.heading(), response.unit.axis());
-        let x = (x.clone(), title.as_str(), LOG10_K_STAR.name);
+        let (title, names) = (LOG10_K_STAR.heading(), [LOG10_K_STAR.name, response.name]);
         let curves = curves(rows).into_iter().chain(bounds(&all)).collect();
-        Chart::new(x, (y.clone(), up, response.name), curves)
+        Chart::new((x.clone(), y.clone()), [&title, response.unit.axis()], names, curves)
             .under(said(rows.iter().copied(), &M_STAR, mass), key(&M_STAR, mass))
     };
     Drawing::new(masses.iter().map(chart).collect(), PANELS)
@@ -82,8 +79,7 @@ mod tests {
 
     #[test]
     fn bars_are_told_where_there_are_any() {
-        let directory = fixture::sweep();
-        let mut data = Loaded::read(directory.path()).unwrap();
+        let (_directory, mut data) = fixture::read(fixture::sweep());
         assert!(figures(&data).iter().all(|f| !f.caption.contains("Bars")));
         for row in &mut data.rows {
             *row = row.clone().with(&FORCE_ERROR, 0.03);
@@ -97,8 +93,8 @@ mod tests {
 
     #[test]
     fn masses_and_waves_of_a_range_are_rounded_in_labels() {
-        let directory = fixture::movable(&[0.3, 0.316_227_766], &[10.0, 500.0], &[46.415_888_3]);
-        let data = Loaded::read(directory.path()).unwrap();
+        let (_directory, data) =
+            fixture::read(fixture::movable(&[0.3, 0.316_227_766], &[10.0, 500.0], &[46.415_888_3]));
         let svg = figures(&data)[0].inline(Place::Usual);
         assert!(svg.contains(">H/h = 0.3162<") && svg.contains(">m = 46.42 kg/m (m* = 1.16)<"));
         assert!(!svg.contains(">H/h = 0.316227766<") && !svg.contains("m* = 1.1603"));

@@ -8,9 +8,9 @@ use super::chart::Chart;
 use super::frame::{Frame, Margins};
 use super::legend::{Entry, list, rows};
 use super::panel::panel;
-use super::pen::{GROUND, INK, bare};
-use super::shape::tidy;
+use super::pen::{GROUND, INK, bare, tidy};
 use super::text::FAMILY;
+use crate::math::lists::different;
 
 /// Between panels, and around them all, CSS pixels.
 const GAP: f64 = 14.0;
@@ -150,13 +150,8 @@ impl Drawing {
 
     /// What the legend says: every curve with words, once.
     fn entries(&self) -> Vec<Entry> {
-        let mut entries: Vec<Entry> = Vec::new();
-        for entry in self.charts.iter().flat_map(|chart| &chart.curves).map(|curve| &curve.entry) {
-            if !entry.label.is_empty() && !entries.contains(entry) {
-                entries.push(entry.clone());
-            }
-        }
-        entries
+        let all = self.charts.iter().flat_map(|chart| &chart.curves).map(|curve| &curve.entry);
+        different(all.filter(|entry| !entry.label.is_empty())).into_iter().cloned().collect()
     }
 }
 

@@ -3,7 +3,7 @@
 //! below is the same at another value of a second parameter; curves are of the third.
 
 use super::axes::Axis;
-use super::chart::{Chart, Curve, Point};
+use super::chart::{Chart, Curve, Point, places, points, reach};
 use super::marks::{bounds, by, coupling, key, marks, picked, point, said};
 use super::sheet::{Drawing, PANELS};
 use super::{DRAWN, Figure, SERIES, file_name, of_variant};
@@ -75,7 +75,7 @@ const SLICES: [Slice; 3] = [
 pub fn figures(data: &Loaded) -> Vec<Figure> {
     let mut figures = Vec::new();
     for variant in variants(&data.rows) {
-        let rows: Vec<_> = data.finished().filter(|row| *row.variant == *variant).collect();
+        let rows: Vec<_> = data.of_variant(&variant).collect();
         figures.extend(SLICES.iter().filter_map(|slice| slice.figure(&rows, &variant)));
     }
     figures
@@ -144,8 +144,8 @@ impl Slice {
             let all: Vec<_> = held.iter().flat_map(|held| curves(*held, column)).collect();
             let (x, y) = self.axes(column, &all)?;
             let drawn = curves(value, column).into_iter().chain(bounds(&all)).collect();
-            let y = (y, column.unit.axis(), column.name);
-            let mut chart = Chart::new((x, title.as_str(), self.along.name), y, drawn);
+            let (titles, names) = ([&title, column.unit.axis()], [self.along.name, column.name]);
+            let mut chart = Chart::new((x, y), titles, names, drawn);
             chart.spare = !kept.contains(&value);
             let heading = said(rows.iter().copied(), self.rows, value);
             Some(chart.under(heading, key(self.rows, value)))
@@ -155,19 +155,17 @@ impl Slice {
     }
 
     fn axes(&self, column: &Column, curves: &[Curve]) -> Option<(Axis, Axis)> {
-        let points = || curves.iter().flat_map(|curve| &curve.points);
-        let places = || points().map(|point| point.x);
         let x = if self.logarithmic {
-            Axis::logarithmic(places())
+            Axis::logarithmic(places(curves))
         } else {
-            Axis::around(places(), 5.0)
+            Axis::around(places(curves), 5.0)
         };
         let y = if self.logarithmic && column.unit == Unit::Displacement {
             // An arrow needs room above its marker.
             let top = |point: &Point| if point.bound { ARROW * point.y } else { point.y };
-            Axis::logarithmic(points().flat_map(|point| [point.y, top(point)]))
+            Axis::logarithmic(points(curves).flat_map(|point| [point.y, top(point)]))
         } else {
-            Axis::around(curves.iter().flat_map(Curve::reach), 6.0)
+            Axis::around(reach(curves), 6.0)
         };
         x.zip(y)
     }

@@ -4,13 +4,14 @@
 use toml::Value;
 
 use super::axes::Axis;
-use super::chart::{Chart, Curve};
+use super::chart::{Chart, reach};
 use super::marks::{bounds, by, coupling, marks, picked, point};
 use super::sheet::{Drawing, PANELS};
 use super::{Figure, SERIES, file_name, of_variant};
+use crate::keys::read_value;
 use crate::math::scale::Scale;
 use crate::quantities::summary::{
-    CASE_ID, DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, LOG10_K_STAR,
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, LOG10_K_STAR,
     OVERTOPPING_VOLUME, RUNUP_MAX, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, heading};
@@ -18,7 +19,7 @@ use crate::report::curves::{by_mass, distinct, responses, spread, variants};
 use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::row::Row;
-use crate::report::study::{Key, literal};
+use crate::report::study::Key;
 
 /// What is drawn, and what stands in for it where a case has no first impact.
 const DRAWN: [(&Column, Option<&Column>); 4] = [
@@ -61,7 +62,7 @@ fn cases<'a>(data: &'a Loaded, key: &Key) -> Vec<Case<'a>> {
 
 /// Mean slope of a bed from where it leaves the level to the wall; 0 of a level one.
 fn slope(cell: &str) -> Option<f64> {
-    let bed = literal(cell);
+    let bed = read_value(cell);
     let number = |point: &Value, at: usize| crate::keys::number(point.get(at)?);
     let point = |point: &Value| Some([number(point, 0)?, number(point, 1)?]);
     let points: Vec<_> = bed.as_array()?.iter().map(point).collect::<Option<_>>()?;
@@ -78,7 +79,7 @@ fn title(key: &Key) -> String {
 
 /// Whether a row has its place on the key's axis.
 pub fn holds(data: &Loaded, key: &Key, row: &Row) -> bool {
-    cases(data, key).iter().any(|(_, other)| other.text(&CASE_ID) == row.text(&CASE_ID))
+    cases(data, key).iter().any(|(_, other)| other.id() == row.id())
 }
 
 /// The figures of every combination of what else was swept.
@@ -113,8 +114,7 @@ pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
 
 /// What else was swept, as far as it varies.
 fn others(data: &Loaded, key: &Key, row: &Row) -> String {
-    let index =
-        data.rows.iter().position(|other| other.text(&CASE_ID) == row.text(&CASE_ID)).unwrap_or(0);
+    let index = data.rows.iter().position(|other| other.id() == row.id()).unwrap_or(0);
     let varies = |other: &&Key| {
         other.name != key.name
             && other.name != WAVE_HEIGHT_RATIO.name
@@ -156,12 +156,11 @@ fn drawing(key: &Key, group: &[Case], waves: &[f64]) -> Option<Drawing> {
         let whole = whole.unwrap_or(column);
         let point = |x: f64, row: &Row| point(row, x, column).or_else(|| point(row, x, whole));
         let mut curves = by(&WAVE_HEIGHT_RATIO, waves, group, point);
-        let y = Axis::around(curves.iter().flat_map(Curve::reach), 6.0)?;
+        let y = Axis::around(reach(&curves), 6.0)?;
         curves.extend(bounds(&curves));
-        let x = (x.clone(), title.as_str(), key.name.as_str());
         let heading = column.heading();
         let what = if column.unit.is_ratio() { column.unit.axis() } else { &heading };
-        Some(Chart::new(x, (y, what, column.name), curves))
+        Some(Chart::new((x.clone(), y), [&title, what], [&key.name, column.name], curves))
     };
     let charts: Vec<_> = DRAWN.into_iter().filter_map(chart).collect();
     (!charts.is_empty()).then_some(Drawing::new(charts, PANELS))
@@ -202,10 +201,10 @@ mod tests {
         assert_eq!(slope("[[0, 0], [1, 0], [3, 0.5]]"), Some(0.25));
         assert_eq!(slope("[[0, 0], [2.5, 0]]"), Some(0.0));
         assert_eq!(slope("[[0, 0], [2.5, 0], [2.5, 0.1]]"), None, "a step at the wall");
-        let directory = fixture::movable(&[0.3], &[500.0], &[50.0, 100.0]);
-        let mut data = Loaded::read(directory.path()).unwrap();
+        let (_directory, mut data) =
+            fixture::read(fixture::movable(&[0.3], &[500.0], &[50.0, 100.0]));
         let cells = ["[[0, 0], [1, 0], [2, 0.1]]", "[[0, 0], [1, 0], [2, 0.05]]"];
-        data.keys = vec![Key { name: BED.to_owned(), cells: cells.into_iter().collect() }];
+        data.keys = vec![Key::new(BED, cells)];
         let figures = figures(&data, key(&data).unwrap());
         assert_eq!(figures.len(), 1);
         assert!(figures[0].svg().contains("mean slope of the bed"));
@@ -219,8 +218,7 @@ mod tests {
 
     #[test]
     fn scenes_without_a_wave_have_one_curve() {
-        let directory = fixture::dam_breaks(5);
-        let data = Loaded::read(directory.path()).unwrap();
+        let (_directory, data) = fixture::read(fixture::dam_breaks(5));
         let figures = figures(&data, key(&data).unwrap());
         assert_eq!(figures.len(), 1);
         assert!(figures[0].svg().contains("column height, m"));

@@ -6,8 +6,7 @@ use super::chart::{Cell, Curve, Point};
 use super::frame::Frame;
 use super::labels::place;
 use super::look::{DOTS, Look};
-use super::pen::{Align, arrow, drawn, group, hex, line, strokes, text, told};
-use super::shape::tidy;
+use super::pen::{Align, arrow, drawn, group, hex, line, strokes, text, tidy, told};
 use super::text::{SMALL, width};
 
 /// All that a curve has in a panel.

@@ -1,16 +1,17 @@
 //! Fig. 5 of Liang et al. 2017: the force on a fixed wall around the largest runup, one panel for low and
 //! one for high waves.
 
-use super::{Drawn, Material, drawn, panel};
+use super::{Drawn, Material, drawn};
 use crate::quantities::history::FORCE;
-use crate::quantities::summary::{CASE_ID, RUNUP_MAX, WAVE_HEIGHT_RATIO};
+use crate::quantities::summary::{RUNUP_MAX, WAVE_HEIGHT_RATIO};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
-use crate::report::plots::{Axis, Curve, Entry, Layout, Look, key, lasting};
+use crate::report::plots::{Axis, Chart, Curve, Entry, Layout, Look, key, lasting};
 use crate::report::row::{Row, label};
 
 /// How far around, over √(h/g).
 const REACH: f64 = 6.0;
+
 /// √(h/g) of the papers' tank, seconds.
 fn unit_s() -> f64 {
     (0.2_f64 / 9.81).sqrt()
@@ -19,41 +20,32 @@ fn unit_s() -> f64 {
 pub fn drawing(material: &Material, panels: &[Vec<f64>]) -> Result<Option<Drawn>, ReportError> {
     let mut charts = Vec::new();
     for waves in panels {
-        let mut curves = Vec::new();
+        let (mut curves, mut heights) = (Vec::new(), Vec::new());
         for (data, row) in material.cases() {
             let wave = row.number(&WAVE_HEIGHT_RATIO).filter(|wave| waves.contains(wave));
             let Some(wave) = wave else { continue };
             // The panels share a legend, so no two waves may look alike.
             let index = panels.iter().flatten().position(|other| *other == wave).unwrap_or(0);
-            let points = points(data, row)?;
             let entry = Entry::line(label(&WAVE_HEIGHT_RATIO, wave), Look::of(index));
-            let entry = entry.keyed(key(&WAVE_HEIGHT_RATIO, wave));
-            curves.push((
-                Curve { entry, points: points.iter().map(|&p| p.into()).collect() },
-                points,
-            ));
+            let points = points(data, row)?;
+            heights.extend(lasting(&points));
+            curves.push(Curve::through(entry.keyed(key(&WAVE_HEIGHT_RATIO, wave)), points));
         }
-        let heights = curves.iter().flat_map(|(_, points)| lasting(points));
-        let axes = Axis::within([-REACH, REACH].into_iter(), 6.0).zip(Axis::around(heights, 6.0));
-        let Some((x, y)) = axes else { continue };
+        let y = Axis::around(heights.into_iter(), 6.0);
+        let Some(axes) = Axis::within([-REACH, REACH].into_iter(), 6.0).zip(y) else { continue };
         let titles = ["(t − t₀) / √(h/g), t₀ at the largest runup", FORCE.unit.axis()];
-        let (curves, heading) =
-            (curves.into_iter().map(|(curve, _)| curve).collect(), String::new());
         let names = ["time_from_largest_runup", FORCE.name];
-        charts.push(panel(heading, titles.map(str::to_owned), names, (x, y), curves));
-    }
-    if charts.is_empty() {
-        return Ok(None);
+        charts.push(Chart::new(axes, titles, names, curves));
     }
     let layout = Layout { columns: 1, size: (560.0, 260.0) };
-    Ok(drawn(charts, layout, "The force is unfiltered.".to_owned()))
+    Ok(drawn(charts, layout, "The force is unfiltered."))
 }
 
 /// The force around the largest runup of a case.
 fn points(data: &Loaded, row: &Row) -> Result<Vec<(f64, f64)>, ReportError> {
-    let history = data.history(row.text(&CASE_ID))?;
-    let (force, top) = (history.into_iter().find(|s| s.name == FORCE.name), row.time(&RUNUP_MAX));
-    let Some((force, top)) = force.zip(top) else { return Ok(Vec::new()) };
-    let points = force.points.into_iter().map(|(time, force)| ((time - top) / unit_s(), force));
-    Ok(points.filter(|(time, _)| time.abs() <= REACH).collect())
+    let history = data.history(row.id())?;
+    let Some(top) = row.time(&RUNUP_MAX) else { return Ok(Vec::new()) };
+    let force =
+        history.points(FORCE.name).iter().map(|(time, force)| ((time - top) / unit_s(), *force));
+    Ok(force.filter(|(time, _)| time.abs() <= REACH).collect())
 }

@@ -1,15 +1,14 @@
 //! What gauges recorded, one panel for each, one curve per case: Figs. 3, 7 and 11 of Huang et al. 2019.
 
-use super::laws::{order, words};
-use super::{Drawn, Material, drawn, panel};
-use crate::keys::number;
+use super::laws::{looks, words};
+use super::{Drawn, Material, drawn};
 use crate::papers::PAPER_CLOCK_CENTRE_S;
-use crate::quantities::summary::{CASE_ID, STROKE_CENTRE};
-use crate::report::config::{Config, configs, gauges};
+use crate::quantities::summary::STROKE_CENTRE;
+use crate::report::config::{Config, gauges};
 use crate::report::error::ReportError;
-use crate::report::plots::{Axis, Curve, Entry, Layout, Look, Point, lasting};
+use crate::report::plots::{Axis, Chart, Curve, Entry, Layout, Look, Point, lasting, places};
 use crate::report::row::Row;
-use crate::report::series::Series;
+use crate::report::series::History;
 
 /// Pressures at the wall behind a dam break: t√(g/H) and p/(ρgH).
 const MEASURED: &str = include_str!("../../../data/buchner_2002_dam_break.csv");
@@ -20,8 +19,8 @@ const MOST: usize = 600;
 /// One case and what it recorded.
 struct Case<'a> {
     row: &'a Row,
-    config: Config,
-    series: Vec<Series>,
+    config: &'a Config,
+    gauges: History,
 }
 
 pub fn drawing(
@@ -30,17 +29,14 @@ pub fn drawing(
     column: bool,
     measured: bool,
 ) -> Result<Option<Drawn>, ReportError> {
-    let (mut cases, mut heights) = (Vec::new(), Vec::new());
-    for data in material.studies {
-        for (row, config) in data.rows.iter().zip(configs(data)).filter(|(row, _)| row.is_ok()) {
-            let Some(config) = config else { continue };
-            cases.push(Case { row, config, series: data.gauges(row.text(&CASE_ID))? });
-        }
-        heights.extend(gauges(data));
+    let mut cases = Vec::new();
+    for (data, row, config) in material.known() {
+        cases.push(Case { row, config, gauges: data.gauges(row.id())? });
     }
+    let heights: Vec<_> = material.studies.iter().flat_map(|study| gauges(study.data)).collect();
     let rows: Vec<_> = cases.iter().map(|case| case.row).collect();
     let words = words(&rows);
-    let order = order(&words);
+    let looks = looks(&words);
     let still = |name: &str| {
         let height = heights.iter().find(|gauge| gauge.name == name)?.y_m?;
         let case = cases.first().filter(|case| case.row.number(&STROKE_CENTRE).is_none())?;
@@ -49,32 +45,24 @@ pub fn drawing(
     let mut charts = Vec::new();
     for name in names {
         let (mut curves, mut reach) = (Vec::new(), Vec::new());
-        for (case, word) in cases.iter().zip(&words) {
+        for ((case, word), look) in cases.iter().zip(&words).zip(&looks) {
             let points = case.points(name, column);
             reach.extend(if measured { bulk(&points) } else { lasting(&points) });
-            let look = Look::of(order.iter().position(|other| *other == word).unwrap_or(0));
-            let points = thin(&points).into_iter().map(Point::from).collect();
-            let key = format!("case={}", case.row.text(&CASE_ID));
-            let entry = Entry::line(word.clone(), look).keyed(key);
-            curves.push(Curve { entry, points });
+            let key = format!("case={}", case.row.id());
+            curves.push(Curve::through(Entry::line(word, *look).keyed(key), thin(&points)));
         }
-        let ends = curves.iter().flat_map(|curve| &curve.points).map(|point| point.x);
-        let Some(x) = Axis::within(ends, 7.0) else { continue };
+        let Some(x) = Axis::within(places(&curves), 7.0) else { continue };
         if measured {
             let measured = measurements();
             reach.extend(measured.points.iter().map(|point| point.y));
             curves.push(measured);
         } else if let Some(level) = still(name) {
-            curves.push(at_rest(level, &curves));
+            curves.push(Curve::level("ρg times the depth", level, &curves));
             reach.push(level);
         }
         let Some(y) = Axis::around(reach.into_iter(), 4.0) else { continue };
         let titles = if column { ["t √(g/H)", "p / (ρgH)"] } else { ["t, s", "p / (ρgh)"] };
-        let names = ["time", name.as_str()];
-        charts.push(panel(name.clone(), titles.map(str::to_owned), names, (x, y), curves));
-    }
-    if charts.is_empty() {
-        return Ok(None);
+        charts.push(Chart::new((x, y), titles, ["time", name], curves).under(name, ""));
     }
     let columns = if charts.len() > 2 { 2 } else { 1 };
     let size = if columns == 2 { (390.0, 210.0) } else { (640.0, 250.0) };
@@ -90,30 +78,22 @@ pub fn drawing(
 }
 
 impl Case<'_> {
-    fn value(&self, key: &str) -> Option<f64> {
-        self.config.scene.get(key).and_then(number)
-    }
-
     /// Of the column, or of the still water, m.
     fn height(&self, column: bool) -> Option<f64> {
-        self.value(if column { "column_height_m" } else { "still_water_depth_m" })
+        self.config.value(if column { "column_height_m" } else { "still_water_depth_m" })
     }
 
     /// A gauge over time: scaled by the column, or on the papers' clock with pressures over ρgh.
     fn points(&self, name: &str, column: bool) -> Vec<(f64, f64)> {
-        let series = self.series.iter().find(|series| series.name == name);
-        let scales = [
-            self.value("water_density_kg_per_m3"),
-            self.value("gravity_m_per_s2"),
-            self.height(column),
-        ];
-        let (Some(series), [Some(density), Some(gravity), Some(height)]) = (series, scales) else {
+        let scales =
+            ["water_density_kg_per_m3", "gravity_m_per_s2"].map(|key| self.config.value(key));
+        let ([Some(density), Some(gravity)], Some(height)) = (scales, self.height(column)) else {
             return Vec::new();
         };
         let centre = self.row.number(&STROKE_CENTRE).map_or(0.0, |c| c - PAPER_CLOCK_CENTRE_S);
         let unit = if column { (height / gravity).sqrt() } else { 1.0 };
         let scaled = |&(t, p): &(f64, f64)| ((t - centre) / unit, p / (density * gravity * height));
-        series.points.iter().map(scaled).collect()
+        self.gauges.points(name).iter().map(scaled).collect()
     }
 }
 
@@ -128,13 +108,6 @@ fn bulk(points: &[(f64, f64)]) -> Vec<f64> {
     values.sort_by(f64::total_cmp);
     let aside = values.len() / 100;
     values[aside..values.len() - aside].to_vec()
-}
-
-fn at_rest(level: f64, curves: &[Curve]) -> Curve {
-    let times = curves.iter().flat_map(|curve| &curve.points).map(|point| point.x);
-    let (low, high) = times.fold((f64::MAX, f64::MIN), |(l, h), t| (l.min(t), h.max(t)));
-    let entry = Entry::line("ρg times the depth".to_owned(), Look::plain());
-    Curve { entry, points: vec![(low, level).into(), (high, level).into()] }
 }
 
 fn measurements() -> Curve {

@@ -1,16 +1,16 @@
 //! Columns of histories over time, one row of panels for each, one column for each factor s: Figs. 4, 7 and
 //! 9 to 12 of Liang et al. 2017, Fig. 15 of Huang et al. 2019.
 
-use super::laws::{heading, laws, order, stands, words};
-use super::{Drawn, Material, drawn, panel};
+use super::laws::{heading, laws, looks, stands, words};
+use super::{Drawn, Material, drawn};
 use crate::papers::{PAPER_CLOCK_CENTRE_S, Printed, printed};
 use crate::quantities::history;
-use crate::quantities::summary::{CASE_ID, STROKE_CENTRE};
+use crate::quantities::summary::STROKE_CENTRE;
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::papers::{self, Found, on_their_clock};
 use crate::report::plots::{
-    Axis, Curve, Entry, Layout, Look, Point, lasting, printed_entry, printed_point,
+    Axis, Chart, Curve, Entry, Layout, Point, lasting, places, printed_entry, printed_point,
 };
 use crate::report::row::Row;
 
@@ -37,8 +37,8 @@ pub fn drawing(
             panels.push((name, law, strip(material, &cases, &words, name, law)?));
         }
     }
-    let times = panels.iter().flat_map(|(.., panel)| &panel.curves).flat_map(|curve| &curve.points);
-    let Some(x) = Axis::within(times.map(|point| point.x), 6.0) else { return Ok(None) };
+    let times = panels.iter().flat_map(|(.., panel)| places(&panel.curves));
+    let Some(x) = Axis::within(times, 6.0) else { return Ok(None) };
     let on_clock = rows.iter().any(|row| row.number(&STROKE_CENTRE).is_some());
     let clock = if on_clock { "t, s, on the papers' clock" } else { "t, s" };
     let mut charts = Vec::new();
@@ -49,13 +49,14 @@ pub fn drawing(
     let heights: Vec<_> = panels.iter().map(|(name, ..)| heights(name)).collect();
     for ((name, law, mut strip), heights) in panels.into_iter().zip(heights) {
         if let Some(level) = line.filter(|_| *name == columns[0]) {
-            strip.curves.push(threshold(level, &strip.curves));
+            strip.curves.push(Curve::level(format!("threshold, {level}"), level, &strip.curves));
         }
         let unit = history::ALL.iter().find(|column| column.name == *name);
         let Some(y) = Axis::around(heights.into_iter().chain(line), 5.0) else { continue };
         let heading = if *name == columns[0] { heading(law) } else { String::new() };
-        let titles = [clock.to_owned(), unit.map_or("", |column| column.unit.axis()).to_owned()];
-        charts.push(panel(heading, titles, ["time_s", name], (x.clone(), y), strip.curves));
+        let titles = [clock, unit.map_or("", |column| column.unit.axis())];
+        let chart = Chart::new((x.clone(), y), titles, ["time_s", name], strip.curves);
+        charts.push(chart.under(heading, ""));
     }
     let columns = laws(rows.iter().copied()).len();
     let size = if columns > 1 { (390.0, 210.0) } else { (620.0, 240.0) };
@@ -71,14 +72,6 @@ pub fn drawing(
     Ok(drawn(charts, layout, caption))
 }
 
-/// A level over the whole of the axis.
-fn threshold(level: f64, curves: &[Curve]) -> Curve {
-    let times = curves.iter().flat_map(|curve| &curve.points).map(|point| point.x);
-    let (low, high) = times.fold((f64::MAX, f64::MIN), |(l, h), t| (l.min(t), h.max(t)));
-    let entry = Entry::line(format!("threshold, {level}"), Look::plain());
-    Curve { entry, points: vec![(low, level).into(), (high, level).into()] }
-}
-
 fn strip(
     material: &Material,
     cases: &[(&Loaded, &Row)],
@@ -86,26 +79,26 @@ fn strip(
     name: &str,
     law: Option<f64>,
 ) -> Result<Strip, ReportError> {
-    let order = order(words);
+    let looks = looks(words);
     let first = laws(cases.iter().map(|(_, row)| *row)).into_iter().next().flatten();
     let mut strip = Strip { curves: Vec::new(), heights: Vec::new() };
     let mut marks: Vec<Curve> = Vec::new();
-    for ((data, row), word) in cases.iter().zip(words).filter(|((_, row), _)| stands(row, law)) {
-        let look = order.iter().position(|other| *other == word).unwrap_or(0);
+    for (((data, row), word), look) in cases.iter().zip(words).zip(looks) {
+        if !stands(row, law) {
+            continue;
+        }
         let points = points(data, row, name)?;
         strip.heights.extend(lasting(&points));
-        let points = points.into_iter().map(Point::from).collect();
-        let key = format!("case={}", row.text(&CASE_ID));
         // One line of the legend stands for the same wall in every column.
-        let label = if law == first { word.clone() } else { String::new() };
-        let entry = Entry::line(label, Look::of(look)).keyed(key);
-        strip.curves.push(Curve { entry, points });
+        let label = if law == first { word } else { "" };
+        let entry = Entry::line(label, look).keyed(format!("case={}", row.id()));
+        strip.curves.push(Curve::through(entry, points));
         let own = material.of(row).filter_map(|found| {
             mark(found, name).map(|place| printed_point(place, row, found.printed))
         });
         let own: Vec<Point> = own.collect();
         strip.heights.extend(own.iter().map(|mark| mark.y));
-        let entry = Entry::dots("", Look::of(look).printed(), false).keyed("printed".to_owned());
+        let entry = Entry::dots("", look.printed(), false).keyed("printed");
         marks.push(Curve { entry, points: own });
     }
     if marks.iter().any(|curve| !curve.points.is_empty()) {
@@ -117,12 +110,10 @@ fn strip(
 
 /// A column of a case's history on the papers' clock, or on its own where no paddle moves.
 fn points(data: &Loaded, row: &Row, name: &str) -> Result<Vec<(f64, f64)>, ReportError> {
-    let history = data.history(row.text(&CASE_ID))?;
-    let Some(series) = history.into_iter().find(|series| series.name == name) else {
-        return Ok(Vec::new());
-    };
-    let Some(centre) = row.number(&STROKE_CENTRE) else { return Ok(series.points) };
-    let shifted = series.points.into_iter().map(|(t, y)| (t - centre + PAPER_CLOCK_CENTRE_S, y));
+    let history = data.history(row.id())?;
+    let points = history.points(name).iter().copied();
+    let Some(centre) = row.number(&STROKE_CENTRE) else { return Ok(points.collect()) };
+    let shifted = points.map(|(t, y)| (t - centre + PAPER_CLOCK_CENTRE_S, y));
     Ok(shifted.filter(|point| point.0 >= FROM_S).collect())
 }
 

@@ -1,9 +1,11 @@
 //! Columns of panels by the factor s of the wall's law of motion, and words that tell cases apart.
 
+use crate::math::lists::different;
 use crate::quantities::summary::{BOUNDARY, FORCE_COUPLING, SCHEME};
 use crate::report::curves::distinct;
 use crate::report::number;
 use crate::report::papers::others;
+use crate::report::plots::Look;
 use crate::report::row::{PLACE, Row, label};
 
 /// The factors s of the movable walls, the law as printed first; one without a value where none moves.
@@ -55,15 +57,11 @@ pub fn words(rows: &[&Row]) -> Vec<String> {
     rows.iter().map(word).collect()
 }
 
-/// The different words, in their order: the place among them is a curve's colour.
-pub fn order(words: &[String]) -> Vec<&String> {
-    let mut order: Vec<&String> = Vec::new();
-    for word in words {
-        if !order.contains(&word) {
-            order.push(word);
-        }
-    }
-    order
+/// A look for each of these words, the same for the same ones.
+pub fn looks(words: &[String]) -> Vec<Look> {
+    let order = different(words);
+    let place = |word: &String| order.iter().position(|other| *other == word).unwrap_or(0);
+    words.iter().map(|word| Look::of(place(word))).collect()
 }
 
 #[cfg(test)]

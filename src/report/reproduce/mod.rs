@@ -11,14 +11,14 @@ mod laws;
 mod response;
 mod step_time;
 mod surfaces;
-mod walls;
 
 use std::path::PathBuf;
 
+use super::config::Config;
 use super::error::ReportError;
 use super::load::Loaded;
 use super::papers::{self, Cases, Found, confront};
-use super::plots::{self, Axis, Chart, Curve, Drawing, Figure, Layout};
+use super::plots::{self, Chart, Drawing, Figure, Layout};
 use super::row::Row;
 use super::tables::Table;
 use crate::papers::{Draw, Recipe, paper};
@@ -43,33 +43,28 @@ struct Drawn {
 }
 
 /// Panels of this outer size, so many in a row; nothing without panels.
-fn drawn(charts: Vec<Chart>, layout: Layout, caption: String) -> Option<Drawn> {
+fn drawn(charts: Vec<Chart>, layout: Layout, caption: impl Into<String>) -> Option<Drawn> {
     let any = !charts.is_empty();
-    any.then(|| Drawn { drawing: Drawing::new(charts, layout), caption })
-}
-
-/// A panel: what stands above it, titles of the axes, names of their quantities.
-fn panel(
-    heading: String,
-    titles: [String; 2],
-    names: [&str; 2],
-    (x, y): (Axis, Axis),
-    curves: Vec<Curve>,
-) -> Chart {
-    let (x, y) = ((x, titles[0].as_str(), names[0]), (y, titles[1].as_str(), names[1]));
-    Chart::new(x, y, curves).under(heading, String::new())
+    any.then(|| Drawn { drawing: Drawing::new(charts, layout), caption: caption.into() })
 }
 
 /// What drawings are made from.
 struct Material<'a> {
-    studies: &'a [Loaded],
+    studies: &'a [Cases<'a>],
     found: &'a [Found<'a>],
 }
 
 impl<'a> Material<'a> {
     /// All finished cases, each with its study.
     fn cases(&self) -> Vec<(&'a Loaded, &'a Row)> {
-        let cases = |data: &'a Loaded| data.finished().map(move |row| (data, row));
+        let cases = |study: &'a Cases<'a>| study.data.finished().map(|row| (study.data, row));
+        self.studies.iter().flat_map(cases).collect()
+    }
+
+    /// Those of which all values are known.
+    fn known(&self) -> Vec<(&'a Loaded, &'a Row, &'a Config)> {
+        let cases =
+            |study: &'a Cases<'a>| study.finished().map(|(row, config)| (study.data, row, config));
         self.studies.iter().flat_map(cases).collect()
     }
 
@@ -93,7 +88,7 @@ pub fn reproduce(recipe: &Recipe, directories: &[PathBuf]) -> Result<Reproduced,
     }
     let draw = recipe.draw.as_ref();
     found.retain(|one| draw.is_some_and(|draw| belongs(recipe, draw, one)));
-    let material = Material { studies: &studies, found: &found };
+    let material = Material { studies: &cases, found: &found };
     let nothing = || ReportError::Draw {
         figure: recipe.title(),
         reason: "no finished case fills it".to_owned(),
@@ -101,7 +96,7 @@ pub fn reproduce(recipe: &Recipe, directories: &[PathBuf]) -> Result<Reproduced,
     let drawing = match draw.ok_or_else(nothing)? {
         Draw::Response { column } => response::drawing(&material, column)?,
         Draw::Histories { columns, line } => histories::drawing(&material, columns, *line)?,
-        Draw::Walls => walls::drawing(&material)?,
+        Draw::Walls => walls(&material),
         Draw::AroundRunup { panels } => around_runup::drawing(&material, panels)?,
         Draw::Surfaces { times_s, first_order } => {
             surfaces::drawing(&material, times_s, *first_order)?
@@ -134,6 +129,13 @@ pub fn reproduce(recipe: &Recipe, directories: &[PathBuf]) -> Result<Reproduced,
         beside: papers::beside(&found),
         sentences: if found.is_empty() { Vec::new() } else { papers::sentences(&found) },
     })
+}
+
+/// Fig. 3 of Liang et al. 2017: the report's own figure of fixed walls.
+fn walls(material: &Material) -> Option<Drawn> {
+    let figure = |study: &Cases| plots::at_fixed_walls(study.data).into_iter().next();
+    let Figure { drawing, caption, .. } = material.studies.iter().find_map(figure)?;
+    Some(Drawn { drawing, caption })
 }
 
 /// Whether a printed number belongs beside a figure: its own, and those of the same cases that it draws.

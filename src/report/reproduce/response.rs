@@ -2,14 +2,14 @@
 //! each mass, one column for each factor s, one curve per wave.
 
 use super::laws::{heading, laws, stands};
-use super::{Drawn, Material, drawn, panel};
+use super::{Drawn, Material, drawn};
 use crate::quantities::summary::{LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, Unit, named};
 use crate::report::curves::distinct;
 use crate::report::error::ReportError;
 use crate::report::papers::Found;
 use crate::report::plots::{
-    Axis, Curve, Entry, Layout, Look, Point, case_point, key, printed_entry, printed_point,
+    Axis, Chart, Curve, Entry, Layout, Look, Point, case_point, key, printed_entry, printed_point,
 };
 use crate::report::row::{Row, label};
 
@@ -38,10 +38,10 @@ pub fn drawing(material: &Material, column: &str) -> Result<Option<Drawn>, Repor
                 curves.push(Curve { entry: printed_entry(), points: Vec::new() });
             }
             let heading = [label(&M_STAR, mass), heading(law)].join(", ");
-            let heading = heading.trim_end_matches(", ").to_owned();
-            let titles = [LOG10_K_STAR.heading(), column.unit.axis().to_owned()];
-            let names = [LOG10_K_STAR.name, column.name];
-            charts.push(panel(heading, titles, names, (x.clone(), y.clone()), curves));
+            let heading = heading.trim_end_matches(", ");
+            let (title, names) = (LOG10_K_STAR.heading(), [LOG10_K_STAR.name, column.name]);
+            let (axes, titles) = ((x.clone(), y.clone()), [&title, column.unit.axis()]);
+            charts.push(Chart::new(axes, titles, names, curves).under(heading, ""));
         }
     }
     let layout = Layout { columns: laws.len(), size: (360.0, 220.0) };
@@ -66,8 +66,7 @@ fn star(found: &Found) -> Option<Point> {
 /// A printed number in the colour of its wave.
 fn marked(row: &Row, mark: &Point, waves: &[f64]) -> Curve {
     let wave = waves.iter().position(|wave| row.number(&WAVE_HEIGHT_RATIO) == Some(*wave));
-    let entry =
-        Entry::dots("", Look::of(wave.unwrap_or(0)).printed(), false).keyed("printed".to_owned());
+    let entry = Entry::dots("", Look::of(wave.unwrap_or(0)).printed(), false).keyed("printed");
     Curve { entry, points: vec![mark.clone()] }
 }
 

@@ -1,11 +1,14 @@
 //! Figs. 4, 9 and 12 of Huang et al. 2019: the time of a step against the number of particles for each
 //! interpolator at walls, and the same over that of improved Shepard.
 
-use super::{Drawn, Material, drawn, panel};
-use crate::quantities::summary::{BOUNDARY, CASE_ID, PARTICLES};
+use super::{Drawn, Material, drawn};
+use crate::math::lists::different;
+use crate::quantities::summary::{BOUNDARY, PARTICLES};
 use crate::report::error::ReportError;
 use crate::report::papers::step_time;
-use crate::report::plots::{Axis, Curve, Entry, Layout, Look, Point, printed_entry, printed_point};
+use crate::report::plots::{
+    Axis, Chart, Curve, Entry, Layout, Look, Point, places, points, printed_entry, printed_point,
+};
 use crate::report::row::Row;
 
 /// The interpolator that the others are told over.
@@ -30,21 +33,14 @@ pub fn drawing(material: &Material) -> Result<Option<Drawn>, ReportError> {
     let all = [curves(&rows, &names, milliseconds), ratios];
     let titles = ["time per step, ms", "over improved Shepard"];
     let chart = |(curves, title): (Vec<Curve>, &str)| {
-        let points = || curves.iter().flat_map(|curve| &curve.points);
-        let x = Axis::around(points().map(|point| point.x), 5.0)?;
-        let y = Axis::around(points().map(|point| point.y).chain([0.0]), 6.0)?;
-        let titles = ["particles", title].map(str::to_owned);
-        Some(panel(String::new(), titles, [PARTICLES.name, "step_time"], (x, y), curves))
+        let x = Axis::around(places(&curves), 5.0)?;
+        let y = Axis::around(points(&curves).map(|point| point.y).chain([0.0]), 6.0)?;
+        Some(Chart::new((x, y), ["particles", title], [PARTICLES.name, "step_time"], curves))
     };
     let charts: Vec<_> = all.into_iter().zip(titles).filter_map(chart).collect();
-    if charts.is_empty() {
-        return Ok(None);
-    }
     let layout = Layout { columns: 2, size: (370.0, 290.0) };
-    let caption =
-        "Wall times of whole runs over their steps, as they came out on this machine; cases that \
-                   run at the same time slow each other (--threads 1 runs one at a time)."
-            .to_owned();
+    let caption = "Wall times of whole runs over their steps, as they came out on this machine; cases that \
+                   run at the same time slow each other (--threads 1 runs one at a time).";
     Ok(drawn(charts, layout, caption))
 }
 
@@ -53,12 +49,12 @@ fn curves(rows: &[&Row], names: &[&str], y: impl Fn(f64, f64) -> Option<f64>) ->
         let own = rows.iter().filter(|row| row.text(&BOUNDARY) == *name);
         let point = |row: &&Row| {
             let particles = row.number(&PARTICLES)?;
-            let case = row.text(&CASE_ID).to_owned();
+            let case = row.id().to_owned();
             Some(Point { case, ..(particles, y(particles, step_time(row)?)?).into() })
         };
         let mut points: Vec<_> = own.filter_map(point).collect();
         points.sort_by(|a, b| a.x.total_cmp(&b.x));
-        let entry = Entry::marked((*name).to_owned(), Look::of(index));
+        let entry = Entry::marked(*name, Look::of(index));
         Curve { entry: entry.keyed(format!("{}={name}", BOUNDARY.name)), points }
     };
     names.iter().enumerate().map(curve).collect()
@@ -66,15 +62,9 @@ fn curves(rows: &[&Row], names: &[&str], y: impl Fn(f64, f64) -> Option<f64>) ->
 
 /// Printed ratios at the right end, each once with the name of its interpolator.
 fn marks(material: &Material, particles: f64) -> Vec<Point> {
-    let mut marks: Vec<Point> = Vec::new();
-    for found in material.found {
-        let Some(name) = found.printed.quantity.strip_prefix("step_time_of_") else { continue };
+    different(material.found.iter().filter_map(|found| {
+        let note = found.printed.quantity.strip_prefix("step_time_of_")?.to_owned();
         let place = (particles, found.printed.value);
-        let mark = printed_point(place, &Row::default(), found.printed);
-        let mark = Point { note: name.to_owned(), ..mark };
-        if !marks.contains(&mark) {
-            marks.push(mark);
-        }
-    }
-    marks
+        Some(Point { note, ..printed_point(place, &Row::default(), found.printed) })
+    }))
 }

@@ -1,30 +1,28 @@
 //! The surface along the tank at several times, from gauges: Figs. 1, 2 and 8 of Liang et al. 2017 and
 //! Fig. 14 of Huang et al. 2019.
 
-use super::laws::{heading, order, words};
-use super::{Drawn, Material, drawn, panel};
-use crate::keys::number;
+use super::laws::{heading, looks, words};
+use super::{Drawn, Material, drawn};
 use crate::papers::PAPER_CLOCK_CENTRE_S;
 use crate::quantities::history::{DISPLACEMENT, RUNUP};
-use crate::quantities::summary::{CASE_ID, FORCE_COUPLING, STROKE_CENTRE, WAVE_HEIGHT_RATIO};
-use crate::report::config::{Gauge, configs, gauges};
+use crate::quantities::summary::{FORCE_COUPLING, STROKE_CENTRE, WAVE_HEIGHT_RATIO};
+use crate::report::config::{Config, Gauge, gauges};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::papers::at;
-use crate::report::plots::{Axis, Curve, Entry, Layout, Look, Point};
+use crate::report::plots::{Axis, Chart, Curve, Entry, Layout, Look, Point, places, points};
 use crate::report::row::Row;
-use crate::report::series::Series;
+use crate::report::series::History;
 use crate::theory::solitary_wave::SolitaryWave;
 
-/// One case: its words, its tank, and what it recorded.
+/// One case: its tank, and what it recorded.
 struct Case<'a> {
-    words: String,
     row: &'a Row,
     /// Still depth, m, length, m, and gravity, m/s².
     tank: [f64; 3],
     gauges: Vec<Gauge>,
-    levels: Vec<Series>,
-    history: Vec<Series>,
+    levels: History,
+    history: History,
 }
 
 pub fn drawing(
@@ -33,30 +31,27 @@ pub fn drawing(
     first_order: bool,
 ) -> Result<Option<Drawn>, ReportError> {
     let mut cases = Vec::new();
-    for data in material.studies {
-        cases.extend(read(data)?);
+    for (data, row, config) in material.known() {
+        cases.extend(Case::read(data, row, config)?);
     }
-    tell_apart(&mut cases);
-    let labels: Vec<_> = cases.iter().map(|case| case.words.clone()).collect();
-    let (order, mut panels) = (order(&labels), Vec::new());
+    let words = tell_apart(&cases);
+    let (looks, mut panels) = (looks(&words), Vec::new());
     for &time in times {
         let mut curves = Vec::new();
-        for case in &cases {
-            let look = Look::of(order.iter().position(|word| **word == case.words).unwrap_or(0));
-            curves.extend(case.surface(time, look));
+        for ((case, word), look) in cases.iter().zip(&words).zip(&looks) {
+            curves.extend(case.surface(time, word, *look));
         }
         if let Some(case) = cases.first().filter(|_| first_order) {
             curves.extend(case.first_order(time));
         }
         panels.push((time, curves));
     }
-    let all = || panels.iter().flat_map(|(_, curves)| curves).flat_map(|curve| &curve.points);
-    let axes = Axis::around(all().map(|p| p.x), 6.0).zip(Axis::around(all().map(|p| p.y), 4.0));
-    let Some((x, y)) = axes else { return Ok(None) };
-    let titles = ["x, m", "surface / h"].map(str::to_owned);
+    let x = Axis::around(panels.iter().flat_map(|(_, curves)| places(curves)), 6.0);
+    let heights = panels.iter().flat_map(|(_, curves)| points(curves)).map(|point| point.y);
+    let Some((x, y)) = x.zip(Axis::around(heights, 4.0)) else { return Ok(None) };
     let chart = |(time, curves): (f64, Vec<Curve>)| {
-        let (axes, heading) = ((x.clone(), y.clone()), format!("t = {time:.2} s"));
-        panel(heading, titles.clone(), ["x_m", "surface"], axes, curves)
+        let (axes, titles) = ((x.clone(), y.clone()), ["x, m", "surface / h"]);
+        Chart::new(axes, titles, ["x_m", "surface"], curves).under(format!("t = {time:.2} s"), "")
     };
     let charts: Vec<_> = panels.into_iter().map(chart).collect();
     let layout = Layout { columns: 2, size: (370.0, 190.0) };
@@ -68,55 +63,44 @@ pub fn drawing(
     Ok(drawn(charts, layout, caption))
 }
 
-/// The finished cases of a study that have gauges of levels.
-fn read(data: &Loaded) -> Result<Vec<Case<'_>>, ReportError> {
-    let mut cases = Vec::new();
-    for (row, config) in data.rows.iter().zip(configs(data)).filter(|(row, _)| row.is_ok()) {
-        let Some(config) = config else { continue };
-        let value = |key: &str| config.scene.get(key).and_then(number);
-        let keys = ["still_water_depth_m", "tank_length_m", "gravity_m_per_s2"].map(value);
-        let [Some(depth), Some(length), Some(gravity)] = keys else { continue };
-        let id = row.text(&CASE_ID);
-        let levels = gauges(data).into_iter().filter(|gauge| gauge.kind == "level");
-        cases.push(Case {
-            words: String::new(),
-            row,
-            tank: [depth, length, gravity],
-            gauges: levels.collect(),
-            levels: data.gauges(id)?,
-            history: data.history(id)?,
-        });
-    }
-    cases.retain(|case| !case.gauges.is_empty());
-    Ok(cases)
-}
-
 /// Words for the legend, with the factor s of walls that move.
-fn tell_apart(cases: &mut [Case]) {
+fn tell_apart(cases: &[Case]) -> Vec<String> {
     let rows: Vec<_> = cases.iter().map(|case| case.row).collect();
-    let words = words(&rows);
-    for (case, word) in cases.iter_mut().zip(words) {
-        let law = case.row.number(&FORCE_COUPLING).filter(|_| !case.row.is_fixed());
-        let parts = [heading(law), word].into_iter().filter(|part| !part.is_empty());
-        case.words = parts.collect::<Vec<_>>().join(", ");
-        if case.words.is_empty() {
-            case.words = "computed".to_owned();
+    let told = |(word, row): (String, &&Row)| {
+        let law = row.number(&FORCE_COUPLING).filter(|_| !row.is_fixed());
+        match [heading(law), word].join(", ").trim_matches([',', ' ']) {
+            "" => "computed".to_owned(),
+            told => told.to_owned(),
         }
-    }
+    };
+    words(&rows).into_iter().zip(&rows).map(told).collect()
 }
 
-impl Case<'_> {
+impl<'a> Case<'a> {
+    /// `None` where it has no gauges of levels.
+    fn read(data: &Loaded, row: &'a Row, config: &Config) -> Result<Option<Case<'a>>, ReportError> {
+        let keys = ["still_water_depth_m", "tank_length_m", "gravity_m_per_s2"];
+        let [Some(depth), Some(length), Some(gravity)] = keys.map(|key| config.value(key)) else {
+            return Ok(None);
+        };
+        let (id, mut gauges) = (row.id(), gauges(data));
+        gauges.retain(|gauge| gauge.kind == "level");
+        if gauges.is_empty() {
+            return Ok(None);
+        }
+        let (levels, history) = (data.gauges(id)?, data.history(id)?);
+        Ok(Some(Case { row, tank: [depth, length, gravity], gauges, levels, history }))
+    }
+
     /// The surface between paddle and wall, and the wall itself down to the lowest water.
-    fn surface(&self, time: f64, look: Look) -> Vec<Curve> {
+    fn surface(&self, time: f64, words: &str, look: Look) -> Vec<Curve> {
         let Some(centre) = self.row.number(&STROKE_CENTRE) else { return Vec::new() };
         let own = time - PAPER_CLOCK_CENTRE_S + centre;
         let [depth, length, _] = self.tank;
-        let of =
-            |name: &str| at(&self.history.iter().find(|series| series.name == name)?.points, own);
+        let of = |name: &str| at(self.history.points(name), own);
         let wall = length + depth * of(DISPLACEMENT.name).unwrap_or(0.0);
         let level = |gauge: &Gauge| {
-            let series = self.levels.iter().find(|series| series.name == gauge.name)?;
-            let (x, level) = (gauge.x_m?, at(&series.points, own)?);
+            let (x, level) = (gauge.x_m?, at(self.levels.points(&gauge.name), own)?);
             (x < wall && level > 0.0).then_some(Point::from((x, level / depth - 1.0)))
         };
         let mut points: Vec<Point> = self.gauges.iter().filter_map(level).collect();
@@ -124,10 +108,9 @@ impl Case<'_> {
         let Some(top) = of(RUNUP.name).filter(|_| !points.is_empty()) else { return Vec::new() };
         points.push((wall, top).into());
         let low = points.iter().map(|point| point.y).fold(0.0, f64::min) - 0.1;
-        let upright = vec![(wall, top).into(), (wall, low).into()];
-        let key = format!("case={}", self.row.text(&CASE_ID));
-        let water = Curve { entry: Entry::marked(self.words.clone(), look).keyed(key), points };
-        vec![water, Curve { entry: Entry::line(String::new(), look), points: upright }]
+        let key = format!("case={}", self.row.id());
+        let water = Curve { entry: Entry::marked(words, look).keyed(key), points };
+        vec![water, Curve::through(Entry::line("", look), [(wall, top), (wall, low)])]
     }
 
     fn first_order(&self, time: f64) -> Option<Curve> {
@@ -136,9 +119,9 @@ impl Case<'_> {
         let wave = SolitaryWave { ratio, depth, gravity };
         let point = |index: i32| {
             let x = 0.4 + (length - 0.4) * f64::from(index) / 100.0;
-            Point::from((x, wave.surface(x, time - PAPER_CLOCK_CENTRE_S)))
+            (x, wave.surface(x, time - PAPER_CLOCK_CENTRE_S))
         };
-        let entry = Entry::line("first-order solitary wave".to_owned(), Look::plain());
-        Some(Curve { entry, points: (0..=100).map(point).collect() })
+        let entry = Entry::line("first-order solitary wave", Look::plain());
+        Some(Curve::through(entry, (0..=100).map(point)))
     }
 }

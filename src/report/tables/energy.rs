@@ -16,14 +16,14 @@ pub fn energy(data: &Loaded) -> Option<Lines<'_>> {
     let (header, records) = match load::stream(data.energy.as_ref()?) {
         Ok(table) => table,
         Err(error) => {
-            return Some(Lines::new(NAME, TITLE, Vec::new(), std::iter::once(Err(error))));
+            return Some(Lines::new(NAME, TITLE, &[""; 0], std::iter::once(Err(error))));
         }
     };
     let id = header.iter().position(|name| name == CASE_ID.name)?;
     let place = PLACE.into_iter().chain([&FORCE_COUPLING]);
     let place = place.filter(|column| !header.iter().any(|known| known == column.name));
     let place: Vec<&Column> = place.collect();
-    let rows: HashMap<_, _> = data.rows.iter().map(|row| (row.text(&CASE_ID), row)).collect();
+    let rows: HashMap<_, _> = data.rows.iter().map(|row| (row.id(), row)).collect();
     let names = place.iter().map(|column| column.name.to_owned()).collect();
     let header = with(id, CASE_ID.name, names, header.iter());
     let none = Row::default();
@@ -36,7 +36,7 @@ pub fn energy(data: &Loaded) -> Option<Lines<'_>> {
         let row = if data.is_part { row? } else { row.unwrap_or(&none) };
         Some(Ok(with(id, &line[id], cells(row, &place), line.iter())))
     };
-    Some(Lines::new(NAME, TITLE, header, records.filter_map(line)))
+    Some(Lines::new(NAME, TITLE, &header, records.filter_map(line)))
 }
 
 const NAME: &str = "energy";

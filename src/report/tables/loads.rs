@@ -1,12 +1,11 @@
 //! What engineers build by: loads on the wall, and what goes over its crest.
 
-use super::{Lines, VARIANT, cells, names, over_goda, owned};
+use super::{Field, Lines, fields, finished, over_goda, table, variant};
 use crate::quantities::Column;
 use crate::quantities::summary::{
     CASE_ID, CREST_SPEED, CREST_THICKNESS, FIRST_FORCE_MAX, FIRST_IMPULSE, FIRST_MOMENT_MAX,
     FORCE_MAX, MOMENT_MAX, OVERTOPPING_DISCHARGE, OVERTOPPING_VOLUME, RISE_TIME, SPRING_FORCE_MAX,
 };
-use crate::report::goda::{OVER_GODA, Settings};
 use crate::report::load::Loaded;
 use crate::report::row::{PLACE, Row};
 
@@ -26,36 +25,24 @@ const OVER: [&Column; 4] =
 /// Force, moment, impulse, rise time and spring force of every finished case, and Goda's formula beside
 /// the force; `None` where no case has a moment.
 pub fn loads(data: &Loaded) -> Option<Lines<'_>> {
-    table(data, ("loads", "Loads on the wall"), &LOADS, &MOMENT_MAX, Some(Settings::of(data)))
+    let columns = columns(data, &LOADS, Some(over_goda(data)));
+    table("loads", "Loads on the wall", columns, having(data, &MOMENT_MAX)).filled()
 }
 
 /// What went over the crest; `None` where no wall has one.
 pub fn overtopping(data: &Loaded) -> Option<Lines<'_>> {
-    table(data, ("overtopping", "Over the crest"), &OVER, &OVERTOPPING_VOLUME, None)
+    let columns = columns(data, &OVER, None);
+    table("overtopping", "Over the crest", columns, having(data, &OVERTOPPING_VOLUME)).filled()
 }
 
-/// A line for every finished case that has a number in the column `has`.
-fn table<'a>(
-    data: &'a Loaded,
-    (name, title): (&str, &str),
-    told: &[&'static Column],
-    has: &'static Column,
-    settings: Option<Settings<'a>>,
-) -> Option<Lines<'a>> {
-    let columns = [&[&CASE_ID][..], &PLACE, told].concat();
-    let has_variants = data.finished().any(|row| !row.variant.is_empty());
-    let mut header = owned(&names(&columns));
-    header.extend(settings.is_some().then(|| OVER_GODA.to_owned()));
-    header.extend(has_variants.then(|| VARIANT.to_owned()));
-    let rows = data.rows.iter().enumerate();
-    let rows = rows.filter(|(_, row)| row.is_ok() && row.number(has).is_some());
-    let line = move |(place, row): (usize, &Row)| {
-        let mut cells = cells(row, &columns);
-        cells.extend(settings.as_ref().map(|settings| over_goda(settings, place, row)));
-        cells.extend(has_variants.then(|| row.variant.to_string()));
-        Ok(cells)
-    };
-    Lines::some(name, title, header, rows.map(line))
+fn columns<'a>(data: &Loaded, told: &[&'static Column], more: Option<Field<'a>>) -> Vec<Field<'a>> {
+    let columns = fields(&[&[&CASE_ID][..], &PLACE, told].concat());
+    columns.into_iter().chain(more).chain(variant(data.finished())).collect()
+}
+
+/// The finished cases that have a number in a column.
+fn having<'a>(data: &'a Loaded, column: &'static Column) -> impl Iterator<Item = (usize, &'a Row)> {
+    finished(data).filter(|(_, row)| row.number(column).is_some())
 }
 
 #[cfg(test)]

@@ -2,8 +2,6 @@
 //! case.
 
 mod energy;
-mod envelope;
-mod lines;
 mod loads;
 mod page;
 mod readings;
@@ -14,7 +12,6 @@ use super::goda::{OVER_GODA, Settings};
 use super::load::Loaded;
 use super::plots::{file_name, fixed_walls};
 use super::row::{PLACE, Row};
-use crate::quantities::Column;
 use crate::quantities::summary::{
     CASE_ID, DISPLACEMENT_ERROR, DISPLACEMENT_MAX, DISPLACEMENT_TRUNCATED, DOUBTFUL_REASON,
     ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_COUPLING, FORCE_ERROR, FORCE_GAP,
@@ -22,21 +19,49 @@ use crate::quantities::summary::{
     PARTICLES_LOST, REASON, RUNUP_ERROR, RUNUP_MAX, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STEPS,
     STOP_IMPULSE, STOPS, WAVE_HEIGHT_RATIO,
 };
-pub use lines::{Line, Lines};
+use crate::quantities::{Column, Quantity};
 pub use readings::across;
-pub use table::Table;
+pub use table::{Line, Lines, Table};
 
-/// A line per row, a column per quantity, with every digit: only what is for the eye is rounded, and
-/// only once.
-fn of_columns<'a>(
+/// A column of a table: its name, and what it has of a row, which stands at a place in the summary.
+type Field<'a> = (&'static str, Box<dyn Fn(usize, &Row) -> String + 'a>);
+
+/// Columns of the summary, with every digit: only what is for the eye is rounded, and only once.
+fn fields<'a>(columns: &[&'static Column]) -> Vec<Field<'a>> {
+    let field = |&column: &&'static Column| -> Field<'a> {
+        (column.name, Box::new(|_, row| row.cell(column)))
+    };
+    columns.iter().map(field).collect()
+}
+
+/// What tells runs of the same wave and wall apart, where these rows need it.
+fn variant<'a>(mut rows: impl Iterator<Item = &'a Row>) -> Option<Field<'static>> {
+    let is_told = rows.any(|row| !row.variant.is_empty());
+    is_told.then(|| -> Field { (VARIANT, Box::new(|_, row| row.variant.to_string())) })
+}
+
+/// The force over Goda's, at an upright wall; empty elsewhere.
+fn over_goda(data: &Loaded) -> Field<'_> {
+    let settings = Settings::of(data);
+    let over = move |place, row: &Row| plain(settings.at(place).and_then(|at| at.over(row)));
+    (OVER_GODA, Box::new(over))
+}
+
+/// A line per row.
+fn table<'a>(
     name: &str,
     title: &str,
-    columns: Vec<&'static Column>,
-    rows: impl Iterator<Item = &'a Row> + 'a,
+    fields: Vec<Field<'a>>,
+    rows: impl Iterator<Item = (usize, &'a Row)> + 'a,
 ) -> Lines<'a> {
-    let header = names(&columns);
-    let line = move |row: &Row| Ok(cells(row, &columns));
-    Lines::new(name, title, owned(&header), rows.map(line))
+    let header: Vec<_> = fields.iter().map(|(name, _)| *name).collect();
+    let line = move |(place, row)| Ok(fields.iter().map(|(_, cell)| cell(place, row)).collect());
+    Lines::new(name, title, &header, rows.map(line))
+}
+
+/// The finished cases with their places.
+fn finished(data: &Loaded) -> impl Iterator<Item = (usize, &Row)> {
+    data.rows.iter().enumerate().filter(|(_, row)| row.is_ok())
 }
 
 /// Every table that the sweep's files can fill.
@@ -48,13 +73,13 @@ pub fn all(data: &Loaded) -> Vec<Lines<'_>> {
     tables.extend(loads::overtopping(data));
     tables.extend(readings::readings(data));
     tables.extend(energy::energy(data));
-    tables.extend(envelope::envelope(data));
+    tables.extend(readings::envelope(data));
     tables
 }
 
 /// The summary in few columns: one row per case, failed ones included.
 fn summary(data: &Loaded) -> Lines<'_> {
-    let mut columns = vec![
+    let mut columns = fields(&[
         &CASE_ID,
         &STATUS,
         &WAVE_HEIGHT_RATIO,
@@ -72,20 +97,13 @@ fn summary(data: &Loaded) -> Lines<'_> {
         &FORCE_ERROR,
         &RUNUP_ERROR,
         &DISPLACEMENT_ERROR,
-    ];
+    ]);
     // Maxima of the whole run, where the first impact does not stand for them.
     if data.finished().any(|row| row.number(&FIRST_FORCE_MAX).is_none()) {
-        columns.extend([&FORCE_MAX, &RUNUP_MAX]);
+        columns.extend(fields(&[&FORCE_MAX, &RUNUP_MAX]));
     }
-    let has_variants = data.rows.iter().any(|row| !row.variant.is_empty());
-    let mut header = owned(&names(&columns));
-    header.extend(has_variants.then(|| VARIANT.to_owned()));
-    let line = move |row: &Row| {
-        let mut cells = cells(row, &columns);
-        cells.extend(has_variants.then(|| row.variant.to_string()));
-        Ok(cells)
-    };
-    Lines::new("summary", "Cases", header, data.rows.iter().map(line))
+    columns.extend(variant(data.rows.iter()));
+    table("summary", "Cases", columns, data.rows.iter().enumerate())
 }
 
 /// What tells a sound case from a doubtful one.
@@ -96,77 +114,53 @@ fn health(data: &Loaded) -> Lines<'_> {
         &[&FORCE_COUPLING, &FORCE_MAX_GAP, &FORCE_GAP, &ENERGY_GAP, &PARTICLES_LOST],
         &[&PARTICLES, &STEPS, &STOP_IMPULSE, &DOUBTFUL_REASON],
     ];
-    of_columns("health", "Health", columns.concat(), data.finished())
+    table("health", "Health", fields(&columns.concat()), finished(data))
 }
 
 /// The first of the cases that failed, and why.
-pub fn failed(data: &Loaded, most: usize) -> Table {
-    let columns = [&[&CASE_ID][..], &PLACE].concat();
-    let has_variants = data.failed().any(|row| !row.variant.is_empty());
-    let mut header = names(&columns);
-    header.extend(has_variants.then_some(VARIANT));
-    header.push(REASON.name);
-    let line = |row: &Row| {
-        let mut cells = cells(row, &columns);
-        cells.extend(has_variants.then(|| row.variant.to_string()));
-        cells.push(row.cell(&REASON));
-        cells
-    };
-    let rows = data.failed().take(most).map(line).collect();
-    let left = data.failed().count().saturating_sub(most);
-    Table { left, ..Table::new("", "Failed cases", &header, rows) }
+pub fn failed(data: &Loaded, most: usize) -> Lines<'_> {
+    let mut columns = fields(&[&[&CASE_ID][..], &PLACE].concat());
+    columns.extend(variant(data.failed()));
+    columns.extend(fields(&[&REASON]));
+    let rows = data.rows.iter().enumerate().filter(|(_, row)| !row.is_ok()).take(most);
+    let mut lines = table("", "Failed cases", columns, rows);
+    lines.head.left = data.failed().count().saturating_sub(most);
+    lines
 }
 
 fn responses_of(data: &Loaded) -> Vec<Lines<'_>> {
     let mut tables = Vec::new();
     for variant in variants(&data.rows) {
         for response in RESPONSES {
-            let first = [&M_STAR, &WAVE_HEIGHT_RATIO, &LOG10_K_STAR, response];
-            let last = [&FORCE_COUPLING, &CASE_ID];
-            let header = [&names(&first)[..], &["error", "truncated"], &names(&last)].concat();
-            let line = move |row: &Row| {
-                let error = row.error(response).filter(|error| error.is_finite());
-                let marks = vec![plain(error), row.is_bound(response).to_string()];
-                Ok([cells(row, &first), marks, cells(row, &last)].concat())
-            };
-            let rows = responses(&data.rows, &variant, response);
+            let error = |row: &Row| plain(row.error(response).filter(|error| error.is_finite()));
+            let mut columns = fields(&[&M_STAR, &WAVE_HEIGHT_RATIO, &LOG10_K_STAR, response]);
+            columns.push(("error", Box::new(move |_, row| error(row))));
+            columns.push(("truncated", Box::new(|_, row| row.is_bound(response).to_string())));
+            columns.extend(fields(&[&FORCE_COUPLING, &CASE_ID]));
             let name = file_name(&format!("response-{}", stem(response)), &variant);
-            let rows = rows.into_iter().map(line);
-            tables.extend(Lines::some(&name, "Response curve", owned(&header), rows));
+            let rows = responses(&data.rows, &variant, response).into_iter().map(|row| (0, row));
+            tables.extend(table(&name, "Response curve", columns, rows).filled());
         }
     }
     tables
 }
 
 fn fixed(data: &Loaded) -> Vec<Lines<'_>> {
-    let table = |variant: String| {
+    let of_variant = |variant: String| {
         let wave = [&WAVE_HEIGHT_RATIO, &MEASURED_WAVE_HEIGHT_RATIO];
         let columns = [&wave[..], &[&FIRST_RUNUP_MAX, &FIRST_FORCE_MAX, &CASE_ID]].concat();
-        let header = [names(&columns), vec![OVER_GODA]].concat();
-        let settings = Settings::of(data);
-        let line = move |(place, row): (usize, &Row)| {
-            Ok([cells(row, &columns), vec![over_goda(&settings, place, row)]].concat())
-        };
+        let columns = fields(&columns).into_iter().chain([over_goda(data)]).collect();
         let rows: Vec<_> = fixed_walls(data, &variant).collect();
         let name = file_name("fixed-wall", &variant);
-        Lines::some(&name, "Fixed wall", owned(&header), rows.into_iter().map(line))
+        table(&name, "Fixed wall", columns, rows.into_iter()).filled()
     };
-    variants(&data.rows).into_iter().filter_map(table).collect()
-}
-
-fn owned(names: &[&str]) -> Vec<String> {
-    names.iter().map(|name| (*name).to_owned()).collect()
-}
-
-/// The force over Goda's, at an upright wall; empty elsewhere.
-fn over_goda(settings: &Settings, place: usize, row: &Row) -> String {
-    plain(settings.at(place).and_then(|setting| setting.over(row)))
+    variants(&data.rows).into_iter().filter_map(of_variant).collect()
 }
 
 /// The column that tells runs of the same wave and wall apart.
 const VARIANT: &str = "variant";
 
-fn names(columns: &[&Column]) -> Vec<&'static str> {
+fn names<R>(columns: &[&Quantity<R>]) -> Vec<&'static str> {
     columns.iter().map(|column| column.name).collect()
 }
 
@@ -216,11 +210,11 @@ mod tests {
             row
         };
         let rows = vec![row("sound_speed_ratio = 4"), row("sound_speed_ratio = 8")];
-        let table = failed(&Loaded { rows, ..Loaded::default() }, 9).for_page();
+        let table = failed(&Loaded { rows, ..Loaded::default() }, 9).whole().unwrap().for_page();
         assert_eq!(table.header, [VARIANT, "reason"]);
         assert_eq!(table.rows[1], ["sound_speed_ratio = 8", "blow-up"]);
         let plain = Loaded { rows: vec![row("")], ..Loaded::default() };
-        assert_eq!(failed(&plain, 9).for_page().header, ["reason"]);
+        assert_eq!(failed(&plain, 9).whole().unwrap().for_page().header, ["reason"]);
     }
 
     #[test]

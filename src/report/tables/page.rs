@@ -23,7 +23,7 @@ impl Table {
         let cell = |row: &[String], at: usize| brief(&table.header[at], &row[at]);
         let rows = table.rows.iter().map(|row| kept.iter().map(|at| cell(row, *at)).collect());
         let header = kept.iter().map(|column| table.header[*column].clone()).collect();
-        Table { rows: rows.collect(), header, ..self.empty() }
+        Table { rows: rows.collect(), header, ..table }
     }
 
     fn is_alike(&self, at: usize) -> bool {

@@ -1,52 +1,73 @@
-//! What scenes tell besides the summary's columns: arrival times, plateaus, gaps, decays.
+//! What each case has a file of its own for: readings besides the summary's columns, such as arrival times,
+//! plateaus, gaps and decays, and the largest pressures up the wall.
 
 use std::collections::BTreeMap;
 
-use super::{Line, Lines, Table, plain};
+use super::{Line, Lines, Table, names, plain};
+use crate::math::lists::different;
+use crate::quantities::envelope::ALL;
 use crate::quantities::summary::CASE_ID;
+use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::number;
-use crate::report::row::Row;
-use crate::report::series::Reading;
+use crate::report::series::{Pressed, Reading};
 
 /// The page shows so many cases side by side; more than that stand one below the other.
 const SIDE_BY_SIDE: usize = 6;
 
 /// All readings of finished cases, one per line, to every digit; `None` where there are none.
 pub fn readings(data: &Loaded) -> Option<Lines<'_>> {
-    let of = |row: &Row| -> Vec<Line> {
-        let id = row.text(&CASE_ID);
-        let line = |reading: Reading| {
-            let value = plain(reading.value);
-            vec![id.to_owned(), row.words(), reading.name, value, reading.unit]
-        };
-        match data.readings(id) {
-            Ok(readings) => readings.into_iter().map(|reading| Ok(line(reading))).collect(),
+    let cells = |one: Reading| vec![one.name, plain(one.value), one.unit];
+    let header = [CASE_ID.name, "case", "reading", "value", "unit"];
+    let rows = of_cases(data, Loaded::readings, cells);
+    Lines::new("readings", "Readings", &header, rows).filled()
+}
+
+/// The largest pressures at every height of all walls, likewise.
+pub fn envelope(data: &Loaded) -> Option<Lines<'_>> {
+    let cells = |at: Pressed| {
+        let numbers = [Some(at.height_m), Some(at.pressure_max_pa), at.first_pressure_max_pa];
+        numbers.map(plain).to_vec()
+    };
+    let header = [&[CASE_ID.name, "case"], &names(ALL)[..]].concat();
+    let rows = of_cases(data, Loaded::envelope, cells);
+    Lines::new("pressure_envelope", "Pressure envelope", &header, rows).filled()
+}
+
+/// A line for all that the own file of a finished case holds, behind its id and words.
+fn of_cases<'a, T>(
+    data: &'a Loaded,
+    read: fn(&Loaded, &str) -> Result<Vec<T>, ReportError>,
+    cells: fn(T) -> Vec<String>,
+) -> impl Iterator<Item = Line> + 'a
+where
+    T: 'a,
+{
+    data.finished().flat_map(move |row| -> Vec<Line> {
+        let line = |one| [vec![row.id().to_owned(), row.words()], cells(one)].concat();
+        match read(data, row.id()) {
+            Ok(all) => all.into_iter().map(|one| Ok(line(one))).collect(),
             Err(error) => vec![Err(error)],
         }
-    };
-    let header = [CASE_ID.name, "case", "reading", "value", "unit"].map(str::to_owned).to_vec();
-    Lines::some("readings", "Readings", header, data.finished().flat_map(of))
+    })
 }
 
 /// The table of `readings` as the page shows it: a line per reading and a column per case, or,
 /// with many cases, the other way round.
 pub fn across(long: &Table) -> Table {
     type Name<'a> = (&'a str, &'a str);
-    let (mut cases, mut names): (Vec<Name>, Vec<Name>) = (Vec::new(), Vec::new());
+    let (mut cases, mut names) = (Vec::new(), Vec::new());
     let mut values = BTreeMap::new();
     for row in &long.rows {
         let [id, words, name, value, unit] = row.as_slice() else { continue };
         let (case, name) = ((id.as_str(), words.as_str()), (name.as_str(), unit.as_str()));
-        if cases.last() != Some(&case) {
-            cases.push(case);
-        }
-        if !names.contains(&name) {
-            names.push(name);
-        }
+        cases.push(case);
+        names.push(name);
         let value = value.parse().map(number::plain).unwrap_or_default();
         values.insert((case, name), value);
     }
+    cases.dedup();
+    let names = different(names);
     let cell = |case: Name, name: Name| values.get(&(case, name)).cloned().unwrap_or_default();
     // One case needs no name; several without words go by their ids.
     let case_name = |(id, words): &Name| match (cases.len(), words.is_empty()) {
@@ -73,7 +94,7 @@ pub fn across(long: &Table) -> Table {
         let header = std::iter::once("case".to_owned()).chain(names.iter().map(with_unit));
         (header.collect(), cases.iter().map(line).collect())
     };
-    Table { header, rows, ..long.empty() }
+    Table { header, rows, ..long.clone() }
 }
 
 #[cfg(test)]

@@ -1,7 +1,12 @@
-//! A table and its text.
+//! A table and its text. That of a large study is never held whole: its rows are made as they are written.
+
+use std::fs::File;
+use std::path::Path;
+
+use crate::report::error::ReportError;
 
 /// A table, ready for a file or a page.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Table {
     /// File name without its ending.
     pub name: String,
@@ -19,23 +24,10 @@ pub struct Table {
 
 impl Table {
     /// A table.
-    pub fn new(name: &str, title: &str, header: &[&str], rows: Vec<Vec<String>>) -> Table {
-        let header = header.iter().map(|column| (*column).to_owned()).collect();
-        Table {
-            name: name.to_owned(),
-            title: title.to_owned(),
-            header,
-            rows,
-            left: 0,
-            is_part: false,
-        }
-    }
-
-    /// The same without header and rows.
-    pub(super) fn empty(&self) -> Table {
-        let (name, title) = (self.name.clone(), self.title.clone());
-        let (left, is_part) = (self.left, self.is_part);
-        Table { name, title, header: Vec::new(), rows: Vec::new(), left, is_part }
+    pub fn new(name: &str, title: &str, header: &[impl ToString], rows: Vec<Vec<String>>) -> Table {
+        let (name, title) = (name.to_owned(), title.to_owned());
+        let header = header.iter().map(ToString::to_string).collect();
+        Table { name, title, header, rows, ..Table::default() }
     }
 
     /// The same as the part of a larger one that it is.
@@ -60,5 +52,89 @@ impl Table {
         }
         let bytes = writer.into_inner().expect("memory does not run dry");
         String::from_utf8(bytes).expect("cells are text")
+    }
+}
+
+/// A row, or why a file that it is made from cannot be read.
+pub type Line = Result<Vec<String>, ReportError>;
+
+/// A table that is still to be made.
+pub struct Lines<'a> {
+    /// The table without its rows.
+    pub head: Table,
+    rows: Box<dyn Iterator<Item = Line> + 'a>,
+}
+
+impl<'a> Lines<'a> {
+    /// A table of these rows.
+    pub fn new(
+        name: &str,
+        title: &str,
+        header: &[impl ToString],
+        rows: impl Iterator<Item = Line> + 'a,
+    ) -> Lines<'a> {
+        Lines { head: Table::new(name, title, header, Vec::new()), rows: Box::new(rows) }
+    }
+
+    /// The same; `None` where there are no rows.
+    pub fn filled(self) -> Option<Lines<'a>> {
+        let mut rows = self.rows.peekable();
+        rows.peek()?;
+        Some(Lines { rows: Box::new(rows), ..self })
+    }
+
+    /// Writes the table as comma-separated text, and keeps its first rows.
+    ///
+    /// # Errors
+    /// A file that cannot be read or written.
+    pub fn write(self, path: &Path, most: usize) -> Result<Table, ReportError> {
+        let wrong = |source| ReportError::Write { path: path.to_owned(), source };
+        let file = File::create(path).map_err(wrong)?;
+        let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 16).from_writer(file);
+        let mut table = self.head;
+        let broken = |error: csv::Error| wrong(error.into());
+        writer.write_record(&table.header).map_err(broken)?;
+        for row in self.rows {
+            let row = row?;
+            writer.write_record(&row).map_err(broken)?;
+            if table.rows.len() < most { table.rows.push(row) } else { table.left += 1 }
+        }
+        writer.flush().map_err(wrong)?;
+        Ok(table)
+    }
+
+    /// The table with all its rows.
+    ///
+    /// # Errors
+    /// A file that cannot be read.
+    pub fn whole(self) -> Result<Table, ReportError> {
+        Ok(Table { rows: self.rows.collect::<Result<_, _>>()?, ..self.head })
+    }
+}
+
+impl From<Table> for Lines<'_> {
+    fn from(mut head: Table) -> Self {
+        let rows = std::mem::take(&mut head.rows);
+        Lines { head, rows: Box::new(rows.into_iter().map(Ok)) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_has_every_row_and_the_page_the_first() {
+        let root = tempfile::tempdir().unwrap();
+        let rows = (0..10).map(|row| Ok(vec![row.to_string(), "a, b".to_owned()]));
+        let header = ["row", "words"];
+        let lines = Lines::new("a", "A", &header, rows);
+        let path = root.path().join("a.csv");
+        let table = lines.write(&path, 3).unwrap();
+        assert_eq!((table.rows.len(), table.left), (3, 7));
+        let text = std::fs::read_to_string(&path).unwrap();
+        assert_eq!(text.lines().count(), 11);
+        assert!(text.starts_with("row,words\n0,\"a, b\"\n"), "{text}");
+        assert!(Lines::new("a", "A", &header, std::iter::empty()).filled().is_none());
     }
 }

@@ -1,25 +1,16 @@
 use std::fs;
 use std::time::Duration;
 
-use super::super::made_up::made_up;
+use super::super::trial::{run, study};
 use super::super::waiting;
 use super::*;
-use crate::study::SweepFile;
-
-fn study(ratios: &str) -> Study {
-    let text = format!("name = \"a\"\n[grid]\nwave_height_ratio = [{ratios}]");
-    Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap()
-}
 
 fn open(path: &Path, study: &Study, mode: OpenMode) -> Result<(Directory, Opened), SweepError> {
     Directory::open(path, study, mode, None, SimdPath::Avx2)
 }
 
 fn run_first(directory: &mut Directory, study: &Study) {
-    let case = &study.cases[0];
-    let result = made_up(&case.config);
-    let record = CaseRecord::new(study, case, &Ok(result.clone()), 1.0, "here");
-    directory.record(record, Some(&result)).unwrap();
+    run(directory, study, &study.cases[0]);
     directory.sync(true).unwrap();
 }
 
@@ -52,9 +43,7 @@ fn what_is_recorded_while_a_group_is_on_its_way_belongs_to_the_next() {
     let (path, study) = (root.path().join("run"), study("0.1, 0.2, 0.3"));
     let (mut directory, _) = open(&path, &study, OpenMode::Resume).unwrap();
     for case in &study.cases {
-        let result = made_up(&case.config);
-        let record = CaseRecord::new(&study, case, &Ok(result.clone()), 1.0, "here");
-        directory.record(record, Some(&result)).unwrap();
+        run(&mut directory, &study, case);
         // A line is there at once: a killed process loses nothing.
         assert_eq!(journal::read_journal(&path).unwrap().records.len(), case.index + 1);
         std::thread::sleep(waiting::LONGEST);

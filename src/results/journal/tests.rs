@@ -1,17 +1,13 @@
-use super::super::made_up::made_up;
+use super::super::trial;
 use super::*;
-use crate::math::simd::SimdPath;
-use crate::study::{Study, SweepFile};
 
 fn filled(directory: &Path) -> (Header, Vec<CaseRecord>) {
-    let text = "name = \"a\"\n[grid]\nwave_height_ratio = [0.1, 0.2, 0.3]";
-    let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
-    let header = Header::new("a", &study.identity, 3, SimdPath::Portable);
+    let study = trial::study("0.1, 0.2, 0.3");
+    let header = Header::new("a", &study.identity, 3, trial::SIMD);
     let mut journal = Journal::create(directory, &header).unwrap();
     let mut records = Vec::new();
     for case in &study.cases {
-        let result = made_up(&case.config);
-        let record = CaseRecord::new(&study, case, &Ok(result), 0.1 + 0.2, "here");
+        let record = CaseRecord { wall_time_s: 0.1 + 0.2, ..trial::record(&study, case) };
         journal.record(&record).unwrap();
         records.push(record);
     }

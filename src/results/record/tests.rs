@@ -1,19 +1,13 @@
 use super::super::made_up::made_up;
+use super::super::trial::{self, study};
 use super::*;
-use crate::study::SweepFile;
-
-fn study() -> Study {
-    let text = "name = \"a\"\n[grid]\nwave_height_ratio = [0.2]";
-    Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap()
-}
 
 #[test]
 fn a_result_that_is_no_number_is_a_failure() {
-    let study = study();
+    let study = study("0.2");
     let case = &study.cases[0];
     let mut result = made_up(&case.config);
-    let record = CaseRecord::new(&study, case, &Ok(result.clone()), 1.0, "here");
-    assert!(record.is_ok());
+    assert!(trial::record(&study, case).is_ok());
     result.outcome.measured_wave_height_ratio = Some(f64::NAN);
     let record = CaseRecord::new(&study, case, &Ok(result.clone()), 1.0, "here");
     assert_eq!(record.failure, Some(FailureKind::NotANumber));
@@ -24,9 +18,9 @@ fn a_result_that_is_no_number_is_a_failure() {
 
 #[test]
 fn what_is_held_makes_the_same_table_and_owns_next_to_nothing() {
-    let study = study();
+    let study = study("0.2");
     let case = &study.cases[0];
-    let whole = CaseRecord::new(&study, case, &Ok(made_up(&case.config)), 1.0, "here");
+    let whole = trial::record(&study, case);
     let held = whole.clone().held();
     assert!(held.values.is_empty() && held.files.is_empty());
     assert!(held.host.is_empty() && held.phases.is_empty());

@@ -1,5 +1,7 @@
 //! Which numbers are bounds, and which results are doubtful.
 
+use crate::math::lists::{different, tallied};
+use crate::math::words::{counted, listed};
 use crate::quantities::summary::{
     COARSE_SPACING, DISPLACEMENT_MAX, DOUBTFUL, DOUBTFUL_REASON, SPRING_STIFFNESS,
 };
@@ -7,7 +9,6 @@ use crate::quantities::{coarse_spacings, named};
 use crate::report::curves::distinct;
 use crate::report::load::Loaded;
 use crate::report::number;
-use crate::report::page::words::{counted, listed};
 
 /// How many largest displacements are lower bounds; `None` where nothing moves.
 pub fn bounds(data: &Loaded) -> Option<String> {
@@ -58,18 +59,10 @@ pub fn doubtful(data: &Loaded) -> Option<String> {
         let why = doubtful[0].text(&DOUBTFUL_REASON);
         return Some(format!("The result is doubtful: {why}. Look at its history first."));
     }
-    let mut reasons: Vec<(String, usize)> = Vec::new();
-    for row in &doubtful {
-        for reason in kinds(row.text(&DOUBTFUL_REASON)) {
-            match reasons.iter_mut().find(|(known, _)| *known == reason) {
-                Some((_, count)) => *count += 1,
-                None => reasons.push((reason, 1)),
-            }
-        }
-    }
-    reasons.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
-    let words: Vec<_> =
-        reasons.iter().map(|(reason, count)| format!("{reason} ({count})")).collect();
+    let reasons: Vec<_> =
+        doubtful.iter().flat_map(|row| kinds(row.text(&DOUBTFUL_REASON))).collect();
+    let words = tallied(&reasons).into_iter().map(|(reason, count)| format!("{reason} ({count})"));
+    let words: Vec<_> = words.collect();
     let (are, their) =
         if doubtful.len() == 1 { ("is", "its history") } else { ("are", "their histories") };
     Some(format!(
@@ -99,18 +92,11 @@ pub fn coarse(data: &Loaded) -> Option<String> {
 /// The kinds of a case's reasons, each once. Reasons that name no kind are told without their numbers and
 /// without the quantities that they touch, as earlier versions wrote them.
 fn kinds(reasons: &str) -> Vec<String> {
-    let mut kinds: Vec<String> = Vec::new();
-    for reason in reasons.split("; ") {
-        let kind = match reason.split_once(": ") {
-            Some((name, rest)) if named(name).is_some() => without_numbers(rest),
-            Some((kind, _)) => kind.to_owned(),
-            None => without_numbers(reason),
-        };
-        if !kinds.contains(&kind) {
-            kinds.push(kind);
-        }
-    }
-    kinds
+    different(reasons.split("; ").map(|reason| match reason.split_once(": ") {
+        Some((name, rest)) if named(name).is_some() => without_numbers(rest),
+        Some((kind, _)) => kind.to_owned(),
+        None => without_numbers(reason),
+    }))
 }
 
 fn without_numbers(text: &str) -> String {
@@ -131,8 +117,8 @@ mod tests {
 
     #[test]
     fn doubtful_results_are_counted_by_reason() {
-        let directory = fixture::movable(&[0.3], &[10.0, 500.0, 1e5], &[50.0]);
-        let mut data = Loaded::read(directory.path()).unwrap();
+        let (_directory, mut data) =
+            fixture::read(fixture::movable(&[0.3], &[10.0, 500.0, 1e5], &[50.0]));
         for row in &mut data.rows {
             *row = row.clone().with(&DOUBTFUL, "false");
         }

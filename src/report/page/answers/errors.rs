@@ -1,11 +1,13 @@
 //! How large the error bars are.
 
 use super::force::most;
+use crate::math::lists::median;
+use crate::math::words::{counted, listed};
 use crate::quantities::Column;
 use crate::quantities::summary::{DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX};
 use crate::report::load::Loaded;
 use crate::report::number::significant;
-use crate::report::page::words::{at, counted, listed, median, percent};
+use crate::report::page::words::{at, percent};
 use crate::report::row::Row;
 
 /// Symbol and column of each number that gets a bar, and whether the bar is told in percent of it:
@@ -72,8 +74,7 @@ mod tests {
 
     #[test]
     fn the_middle_and_the_worst_bar_are_told() {
-        let directory = fixture::movable(&[0.3, 0.5], &[10.0], &[50.0]);
-        let mut data = Loaded::read(directory.path()).unwrap();
+        let (_directory, mut data) = fixture::read(fixture::movable(&[0.3, 0.5], &[10.0], &[50.0]));
         data.rows.push(data.rows[0].clone());
         let bars = [0.01, 0.05];
         for (row, bar) in data.rows.iter_mut().zip(bars) {

@@ -1,7 +1,7 @@
 //! The largest force, and where it is.
 
 use crate::quantities::Column;
-use crate::quantities::summary::{CASE_ID, FIRST_FORCE_MAX, FORCE_MAX, FORCE_MAX_ERROR};
+use crate::quantities::summary::{FIRST_FORCE_MAX, FORCE_MAX, FORCE_MAX_ERROR};
 use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::page::words::{at, result};
@@ -54,9 +54,8 @@ fn later(data: &Loaded, first: f64) -> Option<String> {
 /// wall, or where that stands dry the still water's.
 fn newtons(data: &Loaded, file: Option<&SceneFile>, row: &Row, force: f64) -> String {
     let scale = || {
-        let index = data.rows.iter().position(|r| r.text(&CASE_ID) == row.text(&CASE_ID))?;
-        let cells: Vec<_> = data.keys.iter().map(|key| &key.cells[index]).collect();
-        let scene = file?.config(row.text(&CASE_ID), &cells)?.scene;
+        let index = data.rows.iter().position(|r| r.id() == row.id())?;
+        let scene = file?.config(data, index)?.scene;
         let (frame, seawall) = (scene.frame(), scene.seawall());
         let at_wall = seawall.map(|scene| scene.depth_at_wall_m()).filter(|depth| *depth > 0.0);
         let depth = at_wall.unwrap_or(frame.depth);
@@ -78,16 +77,11 @@ mod tests {
 
     #[test]
     fn a_force_is_told_in_newtons_and_a_later_one_too() {
-        let directory = fixture::movable(&[0.5], &[500.0], &[250.0]);
-        let mut data = Loaded::read(directory.path()).unwrap();
+        let (_directory, mut data) = fixture::read(fixture::movable(&[0.5], &[500.0], &[250.0]));
         let text = "[scene]\nwall = \"movable\"\nstill_water_depth_m = 0.4\n[grid]";
         data.manifest = Some(json!({ "name": "a", "sweep_file": text }));
-        let key = |name: &str, cell: &str| Key {
-            name: name.to_owned(),
-            cells: [cell].into_iter().collect(),
-        };
-        data.keys =
-            vec![key("spring_stiffness_n_per_m", "500"), key("seawall_mass_kg_per_m", "250")];
+        let keys = [("spring_stiffness_n_per_m", "500"), ("seawall_mass_kg_per_m", "250")];
+        data.keys = keys.map(|(name, cell)| Key::new(name, [cell])).into();
         data.rows[0] = data.rows[0].clone().with(&FIRST_FORCE_MAX, 2.0).with(&FORCE_MAX, 2.5);
         let file = SceneFile::of(&data);
         assert_eq!(

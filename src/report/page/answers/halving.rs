@@ -3,11 +3,12 @@
 use std::collections::HashMap;
 
 use super::force::{column, most};
+use crate::math::words::{counted, listed};
 use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
 use crate::report::curves::distinct;
 use crate::report::load::Loaded;
 use crate::report::number;
-use crate::report::page::words::{at, counted, listed, percent, range};
+use crate::report::page::words::{at, percent, range};
 use crate::report::row::{Row, label};
 
 /// Keys that tell walls of one wave apart.

@@ -100,8 +100,7 @@ mod tests {
 
     #[test]
     fn none_that_is_finished_has_no_numbers() {
-        let directory = fixture::sweep();
-        let mut data = Loaded::read(directory.path()).unwrap();
+        let (_directory, mut data) = fixture::read(fixture::sweep());
         data.rows.retain(|row| !row.is_ok());
         let told = all(&data, None);
         assert_eq!(told.iter().map(|a| a.about).collect::<Vec<_>>(), ["What was run", "Failed"]);

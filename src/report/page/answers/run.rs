@@ -1,14 +1,14 @@
 //! What was run, and what failed.
 
-use std::collections::BTreeMap;
-
+use crate::math::lists::{counts, rising};
+use crate::math::words::{counted, listed};
 use crate::quantities::summary::{PARTICLE_SPACING, REASON};
 use crate::quantities::{Column, heading, named};
 use crate::report::curves::distinct;
 use crate::report::load::Loaded;
 use crate::report::number;
-use crate::report::page::words::{counted, listed, range};
-use crate::report::row::PLACE;
+use crate::report::page::words::range;
+use crate::report::row::{PLACE, Row};
 use crate::report::scene_file::SceneFile;
 use crate::report::study::Key;
 
@@ -44,11 +44,9 @@ fn numbers(symbol: &str, values: &[f64], unit: &str) -> String {
 fn key(key: &Key) -> String {
     let cells: Vec<_> = key.cells.different().filter(|cell| !cell.is_empty()).collect();
     let read: Option<Vec<f64>> = cells.iter().map(|cell| cell.parse().ok()).collect();
-    if let Some(mut values) = read {
-        values.sort_by(f64::total_cmp);
-        values.dedup();
+    if let Some(values) = read {
         let (symbol, unit) = symbol(&key.name);
-        return numbers(&symbol, &values, &unit);
+        return numbers(&symbol, &rising(values), &unit);
     }
     let words: Vec<String> = cells.into_iter().map(str::to_owned).collect();
     format!("{} = {}", symbol(&key.name).0, listed(&words))
@@ -91,13 +89,13 @@ fn ended(data: &Loaded, cases: usize) -> String {
 
 /// How many cases failed, by the kind of failure.
 pub fn failed(data: &Loaded) -> Option<String> {
-    let mut kinds = BTreeMap::new();
-    for row in data.failed() {
-        let reason = row.text(&REASON);
+    let kind = |row| {
+        let reason: &str = Row::text(row, &REASON);
         let kind = reason.split(" at t = ").next().unwrap_or(reason);
-        *kinds.entry(kind.split(':').next().unwrap_or(kind)).or_insert(0) += 1;
-    }
-    let kinds: Vec<_> = kinds.iter().map(|(kind, count)| format!("{kind} ({count})")).collect();
+        kind.split(':').next().unwrap_or(kind)
+    };
+    let kinds = counts(data.failed().map(kind)).into_iter();
+    let kinds: Vec<_> = kinds.map(|(kind, count)| format!("{kind} ({count})")).collect();
     let cases = counted(data.failed().count(), "case");
     let they = if cases == "1 case" { "It has" } else { "They have" };
     (!kinds.is_empty()).then(|| format!("{cases} failed: {}. {they} no results.", listed(&kinds)))

@@ -4,10 +4,12 @@ use toml::Table;
 
 use crate::keys::Key;
 use crate::keys::number as read;
-use crate::report::config::some_configs;
+use crate::math::lists::rising;
+use crate::math::words::{capitalised, listed};
+use crate::report::config::each_config;
 use crate::report::curves::spread;
 use crate::report::load::Loaded;
-use crate::report::page::words::{listed, range};
+use crate::report::page::words::range;
 use crate::scene::{Kind, scene_keys};
 
 /// So many cases are looked at: only what was swept may differ in more of them.
@@ -20,8 +22,8 @@ const UNSAID: [&str; 2] = ["kind", "history_interval_s"];
 /// it.
 pub fn shared(data: &Loaded) -> Option<String> {
     let places: Vec<usize> = (0..data.rows.len()).collect();
-    let configs = some_configs(data, spread(&places, LOOKED_AT).into_iter());
-    let scenes: Vec<Table> = configs.into_iter().flatten().map(|config| config.scene).collect();
+    let configs = each_config(data, spread(&places, LOOKED_AT).into_iter());
+    let scenes: Vec<Table> = configs.flatten().map(|config| config.scene).collect();
     let kind = scenes.first()?.get("kind")?.as_str()?.to_owned();
     let kind = Kind::ALL.iter().find(|one| one.name() == kind)?;
     let swept = |key: &&Key| data.keys.iter().any(|one| one.name == key.name);
@@ -36,10 +38,8 @@ fn value(key: &Key, scenes: &[Table]) -> Option<String> {
     let on = scenes.iter().filter(|scene| key.is_on(scene));
     let values: Vec<_> = on.filter_map(|scene| scene.get(key.name)).collect();
     let name = key.label();
-    let mut numbers: Vec<f64> = values.iter().filter_map(|value| read(value)).collect();
+    let numbers = rising(values.iter().filter_map(|value| read(value)));
     if !numbers.is_empty() {
-        numbers.sort_by(f64::total_cmp);
-        numbers.dedup();
         let symbol = if key.name == "still_water_depth_m" { " h =" } else { "" };
         return Some(format!("{name}{symbol} {}", range(&numbers, key.rule.unit)));
     }
@@ -61,11 +61,6 @@ fn word(value: &toml::Value) -> String {
     }
 }
 
-fn capitalised(text: &str) -> String {
-    let mut letters = text.chars();
-    letters.next().map(|first| first.to_uppercase().chain(letters).collect()).unwrap_or_default()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -73,7 +68,7 @@ mod tests {
     use serde_json::json;
 
     fn of(file: &str, key: &str, cells: &[&str]) -> Option<String> {
-        let keys = vec![Swept { name: key.to_owned(), cells: cells.iter().collect() }];
+        let keys = vec![Swept::new(key, cells)];
         let manifest = Some(json!({ "sweep_file": file, "overrides": [] }));
         let rows = vec![Default::default(); cells.len()];
         shared(&Loaded { rows, keys, manifest, ..Loaded::default() })

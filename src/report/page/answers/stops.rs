@@ -1,8 +1,8 @@
 //! Walls that come back onto their stops.
 
+use crate::math::words::counted;
 use crate::quantities::summary::STOPS;
 use crate::report::load::Loaded;
-use crate::report::page::words::counted;
 
 /// In how many cases the wall hits its stop, and where the load of that is; `None` where none does.
 pub fn hits(data: &Loaded) -> Option<String> {
