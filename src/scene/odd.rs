@@ -133,7 +133,7 @@ fn interval(config: &CaseConfig) -> Option<ConfigError> {
     let told = format!(
         "is much shorter than a time step ({step:.1e} s): every step is sampled, which is slow, and the \
          history has some {:.0} lines",
-        frame.end_time / step
+        run / step
     );
     let samples = matches!(config.scene, Scene::Seawall(_) | Scene::Hydrostatic(_));
     (samples && interval < SHARE_OF_STEP * step)

@@ -63,9 +63,9 @@ pub struct Ledger {
 }
 
 impl Ledger {
-    /// Opens the books on water with this energy.
-    pub fn open(start: WaterEnergy) -> Ledger {
-        Ledger { start, ..Ledger::default() }
+    /// Opens the books on water with this energy, when the clock shows `time`, s.
+    pub fn open(start: WaterEnergy, time: f64) -> Ledger {
+        Ledger { start, last_sample: time, ..Ledger::default() }
     }
 
     /// Books the paddle's work over one step against the water's force on it, along x, and that of still
@@ -129,5 +129,19 @@ impl EnergyBudget {
                 + self.density_diffusion
                 + self.shifting
                 + self.outflow)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_is_lost_before_the_clock_begins() {
+        let mut ledger = Ledger::open(WaterEnergy::default(), 86400.0);
+        let losses =
+            Dissipation { viscous_power: 2.0, diffusion_power: -3.0, ..Dissipation::default() };
+        [86400.0, 86401.0].into_iter().for_each(|time| ledger.book_losses(time, true, losses));
+        assert_eq!([ledger.viscous, ledger.density_diffusion], [2.0, -3.0]);
     }
 }
