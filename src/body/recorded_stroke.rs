@@ -160,6 +160,10 @@ impl PaddleLaw for RecordedStroke {
         self.points.iter().map(|point| -point[1]).fold(0.0, f64::max)
     }
 
+    fn goes_forth(&self) -> f64 {
+        self.points.iter().map(|point| point[1]).fold(0.0, f64::max)
+    }
+
     fn still_from(&self) -> f64 {
         self.points.last().map_or(0.0, |point| point[0])
     }
