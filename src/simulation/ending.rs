@@ -122,12 +122,7 @@ impl Run {
     fn outcome(&self, energy: &EnergyBudget) -> Outcome {
         let Run { tank, logbook, .. } = self;
         let (water, m) = (&tank.water, &logbook.measures);
-        let worked = if tank.absorbs {
-            // What an absorbing paddle gives it takes back.
-            logbook.ledger.exchanged
-        } else {
-            energy.paddle_work.abs()
-        };
+        let worked = logbook.ledger.worked(tank.absorbs);
         // A paddle that has never moved has done no work.
         let moves = tank.paddle.is_some() && worked > 0.0;
         let scale = if moves { worked } else { logbook.ledger.start.given() };
