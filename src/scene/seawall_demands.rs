@@ -47,7 +47,7 @@ impl SeawallScene {
         }
         let reach = self.recorded.as_ref().map_or(0.0, |keys| keys.recorded_stroke.reach());
         if reach > 0.5 * self.tank_length_m {
-            let allowed = format!("goes {reach} m far, more than half the tank's length");
+            let allowed = format!("goes {reach:.3} m far, more than half the tank's length");
             return error("recorded_stroke", "", &allowed);
         }
         Ok(())
