@@ -3,6 +3,7 @@
 use super::config::CaseConfig;
 use super::kind::Scene;
 use super::numerics::Numerics;
+use super::probe::Probe;
 use super::seawall::{SeawallScene, WallChoice};
 use crate::keys::ConfigError;
 
@@ -27,8 +28,9 @@ pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
     let mut odd: Vec<_> = all.into_iter().flatten().collect();
     if let Some(scene) = config.scene.seawall() {
         let near = gauge(scene, &config.numerics);
+        let buried = buried(scene, &config.probes);
         let beyond = overshoot(scene);
-        let all = [tank(scene), threshold(scene), steep(scene), early(scene), near, beyond];
+        let all = [tank(scene), threshold(scene), steep(scene), early(scene), near, buried, beyond];
         odd.extend(all.into_iter().flatten());
     }
     odd
@@ -131,6 +133,18 @@ fn overshoot(scene: &SeawallScene) -> Option<ConfigError> {
         "between its points the paddle goes {beyond:.4} m farther than they do, as a spline: give more of them"
     );
     (beyond > OVERSHOOT * reach).then(|| ConfigError::new("scene.recorded_stroke", "", told))
+}
+
+/// Heights of probes count from the paddle's foot, also where the bed is higher.
+fn buried(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
+    let bed = scene.bed.as_ref()?;
+    let (probe, height) = probes.iter().find_map(|it| Some((it, it.bed_over_it(bed)?)))?;
+    let told = format!(
+        "{} stands under the bed, which is {height:.4} m high there, and reads no pressure; heights count from the \
+         paddle's foot",
+        probe.name
+    );
+    Some(ConfigError::new("probe.y_m", probe.y_m?, told))
 }
 
 fn interval(config: &CaseConfig) -> Option<ConfigError> {

@@ -54,3 +54,25 @@ fn slips_are_told_with_key_and_value() {
     }
     assert!(odd("end_time_s = 1e-308")[1].starts_with("scene.end_time_s = 1e-308: "));
 }
+
+/// The story: a probe that counts from the wall's foot read 0 Pa all along.
+#[test]
+fn a_probe_under_the_bed_is_told() {
+    let told = |probe: &str| {
+        let scene = "bed = [[0, 0], [1, 0], [2, 0.1], [2.5, 0.1]]".parse().unwrap();
+        let probe = format!("name = \"P\"\nkind = \"pressure\"\n{probe}").parse().unwrap();
+        let config = CaseConfig::with_probes(&scene, &"".parse().unwrap(), &[probe]).unwrap();
+        odd_values(&config).iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    for sound in
+        ["wall = \"left\"\ny_m = 0.01", "wall = \"right\"\ny_m = 0.1", "x_m = 1.5\ny_m = 0.06"]
+    {
+        assert_eq!(told(sound), [""; 0], "{sound}");
+    }
+    let low = told("wall = \"right\"\ny_m = 0.09");
+    assert!(
+        low.len() == 1
+            && low[0].starts_with("probe.y_m = 0.09: P stands under the bed, which is 0.1000")
+    );
+    assert_eq!(told("x_m = 1.5\ny_m = 0.04").len(), 1);
+}
