@@ -18,7 +18,7 @@ impl Run {
     pub(super) fn film(&mut self, monitor: &dyn Monitor, time: f64, last: bool) {
         let Some(interval) = monitor.film_interval() else { return };
         if last || time >= interval * self.films as f64 * (1.0 - 1e-12) {
-            self.films = (time / interval * (1.0 + 1e-9)) as u64 + 1;
+            self.films = (time / interval * (1.0 + 2e-12) + 1e-9) as u64 + 1;
             let bodies = self.tank.motions(time);
             let faces = if monitor.films_faces() { self.faces(&bodies) } else { Vec::new() };
             monitor.film(&Film {
