@@ -27,7 +27,7 @@ pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
     let all = [density(config), interval(config), end(config)];
     let mut odd: Vec<_> = all.into_iter().flatten().collect();
     if let Some(scene) = config.scene.seawall() {
-        let near = gauge(scene, &config.numerics);
+        let near = gauge(scene, &config.numerics).or_else(|| aground(scene));
         let buried = buried(scene, &config.probes);
         let beyond = overshoot(scene);
         let all = [tank(scene), threshold(scene), steep(scene), early(scene), near, buried, beyond];
@@ -121,6 +121,17 @@ fn gauge(scene: &SeawallScene, numerics: &Numerics) -> Option<ConfigError> {
          face, no wave"
     );
     (scene.wave_gauge_m < least)
+        .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told))
+        .flatten()
+}
+
+/// On a dry beach a gauge counts from the bed.
+fn aground(scene: &SeawallScene) -> Option<ConfigError> {
+    let height = scene.bed.as_ref()?.height(scene.wave_gauge_m);
+    let told = format!(
+        "the gauge stands on a beach that is {height:.3} m high there, and reads how thick the water on it is, no wave"
+    );
+    (height >= scene.still_water_depth_m)
         .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told))
         .flatten()
 }

@@ -41,6 +41,10 @@ fn slips_are_told_with_key_and_value() {
         ),
         ("wave_gauge_m = 0.37", "scene.wave_gauge_m = 0.37: the paddle goes 0.326 m into the"),
         (
+            "bed = [[0, 0], [0.6, 0], [2, 0.28], [2.5, 0.28]]\nwave_gauge_m = 1.7",
+            "scene.wave_gauge_m = 1.7: the gauge stands on a beach that is 0.220 m high",
+        ),
+        (
             "paddle = \"wave-train\"\nwave_period_s = 1\nwave_height_ratio = 0.1\nend_time_s = 5\nwave_gauge_m = 0.05",
             "scene.wave_gauge_m = 0.05: the paddle goes 0.0",
         ),
