@@ -55,6 +55,20 @@ fn a_paddle_makes_the_same_wave_whether_or_not_it_absorbs() {
     }
 }
 
+/// The story: a recorded stroke of the same wave lost 3 % of it, on any clock.
+#[test]
+fn a_recorded_stroke_makes_the_same_wave_whether_or_not_it_absorbs() {
+    let scene = "paddle = \"recorded-stroke\"\nrecorded_stroke = \"sweeps/scenes/recorded_stroke.csv\"\n\
+                 wave_height_ratio = 0.4\nend_time_s = 3.6\n";
+    let [throws, absorbs] = ["", "absorption = true\n"].map(|key| {
+        let outcome = computed(&(scene.to_owned() + key), 1.5).outcome;
+        [outcome.first_force_max.unwrap().value, outcome.measured_wave_height_ratio.unwrap()]
+    });
+    for (throws, absorbs) in throws.into_iter().zip(absorbs) {
+        assert!((absorbs / throws - 1.0).abs() < 2e-3, "{absorbs} and {throws}");
+    }
+}
+
 /// The largest F* - 1 of each period of a second, and the energy gap in percent.
 fn peaks(periods: u32) -> (Vec<f64>, f64) {
     let scene = format!(

@@ -122,6 +122,12 @@ fn what_is_no_bed_is_told() {
         ("bed = [[0, 0]]", "must have two points [x, y] or more"),
         ("bed = [[0, 0], [2, 0], [1, 0.1]]", "goes back from x = 2 m to 1 m"),
         ("bed = [[0, 0], [2, 0.1]]\ntank_length_m = 2", "must be level as far as the paddle goes"),
+        // Looked at once a period it never went anywhere.
+        (
+            "bed = [[0, 0], [0.06, 0], [2.5, 0.1]]\npaddle = \"wave-train\"\nwave_period_s = 1\n\
+             wave_height_ratio = 0.3\nend_time_s = 200",
+            "must be level as far as the paddle goes",
+        ),
         (
             "bed = [[0, 0], [1, 0], [2, 0.1]]",
             "scene.tank_length_m = 2.5: must be 2, where the bed ends",

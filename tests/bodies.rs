@@ -72,6 +72,33 @@ fn a_recorded_solitary_stroke_makes_the_solitary_wave() {
     near(recorded.measured_wave_height_ratio.unwrap(), made.measured_wave_height_ratio.unwrap());
 }
 
+/// The story: a clock that shows 86400 s at the start, or the time since 1970, left the energy budget open by 274 %, or
+/// the run never began.
+#[test]
+fn a_recorded_clock_may_begin_anywhere() {
+    let directory = tempfile::tempdir().unwrap();
+    let path = directory.path().join("stroke.csv");
+    let [near, far, epoch] = [0.0, 86400.123, 1.7e9].map(|start| {
+        let at = |after: f64| start + after;
+        let points = [at(0.0), at(0.7), at(1.4)];
+        let [first, second, third] = points;
+        let text = format!("time_s,stroke_m\n{first},0\n{second},0.1\n{third},0.15\n");
+        std::fs::write(&path, text).unwrap();
+        let scene = format!(
+            "paddle = \"recorded-stroke\"\nend_time_s = {}\nrecorded_stroke = {path:?}\n\
+             wave_height_ratio = 0.2\ntank_length_m = 1.5\nwave_gauge_m = 1\n",
+            at(1.5)
+        );
+        let case = config(&scene, 0.02);
+        let result = run_case(&case, None, SimdPath::widest(), &Unwatched).unwrap();
+        [result.outcome.energy_gap_percent, result.outcome.force_max.value]
+    });
+    for other in [far, epoch] {
+        assert!((other[0] - near[0]).abs() < 0.01, "{near:?} {other:?}");
+        assert!((other[1] / near[1] - 1.0).abs() < 1e-4, "{near:?} {other:?}");
+    }
+}
+
 #[test]
 fn what_the_file_says_is_part_of_the_case() {
     let directory = tempfile::tempdir().unwrap();

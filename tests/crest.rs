@@ -256,6 +256,23 @@ fn threads_films_and_files_of_an_overtopped_wall() {
     assert!(page.contains("\"wall\":\"crest\"") && page.contains("fixed wall of 0.05 m"));
 }
 
+/// The story: at eight rows the crest was too thin for a companion. The case had no bars, and was left at that.
+#[test]
+fn a_wanted_error_is_verified_also_where_the_first_choice_has_no_companion() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = format!(
+        "name = \"thin\"\n[scene]\n{TANK}behind = \"outflow\"\ncrest_freeboard_m = 0.12\ncrest_width_m = 0.13\n\
+         end_after_stroke_centre_s = 1.6\n[numerics]\nboundary = \"normalized\"\n[grid]\n\
+         wave_height_ratio = [0.3]\n"
+    );
+    let file = write_file(folder.path(), &text);
+    let command = ["sweep", file.to_str().unwrap(), "--max-error", "9", "--film", "none"];
+    let out = ran(folder.path(), "thin", &command);
+    let table = std::fs::read_to_string(out.join("max_error.csv")).unwrap();
+    let cells: Vec<_> = table.lines().nth(1).unwrap().rsplit(',').collect();
+    assert!(cells[2].parse::<f64>().is_ok_and(|bar| bar > 0.0), "{table}");
+}
+
 #[test]
 fn what_is_no_crest_is_told() {
     let folder = tempfile::tempdir().unwrap();

@@ -69,10 +69,14 @@ impl MaxError {
         study.cases.iter().filter_map(choose).collect()
     }
 
-    /// Finer spacings where the bars are too wide and the table has any; `records` are the runs'.
+    /// Finer spacings where the bars are too wide, or where a crest or a bed is too small for companions, and the table
+    /// has any; `records` are the runs'.
     pub fn finer(&self, study: &Study, records: &[Option<CaseRecord>]) -> Choices {
         let choose = |verified: &Verified| {
-            verified.bar_percent.filter(|&bar| bar > self.percent)?;
+            let misses = verified.bar_percent.is_some_and(|bar| bar > self.percent);
+            if !misses && !study.companions_of[verified.index].is_empty() {
+                return None;
+            }
             self.next(study, &study.cases[verified.index])
         };
         self.verify(study, records).iter().filter_map(choose).collect()

@@ -58,6 +58,11 @@ pub trait PaddleLaw {
         0.0
     }
 
+    /// How far it goes forth past where it starts, metres. By default to where it stands in the end.
+    fn goes_forth(&self) -> f64 {
+        self.motion(self.still_from()).offset
+    }
+
     /// From when on it stands, seconds; infinite where it never does.
     fn still_from(&self) -> f64;
 

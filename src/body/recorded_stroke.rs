@@ -82,10 +82,17 @@ impl Stroke {
         self.0[0][0]
     }
 
-    /// The farthest that it goes from its first position, metres.
+    /// The farthest that the spline through it goes from its first position, metres.
     pub fn reach(&self) -> f64 {
-        let start = self.0[0][1];
-        self.0.iter().map(|point| (point[1] - start).abs()).fold(0.0, f64::max)
+        let [back, forth] = RecordedStroke::new(self).range;
+        forth.max(-back)
+    }
+
+    /// How much farther the spline goes than the points do, back or forth, metres.
+    pub fn overshoot(&self) -> f64 {
+        let spline = RecordedStroke::new(self);
+        let [back, forth] = widest(spline.points.iter().map(|point| point[1]));
+        (spline.range[1] - forth).max(back - spline.range[0])
     }
 }
 
@@ -106,6 +113,13 @@ pub struct RecordedStroke {
     points: Vec<[f64; 2]>,
     /// Velocity at each point, m/s.
     velocities: Vec<f64>,
+    /// How far it goes back, zero or less, and forth, metres: between points it may go farther than they do.
+    range: [f64; 2],
+}
+
+/// The least and the largest of places, the start among them.
+fn widest(places: impl Iterator<Item = f64>) -> [f64; 2] {
+    places.fold([0.0; 2], |[back, forth], at| [back.min(at), forth.max(at)])
 }
 
 impl RecordedStroke {
@@ -127,24 +141,42 @@ impl RecordedStroke {
         for k in (1..points.len() - 1).rev() {
             velocities[k] -= above[k] * velocities[k + 1];
         }
-        RecordedStroke { points, velocities }
+        let mut spline = RecordedStroke { points, velocities, range: [0.0; 2] };
+        let turns = (0..spline.points.len() - 1).flat_map(|k| spline.turns(k));
+        spline.range = widest(spline.points.iter().map(|point| point[1]).chain(turns));
+        spline
+    }
+
+    /// The stretch that begins at a point: its span, s, and v0, b and c of x0 + span (v0 u + b u² + c u³).
+    fn stretch(&self, k: usize) -> (f64, [f64; 3]) {
+        let ([t0, x0], [t1, x1]) = (self.points[k], self.points[k + 1]);
+        let (span, [v0, v1]) = (t1 - t0, [self.velocities[k], self.velocities[k + 1]]);
+        let slope = (x1 - x0) / span;
+        (span, [v0, 3.0 * slope - 2.0 * v0 - v1, v0 + v1 - 2.0 * slope])
+    }
+
+    /// Where the paddle turns within a stretch, v0 + 2 b u + 3 c u² = 0, metres.
+    fn turns(&self, k: usize) -> impl Iterator<Item = f64> + use<> {
+        let (span, [v0, b, c]) = self.stretch(k);
+        let x0 = self.points[k][1];
+        let root = (b * b - 3.0 * c * v0).sqrt();
+        let q = -(b + root.copysign(b));
+        // Not a number, or beyond its ends, where it does not turn.
+        let within = [q / (3.0 * c), v0 / q].into_iter().filter(|u| (0.0..1.0).contains(u));
+        within.map(move |u| x0 + span * u * (v0 + u * (b + u * c)))
     }
 }
 
 impl PaddleLaw for RecordedStroke {
     fn motion(&self, time: f64) -> BodyMotion {
         let after = self.points.partition_point(|point| point[0] <= time);
-        let Some(&[t1, x1]) = self.points.get(after) else {
+        if after == self.points.len() {
             let end = self.points.last().map_or(0.0, |point| point[1]);
             return BodyMotion { offset: end, ..BodyMotion::default() };
-        };
-        let Some(&[t0, x0]) = after.checked_sub(1).map(|k| &self.points[k]) else {
-            return BodyMotion::default();
-        };
-        let (span, [v0, v1]) = (t1 - t0, [self.velocities[after - 1], self.velocities[after]]);
-        let (u, slope) = ((time - t0) / span, (x1 - x0) / span);
-        // x0 + span (v0 u + b u² + c u³)
-        let (b, c) = (3.0 * slope - 2.0 * v0 - v1, v0 + v1 - 2.0 * slope);
+        }
+        let Some(k) = after.checked_sub(1) else { return BodyMotion::default() };
+        let ([t0, x0], (span, [v0, b, c])) = (self.points[k], self.stretch(k));
+        let u = (time - t0) / span;
         BodyMotion {
             offset: x0 + span * u * (v0 + u * (b + u * c)),
             velocity: v0 + u * (2.0 * b + 3.0 * c * u),
@@ -157,7 +189,11 @@ impl PaddleLaw for RecordedStroke {
     }
 
     fn goes_back(&self) -> f64 {
-        self.points.iter().map(|point| -point[1]).fold(0.0, f64::max)
+        -self.range[0]
+    }
+
+    fn goes_forth(&self) -> f64 {
+        self.range[1]
     }
 
     fn still_from(&self) -> f64 {
@@ -166,68 +202,4 @@ impl PaddleLaw for RecordedStroke {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::keys::Shape;
-
-    fn smooth(time: f64) -> f64 {
-        0.1 - 0.1 * libm::cos(time)
-    }
-
-    #[test]
-    fn it_goes_through_its_points_smoothly_and_stays_at_the_last() {
-        // Uneven times, from rest to rest: half a period of a cosine.
-        let times: Vec<_> = (0..=20).map(|k| f64::from(k) / 20.0).collect();
-        let times = times.iter().map(|s| std::f64::consts::PI * s * (0.7 + 0.3 * s));
-        let points: Vec<_> = times.map(|time| [time, 5.0 + smooth(time)]).collect();
-        let end = points[20][0];
-        let paddle = RecordedStroke::new(&Stroke::checked(points.clone()).unwrap());
-        for &[time, place] in &points {
-            assert!((paddle.motion(time).offset - (place - 5.0)).abs() < 1e-15);
-            let [before, after] = [-1e-9, 1e-9].map(|off| paddle.motion(time + off));
-            assert!((before.velocity - after.velocity).abs() < 1e-9);
-            let inside = time > 0.0 && time < end;
-            assert!(!inside || (before.acceleration - after.acceleration).abs() < 1e-6);
-        }
-        for k in 0..100 {
-            let time = end * f64::from(k) / 100.0;
-            let motion = paddle.motion(time);
-            assert!((motion.offset - smooth(time)).abs() < 1e-6, "{time}");
-            assert!((motion.velocity - 0.1 * libm::sin(time)).abs() < 1e-4, "{time}");
-            assert!((motion.acceleration - 0.1 * libm::cos(time)).abs() < 2e-3, "{time}");
-        }
-        let later = paddle.motion(end + 1.0);
-        assert_eq!((later.offset, later.velocity), (points[20][1] - 5.0, 0.0));
-        assert_eq!(paddle.still_from(), end);
-    }
-
-    #[test]
-    fn a_file_gives_its_path() {
-        assert_eq!(Shape::of::<Stroke>(), Shape::Text);
-    }
-
-    #[test]
-    fn a_bad_file_is_told_with_its_line() {
-        let told = |text: &str| {
-            let file = std::env::temp_dir().join(format!("stroke_{}.csv", std::process::id()));
-            std::fs::write(&file, text).unwrap();
-            let read = Stroke::read(file.to_str().unwrap());
-            std::fs::remove_file(file).unwrap();
-            read.map(|stroke| stroke.0.len())
-        };
-        assert_eq!(told("time_s,stroke_m\n0,0\n1, 0.1\n2,0.3\n"), Ok(3));
-        let bad = [
-            ("t,x\n0,0\n", "must be a CSV file with the columns time_s and stroke_m"),
-            ("time_s,stroke_m\n0,0\n1,a\n", "line 3: \"a\" is no number"),
-            ("time_s,stroke_m\n0,0\n1,2\n", "must have three points or more"),
-            ("time_s,stroke_m\n-1,0\n2,0\n3,0\n", "must begin at 0 s or later, not at -1 s"),
-            ("time_s,stroke_m\n0,0\n2,0\n1,0\n", "goes from 2 s back to 1 s"),
-            ("time_s,stroke_m\n0,0\n1,inf\n2,0\n", "has a point at 1 s, inf m: both"),
-        ];
-        for (text, message) in bad {
-            let told = told(text).unwrap_err();
-            assert!(told.starts_with(message), "{told}");
-        }
-        assert!(Stroke::read("no/such/file.csv").unwrap_err().starts_with("cannot be read"));
-    }
-}
+mod tests;

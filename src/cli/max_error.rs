@@ -117,7 +117,7 @@ pub(super) fn refine(aim: &MaxError, study: &Study, done: &Done, output: &Output
     }
     let (percent, cases) = (aim.percent(), counted(finer.len(), "case"));
     output.note(format_args!(
-        "error bars wider than {percent} % in {cases}: these run once more with finer particles"
+        "error bars missing or wider than {percent} % in {cases}: these run once more with finer particles"
     ));
     Some(with(study, &finer))
 }

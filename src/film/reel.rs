@@ -68,7 +68,7 @@ impl Reel<'_> {
         film["quantum"] = json!(packed.quantum);
         film["crest"] = json!(self.crest);
         film["highest"] = json!(self.highest);
-        film["times"] = times(|take| take.time_s).collect();
+        film["times"] = moments(self.takes.iter().map(|take| take.time_s)).collect();
         film["left"] = times(|take| take.walls[0]).collect();
         film["right"] = times(|take| take.walls[1]).collect();
         film["colours"] = json!(scale::colours());
@@ -134,7 +134,8 @@ fn curves(result: &CaseResult) -> Value {
         |row| row.displacement,
         outcome.displacement_max,
     );
-    json!({ "time_s": read(|row| row.time_s).collect::<Value>(), "curves": curves })
+    let times = moments(rows.iter().map(|row| row.time_s));
+    json!({ "time_s": times.collect::<Value>(), "curves": curves })
 }
 
 /// The ends of a curve's axis: up to the maximum that is quoted, in which no hit of the wall on its stop
@@ -156,6 +157,15 @@ fn brief(value: f64) -> f64 {
     significant(value, 5)
 }
 
+/// Times to five digits of what lies between the first and the last: a recorded clock may begin far from 0.
+fn moments(times: impl Iterator<Item = f64> + Clone) -> impl Iterator<Item = f64> {
+    let (first, last) = (times.clone().next(), times.clone().last());
+    let [first, last] = [first, last].map(Option::unwrap_or_default);
+    let far = libm::log10(last / (last - first)).floor();
+    let more = if far.is_finite() { far.max(0.0) as usize } else { 0 };
+    times.map(move |time| significant(time, 5 + more))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -172,6 +182,22 @@ mod tests {
         assert!(low == 0.0 && (2.5..2.7).contains(&high), "{high}");
         assert_eq!(axis(&[], None), [0.0, 1.0]);
         assert_eq!(axis(&[0.0, -9.0, -9.0, -9.0, -9.0, -9.0, 0.0], Some(3.0))[0], -3.0);
+    }
+
+    /// The story: every second of a film was one time, as its clock began at 86400 s.
+    #[test]
+    fn times_far_from_zero_are_told_as_finely_as_those_near_it() {
+        let told = |begin: f64| {
+            moments((0..60).map(move |k| begin + 0.08123 * f64::from(k))).collect::<Vec<_>>()
+        };
+        let near = told(0.0);
+        assert_eq!(near[1..3], [0.08123, 0.16246]);
+        for begin in [258.0, 86400.125, 1.7e9] {
+            for (far, near) in told(begin).iter().zip(&near) {
+                assert!((far - begin - near).abs() < 1e-3, "{far}");
+            }
+        }
+        assert_eq!(moments([1.23456789].into_iter()).collect::<Vec<_>>(), [1.2346]);
     }
 
     /// In a flume of 23 m a two-thousandth of its length is more than a spacing.

@@ -93,8 +93,8 @@ quantities! { Read;
     FORCE_GAP = number("force_gap_percent", "", Percent, |c| {
         Some(c.outcome?.force_gap_percent)
     }).decimals(3);
-    /// residual of the energy budget, of the paddle's work (in still water, of the initial
-    /// potential energy; of a paddle that absorbs, of all work that passed either way)
+    /// residual of the energy budget, of the most that the paddle's work has been (in still water, of the
+    /// initial potential energy; of a paddle that absorbs, of all work that passed either way where that is more)
     ENERGY_GAP = number("energy_gap_percent", "", Percent, |c| {
         Some(c.outcome?.energy_gap_percent)
     }).decimals(3);

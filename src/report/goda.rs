@@ -78,19 +78,28 @@ impl<'a> Settings<'a> {
 
     /// Of the case in a row; `None` where no wave meets an upright wall in still water.
     pub fn at(&self, place: usize) -> Option<Setting> {
-        let row = &self.data.rows[place];
-        if !row.is_vertical() {
+        if !self.data.rows[place].is_vertical() {
             return None;
         }
-        let Some(scene) = &self.scene else { return Some(Setting::PLAIN) };
-        let mut scene = scene.clone();
+        self.scene_at(place).map_or(Some(Setting::PLAIN), |scene| setting(&scene))
+    }
+
+    /// Whether the case in a row has regular waves, of which a gauge knows the first crest alone.
+    pub fn are_regular(&self, place: usize) -> bool {
+        let paddle = self.scene_at(place).and_then(|scene| Some(scene.get("paddle")?.clone()));
+        paddle.is_some_and(|paddle| paddle.as_str() == Some("wave-train"))
+    }
+
+    /// `[scene]` of the case in a row.
+    fn scene_at(&self, place: usize) -> Option<Table> {
+        let mut scene = self.scene.clone()?;
         for key in &self.data.keys {
             match &key.cells[place] {
                 "" => drop(scene.remove(&key.name)),
                 cell => drop(scene.insert(key.name.clone(), read_value(cell))),
             }
         }
-        setting(&scene)
+        Some(scene)
     }
 }
 

@@ -36,7 +36,9 @@ pub(super) fn name_variants(rows: &mut [Row], swept: &[Key]) {
     }
     let name = |index: usize| {
         let part = |(name, values): &(String, Cells)| format!("{name} = {}", &values[index]);
-        choices.iter().map(part).collect::<Vec<_>>().join(", ")
+        // A case without a key has an empty cell.
+        let has = |(_, values): &&(String, Cells)| !values[index].is_empty();
+        choices.iter().filter(has).map(part).collect::<Vec<_>>().join(", ")
     };
     let names: Cells = (0..rows.len()).map(name).collect();
     for (index, row) in rows.iter_mut().enumerate() {
@@ -83,6 +85,19 @@ mod tests {
         name_variants(&mut rows, &swept);
         assert_eq!(&*rows[0].variant, "boundary = sfdi, slip = free");
         assert_eq!(&*rows[1].variant, "boundary = normalized, slip = no");
+    }
+
+    #[test]
+    fn a_key_that_a_case_does_not_have_is_left_out() {
+        let mut rows = vec![row("sfdi", 0.2), row("sfdi", 0.2)];
+        let key = |name: &str, cells: [&str; 2]| Key {
+            name: name.to_owned(),
+            cells: cells.into_iter().collect(),
+        };
+        let swept = [key("behind", ["outflow", "floor"]), key("floor_length_m", ["", "0.7"])];
+        name_variants(&mut rows, &swept);
+        assert_eq!(&*rows[0].variant, "behind = outflow");
+        assert_eq!(&*rows[1].variant, "behind = floor, floor_length_m = 0.7");
     }
 
     #[test]

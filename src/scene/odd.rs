@@ -3,6 +3,7 @@
 use super::config::CaseConfig;
 use super::kind::Scene;
 use super::numerics::Numerics;
+use super::probe::Probe;
 use super::seawall::{SeawallScene, WallChoice};
 use crate::keys::ConfigError;
 
@@ -18,13 +19,18 @@ const FEWEST_STEPS: f64 = 2.0;
 /// Samples closer than this share of a time step say nothing that steps do not.
 const SHARE_OF_STEP: f64 = 0.1;
 
+/// A recorded stroke's spline goes beyond its points by more than this share of its reach.
+const OVERSHOOT: f64 = 0.05;
+
 /// What of a case looks like a slip: key, value, and what is usual.
 pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
     let all = [density(config), interval(config), end(config)];
     let mut odd: Vec<_> = all.into_iter().flatten().collect();
     if let Some(scene) = config.scene.seawall() {
-        let near = gauge(scene, &config.numerics);
-        let all = [tank(scene), threshold(scene), steep(scene), early(scene), near];
+        let near = gauge(scene, &config.numerics).or_else(|| aground(scene));
+        let buried = buried(scene, &config.probes);
+        let beyond = overshoot(scene);
+        let all = [tank(scene), threshold(scene), steep(scene), early(scene), near, buried, beyond];
         odd.extend(all.into_iter().flatten());
     }
     odd
@@ -119,6 +125,39 @@ fn gauge(scene: &SeawallScene, numerics: &Numerics) -> Option<ConfigError> {
         .flatten()
 }
 
+/// On a dry beach a gauge counts from the bed.
+fn aground(scene: &SeawallScene) -> Option<ConfigError> {
+    let height = scene.bed.as_ref()?.height(scene.wave_gauge_m);
+    let told = format!(
+        "the gauge stands on a beach that is {height:.3} m high there, and reads how thick the water on it is, no wave"
+    );
+    (height >= scene.still_water_depth_m)
+        .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told))
+        .flatten()
+}
+
+/// A spline through few points may go far beyond them.
+fn overshoot(scene: &SeawallScene) -> Option<ConfigError> {
+    let stroke = &scene.recorded.as_ref()?.recorded_stroke;
+    let (beyond, reach) = (stroke.overshoot(), stroke.reach());
+    let told = format!(
+        "between its points the paddle goes {beyond:.4} m farther than they do, as a spline: give more of them"
+    );
+    (beyond > OVERSHOOT * reach).then(|| ConfigError::new("scene.recorded_stroke", "", told))
+}
+
+/// Heights of probes count from the paddle's foot, also where the bed is higher.
+fn buried(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
+    let bed = scene.bed.as_ref()?;
+    let (probe, height) = probes.iter().find_map(|it| Some((it, it.bed_over_it(bed)?)))?;
+    let told = format!(
+        "{} stands under the bed, which is {height:.4} m high there, and reads no pressure; heights count from the \
+         paddle's foot",
+        probe.name
+    );
+    Some(ConfigError::new("probe.y_m", probe.y_m?, told))
+}
+
 fn interval(config: &CaseConfig) -> Option<ConfigError> {
     let frame = config.scene.frame();
     let (interval, step) = (frame.history_interval, frame.time_step(&config.numerics));
@@ -133,7 +172,7 @@ fn interval(config: &CaseConfig) -> Option<ConfigError> {
     let told = format!(
         "is much shorter than a time step ({step:.1e} s): every step is sampled, which is slow, and the \
          history has some {:.0} lines",
-        frame.end_time / step
+        run / step
     );
     let samples = matches!(config.scene, Scene::Seawall(_) | Scene::Hydrostatic(_));
     (samples && interval < SHARE_OF_STEP * step)
@@ -142,70 +181,4 @@ fn interval(config: &CaseConfig) -> Option<ConfigError> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn odd(scene: &str) -> Vec<String> {
-        let config = CaseConfig::from_tables(&scene.parse().unwrap(), &"".parse().unwrap());
-        odd_values(&config.unwrap()).iter().map(ToString::to_string).collect()
-    }
-
-    #[test]
-    fn what_is_usual_is_not_told() {
-        let movable = "wall = \"movable\"\nspring_stiffness_n_per_m = 1\nseawall_mass_kg_per_m = 1";
-        for scene in [
-            "",
-            "still_water_depth_m = 0.5",
-            "water_density_kg_per_m3 = 1025",
-            "history_interval_s = 0.001",
-            "threshold_ratio = 0.5",
-            &format!("{movable}\nthreshold_ratio = 1"),
-            "kind = \"hydrostatic\"\ntank_length_m = 0.3",
-            "tank_length_m = 3\nend_after_stroke_centre_s = 1.7",
-            "kind = \"rotating-patch\"",
-            "wave_gauge_m = 0.38",
-            "wave_gauge_m = 0.01\nwave_height_ratio = 0\nend_time_s = 1",
-            "paddle = \"wave-train\"\nwave_period_s = 1\nwave_height_ratio = 0.1\nend_time_s = 5\nwave_gauge_m = 0.1",
-        ] {
-            assert_eq!(odd(scene), [""; 0], "{scene}");
-        }
-    }
-
-    #[test]
-    fn slips_are_told_with_key_and_value() {
-        let movable = "wall = \"movable\"\nspring_stiffness_n_per_m = 1\nseawall_mass_kg_per_m = 1";
-        for (scene, told) in [
-            (
-                "still_water_depth_m = 0.51",
-                "scene.still_water_depth_m = 0.51: the tank, tank_length",
-            ),
-            ("tank_length_m = 7", "scene.tank_length_m = 7: the run ends at 3."),
-            ("water_density_kg_per_m3 = 1", "scene.water_density_kg_per_m3 = 1: this is no water"),
-            (
-                "history_interval_s = 1e-9",
-                "scene.history_interval_s = 0.000000001: is much shorter",
-            ),
-            (
-                "history_interval_s = 100",
-                "scene.history_interval_s = 100: is as long as the run, 3.",
-            ),
-            (
-                "paddle = \"wave-train\"\nwave_period_s = 0.3\nend_time_s = 5",
-                "scene.wave_period_s = 0.3: waves of wave_height_ratio = 0.5 would be 0.712 of",
-            ),
-            ("wave_gauge_m = 0.37", "scene.wave_gauge_m = 0.37: the paddle goes 0.326 m into the"),
-            (
-                "paddle = \"wave-train\"\nwave_period_s = 1\nwave_height_ratio = 0.1\nend_time_s = 5\nwave_gauge_m = 0.05",
-                "scene.wave_gauge_m = 0.05: the paddle goes 0.0",
-            ),
-            (
-                &format!("{movable}\nthreshold_ratio = 0.5"),
-                "scene.threshold_ratio = 0.5: still water alone presses with 1",
-            ),
-        ] {
-            let all = odd(scene);
-            assert!(all.len() == 1 && all[0].starts_with(told), "{all:?}");
-        }
-        assert!(odd("end_time_s = 1e-308")[1].starts_with("scene.end_time_s = 1e-308: "));
-    }
-}
+mod tests;

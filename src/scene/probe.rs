@@ -4,6 +4,7 @@ use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
 use super::frame::Frame;
+use crate::boundary::Profile;
 use crate::keys::{ConfigError, Range, read_alone, section};
 use crate::math::decimal::significant;
 
@@ -127,6 +128,17 @@ impl Probe {
             })
         };
         tables.iter().enumerate().map(read).collect()
+    }
+
+    /// The bed's height where it stands under the bed before the wall, where no water ever is, metres.
+    pub(super) fn bed_over_it(&self, bed: &Profile) -> Option<f64> {
+        let [end, toe] = bed.end();
+        let height = match (self.wall, self.x_m) {
+            (Some(Side::Left), _) => bed.height(0.0),
+            (Some(Side::Right), _) => toe,
+            (None, at) => bed.height(at.filter(|x| *x <= end)?),
+        };
+        self.y_m.filter(|y| *y < height).map(|_| height)
     }
 
     /// `behind`: how far the scene reaches behind the wall's face, and how far down there, metres.

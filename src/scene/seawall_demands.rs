@@ -47,7 +47,7 @@ impl SeawallScene {
         }
         let reach = self.recorded.as_ref().map_or(0.0, |keys| keys.recorded_stroke.reach());
         if reach > 0.5 * self.tank_length_m {
-            let allowed = format!("goes {reach} m far, more than half the tank's length");
+            let allowed = format!("goes {reach:.3} m far, more than half the tank's length");
             return error("recorded_stroke", "", &allowed);
         }
         Ok(())
@@ -123,8 +123,11 @@ impl SeawallScene {
             (_, Some(keys)) => keys.recorded_stroke.reach(),
             _ => self.paddle().map_or(0.0, |paddle| {
                 let end = self.end_time_s.unwrap_or(LONGEST).min(LONGEST);
-                let step = paddle.still_from().min(end) / f64::from(INSTANTS);
-                let reach = |k| paddle.motion(f64::from(k) * step).offset.abs();
+                // A train repeats itself once it is eased in.
+                let single = [0.0, paddle.still_from().min(end)];
+                let [from, span] = paddle.period().map_or(single, |period| [period; 2]);
+                let step = span / f64::from(INSTANTS);
+                let reach = |k| paddle.motion(from + f64::from(k) * step).offset.abs();
                 (0..=INSTANTS).map(reach).fold(0.0, f64::max)
             }),
         }

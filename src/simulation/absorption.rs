@@ -73,14 +73,14 @@ impl Absorption {
     }
 }
 
-/// Until when the surface at a paddle of a single stroke is its own, seconds. A wave has to go to where the bed rises,
-/// or to the wall, and back. Until then a difference is an error of the reading or of Goring's theory. To give way to
-/// it would take some hundredths from the wave.
+/// Until when the surface at a paddle that makes no train is its own, seconds. A wave has to go to where the bed
+/// rises, or to the wall, and back. Until then a difference is an error of the reading or of the theory of long waves. To
+/// give way to it would take some hundredths from the wave.
 fn alone_until(tank: &Tank) -> Option<f64> {
-    let paddle = tank.paddle.as_ref().filter(|paddle| paddle.stroke_centre().is_some())?;
+    let paddle = tank.paddle.as_ref().filter(|paddle| paddle.period().is_none())?;
     let Frame { length, depth, gravity, .. } = tank.frame;
     let level = tank.water.walls().profile.as_ref().map_or(length, |bed| bed.level_up_to());
-    let stroke = paddle.motion(paddle.still_from()).offset;
     let celerity = (gravity * depth * (1.0 + tank.wave_height_ratio)).sqrt();
-    Some(paddle.still_from().min((2.0 * level.min(length) - stroke) / celerity))
+    let back = tank.start_time + (2.0 * level.min(length) - paddle.goes_forth()) / celerity;
+    Some(paddle.still_from().min(back))
 }

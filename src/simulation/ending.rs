@@ -18,7 +18,7 @@ impl Run {
     pub(super) fn film(&mut self, monitor: &dyn Monitor, time: f64, last: bool) {
         let Some(interval) = monitor.film_interval() else { return };
         if last || time >= interval * self.films as f64 * (1.0 - 1e-12) {
-            self.films = (time / interval * (1.0 + 1e-9)) as u64 + 1;
+            self.films = (time / interval * (1.0 + 2e-12) + 1e-9) as u64 + 1;
             let bodies = self.tank.motions(time);
             let faces = if monitor.films_faces() { self.faces(&bodies) } else { Vec::new() };
             monitor.film(&Film {
@@ -122,12 +122,7 @@ impl Run {
     fn outcome(&self, energy: &EnergyBudget) -> Outcome {
         let Run { tank, logbook, .. } = self;
         let (water, m) = (&tank.water, &logbook.measures);
-        let worked = if tank.absorbs {
-            // What an absorbing paddle gives it takes back.
-            logbook.ledger.exchanged
-        } else {
-            energy.paddle_work.abs()
-        };
+        let worked = logbook.ledger.worked(tank.absorbs);
         // A paddle that has never moved has done no work.
         let moves = tank.paddle.is_some() && worked > 0.0;
         let scale = if moves { worked } else { logbook.ledger.start.given() };

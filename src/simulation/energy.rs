@@ -50,9 +50,11 @@ pub struct Ledger {
     /// At the start.
     pub start: WaterEnergy,
     paddle_work: f64,
+    /// The most that this has been, either way.
+    most_work: f64,
     /// What has passed between paddle and water either way, less the push of still water, J per metre of
     /// width.
-    pub exchanged: f64,
+    exchanged: f64,
     threshold_device: f64,
     stops: f64,
     viscous: f64,
@@ -63,15 +65,16 @@ pub struct Ledger {
 }
 
 impl Ledger {
-    /// Opens the books on water with this energy.
-    pub fn open(start: WaterEnergy) -> Ledger {
-        Ledger { start, ..Ledger::default() }
+    /// Opens the books on water with this energy, when the clock shows `time`, s.
+    pub fn open(start: WaterEnergy, time: f64) -> Ledger {
+        Ledger { start, last_sample: time, ..Ledger::default() }
     }
 
     /// Books the paddle's work over one step against the water's force on it, along x, and that of still
     /// water.
     pub fn book_paddle(&mut self, [force, at_rest]: [f64; 2], travel: f64) {
         self.paddle_work -= force * travel;
+        self.most_work = self.most_work.max(self.paddle_work.abs());
         self.exchanged += ((force - at_rest) * travel).abs();
     }
 
@@ -93,6 +96,13 @@ impl Ledger {
             self.last_sample = time;
             self.last_powers = [losses.viscous_power, losses.diffusion_power];
         }
+    }
+
+    /// What gaps are told of: the most that the paddle's work has been so far, J per metre of width. A train's goes up
+    /// and down with the push of still water, and may be next to nothing at the end. What a paddle that `absorbs` gives
+    /// it takes back, so what has passed either way counts where that is more.
+    pub fn worked(&self, absorbs: bool) -> f64 {
+        if absorbs { self.most_work.max(self.exchanged) } else { self.most_work }
     }
 
     /// The budget with the water's energy as it is now.
@@ -129,5 +139,38 @@ impl EnergyBudget {
                 + self.density_diffusion
                 + self.shifting
                 + self.outflow)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_is_lost_before_the_clock_begins() {
+        let mut ledger = Ledger::open(WaterEnergy::default(), 86400.0);
+        let losses =
+            Dissipation { viscous_power: 2.0, diffusion_power: -3.0, ..Dissipation::default() };
+        [86400.0, 86401.0].into_iter().for_each(|time| ledger.book_losses(time, true, losses));
+        assert_eq!([ledger.viscous, ledger.density_diffusion], [2.0, -3.0]);
+    }
+
+    #[test]
+    fn a_gap_is_told_of_the_most_work_there_was() {
+        // A paddle that goes forth and back against still water.
+        let mut ledger = Ledger::default();
+        for travel in [0.1, -0.099] {
+            ledger.book_paddle([-200.0, -200.0], travel);
+        }
+        assert!((ledger.worked(false) - 20.0).abs() < 1e-12);
+        assert_eq!(ledger.worked(false), ledger.worked(true));
+        // Four hundred times it gives 0.1 J more than still water takes, and takes them back.
+        for _ in 0..400 {
+            [0.01, -0.01]
+                .into_iter()
+                .for_each(|travel| ledger.book_paddle([-210.0, -200.0], travel));
+        }
+        assert!((ledger.worked(false) - 20.0).abs() < 1e-9);
+        assert!((ledger.worked(true) - 80.0).abs() < 1e-9);
     }
 }

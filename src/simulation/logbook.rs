@@ -82,7 +82,7 @@ impl Logbook {
             measures,
             sound,
             gauge: CrestGauge::default(),
-            ledger: Ledger::open(start),
+            ledger: Ledger::open(start, tank.start_time),
             history: Vec::new(),
             force_at_rest: None,
             lopsided: None,
@@ -100,7 +100,7 @@ impl Logbook {
 
     /// Makes room for all samples and looks, within reason, so that none takes memory of its own.
     pub fn make_room(&mut self, frame: &Frame) {
-        let count = |interval: f64| (frame.end_time / interval) as usize + 2;
+        let count = |interval: f64| ((frame.end_time / interval) as usize).saturating_add(2);
         let all = count(frame.history_interval);
         let more = all.saturating_sub(self.history.len()).min(MOST_ROOM);
         let looks = count(Looks::interval(frame.intervals()));

@@ -88,8 +88,8 @@ pub struct Outcome {
     /// That gap, signed, at `force_max`: of the means over 0.14 √(h/g), less what it is at rest.
     #[serde(default)]
     pub force_max_gap_percent: f64,
-    /// Residual of the energy budget, percent of the paddle's work (of the water's initial
-    /// energy scale where the paddle does none).
+    /// Residual of the energy budget, percent of the most that the paddle's work has been (of the water's
+    /// initial energy scale where the paddle does none).
     pub energy_gap_percent: f64,
     /// Particles that left the tank.
     pub particles_lost: u32,

@@ -4,6 +4,7 @@ use super::energy::WaterEnergy;
 use super::failure::{Failure, FailureKind};
 use super::first_impact::Reading;
 use super::health::Vitals;
+use super::looks::{next, passed};
 use super::outcome::{EnergyBudget, HistoryRow};
 use super::overtopping::Overtopping;
 use super::pressed::Lever;
@@ -148,10 +149,9 @@ impl Run {
     pub(super) fn sample(&mut self, reading: &Reading, bodies: &Motions) {
         let Run { tank, logbook, clock, .. } = self;
         let (time, depth) = (reading.time, tank.frame.depth);
-        clock.samples += 1;
-        while tank.frame.history_interval * clock.samples as f64 <= time {
-            clock.samples += 1;
-        }
+        let interval = tank.frame.history_interval;
+        clock.samples =
+            next(clock.samples, passed(time, interval), |count| interval * count as f64 <= time);
         logbook.history.push(HistoryRow {
             time_s: time,
             force: reading.force,

@@ -10,7 +10,8 @@ use super::sheet::{Drawing, PANELS};
 use super::{Figure, file_name, of_variant, printed, swept};
 use crate::quantities::Column;
 use crate::quantities::summary::{
-    FIRST_FORCE_MAX, FIRST_RUNUP_MAX, MEASURED_WAVE_HEIGHT_RATIO, WAVE_HEIGHT_RATIO,
+    FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, MEASURED_WAVE_HEIGHT_RATIO, RUNUP_MAX,
+    WAVE_HEIGHT_RATIO,
 };
 use crate::report::curves::variants;
 use crate::report::goda::{Setting, Settings};
@@ -19,6 +20,8 @@ use crate::report::row::Row;
 
 /// What is drawn, side by side, and where it stands in [`EXACT`].
 const SIDES: [(&Column, usize); 2] = [(&FIRST_RUNUP_MAX, 1), (&FIRST_FORCE_MAX, 2)];
+/// What is drawn of regular waves.
+const OF_ALL: [(&Column, usize); 2] = [(&RUNUP_MAX, 1), (&FORCE_MAX, 2)];
 
 /// The exact solitary wave of the Euler equations, reflected by a vertical wall: H/h, runup over
 /// h, and the first peak of F/(½ρgh²). A wave of no height leaves still water.
@@ -46,18 +49,21 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
             continue;
         }
         let name = file_name("fixed-wall", &variant);
-        let measured = rows.iter().all(|row| row.number(&MEASURED_WAVE_HEIGHT_RATIO).is_some());
+        let regular = places.iter().any(|place| settings.are_regular(*place));
+        let known = |row: &&Row| row.number(&MEASURED_WAVE_HEIGHT_RATIO).is_some();
+        let measured = !regular && rows.iter().all(known);
         let height = if measured { "measured at the gauge" } else { "nominal" };
+        let (sides, of) = if regular { (OF_ALL, "whole run") } else { (SIDES, "first impact") };
         let beside = Beside::of(&settings, &places);
         let told = beside.caption(rows.iter().all(|row| row.is_vertical()));
-        let has_bar = |row: &&Row| SIDES.iter().any(|(column, _)| row.error(column).is_some());
+        let has_bar = |row: &&Row| sides.iter().any(|(column, _)| row.error(column).is_some());
         let bars = if rows.iter().any(has_bar) { " Bars: estimated errors." } else { "" };
         figures.push(Figure {
-            drawing: drawing(data, &rows, measured, &beside),
+            drawing: drawing(data, &rows, sides, &beside, measured),
             title: format!("Runup and force at a fixed wall{}", of_variant(&variant)),
             caption: format!(
-                "Largest runup and force of the first impact on a fixed wall against the wave \
-                 height ({height}).{told}{bars}"
+                "Largest runup and force of the {of} on a fixed wall against the wave height \
+                 ({height}).{told}{bars}"
             ),
             name,
         });
@@ -146,7 +152,13 @@ impl Beside {
 }
 
 /// A pair of panels.
-fn drawing(data: &Loaded, rows: &[&Row], measured: bool, beside: &Beside) -> Drawing {
+fn drawing(
+    data: &Loaded,
+    rows: &[&Row],
+    sides: [(&Column, usize); 2],
+    beside: &Beside,
+    measured: bool,
+) -> Drawing {
     let wave = if measured { &MEASURED_WAVE_HEIGHT_RATIO } else { &WAVE_HEIGHT_RATIO };
     let chart = |(column, exact): (&Column, usize)| {
         let mut curves = Vec::new();
@@ -154,7 +166,7 @@ fn drawing(data: &Loaded, rows: &[&Row], measured: bool, beside: &Beside) -> Dra
             let entry = Entry::line("exact solitary wave", Look::plain());
             curves.push(Curve::through(entry, EXACT.map(|known| (known[0], known[exact]))));
         }
-        if column == &FIRST_FORCE_MAX {
+        if column == sides[1].0 {
             curves.extend(beside.goda(rows, wave));
         }
         let points = rows.iter().filter_map(|row| point(row, row.number(wave)?, column));
@@ -167,7 +179,7 @@ fn drawing(data: &Loaded, rows: &[&Row], measured: bool, beside: &Beside) -> Dra
         let titles = [&title, column.unit.axis()];
         Some(Chart::new((x, y), titles, [wave.name, column.name], curves))
     };
-    Drawing::new(SIDES.into_iter().filter_map(chart).collect(), PANELS)
+    Drawing::new(sides.into_iter().filter_map(chart).collect(), PANELS)
 }
 
 #[cfg(test)]
@@ -189,5 +201,23 @@ mod tests {
         assert!(!inclined.svg().contains("exact solitary wave"));
         assert!(!inclined.svg().contains("Goda"));
         assert!(inclined.caption.contains("inclined") && !inclined.caption.contains("Line"));
+    }
+
+    /// The story: a train of H/h = 0.17 stood at 0.066, the height of the little crest that it begins with.
+    #[test]
+    fn a_train_stands_at_its_own_height_and_not_at_its_first_crest() {
+        let directory = fixture::fixed();
+        let mut data = Loaded::read(directory.path()).unwrap();
+        let single = figures(&data).remove(0);
+        assert!(single.caption.contains("first impact") && single.caption.contains("gauge"));
+        let file = "[scene]\npaddle = \"wave-train\"\nwave_period_s = 1.0";
+        data.manifest = Some(serde_json::json!({ "sweep_file": file }));
+        let train = figures(&data).remove(0);
+        let told = "whole run on a fixed wall against the wave height (nominal)";
+        assert!(train.caption.contains(told), "{}", train.caption);
+        let svg = train.svg();
+        let drawn = |column: &Column| svg.contains(&format!("\"{}\"", column.name));
+        assert!(drawn(&WAVE_HEIGHT_RATIO) && !drawn(&MEASURED_WAVE_HEIGHT_RATIO));
+        assert!(drawn(&FORCE_MAX) && !drawn(&FIRST_FORCE_MAX));
     }
 }

@@ -1,0 +1,82 @@
+use super::*;
+
+fn odd(scene: &str) -> Vec<String> {
+    let config = CaseConfig::from_tables(&scene.parse().unwrap(), &"".parse().unwrap());
+    odd_values(&config.unwrap()).iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn what_is_usual_is_not_told() {
+    let movable = "wall = \"movable\"\nspring_stiffness_n_per_m = 1\nseawall_mass_kg_per_m = 1";
+    for scene in [
+        "",
+        "still_water_depth_m = 0.5",
+        "water_density_kg_per_m3 = 1025",
+        "history_interval_s = 0.001",
+        "threshold_ratio = 0.5",
+        &format!("{movable}\nthreshold_ratio = 1"),
+        "kind = \"hydrostatic\"\ntank_length_m = 0.3",
+        "tank_length_m = 3\nend_after_stroke_centre_s = 1.7",
+        "kind = \"rotating-patch\"",
+        "wave_gauge_m = 0.38",
+        "wave_gauge_m = 0.01\nwave_height_ratio = 0\nend_time_s = 1",
+        "paddle = \"wave-train\"\nwave_period_s = 1\nwave_height_ratio = 0.1\nend_time_s = 5\nwave_gauge_m = 0.1",
+    ] {
+        assert_eq!(odd(scene), [""; 0], "{scene}");
+    }
+}
+
+#[test]
+fn slips_are_told_with_key_and_value() {
+    let movable = "wall = \"movable\"\nspring_stiffness_n_per_m = 1\nseawall_mass_kg_per_m = 1";
+    for (scene, told) in [
+        ("still_water_depth_m = 0.51", "scene.still_water_depth_m = 0.51: the tank, tank_length"),
+        ("tank_length_m = 7", "scene.tank_length_m = 7: the run ends at 3."),
+        ("water_density_kg_per_m3 = 1", "scene.water_density_kg_per_m3 = 1: this is no water"),
+        ("history_interval_s = 1e-9", "scene.history_interval_s = 0.000000001: is much shorter"),
+        ("history_interval_s = 100", "scene.history_interval_s = 100: is as long as the run, 3."),
+        (
+            "paddle = \"wave-train\"\nwave_period_s = 0.3\nend_time_s = 5",
+            "scene.wave_period_s = 0.3: waves of wave_height_ratio = 0.5 would be 0.712 of",
+        ),
+        ("wave_gauge_m = 0.37", "scene.wave_gauge_m = 0.37: the paddle goes 0.326 m into the"),
+        (
+            "bed = [[0, 0], [0.6, 0], [2, 0.28], [2.5, 0.28]]\nwave_gauge_m = 1.7",
+            "scene.wave_gauge_m = 1.7: the gauge stands on a beach that is 0.220 m high",
+        ),
+        (
+            "paddle = \"wave-train\"\nwave_period_s = 1\nwave_height_ratio = 0.1\nend_time_s = 5\nwave_gauge_m = 0.05",
+            "scene.wave_gauge_m = 0.05: the paddle goes 0.0",
+        ),
+        (
+            &format!("{movable}\nthreshold_ratio = 0.5"),
+            "scene.threshold_ratio = 0.5: still water alone presses with 1",
+        ),
+    ] {
+        let all = odd(scene);
+        assert!(all.len() == 1 && all[0].starts_with(told), "{all:?}");
+    }
+    assert!(odd("end_time_s = 1e-308")[1].starts_with("scene.end_time_s = 1e-308: "));
+}
+
+/// The story: a probe that counts from the wall's foot read 0 Pa all along.
+#[test]
+fn a_probe_under_the_bed_is_told() {
+    let told = |probe: &str| {
+        let scene = "bed = [[0, 0], [1, 0], [2, 0.1], [2.5, 0.1]]".parse().unwrap();
+        let probe = format!("name = \"P\"\nkind = \"pressure\"\n{probe}").parse().unwrap();
+        let config = CaseConfig::with_probes(&scene, &"".parse().unwrap(), &[probe]).unwrap();
+        odd_values(&config).iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    for sound in
+        ["wall = \"left\"\ny_m = 0.01", "wall = \"right\"\ny_m = 0.1", "x_m = 1.5\ny_m = 0.06"]
+    {
+        assert_eq!(told(sound), [""; 0], "{sound}");
+    }
+    let low = told("wall = \"right\"\ny_m = 0.09");
+    assert!(
+        low.len() == 1
+            && low[0].starts_with("probe.y_m = 0.09: P stands under the bed, which is 0.1000")
+    );
+    assert_eq!(told("x_m = 1.5\ny_m = 0.04").len(), 1);
+}
