@@ -168,6 +168,14 @@ impl FirstImpact {
         }
     }
 
+    /// Takes the mean of F* in the last moments before a blow. What sound adds to them is not known as it is of others,
+    /// so they count for the impulse alone.
+    pub fn push_last(&mut self, at: f64, mean: f64) {
+        if self.is_under_way() {
+            self.onrush.add(at, mean);
+        }
+    }
+
     /// Takes note that a blow has drowned the force.
     pub fn interrupt(&mut self) {
         self.onrush.interrupt();

@@ -95,6 +95,8 @@ impl Measures {
         self.travel.push(time, displacement);
         let drowned = self.blows.drown(time);
         if drowned {
+            let first = &mut self.first;
+            self.quiet.finish(|quiet| first.push_last(quiet.time, quiet.force));
             self.quiet.clear();
             self.first.interrupt();
         } else {

@@ -47,11 +47,16 @@ impl Onrush {
             self.course.push([at, force]);
         }
         if under_way {
-            if let Some([before, last]) = self.last {
-                self.impulse += (at - before) * (0.5 * (last + force) - 1.0);
-            }
-            self.last = Some([at, force]);
+            self.add(at, force);
         }
+    }
+
+    /// Takes F* at a time, s, for the integral alone.
+    pub fn add(&mut self, at: f64, force: f64) {
+        if let Some([before, last]) = self.last {
+            self.impulse += (at - before) * (0.5 * (last + force) - 1.0);
+        }
+        self.last = Some([at, force]);
     }
 
     /// An impact begins: what went before was none.

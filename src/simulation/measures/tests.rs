@@ -151,3 +151,26 @@ fn touches_leave_the_maxima_of_the_force_alone() {
         assert!(m.force.unwrap().value > 2.2 && m.force_raw.unwrap() > 2.5, "{m:?}");
     }
 }
+
+/// The story: where sound is taken off the mean comes late, and a stop took the last 0.03 s from the impulse, up to 2.3 %.
+#[test]
+fn an_impulse_reaches_up_to_the_blow_that_ends_it() {
+    let force = |time: f64| 1.0 + bell(time, 1.0, 1.0);
+    for turn in [None, Some(0.003)] {
+        let mut measures = Measures::new([1.1; 2], WATER, turn, 0);
+        for k in 0..2000 {
+            let (time, stopped) = (0.001 * f64::from(k), k > 1250);
+            let displacement = if stopped { 0.0 } else { 0.3 };
+            let (force, stops) = (force(time), u32::from(stopped));
+            let reading = Reading { time, force, runup: 0.2, displacement, stops };
+            measures.push(reading, None, None);
+            if k == 1250 {
+                measures.hit(time, 0.001, 0.5);
+            }
+        }
+        let within = (0..=1250).map(|k| force(0.001 * f64::from(k))).filter(|force| *force > 1.15);
+        let whole = within.map(|force| 0.001 * (force - 1.0)).sum::<f64>();
+        let told = measures.first.impulse().unwrap();
+        assert!((told / whole - 1.0).abs() < 0.01, "{turn:?}: {told} of {whole}");
+    }
+}
