@@ -1,0 +1,64 @@
+//! A straight stretch of a bed.
+
+use crate::boundary::plane::Plane;
+
+/// Rise along a stretch of 1:2, and a little more.
+const STEEP: f64 = 0.46;
+
+/// A straight stretch of a bed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch {
+    /// Where it begins, metres.
+    pub from: [f64; 2],
+    /// Unit vector along it, away from the paddle.
+    pub along: [f64; 2],
+    /// Metres.
+    pub length: f64,
+}
+
+impl Stretch {
+    pub(super) fn between([x0, y0]: [f64; 2], [x1, y1]: [f64; 2]) -> Stretch {
+        let length = (x1 - x0).hypot(y1 - y0);
+        Stretch { from: [x0, y0], along: [(x1 - x0) / length, (y1 - y0) / length], length }
+    }
+
+    /// Unit normal out of the water.
+    pub fn normal(&self) -> [f64; 2] {
+        [self.along[1], -self.along[0]]
+    }
+
+    /// As a face that goes on and on.
+    pub fn plane(&self) -> Plane {
+        Plane { point: self.from, normal: self.normal() }
+    }
+
+    /// A place so far along it and so far behind its face, metres.
+    pub fn place(&self, along: f64, behind: f64) -> [f64; 2] {
+        let normal = self.normal();
+        [0, 1].map(|axis| self.from[axis] + along * self.along[axis] + behind * normal[axis])
+    }
+
+    /// Its lowest and its highest place, metres above the bed at the paddle.
+    pub(super) fn heights(&self) -> [f64; 2] {
+        let [from, to] = [self.from[1], self.place(self.length, 0.0)[1]];
+        [from.min(to), from.max(to)]
+    }
+
+    /// Whether it is steeper than 1:2.
+    pub fn is_steep(&self) -> bool {
+        self.along[1].abs() > STEEP
+    }
+
+    /// How far away a place is, metres.
+    pub fn distance(&self, place: [f64; 2]) -> f64 {
+        let [x, y] = self.foot(place);
+        (place[0] - x).hypot(place[1] - y)
+    }
+
+    /// The nearest of its points to a place.
+    pub(super) fn foot(&self, place: [f64; 2]) -> [f64; 2] {
+        let [x, y] = [place[0] - self.from[0], place[1] - self.from[1]];
+        let way = (x * self.along[0] + y * self.along[1]).clamp(0.0, self.length);
+        self.place(way, 0.0)
+    }
+}
