@@ -139,6 +139,11 @@ impl PaddleLaw for WaveTrain {
         self.stroke.iter().map(|part| part.abs()).sum()
     }
 
+    /// As far as back.
+    fn goes_forth(&self) -> f64 {
+        self.goes_back()
+    }
+
     fn still_from(&self) -> f64 {
         f64::INFINITY
     }

@@ -58,9 +58,9 @@ pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
     Ok(write_with(out_dir, None, &[], &Omitted::default())?.0)
 }
 
-/// Likewise, with tables in the units of a prototype, where a Froude scale is given, with figures for print, in the
-/// widths of a journal's column (84 mm) and page (174 mm), and without files that may be left out. Returns the paths
-/// of the page and of figures for print.
+/// Likewise. Where a Froude scale is given there are tables in the units of a prototype. Figures for print have the
+/// widths of a journal's column (84 mm) and page (174 mm). What is named in `omitted` is left out. Returns the paths of
+/// the page and of figures for print.
 pub fn write_with(
     out_dir: &Path,
     scale: Option<Froude>,

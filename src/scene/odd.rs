@@ -109,12 +109,8 @@ fn early(scene: &SeawallScene) -> Option<ConfigError> {
 /// What is nearer to the paddle than a support radius is water at its face, and where it has been there is none.
 fn gauge(scene: &SeawallScene, numerics: &Numerics) -> Option<ConfigError> {
     let paddle = scene.paddle()?;
-    let stroke = match (&scene.recorded, paddle.stroke_centre()) {
-        (Some(keys), _) => keys.recorded_stroke.reach(),
-        (None, Some(_)) => paddle.motion(paddle.still_from()).offset,
-        // A train's goes as far forth as back.
-        (None, None) => paddle.goes_back(),
-    };
+    let reach = scene.recorded.as_ref().map(|keys| keys.recorded_stroke.reach());
+    let stroke = reach.unwrap_or_else(|| paddle.goes_forth());
     let least = stroke + numerics.support_radius_ratio * numerics.particle_spacing_m;
     let told = format!(
         "the paddle goes {stroke:.3} m into the tank, and a gauge nearer than {least:.3} m reads the water at its \
