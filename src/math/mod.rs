@@ -1,8 +1,10 @@
 //! SIMD lanes, sparse systems, threads that share the work of one case, scales and curves through points,
-//! lists, words.
+//! lists, words, large pages.
 
 pub mod bend;
 pub mod decimal;
+#[cfg(target_os = "linux")]
+pub mod large_pages;
 pub mod lists;
 pub mod name;
 pub mod scale;
