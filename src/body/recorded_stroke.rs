@@ -3,7 +3,7 @@
 use serde::{Deserialize, Deserializer, Serialize, de};
 
 use super::{BodyMotion, PaddleLaw};
-use crate::keys::section;
+use crate::keys::{Shared, section};
 
 section! {
     /// The keys of a recorded stroke.
@@ -19,7 +19,16 @@ section! {
 /// contents are part of the case's identity, and no other process needs it.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 #[serde(transparent)]
-pub struct Stroke(Vec<[f64; 2]>);
+pub struct Stroke(Shared<Played>);
+
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(transparent)]
+struct Played {
+    points: Vec<[f64; 2]>,
+    /// How far the spline through them goes back and forth, metres.
+    #[serde(skip)]
+    range: [f64; 2],
+}
 
 /// As a scene file gives it, and as a case has it.
 #[derive(Deserialize)]
@@ -74,25 +83,27 @@ impl Stroke {
         if let Some(pair) = points.windows(2).find(|pair| pair[1][0] <= pair[0][0]) {
             return Err(format!("goes from {} s back to {} s", pair[0][0], pair[1][0]));
         }
-        Ok(Stroke(points))
+        let range = RecordedStroke::through(&points).range;
+        Ok(Stroke(Shared::from(Played { points, range })))
     }
 
     /// The clock at its first point, seconds.
     pub fn start_s(&self) -> f64 {
-        self.0[0][0]
+        self.0.points[0][0]
     }
 
     /// The farthest that the spline through it goes from its first position, metres.
     pub fn reach(&self) -> f64 {
-        let [back, forth] = RecordedStroke::new(self).range;
+        let [back, forth] = self.0.range;
         forth.max(-back)
     }
 
     /// How much farther the spline goes than the points do, back or forth, metres.
     pub fn overshoot(&self) -> f64 {
-        let spline = RecordedStroke::new(self);
-        let [back, forth] = widest(spline.points.iter().map(|point| point[1]));
-        (spline.range[1] - forth).max(back - spline.range[0])
+        let Played { points, range } = &*self.0;
+        let start = points[0][1];
+        let [back, forth] = widest(points.iter().map(|point| point[1] - start));
+        (range[1] - forth).max(back - range[0])
     }
 }
 
@@ -125,8 +136,12 @@ fn widest(places: impl Iterator<Item = f64>) -> [f64; 2] {
 impl RecordedStroke {
     /// Of a stroke.
     pub fn new(stroke: &Stroke) -> RecordedStroke {
-        let start = stroke.0[0][1];
-        let points: Vec<_> = stroke.0.iter().map(|&[time, at]| [time, at - start]).collect();
+        RecordedStroke::through(&stroke.0.points)
+    }
+
+    fn through(points: &[[f64; 2]]) -> RecordedStroke {
+        let start = points[0][1];
+        let points: Vec<_> = points.iter().map(|&[time, at]| [time, at - start]).collect();
         // No jump of acceleration: h₊ v₋ + 2 (h₋ + h₊) v + h₋ v₊ = 3 (h₊ s₋ + h₋ s₊), s the slopes.
         let (mut velocities, mut above) = (vec![0.0; points.len()], vec![0.0; points.len()]);
         for k in 1..points.len() - 1 {

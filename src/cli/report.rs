@@ -15,7 +15,7 @@ use crate::keys::named;
 use crate::math::words::counted;
 use crate::report::{Froude, Omitted, ReportError};
 use crate::results::{
-    Closing, Derived, Lock, Manifest, SweepError, Verified, renew_tables, verify,
+    Closing, Derived, Lock, MADE_BY_SWEEPS, Manifest, SweepError, Verified, renew_tables, verify,
     write_sound_histories,
 };
 
@@ -44,7 +44,7 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     let closing = Closing::read(&args.dir);
     let damaged = if closing.is_none() { renew(args, output)? } else { Vec::new() };
     let omitted = Omitted::from(damaged);
-    Derived::begin(&args.dir).map_err(refused)?;
+    Derived::begin(&args.dir, MADE_BY_SWEEPS).map_err(refused)?;
     let written = crate::report::write_with(&args.dir, args.froude_scale, &formats, &omitted);
     let (report, figures) = written.map_err(unusable)?;
     let spare = |path: &Path, error: &SweepError| omitted.add(path, error);

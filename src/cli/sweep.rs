@@ -24,7 +24,7 @@ use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunne
 use crate::keys::named;
 use crate::math::words::counted;
 use crate::report::PAGE as REPORT;
-use crate::results::{Derived, OpenMode, write_all_histories};
+use crate::results::{Derived, MADE_BY_RUNS, OpenMode, write_all_histories};
 
 /// Run all cases of a sweep file, on threads or under mpirun. Go on where an earlier run stopped.
 #[derive(Debug, Args)]
@@ -205,7 +205,7 @@ fn lead(
         }
         return Ok(done.exit_code());
     }
-    Derived::begin(done.directory.path())?;
+    Derived::begin(done.directory.path(), MADE_BY_RUNS)?;
     let (filming, film_time_s) =
         films::make(films, &job.study, &done, args.threads, interrupt, output)?;
     done.film_time_s = film_time_s;

@@ -18,8 +18,10 @@ use super::sealed;
 const FILE_NAME: &str = "derived.json";
 const FILES: [&str; 3] = ["histories.csv.gz", "max_error.csv", "report.html"];
 const FOLDERS: [&str; 4] = ["figures", "tables", "films", "vtk"];
-/// What only a case makes that runs.
-const FILMED: [&str; 2] = ["films/", "vtk/"];
+/// What only a case makes that runs: starts of paths.
+pub const MADE_BY_RUNS: &[&str] = &["films/", "vtk/"];
+/// What a report alone does not make again.
+pub const MADE_BY_SWEEPS: &[&str] = &["films/", "vtk/", "max_error.csv"];
 
 /// The seals of a directory's derived files, by their paths in it.
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -37,20 +39,20 @@ impl Derived {
         sealed::write(&directory.join(FILE_NAME), self)
     }
 
-    /// All but what was filmed is about to be made again: only that keeps its seals.
+    /// All is about to be made again but what is kept, with its seals.
     ///
     /// # Errors
     /// A file that cannot be written.
-    pub fn begin(directory: &Path) -> Result<(), SweepError> {
+    pub fn begin(directory: &Path, kept: &[&str]) -> Result<(), SweepError> {
         if !directory.join(FILE_NAME).exists() {
             return Ok(());
         }
         let mut derived = Derived::read(directory);
-        derived.files.retain(|name, _| FILMED.iter().any(|folder| name.starts_with(folder)));
+        derived.files.retain(|name, _| kept.iter().any(|start| name.starts_with(start)));
         derived.write(directory)
     }
 
-    /// Everything is made. What was filmed and has a seal keeps it.
+    /// Everything is made. What has a seal keeps it.
     ///
     /// # Errors
     /// A file that cannot be read or written.
@@ -155,20 +157,30 @@ mod tests {
         let names = ["report.html", "figures/a.svg", "films/a.html", "tables/a.csv", "vtk/a/b.vtu"];
         names.iter().for_each(|name| write(name, "old"));
         assert!(damage(directory).is_empty(), "nothing is known of them yet");
-        Derived::begin(directory).unwrap();
+        Derived::begin(directory, MADE_BY_RUNS).unwrap();
         Derived::renew(directory, &[directory.join("films/b.html")]).unwrap();
         assert!(!directory.join(FILE_NAME).exists());
         Derived::renew(directory, std::slice::from_ref(&film)).unwrap();
-        Derived::begin(directory).unwrap();
+        Derived::begin(directory, MADE_BY_RUNS).unwrap();
         Derived::end(directory).unwrap();
         assert!(damage(directory).is_empty());
         names.iter().for_each(|name| write(name, "new"));
         let told = ["figures/a.svg", "films/a.html", "report.html", "tables/a.csv", "vtk/a/b.vtu"];
         assert_eq!(damage(directory), told.map(|name| format!("{name} is damaged")));
         // To make all again mends all but what nobody has filmed.
-        Derived::begin(directory).unwrap();
+        Derived::begin(directory, MADE_BY_RUNS).unwrap();
         Derived::end(directory).unwrap();
         assert_eq!(damage(directory), ["films/a.html is damaged", "vtk/a/b.vtu is damaged"]);
+        // The choices of a sweep are not a report's to make.
+        write("max_error.csv", "old");
+        Derived::end(directory).unwrap();
+        write("max_error.csv", "new");
+        Derived::begin(directory, MADE_BY_SWEEPS).unwrap();
+        Derived::end(directory).unwrap();
+        assert_eq!(damage(directory)[1], "max_error.csv is damaged");
+        Derived::begin(directory, MADE_BY_RUNS).unwrap();
+        Derived::end(directory).unwrap();
+        assert_eq!(damage(directory).len(), 2);
         fs::remove_file(directory.join("vtk/a/b.vtu")).unwrap();
         Derived::renew_folder(directory, "vtk").unwrap();
         assert_eq!(damage(directory), ["films/a.html is damaged"]);
@@ -181,7 +193,7 @@ mod tests {
         assert!(damage(directory).is_empty());
         write(FILE_NAME, "{}");
         assert_eq!(damage(directory), ["derived.json is damaged"]);
-        Derived::begin(directory).unwrap();
+        Derived::begin(directory, MADE_BY_RUNS).unwrap();
         Derived::end(directory).unwrap();
         assert!(damage(directory).is_empty());
     }

@@ -109,8 +109,7 @@ fn early(scene: &SeawallScene) -> Option<ConfigError> {
 /// What is nearer to the paddle than a support radius is water at its face, and where it has been there is none.
 fn gauge(scene: &SeawallScene, numerics: &Numerics) -> Option<ConfigError> {
     let paddle = scene.paddle()?;
-    let reach = scene.recorded.as_ref().map(|keys| keys.recorded_stroke.reach());
-    let stroke = reach.unwrap_or_else(|| paddle.goes_forth());
+    let stroke = paddle.goes_forth();
     let least = stroke + numerics.support_radius_ratio * numerics.particle_spacing_m;
     let told = format!(
         "the paddle goes {stroke:.3} m into the tank, and a gauge nearer than {least:.3} m reads the water at its \

@@ -65,7 +65,7 @@ fn a_bad_file_is_told_with_its_line() {
         std::fs::write(&file, text).unwrap();
         let read = Stroke::read(file.to_str().unwrap());
         std::fs::remove_file(file).unwrap();
-        read.map(|stroke| stroke.0.len())
+        read.map(|stroke| stroke.0.points.len())
     };
     assert_eq!(told("time_s,stroke_m\n0,0\n1, 0.1\n2,0.3\n"), Ok(3));
     let bad = [
