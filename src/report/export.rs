@@ -6,7 +6,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::tiny_skia::{Color, Pixmap, Transform};
 use resvg::usvg::fontdb::Database;
 use resvg::usvg::{Options, Tree};
 use svg2pdf::{ConversionOptions, PageOptions};
@@ -74,8 +74,9 @@ fn png(tree: &Tree, scale: f64) -> Result<Vec<u8>, String> {
     let size = [tree.size().width(), tree.size().height()];
     let [wide, high] = size.map(|pixels| (f64::from(pixels) * scale).round() as u32);
     let mut pixmap = Pixmap::new(wide, high).ok_or("no room for its pixels")?;
+    // The drawing may end within its last row of pixels: what is beside it is white, too.
+    pixmap.fill(Color::WHITE);
     resvg::render(tree, Transform::from_scale(scale as f32, scale as f32), &mut pixmap.as_mut());
-    // The ground is white throughout: there is nothing to be seen through.
     let colours: Vec<u8> = pixmap.data().chunks(4).flat_map(|pixel| pixel[..3].to_vec()).collect();
     let mut bytes = Vec::new();
     let mut encoder = png::Encoder::new(&mut bytes, wide, high);
@@ -180,6 +181,17 @@ mod tests {
         let wide = reader.info().width as usize * 3;
         let dark = bytes.chunks(wide).flat_map(|row| &row[170..390]).filter(|c| **c < 90).count();
         assert!(dark > 500, "{dark}");
+    }
+
+    #[test]
+    fn a_png_is_white_up_to_its_edges() {
+        let svg = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"10\" height=\"10.7\">\
+                   <rect width=\"10\" height=\"10.7\" fill=\"white\"/></svg>";
+        let bytes = draw(svg, Print::Png, DOTS).unwrap();
+        let mut reader = png::Decoder::new(&bytes[..]).read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size()];
+        reader.next_frame(&mut pixels).unwrap();
+        assert_eq!(pixels, [255; 10 * 11 * 3]);
     }
 
     #[test]
