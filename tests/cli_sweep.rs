@@ -110,6 +110,32 @@ fn a_signal_ends_a_sweep_with_a_whole_journal() {
 }
 
 #[test]
+fn signals_close_to_one_another_are_one() {
+    let root = tempfile::tempdir().unwrap();
+    let text = "name = \"long\"\n[numerics]\nparticle_spacing_m = 0.005\n\
+                [grid]\nwave_height_ratio = [0.3]";
+    let (file, out) = (common::write_file(root.path(), text), root.path().join("out"));
+    let mut child = seawall()
+        .args(["sweep", "--quiet", "--threads", "1", "--film", "none", "--out"])
+        .args([&out, &file])
+        .spawn()
+        .unwrap();
+    while !out.join("journal.jsonl").exists() {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    // Less than a second of work is not worth a checkpoint.
+    std::thread::sleep(Duration::from_millis(2500));
+    // A terminal tells a program and what has started it, which passes it on.
+    for _ in 0..2 {
+        let id = child.id().to_string();
+        assert!(std::process::Command::new("kill").args(["-INT", &id]).status().unwrap().success());
+    }
+    assert_eq!(child.wait().unwrap().code(), Some(3));
+    let kept = std::fs::read_dir(out.join("checkpoints")).map_or(0, Iterator::count);
+    assert_eq!(kept, 1, "it stopped in good order");
+}
+
+#[test]
 fn a_finished_sweep_is_not_run_again() {
     let (root, file) = directory();
     let out = root.path().join("out");

@@ -2,9 +2,12 @@
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::{Duration, Instant};
 
 use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM, SIGUSR1};
-use signal_hook::flag;
+use signal_hook::iterator::Signals;
+use signal_hook::{flag, low_level};
 
 use crate::simulation::Monitor;
 
@@ -15,17 +18,31 @@ pub struct Interrupt(Arc<AtomicBool>);
 /// Exit code of an interrupted sweep, also of one that is told twice.
 const INTERRUPTED: i32 = 3;
 
+/// Signals so close to one another are the same wish. A terminal sends Ctrl-C to a program and to what has
+/// started it, which passes it on; so does `timeout`.
+const AT_ONCE: Duration = Duration::from_millis(300);
+
 impl Interrupt {
-    /// Listens to the signals: the first one sets the flag, a second one ends the process at
+    /// Listens to the signals: the first one sets the flag, a later one ends the process at
     /// once (the journal is whole even then).
     pub fn listen() -> std::io::Result<Interrupt> {
         let interrupt = Interrupt::default();
         // What `nohup` has started outlives its terminal.
         let hang_up = Some(SIGHUP).filter(|&signal| !is_ignored(signal));
-        for signal in [SIGINT, SIGTERM, SIGUSR1].into_iter().chain(hang_up) {
-            flag::register_conditional_shutdown(signal, INTERRUPTED, interrupt.0.clone())?;
-            flag::register(signal, interrupt.0.clone())?;
+        let heeded: Vec<_> = [SIGINT, SIGTERM, SIGUSR1].into_iter().chain(hang_up).collect();
+        for signal in &heeded {
+            flag::register(*signal, interrupt.0.clone())?;
         }
+        let mut signals = Signals::new(heeded)?;
+        let end_when_told_again = move || {
+            let mut first = None;
+            for _ in signals.forever() {
+                if first.get_or_insert_with(Instant::now).elapsed() > AT_ONCE {
+                    low_level::exit(INTERRUPTED);
+                }
+            }
+        };
+        thread::Builder::new().name("signals".to_owned()).spawn(end_when_told_again)?;
         Ok(interrupt)
     }
 
