@@ -267,9 +267,16 @@ fn a_run_is_filmed_also_when_it_is_finished() {
         "wall = \"movable\"",
         "wall = \"movable\"\nspring_stiffness_n_per_m = 10\nseawall_mass_kg_per_m = 50",
     );
+    let text = text.replace("[numerics]", "[numerics]\nerror_bars = \"pair\"");
     let (file, out) = (write_file(root.path(), &text), root.path().join("out"));
     let arguments = ["run", file.to_str().unwrap(), "--out", out.to_str().unwrap(), "--film"];
     expect_code(&run(&arguments), 0);
+    // Its companion for error bars is not filmed.
+    let record =
+        run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap(), "--format", "json"]);
+    let record: serde_json::Value = serde_json::from_slice(&record.stdout).unwrap();
+    let id = record["id"].as_str().unwrap();
+    assert!(films(&out).iter().all(|name| name.starts_with(id)), "{:?}", films(&out));
     let name = films(&out)[1].clone();
     let page = fs::read(out.join("films").join(&name)).unwrap();
     assert!(page.len() < 400_000);

@@ -20,7 +20,7 @@ use crate::scene::CaseConfig;
 use crate::simulation::{Cost, cost};
 use crate::study::{Case, CaseId, Plan};
 
-/// Runs what of a study is missing on the threads of this process.
+/// Runs what of a study is missing on the threads of this process; a film is one of its first case.
 pub(super) fn on_threads(
     job: &Job,
     threads: Option<u16>,
@@ -32,6 +32,7 @@ pub(super) fn on_threads(
         output.note("a film shows a case from its start: what has a checkpoint starts over");
     }
     let keep = Keeping::new(&job.out, checkpoint_every_s).filter(|_| film.is_none());
+    let film = film.map(|film| (job.study.cases[0].id, film));
     let interrupt = Interrupt::listen()?;
     let setup = Setup {
         make_runner: &|resources| {

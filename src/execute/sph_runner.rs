@@ -16,8 +16,8 @@ use crate::study::CaseId;
 pub struct SphRunner {
     /// The instruction set agreed on by all ranks, and a case's threads.
     pub resources: Resources,
-    /// Whether and how cases are filmed.
-    pub film: Option<Filming>,
+    /// The case that is filmed, and how. Its companions for error bars are not.
+    pub film: Option<(CaseId, Filming)>,
     /// Whether and where checkpoints of long cases are kept; not of those that are filmed.
     pub keep: Option<Keeping>,
 }
@@ -38,17 +38,18 @@ impl Runner for SphRunner {
         monitor: &dyn Monitor,
     ) -> Result<CaseResult, Stopped> {
         let run = |monitor: &dyn Monitor| run_case(config, checkpoint, self.resources, monitor);
+        let id = CaseId::of(config);
         match (&self.film, &self.keep) {
-            (None, None) => run(monitor),
-            (Some(film), _) => {
+            (Some((filmed, film)), _) if *filmed == id => {
                 let (result, written) = film.shoot(config, monitor, run)?;
                 if let Err(error) = written {
-                    eprintln!("warning: case {}: not filmed: {error}", CaseId::of(config));
+                    eprintln!("warning: case {id}: not filmed: {error}");
                 }
                 Ok(result)
             }
-            (None, Some(keep)) => {
-                let (id, simd) = (CaseId::of(config), self.resources.simd);
+            (_, None) => run(monitor),
+            (_, Some(keep)) => {
+                let simd = self.resources.simd;
                 keep.during(Checkpoint::of_case(&keep.directory, id, simd), monitor, run)
             }
         }
