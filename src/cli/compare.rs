@@ -156,8 +156,15 @@ fn in_all(comparison: &Comparison) -> String {
     if told.len() == parts(first).count() { String::new() } else { told.join(", ") }
 }
 
+/// What a point's words are made of; a bed is one word, with all its commas.
 fn parts(pair: &Pair) -> impl Iterator<Item = &str> {
-    pair.words.split(", ")
+    let mut depth = 0;
+    pair.words
+        .split(move |letter| {
+            depth += i32::from(letter == '[') - i32::from(letter == ']');
+            letter == ',' && depth == 0
+        })
+        .map(str::trim_start)
 }
 
 fn is_shared(comparison: &Comparison, part: &str) -> bool {

@@ -97,12 +97,10 @@ impl Row {
     }
 
     fn choice(&self, keys: &[String]) -> Choice {
+        // As the command line reads what is asked for: flags and beds are more than their words.
         let value = |key: &String| match self.cell(key) {
             "" => None,
-            cell => {
-                let value = cell.parse().map_or_else(|_| cell.into(), toml::Value::Float);
-                Some(value.into())
-            }
+            cell => Some(keys::read_value(cell).into()),
         };
         Choice { id: self.cell(CASE_ID.name).to_owned(), values: keys.iter().map(value).collect() }
     }

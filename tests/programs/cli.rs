@@ -10,6 +10,8 @@ mod art;
 mod bad_inputs;
 #[path = "../branches.rs"]
 mod branches;
+#[path = "../cli_beds.rs"]
+mod cli_beds;
 #[path = "../cli_damage.rs"]
 mod cli_damage;
 #[path = "../cli_film.rs"]
