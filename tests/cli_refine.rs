@@ -143,3 +143,31 @@ fn bad_refinements_are_refused() {
     expect_code(&output, 2);
     assert!(!out.exists());
 }
+
+#[test]
+fn whole_numbers_get_whole_numbers_between_and_no_more_is_told_than_is_known() {
+    let root = tempfile::tempdir().unwrap();
+    let study = |values: &str| {
+        format!(
+            "name = \"waves\"\n[scene]\nkind = \"standing-wave\"\nend_after_periods = 0.5\n\
+             [numerics]\nparticle_spacing_m = 0.05\n[grid]\nhalf_waves = {values}\n\
+             refine = {{ quantity = \"runup_max\", to = 1e-9 }}\n"
+        )
+    };
+    let out = root.path().join("out");
+    let told = sweep(&write_file(root.path(), &study("[1, 4]")), &out, &[]);
+    let mut reader = csv::Reader::from_path(out.join("summary.csv")).unwrap();
+    let place = reader.headers().unwrap().iter().position(|name| name == "half_waves").unwrap();
+    let values: Vec<_> = reader.records().map(|row| row.unwrap()[place].to_owned()).collect();
+    assert_eq!(values, ["1", "2", "3", "4"]);
+    // Nothing is left between them, and the curve still bends.
+    let refined = &json(&told)["refined"];
+    assert_eq!((&refined["added"], &refined["open_intervals"]), (&2.into(), &3.into()));
+
+    // Two neighbours alone: no third point says how the curve bends, and none can be had.
+    let out = root.path().join("two");
+    let file = write_file(root.path(), &study("[1, 2]"));
+    let told = run(&["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
+    let told = String::from_utf8(told.stdout).unwrap();
+    assert!(told.contains("in all but 1 interval, of which no third point tells"), "{told}");
+}

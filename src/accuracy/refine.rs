@@ -173,11 +173,11 @@ impl Refinement {
                     places.windows(2).map(|pair| [pair[0].min(pair[1]), pair[0].max(pair[1])]);
                 let whole = whole.into_iter().find(|pair| pair[0] <= left && right <= pair[1]);
                 let whole = whole.map_or(0.0, |pair| pair[1] - pair[0]);
-                let middle = scale.value(0.5 * (left + right));
+                let ends = [stops[at].value, stops[at + 1].value];
+                let middle = self.file.grid[key].middle(ends);
+                let small = middle.is_none() || (right - left) * PIECES < 1.5 * whole;
                 let mut assignments = others.clone();
-                assignments[key] = Some(toml::Value::Float(middle).into());
-                let inside = [&stops[at], &stops[at + 1]].iter().all(|stop| stop.value != middle);
-                let small = !inside || (right - left) * PIECES < 1.5 * whole;
+                assignments[key] = middle.map(Into::into);
                 Interval { middle: assignments, off: off(&stops, at), small }
             };
             (1..stops.len()).map(|at| interval(at - 1)).collect::<Vec<_>>()

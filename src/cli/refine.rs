@@ -69,10 +69,15 @@ pub(super) fn report(refinement: &Refinement, study: &Study, done: &Done) -> (St
     }
     match (open, round.worst) {
         _ if pending > 0 => {}
-        (0, _) | (_, None) => text.push_str(" along every line of the grid as written"),
-        (open, Some(worst)) => {
+        (0, _) => text.push_str(" along every line of the grid as written"),
+        (open, worst) => {
             let open = counted(open, "interval");
-            text.push_str(&format!(" in all but {open}, the worst {} off", short(worst)));
+            let worst = worst.filter(|&worst| worst > asked.to);
+            let told = worst.map_or_else(
+                || ", of which no third point tells".to_owned(),
+                |worst| format!(", the worst {} off", short(worst)),
+            );
+            text.push_str(&format!(" in all but {open}{told}"));
         }
     }
     if round.unknown > 0 {

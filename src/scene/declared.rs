@@ -6,7 +6,7 @@ use super::kind::{Kind, OfKind};
 use super::numerics::Numerics;
 use super::preset::Base;
 use super::probe::Probe;
-use crate::keys::{ConfigError, Key, Section};
+use crate::keys::{ConfigError, Key, Section, Shape};
 
 /// A section whose keys a grid may sweep.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -56,6 +56,13 @@ pub fn place_of(key: &str, scene: &Table) -> Result<Place, ConfigError> {
     }
     let known = [scene_keys(kind), numerics_keys()].concat();
     Err(unknown(&format!("grid.{key}"), key, kind, &known))
+}
+
+/// Whether a swept key takes whole numbers alone, in a file with this `[scene]`.
+pub fn takes_whole(key: &str, scene: &Table) -> bool {
+    let scene = Kind::of(scene).map(scene_keys).unwrap_or_default();
+    let known = [scene, numerics_keys()].concat();
+    known.iter().any(|known| known.name == key && (known.shape)() == Shape::Whole)
 }
 
 /// The errors of all keys that a section of a file with this `[scene]` does not know; none where its kind is none.

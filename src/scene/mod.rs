@@ -37,7 +37,9 @@ mod water;
 
 pub use config::CaseConfig;
 pub use dam_break::{DamBreakScene, InitialDensity};
-pub use declared::{Place, numerics_keys, place_of, probe_keys, scene_keys, unknown_keys};
+pub use declared::{
+    Place, numerics_keys, place_of, probe_keys, scene_keys, takes_whole, unknown_keys,
+};
 pub use frame::Frame;
 pub use happening::FALLS_FREE;
 pub use hydrostatic::HydrostaticScene;

@@ -17,6 +17,8 @@ pub struct GridAxis {
     pub values: Vec<Value>,
     /// How they are spread: as a range says, or else by the values of a list.
     pub scale: Scale,
+    /// Whether it takes whole numbers alone.
+    pub whole: bool,
 }
 
 const SHAPE: &str =
@@ -51,16 +53,28 @@ impl GridAxis {
         first as f64 + (place(value) - low) / (high - low)
     }
 
-    /// Reads the value of a key in `[grid]`.
+    /// What stands halfway between two of its numbers, the nearest whole one where it takes no others; `None`
+    /// where nothing is left between them.
+    pub fn middle(&self, [low, high]: [f64; 2]) -> Option<Value> {
+        let [from, to] = [low, high].map(|number| self.scale.place(number));
+        let exact = self.scale.value(0.5 * (from + to));
+        let middle = if self.whole { exact.round() } else { exact };
+        (middle != low && middle != high).then(|| as_value(middle, self.whole))
+    }
+
+    /// Reads the value of a key in `[grid]`; `whole` where it takes whole numbers alone.
     ///
     /// # Errors
     /// An empty list, a value that is neither a scalar nor a list of points, one that is not finite, a
     /// duplicate, a malformed range.
-    pub fn read(key: &str, value: &Value) -> Result<GridAxis, ConfigError> {
+    pub fn read(key: &str, value: &Value, whole: bool) -> Result<GridAxis, ConfigError> {
         let path = format!("grid.{key}");
         let values = match value {
             Value::Array(values) => values.clone(),
-            Value::Table(range) => read_range(&path, range)?,
+            Value::Table(range) => {
+                let numbers = read_range(&path, range)?;
+                numbers.into_iter().map(|number| as_value(number, whole)).collect()
+            }
             other => return Err(ConfigError::new(&path, other, SHAPE)),
         };
         if values.is_empty() {
@@ -86,7 +100,7 @@ impl GridAxis {
             }
         }
         let scale = scale(value, &values);
-        Ok(GridAxis { key: key.to_owned(), values, scale })
+        Ok(GridAxis { key: key.to_owned(), values, scale, whole })
     }
 }
 
@@ -96,6 +110,12 @@ fn scale(written: &Value, values: &[Value]) -> Scale {
         _ if written.is_table() => Scale::Linear,
         _ => Scale::of(values.iter().filter_map(number)),
     }
+}
+
+/// A number; one without a fraction as a whole one, where a key takes no others.
+fn as_value(number: f64, whole: bool) -> Value {
+    let is_whole = whole && number.fract() == 0.0 && number.abs() < 1e15;
+    if is_whole { Value::Integer(number as i64) } else { Value::Float(number) }
 }
 
 /// Equal for values that are equal as settings: `1` and `1.0` are the same, and 0 and -0.
@@ -119,7 +139,7 @@ fn meant(key: &str) -> Option<&'static str> {
     }
 }
 
-fn read_range(path: &str, range: &Table) -> Result<Vec<Value>, ConfigError> {
+fn read_range(path: &str, range: &Table) -> Result<Vec<f64>, ConfigError> {
     if let Some(key) = range.keys().find(|key| !RANGE_KEYS.contains(&key.as_str())) {
         let own = format!("{path}.{key}");
         return Err(match meant(key) {
@@ -169,7 +189,7 @@ fn read_range(path: &str, range: &Table) -> Result<Vec<Value>, ConfigError> {
             tidy(from + (to - from) * share)
         }
     };
-    Ok((0..points).map(|index| Value::Float(value(index))).collect())
+    Ok((0..points).map(value).collect())
 }
 
 /// Rounds so that decades come out as written by hand.
@@ -183,7 +203,7 @@ mod tests {
 
     fn read(text: &str) -> Result<GridAxis, ConfigError> {
         let table: Table = format!("x = {text}").parse().unwrap();
-        GridAxis::read("x", &table["x"])
+        GridAxis::read("x", &table["x"], false)
     }
 
     fn numbers(text: &str) -> Vec<f64> {

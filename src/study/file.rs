@@ -9,7 +9,7 @@ use super::syntax::syntax_error;
 use super::unknown;
 
 use crate::keys::{Key, Override, Section, read_alone, section};
-use crate::scene::{ConfigError, place_of};
+use crate::scene::{ConfigError, place_of, takes_whole};
 use crate::simulation::Limits;
 
 /// A parsed sweep file; the values inside its tables are checked case by case in
@@ -74,8 +74,10 @@ impl SweepFile {
                 "holds no key: sweep at least one, or leave [grid] out for a single scene";
             return Err(ConfigError::new("grid", "", allowed));
         }
-        let grid = grid.iter().map(|(key, value)| GridAxis::read(key, value));
-        let grid = grid.collect::<Result<Vec<_>, _>>()?;
+        let scene = table(&file, "scene")?;
+        let axis =
+            |(key, value): (&String, &Value)| GridAxis::read(key, value, takes_whole(key, &scene));
+        let grid = grid.iter().map(axis).collect::<Result<Vec<_>, _>>()?;
         let accuracy = read_alone::<Accuracy>(&table(&file, Accuracy::NAME)?)?;
         if refine.is_some() {
             Refine::check(&grid)?;
@@ -86,7 +88,7 @@ impl SweepFile {
         }
         Ok(SweepFile {
             name,
-            scene: table(&file, "scene")?,
+            scene,
             numerics: table(&file, "numerics")?,
             probes: tables(&file, "probe")?,
             max_error_percent: accuracy.max_error_percent,

@@ -84,3 +84,25 @@ fn every_bad_grid_is_told_with_its_key() {
         assert!(told.starts_with(message), "{told:?} should start with {message:?}");
     }
 }
+
+/// What stands in the first column of a grid.
+fn first_values(text: &str) -> Result<Vec<Value>, ConfigError> {
+    let first = |case: &Case| case.assignments[0].as_deref().cloned().unwrap();
+    Ok(cases(text)?.iter().map(first).collect())
+}
+
+#[test]
+fn a_range_of_a_whole_key_has_whole_numbers() {
+    let cells = |range: &str| {
+        first_values(&format!("[scene]\nkind = \"taylor-green\"\n[grid]\ncells = {{ {range} }}"))
+    };
+    let even = cells("from = 1, to = 7, points = 4").unwrap();
+    assert_eq!(even, [1, 3, 5, 7].map(Value::Integer));
+    let doubled = cells("from = 2, to = 16, points = 4, spacing = \"log\"").unwrap();
+    assert_eq!(doubled, [2, 4, 8, 16].map(Value::Integer));
+    let told = cells("from = 1, to = 4, points = 3").unwrap_err().to_string();
+    assert!(told.starts_with("grid.cells = 2.5: must be a whole number"), "{told}");
+    // Where any number will do, they stay what they were.
+    let depths = "[grid]\nstill_water_depth_m = { from = 1, to = 2, points = 2 }";
+    assert_eq!(first_values(depths).unwrap(), [1.0, 2.0].map(Value::Float));
+}
