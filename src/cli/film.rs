@@ -6,6 +6,7 @@ use clap::Args;
 use serde_json::json;
 
 use super::failure::BadInput;
+use super::input::demand_output_of_study;
 use super::output::{Output, json_path};
 use super::pick::the_case;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS, options, stored};
@@ -38,6 +39,7 @@ pub(super) struct FilmArgs {
 
 pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
     let (study, simd) = stored::study(&args.dir)?;
+    demand_output_of_study(&args.dir, "summary.csv")?;
     let case = the_case(&study, &args.case)?;
     let set = Set {
         study: &study,
