@@ -1,6 +1,7 @@
 //! Reading what the user wrote.
 
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 use clap::ValueEnum;
 
@@ -58,9 +59,28 @@ pub(super) enum Expect {
     Either,
 }
 
+/// What has come through a pipe, which can be read only once.
+static PIPED: Mutex<Option<(PathBuf, Vec<u8>)>> = Mutex::new(None);
+
+/// The bytes of a file, or of a pipe, however often they are asked for.
+fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
+    if !path.exists() || path.is_file() || path.is_dir() {
+        return std::fs::read(path);
+    }
+    let mut piped = PIPED.lock().unwrap_or_else(PoisonError::into_inner);
+    match &*piped {
+        Some((known, bytes)) if known == path => Ok(bytes.clone()),
+        _ => {
+            let bytes = std::fs::read(path)?;
+            *piped = Some((path.to_owned(), bytes.clone()));
+            Ok(bytes)
+        }
+    }
+}
+
 /// The text of a sweep or scene file.
 pub(super) fn read(path: &Path) -> Result<String, BadInput> {
-    let bytes = std::fs::read(path).map_err(|error| unreadable(path, &error))?;
+    let bytes = bytes(path).map_err(|error| unreadable(path, &error))?;
     String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
