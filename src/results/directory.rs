@@ -91,7 +91,7 @@ impl Directory {
                 filling = filling.blind();
             }
             let content = journal::read_in_blocks(path, |lines| filling.take(lines))?;
-            findings.extend(opening::told_damage(&content));
+            findings.extend(opening::told_damage(&content, true));
             let header = opening::header(path, &content, study, requested.unwrap_or(widest))?;
             opening::check_header(path, &header, study, requested, widest)?;
             let journal = Journal::resume(path, &content, &header)?;

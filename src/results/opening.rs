@@ -121,12 +121,15 @@ pub(super) fn header(
     }
 }
 
-pub(super) fn told_damage(content: &Content<impl Sized>) -> Option<String> {
+/// What is wrong with a journal's lines: of one that is mended now, or of one that is only looked at.
+pub(super) fn told_damage(content: &Content<impl Sized>, mends: bool) -> Option<String> {
     let lines = (content.damaged > 0).then(|| counted(content.damaged, "damaged line"));
-    let told = lines.map(|lines| format!("{lines}, set aside in journal.damaged"));
+    let aside = if mends { ", set aside in journal.damaged" } else { "" };
+    let told = lines.map(|lines| format!("{lines}{aside}"));
     let headless = content.header.is_none() && content.found > 0;
     let told = told.or_else(|| headless.then(|| "its first line was lost".to_owned()))?;
-    Some(format!("journal.jsonl: {told}; what they held runs again"))
+    let when = if mends { "" } else { " at the next start" };
+    Some(format!("journal.jsonl: {told}; what they held runs again{when}"))
 }
 
 pub(super) fn check_header(
