@@ -100,3 +100,19 @@ def test_a_history_holds_the_maxima_of_the_summary(swept: Path) -> None:
     assert history.attrs["units"]["force"] == "½ρgh²"
     with pytest.raises(seawall.SeawallError, match="not both"):
         study.history(case, wave_height_ratio=0.5)
+
+
+def test_a_history_is_found_by_the_start_of_its_id(tmp_path: Path) -> None:
+    ids = ["0123456789012345", "0199996789012345"]
+    rows = "".join(f"{case},ok,0.5\n" for case in ids)
+    (tmp_path / "summary.csv").write_text("case_id,status,wave_height_ratio\n" + rows)
+    (tmp_path / "histories").mkdir()
+    (tmp_path / "histories" / f"{ids[0]}.csv").write_text("time_s,force\n0,1\n")
+    study = seawall.load(tmp_path)
+    assert len(study.history("012")) == 1
+    with pytest.raises(seawall.SeawallError, match="2 cases fit"):
+        study.history("01")
+    with pytest.raises(seawall.SeawallError, match="case 0199996789012345 has left no histories"):
+        study.history("0199")
+    with pytest.raises(seawall.SeawallError, match="no case of this study has an id"):
+        study.history("77")

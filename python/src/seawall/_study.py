@@ -101,8 +101,8 @@ class Study:
     def history(self, case: str | pd.Series | None = None, **keys: Any) -> pd.DataFrame:
         """Force, runup and displacement of a case over time.
 
-        The case is given by its id, by a row of :attr:`summary`, or by values of columns, as for
-        :meth:`case`.
+        The case is given by its id or the start of it, by a row of :attr:`summary`, or by values of columns,
+        as for :meth:`case`.
         """
         return read_table(self._of_case("histories", case, keys), "histories")
 
@@ -169,6 +169,9 @@ class Study:
             raise SeawallError("give the case's id or values of columns, not both")
         name = case if isinstance(case, str) else str(case[CASE_ID])
         path = self.directory / folder / f"{name}.csv"
+        if not path.is_file() and isinstance(case, str):
+            name = str(self.case(case)[CASE_ID])  # the start of an id
+            path = self.directory / folder / f"{name}.csv"
         if not path.is_file():
             raise SeawallError(f"{path}: is not there: case {name} has left no {folder}")
         return path
