@@ -124,6 +124,8 @@ pub fn all(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
 /// A name with a variant's own words in it, fit for a file.
 pub(super) fn file_name(stem: &str, variant: &str) -> String {
     let mut name = stem.to_owned();
+    // Two floors may differ in nothing but the sign of their height.
+    let variant = variant.replace(" -", " minus ");
     for word in variant.split(|c: char| !c.is_ascii_alphanumeric() && c != '.') {
         if !word.is_empty() {
             name.push('-');

@@ -113,4 +113,6 @@ fn a_variant_becomes_part_of_a_file_name() {
         file_name("force", "boundary = mls-linear, dx = 0.01"),
         "force-boundary-mls-linear-dx-0.01"
     );
+    let floors = ["0.05", "-0.05"].map(|y| file_name("force", &format!("floor_height_m = {y}")));
+    assert_eq!(floors, ["force-floor-height-m-0.05", "force-floor-height-m-minus-0.05"]);
 }
