@@ -271,12 +271,17 @@ fn a_run_is_filmed_also_when_it_is_finished() {
     let (file, out) = (write_file(root.path(), &text), root.path().join("out"));
     let arguments = ["run", file.to_str().unwrap(), "--out", out.to_str().unwrap(), "--film"];
     expect_code(&run(&arguments), 0);
-    // Its companion for error bars is not filmed.
-    let record =
-        run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap(), "--format", "json"]);
-    let record: serde_json::Value = serde_json::from_slice(&record.stdout).unwrap();
+    // Its companion for error bars is not filmed, and what it tells is told.
+    let again = |more: &[&str]| run(&[&arguments[..4], more].concat()).stdout;
+    let record: serde_json::Value = serde_json::from_slice(&again(&["--format", "json"])).unwrap();
     let id = record["id"].as_str().unwrap();
     assert!(films(&out).iter().all(|name| name.starts_with(id)), "{:?}", films(&out));
+    let bar = record["error_bars"]["force_max_error"].as_f64().unwrap();
+    let summary = fs::read_to_string(out.join("summary.csv")).unwrap();
+    assert!(bar > 0.0 && summary.contains(&format!(",{bar},")), "{bar} in {summary}");
+    let told = String::from_utf8(again(&[])).unwrap();
+    let force = told.lines().find(|line| line.starts_with("F* max ")).unwrap();
+    assert!(force.contains('±') && !told.contains("error"), "{told}");
     let name = films(&out)[1].clone();
     let page = fs::read(out.join("films").join(&name)).unwrap();
     assert!(page.len() < 400_000);

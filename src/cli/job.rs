@@ -87,7 +87,24 @@ impl Done {
         Ok(whole.filter_map(|(record, here)| record.filter(|_| here.is_some())).collect())
     }
 
+    /// A record with its error bars, as programs get it; null where there is none.
+    pub(super) fn in_full(&self, study: &Study, record: &CaseRecord) -> Value {
+        let bars = study.error_bars(record.index, self.directory.runs());
+        let mut value = json!(record);
+        value["error_bars"] = json!({
+            "force_error": bars.force,
+            "runup_error": bars.runup,
+            "displacement_error": bars.displacement,
+            "force_max_error": bars.whole_force,
+            "runup_max_error": bars.whole_runup,
+        });
+        value
+    }
+
     pub(super) fn json(&self, job: &Job, report: Option<&Path>) -> Result<Value, SweepError> {
+        let records = self.whole(&job.study)?;
+        let records: Vec<_> =
+            records.iter().map(|record| self.in_full(&job.study, record)).collect();
         Ok(json!({
             "name": job.study.name,
             "out": json_path(self.directory.path()),
@@ -100,7 +117,7 @@ impl Done {
             "wall_time_s": self.wall_time_s,
             "film_time_s": self.film_time_s,
             "savings": self.savings,
-            "records": self.whole(&job.study)?,
+            "records": records,
         }))
     }
 }

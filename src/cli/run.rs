@@ -5,7 +5,7 @@ mod told;
 use std::path::PathBuf;
 
 use clap::Args;
-use serde_json::json;
+use serde_json::{Value, json};
 
 use super::SUCCESS;
 use super::execute::on_threads;
@@ -112,12 +112,12 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         filmed.into_iter().flatten().try_for_each(seal)?;
     }
     for record in &done.whole(&job.study)? {
-        let text = format!(
-            "{}files: {}\n",
-            told::told(record, &job.study.cases[record.index].config),
-            named(done.directory.path())
-        );
-        output.result(&text, &in_metres(record, &job.study.cases[record.index].config))?;
+        let config = &job.study.cases[record.index].config;
+        let bars = job.study.error_bars(record.index, done.directory.runs());
+        let told = told::told(record, config, bars);
+        let text = format!("{told}files: {}\n", named(done.directory.path()));
+        let value = in_metres(record, config, done.in_full(&job.study, record));
+        output.result(&text, &value)?;
     }
     match page {
         Some(page) if done.exit_code() == SUCCESS => {
@@ -153,8 +153,7 @@ fn film_of(
 }
 
 /// The record as JSON, with the highest runup over still water in metres besides.
-fn in_metres(record: &CaseRecord, config: &CaseConfig) -> serde_json::Value {
-    let mut value = json!(record);
+fn in_metres(record: &CaseRecord, config: &CaseConfig, mut value: Value) -> Value {
     let highest = record.outcome.as_ref().map(|outcome| outcome.runup_max.value);
     value["runup_max_m"] = json!(highest.map(|runup| runup * config.scene.frame().depth));
     value

@@ -1,13 +1,13 @@
 //! What `seawall run` tells: the inputs before it starts, and the results.
 
-use crate::cli::output::{duration, short};
+use crate::cli::output::{duration, short, with_bar};
 use crate::cli::table::Table;
 use crate::math::name::name_of;
 use crate::quantities::summary::{
     ALL, COARSE_SPACING, DISPLACEMENT_MAX, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO,
     SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO,
 };
-use crate::quantities::{Bars, Case, Column, Value, energy};
+use crate::quantities::{Bars, Case, Column, Value, energy, named};
 use crate::report::plain;
 use crate::results::CaseRecord;
 use crate::scene::{CaseConfig, PaddleChoice, SeawallScene, WallChoice};
@@ -46,7 +46,7 @@ fn seawall(scene: &SeawallScene) -> String {
 }
 
 /// Results, readings, energy, and where the time went.
-pub(super) fn told(record: &CaseRecord, config: &CaseConfig) -> String {
+pub(super) fn told(record: &CaseRecord, config: &CaseConfig, bars: Bars) -> String {
     let mut text = format!("case {}", record.id);
     let (Some(outcome), Some(energy)) = (&record.outcome, &record.energy) else {
         text.push_str(&format!(" failed: {}\n", record.reason));
@@ -54,7 +54,7 @@ pub(super) fn told(record: &CaseRecord, config: &CaseConfig) -> String {
     };
     let status = if outcome.doubtful_reason.is_some() { "ok, but doubtful" } else { "ok" };
     text.push_str(&format!(": {status}, {}\n\n", duration(record.wall_time_s)));
-    text.push_str(&outcome_table(&record.reported(config, Bars::default())));
+    text.push_str(&outcome_table(&record.reported(config, bars)));
     if !record.readings.is_empty() {
         text.push_str("\nreadings\n");
         text.push_str(&readings_table(&record.readings));
@@ -71,9 +71,13 @@ const FIRST: [&Column; 2] = [&DOUBTFUL_REASON, &COARSE_SPACING];
 
 /// What came out of a case, as far as it has it.
 fn outcome_table(case: &Case<'_>) -> String {
+    let number = |column: &Column, value: f64| {
+        let bar = column.bar.and_then(named).and_then(|bar| bar.number(case));
+        bar.map_or_else(|| short(value), |bar| with_bar(value, bar))
+    };
     let line = |column: &Column| {
         let text = match column.value(case)? {
-            Value::Number(value) if column.unit.is_ratio() => short(value),
+            Value::Number(value) if column.unit.is_ratio() => number(column, value),
             Value::Number(value) => format!("{} {}", short(value), column.unit.symbol()),
             Value::Count(count) => count.to_string(),
             Value::Flag(_) => return None, // its reason or mark stands beside a number
@@ -87,7 +91,9 @@ fn outcome_table(case: &Case<'_>) -> String {
         Some(format!("{:<32}{start}{text}{time}{end}\n", column.heading_without_unit()))
     };
     let results = ALL.iter().skip_while(|column| **column != &MEASURED_WAVE_HEIGHT_RATIO);
-    let results = results.filter(|column| !FIRST.contains(column));
+    // An error bar stands beside its number.
+    let is_bar = |column: &Column| ALL.iter().any(|other| other.bar == Some(column.name));
+    let results = results.filter(|column| !FIRST.contains(column) && !is_bar(column));
     FIRST.iter().chain(results).filter_map(|column| line(column)).collect()
 }
 
