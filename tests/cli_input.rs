@@ -269,3 +269,30 @@ fn a_bad_instruction_set_in_the_environment_is_refused_by_all_that_computes() {
         expect_code(&with(arguments), 0);
     }
 }
+
+#[test]
+#[cfg(unix)]
+fn a_sweep_file_may_come_through_a_pipe() {
+    use std::io::Write;
+    use std::process::Stdio;
+
+    let root = tempfile::tempdir().unwrap();
+    let out = root.path().join("out");
+    let text = "name = \"piped\"\n[scene]\nkind = \"hydrostatic\"\nend_time_s = 0.05\n\
+                [grid]\nparticle_spacing_m = [0.05, 0.06]\n";
+    let mut child = seawall()
+        .args(["sweep", "/dev/stdin", "--film", "none", "--quiet", "--out"])
+        .arg(&out)
+        .stdin(Stdio::piped())
+        .spawn()
+        .unwrap();
+    child.stdin.take().unwrap().write_all(text.as_bytes()).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(0));
+    assert_eq!(common::journal_lines(&out), 1 + 2);
+
+    // Before its end a study cannot be filmed, which is told in words.
+    std::fs::remove_file(out.join("summary.csv")).unwrap();
+    let film = run(&["film", out.to_str().unwrap(), "particle_spacing_m=0.05"]);
+    expect_code(&film, 2);
+    assert!(String::from_utf8_lossy(&film.stderr).contains("has no summary.csv"));
+}
