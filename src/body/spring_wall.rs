@@ -1,11 +1,11 @@
 //! The spring-mounted seawall of Liang et al. 2017, Eqs. 16-18 (Huang et al. 2019, Eqs. 26-28).
 
+mod held;
 mod kick;
 
 use serde::{Deserialize, Serialize};
 
 use super::{Restraint, WallLaw, WallState, WallStep};
-use crate::theory::oscillator::{Oscillator, OscillatorState};
 
 /// m a = s · max(F - F_th, 0) - k X, with X ≥ 0.
 ///
@@ -54,24 +54,6 @@ impl SpringWall {
         self.stops += 1;
         WallStep { acceleration: 0.0, travel, stop_loss: loss, stop_speed }
     }
-
-    /// The free oscillator that holds over a step: driven with the water's added mass while the
-    /// force is above the threshold, alone otherwise. The law is monotone in a, so exactly one of
-    /// the two is consistent with the force it leads to.
-    fn system(&self, force: f64, added_mass: f64) -> Oscillator {
-        let s = self.force_coupling;
-        let driven = Oscillator {
-            mass: self.mass + s * added_mass,
-            stiffness: self.stiffness,
-            force: s * (force - self.threshold),
-        };
-        let acceleration = (driven.force - self.stiffness * self.displacement) / driven.mass;
-        if force - added_mass * acceleration > self.threshold {
-            driven
-        } else {
-            Oscillator { mass: self.mass, stiffness: self.stiffness, force: 0.0 }
-        }
-    }
 }
 
 impl WallLaw for SpringWall {
@@ -96,26 +78,8 @@ impl WallLaw for SpringWall {
         self.kicked(force, added_mass, dt)
     }
 
-    /// Spring and mass exactly, at any ω Δt.
     fn advance(&mut self, force: f64, added_mass: f64, dt: f64) -> WallStep {
-        let system = self.system(force, added_mass);
-        let from = OscillatorState { position: self.displacement, velocity: self.velocity };
-        let at_rest_on_stop = from.position <= 0.0 && from.velocity <= 0.0;
-        if at_rest_on_stop && system.force <= 0.0 {
-            return WallStep::default();
-        }
-        if let Some(instant) = system.first_return(from, dt) {
-            let velocity = system.advance(from, instant).velocity;
-            return self.stop(0.5 * self.mass * velocity * velocity, -velocity);
-        }
-        let to = system.advance(from, dt);
-        self.displacement = to.position;
-        self.velocity = to.velocity;
-        WallStep {
-            acceleration: (to.velocity - from.velocity) / dt,
-            travel: to.position - from.position,
-            ..WallStep::default()
-        }
+        self.advanced(force, added_mass, dt)
     }
 
     fn driving(&self, force: f64, _: f64) -> f64 {
@@ -141,25 +105,6 @@ impl WallLaw for SpringWall {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn a_constant_push_follows_the_exact_oscillator() {
-        // Steps far beyond the explicit limit ω dt = 2 must not matter.
-        for (mass, stiffness, dt) in [(50.0, 1e9, 9e-4), (1.0, 1e7, 9e-4), (250.0, 500.0, 1e-3)] {
-            let mut wall = SpringWall::at_rest(mass, stiffness, 200.0, 1.0);
-            let exact = Oscillator { mass, stiffness, force: 100.0 };
-            for step in 1..=50 {
-                wall.advance(300.0, 0.0, dt);
-                let from = OscillatorState { position: 0.0, velocity: 0.0 };
-                let expected = exact.advance(from, dt * f64::from(step));
-                assert!(
-                    (wall.displacement - expected.position).abs()
-                        < 1e-9 * 100.0 / stiffness.min(1.0)
-                );
-            }
-            assert_eq!(wall.stops, 0);
-        }
-    }
 
     #[test]
     fn added_mass_slows_the_wall_and_keeps_the_balance() {

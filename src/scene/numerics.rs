@@ -166,7 +166,7 @@ section! {
         /// γ: pressures are taken γ Δt ahead of the densities, which damps sound.
         bulk_damping: f64 = 0.1, weakly(plain().within(0.0, 1.0));
         /// Steps per full step: the others follow the sound alone and hold the pairs' geometry. In a
-        /// dam break 1 by default.
+        /// dam break, and in a box that water fills, 1 by default.
         acoustic_substeps: u32 = 3, weakly(plain().within(1.0, 8.0)).label("steps per full step");
         /// Upper bound on the time step.
         time_step_s: Option<f64> = None, unit("s").above_zero().label("time step bound");

@@ -42,10 +42,10 @@ impl Oscillator {
         }
     }
 
-    /// The first instant within (0, `within`] at which the mass is at or below the position 0
-    /// while moving inwards, coming from `from` with a position ≥ 0.
-    pub fn first_return(&self, from: OscillatorState, within: f64) -> Option<f64> {
-        let below = |t: f64| self.advance(from, t).position < 0.0;
+    /// The first instant within (0, `within`] at which a mass is below the position 0. It is at `place`,
+    /// which begins at 0 or above and moves no faster to and fro than this one.
+    pub fn first_return(&self, place: impl Fn(f64) -> f64, within: f64) -> Option<f64> {
+        let below = |t: f64| place(t) < 0.0;
         let omega = (self.stiffness / self.mass).sqrt();
         // Sample at an eighth of a period or finer, then bisect the first sign change.
         let pieces = (within * omega * 8.0 / std::f64::consts::TAU).ceil().clamp(4.0, 4096.0);
@@ -93,13 +93,13 @@ mod tests {
     fn the_return_to_the_stop_is_found() {
         let system = Oscillator { mass: 2.0, stiffness: 8.0, force: 0.0 };
         let from = OscillatorState { position: 0.3, velocity: 0.0 };
-        let back = system.first_return(from, 1.0).unwrap();
+        let of = |system: Oscillator, from: OscillatorState, within: f64| {
+            system.first_return(|time| system.advance(from, time).position, within)
+        };
+        let back = of(system, from, 1.0).unwrap();
         assert!((back - std::f64::consts::FRAC_PI_4).abs() < 1e-12); // ω = 2: a quarter period
-        assert_eq!(system.first_return(from, 0.7), None);
+        assert_eq!(of(system, from, 0.7), None);
         let pushed = Oscillator { force: 10.0, ..system };
-        assert_eq!(
-            pushed.first_return(OscillatorState { position: 0.0, velocity: 0.0 }, 9.0),
-            None
-        );
+        assert_eq!(of(pushed, OscillatorState { position: 0.0, velocity: 0.0 }, 9.0), None);
     }
 }

@@ -184,6 +184,15 @@ mod tests {
             }
         }
         // With the force held over the step, the same wall takes energy from the step itself.
-        assert!(swing_left(SpringWall::advance, 0.1, 10.0) > 10.0);
+        let held = |wall: &mut SpringWall, force: f64, added_mass: f64, dt: f64| {
+            let SpringWall { mass, stiffness, threshold, displacement, velocity, .. } = *wall;
+            let mass = mass + added_mass;
+            let exact = Oscillator { mass, stiffness, force: force - threshold };
+            let from = OscillatorState { position: displacement, velocity };
+            let to = exact.advance(from, dt);
+            (wall.displacement, wall.velocity) = (to.position, to.velocity);
+            WallStep { travel: to.position - from.position, ..WallStep::default() }
+        };
+        assert!(swing_left(held, 0.1, 10.0) > 10.0);
     }
 }

@@ -108,11 +108,11 @@ impl Watch for Collapse {
         let unit = self.unit();
         all.tell("front_at_wall", self.front_at_wall.map(|time| time / unit), "sqrt(H/g)");
         for at in [1.0, 1.5, 2.0] {
-            let passed = self.fronts.iter().find(|(time, _)| *time >= at * unit);
+            let front = place_at(&self.fronts, at * unit);
             let name = |what: &str| format!("{what}_at_{at}");
-            all.tell(&name("front"), passed.map(|(_, x)| x / self.frame.depth), "H");
+            all.tell(&name("front"), front.map(|x| x / self.frame.depth), "H");
             let Frame { depth, gravity, .. } = self.frame;
-            let ritter = passed.map(|(time, _)| ritter_front(self.column, depth, gravity, *time));
+            let ritter = front.map(|_| ritter_front(self.column, depth, gravity, at * unit));
             all.tell(&name("ritter_front"), ritter.map(|x| x / depth), "H");
         }
         all.tell("cavity_closure", self.closure.map(|time| time / unit), "sqrt(H/g)");
@@ -123,7 +123,31 @@ impl Watch for Collapse {
     }
 }
 
+/// Where a front is at this time, seconds, on a straight line between its samples; none behind the last.
+fn place_at(samples: &[(f64, f64)], time: f64) -> Option<f64> {
+    let after = samples.iter().position(|(sampled, _)| *sampled >= time)?;
+    let (t1, x1) = samples[after];
+    let (t0, x0) = samples[after.saturating_sub(1)];
+    let share = if t1 > t0 { (time - t0) / (t1 - t0) } else { 1.0 };
+    Some(x0 + share * (x1 - x0))
+}
+
 /// Σ m u, N s per metre of width.
 fn momentum(fluid: &Fluid) -> f64 {
     fluid.mass.iter().zip(&fluid.vx).map(|(mass, velocity)| mass * velocity).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_front_is_told_at_the_time_asked_for() {
+        let samples = [(0.0, 1.0), (0.3, 1.6), (0.5, 2.2)];
+        for (time, place) in [(0.0, 1.0), (0.1, 1.2), (0.3, 1.6), (0.4, 1.9), (0.5, 2.2)] {
+            assert!((place_at(&samples, time).unwrap() - place).abs() < 1e-12, "{time}");
+        }
+        assert_eq!(place_at(&samples, 0.51), None);
+        assert_eq!(place_at(&[], 0.1), None);
+    }
 }
