@@ -53,7 +53,6 @@ macro_rules! kinds {
 
         /// What is simulated.
         #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-        #[expect(clippy::large_enum_variant, reason = "nearly all scenes are of the largest kind")]
         #[serde(tag = "kind")]
         pub enum Scene {
             $($(#[doc = $about])* #[serde(rename = $name)] $kind($scene),)*
