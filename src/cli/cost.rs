@@ -35,7 +35,10 @@ fn processor_time(study: &Study, plan: &Plan) -> f64 {
     let time = |cost: u64, config: &CaseConfig| {
         let numerics = &config.numerics;
         let share = match numerics.scheme {
-            Scheme::Wcsph => of_full_steps(numerics.acoustic_substeps),
+            Scheme::Wcsph => {
+                of_full_steps(numerics.acoustic_substeps)
+                    * of_supports(numerics.support_radius_ratio)
+            }
             Scheme::Isph => 1.0,
         };
         share * cost as f64 / particle_steps_per_second(numerics.scheme, SimdPath::widest())
@@ -54,7 +57,13 @@ fn of_full_steps(substeps: u32) -> f64 {
     0.5 + 1.5 / f64::from(substeps)
 }
 
-/// Particle-steps per second and core. Of δ-SPH, every third step a full one, between the two machines of
+/// What steps take with supports of so many spacings, over those of five. Three quarters of the time go with the
+/// neighbours (docs/performance.md).
+fn of_supports(ratio: f64) -> f64 {
+    0.26 + 0.74 * (ratio / 5.0).powi(2)
+}
+
+/// Particle-steps per second and core. Of δ-SPH with supports of five spacings, every third step a full one, between the two machines of
 /// docs/measured.md; of incompressible water what the EPYC took for `sweeps/scenes/movable_wall.toml` at 12.5 mm.
 fn particle_steps_per_second(scheme: Scheme, simd: SimdPath) -> f64 {
     match (scheme, simd) {
@@ -98,6 +107,13 @@ mod tests {
     fn full_steps_cost_more_than_those_that_follow_the_sound() {
         let ratio = seconds("acoustic_substeps = 1") / seconds("");
         assert!((1.8..2.2).contains(&ratio), "{ratio}");
+    }
+
+    #[test]
+    fn narrow_supports_cost_less_though_they_take_more_steps() {
+        let [three, four] =
+            [3.0, 4.0].map(|ratio| seconds(&format!("support_radius_ratio = {ratio:?}")));
+        assert!(three < four && four < seconds(""), "{three} {four}");
     }
 
     #[test]
