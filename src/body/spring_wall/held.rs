@@ -3,9 +3,9 @@
 use super::{SpringWall, WallStep};
 use crate::theory::oscillator::{Oscillator, OscillatorState};
 
-/// What the wall is over a step: mass, spring and the force that holds. It moves as they do exactly where
-/// the step resolves the spring, and to where they are in balance at its end where the spring is far too
-/// stiff for it.
+/// What the wall is over a step: mass, spring and the force that holds. Where the step resolves the spring,
+/// it moves exactly as they do. Where the spring is far too stiff for the step, it moves to where they are
+/// in balance at the end.
 struct Swing {
     exact: Oscillator,
     from: OscillatorState,
