@@ -63,8 +63,9 @@ fn of_supports(ratio: f64) -> f64 {
     0.26 + 0.74 * (ratio / 5.0).powi(2)
 }
 
-/// Particle-steps per second and core. Of δ-SPH with supports of five spacings, every third step a full one, between the two machines of
-/// docs/measured.md; of incompressible water what the EPYC took for `sweeps/scenes/movable_wall.toml` at 12.5 mm.
+/// Particle-steps per second and core. Those of δ-SPH, with supports of five spacings and every third step a full
+/// one, lie between the two machines of docs/measured.md. Those of incompressible water are what the EPYC took for
+/// `sweeps/scenes/movable_wall.toml` at 12.5 mm.
 fn particle_steps_per_second(scheme: Scheme, simd: SimdPath) -> f64 {
     match (scheme, simd) {
         (Scheme::Isph, SimdPath::Portable) => 3.5e5,

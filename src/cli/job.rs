@@ -88,8 +88,7 @@ impl Done {
     }
 
     /// A record with its error bars, as programs get it; null where there is none.
-    pub(super) fn in_full(&self, study: &Study, record: &CaseRecord) -> Value {
-        let bars = study.error_bars(record.index, self.directory.runs());
+    pub(super) fn in_full(record: &CaseRecord, bars: Bars) -> Value {
         let mut value = json!(record);
         value["error_bars"] = json!({
             "force_error": bars.force,
@@ -103,8 +102,10 @@ impl Done {
 
     pub(super) fn json(&self, job: &Job, report: Option<&Path>) -> Result<Value, SweepError> {
         let records = self.whole(&job.study)?;
-        let records: Vec<_> =
-            records.iter().map(|record| self.in_full(&job.study, record)).collect();
+        let in_full = |record: &CaseRecord| {
+            Done::in_full(record, job.study.error_bars(record.index, self.directory.runs()))
+        };
+        let records: Vec<_> = records.iter().map(in_full).collect();
         Ok(json!({
             "name": job.study.name,
             "out": json_path(self.directory.path()),

@@ -116,7 +116,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         let bars = job.study.error_bars(record.index, done.directory.runs());
         let told = told::told(record, config, bars);
         let text = format!("{told}files: {}\n", named(done.directory.path()));
-        let value = in_metres(record, config, done.in_full(&job.study, record));
+        let value = in_metres(record, config, Done::in_full(record, bars));
         output.result(&text, &value)?;
     }
     match page {

@@ -46,7 +46,7 @@ impl Swing {
 
 impl SpringWall {
     /// Advances by `dt` seconds under the water's force F = `force` - `added_mass` · a, the mean over the
-    /// step. That is (1 - η) times the exact motion of spring and mass, and η times Euler's backward step:
+    /// step. The wall makes (1 - η) of the exact motion of spring and mass, and η of Euler's backward step.
     /// ```text
     /// η = κ/(1 + κ),  κ = max(ω²Δt² - 1, 0)/4,  ω² = k/(m + sA)
     /// ```
