@@ -4,11 +4,11 @@ use std::marker::PhantomData;
 use std::ops::Range;
 
 use super::gathering::{Gather, Places, Renewed};
+use super::ghost_part::GhostPart;
 use super::ghosts::Ghosts;
 use super::image::{Image, Mirror};
 use super::pack::GhostVelocities;
 use super::rules::{ExchangeRules, targets};
-use super::stretch::Stretch;
 use super::sums::{Cover, KernelWeights, Means, Near, Water, Weigh};
 use super::waterline::Waterline;
 use super::with_interpolator;
@@ -30,7 +30,7 @@ pub struct Exchange {
     pub(super) half_plane: Vec<f64>,
     pub(super) team: Team,
     /// Lists and weights, cut for the team.
-    pub(super) parts: Vec<Stretch>,
+    pub(super) parts: Vec<GhostPart>,
     /// The targets where the list was made.
     places: [Vec<f64>; 2],
     /// Blocks with ghosts that have water in reach, at the last [`Exchange::fill`].
@@ -66,7 +66,7 @@ impl Exchange {
             complete: vec![1.0; targets],
             half_plane,
             team: Team::default(),
-            parts: vec![Stretch::default()],
+            parts: vec![GhostPart::default()],
             places: Default::default(),
             counting: Vec::with_capacity(ghosts.len() / LANES),
             motions: Vec::with_capacity(ghosts.bodies.len()),
@@ -86,7 +86,7 @@ impl Exchange {
 
     /// Takes on a team for what follows the next [`Exchange::rebuild`].
     pub fn take_on(&mut self, team: &Team) {
-        self.parts = vec![Stretch::default(); team.parts()];
+        self.parts = vec![GhostPart::default(); team.parts()];
         self.team = team.clone();
     }
 
@@ -183,7 +183,7 @@ impl Exchange {
         let (rules, interpolator) = (*rules, rules.interpolator);
         let rows = ([&mut scale[..], &mut fallen[..]], &mut means[..]);
         team.share(parts, rows, &|part, ([scale, fallen], means)| {
-            let Stretch { blocks: own, list, held, .. } = part;
+            let GhostPart { blocks: own, list, held, .. } = part;
             let targets = targets(&rules, (list, own), (ghosts, bodies, water), &blocks);
             dispatch(path, Near { targets: targets.clone(), held });
             if interpolator.from_kernel() {

@@ -4,9 +4,9 @@ use std::mem::take;
 
 use super::exchange::Exchange;
 use super::faces::span;
+use super::ghost_part::GhostPart;
 use super::ghosts::{Ghosts, Reflection};
 use super::image::{Image, Mirror, Press};
-use super::stretch::Stretch;
 use super::sums::Means;
 use crate::body::{BodyMotion, Place};
 use crate::math::simd::{LANES, SimdPath, dispatch};
@@ -62,7 +62,7 @@ impl Filling<'_> {
     fn fill(
         &self,
         path: SimdPath,
-        part: &mut Stretch,
+        part: &mut GhostPart,
         images: &mut [Image],
         (responses, records): (&mut [[f64; 3]], &mut [Record]),
     ) {

@@ -1,7 +1,7 @@
 //! Some weighted means alone, with weights that are already known, and what is to come of them.
 
+use super::ghost_part::GhostPart;
 use super::image::Image;
-use super::stretch::Stretch;
 use super::sums::Means;
 use crate::math::simd::{LANES, Lanes, Task};
 use crate::pairs::Factors;
@@ -11,7 +11,7 @@ pub(super) type Places<const N: usize> = fn(&mut Means) -> [&mut [f64; LANES]; N
 
 /// Some means alone, with the weights at hand: of `N` fields of the water.
 pub(super) struct Gather<'a, const N: usize> {
-    pub part: &'a Stretch,
+    pub part: &'a GhostPart,
     /// Some of the part's blocks.
     pub blocks: &'a [u32],
     pub scale: &'a [[f64; LANES]],

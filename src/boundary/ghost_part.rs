@@ -8,7 +8,7 @@ use crate::pairs::{HeldWeights, PairList};
 /// Consecutive blocks of eight targets with the water around them: one thread's share of a pass.
 /// Lists count blocks from the first.
 #[derive(Debug, Clone, Default)]
-pub(super) struct Stretch {
+pub(super) struct GhostPart {
     pub blocks: Range<usize>,
     pub list: PairList,
     pub held: HeldWeights,
@@ -16,13 +16,13 @@ pub(super) struct Stretch {
     pub fallbacks: u64,
 }
 
-impl Part for Stretch {
+impl Part for GhostPart {
     fn items(&self) -> Range<usize> {
         self.blocks.clone()
     }
 }
 
-impl Stretch {
+impl GhostPart {
     /// Its own of some blocks. These are in order, unless it is the only part.
     #[inline(always)]
     pub fn among<'a>(&self, blocks: &'a [u32]) -> &'a [u32] {
