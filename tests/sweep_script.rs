@@ -146,6 +146,29 @@ fn ctrl_c_when_the_job_is_done_gives_the_code_of_the_sweep() {
     expect_code(&output, 0);
 }
 
+/// Bash cannot run a trap while it reads a `$(...)`. Where the script had one after the job's end it returned 2.
+#[test]
+fn ctrl_c_while_the_script_looks_back_gives_the_code_of_the_sweep() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let at_once = "[[ \"$*\" = *sweep* ]] || exec \"$true_mpirun\" \"$@\"\n\
+                   while [ \"$1\" != --ending ]; do shift; done; trap '' USR1\n\
+                   printf 'out %s\\ncode 1\\n' /tmp >\"$2\"; touch \"$0.done\"";
+    for _ in 0..12 {
+        let room = Room::new(TINY);
+        let child = room.script_under(at_once).spawn().unwrap();
+        let start = Instant::now();
+        while !room.root.path().join("shims/mpirun.done").is_file() {
+            assert!(start.elapsed() < Duration::from_secs(60), "the job does not end");
+        }
+        let often = format!("for n in {{1..25}}; do kill -INT {}; sleep 0.002; done", child.id());
+        let kills = Command::new("bash").args(["-c", &often]).stderr(Stdio::null()).status();
+        kills.unwrap();
+        expect_code(&ended(child), 1);
+    }
+}
+
 #[test]
 fn a_killed_script_leaves_nobody_at_work() {
     if !mpirun_is_there() {
