@@ -5,7 +5,7 @@
 
 use std::collections::HashMap;
 
-use crate::math::bend;
+use crate::math::bend::{self, Bend};
 use crate::quantities::Case as Reported;
 use crate::results::CaseRecord;
 use crate::scene::ConfigError;
@@ -186,8 +186,8 @@ impl Refinement {
     }
 }
 
-/// How far the chord between two neighbours is expected to be off, from the bend through a third point on
-/// either side: infinite where there is none at all, `None` where one of the two has no value.
+/// How far the chord between two neighbours is expected to be off, from the bend through the points beside
+/// them: infinite where there is no third point, `None` where one of the two has no value.
 fn off(stops: &[Stop], at: usize) -> Option<f64> {
     let point = |at: usize| {
         let stop = stops.get(at)?;
@@ -197,8 +197,10 @@ fn off(stops: &[Stop], at: usize) -> Option<f64> {
     if stops.len() == 2 {
         return Some(f64::INFINITY);
     }
-    let halves = bend::beside(interval, at.checked_sub(1).and_then(point), point(at + 2));
-    halves.iter().map(|half| bend::sagitta(interval, *half)).max_by(f64::total_cmp)
+    let beside = |places: [Option<usize>; 2]| places.map(|at| at.and_then(point));
+    let before = beside([1, 2].map(|back| at.checked_sub(back)));
+    let behind = beside([2, 3].map(|ahead| Some(at + ahead)));
+    Some(bend::sagitta(interval, Bend::of(interval, before, behind)?.most()))
 }
 
 #[cfg(test)]

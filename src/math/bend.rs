@@ -1,5 +1,18 @@
 //! How much a curve through points bends: what linear interpolation between two of them misses.
 
+use super::lists::ends;
+
+/// A curve may bend by so much more than the parabolas on both sides of an interval do, and the one on one side.
+const MORE: [f64; 2] = [0.5, 2.0];
+
+/// What a change of the bend does to where a value is crossed, as a share of the interval. Wherever in the interval
+/// the bend changes, and where values scatter, the curve is off near the ends, too.
+const SCATTER: f64 = 1.0 / 3.0;
+
+/// Three points in a straight line may be those of a step: their bend may change by as much, in units of that of a
+/// parabola that turns at an end of the interval.
+const UNSEEN: f64 = 0.75;
+
 /// A point of a curve: its place and its value.
 pub type Point = (f64, f64);
 
@@ -8,13 +21,57 @@ pub fn half_curvature([(x0, y0), (x1, y1), (x2, y2)]: [Point; 3]) -> f64 {
     ((y2 - y1) / (x2 - x1) - (y1 - y0) / (x1 - x0)) / (x2 - x0)
 }
 
-/// The parabolas through the ends of an interval and the point before or behind it, by half their
-/// curvature. There are none without a third point.
-pub fn beside(interval: [Point; 2], before: Option<Point>, behind: Option<Point>) -> Vec<f64> {
-    let [left, right] = interval;
-    let before = before.map(|point| half_curvature([point, left, right]));
-    let behind = behind.map(|point| half_curvature([left, right, point]));
-    before.into_iter().chain(behind).collect()
+/// What a bend counts in: that of a parabola that turns at an end of the interval.
+fn unit([(x0, y0), (x1, y1)]: [Point; 2]) -> f64 {
+    (y1 - y0) / ((x1 - x0) * (x1 - x0))
+}
+
+/// The points beside an interval, the nearest first, as far as there are any.
+pub type Beside = [Option<Point>; 2];
+
+/// What the points in and beside an interval tell of a curve's bend in it, as half of its second derivative.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Bend {
+    /// That of the parabolas through both ends and the next point on either side: the least and the largest.
+    ends: [f64; 2],
+    /// How far it changes from three points to the next three.
+    change: f64,
+    /// A parabola on one side alone.
+    one_sided: bool,
+}
+
+impl Bend {
+    /// `None` without a third point.
+    pub fn of(interval: [Point; 2], before: Beside, behind: Beside) -> Option<Bend> {
+        let [left, right] = interval.map(Some);
+        let line = [before[1], before[0], left, right, behind[0], behind[1]];
+        let three = |at: usize| Some(half_curvature([line[at]?, line[at + 1]?, line[at + 2]?]));
+        let bends = [0, 1, 2, 3].map(three);
+        let changes = bends.windows(2).filter_map(|pair| Some((pair[1]? - pair[0]?).abs()));
+        let ends = ends(bends[1..3].iter().copied().flatten())?;
+        // Three points do not tell of a change: it may be as large as the bend.
+        let unseen = || ends.0.abs().max(UNSEEN * unit(interval).abs());
+        Some(Bend {
+            ends: ends.into(),
+            change: changes.max_by(f64::total_cmp).unwrap_or_else(unseen),
+            one_sided: bends[1].is_none() || bends[2].is_none(),
+        })
+    }
+
+    /// What it may be, by what it is and how far it changes beside.
+    pub fn most(self) -> f64 {
+        self.ends[0].abs().max(self.ends[1].abs()) + self.change
+    }
+
+    /// Between which shares of the interval nearly all such curves have a value that lies between those of its ends.
+    pub fn crossings(self, interval: [Point; 2], value: f64) -> [f64; 2] {
+        let more = MORE[usize::from(self.one_sided)] * self.ends[0].abs().max(self.ends[1].abs());
+        let halves = [self.ends[0] - more, 0.0, self.ends[1] + more];
+        let shares = halves.map(|half| crossing(interval, half, value));
+        let scatter = SCATTER * (self.change / unit(interval)).abs();
+        let (first, last) = ends(shares.into_iter()).unwrap_or((0.0, 1.0));
+        [(first - scatter).max(0.0), (last + scatter).min(1.0)]
+    }
 }
 
 /// The largest deviation from the chord within an interval, that in its middle: |f''| d²/8.
@@ -48,8 +105,8 @@ mod tests {
         let f = |x: f64| 3.0 * x * x - x + 2.0;
         let [a, b, c] = on(f, [0.5, 1.0, 4.0]);
         assert!((half_curvature([a, b, c]) - 3.0).abs() < 1e-12);
-        assert_eq!(beside([a, b], None, None), [0.0; 0]);
-        let half = beside([b, c], Some(a), None)[0];
+        assert_eq!(Bend::of([a, b], [None; 2], [None; 2]), None);
+        let half = half_curvature([a, b, c]);
         let middle = 0.5 * (b.1 + c.1) - f(2.5);
         assert!((sagitta([b, c], half) - middle).abs() < 1e-12, "{middle}");
         for x in [1.0, 1.7, 3.9, 4.0] {
@@ -62,21 +119,43 @@ mod tests {
     fn a_falling_curve_is_crossed_too() {
         let f = |x: f64| 10.0 - x * x;
         let [a, b, c] = on(f, [0.0, 1.0, 3.0]);
-        let half = beside([b, c], Some(a), None)[0];
+        let half = half_curvature([a, b, c]);
         let found = 1.0 + 2.0 * crossing([b, c], half, f(2.0));
         assert!((found - 2.0).abs() < 1e-12, "{found}");
         assert!((crossing([b, c], 0.0, 5.0) - 0.5).abs() < 1e-12, "the chord's middle");
     }
 
     #[test]
-    fn the_parabolas_on_both_sides_bracket_a_smooth_curve() {
-        // The third derivative of exp keeps its sign, so that the curve lies between both.
-        let places = [-1.0, -0.4, 0.2, 0.8].map(|x: f64| (x, libm::exp(x)));
-        let interval = [places[1], places[2]];
-        let shares = beside(interval, Some(places[0]), Some(places[3]));
-        let exact = (0.0 - interval[0].0) / 0.6;
-        let mut found: Vec<_> = shares.iter().map(|half| crossing(interval, *half, 1.0)).collect();
-        found.sort_by(f64::total_cmp);
-        assert!(found[0] < exact && exact < found[1], "{found:?} around {exact}");
+    fn the_range_holds_a_smooth_curve_and_is_narrow_where_points_are_close() {
+        let mut widths = Vec::new();
+        for step in [0.6, 0.3, 0.15] {
+            let place = |at: f64| Some((at * step - 0.1, libm::exp(at * step - 0.1)));
+            let interval = [0.0, 1.0].map(|at| place(at).unwrap());
+            let [before, behind] = [[-1.0, -2.0], [2.0, 3.0]].map(|places| places.map(place));
+            let bend = Bend::of(interval, before, behind).unwrap();
+            let value = libm::exp(0.3 * step - 0.1);
+            let [low, high] = bend.crossings(interval, value);
+            assert!(low < 0.3 && 0.3 < high, "{low} to {high}");
+            widths.push(high - low);
+            // From one side alone less is known.
+            let alone = Bend::of(interval, [None; 2], behind).unwrap();
+            let [first, last] = alone.crossings(interval, value);
+            assert!(first < low && last > high, "{first} to {last}");
+        }
+        assert!(widths.windows(2).all(|pair| pair[1] < 0.6 * pair[0]), "{widths:?}");
+    }
+
+    #[test]
+    fn a_step_may_stand_anywhere_between_its_neighbours() {
+        let interval = [(0.0, 0.0), (1.0, -2.0)];
+        let bend = Bend::of(interval, [Some((-1.0, 0.0)), None], [Some((2.0, -2.0)), None]);
+        let [first, last] = bend.unwrap().crossings(interval, -1.0);
+        assert!(first < 0.1 && last > 0.9, "{first} to {last}");
+        // Three points in a straight line bend by nothing, but nothing tells that they always do. Four tell.
+        let known = |last: Option<Point>| {
+            let behind = [Some((2.0, -4.0)), last];
+            Bend::of(interval, [None; 2], behind).unwrap().most()
+        };
+        assert_eq!([None, Some((3.0, -6.0)), Some((3.0, -4.5))].map(known), [1.5, 0.0, 0.75]);
     }
 }

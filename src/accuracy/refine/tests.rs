@@ -70,13 +70,31 @@ fn a_step_is_resolved_and_what_is_straight_is_left_alone() {
                 assert!(off < 0.02, "{off} between {pair:?}");
             }
         }
-        // An even grid as good would take steps as short as the shortest, some 25 of them.
-        assert!(refinement.count(&study) < 18, "{values:?}");
         let places: Vec<_> = values.iter().map(|k| scale(*k)).collect();
         let widest = places.windows(2).map(|p| p[1] - p[0]).fold(0.0, f64::max);
         let least = places.windows(2).map(|p| p[1] - p[0]).fold(f64::INFINITY, f64::min);
         assert!(widest > 3.0 * least, "{places:?}");
+        // An even grid would take steps as short as the shortest: more than twice as many.
+        assert!((refinement.count(&study) as f64) < 0.5 * 6.0 / least, "{values:?}");
     }
+}
+
+/// The middle of three points lies on the chord of the others, whatever the curve does between them.
+#[test]
+fn three_points_of_a_step_are_not_taken_for_a_straight_line() {
+    let text = "spring_stiffness_n_per_m = [1, 1e3, 1e6]\n\
+        refine = { quantity = \"force_max\", to = 0.05 }";
+    let (_, study, round) = refined(&file(text), |k| Some(force(k)));
+    assert_eq!((round.points.len(), round.open), (0, 0));
+    let values = stiffnesses(&study);
+    for pair in values.windows(2) {
+        let middle = 0.5 * (force(pair[0]) + force(pair[1]));
+        let off = (middle - force((pair[0] * pair[1]).sqrt())).abs();
+        assert!(off < 0.05, "{off} between {pair:?}");
+    }
+    // A line whose points differ by little is left alone.
+    let (refinement, study, _) = refined(&file(text), |k| Some(2.0 + 0.05 * libm::log10(k)));
+    assert_eq!(refinement.count(&study), 0);
 }
 
 #[test]

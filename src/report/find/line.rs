@@ -4,12 +4,9 @@ use std::collections::BTreeMap;
 
 use super::condition::{Comparison, Condition, Verdict};
 use super::{Basis, Boundary};
-use crate::math::bend;
+use crate::math::bend::{self, Bend};
 use crate::math::scale::Scale;
 use crate::report::load::Loaded;
-
-/// A parabola is an estimate, too: a boundary may be so many times as far from the chord's.
-const MARGIN: f64 = 1.5;
 
 /// A case on an axis.
 #[derive(Debug, Clone, Copy)]
@@ -123,7 +120,7 @@ impl Line<'_> {
         let (mut from, mut to) = (Vec::new(), Vec::new());
         for comparison in &self.condition.0 {
             let verdicts = [low, low + 1].map(|at| comparison.verdict(self.stops[at].row));
-            let crossed = (self.share(comparison, low, 0.0), comparison);
+            let crossed = (self.share(comparison, low), comparison);
             match verdicts.map(|verdict| verdict == Verdict::Met) {
                 [true, true] => {}
                 [false, false] => return Vec::new(),
@@ -143,9 +140,8 @@ impl Line<'_> {
         ends.filter_map(end).collect()
     }
 
-    /// Where a comparison's limit is crossed in an interval, as a share of it, on a parabola of this half
-    /// curvature.
-    fn share(&self, comparison: &Comparison, low: usize, half_curvature: f64) -> f64 {
+    /// Where the chord crosses a comparison's limit in an interval, as a share of it.
+    fn share(&self, comparison: &Comparison, low: usize) -> f64 {
         if comparison.subject.name == self.data.keys[self.key].name {
             let [left, right] = [low, low + 1].map(|at| self.stops[at].place);
             return (self.scale.place(comparison.limit) - left) / (right - left);
@@ -153,7 +149,7 @@ impl Line<'_> {
         let [Some(left), Some(right)] = [low, low + 1].map(|at| self.point(comparison, at)) else {
             return 0.0;
         };
-        bend::crossing([left, right], half_curvature, comparison.limit)
+        bend::crossing([left, right], 0.0, comparison.limit)
     }
 
     fn point(&self, comparison: &Comparison, at: usize) -> Option<bend::Point> {
@@ -182,19 +178,18 @@ impl Line<'_> {
         let [Some(from), Some(to)] = [point(low), point(low + 1)] else {
             return told([left.value, right.value], Basis::Gap);
         };
-        let before = low.checked_sub(1).and_then(point);
-        let halves = bend::beside([from, to], before, point(low + 2));
-        let shares = halves.iter().map(|half| self.share(comparison, low, *half));
-        let bend = MARGIN * shares.map(|other| (other - share).abs()).fold(0.0, f64::max);
+        let beside = |places: [Option<usize>; 2]| places.map(|at| at.and_then(point));
+        let before = beside([1, 2].map(|back| low.checked_sub(back)));
+        let behind = beside([2, 3].map(|ahead| Some(low + ahead)));
+        let bend = Bend::of([from, to], before, behind);
+        let ends = bend.map(|bend| bend.crossings([from, to], comparison.limit));
         let bars = [left, right].map(|stop| comparison.subject.bar(stop.row).unwrap_or(0.0));
         let bar = (bars[0] + (bars[1] - bars[0]) * share) / (to.1 - from.1).abs();
         // A case whose bar does not reach the limit is on its side of the boundary for certain.
         let sure = [left, right].map(|stop| !comparison.is_near(stop.row));
-        let (basis, reach) = match halves.is_empty() {
-            true => (Basis::TwoCases, [share, 1.0 - share].map(|reach| reach + bar)),
-            false => (Basis::Bend, [bend + bar; 2]),
-        };
-        let mut ends = [share - reach[0], share + reach[1]];
+        let basis = if ends.is_some() { Basis::Bend } else { Basis::TwoCases };
+        let [first, last] = ends.unwrap_or([0.0, 1.0]);
+        let mut ends = [first - bar, last + bar];
         if sure[0] {
             ends[0] = ends[0].max(0.0);
         }

@@ -98,10 +98,32 @@ fn a_straight_line_is_crossed_where_it_is_and_no_further() {
     assert!(one.met_above && one.at == Some(2.5) && one.between == [2.5, 2.5], "{one:?}");
 }
 
+/// Two grids of a curve that turns over in two decades, as forces over the stiffness do.
+#[test]
+fn ranges_hold_where_a_grid_barely_shows_the_curve() {
+    let curve = |s: f64| 2.0 + libm::tanh(2.0 * (s - 2.9));
+    for points in [4_u8, 7] {
+        let step = 6.0 / f64::from(points - 1);
+        let places: Vec<f64> = (0..points).map(|i| libm::pow(10.0, step * f64::from(i))).collect();
+        let range = format!("{{ from = 1, to = 1e6, points = {points}, spacing = \"log\" }}");
+        let value = |x: f64| curve(libm::log10(x));
+        let data = study(STIFFNESS, &range, &places, with(&FORCE_MAX, value));
+        for exact in [2.1, 2.4, 2.8, 3.1, 3.6] {
+            let found = find(&format!("force_max < {}", curve(exact)), &data).unwrap();
+            let [low, high] = found.boundaries[0].between.map(libm::log10);
+            assert!(low <= exact && exact <= high, "{points}: {exact} not in {low} to {high}");
+        }
+    }
+    // Three points in a straight line, which may be those of such a curve.
+    let data = study(MASS, "[1, 2, 3]", &[1.0, 2.0, 3.0], with(&FORCE_MAX, |x| x));
+    let [low, high] = find("force_max < 1.5", &data).unwrap().boundaries[0].between;
+    assert!(low < 1.3 && high > 1.7, "{low} to {high}");
+}
+
 #[test]
 fn error_bars_widen_the_range_by_what_they_are_worth() {
     let row = |x: f64| with(&FORCE_MAX, |x| 2.0 * x)(x).with(&FORCE_MAX_ERROR, 0.3);
-    let data = study(MASS, "[1, 2, 3]", &[1.0, 2.0, 3.0], row);
+    let data = study(MASS, "[1, 2, 3, 4]", &[1.0, 2.0, 3.0, 4.0], row);
     let found = find("force_max < 4.5", &data).unwrap();
     let one = &found.boundaries[0];
     assert!((one.between[0] - 2.1).abs() < 1e-12 && (one.between[1] - 2.4).abs() < 1e-12);
