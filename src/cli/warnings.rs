@@ -34,7 +34,7 @@ pub(super) fn warnings(study: &Study) -> Vec<String> {
         cases if cases == study.cases.len() => line,
         cases => format!("{line} (in {})", counted(cases, "case")),
     };
-    let odd = odd.into_values().map(told).chain(unaimed(study));
+    let odd = odd.into_values().map(told).chain(unaimed(study)).chain(without_bars(study));
     odd.chain(long(study)).chain(limited(study)).collect()
 }
 
@@ -44,6 +44,16 @@ fn unaimed(study: &Study) -> Option<String> {
     Some(format!(
         "accuracy.max_error_percent = {percent}: only `seawall sweep` of a file with [grid] chooses numerics; this \
          scene has those of the file"
+    ))
+}
+
+/// How many cases ask for error bars in vain.
+fn without_bars(study: &Study) -> Option<String> {
+    let cases = Some(study.without_bars).filter(|&cases| cases > 0)?;
+    Some(format!(
+        "numerics.error_bars: {} will have none, as a companion with coarser particles cannot run; a smaller \
+         numerics.particle_spacing_m helps",
+        counted(cases, "case")
     ))
 }
 

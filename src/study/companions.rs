@@ -109,6 +109,7 @@ mod tests {
         assert_eq!(study.companions_of, [vec![1], vec![2], vec![4], vec![]]);
         let own = study.run(4).config.numerics.particle_spacing_m;
         assert_eq!((study.companions.len(), own), (1, 0.02 * SQRT_2));
+        assert_eq!(study.without_bars, 1, "the coarsest has five rows");
     }
 
     /// Five rows of particles at twice the spacing tell nothing of ten.

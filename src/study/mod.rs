@@ -48,6 +48,8 @@ pub struct Study {
     pub companions: Vec<Case>,
     /// For every case its companions, by [`Study::run`]'s index, the finest first.
     pub companions_of: Vec<Vec<usize>>,
+    /// How many cases ask for error bars and have no companion: it would be too coarse to run.
+    pub without_bars: usize,
     /// Hash over the cases and their order, with or without error bars: two files with the same
     /// identity are the same sweep.
     pub identity: String,
@@ -98,6 +100,9 @@ impl Study {
         file_text: &str,
     ) -> Study {
         let (companions, companions_of) = companions::plan(&cases, bars);
+        let barless =
+            |(bars, own): &(&ErrorBars, &Vec<usize>)| **bars != ErrorBars::None && own.is_empty();
+        let without_bars = bars.iter().zip(&companions_of).filter(barless).count();
         let mut hash = Sha256::new();
         hash.update(keys.join(","));
         for case in &cases {
@@ -112,6 +117,7 @@ impl Study {
             cases,
             companions,
             companions_of,
+            without_bars,
             identity,
             max_error_percent,
             limits: Limits::default(),

@@ -25,6 +25,10 @@ pub fn bars(data: &Loaded) -> Option<String> {
         return None;
     }
     let told: Vec<_> = NUMBERS.iter().filter_map(|number| bar(data, number)).collect();
+    if told.is_empty() && asked(data) {
+        let why = "a companion with coarser particles could not run, or failed";
+        return Some(format!("Error bars were asked for, and no case has one: {why}."));
+    }
     if told.is_empty() {
         let how = "error_bars = \"pair\" in [numerics] estimates how far each number may be off";
         return Some(format!("No error bars were asked for: {how}."));
@@ -42,6 +46,14 @@ pub fn bars(data: &Loaded) -> Option<String> {
         ),
     };
     Some(format!("Error bars, in the median and at worst: {}.{without}", listed(&told)))
+}
+
+/// Whether the study's file asks for them.
+fn asked(data: &Loaded) -> bool {
+    let Some(file) = data.file() else { return false };
+    let name = "error_bars";
+    let own = file.numerics.get(name).and_then(toml::Value::as_str);
+    file.aims || file.grid.contains_key(name) || own.is_some_and(|bars| bars != "none")
 }
 
 fn bar(data: &Loaded, &(symbol, column, relative): &(&str, &Column, bool)) -> Option<String> {
@@ -71,6 +83,21 @@ mod tests {
     use super::*;
     use crate::quantities::summary::{FORCE_ERROR, RUNUP_ERROR};
     use crate::report::fixture;
+
+    #[test]
+    fn bars_that_nobody_could_make_were_asked_for_all_the_same() {
+        let (_directory, mut data) = fixture::read(fixture::movable(&[0.3, 0.5], &[10.0], &[50.0]));
+        let mut told = |numerics: &str| {
+            let file = format!("name = \"a\"\n[numerics]\n{numerics}\n[grid]");
+            data.manifest = Some(serde_json::json!({ "sweep_file": file, "overrides": [] }));
+            super::bars(&data).unwrap()
+        };
+        for numerics in ["", "error_bars = \"none\""] {
+            assert!(told(numerics).starts_with("No error bars were asked for"), "{numerics}");
+        }
+        let pair = told("error_bars = \"pair\"");
+        assert!(pair.starts_with("Error bars were asked for, and no case has one"), "{pair}");
+    }
 
     #[test]
     fn the_middle_and_the_worst_bar_are_told() {
