@@ -15,6 +15,31 @@ const PROVENANCE: &[&str] =
 /// part of names of files.
 const LONGEST: usize = 60;
 
+/// File systems take names of 255 bytes, endings included. Longer ones end with a sum over all of it.
+const LONGEST_NAME: usize = 200;
+/// Start and factor of the sum: FNV-1a.
+const FNV: (u64, u64) = (0xcbf2_9ce4_8422_2325, 0x0100_0000_01b3);
+
+/// A name with these words in it, fit for a file.
+pub(super) fn file_name(stem: &str, words: &str) -> String {
+    let mut name = stem.to_owned();
+    // Two floors may differ in nothing but the sign of their height.
+    let words = words.replace(" -", " minus ");
+    for word in words.split(|c: char| !c.is_ascii_alphanumeric() && c != '.') {
+        if !word.is_empty() {
+            name.push('-');
+            name.push_str(&word.to_ascii_lowercase());
+        }
+    }
+    if name.len() > LONGEST_NAME {
+        // Words are ASCII, and so is every stem.
+        let sum = name.bytes().fold(FNV.0, |sum, byte| (sum ^ u64::from(byte)).wrapping_mul(FNV.1));
+        name.truncate(LONGEST_NAME - 17);
+        name.push_str(&format!("-{sum:016x}"));
+    }
+    name
+}
+
 /// Fills in [`Row::variant`] where several rows share wave, stiffness and mass, from the choices
 /// that differ: those the report knows, and swept keys behind the columns of every sweep.
 pub(super) fn name_variants(rows: &mut [Row], swept: &[Key]) {
@@ -46,20 +71,25 @@ pub(super) fn name_variants(rows: &mut [Row], swept: &[Key]) {
     }
 }
 
-/// Rounds numbers for the eye, unless that would make two of them one.
-fn shorten(values: &Cells) -> Cells {
+/// Rounds numbers for the eye, unless that would make two of them one. Values that are long, or that the name
+/// of a file cannot tell apart, are told by their number in the study.
+pub(super) fn shorten(values: &Cells) -> Cells {
     let short = values.map(|cell| {
         let value = cell.parse::<f64>().ok().filter(|value| value.is_finite());
         value.map_or(cell.to_owned(), |value| number::significant(value, 4).to_string())
     });
     let count = |values: &Cells| values.different().count();
     let values = if count(&short) == count(values) { &short } else { values };
-    if values.different().all(|cell| cell.len() <= LONGEST) {
+    let in_file_names = values.map(|cell| file_name("", &format!("= {cell}")));
+    let differ = count(&in_file_names) == count(values);
+    if differ && values.different().all(|cell| cell.len() <= LONGEST) {
         return values.clone();
     }
     let known: Vec<_> = values.different().map(str::to_owned).collect();
     let number = |cell: &str| known.iter().position(|one| one == cell).map_or(0, |at| at + 1);
-    values.map(|cell| format!("number {}", number(cell)))
+    values.map(
+        |cell| if cell.is_empty() { String::new() } else { format!("number {}", number(cell)) },
+    )
 }
 
 #[cfg(test)]
@@ -110,5 +140,29 @@ mod tests {
         let beds = [9, 8].map(|last| format!("[[0, 0], {}[5, {last}]]", "[1, 0.123], ".repeat(5)));
         let beds = cells([&beds[0], &beds[1]]);
         assert_eq!(shorten(&beds), cells(["number 1", "number 2"]));
+    }
+
+    #[test]
+    fn names_of_files_are_no_longer_than_a_disk_takes_them() {
+        let long = |last: u8| {
+            file_name("force", &format!("{}last = {last}", "some_key = 1.5, ".repeat(30)))
+        };
+        assert_eq!((long(1).len(), long(1) == long(2)), (LONGEST_NAME, false));
+        assert_eq!(file_name("force", "a_b = 1"), "force-a-b-1");
+    }
+
+    #[test]
+    fn words_that_a_file_name_cannot_tell_apart_are_numbered() {
+        let short = |texts: [&str; 3]| {
+            let cells = shorten(&texts.into_iter().collect());
+            cells.iter().map(str::to_owned).collect::<Vec<_>>()
+        };
+        for words in [["a_b.csv", "a-b.csv", "c.csv"], ["A.csv", "a.csv", "b.csv"]] {
+            assert_eq!(short(words), ["number 1", "number 2", "number 3"]);
+        }
+        assert_eq!(short(["\u{f6}", "\u{e4}", ""]), ["number 1", "number 2", ""]);
+        for words in [["sfdi", "mls-linear", ""], ["0.05", "-0.05", "0"]] {
+            assert_eq!(short(words), words);
+        }
     }
 }

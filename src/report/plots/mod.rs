@@ -44,6 +44,7 @@ pub(super) use sheet::{Drawing, Layout};
 use super::error::ReportError;
 use super::load::Loaded;
 use super::markup::escape;
+use super::variant::file_name;
 use crate::quantities::Column;
 use crate::quantities::summary::{DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX};
 #[cfg(feature = "print")]
@@ -119,20 +120,6 @@ pub fn all(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     figures.extend(history::figures(data)?);
     figures.extend(probes::figures(data)?);
     Ok(figures)
-}
-
-/// A name with a variant's own words in it, fit for a file.
-pub(super) fn file_name(stem: &str, variant: &str) -> String {
-    let mut name = stem.to_owned();
-    // Two floors may differ in nothing but the sign of their height.
-    let variant = variant.replace(" -", " minus ");
-    for word in variant.split(|c: char| !c.is_ascii_alphanumeric() && c != '.') {
-        if !word.is_empty() {
-            name.push('-');
-            name.push_str(&word.to_ascii_lowercase());
-        }
-    }
-    name
 }
 
 /// The end of a title that tells a variant.

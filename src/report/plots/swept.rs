@@ -1,13 +1,15 @@
 //! Responses against whatever was swept besides the wave's height, where the spring's stiffness
 //! was not: a panel for each of force, runup and displacement, one curve per wave height.
 
+use std::collections::HashMap;
+
 use toml::Value;
 
 use super::axes::Axis;
 use super::chart::{Chart, reach};
 use super::marks::{bounds, by, coupling, marks, picked, point};
 use super::sheet::{Drawing, PANELS};
-use super::{Figure, SERIES, file_name, of_variant};
+use super::{Figure, SERIES, of_variant};
 use crate::keys::read_value;
 use crate::math::scale::Scale;
 use crate::quantities::summary::{
@@ -15,11 +17,12 @@ use crate::quantities::summary::{
     OVERTOPPING_VOLUME, RUNUP_MAX, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, heading};
+use crate::report::column::Cells;
 use crate::report::curves::{by_mass, distinct, responses, spread, variants};
 use crate::report::load::Loaded;
-use crate::report::number;
 use crate::report::row::Row;
 use crate::report::study::Key;
+use crate::report::variant::{file_name, shorten};
 
 /// What is drawn, and what stands in for it where a case has no first impact.
 const DRAWN: [(&Column, Option<&Column>); 4] = [
@@ -87,11 +90,12 @@ pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
     let waves = spread(&distinct(data.rows.iter(), &WAVE_HEIGHT_RATIO), SERIES);
     let cases = cases(data, key);
     let mut groups: Vec<(String, Vec<Case>)> = Vec::new();
+    let words: HashMap<_, _> = data.rows.iter().map(Row::id).zip(others(data, key)).collect();
     for case in cases {
-        let words = others(data, key, case.1);
-        match groups.iter_mut().find(|(other, _)| *other == words) {
+        let words = &words[case.1.id()];
+        match groups.iter_mut().find(|(other, _)| other == words) {
             Some((_, group)) => group.push(case),
-            None => groups.push((words, vec![case])),
+            None => groups.push((words.clone(), vec![case])),
         }
     }
     let mut figures = Vec::new();
@@ -112,20 +116,21 @@ pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
     figures
 }
 
-/// What else was swept, as far as it varies.
-fn others(data: &Loaded, key: &Key, row: &Row) -> String {
-    let index = data.rows.iter().position(|other| other.id() == row.id()).unwrap_or(0);
+/// What else was swept, as far as it varies, for every row.
+fn others(data: &Loaded, key: &Key) -> Vec<String> {
     let varies = |other: &&Key| {
         other.name != key.name
             && other.name != WAVE_HEIGHT_RATIO.name
             && other.cells.different().nth(1).is_some()
     };
-    let word = |key: &Key| {
-        let cell = &key.cells[index];
-        let value = cell.parse::<f64>().map(|value| number::significant(value, 4).to_string());
-        format!("{} = {}", key.name, value.unwrap_or_else(|_| cell.to_owned()))
+    let others = data.keys.iter().filter(varies);
+    let others: Vec<_> = others.map(|key| (&key.name, shorten(&key.cells))).collect();
+    let of_row = |row: usize| {
+        let has = |(_, cells): &&(&String, Cells)| !cells[row].is_empty();
+        let word = |(name, cells): &(&String, Cells)| format!("{name} = {}", &cells[row]);
+        others.iter().filter(has).map(word).collect::<Vec<_>>().join(", ")
     };
-    data.keys.iter().filter(varies).map(word).collect::<Vec<_>>().join(", ")
+    (0..data.rows.len()).map(of_row).collect()
 }
 
 fn caption(what: &str, group: &[Case]) -> String {
@@ -167,62 +172,4 @@ fn drawing(key: &Key, group: &[Case], waves: &[f64]) -> Option<Drawing> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::report::fixture;
-
-    /// A sweep of masses at one stiffness, with the grid's keys in its manifest.
-    fn masses(stiffnesses: &[f64]) -> tempfile::TempDir {
-        let directory = fixture::movable(&[0.3, 0.5], stiffnesses, &[50.0, 100.0, 250.0]);
-        let keys = r#"{"keys": ["wave_height_ratio", "seawall_mass_kg_per_m"]}"#;
-        std::fs::write(directory.path().join("manifest.json"), keys).unwrap();
-        directory
-    }
-
-    #[test]
-    fn one_figure_takes_the_place_of_one_point_panels() {
-        let directory = masses(&[500.0]);
-        let data = Loaded::read(directory.path()).unwrap();
-        let key = key(&data).unwrap();
-        assert_eq!(key.name, "seawall_mass_kg_per_m");
-        let figures = figures(&data, key);
-        let names: Vec<_> = figures.iter().map(|figure| figure.name.as_str()).collect();
-        assert_eq!(names, ["swept-seawall-mass-kg-per-m"]);
-        assert!(figures[0].caption.contains("Force coupling s = 1."), "{}", figures[0].caption);
-        for word in ["m, kg/m", "F / (½ρgh²)", "R / h", "X / h", "H/h = 0.3"] {
-            assert!(figures[0].svg().contains(word), "{word}");
-        }
-        let all = super::super::all(&data).unwrap();
-        assert!(!all.iter().any(|figure| figure.name.starts_with("response")));
-    }
-
-    #[test]
-    fn beds_stand_by_their_slopes() {
-        assert_eq!(slope("[[0, 0], [1, 0], [3, 0.5]]"), Some(0.25));
-        assert_eq!(slope("[[0, 0], [2.5, 0]]"), Some(0.0));
-        assert_eq!(slope("[[0, 0], [2.5, 0], [2.5, 0.1]]"), None, "a step at the wall");
-        let (_directory, mut data) =
-            fixture::read(fixture::movable(&[0.3], &[500.0], &[50.0, 100.0]));
-        let cells = ["[[0, 0], [1, 0], [2, 0.1]]", "[[0, 0], [1, 0], [2, 0.05]]"];
-        data.keys = vec![Key::new(BED, cells)];
-        let figures = figures(&data, key(&data).unwrap());
-        assert_eq!(figures.len(), 1);
-        assert!(figures[0].svg().contains("mean slope of the bed"));
-    }
-
-    #[test]
-    fn two_stiffnesses_make_response_curves() {
-        let directory = masses(&[10.0, 500.0]);
-        assert_eq!(key(&Loaded::read(directory.path()).unwrap()), None);
-    }
-
-    #[test]
-    fn scenes_without_a_wave_have_one_curve() {
-        let (_directory, data) = fixture::read(fixture::dam_breaks(5));
-        let figures = figures(&data, key(&data).unwrap());
-        assert_eq!(figures.len(), 1);
-        assert!(figures[0].svg().contains("column height, m"));
-        assert!(!figures[0].svg().contains("H/h"));
-        assert!(!figures[0].caption.contains("wave height"));
-    }
-}
+mod tests;

@@ -10,8 +10,9 @@ mod table;
 use super::curves::{RESPONSES, responses, stem, variants};
 use super::goda::{OVER_GODA, Settings};
 use super::load::Loaded;
-use super::plots::{file_name, fixed_walls};
+use super::plots::fixed_walls;
 use super::row::{PLACE, Row};
+use super::variant::file_name;
 use crate::quantities::summary::{
     CASE_ID, DISPLACEMENT_ERROR, DISPLACEMENT_MAX, DISPLACEMENT_TRUNCATED, DOUBTFUL_REASON,
     ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_COUPLING, FORCE_ERROR, FORCE_GAP,
