@@ -119,3 +119,29 @@ fn other_error_bars_of_the_same_cases_are_no_damage() {
         assert_eq!(summary(), swept, "{bars}");
     }
 }
+
+/// Of a study that was stopped, `verify` counts what is finished, for people and for programs.
+#[test]
+fn verify_counts_what_is_finished() {
+    let root = tempfile::tempdir().unwrap();
+    let text = TINY.replace("[0.4, 0.5]", "[0.4]").replace("[50, 250]", "[50]");
+    let out = root.path().join("out");
+    let directory = out.to_str().unwrap();
+    expect_code(&sweep(&write_file(root.path(), &text), &out), 0);
+    let journal = fs::read_to_string(out.join("journal.jsonl")).unwrap();
+    let shorter = journal.trim_end().rsplit_once('\n').unwrap().0;
+    fs::write(out.join("journal.jsonl"), format!("{shorter}\n")).unwrap();
+    for table in ["summary.csv", "energy.csv"] {
+        fs::remove_file(out.join(table)).unwrap();
+    }
+    let people = run(&["verify", directory]);
+    expect_code(&people, 0);
+    assert_eq!(
+        String::from_utf8_lossy(&people.stdout),
+        "1 case: every file is as it was written\n"
+    );
+    let programs = run(&["verify", directory, "--format", "json"]);
+    expect_code(&programs, 0);
+    let told: serde_json::Value = serde_json::from_slice(&programs.stdout).unwrap();
+    assert_eq!(told, serde_json::json!({ "cases": 1, "rerun": 0, "damage": [] }));
+}

@@ -104,6 +104,13 @@ fn quiet_json_is_the_answer_alone() {
     assert_eq!(json(&quiet), json(&run(&["explain", "kernel", "--format", "json"])));
     assert!(quiet.stderr.is_empty());
     assert!(run(&["explain", "kernel", "--quiet"]).stdout.is_empty());
+    let number = env!("CARGO_PKG_VERSION");
+    assert_eq!(told(&run(&["--version"]).stdout), format!("seawall {number}\n"));
+    for arguments in [&["--version", "--format", "json"][..], &["--format=json", "sweep", "-V"]] {
+        let version = run(arguments);
+        expect_code(&version, 0);
+        assert_eq!(json(&version), serde_json::json!({ "name": "seawall", "version": number }));
+    }
 }
 
 #[test]

@@ -80,7 +80,8 @@ pub(super) fn print_internal(message: &str) {
     print(&json!({ "error": { "kind": "internal", "message": message, "exit_code": INTERNAL } }));
 }
 
-fn print(value: &Value) {
+/// An answer for a program that reads JSON, where there is no [`super::output::Output`] yet.
+pub(super) fn print(value: &Value) {
     let _ = writeln!(std::io::stdout(), "{value:#}");
 }
 

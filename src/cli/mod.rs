@@ -52,7 +52,10 @@ use std::io::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
+use clap::error::ErrorKind;
 use clap::{Args, ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
+
+use serde_json::json;
 
 use self::failure::BadInput;
 use self::output::{Format, Output};
@@ -174,6 +177,10 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         Err(error) => {
             if as_json && error.use_stderr() {
                 failure::print_usage(&error.to_string());
+            }
+            if as_json && error.kind() == ErrorKind::DisplayVersion {
+                failure::print(&json!({ "name": "seawall", "version": env!("CARGO_PKG_VERSION") }));
+                return SUCCESS;
             }
             // Where nobody listens there is nobody to tell.
             let plain = error.to_string();

@@ -47,7 +47,8 @@ pub(super) fn main(args: &VerifyArgs, output: &Output) -> anyhow::Result<u8> {
         };
         told.extend(difference.map(|difference| format!("{} run again: {difference}", case.id)));
     }
-    let cases = counted(records[..study.cases.len()].iter().flatten().count(), "case");
+    let finished = records[..study.cases.len()].iter().flatten().count();
+    let cases = counted(finished, "case");
     let mut text: String = told.iter().map(|line| format!("{line}\n")).collect();
     if told.is_empty() {
         text = format!("{cases}: every file is as it was written\n");
@@ -55,7 +56,7 @@ pub(super) fn main(args: &VerifyArgs, output: &Output) -> anyhow::Result<u8> {
     if !again.is_empty() {
         text.push_str(&format!("{} ran again, from rest\n", counted(again.len(), "case")));
     }
-    let value = json!({ "cases": study.cases.len(), "rerun": again.len(), "damage": told });
+    let value = json!({ "cases": finished, "rerun": again.len(), "damage": told });
     output.result(&text, &value)?;
     Ok(if told.is_empty() { SUCCESS } else { CASES_FAILED })
 }
