@@ -40,13 +40,17 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
         ),
         _ => String::new(),
     };
+    let has_first = |at: &Pressed| at.first_pressure_max_pa.is_some();
+    let parts = match cases.iter().any(|(_, envelope)| envelope.iter().any(has_first)) {
+        true => "of the first impact and of the whole run, each when it was",
+        false => "of the whole run, when it was",
+    };
     Ok(vec![Figure {
         name: "pressure-envelope".to_owned(),
         title: "Largest pressure up the wall".to_owned(),
         caption: format!(
-            "The largest pressure at each height of the wall, of the first impact and of the whole run, \
-             each when it was largest there. They are running means; the moments after the wall hit its stop \
-             are left out.{shown}"
+            "The largest pressure at each height of the wall, {parts} largest there. They are running means; \
+             the moments after the wall hit its stop are left out.{shown}"
         ),
         drawing: drawing(&cases),
     }])
@@ -111,6 +115,7 @@ mod tests {
         }
         let figure = figures(&data).unwrap().remove(0);
         assert!(figure.caption.contains("Shown are 2 of 11 cases"), "{}", figure.caption);
+        assert!(figure.caption.contains("of the first impact and of the whole run"));
         let svg = figure.svg();
         for word in ["p, kPa", "height, m", "first impact", "whole run"] {
             assert!(svg.contains(word), "{word}");
@@ -120,5 +125,12 @@ mod tests {
         let table = table.whole().unwrap();
         assert_eq!(table.rows.len(), 2 * 11);
         assert_eq!(table.rows[1][2..], ["0.1", "1500", ""]);
+        // Without a first impact there is one panel, and the caption tells of no other.
+        for row in data.finished() {
+            let rows = rows.replace("2900", "");
+            std::fs::write(folder.join(format!("{}.csv", row.id())), rows).unwrap();
+        }
+        let figure = figures(&data).unwrap().remove(0);
+        assert!(figure.is_single() && !figure.caption.contains("first"), "{}", figure.caption);
     }
 }
