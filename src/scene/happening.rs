@@ -62,9 +62,9 @@ impl Scene {
         self.bed().is_some_and(|bed| bed.is_steep_at(self.frame().depth))
     }
 
-    /// The bed, where it is written out.
+    /// The bed, where it is not level.
     pub(super) fn bed(&self) -> Option<&Profile> {
-        self.seawall()?.bed.as_ref()
+        self.seawall()?.uneven_bed()
     }
 
     /// Whether water falls on a floor or on other water, and hits it all at once.

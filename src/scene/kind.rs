@@ -153,7 +153,7 @@ impl Scene {
         };
         match self {
             Scene::Seawall(scene) => {
-                let bed = scene.bed.as_ref().map(|bed| bed.area_below(frame.depth));
+                let bed = scene.uneven_bed().map(|bed| bed.area_below(frame.depth));
                 bed.unwrap_or_else(|| upto(scene.wall_angle_deg)) + scene.basin_area()
             }
             Scene::Hydrostatic(scene) => upto(scene.wall_angle_deg),

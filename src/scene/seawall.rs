@@ -141,7 +141,12 @@ impl WallChoice {
 impl SeawallScene {
     /// Whether the wall is upright and the bed level: there forces are read without the sound of the water.
     pub fn is_upright_over_level_bed(&self) -> bool {
-        self.bed.as_ref().is_none_or(Profile::is_level) && self.wall_angle_deg == 90.0
+        self.uneven_bed().is_none() && self.wall_angle_deg == 90.0
+    }
+
+    /// The bed that is written out, unless it is level all along: that is the bed of a tank without one.
+    pub fn uneven_bed(&self) -> Option<&Profile> {
+        self.bed.as_ref().filter(|bed| !bed.is_level())
     }
 
     /// The paddle; none for still water.

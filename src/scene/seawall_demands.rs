@@ -91,6 +91,9 @@ impl SeawallScene {
             let allowed = format!("must be {end}, where the bed ends and the wall stands");
             return error("tank_length_m", self.tank_length_m, &allowed);
         }
+        if bed.is_level() {
+            return Ok(());
+        }
         let told = |allowed: &str| error("bed", "", allowed);
         if numerics.scheme == Scheme::Isph {
             return told("is for scheme = \"wcsph\": isph knows level beds alone");

@@ -63,7 +63,7 @@ impl SeawallScene {
     pub(super) fn build(&self, numerics: &Numerics, path: SimdPath) -> Tank {
         let frame = self.frame();
         let lattice = self.lattice(numerics);
-        let still = match &self.bed {
+        let still = match self.uneven_bed() {
             Some(profile) => still_water_over(profile, &frame, lattice, numerics),
             None => still_water(&frame, lattice, numerics),
         };
