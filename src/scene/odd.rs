@@ -90,12 +90,11 @@ fn end(config: &CaseConfig) -> Option<ConfigError> {
         .flatten()
 }
 
-/// No solitary wave goes faster than over the paddle's depth. Its crest leaves the paddle in the middle of the stroke.
+/// The run ends before the wave is at the wall.
 fn early(scene: &SeawallScene) -> Option<ConfigError> {
     let (frame, paddle) = (scene.frame(), scene.paddle()?);
     let centre = paddle.stroke_centre()?;
-    let celerity = (frame.gravity * frame.depth * (1.0 + scene.wave_height_ratio)).sqrt();
-    let way = (frame.length - paddle.motion(centre).offset) / celerity;
+    let way = scene.crest_may_pass(frame.length)? - centre;
     let told = format!(
         "the run ends at {:.3} s, before the crest can be at the wall, at {:.3} s; with \
          end_after_stroke_centre_s = {:.1} the run shows what it does there",

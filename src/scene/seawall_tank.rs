@@ -15,6 +15,8 @@ const BED_BEYOND: f64 = 12.0;
 
 /// And as many before a paddle that gives way to waves.
 const BED_BEFORE: f64 = 12.0;
+/// A crest is taken to pass its gauge no earlier than this share of the time in which theory has it there.
+const EARLY: f64 = 0.9;
 /// A paddle that goes back by less, in depths, stays before the bed that it stands on.
 const LEAST_BACK: f64 = 2e-3;
 
@@ -49,6 +51,16 @@ impl SeawallScene {
         let (crest, floor) = (self.crest.as_ref()?, self.floor.as_ref()?);
         let start = self.tank_length_m + crest.crest_width_m;
         Some(basin(frame, lattice, [start, floor.floor_height_m, level], numerics))
+    }
+
+    /// When the crest of a solitary wave may be at a place at the earliest, s: it leaves the paddle in the middle of
+    /// the stroke, and goes no faster than over the paddle's depth.
+    pub(super) fn crest_may_pass(&self, place: f64) -> Option<f64> {
+        let paddle = self.paddle()?;
+        let centre = paddle.stroke_centre()?;
+        let frame = self.frame();
+        let celerity = (frame.gravity * frame.depth * (1.0 + self.wave_height_ratio)).sqrt();
+        Some(centre + (place - paddle.motion(centre).offset) / celerity)
     }
 
     /// How far the bed goes on behind the paddle, metres: one that gives way goes back past where it stood, and a
@@ -98,6 +110,7 @@ impl SeawallScene {
             impact_ratio: self.threshold_ratio,
             wave_height_ratio: self.wave_height_ratio,
             wave_gauge: Some(self.wave_gauge_m),
+            crest_from: self.crest_may_pass(self.wave_gauge_m).map_or(0.0, |time| EARLY * time),
             ..filling.tank(frame, numerics, path)
         }
     }

@@ -31,6 +31,8 @@ pub struct Tank {
     pub wave_height_ratio: f64,
     /// Where the wave height is measured, metres from the left wall; none for no wave.
     pub wave_gauge: Option<f64>,
+    /// What the surface does there before this time is no wave of the paddle's, seconds.
+    pub crest_from: f64,
     /// Speed of a front that may hit a wall at once, m/s; 0 for none.
     pub front_speed: f64,
     /// Of water that falls on a floor behind the wall, or of a drop that starts to stretch, m/s; 0 for none.
@@ -72,6 +74,7 @@ impl Tank {
             impact_ratio: f64::INFINITY,
             wave_height_ratio: 0.0,
             wave_gauge: None,
+            crest_from: 0.0,
             front_speed: 0.0,
             other_speed: 0.0,
             sound_speed: frame.sound_speed(numerics),

@@ -92,7 +92,7 @@ impl Run {
                 let from = (0.5 * depth).max(bed + 0.5 * radius);
                 let level = lens.level_in_water(tank.water.as_mut(), gauge, from);
                 if crest {
-                    logbook.gauge.read(level, depth);
+                    logbook.gauge.read(level, depth, clock.time >= tank.crest_from);
                 }
                 waves.into_iter().for_each(|waves| waves.rise(clock.time, level));
             }
