@@ -83,11 +83,15 @@ impl WaveTrain {
         WaveTrain { frequency, wavenumber, stroke: [amplitude, odd, even], surface }
     }
 
+    /// From crest to crest, metres.
+    pub fn length(&self) -> f64 {
+        std::f64::consts::TAU / self.wavenumber
+    }
+
     /// Height over length of waves of H/h on water of this depth, metres, and from where on they break:
     /// 0.142 tanh kh (Miche 1944).
     pub fn steepness(&self, wave_height_ratio: f64, depth: f64) -> [f64; 2] {
-        let length = std::f64::consts::TAU / self.wavenumber;
-        [wave_height_ratio * depth / length, 0.142 * libm::tanh(self.wavenumber * depth)]
+        [wave_height_ratio * depth / self.length(), 0.142 * libm::tanh(self.wavenumber * depth)]
     }
 
     /// Whether second order is enough: H L²/h³ < 8π²/3. Longer waves have a second crest in their

@@ -115,6 +115,12 @@ impl Facts<'_> {
         period.is_some_and(|period| self.scene().frame().end_time > 10.0 * period)
     }
 
+    /// Particle spacings from crest to crest of regular waves.
+    pub fn spacings_to_a_wave(&self) -> Option<f64> {
+        let waves = self.scene().seawall()?.regular_waves()?;
+        Some(waves.length() / self.numerics.particle_spacing_m)
+    }
+
     /// An operator for the pressure that leaves divergence at such steps.
     pub fn leaves_divergence(&self) -> bool {
         let own = self.numerics.incompressible();

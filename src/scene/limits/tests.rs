@@ -19,6 +19,9 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     assert_eq!(count(&format!("{train} = 20"), "boundary = \"improved-shepard\""), 1);
     assert_eq!(count(&format!("{train} = 9"), "boundary = \"improved-shepard\""), 0);
     assert_eq!(count(&format!("{train} = 20"), ""), 0);
+    let short = train.replace("wave_period_s = 1", "wave_period_s = 0.55");
+    assert_eq!(count(&format!("{short} = 5"), "particle_spacing_m = 0.0125"), 1);
+    assert_eq!(count(&format!("{short} = 5"), "particle_spacing_m = 0.008"), 0);
     let standing = "kind = \"standing-wave\"\nend_after_periods = 20";
     assert_eq!(count(standing, ""), 1);
     assert_eq!(count(standing, "volume_feedback = 0.002\nshifting = \"deep\""), 0);
@@ -52,6 +55,9 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     assert_eq!(count("kind = \"oscillating-drop\"", ""), 0);
     assert_eq!(count("kind = \"oscillating-drop\"\nend_after_periods = 30", ""), 1);
     let isph = "scheme = \"isph\"";
+    let again = "wave_height_ratio = 0.3\nend_time_s = 20";
+    assert_eq!(count(again, isph), 1);
+    assert_eq!(count(again, &format!("{isph}\nvolume_feedback = 0.002")), 0);
     assert_eq!(count("wave_height_ratio = 0.4", isph), 0);
     assert_eq!(count("wave_height_ratio = 0.5", isph), 1);
     assert_eq!(count("wave_height_ratio = 0.6", isph), 1);
