@@ -148,11 +148,12 @@ section! {
         shifting_coefficient: f64 = 0.5,
             plain().within(0.0, 10.0).read_where("shifting", &["interior", "deep"])
                 .label("shifting strength");
-        /// How fast densities follow the error of the particles' volume, over c0/R. Trains have 0.002 by
-        /// default. So do steep shores, which are beds steeper than 1:2 that come out of the still water. So do
+        /// How fast the error of the particles' volume is taken back, over c0/R. Trains have 0.002 by default.
+        /// So do steep shores, which are beds steeper than 1:2 that come out of the still water. So do
         /// waves that come back: a solitary wave is at its upright wall again, and the run lasts more than
-        /// 70 √(h/g) and is without `stop_when_settled`. It wants gravity and corrected gradients.
-        volume_feedback: f64 = 0.0, weakly(plain().within(0.0, 0.02)).newer();
+        /// 70 √(h/g) and is without `stop_when_settled`. It wants gravity and corrected gradients. With `isph` c0 is
+        /// 8 √(g h) here, and dam breaks alone have it by default, 0.006.
+        volume_feedback: f64 = 0.0, plain().within(0.0, 0.02).newer();
         /// The same beside stretches of the bed that are steeper than 1:2 and under water, deeper
         /// below the surface, and over c0/h. Such beds have 0.15 by default.
         steep_feedback: f64 = 0.0, weakly(plain().within(0.0, 0.3)).newer();

@@ -103,10 +103,15 @@ impl Numerics {
             // that water fills no surface lets sound go, and full steps would feed what is resonant.
             base.acoustic_substeps = 1;
         }
-        if preset == Preset::Default {
-            let spacing = table.get("particle_spacing_m").and_then(number);
-            let timed = table.get("stop_when_settled").and_then(Value::as_bool) != Some(true);
-            base.suit(scene, spacing.unwrap_or(base.particle_spacing_m), timed);
+        let timed = table.get("stop_when_settled").and_then(Value::as_bool) != Some(true);
+        match preset {
+            Preset::Default => {
+                let spacing = table.get("particle_spacing_m").and_then(number);
+                base.suit(scene, spacing.unwrap_or(base.particle_spacing_m), timed);
+            }
+            // Water that splashes comes out of it with its particles farther apart.
+            Preset::Isph if matches!(scene, Scene::DamBreak(_)) => base.volume_feedback = 0.006,
+            Preset::Isph | Preset::Huang2019 => {}
         }
         let numerics = Numerics::read(table, Some(&base))?;
         check_conditions(table, &numerics)?;

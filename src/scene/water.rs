@@ -15,7 +15,8 @@ use crate::scheme::wcsph::{Shifting, Wcsph, WcsphOptions};
 use crate::scheme::{Scheme, StateEquation};
 use crate::water::SHIFT_INTERIOR;
 
-/// The speed that scales the viscosity of incompressible SPH, over √(g d): what sound does in δ-SPH.
+/// The speed that scales the viscosity of incompressible SPH, over √(g d), and how fast it takes volumes back: what sound
+/// does in δ-SPH.
 const VISCOUS_SPEED: f64 = 8.0;
 
 impl Filling {
@@ -140,9 +141,11 @@ impl Filling {
     ) -> Box<dyn Scheme> {
         let [dx, _] = self.lattice.spacing;
         let own = numerics.incompressible();
+        let viscous_speed = VISCOUS_SPEED * frame.speed_squared().sqrt();
+        let support_radius = numerics.support_radius_ratio * dx;
         let options = IsphOptions {
             kernel: numerics.kernel,
-            support_radius: numerics.support_radius_ratio * dx,
+            support_radius,
             spacing: dx,
             density: frame.density,
             gravity: frame.gravity,
@@ -150,7 +153,7 @@ impl Filling {
             viscosity: numerics.kinematic_viscosity_m2_per_s.unwrap_or(0.0),
             compact_share: own.compact_share,
             acceleration: frame.acceleration(),
-            viscous_speed: VISCOUS_SPEED * frame.speed_squared().sqrt(),
+            viscous_speed,
             artificial_viscosity: numerics.artificial_viscosity,
             shifting_coefficient: match numerics.shifting {
                 Shifting::None => 0.0,
@@ -161,6 +164,7 @@ impl Filling {
             preconditioner: own.preconditioner,
             solver_tolerance: own.solver_tolerance,
             courant_number: own.flow_courant_number,
+            volume_rate: numerics.volume_feedback * viscous_speed / support_radius,
         };
         let fluid = if self.walls == Walls::Tank {
             self.fluid(self.lattice.points(|_, _| [frame.density; 2]))

@@ -14,15 +14,26 @@ use crate::scheme::StepError;
 const POOREST: f64 = 0.25;
 
 impl Isph {
+    /// Sets what the solves of a step have in common. They have no size but that of their own right-hand side.
+    pub(super) fn prepare_compact(&mut self) -> f64 {
+        self.system.preconditioner.prepare(&self.system.matrix);
+        self.exact.aim.clear();
+        self.exact.aim.resize(self.fluid.len(), 0.0);
+        self.aim_at_volume();
+        0.0
+    }
+
     /// Solves V 2 Σ F (p_i - p_j) + grip p_i = -V (ρ/Δt) ∇·u*/κ for the change of the dynamic
     /// pressure.
     pub(super) fn solve_compact(&mut self, dt: f64) -> Result<(), StepError> {
-        self.system.preconditioner.prepare(&self.system.matrix);
         self.pressure.clear();
         self.pressure.extend(self.carried.pressure.iter().map(|p| MEMORY * p));
         self.accelerate(Source::Pressure);
         self.set_velocities_after(dt);
         self.diverge(|walls| walls.velocity);
+        for (divergence, restored) in self.divergence.iter_mut().zip(&self.exact.restored) {
+            *divergence -= restored;
+        }
         self.compact_right_hand_side(dt);
         let mut change = std::mem::take(&mut self.system.change);
         change.clear();

@@ -23,6 +23,8 @@ pub(super) struct Exact {
     pub compact: Vec<f64>,
     /// Divergence at mid-step that this step aims at, 1/s.
     pub aim: Vec<f64>,
+    /// The part of it that takes the error of the volume back; empty where that is left alone.
+    pub restored: Vec<f64>,
 }
 
 impl Exact {

@@ -32,6 +32,7 @@ mod system;
 #[cfg(test)]
 mod tests;
 mod viscosity;
+mod volume;
 
 pub use options::{IsphOptions, Laplacian};
 pub use state::{Isph, IsphState};

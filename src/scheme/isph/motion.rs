@@ -61,6 +61,7 @@ impl Isph {
         if options.shifting_coefficient > 0.0 {
             shifting_work -= options.gravity * self.part(dt);
         }
+        shifting_work += self.volume_work(dt);
         let (bodies, spacing) = (walls.bodies, options.spacing);
         let hold = HoldInside { all: n, planes: &self.planes, bed: None, bodies, spacing };
         let Fluid { x, y, vx, vy, .. } = &mut self.fluid;

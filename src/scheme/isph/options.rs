@@ -56,4 +56,6 @@ pub struct IsphOptions {
     pub solver_tolerance: f64,
     /// u Δt/Δx of the fastest particle.
     pub courant_number: f64,
+    /// How fast the error of the volume is taken back, 1/s; 0 where it is left alone.
+    pub volume_rate: f64,
 }

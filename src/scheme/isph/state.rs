@@ -13,6 +13,7 @@ use crate::math::simd::SimdPath;
 use crate::math::team::{Growing, Team};
 use crate::pairs::{Fluid, Near};
 use crate::scheme::Load;
+use crate::water::Shortfall;
 
 /// What the solver has done so far.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
@@ -77,6 +78,8 @@ pub struct Isph {
     pub(super) turned: Vec<[f64; 3]>,
     pub(super) system: System,
     pub(super) exact: Exact,
+    /// What tells the error of the volume, and how fast that is taken back, 1/s.
+    pub(super) shortfall: Option<(Shortfall, f64)>,
     /// Dynamic pressure of the step under way, Pa, the pressure that accelerates, and the whole.
     pub(super) pressure: Vec<f64>,
     pub(super) own_pressure: Vec<f64>,
@@ -132,6 +135,10 @@ impl Isph {
             operators: Operators::default(),
             turned: Vec::new(),
             exact: Exact::default(),
+            shortfall: (options.volume_rate > 0.0 && options.gravity > 0.0).then(|| {
+                let support = options.support_radius / options.spacing;
+                (Shortfall::of(options.kernel, support), options.volume_rate)
+            }),
             pressure: none.clone(),
             own_pressure: none.clone(),
             total: none.clone(),

@@ -2,7 +2,6 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::volume::Shortfall;
 use super::{Carried, DensityDiffusion, WcsphOptions, Workspace};
 use crate::body::BodyMotion;
 use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane, Stretch};
@@ -10,6 +9,7 @@ use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::pairs::{Column, Factors, Fluid, Pairs, Record, Scaling, SingleRecord};
 use crate::scheme::Taken;
+use crate::water::Shortfall;
 
 /// Seconds spent in each phase, and pairs evaluated.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]

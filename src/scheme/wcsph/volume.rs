@@ -9,53 +9,14 @@
 use super::correction::surface_share;
 use super::{WcsphOptions, Workspace};
 use crate::boundary::Stretch;
-use crate::kernel::KernelChoice;
 use crate::pairs::{Double, Here, Summed};
+use crate::water::{Shortfall, VOLUME_DEPTHS};
 
-/// Depths below the surface, over R, from which volume is taken back, and from which wholly so. Above, the
-/// surface is too near to tell the volume.
-const DEPTHS: [f64; 2] = [0.4, 0.6];
 /// Those beside a steep bed, where much more is taken back.
 const STEEP_DEPTHS: [f64; 2] = [0.8, 1.2];
 /// Distances from a steep stretch, over the depth, up to which that is so, and from which it is not: the water
 /// that goes round there does so as a whole, however fine its particles are.
 const BESIDE: [f64; 2] = [2.0, 3.0];
-
-/// What ½ tr Σ V_j (x_j - x_i) ⊗ ∇W falls short by in even water, row by row under a level surface.
-///
-/// It is that of the lattice from which water starts. So water starts at rest.
-#[derive(Debug, Clone)]
-pub(super) struct Shortfall {
-    /// Of rows half a spacing below the surface, and a spacing more each.
-    rows: Vec<f64>,
-    /// R over the particle spacing.
-    support: f64,
-}
-
-impl Shortfall {
-    /// That of a kernel whose support is so many spacings.
-    pub fn of(kernel: KernelChoice, support: f64) -> Shortfall {
-        let reach = support.ceil() as i32;
-        let slope = kernel.normalisation() / support.powi(3);
-        let half_trace = |above: i32| -> f64 {
-            (-reach..=reach)
-                .flat_map(|x| (-reach..=above).map(move |y| f64::from(x).hypot(f64::from(y))))
-                .filter(|&distance| distance > 0.0 && distance < support)
-                .map(|distance| -0.5 * slope * kernel.slope_at(distance / support) * distance)
-                .sum()
-        };
-        Shortfall { rows: (0..=reach).map(|above| 1.0 - half_trace(above)).collect(), support }
-    }
-
-    /// At a depth over R.
-    fn at(&self, depth: f64) -> f64 {
-        let last = self.rows.len() - 2;
-        let place = (depth * self.support - 0.5).clamp(0.0, last as f64 + 1.0);
-        let from = (place as usize).min(last);
-        let [low, high] = [self.rows[from], self.rows[from + 1]];
-        (high - low).mul_add(place - from as f64, low)
-    }
-}
 
 /// Lets densities follow the error of the volume: δρ = ρ e · rate, e = ½ tr Σ - 1 + the shortfall.
 ///
@@ -112,7 +73,7 @@ impl Summed<&mut [f64]> for Restore<'_> {
         let [shortfall, _] =
             here.change([depth, depth], |_, [depth, _]| [self.shortfall.at(depth), 0.0]);
         let error = half_trace - D::splat(1.0) + shortfall;
-        let mut rise = density * error * faded_in(depth, DEPTHS) * D::splat(self.rate);
+        let mut rise = density * error * faded_in(depth, VOLUME_DEPTHS) * D::splat(self.rate);
         if !self.steep.is_empty() {
             let place = here.all::<D, 2>(self.places);
             let [beside, _] = here.change(place, |_, place| [self.beside_steep(place), 0.0]);
@@ -121,29 +82,5 @@ impl Summed<&mut [f64]> for Restore<'_> {
         }
         here.put(densities, density + rise);
         here.of::<D>(self.mass) * pressure.div(density * density) * rise
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Under a straight surface ½ tr Σ is C - ½ d dC/dd, C the share of the kernel below the surface: ∫ r·∇W
-    /// over a half-plane is what passes its edge less 2C.
-    #[test]
-    fn rows_fall_short_like_the_half_plane() {
-        let kernel = KernelChoice::WendlandC2;
-        for support in [4.0, 5.0] {
-            let shortfall = Shortfall::of(kernel, support);
-            for row in 0..8 {
-                let (depth, step) = ((f64::from(row) + 0.5) / support, 1e-3);
-                let share = |depth: f64| kernel.half_plane_fraction(depth);
-                let slope = (share(depth + step) - share(depth - step)) / (2.0 * step);
-                let exact = 1.0 - share(depth) + 0.5 * depth * slope;
-                let found = shortfall.at(depth);
-                println!("{support}, {row}: {found:.5} {exact:.5}");
-                assert!((found - exact).abs() < 6e-3, "{found} for {exact} in row {row}");
-            }
-        }
     }
 }

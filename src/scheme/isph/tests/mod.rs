@@ -36,6 +36,7 @@ fn options(spacing: f64, laplacian: Laplacian) -> IsphOptions {
         preconditioner: PreconditionerChoice::Multigrid,
         solver_tolerance: 1e-9,
         courant_number: 0.2,
+        volume_rate: 0.0,
     }
 }
 
