@@ -10,6 +10,10 @@ const VISCOUS_NUMBER: f64 = 1.0 / 128.0;
 /// α n c0 Δt/Δx of artificial viscosity, explicit over n steps: from about 2.4 on it is unstable.
 const ARTIFICIAL_NUMBER: f64 = 1.5;
 
+/// The speed that scales the viscosity of incompressible SPH, over √(g d), and how fast it takes volumes back:
+/// what sound does in δ-SPH.
+const VISCOUS_SPEED: f64 = 8.0;
+
 /// Support radius, in spacings, from which on steps are as long as the Courant number says: at 3.0
 /// energy grows from a number of 1.7 on, at 4.0 from 2.3 on.
 const BROAD_SUPPORT: f64 = 3.9;
@@ -72,16 +76,23 @@ impl Frame {
         }
     }
 
-    /// Time step, seconds: bounded by c0 Δt/Δx (of supports narrower than 3.9 Δx by as much less), or Δt/√(Δx/g) where the water is incompressible,
-    /// by α n c0 Δt/Δx and ν n Δt/R² over the n steps for which viscosity is explicit (one where the water
-    /// is incompressible), and by `time_step_s`.
+    /// The speed that scales what incompressible SPH has in common with δ-SPH, m/s.
+    pub(super) fn viscous_speed(&self) -> f64 {
+        VISCOUS_SPEED * self.speed_squared().sqrt()
+    }
+
+    /// Time step, seconds: bounded by c0 Δt/Δx (of supports narrower than 3.9 Δx by as much less), or
+    /// Δt/√(Δx/g) where the water is incompressible, by α n c0 Δt/Δx and ν n Δt/R² over the n steps for
+    /// which viscosity is explicit (one where the water is incompressible), and by `time_step_s`.
     pub fn time_step(&self, numerics: &Numerics) -> f64 {
         let spacing = numerics.particle_spacing_m;
         let mut bound = match numerics.scheme {
             Scheme::Wcsph => courant_number(numerics) * spacing / self.sound_speed(numerics),
             Scheme::Isph => {
                 let number = numerics.incompressible().gravity_courant_number;
-                number * (spacing / self.acceleration()).sqrt()
+                let explicit = numerics.artificial_viscosity * self.viscous_speed();
+                let viscous = ARTIFICIAL_NUMBER * spacing / explicit;
+                (number * (spacing / self.acceleration()).sqrt()).min(viscous)
             }
         };
         let viscosity = numerics.kinematic_viscosity_m2_per_s.unwrap_or(0.0);

@@ -15,10 +15,6 @@ use crate::scheme::wcsph::{Shifting, Wcsph, WcsphOptions};
 use crate::scheme::{Scheme, StateEquation};
 use crate::water::SHIFT_INTERIOR;
 
-/// The speed that scales the viscosity of incompressible SPH, over √(g d), and how fast it takes volumes back: what sound
-/// does in δ-SPH.
-const VISCOUS_SPEED: f64 = 8.0;
-
 impl Filling {
     /// A tank that is no more than this water between its walls.
     pub(super) fn tank(&self, frame: Frame, numerics: &Numerics, path: SimdPath) -> Tank {
@@ -141,7 +137,7 @@ impl Filling {
     ) -> Box<dyn Scheme> {
         let [dx, _] = self.lattice.spacing;
         let own = numerics.incompressible();
-        let viscous_speed = VISCOUS_SPEED * frame.speed_squared().sqrt();
+        let viscous_speed = frame.viscous_speed();
         let support_radius = numerics.support_radius_ratio * dx;
         let options = IsphOptions {
             kernel: numerics.kernel,
