@@ -19,6 +19,9 @@ const FEWEST_STEPS: f64 = 2.0;
 /// Samples closer than this share of a time step say nothing that steps do not.
 const SHARE_OF_STEP: f64 = 0.1;
 
+/// What a wall sends back may add this share to a crest that is measured.
+const MOST_ADDED: f64 = 0.05;
+
 /// A recorded stroke's spline goes beyond its points by more than this share of its reach.
 const OVERSHOOT: f64 = 0.05;
 
@@ -27,7 +30,8 @@ pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
     let all = [density(config), interval(config), end(config)];
     let mut odd: Vec<_> = all.into_iter().flatten().collect();
     if let Some(scene) = config.scene.seawall() {
-        let near = gauge(scene, &config.numerics).or_else(|| aground(scene));
+        let near =
+            gauge(scene, &config.numerics).or_else(|| aground(scene)).or_else(|| meets(scene));
         let buried = buried(scene, &config.probes);
         let beyond = overshoot(scene);
         let all = [tank(scene), threshold(scene), steep(scene), early(scene), near, buried, beyond];
@@ -115,6 +119,22 @@ fn gauge(scene: &SeawallScene, numerics: &Numerics) -> Option<ConfigError> {
          face, no wave"
     );
     (scene.wave_gauge_m < least)
+        .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told))
+        .flatten()
+}
+
+/// A solitary wave is H sech² κx, and an upright wall sends it back. Where its crest passes the gauge, what is on its
+/// way back stands there with sech² 2κd of its height, d from the wall.
+fn meets(scene: &SeawallScene) -> Option<ConfigError> {
+    scene.paddle()?.stroke_centre()?;
+    let away = (scene.tank_length_m - scene.wave_gauge_m) / scene.still_water_depth_m;
+    let spread = 2.0 * away * (0.75 * scene.wave_height_ratio).sqrt();
+    let more = 1.0 / libm::cosh(spread).powi(2);
+    let told = format!(
+        "the gauge stands so near to the wall that what is sent back adds up to {:.0} % to the crest that it measures",
+        100.0 * more
+    );
+    (scene.is_upright_over_level_bed() && more > MOST_ADDED)
         .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told))
         .flatten()
 }

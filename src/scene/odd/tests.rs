@@ -19,6 +19,7 @@ fn what_is_usual_is_not_told() {
         "tank_length_m = 3\nend_after_stroke_centre_s = 1.7",
         "kind = \"rotating-patch\"",
         "wave_gauge_m = 0.38",
+        "wave_height_ratio = 0.05\nwave_gauge_m = 0.9",
         "wave_gauge_m = 0.01\nwave_height_ratio = 0\nend_time_s = 1",
         "paddle = \"wave-train\"\nwave_period_s = 1\nwave_height_ratio = 0.1\nend_time_s = 5\nwave_gauge_m = 0.1",
     ] {
@@ -38,6 +39,10 @@ fn slips_are_told_with_key_and_value() {
         (
             "paddle = \"wave-train\"\nwave_period_s = 0.3\nend_time_s = 5",
             "scene.wave_period_s = 0.3: waves of wave_height_ratio = 0.5 would be 0.712 of",
+        ),
+        (
+            "wave_height_ratio = 0.05\nend_after_stroke_centre_s = 9",
+            "scene.wave_gauge_m = 1.5: the gauge stands so near to the wall that what is sent back adds up to 8 %",
         ),
         ("wave_gauge_m = 0.37", "scene.wave_gauge_m = 0.37: the paddle goes 0.326 m into the"),
         (
