@@ -48,7 +48,7 @@ fn still_water_stays_still_and_presses_by_its_weight() {
     assert!(order > 1.7, "five rows {coarse}, ten {fine}: order {order}");
 }
 
-/// The first step had no pressure before it to count from, so that the next five went up by 0.1 % at ten rows, and by 1 %
+/// The first step had no pressure before it to count from. So the next five went up by 0.1 % at ten rows, and by 1 %
 /// before a wall that leans.
 #[test]
 fn still_water_presses_as_in_its_first_step() {

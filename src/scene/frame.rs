@@ -81,9 +81,11 @@ impl Frame {
         VISCOUS_SPEED * self.speed_squared().sqrt()
     }
 
-    /// Time step, seconds: bounded by c0 Δt/Δx (of supports narrower than 3.9 Δx by as much less), or
-    /// Δt/√(Δx/g) where the water is incompressible, by α n c0 Δt/Δx and ν n Δt/R² over the n steps for
-    /// which viscosity is explicit (one where the water is incompressible), and by `time_step_s`.
+    /// Time step, seconds.
+    ///
+    /// It is bounded by c0 Δt/Δx (of supports narrower than 3.9 Δx by as much less), or Δt/√(Δx/g) where the
+    /// water is incompressible. Viscosity bounds it by α n c0 Δt/Δx and ν n Δt/R². It is explicit over n steps,
+    /// one where the water is incompressible. The last bound is `time_step_s`.
     pub fn time_step(&self, numerics: &Numerics) -> f64 {
         let spacing = numerics.particle_spacing_m;
         let mut bound = match numerics.scheme {
