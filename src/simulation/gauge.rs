@@ -24,6 +24,11 @@ pub struct CrestGauge {
 }
 
 impl CrestGauge {
+    /// Takes the memory for its readings.
+    pub fn make_room(&mut self) {
+        self.recent.reserve_exact(READINGS + 1);
+    }
+
     /// Whether to read it now, until the crest is past; see [`Looks::is_due`].
     pub fn is_due(&mut self, time: f64, intervals: (f64, f64)) -> bool {
         !self.passed && self.looks.is_due(time, 0.0, intervals)

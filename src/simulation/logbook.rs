@@ -106,6 +106,7 @@ impl Logbook {
         let looks = count(Looks::interval(frame.intervals()));
         let looks = looks.saturating_sub(self.face_gaps.len()).min(MOST_ROOM);
         self.history.reserve_exact(more);
+        self.gauge.make_room();
         self.face_gaps.make_room(looks);
         self.found.make_room(looks / LOOK_EVERY + 1);
         if let Some(table) = &mut self.probes {
