@@ -1,5 +1,7 @@
 //! What tells several runs of the same wave and wall apart.
 
+use sha2::{Digest, Sha256};
+
 use super::column::Cells;
 use super::number;
 use super::row::Row;
@@ -15,10 +17,8 @@ const PROVENANCE: &[&str] =
 /// part of names of files.
 const LONGEST: usize = 60;
 
-/// File systems take names of 255 bytes, endings included. Longer ones end with a sum over all of it.
+/// File systems take names of 255 bytes, endings included. Longer ones end with a checksum of the whole.
 const LONGEST_NAME: usize = 200;
-/// Start and factor of the sum: FNV-1a.
-const FNV: (u64, u64) = (0xcbf2_9ce4_8422_2325, 0x0100_0000_01b3);
 
 /// A name with these words in it, fit for a file.
 pub(super) fn file_name(stem: &str, words: &str) -> String {
@@ -33,9 +33,11 @@ pub(super) fn file_name(stem: &str, words: &str) -> String {
     }
     if name.len() > LONGEST_NAME {
         // Words are ASCII, and so is every stem.
-        let sum = name.bytes().fold(FNV.0, |sum, byte| (sum ^ u64::from(byte)).wrapping_mul(FNV.1));
+        let sum: String =
+            Sha256::digest(&name)[..8].iter().map(|byte| format!("{byte:02x}")).collect();
         name.truncate(LONGEST_NAME - 17);
-        name.push_str(&format!("-{sum:016x}"));
+        name.push('-');
+        name.push_str(&sum);
     }
     name
 }
