@@ -6,6 +6,7 @@ use std::collections::BTreeMap;
 use sha2::{Digest, Sha256};
 
 use super::table::{AccuracyTable, Choice, differences};
+use crate::math::digest::digits;
 use crate::quantities::summary::{CASE_ID, PARTICLE_SPACING};
 use crate::results::{CaseRecord, ErrorBars, narrowest_bar_percent};
 use crate::scene::CaseConfig;
@@ -169,8 +170,8 @@ fn bar_percent(record: &CaseRecord, bars: &ErrorBars) -> Option<f64> {
 impl Study {
     /// The same cases as a sweep of its own, which aims at an error in percent.
     pub fn aiming_at(mut self, percent: f64) -> Study {
-        let digest = Sha256::digest(format!("{} max-error {percent}", self.identity));
-        self.identity = digest[..8].iter().map(|byte| format!("{byte:02x}")).collect();
+        let aim = format!("{} max-error {percent}", self.identity);
+        self.identity = digits(Sha256::new_with_prefix(aim));
         self.max_error_percent = Some(percent);
         self
     }

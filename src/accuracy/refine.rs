@@ -186,8 +186,8 @@ impl Refinement {
     }
 }
 
-/// How far the chord between two neighbours is expected to be off, from the bend through the points beside
-/// them: infinite where there is no third point, `None` where one of the two has no value.
+/// How far the chord between two neighbours is expected to be off, from the bend through the points beside them.
+/// It is infinite on a line of two points, and `None` where one of the two has no value.
 fn off(stops: &[Stop], at: usize) -> Option<f64> {
     let point = |at: usize| {
         let stop = stops.get(at)?;
@@ -197,10 +197,7 @@ fn off(stops: &[Stop], at: usize) -> Option<f64> {
     if stops.len() == 2 {
         return Some(f64::INFINITY);
     }
-    let beside = |places: [Option<usize>; 2]| places.map(|at| at.and_then(point));
-    let before = beside([1, 2].map(|back| at.checked_sub(back)));
-    let behind = beside([2, 3].map(|ahead| Some(at + ahead)));
-    Some(bend::sagitta(interval, Bend::of(interval, before, behind)?.most()))
+    Some(bend::sagitta(interval, Bend::after(at, point)?.most()))
 }
 
 #[cfg(test)]

@@ -9,8 +9,8 @@ const MORE: [f64; 2] = [0.5, 2.0];
 /// the bend changes, and where values scatter, the curve is off near the ends, too.
 const SCATTER: f64 = 1.0 / 3.0;
 
-/// Three points in a straight line may be those of a step: their bend may change by as much, in units of that of a
-/// parabola that turns at an end of the interval.
+/// Three points in a straight line may be those of a step. So their bend may change by as much. It counts in the
+/// bend of a parabola that turns at an end of the interval.
 const UNSEEN: f64 = 0.75;
 
 /// A point of a curve: its place and its value.
@@ -27,7 +27,7 @@ fn unit([(x0, y0), (x1, y1)]: [Point; 2]) -> f64 {
 }
 
 /// The points beside an interval, the nearest first, as far as there are any.
-pub type Beside = [Option<Point>; 2];
+type Beside = [Option<Point>; 2];
 
 /// What the points in and beside an interval tell of a curve's bend in it, as half of its second derivative.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,8 +41,14 @@ pub struct Bend {
 }
 
 impl Bend {
+    /// That between the point of a line with this number and the next; `None` without both of them and a third.
+    pub fn after(at: usize, point: impl Fn(usize) -> Option<Point>) -> Option<Bend> {
+        let before = [1, 2].map(|back| point(at.checked_sub(back)?));
+        Bend::of([point(at)?, point(at + 1)?], before, [point(at + 2), point(at + 3)])
+    }
+
     /// `None` without a third point.
-    pub fn of(interval: [Point; 2], before: Beside, behind: Beside) -> Option<Bend> {
+    fn of(interval: [Point; 2], before: Beside, behind: Beside) -> Option<Bend> {
         let [left, right] = interval.map(Some);
         let line = [before[1], before[0], left, right, behind[0], behind[1]];
         let three = |at: usize| Some(half_curvature([line[at]?, line[at + 1]?, line[at + 2]?]));
@@ -60,12 +66,17 @@ impl Bend {
 
     /// What it may be, by what it is and how far it changes beside.
     pub fn most(self) -> f64 {
-        self.ends[0].abs().max(self.ends[1].abs()) + self.change
+        self.largest() + self.change
+    }
+
+    /// That of either parabola.
+    fn largest(self) -> f64 {
+        self.ends[0].abs().max(self.ends[1].abs())
     }
 
     /// Between which shares of the interval nearly all such curves have a value that lies between those of its ends.
     pub fn crossings(self, interval: [Point; 2], value: f64) -> [f64; 2] {
-        let more = MORE[usize::from(self.one_sided)] * self.ends[0].abs().max(self.ends[1].abs());
+        let more = MORE[usize::from(self.one_sided)] * self.largest();
         let halves = [self.ends[0] - more, 0.0, self.ends[1] + more];
         let shares = halves.map(|half| crossing(interval, half, value));
         let scatter = SCATTER * (self.change / unit(interval)).abs();

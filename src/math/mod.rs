@@ -1,8 +1,9 @@
 //! SIMD lanes, sparse systems, threads that share the work of one case, scales and curves through points,
-//! lists, words, large pages.
+//! lists, words, checksums, large pages.
 
 pub mod bend;
 pub mod decimal;
+pub mod digest;
 #[cfg(target_os = "linux")]
 pub mod large_pages;
 pub mod lists;

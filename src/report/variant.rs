@@ -6,6 +6,7 @@ use super::column::Cells;
 use super::number;
 use super::row::Row;
 use super::study::Key;
+use crate::math::digest::digits;
 use crate::quantities::Column;
 use crate::quantities::summary::{BOUNDARY, FORCE_COUPLING, KERNEL, PARTICLE_SPACING, SCHEME};
 
@@ -33,8 +34,7 @@ pub(super) fn file_name(stem: &str, words: &str) -> String {
     }
     if name.len() > LONGEST_NAME {
         // Words are ASCII, and so is every stem.
-        let sum: String =
-            Sha256::digest(&name)[..8].iter().map(|byte| format!("{byte:02x}")).collect();
+        let sum = digits(Sha256::new_with_prefix(&name));
         name.truncate(LONGEST_NAME - 17);
         name.push('-');
         name.push_str(&sum);

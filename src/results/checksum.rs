@@ -4,6 +4,8 @@ use std::io::{Read, Result};
 
 use sha2::{Digest, Sha256};
 
+use crate::math::digest::digits;
+
 /// The start of SHA-256 over some bytes, 16 hex digits.
 pub(super) fn checksum(bytes: &[u8]) -> String {
     checksum_of([bytes])
@@ -28,9 +30,4 @@ pub(super) fn checksum_of_rest(mut from: impl Read) -> Result<(u64, String)> {
         hash.update(&buffer[..read]);
         bytes += read as u64;
     }
-}
-
-fn digits(hash: Sha256) -> String {
-    let start = hash.finalize()[..8].try_into().expect("a digest has 32 bytes");
-    format!("{:016x}", u64::from_be_bytes(start))
 }

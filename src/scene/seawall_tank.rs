@@ -53,8 +53,8 @@ impl SeawallScene {
         Some(basin(frame, lattice, [start, floor.floor_height_m, level], numerics))
     }
 
-    /// When the crest of a solitary wave may be at a place at the earliest, s: it leaves the paddle in the middle of
-    /// the stroke, and goes no faster than over the paddle's depth.
+    /// When the crest of a solitary wave may be at a place at the earliest, s. It leaves the paddle in the middle of
+    /// the stroke. It goes no faster than over the paddle's depth.
     pub(super) fn crest_may_pass(&self, place: f64) -> Option<f64> {
         let paddle = self.paddle()?;
         let centre = paddle.stroke_centre()?;

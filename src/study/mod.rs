@@ -32,6 +32,7 @@ use crate::keys::Recent;
 
 use sha2::{Digest, Sha256};
 
+use crate::math::digest::digits;
 use crate::scene::{ConfigError, ErrorBars};
 use crate::simulation::Limits;
 
@@ -108,7 +109,7 @@ impl Study {
         for case in &cases {
             hash.update(case.id.to_string());
         }
-        let identity = hash.finalize()[..8].iter().map(|byte| format!("{byte:02x}")).collect();
+        let identity = digits(hash);
         let file_text = file_text.to_owned();
         let (max_error_percent, refine) = (None, None);
         Study {

@@ -46,7 +46,7 @@ impl Shortfall {
 mod tests {
     use super::*;
 
-    /// Under a straight surface ½ tr Σ is C - ½ d dC/dd, C the share of the kernel below the surface: ∫ r·∇W
+    /// Under a straight surface ½ tr Σ is C - ½ d dC/dd, C the share of the kernel below the surface. For ∫ r·∇W
     /// over a half-plane is what passes its edge less 2C.
     #[test]
     fn rows_fall_short_like_the_half_plane() {

@@ -178,10 +178,7 @@ impl Line<'_> {
         let [Some(from), Some(to)] = [point(low), point(low + 1)] else {
             return told([left.value, right.value], Basis::Gap);
         };
-        let beside = |places: [Option<usize>; 2]| places.map(|at| at.and_then(point));
-        let before = beside([1, 2].map(|back| low.checked_sub(back)));
-        let behind = beside([2, 3].map(|ahead| Some(low + ahead)));
-        let bend = Bend::of([from, to], before, behind);
+        let bend = Bend::after(low, point);
         let ends = bend.map(|bend| bend.crossings([from, to], comparison.limit));
         let bars = [left, right].map(|stop| comparison.subject.bar(stop.row).unwrap_or(0.0));
         let bar = (bars[0] + (bars[1] - bars[0]) * share) / (to.1 - from.1).abs();

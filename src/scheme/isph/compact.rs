@@ -14,13 +14,12 @@ use crate::scheme::StepError;
 const POOREST: f64 = 0.25;
 
 impl Isph {
-    /// Sets what the solves of a step have in common. They have no size but that of their own right-hand side.
-    pub(super) fn prepare_compact(&mut self) -> f64 {
+    /// Sets what the solves of a step have in common.
+    pub(super) fn prepare_compact(&mut self) {
         self.system.preconditioner.prepare(&self.system.matrix);
         self.exact.aim.clear();
         self.exact.aim.resize(self.fluid.len(), 0.0);
         self.aim_at_volume();
-        0.0
     }
 
     /// Solves V 2 Σ F (p_i - p_j) + grip p_i = -V (ρ/Δt) ∇·u*/κ for the change of the dynamic

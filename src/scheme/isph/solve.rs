@@ -26,8 +26,8 @@ const RESPONSE_TOLERANCE: f64 = 10.0;
 impl Isph {
     /// Solves for the dynamic pressure with the responding wall's acceleration left out.
     ///
-    /// A step counts from the last one's pressure. The first has none, so it is solved until it would be its own: the
-    /// force on still water would go up by 0.1 % otherwise, at ten rows and within five steps.
+    /// A step counts from the last one's pressure. The first has none, so it is solved until it would be its own.
+    /// Otherwise the force on still water would go up by 0.1 % at ten rows, within five steps.
     pub(super) fn solve_pressure(&mut self, dt: f64) -> Result<(), StepError> {
         let starts = self.tally.steps == 0;
         if starts {
@@ -36,14 +36,18 @@ impl Isph {
             self.carried.older_pressure.fill(0.0);
         }
         self.find_drag();
-        let exact = self.options.laplacian == Laplacian::Exact;
-        let size = if exact { self.prepare_exact(dt) } else { self.prepare_compact() };
+        let size = match self.options.laplacian {
+            Laplacian::Exact => Some(self.prepare_exact(dt)),
+            Laplacian::Symmetric | Laplacian::Schwaiger => {
+                self.prepare_compact();
+                None
+            }
+        };
         for _ in 0..if starts { FIRST_SOLVES } else { 1 } {
             let before = self.pending.iterations;
-            if exact {
-                self.solve_exact(dt, size)?;
-            } else {
-                self.solve_compact(dt)?;
+            match size {
+                Some(size) => self.solve_exact(dt, size)?,
+                None => self.solve_compact(dt)?,
             }
             if !starts || self.pending.iterations == before {
                 break;
