@@ -19,6 +19,20 @@ impl Swing {
     }
 }
 
+impl Swing {
+    /// None where the wave is too viscous to swing.
+    fn exact(&self) -> Option<Exact> {
+        let period = std::f64::consts::TAU / self.wave.frequency();
+        if self.viscosity == 0.0 {
+            return Some(Exact { period, peaks: None });
+        }
+        // A swing more than the water has been given time for.
+        let until = self.series.last().map_or(0.0, |last| last.0) + period;
+        let (half, peaks) = half_swings(&self.wave.swing(self.viscosity, until))?;
+        Some(Exact { period: 2.0 * half, peaks: Some(peaks) })
+    }
+}
+
 impl Watch for Swing {
     remembers!(series);
 
@@ -28,23 +42,44 @@ impl Watch for Swing {
     }
 
     fn tell(&self, _: &Fluid, all: &mut Readings) {
-        let exact = std::f64::consts::TAU / self.wave.frequency();
-        all.tell("period_exact", exact, "s");
+        let exact = self.exact();
+        all.tell("period_exact", exact.as_ref().map(|exact| exact.period), "s");
         let Some((half, peaks)) = half_swings(&self.series) else { return };
         all.tell("period", 2.0 * half, "s");
-        all.tell("period_gap", 100.0 * (2.0 * half / exact - 1.0), "%");
+        let gap = |exact: &Exact| 100.0 * (2.0 * half / exact.period - 1.0);
+        all.tell("period_gap", exact.as_ref().map(gap), "%");
         let (Some(first), Some(last)) = (peaks.first(), peaks.last()) else { return };
         if last.0 > first.0 {
-            let span = last.0 - first.0;
             let kept = last.1 / first.1;
-            let should = libm::exp(-self.wave.damping(self.viscosity) * span);
+            let should = exact.and_then(|exact| exact.between(peaks.len()));
+            let share = should.map(|should| should.0);
             all.tell("amplitude_kept", kept, "over the first peak's");
-            all.tell("amplitude_kept_exact", should, "over the first peak's");
-            all.tell("decay_gap", 100.0 * (kept - should), "% of the first peak");
-            let rate = -libm::log(kept) / span;
+            all.tell("amplitude_kept_exact", share, "over the first peak's");
+            let gap = |should: f64| 100.0 * (kept - should);
+            all.tell("decay_gap", share.map(gap), "% of the first peak");
+            let rate = -libm::log(kept) / (last.0 - first.0);
             let per_viscosity = self.wave.damping(1.0);
             all.tell("damping_rate", rate, "1/s");
-            all.tell("numerical_viscosity", rate / per_viscosity - self.viscosity, "m2/s");
+            let beyond = should.map(|(_, exact)| (rate - exact) / per_viscosity);
+            all.tell("numerical_viscosity", beyond, "m2/s");
         }
+    }
+}
+
+/// What linear theory says of a wave.
+struct Exact {
+    /// From swing to swing, seconds.
+    period: f64,
+    /// Its peaks with their times, of a wave that decays.
+    peaks: Option<Vec<(f64, f64)>>,
+}
+
+impl Exact {
+    /// What is left from the first to the last of so many peaks, and the rate of that, 1/s.
+    fn between(&self, count: usize) -> Option<(f64, f64)> {
+        let Some(peaks) = &self.peaks else { return Some((1.0, 0.0)) };
+        let (first, last) = (peaks.first()?, peaks.get(count.checked_sub(1)?)?);
+        let left = last.1 / first.1;
+        Some((left, -libm::log(left) / (last.0 - first.0)))
     }
 }
