@@ -1,0 +1,48 @@
+use super::*;
+use crate::math::simd::SimdPath;
+use crate::scene::CaseConfig;
+
+#[test]
+fn a_void_is_the_share_that_water_leaves_empty() {
+    let scene = "kind = \"hydrostatic\"".parse().unwrap();
+    let numerics = "particle_spacing_m = 0.02".parse().unwrap();
+    let config = CaseConfig::from_tables(&scene, &numerics).unwrap();
+    let mut tank = config.scene.build(&config.numerics, SimdPath::Portable);
+    let mut bodies = tank.motions(0.0);
+    tank.water.prepare(&bodies, 1e-4).unwrap();
+    let (kernel, radius) = tank.water.kernel();
+    for apart in [0.0, 0.2, 0.4] {
+        bodies[Place::Right].offset = apart * tank.spacing;
+        let mut near = Near::default();
+        let mut water =
+            Sounding::new(tank.water.as_ref(), &bodies, (9.81, 0.02, 1000.0), &mut near);
+        let void = water.void((water.face(Place::Right).point, [0.0, 1.0]), 0.6);
+        // In the toe's corner, where the empty strip goes on through the bed.
+        let filled = kernel.half_plane_fraction(-apart * tank.spacing / radius);
+        let exact = 1.0 - filled / (1.0 - filled);
+        assert!((void - exact).abs() < 0.02, "{void}, and {exact} by the kernel alone");
+    }
+}
+
+/// The last stretch of a bed need not be whole columns long.
+#[test]
+fn still_water_leaves_no_void_at_the_foot_of_a_wall_on_a_bed() {
+    for shelf in [0.6, 0.607, 0.61, 0.613] {
+        let scene = format!(
+            "bed = [[0, 0], [0.4, 0], [{}, 0.1], [1.6, 0.1]]\n\
+             wave_height_ratio = 0\nend_time_s = 1\ntank_length_m = 1.6\nwave_gauge_m = 0.3\n\
+             still_water_depth_m = 0.3",
+            1.6 - shelf
+        );
+        let numerics = "particle_spacing_m = 0.02\nboundary = \"normalized\"".parse().unwrap();
+        let config = CaseConfig::from_tables(&scene.parse().unwrap(), &numerics).unwrap();
+        let mut tank = config.scene.build(&config.numerics, SimdPath::Portable);
+        let bodies = tank.motions(0.0);
+        tank.water.prepare(&bodies, 1e-4).unwrap();
+        let mut near = Near::default();
+        let mut water =
+            Sounding::new(tank.water.as_ref(), &bodies, (9.81, 0.02, 1000.0), &mut near);
+        let void = water.void((water.face(Place::Right).point, [0.0, 1.0]), 0.3);
+        assert!(void < 0.03, "a shelf of {shelf} m: {void}");
+    }
+}
