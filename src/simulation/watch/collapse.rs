@@ -11,6 +11,8 @@ use crate::theory::dam_break::ritter_front;
 const SMALLEST_CAVITY: f64 = 0.002;
 /// ... and once it has lasted this long, over √(H/g).
 const CAVITY_LASTS: f64 = 0.1;
+/// Water that never moves faster than this as a whole, over √(gH), stands still: its momentum is rounding.
+const STILL: f64 = 1e-6;
 
 pub(super) struct Collapse {
     frame: Frame,
@@ -118,8 +120,10 @@ impl Watch for Collapse {
         all.tell("cavity_closure", self.closure.map(|time| time / unit), "sqrt(H/g)");
         let mass: f64 = fluid.mass.iter().sum();
         all.tell("mass_gap", 100.0 * (mass / self.mass_at_start - 1.0), "%");
-        let gap = (momentum(fluid) + self.impulse) / self.largest_momentum.max(f64::MIN_POSITIVE);
-        all.tell("horizontal_momentum_gap", 100.0 * gap, "% of the largest momentum");
+        let moves = self.largest_momentum > STILL * mass * self.frame.depth / unit;
+        let gap = moves.then(|| (momentum(fluid) + self.impulse) / self.largest_momentum);
+        let percent = gap.map(|gap| 100.0 * gap);
+        all.tell("horizontal_momentum_gap", percent, "% of the largest momentum");
     }
 }
 
