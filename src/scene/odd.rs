@@ -33,9 +33,10 @@ pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
         let near =
             gauge(scene, &config.numerics).or_else(|| aground(scene)).or_else(|| meets(scene));
         let buried = buried(scene, &config.probes);
-        let beyond = overshoot(scene);
-        let all = [tank(scene), threshold(scene), steep(scene), early(scene), near, buried, beyond];
-        odd.extend(all.into_iter().flatten());
+        let stroke = overshoot(scene);
+        let outside = outside(scene, &config.probes);
+        let all = [tank(scene), threshold(scene), steep(scene), early(scene), near, buried];
+        odd.extend(all.into_iter().chain([outside, stroke]).flatten());
     }
     odd
 }
@@ -170,6 +171,21 @@ fn buried(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
         probe.name
     );
     Some(ConfigError::new("probe.y_m", probe.y_m?, told))
+}
+
+/// A wall that leans away, moves or lets water fall behind it has water farther than it stands; others have not.
+fn outside(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
+    let flies_on = scene.crest.is_some() && scene.floor.is_none();
+    if scene.wall != WallChoice::Fixed || scene.wall_angle_deg > 90.0 || flies_on {
+        return None;
+    }
+    let end = scene.tank_length_m + scene.behind_m()[0];
+    let (probe, x) = probes.iter().find_map(|it| Some((it, it.x_m.filter(|x| *x > end)?)))?;
+    let told = format!(
+        "{} stands outside the tank, which ends at {end:.4} m: no water comes there",
+        probe.name
+    );
+    Some(ConfigError::new("probe.x_m", x, told))
 }
 
 fn interval(config: &CaseConfig) -> Option<ConfigError> {

@@ -85,3 +85,28 @@ fn a_probe_under_the_bed_is_told() {
     );
     assert_eq!(told("x_m = 1.5\ny_m = 0.04").len(), 1);
 }
+
+/// The story: a gauge behind the end of the tank read a level of 0 m all along.
+#[test]
+fn a_probe_outside_the_tank_is_told() {
+    let told = |scene: &str, x: f64| {
+        let probe = format!("name = \"P\"\nkind = \"level\"\nx_m = {x}").parse().unwrap();
+        let numerics = "particle_spacing_m = 0.01".parse().unwrap();
+        let config = CaseConfig::with_probes(&scene.parse().unwrap(), &numerics, &[probe]).unwrap();
+        odd_values(&config).iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    let outside = told("", 2.6);
+    let text = "probe.x_m = 2.6: P stands outside the tank, which ends at 2.5000 m";
+    assert!(outside.len() == 1 && outside[0].starts_with(text), "{outside:?}");
+    let basin =
+        "behind = \"basin\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.2\nfloor_length_m = 0.5";
+    let sliding = "wall = \"caisson\"\nseawall_mass_kg_per_m = 50\nsubmerged_weight_n_per_m = 200\n\
+                   static_friction = 0.5\nkinetic_friction = 0.4";
+    let outflow = "behind = \"outflow\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.2";
+    let leaning = "wall_angle_deg = 120";
+    for (scene, x) in [("", 2.5), (basin, 3.1), (sliding, 2.6), (leaning, 2.6), (outflow, 2.8)] {
+        let all = told(scene, x);
+        assert!(all.iter().all(|told| !told.contains("outside")), "{scene}: {all:?}");
+    }
+    assert_eq!(told(basin, 3.3).len(), 1);
+}
