@@ -122,7 +122,8 @@ fn energy_table(budget: &EnergyBudget, gap_percent: f64, wall: Option<WallChoice
     let mut line = |name: &str, value: f64| {
         let share = match work {
             0.0 => String::new(),
-            work => format!("  {:>16.2}", 100.0 * value / work),
+            // A paddle that was pushed back has less than none.
+            work => format!("  {:>16.2}", 100.0 * value / work.abs()),
         };
         text.push_str(&format!("{name:<26}{:>10}{share}\n", short(value)));
     };
@@ -183,5 +184,12 @@ mod tests {
         let works = energy_table(&works, 0.0, Some(WallChoice::Movable));
         assert!(works.contains("% of paddle work\npaddle work"), "{works}");
         assert!(works.contains("threshold device") && works.contains(" 50.00\n"), "{works}");
+        let pushed = EnergyBudget { paddle_work: -4.0, threshold_device: -3.0, ..budget };
+        let pushed = energy_table(&pushed, -25.0, Some(WallChoice::Movable));
+        let line = |name: &str, end: &str| {
+            pushed.lines().any(|line| line.starts_with(name) && line.ends_with(end))
+        };
+        assert!(line("paddle work", " -100.00") && line("stops", " 0.00"), "{pushed}");
+        assert!(line("threshold device", " -75.00") && line("residual", " -25.00"), "{pushed}");
     }
 }
