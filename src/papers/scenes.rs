@@ -37,11 +37,13 @@ pub fn paper(name: &str) -> Option<&'static Paper> {
 }
 
 /// The names of the scenes in which a case with these values of `[scene]` stands: those whose keys all
-/// have the same values there.
+/// have the same values there. A key that came once there were results is left out at its default.
 pub fn scenes(values: &Table) -> impl Iterator<Item = &'static str> {
-    let fits = |scene: &Table| {
-        scene.iter().all(|(key, wanted)| values.get(key).is_some_and(|value| same(value, wanted)))
+    let has = |key: &str, wanted: &Value| match values.get(key) {
+        Some(value) => same(value, wanted),
+        None => NEWER.iter().any(|newer| *newer == (key, wanted.as_str().unwrap_or_default())),
     };
+    let fits = move |scene: &Table| scene.iter().all(|(key, wanted)| has(key, wanted));
     FILE.scene.iter().filter(move |(_, scene)| fits(scene)).map(|(name, _)| name.as_str())
 }
 
@@ -50,11 +52,18 @@ pub fn cause(name: &str) -> Option<&'static str> {
     FILE.cause.get(name).map(String::as_str)
 }
 
-/// The same number, whole or not, or the same value.
+/// What stands for a key that a case leaves out.
+const NEWER: [(&str, &str); 3] = [("paddle", "solitary"), ("behind", "nothing"), ("bed", LEVEL)];
+/// A bed that is nowhere above the paddle's foot.
+const LEVEL: &str = "level";
+
+/// The same number, whole or not, or the same value. A bed of points may be level, too.
 fn same(value: &Value, wanted: &Value) -> bool {
-    match number(value).zip(number(wanted)) {
-        Some((value, wanted)) => (value - wanted).abs() <= 1e-9 * wanted.abs(),
-        None => value == wanted,
+    let flat = |point: &Value| point.get(1).and_then(number) == Some(0.0);
+    match (number(value).zip(number(wanted)), value.as_array()) {
+        (Some((value, wanted)), _) => (value - wanted).abs() <= 1e-9 * wanted.abs(),
+        (None, Some(points)) if wanted.as_str() == Some(LEVEL) => points.iter().all(flat),
+        (None, _) => value == wanted,
     }
 }
 
@@ -79,6 +88,22 @@ mod tests {
         assert_eq!(of("tank_length_m = 3"), [""; 0]);
         assert_eq!(of("kind = \"dam-break\""), ["dam-break"]);
         assert_eq!(of("kind = \"hydrostatic\""), ["still-water"]);
+    }
+
+    /// The story: a wall that the wave went over, and one at the end of a beach, were held against numbers
+    /// of a high wall over a level bed, as nothing asked for what the papers do not have.
+    #[test]
+    fn crests_beds_and_trains_are_none_of_the_papers() {
+        assert_eq!(
+            of("behind = \"outflow\"\ncrest_freeboard_m = 0.05\ncrest_width_m = 0.3"),
+            [""; 0]
+        );
+        assert_eq!(of("bed = [[0, 0], [1, 0], [2.5, 0.05]]"), [""; 0]);
+        let train =
+            "paddle = \"wave-train\"\nwave_height_ratio = 0.2\nwave_period_s = 1\nend_time_s = 4";
+        assert_eq!(of(train), [""; 0]);
+        assert_eq!(of("bed = [[0, 0], [2.5, 0]]"), ["fixed"]);
+        assert_eq!(of("behind = \"nothing\"\npaddle = \"solitary\""), ["fixed"]);
     }
 
     #[test]
