@@ -84,12 +84,6 @@ impl<'a> Settings<'a> {
         self.scene_at(place).map_or(Some(Setting::PLAIN), |scene| setting(&scene))
     }
 
-    /// Whether the case in a row has regular waves, of which a gauge knows the first crest alone.
-    pub fn are_regular(&self, place: usize) -> bool {
-        let paddle = self.scene_at(place).and_then(|scene| Some(scene.get("paddle")?.clone()));
-        paddle.is_some_and(|paddle| paddle.as_str() == Some("wave-train"))
-    }
-
     /// `[scene]` of the case in a row.
     fn scene_at(&self, place: usize) -> Option<Table> {
         let mut scene = self.scene.clone()?;

@@ -11,7 +11,7 @@ use serde_json::Value;
 
 use super::error::ReportError;
 use super::omitted::Omitted;
-use super::row::{Header, Row};
+use super::row::{Header, REGULAR, Row};
 use super::study::{Key, StudyFile, keys};
 use super::variant::name_variants;
 use crate::keys::number;
@@ -46,9 +46,11 @@ impl Loaded {
         let manifest = read_manifest(&directory.join("manifest.json"));
         let (mut rows, keys) = read_summary(&directory.join("summary.csv"), manifest.as_ref())?;
         let file = StudyFile::of(manifest.as_ref());
-        let angle = file.and_then(|file| number(file.scene.get("wall_angle_deg")?));
+        let angle = file.as_ref().and_then(|file| number(file.scene.get("wall_angle_deg")?));
+        let paddle = file.as_ref().and_then(|file| file.scene.get("paddle")?.as_str());
         for row in &mut rows {
             row.wall_angle_deg = row.wall_angle_deg.or(angle);
+            row.regular |= paddle == Some(REGULAR);
         }
         let (directory, omitted) = (directory.to_owned(), Omitted::default());
         Ok(Loaded { rows, energy, manifest, keys, directory, is_part: false, omitted })

@@ -12,6 +12,9 @@ use crate::quantities::{Column, named};
 /// What tells a case from the others, as a rule.
 pub(super) const PLACE: [&Column; 3] = [&WAVE_HEIGHT_RATIO, &SPRING_STIFFNESS, &SEAWALL_MASS];
 
+/// What `paddle` is where waves are regular.
+pub(super) const REGULAR: &str = "wave-train";
+
 /// Where the columns of a table stand.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Header {
@@ -40,6 +43,8 @@ pub struct Row {
     ends: Ends,
     /// Of a fixed wall; upright where nothing says otherwise.
     pub wall_angle_deg: Option<f64>,
+    /// The paddle makes regular waves.
+    pub regular: bool,
     /// Which of several runs with the same wave and wall this is, such as `boundary = sfdi`;
     /// empty where the sweep holds only one.
     pub variant: Arc<str>,
@@ -92,8 +97,10 @@ impl Row {
             ends.push(text.len());
         }
         let (header, text, ends) = (header.clone(), text.into(), Ends::of(&ends));
-        let row = Row { header, text, ends, wall_angle_deg: None, variant: Arc::default() };
-        Ok(Row { wall_angle_deg: row.named("wall_angle_deg").parse().ok(), ..row })
+        let (wall_angle_deg, variant) = (None, Arc::default());
+        let row = Row { header, text, ends, wall_angle_deg, regular: false, variant };
+        let wall_angle_deg = row.named("wall_angle_deg").parse().ok();
+        Ok(Row { wall_angle_deg, regular: row.named("paddle") == REGULAR, ..row })
     }
 
     fn named(&self, name: &str) -> &str {
@@ -199,9 +206,9 @@ impl Row {
         let own = (column.name.to_owned(), value.to_string());
         let cells: Vec<_> = others.chain([own]).collect();
         let header = Arc::new(Header::new(cells.iter().map(|(name, _)| name.as_str())));
-        let Row { wall_angle_deg, variant, .. } = self;
+        let Row { wall_angle_deg, regular, variant, .. } = self;
         let row = Row::new(&header, cells.iter().map(|(_, cell)| cell.as_str())).unwrap();
-        Row { wall_angle_deg, variant, ..row }
+        Row { wall_angle_deg, regular, variant, ..row }
     }
 }
 

@@ -49,11 +49,11 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
             continue;
         }
         let name = file_name("fixed-wall", &variant);
-        let regular = places.iter().any(|place| settings.are_regular(*place));
+        let regular = rows.iter().any(|row| row.regular);
         let known = |row: &&Row| row.number(&MEASURED_WAVE_HEIGHT_RATIO).is_some();
         let measured = !regular && rows.iter().all(known);
         let height = if measured { "measured at the gauge" } else { "nominal" };
-        let (sides, of) = if regular { (OF_ALL, "whole run") } else { (SIDES, "first impact") };
+        let (sides, of) = (sides(regular), if regular { "whole run" } else { "first impact" });
         let beside = Beside::of(&settings, &places);
         let told = beside.caption(rows.iter().all(|row| row.is_vertical()));
         let has_bar = |row: &&Row| sides.iter().any(|(column, _)| row.error(column).is_some());
@@ -78,8 +78,14 @@ pub fn walls<'a>(data: &'a Loaded, variant: &str) -> impl Iterator<Item = (usize
             && row.is_fixed()
             && *row.variant == *variant
             && row.number(&WAVE_HEIGHT_RATIO).is_some_and(|wave| wave > 0.0)
-            && SIDES.iter().all(|(column, _)| row.number(column).is_some())
+            && sides(row.regular).iter().all(|(column, _)| row.number(column).is_some())
     })
+}
+
+/// What is told of a wave at a fixed wall: the runup and the force of the first impact, or of regular waves
+/// those of the whole run, as each wave comes onto what the ones before have left.
+pub fn sides(regular: bool) -> [(&'static Column, usize); 2] {
+    if regular { OF_ALL } else { SIDES }
 }
 
 /// What is drawn beside the cases.
@@ -212,6 +218,7 @@ mod tests {
         assert!(single.caption.contains("first impact") && single.caption.contains("gauge"));
         let file = "[scene]\npaddle = \"wave-train\"\nwave_period_s = 1.0";
         data.manifest = Some(serde_json::json!({ "sweep_file": file }));
+        data.rows.iter_mut().for_each(|row| row.regular = true);
         let train = figures(&data).remove(0);
         let told = "whole run on a fixed wall against the wave height (nominal)";
         assert!(train.caption.contains(told), "{}", train.caption);
@@ -219,5 +226,10 @@ mod tests {
         let drawn = |column: &Column| svg.contains(&format!("\"{}\"", column.name));
         assert!(drawn(&WAVE_HEIGHT_RATIO) && !drawn(&MEASURED_WAVE_HEIGHT_RATIO));
         assert!(drawn(&FORCE_MAX) && !drawn(&FIRST_FORCE_MAX));
+        // One that presses too little for a first impact was left out.
+        let low = data.rows[0].clone().with(&FIRST_FORCE_MAX, "").with(&FIRST_RUNUP_MAX, "");
+        let id = low.id().to_owned();
+        data.rows[0] = low;
+        assert!(figures(&data).remove(0).svg().contains(&id));
     }
 }

@@ -33,7 +33,7 @@ mod trace;
 pub use accuracy::{Dot, error_against_time};
 pub(super) use axes::Axis;
 pub(super) use chart::{Chart, Curve, Point, places, points};
-pub(super) use fixed_wall::{figures as at_fixed_walls, walls as fixed_walls};
+pub(super) use fixed_wall::{figures as at_fixed_walls, sides, walls as fixed_walls};
 pub(super) use legend::Entry;
 pub(super) use look::Look;
 pub(super) use marks::{key, point as case_point};

@@ -24,13 +24,22 @@ use crate::report::row::Row;
 use crate::report::study::Key;
 use crate::report::variant::{file_name, shorten};
 
-/// What is drawn, and what stands in for it where a case has no first impact.
+/// What is drawn, and what stands in for it where a case has no first impact. Of regular waves the latter is
+/// drawn of all cases.
 const DRAWN: [(&Column, Option<&Column>); 4] = [
     (&FIRST_FORCE_MAX, Some(&FORCE_MAX)),
     (&FIRST_RUNUP_MAX, Some(&RUNUP_MAX)),
     (&DISPLACEMENT_MAX, None),
     (&OVERTOPPING_VOLUME, None),
 ];
+
+/// What is drawn of these cases, and what stands in for it.
+fn drawn(group: &[Case]) -> [(&'static Column, Option<&'static Column>); 4] {
+    let regular = group.iter().any(|(_, row)| row.regular);
+    DRAWN.map(
+        |(column, whole)| if regular { (whole.unwrap_or(column), None) } else { (column, whole) },
+    )
+}
 
 /// One case: its place on the horizontal axis and its row.
 type Case<'a> = (f64, &'a Row);
@@ -136,9 +145,14 @@ fn others(data: &Loaded, key: &Key) -> Vec<String> {
 fn caption(what: &str, group: &[Case]) -> String {
     let rows: Vec<_> = group.iter().map(|(_, row)| *row).collect();
     let has = |column| rows.iter().any(|row| row.number(column).is_some());
+    let drawn = drawn(group).map(|(column, _)| column);
+    let of = if drawn.contains(&&FORCE_MAX) {
+        "whole run"
+    } else {
+        "first impact, or of the whole run where there is none"
+    };
     let mut text = format!(
-        "Largest force (running mean) and runup of the first impact, or of the whole run where \
-         there is none{}{}, against {what}",
+        "Largest force (running mean) and runup of the {of}{}{}, against {what}",
         if has(&DISPLACEMENT_MAX) { ", and largest displacement of the run" } else { "" },
         if has(&OVERTOPPING_VOLUME) { ", and volume that went over the crest" } else { "" }
     );
@@ -146,7 +160,7 @@ fn caption(what: &str, group: &[Case]) -> String {
     let shown = picked(SERIES, waves.len(), "wave heights");
     text.push_str(if waves.is_empty() { "." } else { "; one curve per nominal wave height." });
     text.push_str(&coupling(rows.iter().copied()));
-    text.push_str(&marks(&rows, &DRAWN.map(|(column, _)| column)));
+    text.push_str(&marks(&rows, &drawn));
     text.push_str(&shown);
     text
 }
@@ -167,7 +181,7 @@ fn drawing(key: &Key, group: &[Case], waves: &[f64]) -> Option<Drawing> {
         let what = if column.unit.is_ratio() { column.unit.axis() } else { &heading };
         Some(Chart::new((x.clone(), y), [&title, what], [&key.name, column.name], curves))
     };
-    let charts: Vec<_> = DRAWN.into_iter().filter_map(chart).collect();
+    let charts: Vec<_> = drawn(group).into_iter().filter_map(chart).collect();
     (!charts.is_empty()).then_some(Drawing::new(charts, PANELS))
 }
 

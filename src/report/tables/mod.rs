@@ -10,7 +10,7 @@ mod table;
 use super::curves::{RESPONSES, responses, stem, variants};
 use super::goda::{OVER_GODA, Settings};
 use super::load::Loaded;
-use super::plots::fixed_walls;
+use super::plots::{fixed_walls, sides};
 use super::row::{PLACE, Row};
 use super::variant::file_name;
 use crate::quantities::summary::{
@@ -100,7 +100,7 @@ fn summary(data: &Loaded) -> Lines<'_> {
         &DISPLACEMENT_ERROR,
     ]);
     // Maxima of the whole run, where the first impact does not stand for them.
-    if data.finished().any(|row| row.number(&FIRST_FORCE_MAX).is_none()) {
+    if data.finished().any(|row| row.regular || row.number(&FIRST_FORCE_MAX).is_none()) {
         columns.extend(fields(&[&FORCE_MAX, &RUNUP_MAX]));
     }
     columns.extend(variant(data.rows.iter()));
@@ -149,9 +149,11 @@ fn responses_of(data: &Loaded) -> Vec<Lines<'_>> {
 fn fixed(data: &Loaded) -> Vec<Lines<'_>> {
     let of_variant = |variant: String| {
         let wave = [&WAVE_HEIGHT_RATIO, &MEASURED_WAVE_HEIGHT_RATIO];
-        let columns = [&wave[..], &[&FIRST_RUNUP_MAX, &FIRST_FORCE_MAX, &CASE_ID]].concat();
-        let columns = fields(&columns).into_iter().chain([over_goda(data)]).collect();
         let rows: Vec<_> = fixed_walls(data, &variant).collect();
+        let [runup, force] =
+            sides(rows.iter().any(|(_, row)| row.regular)).map(|(column, _)| column);
+        let columns = [&wave[..], &[runup, force, &CASE_ID]].concat();
+        let columns = fields(&columns).into_iter().chain([over_goda(data)]).collect();
         let name = file_name("fixed-wall", &variant);
         table(&name, "Fixed wall", columns, rows.into_iter()).filled()
     };

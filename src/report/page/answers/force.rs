@@ -11,9 +11,11 @@ use crate::report::scene_file::SceneFile;
 /// A later force is told where it is larger than that of the first impact by more than this share.
 const NOTABLE: f64 = 0.02;
 
-/// The largest force of a case: that of the first impact, or of the whole run where it has none.
+/// The largest force of a case: that of the first impact, or of the whole run where it has none, and where
+/// waves are regular.
 pub fn column(row: &Row) -> &'static Column {
-    if row.number(&FIRST_FORCE_MAX).is_some() { &FIRST_FORCE_MAX } else { &FORCE_MAX }
+    let has_first = !row.regular && row.number(&FIRST_FORCE_MAX).is_some();
+    if has_first { &FIRST_FORCE_MAX } else { &FORCE_MAX }
 }
 
 /// The row that has the most of something.
@@ -90,6 +92,11 @@ mod tests {
              N/m, m = 250 kg/m. It is that of the first impact. A later one reaches F* = 2.5 at \
              H/h = 0.5, k = 500 N/m, m = 250 kg/m."
         );
+        // Of regular waves none is the first impact, and the largest of all was the smaller of two.
+        let mut train = Loaded { rows: data.rows.clone(), ..Loaded::default() };
+        train.rows[0].regular = true;
+        let told = largest(&train, None).unwrap();
+        assert_eq!(told, "The largest force is F* = 2.5 at H/h = 0.5, k = 500 N/m, m = 250 kg/m.");
         // Over a bed F* counts by the depth at the wall, here half of the paddle's.
         let bed = "[scene]\nbed = [[0, 0], [1, 0], [2, 0.2], [2.5, 0.2]]\n";
         data.manifest = Some(json!({ "name": "a", "sweep_file": text.replace("[scene]\n", bed) }));

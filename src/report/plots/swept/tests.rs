@@ -73,3 +73,16 @@ fn scenes_without_a_wave_have_one_curve() {
     assert!(!figures[0].svg().contains("H/h"));
     assert!(!figures[0].caption.contains("wave height"));
 }
+
+/// The story: of regular waves some had a first impact and some had none, and one curve went through both.
+#[test]
+fn regular_waves_are_drawn_by_their_whole_runs() {
+    let directory = masses(&[500.0]);
+    let mut data = Loaded::read(directory.path()).unwrap();
+    data.rows.iter_mut().for_each(|row| row.regular = true);
+    let figures = figures(&data, key(&data).unwrap());
+    assert!(figures[0].caption.contains("runup of the whole run, and"), "{}", figures[0].caption);
+    let svg = figures[0].svg();
+    let drawn = |column: &Column| svg.contains(&format!("\"{}\"", column.name));
+    assert!(drawn(&FORCE_MAX) && drawn(&RUNUP_MAX) && !drawn(&FIRST_FORCE_MAX));
+}
