@@ -96,7 +96,8 @@ impl<'a> Group<'a> {
             return format!("Compared with {held}, the force is halved by {}.", walls.join("; "));
         }
         let least = |row: &Row| Some(-force(row));
-        let lowest = most(self.rows.iter().copied().filter(|row| !row.is_fixed()), least);
+        let lower = |row: &&Row| !row.is_fixed() && force(row) < whole;
+        let lowest = most(self.rows.iter().copied().filter(lower), least);
         let told = lowest.map(|(row, _)| {
             let share = percent(force(row) / whole);
             format!(" The lowest force is {share} of it,{}.", at(row))
@@ -170,81 +171,4 @@ fn in_brief(groups: &[Group<'_>], after_some: bool) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::quantities::summary::{FIRST_FORCE_MAX, STATUS};
-
-    fn wall(wave: f64, spring: Option<(f64, f64)>, force: f64) -> Row {
-        let row = Row::default().with(&STATUS, "ok").with(&WAVE_HEIGHT_RATIO, wave);
-        let row = row.with(&FIRST_FORCE_MAX, force);
-        spring
-            .into_iter()
-            .fold(row, |row, (k, m)| row.with(&SPRING_STIFFNESS, k).with(&SEAWALL_MASS, m))
-    }
-
-    fn said(rows: &[Row]) -> Option<String> {
-        half(&Loaded { rows: rows.to_vec(), ..Loaded::default() })
-    }
-
-    /// Three stiffnesses and three masses; light and soft walls halve the force of the larger wave.
-    fn walls() -> Vec<Row> {
-        let soft = |k: f64, m: f64| if k * m <= 5000.0 { 1.9 } else { 2.5 };
-        let mut rows = Vec::new();
-        for m in [50.0, 100.0, 500.0] {
-            rows.extend([10.0, 100.0].map(|k| wall(0.5, Some((k, m)), soft(k, m))));
-            rows.push(wall(0.5, Some((1e5, m)), 4.0));
-            rows.push(wall(0.2, Some((10.0, m)), 1.5));
-            rows.push(wall(0.2, Some((1e5, m)), 1.8));
-        }
-        rows
-    }
-
-    #[test]
-    fn masses_of_the_same_stiffnesses_are_told_together() {
-        let told = "Compared with the stiffest wall at H/h = 0.5, k = 100000 N/m, m = 500 kg/m (F* = 4), \
-                    the force is halved by k up to 100 N/m with m = 50 kg/m; k = 10 N/m with m = 100 \
-                    and 500 kg/m. At H/h = 0.2 no wall halves it.";
-        assert_eq!(said(&walls()).unwrap(), told);
-    }
-
-    #[test]
-    fn a_fixed_wall_is_what_others_are_compared_with() {
-        let mut rows = walls();
-        rows.push(wall(0.5, None, 3.6));
-        let told = said(&rows).unwrap();
-        let none = "No other wall halves the force on the fixed wall at H/h = 0.5";
-        let lowest = "The lowest force is 53 % of it, at H/h = 0.5, k = 10 N/m";
-        assert!(told.starts_with(none) && told.contains(lowest), "{told}");
-    }
-
-    #[test]
-    fn many_walls_are_counted() {
-        let mut rows = vec![wall(0.5, Some((1e5, 50.0)), 4.0)];
-        for index in 0..200 {
-            let force = if index % 3 == 0 { 1.5 } else { 2.5 };
-            rows.push(wall(0.5, Some((10.0 + f64::from(index), 50.0)), force));
-        }
-        let told = "the force is halved by 67 of 201 walls; the stiffest of them is that at H/h = 0.5, \
-                    k = 208 N/m, m = 50 kg/m.";
-        assert!(said(&rows).unwrap().ends_with(told), "{:?}", said(&rows));
-    }
-
-    #[test]
-    fn other_comparisons_without_a_halved_force_are_told_in_words() {
-        let walls = |variant: &str, soft: f64| {
-            let mut rows = [(10.0, soft), (1e5, 4.0)].map(|(k, f)| wall(0.5, Some((k, 50.0)), f));
-            rows.iter_mut().for_each(|row| row.variant = variant.into());
-            rows
-        };
-        let study = |a, b| said(&[walls("a", a), walls("b", b), walls("c", b)].concat()).unwrap();
-        let none = " In 2 other combinations of wave and settings no wall halves it";
-        assert!(study(3.0, 3.0).ends_with(&format!("{none} either.")));
-        assert!(study(1.0, 3.0).ends_with(&format!("{none}.")));
-    }
-
-    #[test]
-    fn one_stiffness_is_compared_with_nothing() {
-        assert_eq!(said(&[50.0, 100.0].map(|m| wall(0.5, Some((10.0, m)), 2.0))), None);
-        assert_eq!(said(&[]), None);
-    }
-}
+mod tests;
