@@ -296,3 +296,28 @@ fn a_sweep_file_may_come_through_a_pipe() {
     expect_code(&film, 2);
     assert!(String::from_utf8_lossy(&film.stderr).contains("has no summary.csv"));
 }
+
+/// The story: a sweep file of one case was refused, as it "has 1 cases, and `seawall run` takes one".
+#[test]
+fn a_sweep_file_of_one_case_needs_no_words() {
+    let root = tempfile::tempdir().unwrap();
+    let file = root.path().join("one.toml");
+    let text = "name = \"one\"\n[scene]\nkind = \"hydrostatic\"\nend_time_s = 0.05\n\
+                [grid]\nparticle_spacing_m = [0.05, 0.06]\n";
+    fs::write(&file, text).unwrap();
+    let one = "grid.particle_spacing_m=[0.06]";
+    let with = |arguments: &[&str]| {
+        let file = file.to_str().unwrap();
+        let mut command = seawall();
+        command.args(["run", file, "--set", one]).args(arguments);
+        command.current_dir(root.path()).output().unwrap()
+    };
+    expect_code(&with(&[]), 0);
+    let made: Vec<_> = fs::read_dir(root.path().join("results/runs")).unwrap().collect();
+    let made = made[0].as_ref().unwrap().path();
+    assert!(made.file_name().unwrap().to_string_lossy().starts_with("one-"), "{made:?}");
+    // What the command line set is in the case's own file, and is not set once more.
+    expect_code(&run(&["verify", made.to_str().unwrap(), "--rerun", "1"]), 0);
+    expect_code(&with(&["particle_spacing_m=0.06"]), 0);
+    expect_code(&with(&["particle_spacing_m=0.05"]), 2);
+}

@@ -104,11 +104,11 @@ fn lower_bounds_are_marked_and_nothing_is_filmed_twice() {
     let again = run(&[&command[..], &["--vtk"]].concat());
     expect_code(&again, 0);
     let notes = told(&again.stderr);
-    assert!(notes.contains("--vtk: nothing was filmed") && notes.contains("--fresh"), "{notes}");
+    assert!(notes.contains("--vtk: nothing was written") && notes.contains("--fresh"), "{notes}");
     assert!(!out.join("vtk").exists());
     let filmed = run(&[&command[..], &["--vtk", "0.5", "--fresh"]].concat());
     expect_code(&filmed, 0);
-    assert!(!told(&filmed.stderr).contains("nothing was filmed") && out.join("vtk").exists());
+    assert!(!told(&filmed.stderr).contains("nothing was written") && out.join("vtk").exists());
 }
 
 #[test]

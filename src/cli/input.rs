@@ -140,19 +140,23 @@ pub(super) fn study(path: &Path, settings: &[Setting], expect: Expect) -> anyhow
 }
 
 /// The study of a single scene: of a file without a grid, or of the case of a sweep file that the
-/// words name.
-pub(super) fn scene(path: &Path, settings: &[Setting], words: &[String]) -> anyhow::Result<Study> {
+/// words name; one that has a single case needs no words. Besides, the settings that are not yet in its file.
+pub(super) fn scene<'a>(
+    path: &Path,
+    settings: &'a [Setting],
+    words: &[String],
+) -> anyhow::Result<(Study, &'a [Setting])> {
     let file = sweep_file(path, settings)?;
-    let bad = BadFile::of(path);
-    if words.is_empty() {
-        file.refuse_grid().and_then(|()| Study::new(&file)).map_err(bad)
-    } else {
-        let whole = Study::new(&file).map_err(BadFile::of(path))?;
-        let case = the_case(&whole, words)?;
-        let single = file.single(case).and_then(|text| SweepFile::read(&text, &[]));
-        single.and_then(|file| Study::new(&file)).map_err(bad)
+    if words.is_empty() && file.grid.is_empty() {
+        return Ok((Study::new(&file).map_err(BadFile::of(path))?, settings));
     }
-    .map_err(anyhow::Error::from)
+    let whole = Study::new(&file).map_err(BadFile::of(path))?;
+    if words.is_empty() && whole.cases.len() > 1 {
+        file.refuse_grid().map_err(BadFile::of(path))?;
+    }
+    let case = the_case(&whole, words)?;
+    let single = file.single(case).and_then(|text| SweepFile::read(&text, &[]));
+    Ok((single.and_then(|file| Study::new(&file)).map_err(BadFile::of(path))?, &[]))
 }
 
 /// The default output directory of a study.

@@ -33,7 +33,8 @@ use crate::study::Study;
   seawall run sweeps/scenes/movable_wall.toml --film
   seawall run sweeps/scenes/fixed_wall.toml --fresh --format json")]
 pub(super) struct RunArgs {
-    /// A scene file, with [scene] and [numerics]; or a sweep file, of which KEY=VALUE picks a case.
+    /// A scene file, with [scene] and [numerics]; or a sweep file, of which KEY=VALUE picks a case where it
+    /// has several.
     file: PathBuf,
     /// Which case of a sweep file: values of swept keys, or the start of its id.
     #[arg(value_name = "KEY=VALUE")]
@@ -46,7 +47,7 @@ pub(super) struct RunArgs {
     fresh: bool,
     /// Write files for ParaView into vtk/, one every so many seconds of simulated time.
     #[arg(long, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "0.05")]
-    #[arg(value_parser = options::above_zero)]
+    #[arg(value_parser = options::above_zero, allow_negative_numbers = true)]
     vtk: Option<f64>,
     /// Film the water into films/, coloured by pressure or speed. A run that is finished already runs
     /// once more, and must come out the same.
@@ -68,15 +69,13 @@ pub(super) struct RunArgs {
 }
 
 pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
-    let study = scene(&args.file, &args.settings, &args.case)?;
+    let (study, settings) = scene(&args.file, &args.settings, &args.case)?;
     warnings::tell(&args.file, &study, output);
     warnings::tell_threads(args.threads, output);
     let case = &study.cases[0];
     let expected = duration(cost::seconds_of_a_core(&study));
     let inputs = told::inputs(&case.config);
     output.note(format_args!("case {}: {inputs}; about {expected} of one core", case.id));
-    // What picks a case of a sweep file has put all settings into a file of its own.
-    let settings = if args.case.is_empty() { &args.settings[..] } else { &[] };
     let job = Job {
         out: args.out.clone().unwrap_or_else(|| default_out(&study)),
         study,
@@ -97,7 +96,7 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
     let every_s = args.keep.checkpoint_every_s;
     let done = on_threads(&job, args.threads, filming, every_s, output)?;
     if args.vtk.is_some() && done.wall_time_s.is_none() {
-        output.note("--vtk: nothing was filmed, as nothing was run; --fresh films it");
+        output.note("--vtk: nothing was written, as nothing was run; --fresh writes the files");
     }
     if done.ending == Ending::Interrupted {
         output.note(match has_checkpoints(done.directory.path()) {
