@@ -156,7 +156,11 @@ fn bad_scenes_are_refused_with_their_key() {
         ),
         ("", "name = \"a\"\nkind = \"void\"\nx_m = 1", "probe.wall: a looks for voids"),
         ("", "name = \"a\"\nkind = \"heat\"\nx_m = 1", "probe.kind = \"heat\""),
-        ("", "name = \"a\"\nplace = 1", "probe.place: unknown key (probe a)"),
+        (
+            "",
+            "name = \"a\"\nplace = 1",
+            "probe.place: unknown key; must be one of name, kind, wall, x_m, y_m, diameter_m (probe a)",
+        ),
         ("", "kind = \"level\"\nx_m = 1", "probe.name: is missing (probe number 1)"),
         (
             "",

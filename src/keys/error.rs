@@ -53,6 +53,17 @@ impl ConfigError {
         ConfigError::new(key, "", format!("unknown key{}", hint(leaf, known)))
     }
 
+    /// The same of a small table: where no known key is near, it tells all.
+    pub fn unknown_of_few(key: &str, known: &[impl AsRef<str>]) -> Self {
+        let error = ConfigError::unknown(key, known);
+        if known.len() > FEW || error.allowed != ConfigError::unknown(key, &[""; 0]).allowed {
+            return error;
+        }
+        let known: Vec<_> = known.iter().map(AsRef::as_ref).collect();
+        let allowed = format!("{}; must be one of {}", error.allowed, known.join(", "));
+        ConfigError { allowed, ..error }
+    }
+
     /// A key that stands in the wrong place, and the path at which it is known.
     pub fn misplaced(key: &str, path: &str) -> Self {
         ConfigError::new(key, "", format!("unknown key; did you mean {path}?"))
@@ -65,6 +76,9 @@ impl ConfigError {
         ConfigError::new(key, value, format!("must be one of {}{hint}", names.join(", ")))
     }
 }
+
+/// So many keys are told where none is near.
+const FEW: usize = 8;
 
 /// From this likeness on (1 is the same word) a word is taken for another one mistyped.
 const NEAR: f64 = 0.88;

@@ -2,6 +2,7 @@
 
 use toml::{Table, Value};
 
+use crate::quantities::name_of_symbol;
 use crate::scene::{ConfigError, Place, place_of, unknown_keys};
 
 /// So many are told behind the first.
@@ -10,8 +11,14 @@ const MOST: usize = 3;
 /// Refuses a file for what is wrong at its top, and for keys of its sections where there are several errors. A
 /// single one is told where its section is read.
 pub(super) fn refuse(at_the_top: Vec<ConfigError>, file: &Table) -> Result<(), ConfigError> {
-    let sections = in_sections(file);
-    if at_the_top.is_empty() && sections.len() < 2 {
+    let mut sections = in_sections(file);
+    let mut by_symbol = false;
+    for error in &mut sections {
+        if let Some(told) = meant(&error.key, file) {
+            (*error, by_symbol) = (told, true);
+        }
+    }
+    if at_the_top.is_empty() && sections.len() < 2 && !by_symbol {
         return Ok(());
     }
     let mut all = at_the_top.into_iter().chain(sections);
@@ -25,6 +32,16 @@ pub(super) fn refuse(at_the_top: Vec<ConfigError>, file: &Table) -> Result<(), C
         allowed += &format!("; and {} more", others.len() - MOST);
     }
     Err(ConfigError { allowed, ..first })
+}
+
+/// The error of a key that is called by its symbol, as other commands take it: `k`, `H/h`.
+pub(super) fn meant(key: &str, file: &Table) -> Option<ConfigError> {
+    let (section, symbol) = key.rsplit_once('.').unwrap_or(("", key));
+    let name = name_of_symbol(symbol)?;
+    let scene = file.get("scene").and_then(Value::as_table).cloned().unwrap_or_default();
+    let own = place_of(name, &scene).ok()?.name();
+    let section = if section == "grid" { section } else { own };
+    Some(ConfigError::misplaced(key, &format!("{section}.{name}")))
 }
 
 /// The unknown keys of `[scene]`, `[numerics]` and `[grid]`.
@@ -67,6 +84,17 @@ mod tests {
         assert_eq!(three, all);
         let many = told("[scene]\na = 1\nb = 1\nc = 1\nd = 1\ne = 1");
         assert!(many.ends_with("; and 2 more"), "{many}");
+    }
+
+    /// The README has k and H/h taken "where a key is asked for", and `--set H/h=0.3` was an unknown key.
+    #[test]
+    fn a_symbol_is_told_with_its_key() {
+        let asked = |key: &str, meant: &str| format!("{key}: unknown key; did you mean {meant}?");
+        let scene = "name = \"a\"\n[scene]\nk = 10";
+        assert_eq!(told(scene), asked("scene.k", "scene.spring_stiffness_n_per_m"));
+        let grid = "name = \"a\"\n[grid]\nm = [10]";
+        assert_eq!(told(grid), asked("grid.m", "grid.seawall_mass_kg_per_m"));
+        assert_eq!(told("name = \"a\"\n\"H/h\" = 1"), asked("H/h", "scene.wave_height_ratio"));
     }
 
     #[test]
