@@ -49,7 +49,8 @@ impl Key {
         self.conditions().all(|when| when.holds(values))
     }
 
-    /// Whether a section with these values has it on: it is read, and not left off by default.
+    /// Whether a section with these values has it on: it is read, no other key wins over it, and it is not
+    /// left off by default.
     pub fn is_on(&self, values: &Table) -> bool {
         let off = |value: &Value| {
             number(value) == Some(0.0)
@@ -58,7 +59,9 @@ impl Key {
         };
         let off_by_default = (self.default)().is_none_or(|default| off(&default));
         let value = values.get(self.name);
-        value.is_some_and(|value| self.applies(values) && !(off_by_default && off(value)))
+        let applies =
+            self.applies(values) && !self.rule.unless.is_some_and(|key| values.contains_key(key));
+        value.is_some_and(|value| applies && !(off_by_default && off(value)))
     }
 
     /// What must hold where it is read.

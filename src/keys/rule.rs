@@ -15,6 +15,8 @@ pub struct Rule {
     pub only: Option<When>,
     /// It is read here alone, and may stand elsewhere.
     pub read: Option<When>,
+    /// Another key that wins over it where it is given.
+    pub unless: Option<&'static str>,
     /// What holds where no value is given, in words.
     pub otherwise: Option<&'static str>,
     /// What `seawall check` calls it, where its name is too long.
@@ -59,6 +61,7 @@ pub const fn unit(unit: &'static str) -> Rule {
         range: Range::Any,
         only: None,
         read: None,
+        unless: None,
         otherwise: None,
         label: None,
         needed: false,
@@ -90,6 +93,11 @@ impl Rule {
     /// Read but where the other key has one of these values, allowed everywhere.
     pub const fn read_where(self, key: &'static str, values: &'static [&'static str]) -> Rule {
         Rule { read: Some(When { key, values }), ..self }
+    }
+
+    /// Not told where the other key is given, which wins over it; allowed everywhere.
+    pub const fn unless(self, key: &'static str) -> Rule {
+        Rule { unless: Some(key), ..self }
     }
 
     /// Must be given where it applies.

@@ -61,7 +61,8 @@ section! {
         /// H/h of the wave; about that where the stroke is recorded. 0 is still water with the paddle at rest.
         wave_height_ratio: f64 = 0.5, plain().within(0.0, 0.8);
         /// The run ends this long after the paddle passes the middle of its stroke.
-        end_after_stroke_centre_s: f64 = 3.0, unit("s").above_zero().label("end after stroke");
+        end_after_stroke_centre_s: f64 = 3.0,
+            unit("s").above_zero().label("end after stroke").unless("end_time_s");
         /// The run ends at this time, whatever the stroke. It must be given where H/h = 0, and where the
         /// paddle has no single stroke.
         end_time_s: Option<f64> = None, unit("s").above_zero();

@@ -87,6 +87,22 @@ mod tests {
         );
     }
 
+    /// The story: pages of runs of 8 s began with "end after stroke 3 s, end time 8 s".
+    #[test]
+    fn one_end_of_a_run_is_told() {
+        let told = |more: &str| {
+            of(
+                &format!("name = \"a\"\n[scene]\n{more}\n[grid]\nwave_height_ratio = [0.2]"),
+                "wave_height_ratio",
+                &["0.2"],
+            )
+            .unwrap()
+        };
+        assert!(told("").contains("end after stroke 3 s") && !told("").contains("end time"));
+        let given = told("end_time_s = 8");
+        assert!(given.contains("end time 8 s") && !given.contains("after stroke"), "{given}");
+    }
+
     #[test]
     fn other_scenes_have_their_own_keys() {
         let file = "name = \"a\"\n[scene]\nkind = \"dam-break\"\n[grid]\ncolumn_height_m = [0.6]";
