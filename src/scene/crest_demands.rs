@@ -17,6 +17,12 @@ fn told(bound: f64) -> f64 {
     significant(bound, 9)
 }
 
+/// Whether a length is less than a bound, by more than sums of lengths round by: the bound that a message
+/// tells must itself be allowed.
+fn below(length: f64, bound: f64) -> bool {
+    length < bound - 1e-9 * bound.abs()
+}
+
 impl SeawallScene {
     /// Where the wall ends, if water may go over it.
     pub(super) fn crest_shape(&self, numerics: &Numerics) -> Option<CrestShape> {
@@ -89,7 +95,7 @@ impl SeawallScene {
             return no("is not for stop_when_settled = true: the water becomes less");
         }
         let radius = numerics.support_radius_ratio * numerics.particle_spacing_m;
-        if self.floor.is_some() && crest_width_m < 2.0 * radius {
+        if self.floor.is_some() && below(crest_width_m, 2.0 * radius) {
             let allowed = format!(
                 "must be {} m or more, two of the kernel's support radii: the water before a wall \
                  must not feel what is behind it",
@@ -97,14 +103,14 @@ impl SeawallScene {
             );
             return error("crest_width_m", crest_width_m, &allowed);
         }
-        if crest_width_m < radius {
+        if below(crest_width_m, radius) {
             let allowed =
                 format!("must be {} m or more, the kernel's support radius", told(radius));
             return error("crest_width_m", crest_width_m, &allowed);
         }
         let toe = self.bed.as_ref().map_or(0.0, |bed| bed.end()[1]);
         let height = self.still_water_depth_m + crest_freeboard_m;
-        if height < toe + radius {
+        if below(height, toe + radius) {
             let least = told(toe + radius - self.still_water_depth_m);
             let allowed = format!(
                 "must be {least} m or more, so that the wall rises from its bed by a support radius"
@@ -112,7 +118,7 @@ impl SeawallScene {
             return error("crest_freeboard_m", crest_freeboard_m, &allowed);
         }
         let highest = WALL_HEIGHT * self.still_water_depth_m;
-        if height > highest {
+        if below(highest, height) {
             let allowed = format!(
                 "must be {} m or less: walls are {} m high",
                 told(highest - self.still_water_depth_m),
@@ -133,7 +139,7 @@ impl SeawallScene {
         let FloorKeys { floor_height_m, floor_length_m, basin_level_m } = **floor;
         let deepest = WALL_HEIGHT * self.still_water_depth_m;
         let [lowest, highest] = [crest - deepest, crest - radius];
-        if !(floor_height_m >= lowest && floor_height_m <= highest) {
+        if below(floor_height_m, lowest) || below(highest, floor_height_m) {
             let [lowest, highest] = [lowest, highest].map(told);
             let allowed = format!(
                 "must be {lowest} to {highest} m: {WALL_HEIGHT} depths to a support radius below \
@@ -141,7 +147,7 @@ impl SeawallScene {
             );
             return error("floor_height_m", floor_height_m, &allowed);
         }
-        if floor_length_m < 2.0 * radius {
+        if below(floor_length_m, 2.0 * radius) {
             let allowed = format!(
                 "must be {} m or more, two of the kernel's support radii",
                 told(2.0 * radius)
@@ -151,7 +157,7 @@ impl SeawallScene {
         let Some(level) = self.basin_level() else { return Ok(()) };
         let clear = CLEAR * numerics.particle_spacing_m;
         let [lowest, highest] = [floor_height_m + radius, crest - clear];
-        if !(level >= lowest && level <= highest) {
+        if below(level, lowest) || below(highest, level) {
             let [lowest, highest] = [lowest, highest].map(told);
             let allowed = format!(
                 "must be {lowest} to {highest} m: a support radius of water or more, and {CLEAR} \
@@ -162,5 +168,36 @@ impl SeawallScene {
             return error("basin_level_m", given, &allowed);
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::CaseConfig;
+    use toml::Table;
+
+    fn of(scene: &str, spacing: f64) -> Result<CaseConfig, String> {
+        let table = |text: &str| text.parse::<Table>().unwrap();
+        let numerics = table(&format!("particle_spacing_m = {spacing}"));
+        CaseConfig::from_tables(&table(scene), &numerics).map_err(|error| error.to_string())
+    }
+
+    /// The story: a floor at 0.02 m was refused with "must be -0.58 to 0.02 m", as 0.2 + 0.02 - 0.2 is less by
+    /// 6e-18.
+    #[test]
+    fn a_bound_that_is_told_is_allowed() {
+        let wall = |floor: f64| {
+            format!(
+                "behind = \"floor\"\ncrest_freeboard_m = 0.02\ncrest_width_m = 0.4\nfloor_length_m = 1\n\
+                 floor_height_m = {floor}"
+            )
+        };
+        for height in [-0.58, 0.0, 0.02] {
+            assert!(of(&wall(height), 0.04).is_ok(), "{:?}", of(&wall(height), 0.04).err());
+        }
+        for height in [-0.5801, 0.0201] {
+            let told = of(&wall(height), 0.04).unwrap_err();
+            assert!(told.contains("must be -0.58 to 0.02 m: 4 depths"), "{told}");
+        }
     }
 }
