@@ -33,6 +33,9 @@ fn misfit(root: &Value, schema: &Value, value: &Value, path: &str) -> Option<Str
             "maximum" if is(&|number| number > bound()) => wrong("too large"),
             "exclusiveMinimum" if is(&|number| number <= bound()) => wrong("too small"),
             "minItems" | "minProperties" if (length(value) as f64) < bound() => wrong("too short"),
+            "maxItems" if value.as_array().is_some_and(|items| items.len() as f64 > bound()) => {
+                wrong("too long")
+            }
             "items" => {
                 let misfit = |item| misfit(root, rule, item, &format!("{path}[]"));
                 value.as_array().into_iter().flatten().find_map(misfit)
@@ -55,7 +58,7 @@ fn misfit(root: &Value, schema: &Value, value: &Value, path: &str) -> Option<Str
             "if" if fits(rule) => misfit(root, &parts["then"], value, path),
             "$schema" | "$defs" | "title" | "description" | "default" | "then" | "pattern" => None,
             "type" | "enum" | "const" | "minimum" | "maximum" | "exclusiveMinimum" | "minItems"
-            | "minProperties" | "anyOf" | "if" => None,
+            | "maxItems" | "minProperties" | "anyOf" | "if" => None,
             other => panic!("this test does not know {other:?}"),
         };
         if found.is_some() {
@@ -145,6 +148,11 @@ fn what_no_key_may_hold_does_not_fit() {
         "name = \"a\"\n[grid]\nkernel = [\"gauss\"]",
         "name = \"a\"\n[grid]\nwave_height_ratio = { from = 0.1, to = 0.2 }",
         "name = \"a\"\n[[probe]]\nname = \"P\"",
+        // Ranges of words, and beyond what the key may hold, were taken, and a point of three numbers.
+        "name = \"a\"\n[grid]\nkernel = { from = 1, to = 2, points = 2 }",
+        "name = \"a\"\n[grid]\nbed = { from = 1, to = 2, points = 2 }",
+        "name = \"a\"\n[grid]\nwave_height_ratio = { from = 0.1, to = 2, points = 2 }",
+        "name = \"a\"\n[scene]\nbed = [[0, 0], [1, 0, 2], [2.5, 0]]",
     ];
     for text in bad {
         assert!(misfit(&schema, &schema, &parsed(text), "").is_some(), "{text}");

@@ -34,7 +34,7 @@ impl Key {
             Shape::Text => json!({ "type": "string" }),
             Shape::Points => json!({
                 "type": "array",
-                "items": { "type": "array", "items": { "type": "number" }, "minItems": 2 },
+                "items": { "type": "array", "items": { "type": "number" }, "minItems": 2, "maxItems": 2 },
                 "minItems": 2
             }),
             Shape::Names(names) => json!({ "enum": names }),

@@ -69,7 +69,8 @@ fn grid() -> Value {
     }
     let axis = |(key, of): (String, Value)| {
         let list = json!({ "type": "array", "items": { "anyOf": of }, "minItems": 1 });
-        (key, json!({ "anyOf": [list, range()] }))
+        let forms: Vec<_> = [list].into_iter().chain(range(&of)).collect();
+        (key, json!({ "anyOf": forms }))
     };
     let axes: Map<_, _> = values.into_iter().map(axis).collect();
     let mut properties = axes;
@@ -91,17 +92,23 @@ fn value_of(key: &Key) -> Value {
     schema
 }
 
-fn range() -> Value {
+/// A range of values, of a key that takes numbers.
+fn range(of: &Value) -> Option<Value> {
+    let is_number = |one: &&Value| one["type"] == "number" || one["type"] == "integer";
+    let numbers: Vec<_> = of.as_array()?.iter().filter(is_number).collect();
+    if numbers.is_empty() {
+        return None;
+    }
     let [from, to, points, spacing] = RANGE_KEYS;
-    json!({
+    Some(json!({
         "type": "object",
         "properties": {
-            from: { "type": "number" },
-            to: { "type": "number" },
+            from: { "anyOf": numbers },
+            to: { "anyOf": numbers },
             points: { "type": "integer", "minimum": 2, "maximum": MOST_CASES },
             spacing: { "enum": ["linear", "log"] },
         },
         "required": [from, to, points],
         "additionalProperties": false,
-    })
+    }))
 }
