@@ -139,7 +139,8 @@ fn curves(result: &CaseResult) -> Value {
 }
 
 /// The ends of a curve's axis: up to the maximum that is quoted, in which no hit of the wall on its stop
-/// is, and down to what lasts. A spike leaves it.
+/// is, and down to what lasts. A spike leaves it, and so does suction that is larger than the maximum. A
+/// surface may fall by all of its depth, 1, however little it rose.
 fn axis(values: &[f64], quoted: Option<f64>) -> [f64; 2] {
     let middle = |window: &[f64]| {
         let mut window = window.to_vec();
@@ -149,7 +150,7 @@ fn axis(values: &[f64], quoted: Option<f64>) -> [f64; 2] {
     let lasting: Vec<f64> = values.windows(values.len().clamp(1, 5)).map(middle).collect();
     let most = lasting.iter().copied().fold(0.0, f64::max);
     let high = quoted.filter(|quoted| quoted.is_finite() && *quoted > 0.0).unwrap_or(most);
-    let low = lasting.iter().copied().fold(0.0, f64::min).max(-high);
+    let low = lasting.iter().copied().fold(0.0, f64::min).max(-high.max(1.0));
     if high - low > 1e-9 { [low, low + 1.05 * (high - low)] } else { [low, low + 1.0] }
 }
 
@@ -182,6 +183,15 @@ mod tests {
         assert!(low == 0.0 && (2.5..2.7).contains(&high), "{high}");
         assert_eq!(axis(&[], None), [0.0, 1.0]);
         assert_eq!(axis(&[0.0, -9.0, -9.0, -9.0, -9.0, -9.0, 0.0], Some(3.0))[0], -3.0);
+    }
+
+    /// The story: a wall that gave way lowered the surface by more than it had risen, and the end of the curve
+    /// was cut off below.
+    #[test]
+    fn a_surface_that_falls_further_than_it_rose_stays_in_the_panel() {
+        let fall: Vec<_> = (0..100).map(|k| 0.38 - 0.0082 * f64::from(k)).collect();
+        let [low, high] = axis(&fall, Some(0.38));
+        assert!(low < -0.41 && high > 0.38, "{low} to {high}");
     }
 
     /// The story: every second of a film was one time, as its clock began at 86400 s.
