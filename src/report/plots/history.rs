@@ -156,6 +156,7 @@ fn strips(lines: &[Line]) -> Vec<Strip> {
         curve
     };
     let strip = |name: &str, title: &str| Strip {
+        heading: String::new(),
         title: title.to_owned(),
         name: name.to_owned(),
         curves: lines.iter().enumerate().map(|line| curve(line, name)).collect(),

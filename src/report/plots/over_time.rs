@@ -35,6 +35,8 @@ impl Line {
 /// Curves over time in one panel.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Strip {
+    /// What stands above it, mostly nothing.
+    pub heading: String,
     /// Title of the vertical axis.
     pub title: String,
     /// Name of the quantity.
@@ -66,7 +68,7 @@ impl Strip {
         let curve = |line: &Line| Curve::through(line.entry.clone(), thin(&line.points));
         let curves = self.curves.iter().map(curve).collect();
         let (axes, titles) = ((x.clone(), self.axis()?), [TIME.unit.axis(), &self.title]);
-        Some(Chart::new(axes, titles, [TIME.name, &self.name], curves))
+        Some(Chart::new(axes, titles, [TIME.name, &self.name], curves).under(&self.heading, ""))
     }
 }
 

@@ -12,6 +12,8 @@ use crate::report::series::Series;
 const CASES: usize = 4;
 /// Curves in a panel: as many as there are colours.
 const CURVES: usize = 6;
+/// Letters above a panel, at most.
+const HEADING: usize = 36;
 
 /// The figures of a few cases with gauges, spread over the sweep.
 pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
@@ -50,26 +52,31 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     Ok(figures)
 }
 
-/// Gauges by unit, in the order of their first column, at most [`CURVES`] together.
+/// Gauges by unit, in the order of their first column, at most [`CURVES`] together. Each panel is headed by its
+/// gauges where they are few, and colours go on from one to the next: the legend is that of all panels.
 fn strips(case_id: &str, gauges: &[Series]) -> Vec<Strip> {
     let recorded = gauges.iter().filter(|gauge| gauge.points.len() > 1);
     let units = different(recorded.map(|gauge| gauge.unit.as_str()));
-    let strips = |unit: &str| {
-        let alike: Vec<_> = gauges.iter().filter(|gauge| gauge.unit == unit).collect();
-        let (title, scale) = scale(unit);
+    let alike = |unit: &&str| {
+        let alike: Vec<_> = gauges.iter().filter(|gauge| gauge.unit == **unit).collect();
+        alike.chunks(CURVES).map(<[_]>::to_vec).collect::<Vec<_>>()
+    };
+    let panels: Vec<_> = units.iter().flat_map(alike).collect();
+    let mut before = 0;
+    let strip = |of: &Vec<&Series>| {
+        let (title, scale) = scale(&of[0].unit);
         let curve = |(index, gauge): (usize, &&Series)| {
             let points = gauge.points.iter().map(|(time, value)| (*time, value * scale));
-            Line::new(index, &gauge.name, case_id, points.collect())
+            Line::new((before + index) % CURVES, &gauge.name, case_id, points.collect())
         };
-        let strip = |gauges: &[&Series]| Strip {
-            title: title.clone(),
-            name: unit.to_owned(),
-            curves: gauges.iter().enumerate().map(curve).collect(),
-            peaks: true,
-        };
-        alike.chunks(CURVES).map(strip).collect::<Vec<_>>()
+        let curves = of.iter().enumerate().map(curve).collect();
+        before += of.len();
+        let names = of.iter().map(|gauge| gauge.name.as_str()).collect::<Vec<_>>().join(", ");
+        let heading =
+            if panels.len() > 1 && names.len() <= HEADING { names } else { String::new() };
+        Strip { heading, title, name: of[0].unit.clone(), curves, peaks: true }
     };
-    units.into_iter().flat_map(strips).collect()
+    panels.iter().map(strip).collect()
 }
 
 /// The title of an axis and what values are multiplied by to stand on it.
@@ -77,6 +84,9 @@ fn scale(unit: &str) -> (String, f64) {
     match unit {
         "Pa" => ("p, kPa".to_owned(), 1e-3),
         "m" => ("level, m".to_owned(), 1.0),
+        "m2" => ("volume, m²".to_owned(), 1.0),
+        "m2/s" => ("discharge, m²/s".to_owned(), 1.0),
+        "m/s" => ("speed, m/s".to_owned(), 1.0),
         "1" => ("share".to_owned(), 1.0),
         "" => ("value".to_owned(), 1.0),
         other => (other.to_owned(), 1.0),
@@ -123,5 +133,24 @@ mod tests {
         let strips = strips("a", &gauges);
         assert_eq!(strips.iter().map(|s| s.curves.len()).collect::<Vec<_>>(), [6, 3]);
         assert_eq!(strips[1].curves[0].points[0], (0.0, 2.0));
+    }
+
+    /// The story: five gauges of five units were five blue lines, and nothing said which was which.
+    #[test]
+    fn panels_say_whose_they_are() {
+        let gauge = |name: &str, unit: &str| Series {
+            name: name.to_owned(),
+            unit: unit.to_owned(),
+            points: vec![(0.0, 1.0), (1.0, 2.0)],
+        };
+        let gauges = [gauge("P1", "Pa"), gauge("V", "m2"), gauge("P2", "Pa"), gauge("Q", "m2/s")];
+        let strips = strips("a", &gauges);
+        let told = strips.iter().map(|strip| (strip.heading.as_str(), strip.title.as_str()));
+        let panels = [("P1, P2", "p, kPa"), ("V", "volume, m²"), ("Q", "discharge, m²/s")];
+        assert_eq!(told.collect::<Vec<_>>(), panels);
+        let looks: Vec<_> =
+            strips.iter().flat_map(|strip| &strip.curves).map(|line| line.entry.clone()).collect();
+        let own = |index: usize, name: &str| Line::new(index, name, "a", Vec::new()).entry;
+        assert_eq!(looks, [own(0, "P1"), own(1, "P2"), own(2, "V"), own(3, "Q")]);
     }
 }
