@@ -150,6 +150,10 @@ fn a_film_that_cannot_be_written_costs_no_result() {
     assert!(told.contains("not filmed: ") && told.contains("out/films: "), "{told}");
     assert_eq!(results(&plain), before);
     expect_code(&run(&["film", out, "wave_height_ratio=0.5"]), 1);
+    // What is kept beside the page cannot be written: as for `report` no error of the program.
+    fs::remove_file(plain.join("derived.json")).unwrap();
+    fs::create_dir(plain.join("derived.json")).unwrap();
+    expect_code(&run(&["film", out, "wave_height_ratio=0.5"]), 2);
 
     let alone = root.path().join("alone");
     let case = ["run", file, "wave_height_ratio=0.5", "--out", alone.to_str().unwrap(), "--film"];

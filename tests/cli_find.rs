@@ -126,7 +126,7 @@ fn boundaries_keep_to_the_grid_and_say_what_the_condition_does_not() {
         String::from_utf8(output.stdout).unwrap()
     };
     let one = told("H/h = 0.5 and k = 1e4 and m = 50");
-    assert!(one.starts_with("1 of 8 cases meet wave_height_ratio = 0.5 and "), "{one}");
+    assert!(one.starts_with("1 of 8 cases meets wave_height_ratio = 0.5 and "), "{one}");
     let key = told("k < 1000");
     assert!(key.starts_with("4 of 8 cases meet") && !key.contains("where it begins"), "{key}");
     let both = told("H/h = 0.5 and X* < 1");

@@ -83,6 +83,6 @@ fn loads_have_columns_files_and_the_size_of_a_prototype() {
         let refused = run(&["report", dir, &format!("--froude-scale={bad}")]);
         expect_code(&refused, 2);
         let told = String::from_utf8_lossy(&refused.stderr).into_owned();
-        assert!(told.contains("must be a number above 0"), "{told}");
+        assert!(told.contains("must be a number from 1e-6 to 1e6"), "{told}");
     }
 }

@@ -30,7 +30,8 @@ impl Answer<'_> {
     pub(super) fn told(&self, all: bool) -> String {
         let met: Vec<_> = self.found.rows(Verdict::Met).collect();
         let cases = counted(self.data.rows.len(), "case");
-        let mut text = format!("{} of {cases} meet {}", met.len(), self.found.condition);
+        let meet = if met.len() == 1 { "meets" } else { "meet" };
+        let mut text = format!("{} of {cases} {meet} {}", met.len(), self.found.condition);
         text.push_str(&self.marks(&met));
         if !met.is_empty() {
             text.push_str(&format!("\n{}", self.cases(&met, all)));

@@ -16,6 +16,7 @@ use crate::math::decimal::significant;
 use crate::math::words::counted;
 use crate::quantities::Unit;
 use crate::report::compare::{COMPARED, Comparison, Pair, compare, figure, table};
+use crate::results::SweepError;
 
 /// Put two studies side by side. Cases of the same wave and wall are compared, whatever their numerics.
 #[derive(Debug, Args)]
@@ -57,22 +58,19 @@ pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<u8> {
     Ok(SUCCESS)
 }
 
-fn nothing_in_common([a, b]: [&Path; 2], comparison: &Comparison) -> BadInput {
-    let one = |one: usize| comparison.only[one].first().map_or("none finished", String::as_str);
-    BadInput(format!(
-        "{} and {} have no case in common: the first of the one is {}, of the other {}",
-        named(a),
-        named(b),
-        one(0),
-        one(1)
-    ))
+fn nothing_in_common(directories: [&Path; 2], comparison: &Comparison) -> BadInput {
+    let [a, b] = directories.map(named);
+    BadInput(match comparison.only.each_ref().map(|only| only.first()) {
+        [None, _] => format!("{a}: has no case that came to its end"),
+        [_, None] => format!("{b}: has no case that came to its end"),
+        [Some(first), Some(second)] => format!(
+            "{a} and {b} have no case in common: the first of the one is {first}, of the other {second}"
+        ),
+    })
 }
 
 fn write(out: &Path, comparison: &Comparison) -> anyhow::Result<Vec<PathBuf>> {
-    let bad = |error: std::io::Error| {
-        let out = named(out);
-        BadInput(format!("--out {out}: must be a directory that can be written to ({error})"))
-    };
+    let bad = |error: std::io::Error| SweepError::unusable(out, &error);
     std::fs::create_dir_all(out).map_err(bad)?;
     let mut files = vec![out.join("compare.csv")];
     std::fs::write(&files[0], table(comparison).csv()).map_err(bad)?;
@@ -136,7 +134,7 @@ fn tallies(comparison: &Comparison) -> String {
         };
         let place = place(comparison, &comparison.pairs[tally.worst_pair]);
         let [median, worst] = [tally.median, tally.worst]
-            .map(|size| format!("{} {}", significant(size, 2), unit(column.unit)));
+            .map(|size| format!("{} {}", significant(to_places(size, 9), 2), unit(column.unit)));
         let count = tally.count.to_string();
         table.row([column.symbol.to_owned(), count, median, worst, within, place]);
     }
@@ -171,6 +169,12 @@ fn is_shared(comparison: &Comparison, part: &str) -> bool {
     comparison.pairs.iter().all(|other| parts(other).any(|own| own == part))
 }
 
+/// A size to so many decimals, and nothing without a sign: values of two builds may differ in their last digit.
+fn to_places(size: f64, decimals: i32) -> f64 {
+    let whole = 10_f64.powi(decimals);
+    (size * whole).round() / whole + 0.0
+}
+
 /// What sizes are told in.
 fn unit(unit: Unit) -> &'static str {
     if unit == Unit::Runup { "h" } else { "%" }
@@ -197,8 +201,9 @@ fn cases(comparison: &Comparison, all: bool) -> String {
         let cells = pair.differences.iter().flat_map(|one| {
             let Some(one) = one else { return ["-".to_owned(), "-".to_owned()] };
             let mark = if one.is_within() == Some(false) { " !" } else { "" };
-            let size =
-                one.size().map_or_else(|| "-".to_owned(), |size| format!("{size:+.3}{mark}"));
+            let size = one
+                .size()
+                .map_or_else(|| "-".to_owned(), |size| format!("{:+.3}{mark}", to_places(size, 3)));
             let bound = if one.bounds[0] { "≥ " } else { "" };
             [format!("{bound}{}", short(one.values[0])), size]
         });

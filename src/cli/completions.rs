@@ -7,10 +7,9 @@ use clap_complete::Shell;
 use serde_json::json;
 
 use super::SUCCESS;
-use super::failure::BadInput;
 use super::output::{Output, json_path};
 use crate::keys::named;
-use crate::results::in_words;
+use crate::results::SweepError;
 
 /// Print a script with which a shell completes commands and options.
 #[derive(Debug, Args)]
@@ -55,9 +54,7 @@ pub(super) fn man(args: &ManArgs, command: Command, output: &Output) -> anyhow::
         output.result(&page, &json!({ "page": page }))?;
         return Ok(SUCCESS);
     };
-    let unusable = |error: std::io::Error| {
-        BadInput(format!("--out {}: {}", named(directory), in_words(error.kind())))
-    };
+    let unusable = |error: std::io::Error| SweepError::unusable(directory, &error);
     std::fs::create_dir_all(directory).map_err(unusable)?;
     clap_mangen::generate_to(command, directory).map_err(unusable)?;
     let told = format!("pages: {}\n", named(directory));

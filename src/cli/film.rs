@@ -9,6 +9,7 @@ use super::failure::BadInput;
 use super::input::demand_output_of_study;
 use super::output::{Output, json_path};
 use super::pick::the_case;
+use super::report::refused;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS, options, stored};
 use crate::execute::{Interrupt, available_cores};
 use crate::film::{Colour, Filming, PageFilm};
@@ -49,7 +50,10 @@ pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
         resources: Resources { simd, threads: threads(args.threads) },
         interrupt: &Interrupt::listen()?,
     };
-    let shot = set.shoot(case)?;
+    let shot = set.shoot(case).map_err(|error| match error.downcast() {
+        Ok(error) => refused(error),
+        Err(other) => other,
+    })?;
     shot.tell(case, output);
     if let Shot::Filmed(path) = &shot {
         let value = json!({ "case_id": case.id, "same": true, "film": json_path(path) });

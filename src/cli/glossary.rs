@@ -43,7 +43,9 @@ impl Entry {
     /// explained with the value that it belongs to.
     pub(super) fn is_called(&self, name: &str) -> bool {
         let (section, leaf) = name.rsplit_once('.').unwrap_or(("", name));
-        let in_section = section.is_empty() || self.of.contains(&format!("[{section}]"));
+        let in_refine_section = ["refine", "grid.refine"].contains(&section) && self.of == REFINE;
+        let in_section =
+            section.is_empty() || in_refine_section || self.of.contains(&format!("[{section}]"));
         let in_refine = ["refine", "grid.refine"].contains(&name) && self.of == REFINE;
         let of_time = self.besides.split(", ").any(|other| other == format!("time {leaf}"));
         in_refine || in_section && (self.name == leaf || of_time)
@@ -155,6 +157,8 @@ mod tests {
         assert_eq!(names("force_max_time_s"), ["force_max: column of summary.csv"]);
         assert_eq!(names("kernel").len(), 2);
         assert_eq!(names("refine").len(), refine_keys().len(), "the table's keys");
+        assert_eq!(names("refine.to"), ["to: key of [grid] refine"]);
+        assert_eq!(names("grid.refine.to"), names("refine.to"));
         assert!(names("colour").is_empty());
     }
 }

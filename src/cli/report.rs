@@ -34,7 +34,7 @@ pub(super) struct ReportArgs {
     #[arg(long, value_enum, value_delimiter = ',', value_name = "FORMAT", default_value = "svg")]
     figures: Vec<FigureFormat>,
     /// Add tables for a prototype that is so many times as large as the tank, in kPa, kN/m, m and s.
-    #[arg(long, value_name = "SCALE")]
+    #[arg(long, value_name = "SCALE", allow_negative_numbers = true)]
     froude_scale: Option<Froude>,
 }
 
@@ -118,7 +118,7 @@ fn renew(args: &ReportArgs, output: &Output) -> anyhow::Result<Vec<PathBuf>> {
 }
 
 /// The same of what is kept beside the page.
-fn refused(error: SweepError) -> anyhow::Error {
+pub(super) fn refused(error: SweepError) -> anyhow::Error {
     match &error {
         SweepError::Io { error: source, .. } if !is_the_disks(source.kind()) => {
             BadInput(error.to_string()).into()

@@ -28,8 +28,8 @@ impl FromStr for Froude {
 
     fn from_str(text: &str) -> Result<Froude, String> {
         let scale = text.strip_prefix("1:").unwrap_or(text).parse::<f64>().ok();
-        let scale = scale.filter(|scale| scale.is_finite() && *scale > 0.0);
-        let allowed = "must be a number above 0: 20 makes of every metre of the tank 20 m";
+        let scale = scale.filter(|scale| (1e-6..=1e6).contains(scale));
+        let allowed = "must be a number from 1e-6 to 1e6: 20 makes of every metre of the tank 20 m";
         scale.map(Froude).ok_or_else(|| allowed.to_owned())
     }
 }
@@ -192,9 +192,10 @@ mod tests {
     fn scales_are_numbers_above_naught() {
         assert_eq!("20".parse(), Ok(Froude(20.0)));
         assert_eq!("1:20".parse(), Ok(Froude(20.0)));
-        for bad in ["0", "-1", "nan", "inf", "twenty", "20:1"] {
+        // A force at 1e300 was infinite.
+        for bad in ["0", "-1", "nan", "inf", "twenty", "20:1", "1e300", "1e-300"] {
             let told = bad.parse::<Froude>().unwrap_err();
-            assert!(told.starts_with("must be a number above 0"), "{told}");
+            assert!(told.starts_with("must be a number from 1e-6 to 1e6"), "{told}");
         }
     }
 
