@@ -104,6 +104,12 @@ pub fn coupling<'a>(rows: impl Iterator<Item = &'a Row>) -> String {
     format!(" Force coupling s = {}.", factors.join(", "))
 }
 
+/// What a caption says of walls without a spring, where stiffnesses stand by their logarithms.
+pub fn springless<'a>(mut rows: impl Iterator<Item = &'a Row>) -> &'static str {
+    let any = rows.any(|row| row.number(&SPRING_STIFFNESS) == Some(0.0));
+    if any { " Walls with k = 0 have no place on a logarithmic axis." } else { "" }
+}
+
 /// What a caption says of error bars and of open markers, as far as there are any.
 pub fn marks(rows: &[&Row], columns: &[&Column]) -> String {
     let any = |has: &dyn Fn(&Row, &Column) -> bool| {

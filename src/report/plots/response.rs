@@ -3,7 +3,7 @@
 
 use super::axes::Axis;
 use super::chart::{Chart, Curve, places, reach};
-use super::marks::{bounds, by, coupling, key, marks, picked, point, said};
+use super::marks::{bounds, by, coupling, key, marks, picked, point, said, springless};
 use super::sheet::{Drawing, PANELS};
 use super::{DRAWN, Figure, SERIES, file_name, of_variant, printed};
 use crate::math::words::capitalised;
@@ -34,7 +34,8 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
                 drawing: drawing(data, response, &shown, &waves),
                 caption: format!(
                     "{what} against the spring stiffness k* = k/(ρgh²), one panel per wall mass \
-                     m* = m/(ρh²), one curve per nominal wave height.{}{law}{of_masses}{of_waves}",
+                     m* = m/(ρh²), one curve per nominal wave height.{}{}{law}{of_masses}{of_waves}",
+                    springless(data.of_variant(&variant)),
                     marks(&rows, &[response])
                 ),
                 title: format!("{what}{}", of_variant(&variant)),

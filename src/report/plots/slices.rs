@@ -4,7 +4,7 @@
 
 use super::axes::Axis;
 use super::chart::{Chart, Curve, Point, places, points, reach};
-use super::marks::{bounds, by, coupling, key, marks, picked, point, said};
+use super::marks::{bounds, by, coupling, key, marks, picked, point, said, springless};
 use super::sheet::{Drawing, PANELS};
 use super::{DRAWN, Figure, SERIES, file_name, of_variant};
 use crate::quantities::summary::{M_STAR, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
@@ -85,7 +85,9 @@ impl Slice {
     fn figure(&self, rows: &[&Row], variant: &str) -> Option<Figure> {
         let needed = [self.along, self.series, self.rows];
         let has = |row: &&&Row| needed.iter().all(|column| row.number(column).is_some());
-        let rows: Vec<&Row> = rows.iter().filter(has).copied().collect();
+        let all = || rows.iter().filter(has).copied();
+        let rows: Vec<&Row> = all().filter(|row| self.draws(row)).collect();
+        let naught = if self.logarithmic { springless(all()) } else { "" };
         let values = |column: &Column| distinct(rows.iter().copied(), column);
         if values(self.along).len() < 2 {
             return None;
@@ -110,7 +112,7 @@ impl Slice {
             title: format!("Responses against {}{}", self.what, of_variant(variant)),
             caption: format!(
                 "Largest force and runup of the first impact and largest displacement of the run \
-                 against {}.{scale}{}{}{counts}{more}",
+                 against {}.{naught}{scale}{}{}{counts}{more}",
                 self.what,
                 marks(&rows, &DRAWN),
                 coupling(rows.iter().copied()),
@@ -118,6 +120,13 @@ impl Slice {
             name: file_name(&format!("against-{}", self.name), variant),
             drawing: Drawing::new(charts, PANELS),
         })
+    }
+
+    /// Whether a case has anything to show. A logarithmic axis has no place for naught, and still water, which has
+    /// no first impact and moves no wall, would have panels with nothing in them.
+    fn draws(&self, row: &Row) -> bool {
+        let above = |column: &Column| row.number(column).is_some_and(|value| value > 0.0);
+        (above(self.along) || !self.logarithmic) && DRAWN.iter().any(|column| above(column))
     }
 
     /// A row of panels for every value of the second parameter. A column has one pair of axes.
@@ -178,63 +187,4 @@ fn with_spare(shown: &[f64], all: &[f64], most: usize) -> Vec<f64> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::report::fixture;
-
-    fn drawn(waves: &[f64], stiffnesses: &[f64], masses: &[f64]) -> Vec<Figure> {
-        let directory = fixture::movable(waves, stiffnesses, masses);
-        figures(&Loaded::read(directory.path()).unwrap())
-    }
-
-    #[test]
-    fn a_parameter_of_one_value_has_no_figure() {
-        let names = |figures: &[Figure]| -> Vec<String> {
-            figures.iter().map(|figure| figure.name.clone()).collect()
-        };
-        let all = drawn(&[0.3, 0.5], &[10.0, 500.0, 1e5], &[50.0, 250.0]);
-        assert_eq!(names(&all), ["against-stiffness", "against-mass", "against-wave"]);
-        let one = drawn(&[0.5], &[10.0, 500.0, 1e5], &[250.0]);
-        assert_eq!(names(&one), ["against-stiffness"]);
-        assert_eq!(one[0].drawing.charts.len(), 3);
-    }
-
-    #[test]
-    fn displacements_and_stiffnesses_stand_on_logarithmic_axes_of_real_numbers() {
-        let figure = drawn(&[0.5], &[0.1, 10.0, 1e3, 1e5], &[250.0]).remove(0);
-        let chart = &figure.drawing.charts[2];
-        let labels = |axis: &Axis| -> Vec<String> {
-            axis.ticks.iter().map(|tick| tick.label.clone()).collect()
-        };
-        assert_eq!(labels(&chart.x), ["0.1", "10", "1000", "10⁵"]);
-        assert!(chart.y.ticks.len() >= 4 && !chart.y.holds(0.0));
-    }
-
-    #[test]
-    fn of_many_values_a_few_are_drawn_and_the_caption_says_so() {
-        let many: Vec<f64> = (1..=9).map(f64::from).collect();
-        let waves: Vec<f64> = many.iter().map(|wave| wave * 0.05).collect();
-        let figure = drawn(&waves, &[10.0, 500.0], &many).remove(0);
-        assert_eq!(figure.drawing.charts.len(), 9);
-        let told = "Shown are 6 of 9 masses. Shown are 3 of 9 wave heights. In the page a choice of cases \
-                    shows the others.";
-        assert!(figure.caption.ends_with(told), "{}", figure.caption);
-    }
-
-    #[test]
-    fn a_page_holds_what_a_choice_may_ask_for_and_a_file_does_not() {
-        let figure = drawn(&[0.2, 0.3, 0.4, 0.5, 0.6], &[10.0, 500.0], &[250.0]).remove(0);
-        assert_eq!(figure.drawing.charts.len(), 15);
-        let (page, file) = (figure.drawing.inline("a", false), figure.svg());
-        assert_eq!(
-            (page.matches("<svg").count() - 2, page.matches("hidden").count() - 2),
-            (15, 6),
-            "{page}"
-        );
-        for wave in [0.2, 0.3] {
-            let heading = format!("H/h = {wave}");
-            assert!(page.contains(&heading), "{wave}");
-            assert_eq!(file.contains(&heading), wave == 0.2);
-        }
-    }
-}
+mod tests;
