@@ -26,3 +26,10 @@ pub(super) fn read(table: &toml::Table) -> Result<Limits, ConfigError> {
     let LimitKeys { steps, wall_time_s, memory_mib } = read_alone(table)?;
     Ok(Limits { steps: steps.map(u64::from), wall_time_s, memory_mib })
 }
+
+/// The table that says the same; empty where nothing is limited.
+pub(super) fn table(limits: &Limits) -> toml::Table {
+    let &Limits { steps, wall_time_s, memory_mib } = limits;
+    let steps = steps.and_then(|steps| u32::try_from(steps).ok());
+    LimitKeys { steps, wall_time_s, memory_mib }.table()
+}

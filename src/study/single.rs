@@ -4,7 +4,7 @@ use toml::{Table, Value};
 
 use super::case::Case;
 use super::file::SweepFile;
-use super::grid;
+use super::{grid, limits};
 use crate::keys::Section;
 use crate::scene::{CaseConfig, ConfigError, Place};
 
@@ -13,7 +13,7 @@ const DIGITS: usize = 8;
 
 impl SweepFile {
     /// A case of this file as the text of a scene file, which `seawall run` takes. It names what this
-    /// file names, the values of the swept keys, and numerics that were chosen for the case.
+    /// file names, its limits too, the values of the swept keys, and numerics that were chosen for the case.
     ///
     /// # Errors
     /// A swept key that no section knows.
@@ -40,6 +40,10 @@ impl SweepFile {
         if !self.probes.is_empty() {
             let probes = self.probes.iter().cloned().map(Value::Table);
             file.insert("probe".to_owned(), Value::Array(probes.collect()));
+        }
+        let limits = limits::table(&self.limits);
+        if !limits.is_empty() {
+            file.insert("limits".to_owned(), Value::Table(limits));
         }
         Ok(file.to_string())
     }
@@ -69,6 +73,24 @@ mod tests {
             assert_eq!(read.companions.len(), 1);
             assert!(read.name.starts_with("a-"), "{text}");
         }
+    }
+
+    /// The story: `run FILE KEY=VALUE` ran a case of a file with `[limits]` without any.
+    #[test]
+    fn limits_of_a_study_hold_for_its_cases_alone_too() {
+        let of = |limits: &str| {
+            let text = format!("name = \"a\"\n{limits}[grid]\nwave_height_ratio = [0.2, 0.3]");
+            let file = SweepFile::read(&text, &[]).unwrap();
+            let case = Study::new(&file).unwrap().cases.remove(1);
+            file.single(&case).unwrap()
+        };
+        let limited = of("[limits]\nsteps = 700\nmemory_mib = 64\n");
+        let limits = SweepFile::read(&limited, &[]).unwrap().limits;
+        assert_eq!(
+            (limits.steps, limits.memory_mib, limits.wall_time_s),
+            (Some(700), Some(64.0), None)
+        );
+        assert!(!of("").contains("limits"));
     }
 
     #[test]
