@@ -269,6 +269,8 @@ fn shells_and_man_are_told_of_every_command() {
         for word in ["sweep", "show", "explain", "init", "max-error"] {
             assert!(script.contains(word), "{shell}: {word}");
         }
+        // Shells offered the command with which the program gives a piece of work to itself.
+        assert!(!script.contains("apart"), "{shell}");
     }
     let page = run(&["man"]);
     expect_code(&page, 0);

@@ -36,14 +36,21 @@ pub(super) struct ManArgs {
 
 pub(super) fn completions(
     args: &CompletionsArgs,
-    mut command: Command,
+    command: &Command,
     output: &Output,
 ) -> anyhow::Result<u8> {
     let mut script = Vec::new();
-    clap_complete::generate(args.shell, &mut command, "seawall", &mut script);
+    clap_complete::generate(args.shell, &mut offered(command), "seawall", &mut script);
     let script = String::from_utf8(script)?;
     output.result(&script, &json!({ "shell": args.shell.to_string(), "script": script }))?;
     Ok(SUCCESS)
+}
+
+/// What a shell offers: all but what the program says to itself. Scripts have hidden commands, too.
+fn offered(command: &Command) -> Command {
+    let for_people = command.get_subcommands().filter(|one| !one.is_hide_set()).cloned();
+    let plain = Command::new("seawall").version(env!("CARGO_PKG_VERSION")).propagate_version(true);
+    plain.args(command.get_arguments().cloned()).subcommands(for_people)
 }
 
 pub(super) fn man(args: &ManArgs, command: Command, output: &Output) -> anyhow::Result<u8> {

@@ -224,7 +224,7 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
             apart::serve(std::io::stdin().lock(), std::io::stdout().lock(), runner)
                 .map(|()| SUCCESS)
         }
-        Subcommands::Completions(args) => completions::completions(&args, Cli::command(), &output),
+        Subcommands::Completions(args) => completions::completions(&args, &Cli::command(), &output),
         Subcommands::Man(args) => completions::man(&args, Cli::command(), &output),
     };
     failure::exit_code(result, launcher, output.is_json())
