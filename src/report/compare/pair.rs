@@ -8,7 +8,8 @@ use crate::quantities::summary::{
 use crate::quantities::{Column, Unit};
 use crate::report::row::{PLACE, label};
 
-/// What is compared, and what stands in for it where one of the cases has no first impact.
+/// What is compared, and what stands in for it where one of the cases has no first impact, and where waves are
+/// regular: which of them is the first to press hard may differ.
 pub const COMPARED: [(&Column, Option<&Column>); 3] = [
     (&FIRST_FORCE_MAX, Some(&FORCE_MAX)),
     (&FIRST_RUNUP_MAX, Some(&RUNUP_MAX)),
@@ -96,7 +97,8 @@ impl Pair {
         let rows = [a.row, b.row];
         let difference = |(column, instead): (&'static Column, Option<&'static Column>)| {
             let lacks = rows.iter().any(|row| row.number(column).is_none());
-            let column = if lacks { instead? } else { column };
+            let regular = instead.filter(|_| rows.iter().any(|row| row.regular));
+            let column = if lacks { instead? } else { regular.unwrap_or(column) };
             let values = [a.row.number(column)?, b.row.number(column)?];
             Some(Difference {
                 values,
@@ -173,6 +175,15 @@ mod tests {
         assert_eq!(pair(2.0, 2.1, Some(0.04)).differences[0].unwrap().is_within(), Some(false));
         assert_eq!(pair(2.0, 2.1, None).differences[0].unwrap().is_within(), None);
         assert_eq!(one.differences[2], None, "no displacement");
+    }
+
+    /// The story: the third wave of a train was held against the fourth of the same train on finer particles.
+    #[test]
+    fn regular_waves_are_compared_by_their_whole_runs() {
+        let mut row = Row::default().with(&FIRST_FORCE_MAX, 1.16).with(&FORCE_MAX, 1.3);
+        row.regular = true;
+        let side = Side { row: &row, config: None };
+        assert_eq!(Pair::of(&side, &side).differences[0].unwrap().values, [1.3, 1.3]);
     }
 
     #[test]
