@@ -193,11 +193,16 @@ fn a_basin_and_a_dam_break_run_too() {
     let fallen = try_run(&config(dam, "")).unwrap();
     let energy = fallen.energy;
     assert!(energy.kinetic > 0.0 && fallen.outcome.particles_lost == 0);
-    assert!(
-        fallen.outcome.energy_gap_percent.abs() < 10.0,
-        "{}",
-        fallen.outcome.energy_gap_percent
-    );
+    assert!(fallen.outcome.energy_gap_percent.abs() < 3.0, "{fallen:?}");
+}
+
+/// What the pressure takes from water that meets was not booked: 2.5 % of the energy was missing.
+#[test]
+fn water_that_meets_loses_what_is_booked() {
+    let dam = "kind = \"dam-break\"\ncolumn_height_m = 0.3\ncolumn_length_m = 0.3\n\
+               tank_length_m = 0.7\nend_time_s = 0.8";
+    let outcome = try_run(&config(dam, "particle_spacing_m = 0.025\n")).unwrap().outcome;
+    assert!(outcome.energy_gap_percent.abs() < 2.0, "{}", outcome.energy_gap_percent);
 }
 
 /// Viscosity is explicit: from 0.07 m²/s on at ten rows, 0.28 at five, runs blew up at the step of thin water.

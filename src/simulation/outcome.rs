@@ -166,7 +166,7 @@ pub struct EnergyBudget {
     pub viscous: f64,
     /// Dissipated by density diffusion.
     pub density_diffusion: f64,
-    /// Taken out by particle shifting.
+    /// Taken out by particle shifting, by what keeps the volume, and by the pressure of incompressible water that meets.
     pub shifting: f64,
     /// What the water had that went over a crest and was taken away.
     #[serde(default)]

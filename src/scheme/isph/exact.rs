@@ -21,6 +21,8 @@ pub(super) struct Exact {
     pub scale: Vec<f64>,
     pub scaled: Vec<f64>,
     pub compact: Vec<f64>,
+    /// Divergence that the step starts with, 1/s.
+    pub before: Vec<f64>,
     /// Divergence at mid-step that this step aims at, 1/s.
     pub aim: Vec<f64>,
     /// The part of it that takes the error of the volume back; empty where that is left alone.
@@ -37,6 +39,8 @@ impl Exact {
     /// `None`), nothing has moved: all of the divergence is to go.
     /// Returns |V (D u - t')|.
     pub fn aim_at(&mut self, now: &[f64], last: Option<&[f64]>, volume: &[f64]) -> f64 {
+        self.before.clear();
+        self.before.extend_from_slice(now);
         let aim = &mut self.aim;
         aim.clear();
         match last {

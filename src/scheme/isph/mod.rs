@@ -18,6 +18,7 @@ mod gradient;
 mod images;
 mod laplacian;
 mod lattice;
+mod loss;
 mod motion;
 mod operators;
 mod options;

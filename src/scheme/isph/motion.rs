@@ -43,7 +43,7 @@ impl Isph {
             *v += dt * (up - options.gravity + drag_y);
             *x += 0.5 * dt * (old_u + *u);
             *y += 0.5 * dt * (old_v + *v);
-            *power = mass[i] * (drag_x * old_u + drag_y * old_v);
+            *power = 0.5 * mass[i] * (drag_x * (old_u + *u) + drag_y * (old_v + *v));
             *work = 0.0;
             if let Some([right, rise]) = shifting.of(i, [*u, *v]) {
                 *x += right;
@@ -61,7 +61,7 @@ impl Isph {
         if options.shifting_coefficient > 0.0 {
             shifting_work -= options.gravity * self.part(dt);
         }
-        shifting_work += self.volume_work(dt);
+        shifting_work += self.pressure_loss(dt);
         let (bodies, spacing) = (walls.bodies, options.spacing);
         let hold = HoldInside { all: n, planes: &self.planes, bed: None, bodies, spacing };
         let Fluid { x, y, vx, vy, .. } = &mut self.fluid;

@@ -30,16 +30,4 @@ impl Isph {
             *aim += *more;
         }
     }
-
-    /// What the pressure loses by that over a step, J/m: less where it parts what is too close.
-    pub(super) fn volume_work(&self, dt: f64) -> f64 {
-        let options = &self.options;
-        let weight = options.density * options.gravity;
-        let heights = &self.near.places[1];
-        let terms = self.exact.restored.iter().enumerate().map(|(i, restored)| {
-            let pressure = self.pressure[i] + weight * (options.still_level - heights[i]);
-            self.near.volume[i] * pressure * restored
-        });
-        -dt * terms.sum::<f64>()
-    }
 }
