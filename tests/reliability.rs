@@ -62,6 +62,25 @@ fn limited_by(option: &str, file: &Path, out: &Path) -> Output {
     command.args(["--threads", "2", "--film", "none"]).output().unwrap()
 }
 
+/// The system ended the program by a signal, without a word.
+#[test]
+#[cfg(target_os = "linux")]
+fn files_that_may_not_grow_are_told() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let out = root.path().join("out");
+    let mut command = Command::new("sh");
+    command.args(["-c", "ulimit -f 4; exec \"$0\" \"$@\"", env!("CARGO_BIN_EXE_seawall"), "sweep"]);
+    let stopped = command.arg(&file).arg("--out").arg(&out).args(["--film", "none"]);
+    let stopped = stopped.output().unwrap();
+    assert!(told(&stopped).contains("File too large"), "{}", told(&stopped));
+    assert!(stopped.status.code().is_some_and(|code| code > 1), "{:?}", stopped.status);
+    expect_code(&sweep(&file, &out, &[]), 0);
+    let whole = root.path().join("whole");
+    expect_code(&sweep(&file, &whole, &[]), 0);
+    assert_same(&out, &whole);
+}
+
 /// The shared stretch of four cases needs too much memory, and so do they from rest: each of them took the process
 /// with it in turn.
 #[test]

@@ -59,7 +59,7 @@ use serde_json::json;
 
 use self::failure::BadInput;
 use self::output::{Format, Output};
-use crate::execute::{Launcher, SphRunner, apart, widest_simd};
+use crate::execute::{Launcher, SphRunner, apart, outlive_long_files, widest_simd};
 
 const SUCCESS: u8 = 0;
 /// Some case failed; the others' results are complete.
@@ -140,6 +140,8 @@ fn simd_limit(command: &Subcommands) -> Result<(), String> {
 /// Runs the command line and returns the process's exit code.
 pub fn main() -> ExitCode {
     let launcher = Launcher::detect();
+    // Without it long files end the program, as everywhere.
+    let _ = outlive_long_files();
     let code = catch_unwind(AssertUnwindSafe(|| main_with(std::env::args_os(), launcher)));
     ExitCode::from(code.unwrap_or_else(|panic| {
         if asks_for_json(std::env::args_os()) && launcher.rank == 0 {

@@ -41,7 +41,7 @@ use crate::schedule::Work;
 use crate::simulation::Resources;
 
 pub use coordinate::coordinate;
-pub use interrupt::Interrupt;
+pub use interrupt::{Interrupt, outlive_long_files};
 pub use keeping::Keeping;
 pub use launcher::Launcher;
 pub use message::{Order, Posted, Report};
