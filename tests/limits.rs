@@ -75,6 +75,25 @@ fn too_little_time_and_memory_fail_cases_with_their_reason() {
     }
 }
 
+/// The process that watched the memory ended the case before it could tell how far it was.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_case_that_is_watched_tells_at_which_time_it_was_over_its_limit() {
+    let root = tempfile::tempdir().unwrap();
+    let text = TINY.replace("0.025", "0.003").replace("[10, 1e4]", "[10]");
+    let file = write_file(root.path(), &text.replace("[50, 250]", "[50]"));
+    let out = root.path().join("out");
+    let limits = ["--set", "limits.wall_time_s=1", "--set", "limits.memory_mib=900"];
+    expect_code(&sweep(&file, &out, &limits), 1);
+    let reasons = failures(&out);
+    assert_eq!(reasons.len(), 2);
+    for reason in reasons {
+        let time = reason.strip_prefix("over-limit at t = ").unwrap();
+        let time: f64 = time.split(' ').next().unwrap().parse().unwrap();
+        assert!(time > 0.0 && reason.ends_with("(limits.wall_time_s)"), "{reason}");
+    }
+}
+
 #[test]
 fn check_tells_how_many_cases_are_over_a_limit() {
     let root = tempfile::tempdir().unwrap();

@@ -22,6 +22,8 @@ use crate::simulation::{
 pub const SUBCOMMAND: &str = "apart";
 /// Between two looks at a child.
 const PAUSE: Duration = Duration::from_millis(5);
+/// So long a child may take to tell that its time is over, and at which time of the case.
+const GRACE: Duration = Duration::from_secs(2);
 /// Between two looks of a child at its parent.
 const WATCH: Duration = Duration::from_millis(100);
 
@@ -140,6 +142,7 @@ fn talk(child: &mut Child, task: &[u8], monitor: &dyn Monitor) -> std::io::Resul
         let complaint = scope.spawn(move || read_all(errors));
         // A child that dies before it has read all breaks the pipe: its status tells.
         let _ = input.map(|mut input| input.write_all(task));
+        let mut too_late: Option<Instant> = None;
         let status = loop {
             if let Some(status) = child.try_wait()? {
                 break Ok(status);
@@ -147,7 +150,10 @@ fn talk(child: &mut Child, task: &[u8], monitor: &dyn Monitor) -> std::io::Resul
             // Steps it counts itself.
             let taken = peak_bytes(child.id()).filter(|_| limits.memory_mib.is_some());
             let over = taken.and_then(|bytes| limits.on_memory(bytes, "takes"));
-            let over = over.or_else(|| monitor.over_limit(0));
+            let late = monitor
+                .over_limit(0)
+                .filter(|_| too_late.get_or_insert_with(Instant::now).elapsed() > GRACE);
+            let over = over.or(late);
             if over.is_some() || monitor.cancelled() {
                 child.kill()?;
                 child.wait()?;
