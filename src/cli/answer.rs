@@ -11,7 +11,8 @@ use crate::quantities::heading;
 use crate::quantities::summary::{CASE_ID, DOUBTFUL};
 use crate::report::find::{Basis, Boundary, Found, Reading, Verdict};
 use crate::report::load::Loaded;
-use crate::report::plain;
+use crate::report::study::Key;
+use crate::report::{digits_apart, plain_to};
 
 /// Rows of a table shown without `-v`.
 const ROWS: usize = 30;
@@ -23,9 +24,17 @@ const LEGEND: &str = "met: on which side of it; not before, not after: how far o
 pub(super) struct Answer<'a> {
     pub(super) data: &'a Loaded,
     pub(super) found: &'a Found,
+    /// Digits that tell the values of each swept key apart.
+    digits: Vec<usize>,
 }
 
-impl Answer<'_> {
+impl<'a> Answer<'a> {
+    pub(super) fn new(data: &'a Loaded, found: &'a Found) -> Answer<'a> {
+        let values = |key: &'a Key| key.cells.iter().filter_map(|cell| cell.parse().ok());
+        let digits = data.keys.iter().map(|key| digits_apart(values(key))).collect();
+        Answer { data, found, digits }
+    }
+
     /// For people.
     pub(super) fn told(&self, all: bool) -> String {
         let met: Vec<_> = self.found.rows(Verdict::Met).collect();
@@ -100,7 +109,9 @@ impl Answer<'_> {
     fn cell(&self, key: usize, row: usize) -> String {
         match &self.data.keys[key].cells[row] {
             "" => "-".to_owned(),
-            cell => cell.parse().map_or_else(|_| cell.to_owned(), plain),
+            cell => cell
+                .parse()
+                .map_or_else(|_| cell.to_owned(), |value| plain_to(value, self.digits[key])),
         }
     }
 
@@ -123,7 +134,7 @@ impl Answer<'_> {
     fn place(&self, row: usize, but: Option<usize>) -> String {
         let keys = self.data.keys.iter().enumerate().filter(|(key, _)| Some(*key) != but);
         let keys = keys.filter(|(_, key)| !key.cells[row].is_empty());
-        let part = |(key, one): (usize, &crate::report::study::Key)| {
+        let part = |(key, one): (usize, &Key)| {
             let symbol = heading(&one.name);
             let (name, unit) = symbol.split_once(", ").unwrap_or((&symbol, ""));
             format!("{name} = {} {unit}", self.cell(key, row)).trim_end().to_owned()

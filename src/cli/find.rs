@@ -46,7 +46,7 @@ pub(super) fn main(args: &FindArgs, output: &Output) -> anyhow::Result<u8> {
         return Err(bad(&reason).into());
     }
     let found = find(&args.condition, &data).map_err(BadInput)?;
-    let answer = Answer { data: &data, found: &found };
+    let answer = Answer::new(&data, &found);
     output.result(&answer.told(output.verbose), &answer.value())?;
     Ok(SUCCESS)
 }

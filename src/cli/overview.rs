@@ -14,6 +14,7 @@ use crate::quantities::summary::{
     DISPLACEMENT_MAX, ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX, STATUS,
 };
 use crate::quantities::{Case, Column, coarse_spacings, heading, named};
+use crate::report::{digits_apart, plain_to};
 use crate::results::CaseRecord;
 use crate::simulation::kinds_of_doubt;
 
@@ -83,6 +84,16 @@ fn render(job: &Job, done: &Done, rows: usize, shown: &[&Column]) -> String {
     let symbol = |key: &String| named(key).map_or_else(|| heading(key), Column::heading);
     let headings = shown.iter().copied().chain([&STATUS]).map(Column::heading);
     let mut table = Table::new(swept_keys.iter().map(symbol).chain(headings));
+    let of_record = |record: &CaseRecord| &job.study.cases[record.index].assignments;
+    let digits: Vec<_> = (0..swept_keys.len())
+        .map(|key| {
+            let values = done
+                .records()
+                .take(rows)
+                .filter_map(|record| of_record(record)[key].as_deref().and_then(keys::number));
+            digits_apart(values)
+        })
+        .collect();
     let any_stops = done.records().take(rows).any(hits_stop);
     for record in done.records().take(rows) {
         let mark = match hits_stop(record) {
@@ -91,10 +102,10 @@ fn render(job: &Job, done: &Done, rows: usize, shown: &[&Column]) -> String {
             false => "",
         };
         let case = &job.study.cases[record.index];
-        let (config, case_values) = (&case.config, &case.assignments);
+        let config = &case.config;
         let bars = job.study.error_bars(record.index, done.directory.runs());
         let case = record.reported(config, bars);
-        let mut cells: Vec<String> = case_values.iter().map(swept).collect();
+        let mut cells: Vec<String> = of_record(record).iter().zip(&digits).map(swept).collect();
         cells.extend(shown.iter().map(|column| {
             let mark = if *column == &FORCE_MAX { mark } else { "" };
             number(column, &case) + mark
@@ -110,11 +121,12 @@ fn hits_stop(record: &CaseRecord) -> bool {
     record.outcome.as_ref().and_then(|outcome| outcome.stops).is_some_and(|stops| stops > 0)
 }
 
-/// The value of a swept key.
-fn swept(value: &Option<Shared<toml::Value>>) -> String {
+/// The value of a swept key, to so many digits.
+fn swept((value, digits): (&Option<Shared<toml::Value>>, &usize)) -> String {
     match value.as_deref() {
         Some(toml::Value::String(text)) => text.clone(),
-        Some(value) => keys::number(value).map_or_else(|| value.to_string(), crate::report::plain),
+        Some(value) => keys::number(value)
+            .map_or_else(|| value.to_string(), |number| plain_to(number, *digits)),
         None => "-".to_owned(),
     }
 }

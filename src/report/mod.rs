@@ -39,7 +39,7 @@ use std::path::{Path, PathBuf};
 
 pub use error::ReportError;
 pub use froude::Froude;
-pub use number::{plain, with_error};
+pub use number::{digits_apart, plain, plain_to, with_error};
 pub use omitted::Omitted;
 pub use plots::Figure;
 pub use reproduce::Reproduced;

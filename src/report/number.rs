@@ -3,11 +3,32 @@
 pub use crate::math::decimal::significant;
 use crate::quantities::Digits;
 
+/// Significant digits of a parameter, where these tell its values apart.
+pub const FEW: usize = 4;
+/// More tell all numbers apart.
+const ALL: usize = 17;
+
 /// A parameter as a person types it, to four significant digits: `500`, `0.01`, `50000`, `2.5e8`.
 pub fn plain(value: f64) -> String {
-    let value = significant(value, 4);
+    plain_to(value, FEW)
+}
+
+/// The same to so many digits.
+pub fn plain_to(value: f64, digits: usize) -> String {
+    let value = significant(value, digits);
     let written = value == 0.0 || (1e-4..1e7).contains(&value.abs());
     if written { value.to_string() } else { format!("{value:e}") }
+}
+
+/// The fewest digits, four or more, that keep different values apart.
+pub fn digits_apart(values: impl Iterator<Item = f64>) -> usize {
+    let mut values: Vec<_> = values.collect();
+    values.sort_by(f64::total_cmp);
+    values.dedup();
+    let apart = |&digits: &usize| {
+        values.windows(2).all(|two| significant(two[0], digits) != significant(two[1], digits))
+    };
+    (FEW..ALL).find(apart).unwrap_or(ALL)
 }
 
 /// A number that nobody types, as a person writes it: `500`, `0.01`, `10⁷`, `2.5×10⁵`.
@@ -114,6 +135,17 @@ mod tests {
         let long = [21544.3469003188, 0.31622776601683794, 464.158883, 9999.9];
         assert_eq!(long.map(plain), ["21540", "0.3162", "464.2", "10000"]);
         assert_eq!(long.map(in_powers), ["2.154×10⁴", "0.3162", "464.2", "10⁴"]);
+    }
+
+    #[test]
+    fn values_that_differ_are_told_apart() {
+        let digits = |values: &[f64]| digits_apart(values.iter().copied());
+        assert_eq!(digits(&[0.30001, 0.3, 0.30001]), 5);
+        assert_eq!((digits(&[0.25, 0.3]), digits(&[])), (4, 4));
+        let next = 0.3_f64.next_up();
+        let written = [0.3, next].map(|value| plain_to(value, digits(&[0.3, next])));
+        assert_eq!(written, ["0.3", &next.to_string()]);
+        assert_eq!(plain_to(0.30001, 5), "0.30001");
     }
 
     #[test]
