@@ -8,7 +8,9 @@ use super::output::json_path;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::Ending;
 use crate::math::simd::SimdPath;
-use crate::quantities::summary::COARSE_SPACING;
+use crate::quantities::summary::{
+    COARSE_SPACING, DISPLACEMENT_ERROR, FORCE_ERROR, FORCE_MAX_ERROR, RUNUP_ERROR, RUNUP_MAX_ERROR,
+};
 use crate::quantities::{Bars, Value as Cell};
 use crate::results::{CaseRecord, Directory, OpenMode, Savings, SweepError, finished_whole};
 use crate::study::Study;
@@ -90,13 +92,15 @@ impl Done {
     /// A record with its error bars, as programs get it; null where there is none.
     pub(super) fn in_full(record: &CaseRecord, bars: Bars) -> Value {
         let mut value = json!(record);
-        value["error_bars"] = json!({
-            "force_error": bars.force,
-            "runup_error": bars.runup,
-            "displacement_error": bars.displacement,
-            "force_max_error": bars.whole_force,
-            "runup_max_error": bars.whole_runup,
-        });
+        let bars = [
+            (&FORCE_ERROR, bars.force),
+            (&RUNUP_ERROR, bars.runup),
+            (&DISPLACEMENT_ERROR, bars.displacement),
+            (&FORCE_MAX_ERROR, bars.whole_force),
+            (&RUNUP_MAX_ERROR, bars.whole_runup),
+        ];
+        let bars = bars.into_iter().map(|(column, bar)| (column.name.to_owned(), json!(bar)));
+        value["error_bars"] = Value::Object(bars.collect());
         value
     }
 

@@ -65,7 +65,8 @@ pub(super) fn report(refinement: &Refinement, study: &Study, done: &Done) -> (St
     );
     if pending > 0 {
         let points = counted(pending, "more point");
-        text.push_str(&format!(" once {points} are in: the same command goes on"));
+        let are = if pending == 1 { "is" } else { "are" };
+        text.push_str(&format!(" once {points} {are} in: the same command goes on"));
     }
     match (open, round.worst) {
         _ if pending > 0 => {}

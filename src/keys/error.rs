@@ -98,9 +98,10 @@ pub fn hint(word: &str, known: &[impl AsRef<str>]) -> String {
 fn ranked<'a>(word: &str, known: &'a [impl AsRef<str>]) -> Option<(f64, &'a str)> {
     let word = word.to_lowercase();
     let likeness = |known: &str| {
-        // A part of the right word, such as `stiffness`, is near however long the rest.
+        // A part of the right word, such as `stiffness`, is near however long the rest, and the nearer the shorter.
         let known = known.to_lowercase();
-        let part = if word.len() >= 4 && known.contains(&word) { 0.9 } else { 0.0 };
+        let share = 0.1 * word.len() as f64 / known.len() as f64;
+        let part = if word.len() >= 4 && known.contains(&word) { NEAR + share } else { 0.0 };
         strsim::jaro_winkler(&word, &known).max(part)
     };
     let all = known.iter().map(AsRef::as_ref);
@@ -127,10 +128,17 @@ mod tests {
 
     #[test]
     fn only_near_words_are_suggested() {
-        let known = ["spring_stiffness_n_per_m", "tank_length_m", "wall"];
+        let known = [
+            "spring_stiffness_n_per_m",
+            "tank_length_m",
+            "wall",
+            "artificial_viscosity",
+            "kinematic_viscosity_m2_per_s",
+        ];
         for (word, nearest) in [
             ("spring_stifness_n_per_m", "spring_stiffness_n_per_m"),
             ("stiffness", "spring_stiffness_n_per_m"),
+            ("viscosity", "artificial_viscosity"),
             ("wal", "wall"),
             ("Wall", "wall"),
         ] {
