@@ -152,7 +152,9 @@ fn fared(done: &Done, total: usize) -> String {
     let are = if total == 1 { "is" } else { "are" };
     let mut text = format!("\n{} of {} {are} well", total - failed, counted(total, "case"));
     if failed > 0 {
-        text.push_str(&format!(", {failed} failed (seawall status tells why, --retry-failed runs again what failed)"));
+        text.push_str(&format!(
+            ", {failed} failed (seawall status tells why, --retry-failed runs again what failed)"
+        ));
     }
     if let Some(wall_time) = done.wall_time_s {
         text.push_str(&format!("; {}", duration(wall_time)));
