@@ -17,9 +17,7 @@ impl Swing {
     pub(super) fn new(wave: StandingWave, surface_speed: f64, viscosity: f64) -> Swing {
         Swing { wave, surface_speed, viscosity, series: Vec::new() }
     }
-}
 
-impl Swing {
     /// None where the wave is too viscous to swing.
     fn exact(&self) -> Option<Exact> {
         let period = std::f64::consts::TAU / self.wave.frequency();
