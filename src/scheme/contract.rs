@@ -83,6 +83,9 @@ pub trait Scheme: Debug + Send {
         Ok(())
     }
 
+    /// Takes up the responding body's acceleration once it is known: pressures that are read from then on count it.
+    fn settle(&mut self, _acceleration: f64) {}
+
     /// Whether a step's forces are those at its start and its velocities go from the middle of the step
     /// before to its own: kick and drift. Otherwise forces are the mean over the step.
     fn kicks(&self) -> bool {

@@ -120,6 +120,7 @@ impl Run {
                 kept = Some(self.state());
             }
             let (moved, step, force) = self.answer(load, dt)?;
+            self.tank.water.settle(step.acceleration);
             let start = Instant::now();
             let reading = self.read((force, step.acceleration));
             if step.stop_loss > 0.0 {

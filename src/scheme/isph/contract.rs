@@ -97,6 +97,14 @@ impl Scheme for Isph {
         Ok(())
     }
 
+    fn settle(&mut self, acceleration: f64) {
+        if self.responded {
+            for (total, response) in self.total.iter_mut().zip(&self.carried.response) {
+                *total += acceleration * response;
+            }
+        }
+    }
+
     fn kicks(&self) -> bool {
         false
     }
