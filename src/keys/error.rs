@@ -49,14 +49,13 @@ impl ConfigError {
 
     /// An unknown key, with the nearest known one where one is near.
     pub fn unknown(key: &str, known: &[impl AsRef<str>]) -> Self {
-        let leaf = key.rsplit('.').next().unwrap_or(key);
-        ConfigError::new(key, "", format!("unknown key{}", hint(leaf, known)))
+        ConfigError::new(key, "", format!("unknown key{}", hint(leaf(key), known)))
     }
 
     /// The same of a small table: where no known key is near, it tells all.
     pub fn unknown_of_few(key: &str, known: &[impl AsRef<str>]) -> Self {
         let error = ConfigError::unknown(key, known);
-        if known.len() > FEW || error.allowed != ConfigError::unknown(key, &[""; 0]).allowed {
+        if known.len() > FEW || !hint(leaf(key), known).is_empty() {
             return error;
         }
         let known: Vec<_> = known.iter().map(AsRef::as_ref).collect();
@@ -75,6 +74,11 @@ impl ConfigError {
         let names: Vec<_> = names.iter().map(AsRef::as_ref).collect();
         ConfigError::new(key, value, format!("must be one of {}{hint}", names.join(", ")))
     }
+}
+
+/// The last part of a dotted path.
+fn leaf(key: &str) -> &str {
+    key.rsplit('.').next().unwrap_or(key)
 }
 
 /// So many keys are told where none is near.

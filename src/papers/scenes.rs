@@ -90,8 +90,8 @@ mod tests {
         assert_eq!(of("kind = \"hydrostatic\""), ["still-water"]);
     }
 
-    /// The story: a wall that the wave went over, and one at the end of a beach, were held against numbers
-    /// of a high wall over a level bed, as nothing asked for what the papers do not have.
+    /// The story: a wall that the wave went over, and one at the end of a beach, were held against the papers.
+    /// These have a high wall over a level bed. Nothing asked for what they do not have.
     #[test]
     fn crests_beds_and_trains_are_none_of_the_papers() {
         assert_eq!(

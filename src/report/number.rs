@@ -4,7 +4,7 @@ pub use crate::math::decimal::significant;
 use crate::quantities::Digits;
 
 /// Significant digits of a parameter, where these tell its values apart.
-pub const FEW: usize = 4;
+const FEW: usize = 4;
 /// More tell all numbers apart.
 const ALL: usize = 17;
 

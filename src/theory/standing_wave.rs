@@ -41,7 +41,7 @@ impl StandingWave {
     ///
     /// No stress acts along the surface, so the water there turns, by -2kA if A is the vertical speed. This
     /// diffuses downwards as ∂Z/∂t = ν(Z'' - k²Z), from none at the start to none at a bed that slips. With
-    /// the pressure and the normal stress at the surface η this gives (Prosperetti 1976 in deep water)
+    /// the pressure and the normal stress at the surface η this gives what follows (Prosperetti 1976 in deep water).
     ///
     /// A' = -ω²η - 4νk²A - 2νk tanh(kh) ∫ k Z sinh(ky)/sinh(kh) dy
     ///
@@ -93,8 +93,10 @@ impl StandingWave {
     }
 }
 
-/// A sine over the depth of how the water turns below the surface of a viscous wave, less what a surface asks of it
-/// at once: B' = -λ (B + 2k s A), with s the sine's share in sinh(ky)/sinh(kh) and λ its decay.
+/// How the water turns below the surface of a viscous wave: one sine of it over the depth.
+///
+/// What a surface asks of it at once is left out. B' = -λ (B + 2k s A): s is the sine's share in
+/// sinh(ky)/sinh(kh), λ its decay.
 struct Turn {
     /// s.
     share: f64,
@@ -174,8 +176,8 @@ mod tests {
         [rate, (zeros[11] - zeros[5]) / 3.0 * frequency / TAU]
     }
 
-    /// (s + 2νk²)² + ω² = 4ν²k³ √(k² + s/ν) in deep water (Lamb, § 349), solved with complex numbers beforehand:
-    /// the rate over 2νk² and the period over that without viscosity, for νk²/ω.
+    /// Deep water: (s + 2νk²)² + ω² = 4ν²k³ √(k² + s/ν) (Lamb, § 349), solved with complex numbers beforehand.
+    /// Each line has νk²/ω, the rate over 2νk², and the period over that without viscosity.
     #[test]
     fn viscous_waves_in_deep_water_decay_by_lambs_roots() {
         let deep = StandingWave { depth: 1.5, ..WAVE };

@@ -82,8 +82,8 @@ pub fn walls<'a>(data: &'a Loaded, variant: &str) -> impl Iterator<Item = (usize
     })
 }
 
-/// What is told of a wave at a fixed wall: the runup and the force of the first impact, or of regular waves
-/// those of the whole run, as each wave comes onto what the ones before have left.
+/// What is told of a wave at a fixed wall: runup and force of the first impact. Regular waves have those of the
+/// whole run, as each wave comes onto what the ones before have left.
 pub fn sides(regular: bool) -> [(&'static Column, usize); 2] {
     if regular { OF_ALL } else { SIDES }
 }
