@@ -1,9 +1,12 @@
 //! Incompressible SPH on coarse particles: still water stays, branches keep their bits, and light
 //! walls run at the full time step.
 
+use std::sync::Mutex;
+
+use seawall::body::Place;
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
-use seawall::simulation::{CaseResult, Stopped, Unwatched, run_case, run_trunk};
+use seawall::simulation::{CaseResult, Film, Monitor, Stopped, Unwatched, run_case, run_trunk};
 use toml::Table;
 
 const NUMERICS: &str = "scheme = \"isph\"\nparticle_spacing_m = 0.04\n";
@@ -108,6 +111,74 @@ fn gauges_feel_the_acceleration_of_the_wall() {
         least = least.min(pressure[0]);
     }
     assert!(least > 1000.0, "{least}");
+}
+
+/// Keeps the pressures up the wall's face, and that of the particle nearest to a place on it.
+#[derive(Default)]
+struct Faces(Mutex<Vec<Seen>>);
+
+struct Seen {
+    time: f64,
+    up: Vec<[f64; 2]>,
+    beside: f64,
+}
+
+impl Monitor for Faces {
+    fn film_interval(&self) -> Option<f64> {
+        Some(0.005)
+    }
+    fn films_faces(&self) -> bool {
+        true
+    }
+    fn film(&self, film: &Film<'_>) {
+        let face = film.faces.iter().find(|face| face.place == Place::Right).unwrap();
+        let up = face.points.iter().zip(&face.pressure).map(|([_, y], p)| [*y, *p]).collect();
+        let [x, y] = [1.6 + film.walls[1], GAUGE];
+        let apart = |k: &usize| (film.fluid.x[*k] - x).hypot(film.fluid.y[*k] - y);
+        let near = (0..film.fluid.len()).min_by(|a, b| apart(a).total_cmp(&apart(b))).unwrap();
+        let beside = film.pressure[near] + 9810.0 * (film.fluid.y[near] - y);
+        self.0.lock().unwrap().push(Seen { time: film.time_s, up, beside });
+    }
+}
+
+/// Height of a gauge, metres.
+const GAUGE: f64 = 0.06;
+
+/// What the wall's acceleration adds to the pressure was in no film: it was taken before that was known.
+#[test]
+fn films_show_the_pressures_that_gauges_read_and_that_push_the_wall() {
+    let table = |text: &str| text.parse::<Table>().unwrap();
+    let gauge =
+        table(&format!("name = \"P\"\nkind = \"pressure\"\nwall = \"right\"\ny_m = {GAUGE}"));
+    let scene = table(&format!("{}wave_height_ratio = 0.4\n", movable(500.0, 20.0)));
+    let numerics = table("scheme = \"isph\"\nparticle_spacing_m = 0.02");
+    let case = CaseConfig::with_probes(&scene, &numerics, &[gauge]).unwrap();
+    let faces = Faces::default();
+    let result = run_case(&case, None, SimdPath::widest(), &faces).unwrap();
+    let (probes, seen) = (result.probes.unwrap(), faces.0.into_inner().unwrap());
+    assert!(seen.len() > 200 && seen.len() < 2 * probes.rows().count());
+    let mut moved = 0.0_f64;
+    for (row, (time, read)) in result.history.iter().zip(probes.rows()) {
+        let Some(seen) = seen.iter().find(|seen| seen.time == time) else { continue };
+        moved = moved.max(row.displacement);
+        let at = seen.up.iter().position(|[y, _]| *y >= GAUGE - 1e-9).unwrap();
+        let gap = seen.up[at][1] - read[0];
+        assert!(gap.abs() < 1.0, "{gap} Pa at {time} s of {}", read[0]);
+        let gap = seen.beside - read[0];
+        assert!(gap.abs() < 80.0, "a particle, {gap} Pa at {time} s of {}", read[0]);
+        let pairs = seen.up.windows(2);
+        let pushes = pairs.map(|pair| 0.5 * (pair[0][1] + pair[1][1]) * (pair[1][0] - pair[0][0]));
+        let gap = pushes.sum::<f64>() / (0.5 * 9810.0 * 0.04) - row.force;
+        assert!(gap.abs() < 0.06, "{gap} of a force of {} at {time} s", row.force);
+        for row in &result.envelope {
+            let at = seen.up.iter().position(|[y, _]| *y >= row.height_m).unwrap();
+            let ([below, p0], [above, p1]) = (seen.up[at - 1], seen.up[at]);
+            let there = p0 + (row.height_m - below) / (above - below) * (p1 - p0);
+            let most = row.pressure_max_pa;
+            assert!(there < most + 100.0, "{there} Pa at {time} s, and at most {most}");
+        }
+    }
+    assert!(moved > 0.2, "{moved}");
 }
 
 /// A step that is longer than the spring's period saw the velocity of a swing, and the water fed that: up to 14 % too

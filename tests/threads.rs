@@ -50,6 +50,7 @@ fn bits_after_steps(
             if step % 5 == 0 {
                 told.extend([water.face_force(2, &bodies[2]), water.level_at(2)]);
             }
+            water.settle(-0.2);
             let next = NextStep { bodies: &bodies, dt };
             let walls = StepWalls { bodies: &bodies, acceleration: -0.2, next };
             let lost = water.finish(dt, &walls, step % 7 == 0);

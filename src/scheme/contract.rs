@@ -37,7 +37,7 @@ pub trait Scheme: Debug + Send {
     /// Smoothing kernel and its support radius, metres.
     fn kernel(&self) -> (KernelChoice, f64);
 
-    /// Pressures of the particles at the last [`Scheme::prepare`], Pa.
+    /// Pressures of the particles, Pa: those of the last [`Scheme::prepare`], and since then [`Scheme::settle`].
     fn pressures(&self) -> &[f64];
 
     /// Rates of change of the particles' densities in the last step, kg/m³/s; none where the water is
@@ -83,7 +83,8 @@ pub trait Scheme: Debug + Send {
         Ok(())
     }
 
-    /// Takes up the responding body's acceleration once it is known: pressures that are read from then on count it.
+    /// Takes up the responding body's acceleration once it is known: pressures that are read from then on count
+    /// it. [`Scheme::finish`] is told the same.
     fn settle(&mut self, _acceleration: f64) {}
 
     /// Whether a step's forces are those at its start and its velocities go from the middle of the step

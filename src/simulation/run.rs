@@ -103,7 +103,6 @@ impl Run {
             let bodies = self.tank.motions(time);
             let dt = self.time_step.min(self.tank.water.step_limit());
             self.tank.water.prepare(&bodies, dt).map_err(|error| self.step_failure(&error))?;
-            self.film(monitor, time, last);
             let load = self.wall_load();
             if !load.force.is_finite() {
                 let failure = self.failure(FailureKind::NotANumber, "the wall's force".into());
@@ -121,6 +120,7 @@ impl Run {
             }
             let (moved, step, force) = self.answer(load, dt)?;
             self.tank.water.settle(step.acceleration);
+            self.film(monitor, time, last);
             let start = Instant::now();
             let reading = self.read((force, step.acceleration));
             if step.stop_loss > 0.0 {

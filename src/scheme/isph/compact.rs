@@ -38,7 +38,7 @@ impl Isph {
         change.clear();
         let carried = self.carried.pressure.iter().zip(&self.carried.older_pressure);
         change.extend(carried.map(|(p, old)| (2.0 - MEMORY) * p - old));
-        self.settle(change, self.rule())
+        self.refine(change, self.rule())
     }
 
     /// -V (ρ/Δt) ∇·u / κ for the divergence at hand.

@@ -31,7 +31,7 @@ impl Scheme for Isph {
     }
 
     fn pressures(&self) -> &[f64] {
-        &self.total
+        &self.whole
     }
 
     fn state_equation(&self) -> Option<&StateEquation> {
@@ -75,11 +75,7 @@ impl Scheme for Isph {
         for (load, (force, drag)) in self.loads.iter_mut().zip(forces) {
             *load = Load { force: force + drag, added_mass: 0.0 };
         }
-        let gravity = self.options.density * self.options.gravity;
-        let level = self.options.still_level;
-        let dynamic = self.pressure.iter().zip(&self.near.places[1]);
-        self.total.clear();
-        self.total.extend(dynamic.map(|(p, y)| p + gravity * (level - y)));
+        self.settle(0.0);
         self.lap("integration", &mut clock);
         Ok(())
     }
@@ -98,11 +94,8 @@ impl Scheme for Isph {
     }
 
     fn settle(&mut self, acceleration: f64) {
-        if self.responded {
-            for (total, response) in self.total.iter_mut().zip(&self.carried.response) {
-                *total += acceleration * response;
-            }
-        }
+        self.answer = if self.responded { acceleration } else { 0.0 };
+        self.settle_pressures();
     }
 
     fn kicks(&self) -> bool {
@@ -120,7 +113,7 @@ impl Scheme for Isph {
         self.tally = self.pending;
         std::mem::swap(&mut self.carried.aim, &mut self.exact.aim);
         std::mem::swap(&mut self.carried.pressure, &mut self.carried.older_pressure);
-        std::mem::swap(&mut self.carried.pressure, &mut self.pressure);
+        std::mem::swap(&mut self.carried.pressure, &mut self.dynamic);
         self.lap("integration", &mut clock);
         losses
     }
@@ -133,12 +126,12 @@ impl Scheme for Isph {
         self.level_along(|y| [x, y], from)
     }
 
-    fn face_force(&mut self, body: usize, motion: &BodyMotion) -> f64 {
-        self.pressure_on(body, motion)
+    fn face_force(&mut self, body: usize, _: &BodyMotion) -> f64 {
+        self.pressure_on(body)
     }
 
-    fn face_pressures(&mut self, body: usize, motion: &BodyMotion, pressures: &mut Vec<f64>) {
-        self.pressures_along(body, motion, pressures);
+    fn face_pressures(&mut self, body: usize, _: &BodyMotion, pressures: &mut Vec<f64>) {
+        self.pressures_along(body, pressures);
     }
 
     fn state(&self) -> SchemeState {

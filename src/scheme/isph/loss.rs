@@ -17,7 +17,7 @@ impl Isph {
             return -dt * self.expansion(|i, _| restored.get(i).copied().unwrap_or(0.0));
         }
         let exact = &mut self.exact;
-        let pressures = self.pressure.iter().zip(&self.carried.pressure);
+        let pressures = self.dynamic.iter().zip(&self.carried.pressure);
         exact.scaled.clear();
         exact.scaled.extend(pressures.map(|(p, old)| p - MEMORY * old));
         self.system.matrix.multiply(self.path, &exact.scaled, &mut exact.compact);
@@ -33,12 +33,11 @@ impl Isph {
 
     /// Σ V p times the divergence of a particle with this pressure, W/m.
     fn expansion(&self, divergence: impl Fn(usize, f64) -> f64) -> f64 {
-        let (options, heights) = (&self.options, &self.near.places[1]);
-        let weight = options.density * options.gravity;
-        let terms = self.pressure.iter().enumerate().map(|(i, pressure)| {
-            let pressure = pressure + weight * (options.still_level - heights[i]);
-            self.near.volume[i] * pressure * divergence(i, pressure)
-        });
+        let terms = self
+            .whole
+            .iter()
+            .enumerate()
+            .map(|(i, &pressure)| self.near.volume[i] * pressure * divergence(i, pressure));
         terms.sum()
     }
 }

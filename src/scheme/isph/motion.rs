@@ -17,10 +17,7 @@ impl Isph {
         let n = self.fluid.len();
         let options = self.options;
         if self.responded {
-            let a = walls.acceleration;
-            for (pressure, response) in self.pressure.iter_mut().zip(&self.carried.response) {
-                *pressure += a * response;
-            }
+            let a = self.answer;
             for (own, response) in self.settled.iter_mut().zip(&self.accelerations) {
                 *own = [own[0] + a * response[0], own[1] + a * response[1]];
             }

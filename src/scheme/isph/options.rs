@@ -59,3 +59,11 @@ pub struct IsphOptions {
     /// How fast the error of the volume is taken back, 1/s; 0 where it is left alone.
     pub volume_rate: f64,
 }
+
+impl IsphOptions {
+    /// The whole pressure, Pa, where the dynamic one is this, at a height in metres.
+    #[inline(always)]
+    pub fn whole_pressure(&self, dynamic: f64, height: f64) -> f64 {
+        dynamic + self.density * self.gravity * (self.still_level - height)
+    }
+}

@@ -22,17 +22,13 @@ pub(super) enum Source {
 impl Isph {
     /// p of the water and p L of every point: what the gradient sums.
     fn stresses(&mut self, source: Source) {
-        let options = &self.options;
-        let gravity = options.density * options.gravity;
-        let carried = &self.carried;
+        let (options, carried) = (&self.options, &self.carried);
         let (points, turned, pressure) = (&self.points, &self.turned, &self.pressure);
         let of = |e: usize| {
             let Point { original, walls, place: [_, y], .. } = &points[e];
             let j = *original as usize;
             match source {
-                Source::Pressure => {
-                    pressure[j] + walls.pressure + gravity * (options.still_level - y)
-                }
+                Source::Pressure => options.whole_pressure(pressure[j] + walls.pressure, *y),
                 Source::Walls => walls.pressure_response,
                 Source::Response => carried.response[j] + walls.pressure_response,
             }

@@ -2,7 +2,6 @@
 
 use super::Isph;
 use super::images::Point;
-use crate::body::BodyMotion;
 use crate::water::first_level;
 
 impl Isph {
@@ -18,8 +17,27 @@ impl Isph {
         (nx != 0.0).then_some(move |y: f64| [plane.point[0] - (y - plane.point[1]) * ny / nx, y])
     }
 
+    /// The dynamic pressure of the water or an image of it, Pa: p = p0 + a p1, with the acceleration a that the
+    /// responding wall has by now.
+    fn settled_at(&self, point: &Point) -> f64 {
+        let (j, walls) = (point.original as usize, &point.walls);
+        let response = self.carried.response.get(j).copied().unwrap_or(0.0);
+        self.pressure[j] + walls.pressure + self.answer * (response + walls.pressure_response)
+    }
+
+    /// Finds the water's pressures with that acceleration. All that tells or carries on a pressure takes these.
+    pub(super) fn settle_pressures(&mut self) {
+        let mut dynamic = std::mem::take(&mut self.dynamic);
+        dynamic.clear();
+        dynamic.extend(self.points[..self.fluid.len()].iter().map(|point| self.settled_at(point)));
+        let settled = dynamic.iter().zip(&self.near.places[1]);
+        self.whole.clear();
+        self.whole.extend(settled.map(|(p, y)| self.options.whole_pressure(*p, *y)));
+        self.dynamic = dynamic;
+    }
+
     /// ∫ p dy over a face, from the mean pressure of the water and its images there.
-    pub(super) fn pressure_on(&self, body: usize, motion: &BodyMotion) -> f64 {
+    pub(super) fn pressure_on(&self, body: usize) -> f64 {
         let Some(line) = self.face_line(body) else { return 0.0 };
         let step = 0.5 * self.options.spacing;
         let top = self.level_along(&line, 0.0);
@@ -27,44 +45,29 @@ impl Isph {
         let height = top / cells;
         let mut force = 0.0;
         for cell in 0..cells as usize {
-            let [_, pressure] = self.pressure_at(line((cell as f64 + 0.5) * height), body, motion);
+            let [_, pressure] = self.pressure_at(line((cell as f64 + 0.5) * height));
             force += pressure * height;
         }
         force
     }
 
     /// Coverage and mean pressure, Pa, at a place on a body's face.
-    fn pressure_at(&self, place: [f64; 2], body: usize, motion: &BodyMotion) -> [f64; 2] {
-        let options = &self.options;
-        let gravity = options.density * options.gravity;
-        let responds =
-            if self.responded && body == self.responds { motion.acceleration } else { 0.0 };
-        let [coverage, mean] = self.near.average(place, |k| {
-            let Point { original, walls, .. } = &self.points[k];
-            let j = *original as usize;
-            let response = self.carried.response.get(j).copied().unwrap_or(0.0);
-            self.pressure[j] + walls.pressure + responds * (response + walls.pressure_response)
-        });
+    fn pressure_at(&self, place: [f64; 2]) -> [f64; 2] {
+        let [coverage, mean] = self.near.average(place, |k| self.settled_at(&self.points[k]));
         let dynamic = mean / coverage.max(1e-3);
-        let pressure = dynamic + gravity * (options.still_level - place[1]);
-        [coverage, pressure.max(0.0)]
+        [coverage, self.options.whole_pressure(dynamic, place[1]).max(0.0)]
     }
 
     /// Pressures at the points of a body's face, Pa, up to the first that stands out of the water. They are
     /// means over a support radius, so every other point is as well read as the mean of its neighbours.
-    pub(super) fn pressures_along(
-        &self,
-        body: usize,
-        motion: &BodyMotion,
-        pressures: &mut Vec<f64>,
-    ) {
+    pub(super) fn pressures_along(&self, body: usize, pressures: &mut Vec<f64>) {
         let faces = self.ghosts.bodies[body].faces.clone();
         pressures.clear();
         pressures.resize(faces.len(), 0.0);
         let Some(line) = self.face_line(body) else { return };
         let read = |row: usize| {
             let place = line(self.ghosts.target_y[faces.start + row]);
-            let [coverage, pressure] = self.pressure_at(place, body, motion);
+            let [coverage, pressure] = self.pressure_at(place);
             (coverage >= 0.5).then_some(pressure)
         };
         for row in (0..pressures.len()).step_by(2) {

@@ -97,19 +97,18 @@ impl Isph {
         let mut change = std::mem::take(&mut self.system.change);
         change.clear();
         change.resize(self.pressure.len(), 0.0);
-        self.settle(change, StopRule { size: Some(size), ..self.rule() })
+        self.refine(change, StopRule { size: Some(size), ..self.rule() })
     }
 
     /// Softens what is spray, or under tension by the last step's pressure.
     pub(super) fn soften(&mut self) {
         let (options, carried, y) = (&self.options, &self.carried, &self.near.places[1]);
-        let gravity = options.density * options.gravity;
-        let tense = |i: usize| carried.pressure[i] + gravity * (options.still_level - y[i]) < 0.0;
+        let tense = |i: usize| options.whole_pressure(carried.pressure[i], y[i]) < 0.0;
         self.exact.soften(&self.operators, tense, &mut self.system.matrix.diagonal);
     }
 
     /// Solves for the change of the pressure from a guess, and adds it.
-    pub(super) fn settle(&mut self, mut change: Vec<f64>, rule: StopRule) -> Result<(), StepError> {
+    pub(super) fn refine(&mut self, mut change: Vec<f64>, rule: StopRule) -> Result<(), StepError> {
         let solved = self.solve(&mut change, &rule);
         for (pressure, change) in self.pressure.iter_mut().zip(&change) {
             *pressure += change;

@@ -80,10 +80,13 @@ pub struct Isph {
     pub(super) exact: Exact,
     /// What tells the error of the volume, and how fast that is taken back, 1/s.
     pub(super) shortfall: Option<(Shortfall, f64)>,
-    /// Dynamic pressure of the step under way, Pa, the pressure that accelerates, and the whole.
+    /// Dynamic pressure of the step under way, Pa, without the responding wall's acceleration, and the
+    /// pressure that accelerates.
     pub(super) pressure: Vec<f64>,
     pub(super) own_pressure: Vec<f64>,
-    pub(super) total: Vec<f64>,
+    /// Dynamic and whole pressure of the water with that acceleration, Pa: see [`Isph::settle_pressures`].
+    pub(super) dynamic: Vec<f64>,
+    pub(super) whole: Vec<f64>,
     /// Velocities whose divergence is taken, and that.
     pub(super) velocities: Vec<[f64; 2]>,
     pub(super) divergence: Vec<f64>,
@@ -99,6 +102,8 @@ pub struct Isph {
     pub(super) forces: Vec<f64>,
     pub(super) loads: Vec<Load>,
     pub(super) responded: bool,
+    /// The responding wall's acceleration, m/s²; 0 until it is known.
+    pub(super) answer: f64,
     /// Phases of a step with the seconds spent in each.
     pub(super) phases: [(&'static str, f64); 5],
 }
@@ -141,7 +146,8 @@ impl Isph {
             }),
             pressure: none.clone(),
             own_pressure: none.clone(),
-            total: none.clone(),
+            dynamic: none.clone(),
+            whole: none.clone(),
             velocities: Vec::new(),
             divergence: none,
             strain: vec![[0.0; 2]; n],
@@ -153,6 +159,7 @@ impl Isph {
             forces: vec![0.0; bodies],
             loads: vec![Load::default(); bodies],
             responded: false,
+            answer: 0.0,
             phases: ["neighbours", "operators", "assembly", "solver", "integration"]
                 .map(|phase| (phase, 0.0)),
             options,
