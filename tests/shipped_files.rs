@@ -79,6 +79,57 @@ fn same_answers_has_every_choice_and_every_scene() {
     }
 }
 
+/// Tables of papers hold how long steps took, and no two runs agree in that.
+#[cfg(unix)]
+#[test]
+fn same_answers_leaves_out_how_long_a_step_took() {
+    let script = root().join("scripts/same_answers");
+    let places = tempfile::tempdir().unwrap();
+    let differs = |quantity: &str| {
+        let [old, new] = ["0.97", "0.99"].map(|computed| {
+            let file = places.path().join(computed);
+            let text =
+                format!("paper,figure,quantity,computed\nhuang2019,4,{quantity},{computed}\n");
+            fs::write(&file, text).unwrap();
+            file
+        });
+        let compare = r#"set -e; source <(sed -n "/^cells() {/,/^}/p" "$0"); cells "$1" "$2""#;
+        let mut bash = std::process::Command::new("bash");
+        let told = bash.args(["-c", compare]).args([&script, &old, &new]).output().unwrap();
+        assert!(told.status.success());
+        String::from_utf8(told.stdout).unwrap()
+    };
+    assert_eq!(differs("step_time_of_sfdi"), "");
+    assert_eq!(differs("force"), "line 2, computed: 0.99 instead of 0.97\n");
+}
+
+/// Five of them took `--help` for work: they installed packages, and built for minutes.
+#[cfg(unix)]
+#[test]
+fn every_script_tells_what_it_does_and_does_nothing_else() {
+    use std::os::unix::fs::PermissionsExt;
+    let room = tempfile::tempdir().unwrap();
+    for tool in ["cargo", "apt-get", "sudo", "rustup", "python3", "mpirun"] {
+        let file = room.path().join(tool);
+        fs::write(&file, format!("#!/bin/sh\necho {tool} >&2\nexit 1\n")).unwrap();
+        fs::set_permissions(&file, fs::Permissions::from_mode(0o755)).unwrap();
+    }
+    let path = format!("{}:{}", room.path().display(), std::env::var("PATH").unwrap());
+    for entry in fs::read_dir(root().join("scripts")).unwrap().map(|entry| entry.unwrap().path()) {
+        if entry.is_dir() {
+            continue;
+        }
+        let mut script = std::process::Command::new(&entry);
+        script.arg("--help").env("PATH", &path).env("CARGO_TARGET_DIR", room.path());
+        let told = script.output().unwrap();
+        let words = String::from_utf8_lossy(&told.stdout);
+        let name = entry.display();
+        assert_eq!(told.status.code(), Some(0), "{name}: {told:?}");
+        assert!(words.lines().count() >= 3 && !words.contains("set -e"), "{name}: {words}");
+        assert!(told.stderr.is_empty(), "{name}: {told:?}");
+    }
+}
+
 #[test]
 fn every_script_is_in_the_architecture() {
     let text = fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();

@@ -17,6 +17,12 @@ fail() {
   exit 70
 }
 
+# usage WORDS...: what is wrong with the words that a script was given.
+usage() {
+  say "$*; see scripts/${0##*/} --help"
+  exit 2
+}
+
 need_cargo() {
   command -v cargo >/dev/null || PATH=$HOME/.cargo/bin:$PATH
   command -v cargo >/dev/null || fail "cargo is missing: install Rust first (rustup.rs)"
