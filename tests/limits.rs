@@ -106,3 +106,24 @@ fn check_tells_how_many_cases_are_over_a_limit() {
     assert!(told("limits.steps=100").contains("limits: 8 cases will probably need more and fail"));
     assert!(!told("limits.steps=100000").contains("limits:"));
 }
+
+/// A camera stood between a case and its limits.
+#[test]
+fn a_case_that_is_filmed_keeps_to_its_limits() {
+    let root = tempfile::tempdir().unwrap();
+    let file = write_file(root.path(), TINY);
+    let case = ["wave_height_ratio=0.5", "k=10", "m=50", "--threads", "1"];
+    let out = root.path().join("out");
+    for film in ["--film", "--vtk"] {
+        for (limit, words) in [
+            ("limits.steps=20", "needs more than 20 steps (limits.steps)"),
+            ("limits.wall_time_s=1e-6", "takes more than 0.000001 s (limits.wall_time_s)"),
+        ] {
+            let told = ["run", file.to_str().unwrap(), "--out", out.to_str().unwrap(), "--fresh"];
+            let words_of = [&told[..], &case, &["--set", limit, film]].concat();
+            expect_code(&run(&words_of), 1);
+            let reasons = failures(&out);
+            assert!(reasons[0].ends_with(words), "{film}: {reasons:?}");
+        }
+    }
+}

@@ -29,7 +29,7 @@ pub use vtk::VtkFilm;
 
 use crate::keys::named;
 use crate::scene::CaseConfig;
-use crate::simulation::{CaseResult, Film, Monitor, Stopped};
+use crate::simulation::{CaseResult, Film, Limits, Monitor, Stopped};
 
 /// How cases are filmed.
 #[derive(Debug, Clone)]
@@ -90,7 +90,8 @@ impl Filming {
     }
 }
 
-/// Films a run, for its own monitor's eyes too.
+/// Films a run, for its own monitor's eyes too. A run that is filmed keeps no checkpoints: it could not go on with
+/// its film.
 struct Set<'a> {
     inner: &'a dyn Monitor,
     interval_s: f64,
@@ -105,6 +106,14 @@ impl Monitor for Set<'_> {
 
     fn reached(&self, time_s: f64) {
         self.inner.reached(time_s);
+    }
+
+    fn over_limit(&self, steps: u64) -> Option<String> {
+        self.inner.over_limit(steps)
+    }
+
+    fn limits(&self) -> Limits {
+        self.inner.limits()
     }
 
     fn film_interval(&self) -> Option<f64> {
