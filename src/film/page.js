@@ -84,6 +84,8 @@
       part(all.sort((a, b) => now.y[a] - now.y[b]));
       const middle = bin.left + (at + 0.5) * bin.wide, behind = middle - wall;
       const floor = bedAt(middle);
+      // A basin's side cuts a bin: src/film/tops.rs.
+      if (all.length && floor - now.y[all[all.length - 1]] > bin.wide) return null;
       let top = lean > 0 ? Math.max(floor, behind / lean) : floor, found = false;
       for (const k of all) {
         if (now.y[k] - top > now.apart[k]) break;

@@ -7,7 +7,7 @@ use super::camera::{PageCamera, Take};
 use super::reel::Reel;
 use super::scale::{self, Colour};
 use super::stage::Stage;
-use super::title::{about, moment, title};
+use super::title::{about, is_read, moment, title};
 use super::{at, camera, still};
 use crate::math::decimal::significant;
 use crate::scene::CaseConfig;
@@ -92,10 +92,15 @@ impl PageFilm {
         }
         let (mut stills, crest_s) = (String::new(), takes[crest].time_s);
         let highest = nearest(takes, result.outcome.runup_max.time_s);
+        let climbs = is_read(result, |row| row.runup);
         let other = |take: &&Take| take.time_s != crest_s;
         let moments = [
             (page.with_extension("svg"), Some(&takes[crest]), true),
-            (self.still(id, "highest"), Some(&takes[highest]).filter(other), false),
+            (
+                self.still(id, "highest"),
+                Some(&takes[highest]).filter(|_| climbs).filter(other),
+                false,
+            ),
             (self.still(id, "furthest"), furthest(takes, stage.depth).filter(other), true),
         ];
         for (picture, take, inside) in moments {
@@ -192,6 +197,26 @@ mod tests {
         for word in ["k = 500 N/m", "<noscript><svg", "aria-label", "\"wall\":\"spring\""] {
             assert!(page.contains(word), "{word}");
         }
+    }
+
+    /// A drop was told to press by F* = 0.00 and to climb by R* = 0.00, with a still of its highest runup.
+    #[test]
+    fn water_without_a_wall_has_neither_force_nor_runup() {
+        let root = tempfile::tempdir().unwrap();
+        let film = PageFilm { colour: Colour::Pressure, folder: root.path().to_owned() };
+        let config = tables("kind = \"oscillating-drop\"");
+        let take =
+            |k: i32| Take { time_s: 0.1 * f64::from(k), walls: [0.0; 2], points: vec![[0.0; 3]] };
+        let takes: Vec<_> = (0..5).map(take).collect();
+        let mut result = made_up(&config);
+        for row in &mut result.history {
+            (row.force, row.runup, row.displacement) = (0.0, 0.0, 0.0);
+        }
+        film.write(&config, &result, &takes, 2).unwrap();
+        let [furthest, highest, still, _] = film.files(CaseId::of(&config));
+        let still = fs::read_to_string(still).unwrap();
+        assert!(still.contains(">t = 0.20 s<"), "{still}");
+        assert!(!highest.exists() && !furthest.exists());
     }
 
     #[test]

@@ -56,12 +56,24 @@ pub(super) fn moment(config: &CaseConfig, take: &Take, result: &CaseResult) -> S
     let row = |row: &&HistoryRow| (row.time_s - take.time_s).abs();
     let mut told = format!("t = {:.2} s", take.time_s);
     if let Some(row) = result.history.iter().min_by(|a, b| row(a).total_cmp(&row(b))) {
-        told += &format!(", F* = {:.2}, R* = {:.2}", row.force, row.runup);
-        if config.scene.seawall().is_some_and(|scene| scene.wall.moves()) {
-            told += &format!(", X* = {:.2}", row.displacement);
+        let moves = config.scene.seawall().is_some_and(|scene| scene.wall.moves());
+        let read: [(&str, fn(&HistoryRow) -> f64, bool); 3] = [
+            ("F*", |row| row.force, false),
+            ("R*", |row| row.runup, false),
+            ("X*", |row| row.displacement, moves),
+        ];
+        for (symbol, of, always) in read {
+            if always || is_read(result, of) {
+                told += &format!(", {symbol} = {:.2}", of(row));
+            }
         }
     }
     told
+}
+
+/// Whether there is anything to read: water without a wall presses on none, and climbs none.
+pub(super) fn is_read(result: &CaseResult, of: fn(&HistoryRow) -> f64) -> bool {
+    result.history.iter().any(|row| of(row) != 0.0)
 }
 
 #[cfg(test)]

@@ -44,6 +44,11 @@ impl Tops {
             let middle = tops.middle(bin);
             let behind = middle - wall;
             let bed = stage.bed_at(middle);
+            // An upright side of a basin cuts a bin: its middle is in the wall, and what it holds is no column.
+            let highest = tops.bins[bin].last().copied().unwrap_or(bed);
+            if bed - highest > BIN * spacing {
+                return None;
+            }
             tops.climb(bin, if lean > 0.0 { (behind / lean).max(bed) } else { bed })
         };
         let heights: Vec<_> = (0..count).map(climb).collect();
@@ -162,5 +167,31 @@ mod tests {
         };
         assert_eq!(top(&[&still[..], &steep(0.125)].concat()), 10.0);
         assert_eq!(top(&[&still[..], &steep(0.5)].concat()), 3.0, "spray, one above the other");
+    }
+
+    /// The sides of a basin cut bins, and the surface fell to the floor there.
+    #[test]
+    fn the_surface_of_a_basin_goes_on_to_its_sides() {
+        let scene = "behind = \"basin\"\ncrest_freeboard_m = 0.08\ncrest_width_m = 0.1\nfloor_height_m = 0\n\
+                     floor_length_m = 0.4\nbasin_level_m = 0.1\nwave_height_ratio = 0.5";
+        let numerics = "particle_spacing_m = 0.01".parse().unwrap();
+        let config =
+            crate::scene::CaseConfig::from_tables(&scene.parse().unwrap(), &numerics).unwrap();
+        let particle = |k: usize| {
+            // Columns begin and end beside the basin's sides.
+            let [x, y] = [2.6 + 0.01 * (k / 10) as f64, 0.01 * (k % 10) as f64];
+            [(x + 0.005) as f32, (y + 0.005) as f32, 0.0]
+        };
+        let mut points: Vec<_> = (0..400).map(particle).collect();
+        points.push([2.6005, 0.005, 0.0]);
+        points.push([2.9995, 0.005, 0.0]);
+        let take = Take { time_s: 0.0, walls: [0.0; 2], points };
+        let stage = Stage::of(&config, std::slice::from_ref(&take));
+        let tops = Tops::of(&stage, &take, &stage.whole);
+        let line = tops.line();
+        assert!(line.len() > 20);
+        for [x, top] in line {
+            assert!((top - 0.1).abs() < 0.011, "{top} m at {x} m");
+        }
     }
 }
