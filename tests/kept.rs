@@ -23,6 +23,8 @@ struct Shelf {
     refused: AtomicBool,
     /// The run is told to stop once so many states are kept.
     most: Option<usize>,
+    /// It looks at the water and at the walls at every step.
+    films: bool,
 }
 
 impl Keeper for Shelf {
@@ -44,6 +46,12 @@ impl Keeper for Shelf {
 impl Monitor for Shelf {
     fn keeper(&self) -> Option<&dyn Keeper> {
         Some(self)
+    }
+    fn film_interval(&self) -> Option<f64> {
+        self.films.then_some(1e-9)
+    }
+    fn films_faces(&self) -> bool {
+        self.films
     }
     fn cancelled(&self) -> bool {
         self.most.is_some_and(|most| self.states.lock().unwrap().len() >= most)
@@ -72,6 +80,9 @@ fn goes_on(name: &str, case: &CaseConfig, about: usize) {
     assert_eq!(bits(run_case(case, None, path, &shelf).unwrap()), whole, "{name}: keeping");
     let states = shelf.states.into_inner().unwrap();
     assert!(states.len() >= about, "{name}: {} of {asked}", states.len());
+    let camera = Shelf { every: shelf.every, films: true, ..Shelf::default() };
+    assert_eq!(bits(run_case(case, None, path, &camera).unwrap()), whole, "{name}: filming");
+    assert!(camera.states.into_inner().unwrap() == states, "{name}: a film changed what is kept");
     for (number, state) in states.iter().enumerate() {
         let shelf = given(state);
         // The checkpoint of the trunk stands back behind the case's own.

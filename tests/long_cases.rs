@@ -160,6 +160,19 @@ fn a_run_that_is_told_to_stop_keeps_its_state() {
     assert!(Command::new("kill").args(["-TERM", &pid]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();
     expect_code(&output, 3);
+
+    // With a film it starts over, and was told to go on.
+    let mut filmed = seawall();
+    filmed.args(&one).args(["--vtk", "0.01"]).stdout(Stdio::null()).stderr(Stdio::piped());
+    let child = filmed.spawn().unwrap();
+    wait_until("film", || out.join("vtk").exists());
+    let pid = child.id().to_string();
+    assert!(Command::new("kill").args(["-TERM", &pid]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    expect_code(&output, 3);
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(told.contains("interrupted: a single scene starts over"), "{told}");
+    fs::remove_dir_all(out.join("vtk")).unwrap();
     finish(&one);
     assert_same(&whole, &out);
 }

@@ -99,7 +99,9 @@ pub(super) fn main(args: &RunArgs, output: &Output) -> anyhow::Result<u8> {
         output.note("--vtk: nothing was written, as nothing was run; --fresh writes the files");
     }
     if done.ending == Ending::Interrupted {
-        output.note(match has_checkpoints(done.directory.path()) {
+        // A film shows a case from its start.
+        let films = args.vtk.is_some() || args.film.is_some();
+        output.note(match has_checkpoints(done.directory.path()) && !films {
             true => "interrupted: the same command goes on from the last checkpoint",
             false => "interrupted: a single scene starts over",
         });

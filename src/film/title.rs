@@ -57,16 +57,14 @@ pub(super) fn moment(config: &CaseConfig, take: &Take, result: &CaseResult) -> S
     let mut told = format!("t = {:.2} s", take.time_s);
     if let Some(row) = result.history.iter().min_by(|a, b| row(a).total_cmp(&row(b))) {
         let moves = config.scene.seawall().is_some_and(|scene| scene.wall.moves());
-        let read: [(&str, fn(&HistoryRow) -> f64, bool); 3] = [
-            ("F*", |row| row.force, false),
-            ("R*", |row| row.runup, false),
-            ("X*", |row| row.displacement, moves),
-        ];
-        for (symbol, of, always) in read {
+        let mut tell = |symbol: &str, of: fn(&HistoryRow) -> f64, always: bool| {
             if always || is_read(result, of) {
                 told += &format!(", {symbol} = {:.2}", of(row));
             }
-        }
+        };
+        tell("F*", |row| row.force, false);
+        tell("R*", |row| row.runup, false);
+        tell("X*", |row| row.displacement, moves);
     }
     told
 }
