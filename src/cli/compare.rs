@@ -15,7 +15,7 @@ use crate::keys::named;
 use crate::math::decimal::significant;
 use crate::math::words::counted;
 use crate::quantities::Unit;
-use crate::report::compare::{COMPARED, Comparison, Pair, compare, figure, table};
+use crate::report::compare::{COMPARED, Comparison, Difference, Pair, compare, figure, table};
 use crate::results::SweepError;
 
 /// Put two studies side by side. Cases of the same wave and wall are compared, whatever their numerics.
@@ -212,6 +212,12 @@ fn cases(comparison: &Comparison, all: bool) -> String {
     let mut text = table.render() + &more;
     if text.contains('!') {
         text.push_str("!: the difference is larger than both error bars together\n");
+        let differences = comparison.pairs.iter().flat_map(|pair| &pair.differences).flatten();
+        if differences.into_iter().any(Difference::has_one_bar) {
+            text.push_str(
+                "   where one of the two cases has no bar, it is held against the other's alone\n",
+            );
+        }
     }
     text
 }

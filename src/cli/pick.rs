@@ -87,7 +87,11 @@ fn keep_with_value(
     let Some(place) = place(key).or_else(|| place(name_of_symbol(key)?)) else {
         if let Some(value) = fixed(key).or_else(|| fixed(name_of_symbol(key)?)) {
             let told = || format!("{word}: is {} in every case of this study", in_words(&value));
-            return if same(&value, wanted.value()) { Ok(()) } else { Err(BadInput(told())) };
+            return if alike(&value, wanted.value(), FOUR_DIGITS) {
+                Ok(())
+            } else {
+                Err(BadInput(told()))
+            };
         }
         let told = ConfigError::unknown(&path, keys).to_string();
         let swept = || format!("; this study sweeps {}", keys.join(", "));
@@ -98,9 +102,11 @@ fn keep_with_value(
         return Err(BadInput(told + &help));
     };
     let values = values(fitting, place);
-    fitting.retain(|choice| {
-        choice.values[place].as_deref().is_some_and(|value| same(value, wanted.value()))
-    });
+    let fits = |choice: &Choice, share: f64| {
+        choice.values[place].as_deref().is_some_and(|value| alike(value, wanted.value(), share))
+    };
+    let exact = fitting.iter().any(|choice| fits(choice, 0.0));
+    fitting.retain(|choice| fits(choice, if exact { 0.0 } else { FOUR_DIGITS }));
     if fitting.is_empty() {
         return Err(BadInput(format!("{word}: no such case; there is {values}")));
     }
@@ -122,13 +128,17 @@ fn in_words(value: &toml::Value) -> String {
     }
 }
 
-/// Equal as settings, numbers to four digits: nobody writes more by hand.
-fn same(value: &toml::Value, wanted: &toml::Value) -> bool {
+/// Four digits of a number: nobody writes more by hand.
+const FOUR_DIGITS: f64 = 5e-4;
+
+/// Equal as settings, numbers within a share of themselves.
+fn alike(value: &toml::Value, wanted: &toml::Value, share: f64) -> bool {
     match (number(value), number(wanted)) {
-        (Some(value), Some(wanted)) => (value - wanted).abs() <= 5e-4 * value.abs(),
+        (Some(value), Some(wanted)) => (value - wanted).abs() <= share * value.abs(),
         _ => match (value.as_array(), wanted.as_array()) {
             (Some(value), Some(wanted)) => {
-                value.len() == wanted.len() && value.iter().zip(wanted).all(|(a, b)| same(a, b))
+                let mut both = value.iter().zip(wanted);
+                value.len() == wanted.len() && both.all(|(a, b)| alike(a, b, share))
             }
             _ => value == wanted,
         },
@@ -150,6 +160,17 @@ pub(super) mod tests {
     fn pick(words: &[&str]) -> Result<usize, String> {
         let words: Vec<_> = words.iter().map(|&word| word.to_owned()).collect();
         the_case(&study(), &words).map(|case| case.index).map_err(|error| error.to_string())
+    }
+
+    /// The story: three waves had the same four digits. The message named all three, and none of them could be picked.
+    #[test]
+    fn a_value_that_is_there_to_the_last_digit_wins() {
+        let text = "name = \"a\"\n[grid]\nwave_height_ratio = [0.3, 0.30001, 0.3001]";
+        let study = Study::new(&SweepFile::read(text, &[]).unwrap()).unwrap();
+        let pick = |word: &str| the_case(&study, &[word.to_owned()]).map(|case| case.index);
+        let picked = ["H/h=0.3", "H/h=0.30001", "H/h=0.3001"].map(|word| pick(word).unwrap());
+        assert_eq!(picked, [0, 1, 2]);
+        assert!(pick("H/h=0.30005").is_err(), "near all three");
     }
 
     #[test]

@@ -29,7 +29,8 @@ fn ratios(bars: ErrorBars, config: &CaseConfig) -> &'static [f64] {
 
 /// The companions of a study's cases, each once, and for every case the places of its own among
 /// cases and companions together. Where the grid sweeps the spacing, a case may be the companion
-/// of another. A companion too coarse for its depth is left out.
+/// of another. A companion too coarse for its depth is left out. So is one too coarse for the rest of its
+/// scene, such as a crest: the companion of a pair is then the nearer one.
 pub(super) fn plan(cases: &[Case], bars: &[ErrorBars]) -> (Vec<Case>, Vec<Vec<usize>>) {
     let mut places: HashMap<CaseId, usize> =
         cases.iter().map(|case| (case.id, case.index)).collect();
@@ -39,8 +40,14 @@ pub(super) fn plan(cases: &[Case], bars: &[ErrorBars]) -> (Vec<Case>, Vec<Vec<us
     let bars = bars.iter().copied().chain(std::iter::repeat(ErrorBars::None));
     for (case, bars) in cases.iter().zip(bars) {
         let mut own = Vec::new();
-        for &ratio in ratios(bars, &case.config) {
-            let Some(mut config) = case.config.coarsened(ratio) else { continue };
+        let mut coarser: Vec<CaseConfig> = ratios(bars, &case.config)
+            .iter()
+            .filter_map(|&ratio| case.config.coarsened(ratio))
+            .collect();
+        if coarser.is_empty() && bars == ErrorBars::Pair {
+            coarser.extend(case.config.coarsened(SQRT_2));
+        }
+        for mut config in coarser {
             numerics.share(&mut config.numerics);
             own.push(place(config, case, &mut places, &mut companions, cases.len()));
         }
@@ -110,6 +117,20 @@ mod tests {
         let own = study.run(4).config.numerics.particle_spacing_m;
         assert_eq!((study.companions.len(), own), (1, 0.02 * SQRT_2));
         assert_eq!(study.without_bars, 1, "the coarsest has five rows");
+    }
+
+    /// The story: a crest of nine spacings left its case without error bars, as kernels of twice the spacing are wider.
+    #[test]
+    fn where_twice_the_spacing_cannot_run_the_nearer_companion_does() {
+        let crest =
+            "[scene]\nbehind = \"outflow\"\ncrest_freeboard_m = 0.04\ncrest_width_m = 0.075";
+        let spacings = |own: f64| -> Vec<f64> {
+            let numerics = format!("particle_spacing_m = {own}\nerror_bars = \"pair\"");
+            let study = study(&format!("{crest}\n[numerics]\n{numerics}\n{WAVES}"));
+            let runs = study.companions_of[0].iter();
+            runs.map(|&run| study.run(run).config.numerics.particle_spacing_m / own).collect()
+        };
+        assert_eq!([0.006, 0.008, 0.0099].map(spacings), [vec![2.0], vec![SQRT_2], vec![SQRT_2]]);
     }
 
     /// Five rows of particles at twice the spacing tell nothing of ten.

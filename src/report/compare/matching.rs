@@ -53,7 +53,7 @@ fn text(table: &Table, key: &str) -> String {
 }
 
 /// Nine digits tell numbers apart that a file writes in different ways.
-fn number_text(value: Option<f64>) -> String {
+pub fn number_text(value: Option<f64>) -> String {
     value.map_or_else(|| "-".to_owned(), |value| format!("{value:.8e}"))
 }
 

@@ -1,11 +1,13 @@
 //! Two cases of the same point: what they differ by.
 
 use super::Side;
+use super::matching::number_text;
 use crate::math::lists;
 use crate::quantities::summary::{
     DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX,
 };
 use crate::quantities::{Column, Unit};
+use crate::report::number::plain;
 use crate::report::row::{PLACE, label};
 
 /// What is compared, and what stands in for it where one of the cases has no first impact, and where waves are
@@ -81,6 +83,11 @@ impl Difference {
         Some(a.unwrap_or(0.0) + b.unwrap_or(0.0))
     }
 
+    /// Whether one of the cases alone has a bar.
+    pub fn has_one_bar(&self) -> bool {
+        self.bars[0].is_some() != self.bars[1].is_some()
+    }
+
     /// Whether the bars reach each other.
     pub fn is_within(&self) -> Option<bool> {
         self.bar().map(|bar| self.absolute().abs() <= bar)
@@ -137,9 +144,19 @@ impl Pair {
     }
 }
 
-/// Both cases in words.
+/// Both cases in words. What they have different values of has both, with a bar between.
 fn point(a: &Side, b: &Side) -> String {
-    let parts = PLACE.iter().filter_map(|column| Some(label(column, a.row.number(column)?)));
+    let part = |column: &&'static Column| {
+        let values = [a, b].map(|side| side.row.number(column));
+        let first = values[0].or(values[1])?;
+        if number_text(values[0]) == number_text(values[1]) {
+            return Some(label(column, first));
+        }
+        let [a, b] = values.map(|value| value.map_or_else(|| "-".to_owned(), plain));
+        let text = format!("{} = {a} | {b} {}", column.symbol, column.unit.symbol());
+        Some(text.trim_end().to_owned())
+    };
+    let parts = PLACE.iter().filter_map(part);
     let mut parts: Vec<String> = parts.collect();
     let variants = [&a.row.variant, &b.row.variant];
     if variants.iter().any(|variant| !variant.is_empty()) {
@@ -152,7 +169,7 @@ fn point(a: &Side, b: &Side) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantities::summary::{FORCE_ERROR, WAVE_HEIGHT_RATIO};
+    use crate::quantities::summary::{FORCE_ERROR, SEAWALL_MASS, WAVE_HEIGHT_RATIO};
     use crate::report::row::Row;
 
     fn pair(a: f64, b: f64, bar: Option<f64>) -> Pair {
@@ -175,6 +192,39 @@ mod tests {
         assert_eq!(pair(2.0, 2.1, Some(0.04)).differences[0].unwrap().is_within(), Some(false));
         assert_eq!(pair(2.0, 2.1, None).differences[0].unwrap().is_within(), None);
         assert_eq!(one.differences[2], None, "no displacement");
+    }
+
+    /// The story: a study without bars was told to differ by more than "both error bars together".
+    #[test]
+    fn a_case_without_a_bar_is_held_against_the_other_bar_alone() {
+        let row = || Row::default().with(&FIRST_FORCE_MAX, 2.0);
+        let rows = [row().with(&FORCE_ERROR, 0.1), row()];
+        let of = |a: usize, b: usize| {
+            let [a, b] = [a, b].map(|one| Side { row: &rows[one], config: None });
+            Pair::of(&a, &b).differences[0].unwrap()
+        };
+        assert_eq!(
+            [of(0, 1), of(0, 0), of(1, 1)].map(|one| one.has_one_bar()),
+            [true, false, false]
+        );
+        assert_eq!(of(0, 1).bar(), Some(0.1));
+    }
+
+    /// The story: a caisson was held against a fixed wall, and the difference was told "at m = 60000 kg/m".
+    #[test]
+    fn what_differs_stands_in_the_words_twice() {
+        let row = || Row::default().with(&WAVE_HEIGHT_RATIO, 0.3);
+        let words = |a: Row, b: Row| {
+            let [a, b] = [&a, &b].map(|row| Side { row, config: None });
+            Pair::of(&a, &b).words
+        };
+        let heavy = || row().with(&SEAWALL_MASS, 60000);
+        assert_eq!(words(heavy(), row()), "H/h = 0.3, m = 60000 | - kg/m");
+        assert_eq!(
+            words(heavy(), heavy().with(&SEAWALL_MASS, 50)),
+            "H/h = 0.3, m = 60000 | 50 kg/m"
+        );
+        assert_eq!(words(heavy(), heavy()), "H/h = 0.3, m = 60000 kg/m");
     }
 
     /// The story: the third wave of a train was held against the fourth of the same train on finer particles.

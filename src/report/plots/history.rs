@@ -16,6 +16,8 @@ use crate::report::row::Row;
 use crate::report::series::History;
 
 const CURVES: usize = 6;
+/// Wave heights with a figure, of each variant.
+const WAVES: usize = 12;
 
 /// One case's history with its words in the legend.
 struct Line {
@@ -27,8 +29,11 @@ struct Line {
 /// The figures of every wave height and variant that has histories, and of cases without a wave.
 pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut figures = Vec::new();
+    let waves = distinct(data.finished(), &WAVE_HEIGHT_RATIO);
+    let digits = number::digits_apart(waves.iter().copied());
+    let left_out = left_out(waves.len());
     for variant in variants(&data.rows) {
-        for wave in distinct(data.finished(), &WAVE_HEIGHT_RATIO) {
+        for wave in spread(&waves, WAVES) {
             let own = data.of_variant(&variant);
             let rows: Vec<_> =
                 own.filter(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(wave)).collect();
@@ -37,14 +42,14 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
             if lines.is_empty() {
                 continue;
             }
-            let wave = number::plain(wave);
+            let wave = number::plain_to(wave, digits);
             let name = file_name(&format!("history-wave-{wave}"), &variant);
             let drop = dropped(lines.len(), rows.len(), "of this wave height", &picked);
             figures.push(Figure {
                 drawing: over_time::strips(&strips(&lines)),
                 caption: format!(
                     "Force (unfiltered), runup{} at the wall{common}, over the time since the \
-                     paddle's start. Spikes of one or two samples may leave the panel.{drop}",
+                     paddle's start. Spikes of one or two samples may leave the panel.{drop}{left_out}",
                     if moves(&lines) { " and displacement" } else { "" }
                 ),
                 title: format!("Histories, H/h = {wave}{}", of_variant(&variant)),
@@ -78,6 +83,14 @@ fn without_wave(data: &Loaded) -> Result<Option<Figure>, ReportError> {
              two samples may leave the panel.{drop}"
         ),
     }))
+}
+
+/// The end of a caption: which waves have a figure, where not all of them do.
+fn left_out(waves: usize) -> String {
+    if waves <= WAVES {
+        return String::new();
+    }
+    format!(" Of {waves} wave heights {WAVES} have such a figure, spread evenly.")
 }
 
 /// The end of a caption: what was picked, where it is not all there is.

@@ -51,6 +51,25 @@ fn figures_without_data_are_left_out() {
     assert_eq!(names(&fixture::fixed()), fixed);
 }
 
+/// The story: 200 waves made a page of 200 histories, and of three near waves all were named `history-wave-0.3`.
+#[test]
+fn many_waves_have_few_histories_and_near_ones_names_of_their_own() {
+    let histories = |waves: &[f64]| -> Vec<Figure> {
+        let figures = drawn(&fixture::movable(waves, &[500.0], &[250.0]));
+        figures.into_iter().filter(|figure| figure.name.starts_with("history-")).collect()
+    };
+    let many: Vec<f64> = (0..40).map(|at| 0.1 + 0.01 * f64::from(at)).collect();
+    let figures = histories(&many);
+    assert_eq!(figures.len(), 12, "the last case failed");
+    assert!(
+        figures[0].caption.ends_with("Of 39 wave heights 12 have such a figure, spread evenly.")
+    );
+    assert_eq!((&*figures[0].name, &*figures[11].name), ("history-wave-0.1", "history-wave-0.48"));
+    let near = histories(&[0.3, 0.30001, 0.300012]).into_iter().map(|figure| figure.name);
+    let names = ["history-wave-0.3", "history-wave-0.30001", "history-wave-0.300012"];
+    assert_eq!(near.collect::<Vec<_>>(), names);
+}
+
 #[test]
 fn one_wave_one_spring_one_mass_is_enough() {
     let figures = drawn(&fixture::movable(&[0.5], &[500.0], &[250.0]));
