@@ -23,6 +23,19 @@ usage() {
   exit 2
 }
 
+# The comment at the top of the script.
+tell_help() { sed -n '2,/^set /{/^#/s/^# \{0,1\}//p}' "$0"; }
+
+# Every script answers --help before it does anything else.
+for word in "$@"; do
+  case $word in
+    -h | --help)
+      tell_help
+      exit 0
+      ;;
+  esac
+done
+
 need_cargo() {
   command -v cargo >/dev/null || PATH=$HOME/.cargo/bin:$PATH
   command -v cargo >/dev/null || fail "cargo is missing: install Rust first (rustup.rs)"
