@@ -145,3 +145,17 @@ fn verify_counts_what_is_finished() {
     let told: serde_json::Value = serde_json::from_slice(&programs.stdout).unwrap();
     assert_eq!(told, serde_json::json!({ "cases": 1, "rerun": 0, "damage": [] }));
 }
+
+/// The story: `verify --rerun 2` of a study whose cases had all failed ran none again, and did not say so.
+#[test]
+fn a_study_of_failed_cases_has_none_to_run_again() {
+    let root = tempfile::tempdir().unwrap();
+    let text = TINY.replace("[0.4, 0.5]", "[0.4]").replace("[50, 250]", "[50]");
+    let out = root.path().join("out");
+    let limited = text.replace("[grid]", "[limits]\nsteps = 3\n[grid]");
+    expect_code(&sweep(&write_file(root.path(), &limited), &out), 1);
+    let again = run(&["verify", out.to_str().unwrap(), "--rerun", "2"]);
+    expect_code(&again, 0);
+    let told = String::from_utf8(again.stdout).unwrap();
+    assert!(told.ends_with("none ran again: no case of this study has ended well\n"), "{told}");
+}

@@ -4,6 +4,7 @@ use serde::{Deserialize, Deserializer, Serialize, de};
 
 use super::{BodyMotion, PaddleLaw};
 use crate::keys::{Shared, section};
+use crate::math::lists::median;
 
 section! {
     /// The keys of a recorded stroke.
@@ -14,6 +15,11 @@ section! {
         recorded_stroke: Stroke, plain().only("paddle", &["recorded-stroke"]);
     }
 }
+
+/// A hole in a record: how many times the usual distance in time its points are apart.
+const HOLE: f64 = 5.0;
+/// Across it the stroke goes by more than this share of its reach.
+const UNSEEN: f64 = 0.02;
 
 /// Times, s, and positions, m, read from a CSV file. In a case they stand for the file, so that its
 /// contents are part of the case's identity, and no other process needs it.
@@ -104,6 +110,17 @@ impl Stroke {
         let start = points[0][1];
         let [back, forth] = widest(points.iter().map(|point| point[1] - start));
         (range[1] - forth).max(back - range[0])
+    }
+
+    /// The two points beside the widest hole that the stroke moves across, and the median distance in time of its points, s.
+    pub fn hole(&self) -> Option<([[f64; 2]; 2], f64)> {
+        let pairs = self.0.points.windows(2).map(|pair| [pair[0], pair[1]]);
+        let wide = |[before, after]: &[[f64; 2]; 2]| after[0] - before[0];
+        let usual = median(&pairs.clone().map(|pair| wide(&pair)).collect::<Vec<_>>())?;
+        let moves =
+            |[before, after]: &[[f64; 2]; 2]| (after[1] - before[1]).abs() > UNSEEN * self.reach();
+        let holes = pairs.filter(|pair| wide(pair) > HOLE * usual && moves(pair));
+        Some((holes.max_by(|a, b| wide(a).total_cmp(&wide(b)))?, usual))
     }
 }
 

@@ -53,8 +53,10 @@ pub(super) fn main(args: &VerifyArgs, output: &Output) -> anyhow::Result<u8> {
     if told.is_empty() {
         text = format!("{cases}: every file is as it was written\n");
     }
-    if !again.is_empty() {
-        text.push_str(&format!("{} ran again, from rest\n", counted(again.len(), "case")));
+    match (args.rerun, again.len()) {
+        (0, _) => {}
+        (_, 0) => text.push_str("none ran again: no case of this study has ended well\n"),
+        (_, cases) => text.push_str(&format!("{} ran again, from rest\n", counted(cases, "case"))),
     }
     let value = json!({ "cases": finished, "rerun": again.len(), "damage": told });
     output.result(&text, &value)?;

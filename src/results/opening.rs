@@ -171,6 +171,10 @@ pub(super) fn check_header(
 /// Moves a directory aside and puts an empty one in its place, which is locked from the start. Where the system can,
 /// the name is never without a directory: another process would take it for a new one.
 pub(super) fn replace(path: &Path) -> Result<(PathBuf, Lock), SweepError> {
+    if path.is_symlink() {
+        // A link stays, and leads to the new one: it may lie on a disk with more room.
+        return replace(&fs::canonicalize(path).map_err(SweepError::io(path))?);
+    }
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let new = path.with_file_name(format!("{name}.new-{}", std::process::id()));
     disk::create_folder(&new).map_err(SweepError::io(&new))?;

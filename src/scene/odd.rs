@@ -33,7 +33,7 @@ pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
         let near =
             gauge(scene, &config.numerics).or_else(|| aground(scene)).or_else(|| meets(scene));
         let buried = buried(scene, &config.probes);
-        let stroke = overshoot(scene);
+        let stroke = overshoot(scene).or_else(|| hole(scene));
         let outside = outside(scene, &config.probes);
         let all = [tank(scene), threshold(scene), steep(scene), early(scene), near, buried];
         odd.extend(all.into_iter().chain([outside, stroke]).flatten());
@@ -159,6 +159,18 @@ fn overshoot(scene: &SeawallScene) -> Option<ConfigError> {
         "between its points the paddle goes {beyond:.4} m farther than they do, as a spline: give more of them"
     );
     (beyond > OVERSHOOT * reach).then(|| ConfigError::new("scene.recorded_stroke", "", told))
+}
+
+/// A spline goes smoothly over what a record has lost.
+fn hole(scene: &SeawallScene) -> Option<ConfigError> {
+    let ([before, after], usual) = scene.recorded.as_ref()?.recorded_stroke.hole()?;
+    let told = format!(
+        "has no points from {} s to {} s, where it goes by {:.4} m; elsewhere they are {usual:.4} s apart",
+        before[0],
+        after[0],
+        (after[1] - before[1]).abs()
+    );
+    Some(ConfigError::new("scene.recorded_stroke", "", told))
 }
 
 /// Heights of probes count from the paddle's foot, also where the bed is higher.

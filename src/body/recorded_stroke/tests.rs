@@ -53,6 +53,22 @@ fn what_the_spline_does_between_its_points_counts() {
     assert!(even.overshoot() < 1e-12 && (even.reach() - 0.2).abs() < 1e-12);
 }
 
+/// The story: half a second of a measured stroke was lost, and the spline through the rest was taken without a word.
+#[test]
+fn a_hole_that_the_stroke_moves_across_is_found() {
+    let points = |without: std::ops::Range<usize>| {
+        let kept = (0..=60).filter(|k| !without.contains(k)).map(|k| 0.05 * k as f64);
+        Stroke::checked(kept.map(|time| [time, smooth(time)]).collect()).unwrap()
+    };
+    assert_eq!(points(0..0).hole(), None);
+    assert_eq!(points(20..23).hole(), None, "four times as far is no hole");
+    let ([before, after], usual) = points(20..30).hole().unwrap();
+    assert!((before[0] - 0.95).abs() < 1e-12 && (after[0] - 1.5).abs() < 1e-12, "{before:?}");
+    assert!((usual - 0.05).abs() < 1e-12);
+    let resting = [[0.0, 0.0], [0.1, 0.1], [0.2, 0.2], [0.3, 0.2], [9.0, 0.2], [9.1, 0.2]];
+    assert_eq!(Stroke::checked(resting.to_vec()).unwrap().hole(), None, "it stands there");
+}
+
 #[test]
 fn a_file_gives_its_path() {
     assert_eq!(Shape::of::<Stroke>(), Shape::Text);

@@ -70,6 +70,22 @@ fn another_sweeps_directory_is_refused_untouched() {
     assert_eq!(opened, Opened::Moved(root.path().join("run.old-1")));
 }
 
+/// The story: a link to a large disk was moved aside, and a folder beside it took the new results.
+#[cfg(unix)]
+#[test]
+fn a_link_still_leads_to_the_disk_it_led_to() {
+    let root = tempfile::tempdir().unwrap();
+    let [disk, link] = ["disk", "link"].map(|name| root.path().join(name));
+    fs::create_dir(&disk).unwrap();
+    std::os::unix::fs::symlink(disk.join("run"), &link).unwrap();
+    fs::create_dir(disk.join("run")).unwrap();
+    open(&link, &study("0.1, 0.2"), OpenMode::Resume).unwrap();
+    let (_directory, opened) = open(&link, &study("0.1, 0.2"), OpenMode::Fresh).unwrap();
+    let disk = fs::canonicalize(disk).unwrap();
+    assert_eq!(opened, Opened::Moved(disk.join("run.old-1")));
+    assert!(link.is_symlink() && disk.join("run").join(journal::FILE_NAME).is_file());
+}
+
 #[test]
 fn a_strangers_directory_is_never_moved() {
     let root = tempfile::tempdir().unwrap();
