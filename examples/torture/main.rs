@@ -55,6 +55,10 @@ fn main() -> ExitCode {
 fn torture(arguments: &Arguments) -> Result<bool> {
     let study = Study::new(&arguments.seawall, arguments.mpi.as_deref())?;
     let chosen = |fault: &&Fault| arguments.fault.as_deref().is_none_or(|name| name == fault.name);
+    if let Some(name) = &arguments.fault {
+        let names: Vec<_> = FAULTS.iter().map(|fault| fault.name).collect();
+        anyhow::ensure!(names.contains(&&**name), "--fault {name}: there are {}", names.join(", "));
+    }
     let mut text = format!(
         "# Faults\n\nWritten by `scripts/torture`. Each fault was caused {} times, at moments and places \
          spread over the whole run. *Whole* counts the trials after which the results were those of an \
