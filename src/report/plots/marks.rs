@@ -94,9 +94,10 @@ pub fn bounds(curves: &[Curve]) -> Option<Curve> {
     any.then_some(Curve { entry, points: Vec::new() })
 }
 
-/// The motion law that cases follow, as every figure of a movable wall has to say.
+/// The motion law that cases follow, as every figure of a movable wall has to say. A caisson has another, without s.
 pub fn coupling<'a>(rows: impl Iterator<Item = &'a Row>) -> String {
-    let factors = distinct(rows.filter(|row| !row.is_fixed()), &FORCE_COUPLING);
+    let springs = rows.filter(|row| row.number(&SPRING_STIFFNESS).is_some());
+    let factors = distinct(springs, &FORCE_COUPLING);
     let factors: Vec<_> = factors.into_iter().map(plain).collect();
     if factors.is_empty() {
         return String::new();
@@ -152,5 +153,13 @@ mod tests {
         assert_eq!(told(&SEAWALL_MASS, 10.0), "m = 10 kg/m (m* = 0.25)");
         assert_eq!(told(&M_STAR, 1.25), "m* = 1.25", "two masses in water of other depths");
         assert_eq!(told(&SPRING_STIFFNESS, 1196.279), "k = 1196 N/m (log₁₀ k* = 0.48)");
+    }
+
+    #[test]
+    fn a_caisson_follows_no_force_coupling() {
+        let caisson = Row::default().with(&SEAWALL_MASS, 60).with(&FORCE_COUPLING, 1);
+        assert_eq!(coupling([&caisson].into_iter()), "");
+        let spring = caisson.with(&SPRING_STIFFNESS, 500);
+        assert_eq!(coupling([&spring].into_iter()), " Force coupling s = 1.");
     }
 }

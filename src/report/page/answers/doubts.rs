@@ -19,9 +19,10 @@ pub fn bounds(data: &Loaded) -> Option<String> {
         return None;
     }
     if open == 0 {
-        return Some(
-            "No maximum is a bound: every wall had turned before its run ended.".to_owned(),
-        );
+        // A caisson stays where it stops.
+        let springs = moving().all(|row| row.number(&SPRING_STIFFNESS).is_some());
+        let ended = if springs { "had turned" } else { "stood still or had turned" };
+        return Some(format!("No maximum is a bound: every wall {ended} before its run ended."));
     }
     if all == 1 {
         let why = "the wall still moved outwards when the run ended";
@@ -161,5 +162,13 @@ mod tests {
         let mixed = coarse(&of(&[why, "6.7 rows over the depth"])).unwrap();
         assert_eq!(mixed, "2 of 2 results have coarse particles: 6.7 to 8.0 rows over the depth.");
         assert_eq!(coarse(&of(&["", ""])), None);
+    }
+
+    #[test]
+    fn a_caisson_that_stopped_has_not_turned() {
+        let told = |row: Row| bounds(&Loaded { rows: vec![row], ..Loaded::default() }).unwrap();
+        let caisson = Row::default().with(&STATUS, "ok").with(&DISPLACEMENT_MAX, 0.5);
+        assert!(told(caisson.clone()).contains("every wall stood still or had turned before"));
+        assert!(told(caisson.with(&SPRING_STIFFNESS, 5)).contains("every wall had turned before"));
     }
 }

@@ -10,6 +10,15 @@ use crate::report::scene_file::SceneFile;
 
 /// A later force is told where it is larger than that of the first impact by more than this share.
 const NOTABLE: f64 = 0.02;
+/// Keys that change what F* counts by.
+const SCALING: [&str; 6] = [
+    "bed",
+    "still_water_depth_m",
+    "column_height_m",
+    "gravity_m_per_s2",
+    "water_density_kg_per_m3",
+    "tank_length_m",
+];
 
 /// The largest force of a case: that of the first impact, or of the whole run where it has none, and where
 /// waves are regular.
@@ -31,10 +40,21 @@ pub fn most<'a>(
 pub fn largest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
     let (row, force) = most(data.finished(), |row| row.number(column(row)))?;
     let alone = data.rows.len() == 1;
-    let is = if alone { "The largest force is" } else { "The largest force of all is" };
-    let (newtons, place) = (newtons(data, file, row, force), at(row));
-    let comma = if newtons.is_empty() || place.is_empty() { "" } else { "," };
-    let mut text = format!("{is} {}{newtons}{comma}{place}.", result("F*", row, column(row))?);
+    let other = other_in_newtons(data, file, row, force);
+    let is = match &other {
+        _ if alone => "The largest force is",
+        Some(_) => "Over ½ρgh² the largest force is",
+        None => "The largest force of all is",
+    };
+    let told = |(row, force): (&Row, f64)| {
+        let (newtons, place) = (newtons(data, file, row, force), at(row));
+        let comma = if newtons.is_empty() || place.is_empty() { "" } else { "," };
+        Some(format!("{}{newtons}{comma}{place}.", result("F*", row, column(row))?))
+    };
+    let mut text = format!("{is} {}", told((row, force))?);
+    if let Some(other) = other.and_then(told) {
+        text.push_str(&format!(" In newtons it is {other}"));
+    }
     if column(row) == &FIRST_FORCE_MAX {
         text.push_str(" It is that of the first impact.");
         text.push_str(&later(data, force).unwrap_or_default());
@@ -52,17 +72,39 @@ fn later(data: &Loaded, first: f64) -> Option<String> {
     Some(format!(" A later one reaches F* = {}{}.", number::with_error(force, bar), at(row)))
 }
 
-/// `, that is 0.77 kN per metre of wall`: F* times ½ρgd² of the row's own scene, d being the depth at the
-/// wall, or where that stands dry the still water's.
-fn newtons(data: &Loaded, file: Option<&SceneFile>, row: &Row, force: f64) -> String {
-    let scale = || {
-        let index = data.rows.iter().position(|r| r.id() == row.id())?;
-        let scene = file?.config(data, index)?.scene;
-        let (frame, seawall) = (scene.frame(), scene.seawall());
-        let at_wall = seawall.map(|scene| scene.depth_at_wall_m()).filter(|depth| *depth > 0.0);
-        let depth = at_wall.unwrap_or(frame.depth);
-        Some(0.5 * frame.density * frame.acceleration() * depth * depth)
+/// ½ρgd² of the scene of a row by its number, N/m, d being the depth at the wall, or where that stands dry the still
+/// water's.
+fn scale(data: &Loaded, file: Option<&SceneFile>, index: usize) -> Option<f64> {
+    let scene = file?.config(data, index)?.scene;
+    let (frame, seawall) = (scene.frame(), scene.seawall());
+    let at_wall = seawall.map(|scene| scene.depth_at_wall_m()).filter(|depth| *depth > 0.0);
+    let depth = at_wall.unwrap_or(frame.depth);
+    Some(0.5 * frame.density * frame.acceleration() * depth * depth)
+}
+
+/// The case whose force is the largest in newtons, and its F*, where that is another than the one of the largest F*.
+fn other_in_newtons<'a>(
+    data: &'a Loaded,
+    file: Option<&SceneFile>,
+    row: &Row,
+    force: f64,
+) -> Option<(&'a Row, f64)> {
+    if !data.keys.iter().any(|key| SCALING.contains(&key.name.as_str())) {
+        return None;
+    }
+    let of = |(index, row): (usize, &'a Row)| {
+        let force = row.number(column(row)).filter(|force| row.is_ok() && force.is_finite())?;
+        Some((row, force, force * scale(data, file, index)?))
     };
+    let all: Vec<_> = data.rows.iter().enumerate().filter_map(of).collect();
+    let own = all.iter().find(|it| it.0.id() == row.id())?.2;
+    let most = all.into_iter().max_by(|a, b| a.2.total_cmp(&b.2))?;
+    (most.2 > own && most.1 < force).then_some((most.0, most.1))
+}
+
+/// `, that is 0.77 kN per metre of wall`.
+fn newtons(data: &Loaded, file: Option<&SceneFile>, row: &Row, force: f64) -> String {
+    let scale = || scale(data, file, data.rows.iter().position(|r| r.id() == row.id())?);
     let told = |scale: f64| {
         let force = number::significant(force * scale / 1000.0, 3);
         format!(", that is {force} kN per metre of wall")
@@ -103,5 +145,29 @@ mod tests {
         let file = SceneFile::of(&data);
         let told = largest(&data, file.as_ref()).unwrap();
         assert!(told.contains("that is 0.392 kN per metre of wall"), "{told}");
+    }
+
+    #[test]
+    fn where_depths_differ_the_largest_force_in_newtons_is_told_too() {
+        let (_directory, mut data) =
+            fixture::read(fixture::movable(&[0.5, 0.6], &[500.0], &[250.0]));
+        let text = "[scene]\nwall = \"movable\"\n[grid]";
+        data.manifest = Some(json!({ "name": "a", "sweep_file": text }));
+        let keys = [("spring_stiffness_n_per_m", "500"), ("seawall_mass_kg_per_m", "250")];
+        data.keys = keys.map(|(name, cell)| Key::new(name, [cell, cell])).into();
+        data.rows[0] = data.rows[0].clone().with(&FIRST_FORCE_MAX, 2.0).with(&FORCE_MAX, 2.0);
+        data.rows[1] = data.rows[1].clone().with(&FIRST_FORCE_MAX, 3.0).with(&FORCE_MAX, 3.0);
+        let told = largest(&data, SceneFile::of(&data).as_ref()).unwrap();
+        assert!(told.starts_with("The largest force of all is F* = 3, that is 0.589 kN"), "{told}");
+        data.keys.push(Key::new("still_water_depth_m", ["0.4", "0.2"]));
+        let told = largest(&data, SceneFile::of(&data).as_ref()).unwrap();
+        assert!(
+            told.starts_with("Over ½ρgh² the largest force is F* = 3, that is 0.589"),
+            "{told}"
+        );
+        assert!(
+            told.contains(" In newtons it is F* = 2, that is 1.57 kN per metre of wall,"),
+            "{told}"
+        );
     }
 }
