@@ -121,6 +121,31 @@ impl Facts<'_> {
         Some(waves.length() / self.numerics.particle_spacing_m)
     }
 
+    /// Particle spacings from crest to crest of a standing wave, and its height over its length.
+    pub fn standing(&self) -> Option<[f64; 2]> {
+        let Scene::StandingWave(wave) = self.scene() else { return None };
+        let length = std::f64::consts::TAU / wave.wave().wavenumber;
+        let height = 2.0 * wave.amplitude_ratio * wave.still_water_depth_m;
+        Some([length / self.numerics.particle_spacing_m, height / length])
+    }
+
+    /// A over Ω of a drop.
+    pub fn stretching(&self) -> Option<f64> {
+        let Scene::OscillatingDrop(drop) = self.scene() else { return None };
+        Some(drop.stretching_rate_per_s / drop.field_rate_per_s)
+    }
+
+    /// Whether a wave goes over a steep stretch of its bed.
+    pub fn goes_over_steep_bed(&self) -> bool {
+        self.wave > 0.0 && self.scene().has_steep_bed()
+    }
+
+    /// Rows of still water that stand at a wall whose bed ends under water.
+    pub fn rows_at_wall(&self) -> Option<f64> {
+        let depth = self.scene().frame().depth - self.scene().bed()?.end()[1];
+        (depth > 0.0).then(|| depth / self.numerics.particle_spacing_m)
+    }
+
     /// An operator for the pressure that leaves divergence at such steps.
     pub fn leaves_divergence(&self) -> bool {
         let own = self.numerics.incompressible();

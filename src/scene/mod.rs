@@ -11,6 +11,7 @@ mod crest_demands;
 mod dam_break;
 mod declared;
 mod facts;
+mod far;
 mod filling;
 mod frame;
 mod happening;
@@ -40,6 +41,7 @@ pub use dam_break::{DamBreakScene, InitialDensity};
 pub use declared::{
     Place, numerics_keys, place_of, probe_keys, scene_keys, takes_whole, unknown_keys,
 };
+pub use far::FARTHEST_WALL;
 pub use frame::Frame;
 pub use happening::FALLS_FREE;
 pub use hydrostatic::HydrostaticScene;

@@ -1,6 +1,7 @@
 //! Values that are allowed and that hardly anybody means: warnings, each with its key.
 
 use super::config::CaseConfig;
+use super::far::{self, FARTHEST_WALL};
 use super::kind::Scene;
 use super::numerics::Numerics;
 use super::probe::Probe;
@@ -35,7 +36,8 @@ pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
         let buried = buried(scene, &config.probes);
         let stroke = overshoot(scene).or_else(|| hole(scene));
         let outside = outside(scene, &config.probes);
-        let all = [tank(scene), threshold(scene), steep(scene), early(scene), near, buried];
+        let all =
+            [tank(scene), threshold(scene), steep(scene), early(scene), loose(scene), near, buried];
         odd.extend(all.into_iter().chain([outside, stroke]).flatten());
     }
     odd
@@ -108,6 +110,16 @@ fn early(scene: &SeawallScene) -> Option<ConfigError> {
         2.0 * way
     );
     (frame.end_time < centre + way).then(|| warning("tank_length_m", frame.length, told)).flatten()
+}
+
+/// The run ends early, as the wall goes farther than any that is held.
+fn loose(scene: &SeawallScene) -> Option<ConfigError> {
+    let (way, stiffness) = (far::displacement(scene)?, scene.spring_stiffness_n_per_m?);
+    let told = format!(
+        "so soft a spring may let the wall go some {way:.0} h; a run fails as wall-unstable where it goes more than \
+         {FARTHEST_WALL} h"
+    );
+    (way > FARTHEST_WALL).then(|| warning("spring_stiffness_n_per_m", stiffness, told)).flatten()
 }
 
 /// What is nearer to the paddle than a support radius is water at its face, and where it has been there is none.

@@ -14,14 +14,13 @@ use super::run::Run;
 use super::sounding::Sounding;
 use super::surface::APART;
 use crate::body::{BodyMotion, Motions, Place};
+use crate::scene::FARTHEST_WALL;
 use crate::theory::hydrostatics::wall_force;
 
 /// Looks between two at clusters.
 const LOOKS_PER_CLUSTER_CHECK: u64 = 20;
 /// Water at a wall shallower than so many support radii is read at the wall alone.
 const SHALLOW: f64 = 3.0;
-/// A wall farther out than this, X*, has come loose.
-const FARTHEST_WALL: f64 = 11.0;
 
 impl Run {
     /// Takes a step's reading, and the wave gauge's where one is due, before the wall moves: the force

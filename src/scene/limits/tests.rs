@@ -26,9 +26,23 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     assert_eq!(count(standing, ""), 1);
     assert_eq!(count(standing, "volume_feedback = 0.002\nshifting = \"deep\""), 0);
     let ridge = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [1, 0.1], [2, 0.1]]";
+    assert_eq!(count(ridge, "boundary = \"normalized\""), 1, "a wave goes over it");
+    assert_eq!(count(ridge, "boundary = \"normalized\"\nslip = \"no\""), 1, "slip alone");
+    let ridge = &format!("{ridge}\nwave_height_ratio = 0\nend_time_s = 9");
     assert_eq!(count(ridge, "boundary = \"normalized\""), 0);
     let finer = "particle_spacing_m = 0.008\nboundary = \"normalized\"";
     assert_eq!(count(ridge, finer), 1);
+    let leaves = |height: f64| format!("tank_length_m = 2\nbed = [[0, 0], [1, 0], [2, {height}]]");
+    let at_wall = |height: f64| count(&leaves(height), "boundary = \"normalized\"");
+    assert_eq!([0.16, 0.18, 0.21].map(at_wall), [0, 1, 0]);
+    let wave = |keys: &str| count(&format!("kind = \"standing-wave\"\n{keys}"), "");
+    assert_eq!(wave(""), 0);
+    assert_eq!(wave("half_waves = 3"), 1, "40 spacings long");
+    assert_eq!(wave("amplitude_ratio = 0.3"), 1, "0.15 of its length");
+    let drop = |rate: f64| {
+        count(&format!("kind = \"oscillating-drop\"\nstretching_rate_per_s = {rate}"), "")
+    };
+    assert_eq!([0.1, 0.4, 1.5].map(drop), [1, 0, 1]);
     let steep = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [2, 1]]";
     assert_eq!(count(steep, "boundary = \"normalized\""), 0);
     let interior = "boundary = \"normalized\"\nshifting = \"interior\"";
@@ -48,6 +62,7 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     let leaning =
         |angle: f64| count(&format!("wave_height_ratio = 0.3\nwall_angle_deg = {angle}"), "");
     assert_eq!([60.0, 105.0, 120.0].map(leaning), [0, 0, 1]);
+    assert_eq!(["wall_angle_deg = 60", "wall_angle_deg = 70"].map(|wall| count(wall, "")), [1, 0]);
     let long = "kind = \"hydrostatic\"\nend_time_s = 35";
     assert_eq!(count(long, "boundary = \"mls-linear\""), 0);
     assert_eq!(count(long, "boundary = \"dummy\""), 1);

@@ -15,6 +15,9 @@ fn what_is_usual_is_not_told() {
         "history_interval_s = 0.001",
         "threshold_ratio = 0.5",
         &format!("{movable}\nthreshold_ratio = 1"),
+        "wall = \"movable\"\nspring_stiffness_n_per_m = 0\nseawall_mass_kg_per_m = 50\nwave_height_ratio = 0.6",
+        &format!("{movable}\nforce_coupling = 0\nend_time_s = 9"),
+        "wall = \"movable\"\nspring_stiffness_n_per_m = 0\nseawall_mass_kg_per_m = 50\nend_time_s = 6\nthreshold_ratio = 3.5",
         "kind = \"hydrostatic\"\ntank_length_m = 0.3",
         "tank_length_m = 3\nend_after_stroke_centre_s = 1.7",
         "kind = \"rotating-patch\"",
@@ -32,6 +35,10 @@ fn slips_are_told_with_key_and_value() {
     let movable = "wall = \"movable\"\nspring_stiffness_n_per_m = 1\nseawall_mass_kg_per_m = 1";
     for (scene, told) in [
         ("still_water_depth_m = 0.51", "scene.still_water_depth_m = 0.51: the tank, tank_length"),
+        (
+            "wall = \"movable\"\nspring_stiffness_n_per_m = 0\nseawall_mass_kg_per_m = 50\nend_time_s = 6",
+            "scene.spring_stiffness_n_per_m = 0: so soft a spring may let the wall go some 18 h; a run fails as",
+        ),
         ("tank_length_m = 7", "scene.tank_length_m = 7: the run ends at 3."),
         ("water_density_kg_per_m3 = 1", "scene.water_density_kg_per_m3 = 1: this is no water"),
         ("history_interval_s = 1e-9", "scene.history_interval_s = 0.000000001: is much shorter"),
