@@ -6,6 +6,7 @@ use std::ops::Range;
 use super::gathering::{Gather, Places, Renewed};
 use super::ghost_part::GhostPart;
 use super::ghosts::Ghosts;
+use super::giving::Giving;
 use super::image::{Image, Mirror};
 use super::pack::GhostVelocities;
 use super::rules::{ExchangeRules, targets};
@@ -48,6 +49,10 @@ pub struct Exchange {
     /// Change of each ghost's pressure per acceleration of its wall, Pa/(m/s²), times its
     /// correction: xx, xy, yy.
     pub(super) responses: Vec<[f64; 3]>,
+    /// Where the bed gives back what it does.
+    pub(super) giving: Option<Giving>,
+    /// How many blocks are the bed's.
+    pub(super) bed_blocks: usize,
 }
 
 impl Exchange {
@@ -77,6 +82,8 @@ impl Exchange {
             means: vec![Means::default(); targets / LANES],
             wetness: vec![0.0; targets],
             responses: vec![[0.0; 3]; ghosts.len()],
+            giving: rules.conservative_bed.then(Giving::default),
+            bed_blocks: ghosts.bodies.first().map_or(0, |bed| bed.ghosts.end / LANES),
         };
         if rules.bed_between_walls {
             exchange.complete_walls(ghosts);
@@ -135,6 +142,9 @@ impl Exchange {
         }
         let bounds = PointSet::EVERYWHERE;
         let set = PointSet { strips, x, y, offset: 0.0, first: 0, reach, bounds };
+        if let Some(giving) = &mut self.giving {
+            giving.rebuild(path, ghosts, bodies[0].offset, &set);
+        }
         let targets = [&*target_x, &*target_y];
         let ranges = team::cut(target_x.len() / LANES, parts.len());
         for (part, range) in parts.iter_mut().zip(ranges) {

@@ -32,6 +32,8 @@ pub struct ExchangeRules {
     pub no_slip: bool,
     /// Body 0 only counts between the bodies 1 and 2: the bed of a tank with moving ends.
     pub bed_between_walls: bool,
+    /// The bed gives back to the water what work it does on it: see `giving.rs`.
+    pub conservative_bed: bool,
 }
 
 /// The targets of a part, its list and its blocks, among some blocks.

@@ -54,6 +54,16 @@ impl Held<'_, '_> {
         FlowSums::new(flow, sums)
     }
 
+    /// Sums of the flow over the ghosts of one body.
+    #[inline(always)]
+    pub fn flow_of<D: Lanes>(&self, flow: Flow, factors: &[Factors], body: usize) -> FlowSums {
+        let mut sums = [[0.0; LANES]; 8];
+        if self.reaches(body) {
+            flow.add::<D>(&mut sums, (self.pairs, factors), self.here.list, body + 1);
+        }
+        FlowSums::new(flow, sums)
+    }
+
     /// Sums of terms over the water (group 0) or a body's ghosts (1 and on), if any are in reach, with
     /// the places that the records have.
     #[inline(always)]

@@ -72,7 +72,7 @@ impl Facts<'_> {
 
     /// Whether a steep bed that comes out of the water is left to stir it.
     pub fn stirs_at_shore(&self) -> bool {
-        self.scene().has_steep_shore() && self.lets_stir(self.numerics.volume_feedback)
+        self.scene().has_steep_shore() && self.lets_stir(self.numerics.volume_feedback > 0.0)
     }
 
     /// Whether water is to rest before a steep shore for longer than it was seen to.
@@ -88,12 +88,12 @@ impl Facts<'_> {
 
     /// Whether its steep bed is left to stir still water.
     pub fn stirs(&self) -> bool {
-        self.scene().has_steep_bed() && self.lets_stir(self.numerics.steep_feedback)
+        self.scene().has_steep_bed() && self.lets_stir(self.numerics.conservative_bed)
     }
 
-    /// Without the feedback and the shifting that still water beside a steep bed.
-    fn lets_stir(&self, feedback: f64) -> bool {
-        let stilled = feedback > 0.0 && self.numerics.shifting == Shifting::Deep;
+    /// Without what stills water beside a steep bed: a measure of its own, and the shifting.
+    fn lets_stir(&self, measure: bool) -> bool {
+        let stilled = measure && self.numerics.shifting == Shifting::Deep;
         self.weakly && !stilled
     }
 

@@ -92,7 +92,7 @@ const LIMITS: &[Limit] = &[
     ),
     (
         |case| case.stirs(),
-        "a steep bed under water without shifting = \"deep\" and steep_feedback = 0.15: still water began \
+        "a steep bed under water without shifting = \"deep\" and conservative_bed = true: still water began \
          to turn at the upper end of upright steps after 10 to 40 s",
     ),
     (

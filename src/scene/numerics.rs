@@ -154,9 +154,9 @@ section! {
         /// 70 √(h/g) and is without `stop_when_settled`. It wants gravity and corrected gradients. With `isph` c0 is
         /// 8 √(g h) here, and dam breaks alone have it by default, 0.006.
         volume_feedback: f64 = 0.0, plain().within(0.0, 0.02).newer();
-        /// The same beside stretches of the bed that are steeper than 1:2 and under water, deeper
-        /// below the surface, and over c0/h. Such beds have 0.15 by default.
-        steep_feedback: f64 = 0.0, weakly(plain().within(0.0, 0.3)).newer();
+        /// The bed gives back to the water what work its pressure does, so no energy is made or lost there. Beds that
+        /// are steeper than 1:2 somewhere under still water have it by default.
+        conservative_bed: bool = false, weakly(plain()).newer();
         /// Water near the surface gives up what it presses by more than 5 ρgh, as the surface lets go of
         /// sound. Solitary waves above H/h = 0.7 at upright walls over beds no steeper than 1:2 have it by
         /// default, and dam breaks of more than 8 √(H/g) or 4 L/√(gH). It wants gravity and corrected gradients.

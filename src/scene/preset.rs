@@ -158,9 +158,9 @@ impl Numerics {
             self.volume_feedback = 0.002;
         }
         if scene.has_steep_bed() {
-            // Where it bends down, still water goes round and gains by it.
+            // Where it bends down, water that goes round would gain by it.
             self.shifting = Shifting::Deep;
-            self.steep_feedback = 0.15;
+            self.conservative_bed = true;
         }
     }
 }

@@ -46,7 +46,7 @@ impl Filling {
             shifting: numerics.shifting,
             shifting_coefficient: numerics.shifting_coefficient,
             volume_feedback: numerics.volume_feedback,
-            steep_feedback: numerics.steep_feedback,
+            conservative_bed: numerics.conservative_bed,
             surface_relief: numerics.surface_relief && frame.gravity > 0.0,
             bulk_damping: numerics.bulk_damping,
             acoustic_substeps: numerics.acoustic_substeps,

@@ -5,11 +5,13 @@
 //!           + D_i                                   density diffusion
 //! ```
 //! L is that of the momentum equation, whose adjoint this form is: together they conserve energy. Ghosts
-//! take part in the divergence, not in the diffusion: no density flows through a wall.
+//! take part in the divergence, not in the diffusion: no density flows through a wall. Those of a bed that
+//! gives back (`boundary/giving.rs`) have no velocity here, and in place of it what they give.
 
 use super::Workspace;
 use super::correction::surface_share;
 use super::diffusion::Diffusion;
+use crate::body::Place;
 use crate::pairs::{Double, Factors, Flow, FlowSums, Fluid, Held, HeldEquation, Here, Own};
 
 /// The rows that the equation writes: the strain; the rates of change of density, the sums of g times
@@ -29,6 +31,8 @@ pub(super) struct Continuity<'a, D> {
     /// δ h c0 / R.
     pub diffusion: f64,
     pub bodies: usize,
+    /// The bed gives back to the water what work it does on it.
+    pub bed_gives: bool,
     pub support_radius: f64,
     /// See [`super::correction::first_row_share`].
     pub first_row: f64,
@@ -55,7 +59,10 @@ impl<F: Diffusion> HeldEquation<Rows<'_>> for Continuity<'_, F> {
             diffusion = self.formulation.rate(here, held, here.of(self.diffused), all);
         }
         let diffusion = self.formulation.faded(here, diffusion * D::splat(self.diffusion));
-        let divergence = self.divergence(here, &sums, strain, turning);
+        let mut divergence = self.divergence(here, &sums, strain, turning);
+        if self.bed_gives {
+            divergence += self.given_by_bed(here, held);
+        }
         here.put(rate, density.mul_add(divergence, diffusion));
         if self.sample {
             // dE/dt = Σ m p/ρ² dρ/dt, by diffusion alone.
@@ -99,6 +106,31 @@ impl<F: Diffusion> Continuity<'_, F> {
         };
         let divergence = xx.mul_add(u_x, yy * v_y) + xy * aslant;
         here.in_rows::<D>(turning).mul_add(D::splat(0.5 * self.dt), divergence)
+    }
+
+    /// What the bed gives, less what the velocities of its ghosts have put into the divergence.
+    #[inline(always)]
+    fn given_by_bed<D: Double>(&self, here: Here, held: &Held<'_, '_>) -> D {
+        let (work, zero) = (self.work, D::splat(0.0));
+        let bed = held.flow_of::<D>(self.flow, self.factors, Place::Bed.number());
+        let place = here.all::<D, 2>([&work.scaled_x, &work.scaled_y]);
+        let own = Own { place, velocity: [zero; 2], gradient: [zero; 2] };
+        let [u_x, v_y] = bed.along(&own);
+        let mut of_velocities = u_x + v_y;
+        if self.flow.corrected {
+            let [xx, xy, yy]: [D; 3] = work.correction(here);
+            let aslant = if self.flow.strained {
+                let [u_y, v_x] = bed.across(&own);
+                u_y + v_x
+            } else {
+                bed.sum_across(&own)
+            };
+            of_velocities = xx.mul_add(u_x, yy * v_y) + xy * aslant;
+        }
+        let given = here.of::<D>(&work.given) * here.of(&self.fluid.density);
+        // Padding has no mass.
+        let mass = here.of::<D>(&self.fluid.mass).max(D::splat(f64::MIN_POSITIVE));
+        given.div(mass) - of_velocities
     }
 
     /// Keeps the strain for the next full step's viscosity, and tr (∇u)², of sums Σ g (u_i - u_j) Δ.

@@ -98,18 +98,15 @@ impl Wcsph {
         let options = &self.options;
         let per_second = |feedback: f64| feedback * options.state.sound_speed;
         let n = self.fluid.padded_len();
-        let Fluid { x, y, density, mass, .. } = &mut self.fluid;
+        let Fluid { density, mass, .. } = &mut self.fluid;
         let restore = Restore {
             mass,
-            places: [x, y],
             work: &self.work,
             options,
             shortfall,
             rate: per_second(options.volume_feedback)
                 * self.scaling.inverse_radius
                 * self.since_full,
-            steep_rate: per_second(options.steep_feedback) / options.still_depth * self.since_full,
-            steep: &self.steep,
         };
         -self.pairs.sum_each(&mut density[..n], &restore)
     }

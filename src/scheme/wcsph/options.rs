@@ -4,7 +4,6 @@ use serde::{Deserialize, Serialize};
 
 use super::Precision;
 use super::correction::first_row_share;
-use crate::boundary::{Ghosts, Stretch};
 use crate::kernel::KernelChoice;
 use crate::scheme::StateEquation;
 use crate::theory::central_field::CentralField;
@@ -82,8 +81,8 @@ pub struct WcsphOptions {
     pub shifting_coefficient: f64,
     /// How fast densities follow the error of the volume, over c0/R: see `volume.rs`.
     pub volume_feedback: f64,
-    /// How much faster they do beside steep stretches of the bed, over c0 and the depth.
-    pub steep_feedback: f64,
+    /// The bed gives back to the water what work it does on it.
+    pub conservative_bed: bool,
     /// Whether water near the surface gives up pressure that it cannot have.
     pub surface_relief: bool,
     /// γ of the pressure's lead, in time steps.
@@ -118,13 +117,6 @@ impl WcsphOptions {
             return f64::INFINITY;
         }
         self.state.density(self.density * self.gravity * HIGHEST_FALL * self.still_depth)
-    }
-
-    /// The stretches of the bed beside which much volume is taken back, if any.
-    pub(super) fn steep_stretches(&self, ghosts: &Ghosts) -> Vec<Stretch> {
-        let wanted = self.corrected_gradients && self.gravity > 0.0 && self.steep_feedback > 0.0;
-        let bed = ghosts.profile.iter().filter(|_| wanted);
-        bed.flat_map(|bed| bed.steep_under(self.still_depth)).collect()
     }
 
     /// The first row's share of the gradient's correction, see [`first_row_share`].

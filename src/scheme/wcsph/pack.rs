@@ -138,5 +138,6 @@ impl Wcsph {
         let water = [&*self.fluid.vx, &*self.fluid.vy];
         let numbers = (flow, &mut self.numbers[self.fluid.padded_len()..]);
         self.exchange.refresh_velocities(path, &self.ghosts, bodies, water, numbers);
+        self.exchange.give_back(path, water, &mut self.work.given);
     }
 }

@@ -183,6 +183,7 @@ impl Wcsph {
                     * options.state.sound_speed
                     * self.scaling.inverse_radius,
                 bodies: self.ghosts.bodies.len(),
+                bed_gives: self.exchange.gives_back(),
                 support_radius: self.scaling.support_radius,
                 first_row: options.first_row_share(),
                 dt,

@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Carried, DensityDiffusion, WcsphOptions, Workspace};
 use crate::body::BodyMotion;
-use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane, Stretch};
+use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane};
 use crate::math::simd::SimdPath;
 use crate::math::team::Team;
 use crate::pairs::{Column, Factors, Fluid, Pairs, Record, Scaling, SingleRecord};
@@ -91,8 +91,6 @@ pub struct Wcsph {
     pub(super) taken: Taken,
     /// Of the kernel, where volume is taken back.
     pub(super) shortfall: Option<Shortfall>,
-    /// Steep stretches of the bed, where much of it is.
-    pub(super) steep: Vec<Stretch>,
     pub(super) last_viscous_power: f64,
     /// Where the time went; never part of the state.
     pub timings: Timings,
@@ -111,7 +109,6 @@ impl Wcsph {
     ) -> Wcsph {
         let padded = fluid.padded_len();
         let bodies = ghosts.bodies.len();
-        let steep = options.steep_stretches(&ghosts);
         Wcsph {
             scaling: rules.scaling,
             exchange: Exchange::new(rules, &ghosts),
@@ -139,9 +136,8 @@ impl Wcsph {
             pair_evaluations: 0,
             boundary_fallbacks: 0,
             taken: Taken::default(),
-            shortfall: (options.volume_feedback > 0.0 || !steep.is_empty())
+            shortfall: (options.volume_feedback > 0.0)
                 .then(|| Shortfall::of(options.kernel, options.support_radius / options.spacing)),
-            steep,
             last_viscous_power: 0.0,
             timings: Timings::default(),
             options,
@@ -169,6 +165,7 @@ impl Wcsph {
             gravity_in_sum,
             no_slip,
             bed_between_walls: true,
+            conservative_bed: options.conservative_bed,
         }
     }
 

@@ -8,41 +8,19 @@
 
 use super::correction::surface_share;
 use super::{WcsphOptions, Workspace};
-use crate::boundary::Stretch;
 use crate::pairs::{Double, Here, Summed};
 use crate::water::{Shortfall, VOLUME_DEPTHS};
-
-/// Those beside a steep bed, where much more is taken back.
-const STEEP_DEPTHS: [f64; 2] = [0.8, 1.2];
-/// Distances from a steep stretch, over the depth, up to which that is so, and from which it is not: the water
-/// that goes round there does so as a whole, however fine its particles are.
-const BESIDE: [f64; 2] = [2.0, 3.0];
 
 /// Lets densities follow the error of the volume: δρ = ρ e · rate, e = ½ tr Σ - 1 + the shortfall.
 ///
 /// The depth is taken to be p/(ρg).
 pub(super) struct Restore<'a> {
     pub mass: &'a [f64],
-    pub places: [&'a [f64]; 2],
     pub work: &'a Workspace,
     pub options: &'a WcsphOptions,
     pub shortfall: &'a Shortfall,
     /// How much of the error is taken back now.
     pub rate: f64,
-    /// How much more beside steep stretches of the bed.
-    pub steep_rate: f64,
-    /// The steep stretches.
-    pub steep: &'a [Stretch],
-}
-
-impl Restore<'_> {
-    /// How near a place is to a steep stretch: 1 beside it, 0 far away.
-    fn beside_steep(&self, place: [f64; 2]) -> f64 {
-        let away = self.steep.iter().map(|stretch| stretch.distance(place));
-        let nearest = away.fold(f64::INFINITY, f64::min) / self.options.still_depth;
-        let [near, far] = BESIDE;
-        ((far - nearest) / (far - near)).clamp(0.0, 1.0)
-    }
 }
 
 /// From 0 at the first depth to 1 at the second.
@@ -73,13 +51,7 @@ impl Summed<&mut [f64]> for Restore<'_> {
         let [shortfall, _] =
             here.change([depth, depth], |_, [depth, _]| [self.shortfall.at(depth), 0.0]);
         let error = half_trace - D::splat(1.0) + shortfall;
-        let mut rise = density * error * faded_in(depth, VOLUME_DEPTHS) * D::splat(self.rate);
-        if !self.steep.is_empty() {
-            let place = here.all::<D, 2>(self.places);
-            let [beside, _] = here.change(place, |_, place| [self.beside_steep(place), 0.0]);
-            let more = beside * faded_in(depth, STEEP_DEPTHS) * D::splat(self.steep_rate);
-            rise = (density * error).mul_add(more, rise);
-        }
+        let rise = density * error * faded_in(depth, VOLUME_DEPTHS) * D::splat(self.rate);
         here.put(densities, density + rise);
         here.of::<D>(self.mass) * pressure.div(density * density) * rise
     }

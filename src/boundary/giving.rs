@@ -1,0 +1,154 @@
+//! A bed that neither takes energy out of the water nor puts any in.
+//!
+//! A ghost has the pressure p_g = Σ_k w_k p_k of the water around its mirror point. Pressing on the water it does
+//! the work -p_g D_g per second,
+//!
+//! ```text
+//! D_g = V_g Σ_i V_i u_i · L_g ∇W_ig
+//! ```
+//! the rate at which water runs into the ghost. That work is the water's own, so it gives it back: volume D_g is taken
+//! from the water around the mirror point, w_k D_g from each particle. This takes the place of the ghosts' velocities
+//! in the continuity equation. Beside a straight face both are alike. At an edge the flow is no mirror image of
+//! itself: there the velocities take energy on the way in and make as much again on the way out.
+
+use std::marker::PhantomData;
+
+use super::exchange::Exchange;
+use super::ghosts::Ghosts;
+use super::image::Image;
+use crate::body::Place;
+use crate::kernel::Kernel;
+use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
+use crate::pairs::{HeldWeights, PairList, PointSet, Record, build_pair_list};
+use crate::with_kernel;
+
+/// The water around the ghosts of the bed themselves, not around their mirror points.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Giving {
+    list: PairList,
+    /// V_g V_i L_g ∇W_ig, its parts along x and up, m.
+    fluxes: [HeldWeights; 2],
+}
+
+impl Giving {
+    /// Lists the fluid around every ghost of the bed; `offset` is the bed's, and the set's reach in metres.
+    pub fn rebuild(&mut self, path: SimdPath, ghosts: &Ghosts, offset: f64, fluid: &PointSet<'_>) {
+        let bed = ghosts.bodies[Place::Bed.number()].ghosts.clone();
+        let x: Vec<f64> = ghosts.x[bed.clone()].iter().map(|x| x + offset).collect();
+        build_pair_list(path, &x, &ghosts.y[bed], &[*fluid], &mut self.list);
+        self.fluxes.iter_mut().for_each(|flux| flux.make_room(&self.list));
+    }
+}
+
+/// Finds V_g V_i L_g ∇W_ig at some blocks.
+struct Flux<'a, K> {
+    giving: &'a mut Giving,
+    blocks: &'a [u32],
+    images: &'a [Image],
+    /// Of the water, and of the ghosts alone.
+    records: [&'a [Record]; 2],
+    weight_per_volume: f64,
+    kernel: PhantomData<K>,
+}
+
+impl<K: Kernel> Task for Flux<'_, K> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let Flux { giving: Giving { list, fluxes: [along, up] }, blocks, images, .. } = self;
+        let [water, ghosts] = self.records;
+        let mut end = 0;
+        for &block in blocks {
+            let row = block as usize;
+            let image = &images[row];
+            let [x, y] = [L::load(&image.place[0]), L::load(&image.place[1])];
+            let [xx, xy, yy] = [0, 1, 2].map(|part| L::load(&image.correction[part]));
+            let weights: [f64; LANES] =
+                std::array::from_fn(|lane| ghosts[row * LANES + lane].0[Record::WEIGHT]);
+            let volume = L::load(&weights) * L::splat(1.0 / self.weight_per_volume);
+            along.take(row, list.group(row, 0), [x, y], water, end);
+            end = up.take(row, list.group(row, 0), [x, y], water, end);
+            let (entries, along) = along.room(row);
+            let (_, up) = up.room(row);
+            for ((&i, along), up) in entries.iter().zip(along).zip(up) {
+                let record = &water[i as usize].0;
+                let (dx, dy) = (L::splat(record[Record::X]) - x, L::splat(record[Record::Y]) - y);
+                let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
+                let inverse = s.rsqrt();
+                let slope = K::slope_over_q(s, [s * inverse, inverse]);
+                let slope = slope * L::splat(record[Record::WEIGHT]) * volume;
+                (slope * xx.mul_add(dx, xy * dy)).store(along);
+                (slope * xy.mul_add(dx, yy * dy)).store(up);
+            }
+        }
+    }
+}
+
+/// Gives back what ran into the ghosts of some blocks.
+struct GiveBack<'a> {
+    exchange: &'a Exchange,
+    giving: &'a Giving,
+    velocities: [&'a [f64]; 2],
+    given: &'a mut [f64],
+}
+
+impl Task for GiveBack<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let GiveBack { exchange, giving, velocities: [u, v], given } = self;
+        let [along, up] = &giving.fluxes;
+        for part in &exchange.parts {
+            for &block in part.among(&exchange.counting[..exchange.counting_of_bed()]) {
+                let (row, image) = (block as usize, &exchange.images[block as usize]);
+                let ([along], [up]) = (along.sums::<L, 1>(row, [u]), up.sums::<L, 1>(row, [v]));
+                // A pressure that is held at its lowest is not the water's.
+                let (zero, pressure) = (L::splat(0.0), L::load(&image.pressure));
+                let flux = L::load(&image.lowest).select_less(pressure, along + up, zero);
+                let flux = flux * L::load(&exchange.scale[row]);
+                let (entries, weights) = part.held.of(row - part.blocks.start);
+                for (&k, weight) in entries.iter().zip(weights) {
+                    given[k as usize] += (L::load(weight) * flux).sum();
+                }
+            }
+        }
+    }
+}
+
+impl Exchange {
+    /// How many of the blocks that count are the bed's: they come first.
+    fn counting_of_bed(&self) -> usize {
+        self.counting.partition_point(|&block| (block as usize) < self.bed_blocks)
+    }
+
+    /// Whether the bed gives back what it does.
+    pub fn gives_back(&self) -> bool {
+        self.giving.is_some()
+    }
+
+    /// Finds how water runs into the ghosts of the bed, for the steps until the next full one. The records are those of
+    /// the water, and of the ghosts alone.
+    pub fn find_fluxes(&mut self, path: SimdPath, records: [&[Record]; 2]) {
+        let Some(mut giving) = self.giving.take() else { return };
+        let blocks = &self.counting[..self.counting_of_bed()];
+        let weight_per_volume = self.rules.scaling.weight_per_volume;
+        with_kernel!(self.rules.kernel, K => dispatch(path, Flux::<K> {
+            giving: &mut giving,
+            blocks,
+            images: &self.images,
+            records,
+            weight_per_volume,
+            kernel: PhantomData,
+        }));
+        self.giving = Some(giving);
+    }
+
+    /// Finds the volume per second that each particle gives to the bed's ghosts, m²/s, from velocities along x and y.
+    pub fn give_back(&self, path: SimdPath, velocities: [&[f64]; 2], given: &mut [f64]) {
+        let Some(giving) = &self.giving else { return };
+        given.fill(0.0);
+        dispatch(path, GiveBack { exchange: self, giving, velocities, given });
+    }
+}
