@@ -115,12 +115,11 @@ fn a_train_stays_periodic_for_fifty_periods() {
 
 #[test]
 fn what_cannot_absorb_is_told() {
-    let folder = tempfile::tempdir().unwrap();
     for (numerics, told) in [
         ("scheme = \"isph\"", "scene.absorption = true: is for scheme = \"wcsph\""),
         ("stop_when_settled = true", "scene.absorption = true: is not for stop_when_settled"),
     ] {
         let text = format!("name = \"no\"\n[scene]\nabsorption = true\n[numerics]\n{numerics}\n");
-        expect_refused(folder.path(), &text, told);
+        expect_refused(&text, told);
     }
 }

@@ -9,7 +9,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use common::{expect_code, run};
+use common::ended;
 use serde_json::Value;
 
 const WIDTHS: [u32; 3] = [1400, 800, 390];
@@ -33,7 +33,7 @@ fn study(root: &Path, wanted: impl Fn([f64; 3]) -> bool) -> String {
         fs::write(file, history(place[0], place[1])).unwrap();
     }
     own.flush().unwrap();
-    expect_code(&run(&["report", root.to_str().unwrap()]), 0);
+    ended(0, &["report", root.to_str().unwrap()]);
     fs::read_to_string(root.join("report.html")).unwrap()
 }
 

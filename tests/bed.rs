@@ -5,7 +5,7 @@ mod beds;
 mod common;
 
 use beds::{computed, gauges};
-use common::{expect_code, expect_refused, results, run, write_file};
+use common::{Desk, ended, expect_refused, results};
 use seawall::simulation::CaseResult;
 
 /// A bed that ends level goes on behind the wall, where it is dry: no edge of the water, whose level at the wall
@@ -64,16 +64,13 @@ fn a_low_wave_takes_its_time_over_a_slope() {
 
 #[test]
 fn threads_do_not_change_a_wave_on_a_beach() {
-    let folder = tempfile::tempdir().unwrap();
     let text = "name = \"beach\"\n[scene]\ntank_length_m = 2\nbed = [[0, 0], [1, 0], [2, 0.3]]\n\
                 wave_gauge_m = 0.5\nend_time_s = 1.5\n[numerics]\nparticle_spacing_m = 0.025\n\
                 boundary = \"normalized\"\n";
-    let file = write_file(folder.path(), text);
+    let desk = Desk::new(text);
     let [one, two] = ["1", "2"].map(|threads| {
-        let out = folder.path().join(threads);
-        let [file, out_name] = [&file, &out].map(|path| path.to_str().unwrap().to_owned());
-        let output = run(&["run", &file, "--out", &out_name, "--threads", threads]);
-        expect_code(&output, 0);
+        let out = desk.path().join(threads);
+        ended(0, &["run", &desk.file, "--out", out.to_str().unwrap(), "--threads", threads]);
         results(&out)
     });
     assert_eq!(one, two);
@@ -81,24 +78,20 @@ fn threads_do_not_change_a_wave_on_a_beach() {
 
 #[test]
 fn json_has_the_runup_in_metres_and_a_recorded_clock_is_kept() {
-    let folder = tempfile::tempdir().unwrap();
-    let stroke = folder.path().join("stroke.csv");
+    let root = tempfile::tempdir().unwrap();
+    let stroke = root.path().join("stroke.csv");
     std::fs::write(&stroke, "time_s,stroke_m\n100,0\n100.5,0.1\n101,0.1\n").unwrap();
     let text = format!(
         "name = \"clock\"\n[scene]\ntank_length_m = 1.5\nwave_gauge_m = 0.5\npaddle = \"recorded-stroke\"\n\
          recorded_stroke = {stroke:?}\nwave_height_ratio = 0.3\nend_time_s = 101.5\n[numerics]\n\
          particle_spacing_m = 0.025\n[[probe]]\nname = \"high\"\nkind = \"elevation\"\nx_m = 1.2\n"
     );
-    let file = write_file(folder.path(), &text);
-    let out = folder.path().join("out");
-    let [file, out_name] = [&file, &out].map(|path| path.to_str().unwrap());
-    let output = run(&["run", file, "--out", out_name, "--format", "json"]);
-    expect_code(&output, 0);
-    let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let desk = Desk::new(&text);
+    let told = desk.run(&["--format", "json"]).json();
     let [ratio, metres] = [&told["outcome"]["runup_max"]["value"], &told["runup_max_m"]];
     assert!((ratio.as_f64().unwrap() * 0.2 - metres.as_f64().unwrap()).abs() < 1e-12);
     assert!(metres.as_f64().unwrap() > 0.02, "{metres}");
-    let times: Vec<f64> = results(&out)
+    let times: Vec<f64> = results(&desk.out)
         .iter()
         .filter(|(name, _)| name.starts_with("histories"))
         .flat_map(|(_, bytes)| {
@@ -116,7 +109,6 @@ fn json_has_the_runup_in_metres_and_a_recorded_clock_is_kept() {
 
 #[test]
 fn what_is_no_bed_is_told() {
-    let folder = tempfile::tempdir().unwrap();
     for (keys, told) in [
         ("bed = 3", "scene.bed = 3: must be a list of points [x, y]"),
         ("bed = [[0, 0]]", "must have two points [x, y] or more"),
@@ -147,6 +139,6 @@ fn what_is_no_bed_is_told() {
             "is for scheme = \"wcsph\": isph knows level beds alone",
         ),
     ] {
-        expect_refused(folder.path(), &format!("name = \"bed\"\n[scene]\n{keys}\n"), told);
+        expect_refused(&format!("name = \"bed\"\n[scene]\n{keys}\n"), told);
     }
 }

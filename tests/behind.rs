@@ -4,7 +4,7 @@ mod common;
 
 use std::sync::Mutex;
 
-use common::{expect_code, expect_refused, results, run, write_file};
+use common::{Desk, ended, expect_refused, results};
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
 use seawall::simulation::{CaseResult, Film, HistoryRow, Monitor, Unwatched, run_case};
@@ -148,17 +148,16 @@ fn the_front_feels_nothing_of_what_is_behind() {
 /// At the end of a beach, with threads, films and files for ParaView.
 #[test]
 fn threads_films_and_files_of_a_basin() {
-    let folder = tempfile::tempdir().unwrap();
     let text = "name = \"over\"\n[scene]\ntank_length_m = 1.6\nwave_gauge_m = 0.6\n\
                 bed = [[0, 0], [0.8, 0], [1.6, 0.05]]\nend_after_stroke_centre_s = 1.4\n\
                 behind = \"basin\"\nfloor_length_m = 0.5\nfloor_height_m = -0.05\nbasin_level_m = 0.1\n\
                 crest_freeboard_m = 0.05\ncrest_width_m = 0.2\n[numerics]\n\
                 particle_spacing_m = 0.02\nboundary = \"normalized\"\n";
-    let file = write_file(folder.path(), text);
+    let desk = Desk::new(text);
     let ran = |name: &str, more: &[&str]| {
-        let out = folder.path().join(name);
-        let command = ["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
-        expect_code(&run(&[&command[..], more].concat()), 0);
+        let out = desk.path().join(name);
+        let command = ["run", &desk.file, "--out", out.to_str().unwrap()];
+        ended(0, &[&command[..], more].concat());
         out
     };
     let one = ran("one", &["--threads", "1"]);
@@ -186,7 +185,6 @@ fn threads_films_and_files_of_a_basin() {
 
 #[test]
 fn what_cannot_lie_behind_a_wall_is_told() {
-    let folder = tempfile::tempdir().unwrap();
     let crest = "crest_freeboard_m = 0.1\ncrest_width_m = 0.2\n";
     let floor = format!("behind = \"floor\"\n{crest}");
     let basin = format!("behind = \"basin\"\n{crest}floor_length_m = 1\n");
@@ -238,6 +236,6 @@ fn what_cannot_lie_behind_a_wall_is_told() {
         let text = format!(
             "name = \"no\"\n[scene]\n{keys}[numerics]\nparticle_spacing_m = 0.02\n{numerics}"
         );
-        expect_refused(folder.path(), &text, told);
+        expect_refused(&text, told);
     }
 }

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use common::{expect_code, run, write_file};
+use common::{Desk, ended};
 
 /// A short, coarse tank.
 const TANK: &str = "[scene]\ntank_length_m = 1.0\nwave_gauge_m = 0.5\n";
@@ -34,13 +34,12 @@ fn files_of(out: &Path, id: &str) -> BTreeMap<String, String> {
 /// Runs a sweep with branches, and each of its cases alone; both must leave the same. Returns the
 /// summary.
 fn compare(text: &str) -> Vec<BTreeMap<String, String>> {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), text);
-    let out = root.path().join("sweep");
-    let file = file.to_str().unwrap();
-    let sweep =
-        run(&["sweep", file, "--out", out.to_str().unwrap(), "--threads", "2", "--film", "none"]);
-    expect_code(&sweep, 0);
+    let desk = Desk::new(text);
+    let out = desk.path().join("sweep");
+    ended(
+        0,
+        &["sweep", &desk.file, "--out", out.to_str().unwrap(), "--threads", "2", "--film", "none"],
+    );
     let manifest = fs::read_to_string(out.join("manifest.json")).unwrap();
     assert!(!manifest.contains("\"branches\": 0"), "nothing branched");
     let mut reader = csv::Reader::from_path(out.join("summary.csv")).unwrap();
@@ -48,8 +47,8 @@ fn compare(text: &str) -> Vec<BTreeMap<String, String>> {
     let ids: Vec<_> = reader.records().map(|row| row.unwrap()[place].to_owned()).collect();
     assert!(ids.len() > 1);
     let compared = ids.iter().map(|id| {
-        let alone = root.path().join(id);
-        expect_code(&run(&["run", file, id, "--out", alone.to_str().unwrap()]), 0);
+        let alone = desk.path().join(id);
+        ended(0, &["run", &desk.file, id, "--out", alone.to_str().unwrap()]);
         let [branch, whole] = [&out, &alone].map(|out| files_of(out, id));
         // A summary has a column for each swept key.
         let told = whole.iter().filter(|(name, cell)| branch.get(*name) != Some(cell));

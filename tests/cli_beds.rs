@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{expect_code, run, write_file};
+use common::{Desk, ended};
 
 const BEDS: &str = r#"
 name = "beds"
@@ -19,21 +19,15 @@ corrected_gradients = [true, false]
 
 #[test]
 fn beds_and_flags_pick_a_case_and_are_told_whole() {
-    let root = tempfile::tempdir().unwrap();
-    let (file, out) = (write_file(root.path(), BEDS), root.path().join("out"));
-    let out = out.to_str().unwrap();
-    expect_code(&run(&["sweep", file.to_str().unwrap(), "--out", out, "--film", "none"]), 0);
+    let desk = Desk::new(BEDS);
+    ended(0, &["sweep", &desk.file, "--out", &desk.dir, "--film", "none"]);
     // As the file writes a bed, or as tables do.
     for bed in ["[[0,0],[0.9,0],[1.2,0.04]]", "[[0, 0], [0.9, 0], [1.2, 0.04]]"] {
-        let shown = run(&["show", out, &format!("bed={bed}"), "corrected_gradients=true"]);
-        expect_code(&shown, 0);
+        ended(0, &["show", &desk.dir, &format!("bed={bed}"), "corrected_gradients=true"]);
     }
-    let none = run(&["show", out, "bed=[[0,0],[0.9,0],[1.2,0.05]]", "corrected_gradients=true"]);
-    expect_code(&none, 2);
+    ended(2, &["show", &desk.dir, "bed=[[0,0],[0.9,0],[1.2,0.05]]", "corrected_gradients=true"]);
 
-    let told = run(&["compare", out, out]);
-    expect_code(&told, 0);
-    let told = String::from_utf8(told.stdout).unwrap();
+    let told = ended(0, &["compare", &desk.dir, &desk.dir]).out;
     let bed = "bed = [[0, 0], [0.9, 0], [1.2, 0.02]], corrected_gradients = true";
     assert!(told.contains(bed), "{told}");
     assert!(told.contains("all at H/h = 0.5\n"), "no part of a bed: {told}");

@@ -7,7 +7,7 @@ use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use common::{TINY, expect_code, results, run, seawall, write_file};
+use common::{Desk, TINY, ended, expect_code, results, run, seawall, write_file};
 
 /// Two waves on one wall, coarse.
 fn swept(directory: &Path, films: &[&str]) -> PathBuf {
@@ -16,8 +16,8 @@ fn swept(directory: &Path, films: &[&str]) -> PathBuf {
         .replace("[50, 250]", "[50]")
         .replace("particle_spacing_m = 0.025", "particle_spacing_m = 0.03");
     let (file, out) = (write_file(directory, &text), directory.join("out"));
-    let arguments = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
-    expect_code(&run(&[&arguments[..], films].concat()), 0);
+    let arguments = ["sweep", &file, "--out", out.to_str().unwrap()];
+    ended(0, &[&arguments[..], films].concat());
     out
 }
 
@@ -71,8 +71,7 @@ fn a_case_is_filmed_only_where_it_comes_out_the_same() {
         still.contains("(dashed: the wall at rest)") && still.contains("stroke-dasharray"),
         "where it stood"
     );
-    let report = run(&["report", out.to_str().unwrap()]);
-    expect_code(&report, 0);
+    ended(0, &["report", out.to_str().unwrap()]);
     let report = fs::read_to_string(out.join("report.html")).unwrap();
     assert_eq!(report.matches("class=\"still\"").count(), 2, "both stills are in the report");
     assert_eq!(results(&out), before, "a film changes no result");
@@ -120,16 +119,15 @@ fn a_sweep_films_what_is_worth_a_look_and_its_report_links_to_it() {
     // The time at the end is that of the cases; that of films stands beside it.
     fs::remove_file(&page).unwrap();
     let file = root.path().join("sweep.toml");
-    let command = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
-    let told = String::from_utf8(run(&command).stdout).unwrap();
+    let file = file.to_str().unwrap();
+    let command = ["sweep", file, "--out", out.to_str().unwrap()];
+    let told = ended(0, &command).out;
     assert!(told.contains("2 of 2 cases are well; films "), "{told}");
-    let told = String::from_utf8(run(&["check", file.to_str().unwrap()]).stdout).unwrap();
+    let told = ended(0, &["check", file]).out;
     assert!(told.lines().any(|line| line.ends_with(", without films")), "{told}");
 
     // A call that makes none tells them all the same.
-    let output = run(&[&command[..], &["--format", "json"]].concat());
-    expect_code(&output, 0);
-    let value: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let value = ended(0, &[&command[..], &["--format", "json"]].concat()).json();
     let names = value["films"].as_array().unwrap().iter().map(|path| path.as_str().unwrap());
     let names: Vec<_> = names.map(|path| path.rsplit('/').next().unwrap().to_owned()).collect();
     assert_eq!(names, pages);
@@ -144,28 +142,24 @@ fn a_film_that_cannot_be_written_costs_no_result() {
     fs::write(plain.join("films"), "in the way").unwrap();
     let file = root.path().join("sweep.toml");
     let (file, out) = (file.to_str().unwrap(), plain.to_str().unwrap());
-    let output = run(&["sweep", file, "--out", out]);
-    expect_code(&output, 0);
-    let told = String::from_utf8(output.stderr).unwrap();
+    let told = ended(0, &["sweep", file, "--out", out]).err;
     assert!(told.contains("not filmed: ") && told.contains("out/films: "), "{told}");
     assert_eq!(results(&plain), before);
-    expect_code(&run(&["film", out, "wave_height_ratio=0.5"]), 1);
+    ended(1, &["film", out, "wave_height_ratio=0.5"]);
     // What is kept beside the page cannot be written: as for `report` no error of the program.
     fs::remove_file(plain.join("derived.json")).unwrap();
     fs::create_dir(plain.join("derived.json")).unwrap();
-    expect_code(&run(&["film", out, "wave_height_ratio=0.5"]), 2);
+    ended(2, &["film", out, "wave_height_ratio=0.5"]);
 
     let alone = root.path().join("alone");
     let case = ["run", file, "wave_height_ratio=0.5", "--out", alone.to_str().unwrap(), "--film"];
-    expect_code(&run(&case), 0);
+    ended(0, &case);
     fs::remove_dir_all(alone.join("films")).unwrap();
     fs::write(alone.join("films"), "in the way").unwrap();
     let journal = alone.join("journal.jsonl");
     let text = fs::read_to_string(&journal).unwrap();
     fs::write(&journal, format!("{}\n", text.lines().next().unwrap())).unwrap();
-    let output = run(&case);
-    expect_code(&output, 0);
-    let told = String::from_utf8(output.stderr).unwrap();
+    let told = ended(0, &case).err;
     assert!(told.contains("warning: case") && told.contains("not filmed: "), "{told}");
     let name = fs::read_dir(alone.join("histories")).unwrap().next().unwrap().unwrap().file_name();
     let history = |out: &Path| fs::read(out.join("histories").join(&name)).unwrap();
@@ -174,18 +168,16 @@ fn a_film_that_cannot_be_written_costs_no_result() {
 
 #[test]
 fn an_interrupted_film_is_made_by_the_same_command() {
-    let root = tempfile::tempdir().unwrap();
     let text = TINY
         .replace("[0.4, 0.5]", "[0.5]")
         .replace("[10, 1e4]", "[10]")
         .replace("[50, 250]", "[50]")
         .replace("particle_spacing_m = 0.025", "particle_spacing_m = 0.01");
-    let (file, out) = (write_file(root.path(), &text), root.path().join("out"));
-    let (file, path) = (file.to_str().unwrap(), out.to_str().unwrap());
-    expect_code(&run(&["sweep", file, "--out", path, "--film", "none"]), 0);
-    let before = results(&out);
+    let desk = Desk::new(&text);
+    desk.sweep(&["--film", "none"]);
+    let before = results(&desk.out);
     let mut child = seawall()
-        .args(["sweep", file, "--out", path])
+        .args(["sweep", &desk.file, "--out", &desk.dir])
         .stdout(Stdio::null())
         .stderr(Stdio::piped())
         .spawn()
@@ -197,102 +189,89 @@ fn an_interrupted_film_is_made_by_the_same_command() {
     assert!(Command::new("kill").args(["-INT", &pid]).status().unwrap().success());
     let rest: Vec<_> = told.collect();
     assert_eq!(child.wait().unwrap().code(), Some(3), "{rest:?}");
-    assert!(films(&out).is_empty() && !out.join("films/reasons.csv").exists());
-    expect_code(&run(&["sweep", file, "--out", path]), 0);
-    assert!(films(&out).len() == 4 && out.join("films/reasons.csv").exists());
-    assert_eq!(results(&out), before);
+    assert!(films(&desk.out).is_empty() && !desk.out.join("films/reasons.csv").exists());
+    desk.sweep(&[]);
+    assert!(films(&desk.out).len() == 4 && desk.out.join("films/reasons.csv").exists());
+    assert_eq!(results(&desk.out), before);
 }
 
 #[test]
 fn cases_whose_numerics_were_chosen_are_filmed_verified_and_told() {
-    let root = tempfile::tempdir().unwrap();
     let text = TINY
         .replace("[10, 1e4]", "[10]")
         .replace("[50, 250]", "[50]")
         .replace("particle_spacing_m = 0.025", "courant_number = 1.4");
-    let (file, out) = (write_file(root.path(), &text), root.path().join("out"));
-    let (file, path) = (file.to_str().unwrap(), out.to_str().unwrap());
+    let desk = Desk::new(&text);
     // The first spacings do not do for all: a second round runs finer.
-    let sweep = ["sweep", file, "--out", path, "--max-error", "0.6", "--film", "none"];
-    let output = run(&sweep);
-    expect_code(&output, 0);
-    let before = results(&out);
-    let told = String::from_utf8(output.stderr).unwrap();
+    let sweep = ["sweep", &desk.file, "--out", &desk.dir, "--max-error", "0.6", "--film", "none"];
+    let output = ended(0, &sweep);
+    let before = results(&desk.out);
+    let told = output.err;
     assert!(told.contains("these run once more with finer particles"), "{told}");
     for wave in ["wave_height_ratio=0.4", "wave_height_ratio=0.5"] {
-        let output = run(&["film", path, wave]);
-        expect_code(&output, 0);
-        let text = run(&["show", path, wave, "--toml"]);
-        expect_code(&text, 0);
-        let scene = root.path().join("scene.toml");
-        fs::write(&scene, &text.stdout).unwrap();
-        let check = run(&[
-            "run",
-            scene.to_str().unwrap(),
-            "--out",
-            root.path().join(wave).to_str().unwrap(),
-        ]);
-        expect_code(&check, 0);
+        ended(0, &["film", &desk.dir, wave]);
+        let text = ended(0, &["show", &desk.dir, wave, "--toml"]);
+        let scene = desk.path().join("scene.toml");
+        fs::write(&scene, &text.out).unwrap();
+        ended(
+            0,
+            &["run", scene.to_str().unwrap(), "--out", desk.path().join(wave).to_str().unwrap()],
+        );
     }
-    assert_eq!(films(&out).len(), 8);
-    assert_eq!(results(&out), before);
-    let mut again = fs::read_dir(out.join("histories")).unwrap().map(|entry| entry.unwrap());
+    assert_eq!(films(&desk.out).len(), 8);
+    assert_eq!(results(&desk.out), before);
+    let mut again = fs::read_dir(desk.out.join("histories")).unwrap().map(|entry| entry.unwrap());
     let is_there = |entry: &fs::DirEntry| {
         let alone =
-            ["0.4", "0.5"].map(|wave| root.path().join(format!("wave_height_ratio={wave}")));
+            ["0.4", "0.5"].map(|wave| desk.path().join(format!("wave_height_ratio={wave}")));
         alone.iter().any(|out| out.join("histories").join(entry.file_name()).exists())
     };
     assert_eq!(again.by_ref().filter(is_there).count(), 2, "the scene files are those cases");
-    expect_code(&run(&["verify", path, "--rerun", "1"]), 0);
+    ended(0, &["verify", &desk.dir, "--rerun", "1"]);
     // A summary that is lost comes back from the journal.
-    let summary = fs::read(out.join("summary.csv")).unwrap();
-    fs::remove_file(out.join("summary.csv")).unwrap();
-    fs::write(out.join("summary.csv"), "case_id\n").unwrap();
-    expect_code(&run(&["report", path]), 0);
-    assert_eq!(fs::read(out.join("summary.csv")).unwrap(), summary);
+    let summary = fs::read(desk.out.join("summary.csv")).unwrap();
+    fs::remove_file(desk.out.join("summary.csv")).unwrap();
+    fs::write(desk.out.join("summary.csv"), "case_id\n").unwrap();
+    ended(0, &["report", &desk.dir]);
+    assert_eq!(fs::read(desk.out.join("summary.csv")).unwrap(), summary);
 }
 
 #[test]
 fn a_film_that_cannot_be_is_refused_before_anything_runs() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
-    let out = root.path().join("out");
-    let arguments = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
-    let output = run(&[&arguments[..], &["--film", "wave_height_ratio=0.45"]].concat());
-    expect_code(&output, 2);
-    assert!(String::from_utf8_lossy(&output.stderr).contains("there is 0.4, 0.5"));
-    assert!(!out.exists());
+    let desk = Desk::new(TINY);
+    let arguments = ["sweep", &desk.file, "--out", &desk.dir];
+    let output = ended(2, &[&arguments[..], &["--film", "wave_height_ratio=0.45"]].concat());
+    assert!(output.err.contains("there is 0.4, 0.5"));
+    assert!(!desk.out.exists());
 }
 
 #[test]
 fn a_run_is_filmed_also_when_it_is_finished() {
-    let root = tempfile::tempdir().unwrap();
     let text = TINY.split("[grid]").next().unwrap().replace(
         "wall = \"movable\"",
         "wall = \"movable\"\nspring_stiffness_n_per_m = 10\nseawall_mass_kg_per_m = 50",
     );
     let text = text.replace("[numerics]", "[numerics]\nerror_bars = \"pair\"");
-    let (file, out) = (write_file(root.path(), &text), root.path().join("out"));
-    let arguments = ["run", file.to_str().unwrap(), "--out", out.to_str().unwrap(), "--film"];
-    expect_code(&run(&arguments), 0);
+    let desk = Desk::new(&text);
+    let arguments = ["run", &desk.file, "--out", &desk.dir, "--film"];
+    ended(0, &arguments);
     // Its companion for error bars is not filmed, and what it tells is told.
     let again = |more: &[&str]| run(&[&arguments[..4], more].concat()).stdout;
     let record: serde_json::Value = serde_json::from_slice(&again(&["--format", "json"])).unwrap();
     let id = record["id"].as_str().unwrap();
-    assert!(films(&out).iter().all(|name| name.starts_with(id)), "{:?}", films(&out));
+    assert!(films(&desk.out).iter().all(|name| name.starts_with(id)), "{:?}", films(&desk.out));
     let bar = record["error_bars"]["force_max_error"].as_f64().unwrap();
-    let summary = fs::read_to_string(out.join("summary.csv")).unwrap();
+    let summary = fs::read_to_string(desk.out.join("summary.csv")).unwrap();
     assert!(bar > 0.0 && summary.contains(&format!(",{bar},")), "{bar} in {summary}");
     let told = String::from_utf8(again(&[])).unwrap();
     let force = told.lines().find(|line| line.starts_with("F* max ")).unwrap();
     assert!(force.contains('±') && !told.contains("error"), "{told}");
-    let name = films(&out)[1].clone();
-    let page = fs::read(out.join("films").join(&name)).unwrap();
+    let name = films(&desk.out)[1].clone();
+    let page = fs::read(desk.out.join("films").join(&name)).unwrap();
     assert!(page.len() < 400_000);
-    fs::remove_dir_all(out.join("films")).unwrap();
-    expect_code(&run(&arguments), 0);
-    assert_eq!(fs::read(out.join("films").join(&name)).unwrap(), page);
-    let speed = run(&[&arguments[..], &["speed"]].concat());
-    expect_code(&speed, 0);
-    assert_ne!(fs::read(out.join("films").join(&name)).unwrap(), page);
+    fs::remove_dir_all(desk.out.join("films")).unwrap();
+    ended(0, &arguments);
+    assert_eq!(fs::read(desk.out.join("films").join(&name)).unwrap(), page);
+    ended(0, &[&arguments[..], &["speed"]].concat());
+    assert_ne!(fs::read(desk.out.join("films").join(&name)).unwrap(), page);
 }

@@ -5,42 +5,34 @@ mod common;
 use std::fs;
 use std::path::Path;
 
-use common::{SOFT, TINY, expect_code, run, write_file};
+use common::{Desk, SOFT, TINY, column, ended};
 use serde_json::Value;
 
 const SPRINGS: &str =
     r#"spring_stiffness_n_per_m = { from = 1e2, to = 1e6, points = 5, spacing = "log" }"#;
 
 fn find(out: &Path, condition: &str) -> Value {
-    let output = run(&["find", out.to_str().unwrap(), condition, "--format", "json"]);
-    expect_code(&output, 0);
-    serde_json::from_slice(&output.stdout).unwrap()
+    ended(0, &["find", out.to_str().unwrap(), condition, "--format", "json"]).json()
 }
 
 fn refused(out: &Path, condition: &str) -> String {
-    let output = run(&["find", out.to_str().unwrap(), condition]);
-    expect_code(&output, 2);
-    assert!(output.stdout.is_empty());
-    String::from_utf8_lossy(&output.stderr).into_owned()
+    let output = ended(2, &["find", out.to_str().unwrap(), condition]);
+    assert!(output.out.is_empty());
+    output.err
 }
 
 #[test]
 fn a_condition_is_met_by_the_cases_of_the_summary_that_meet_it() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), &format!("{SOFT}{SPRINGS}\n"));
-    let out = root.path().join("out");
-    expect_code(&run(&["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()]), 0);
-    let mut reader = csv::Reader::from_path(out.join("summary.csv")).unwrap();
-    let header = reader.headers().unwrap().clone();
-    let place = header.iter().position(|name| name == "first_force_max").unwrap();
-    let cell = |row: csv::Result<csv::StringRecord>| row.unwrap()[place].parse::<f64>().unwrap();
-    let forces: Vec<_> = reader.records().map(cell).collect();
+    let desk = Desk::new(&format!("{SOFT}{SPRINGS}\n"));
+    desk.sweep(&[]);
+    let forces = column(&desk.out, "first_force_max");
+    let forces: Vec<f64> = forces.iter().map(|cell| cell.parse().unwrap()).collect();
     assert_eq!(forces.len(), 5);
     let (least, most) = (forces[0], forces[4]);
     assert!(most > least + 0.1, "{forces:?}");
     let limit = 0.5 * (least + most);
 
-    let found = find(&out, &format!("first_force_max < {limit}"));
+    let found = find(&desk.out, &format!("first_force_max < {limit}"));
     let expected = forces.iter().filter(|force| **force < limit).count();
     assert_eq!(found["met"].as_u64(), Some(expected as u64));
     assert_eq!(found["meeting"].as_array().unwrap().len(), expected);
@@ -56,22 +48,20 @@ fn a_condition_is_met_by_the_cases_of_the_summary_that_meet_it() {
         assert_eq!(end["basis"], "bend");
     }
 
-    let text = run(&["find", out.to_str().unwrap(), "first_force_max > 1"]);
-    expect_code(&text, 0);
-    let text = String::from_utf8_lossy(&text.stdout).into_owned();
+    let text = ended(0, &["find", &desk.dir, "first_force_max > 1"]).out;
     assert!(text.starts_with("5 of 5 cases meet first_force_max > 1"), "{text}");
 
-    let told = refused(&out, "first_force_mx < 2");
+    let told = refused(&desk.out, "first_force_mx < 2");
     assert!(told.contains("did you mean first_force_max?"), "{told}");
-    let told = refused(&out, "first_force_max ~ 2");
+    let told = refused(&desk.out, "first_force_max ~ 2");
     assert!(told.contains("write COLUMN < NUMBER"), "{told}");
 
     // A study with a case that has not come to its end.
-    let path = out.join("summary.csv");
+    let path = desk.out.join("summary.csv");
     let summary = fs::read_to_string(&path).unwrap();
     let shorter = summary.trim_end().rsplit_once('\n').unwrap().0;
     fs::write(&path, format!("{shorter}\n")).unwrap();
-    let told = refused(&out, "first_force_max < 2");
+    let told = refused(&desk.out, "first_force_max < 2");
     assert!(told.contains("the study is not finished, 1 case left"), "{told}");
 }
 
@@ -85,29 +75,20 @@ fn a_directory_without_a_study_is_told() {
 /// A wall with F* below 2 was listed without a word, and then hit its stop with far more.
 #[test]
 fn a_wall_that_hits_its_stop_is_marked_in_the_tables() {
-    let root = tempfile::tempdir().unwrap();
     let longer = TINY.replace("end_after_stroke_centre_s = 0.8", "end_after_stroke_centre_s = 1.6");
-    let file = write_file(root.path(), &longer);
-    let out = root.path().join("out");
-    let sweep = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
-    let swept = run(&[&sweep[..], &["--film", "none"]].concat());
-    expect_code(&swept, 0);
-    let mut reader = csv::Reader::from_path(out.join("summary.csv")).unwrap();
-    let header = reader.headers().unwrap().clone();
-    let place = header.iter().position(|name| name == "stops").unwrap();
-    let cell = |row: csv::Result<csv::StringRecord>| row.unwrap()[place].parse::<u64>().unwrap();
-    let stopped = reader.records().map(cell).filter(|stops| *stops > 0).count();
+    let desk = Desk::new(&longer);
+    let swept = desk.sweep(&["--film", "none"]);
+    let stopped = column(&desk.out, "stops").iter().filter(|stops| *stops != "0").count();
     assert!(stopped > 0);
     let line = "* the wall hits its stop afterwards; that load counts for no maximum\n";
-    let text = String::from_utf8(swept.stdout).unwrap();
+    let text = swept.out;
     assert_eq!((text.matches(" *  ").count(), text.matches(line).count()), (stopped, 1), "{text}");
     assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
 
-    let told = run(&["find", out.to_str().unwrap(), "force_max < 100"]);
-    let told = String::from_utf8(told.stdout).unwrap();
+    let told = ended(0, &["find", &desk.dir, "force_max < 100"]).out;
     let marked = told.lines().filter(|line| line.ends_with('*')).count();
     assert_eq!((marked, told.matches(line).count()), (stopped, 1), "{told}");
-    let value = find(&out, "force_max < 100");
+    let value = find(&desk.out, "force_max < 100");
     let hits = value["meeting"].as_array().unwrap().iter().filter(|case| case["hits_stop"] == true);
     assert_eq!(hits.count(), stopped);
 }
@@ -115,16 +96,9 @@ fn a_wall_that_hits_its_stop_is_marked_in_the_tables() {
 /// A range of stiffnesses reached far past the grid, and a condition on a key came back as a boundary.
 #[test]
 fn boundaries_keep_to_the_grid_and_say_what_the_condition_does_not() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
-    let out = root.path().join("out");
-    let sweep = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
-    expect_code(&run(&[&sweep[..], &["--film", "none"]].concat()), 0);
-    let told = |condition: &str| {
-        let output = run(&["find", out.to_str().unwrap(), condition]);
-        expect_code(&output, 0);
-        String::from_utf8(output.stdout).unwrap()
-    };
+    let desk = Desk::new(TINY);
+    desk.sweep(&["--film", "none"]);
+    let told = |condition: &str| ended(0, &["find", &desk.dir, condition]).out;
     let one = told("H/h = 0.5 and k = 1e4 and m = 50");
     assert!(one.starts_with("1 of 8 cases meets wave_height_ratio = 0.5 and "), "{one}");
     let key = told("k < 1000");

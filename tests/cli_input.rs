@@ -5,7 +5,7 @@ mod common;
 use std::fs;
 use std::path::Path;
 
-use common::{TINY, expect_code, run, seawall, write_file};
+use common::{Desk, TINY, ended, expect_code, seawall, write_file};
 
 /// A scene that runs in no time.
 const SCENE: &str = "name = \"a\"\n[scene]\n[numerics]\nparticle_spacing_m = 0.025\n";
@@ -137,14 +137,13 @@ fn messages_are_text_and_short() {
 #[cfg(target_os = "linux")]
 fn a_path_that_is_no_text_is_a_path() {
     use std::os::unix::ffi::OsStrExt;
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
-    let out = root.path().join(std::ffi::OsStr::from_bytes(b"o\xffut"));
+    let desk = Desk::new(TINY);
+    let out = desk.path().join(std::ffi::OsStr::from_bytes(b"o\xffut"));
     for command in ["sweep", "report", "status", "verify"] {
         let mut run = seawall();
         run.args([command, "--format", "json"]);
         match command {
-            "sweep" => run.arg(&file).arg("--out").arg(&out),
+            "sweep" => run.arg(&desk.file).arg("--out").arg(&out),
             _ => run.arg(&out),
         };
         let output = run.output().unwrap();
@@ -161,29 +160,23 @@ fn a_key_in_a_section_and_in_the_grid_is_an_error_in_the_file_too() {
     let text = TINY.replace("[numerics]", "wave_height_ratio = 0.3\n[numerics]");
     let file = write_file(root.path(), &text);
     for command in ["check", "sweep"] {
-        let output = run(&[command, file.to_str().unwrap()]);
-        expect_code(&output, 2);
-        let told = told(&output.stderr);
+        let told = ended(2, &[command, &file]).err;
         let words = "sweep.toml: scene.wave_height_ratio = 0.3: stands in [scene] and in [grid]";
         assert!(told.contains(words), "{told}");
     }
     // On the command line it is meant.
     let single = write_file(root.path(), &format!("{SCENE}kernel = \"gaussian\"\n"));
     let kernels = "grid.kernel=[\"gaussian\", \"wendland-c2\"]";
-    expect_code(&run(&["check", single.to_str().unwrap(), "--set", kernels]), 0);
+    ended(0, &["check", &single, "--set", kernels]);
 }
 
 /// What `check` prints, and what another command notes, of a scene with a value set.
 fn warnings_of(setting: &str) -> [String; 2] {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), SCENE);
-    let file = file.to_str().unwrap();
-    let check = run(&["check", file, "--set", setting]);
-    expect_code(&check, 0);
+    let desk = Desk::new(SCENE);
+    let check = ended(0, &["check", &desk.file, "--set", setting]);
     let grid = ["--dry-run", "--set", "grid.wave_gauge_m=[1.2, 1.3]"];
-    let sweep = run(&[&["sweep", file, "--set", setting][..], &grid].concat());
-    expect_code(&sweep, 0);
-    [told(&check.stdout), told(&sweep.stdout)]
+    let sweep = ended(0, &[&["sweep", &desk.file, "--set", setting][..], &grid].concat());
+    [check.out, sweep.out]
 }
 
 #[test]
@@ -212,20 +205,16 @@ fn odd_values_are_warned_of_and_taken() {
 
 #[test]
 fn runs_and_sweeps_note_what_check_warns_of() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
-    let (file, out) = (file.to_str().unwrap(), root.path().join("out"));
+    let desk = Desk::new(TINY);
     let short = ["--set", "scene.end_time_s=0.02", "--set", "scene.threshold_ratio=0.5"];
-    let places = ["--out", out.to_str().unwrap(), "--threads", "1000"];
-    let sweep = run(&[&["sweep", file][..], &short, &places].concat());
-    expect_code(&sweep, 0);
+    let places = ["--out", &desk.dir, "--threads", "1000"];
+    let sweep = ended(0, &[&["sweep", &desk.file][..], &short, &places].concat());
     let case = ["wave_height_ratio=0.4", "spring_stiffness_n_per_m=10", "seawall_mass_kg_per_m=50"];
-    let places = ["--out", root.path().to_str().unwrap(), "--threads", "1000"];
+    let places = ["--out", desk.path().to_str().unwrap(), "--threads", "1000"];
     let places = [places[0], &format!("{}/single", places[1]), places[2], places[3]];
-    let single = run(&[&["run", file][..], &case, &short, &places].concat());
-    expect_code(&single, 0);
+    let single = ended(0, &[&["run", &desk.file][..], &case, &short, &places].concat());
     for output in [sweep, single] {
-        let notes = told(&output.stderr);
+        let notes = output.err;
         let moved = "sweep.toml: scene.threshold_ratio = 0.5: still water alone presses with 1";
         assert!(notes.contains(moved), "{notes}");
         assert!(notes.contains("warning: --threads 1000: this machine has"), "{notes}");
@@ -235,23 +224,21 @@ fn runs_and_sweeps_note_what_check_warns_of() {
         let mut reader = csv::Reader::from_path(directory.join("summary.csv")).unwrap();
         reader.records().next().unwrap().unwrap()[0].to_owned()
     };
-    assert_eq!(id(&out), id(&root.path().join("single")));
+    assert_eq!(id(&desk.out), id(&desk.path().join("single")));
 }
 
 #[test]
 fn a_bad_instruction_set_in_the_environment_is_refused_by_all_that_computes() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
-    let before = fs::read_dir(root.path()).unwrap().count();
-    let file = file.to_str().unwrap();
+    let desk = Desk::new(TINY);
+    let before = fs::read_dir(desk.path()).unwrap().count();
     let with = |arguments: &[&str]| {
         let mut command = seawall();
-        command.env("SEAWALL_SIMD_LIMIT", "sse").current_dir(root.path());
+        command.env("SEAWALL_SIMD_LIMIT", "sse").current_dir(desk.path());
         command.args(arguments).output().unwrap()
     };
     for arguments in [
-        &["sweep", file][..],
-        &["run", file],
+        &["sweep", &desk.file][..],
+        &["run", &desk.file],
         &["film", "."],
         &["verify", ".", "--rerun", "1"],
         &["reproduce", "liang2017", "--figure", "13"],
@@ -264,8 +251,8 @@ fn a_bad_instruction_set_in_the_environment_is_refused_by_all_that_computes() {
         let words = "SEAWALL_SIMD_LIMIT=sse: must be avx512, avx2 or portable";
         assert!(told.contains(words), "{arguments:?}: {told}");
     }
-    assert_eq!(fs::read_dir(root.path()).unwrap().count(), before, "nothing is written");
-    for arguments in [&["check", file][..], &["sweep", file, "--dry-run"]] {
+    assert_eq!(fs::read_dir(desk.path()).unwrap().count(), before, "nothing is written");
+    for arguments in [&["check", &desk.file][..], &["sweep", &desk.file, "--dry-run"]] {
         expect_code(&with(arguments), 0);
     }
 }
@@ -292,9 +279,8 @@ fn a_sweep_file_may_come_through_a_pipe() {
 
     // Before its end a study cannot be filmed, which is told in words.
     std::fs::remove_file(out.join("summary.csv")).unwrap();
-    let film = run(&["film", out.to_str().unwrap(), "particle_spacing_m=0.05"]);
-    expect_code(&film, 2);
-    assert!(String::from_utf8_lossy(&film.stderr).contains("has no summary.csv"));
+    let film = ended(2, &["film", out.to_str().unwrap(), "particle_spacing_m=0.05"]);
+    assert!(film.err.contains("has no summary.csv"));
 }
 
 /// The story: a sweep file of one case was refused, as it "has 1 cases, and `seawall run` takes one".
@@ -307,9 +293,8 @@ fn a_sweep_file_of_one_case_needs_no_words() {
     fs::write(&file, text).unwrap();
     let one = "grid.particle_spacing_m=[0.06]";
     let with = |arguments: &[&str]| {
-        let file = file.to_str().unwrap();
         let mut command = seawall();
-        command.args(["run", file, "--set", one]).args(arguments);
+        command.arg("run").arg(&file).args(["--set", one]).args(arguments);
         command.current_dir(root.path()).output().unwrap()
     };
     expect_code(&with(&[]), 0);
@@ -317,7 +302,7 @@ fn a_sweep_file_of_one_case_needs_no_words() {
     let made = made[0].as_ref().unwrap().path();
     assert!(made.file_name().unwrap().to_string_lossy().starts_with("one-"), "{made:?}");
     // What the command line set is in the case's own file, and is not set once more.
-    expect_code(&run(&["verify", made.to_str().unwrap(), "--rerun", "1"]), 0);
+    ended(0, &["verify", made.to_str().unwrap(), "--rerun", "1"]);
     expect_code(&with(&["particle_spacing_m=0.06"]), 0);
     expect_code(&with(&["particle_spacing_m=0.05"]), 2);
 }

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use common::{expect_code, run, write_file};
+use common::{Desk, ended};
 
 /// A softly sprung wall in a short, coarse tank.
 const SCENE: &str = r#"
@@ -36,12 +36,9 @@ fn number(row: &BTreeMap<String, String>, name: &str) -> f64 {
 
 #[test]
 fn loads_have_columns_files_and_the_size_of_a_prototype() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), SCENE);
-    let out = root.path().join("out");
-    let [file, dir] = [&file, &out].map(|path| path.to_str().unwrap());
-    expect_code(&run(&["run", file, "--out", dir]), 0);
-    let summary = row(&out.join("summary.csv"));
+    let desk = Desk::new(SCENE);
+    desk.run(&[]);
+    let summary = row(&desk.out.join("summary.csv"));
     let id = &summary["case_id"];
     let value = |name: &str| number(&summary, name);
     // The spring holds k X, over ½ρgh² = 196.2 N/m.
@@ -50,14 +47,12 @@ fn loads_have_columns_files_and_the_size_of_a_prototype() {
     assert_eq!(summary["spring_force_max_time_s"], summary["displacement_max_time_s"]);
     assert!(value("moment_max") >= value("first_moment_max"));
     assert!(value("first_impulse") > 0.0 && value("rise_time_s") > 0.05);
-    let envelope = row(&out.join(format!("envelopes/{id}.csv")));
+    let envelope = row(&desk.out.join(format!("envelopes/{id}.csv")));
     let pressure = number(&envelope, "pressure_max_pa");
 
-    let report = run(&["report", dir, "--froude-scale", "20"]);
-    expect_code(&report, 0);
-    let told = String::from_utf8_lossy(&report.stdout).into_owned();
+    let told = ended(0, &["report", &desk.dir, "--froude-scale", "20"]).out;
     assert!(told.contains("at Froude scale 1:20: "), "{told}");
-    let large = row(&out.join("tables/prototype.csv"));
+    let large = row(&desk.out.join("tables/prototype.csv"));
     assert_eq!(large["froude_scale"], "1:20");
     for (name, small) in [
         ("force_max_kn_per_m", 0.1962 * 400.0 * value("force_max")),
@@ -68,21 +63,19 @@ fn loads_have_columns_files_and_the_size_of_a_prototype() {
     ] {
         assert!((number(&large, name) / small - 1.0).abs() < 1e-5, "{name}: {large:?}");
     }
-    let heights = row(&out.join("tables/prototype_envelope.csv"));
+    let heights = row(&desk.out.join("tables/prototype_envelope.csv"));
     assert_eq!((heights["froude_scale"].as_str(), heights["height_m"].as_str()), ("1:20", "0.2"));
-    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    let page = fs::read_to_string(desk.out.join("report.html")).unwrap();
     assert!(page.contains("At the size of the prototype, Froude scale 1:20"));
-    assert!(out.join("figures/pressure-envelope.svg").is_file());
+    assert!(desk.out.join("figures/pressure-envelope.svg").is_file());
 
     // Without a scale they go, and nothing else knows of one.
-    expect_code(&run(&["report", dir]), 0);
-    assert!(!out.join("tables/prototype.csv").exists());
-    assert!(!fs::read_to_string(out.join("report.html")).unwrap().contains("Froude"));
-    assert_eq!(row(&out.join("summary.csv")), summary);
+    ended(0, &["report", &desk.dir]);
+    assert!(!desk.out.join("tables/prototype.csv").exists());
+    assert!(!fs::read_to_string(desk.out.join("report.html")).unwrap().contains("Froude"));
+    assert_eq!(row(&desk.out.join("summary.csv")), summary);
     for bad in ["0", "-3", "twenty", "nan"] {
-        let refused = run(&["report", dir, &format!("--froude-scale={bad}")]);
-        expect_code(&refused, 2);
-        let told = String::from_utf8_lossy(&refused.stderr).into_owned();
+        let told = ended(2, &["report", &desk.dir, &format!("--froude-scale={bad}")]).err;
         assert!(told.contains("must be a number from 1e-6 to 1e6"), "{told}");
     }
 }

@@ -4,7 +4,7 @@ mod common;
 
 use std::fs;
 
-use common::{TINY, expect_code, run, write_file};
+use common::{Desk, TINY, ended, expect_code, run, write_file};
 
 fn told(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
@@ -22,36 +22,27 @@ fn short_scene() -> String {
 
 #[test]
 fn more_particles_than_a_machine_holds_are_refused_by_every_command() {
-    let root = tempfile::tempdir().unwrap();
-    let (sweep, out) = (write_file(root.path(), TINY), root.path().join("out"));
-    let (file, out) = (sweep.to_str().unwrap().to_owned(), out.to_str().unwrap());
+    let desk = Desk::new(TINY);
+    let Desk { file, dir, .. } = &desk;
     let fine = ["--set", "numerics.particle_spacing_m=1e-5"];
     let refuse = |command: &[&str]| {
-        let output = run(&[command, &fine].concat());
-        expect_code(&output, 2);
-        assert!(told(&output.stderr).contains("20,000,000 are the most: choose 0.0001"));
+        let output = ended(2, &[command, &fine].concat());
+        assert!(output.err.contains("20,000,000 are the most: choose 0.0001"));
     };
-    refuse(&["sweep", &file, "--out", out]);
-    refuse(&["check", &file]);
-    fs::write(&sweep, short_scene()).unwrap();
-    refuse(&["run", &file, "--out", out]);
-    let largest = run(&["check", &file, "--set", "numerics.particle_spacing_m=0.000101"]);
-    expect_code(&largest, 0);
-    let text = told(&largest.stdout);
+    refuse(&["sweep", file, "--out", dir]);
+    refuse(&["check", file]);
+    desk.write(&short_scene());
+    refuse(&["run", file, "--out", dir]);
+    let text = ended(0, &["check", file, "--set", "numerics.particle_spacing_m=0.000101"]).out;
     assert!(text.contains("GiB") && text.contains(" days on"), "{text}");
     assert!(text.contains("known limit, 1 case: more than 1,000,000 particles"), "{text}");
-    assert!(!root.path().join("out").exists());
+    assert!(!desk.out.exists());
 }
 
 #[test]
 fn check_shows_what_is_on() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
-    let check = |settings: &[&str]| {
-        let output = run(&[&["check", file.to_str().unwrap()], settings].concat());
-        expect_code(&output, 0);
-        told(&output.stdout)
-    };
+    let desk = Desk::new(TINY);
+    let check = |settings: &[&str]| ended(0, &[&["check", &desk.file], settings].concat()).out;
     let single = check(&["--set", "numerics.precision=f32", "--set", "numerics.retries=2"]);
     assert!(single.contains("\nprecision           f32\n"), "{single}");
     assert!(single.contains("\nretries             2\n"), "{single}");
@@ -62,13 +53,8 @@ fn check_shows_what_is_on() {
 
 #[test]
 fn check_and_sweep_answer_an_empty_grid_alike() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), "name = \"a\"\n[grid]\n");
-    let [check, sweep] = ["check", "sweep"].map(|command| {
-        let output = run(&[command, file.to_str().unwrap()]);
-        expect_code(&output, 2);
-        told(&output.stderr)
-    });
+    let desk = Desk::new("name = \"a\"\n[grid]\n");
+    let [check, sweep] = ["check", "sweep"].map(|command| ended(2, &[command, &desk.file]).err);
     assert_eq!(check, sweep);
     assert!(check.contains("grid: holds no key"), "{check}");
 }
@@ -79,9 +65,7 @@ fn a_file_that_is_no_text_is_told_as_such() {
     let file = root.path().join("latin.toml");
     fs::write(&file, b"name = \"a\"\n# H\xf6he\n").unwrap();
     for command in ["check", "sweep", "run", "accuracy"] {
-        let output = run(&[command, file.to_str().unwrap()]);
-        expect_code(&output, 2);
-        let text = told(&output.stderr);
+        let text = ended(2, &[command, file.to_str().unwrap()]).err;
         assert!(
             text.ends_with("latin.toml: line 2: is not UTF-8 text; save it as UTF-8\n"),
             "{text}"
@@ -91,37 +75,30 @@ fn a_file_that_is_no_text_is_told_as_such() {
 
 #[test]
 fn lower_bounds_are_marked_and_nothing_is_filmed_twice() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), &short_scene());
-    let (file, out) = (file.to_str().unwrap(), root.path().join("out"));
-    let command = ["run", file, "--threads", "1", "--out", out.to_str().unwrap()];
-    let first = run(&command);
-    expect_code(&first, 0);
-    let (text, notes) = (told(&first.stdout), told(&first.stderr));
+    let desk = Desk::new(&short_scene());
+    let command = ["run", &desk.file, "--threads", "1", "--out", &desk.dir];
+    let first = ended(0, &command);
+    let (text, notes) = (first.out, first.err);
     assert!(notes.contains("1 case on 1 thread,"), "{notes}");
     let line = text.lines().find(|line| line.starts_with("X* max")).unwrap();
     assert!(line.contains("≥ ") && line.ends_with(" s, still moving at the end"), "{line}");
-    let again = run(&[&command[..], &["--vtk"]].concat());
-    expect_code(&again, 0);
-    let notes = told(&again.stderr);
+    let notes = ended(0, &[&command[..], &["--vtk"]].concat()).err;
     assert!(notes.contains("--vtk: nothing was written") && notes.contains("--fresh"), "{notes}");
-    assert!(!out.join("vtk").exists());
-    let filmed = run(&[&command[..], &["--vtk", "0.5", "--fresh"]].concat());
-    expect_code(&filmed, 0);
-    assert!(!told(&filmed.stderr).contains("nothing was written") && out.join("vtk").exists());
+    assert!(!desk.out.join("vtk").exists());
+    let filmed = ended(0, &[&command[..], &["--vtk", "0.5", "--fresh"]].concat());
+    assert!(!filmed.err.contains("nothing was written") && desk.out.join("vtk").exists());
 }
 
 #[test]
 fn what_a_run_has_filmed_is_verified() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), &short_scene());
+    let desk = Desk::new(&short_scene());
     for (option, ending, folder) in [("--vtk", ".vtu", "vtk"), ("--film", ".svg", "films")] {
-        let out = root.path().join(folder);
+        let out = desk.path().join(folder);
         let directory = out.to_str().unwrap();
         let spacing = "numerics.particle_spacing_m=0.05";
-        let run_it = ["run", file.to_str().unwrap(), "--set", spacing, "--out", directory, option];
-        expect_code(&run(&run_it), 0);
-        expect_code(&run(&["verify", directory]), 0);
+        let run_it = ["run", &desk.file, "--set", spacing, "--out", directory, option];
+        ended(0, &run_it);
+        ended(0, &["verify", directory]);
         let case = fs::read_dir(out.join("histories")).unwrap().next().unwrap().unwrap().path();
         let case = case.file_stem().unwrap().to_str().unwrap().to_owned();
         let inside = if folder == "vtk" { out.join("vtk").join(&case) } else { out.join("films") };
@@ -131,29 +108,23 @@ fn what_a_run_has_filmed_is_verified() {
         let middle = bytes.len() / 2;
         bytes[middle] ^= 2;
         fs::write(&path, bytes).unwrap();
-        let verified = run(&["verify", directory]);
-        expect_code(&verified, 1);
+        let verified = ended(1, &["verify", directory]);
         let name = path.strip_prefix(&out).unwrap().to_str().unwrap();
-        assert_eq!(told(&verified.stdout), format!("{name} is damaged\n"));
+        assert_eq!(verified.out, format!("{name} is damaged\n"));
         // A report makes its own files and leaves what was filmed.
-        expect_code(&run(&["report", directory]), 0);
+        ended(0, &["report", directory]);
         assert_eq!(told(&run(&["verify", directory]).stdout), format!("{name} is damaged\n"));
-        expect_code(&run(&[&run_it[..], &["--fresh"]].concat()), 0);
-        expect_code(&run(&["verify", directory]), 0);
+        ended(0, &[&run_it[..], &["--fresh"]].concat());
+        ended(0, &["verify", directory]);
     }
 }
 
 #[test]
 fn a_sweeps_table_marks_lower_bounds_and_doubtful_cases() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
-    let out = root.path().join("out");
+    let desk = Desk::new(TINY);
     let coarse = ["--set", "numerics.particle_spacing_m=0.05"];
-    let command = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
-    let output = run(&[&command[..], &coarse].concat());
-    expect_code(&output, 0);
-    let text = told(&output.stdout);
-    let mut reader = csv::Reader::from_path(out.join("summary.csv")).unwrap();
+    let text = desk.sweep(&coarse).out;
+    let mut reader = csv::Reader::from_path(desk.out.join("summary.csv")).unwrap();
     let headers = reader.headers().unwrap().clone();
     let rows: Vec<_> = reader.records().map(Result::unwrap).collect();
     let place = |name: &str| headers.iter().position(|header| header == name).unwrap();
@@ -173,18 +144,15 @@ fn a_sweeps_table_marks_lower_bounds_and_doubtful_cases() {
 
 #[test]
 fn coarse_particles_have_a_sentence_of_their_own_and_no_doubt() {
-    let root = tempfile::tempdir().unwrap();
-    let (file, out) = (write_file(root.path(), TINY), root.path().join("out"));
-    let output = run(&["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
-    expect_code(&output, 0);
-    let text = told(&output.stdout);
+    let desk = Desk::new(TINY);
+    let text = desk.sweep(&[]).out;
     let sentence =
         "8 finished cases have coarse particles (coarse_spacing in summary.csv)\n  8.0 rows ";
     assert!(text.contains(sentence), "{text}");
     assert!(text.lines().all(|line| line.starts_with("report: ") || line.chars().count() <= 80));
-    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    let page = fs::read_to_string(desk.out.join("report.html")).unwrap();
     assert!(page.contains("8 of 8 results have coarse particles: 8.0 rows over the depth; "));
-    let mut reader = csv::Reader::from_path(out.join("summary.csv")).unwrap();
+    let mut reader = csv::Reader::from_path(desk.out.join("summary.csv")).unwrap();
     let headers = reader.headers().unwrap().clone();
     assert_eq!(headers.iter().next_back(), Some("coarse_spacing"));
     let place = |name: &str| headers.iter().position(|header| header == name).unwrap();
@@ -198,15 +166,11 @@ fn coarse_particles_have_a_sentence_of_their_own_and_no_doubt() {
 
 #[test]
 fn a_directory_that_cannot_be_written_is_bad_input() {
-    let root = tempfile::tempdir().unwrap();
-    let (file, out) = (write_file(root.path(), TINY), root.path().join("out"));
-    let sweep = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
-    expect_code(&run(&[&sweep[..], &["--set", "numerics.particle_spacing_m=0.05"]].concat()), 0);
-    fs::remove_dir_all(out.join("figures")).unwrap();
-    fs::write(out.join("figures"), "in the way").unwrap();
-    let output = run(&["report", out.to_str().unwrap()]);
-    expect_code(&output, 2);
-    let text = told(&output.stderr);
+    let desk = Desk::new(TINY);
+    desk.sweep(&["--set", "numerics.particle_spacing_m=0.05"]);
+    fs::remove_dir_all(desk.out.join("figures")).unwrap();
+    fs::write(desk.out.join("figures"), "in the way").unwrap();
+    let text = ended(2, &["report", &desk.dir]).err;
     assert_eq!(text.matches("os error").count(), 1, "{text}");
 }
 
@@ -225,9 +189,8 @@ fn a_method_with_a_comma_in_its_name_can_be_chosen() {
             out.to_str().unwrap(),
         ])
     };
-    let wrong = run(&["accuracy", "--method", "R 3, dx 7", "--out", out.to_str().unwrap()]);
-    expect_code(&wrong, 2);
-    assert!(told(&wrong.stderr).contains("\"R 3, dx 0.0125\""), "{}", told(&wrong.stderr));
+    let wrong = ended(2, &["accuracy", "--method", "R 3, dx 7", "--out", out.to_str().unwrap()]);
+    assert!(wrong.err.contains("\"R 3, dx 0.0125\""), "{}", wrong.err);
     // The case is refused first, so nothing runs.
     let output = choose("R 3, dx 0.0125");
     expect_code(&output, 2);
@@ -243,9 +206,7 @@ fn figures_for_print_come_in_two_widths_and_no_other_format() {
         fs::copy(stored.join(name), root.path().join(name)).unwrap();
     }
     let directory = root.path().to_str().unwrap();
-    let refused = run(&["report", directory, "--figures", "pdf,tiff"]);
-    expect_code(&refused, 2);
-    let words = told(&refused.stderr);
+    let words = ended(2, &["report", directory, "--figures", "pdf,tiff"]).err;
     assert!(words.contains("tiff") && words.contains("svg, pdf, png"), "{words}");
     assert!(!root.path().join("figures").exists(), "nothing is written");
     let output = run(&["report", directory, "--figures", "pdf"]);
@@ -268,8 +229,8 @@ fn figures_for_print_come_in_two_widths_and_no_other_format() {
 fn paths_are_told_as_text() {
     let root = tempfile::tempdir().unwrap();
     let (file, out) = (write_file(root.path(), TINY), root.path().join("a\n\u{1b}[31mb"));
-    let (file, directory) = (file.to_str().unwrap(), out.to_str().unwrap());
-    let sweep = || run(&["sweep", file, "--out", directory, "--checkpoint-every-s", "0.001"]);
+    let directory = out.to_str().unwrap();
+    let sweep = || run(&["sweep", &file, "--out", directory, "--checkpoint-every-s", "0.001"]);
     expect_code(&sweep(), 0);
     let history = || fs::read_dir(out.join("histories")).unwrap().next().unwrap().unwrap().path();
     let told_whole = |output: &std::process::Output, words: &str| {

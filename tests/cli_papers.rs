@@ -6,22 +6,12 @@ mod common;
 use std::fs;
 use std::path::Path;
 
-use common::{TINY, expect_code, run, write_file};
+use common::{TINY, ended, run, write_file};
 use serde_json::Value;
-
-fn json(output: &std::process::Output) -> Value {
-    serde_json::from_slice(&output.stdout).unwrap()
-}
-
-fn told(output: &std::process::Output) -> String {
-    String::from_utf8_lossy(&output.stderr).into_owned()
-}
 
 #[test]
 fn every_figure_of_both_papers_is_listed() {
-    let output = run(&["reproduce", "--list", "--format", "json"]);
-    expect_code(&output, 0);
-    let list = json(&output);
+    let list = ended(0, &["reproduce", "--list", "--format", "json"]).json();
     let list = list.as_array().unwrap();
     assert_eq!(list.len(), 32, "fifteen figures and a table of each");
     for figure in list {
@@ -43,9 +33,7 @@ fn a_figure_of_liang_is_made_and_made_again_without_a_run() {
     let set = "numerics.particle_spacing_m=0.025";
     let figure = ["reproduce", "liang2017", "--figure", "9", "--out", out.to_str().unwrap()];
     let command = [&figure[..], &["--set", set, "--format", "json"]].concat();
-    let first = run(&command);
-    expect_code(&first, 0);
-    let value = json(&first);
+    let value = ended(0, &command).json();
     let numbers = value["numbers"].as_array().unwrap();
     // The largest force of the movable wall: 2.73 are printed, with either factor s.
     let force = |s: &str| {
@@ -70,23 +58,20 @@ fn a_figure_of_liang_is_made_and_made_again_without_a_run() {
     assert!(page.contains("<h2>The papers</h2>"));
 
     let before = files.clone().map(|file| fs::read(file).unwrap());
-    let again = run(&command);
-    expect_code(&again, 0);
-    assert!(told(&again).contains("is finished"), "{}", told(&again));
+    let again = ended(0, &command);
+    assert!(again.err.contains("is finished"), "{}", again.err);
     assert_eq!(before, files.map(|file| fs::read(file).unwrap()));
 
-    let in_words = run(&[&figure[..], &["--set", set, "--figures", "pdf,png"]].concat());
-    expect_code(&in_words, 0);
+    let in_words = ended(0, &[&figure[..], &["--set", set, "--figures", "pdf,png"]].concat());
     for name in ["figure-9-84mm-1.pdf", "figure-9-174mm.pdf", "figure-9-174mm.png"] {
         assert!(out.join(name).is_file(), "{name} of {:?}", fs::read_dir(&out).unwrap());
     }
-    let text = String::from_utf8_lossy(&in_words.stdout).into_owned();
+    let text = in_words.out;
     let table = text.split("✗: not met").next().unwrap();
     assert!(table.lines().all(|line| line.chars().count() <= 80), "{table}");
 
-    let other = run(&[&figure[..], &["--set", "numerics.particle_spacing_m=0.02"]].concat());
-    expect_code(&other, 2);
-    assert!(told(&other).contains("single_wall"), "{}", told(&other));
+    let other = ended(2, &[&figure[..], &["--set", "numerics.particle_spacing_m=0.02"]].concat());
+    assert!(other.err.contains("single_wall"), "{}", other.err);
 }
 
 #[test]
@@ -98,8 +83,7 @@ fn waves_in_two_panels_of_one_legend_do_not_look_alike() {
     for set in ["grid.wave_height_ratio=[0.1, 0.4]", "numerics.particle_spacing_m=0.03"] {
         command.extend(["--set", set]);
     }
-    let output = run(&command);
-    expect_code(&output, 0);
+    ended(0, &command);
     let svg = fs::read_to_string(out.join("figure-5.svg")).unwrap();
     // The low wave and the high one were both of the first look of their panel.
     assert!(svg.contains("hue-0") && svg.contains("hue-3") && !svg.contains("hue-1"), "{svg}");
@@ -113,9 +97,8 @@ fn a_figure_of_huang_tells_times_per_step() {
     let mut command = vec!["reproduce", "huang2019", "--figure", "9", "--format", "json"];
     command.extend(["--out", out.to_str().unwrap()]);
     sets.iter().for_each(|set| command.extend(["--set", set]));
-    let output = run(&command);
-    expect_code(&output, 0);
-    let numbers = json(&output)["numbers"].as_array().unwrap().clone();
+    let output = ended(0, &command);
+    let numbers = output.json()["numbers"].as_array().unwrap().clone();
     assert_eq!(numbers.len(), 4 * 2, "four ratios are printed, at two spacings each");
     for number in &numbers {
         let ratio: f64 = number["computed"].as_str().unwrap().parse().unwrap();
@@ -145,9 +128,8 @@ fn what_cannot_be_made_is_told() {
     ];
     for (arguments, message) in bad {
         let command = [&["reproduce", "--out", out.to_str().unwrap()], arguments].concat();
-        let output = run(&command);
-        expect_code(&output, 2);
-        assert!(told(&output).contains(message), "{}", told(&output));
+        let output = ended(2, &command);
+        assert!(output.err.contains(message), "{}", output.err);
     }
     assert!(!out.exists(), "nothing was written");
 }
@@ -162,10 +144,7 @@ fn sweep(root: &Path, name: &str, changes: &[(&str, &str)]) -> String {
         text.replace(old, new)
     });
     let (file, out) = (write_file(&folder, &text), folder.join("out"));
-    expect_code(
-        &run(&["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap(), "--film", "none"]),
-        0,
-    );
+    ended(0, &["sweep", &file, "--out", out.to_str().unwrap(), "--film", "none"]);
     out.to_str().unwrap().to_owned()
 }
 
@@ -179,10 +158,9 @@ fn two_studies_stand_side_by_side() {
     let coarse = sweep(root.path(), "coarse", &changes);
     let out = root.path().join("difference");
     let arguments = ["compare", &fine, &coarse];
-    let output =
-        run(&[&arguments[..], &["--format", "json", "--out", out.to_str().unwrap()]].concat());
-    expect_code(&output, 0);
-    let value = json(&output);
+    let value =
+        ended(0, &[&arguments[..], &["--format", "json", "--out", out.to_str().unwrap()]].concat())
+            .json();
     assert_eq!(value["pairs"], 2, "two waves on the soft spring: {value:#}");
     let text = String::from_utf8(run(&arguments).stdout).unwrap();
     assert!(text.contains("\nB less A, all at k = 10 N/m, m = 50 kg/m\n"), "{text}");
@@ -221,9 +199,7 @@ fn two_studies_stand_side_by_side() {
     assert_eq!(table.lines().count(), 1 + 2);
     roxmltree::Document::parse(&fs::read_to_string(out.join("compare.svg")).unwrap()).unwrap();
 
-    let text = run(&arguments);
-    expect_code(&text, 0);
-    let text = String::from_utf8(text.stdout).unwrap();
+    let text = ended(0, &arguments).out;
     assert!(
         text.contains("2 pairs of cases at the same point; 2 only in A, 2 only in B"),
         "{text}"
@@ -237,19 +213,15 @@ fn what_cannot_be_compared_is_told() {
     let root = tempfile::tempdir().unwrap();
     let one = sweep(root.path(), "one", &[("[0.4, 0.5]", "[0.4]"), ("[10, 1e4]", "[10]")]);
     let other = sweep(root.path(), "other", &[("[0.4, 0.5]", "[0.5]"), ("[10, 1e4]", "[10]")]);
-    let apart = run(&["compare", &one, &other]);
-    expect_code(&apart, 2);
-    assert!(told(&apart).contains("have no case in common"), "{}", told(&apart));
-    assert!(told(&apart).contains("H/h = 0.4") && told(&apart).contains("H/h = 0.5"));
+    let apart = ended(2, &["compare", &one, &other]);
+    assert!(apart.err.contains("have no case in common"), "{}", apart.err);
+    assert!(apart.err.contains("H/h = 0.4") && apart.err.contains("H/h = 0.5"));
     let nowhere = root.path().join("nowhere");
-    let missing = run(&["compare", &one, nowhere.to_str().unwrap()]);
-    expect_code(&missing, 2);
-    assert!(told(&missing).contains("nowhere: no such directory"), "{}", told(&missing));
+    let missing = ended(2, &["compare", &one, nowhere.to_str().unwrap()]);
+    assert!(missing.err.contains("nowhere: no such directory"), "{}", missing.err);
     let file = root.path().join("one/sweep.toml");
-    let unwritable = run(&["compare", &one, &one, "--out", file.to_str().unwrap()]);
-    expect_code(&unwritable, 2);
-    assert!(told(&unwritable).contains("--out"), "{}", told(&unwritable));
-    let same = run(&["compare", &one, &one]);
-    expect_code(&same, 0);
-    assert!(!String::from_utf8(same.stdout).unwrap().contains("They differ in"));
+    let unwritable = ended(2, &["compare", &one, &one, "--out", file.to_str().unwrap()]);
+    assert!(unwritable.err.contains("--out"), "{}", unwritable.err);
+    let same = ended(0, &["compare", &one, &one]);
+    assert!(!same.out.contains("They differ in"));
 }

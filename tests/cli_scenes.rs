@@ -3,26 +3,25 @@
 mod common;
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use common::{assert_same, expect_code, run, write_file};
+use common::{assert_same, ended, write_file};
 
-fn shipped(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("sweeps/scenes").join(format!("{name}.toml"))
+fn shipped(name: &str) -> String {
+    format!("{}/sweeps/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))
 }
 
 /// Runs a scene with values changed; the output directory and what was printed.
-fn scene(file: &Path, settings: &[&str], further: &[&str]) -> (tempfile::TempDir, String) {
+fn scene(file: &str, settings: &[&str], further: &[&str]) -> (tempfile::TempDir, String) {
     let root = tempfile::tempdir().unwrap();
     let out = root.path().join("out");
-    let mut arguments = vec!["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    let mut arguments = vec!["run", file, "--out", out.to_str().unwrap()];
     for setting in settings {
         arguments.extend(["--set", setting]);
     }
     arguments.extend(further);
-    let output = run(&arguments);
-    expect_code(&output, 0);
-    (root, String::from_utf8(output.stdout).unwrap())
+    let told = ended(0, &arguments).out;
+    (root, told)
 }
 
 /// The only file of a folder whose name is a case's.
@@ -117,16 +116,11 @@ fn angles_are_swept_and_probes_take_part_in_the_identity() {
     let outs = ["a", "b"].map(|name| root.path().join(name));
     for (out, threads) in outs.iter().zip(["1", "2"]) {
         let out = out.to_str().unwrap();
-        let file = file.to_str().unwrap();
-        expect_code(
-            &run(&["sweep", file, "--out", out, "--threads", threads, "--film", "none"]),
-            0,
-        );
+        ended(0, &["sweep", &file, "--out", out, "--threads", threads, "--film", "none"]);
     }
     assert_same(&outs[0], &outs[1]);
     let moved = write_file(root.path(), &text.replace("x_m = 0.5", "x_m = 0.4"));
-    let refused = run(&["sweep", moved.to_str().unwrap(), "--out", outs[0].to_str().unwrap()]);
-    expect_code(&refused, 2);
+    ended(2, &["sweep", &moved, "--out", outs[0].to_str().unwrap()]);
 }
 
 #[test]
@@ -189,9 +183,7 @@ fn bad_scenes_are_refused_with_their_key() {
         let probe = if probe.is_empty() { String::new() } else { format!("[[probe]]\n{probe}\n") };
         let file = write_file(root.path(), &format!("name = \"bad\"\n[scene]\n{scene}\n{probe}"));
         let out = root.path().join("out");
-        let output = run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
-        expect_code(&output, 2);
-        let told = String::from_utf8_lossy(&output.stderr);
+        let told = ended(2, &["run", &file, "--out", out.to_str().unwrap()]).err;
         assert!(told.contains(message), "{told:?} should contain {message:?}");
         assert!(!out.exists());
     }

@@ -2,44 +2,34 @@
 
 mod common;
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::time::{Duration, Instant};
 
-use common::{TINY, TINY_CASES, assert_same, expect_code, journal_lines, run, seawall, write_file};
-
-fn sweep(file: &Path, out: &Path, further: &[&str]) -> std::process::Output {
-    let mut arguments = vec!["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
-    arguments.extend(["--film", "none"]);
-    arguments.extend(further);
-    run(&arguments)
-}
-
-fn directory() -> (tempfile::TempDir, PathBuf) {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
-    (root, file)
-}
+use common::{
+    Desk, TINY, TINY_CASES, assert_same, ended, expect_code, journal_lines, seawall, sweep,
+};
 
 #[test]
 fn threads_and_branches_do_not_change_a_bit() {
-    let (root, file) = directory();
-    let reference = root.path().join("one");
-    expect_code(&sweep(&file, &reference, &["--threads", "1"]), 0);
+    let desk = Desk::new(TINY);
+    let reference = desk.path().join("one");
+    sweep(0, &desk.file, &reference, &["--threads", "1"]);
     assert_eq!(journal_lines(&reference), 1 + TINY_CASES);
     for further in [&["--threads", "2"][..], &["--threads", "4"], &["--no-branch"]] {
-        let out = root.path().join(further.concat());
-        expect_code(&sweep(&file, &out, further), 0);
+        let out = desk.path().join(further.concat());
+        sweep(0, &desk.file, &out, further);
         assert_same(&reference, &out);
     }
 }
 
 /// Kills a sweep three times, each time after another case, resumes it and compares.
-fn kill_and_resume(file: &Path, reference: &Path, out: &Path) {
+fn kill_and_resume(file: &str, reference: &Path, out: &Path) {
     for _ in 0..3 {
         let before = journal_lines(out);
         let mut child = seawall()
             .args(["sweep", "--quiet", "--threads", "1", "--film", "none", "--out"])
-            .args([out, file])
+            .arg(out)
+            .arg(file)
             .spawn()
             .unwrap();
         let start = Instant::now();
@@ -53,46 +43,47 @@ fn kill_and_resume(file: &Path, reference: &Path, out: &Path) {
         child.wait().unwrap();
     }
     assert!(journal_lines(out) > 1);
-    expect_code(&sweep(file, out, &["--resume"]), 0);
+    sweep(0, file, out, &["--resume"]);
     assert_same(reference, out);
 }
 
 #[test]
 fn a_killed_sweep_resumes_to_the_same_bits() {
-    let (root, file) = directory();
-    let reference = root.path().join("reference");
-    expect_code(&sweep(&file, &reference, &[]), 0);
-    kill_and_resume(&file, &reference, &root.path().join("killed"));
+    let desk = Desk::new(TINY);
+    let reference = desk.path().join("reference");
+    sweep(0, &desk.file, &reference, &[]);
+    kill_and_resume(&desk.file, &reference, &desk.path().join("killed"));
 }
 
 #[test]
 fn incompressible_water_has_the_same_bits_every_way() {
-    let (root, file) = directory();
+    let desk = Desk::new(TINY);
     let text = TINY
         .replace("particle_spacing_m = 0.025", "particle_spacing_m = 0.04\nscheme = \"isph\"")
         .replace("seawall_mass_kg_per_m = [50, 250]", "seawall_mass_kg_per_m = [5, 250]");
-    std::fs::write(&file, text).unwrap();
-    let reference = root.path().join("one");
-    expect_code(&sweep(&file, &reference, &["--threads", "1"]), 0);
+    std::fs::write(&desk.file, text).unwrap();
+    let reference = desk.path().join("one");
+    sweep(0, &desk.file, &reference, &["--threads", "1"]);
     assert_eq!(journal_lines(&reference), 1 + TINY_CASES);
     for further in [&["--threads", "2"][..], &["--no-branch"]] {
-        let out = root.path().join(further.concat());
-        expect_code(&sweep(&file, &out, further), 0);
+        let out = desk.path().join(further.concat());
+        sweep(0, &desk.file, &out, further);
         assert_same(&reference, &out);
     }
-    kill_and_resume(&file, &reference, &root.path().join("killed"));
+    kill_and_resume(&desk.file, &reference, &desk.path().join("killed"));
 }
 
 #[test]
 fn a_signal_ends_a_sweep_with_a_whole_journal() {
-    let (root, file) = directory();
-    let (reference, out) = (root.path().join("reference"), root.path().join("stopped"));
-    expect_code(&sweep(&file, &reference, &[]), 0);
+    let desk = Desk::new(TINY);
+    let (reference, out) = (desk.path().join("reference"), desk.path().join("stopped"));
+    sweep(0, &desk.file, &reference, &[]);
     for signal in ["-INT", "-TERM", "-USR1"] {
         let before = journal_lines(&out);
         let mut child = seawall()
             .args(["sweep", "--quiet", "--threads", "1", "--film", "none", "--out"])
-            .args([&out, &file])
+            .arg(&out)
+            .arg(&desk.file)
             .spawn()
             .unwrap();
         while journal_lines(&out) < before.max(1) + 1 && child.try_wait().unwrap().is_none() {
@@ -105,19 +96,18 @@ fn a_signal_ends_a_sweep_with_a_whole_journal() {
         let finished = journal_lines(&out) == 1 + TINY_CASES;
         assert!(code == Some(3) || (finished && code == Some(0)), "{signal}: {code:?} {sent}");
     }
-    expect_code(&sweep(&file, &out, &[]), 0);
+    sweep(0, &desk.file, &out, &[]);
     assert_same(&reference, &out);
 }
 
 #[test]
 fn signals_close_to_one_another_are_one() {
-    let root = tempfile::tempdir().unwrap();
     let text = "name = \"long\"\n[numerics]\nparticle_spacing_m = 0.005\n\
                 [grid]\nwave_height_ratio = [0.3]";
-    let (file, out) = (common::write_file(root.path(), text), root.path().join("out"));
+    let Desk { file, out, .. } = &Desk::new(text);
     let mut child = seawall()
         .args(["sweep", "--quiet", "--threads", "1", "--film", "none", "--out"])
-        .args([&out, &file])
+        .args([out.as_os_str(), file.as_ref()])
         .spawn()
         .unwrap();
     while !out.join("journal.jsonl").exists() {
@@ -137,46 +127,37 @@ fn signals_close_to_one_another_are_one() {
 
 #[test]
 fn a_finished_sweep_is_not_run_again() {
-    let (root, file) = directory();
-    let out = root.path().join("out");
-    expect_code(&sweep(&file, &out, &[]), 0);
-    let journal = std::fs::read(out.join("journal.jsonl")).unwrap();
-    let again = sweep(&file, &out, &[]);
-    expect_code(&again, 0);
-    assert!(String::from_utf8_lossy(&again.stderr).contains("is finished"));
-    assert_eq!(std::fs::read(out.join("journal.jsonl")).unwrap(), journal);
-    expect_code(&sweep(&file, &out, &["--fresh", "--set", "scene.force_coupling=0.4"]), 0);
-    assert!(root.path().join("out.old-1").is_dir());
-    let status = run(&["status", out.to_str().unwrap(), "--format", "json"]);
-    expect_code(&status, 0);
-    let status: serde_json::Value = serde_json::from_slice(&status.stdout).unwrap();
+    let desk = Desk::new(TINY);
+    sweep(0, &desk.file, &desk.out, &[]);
+    let journal = std::fs::read(desk.out.join("journal.jsonl")).unwrap();
+    let again = sweep(0, &desk.file, &desk.out, &[]);
+    assert!(again.err.contains("is finished"));
+    assert_eq!(std::fs::read(desk.out.join("journal.jsonl")).unwrap(), journal);
+    sweep(0, &desk.file, &desk.out, &["--fresh", "--set", "scene.force_coupling=0.4"]);
+    assert!(desk.path().join("out.old-1").is_dir());
+    let status = ended(0, &["status", &desk.dir, "--format", "json"]);
+    let status: serde_json::Value = status.json();
     assert_eq!(status["ok"], TINY_CASES);
 }
 
 #[test]
 fn a_single_scene_runs_by_itself() {
-    let (root, file) = directory();
+    let desk = Desk::new(TINY);
     let text = TINY.split("[grid]").next().unwrap();
-    std::fs::write(&file, text.replace("movable", "fixed")).unwrap();
-    let out = root.path().join("out");
-    let done = run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
-    expect_code(&done, 0);
-    let told = String::from_utf8_lossy(&done.stdout);
+    std::fs::write(&desk.file, text.replace("movable", "fixed")).unwrap();
+    let told = ended(0, &["run", &desk.file, "--out", &desk.dir]).out;
     assert!(told.contains("paddle work") && told.contains("residual"), "{told}");
-    assert_eq!(std::fs::read_dir(out.join("histories")).unwrap().count(), 1);
+    assert_eq!(std::fs::read_dir(desk.out.join("histories")).unwrap().count(), 1);
 }
 
 #[test]
 fn check_and_dry_run_write_nothing() {
-    let (root, file) = directory();
-    let out = root.path().join("out");
-    let checked = run(&["check", file.to_str().unwrap(), "--format", "json"]);
-    expect_code(&checked, 0);
-    let told: serde_json::Value = serde_json::from_slice(&checked.stdout).unwrap();
+    let desk = Desk::new(TINY);
+    let told = ended(0, &["check", &desk.file, "--format", "json"]).json();
     assert_eq!(told["cases"].as_array().unwrap().len(), TINY_CASES);
     assert_eq!(told["trunks"], 2);
-    expect_code(&sweep(&file, &out, &["--dry-run"]), 0);
-    assert!(!out.exists());
+    sweep(0, &desk.file, &desk.out, &["--dry-run"]);
+    assert!(!desk.out.exists());
 }
 
 /// Bad input, the arguments after the file, and what the error says after the file's name.
@@ -234,25 +215,20 @@ const BAD: &[(&str, &[&str], &str)] = &[
 #[test]
 fn bad_input_is_told_in_one_line_and_nothing_is_written() {
     for (text, further, message) in BAD {
-        let root = tempfile::tempdir().unwrap();
-        let file = write_file(root.path(), text);
-        let out = root.path().join("out");
-        let output = sweep(&file, &out, further);
-        expect_code(&output, 2);
-        let told = String::from_utf8(output.stderr).unwrap();
-        let expected = format!("error: {}: {message}", file.display());
+        let desk = Desk::new(text);
+        let told = sweep(2, &desk.file, &desk.out, further).err;
+        let expected = format!("error: {}: {message}", desk.file);
         assert!(told.starts_with(&expected), "{told:?} should start with {expected:?}");
         assert_eq!(told.lines().count(), 1, "{told:?}");
-        assert!(!out.exists());
+        assert!(!desk.out.exists());
     }
 }
 
 #[test]
 fn bad_usage_has_exit_code_two() {
-    let (root, file) = directory();
-    let (file, out) = (file.to_str().unwrap(), root.path().join("out"));
-    let out = out.to_str().unwrap();
-    let missing = root.path().join("missing.toml");
+    let desk = Desk::new(TINY);
+    let (file, out) = (desk.file.as_str(), desk.dir.as_str());
+    let missing = desk.path().join("missing.toml");
     let bad: &[&[&str]] = &[
         &[],
         &["swep", file],
@@ -265,47 +241,44 @@ fn bad_usage_has_exit_code_two() {
         &["run", file, "--out", out],
         &["status", out],
         &["report", out],
-        &["sweep", file, "--out", root.path().to_str().unwrap()],
+        &["sweep", file, "--out", desk.path().to_str().unwrap()],
     ];
     for arguments in bad {
-        expect_code(&run(arguments), 2);
+        ended(2, arguments);
     }
     assert!(!Path::new(out).exists());
 }
 
 #[test]
 fn another_sweeps_directory_is_refused() {
-    let (root, file) = directory();
-    let out = root.path().join("out");
-    expect_code(&sweep(&file, &out, &[]), 0);
-    let other = sweep(&file, &out, &["--set", "scene.force_coupling=0.4"]);
-    expect_code(&other, 2);
-    assert!(String::from_utf8_lossy(&other.stderr).contains("holds another sweep"));
+    let desk = Desk::new(TINY);
+    sweep(0, &desk.file, &desk.out, &[]);
+    let other = sweep(2, &desk.file, &desk.out, &["--set", "scene.force_coupling=0.4"]);
+    assert!(other.err.contains("holds another sweep"));
 }
 
 #[test]
 fn copies_under_a_launcher_are_refused_once() {
-    let (root, file) = directory();
-    let out = root.path().join("out");
+    let desk = Desk::new(TINY);
     for (rank, code, lines) in [("0", 2, 1), ("1", 0, 0)] {
         let output = seawall()
             .args(["sweep", "--executor", "threads", "--out"])
-            .args([&out, &file])
+            .args([&desk.dir, &desk.file])
             .env("OMPI_COMM_WORLD_SIZE", "2")
             .env("OMPI_COMM_WORLD_RANK", rank)
             .output()
             .unwrap();
         expect_code(&output, code);
         assert_eq!(String::from_utf8_lossy(&output.stderr).lines().count(), lines);
-        assert!(!out.exists());
+        assert!(!desk.out.exists());
     }
 }
 
 #[test]
 fn a_reader_that_leaves_is_no_error() {
-    let (_root, file) = directory();
+    let desk = Desk::new(TINY);
     let mut child = seawall()
-        .args(["check", "-v", file.to_str().unwrap()])
+        .args(["check", "-v", &desk.file])
         .stdout(std::process::Stdio::piped())
         .spawn()
         .unwrap();
@@ -316,12 +289,9 @@ fn a_reader_that_leaves_is_no_error() {
 /// The process holds less of each case than the journal: JSON has all of it nevertheless.
 #[test]
 fn json_has_the_whole_record_of_every_case() {
-    let (root, file) = directory();
-    let out = root.path().join("out");
+    let desk = Desk::new(TINY);
     for _ in 0..2 {
-        let output = sweep(&file, &out, &["--format", "json"]);
-        expect_code(&output, 0);
-        let told: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let told = sweep(0, &desk.file, &desk.out, &["--format", "json"]).json();
         let records = told["records"].as_array().unwrap();
         assert_eq!(records.len(), TINY_CASES);
         for record in records {

@@ -5,7 +5,7 @@ mod common;
 use std::fs;
 use std::process::Output;
 
-use common::{TINY, expect_code, run, seawall, write_file};
+use common::{Desk, TINY, Told, ended, expect_code, run, seawall};
 use serde_json::Value;
 
 fn told(bytes: &[u8]) -> String {
@@ -16,21 +16,16 @@ fn json(output: &Output) -> Value {
     serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", told(&output.stdout)))
 }
 
-/// A finished study with error bars, in a directory of its own.
-fn study() -> (tempfile::TempDir, String, Output) {
-    let root = tempfile::tempdir().unwrap();
-    let bars = TINY.replace("[grid]", "error_bars = \"pair\"\n[grid]");
-    let file = write_file(root.path(), &bars);
-    let out = root.path().join("out").to_str().unwrap().to_owned();
-    let output = run(&["sweep", file.to_str().unwrap(), "--out", &out, "--film", "none"]);
-    expect_code(&output, 0);
-    (root, out, output)
+/// A finished study with error bars, and what was told of it.
+fn study() -> (Desk, Told) {
+    let desk = Desk::new(&TINY.replace("[grid]", "error_bars = \"pair\"\n[grid]"));
+    let told = desk.sweep(&["--film", "none"]);
+    (desk, told)
 }
 
 #[test]
 fn the_table_fits_a_terminal_and_shows_error_bars_and_cases_are_counted_alike() {
-    let (_root, out, output) = study();
-    let (text, notes) = (told(&output.stdout), told(&output.stderr));
+    let (desk, Told { out: text, err: notes }) = study();
     let rows: Vec<_> = text.lines().take(9).collect();
     assert!(rows.iter().all(|row| row.chars().count() <= 80), "{text}");
     assert!(rows[0].contains("F* max") && rows[0].contains("X* max"), "{text}");
@@ -38,78 +33,61 @@ fn the_table_fits_a_terminal_and_shows_error_bars_and_cases_are_counted_alike() 
     assert!(text.contains("\nmax: of the whole run; first, "), "{text}");
     assert!(notes.contains("8 cases and 8 companions for error bars on "), "{notes}");
     assert!(!notes.contains("of 16 cases"), "{notes}");
-    let status = told(&run(&["status", &out]).stdout);
+    let status = ended(0, &["status", &desk.dir]).out;
     assert!(status.contains("8 of 8 cases done"), "{status}");
     assert!(text.contains("8 of 8 cases are well"), "{text}");
 }
 
 #[test]
 fn progress_moves_within_a_case() {
-    let root = tempfile::tempdir().unwrap();
     let scene =
         TINY.split("[grid]").next().unwrap().replace("wall = \"movable\"", "end_time_s = 8");
-    let file = write_file(root.path(), &scene.replace("0.025", "0.0125"));
-    let out = root.path().join("out");
-    let output =
-        run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap(), "--threads", "1"]);
-    expect_code(&output, 0);
-    let notes = told(&output.stderr);
+    let desk = Desk::new(&scene.replace("0.025", "0.0125"));
+    let notes = desk.run(&["--threads", "1"]).err;
     let within = notes.lines().filter(|line| line.contains(" %  0 of 1 case, ")).count();
-    let seconds = json(&run(&[
-        "run",
-        file.to_str().unwrap(),
-        "--out",
-        out.to_str().unwrap(),
-        "--format",
-        "json",
-    ]))["wall_time_s"]
-        .as_f64()
-        .unwrap();
+    let seconds =
+        json(&run(&["run", &desk.file, "--out", &desk.dir, "--format", "json"]))["wall_time_s"]
+            .as_f64()
+            .unwrap();
     assert!(within > 0 || seconds < 2.5, "{seconds} s: {notes}");
 }
 
 #[test]
 fn errors_are_objects_for_programs() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), "name = \"a\"\n[scene]\nwave_height_ratio = 2\n");
-    let file = file.to_str().unwrap();
-    let bad = run(&["check", file, "--format", "json"]);
-    expect_code(&bad, 2);
-    let error = &json(&bad)["error"];
+    let desk = Desk::new("name = \"a\"\n[scene]\nwave_height_ratio = 2\n");
+    let bad = ended(2, &["check", &desk.file, "--format", "json"]);
+    let error = &bad.json()["error"];
     let field = |name: &str| error[name].as_str().unwrap_or_default().to_owned();
-    assert_eq!((field("kind"), field("file")), ("bad-input".to_owned(), file.to_owned()));
+    assert_eq!((field("kind"), field("file")), ("bad-input".to_owned(), desk.file.clone()));
     assert_eq!(
         (field("key"), field("value")),
         ("scene.wave_height_ratio".to_owned(), "2".to_owned())
     );
     assert_eq!(field("allowed"), "must be a number from 0 to 0.8");
-    assert!(told(&bad.stderr).ends_with(&format!("{}\n", field("message"))), "{error}");
+    assert!(bad.err.ends_with(&format!("{}\n", field("message"))), "{error}");
     assert_eq!(error["exit_code"], 2);
     for (arguments, kind) in [
         (&["sweep", "--format=json"][..], "usage"),
         (&["--format", "json", "sweeep"], "usage"),
         (&["status", "nowhere", "--format", "json", "--quiet"], "bad-input"),
     ] {
-        let output = run(arguments);
-        expect_code(&output, 2);
-        assert_eq!(json(&output)["error"]["kind"], kind, "{arguments:?}");
+        let output = ended(2, arguments);
+        assert_eq!(output.json()["error"]["kind"], kind, "{arguments:?}");
     }
 }
 
 /// Who asks for JSON gets it, and nothing besides with `--quiet`.
 #[test]
 fn quiet_json_is_the_answer_alone() {
-    let quiet = run(&["explain", "kernel", "--format", "json", "--quiet"]);
-    expect_code(&quiet, 0);
-    assert_eq!(json(&quiet), json(&run(&["explain", "kernel", "--format", "json"])));
-    assert!(quiet.stderr.is_empty());
+    let quiet = ended(0, &["explain", "kernel", "--format", "json", "--quiet"]);
+    assert_eq!(quiet.json(), json(&run(&["explain", "kernel", "--format", "json"])));
+    assert!(quiet.err.is_empty());
     assert!(run(&["explain", "kernel", "--quiet"]).stdout.is_empty());
     let number = env!("CARGO_PKG_VERSION");
     assert_eq!(told(&run(&["--version"]).stdout), format!("seawall {number}\n"));
     for arguments in [&["--version", "--format", "json"][..], &["--format=json", "sweep", "-V"]] {
-        let version = run(arguments);
-        expect_code(&version, 0);
-        assert_eq!(json(&version), serde_json::json!({ "name": "seawall", "version": number }));
+        let version = ended(0, arguments);
+        assert_eq!(version.json(), serde_json::json!({ "name": "seawall", "version": number }));
     }
 }
 
@@ -158,11 +136,7 @@ fn init_writes_a_study_that_passes_and_never_overwrites() {
 
 #[test]
 fn keys_and_columns_are_explained() {
-    let explain = |name: &str| {
-        let output = run(&["explain", name]);
-        expect_code(&output, 0);
-        told(&output.stdout)
-    };
+    let explain = |name: &str| ended(0, &["explain", name]).out;
     let key = explain("spring_stiffness_n_per_m");
     for line in ["unit       N/m", "allowed    0 or above", "only with  wall = \"movable\""] {
         assert!(key.contains(line), "{key}");
@@ -177,9 +151,8 @@ fn keys_and_columns_are_explained() {
     assert!(nearly.contains("did you mean force_max?"), "{nearly}");
     let strange = told(&run(&["explain", "F"]).stderr);
     assert!(!strange.contains("did you mean") && strange.contains("lists all"), "{strange}");
-    let miss = run(&["explain", "spring_stifness"]);
-    expect_code(&miss, 2);
-    assert!(told(&miss.stderr).contains("did you mean spring_stiffness_n_per_m?"));
+    let miss = ended(2, &["explain", "spring_stifness"]);
+    assert!(miss.err.contains("did you mean spring_stiffness_n_per_m?"));
     let all = told(&run(&["explain"]).stdout);
     assert!(all.lines().all(|line| line.chars().count() <= 80));
     let listed = ["particle_spacing_m", "doubtful_reason", "paddle_work", "wall_velocity_m_per_s"];
@@ -192,55 +165,40 @@ fn keys_and_columns_are_explained() {
 
 #[test]
 fn a_case_of_a_study_is_shown_and_runs_alone_as_the_same_case() {
-    let (root, out, _) = study();
+    let (desk, _) = study();
     let words =
         ["wave_height_ratio=0.5", "spring_stiffness_n_per_m=1e4", "seawall_mass_kg_per_m=50"];
-    let shown = run(&[&["show", &out][..], &words].concat());
-    expect_code(&shown, 0);
-    let text = told(&shown.stdout);
+    let text = ended(0, &[&["show", &desk.dir][..], &words].concat()).out;
     let id = text.lines().next().unwrap()["case ".len()..][..16].to_owned();
     for part in
         ["\nparameters\n", "\nresults\n", "\nhealth\n", " ± ", &format!("histories/{id}.csv")]
     {
         assert!(text.contains(part), "{part}: {text}");
     }
-    let by_prefix = run(&["show", &out, &id[..10], "--format", "json"]);
-    expect_code(&by_prefix, 0);
-    let object = json(&by_prefix);
+    let object = ended(0, &["show", &desk.dir, &id[..10], "--format", "json"]).json();
     assert_eq!(object["case"]["case_id"], id.as_str());
     assert!(object["case"]["force_error"].as_f64().unwrap() > 0.0, "{object}");
-    let open = run(&["show", &out, "wave_height_ratio=0.5"]);
-    expect_code(&open, 2);
-    assert!(told(&open.stderr).contains("4 cases fit; say which one by spring_stiffness_n_per_m"));
-    let scene = run(&[&["show", &out, "--toml"][..], &words].concat());
-    expect_code(&scene, 0);
-    let (file, single) = (root.path().join("case.toml"), root.path().join("single"));
-    fs::write(&file, &scene.stdout).unwrap();
-    let single = single.to_str().unwrap();
-    expect_code(&run(&["run", file.to_str().unwrap(), "--out", single]), 0);
-    let again = run(&["show", single, &id, "--format", "json"]);
-    expect_code(&again, 0);
-    assert_eq!(json(&again)["case"]["force_max"], object["case"]["force_max"]);
-    assert_eq!(json(&again)["case"]["force_max_error"], object["case"]["force_max_error"]);
+    let open = ended(2, &["show", &desk.dir, "wave_height_ratio=0.5"]);
+    assert!(open.err.contains("4 cases fit; say which one by spring_stiffness_n_per_m"));
+    let scene = ended(0, &[&["show", &desk.dir, "--toml"][..], &words].concat()).out;
+    let alone = Desk::new(&scene);
+    alone.run(&[]);
+    let again = ended(0, &["show", &alone.dir, &id, "--format", "json"]);
+    assert_eq!(again.json()["case"]["force_max"], object["case"]["force_max"]);
+    assert_eq!(again.json()["case"]["force_max_error"], object["case"]["force_max_error"]);
 }
 
 /// A case that had not run yet was no case: "no such case; there is", and then nothing.
 #[test]
 fn a_case_that_is_not_finished_is_told_as_such() {
-    let (root, out) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
-    let file = write_file(root.path(), TINY);
-    let arguments = ["sweep", file.to_str().unwrap(), "--film", "none", "--out"];
-    expect_code(&run(&[&arguments, &[out.path().to_str().unwrap()][..]].concat()), 0);
+    let desk = Desk::new(TINY);
+    desk.sweep(&["--film", "none"]);
     // As a sweep leaves it that is stopped: fewer lines, no case or two.
-    let (journal, summary) = (out.path().join("journal.jsonl"), out.path().join("summary.csv"));
+    let (journal, summary) = (desk.out.join("journal.jsonl"), desk.out.join("summary.csv"));
     let [lines, rows] = [&journal, &summary].map(|path| fs::read_to_string(path).unwrap());
     let first =
         |text: &str, count: usize| -> String { text.split_inclusive('\n').take(count).collect() };
-    let show = |words: &[&str]| {
-        let output = run(&[&["show", out.path().to_str().unwrap()], words].concat());
-        expect_code(&output, 2);
-        told(&output.stderr)
-    };
+    let show = |words: &[&str]| ended(2, &[&["show", &desk.dir], words].concat()).err;
     let last = ["H/h=0.5", "k=1e4", "m=250"];
     for finished in [0, 2] {
         fs::write(&journal, first(&lines, 1 + finished)).unwrap();
@@ -263,20 +221,17 @@ fn a_case_that_is_not_finished_is_told_as_such() {
 #[test]
 fn shells_and_man_are_told_of_every_command() {
     for shell in ["bash", "zsh", "fish"] {
-        let output = run(&["completions", shell]);
-        expect_code(&output, 0);
-        let script = told(&output.stdout);
+        let script = ended(0, &["completions", shell]).out;
         for word in ["sweep", "show", "explain", "init", "max-error"] {
             assert!(script.contains(word), "{shell}: {word}");
         }
         // Shells offered the command with which the program gives a piece of work to itself.
         assert!(!script.contains("apart"), "{shell}");
     }
-    let page = run(&["man"]);
-    expect_code(&page, 0);
-    assert!(told(&page.stdout).contains(".TH seawall 1"));
+    let page = ended(0, &["man"]);
+    assert!(page.out.contains(".TH seawall 1"));
     let root = tempfile::tempdir().unwrap();
-    expect_code(&run(&["man", "--out", root.path().to_str().unwrap()]), 0);
+    ended(0, &["man", "--out", root.path().to_str().unwrap()]);
     let pages = fs::read_dir(root.path()).unwrap().count();
     assert!(pages >= 12 && root.path().join("seawall-show.1").is_file(), "{pages}");
 }

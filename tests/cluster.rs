@@ -12,17 +12,16 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 use common::job::{LONG, signal};
-use common::{TINY, assert_same, expect_code, journal_lines, run, seawall, write_file};
+use common::{Desk, TINY, assert_same, ended, expect_code, journal_lines, run, seawall};
 
 /// The job script of a study.
-fn script(root: &Path, file: &Path, out: &Path, launcher: &str) -> PathBuf {
-    let (file, out) = (file.to_str().unwrap(), out.to_str().unwrap());
+fn script(root: &Path, file: &str, out: &Path, launcher: &str) -> PathBuf {
+    let out = out.to_str().unwrap();
     let resources = ["--nodes", "3", "--time", "1-12:00:00", "--ranks-per-node", "4"];
     let places = ["--out", out, "--launcher", launcher];
-    let output = run(&[&["slurm", file][..], &resources, &places].concat());
-    expect_code(&output, 0);
+    let output = ended(0, &[&["slurm", file][..], &resources, &places].concat());
     let path = root.join("job.sh");
-    fs::write(&path, output.stdout).unwrap();
+    fs::write(&path, output.out).unwrap();
     path
 }
 
@@ -46,9 +45,8 @@ fn queued(root: &Path) -> String {
 
 #[test]
 fn a_job_script_says_what_was_asked_for() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
-    let script = script(root.path(), &file, &root.path().join("it's here"), "srun");
+    let desk = Desk::new(TINY);
+    let script = script(desk.path(), &desk.file, &desk.path().join("it's here"), "srun");
     expect_code(&Command::new("bash").arg("-n").arg(&script).output().unwrap(), 0);
     let text = fs::read_to_string(script).unwrap();
     for line in [
@@ -66,7 +64,7 @@ fn a_job_script_says_what_was_asked_for() {
         assert!(!text.contains(name), "{name}: {text}");
     }
     for bad in [&["--nodes", "0", "--time", "1"][..], &["--nodes", "1", "--time", "1h"]] {
-        expect_code(&run(&[&["slurm", file.to_str().unwrap()][..], bad].concat()), 2);
+        ended(2, &[&["slurm", &desk.file][..], bad].concat());
     }
 }
 
@@ -81,27 +79,25 @@ fn keepalive(job: &mut Command) -> std::collections::BTreeMap<String, u64> {
 
 #[test]
 fn a_machine_that_is_cut_off_ends_the_job_within_half_a_minute() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
-    let script = script(root.path(), &file, &root.path().join("out"), "env; true");
-    let told = keepalive(&mut job(root.path(), &script));
+    let desk = Desk::new(TINY);
+    let script = script(desk.path(), &desk.file, &desk.path().join("out"), "env; true");
+    let told = keepalive(&mut job(desk.path(), &script));
     for launcher in ["OMPI", "PRTE"] {
         let of = |name: &str| told[&format!("{launcher}_MCA_oob_tcp_keepalive_{name}")];
         assert!(of("time") + of("intvl") * of("probes") <= 30, "{told:?}");
     }
     // Who has set a time of their own keeps it.
-    let mut own = job(root.path(), &script);
+    let mut own = job(desk.path(), &script);
     own.env("OMPI_MCA_oob_tcp_keepalive_time", "60");
     assert_eq!(keepalive(&mut own)["OMPI_MCA_oob_tcp_keepalive_time"], 60);
 }
 
 #[test]
 fn a_job_that_is_told_to_stop_is_queued_again_until_all_is_done() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), LONG);
-    let (out, whole) = (root.path().join("out"), root.path().join("whole"));
-    let script = script(root.path(), &file, &out, "env");
-    let child = job(root.path(), &script).spawn().unwrap();
+    let desk = Desk::new(LONG);
+    let (out, whole) = (desk.path().join("out"), desk.path().join("whole"));
+    let script = script(desk.path(), &desk.file, &out, "env");
+    let child = job(desk.path(), &script).spawn().unwrap();
     let start = Instant::now();
     while journal_lines(&out) < 1 {
         assert!(start.elapsed() < Duration::from_secs(120), "the sweep does not begin");
@@ -110,60 +106,60 @@ fn a_job_that_is_told_to_stop_is_queued_again_until_all_is_done() {
     signal(child.id(), "USR1");
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.signal(), Some(9), "{}", String::from_utf8_lossy(&output.stderr));
-    assert_eq!(queued(root.path()), "requeue 17\n");
-    expect_code(&job(root.path(), &script).output().unwrap(), 0);
-    assert_eq!(queued(root.path()), "requeue 17\n");
-    let (file, told) = (file.to_str().unwrap(), whole.to_str().unwrap());
-    expect_code(&run(&["sweep", file, "--out", told]), 0);
+    assert_eq!(queued(desk.path()), "requeue 17\n");
+    expect_code(&job(desk.path(), &script).output().unwrap(), 0);
+    assert_eq!(queued(desk.path()), "requeue 17\n");
+    let (file, told) = (&desk.file, whole.to_str().unwrap());
+    ended(0, &["sweep", file, "--out", told]);
     assert_same(&whole, &out);
 }
 
 #[test]
 fn a_job_that_cannot_go_on_is_not_queued_again() {
-    let root = tempfile::tempdir().unwrap();
-    let out = root.path().join("out");
     // The ranks cannot be started.
-    let file = write_file(root.path(), TINY);
-    let dead = script(root.path(), &file, &out, "false");
-    expect_code(&job(root.path(), &dead).output().unwrap(), 70);
+    let desk = Desk::new(TINY);
+    let dead = script(desk.path(), &desk.file, &desk.out, "false");
+    expect_code(&job(desk.path(), &dead).output().unwrap(), 70);
     // They die before anything is done, though something is there.
-    expect_code(&run(&["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()]), 0);
-    let journal = fs::read_to_string(out.join("journal.jsonl")).unwrap();
+    desk.sweep(&[]);
+    let journal = fs::read_to_string(desk.out.join("journal.jsonl")).unwrap();
     let header = journal.lines().next().unwrap();
-    fs::write(out.join("journal.jsonl"), format!("{header}\n")).unwrap();
-    expect_code(&job(root.path(), &dead).output().unwrap(), 3);
+    fs::write(desk.out.join("journal.jsonl"), format!("{header}\n")).unwrap();
+    expect_code(&job(desk.path(), &dead).output().unwrap(), 3);
     // Bad input stays bad.
-    let well = script(root.path(), &file, &out, "env");
-    fs::write(&file, "name = 3").unwrap();
-    expect_code(&job(root.path(), &well).output().unwrap(), 2);
-    assert_eq!(queued(root.path()), "");
+    let well = script(desk.path(), &desk.file, &desk.out, "env");
+    fs::write(&desk.file, "name = 3").unwrap();
+    expect_code(&job(desk.path(), &well).output().unwrap(), 2);
+    assert_eq!(queued(desk.path()), "");
 }
 
 #[test]
 fn a_watched_sweep_tells_its_rate_until_it_ends() {
-    let root = tempfile::tempdir().unwrap();
-    let (file, out) = (write_file(root.path(), TINY), root.path().join("out"));
+    let desk = Desk::new(TINY);
     let mut sweep = seawall();
-    let sweep =
-        sweep.arg("sweep").arg(&file).arg("--out").arg(&out).args(["--threads", "1", "--quiet"]);
+    let sweep = sweep.arg("sweep").arg(&desk.file).arg("--out").arg(&desk.out).args([
+        "--threads",
+        "1",
+        "--quiet",
+    ]);
     let mut sweep = sweep.spawn().unwrap();
     let start = Instant::now();
-    while journal_lines(&out) < 1 || !out.join("manifest.json").is_file() {
+    while journal_lines(&desk.out) < 1 || !desk.out.join("manifest.json").is_file() {
         assert!(start.elapsed() < Duration::from_secs(120), "the sweep does not begin");
         std::thread::sleep(Duration::from_millis(2));
     }
-    let watch = run(&["status", out.to_str().unwrap(), "--watch", "0.1", "--exit-code"]);
+    let watch = run(&["status", &desk.dir, "--watch", "0.1", "--exit-code"]);
     assert!(sweep.wait().unwrap().success());
     expect_code(&watch, 0);
     let told = String::from_utf8(watch.stdout).unwrap();
     assert!(told.contains("tiny: running") && told.contains("tiny: finished"), "{told}");
     assert!(told.contains(" per hour on 1 rank, ") && told.contains(" % idle"), "{told}");
     // What is known of the load outlives the session.
-    assert!(told.contains("\nbusy ") && !out.join("load.json").exists(), "{told}");
-    let status = run(&["status", out.to_str().unwrap(), "--format", "json"]);
+    assert!(told.contains("\nbusy ") && !desk.out.join("load.json").exists(), "{told}");
+    let status = run(&["status", &desk.dir, "--format", "json"]);
     let status: serde_json::Value = serde_json::from_slice(&status.stdout).unwrap();
     let share = status["load"]["ranks"][0]["busy_share"].as_f64().unwrap();
     assert!(share > 0.0 && share <= 1.0, "{share}");
-    let page = fs::read_to_string(out.join("report.html")).unwrap();
+    let page = fs::read_to_string(desk.out.join("report.html")).unwrap();
     assert!(page.contains("<h3>Load per rank</h3>") && page.contains(" cases per hour."));
 }

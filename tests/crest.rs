@@ -5,7 +5,7 @@ mod common;
 use std::path::Path;
 use std::sync::Mutex;
 
-use common::{expect_code, expect_refused, results, run, write_file};
+use common::{Desk, ended, expect_refused, results};
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
 use seawall::simulation::{CaseResult, Film, Monitor, Unwatched, run_case};
@@ -230,20 +230,17 @@ const FILE: &str = "name = \"over\"\n[scene]\ntank_length_m = 1.2\nwave_gauge_m 
 
 fn ran(folder: &Path, name: &str, command: &[&str]) -> std::path::PathBuf {
     let out = folder.join(name);
-    let output = run(&[command, &["--out", out.to_str().unwrap()]].concat());
-    expect_code(&output, 0);
+    ended(0, &[command, &["--out", out.to_str().unwrap()]].concat());
     out
 }
 
 #[test]
 fn threads_films_and_files_of_an_overtopped_wall() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = write_file(folder.path(), FILE);
-    let file = file.to_str().unwrap();
-    let one = ran(folder.path(), "one", &["run", file, "--threads", "1"]);
-    let two = ran(folder.path(), "two", &["run", file, "--threads", "2", "--film"]);
+    let desk = Desk::new(FILE);
+    let one = ran(desk.path(), "one", &["run", &desk.file, "--threads", "1"]);
+    let two = ran(desk.path(), "two", &["run", &desk.file, "--threads", "2", "--film"]);
     assert_eq!(results(&one), results(&two));
-    ran(folder.path(), "three", &["run", file, "--vtk", "0.2"]);
+    ran(desk.path(), "three", &["run", &desk.file, "--vtk", "0.2"]);
     let summary = std::fs::read_to_string(one.join("summary.csv")).unwrap();
     let header = summary.lines().next().unwrap();
     assert!(header.contains(
@@ -259,15 +256,14 @@ fn threads_films_and_files_of_an_overtopped_wall() {
 /// The story: at eight rows the crest was too thin for a companion. The case had no bars, and was left at that.
 #[test]
 fn a_wanted_error_is_verified_also_where_the_first_choice_has_no_companion() {
-    let folder = tempfile::tempdir().unwrap();
     let text = format!(
         "name = \"thin\"\n[scene]\n{TANK}behind = \"outflow\"\ncrest_freeboard_m = 0.12\ncrest_width_m = 0.13\n\
          end_after_stroke_centre_s = 1.6\n[numerics]\nboundary = \"normalized\"\n[grid]\n\
          wave_height_ratio = [0.3]\n"
     );
-    let file = write_file(folder.path(), &text);
-    let command = ["sweep", file.to_str().unwrap(), "--max-error", "9", "--film", "none"];
-    let out = ran(folder.path(), "thin", &command);
+    let desk = Desk::new(&text);
+    let command = ["sweep", &desk.file, "--max-error", "9", "--film", "none"];
+    let out = ran(desk.path(), "thin", &command);
     let table = std::fs::read_to_string(out.join("max_error.csv")).unwrap();
     let cells: Vec<_> = table.lines().nth(1).unwrap().rsplit(',').collect();
     assert!(cells[2].parse::<f64>().is_ok_and(|bar| bar > 0.0), "{table}");
@@ -275,7 +271,6 @@ fn a_wanted_error_is_verified_also_where_the_first_choice_has_no_companion() {
 
 #[test]
 fn what_is_no_crest_is_told() {
-    let folder = tempfile::tempdir().unwrap();
     let outflow = "behind = \"outflow\"\n";
     let whole = "behind = \"outflow\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.2\n";
     let movable = "wall = \"movable\"\nspring_stiffness_n_per_m = 10\nseawall_mass_kg_per_m = 10\n";
@@ -319,6 +314,6 @@ fn what_is_no_crest_is_told() {
         let text = format!(
             "name = \"no\"\n[scene]\n{keys}[numerics]\nparticle_spacing_m = 0.02\n{numerics}"
         );
-        expect_refused(folder.path(), &text, told);
+        expect_refused(&text, told);
     }
 }

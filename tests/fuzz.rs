@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use common::{TINY, expect_code, run, write_file};
+use common::{Desk, TINY};
 use seawall::math::simd::SimdPath;
 use seawall::results::{Checkpoint, Directory, OpenMode, read_journal};
 use seawall::scene::CaseConfig;
@@ -135,9 +135,8 @@ fn sweep_files_and_settings_that_nobody_meant_are_refused_or_taken() {
 
 #[test]
 fn files_of_results_that_nobody_wrote_are_told_or_mended() {
-    let root = tempfile::tempdir().unwrap();
-    let (file, out) = (write_file(root.path(), TINY), root.path().join("out"));
-    expect_code(&run(&["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()]), 0);
+    let desk = Desk::new(TINY);
+    desk.sweep(&[]);
     let study = Study::new(&SweepFile::read(TINY, &[]).unwrap()).unwrap();
     let words = [
         "{\"sum\":\"",
@@ -152,23 +151,23 @@ fn files_of_results_that_nobody_wrote_are_told_or_mended() {
         "\0",
     ];
     let mut dice = Dice(0x5eed_0002);
-    let path = out.join("journal.jsonl");
+    let path = desk.out.join("journal.jsonl");
     let whole = fs::read(&path).unwrap();
     for trial in 0..600 {
         fs::write(&path, dice.mutated(&whole, &words)).unwrap();
-        let _ = read_journal(&out);
+        let _ = read_journal(&desk.out);
         if trial % 10 == 0 {
             let simd = SimdPath::widest();
-            drop(Directory::open(&out, &study, OpenMode::Resume, None, simd));
+            drop(Directory::open(&desk.out, &study, OpenMode::Resume, None, simd));
         }
     }
     fs::write(&path, &whole).unwrap();
     for name in ["summary.csv", "manifest.json", "energy.csv"] {
-        let path = out.join(name);
+        let path = desk.out.join(name);
         let whole = fs::read(&path).unwrap();
         for _ in 0..15 {
             fs::write(&path, dice.mutated(&whole, &words)).unwrap();
-            let _ = seawall::report::write(&out);
+            let _ = seawall::report::write(&desk.out);
         }
         fs::write(&path, &whole).unwrap();
     }

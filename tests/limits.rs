@@ -4,13 +4,13 @@ mod common;
 
 use std::path::Path;
 
-use common::{TINY, TINY_CASES, assert_same, expect_code, run, write_file};
+use common::{Desk, TINY, TINY_CASES, assert_same, ended, expect_code, run};
 
 /// Steps that the cases of one wave need more of than those of the other.
 const STEPS: &str = "limits.steps=332";
 
-fn sweep(file: &Path, out: &Path, more: &[&str]) -> std::process::Output {
-    let (file, out) = (file.to_str().unwrap(), out.to_str().unwrap());
+fn sweep(file: &str, out: &Path, more: &[&str]) -> std::process::Output {
+    let out = out.to_str().unwrap();
     run(&[&["sweep", file, "--out", out, "--threads", "2"], more].concat())
 }
 
@@ -23,10 +23,9 @@ fn failures(out: &Path) -> Vec<String> {
 
 #[test]
 fn a_limit_in_steps_fails_the_same_cases_however_they_are_run() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
-    let (out, whole) = (root.path().join("out"), root.path().join("whole"));
-    expect_code(&sweep(&file, &out, &["--set", STEPS]), 1);
+    let desk = Desk::new(TINY);
+    let (out, whole) = (desk.path().join("out"), desk.path().join("whole"));
+    expect_code(&sweep(&desk.file, &out, &["--set", STEPS]), 1);
     let reasons = failures(&out);
     assert_eq!(reasons.len(), TINY_CASES / 2, "{reasons:?}");
     for reason in reasons {
@@ -34,25 +33,24 @@ fn a_limit_in_steps_fails_the_same_cases_however_they_are_run() {
         assert!(reason.ends_with(" s: needs more than 332 steps (limits.steps)"), "{reason}");
     }
     for more in [&["--no-branch"][..], &["--threads", "1"], &["--set", "limits.memory_mib=1000"]] {
-        let other = root.path().join(format!("other{}", more.len()));
+        let other = desk.path().join(format!("other{}", more.len()));
         let _ = std::fs::remove_dir_all(&other);
         let more = [more, &["--set", STEPS]].concat();
         let more: Vec<_> = more.into_iter().collect();
-        let (file, told) = (file.to_str().unwrap(), other.to_str().unwrap());
-        expect_code(&run(&[&["sweep", file, "--out", told][..], &more].concat()), 1);
+        let (file, told) = (&desk.file, other.to_str().unwrap());
+        ended(1, &[&["sweep", file, "--out", told][..], &more].concat());
         assert_same(&out, &other);
     }
     // Limits are no part of what a case is.
-    expect_code(&sweep(&file, &out, &["--set", STEPS]), 1);
-    expect_code(&sweep(&file, &out, &["--retry-failed"]), 0);
-    expect_code(&sweep(&file, &whole, &[]), 0);
+    expect_code(&sweep(&desk.file, &out, &["--set", STEPS]), 1);
+    expect_code(&sweep(&desk.file, &out, &["--retry-failed"]), 0);
+    expect_code(&sweep(&desk.file, &whole, &[]), 0);
     assert_same(&whole, &out);
 }
 
 #[test]
 fn too_little_time_and_memory_fail_cases_with_their_reason() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
+    let desk = Desk::new(TINY);
     for (number, (limit, words)) in [
         ("limits.wall_time_s=1e-6", "takes more than 0.000001 s (limits.wall_time_s)"),
         ("limits.memory_mib=4", "needs some 8.1 MiB, more than 4 (limits.memory_mib)"),
@@ -62,8 +60,8 @@ fn too_little_time_and_memory_fail_cases_with_their_reason() {
     .into_iter()
     .enumerate()
     {
-        let out = root.path().join(format!("out{number}"));
-        expect_code(&sweep(&file, &out, &["--set", limit]), 1);
+        let out = desk.path().join(format!("out{number}"));
+        expect_code(&sweep(&desk.file, &out, &["--set", limit]), 1);
         let reasons = failures(&out);
         assert_eq!(reasons.len(), TINY_CASES, "{limit}");
         for reason in reasons {
@@ -79,13 +77,11 @@ fn too_little_time_and_memory_fail_cases_with_their_reason() {
 #[test]
 #[cfg(target_os = "linux")]
 fn a_case_that_is_watched_tells_at_which_time_it_was_over_its_limit() {
-    let root = tempfile::tempdir().unwrap();
     let text = TINY.replace("0.025", "0.003").replace("[10, 1e4]", "[10]");
-    let file = write_file(root.path(), &text.replace("[50, 250]", "[50]"));
-    let out = root.path().join("out");
+    let desk = Desk::new(&text.replace("[50, 250]", "[50]"));
     let limits = ["--set", "limits.wall_time_s=1", "--set", "limits.memory_mib=900"];
-    expect_code(&sweep(&file, &out, &limits), 1);
-    let reasons = failures(&out);
+    expect_code(&sweep(&desk.file, &desk.out, &limits), 1);
+    let reasons = failures(&desk.out);
     assert_eq!(reasons.len(), 2);
     for reason in reasons {
         let time = reason.strip_prefix("over-limit at t = ").unwrap();
@@ -96,13 +92,8 @@ fn a_case_that_is_watched_tells_at_which_time_it_was_over_its_limit() {
 
 #[test]
 fn check_tells_how_many_cases_are_over_a_limit() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
-    let told = |limit: &str| {
-        let output = run(&["check", file.to_str().unwrap(), "--set", limit]);
-        expect_code(&output, 0);
-        String::from_utf8(output.stdout).unwrap()
-    };
+    let desk = Desk::new(TINY);
+    let told = |limit: &str| ended(0, &["check", &desk.file, "--set", limit]).out;
     assert!(told("limits.steps=100").contains("limits: 8 cases will probably need more and fail"));
     assert!(!told("limits.steps=100000").contains("limits:"));
 }
@@ -110,19 +101,17 @@ fn check_tells_how_many_cases_are_over_a_limit() {
 /// A camera stood between a case and its limits.
 #[test]
 fn a_case_that_is_filmed_keeps_to_its_limits() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), TINY);
+    let desk = Desk::new(TINY);
     let case = ["wave_height_ratio=0.5", "k=10", "m=50", "--threads", "1"];
-    let out = root.path().join("out");
     for film in ["--film", "--vtk"] {
         for (limit, words) in [
             ("limits.steps=20", "needs more than 20 steps (limits.steps)"),
             ("limits.wall_time_s=1e-6", "takes more than 0.000001 s (limits.wall_time_s)"),
         ] {
-            let told = ["run", file.to_str().unwrap(), "--out", out.to_str().unwrap(), "--fresh"];
+            let told = ["run", &desk.file, "--out", &desk.dir, "--fresh"];
             let words_of = [&told[..], &case, &["--set", limit, film]].concat();
-            expect_code(&run(&words_of), 1);
-            let reasons = failures(&out);
+            ended(1, &words_of);
+            let reasons = failures(&desk.out);
             assert!(reasons[0].ends_with(words), "{film}: {reasons:?}");
         }
     }

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use common::{assert_same, expect_code, run, seawall, write_file};
+use common::{Desk, assert_same, ended, expect_code, run, seawall, write_file};
 use sha2::{Digest, Sha256};
 
 /// Two walls behind a shared stretch, which take a second or so each.
@@ -71,8 +71,8 @@ fn checkpoints(out: &Path, ending: &str) -> Vec<PathBuf> {
     paths.filter(|path| path.extension().is_some_and(|found| found == ending)).collect()
 }
 
-fn words<'a>(command: &'a str, file: &'a Path, out: &'a Path) -> Vec<&'a str> {
-    vec![command, file.to_str().unwrap(), "--out", out.to_str().unwrap(), "--threads", "2"]
+fn words<'a>(command: &'a str, file: &'a str, out: &'a Path) -> Vec<&'a str> {
+    vec![command, file, "--out", out.to_str().unwrap(), "--threads", "2"]
 }
 
 fn start(words: &[&str]) -> Child {
@@ -108,24 +108,21 @@ fn kill_again_and_again(words: &[&str], out: &Path, ending: &str, times: usize) 
 
 /// The last start: it must tell that it goes on.
 fn finish(words: &[&str]) {
-    let output = run(words);
-    expect_code(&output, 0);
-    let told = String::from_utf8_lossy(&output.stderr);
+    let told = ended(0, words).err;
     assert!(told.contains("checkpoint"), "{told}");
 }
 
 #[test]
 fn a_killed_sweep_goes_on_within_its_cases() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), SPRINGS);
-    let [whole, out] = ["whole", "out"].map(|name| root.path().join(name));
-    expect_code(&run(&[&words("sweep", &file, &whole)[..], &["--film", "none"]].concat()), 0);
+    let desk = Desk::new(SPRINGS);
+    let [whole, out] = ["whole", "out"].map(|name| desk.path().join(name));
+    ended(0, &[&words("sweep", &desk.file, &whole)[..], &["--film", "none"]].concat());
     assert!(!whole.join("checkpoints").exists(), "none of short cases");
-    let sweep = words("sweep", &file, &out);
+    let sweep = words("sweep", &desk.file, &out);
     kill_again_and_again(&sweep, &out, "trunk", 1);
     kill_again_and_again(&sweep, &out, "case", 2);
     assert!(!checkpoints(&out, "trunk").is_empty(), "kept for branches that have not begun");
-    expect_code(&run(&["verify", out.to_str().unwrap()]), 0);
+    ended(0, &["verify", out.to_str().unwrap()]);
     finish(&sweep);
     assert_same(&whole, &out);
     assert!(!out.join("checkpoints").exists() && !out.join("running").exists());
@@ -137,7 +134,7 @@ fn a_killed_run_goes_on_whatever_its_scene() {
         let root = tempfile::tempdir().unwrap();
         let file = write_file(root.path(), text);
         let [whole, out] = ["whole", "out"].map(|name| root.path().join(name));
-        expect_code(&run(&words("run", &file, &whole)), 0);
+        ended(0, &words("run", &file, &whole));
         let one = words("run", &file, &out);
         kill_again_and_again(&one, &out, "case", 2);
         finish(&one);
@@ -149,11 +146,10 @@ fn a_killed_run_goes_on_whatever_its_scene() {
 #[test]
 #[cfg(unix)]
 fn a_run_that_is_told_to_stop_keeps_its_state() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), BED);
-    let [whole, out] = ["whole", "out"].map(|name| root.path().join(name));
-    expect_code(&run(&words("run", &file, &whole)), 0);
-    let one = words("run", &file, &out);
+    let desk = Desk::new(BED);
+    let [whole, out] = ["whole", "out"].map(|name| desk.path().join(name));
+    ended(0, &words("run", &desk.file, &whole));
+    let one = words("run", &desk.file, &out);
     let child = start(&one);
     wait_until("checkpoint", || !checkpoints(&out, "case").is_empty());
     let pid = child.id().to_string();
@@ -179,10 +175,9 @@ fn a_run_that_is_told_to_stop_keeps_its_state() {
 
 #[test]
 fn what_cannot_be_gone_on_from_is_told_and_starts_over() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), BED);
-    let whole = root.path().join("whole");
-    expect_code(&run(&words("run", &file, &whole)), 0);
+    let desk = Desk::new(BED);
+    let whole = desk.path().join("whole");
+    ended(0, &words("run", &desk.file, &whole));
     type Spoil = fn(&mut Vec<u8>);
     let ways: [(Spoil, &str); 3] = [
         (|bytes| bytes.truncate(bytes.len() / 2), "is damaged: its case starts over"),
@@ -212,8 +207,8 @@ fn what_cannot_be_gone_on_from_is_told_and_starts_over() {
         ),
     ];
     for (number, (spoil, words_told)) in ways.iter().enumerate() {
-        let out = root.path().join(number.to_string());
-        let one = words("run", &file, &out);
+        let out = desk.path().join(number.to_string());
+        let one = words("run", &desk.file, &out);
         kill_again_and_again(&one, &out, "case", 1);
         let path = checkpoints(&out, "case").pop().unwrap();
         let mut bytes = fs::read(&path).unwrap();
@@ -222,9 +217,7 @@ fn what_cannot_be_gone_on_from_is_told_and_starts_over() {
         let verified = run(&["verify", out.to_str().unwrap()]);
         let told = String::from_utf8_lossy(&verified.stdout).into_owned();
         assert_eq!(told.contains(".case is damaged"), number < 2, "{told}");
-        let output = run(&one);
-        expect_code(&output, 0);
-        let told = String::from_utf8_lossy(&output.stderr);
+        let told = ended(0, &one).err;
         assert!(told.contains(words_told), "{told}");
         assert_same(&whole, &out);
         assert!(!out.join("checkpoints").exists());
@@ -233,15 +226,14 @@ fn what_cannot_be_gone_on_from_is_told_and_starts_over() {
 
 #[test]
 fn how_often_is_a_time() {
-    let root = tempfile::tempdir().unwrap();
-    let file = write_file(root.path(), BED);
-    let out = root.path().join("out");
+    let desk = Desk::new(BED);
     for bad in ["-1", "nan", "often"] {
-        let output =
-            run(&[&words("run", &file, &out)[..], &["--checkpoint-every-s", bad]].concat());
-        expect_code(&output, 2);
-        let told = String::from_utf8_lossy(&output.stderr);
+        let told = ended(
+            2,
+            &[&words("run", &desk.file, &desk.out)[..], &["--checkpoint-every-s", bad]].concat(),
+        )
+        .err;
         assert!(told.contains("a finite number of seconds"), "{told}");
     }
-    assert!(!out.exists());
+    assert!(!desk.out.exists());
 }

@@ -11,7 +11,7 @@ use std::fs;
 use std::path::Path;
 
 use chromium::Chromium;
-use common::{TINY_CASES, expect_code, run, write_file};
+use common::{Desk, TINY_CASES};
 use serde_json::{Value, json};
 use study_page::{STUDY, many, number, page};
 
@@ -175,13 +175,11 @@ fn a_copied_row_runs_and_comes_out_the_same() {
     browser.point_at(".listing[data-table=summary] tbody tr:nth-child(3) .copy", true);
     let text = browser.run("window.copied").as_str().unwrap().to_owned();
     let id = browser.run("document.querySelectorAll('tbody tr')[2].dataset.case");
-    let root = tempfile::tempdir().unwrap();
-    let (file, out) = (write_file(root.path(), &text), root.path().join("out"));
-    let output = run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
-    expect_code(&output, 0);
+    let desk = Desk::new(&text);
+    desk.run(&[]);
     let history = format!("histories/{}.csv", id.as_str().unwrap());
     let read = |root: &Path| fs::read(root.join("out").join(&history)).unwrap();
-    assert_eq!(read(root.path()), read(STUDY.path()), "{text}");
+    assert_eq!(read(desk.path()), read(STUDY.path()), "{text}");
 }
 
 #[test]

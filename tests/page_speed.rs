@@ -9,7 +9,7 @@ mod study_page;
 use std::fs;
 
 use chromium::Chromium;
-use common::{expect_code, run};
+use common::ended;
 use serde_json::json;
 use study_page::{STUDY, many, number};
 
@@ -95,7 +95,7 @@ fn a_page_of_300_cases_with_films_opens_at_once() {
             fs::copy(film.with_extension(end), copy).unwrap();
         }
     }
-    expect_code(&run(&["report", path.parent().unwrap().to_str().unwrap()]), 0);
+    ended(0, &["report", path.parent().unwrap().to_str().unwrap()]);
     assert!(fs::metadata(&path).unwrap().len() < 5_000_000);
     let mut times: Vec<f64> = (0..5).map(|_| browser.open(&path, "")).collect();
     times.sort_by(f64::total_cmp);

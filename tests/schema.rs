@@ -6,13 +6,11 @@ mod common;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use common::{expect_code, run};
+use common::ended;
 use serde_json::{Value, json};
 
 fn schema() -> Value {
-    let output = run(&["check", "--schema"]);
-    expect_code(&output, 0);
-    serde_json::from_slice(&output.stdout).unwrap()
+    ended(0, &["check", "--schema"]).json()
 }
 
 /// The first place that does not fit and why, for the part of JSON Schema that is used.

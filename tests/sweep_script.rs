@@ -15,7 +15,7 @@ use common::{TINY, TINY_CASES, assert_same, expect_code, journal_lines, run, wri
 /// A place with a sweep file.
 struct Room {
     root: tempfile::TempDir,
-    file: PathBuf,
+    file: String,
     out: PathBuf,
 }
 
@@ -57,7 +57,7 @@ impl Room {
     /// The same sweep, undisturbed.
     fn reference(&self) -> PathBuf {
         let out = self.root.path().join("reference");
-        let (file, told) = (self.file.to_str().unwrap(), out.to_str().unwrap());
+        let (file, told) = (&self.file, out.to_str().unwrap());
         expect_code(&run(&["sweep", file, "--out", told]), 0);
         out
     }

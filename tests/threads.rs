@@ -4,7 +4,7 @@ mod common;
 
 use std::fs;
 
-use common::{expect_code, results, run, write_file};
+use common::{ended, results, write_file};
 use seawall::body::BodyMotion;
 use seawall::math::simd::SimdPath;
 use seawall::math::team::Team;
@@ -159,12 +159,9 @@ wave_height_ratio = [0.3, 0.5]
 fn a_sweep_of_few_cases_gives_the_same_files_on_any_number_of_threads_and_resumed() {
     let root = tempfile::tempdir().unwrap();
     let file = write_file(root.path(), TWO);
-    let file = file.to_str().unwrap();
     let path = |name: &str| root.path().join(name).to_str().unwrap().to_owned();
     let sweep = |out: &str, threads: &str| {
-        let output = run(&["sweep", file, "--out", out, "--threads", threads, "--film", "none"]);
-        expect_code(&output, 0);
-        String::from_utf8_lossy(&output.stderr).into_owned()
+        ended(0, &["sweep", &file, "--out", out, "--threads", threads, "--film", "none"]).err
     };
     let (alone, four, resumed) = (path("alone"), path("four"), path("resumed"));
     assert!(sweep(&alone, "1").contains("2 cases on 1 thread,"));
@@ -192,9 +189,8 @@ fn a_single_scene_gives_the_same_files_on_any_number_of_threads() {
         let numerics = format!("numerics.scheme={scheme}");
         let outs = ["1", "2", "3"].map(|threads| {
             let out = root.path().join(format!("{scheme}_{threads}"));
-            let (file, out) = (file.to_str().unwrap(), out.to_str().unwrap());
-            let words = ["run", file, "--threads", threads, "--set", &numerics, "--out", out];
-            expect_code(&run(&words), 0);
+            let out = out.to_str().unwrap();
+            ended(0, &["run", &file, "--threads", threads, "--set", &numerics, "--out", out]);
             results(out.as_ref())
         });
         assert!(outs[1] == outs[0] && outs[2] == outs[0], "{scheme}");

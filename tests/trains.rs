@@ -4,7 +4,7 @@
 mod common;
 mod theory;
 
-use common::{expect_code, run, write_file};
+use common::{ended, write_file};
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
 use seawall::simulation::{CaseResult, Unwatched, WaveRow, run_case};
@@ -234,8 +234,7 @@ fn each_wave_has_a_row_in_a_file() {
                 particle_spacing_m = 0.025\n";
     let file = write_file(folder.path(), text);
     let out = folder.path().join("out");
-    let output = run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
-    expect_code(&output, 0);
+    ended(0, &["run", &file, "--out", out.to_str().unwrap()]);
     let mut files = std::fs::read_dir(out.join("waves")).unwrap();
     let table = std::fs::read_to_string(files.next().unwrap().unwrap().path()).unwrap();
     let lines: Vec<&str> = table.lines().collect();
@@ -249,6 +248,6 @@ fn each_wave_has_a_row_in_a_file() {
     let text = text.replace("paddle = \"wave-train\"\nwave_period_s = 1\n", "");
     let file = write_file(folder.path(), &text);
     let out = folder.path().join("solitary");
-    expect_code(&run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()]), 0);
+    ended(0, &["run", &file, "--out", out.to_str().unwrap()]);
     assert!(!out.join("waves").exists());
 }

@@ -8,6 +8,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+use serde_json::Value;
+use tempfile::TempDir;
+
 /// Two waves on movable walls in a short, coarse tank: seconds of work.
 pub const TINY: &str = r#"
 name = "tiny"
@@ -48,11 +51,11 @@ pub fn with_gauge(sweep: &str) -> String {
     sweep.replace("[numerics]", gauge)
 }
 
-/// Writes a sweep file.
-pub fn write_file(directory: &Path, text: &str) -> PathBuf {
+/// Writes a sweep file; its path as a word of a command line.
+pub fn write_file(directory: &Path, text: &str) -> String {
     let path = directory.join("sweep.toml");
     fs::write(&path, text).unwrap();
-    path
+    path.to_str().unwrap().to_owned()
 }
 
 /// The program under test, away from any launcher of the test run itself.
@@ -75,15 +78,90 @@ pub fn expect_code(output: &Output, code: i32) {
     assert_eq!(output.status.code(), Some(code), "{told}");
 }
 
+/// What a command told: its results, and notes and errors.
+pub struct Told {
+    pub out: String,
+    pub err: String,
+}
+
+impl Told {
+    /// What a command told that has ended with this code.
+    pub fn of(output: Output, code: i32) -> Told {
+        expect_code(&output, code);
+        let [out, err] = [output.stdout, output.stderr];
+        let [out, err] = [out, err].map(|bytes| String::from_utf8(bytes).unwrap());
+        Told { out, err }
+    }
+
+    /// The results for a program.
+    pub fn json(&self) -> Value {
+        serde_json::from_str(&self.out).unwrap_or_else(|error| panic!("{error}: {}", self.out))
+    }
+}
+
+/// Runs a command, which must end with this code.
+pub fn ended(code: i32, arguments: &[&str]) -> Told {
+    Told::of(run(arguments), code)
+}
+
+/// `seawall sweep` of a file into a directory, without films, which must end with this code.
+pub fn sweep(code: i32, file: &str, out: &Path, more: &[&str]) -> Told {
+    let out = out.to_str().unwrap();
+    ended(code, &[&["sweep", file, "--out", out, "--film", "none"], more].concat())
+}
+
+/// A directory with the file of a study, and a place for what it leaves.
+pub struct Desk {
+    root: TempDir,
+    /// The file's path.
+    pub file: String,
+    /// Where results go: `out`, which nobody has made yet.
+    pub out: PathBuf,
+    /// The same as a word of a command line.
+    pub dir: String,
+}
+
+impl Desk {
+    pub fn new(text: &str) -> Desk {
+        let root = tempfile::tempdir().unwrap();
+        let (file, out) = (write_file(root.path(), text), root.path().join("out"));
+        let dir = out.to_str().unwrap().to_owned();
+        Desk { root, file, out, dir }
+    }
+
+    pub fn path(&self) -> &Path {
+        self.root.path()
+    }
+
+    /// Another file in the place of the first.
+    pub fn write(&self, text: &str) {
+        write_file(self.path(), text);
+    }
+
+    /// `seawall sweep` of the file, with more arguments, which must end well.
+    pub fn sweep(&self, more: &[&str]) -> Told {
+        ended(0, &[&["sweep", &self.file, "--out", &self.dir], more].concat())
+    }
+
+    /// `seawall run` likewise.
+    pub fn run(&self, more: &[&str]) -> Told {
+        ended(0, &[&["run", &self.file, "--out", &self.dir], more].concat())
+    }
+}
+
+/// A column of a directory's `summary.csv`.
+pub fn column(out: &Path, name: &str) -> Vec<String> {
+    let mut reader = csv::Reader::from_path(out.join("summary.csv")).unwrap();
+    let place = reader.headers().unwrap().iter().position(|column| column == name).unwrap();
+    reader.records().map(|row| row.unwrap()[place].to_owned()).collect()
+}
+
 /// Runs a scene file that must be refused: exit code 2, these words, and nothing written.
-pub fn expect_refused(folder: &Path, text: &str, told: &str) {
-    let file = write_file(folder, text);
-    let out = folder.join("out");
-    let output = run(&["run", file.to_str().unwrap(), "--out", out.to_str().unwrap()]);
-    expect_code(&output, 2);
-    let error = String::from_utf8(output.stderr).unwrap();
+pub fn expect_refused(text: &str, told: &str) {
+    let desk = Desk::new(text);
+    let error = ended(2, &["run", &desk.file, "--out", &desk.dir]).err;
     assert!(error.contains(told), "{text}: {error}");
-    assert!(!out.exists());
+    assert!(!desk.out.exists());
 }
 
 /// Everything that must be the same bit for bit: summary without wall time, energies, histories.

@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 use tempfile::TempDir;
 
 use crate::chromium::Chromium;
-use crate::common::{TINY, expect_code, run, seawall, write_file};
+use crate::common::{TINY, ended, expect_code, seawall, write_file};
 
 /// A study with films and error bars, computed once for all tests.
 pub static STUDY: LazyLock<TempDir> = LazyLock::new(|| {
@@ -16,9 +16,9 @@ pub static STUDY: LazyLock<TempDir> = LazyLock::new(|| {
     let file = write_file(root.path(), TINY);
     let out = root.path().join("out");
     let bars = "numerics.error_bars=pair";
-    let arguments = ["sweep", file.to_str().unwrap(), "--out", out.to_str().unwrap()];
+    let arguments = ["sweep", &file, "--out", out.to_str().unwrap()];
     let finer = ["--set", "numerics.particle_spacing_m=0.02", "--set", bars, "--film", "auto"];
-    expect_code(&run(&[&arguments[..], &finer].concat()), 0);
+    ended(0, &[&arguments[..], &finer].concat());
     root
 });
 
