@@ -1,8 +1,6 @@
 //! Paddles that let waves go which come back to them.
 
-mod common;
-
-use common::expect_refused;
+use crate::common::expect_refused;
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
 use seawall::simulation::{CaseResult, Unwatched, run_case};

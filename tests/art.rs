@@ -2,14 +2,12 @@
 //! or leaves its frame, all can be read, series can be told apart, bounds look like bounds, nothing is
 //! torn in print. Without a Chromium (`CHROMIUM` names one) the tests say so and pass.
 
-mod common;
-
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use common::ended;
+use crate::common::ended;
 use serde_json::Value;
 
 const WIDTHS: [u32; 3] = [1400, 800, 390];

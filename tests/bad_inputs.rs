@@ -1,12 +1,10 @@
 //! Every file of `tests/bad_inputs`, beside the message that it must give: `NAME.txt` has what follows
 //! `error: NAME.toml: `. Messages that are to change are renewed with `RENEW_DOCS=1`, and read over.
 
-mod common;
-
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use common::seawall;
+use crate::common::seawall;
 
 /// As many as there are at least.
 const FEWEST: usize = 80;

@@ -1,11 +1,7 @@
 //! Waves over beds that are not level, and what is refused.
 
-#[path = "common/beds.rs"]
-mod beds;
-mod common;
-
-use beds::{computed, gauges};
-use common::{Desk, ended, expect_refused, results};
+use crate::beds::{computed, gauges};
+use crate::common::{Desk, ended, expect_refused, results};
 use seawall::simulation::CaseResult;
 
 /// A bed that ends level goes on behind the wall, where it is dry: no edge of the water, whose level at the wall

@@ -1,9 +1,6 @@
 //! Still water on beds that are not level.
 
-#[path = "common/beds.rs"]
-mod beds;
-
-use beds::{computed, gauges};
+use crate::beds::{computed, gauges};
 
 /// Ten rows of water of 0.2 m: the surface stays where it is, and no particle leaves.
 #[test]

@@ -1,10 +1,8 @@
 //! What lies behind a wall that water goes over: a dry floor or a basin, up to an end wall.
 
-mod common;
-
 use std::sync::Mutex;
 
-use common::{Desk, ended, expect_refused, results};
+use crate::common::{Desk, ended, expect_refused, results};
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
 use seawall::simulation::{CaseResult, Film, HistoryRow, Monitor, Unwatched, run_case};

@@ -1,12 +1,10 @@
 //! A case that branches from a trunk and the same case run alone, from rest: all files, all columns.
 
-mod common;
-
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use common::{Desk, ended};
+use crate::common::{Desk, ended};
 
 /// A short, coarse tank.
 const TANK: &str = "[scene]\ntank_length_m = 1.0\nwave_gauge_m = 0.5\n";

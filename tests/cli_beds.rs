@@ -1,8 +1,6 @@
 //! Studies that sweep beds and flags: their cases are picked and told by values that are no numbers.
 
-mod common;
-
-use common::{Desk, ended};
+use crate::common::{Desk, ended};
 
 const BEDS: &str = r#"
 name = "beds"

@@ -1,11 +1,9 @@
 //! Files of a study that are damaged or missing: what is told of them, and what mends them.
 
-mod common;
-
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use common::{Desk, TINY, ended, journal_lines, run, sweep, with_gauge, write_file};
+use crate::common::{Desk, TINY, ended, journal_lines, run, sweep, with_gauge, write_file};
 
 /// The files in a folder.
 fn files(folder: &Path) -> Vec<PathBuf> {

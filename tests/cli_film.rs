@@ -1,13 +1,11 @@
 //! `seawall film`, `run --film` and `sweep --film`, from outside.
 
-mod common;
-
 use std::fs;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use common::{Desk, TINY, ended, expect_code, results, run, seawall, write_file};
+use crate::common::{Desk, TINY, ended, expect_code, results, run, seawall, write_file};
 
 /// Two waves on one wall, coarse.
 fn swept(directory: &Path, films: &[&str]) -> PathBuf {

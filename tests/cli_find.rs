@@ -1,11 +1,9 @@
 //! `seawall find`: the part of a study that meets a condition, from the files of a real one.
 
-mod common;
-
 use std::fs;
 use std::path::Path;
 
-use common::{Desk, SOFT, TINY, column, ended};
+use crate::common::{Desk, SOFT, TINY, column, ended};
 use serde_json::Value;
 
 const SPRINGS: &str =

@@ -1,11 +1,9 @@
 //! Bad and odd input: what is told names file, key, value and what is allowed, and nothing is written.
 
-mod common;
-
 use std::fs;
 use std::path::Path;
 
-use common::{Desk, TINY, ended, expect_code, seawall, write_file};
+use crate::common::{Desk, TINY, ended, expect_code, seawall, write_file};
 
 /// A scene that runs in no time.
 const SCENE: &str = "name = \"a\"\n[scene]\n[numerics]\nparticle_spacing_m = 0.025\n";
@@ -275,7 +273,7 @@ fn a_sweep_file_may_come_through_a_pipe() {
         .unwrap();
     child.stdin.take().unwrap().write_all(text.as_bytes()).unwrap();
     assert_eq!(child.wait().unwrap().code(), Some(0));
-    assert_eq!(common::journal_lines(&out), 1 + 2);
+    assert_eq!(crate::common::journal_lines(&out), 1 + 2);
 
     // Before its end a study cannot be filmed, which is told in words.
     std::fs::remove_file(out.join("summary.csv")).unwrap();

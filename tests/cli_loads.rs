@@ -1,12 +1,10 @@
 //! Loads on the wall through the command line: files of a case, and the size of a prototype.
 
-mod common;
-
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use common::{Desk, ended};
+use crate::common::{Desk, ended};
 
 /// A softly sprung wall in a short, coarse tank.
 const SCENE: &str = r#"

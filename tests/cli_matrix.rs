@@ -1,10 +1,8 @@
 //! `accuracy`, `stress` and `--max-error` from outside: files, exit codes, resuming.
 
-mod common;
-
 use std::fs;
 
-use common::{Desk, TINY, ended, expect_code, journal_lines, run};
+use crate::common::{Desk, TINY, ended, expect_code, journal_lines, run};
 
 /// A short tank at rest and a wave in it, with two methods of which one is unknown.
 const MATRIX: &str = r#"

@@ -1,10 +1,8 @@
 //! What the program says: refusals before anything is written, and marks beside doubtful numbers.
 
-mod common;
-
 use std::fs;
 
-use common::{Desk, TINY, ended, expect_code, run, write_file};
+use crate::common::{Desk, TINY, ended, expect_code, run, write_file};
 
 fn told(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()

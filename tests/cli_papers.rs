@@ -1,12 +1,10 @@
 //! The papers through the command line: their figures made again, a study beside their numbers, and two
 //! studies side by side.
 
-mod common;
-
 use std::fs;
 use std::path::Path;
 
-use common::{TINY, ended, run, write_file};
+use crate::common::{TINY, ended, run, write_file};
 use serde_json::Value;
 
 #[test]

@@ -1,12 +1,10 @@
 //! `[grid] refine` through the command line: the same points after any interruption and for any number of
 //! threads, resumed, bounded and told.
 
-mod common;
-
 use std::fs;
 use std::path::Path;
 
-use common::{Desk, SOFT, column, ended, write_file};
+use crate::common::{Desk, SOFT, column, ended, write_file};
 use serde_json::Value;
 
 const SPRINGS: &str = "spring_stiffness_n_per_m = [1e2, 1e4, 1e6]";

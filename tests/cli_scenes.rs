@@ -1,11 +1,9 @@
 //! Every kind of scene through the command line: short, coarse, with its files and its refusals.
 
-mod common;
-
 use std::fs;
 use std::path::Path;
 
-use common::{assert_same, ended, write_file};
+use crate::common::{assert_same, ended, write_file};
 
 fn shipped(name: &str) -> String {
     format!("{}/sweeps/scenes/{name}.toml", env!("CARGO_MANIFEST_DIR"))

@@ -1,11 +1,9 @@
 //! What a terminal shows: tables, progress, errors for programs, colours, and the commands that explain.
 
-mod common;
-
 use std::fs;
 use std::process::Output;
 
-use common::{Desk, TINY, Told, ended, expect_code, run, seawall};
+use crate::common::{Desk, TINY, Told, ended, expect_code, run, seawall};
 use serde_json::Value;
 
 fn told(bytes: &[u8]) -> String {

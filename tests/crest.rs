@@ -1,11 +1,9 @@
 //! Walls that water goes over: how much, where it goes, and what is refused.
 
-mod common;
-
 use std::path::Path;
 use std::sync::Mutex;
 
-use common::{Desk, ended, expect_refused, results};
+use crate::common::{Desk, ended, expect_refused, results};
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
 use seawall::simulation::{CaseResult, Film, Monitor, Unwatched, run_case};

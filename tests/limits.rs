@@ -1,10 +1,8 @@
 //! Limits of a case: what is over one fails with its reason, and the study goes on.
 
-mod common;
-
 use std::path::Path;
 
-use common::{Desk, TINY, TINY_CASES, assert_same, ended, expect_code, run};
+use crate::common::{Desk, TINY, TINY_CASES, assert_same, ended, expect_code, run};
 
 /// Steps that the cases of one wave need more of than those of the other.
 const STEPS: &str = "limits.steps=332";

@@ -1,12 +1,10 @@
 //! The JSON Schema that `seawall check --schema` prints: every shipped file fits it, and what the
 //! program refuses key by key does not.
 
-mod common;
-
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use common::ended;
+use crate::common::ended;
 use serde_json::{Value, json};
 
 fn schema() -> Value {

@@ -1,10 +1,8 @@
 //! Threads within a case change nothing but the time it takes.
 
-mod common;
-
 use std::fs;
 
-use common::{ended, results, write_file};
+use crate::common::{ended, results, write_file};
 use seawall::body::BodyMotion;
 use seawall::math::simd::SimdPath;
 use seawall::math::team::Team;

@@ -1,10 +1,9 @@
 //! Regular waves: on their way against the theory of the full equations, and before a wall against its second
 //! order; and what a train leaves of each of its waves. `scripts/experiments` does the first at three spacings.
 
-mod common;
 mod theory;
 
-use common::{ended, write_file};
+use crate::common::{ended, write_file};
 use seawall::math::simd::SimdPath;
 use seawall::scene::CaseConfig;
 use seawall::simulation::{CaseResult, Unwatched, WaveRow, run_case};

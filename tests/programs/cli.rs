@@ -2,7 +2,6 @@
 //!
 //! One program for all of them: each links the whole library, and in one of them the short tests fill the time of
 //! the long ones. `cargo test --test cli art::` asks one file alone.
-#![allow(clippy::duplicate_mod, reason = "each file brings what it shares with others")]
 
 #[path = "../art.rs"]
 mod art;
@@ -34,6 +33,8 @@ mod cli_refine;
 mod cli_scenes;
 #[path = "../cli_terminal.rs"]
 mod cli_terminal;
+#[path = "../common/mod.rs"]
+mod common;
 #[path = "../limits.rs"]
 mod limits;
 #[path = "../schema.rs"]

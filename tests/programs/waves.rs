@@ -2,7 +2,6 @@
 //!
 //! One program for all of them: each links the whole library, and in one of them the short tests fill the time of
 //! the long ones. `cargo test --test waves absorption::` asks one file alone.
-#![allow(clippy::duplicate_mod, reason = "each file brings what it shares with others")]
 
 #[path = "../absorption.rs"]
 mod absorption;
@@ -10,10 +9,14 @@ mod absorption;
 mod bed;
 #[path = "../bed_rest.rs"]
 mod bed_rest;
+#[path = "../common/beds.rs"]
+mod beds;
 #[path = "../behind.rs"]
 mod behind;
 #[path = "../breaking.rs"]
 mod breaking;
+#[path = "../common/mod.rs"]
+mod common;
 #[path = "../crest.rs"]
 mod crest;
 #[path = "../threads.rs"]
