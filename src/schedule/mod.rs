@@ -142,8 +142,8 @@ impl Manager {
     /// Hands the best task to a rank; false where there is none.
     fn assign(&mut self, rank: usize, commands: &mut Vec<Command>) -> bool {
         let may_open = self.open <= self.ranks.capacity() + self.ranks.len();
-        let trunk = self.waiting.top().filter(|_| may_open);
-        let solo = self.solo.top();
+        let trunk = self.waiting.peek().copied().filter(|_| may_open);
+        let solo = self.solo.peek().copied();
         let branch = top_held(&mut self.held, &self.trunks);
         let best = [trunk, solo, branch].into_iter().flatten().map(|entry| entry.priority).max();
         let Some(best) = best else { return false };
@@ -152,14 +152,14 @@ impl Manager {
             let enough = if near_the_end { best - best / CLEARLY_DEARER } else { 0 };
             let local = top_held(self.ranks.local(rank), &self.trunks)
                 .filter(|local| local.priority >= enough);
-            self.assign_branch(rank, local.unwrap_or(entry).place, commands);
+            self.assign_branch(rank, local.unwrap_or(entry).place(), commands);
         } else if trunk.is_some_and(|entry| entry.priority == best) {
-            let trunk = self.waiting.pop().expect("it was just looked at").place;
+            let trunk = self.waiting.pop().expect("it was just looked at").place();
             self.trunks[trunk].phase = Phase::Running;
             self.open += 1;
             self.run(rank, Work::Trunk(trunk), None, commands);
         } else {
-            let case = self.solo.pop().expect("it was just looked at").place;
+            let case = self.solo.pop().expect("it was just looked at").place();
             self.run(rank, Work::Case(case), None, commands);
         }
         true
@@ -167,7 +167,7 @@ impl Manager {
 
     fn assign_branch(&mut self, rank: usize, trunk: usize, commands: &mut Vec<Command>) {
         let state = &mut self.trunks[trunk];
-        let case = state.pending.pop().expect("held trunks have pending branches").place;
+        let case = state.pending.pop().expect("held trunks have pending branches").place();
         self.held_branches -= 1;
         let holder = if state.holders.contains(&rank) { rank } else { state.origin };
         if state.holders.insert(rank) {
@@ -188,7 +188,7 @@ impl Manager {
         state.origin = rank;
         state.holders = BTreeSet::from([rank]);
         self.held_branches += state.pending.len();
-        if let Some(branch) = state.pending.top() {
+        if let Some(branch) = state.pending.peek() {
             self.held.push(Ranked::new(branch.priority, trunk));
             self.ranks.keep(rank, Ranked::new(branch.priority, trunk));
         }
@@ -200,8 +200,8 @@ impl Manager {
         state.phase = Phase::Closed;
         self.open -= 1;
         while let Some(branch) = state.pending.pop() {
-            self.cases[branch.place].trunk = None;
-            self.solo.push(Ranked::new(self.cases[branch.place].cost, branch.place));
+            self.cases[branch.place()].trunk = None;
+            self.solo.push(Ranked::new(self.cases[branch.place()].cost, branch.place()));
         }
     }
 
@@ -230,14 +230,14 @@ impl Manager {
 /// The held trunk with the dearest pending branch. Entries are put right when they come to the
 /// top: a trunk's dearest branch only gets cheaper.
 fn top_held(queue: &mut Queue, trunks: &[Trunk]) -> Option<Ranked> {
-    while let Some(entry) = queue.top() {
-        let trunk = &trunks[entry.place];
-        let dearest = trunk.pending.top().filter(|_| trunk.phase == Phase::Held);
+    while let Some(entry) = queue.peek().copied() {
+        let trunk = &trunks[entry.place()];
+        let dearest = trunk.pending.peek().filter(|_| trunk.phase == Phase::Held);
         match dearest {
             Some(branch) if branch.priority == entry.priority => return Some(entry),
             Some(branch) => {
                 queue.pop();
-                queue.push(Ranked::new(branch.priority, entry.place));
+                queue.push(Ranked::new(branch.priority, entry.place()));
             }
             None => {
                 queue.pop();

@@ -41,6 +41,6 @@ impl Trunk {
 
     /// The cost of its dearest pending branch.
     pub fn dearest(&self) -> u64 {
-        self.pending.top().map_or(0, |branch| branch.priority)
+        self.pending.peek().map_or(0, |branch| branch.priority)
     }
 }
