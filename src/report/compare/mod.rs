@@ -1,10 +1,9 @@
 //! Two studies side by side: the same physical points, by their values and not by their identities, since
 //! numerics may differ.
 
-mod figure;
 mod matching;
 mod pair;
-mod table;
+mod shown;
 
 use std::path::Path;
 
@@ -13,9 +12,8 @@ use super::error::ReportError;
 use super::load::Loaded;
 use super::row::Row;
 
-pub use figure::figure;
 pub use pair::{COMPARED, Difference, Pair, Tally};
-pub use table::table;
+pub use shown::{figure, table};
 
 /// A key that has other values in one study than in the other, in cases of the same point.
 #[derive(Debug, Clone, PartialEq)]
