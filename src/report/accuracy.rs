@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use super::error::ReportError;
 use super::load::{demand, deserialize, read_records};
-use super::plots::{self, Dot};
+use super::plots::{Axis, Chart, Curve, Drawing, Entry, Figure, Layout, Look, Point};
 use super::tables::Table;
 use super::{make, save};
 use crate::math::lists::different;
@@ -52,20 +52,45 @@ pub fn write(directory: &Path, about: &[(String, String)]) -> Result<PathBuf, Re
     let (header, records) = read_records(&path)?;
     demand(&path, &header, HEADER.into_iter())?;
     let lines: Vec<Line> = deserialize(&path, &header, &records)?;
-    let dot = |line: &Line| {
-        let (name, filled) = (line.method.clone(), line.pareto == "yes");
-        Some(Dot { name, x: line.cpu_time_s?, y: line.error_percent?, filled })
-    };
-    let all = lines.iter().filter(|line| line.case == GROUPS[0].0);
-    let dots: Vec<_> = all.filter_map(dot).collect();
     let figures = directory.join("figures");
     make(&figures)?;
-    if let Some(figure) = plots::error_against_time(&dots) {
+    if let Some(figure) = error_against_time(&lines) {
         save(&figures.join(format!("{}.svg", figure.name)), &figure.svg())?;
     }
     let path = directory.join("accuracy.md");
     save(&path, &page(&lines, about))?;
     Ok(path)
+}
+
+/// A dot for every method, both axes logarithmic; `None` without any.
+fn error_against_time(lines: &[Line]) -> Option<Figure> {
+    let point = |line: &Line| {
+        let (x, y) = (line.cpu_time_s?, line.error_percent?);
+        let told = format!("{}: {x} s, {y} %", line.method);
+        let (open, note) = (line.pareto != "yes", line.method.clone());
+        (x > 0.0 && y > 0.0).then(|| Point { open, told, note, ..(x, y).into() })
+    };
+    let all = lines.iter().filter(|line| line.case == GROUPS[0].0);
+    let points: Vec<_> = all.filter_map(point).collect();
+    let x = Axis::logarithmic(points.iter().map(|point| point.x))?;
+    let y = Axis::logarithmic(points.iter().map(|point| point.y))?;
+    let mut front: Vec<_> = points.iter().filter(|point| !point.open).cloned().collect();
+    front.sort_by(|a, b| a.x.total_cmp(&b.x));
+    let look = Look::of(0);
+    let curves = vec![
+        Curve { entry: Entry::line("", look), points: front },
+        Curve { entry: Entry::dots("", look, false), points },
+    ];
+    let titles = ["processor time, s", "error, %"];
+    let chart = Chart::new((x, y), titles, ["cpu_time_s", "error_percent"], curves);
+    Some(Figure {
+        name: "error-against-time".to_owned(),
+        title: "Error against processor time".to_owned(),
+        caption: "Root mean square error over all cases against the processor time that they \
+                  take together. Filled: nothing is both cheaper and more accurate."
+            .to_owned(),
+        drawing: Drawing::new(vec![chart], Layout { columns: 1, size: (900.0, 620.0) }),
+    })
 }
 
 fn page(lines: &[Line], about: &[(String, String)]) -> String {

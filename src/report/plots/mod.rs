@@ -2,7 +2,6 @@
 //!
 //! A new family is a new file with a function `figures` and one line in [`all`].
 
-mod accuracy;
 mod axes;
 mod bar;
 mod chart;
@@ -30,7 +29,6 @@ mod text;
 mod ticks;
 mod trace;
 
-pub use accuracy::{Dot, error_against_time};
 pub(super) use axes::Axis;
 pub(super) use chart::{Chart, Curve, Point, places, points};
 pub(super) use fixed_wall::{figures as at_fixed_walls, sides, walls as fixed_walls};
