@@ -5,7 +5,6 @@ use super::face_gaps::FaceGaps;
 use super::found::Found;
 use super::health::LASTING_GAP;
 use super::outcome::{Maximum, Outcome};
-use super::quoted::{forces, others};
 
 /// A gap of force above this, percent, is doubtful where a largest force is ...
 const FORCE_GAP_PERCENT: f64 = 1.5;
@@ -151,6 +150,29 @@ impl Evidence<'_> {
         let set_off = kicked.then(|| set_off.to_owned());
         forces(outcome).chain(others(outcome)).filter_map(told).chain(set_off)
     }
+}
+
+/// The largest force of the run by the name of its column, and that of the first impact where it is another one.
+fn forces(outcome: &Outcome) -> impl Iterator<Item = (&'static str, Maximum)> {
+    let other = outcome.first_force_max.filter(|first| first.time_s != outcome.force_max.time_s);
+    told([("force_max", Some(outcome.force_max)), ("first_force_max", other)])
+}
+
+/// The other quoted maxima.
+fn others(outcome: &Outcome) -> impl Iterator<Item = (&'static str, Maximum)> {
+    told([
+        ("runup_max", Some(outcome.runup_max)),
+        ("displacement_max", outcome.displacement_max),
+        ("first_runup_max", outcome.first_runup_max),
+        ("first_displacement_max", outcome.first_displacement_max),
+    ])
+}
+
+/// Those that are there.
+fn told<const N: usize>(
+    maxima: [(&'static str, Option<Maximum>); N],
+) -> impl Iterator<Item = (&'static str, Maximum)> {
+    maxima.into_iter().filter_map(|(name, maximum)| Some((name, maximum?)))
 }
 
 #[cfg(test)]

@@ -30,7 +30,6 @@ mod pressed;
 mod probes;
 mod quiet_force;
 mod quiet_travel;
-mod quoted;
 mod readings;
 mod run;
 mod sampling;
