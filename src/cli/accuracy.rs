@@ -3,7 +3,7 @@
 use clap::Args;
 use serde_json::json;
 
-use super::matrix::{MatrixArgs, Request, run};
+use super::matrix::{MatrixArgs, run};
 use super::output::{Output, json_path, short};
 use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
@@ -30,8 +30,7 @@ pub(super) struct AccuracyArgs {
 const BUILT_IN: &str = include_str!("../../sweeps/accuracy.toml");
 
 pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
-    let request = Request { built_in: BUILT_IN, branching: false };
-    let ran = run(&args.matrix, &request, output)?;
+    let ran = run(&args.matrix, BUILT_IN, false, output)?;
     if let Some(code) = ran.interrupted {
         return Ok(code);
     }

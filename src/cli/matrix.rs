@@ -41,13 +41,6 @@ pub(super) struct MatrixArgs {
     threads: Option<u16>,
 }
 
-pub(super) struct Request {
-    /// The matrix that is built in.
-    pub(super) built_in: &'static str,
-    /// Whether cases may share trunks; not where each one's time is measured.
-    pub(super) branching: bool,
-}
-
 pub(super) struct Ran {
     pub(super) matrix: Matrix,
     pub(super) pairs: Vec<Trial>,
@@ -57,10 +50,16 @@ pub(super) struct Ran {
     pub(super) interrupted: Option<u8>,
 }
 
-/// Runs what of a matrix is missing in its directory.
-pub(super) fn run(args: &MatrixArgs, request: &Request, output: &Output) -> anyhow::Result<Ran> {
+/// Runs what of a matrix, or of the one that is built in, is missing in its directory. Cases share trunks where
+/// `branching`: not where each one's time is measured.
+pub(super) fn run(
+    args: &MatrixArgs,
+    built_in: &str,
+    branching: bool,
+    output: &Output,
+) -> anyhow::Result<Ran> {
     let text = match &args.file {
-        None => request.built_in.to_owned(),
+        None => built_in.to_owned(),
         Some(path) => read(path)?,
     };
     let built_in = || "the built-in matrix".to_owned();
@@ -77,7 +76,7 @@ pub(super) fn run(args: &MatrixArgs, request: &Request, output: &Output) -> anyh
         study,
         mode: if args.fresh { OpenMode::Fresh } else { OpenMode::Resume },
         retry_failed: false,
-        branching: request.branching,
+        branching,
         shares_threads: false, // What a method costs is told.
         simd: SimdChoice::Auto.path(),
         overrides: Vec::new(),

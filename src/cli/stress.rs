@@ -3,7 +3,7 @@
 use clap::Args;
 use serde_json::json;
 
-use super::matrix::{MatrixArgs, Request, run};
+use super::matrix::{MatrixArgs, run};
 use super::output::{Output, json_path};
 use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
@@ -31,8 +31,7 @@ pub(super) struct StressArgs {
 pub(super) const BUILT_IN: &str = include_str!("../../sweeps/stress.toml");
 
 pub(super) fn main(args: &StressArgs, output: &Output) -> anyhow::Result<u8> {
-    let request = Request { built_in: BUILT_IN, branching: true };
-    let ran = run(&args.matrix, &request, output)?;
+    let ran = run(&args.matrix, BUILT_IN, true, output)?;
     if let Some(code) = ran.interrupted {
         return Ok(code);
     }

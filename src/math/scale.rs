@@ -1,7 +1,10 @@
 //! The scale of an axis: equal steps are equal differences, or equal ratios.
 
+use serde::Serialize;
+
 /// How places on an axis are spread.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Scale {
     /// Equal differences.
     Linear,
@@ -35,14 +38,6 @@ impl Scale {
             Scale::Log => libm::pow(10.0, place),
         };
         super::decimal::significant(value, 15)
-    }
-
-    /// Its name in files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Scale::Linear => "linear",
-            Scale::Log => "log",
-        }
     }
 }
 

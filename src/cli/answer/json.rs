@@ -3,7 +3,7 @@
 use serde_json::{Map, Value, json};
 
 use super::Answer;
-use crate::report::find::{Basis, Boundary, Reading, Verdict};
+use crate::report::find::{Boundary, Reading, Verdict};
 
 impl Answer<'_> {
     /// For programs.
@@ -54,24 +54,14 @@ impl Answer<'_> {
     fn end(&self, one: &Boundary) -> Value {
         json!({
             "key": self.data.keys[one.key].name,
-            "scale": one.scale.name(),
+            "scale": one.scale,
             "where": self.swept(one.row, Some(one.key)),
             "met": if one.met_above { "above" } else { "below" },
             "at": one.at,
             "from": one.between[0],
             "to": one.between[1],
-            "basis": name(one.basis),
+            "basis": one.basis,
             "doubtful": one.doubtful,
         })
-    }
-}
-
-fn name(basis: Basis) -> &'static str {
-    match basis {
-        Basis::Bend => "bend",
-        Basis::TwoCases => "two-cases",
-        Basis::LowerBound => "lower-bound",
-        Basis::Gap => "gap",
-        Basis::Exact => "exact",
     }
 }

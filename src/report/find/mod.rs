@@ -9,6 +9,8 @@ mod tests;
 pub use condition::{Comparison, Condition, Verdict};
 pub use subject::{Reading, Subject};
 
+use serde::Serialize;
+
 use self::line::{Line, lines};
 use super::load::Loaded;
 use super::study::Key;
@@ -36,7 +38,8 @@ pub struct Boundary {
 }
 
 /// What the range of a boundary rests on.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Basis {
     /// The bend of the curve, from a point beside the two that are interpolated, and error bars.
     Bend,

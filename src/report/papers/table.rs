@@ -2,6 +2,7 @@
 
 use super::Found;
 use crate::math::lists::rising;
+use crate::math::name::name_of;
 use crate::papers::{Printed, Read, paper};
 use crate::quantities::summary::{
     BOUNDARY, CASE_ID, FORCE_COUPLING, LOG10_K_STAR, SCHEME, SEAWALL_MASS, SPRING_STIFFNESS,
@@ -49,7 +50,7 @@ pub fn tidy(found: &[Found]) -> Table {
             vec![printed.paper.clone(), printed.figure.clone(), printed.quantity.clone()],
             place.to_vec(),
             vec![cell(stiffness), cell(printed.time_s), printed.unit.clone()],
-            vec![printed.value.to_string(), word(printed.read).to_owned(), digits(found.computed)],
+            vec![printed.value.to_string(), name_of(printed.read), digits(found.computed)],
             vec![cell(found.error), found.bound.to_string(), digits(found.difference())],
             vec![found.percent().map(digits).unwrap_or_default(), found.is_met().to_string()],
             vec![cell(found.coupling()), row.text(&SCHEME).to_owned(), row.variant.to_string()],
@@ -63,16 +64,6 @@ pub fn tidy(found: &[Found]) -> Table {
 /// Six digits: what is computed has no more that mean anything.
 fn digits(value: f64) -> String {
     number::significant(value, 6).to_string()
-}
-
-fn word(read: Read) -> &'static str {
-    match read {
-        Read::Text => "text",
-        Read::About => "about",
-        Read::AtLeast => "at-least",
-        Read::Derived => "derived",
-        Read::Words => "words",
-    }
 }
 
 /// For the page: one line per number and case, the factors s that the study has beside one another.
