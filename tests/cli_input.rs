@@ -3,17 +3,13 @@
 use std::fs;
 use std::path::Path;
 
-use crate::common::{Desk, TINY, ended, expect_code, seawall, write_file};
+use crate::common::{Desk, TINY, Told, ended, expect_code, seawall, write_file};
 
 /// A scene that runs in no time.
 const SCENE: &str = "name = \"a\"\n[scene]\n[numerics]\nparticle_spacing_m = 0.025\n";
 
-fn told(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
-}
-
 /// Runs a command in a directory of its own, with a scene, a sweep and a file that is neither.
-fn in_directory(arguments: &[&str]) -> (std::process::Output, Vec<String>) {
+fn in_directory(code: i32, arguments: &[&str]) -> (Told, Vec<String>) {
     let root = tempfile::tempdir().unwrap();
     let at = |name: &str| root.path().join(name);
     fs::write(at("scene.toml"), SCENE).unwrap();
@@ -25,7 +21,7 @@ fn in_directory(arguments: &[&str]) -> (std::process::Output, Vec<String>) {
     let mut names: Vec<_> =
         entries.map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
     names.sort();
-    (output, names)
+    (Told::of(output, code), names)
 }
 
 #[test]
@@ -92,9 +88,7 @@ fn bad_input_is_told_in_plain_words_and_nothing_is_written() {
         ),
         (&["run", "tiny.toml", "wave_height_ratio=0.4"], "4 cases fit; say which one by spring_"),
     ] {
-        let (output, names) = in_directory(arguments);
-        expect_code(&output, 2);
-        let told = told(&output.stderr);
+        let (Told { err: told, .. }, names) = in_directory(2, arguments);
         assert!(told.contains(words) && !told.contains("os error"), "{arguments:?}: {told}");
         assert_eq!(names, ["empty", "plain", "scene.toml", "tiny.toml"], "{arguments:?}");
     }
@@ -117,15 +111,13 @@ fn messages_are_text_and_short() {
         &["sweep", "scene.toml", &long],
     ] {
         for more in [&[][..], &["--format", "json"]] {
-            let (output, _) = in_directory(&[arguments, more].concat());
-            expect_code(&output, 2);
-            let words = told(&output.stderr);
+            let (Told { out, err: words }, _) = in_directory(2, &[arguments, more].concat());
             assert!(
                 !words.contains('\u{1b}') && words.contains("error: "),
                 "{arguments:?}: {words}"
             );
             assert!(words.len() < 1500, "{arguments:?}: {} characters", words.len());
-            assert!(!told(&output.stdout).contains('\u{1b}'), "{arguments:?}");
+            assert!(!out.contains('\u{1b}'), "{arguments:?}");
         }
     }
 }
@@ -229,10 +221,10 @@ fn runs_and_sweeps_note_what_check_warns_of() {
 fn a_bad_instruction_set_in_the_environment_is_refused_by_all_that_computes() {
     let desk = Desk::new(TINY);
     let before = fs::read_dir(desk.path()).unwrap().count();
-    let with = |arguments: &[&str]| {
+    let with = |code: i32, arguments: &[&str]| {
         let mut command = seawall();
         command.env("SEAWALL_SIMD_LIMIT", "sse").current_dir(desk.path());
-        command.args(arguments).output().unwrap()
+        Told::of(command.args(arguments).output().unwrap(), code)
     };
     for arguments in [
         &["sweep", &desk.file][..],
@@ -243,15 +235,13 @@ fn a_bad_instruction_set_in_the_environment_is_refused_by_all_that_computes() {
         &["accuracy"],
         &["stress"],
     ] {
-        let output = with(arguments);
-        expect_code(&output, 2);
-        let told = told(&output.stderr);
+        let told = with(2, arguments).err;
         let words = "SEAWALL_SIMD_LIMIT=sse: must be avx512, avx2 or portable";
         assert!(told.contains(words), "{arguments:?}: {told}");
     }
     assert_eq!(fs::read_dir(desk.path()).unwrap().count(), before, "nothing is written");
     for arguments in [&["check", &desk.file][..], &["sweep", &desk.file, "--dry-run"]] {
-        expect_code(&with(arguments), 0);
+        with(0, arguments);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use crate::common::{Desk, TINY, ended, expect_code, journal_lines, run};
+use crate::common::{Desk, TINY, Told, ended, expect_code, journal_lines, run};
 
 /// A short tank at rest and a wave in it, with two methods of which one is unknown.
 const MATRIX: &str = r#"
@@ -113,10 +113,8 @@ fn check_chooses_numerics_for_a_wanted_error_as_sweep_does() {
     fs::write(&desk.file, text.replace("[grid]", "[accuracy]\nmax_error_percent = 60\n[grid]"))
         .unwrap();
     assert_eq!(checked, told(&["check", &desk.file]));
-    let words = run(&["check", &desk.file]);
-    let notes = String::from_utf8_lossy(&words.stderr).into_owned();
+    let Told { out: words, err: notes } = ended(0, &["check", &desk.file]);
     assert!(notes.contains("the cheapest that is expected to be within 60 %"), "{notes}");
-    let words = String::from_utf8_lossy(&words.stdout).into_owned();
     assert!(words.contains("\nmax error           60 %: these are the numerics that"), "{words}");
     assert!(words.contains(" with what runs again, without films\n"), "{words}");
     let seconds =

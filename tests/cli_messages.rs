@@ -2,11 +2,7 @@
 
 use std::fs;
 
-use crate::common::{Desk, TINY, ended, expect_code, run, write_file};
-
-fn told(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
-}
+use crate::common::{Desk, TINY, Told, ended, write_file};
 
 /// A single scene of a second or less: its wall is still moving when it ends.
 fn short_scene() -> String {
@@ -111,7 +107,7 @@ fn what_a_run_has_filmed_is_verified() {
         assert_eq!(verified.out, format!("{name} is damaged\n"));
         // A report makes its own files and leaves what was filmed.
         ended(0, &["report", directory]);
-        assert_eq!(told(&run(&["verify", directory]).stdout), format!("{name} is damaged\n"));
+        assert_eq!(ended(1, &["verify", directory]).out, format!("{name} is damaged\n"));
         ended(0, &[&run_it[..], &["--fresh"]].concat());
         ended(0, &["verify", directory]);
     }
@@ -176,23 +172,13 @@ fn a_directory_that_cannot_be_written_is_bad_input() {
 fn a_method_with_a_comma_in_its_name_can_be_chosen() {
     let root = tempfile::tempdir().unwrap();
     let out = root.path().join("out");
-    let choose = |method: &str| {
-        run(&[
-            "accuracy",
-            "--case",
-            "no such case",
-            "--method",
-            method,
-            "--out",
-            out.to_str().unwrap(),
-        ])
-    };
-    let wrong = ended(2, &["accuracy", "--method", "R 3, dx 7", "--out", out.to_str().unwrap()]);
+    let out_name = out.to_str().unwrap();
+    let wrong = ended(2, &["accuracy", "--method", "R 3, dx 7", "--out", out_name]);
     assert!(wrong.err.contains("\"R 3, dx 0.0125\""), "{}", wrong.err);
     // The case is refused first, so nothing runs.
-    let output = choose("R 3, dx 0.0125");
-    expect_code(&output, 2);
-    assert!(told(&output.stderr).contains("--case = \"no such case\""));
+    let command = ["accuracy", "--case", "no such case", "--method", "R 3, dx 0.0125"];
+    let refused = ended(2, &[&command[..], &["--out", out_name]].concat()).err;
+    assert!(refused.contains("--case = \"no such case\""));
     assert!(!out.exists());
 }
 
@@ -207,13 +193,12 @@ fn figures_for_print_come_in_two_widths_and_no_other_format() {
     let words = ended(2, &["report", directory, "--figures", "pdf,tiff"]).err;
     assert!(words.contains("tiff") && words.contains("svg, pdf, png"), "{words}");
     assert!(!root.path().join("figures").exists(), "nothing is written");
-    let output = run(&["report", directory, "--figures", "pdf"]);
+    let command = ["report", directory, "--figures", "pdf"];
     if !cfg!(feature = "print") {
-        expect_code(&output, 2);
-        assert!(told(&output.stderr).contains("--features print"));
+        assert!(ended(2, &command).err.contains("--features print"));
         return;
     }
-    expect_code(&output, 0);
+    ended(0, &command);
     for width in ["84mm", "174mm"] {
         let file = root.path().join(format!("figures/response-force-{width}.pdf"));
         assert!(fs::read(file).unwrap().starts_with(b"%PDF"));
@@ -228,21 +213,19 @@ fn paths_are_told_as_text() {
     let root = tempfile::tempdir().unwrap();
     let (file, out) = (write_file(root.path(), TINY), root.path().join("a\n\u{1b}[31mb"));
     let directory = out.to_str().unwrap();
-    let sweep = || run(&["sweep", &file, "--out", directory, "--checkpoint-every-s", "0.001"]);
-    expect_code(&sweep(), 0);
+    let sweep = || ended(0, &["sweep", &file, "--out", directory, "--checkpoint-every-s", "0.001"]);
+    sweep();
     let history = || fs::read_dir(out.join("histories")).unwrap().next().unwrap().unwrap().path();
-    let told_whole = |output: &std::process::Output, words: &str| {
-        let text = told(&output.stdout) + &told(&output.stderr);
+    let told_whole = |told: Told, words: &str| {
+        let text = told.out + &told.err;
         assert!(text.lines().any(|line| line.contains(words)), "{text}");
         assert!(!text.contains('\u{1b}') && !text.contains("\n["), "{text:?}");
         let whole = text.lines().filter(|line| line.contains("31mb"));
         assert!(whole.into_iter().all(|line| line.contains(r"a\n\u{1b}[31mb")), "{text:?}");
     };
     fs::write(history(), "").unwrap();
-    told_whole(&run(&["verify", directory]), ".csv is damaged");
+    told_whole(ended(1, &["verify", directory]), ".csv is damaged");
     // No checkpoint can be written beside a file of the folder's name.
     fs::write(out.join("checkpoints"), "").unwrap();
-    let again = sweep();
-    expect_code(&again, 0);
-    told_whole(&again, "no checkpoint could be written");
+    told_whole(sweep(), "no checkpoint could be written");
 }

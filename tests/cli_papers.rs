@@ -4,7 +4,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::common::{TINY, ended, run, write_file};
+use crate::common::{TINY, ended, write_file};
 use serde_json::Value;
 
 #[test]
@@ -18,8 +18,7 @@ fn every_figure_of_both_papers_is_listed() {
         assert_eq!(made, figure["expected_time_s"].as_f64().is_some_and(|s| s > 0.0), "{figure}");
     }
     assert_eq!(list.iter().filter(|figure| figure["made"] == true).count(), 14 + 9);
-    let one = run(&["reproduce", "huang2019", "--list"]);
-    let text = String::from_utf8(one.stdout).unwrap();
+    let text = ended(0, &["reproduce", "huang2019", "--list"]).out;
     assert!(text.starts_with("huang2019: Huang et al. 2019") && !text.contains("liang2017:"));
     assert!(text.contains("not made: It is a drawing of the set-up."), "{text}");
 }
@@ -160,7 +159,7 @@ fn two_studies_stand_side_by_side() {
         ended(0, &[&arguments[..], &["--format", "json", "--out", out.to_str().unwrap()]].concat())
             .json();
     assert_eq!(value["pairs"], 2, "two waves on the soft spring: {value:#}");
-    let text = String::from_utf8(run(&arguments).stdout).unwrap();
+    let text = ended(0, &arguments).out;
     assert!(text.contains("\nB less A, all at k = 10 N/m, m = 50 kg/m\n"), "{text}");
     let keys = value["keys"].as_array().unwrap();
     let keys: Vec<_> =

@@ -3,15 +3,10 @@
 use std::fs;
 use std::process::Output;
 
-use crate::common::{Desk, TINY, Told, ended, expect_code, run, seawall};
-use serde_json::Value;
+use crate::common::{Desk, TINY, Told, ended, run, seawall};
 
 fn told(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
-}
-
-fn json(output: &Output) -> Value {
-    serde_json::from_slice(&output.stdout).unwrap_or_else(|_| panic!("{}", told(&output.stdout)))
 }
 
 /// A finished study with error bars, and what was told of it.
@@ -43,10 +38,7 @@ fn progress_moves_within_a_case() {
     let desk = Desk::new(&scene.replace("0.025", "0.0125"));
     let notes = desk.run(&["--threads", "1"]).err;
     let within = notes.lines().filter(|line| line.contains(" %  0 of 1 case, ")).count();
-    let seconds =
-        json(&run(&["run", &desk.file, "--out", &desk.dir, "--format", "json"]))["wall_time_s"]
-            .as_f64()
-            .unwrap();
+    let seconds = desk.run(&["--format", "json"]).json()["wall_time_s"].as_f64().unwrap();
     assert!(within > 0 || seconds < 2.5, "{seconds} s: {notes}");
 }
 
@@ -78,11 +70,11 @@ fn errors_are_objects_for_programs() {
 #[test]
 fn quiet_json_is_the_answer_alone() {
     let quiet = ended(0, &["explain", "kernel", "--format", "json", "--quiet"]);
-    assert_eq!(quiet.json(), json(&run(&["explain", "kernel", "--format", "json"])));
+    assert_eq!(quiet.json(), ended(0, &["explain", "kernel", "--format", "json"]).json());
     assert!(quiet.err.is_empty());
-    assert!(run(&["explain", "kernel", "--quiet"]).stdout.is_empty());
+    assert!(ended(0, &["explain", "kernel", "--quiet"]).out.is_empty());
     let number = env!("CARGO_PKG_VERSION");
-    assert_eq!(told(&run(&["--version"]).stdout), format!("seawall {number}\n"));
+    assert_eq!(ended(0, &["--version"]).out, format!("seawall {number}\n"));
     for arguments in [&["--version", "--format", "json"][..], &["--format=json", "sweep", "-V"]] {
         let version = ended(0, arguments);
         assert_eq!(version.json(), serde_json::json!({ "name": "seawall", "version": number }));
@@ -116,20 +108,16 @@ fn there_are_no_colours_where_nobody_wants_them() {
 #[test]
 fn init_writes_a_study_that_passes_and_never_overwrites() {
     let root = tempfile::tempdir().unwrap();
-    let in_root =
-        |arguments: &[&str]| seawall().args(arguments).current_dir(root.path()).output().unwrap();
-    expect_code(&in_root(&["init", "waves"]), 0);
-    let check = in_root(&["check", "waves.toml"]);
-    expect_code(&check, 0);
-    assert!(told(&check.stdout).contains("\ncases               12\n"));
+    let in_root = |code: i32, arguments: &[&str]| {
+        Told::of(seawall().args(arguments).current_dir(root.path()).output().unwrap(), code)
+    };
+    in_root(0, &["init", "waves"]);
+    assert!(in_root(0, &["check", "waves.toml"]).out.contains("\ncases               12\n"));
     fs::write(root.path().join("waves.toml"), "mine").unwrap();
-    let again = in_root(&["init", "waves"]);
-    expect_code(&again, 2);
-    assert!(told(&again.stderr).contains("waves.toml: is there already"));
+    assert!(in_root(2, &["init", "waves"]).err.contains("waves.toml: is there already"));
     assert_eq!(fs::read_to_string(root.path().join("waves.toml")).unwrap(), "mine");
-    let bad = in_root(&["init", "../waves"]);
-    expect_code(&bad, 2);
-    assert!(told(&bad.stderr).contains("'/' is none of these"), "{}", told(&bad.stderr));
+    let bad = in_root(2, &["init", "../waves"]).err;
+    assert!(bad.contains("'/' is none of these"), "{bad}");
 }
 
 #[test]
@@ -145,19 +133,19 @@ fn keys_and_columns_are_explained() {
     assert!(symbol.contains("force_max: column") && symbol.contains("first_force_max: column"));
     assert!(explain("k").starts_with("spring_stiffness_n_per_m: key of [scene]"));
     assert!(explain("refine").contains("key of [grid] refine"));
-    let nearly = told(&run(&["explain", "F_max"]).stderr);
+    let nearly = ended(2, &["explain", "F_max"]).err;
     assert!(nearly.contains("did you mean force_max?"), "{nearly}");
-    let strange = told(&run(&["explain", "F"]).stderr);
+    let strange = ended(2, &["explain", "F"]).err;
     assert!(!strange.contains("did you mean") && strange.contains("lists all"), "{strange}");
     let miss = ended(2, &["explain", "spring_stifness"]);
     assert!(miss.err.contains("did you mean spring_stiffness_n_per_m?"));
-    let all = told(&run(&["explain"]).stdout);
+    let all = ended(0, &["explain"]).out;
     assert!(all.lines().all(|line| line.chars().count() <= 80));
     let listed = ["particle_spacing_m", "doubtful_reason", "paddle_work", "wall_velocity_m_per_s"];
     for name in listed {
         assert!(all.contains(&format!("\n  {name}")), "{name}");
     }
-    let object = json(&run(&["explain", "courant_number", "--format", "json"]));
+    let object = ended(0, &["explain", "courant_number", "--format", "json"]).json();
     assert_eq!(object["entries"][0]["allowed"], "0.001 to 2.5");
 }
 

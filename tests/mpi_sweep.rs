@@ -15,7 +15,7 @@ use common::{TINY, TINY_CASES, assert_same, expect_code, journal_lines, run, wri
 
 fn reference(root: &Path, file: &str) -> std::path::PathBuf {
     let out = root.join("reference");
-    let arguments = ["sweep", "--out", out.to_str().unwrap(), &file];
+    let arguments = ["sweep", "--out", out.to_str().unwrap(), file];
     expect_code(&run(&arguments), 0);
     out
 }
