@@ -103,6 +103,32 @@ fn same_answers_leaves_out_how_long_a_step_took() {
     assert_eq!(differs("force"), "line 2, computed: 0.99 instead of 0.97\n");
 }
 
+/// A run that Ctrl-C had stopped was kept as an answer, and the script went on with the next.
+#[cfg(unix)]
+#[test]
+fn same_answers_keeps_nothing_when_it_is_stopped() {
+    use std::os::unix::fs::PermissionsExt;
+    use std::os::unix::process::CommandExt;
+    use std::process::{Command, Stdio};
+    let room = tempfile::tempdir().unwrap();
+    let [program, began, kept] = ["program", "began", "kept"].map(|name| room.path().join(name));
+    let text =
+        format!("#!/bin/sh\ntrap 'exit 3' INT TERM\ntouch {}\nsleep 20 & wait\n", began.display());
+    fs::write(&program, text).unwrap();
+    fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).unwrap();
+    let mut script = Command::new(root().join("scripts/same_answers"));
+    script.arg("keep").args([&kept, &program]).args(["--only", "smoke", "--only", "nightly"]);
+    let script = script.stderr(Stdio::piped()).process_group(0).spawn().unwrap();
+    while !began.exists() {
+        std::thread::sleep(std::time::Duration::from_millis(10));
+    }
+    // As a terminal does: to all of them.
+    let everybody = format!("-{}", script.id());
+    assert!(Command::new("kill").args(["-INT", "--", &everybody]).status().unwrap().success());
+    let told = script.wait_with_output().unwrap();
+    assert_eq!((told.status.code(), kept.exists()), (Some(3), false), "{told:?}");
+}
+
 /// Five of them took `--help` for work: they installed packages, and built for minutes.
 #[cfg(unix)]
 #[test]

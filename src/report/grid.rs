@@ -7,7 +7,8 @@ use super::markup::escape;
 use super::number;
 use super::tables::Table;
 use crate::quantities::summary::{
-    CASE_ID, DOUBTFUL_REASON, LOG10_K_STAR, M_STAR, MEASURED_WAVE_HEIGHT_RATIO, STOPS,
+    CASE_ID, DOUBTFUL, DOUBTFUL_REASON, LOG10_K_STAR, M_STAR, MEASURED_WAVE_HEIGHT_RATIO, STATUS,
+    STOPS,
 };
 use crate::quantities::{Column, heading};
 
@@ -83,7 +84,8 @@ fn is_numeric(table: &Table, column: usize) -> bool {
 }
 
 fn doubtful(column: &str, cell: &str) -> bool {
-    column == DOUBTFUL_REASON.name && !cell.is_empty()
+    let told = column == DOUBTFUL_REASON.name && !cell.is_empty();
+    told || column == STATUS.name && cell == DOUBTFUL.name
 }
 
 /// Whether a wall has come back onto its stop.
@@ -99,6 +101,7 @@ mod tests {
     fn doubtful_cases_are_marked() {
         assert!(doubtful("doubtful_reason", "energy gap -15.2 %"));
         assert!(!doubtful("doubtful_reason", ""));
+        assert!(doubtful("status", "doubtful") && !doubtful("status", "ok"));
         assert!(!doubtful("force_gap_percent", "48.1"));
     }
 

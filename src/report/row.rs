@@ -15,6 +15,9 @@ pub(super) const PLACE: [&Column; 3] = [&WAVE_HEIGHT_RATIO, &SPRING_STIFFNESS, &
 /// What `paddle` is where waves are regular.
 pub(super) const REGULAR: &str = "wave-train";
 
+/// The key that tells kinds of walls apart, where it was swept.
+const WALL: &str = "wall";
+
 /// Where the columns of a table stand.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Header {
@@ -168,6 +171,11 @@ impl Row {
         [&SPRING_STIFFNESS, &SEAWALL_MASS].iter().all(|column| self.number(column).is_none())
     }
 
+    /// The wall slides on its bed: it has a mass and no spring, and so no stop.
+    pub fn is_caisson(&self) -> bool {
+        self.number(&SEAWALL_MASS).is_some() && self.number(&SPRING_STIFFNESS).is_none()
+    }
+
     /// The wall comes back onto its stop, a load that no maximum counts.
     pub fn hits_stop(&self) -> bool {
         self.number(&STOPS).is_some_and(|stops| stops > 0.0)
@@ -183,6 +191,10 @@ impl Row {
         let part = |column: &&'static Column| Some(label(column, self.number(column)?));
         let mut parts: Vec<_> = PLACE.iter().filter_map(part).collect();
         parts.extend((!self.variant.is_empty()).then(|| self.variant.to_string()));
+        // Fixed, on a spring or a caisson: numbers alone do not say which.
+        let wall = Some(self.named(WALL)).filter(|wall| !wall.is_empty());
+        let wall = wall.map(|wall| format!("{WALL} = {wall}"));
+        parts.extend(wall.filter(|wall| !self.variant.contains(wall)));
         parts.join(", ")
     }
 

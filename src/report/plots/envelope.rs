@@ -30,8 +30,8 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
         return Ok(Vec::new());
     }
     let which = match distinct(data.finished(), &WAVE_HEIGHT_RATIO).len() {
-        0 | 1 => "from the largest force to the least",
-        _ => "for each wave the one of the largest force",
+        0 | 1 => "from the largest F* to the least",
+        _ => "for each wave the one of the largest F*",
     };
     let shown = match data.finished().count() {
         all if all > cases.len() => format!(
@@ -115,7 +115,8 @@ mod tests {
             std::fs::write(folder.join(format!("{}.csv", row.id())), rows).unwrap();
         }
         let figure = figures(&data).unwrap().remove(0);
-        assert!(figure.caption.contains("Shown are 2 of 11 cases"), "{}", figure.caption);
+        let shown = "Shown are 2 of 11 cases, for each wave the one of the largest F*;";
+        assert!(figure.caption.contains(shown), "{}", figure.caption);
         assert!(figure.caption.contains("of the first impact and of the whole run"));
         let svg = figure.svg();
         for word in ["p, kPa", "height, m", "first impact", "whole run"] {

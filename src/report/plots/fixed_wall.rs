@@ -2,7 +2,7 @@
 //! over a level bed beside the exact solitary wave, too.
 
 use super::axes::Axis;
-use super::chart::{Chart, Curve, places, reach};
+use super::chart::{Chart, Curve, Point, places, reach};
 use super::legend::Entry;
 use super::look::Look;
 use super::marks::point;
@@ -16,6 +16,7 @@ use crate::quantities::summary::{
 use crate::report::curves::variants;
 use crate::report::goda::{Setting, Settings};
 use crate::report::load::Loaded;
+use crate::report::number::significant;
 use crate::report::row::Row;
 
 /// What is drawn, side by side, and where it stands in [`EXACT`].
@@ -148,10 +149,13 @@ impl Beside {
                     return Some(line(first));
                 }
                 let point = |(row, setting): (&&Row, &Option<Setting>)| {
-                    Some((row.number(wave)?, setting.as_ref()?.of_case(row)?))
+                    let (x, y) = (row.number(wave)?, setting.as_ref()?.of_case(row)?);
+                    let told =
+                        format!("{}: F* = {} by Goda's formula", row.title(), significant(y, 4));
+                    Some(Point { x, y, case: row.id().to_owned(), told, ..Point::default() })
                 };
-                let points = rows.iter().zip(each).filter_map(point);
-                Some(Curve::through(Entry::dots("Goda", Look::of(1), false), points))
+                let points = rows.iter().zip(each).filter_map(point).collect();
+                Some(Curve { entry: Entry::dots("Goda", Look::of(1), false), points })
             }
         }
     }
@@ -226,6 +230,8 @@ mod tests {
         let drawn = |column: &Column| svg.contains(&format!("\"{}\"", column.name));
         assert!(drawn(&WAVE_HEIGHT_RATIO) && !drawn(&MEASURED_WAVE_HEIGHT_RATIO));
         assert!(drawn(&FORCE_MAX) && !drawn(&FIRST_FORCE_MAX));
+        // Goda's points were nobody's: the page's script fell over one under the pointer, and keys ended there.
+        assert!(svg.contains("by Goda's formula") && !svg.contains("data-case=\"\""), "{svg}");
         // One that presses too little for a first impact was left out.
         let low = data.rows[0].clone().with(&FIRST_FORCE_MAX, "").with(&FIRST_RUNUP_MAX, "");
         let id = low.id().to_owned();

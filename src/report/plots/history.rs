@@ -116,7 +116,9 @@ fn read(data: &Loaded, chosen: Vec<(String, &Row)>) -> Result<Vec<Line>, ReportE
 
 /// At most [`CURVES`] cases and their labels, what they have in common, and how they were picked.
 fn choose<'a>(rows: &[&'a Row]) -> (Vec<(String, &'a Row)>, String, String) {
-    let movable = || rows.iter().copied().filter(|row| !row.is_fixed());
+    let caissons = || rows.iter().copied().filter(|row| row.is_caisson());
+    let movable = || rows.iter().copied().filter(|row| !row.is_fixed() && !row.is_caisson());
+    let room = CURVES - usize::from(caissons().next().is_some());
     let stiffnesses = distinct(movable(), &SPRING_STIFFNESS);
     let masses = distinct(movable(), &SEAWALL_MASS);
     let middle = masses.get(masses.len().saturating_sub(1) / 2);
@@ -130,7 +132,7 @@ fn choose<'a>(rows: &[&'a Row]) -> (Vec<(String, &'a Row)>, String, String) {
     if let Some(&kept) = kept {
         let (column, values) = varied;
         common = format!(", {}", said(movable(), held, kept));
-        for value in spread(values, CURVES) {
+        for value in spread(values, room) {
             let is_it =
                 |row: &&Row| row.number(column) == Some(value) && row.number(held) == Some(kept);
             chosen.extend(movable().find(is_it).map(|row| (said(movable(), column, value), row)));
@@ -139,6 +141,17 @@ fn choose<'a>(rows: &[&'a Row]) -> (Vec<(String, &'a Row)>, String, String) {
         if held == &SEAWALL_MASS && masses.len() > 1 {
             picked.push_str(&format!(" at one of {} masses", masses.len()));
         }
+    }
+    let weights = distinct(caissons(), &SEAWALL_MASS);
+    let drawn = spread(&weights, CURVES - chosen.len());
+    for &mass in &drawn {
+        let label = format!("caisson, {}", said(caissons(), &SEAWALL_MASS, mass));
+        let is_it = |row: &&Row| row.number(&SEAWALL_MASS) == Some(mass);
+        chosen.extend(caissons().find(is_it).map(|row| (label, row)));
+    }
+    if !drawn.is_empty() {
+        let before = if picked.is_empty() { "" } else { ", " };
+        picked.push_str(&format!("{before}{} of {} caissons", drawn.len(), weights.len()));
     }
     let fixed = rows.iter().copied().find(|row| row.is_fixed());
     if fixed.is_some() && !picked.is_empty() {
@@ -179,44 +192,4 @@ fn strips(lines: &[Line]) -> Vec<Strip> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::report::fixture;
-
-    fn drawn(directory: &tempfile::TempDir) -> Vec<Figure> {
-        figures(&Loaded::read(directory.path()).unwrap()).unwrap()
-    }
-
-    #[test]
-    fn the_caption_says_what_was_picked_out_of_what() {
-        let stiffnesses: Vec<f64> = (0..9).map(|power| 10_f64.powi(power)).collect();
-        let figures = drawn(&fixture::movable(&[0.3, 0.5], &stiffnesses, &[50.0, 100.0, 250.0]));
-        let told = "Shown are 6 of 27 finished cases of this wave height: 6 of 9 stiffnesses at \
-                    one of 3 masses.";
-        assert!(figures[0].caption.ends_with(told), "{}", figures[0].caption);
-        let few = drawn(&fixture::movable(&[0.5], &[10.0, 500.0], &[250.0]));
-        assert!(!few[0].caption.contains("Shown"), "{}", few[0].caption);
-    }
-
-    #[test]
-    fn scenes_without_a_wave_have_one_figure() {
-        let figures = drawn(&fixture::dam_breaks(1));
-        assert_eq!(figures.len(), 1);
-        assert_eq!(figures[0].name, "history");
-        assert!(figures[0].svg().contains("F / (½ρgh²)") && figures[0].svg().contains("R / h"));
-        assert!(!figures[0].caption.contains("Shown"), "{}", figures[0].caption);
-        let many = drawn(&fixture::dam_breaks(9));
-        let told = "Shown are 6 of 9 finished cases without a wave: spread over their order.";
-        assert!(many[0].caption.ends_with(told), "{}", many[0].caption);
-        assert!(many[0].svg().contains("column_height_m = 0.6"), "a legend tells them apart");
-    }
-
-    #[test]
-    fn a_quantity_that_is_naught_throughout_has_no_panel() {
-        let directory = fixture::dam_breaks(1);
-        let history = "time_s,force,runup,displacement\n0,1,0,0\n1,1.1,0,0\n";
-        std::fs::write(directory.path().join("histories/case-0000.csv"), history).unwrap();
-        let figures = drawn(&directory);
-        assert!(figures[0].svg().contains("F / (½ρgh²)") && !figures[0].svg().contains("R / h"));
-    }
-}
+mod tests;

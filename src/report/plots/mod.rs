@@ -109,10 +109,12 @@ impl Figure {
 
 /// Every figure that the sweep's files can fill.
 pub fn all(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
-    let mut figures = match swept::key(data) {
+    let key = swept::key(data);
+    let mut figures = match key {
         Some(key) => swept::figures(data, key),
         None => [response::figures(data), slices::figures(data), map::figures(data)].concat(),
     };
+    figures.extend(swept::caissons(data, key));
     figures.extend(fixed_wall::figures(data));
     figures.extend(envelope::figures(data)?);
     figures.extend(history::figures(data)?);

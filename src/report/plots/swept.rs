@@ -1,7 +1,7 @@
 //! Responses against whatever was swept besides the wave's height, where the spring's stiffness
 //! was not: a panel for each of force, runup and displacement, one curve per wave height.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use toml::Value;
 
@@ -14,7 +14,7 @@ use crate::keys::read_value;
 use crate::math::scale::Scale;
 use crate::quantities::summary::{
     DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, LOG10_K_STAR,
-    OVERTOPPING_VOLUME, RUNUP_MAX, WAVE_HEIGHT_RATIO,
+    OVERTOPPING_VOLUME, RUNUP_MAX, SEAWALL_MASS, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, heading};
 use crate::report::column::Cells;
@@ -61,6 +61,33 @@ pub fn key(data: &Loaded) -> Option<&Key> {
         let cases = cases(data, key);
         key.name != WAVE_HEIGHT_RATIO.name && cases.iter().any(|(x, _)| *x != cases[0].0)
     })
+}
+
+/// Caissons against the wave's height, as far as no other figure of responses has them: they have no spring.
+pub fn caissons(data: &Loaded, elsewhere: Option<&Key>) -> Vec<Figure> {
+    let drawn = elsewhere.map(|key| cases(data, key)).unwrap_or_default();
+    let drawn: HashSet<_> = drawn.into_iter().map(|(_, row)| row.id()).collect();
+    let of_variant = |variant: String| {
+        let own = data.of_variant(&variant).filter(|row| row.is_caisson());
+        let own = own.filter(|row| !drawn.contains(row.id()));
+        let mut group: Vec<Case> =
+            own.filter_map(|row| Some((row.number(&WAVE_HEIGHT_RATIO)?, row))).collect();
+        group.sort_by(|a, b| a.0.total_cmp(&b.0));
+        if group.first()?.0 == group.last()?.0 {
+            return None;
+        }
+        let rows = || group.iter().map(|(_, row)| *row);
+        let masses = distinct(rows(), &SEAWALL_MASS);
+        let shown = spread(&masses, SERIES);
+        let title = WAVE_HEIGHT_RATIO.heading();
+        let drawing = drawing((&title, WAVE_HEIGHT_RATIO.name), &group, &SEAWALL_MASS, &shown)?;
+        let of = format!("the nominal wave height {title}; one curve per mass of a caisson.");
+        let caption = caption(&of, &group) + &picked(shown.len(), masses.len(), "masses");
+        let name = file_name("caissons-against-wave", &variant);
+        let title = format!("Caissons against the nominal wave height{}", of_variant(&variant));
+        Some(Figure { drawing, title, caption, name })
+    };
+    variants(&data.rows).into_iter().filter_map(of_variant).collect()
 }
 
 /// Finished cases with a number in the key's column.
@@ -112,13 +139,15 @@ pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
         group.sort_by(|a, b| a.0.total_cmp(&b.0));
         let stem = format!("swept-{}", key.name.replace('_', "-"));
         let name = file_name(&stem, &words);
-        let Some(drawing) = drawing(key, &group, &waves) else { continue };
         let heading = title(key);
+        let along = (heading.as_str(), key.name.as_str());
+        let Some(drawing) = drawing(along, &group, &WAVE_HEIGHT_RATIO, &waves) else { continue };
         let what = heading.split(", ").next().unwrap_or(&heading);
         figures.push(Figure {
             drawing,
             title: format!("Responses against {what}{}", of_variant(&words)),
-            caption: caption(what, &group),
+            caption: caption(&by_waves(what, &group, key.name == BED), &group)
+                + &picked_waves(&group),
             name,
         });
     }
@@ -142,7 +171,28 @@ fn others(data: &Loaded, key: &Key) -> Vec<String> {
     (0..data.rows.len()).map(of_row).collect()
 }
 
-fn caption(what: &str, group: &[Case]) -> String {
+/// What a caption says of the key, and of what curves are.
+fn by_waves(what: &str, group: &[Case], over_beds: bool) -> String {
+    let curves =
+        if nominal(group).is_empty() { "." } else { "; one curve per nominal wave height." };
+    let counts = match over_beds {
+        true => {
+            " F* counts by the depth at the wall, or by the still water's where the wall stands dry."
+        }
+        false => "",
+    };
+    format!("{what}{curves}{counts}")
+}
+
+fn nominal(group: &[Case]) -> Vec<f64> {
+    distinct(group.iter().map(|(_, row)| *row), &WAVE_HEIGHT_RATIO)
+}
+
+fn picked_waves(group: &[Case]) -> String {
+    picked(SERIES, nominal(group).len(), "wave heights")
+}
+
+fn caption(against: &str, group: &[Case]) -> String {
     let rows: Vec<_> = group.iter().map(|(_, row)| *row).collect();
     let has = |column| rows.iter().any(|row| row.number(column).is_some());
     let drawn = drawn(group).map(|(column, _)| column);
@@ -152,34 +202,34 @@ fn caption(what: &str, group: &[Case]) -> String {
         "first impact, or of the whole run where there is none"
     };
     let mut text = format!(
-        "Largest force (running mean) and runup of the {of}{}{}, against {what}",
+        "Largest force (running mean) and runup of the {of}{}{}, against {against}",
         if has(&DISPLACEMENT_MAX) { ", and largest displacement of the run" } else { "" },
         if has(&OVERTOPPING_VOLUME) { ", and volume that went over the crest" } else { "" }
     );
-    let waves = distinct(rows.iter().copied(), &WAVE_HEIGHT_RATIO);
-    let shown = picked(SERIES, waves.len(), "wave heights");
-    text.push_str(if waves.is_empty() { "." } else { "; one curve per nominal wave height." });
     text.push_str(&coupling(rows.iter().copied()));
     text.push_str(&marks(&rows, &drawn));
-    text.push_str(&shown);
     text
 }
 
 /// The drawing; `None` where no case has a response.
-fn drawing(key: &Key, group: &[Case], waves: &[f64]) -> Option<Drawing> {
+fn drawing(
+    (title, name): (&str, &str),
+    group: &[Case],
+    series: &Column,
+    values: &[f64],
+) -> Option<Drawing> {
     let places = || group.iter().map(|(x, _)| *x);
     let wide = Scale::of(places()) == Scale::Log;
     let x = if wide { Axis::logarithmic(places()) } else { Axis::around(places(), 5.0) }?;
-    let title = title(key);
     let chart = |(column, whole): (&'static Column, Option<&'static Column>)| {
         let whole = whole.unwrap_or(column);
         let point = |x: f64, row: &Row| point(row, x, column).or_else(|| point(row, x, whole));
-        let mut curves = by(&WAVE_HEIGHT_RATIO, waves, group, point);
+        let mut curves = by(series, values, group, point);
         let y = Axis::around(reach(&curves), 6.0)?;
         curves.extend(bounds(&curves));
         let heading = column.heading();
         let what = if column.unit.is_ratio() { column.unit.axis() } else { &heading };
-        Some(Chart::new((x.clone(), y), [&title, what], [&key.name, column.name], curves))
+        Some(Chart::new((x.clone(), y), [title, what], [name, column.name], curves))
     };
     let charts: Vec<_> = drawn(group).into_iter().filter_map(chart).collect();
     (!charts.is_empty()).then_some(Drawing::new(charts, PANELS))

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use csv::StringRecord;
 
-use super::{Lines, cells};
+use super::{Lines, VARIANT, cells};
 use crate::quantities::Column;
 use crate::quantities::summary::{CASE_ID, FORCE_COUPLING};
 use crate::report::error::ReportError;
@@ -24,7 +24,9 @@ pub fn energy(data: &Loaded) -> Option<Lines<'_>> {
     let place = place.filter(|column| !header.iter().any(|known| known == column.name));
     let place: Vec<&Column> = place.collect();
     let rows: HashMap<_, _> = data.rows.iter().map(|row| (row.id(), row)).collect();
-    let names = place.iter().map(|column| column.name.to_owned()).collect();
+    let told = rows.values().any(|row| !row.variant.is_empty());
+    let names = place.iter().map(|column| column.name.to_owned());
+    let names = names.chain(told.then(|| VARIANT.to_owned())).collect();
     let header = with(id, CASE_ID.name, names, header.iter());
     let none = Row::default();
     let line = move |line: Result<StringRecord, ReportError>| {
@@ -34,7 +36,9 @@ pub fn energy(data: &Loaded) -> Option<Lines<'_>> {
         };
         let row = rows.get(&line[id]).copied();
         let row = if data.is_part { row? } else { row.unwrap_or(&none) };
-        Some(Ok(with(id, &line[id], cells(row, &place), line.iter())))
+        let mut place = cells(row, &place);
+        place.extend(told.then(|| row.variant.to_string()));
+        Some(Ok(with(id, &line[id], place, line.iter())))
     };
     Some(Lines::new(NAME, TITLE, &header, records.filter_map(line)))
 }

@@ -14,11 +14,11 @@ use super::plots::{fixed_walls, sides};
 use super::row::{PLACE, Row};
 use super::variant::file_name;
 use crate::quantities::summary::{
-    CASE_ID, DISPLACEMENT_ERROR, DISPLACEMENT_MAX, DISPLACEMENT_TRUNCATED, DOUBTFUL_REASON,
-    ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_COUPLING, FORCE_ERROR, FORCE_GAP,
-    FORCE_MAX, FORCE_MAX_GAP, LOG10_K_STAR, M_STAR, MEASURED_WAVE_HEIGHT_RATIO, PARTICLES,
-    PARTICLES_LOST, REASON, RUNUP_ERROR, RUNUP_MAX, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STEPS,
-    STOP_IMPULSE, STOPS, WAVE_HEIGHT_RATIO,
+    CASE_ID, DISPLACEMENT_ERROR, DISPLACEMENT_MAX, DISPLACEMENT_TRUNCATED, DOUBTFUL,
+    DOUBTFUL_REASON, ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_COUPLING, FORCE_ERROR,
+    FORCE_GAP, FORCE_MAX, FORCE_MAX_GAP, LOG10_K_STAR, M_STAR, MEASURED_WAVE_HEIGHT_RATIO,
+    PARTICLES, PARTICLES_LOST, REASON, RUNUP_ERROR, RUNUP_MAX, SEAWALL_MASS, SPRING_STIFFNESS,
+    STATUS, STEPS, STOP_IMPULSE, STOPS, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, Quantity};
 pub use readings::across;
@@ -103,6 +103,7 @@ fn summary(data: &Loaded) -> Lines<'_> {
     if data.finished().any(|row| row.regular || row.number(&FIRST_FORCE_MAX).is_none()) {
         columns.extend(fields(&[&FORCE_MAX, &RUNUP_MAX]));
     }
+    columns.extend(fields(&[&DOUBTFUL]));
     columns.extend(variant(data.rows.iter()));
     table("summary", "Cases", columns, data.rows.iter().enumerate())
 }
@@ -115,7 +116,8 @@ fn health(data: &Loaded) -> Lines<'_> {
         &[&FORCE_COUPLING, &FORCE_MAX_GAP, &FORCE_GAP, &ENERGY_GAP, &PARTICLES_LOST],
         &[&PARTICLES, &STEPS, &STOP_IMPULSE, &DOUBTFUL_REASON],
     ];
-    table("health", "Health", fields(&columns.concat()), finished(data))
+    let columns = fields(&columns.concat()).into_iter().chain(variant(data.finished()));
+    table("health", "Health", columns.collect(), finished(data))
 }
 
 /// The first of the cases that failed, and why.

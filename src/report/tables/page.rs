@@ -2,7 +2,7 @@
 //! bounds as such, no more digits than one reads.
 
 use super::{Table, VARIANT};
-use crate::quantities::summary::{FORCE_COUPLING, STATUS};
+use crate::quantities::summary::{DOUBTFUL, FORCE_COUPLING, STATUS};
 use crate::quantities::{Column, named};
 use crate::report::number;
 use crate::report::row::PLACE;
@@ -15,10 +15,11 @@ impl Table {
     /// (`≥ 2.41 − 0.03`) and numbers cut to a few digits.
     pub fn for_page(&self) -> Table {
         let mut table = self.clone();
+        table.judge();
         for column in self.header.iter().filter_map(|name| named(name)) {
             table.join(column);
         }
-        let told = |at: usize| has_cells(&table, at) && !self.is_alike(at);
+        let told = |at: usize| has_cells(&table, at) && !table.is_alike(at);
         let kept: Vec<_> = (0..table.header.len()).filter(|at| told(*at)).collect();
         let cell = |row: &[String], at: usize| brief(&table.header[at], &row[at]);
         let rows = table.rows.iter().map(|row| kept.iter().map(|at| cell(row, *at)).collect());
@@ -29,7 +30,18 @@ impl Table {
     fn is_alike(&self, at: usize) -> bool {
         let name = &self.header[at];
         ALIKE.iter().any(|column| column.name == *name)
-            && self.rows.iter().all(|row| row[at] == self.rows[0][at])
+            && self.rows.iter().all(|row| row[at] == self.rows[0][at] && row[at] != DOUBTFUL.name)
+    }
+
+    /// Puts the flag of a doubtful case into the cell of its status, as the terminal has it.
+    fn judge(&mut self) {
+        let place = |column: &Column| self.header.iter().position(|known| *known == column.name);
+        let (Some(status), Some(flag)) = (place(&STATUS), place(&DOUBTFUL)) else { return };
+        for row in &mut self.rows {
+            if std::mem::take(&mut row[flag]) == "true" {
+                DOUBTFUL.name.clone_into(&mut row[status]);
+            }
+        }
     }
 
     /// Puts error bar and flag of a bound into the cells of their value, and empties theirs.
@@ -136,6 +148,21 @@ mod tests {
         assert_eq!(at(&table.for_page()), ["0.01515 ± 0.00019", "2.2625 ± 0.0012"]);
         let told = number::with_error(0.015147, 0.00019);
         assert_eq!(told, at(&table.for_page())[0], "as the terminal writes it");
+    }
+
+    /// The story: beside failed cases the page had doubtful ones as "ok".
+    #[test]
+    fn a_doubtful_case_is_not_ok() {
+        let row = |cells: [&str; 3]| cells.map(str::to_owned).to_vec();
+        let header = ["case_id", "status", "doubtful"];
+        let all = [["a", "ok", "true"], ["b", "ok", "false"], ["c", "failed", ""]].map(row);
+        let page = |rows: &[Vec<String>]| {
+            let page = Table::new("summary", "Cases", &header, rows.to_vec()).for_page();
+            page.rows.iter().map(|row| row[1..].join(" ")).collect::<Vec<_>>()
+        };
+        assert_eq!(page(&all), ["doubtful", "ok", "failed"]);
+        assert_eq!(page(&all[..1]), ["doubtful"]);
+        assert_eq!(page(&all[1..2]), [""]);
     }
 
     #[test]

@@ -4,7 +4,9 @@ use super::force::most;
 use crate::math::lists::median;
 use crate::math::words::{counted, listed};
 use crate::quantities::Column;
-use crate::quantities::summary::{DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX};
+use crate::quantities::summary::{
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, WAVE_HEIGHT_RATIO,
+};
 use crate::report::load::Loaded;
 use crate::report::number::significant;
 use crate::report::page::words::{at, percent};
@@ -59,7 +61,13 @@ fn asked(data: &Loaded) -> bool {
 fn bar(data: &Loaded, &(symbol, column, relative): &(&str, &Column, bool)) -> Option<String> {
     let read = |row: &Row| {
         let (bar, value) = (row.error(column)?, row.number(column)?);
-        let bar = if relative { bar / value } else { bar };
+        // Still water moves a wall by next to nothing, of which no share says anything.
+        let still = row.number(&WAVE_HEIGHT_RATIO) == Some(0.0);
+        let bar = match relative {
+            true if still => return None,
+            true => bar / value,
+            false => bar,
+        };
         bar.is_finite().then_some(bar.abs())
     };
     let bars: Vec<_> = data.finished().filter_map(read).collect();
@@ -81,7 +89,7 @@ fn bar(data: &Loaded, &(symbol, column, relative): &(&str, &Column, bool)) -> Op
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantities::summary::{FORCE_ERROR, RUNUP_ERROR};
+    use crate::quantities::summary::{DISPLACEMENT_ERROR, FORCE_ERROR, RUNUP_ERROR};
     use crate::report::fixture;
 
     #[test]
@@ -97,6 +105,17 @@ mod tests {
         }
         let pair = told("error_bars = \"pair\"");
         assert!(pair.starts_with("Error bars were asked for, and no case has one"), "{pair}");
+    }
+
+    /// The story: of a soft wall in still water the bar of X* was "± 2700 %".
+    #[test]
+    fn still_water_has_no_share() {
+        let (_directory, mut data) = fixture::read(fixture::movable(&[0.0, 0.5], &[10.0], &[50.0]));
+        for (row, moved) in data.rows.iter_mut().zip([2e-4, 2.0]) {
+            *row = row.clone().with(&DISPLACEMENT_MAX, moved).with(&DISPLACEMENT_ERROR, 0.005);
+        }
+        let told = super::bars(&data).unwrap();
+        assert!(told.contains("X* ± 0.25 %, ± 0.25 % (H/h = 0.5"), "{told}");
     }
 
     #[test]

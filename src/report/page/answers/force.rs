@@ -1,7 +1,7 @@
 //! The largest force, and where it is.
 
 use crate::quantities::Column;
-use crate::quantities::summary::{FIRST_FORCE_MAX, FORCE_MAX, FORCE_MAX_ERROR};
+use crate::quantities::summary::{DOUBTFUL, FIRST_FORCE_MAX, FORCE_MAX, FORCE_MAX_ERROR};
 use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::page::words::{at, result};
@@ -58,6 +58,10 @@ pub fn largest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
     if column(row) == &FIRST_FORCE_MAX {
         text.push_str(" It is that of the first impact.");
         text.push_str(&later(data, force).unwrap_or_default());
+    }
+    // Of a case alone its doubts tell as much.
+    if row.is(&DOUBTFUL) && !alone {
+        text.push_str(" The result is doubtful: look at its history first.");
     }
     Some(text)
 }
@@ -159,6 +163,9 @@ mod tests {
         data.rows[1] = data.rows[1].clone().with(&FIRST_FORCE_MAX, 3.0).with(&FORCE_MAX, 3.0);
         let told = largest(&data, SceneFile::of(&data).as_ref()).unwrap();
         assert!(told.starts_with("The largest force of all is F* = 3, that is 0.589 kN"), "{told}");
+        data.rows[1] = data.rows[1].clone().with(&DOUBTFUL, "true");
+        let told = largest(&data, SceneFile::of(&data).as_ref()).unwrap();
+        assert!(told.ends_with(" The result is doubtful: look at its history first."), "{told}");
         data.keys.push(Key::new("still_water_depth_m", ["0.4", "0.2"]));
         let told = largest(&data, SceneFile::of(&data).as_ref()).unwrap();
         assert!(

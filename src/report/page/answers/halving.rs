@@ -77,10 +77,19 @@ impl<'a> Group<'a> {
         self.rows.iter().copied().filter(move |row| !row.is_fixed() && force(row) <= half)
     }
 
+    /// Those of them that have springs.
+    fn springs(&self) -> impl Iterator<Item = &'a Row> {
+        self.halved().filter(|row| !row.is_caisson())
+    }
+
     fn in_full(&self) -> String {
         let whole = force(self.stiffest);
-        let kind = if self.stiffest.is_fixed() { "the fixed wall" } else { "the stiffest wall" };
-        let held = format!("{kind}{} (F* = {})", at(self.stiffest), number::plain(whole));
+        let is_fixed = self.stiffest.is_fixed();
+        let kind = if is_fixed { "the fixed wall" } else { "the stiffest wall" };
+        let place = at(self.stiffest);
+        // Its kind is not said twice.
+        let place = if is_fixed { place.trim_end_matches(", wall = fixed") } else { &place };
+        let held = format!("{kind}{place} (F* = {})", number::plain(whole));
         let walls = self.walls();
         if walls.iter().map(String::len).sum::<usize>() > LONG {
             let stiffest = most(self.halved(), |row| row.number(&SPRING_STIFFNESS));
@@ -108,10 +117,10 @@ impl<'a> Group<'a> {
     /// Masses, each with the stiffnesses that halve the force; equal ones together.
     fn walls(&self) -> Vec<String> {
         let mut walls: Vec<(String, Vec<f64>)> = Vec::new();
-        for mass in distinct(self.halved(), &SEAWALL_MASS) {
+        for mass in distinct(self.springs(), &SEAWALL_MASS) {
             let of_mass = |row: &&Row| row.number(&SEAWALL_MASS) == Some(mass);
             let all = distinct(self.rows.iter().copied().filter(of_mass), &SPRING_STIFFNESS);
-            let these = distinct(self.halved().filter(of_mass), &SPRING_STIFFNESS);
+            let these = distinct(self.springs().filter(of_mass), &SPRING_STIFFNESS);
             let words = stiffnesses(&these, &all);
             match walls.last_mut().filter(|(known, _)| *known == words) {
                 Some((_, masses)) => masses.push(mass),
@@ -129,7 +138,11 @@ impl<'a> Group<'a> {
                 [one, ..] => format!("m = {one} and {} kg/m", number::plain(*last)),
             }
         };
-        walls.iter().map(|(words, of)| format!("{words} with {}", masses(of))).collect()
+        let springs = walls.iter().map(|(words, of)| format!("{words} with {}", masses(of)));
+        let caissons = distinct(self.halved().filter(|row| row.is_caisson()), &SEAWALL_MASS);
+        let caissons =
+            (!caissons.is_empty()).then(|| format!("a caisson of {}", masses(&caissons)));
+        springs.chain(caissons).collect()
     }
 }
 

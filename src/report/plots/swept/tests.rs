@@ -1,4 +1,5 @@
 use super::*;
+use crate::quantities::summary::SPRING_STIFFNESS;
 use crate::report::fixture;
 
 /// A sweep of masses at one stiffness, with the grid's keys in its manifest.
@@ -56,6 +57,8 @@ fn beds_stand_by_their_slopes() {
     let figures = figures(&data, key(&data).unwrap());
     assert_eq!(figures.len(), 1);
     assert!(figures[0].svg().contains("mean slope of the bed"));
+    let told = " F* counts by the depth at the wall, or by the still water's";
+    assert!(figures[0].caption.contains(told), "depths differ: {}", figures[0].caption);
 }
 
 #[test]
@@ -85,4 +88,25 @@ fn regular_waves_are_drawn_by_their_whole_runs() {
     let svg = figures[0].svg();
     let drawn = |column: &Column| svg.contains(&format!("\"{}\"", column.name));
     assert!(drawn(&FORCE_MAX) && drawn(&RUNUP_MAX) && !drawn(&FIRST_FORCE_MAX));
+}
+
+/// The story: caissons under several waves were in no figure of responses.
+#[test]
+fn caissons_stand_against_their_waves() {
+    let directory = fixture::movable(&[0.3, 0.4, 0.5], &[500.0], &[50.0]);
+    let (_directory, mut data) = fixture::read(directory);
+    for row in &mut data.rows {
+        *row = row.clone().with(&SPRING_STIFFNESS, "").with(&LOG10_K_STAR, "");
+    }
+    let figures = super::super::all(&data).unwrap();
+    let own = figures.iter().find(|figure| figure.name == "caissons-against-wave").unwrap();
+    for word in ["H/h", "F / (½ρgh²)", "R / h", "X / h", "m = 50 kg/m"] {
+        assert!(own.svg().contains(word), "{word}");
+    }
+    assert!(own.caption.contains("largest displacement of the run, against the nominal wave"));
+    // Where another figure has them they are not drawn twice.
+    let friction = Key::new("static_friction", ["0.4", "0.5", "0.6"]);
+    assert!(caissons(&data, Some(&friction)).is_empty());
+    data.rows.truncate(1);
+    assert!(caissons(&data, None).is_empty(), "one wave makes no curve");
 }

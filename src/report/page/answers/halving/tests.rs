@@ -69,6 +69,21 @@ fn other_comparisons_without_a_halved_force_are_told_in_words() {
     assert!(study(1.0, 3.0).ends_with(&format!("{none}.")));
 }
 
+/// The story: beside springs a caisson was "k =  N/m with m = 20 kg/m".
+#[test]
+fn a_caisson_that_halves_the_force_is_told_as_one() {
+    let caisson = || {
+        let row = Row::default().with(&STATUS, "ok").with(&WAVE_HEIGHT_RATIO, 0.5);
+        row.with(&SEAWALL_MASS, 20).with(&FIRST_FORCE_MAX, 1.25)
+    };
+    let mut rows = vec![wall(0.5, None, 3.0), wall(0.5, Some((5000.0, 20.0)), 2.9), caisson()];
+    let held = "Compared with the fixed wall at H/h = 0.5 (F* = 3), the force is halved by";
+    assert_eq!(said(&rows).unwrap(), format!("{held} a caisson of m = 20 kg/m."));
+    rows.push(wall(0.5, Some((10.0, 20.0)), 1.4));
+    let both = "k = 10 N/m with m = 20 kg/m; a caisson of m = 20 kg/m.";
+    assert_eq!(said(&rows).unwrap(), format!("{held} {both}"));
+}
+
 /// The story: where no wall moved, the lowest force was "100 % of it", at the wall that it was compared with.
 #[test]
 fn walls_under_the_same_force_have_no_lowest() {

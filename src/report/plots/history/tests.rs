@@ -1,0 +1,68 @@
+use super::*;
+use crate::quantities::summary::LOG10_K_STAR;
+use crate::report::fixture;
+
+fn drawn(directory: &tempfile::TempDir) -> Vec<Figure> {
+    figures(&Loaded::read(directory.path()).unwrap()).unwrap()
+}
+
+#[test]
+fn the_caption_says_what_was_picked_out_of_what() {
+    let stiffnesses: Vec<f64> = (0..9).map(|power| 10_f64.powi(power)).collect();
+    let figures = drawn(&fixture::movable(&[0.3, 0.5], &stiffnesses, &[50.0, 100.0, 250.0]));
+    let told = "Shown are 6 of 27 finished cases of this wave height: 6 of 9 stiffnesses at \
+                one of 3 masses.";
+    assert!(figures[0].caption.ends_with(told), "{}", figures[0].caption);
+    let few = drawn(&fixture::movable(&[0.5], &[10.0, 500.0], &[250.0]));
+    assert!(!few[0].caption.contains("Shown"), "{}", few[0].caption);
+}
+
+/// The story: caissons were in no figure of histories.
+#[test]
+fn caissons_have_histories_too() {
+    let (_directory, mut data) = fixture::read(fixture::movable(&[0.5], &[10.0], &[50.0, 250.0]));
+    for row in &mut data.rows {
+        *row = row.clone().with(&SPRING_STIFFNESS, "").with(&LOG10_K_STAR, "");
+    }
+    let figure = figures(&data).unwrap().remove(0);
+    let svg = figure.svg();
+    assert!(svg.contains("caisson, m = 50 kg/m") && svg.contains("caisson, m = 250 kg/m"));
+    assert!(figure.caption.contains("and displacement") && !figure.caption.contains("Shown"));
+    // Beside springs and a fixed wall as well.
+    let stiffnesses: Vec<f64> = (0..7).map(|power| 10_f64.powi(power)).collect();
+    let (_directory, mut data) = fixture::read(fixture::movable(&[0.5], &stiffnesses, &[50.0]));
+    let fixed = data.rows[5].clone().with(&SPRING_STIFFNESS, "").with(&SEAWALL_MASS, "");
+    data.rows[5] = fixed;
+    data.rows[4] = data.rows[4].clone().with(&SPRING_STIFFNESS, "");
+    data.rows.truncate(6);
+    let caption = figures(&data).unwrap().remove(0).caption;
+    assert!(!caption.contains("Shown"), "{caption}");
+    data.rows.push(data.rows[4].clone().with(&SEAWALL_MASS, 70));
+    data.rows.push(data.rows[4].clone().with(&SEAWALL_MASS, 90));
+    let told = "Shown are 7 of 8 finished cases of this wave height: 4 of 4 stiffnesses, 2 of 3 \
+                caissons, and the fixed wall.";
+    let caption = figures(&data).unwrap().remove(0).caption;
+    assert!(caption.ends_with(told), "{caption}");
+}
+
+#[test]
+fn scenes_without_a_wave_have_one_figure() {
+    let figures = drawn(&fixture::dam_breaks(1));
+    assert_eq!(figures.len(), 1);
+    assert_eq!(figures[0].name, "history");
+    assert!(figures[0].svg().contains("F / (½ρgh²)") && figures[0].svg().contains("R / h"));
+    assert!(!figures[0].caption.contains("Shown"), "{}", figures[0].caption);
+    let many = drawn(&fixture::dam_breaks(9));
+    let told = "Shown are 6 of 9 finished cases without a wave: spread over their order.";
+    assert!(many[0].caption.ends_with(told), "{}", many[0].caption);
+    assert!(many[0].svg().contains("column_height_m = 0.6"), "a legend tells them apart");
+}
+
+#[test]
+fn a_quantity_that_is_naught_throughout_has_no_panel() {
+    let directory = fixture::dam_breaks(1);
+    let history = "time_s,force,runup,displacement\n0,1,0,0\n1,1.1,0,0\n";
+    std::fs::write(directory.path().join("histories/case-0000.csv"), history).unwrap();
+    let figures = drawn(&directory);
+    assert!(figures[0].svg().contains("F / (½ρgh²)") && !figures[0].svg().contains("R / h"));
+}
