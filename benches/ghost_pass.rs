@@ -138,6 +138,7 @@ fn ghost_pass(interpolator: InterpolatorChoice, spacing: f64) -> f64 {
         gravity_in_sum: true,
         no_slip: false,
         bed_between_walls: true,
+        conservative_bed: false,
     };
     let ghosts = tank_ghosts(&layout, None, strip);
     let bodies = [BodyMotion::default(); 3];

@@ -1,6 +1,6 @@
 //! Waves over beds that are not level, and what is refused.
 
-use crate::beds::{computed, gauges};
+use crate::beds::{computed, computed_with, gauges};
 use crate::common::{Desk, ended, expect_refused, results};
 use seawall::simulation::CaseResult;
 
@@ -33,6 +33,22 @@ fn a_level_bed_is_a_flat_tank() {
     };
     assert_eq!(maxima(&flat), maxima(&level));
     assert!(!flat.history.is_empty() && flat.history == level.history);
+}
+
+/// Water that runs back over the edge of a step found up to 10 % of the paddle's work where the bed did not give back
+/// what it did. From 12 √(gh) on, what stilled the water there fed it, and runs ended.
+#[test]
+fn water_that_runs_back_over_a_step_finds_no_energy() {
+    let step = "tank_length_m = 2.5\nstill_water_depth_m = 0.2\nwave_height_ratio = 0.3\n\
+                bed = [[0, 0], [1.5, 0], [1.5, 0.06], [2.5, 0.06]]";
+    let forces = [8, 16].map(|sound| {
+        let numerics = format!("sound_speed_ratio = {sound}");
+        let wave = computed_with(step, &numerics, &[]).outcome;
+        println!("c0 {sound}: {} %, {:?}", wave.energy_gap_percent, wave.force_max);
+        assert!(wave.energy_gap_percent.abs() < 1.5, "{}", wave.energy_gap_percent);
+        wave.force_max.value
+    });
+    assert!((forces[0] / forces[1] - 1.0).abs() < 0.02, "{forces:?}");
 }
 
 /// Depth h falls to h/2 over a slope; the time that a low wave takes is ∫ dx/√(g d).

@@ -76,27 +76,32 @@ fn water_rests_on_a_ridge_for_five_minutes() {
     );
 }
 
-const STEEP: [&str; 4] = [
+const STEPS: [&str; 2] = [
     "[[0, 0], [0.4, 0], [0.4, 0.1], [1.1, 0.1], [1.1, 0], [1.6, 0]]",
     "[[0, 0], [0.6, 0], [0.6, 0.15], [1.6, 0.15]]",
-    "[[0, 0], [0.5, 0], [0.6, 0.1], [1.6, 0.1]]",
-    "[[0, 0], [0.5, 0], [0.55, 0.1], [1.6, 0.1]]",
 ];
 
-/// Without what the steep bed's feedback takes back, runs ended after 10 to 74 s: water went round at the upper
-/// end of a step and gained by it.
+const STEEP: [&str; 2] =
+    ["[[0, 0], [0.5, 0], [0.6, 0.1], [1.6, 0.1]]", "[[0, 0], [0.5, 0], [0.55, 0.1], [1.6, 0.1]]"];
+
+/// Where the bed did not give back what it did, runs ended after 10 to 74 s: water went round at the upper end of a
+/// step and gained by it.
 #[test]
 fn water_rests_on_steep_beds() {
-    for bed in STEEP {
-        assert!(motion_left(bed, 2) < 1e-5, "{bed}");
+    for (beds, most) in [(STEPS, 1e-6), (STEEP, 1e-5)] {
+        for bed in beds {
+            assert!(motion_left(bed, 2) < most, "{bed}");
+        }
     }
 }
 
 #[test]
 #[ignore = "takes minutes: scripts/nightly runs it"]
 fn water_rests_on_steep_beds_for_five_minutes() {
-    for bed in STEEP {
-        assert!(motion_left(bed, 5) < 1e-5, "{bed}");
+    for (beds, most) in [(STEPS, 1e-9), (STEEP, 1e-5)] {
+        for bed in beds {
+            assert!(motion_left(bed, 5) < most, "{bed}");
+        }
     }
 }
 

@@ -51,8 +51,6 @@ pub struct Exchange {
     pub(super) responses: Vec<[f64; 3]>,
     /// Where the bed gives back what it does.
     pub(super) giving: Option<Giving>,
-    /// How many blocks are the bed's.
-    pub(super) bed_blocks: usize,
 }
 
 impl Exchange {
@@ -83,7 +81,6 @@ impl Exchange {
             wetness: vec![0.0; targets],
             responses: vec![[0.0; 3]; ghosts.len()],
             giving: rules.conservative_bed.then(Giving::default),
-            bed_blocks: ghosts.bodies.first().map_or(0, |bed| bed.ghosts.end / LANES),
         };
         if rules.bed_between_walls {
             exchange.complete_walls(ghosts);

@@ -38,11 +38,17 @@ impl Giving {
         build_pair_list(path, &x, &ghosts.y[bed], &[*fluid], &mut self.list);
         self.fluxes.iter_mut().for_each(|flux| flux.make_room(&self.list));
     }
+
+    /// The bed's blocks of those that count: they come first.
+    fn blocks<'a>(&self, counting: &'a [u32]) -> &'a [u32] {
+        &counting[..counting.partition_point(|&block| (block as usize) < self.list.clusters())]
+    }
 }
 
 /// Finds V_g V_i L_g ∇W_ig at some blocks.
 struct Flux<'a, K> {
-    giving: &'a mut Giving,
+    list: &'a PairList,
+    fluxes: &'a mut [HeldWeights; 2],
     blocks: &'a [u32],
     images: &'a [Image],
     /// Of the water, and of the ghosts alone.
@@ -56,7 +62,7 @@ impl<K: Kernel> Task for Flux<'_, K> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Flux { giving: Giving { list, fluxes: [along, up] }, blocks, images, .. } = self;
+        let Flux { list, fluxes: [along, up], blocks, images, .. } = self;
         let [water, ghosts] = self.records;
         let mut end = 0;
         for &block in blocks {
@@ -101,7 +107,7 @@ impl Task for GiveBack<'_> {
         let GiveBack { exchange, giving, velocities: [u, v], given } = self;
         let [along, up] = &giving.fluxes;
         for part in &exchange.parts {
-            for &block in part.among(&exchange.counting[..exchange.counting_of_bed()]) {
+            for &block in part.among(giving.blocks(&exchange.counting)) {
                 let (row, image) = (block as usize, &exchange.images[block as usize]);
                 let ([along], [up]) = (along.sums::<L, 1>(row, [u]), up.sums::<L, 1>(row, [v]));
                 // A pressure that is held at its lowest is not the water's.
@@ -118,11 +124,6 @@ impl Task for GiveBack<'_> {
 }
 
 impl Exchange {
-    /// How many of the blocks that count are the bed's: they come first.
-    fn counting_of_bed(&self) -> usize {
-        self.counting.partition_point(|&block| (block as usize) < self.bed_blocks)
-    }
-
     /// Whether the bed gives back what it does.
     pub fn gives_back(&self) -> bool {
         self.giving.is_some()
@@ -132,11 +133,11 @@ impl Exchange {
     /// the water, and of the ghosts alone.
     pub fn find_fluxes(&mut self, path: SimdPath, records: [&[Record]; 2]) {
         let Some(mut giving) = self.giving.take() else { return };
-        let blocks = &self.counting[..self.counting_of_bed()];
         let weight_per_volume = self.rules.scaling.weight_per_volume;
         with_kernel!(self.rules.kernel, K => dispatch(path, Flux::<K> {
-            giving: &mut giving,
-            blocks,
+            blocks: giving.blocks(&self.counting),
+            fluxes: &mut giving.fluxes,
+            list: &giving.list,
             images: &self.images,
             records,
             weight_per_volume,

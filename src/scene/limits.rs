@@ -80,10 +80,10 @@ const LIMITS: &[Limit] = &[
          15 % off, and runups up to 20 %; error bars were too narrow",
     ),
     (
-        |case| case.weakly && case.goes_over_steep_bed() && case.numerics.slip == Slip::Free,
-        "waves over a bed steeper than 1:2: as water runs back over its edge energy comes from nowhere, 1 % of the \
-         paddle's work at 1:1, 3 % at 2:1, 2 to 10 % at upright steps, 8 to 53 % in ten periods of a train; two of \
-         nine waves over upright steps ended their runs at twenty rows. Until it runs back it was 0.1 %",
+        |case| case.goes_over_steep_bed() && case.numerics.slip == Slip::Free && !case.gives_back(),
+        "waves over a bed steeper than 1:2 without conservative_bed: as water runs back over its edge energy comes \
+         from nowhere, 2 to 10 % of the paddle's work at upright steps and up to 31 % in ten periods of a train; two of \
+         nine waves over upright steps ended their runs at twenty rows",
     ),
     (
         |case| !case.weakly && case.hits_again() && case.numerics.volume_feedback == 0.0,
@@ -99,8 +99,8 @@ const LIMITS: &[Limit] = &[
         |case| {
             case.weakly && case.scene().has_steep_bed() && case.rows.is_some_and(|rows| rows > 20.0)
         },
-        "a steep bed under water at more than twenty rows: that still water rests for 300 s was seen at \
-         ten, sixteen and twenty rows",
+        "a steep bed under water at more than twenty rows: still water was seen to rest over such beds at ten, \
+         sixteen and twenty rows",
     ),
     (
         |case| case.boundary(BoundaryChoice::ImprovedShepard) && case.has_crest(),

@@ -102,6 +102,7 @@ impl Basin {
                 gravity_in_sum: true,
                 no_slip: false,
                 bed_between_walls: true,
+                conservative_bed: false,
             },
             ghosts: tank_ghosts(&layout, None, STRIP),
             bodies,

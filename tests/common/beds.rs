@@ -9,8 +9,14 @@ const NUMERICS: &str = "particle_spacing_m = 0.02\nboundary = \"normalized\"\n";
 
 /// A case of water of ten rows over a bed, with probes.
 pub fn computed(scene: &str, probes: &[Table]) -> CaseResult {
+    computed_with(scene, "", probes)
+}
+
+/// The same with numerics of its own, too.
+pub fn computed_with(scene: &str, numerics: &str, probes: &[Table]) -> CaseResult {
     let table = |text: &str| text.parse::<Table>().unwrap();
-    let mut config = CaseConfig::from_tables(&table(scene), &table(NUMERICS)).unwrap();
+    let numerics = table(&format!("{NUMERICS}{numerics}"));
+    let mut config = CaseConfig::from_tables(&table(scene), &numerics).unwrap();
     config.probes = probes.iter().map(|table| table.clone().try_into().unwrap()).collect();
     run_case(&config, None, SimdPath::widest(), &Unwatched).unwrap()
 }
