@@ -137,6 +137,9 @@ mpi_environment() {
   command -v ssh >/dev/null || export OMPI_MCA_plm=isolated
 }
 
+# stop_unless_failed CODE: after a sweep. A case that failed (1) is told in its tables; half a study is none.
+stop_unless_failed() { [ "$1" -le 1 ] || exit "$1"; }
+
 # launcher RANKS: sets the array `launch`. Slots are stated, because the default counts physical
 # cores, and ranks are not bound, because a container's cores may not be the machine's.
 launcher() {

@@ -26,7 +26,9 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     assert_eq!(count(standing, ""), 1);
     assert_eq!(count(standing, "volume_feedback = 0.002\nshifting = \"deep\""), 0);
     let ridge = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [1, 0.1], [2, 0.1]]";
-    assert_eq!(count(ridge, "boundary = \"normalized\""), 1, "a wave goes over it");
+    assert_eq!(count(ridge, "boundary = \"normalized\""), 0, "its bed gives back");
+    let keeps = "boundary = \"normalized\"\nconservative_bed = false";
+    assert_eq!(count(ridge, keeps), 2, "a wave goes over it, and still water turns");
     assert_eq!(count(ridge, "boundary = \"normalized\"\nslip = \"no\""), 1, "slip alone");
     let ridge = &format!("{ridge}\nwave_height_ratio = 0\nend_time_s = 9");
     assert_eq!(count(ridge, "boundary = \"normalized\""), 0);
