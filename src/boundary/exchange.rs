@@ -80,7 +80,7 @@ impl Exchange {
             means: vec![Means::default(); targets / LANES],
             wetness: vec![0.0; targets],
             responses: vec![[0.0; 3]; ghosts.len()],
-            giving: rules.conservative_bed.then(Giving::default),
+            giving: Giving::of(&rules, ghosts),
         };
         if rules.bed_between_walls {
             exchange.complete_walls(ghosts);

@@ -13,9 +13,9 @@
 
 use std::marker::PhantomData;
 
-use super::exchange::Exchange;
 use super::ghosts::Ghosts;
 use super::image::Image;
+use super::rules::ExchangeRules;
 use crate::body::Place;
 use crate::kernel::Kernel;
 use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
@@ -27,10 +27,15 @@ use crate::with_kernel;
 pub(super) struct Giving {
     list: PairList,
     /// V_g V_i L_g ∇W_ig, its parts along x and up, m.
-    fluxes: [HeldWeights; 2],
+    pub fluxes: [HeldWeights; 2],
 }
 
 impl Giving {
+    /// Only a bed that is not level gives back.
+    pub fn of(rules: &ExchangeRules, ghosts: &Ghosts) -> Option<Giving> {
+        (rules.conservative_bed && ghosts.profile.is_some()).then(Giving::default)
+    }
+
     /// Lists the fluid around every ghost of the bed; `offset` is the bed's, and the set's reach in metres.
     pub fn rebuild(&mut self, path: SimdPath, ghosts: &Ghosts, offset: f64, fluid: &PointSet<'_>) {
         let bed = ghosts.bodies[Place::Bed.number()].ghosts.clone();
@@ -39,8 +44,29 @@ impl Giving {
         self.fluxes.iter_mut().for_each(|flux| flux.make_room(&self.list));
     }
 
+    /// Finds how water runs into the bed's ghosts of some blocks that count. The records are those of the water, and of
+    /// the ghosts alone.
+    pub fn find(
+        &mut self,
+        path: SimdPath,
+        rules: &ExchangeRules,
+        (counting, images): (&[u32], &[Image]),
+        records: [&[Record]; 2],
+    ) {
+        let weight_per_volume = rules.scaling.weight_per_volume;
+        with_kernel!(rules.kernel, K => dispatch(path, Flux::<K> {
+            blocks: self.blocks(counting),
+            list: &self.list,
+            fluxes: &mut self.fluxes,
+            images,
+            records,
+            weight_per_volume,
+            kernel: PhantomData,
+        }));
+    }
+
     /// The bed's blocks of those that count: they come first.
-    fn blocks<'a>(&self, counting: &'a [u32]) -> &'a [u32] {
+    pub fn blocks<'a>(&self, counting: &'a [u32]) -> &'a [u32] {
         &counting[..counting.partition_point(|&block| (block as usize) < self.list.clusters())]
     }
 }
@@ -88,68 +114,5 @@ impl<K: Kernel> Task for Flux<'_, K> {
                 (slope * xy.mul_add(dx, yy * dy)).store(up);
             }
         }
-    }
-}
-
-/// Gives back what ran into the ghosts of some blocks.
-struct GiveBack<'a> {
-    exchange: &'a Exchange,
-    giving: &'a Giving,
-    velocities: [&'a [f64]; 2],
-    given: &'a mut [f64],
-}
-
-impl Task for GiveBack<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn run<L: Lanes>(self) {
-        let GiveBack { exchange, giving, velocities: [u, v], given } = self;
-        let [along, up] = &giving.fluxes;
-        for part in &exchange.parts {
-            for &block in part.among(giving.blocks(&exchange.counting)) {
-                let (row, image) = (block as usize, &exchange.images[block as usize]);
-                let ([along], [up]) = (along.sums::<L, 1>(row, [u]), up.sums::<L, 1>(row, [v]));
-                // A pressure that is held at its lowest is not the water's.
-                let (zero, pressure) = (L::splat(0.0), L::load(&image.pressure));
-                let flux = L::load(&image.lowest).select_less(pressure, along + up, zero);
-                let flux = flux * L::load(&exchange.scale[row]);
-                let (entries, weights) = part.held.of(row - part.blocks.start);
-                for (&k, weight) in entries.iter().zip(weights) {
-                    given[k as usize] += (L::load(weight) * flux).sum();
-                }
-            }
-        }
-    }
-}
-
-impl Exchange {
-    /// Whether the bed gives back what it does.
-    pub fn gives_back(&self) -> bool {
-        self.giving.is_some()
-    }
-
-    /// Finds how water runs into the ghosts of the bed, for the steps until the next full one. The records are those of
-    /// the water, and of the ghosts alone.
-    pub fn find_fluxes(&mut self, path: SimdPath, records: [&[Record]; 2]) {
-        let Some(mut giving) = self.giving.take() else { return };
-        let weight_per_volume = self.rules.scaling.weight_per_volume;
-        with_kernel!(self.rules.kernel, K => dispatch(path, Flux::<K> {
-            blocks: giving.blocks(&self.counting),
-            fluxes: &mut giving.fluxes,
-            list: &giving.list,
-            images: &self.images,
-            records,
-            weight_per_volume,
-            kernel: PhantomData,
-        }));
-        self.giving = Some(giving);
-    }
-
-    /// Finds the volume per second that each particle gives to the bed's ghosts, m²/s, from velocities along x and y.
-    pub fn give_back(&self, path: SimdPath, velocities: [&[f64]; 2], given: &mut [f64]) {
-        let Some(giving) = &self.giving else { return };
-        given.fill(0.0);
-        dispatch(path, GiveBack { exchange: self, giving, velocities, given });
     }
 }

@@ -20,6 +20,7 @@ mod fill;
 mod gathering;
 mod ghost_part;
 mod ghosts;
+mod give_back;
 mod giving;
 mod image;
 mod improved_shepard;

@@ -155,7 +155,7 @@ section! {
         /// 8 √(g h) here, and dam breaks alone have it by default, 0.006.
         volume_feedback: f64 = 0.0, plain().within(0.0, 0.02).newer();
         /// The bed gives back to the water what work its pressure does, so no energy is made or lost there. Beds that
-        /// are steeper than 1:2 somewhere under still water have it by default.
+        /// are steeper than 1:2 somewhere under still water have it by default. A level bed does not read it.
         conservative_bed: bool = false, weakly(plain()).newer();
         /// Water near the surface gives up what it presses by more than 5 ρgh, as the surface lets go of
         /// sound. Solitary waves above H/h = 0.7 at upright walls over beds no steeper than 1:2 have it by
