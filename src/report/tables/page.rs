@@ -150,7 +150,7 @@ mod tests {
         assert_eq!(told, at(&table.for_page())[0], "as the terminal writes it");
     }
 
-    /// The story: beside failed cases the page had doubtful ones as "ok".
+    /// Beside failed cases the page had doubtful ones as "ok".
     #[test]
     fn a_doubtful_case_is_not_ok() {
         let row = |cells: [&str; 3]| cells.map(str::to_owned).to_vec();
