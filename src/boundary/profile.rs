@@ -140,10 +140,9 @@ impl Profile {
         self.0.windows(2).map(|pair| Stretch::between(pair[0], pair[1]))
     }
 
-    /// The stretches steeper than 1:2 that still water of this depth covers.
-    pub fn steep_under(&self, depth: f64) -> Vec<Stretch> {
-        let covered = |stretch: &Stretch| stretch.heights()[1] < depth;
-        self.stretches().filter(|stretch| stretch.is_steep() && covered(stretch)).collect()
+    /// Whether still water of this depth covers a stretch steeper than 1:2.
+    pub fn is_steep_under(&self, depth: f64) -> bool {
+        self.stretches().any(|stretch| stretch.is_steep() && stretch.heights()[1] < depth)
     }
 
     /// Whether a stretch steeper than 1:2 comes out of still water of this depth.

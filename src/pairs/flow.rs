@@ -120,9 +120,13 @@ impl FlowSums {
         [vx.mul_sub(gy, y.mul_sub(u, self.number(4))), vy.mul_sub(gx, x.mul_sub(v, self.number(5)))]
     }
 
-    /// The sum of both: of a flow that is corrected, and whose strain is not wanted.
+    /// The sum of both, whether they are summed apart or as one: of a flow that is corrected.
     #[inline(always)]
-    pub fn sum_across<D: Lanes>(&self, own: &Own<D>) -> D {
+    pub fn aslant<D: Lanes>(&self, own: &Own<D>) -> D {
+        if self.flow.strained {
+            let [u_y, v_x] = self.across(own);
+            return u_y + v_x;
+        }
         let Own { place: [x, y], velocity: [vx, vy], gradient: [gx, gy] } = *own;
         let (u, v) = (self.number::<D>(0), self.number::<D>(1));
         let crossed = y.mul_add(u, x.mul_sub(v, self.number(4)));

@@ -1,5 +1,7 @@
 //! Sums over the held pairs of eight particles, which need neither distances nor the kernel.
 
+use std::ops::RangeInclusive;
+
 use super::factors::Factors;
 use super::fields::Here;
 use super::flow::{Flow, FlowSums};
@@ -42,24 +44,19 @@ impl Held<'_, '_> {
         loaded(&D::call(Product::<N> { pairs, factors, cluster, group }))
     }
 
-    /// Sums of the flow over the water and the ghosts of so many bodies.
+    /// Sums of the flow over some groups: the water, 0, and bodies' ghosts, 1 and on.
     #[inline(always)]
-    pub fn flow<D: Lanes>(&self, flow: Flow, factors: &[Factors], bodies: usize) -> FlowSums {
+    pub fn flow<D: Lanes>(
+        &self,
+        flow: Flow,
+        factors: &[Factors],
+        groups: RangeInclusive<usize>,
+    ) -> FlowSums {
         let mut sums = [[0.0; LANES]; 8];
-        for group in 0..=bodies {
+        for group in groups {
             if group == 0 || self.reaches(group - 1) {
                 flow.add::<D>(&mut sums, (self.pairs, factors), self.here.list, group);
             }
-        }
-        FlowSums::new(flow, sums)
-    }
-
-    /// Sums of the flow over the ghosts of one body.
-    #[inline(always)]
-    pub fn flow_of<D: Lanes>(&self, flow: Flow, factors: &[Factors], body: usize) -> FlowSums {
-        let mut sums = [[0.0; LANES]; 8];
-        if self.reaches(body) {
-            flow.add::<D>(&mut sums, (self.pairs, factors), self.here.list, body + 1);
         }
         FlowSums::new(flow, sums)
     }

@@ -140,11 +140,6 @@ impl Facts<'_> {
         self.wave > 0.0 && self.scene().has_steep_bed()
     }
 
-    /// Whether its bed gives back to the water what work it does on it.
-    pub fn gives_back(&self) -> bool {
-        self.weakly && self.numerics.conservative_bed
-    }
-
     /// Rows of still water that stand at a wall whose bed ends under water.
     pub fn rows_at_wall(&self) -> Option<f64> {
         let depth = self.scene().frame().depth - self.scene().bed()?.end()[1];

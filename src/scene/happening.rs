@@ -54,7 +54,7 @@ impl Scene {
 
     /// Whether still water covers a stretch of its bed that is steeper than 1:2.
     pub(super) fn has_steep_bed(&self) -> bool {
-        self.bed().is_some_and(|bed| !bed.steep_under(self.frame().depth).is_empty())
+        self.bed().is_some_and(|bed| bed.is_steep_under(self.frame().depth))
     }
 
     /// Whether a stretch of its bed that is steeper than 1:2 comes out of the still water.

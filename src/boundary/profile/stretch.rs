@@ -49,12 +49,6 @@ impl Stretch {
         self.along[1].abs() > STEEP
     }
 
-    /// How far away a place is, metres.
-    pub fn distance(&self, place: [f64; 2]) -> f64 {
-        let [x, y] = self.foot(place);
-        (place[0] - x).hypot(place[1] - y)
-    }
-
     /// The nearest of its points to a place.
     pub(super) fn foot(&self, place: [f64; 2]) -> [f64; 2] {
         let [x, y] = [place[0] - self.from[0], place[1] - self.from[1]];

@@ -48,7 +48,7 @@ impl<F: Diffusion> HeldEquation<Rows<'_>> for Continuity<'_, F> {
     #[inline(always)]
     fn at<D: Double>(&self, here: Here, held: &mut Held<'_, '_>, rows: &mut Rows<'_>) {
         let (strain, [rate, shares, turning]) = rows;
-        let sums = held.flow::<D>(self.flow, self.factors, self.bodies);
+        let sums = held.flow::<D>(self.flow, self.factors, 0..=self.bodies);
         let density = here.of::<D>(&self.fluid.density);
         let mut diffusion = D::splat(0.0);
         if F::ON {
@@ -92,41 +92,38 @@ impl<F: Diffusion> Continuity<'_, F> {
             velocity: here.all([&self.fluid.vx, &self.fluid.vy]),
             gradient: here.all([&work.concentration_x, &work.concentration_y]),
         };
-        let [u_x, v_y] = sums.along(&own);
+        let divergence = self.contracted(here, sums, &own);
+        if !self.flow.corrected {
+            return divergence;
+        }
+        if self.flow.strained {
+            let ([u_x, v_y], [u_y, v_x]) = (sums.along(&own), sums.across(&own));
+            let correction = work.correction(here);
+            self.keep_strain(here, correction, [[u_x, u_y], [v_x, v_y]], strain, turning);
+        }
+        here.in_rows::<D>(turning).mul_add(D::splat(0.5 * self.dt), divergence)
+    }
+
+    /// L : Σ V_j (u_i - u_j) ⊗ ∇W_ij.
+    #[inline(always)]
+    fn contracted<D: Double>(&self, here: Here, sums: &FlowSums, own: &Own<D>) -> D {
+        let [u_x, v_y] = sums.along(own);
         if !self.flow.corrected {
             return u_x + v_y;
         }
-        let [xx, xy, yy] = work.correction(here);
-        let aslant = if self.flow.strained {
-            let [u_y, v_x] = sums.across(&own);
-            self.keep_strain(here, [xx, xy, yy], [[u_x, u_y], [v_x, v_y]], strain, turning);
-            u_y + v_x
-        } else {
-            sums.sum_across(&own)
-        };
-        let divergence = xx.mul_add(u_x, yy * v_y) + xy * aslant;
-        here.in_rows::<D>(turning).mul_add(D::splat(0.5 * self.dt), divergence)
+        let [xx, xy, yy]: [D; 3] = self.work.correction(here);
+        xx.mul_add(u_x, yy * v_y) + xy * sums.aslant(own)
     }
 
     /// What the bed gives, less what the velocities of its ghosts have put into the divergence.
     #[inline(always)]
     fn given_by_bed<D: Double>(&self, here: Here, held: &Held<'_, '_>) -> D {
         let (work, zero) = (self.work, D::splat(0.0));
-        let bed = held.flow_of::<D>(self.flow, self.factors, Place::Bed.number());
+        let group = Place::Bed.number() + 1;
+        let bed = held.flow::<D>(self.flow, self.factors, group..=group);
         let place = here.all::<D, 2>([&work.scaled_x, &work.scaled_y]);
         let own = Own { place, velocity: [zero; 2], gradient: [zero; 2] };
-        let [u_x, v_y] = bed.along(&own);
-        let mut of_velocities = u_x + v_y;
-        if self.flow.corrected {
-            let [xx, xy, yy]: [D; 3] = work.correction(here);
-            let aslant = if self.flow.strained {
-                let [u_y, v_x] = bed.across(&own);
-                u_y + v_x
-            } else {
-                bed.sum_across(&own)
-            };
-            of_velocities = xx.mul_add(u_x, yy * v_y) + xy * aslant;
-        }
+        let of_velocities = self.contracted(here, &bed, &own);
         let given = here.of::<D>(&work.given) * here.of(&self.fluid.density);
         // Padding has no mass.
         let mass = here.of::<D>(&self.fluid.mass).max(D::splat(f64::MIN_POSITIVE));

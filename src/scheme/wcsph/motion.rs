@@ -96,7 +96,6 @@ impl Wcsph {
     pub(super) fn restore_volume(&mut self) -> f64 {
         let Some(shortfall) = &self.shortfall else { return 0.0 };
         let options = &self.options;
-        let per_second = |feedback: f64| feedback * options.state.sound_speed;
         let n = self.fluid.padded_len();
         let Fluid { density, mass, .. } = &mut self.fluid;
         let restore = Restore {
@@ -104,7 +103,8 @@ impl Wcsph {
             work: &self.work,
             options,
             shortfall,
-            rate: per_second(options.volume_feedback)
+            rate: options.volume_feedback
+                * options.state.sound_speed
                 * self.scaling.inverse_radius
                 * self.since_full,
         };
