@@ -20,7 +20,9 @@ const FEWEST: f64 = 3.0;
 pub(super) struct Sight {
     /// Water behind the back so far, more than at the start, m².
     pub volume: f64,
-    /// Through the last column before the back, m²/s.
+    /// Water beyond a section of the last column before the back, on the mean over its sections, m².
+    pub beyond: f64,
+    /// By how much that has grown since the last look, m²/s.
     pub discharge: f64,
     /// Of the fullest column, m.
     pub thickness: f64,
@@ -34,6 +36,8 @@ pub(super) struct Overtopping {
     /// Mass of all water at the start, kg per metre of width.
     start_mass: f64,
     looks: Looks,
+    /// When the last look was, s.
+    looked: Option<f64>,
     last: Sight,
     most: Sight,
 }
@@ -41,8 +45,8 @@ pub(super) struct Overtopping {
 impl Overtopping {
     /// Nothing has gone over yet.
     pub fn open(fluid: &Fluid) -> Overtopping {
-        let (last, most) = Default::default();
-        Overtopping { start_mass: mass(fluid), looks: Looks::default(), last, most }
+        let (looks, looked, last, most) = Default::default();
+        Overtopping { start_mass: mass(fluid), looks, looked, last, most }
     }
 
     /// Whether to look now, from `start` on, s; see [`Looks::is_due`].
@@ -50,9 +54,11 @@ impl Overtopping {
         self.looks.is_due(time, start, intervals)
     }
 
-    /// Looks at the water.
-    pub fn look(&mut self, tank: &Tank, crest: &Crest) {
+    /// Looks at the water at a time, s.
+    pub fn look(&mut self, time: f64, tank: &Tank, crest: &Crest) {
+        let (looked, before) = (self.looked.replace(time), self.last.beyond);
         self.last = sight(tank, crest);
+        self.last.discharge = looked.map_or(0.0, |then| (self.last.beyond - before) / (time - then));
         let (most, last) = (&mut self.most, self.last);
         most.volume = last.volume;
         most.discharge = most.discharge.max(last.discharge);
@@ -63,13 +69,13 @@ impl Overtopping {
 
     /// What the last look told, in the order of [`columns`].
     pub fn values(&self) -> [f64; 4] {
-        let Sight { volume, discharge, thickness, speed } = self.last;
+        let Sight { volume, discharge, thickness, speed, .. } = self.last;
         [volume, discharge, thickness, speed.unwrap_or(0.0)]
     }
 
     /// What has gone over by now.
     pub fn overtopped(&self) -> Overtopped {
-        let Sight { volume, discharge, thickness, speed } = self.most;
+        let Sight { volume, discharge, thickness, speed, .. } = self.most;
         Overtopped {
             volume_m2: volume,
             discharge_max_m2_per_s: discharge,
@@ -102,7 +108,7 @@ impl Overtopping {
 pub(super) fn columns() -> [ProbeColumn; 4] {
     let told = [
         ("m2", "mass behind the back of the crest over the density"),
-        ("m2/s", "thickness times speed of the last column before the back of the crest"),
+        ("m2/s", "growth of the water beyond the last column before the back of the crest"),
         ("m", "volume of the fullest column on the crest over its width"),
         ("m/s", "momentum over mass of the fastest column on the crest"),
     ];
@@ -125,6 +131,7 @@ fn beginnings([front, back]: [f64; 2], width: f64) -> impl Iterator<Item = f64> 
     (0..=steps as usize).map(move |k| if k == 0 { front } else { front + room * k as f64 / steps })
 }
 
+/// What there is at an instant; its discharge takes two.
 fn sight(tank: &Tank, crest: &Crest) -> Sight {
     let (water, spacing, density) = (tank.water.as_ref(), tank.spacing, tank.frame.density);
     let [front, back] = crest.ends;
@@ -148,12 +155,15 @@ fn sight(tank: &Tank, crest: &Crest) -> Sight {
             })
         })
         .collect();
+    let share = |x: f64| ((x - (back - width)) / width).clamp(0.0, 1.0);
+    let last_column = on_top.iter().fold(0.0, |sum, &k| sum + fluid.mass[k] * share(fluid.x[k]));
     // Particles weigh a little less than a row has room for.
     let fewest = (FEWEST - 0.5) * density * spacing * spacing;
     let moving = columns.iter().filter(|[mass, _]| *mass > fewest);
     Sight {
         volume: behind / density,
-        discharge: columns.last().map_or(0.0, |[_, momentum]| momentum / (density * width)),
+        beyond: (behind + last_column) / density,
+        discharge: 0.0,
         thickness: columns.iter().map(|[mass, _]| mass / (density * width)).fold(0.0, f64::max),
         speed: moving.map(|[mass, momentum]| (momentum / mass).max(0.0)).reduce(f64::max),
     }

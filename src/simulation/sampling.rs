@@ -79,7 +79,7 @@ impl Run {
             (&tank.water.walls().crest, &mut logbook.overtopping)
             && overtopping.is_due(clock.time, tank.start_time, intervals)
         {
-            overtopping.look(tank, crest);
+            overtopping.look(clock.time, tank, crest);
         }
         if let Some(gauge) = tank.wave_gauge {
             let crest = logbook.gauge.is_due(clock.time, intervals);
