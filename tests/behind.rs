@@ -109,7 +109,7 @@ fn what_goes_over_lies_on_the_floor() {
     println!("energy gap {} %", case.outcome.energy_gap_percent);
     assert!(volume > 0.02 && over.thickness_max_m > 0.04 && over.speed_max_m_per_s > Some(0.5));
     assert!((there / volume - 1.0).abs() < 0.02 && (beyond / volume - 1.0).abs() < 0.02);
-    assert!((passed / volume - 1.0).abs() < 0.005);
+    assert!((passed / volume - 1.0).abs() < 0.01);
     assert!(case.outcome.energy_gap_percent.abs() < 3.0);
 }
 

@@ -20,7 +20,7 @@ const FEWEST: f64 = 3.0;
 pub(super) struct Sight {
     /// Water behind the back so far, more than at the start, m².
     pub volume: f64,
-    /// Water beyond a section of the last column before the back, on the mean over its sections, m².
+    /// Water beyond a section, on the mean over those within half a column of the back, m².
     pub beyond: f64,
     /// By how much that has grown since the last look, m²/s.
     pub discharge: f64,
@@ -58,7 +58,8 @@ impl Overtopping {
     pub fn look(&mut self, time: f64, tank: &Tank, crest: &Crest) {
         let (looked, before) = (self.looked.replace(time), self.last.beyond);
         self.last = sight(tank, crest);
-        self.last.discharge = looked.map_or(0.0, |then| (self.last.beyond - before) / (time - then));
+        self.last.discharge =
+            looked.map_or(0.0, |then| (self.last.beyond - before) / (time - then));
         let (most, last) = (&mut self.most, self.last);
         most.volume = last.volume;
         most.discharge = most.discharge.max(last.discharge);
@@ -108,7 +109,7 @@ impl Overtopping {
 pub(super) fn columns() -> [ProbeColumn; 4] {
     let told = [
         ("m2", "mass behind the back of the crest over the density"),
-        ("m2/s", "growth of the water beyond the last column before the back of the crest"),
+        ("m2/s", "growth of the water beyond the back of the crest, over a column of sections"),
         ("m", "volume of the fullest column on the crest over its width"),
         ("m/s", "momentum over mass of the fastest column on the crest"),
     ];
@@ -138,8 +139,10 @@ fn sight(tank: &Tank, crest: &Crest) -> Sight {
     let width = (COLUMN * spacing).min(back - front);
     let fluid = water.fluid();
     let mut behind = water.taken().mass - tank.mass_behind;
+    let mut beyond = water.taken().mass;
     let mut on_top = Vec::new();
     for k in (0..fluid.len()).filter(|&k| fluid.x[k] > front) {
+        beyond += fluid.mass[k] * ((fluid.x[k] - back) / width + 0.5).clamp(0.0, 1.0);
         if fluid.x[k] > back {
             behind += fluid.mass[k];
         } else {
@@ -155,14 +158,12 @@ fn sight(tank: &Tank, crest: &Crest) -> Sight {
             })
         })
         .collect();
-    let share = |x: f64| ((x - (back - width)) / width).clamp(0.0, 1.0);
-    let last_column = on_top.iter().fold(0.0, |sum, &k| sum + fluid.mass[k] * share(fluid.x[k]));
     // Particles weigh a little less than a row has room for.
     let fewest = (FEWEST - 0.5) * density * spacing * spacing;
     let moving = columns.iter().filter(|[mass, _]| *mass > fewest);
     Sight {
         volume: behind / density,
-        beyond: (behind + last_column) / density,
+        beyond: beyond / density,
         discharge: 0.0,
         thickness: columns.iter().map(|[mass, _]| mass / (density * width)).fold(0.0, f64::max),
         speed: moving.map(|[mass, momentum]| (momentum / mass).max(0.0)).reduce(f64::max),
