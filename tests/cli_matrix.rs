@@ -92,6 +92,31 @@ fn a_wanted_error_is_chosen_for_verified_and_told() {
     assert!(told.err.contains("[grid] sweeps it"));
 }
 
+/// The story: a case that was doubtful at its first, coarse spacing had narrow bars. It was left there, and nothing but
+/// `met = false` told it.
+#[test]
+fn a_doubtful_case_is_run_again_finer_and_what_cannot_be_met_is_told() {
+    let text = "name = \"steep\"\n[scene]\nwall = \"fixed\"\n[grid]\nwave_height_ratio = [0.6]\n";
+    let desk = Desk::new(text);
+    let sweep = |more: &[&str]| {
+        let command = ["sweep", &desk.file, "--max-error", "9", "--film", "none"];
+        ended(0, &[&command[..], more].concat())
+    };
+    let told = sweep(&["--out", &desk.dir]).err;
+    assert!(told.contains("not within 9 %: 1 case doubtful; these run once more"), "{told}");
+    let table = fs::read_to_string(desk.out.join("max_error.csv")).unwrap();
+    assert!(table.ends_with(",9,true\n") && !table.contains(",0.025,"), "{table}");
+
+    // Finer particles would not make a run longer.
+    let short = desk.path().join("short");
+    let short = ["--out", short.to_str().unwrap(), "--set", "scene.end_time_s=2"];
+    let Told { out, err } = sweep(&short);
+    assert!(out.ends_with("\nnot within 9 %: 1 case doubtful\n"), "{out}");
+    assert!(!err.contains("run once more"), "{err}");
+    let told = sweep(&[&short[..], &["--format", "json"]].concat()).json();
+    assert_eq!(told["accuracy"]["missed"], serde_json::json!({ "doubtful": 1 }));
+}
+
 /// `check` told default numerics with the ids and the cost of other cases than those that the sweep then had.
 #[test]
 fn check_chooses_numerics_for_a_wanted_error_as_sweep_does() {

@@ -3,6 +3,7 @@
 
 use std::collections::BTreeMap;
 
+use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use super::table::{AccuracyTable, Choice, differences};
@@ -10,7 +11,7 @@ use crate::math::digest::digits;
 use crate::quantities::summary::{CASE_ID, PARTICLE_SPACING};
 use crate::results::{CaseRecord, ErrorBars, narrowest_bar_percent};
 use crate::scene::CaseConfig;
-use crate::simulation::Maximum;
+use crate::simulation::{Maximum, finer_particles_may_clear};
 use crate::study::{Case, CaseId, Study};
 
 /// Largest spacing over the depth whose choice can be verified: its companion for the error bars has
@@ -36,8 +37,24 @@ pub struct Verified {
     pub spacing_m: f64,
     /// The larger of the bars of force and displacement, percent; `None` without bars.
     pub bar_percent: Option<f64>,
-    /// Whether that is what was wanted, and nothing makes the numbers doubtful.
-    pub met: bool,
+    /// Why that is not what was wanted; `None` where it is.
+    pub missed: Option<Missed>,
+    /// Whether finer particles may help.
+    may_be_finer: bool,
+}
+
+/// Why a case is not as accurate as wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Missed {
+    /// It failed.
+    Failed,
+    /// Something touches a quoted number.
+    Doubtful,
+    /// It has no error bars.
+    WithoutBars,
+    /// Its error bars are wider.
+    Wide,
 }
 
 impl MaxError {
@@ -70,17 +87,12 @@ impl MaxError {
         study.cases.iter().filter_map(choose).collect()
     }
 
-    /// Finer spacings where the bars are too wide, or where a crest or a bed is too small for companions, and the table
-    /// has any; `records` are the runs'.
+    /// Finer spacings of the cases that miss what is wanted, where these may help and the table has any; `records` are
+    /// the runs'.
     pub fn finer(&self, study: &Study, records: &[Option<CaseRecord>]) -> Choices {
-        let choose = |verified: &Verified| {
-            let misses = verified.bar_percent.is_some_and(|bar| bar > self.percent);
-            if !misses && !study.companions_of[verified.index].is_empty() {
-                return None;
-            }
-            self.next(study, &study.cases[verified.index])
-        };
-        self.verify(study, records).iter().filter_map(choose).collect()
+        let verified = self.verify(study, records).into_iter();
+        let missed = verified.filter(|case| case.missed.is_some() && case.may_be_finer);
+        missed.filter_map(|case| self.next(study, &study.cases[case.index])).collect()
     }
 
     /// The same if the bars of all cases were too wide.
@@ -119,14 +131,28 @@ impl MaxError {
     /// How accurate the finished cases came out; `records` are the runs'.
     pub fn verify(&self, study: &Study, records: &[Option<CaseRecord>]) -> Vec<Verified> {
         let verified = |case: &Case| {
-            let record = records[case.index].as_ref().filter(|record| record.is_ok())?;
+            let record = records[case.index].as_ref()?;
             let bar_percent = bar_percent(record, &study.error_bars(case.index, records));
-            let doubtful = record.outcome.as_ref().is_some_and(|of| of.doubtful_reason.is_some());
-            let met = !doubtful && bar_percent.is_some_and(|bar| bar <= self.percent);
+            let (missed, may_be_finer) = self.judge(record, bar_percent);
             let spacing_m = case.config.numerics.particle_spacing_m;
-            Some(Verified { index: case.index, spacing_m, bar_percent, met })
+            Some(Verified { index: case.index, spacing_m, bar_percent, missed, may_be_finer })
         };
         study.cases.iter().filter_map(verified).collect()
+    }
+
+    /// Why a case misses what is wanted, and whether finer particles may help.
+    fn judge(&self, record: &CaseRecord, bar_percent: Option<f64>) -> (Option<Missed>, bool) {
+        if let Some(failure) = record.failure {
+            return (Some(Missed::Failed), failure.is_instability());
+        }
+        let Some(outcome) = &record.outcome else { return (Some(Missed::WithoutBars), false) };
+        if let Some(reasons) = &outcome.doubtful_reason {
+            return (Some(Missed::Doubtful), finer_particles_may_clear(reasons));
+        }
+        match bar_percent {
+            None => (Some(Missed::WithoutBars), outcome.first_force_max.is_some()),
+            Some(bar) => ((bar > self.percent).then_some(Missed::Wide), true),
+        }
     }
 
     /// `max_error.csv`: which case got which numerics and whether its bars keep to the aim.
@@ -148,7 +174,7 @@ impl MaxError {
                 differences(&case.config),
                 of.bar_percent.map(|bar| bar.to_string()).unwrap_or_default(),
                 self.percent.to_string(),
-                of.met.to_string(),
+                of.missed.is_none().to_string(),
             ])?;
         }
         writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))

@@ -15,7 +15,7 @@ mod stress;
 mod table;
 
 pub use matrix::{Matrix, Trial};
-pub use max_error::{Choices, MaxError, Verified};
+pub use max_error::{Choices, MaxError, Missed, Verified};
 pub use quantity::{Kind, Quantity};
 pub use refine::{Refinement, Round};
 pub use score::{Errors, MethodScore, Scored, cheapest_within, methods, score};

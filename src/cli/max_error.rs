@@ -1,6 +1,6 @@
 //! `sweep --max-error`: telling what numerics were chosen, and whether they kept to the aim.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use serde_json::json;
@@ -9,7 +9,7 @@ use super::cost::{estimated_time, time_of_all};
 use super::failure::BadInput;
 use super::job::Done;
 use super::output::{Output, short};
-use crate::accuracy::{Choice, Choices, MaxError};
+use crate::accuracy::{Choice, Choices, MaxError, Missed, Verified};
 use crate::math::lists::counts;
 use crate::math::words::counted;
 use crate::results::finished;
@@ -66,8 +66,8 @@ pub(super) fn longest(percent: f64, study: &Study) -> Result<f64, BadInput> {
 /// What `check` says of a study whose numerics were chosen.
 pub(super) fn ahead(percent: f64) -> String {
     format!(
-        "{percent} %: these are the numerics that `sweep` begins with; cases whose error bars come out wider run \
-         again, finer"
+        "{percent} %: these are the numerics that `sweep` begins with; cases whose error bars come out wider, or \
+         that are doubtful or fail, run again, finer"
     )
 }
 
@@ -115,9 +115,11 @@ pub(super) fn refine(aim: &MaxError, study: &Study, done: &Done, output: &Output
     if finer.is_empty() {
         return None;
     }
-    let (percent, cases) = (aim.percent(), counted(finer.len(), "case"));
+    let verified = aim.verify(study, done.directory.runs()).into_iter();
+    let again: Vec<_> = verified.filter(|case| finer.contains_key(&case.index)).collect();
+    let (percent, why) = (aim.percent(), why(&missed(&again)));
     output.note(format_args!(
-        "error bars missing or wider than {percent} % in {cases}: these run once more with finer particles"
+        "not within {percent} %: {why}; these run once more with finer particles"
     ));
     Some(with(study, &finer))
 }
@@ -143,6 +145,25 @@ fn with(study: &Study, choices: &Choices) -> Study {
     study.with_choices(|index| choices.get(&index).map(|choice| choice.config.clone()))
 }
 
+/// How many cases miss the aim, by why.
+fn missed(verified: &[Verified]) -> BTreeMap<Missed, usize> {
+    counts(verified.iter().filter_map(|case| case.missed))
+}
+
+/// The same in words.
+fn why(missed: &BTreeMap<Missed, usize>) -> String {
+    let told = |(missed, cases): (&Missed, &usize)| {
+        let cases = counted(*cases, "case");
+        match missed {
+            Missed::Failed => format!("{cases} failed"),
+            Missed::Doubtful => format!("{cases} doubtful"),
+            Missed::WithoutBars => format!("{cases} without error bars"),
+            Missed::Wide => format!("{cases} with wider error bars"),
+        }
+    };
+    missed.iter().map(told).collect::<Vec<_>>().join(", ")
+}
+
 /// Writes `max_error.csv` and tells how many cases kept to the aim.
 pub(super) fn report(
     aim: &MaxError,
@@ -151,21 +172,26 @@ pub(super) fn report(
 ) -> anyhow::Result<(String, serde_json::Value)> {
     let verified = aim.verify(study, done.directory.runs());
     std::fs::write(done.directory.path().join("max_error.csv"), aim.csv(study, &verified)?)?;
-    let met = verified.iter().filter(|case| case.met).count();
+    let met = verified.iter().filter(|case| case.missed.is_none()).count();
     let (percent, cases) = (aim.percent(), counted(study.cases.len(), "case"));
     let widest = verified.iter().filter_map(|case| case.bar_percent).max_by(f64::total_cmp);
     let widest_told = widest.map(|bar| format!("; the widest bar is {} %", short(bar)));
     let floor = aim.floor(study).map(|(floor, _)| floor);
     let floor_told = floor.map(|floor| format!("; none can be narrower than {} %", short(floor)));
+    let missed = missed(&verified);
+    let missed_told =
+        (!missed.is_empty()).then(|| format!("not within {percent} %: {}\n", why(&missed)));
     let told = format!(
         "force and displacement are within {percent} % by their error bars in {met} of {cases} \
-         (max_error.csv){}{}\n",
+         (max_error.csv){}{}\n{}",
         widest_told.unwrap_or_default(),
-        floor_told.unwrap_or_default()
+        floor_told.unwrap_or_default(),
+        missed_told.unwrap_or_default()
     );
     let value = json!({
         "max_error_percent": percent,
         "met": met,
+        "missed": missed,
         "widest_bar_percent": widest,
         "narrowest_possible_bar_percent": floor,
     });

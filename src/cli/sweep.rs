@@ -66,7 +66,8 @@ pub(super) struct SweepArgs {
     #[arg(long)]
     no_branch: bool,
     /// Choose the particle spacing case by case, so that force and displacement are within so many
-    /// percent. Error bars verify it; what misses runs again, finer. In the file this is `[accuracy]
+    /// percent. Error bars verify it; what misses, is doubtful or fails runs again, finer. What cannot be met is
+    /// told at the end and in max_error.csv, and changes no exit code. In the file this is `[accuracy]
     /// max_error_percent`.
     #[arg(long, value_name = "PERCENT", allow_hyphen_values = true, value_parser = max_error::percent)]
     max_error: Option<f64>,

@@ -1,6 +1,7 @@
 //! Whether anything touches a quoted number, so that its history should be looked at first.
 
 use super::blows::Blows;
+use super::doubt_reasons::END_OF_RUN;
 use super::face_gaps::FaceGaps;
 use super::found::Found;
 use super::health::LASTING_GAP;
@@ -132,7 +133,7 @@ impl Evidence<'_> {
         let told: Vec<_> =
             [force, runup].into_iter().filter(at_end).map(|(name, ..)| name).collect();
         (!told.is_empty()).then(|| {
-            format!("end of run: {} at the very end, so more may have followed", told.join(", "))
+            format!("{END_OF_RUN}: {} at the very end, so more may have followed", told.join(", "))
         })
     }
 

@@ -45,7 +45,7 @@ mod waves;
 mod window;
 
 pub use cost::{Cost, Resources, cost};
-pub use doubt_reasons::kinds_of_doubt;
+pub use doubt_reasons::{finer_particles_may_clear, kinds_of_doubt};
 pub use faces::Face;
 pub use failure::{Failure, FailureKind, Stopped};
 pub use health::HealthMargins;
