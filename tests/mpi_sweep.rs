@@ -50,6 +50,28 @@ fn any_number_of_ranks_gives_the_same_bits() {
     assert_same(&reference, &out);
 }
 
+/// The story: under MPI a session was one round. The rest came with the next call, and the exit code was 0 all the same.
+#[test]
+fn ranks_run_all_rounds_of_a_study() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let root = tempfile::tempdir().unwrap();
+    let text =
+        "name = \"steep\"\n[scene]\nwall = \"fixed\"\n[grid]\nwave_height_ratio = [0.5, 0.6]\n";
+    let file = write_file(root.path(), text);
+    let [alone, ranks] = ["alone", "ranks"].map(|name| root.path().join(name));
+    let words = ["sweep", &file, "--max-error", "9", "--film", "none", "--out"];
+    expect_code(&run(&[&words[..], &[alone.to_str().unwrap()]].concat()), 0);
+    let output = mpirun(3).args(words).arg(&ranks).output().unwrap();
+    expect_code(&output, 0);
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(told.contains("these run once more with finer particles"), "{told}");
+    assert_same(&alone, &ranks);
+    let table = |out: &Path| std::fs::read_to_string(out.join("max_error.csv")).unwrap();
+    assert_eq!(table(&alone), table(&ranks));
+}
+
 /// `mpirun` itself may return 1 then, which otherwise says that some case failed.
 #[test]
 fn who_ends_the_launcher_is_told_what_its_exit_code_means() {

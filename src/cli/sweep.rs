@@ -173,7 +173,6 @@ fn lead(
     };
     args.ending.begin(&job.out)?;
     let mut done = execute(&job, crew, interrupt, output)?;
-    let mut films: &[String] = &args.film;
     while done.ending == Ending::Finished {
         let next = match (&aim, &refinement) {
             (Some(aim), _) => max_error::refine(aim, &job.study, &done, output),
@@ -181,13 +180,6 @@ fn lead(
             (None, None) => None,
         };
         let Some(next) = next else { break };
-        if crew.executor() == "mpi" && done.wall_time_s.is_some() {
-            output.note(
-                "under MPI a session is one round: the same command goes on with the next one",
-            );
-            films = &[];
-            break;
-        }
         drop(done); // its lock
         job = Job { study: next, mode: OpenMode::Resume, retry_failed: false, ..job };
         done = execute(&job, crew, interrupt, output)?;
@@ -208,7 +200,7 @@ fn lead(
     }
     Derived::begin(done.directory.path(), MADE_BY_RUNS)?;
     let (filming, film_time_s) =
-        films::make(films, &job.study, &done, args.threads, interrupt, output)?;
+        films::make(&args.film, &job.study, &done, args.threads, interrupt, output)?;
     done.film_time_s = film_time_s;
     done.directory.demand_in_place()?;
     write_all_histories(done.directory.path())?;

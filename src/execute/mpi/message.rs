@@ -12,12 +12,7 @@ use crate::schedule::Work;
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) enum Message {
     Hello(Hello),
-    Start {
-        simd: SimdPath,
-        rank: RankInfo,
-        /// The output directory.
-        out: Option<Mark>,
-    },
+    Start(Start),
     Order(Order),
     /// What has ended since the last time.
     Reports(Vec<Report>),
@@ -30,11 +25,20 @@ pub(super) enum Message {
         trunk: usize,
         bytes: Option<Vec<u8>>,
     },
-    /// Nothing is left to do; rank 0 no longer listens all the time.
+    /// Nothing is left to do for now; rank 0 no longer listens all the time.
     Rest,
     Finish,
     Bye,
     Leave,
     /// Still here.
     Beat,
+}
+
+/// What a rank has to know before it works.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct Start {
+    pub(super) simd: SimdPath,
+    pub(super) rank: RankInfo,
+    /// The output directory.
+    pub(super) out: Option<Mark>,
 }

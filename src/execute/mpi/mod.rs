@@ -5,8 +5,8 @@
 //! threads ends, for half as long as it has been quiet: from 0.05 to 20 ms. Checkpoints go from
 //! rank to rank when the receiver asks.
 //!
-//! A session: every rank says Hello; rank 0 sends Start, then orders; Finish ends it. A rank then
-//! answers Bye once all that it sent has been received, and goes on receiving until Leave, so that
+//! A session: every rank says Hello; rank 0 sends Start, then orders, then Rest. Start may come again, for the
+//! next round of a study; Finish ends it. A rank then answers Bye once all that it sent has been received, and goes on receiving until Leave, so that
 //! nobody waits for a partner that has gone.
 //!
 //! Whoever looks for mail also lets hear of itself, and names a rank that has been silent for long. A dead
@@ -26,7 +26,7 @@ use mpi::Threading;
 use mpi::traits::Communicator;
 
 use self::hello::{Hello, share_cores, stranger};
-use self::message::Message;
+use self::message::{Message, Start};
 use self::post::{Post, out_of_turn};
 use self::station::{RankZero, Station, work};
 use super::worker::with_worker;
@@ -156,7 +156,7 @@ impl Crew for MpiCrew<'_> {
         lead: &mut dyn FnMut(&mut dyn Link) -> Result<(), SweepError>,
     ) -> Result<(), SweepError> {
         let mark = Mark::of(out);
-        self.send_all(|rank| Message::Start { simd, rank: rank.clone(), out: mark.clone() });
+        self.send_all(|rank| Message::Start(Start { simd, rank: rank.clone(), out: mark.clone() }));
         let runner = (self.setup.make_runner)(resources(&self.ranks[0], simd));
         let post = &mut self.post;
         let filing = Filing::here(out);
@@ -170,30 +170,30 @@ impl Crew for MpiCrew<'_> {
     }
 }
 
-/// Any rank but 0.
+/// Any rank but 0: one stretch of work after another, until rank 0 has none left.
 fn serve(setup: &Setup<'_>, mut post: Post) -> Result<(), SweepError> {
     post.send(0, &Message::Hello(Hello::of_this_process()));
-    loop {
+    let mut next = loop {
         match post.receive()? {
             None => std::thread::sleep(post.nap()),
-            Some((0, Message::Finish)) => break,
-            Some((0, Message::Start { simd, rank: info, out })) => {
-                let rank = post.rank();
-                let runner = (setup.make_runner)(resources(&info, simd));
-                let post = &mut post;
-                let filing = out.as_ref().and_then(Filing::elsewhere);
-                if let (Some(out), None) = (&out, &filing) {
-                    let (host, out) = (&info.host, named(out.directory()));
-                    let rest = "rank 0 writes the files of its cases";
-                    eprintln!("note: rank {rank} on {host} does not see {out} of rank 0: {rest}");
-                }
-                with_worker(rank, info.places(), &*runner, filing.as_ref(), |worker| {
-                    work(setup, Station { post, worker })
-                })??;
-                break;
-            }
+            Some((0, Message::Start(start))) => break Some(start),
+            Some((0, Message::Finish)) => break None,
             Some((rank, message)) => return Err(out_of_turn(rank, &message)),
         }
+    };
+    while let Some(Start { simd, rank: info, out }) = next {
+        let rank = post.rank();
+        let runner = (setup.make_runner)(resources(&info, simd));
+        let post = &mut post;
+        let filing = out.as_ref().and_then(Filing::elsewhere);
+        if let (Some(out), None) = (&out, &filing) {
+            let (host, out) = (&info.host, named(out.directory()));
+            let rest = "rank 0 writes the files of its cases";
+            eprintln!("note: rank {rank} on {host} does not see {out} of rank 0: {rest}");
+        }
+        next = with_worker(rank, info.places(), &*runner, filing.as_ref(), |worker| {
+            work(setup, Station { post, worker })
+        })??;
     }
     leave(&mut post)
 }

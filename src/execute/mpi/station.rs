@@ -3,8 +3,8 @@
 use std::collections::{HashMap, VecDeque};
 use std::time::{Duration, Instant};
 
-use super::Message;
 use super::post::{Post, out_of_turn};
+use super::{Message, Start};
 use crate::execute::worker::Worker;
 use crate::execute::{Link, Order, Report, Setup};
 use crate::results::SweepError;
@@ -111,8 +111,11 @@ const SAID_A_SECOND: u32 = 200;
 /// So many reports go in one message at most.
 const MANY: usize = 100;
 
-/// What any rank but 0 does until it is told to finish.
-pub(super) fn work(setup: &Setup<'_>, mut station: Station<'_, '_, '_>) -> Result<(), SweepError> {
+/// What any rank but 0 does until it is told to finish, or to start anew: with what it then gets.
+pub(super) fn work(
+    setup: &Setup<'_>,
+    mut station: Station<'_, '_, '_>,
+) -> Result<Option<Start>, SweepError> {
     let mut told = false;
     let mut nap = Duration::ZERO;
     let every = SAID_EVERY.max(Duration::from_secs(station.post.size() as u64) / SAID_A_SECOND);
@@ -140,7 +143,8 @@ pub(super) fn work(setup: &Setup<'_>, mut station: Station<'_, '_, '_>) -> Resul
                 None => {}
                 Some(Message::Order(order)) => station.obey(order),
                 Some(Message::Rest) => station.post.expect_rank_zero(false),
-                Some(Message::Finish) => return Ok(()),
+                Some(Message::Start(start)) => return Ok(Some(start)),
+                Some(Message::Finish) => return Ok(None),
                 Some(other) => return Err(out_of_turn(rank, &other)),
             }
         }
