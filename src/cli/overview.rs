@@ -191,6 +191,6 @@ fn doubts(done: &Done) -> String {
 fn coarse(told: &[String]) -> String {
     let Some(why) = coarse_spacings(told.iter().map(String::as_str)) else { return String::new() };
     let have = if told.len() == 1 { "has" } else { "have" };
-    let cases = counted(told.len(), "finished case");
+    let (cases, why) = (counted(told.len(), "finished case"), why.replace("; ", ";\n  "));
     format!("{cases} {have} coarse particles (coarse_spacing in summary.csv)\n  {why}\n")
 }
