@@ -202,10 +202,21 @@ fn cases_whose_numerics_were_chosen_are_filmed_verified_and_told() {
     let desk = Desk::new(&text);
     // The first spacings do not do for all: a second round runs finer.
     let sweep = ["sweep", &desk.file, "--out", &desk.dir, "--max-error", "0.6", "--film", "none"];
-    let output = ended(0, &sweep);
-    let before = results(&desk.out);
-    let told = output.err;
+    let told = ended(0, &sweep).err;
     assert!(told.contains("these run once more with finer particles"), "{told}");
+    // An id goes with its numerics: that of the first round was told by `check`, that of the last by the tables.
+    let check = ["check", &desk.file, "--max-error", "0.6", "--format", "json"];
+    let first = ended(0, &check).json()["cases"][1]["id"].as_str().unwrap().to_owned();
+    let table = fs::read_to_string(desk.out.join("max_error.csv")).unwrap();
+    let last = table.lines().nth(2).unwrap().split(',').next().unwrap();
+    assert_ne!(first, last);
+    let film = |id| [&sweep[..6], &["--film", id]].concat();
+    ended(0, &film(last));
+    let anew = ["--fresh"];
+    ended(0, &[&film(&first)[..], &anew].concat());
+    assert!(films(&desk.out).contains(&format!("{last}.html")));
+    fs::remove_dir_all(desk.out.join("films")).unwrap();
+    let before = results(&desk.out);
     for wave in ["wave_height_ratio=0.4", "wave_height_ratio=0.5"] {
         ended(0, &["film", &desk.dir, wave]);
         let text = ended(0, &["show", &desk.dir, wave, "--toml"]);

@@ -1,6 +1,6 @@
 //! `sweep --film`: which cases of a study are filmed, and filming them once the results are there.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -21,11 +21,14 @@ use crate::study::{Case, Study};
 /// A case that took longer than this is filmed only where it is named, seconds.
 const LONGEST_S: f64 = 60.0;
 
-/// Checks what is to be filmed before anything runs.
-pub(super) fn check(words: &[String], study: &Study) -> Result<(), BadInput> {
+/// Checks what is to be filmed before anything runs, and tells the places in the study of the cases that are named.
+pub(super) fn check(words: &[String], study: &Study) -> Result<Places, BadInput> {
     let cases = words.iter().filter(|word| !matches!(word.as_str(), "auto" | "none"));
-    cases.map(String::as_str).try_for_each(|word| named(study, word).map(|_| ()))
+    cases.map(|word| Ok((word.clone(), named(study, word)?.index))).collect()
 }
+
+/// Where in a study words have named a case.
+pub(super) type Places = BTreeMap<String, usize>;
 
 fn named<'a>(study: &'a Study, word: &str) -> Result<&'a Case, BadInput> {
     let words: Vec<_> = word.split(',').map(str::to_owned).collect();
@@ -45,9 +48,11 @@ pub(super) fn pages(directory: &Path) -> Vec<PathBuf> {
 }
 
 /// Runs the cases again that are to be filmed, one after the other. No film costs a result: what cannot
-/// be filmed is told. The exit code is what the films ask for; the seconds are what they took.
+/// be filmed is told. Words that name no case any more name the one at their place. The exit code is what the films ask
+/// for; the seconds are what they took.
 pub(super) fn make(
     words: &[String],
+    places: &Places,
     study: &Study,
     done: &Done,
     threads: Option<u16>,
@@ -67,7 +72,7 @@ pub(super) fn make(
         true => highlights(study, set.records),
         false => Vec::new(),
     };
-    let cases = wanted(words, &highlights, &set, output)?;
+    let cases = wanted(words, places, &highlights, &set, output)?;
     let mut code = SUCCESS;
     let filmed_any = !cases.is_empty();
     if filmed_any {
@@ -99,6 +104,7 @@ pub(super) fn make(
 /// What is asked for; what is worth a look has no second film, and takes no long time.
 fn wanted<'a>(
     words: &[String],
+    places: &Places,
     highlights: &[Highlight],
     set: &Set<'a>,
     output: &Output,
@@ -125,7 +131,10 @@ fn wanted<'a>(
                 }
                 (fits && (damaged || !there)).then_some(case)
             })),
-            word => cases.push(named(set.study, word)?),
+            word => cases.push(match (named(set.study, word), places.get(word)) {
+                (Err(_), Some(&place)) => &set.study.cases[place],
+                (case, _) => case?,
+            }),
         }
     }
     let mut seen = BTreeSet::new();

@@ -91,6 +91,19 @@ pub(super) fn first(aim: &MaxError, study: &Study, output: &Output) -> Study {
     chosen
 }
 
+/// The study as an earlier run has left it, with what it has chosen since; else as `sweep` begins it.
+pub(super) fn begun(
+    aim: &MaxError,
+    study: &Study,
+    out: &Path,
+    fresh: bool,
+    output: &Output,
+) -> Study {
+    let first = first(aim, study, output);
+    let here = || stored(aim.percent(), study, out).ok();
+    Some(out).filter(|_| !fresh).and_then(|_| here()).unwrap_or(first)
+}
+
 /// Why a case gets its numerics.
 fn reason(choice: &Choice, percent: f64) -> String {
     let hope = if choice.meets {

@@ -153,12 +153,14 @@ fn lead(
     let out = args.out.clone().unwrap_or_else(|| default_out(&study));
     // A large study is held once.
     let first = match (&aim, &refinement) {
-        (Some(aim), _) => max_error::first(aim, &study, output),
+        (Some(aim), _) => max_error::begun(aim, &study, &out, args.fresh, output),
         // What an earlier run has added is there from the start.
         (_, Some(_)) if !args.fresh => refine::study_in(&out, &file).unwrap_or(study),
         _ => study,
     };
-    films::check(&args.film, &first)?;
+    // An id goes with its numerics where these are chosen; the places of cases stay.
+    let places = films::check(&args.film, &first)?;
+    let places = if aim.is_some() { places } else { Default::default() };
     warnings::tell(&args.file, &first, output);
     warnings::tell_threads(args.threads, output);
     let mut job = Job {
@@ -200,7 +202,7 @@ fn lead(
     }
     Derived::begin(done.directory.path(), MADE_BY_RUNS)?;
     let (filming, film_time_s) =
-        films::make(&args.film, &job.study, &done, args.threads, interrupt, output)?;
+        films::make(&args.film, &places, &job.study, &done, args.threads, interrupt, output)?;
     done.film_time_s = film_time_s;
     done.directory.demand_in_place()?;
     write_all_histories(done.directory.path())?;
