@@ -60,6 +60,9 @@ trait Camera: Send {
 
     /// Writes what is still to be written, once the run is well.
     fn finish(self: Box<Self>, result: &CaseResult) -> io::Result<()>;
+
+    /// The run has failed, or was stopped: what was written already is left so that it can be looked at.
+    fn stop(self: Box<Self>) {}
 }
 
 impl Filming {
@@ -83,10 +86,18 @@ impl Filming {
         };
         let (interval_s, faces) = (camera.interval_s(), camera.sees_faces());
         let set = Set { inner, interval_s, faces, camera: Mutex::new(camera) };
-        let result = run(&set)?;
+        let result = run(&set);
         let camera = set.camera.into_inner().unwrap_or_else(PoisonError::into_inner);
-        let written = camera.finish(&result);
-        Ok((result, written))
+        match result {
+            Ok(result) => {
+                let written = camera.finish(&result);
+                Ok((result, written))
+            }
+            Err(stopped) => {
+                camera.stop();
+                Err(stopped)
+            }
+        }
     }
 }
 

@@ -104,8 +104,19 @@ impl Camera for VtkCamera {
         }
     }
 
-    /// Lists what was taken.
     fn finish(self: Box<Self>, _: &CaseResult) -> io::Result<()> {
+        self.list()
+    }
+
+    fn stop(self: Box<Self>) {
+        // The run's own failure is what is told.
+        let _ = self.list();
+    }
+}
+
+impl VtkCamera {
+    /// Lists what was taken.
+    fn list(self) -> io::Result<()> {
         let mut text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n\
             <Collection>\n"
             .to_owned();
@@ -172,11 +183,12 @@ mod tests {
         let points = vec![[0.0, 0.0], [0.0, 1.0]];
         let place = Place::Left;
         let face = Face { place, velocity: 0.5, points, pressure: vec![9.0, 0.0] };
-        // The second attempt of a run takes the place of the first.
-        for time_s in [0.0, 0.1, 0.2, 0.0, 0.15] {
+        let shoot = |camera: &mut VtkCamera, time_s| {
             let (pressure, faces) = (&[1.0, 2.5, 3.0, 0.0], std::slice::from_ref(&face));
             camera.shoot(&Film { time_s, fluid: &fluid, pressure, walls: [0.0; 2], faces });
-        }
+        };
+        // The second attempt of a run takes the place of the first.
+        [0.0, 0.1, 0.2, 0.0, 0.15].into_iter().for_each(|time_s| shoot(&mut camera, time_s));
         let result =
             made_up(&CaseConfig::from_tables(&toml::Table::new(), &toml::Table::new()).unwrap());
         Box::new(camera).finish(&result).unwrap();
@@ -186,5 +198,12 @@ mod tests {
         assert_eq!(list.matches("<DataSet").count(), 4, "{list}");
         let water = fs::read_to_string(root.path().join("case/water_00001.vtu")).unwrap();
         assert!(water.contains("NumberOfPoints=\"3\"") && water.contains("density_kg_per_m3"));
+
+        // A run that failed left its instants without the list that opens them.
+        let mut failed = VtkCamera::new(root.path(), "failed".to_owned(), 0.1, true).unwrap();
+        shoot(&mut failed, 0.0);
+        Box::new(failed).stop();
+        let list = fs::read_to_string(root.path().join("failed.pvd")).unwrap();
+        assert_eq!(list.matches("<DataSet").count(), 2, "{list}");
     }
 }
