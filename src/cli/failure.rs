@@ -96,8 +96,10 @@ fn object(error: &anyhow::Error, message: &str, code: u8) -> Value {
     let kind = if code == BAD_INPUT { "bad-input" } else { "internal" };
     let mut told = json!({ "kind": kind, "message": message, "exit_code": code });
     if let Some(BadFile { path, error }) = error.downcast_ref() {
+        let (line, key) = line_and_key(&error.key);
         told["file"] = json!(json_path(path));
-        told["key"] = json!(error.key);
+        told["line"] = json!(line);
+        told["key"] = json!(key);
         told["value"] = json!(error.value);
         told["allowed"] = json!(error.allowed);
     }
@@ -105,6 +107,15 @@ fn object(error: &anyhow::Error, message: &str, code: u8) -> Value {
         told["file"] = json!(json_path(path));
     }
     json!({ "error": told })
+}
+
+/// The line that an error names in place of a key, or before it.
+fn line_and_key(place: &str) -> (Option<u64>, &str) {
+    let (line, key) = place.split_once(": ").unwrap_or((place, ""));
+    match line.strip_prefix("line ").and_then(|line| line.parse().ok()) {
+        Some(line) => (Some(line), key),
+        None => (None, place),
+    }
 }
 
 /// An error and its causes, without those that it names itself.
@@ -142,6 +153,13 @@ mod tests {
         assert_eq!(code(damaged.into()), BAD_INPUT);
         assert_eq!(code(std::io::Error::from(ErrorKind::BrokenPipe).into()), SUCCESS);
         assert_eq!(code(anyhow::anyhow!("x")), INTERNAL);
+    }
+
+    #[test]
+    fn a_line_is_no_key() {
+        assert_eq!(line_and_key("line 4"), (Some(4), ""));
+        assert_eq!(line_and_key("line 12: still_water_depth_m"), (Some(12), "still_water_depth_m"));
+        assert_eq!(line_and_key("scene.wall"), (None, "scene.wall"));
     }
 
     #[test]
