@@ -9,6 +9,7 @@ use toml::{Table, Value};
 use super::error::ConfigError;
 use super::key::Key;
 use super::rule::When;
+use super::shape::Shape;
 
 /// A table of a file. `section!` writes it from the declarations of its keys.
 pub trait Section: Sized {
@@ -157,10 +158,17 @@ pub fn value<S: Section, T: DeserializeOwned>(
     let Some(value) = table.get(name) else {
         return otherwise().ok_or_else(|| key.missing(&path()));
     };
-    let read = T::deserialize(value.clone())
+    let read = T::deserialize(whole(key, value).unwrap_or_else(|| value.clone()))
         .map_err(|error| key.refuse(&path(), value, error.message()))?;
     key.check(&path(), value)?;
     Ok(read)
+}
+
+/// A whole number that is written with a point or an exponent, as 1e5, where a key takes these alone.
+fn whole(key: &Key, value: &Value) -> Option<Value> {
+    let number = value.as_float().filter(|number| (0.0..=f64::from(u32::MAX)).contains(number))?;
+    let is_whole = number.fract() == 0.0 && (key.shape)() == Shape::Whole;
+    is_whole.then_some(Value::Integer(number as i64))
 }
 
 /// Puts a value of a section into its table, where there is one.

@@ -103,6 +103,14 @@ fn every_bad_value_is_told_with_its_key() {
     }
 }
 
+/// A limit of 1e5 steps was refused as no whole number.
+#[test]
+fn a_whole_number_may_have_a_point_or_an_exponent() {
+    let read = |retries: &str| case("", &format!("retries = {retries}")).unwrap();
+    assert_eq!(read("2.0"), read("2"));
+    assert_eq!(read("0.2e1"), read("2"));
+}
+
 /// What a value is told that is none of the names of a choice.
 fn one_of<T: DeserializeOwned>() -> String {
     let Shape::Names(names) = Shape::of::<T>() else { panic!("it has no names") };
