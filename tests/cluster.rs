@@ -63,7 +63,8 @@ fn a_job_script_says_what_was_asked_for() {
     for name in ["{NAME}", "{NODES}", "{OUT}", "{FILE}", "{GRACE}", "{MORE}"] {
         assert!(!text.contains(name), "{name}: {text}");
     }
-    for bad in [&["--nodes", "0", "--time", "1"][..], &["--nodes", "1", "--time", "1h"]] {
+    let idle = ["--nodes", "1", "--time", "9", "--launcher", " "];
+    for bad in [&["--nodes", "0", "--time", "1"][..], &["--nodes", "1", "--time", "1h"], &idle] {
         ended(2, &[&["slurm", &desk.file][..], bad].concat());
     }
 }

@@ -37,7 +37,7 @@ pub(super) struct SlurmArgs {
     #[arg(long, value_name = "SECONDS", default_value_t = 120, value_parser = options::whole(1, 65_535_u32), allow_negative_numbers = true)]
     grace_s: u32,
     /// The command that starts the ranks.
-    #[arg(long, value_name = "COMMAND", default_value = "srun --mpi=pmix --kill-on-bad-exit=1")]
+    #[arg(long, value_name = "COMMAND", value_parser = command, default_value = "srun --mpi=pmix --kill-on-bad-exit=1")]
     launcher: String,
     /// Where results go [default: results/runs/<name>].
     #[arg(long, value_name = "DIR")]
@@ -49,6 +49,11 @@ pub(super) struct SlurmArgs {
 
 /// The script, with names in braces for what is filled in.
 const SCRIPT: &str = include_str!("../../data/slurm.sh");
+
+fn command(text: &str) -> Result<String, String> {
+    let refused = || "must be a command, such as srun or mpirun".to_owned();
+    Some(text.trim()).filter(|text| !text.is_empty()).map(str::to_owned).ok_or_else(refused)
+}
 
 fn time(text: &str) -> Result<String, String> {
     let refused = || "must be minutes, HH:MM:SS or DAYS-HH:MM:SS, and more than nothing".to_owned();
