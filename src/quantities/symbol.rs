@@ -29,13 +29,15 @@ pub fn name_of_symbol(word: &str) -> Option<&'static str> {
     called(word).next().map(|column| column.name)
 }
 
-/// The columns that somebody means by what is nearly a symbol, such as `F_max` or `k*`, as a question; `None` for
-/// other words.
+/// The columns that somebody means by what is nearly a symbol, such as `F_max` or `k*`, or by a maximum's bare word,
+/// such as `force`, as a question; `None` for other words.
 pub fn meant_by(word: &str) -> Option<String> {
     let logarithm = format!("log₁₀ {}", word.trim());
+    let maximum = plain(word) + "max";
     let like = |column: &&&Column| {
         let near = plain(word).len() > 2 && plain(word) == plain(column.symbol);
-        column.is_number() && (near || column.symbol == logarithm)
+        let bare = plain(column.name) == maximum;
+        column.is_number() && (near || bare || column.symbol == logarithm)
     };
     let exact = called(word).map(|column| column.name);
     let near = ALL.iter().filter(like).map(|column| column.name);
@@ -84,6 +86,7 @@ mod tests {
     fn a_symbol_written_otherwise_is_guessed() {
         let told = |word: &str| meant_by(word).unwrap_or_default();
         assert_eq!(told("F_max"), "; did you mean force_max?");
+        assert_eq!(told("force"), "; did you mean force_max?");
         assert_eq!(told("Rmax"), "; did you mean runup_max?");
         assert_eq!(told("log10 k*"), "; did you mean log10_k_star?");
         assert_eq!(told("k*"), "; did you mean log10_k_star?");

@@ -52,6 +52,7 @@ fn bad_conditions_are_told() {
         ("force_mx < 2", "force_mx: no column of numbers has this name; did you mean force_max?"),
         ("colour < 2", "colour: no column of numbers has this name (`seawall explain` lists all)"),
         ("F_max < 2", "F_max: no column of numbers has this name; did you mean force_max?"),
+        ("force < 2", "force: no column of numbers has this name; did you mean force_max?"),
         ("k* < 2", "k*: no column of numbers has this name; did you mean log10_k_star?"),
         ("status < 2", "status: holds words; a condition needs a column of numbers"),
         ("force_max 2", "\"force_max 2\": holds none of <, <=, >, >= and =; write COLUMN < NUMBER"),
