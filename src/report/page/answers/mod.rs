@@ -1,6 +1,7 @@
 //! What a study says, in sentences with numbers: each is generated from the rows alone, and one
 //! that the rows cannot fill is left out.
 
+mod aim;
 mod doubts;
 mod errors;
 mod force;
@@ -36,6 +37,7 @@ pub fn all(data: &Loaded, file: Option<&SceneFile>) -> Vec<Answer> {
         ("Doubts", doubts::doubtful(data)),
         ("Spacing", doubts::coarse(data)),
         ("Errors", errors::bars(data)),
+        ("The aim", aim::met(data)),
     ];
     let answer = |(about, text): (_, Option<String>)| Some(Answer { about, text: text? });
     answers.into_iter().filter_map(answer).collect()

@@ -1,0 +1,49 @@
+//! Whether a study keeps to the error that it aims at.
+
+use std::path::Path;
+
+use crate::math::words::counted;
+use crate::report::load::Loaded;
+
+/// In how many cases force and displacement are within the wanted error; `None` where none was wanted.
+pub fn met(data: &Loaded) -> Option<String> {
+    read(&data.directory.join("max_error.csv"))
+}
+
+fn read(path: &Path) -> Option<String> {
+    let mut reader = csv::Reader::from_path(path).ok()?;
+    let headers = reader.headers().ok()?.clone();
+    let place = |wanted: &str| headers.iter().position(|name| name == wanted);
+    let (percent, met) = (place("max_error_percent")?, place("met")?);
+    let rows: Vec<_> = reader.records().map_while(Result::ok).collect();
+    let percent = rows.first()?.get(percent)?;
+    let kept = rows.iter().filter(|row| row.get(met) == Some("true")).count();
+    let cases = counted(rows.len(), "case");
+    let rest = if kept < rows.len() { "; max_error.csv tells which" } else { "" };
+    Some(format!(
+        "By their error bars force and displacement are within the {percent} % that were asked for in {kept} of \
+         {cases}{rest}."
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_missed_aim_is_told() {
+        let root = tempfile::tempdir().unwrap();
+        let path = root.path().join("max_error.csv");
+        assert_eq!(read(&path), None);
+        let told = |rows: &str| {
+            let head =
+                "case_id,particle_spacing_m,numerics,error_bar_percent,max_error_percent,met";
+            std::fs::write(&path, format!("{head}\n{rows}")).unwrap();
+            read(&path).unwrap_or_default()
+        };
+        let well = "a,0.02,\"particle_spacing_m = 0.02, precision = f32\",1.5,2,true\n";
+        assert!(told(well).ends_with(" the 2 % that were asked for in 1 of 1 case."));
+        let told = told(&format!("{well}b,0.025,particle_spacing_m = 0.025,,2,false\n"));
+        assert!(told.ends_with(" in 1 of 2 cases; max_error.csv tells which."), "{told}");
+    }
+}
