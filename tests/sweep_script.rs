@@ -244,3 +244,22 @@ fn a_job_that_gets_no_further_is_given_up() {
     expect_code(&output, 70);
     assert_eq!(fs::read_to_string(&starts).unwrap().lines().count(), 3);
 }
+
+/// The story: `scripts/validate` removed what earlier runs had left before it had looked at its words.
+#[test]
+fn words_that_cannot_be_used_cost_no_earlier_results() {
+    let root = tempfile::tempdir().unwrap();
+    let parts = ["scripts", "sweeps"].map(|part| Path::new(env!("CARGO_MANIFEST_DIR")).join(part));
+    let copied = Command::new("cp").arg("-r").args(parts).arg(root.path()).status().unwrap();
+    assert!(copied.success());
+    let earlier = root.path().join("results/runs/validation");
+    fs::create_dir_all(&earlier).unwrap();
+    fs::write(earlier.join("summary.md"), "earlier").unwrap();
+    for words in [&["--nonsense"][..], &["--set", "numerics.colour=1"]] {
+        let mut command = Command::new(root.path().join("scripts/validate"));
+        command.args(words).env("SEAWALL_BINARY", env!("CARGO_BIN_EXE_seawall"));
+        let output = command.env("CARGO_TARGET_DIR", root.path().join("target")).output().unwrap();
+        expect_code(&output, 2);
+        assert!(earlier.join("summary.md").exists(), "{words:?}");
+    }
+}
