@@ -57,8 +57,10 @@ impl<'de> Deserialize<'de> for Stroke {
 impl Stroke {
     /// Reads a file with the columns `time_s` and `stroke_m`.
     fn read(path: &str) -> Result<Stroke, String> {
-        let mut reader =
-            csv::Reader::from_path(path).map_err(|error| format!("cannot be read: {error}"))?;
+        let missing = |error| {
+            format!("cannot be read: {error}; a path counts from where the program is started")
+        };
+        let mut reader = csv::Reader::from_path(path).map_err(missing)?;
         let columns = reader.headers().map_err(|error| error.to_string())?;
         if columns.iter().map(str::trim).ne(["time_s", "stroke_m"]) {
             return Err("must be a CSV file with the columns time_s and stroke_m".to_owned());
