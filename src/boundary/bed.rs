@@ -7,6 +7,7 @@ use super::ghosts::{BodySites, Reflection, Site};
 use super::layout::{TankLayout, at};
 use super::plane::Plane;
 use super::profile::{Profile, Stretch};
+use super::territory::Territory;
 
 /// Rise along a stretch from which on it is a wall, whose ghosts ask how wet they are. On anything flatter
 /// the thinnest sheet of water is borne by whole ghosts, and a dry ghost has no water in reach.
@@ -16,17 +17,23 @@ const STEEP: f64 = 0.7;
 ///
 /// Each stretch continues a lattice behind its face. Where the bed bends up the wedge between two
 /// normals is filled ring by ring. Where it bends down two lattices would overlap: each ends at the
-/// line between them, where a ghost counts as far as its cell lies on its own side.
+/// line between them, where a ghost counts as far as its cell lies on its own side. Behind low steps, short
+/// stretches and narrow ridges others come as near, too: see [`Territory`].
 pub(super) fn bed_sites(layout: &TankLayout, profile: &Profile) -> BodySites {
     let stretches: Vec<_> = profile.stretches().collect();
-    let mut bed =
-        Bed { layout, level: profile.level_up_to(), sites: Vec::new(), faces: Vec::new() };
+    let mut bed = Bed {
+        layout,
+        territory: Territory::of(&stretches, layout.support_radius),
+        level: profile.level_up_to(),
+        sites: Vec::new(),
+        faces: Vec::new(),
+    };
     for (number, stretch) in stretches.iter().enumerate() {
         let before = number.checked_sub(1).map(|before| &stretches[before]);
         let after = stretches.get(number + 1);
-        bed.lay(stretch, [before, after]);
+        bed.lay((number, stretch), [before, after]);
         if let Some(after) = after.filter(|after| turn(stretch, after) > 0.0) {
-            bed.fill_bend(stretch, after);
+            bed.fill_bend(number, [stretch, after]);
         }
     }
     // Its profile stands for the bed's own plane.
@@ -42,6 +49,7 @@ fn turn(before: &Stretch, after: &Stretch) -> f64 {
 
 struct Bed<'a> {
     layout: &'a TankLayout,
+    territory: Territory<'a>,
     /// Up to where the bed is level from the paddle on, and never dry.
     level: f64,
     sites: Vec<Site>,
@@ -50,7 +58,11 @@ struct Bed<'a> {
 
 impl Bed<'_> {
     /// The lattice behind one stretch.
-    fn lay(&mut self, stretch: &Stretch, [before, after]: [Option<&Stretch>; 2]) {
+    fn lay(
+        &mut self,
+        (number, stretch): (usize, &Stretch),
+        [before, after]: [Option<&Stretch>; 2],
+    ) {
         let TankLayout { spacing_x, spacing_y, support_radius, .. } = *self.layout;
         let columns = (stretch.length / spacing_x).round().max(1.0);
         let width = stretch.length / columns;
@@ -73,6 +85,11 @@ impl Bed<'_> {
                 if let Some(after) = after.filter(|after| turn(stretch, after) < 0.0) {
                     share = share.min(0.5 - past(ghost, stretch, after) / width);
                 }
+                let cell = |[a, b]: [f64; 2]| {
+                    let behind = depth + b * spacing_y;
+                    (stretch.place(along + a * width, behind), behind)
+                };
+                let share = self.territory.share([number, number], share.clamp(0.0, 1.0), cell);
                 if share > 0.0 {
                     self.sites.push(Site {
                         ghost,
@@ -87,13 +104,26 @@ impl Bed<'_> {
         }
     }
 
-    /// The wedge behind a bend upwards.
-    fn fill_bend(&mut self, before: &Stretch, after: &Stretch) {
+    /// The wedge behind a bend upwards, from a stretch with this number to the next.
+    fn fill_bend(&mut self, number: usize, [before, after]: [&Stretch; 2]) {
         let width = turn(before, after);
         let [nx, ny] = before.normal();
         let middle = libm::atan2(ny, nx) + 0.5 * width;
         let corner = Corner { vertex: after.from, middle, width, water: PI - width };
-        self.sites.extend(corner.sites(self.layout, Site::ALWAYS_WET));
+        for site in corner.sites(self.layout, Site::ALWAYS_WET) {
+            let [x, y] = [0, 1].map(|axis| site.ghost[axis] - after.from[axis]);
+            let broad = site.volume / self.layout.spacing_x / site.distance;
+            let cell = |[a, b]: [f64; 2]| {
+                let [sin, cos] = [libm::sin(a * broad), libm::cos(a * broad)];
+                let farther = 1.0 + b * self.layout.spacing_x / site.distance;
+                let place = [x * cos - y * sin, x * sin + y * cos].map(|part| part * farther);
+                ([0, 1].map(|axis| after.from[axis] + place[axis]), site.distance * farther)
+            };
+            let share = self.territory.share([number, number + 1], 1.0, cell);
+            if share > 0.0 {
+                self.sites.push(Site { volume: site.volume * share, ..site });
+            }
+        }
     }
 }
 
@@ -127,6 +157,11 @@ mod tests {
             (
                 vec![[0.0, 0.0], [1.0, 0.0], [1.0, 0.3], [3.0, 0.3]],
                 0.33 + 0.005 * (PI / 2.0) - 0.01,
+            ),
+            // A ridge of two spacings: what is behind both of its sides counts once.
+            (
+                vec![[0.0, 0.0], [1.0, 0.0], [1.0, 0.1], [1.04, 0.1], [1.04, 0.0], [3.0, 0.0]],
+                0.296 + 0.004 + 0.04 * 0.099,
             ),
         ] {
             let profile = Profile::checked(points.clone()).unwrap();

@@ -38,6 +38,7 @@ mod rules;
 mod sfdi;
 mod sums;
 mod tank;
+mod territory;
 mod wall;
 mod waterline;
 mod weighing;

@@ -50,7 +50,7 @@ impl Stretch {
     }
 
     /// The nearest of its points to a place.
-    pub(super) fn foot(&self, place: [f64; 2]) -> [f64; 2] {
+    pub fn foot(&self, place: [f64; 2]) -> [f64; 2] {
         let [x, y] = [place[0] - self.from[0], place[1] - self.from[1]];
         let way = (x * self.along[0] + y * self.along[1]).clamp(0.0, self.length);
         self.place(way, 0.0)
