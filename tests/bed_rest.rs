@@ -93,6 +93,16 @@ fn water_rests_on_what_is_lower_or_narrower_than_a_support() {
     }
 }
 
+/// An upright step that lies across a column of particles. What did not fit the column pressed 1 to 3 % too hard, and the
+/// water moved at 10 to 30 mm/s after 20 s.
+#[test]
+fn water_rests_before_a_step_across_a_column() {
+    for at in [0.805, 0.81, 0.815] {
+        let bed = format!("[[0, 0], [{at}, 0], [{at}, 0.1], [1.6, 0.1]]");
+        assert!(motion_left(&bed, 10) < 1e-3, "{bed}");
+    }
+}
+
 const STEPS: [&str; 2] = [
     "[[0, 0], [0.4, 0], [0.4, 0.1], [1.1, 0.1], [1.1, 0], [1.6, 0]]",
     "[[0, 0], [0.6, 0], [0.6, 0.15], [1.6, 0.15]]",
