@@ -7,6 +7,9 @@ use crate::boundary::BoundaryChoice;
 use crate::scheme::isph::Laplacian;
 use crate::scheme::wcsph::Shifting;
 
+/// Whether a case runs into a known limit, and what is told of it.
+pub(super) type Limit = (fn(&Facts<'_>) -> bool, &'static str);
+
 /// Walls this stiff, N/m per metre of width, stand as good as still under the highest waves.
 const STIFF: f64 = 1e4;
 

@@ -2,8 +2,12 @@
 //! `seawall accuracy` and `scripts/boundary_comparison`; see `results/stability`, `results/accuracy` and
 //! `results/boundary_comparison`.
 
+mod beds;
+
+use beds::BEDS;
+
 use super::config::CaseConfig;
-use super::facts::Facts;
+use super::facts::{Facts, Limit};
 use super::kind::Scene;
 use super::numerics::{GhostGravity, Slip};
 use super::size;
@@ -13,10 +17,9 @@ use crate::boundary::BoundaryChoice;
 /// same limit.
 pub fn limits(config: &CaseConfig) -> Vec<&'static str> {
     let facts = Facts::of(config);
-    LIMITS.iter().filter(|(holds, _)| holds(&facts)).map(|(_, told)| *told).collect()
+    let all = LIMITS.iter().chain(BEDS);
+    all.filter(|(holds, _)| holds(&facts)).map(|(_, told)| *told).collect()
 }
-
-type Limit = (fn(&Facts<'_>) -> bool, &'static str);
 
 /// Shorter waves lose much of their height.
 const FEW_SPACINGS: f64 = 50.0;
@@ -26,23 +29,6 @@ const LIMITS: &[Limit] = &[
         |case| case.weakly && case.numerics.courant_number > 2.0,
         "courant_number above 2: energy comes from nowhere, 11 % of the paddle's work at 2.3, and at \
          2.5 the run ends; retries = 1 would start it again with half the step",
-    ),
-    (
-        |case| case.boundary(BoundaryChoice::ImprovedShepard) && case.has_bed(),
-        "boundary = \"improved-shepard\" over a bed that is not level: it leans on the nearest particle, \
-         and still water on a slope began to turn, by 5 mm/s after 30 s at ten rows; boundary = \
-         \"normalized\" kept it below 1 mm/s",
-    ),
-    (
-        |case| case.stirs_at_shore(),
-        "a bed steeper than 1:2 that comes out of the water, without shifting = \"deep\" and volume_feedback \
-         = 0.002: still water began to turn beside it, and energy came from nowhere after 51 to 134 s",
-    ),
-    (
-        |case| case.rests_long_at_shore(),
-        "still water for more than 100 s before a bed steeper than 1:2 that comes out of it: for so long it \
-         rested at ten to twenty rows, but at ten rows energy came from nowhere in four of eight runs, \
-         after 117 to 296 s",
     ),
     (
         |case| case.hits_again() && case.sinks(),
@@ -75,41 +61,9 @@ const LIMITS: &[Limit] = &[
          9 % of its radius at 10 rings, and by 5 % at 20 and at 40",
     ),
     (
-        |case| case.rows_at_wall().is_some_and(|rows| rows < 3.0),
-        "a bed that leaves fewer than three rows of still water at the wall: at one to two rows forces were up to \
-         15 % off, and runups up to 20 %; error bars were too narrow",
-    ),
-    (
-        |case| {
-            let makes_energy = case.numerics.slip == Slip::Free && !case.numerics.conservative_bed;
-            case.weakly && case.goes_over_steep_bed() && makes_energy
-        },
-        "waves over a bed steeper than 1:2 without conservative_bed: as water runs back over its edge energy comes \
-         from nowhere, 2 to 10 % of the paddle's work at upright steps and up to 31 % in ten periods of a train; two of \
-         nine waves over upright steps ended their runs at twenty rows",
-    ),
-    (
         |case| !case.weakly && case.hits_again() && case.numerics.volume_feedback == 0.0,
         "scheme = \"isph\" and a wave that comes back to the wall: its water sinks through itself, by 1 % of its \
          depth in 25 to 40 s; volume_feedback = 0.002 holds it, and takes energy from the wave",
-    ),
-    (
-        |case| case.stirs(),
-        "a steep bed under water without shifting = \"deep\" and conservative_bed = true: still water began \
-         to turn at the upper end of upright steps after 10 to 40 s",
-    ),
-    (
-        |case| {
-            case.weakly && case.scene().has_steep_bed() && case.rows.is_some_and(|rows| rows > 20.0)
-        },
-        "a steep bed under water at more than twenty rows: still water was seen to rest over such beds at ten, \
-         sixteen and twenty rows",
-    ),
-    (
-        |case| case.boundary(BoundaryChoice::ImprovedShepard) && case.has_crest(),
-        "boundary = \"improved-shepard\" at a crest that water goes over: at sixteen rows 0.6 % of the \
-         paddle's work came from nowhere, and face and force were 6.7 % apart; boundary = \"normalized\" kept \
-         them within 0.2 and 3.0 %",
     ),
     (
         |case| case.boundary(BoundaryChoice::ImprovedShepard) && case.is_long_train(),
