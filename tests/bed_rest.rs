@@ -103,6 +103,12 @@ fn water_rests_before_a_step_across_a_column() {
     }
 }
 
+/// A ridge of slopes of 1:2, as steep as what was left without a bed that gives back: its run ended after 12 s.
+#[test]
+fn water_rests_on_a_ridge_as_steep_as_one_to_two() {
+    assert!(motion_left("[[0, 0], [0.4, 0], [0.6, 0.1], [0.8, 0], [1.6, 0]]", 20) < 1e-5);
+}
+
 const STEPS: [&str; 2] = [
     "[[0, 0], [0.4, 0], [0.4, 0.1], [1.1, 0.1], [1.1, 0], [1.6, 0]]",
     "[[0, 0], [0.6, 0], [0.6, 0.15], [1.6, 0.15]]",

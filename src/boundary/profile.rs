@@ -140,18 +140,18 @@ impl Profile {
         self.0.windows(2).map(|pair| Stretch::between(pair[0], pair[1]))
     }
 
-    /// Whether still water of this depth covers a stretch steeper than 1:2.
-    pub fn is_steep_under(&self, depth: f64) -> bool {
-        self.stretches().any(|stretch| stretch.is_steep() && stretch.heights()[1] < depth)
+    /// Whether still water of this depth covers a stretch that rises or falls by more than so much along its length.
+    pub fn is_steep_under(&self, depth: f64, rise: f64) -> bool {
+        self.stretches().any(|stretch| stretch.rise() > rise && stretch.heights()[1] < depth)
     }
 
-    /// Whether a stretch steeper than 1:2 comes out of still water of this depth.
-    pub fn is_steep_at(&self, depth: f64) -> bool {
+    /// Whether such a stretch comes out of still water of this depth.
+    pub fn is_steep_at(&self, depth: f64, rise: f64) -> bool {
         let through = |stretch: &Stretch| {
             let [low, high] = stretch.heights();
             low < depth && high >= depth
         };
-        self.stretches().any(|stretch| stretch.is_steep() && through(&stretch))
+        self.stretches().any(|stretch| stretch.rise() > rise && through(&stretch))
     }
 
     /// The face of the bed nearest to a place in the water, where it is so near, metres.

@@ -73,9 +73,9 @@ impl Facts<'_> {
         self.weakly && self.numerics.boundary == choice
     }
 
-    /// Whether a steep bed that comes out of the water is left to stir it.
+    /// Whether a bed that comes out of the water is left to stir it.
     pub fn stirs_at_shore(&self) -> bool {
-        self.scene().has_steep_shore() && self.lets_stir(self.numerics.volume_feedback > 0.0)
+        self.scene().stirs_at_shore() && self.lets_stir(self.numerics.volume_feedback > 0.0)
     }
 
     /// Whether water is to rest before a steep shore for longer than it was seen to.
@@ -89,9 +89,9 @@ impl Facts<'_> {
         self.scene().hits_again() && !self.numerics.stop_when_settled
     }
 
-    /// Whether its steep bed is left to stir still water.
+    /// Whether its bed is left to stir the water.
     pub fn stirs(&self) -> bool {
-        self.scene().has_steep_bed() && self.lets_stir(self.numerics.conservative_bed)
+        self.scene().stirs_over_bed() && self.lets_stir(self.numerics.conservative_bed)
     }
 
     /// Without what stills water beside a steep bed: a measure of its own, and the shifting.

@@ -13,6 +13,16 @@ pub const FALLS_FREE: f64 = 0.7;
 /// (H/h = 0.3, twelve rows).
 const SINKS_AFTER: f64 = 70.0;
 
+/// Rise along a stretch of 1:2, and a little more.
+const STEEP: f64 = 0.46;
+
+/// Rise along a stretch of 1:5, and a little less. Water that is not held there turns in long runs: still water of
+/// sixteen rows over slopes of 1:2 to 1:4 for a minute, until energy came from nowhere or it had sunk by 1 to 5 %.
+const STIRS: f64 = 0.19;
+
+/// So many √(h/g) are long under water. The first such run, of sixteen rows over slopes of 1:2, ended after 43.
+const STIRS_AFTER: f64 = 30.0;
+
 impl Scene {
     /// Whether a crest climbs an upright wall, and strains the lattice of its water there.
     pub(super) fn has_crest_at_upright_wall(&self) -> bool {
@@ -32,8 +42,7 @@ impl Scene {
             && self.seawall().is_some_and(|scene| {
                 let Frame { length, depth, gravity, end_time, .. } = scene.frame();
                 let celerity = (gravity * depth * (1.0 + scene.wave_height_ratio)).sqrt();
-                let time = end_time - scene.start_s();
-                time > 3.0 * length / celerity && time > SINKS_AFTER * (depth / gravity).sqrt()
+                end_time - scene.start_s() > 3.0 * length / celerity && self.lasts(SINKS_AFTER)
             })
     }
 
@@ -54,12 +63,30 @@ impl Scene {
 
     /// Whether still water covers a stretch of its bed that is steeper than 1:2.
     pub(super) fn has_steep_bed(&self) -> bool {
-        self.bed().is_some_and(|bed| bed.is_steep_under(self.frame().depth))
+        self.bed().is_some_and(|bed| bed.is_steep_under(self.frame().depth, STEEP))
     }
 
     /// Whether a stretch of its bed that is steeper than 1:2 comes out of the still water.
     pub(super) fn has_steep_shore(&self) -> bool {
-        self.bed().is_some_and(|bed| bed.is_steep_at(self.frame().depth))
+        self.bed().is_some_and(|bed| bed.is_steep_at(self.frame().depth, STEEP))
+    }
+
+    /// Whether water under a slope of its bed is to be held, lest it be stirred until the run ends.
+    pub(super) fn stirs_over_bed(&self) -> bool {
+        let rise = if self.lasts(STIRS_AFTER) { STIRS } else { STEEP };
+        self.bed().is_some_and(|bed| bed.is_steep_under(self.frame().depth, rise))
+    }
+
+    /// Whether water before a shore is to be held so.
+    pub(super) fn stirs_at_shore(&self) -> bool {
+        let rise = if self.lasts(SINKS_AFTER) { STIRS } else { STEEP };
+        self.bed().is_some_and(|bed| bed.is_steep_at(self.frame().depth, rise))
+    }
+
+    /// Whether a run to the end time takes longer than so many √(h/g).
+    fn lasts(&self, times: f64) -> bool {
+        let Frame { depth, gravity, end_time, .. } = self.frame();
+        end_time - self.start_s() > times * (depth / gravity).sqrt()
     }
 
     /// The bed, where it is not level.

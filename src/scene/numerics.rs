@@ -142,20 +142,23 @@ section! {
         /// Artificial viscosity acts only on pairs that lose energy by it. Trains, and solitary waves at
         /// upright walls over beds no steeper than 1:2, have it off by default.
         limited_viscosity: bool = true, weakly(plain()).newer();
-        /// Particle shifting. Trains, beds steeper than 1:2 and waves that come back have `deep` by default.
+        /// Particle shifting. Trains, steep beds and waves that come back have `deep` by default, see `volume_feedback` and
+        /// `conservative_bed`.
         shifting: Shifting = Shifting::Interior, plain();
         /// Strength A of the shifting. With 4 spacings by default 0.25.
         shifting_coefficient: f64 = 0.5,
             plain().within(0.0, 10.0).read_where("shifting", &["interior", "deep"])
                 .label("shifting strength");
         /// How fast the error of the particles' volume is taken back, over c0/R. Trains have 0.002 by default.
-        /// So do steep shores, which are beds steeper than 1:2 that come out of the still water. So do
+        /// So do steep shores, which are beds steeper than 1:2 that come out of the still water, and in runs of more than
+        /// 70 √(h/g) those from 1:5 on. So do
         /// waves that come back: a solitary wave is at its upright wall again, and the run lasts more than
         /// 70 √(h/g) and is without `stop_when_settled`. It wants gravity and corrected gradients. With `isph` c0 is
         /// 8 √(g h) here, and dam breaks alone have it by default, 0.006.
         volume_feedback: f64 = 0.0, plain().within(0.0, 0.02).newer();
         /// The bed gives back to the water what work its pressure does, so no energy is made or lost there. Beds that
-        /// are steeper than 1:2 somewhere under still water have it by default. A level bed does not read it.
+        /// are steeper than 1:2 somewhere under still water have it by default, and in runs of more than 30 √(h/g) those
+        /// from 1:5 on. A level bed does not read it.
         conservative_bed: bool = false, weakly(plain()).newer();
         /// Water near the surface gives up what it presses by more than 5 ρgh, as the surface lets go of
         /// sound. Solitary waves above H/h = 0.7 at upright walls over beds no steeper than 1:2 have it by

@@ -152,12 +152,12 @@ impl Numerics {
             // Waves that go on let water creep along the walls.
             self.boundary = BoundaryChoice::Normalized;
         }
-        if scene.has_train() || scene.has_steep_shore() || (timed && scene.hits_again()) {
+        if scene.has_train() || scene.stirs_at_shore() || (timed && scene.hits_again()) {
             // Its volumes must be held where water that is stirred has the time to sink through itself.
             self.shifting = Shifting::Deep;
             self.volume_feedback = 0.002;
         }
-        if scene.has_steep_bed() {
+        if scene.stirs_over_bed() {
             // Where it bends down, water that goes round would gain by it.
             self.shifting = Shifting::Deep;
             self.conservative_bed = true;

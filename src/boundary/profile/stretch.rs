@@ -2,9 +2,6 @@
 
 use crate::boundary::plane::Plane;
 
-/// Rise along a stretch of 1:2, and a little more.
-const STEEP: f64 = 0.46;
-
 /// A straight stretch of a bed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
@@ -44,9 +41,9 @@ impl Stretch {
         [from.min(to), from.max(to)]
     }
 
-    /// Whether it is steeper than 1:2.
-    pub fn is_steep(&self) -> bool {
-        self.along[1].abs() > STEEP
+    /// How much it rises or falls along its length: the sine of its slope.
+    pub fn rise(&self) -> f64 {
+        self.along[1].abs()
     }
 
     /// The nearest of its points to a place.

@@ -13,8 +13,8 @@ pub(super) const BEDS: &[Limit] = &[
     ),
     (
         |case| case.stirs_at_shore(),
-        "a bed steeper than 1:2 that comes out of the water, without shifting = \"deep\" and volume_feedback \
-         = 0.002: still water began to turn beside it, and energy came from nowhere after 51 to 134 s",
+        "a bed steeper than 1:2 that comes out of the water, or from 1:5 on in a long run, without shifting = \"deep\" and \
+         volume_feedback = 0.002: still water began to turn beside it, and energy came from nowhere after 51 to 134 s",
     ),
     (
         |case| case.rests_long_at_shore(),
@@ -38,8 +38,8 @@ pub(super) const BEDS: &[Limit] = &[
     ),
     (
         |case| case.stirs(),
-        "a steep bed under water without shifting = \"deep\" and conservative_bed = true: still water began \
-         to turn at the upper end of upright steps after 10 to 40 s",
+        "a bed steeper than 1:2 under water, or from 1:5 on in a long run, without shifting = \"deep\" and \
+         conservative_bed = true: still water began to turn at the upper ends of slopes and steps after 6 to 40 s",
     ),
     (
         |case| {
