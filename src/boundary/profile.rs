@@ -88,6 +88,19 @@ impl Profile {
         self.0[self.0.len() - 2][1] == self.end()[1]
     }
 
+    /// Whether its last stretch is upright.
+    pub fn ends_upright(&self) -> bool {
+        self.0[self.0.len() - 2][0] == self.end()[0]
+    }
+
+    /// Where it goes up and down, or down and up, at one and the same x, metres.
+    pub fn plate(&self) -> Option<f64> {
+        let turns = |of: &&[[f64; 2]]| {
+            of[0][0] == of[2][0] && (of[1][1] - of[0][1]) * (of[2][1] - of[1][1]) < 0.0
+        };
+        self.0.windows(3).find(turns).map(|of| of[1][0])
+    }
+
     /// Its lowest and highest place, metres.
     pub fn range(&self) -> [f64; 2] {
         let heights = self.0.iter().map(|point| point[1]);

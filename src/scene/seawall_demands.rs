@@ -91,10 +91,20 @@ impl SeawallScene {
             let allowed = format!("must be {end}, where the bed ends and the wall stands");
             return error("tank_length_m", self.tank_length_m, &allowed);
         }
+        let told = |allowed: &str| error("bed", "", allowed);
+        if let Some(x) = bed.plate() {
+            return told(&format!(
+                "goes up and down at x = {x} m: what stands or gapes there has no breadth"
+            ));
+        }
+        if bed.ends_upright() {
+            return told(&format!(
+                "must not end with a step, at {end} m: there the wall stands, from its foot at the bed's last point on"
+            ));
+        }
         if bed.is_level() {
             return Ok(());
         }
-        let told = |allowed: &str| error("bed", "", allowed);
         if numerics.scheme == Scheme::Isph {
             return told("is for scheme = \"wcsph\": isph knows level beds alone");
         }
