@@ -101,6 +101,14 @@ impl Profile {
         self.0.windows(3).find(turns).map(|of| of[1][0])
     }
 
+    /// Breadth of its narrowest trench between two steep faces, metres.
+    pub fn narrowest_trench(&self) -> Option<f64> {
+        let stretches: Vec<_> = self.stretches().collect();
+        let trenches =
+            stretches.windows(3).filter(|of| of[0].along[1] < -0.7 && of[2].along[1] > 0.7);
+        trenches.map(|of| of[1].length).min_by(f64::total_cmp)
+    }
+
     /// Its lowest and highest place, metres.
     pub fn range(&self) -> [f64; 2] {
         let heights = self.0.iter().map(|point| point[1]);

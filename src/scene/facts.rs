@@ -3,12 +3,15 @@
 use super::config::CaseConfig;
 use super::kind::Scene;
 use super::numerics::{Numerics, Scheme};
-use crate::boundary::BoundaryChoice;
+use crate::boundary::{BoundaryChoice, Profile};
 use crate::scheme::isph::Laplacian;
 use crate::scheme::wcsph::Shifting;
 
 /// Whether a case runs into a known limit, and what is told of it.
 pub(super) type Limit = (fn(&Facts<'_>) -> bool, &'static str);
+
+/// Beds that rise by more than this along their length are no beaches: no tongue of water lies on them.
+const NO_BEACH: f64 = 0.7;
 
 /// Walls this stiff, N/m per metre of width, stand as good as still under the highest waves.
 const STIFF: f64 = 1e4;
@@ -141,6 +144,21 @@ impl Facts<'_> {
     /// Whether a wave goes over a steep stretch of its bed.
     pub fn goes_over_steep_bed(&self) -> bool {
         self.wave > 0.0 && self.scene().has_steep_bed()
+    }
+
+    /// Whether a wave runs up a beach, where so many rows read a thin tongue low.
+    pub fn reads_thin_tongues(&self) -> bool {
+        let ends = |rise| {
+            self.scene().bed().is_some_and(|bed| bed.is_steep_at(self.scene().frame().depth, rise))
+        };
+        let beach = self.wave > 0.0 && ends(0.0) && !ends(NO_BEACH);
+        beach && self.rows.is_some_and(|rows| rows <= 40.0)
+    }
+
+    /// Whether its bed has a trench into which no particle fits.
+    pub fn has_filled_trench(&self) -> bool {
+        let trench = self.scene().bed().and_then(Profile::narrowest_trench);
+        trench.is_some_and(|breadth| breadth < 0.99 * self.numerics.particle_spacing_m)
     }
 
     /// Rows of still water that stand at a wall whose bed ends under water.

@@ -54,4 +54,15 @@ pub(super) const BEDS: &[Limit] = &[
          paddle's work came from nowhere, and face and force were 6.7 % apart; boundary = \"normalized\" kept \
          them within 0.2 and 3.0 %",
     ),
+    (
+        |case| case.reads_thin_tongues(),
+        "a beach at forty rows over the depth or fewer: where the water ends is read where it is one spacing thick, so \
+         runups are low; over slopes of 1:2 to 1:8 those of H/h = 0.03 and 0.06 were 6 to 40 % below Synolakis' law at twenty \
+         to 33 rows, by up to a spacing in height, and over 1:20 a third at twenty",
+    ),
+    (
+        |case| case.has_filled_trench(),
+        "a trench in the bed that is narrower than a particle spacing: no particle fits; still water over one of half a \
+         spacing pressed 2 % too little, and its runup was read down in the trench, 0.7 h off",
+    ),
 ];

@@ -34,7 +34,9 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     assert_eq!(count(ridge, "boundary = \"normalized\""), 0);
     let finer = "particle_spacing_m = 0.008\nboundary = \"normalized\"";
     assert_eq!(count(ridge, finer), 1);
-    let leaves = |height: f64| format!("tank_length_m = 2\nbed = [[0, 0], [1, 0], [2, {height}]]");
+    let still = "wave_height_ratio = 0\nend_time_s = 4";
+    let leaves =
+        |height: f64| format!("tank_length_m = 2\n{still}\nbed = [[0, 0], [1, 0], [2, {height}]]");
     let at_wall = |height: f64| count(&leaves(height), "boundary = \"normalized\"");
     assert_eq!([0.16, 0.18, 0.21].map(at_wall), [0, 1, 0]);
     let wave = |keys: &str| count(&format!("kind = \"standing-wave\"\n{keys}"), "");
@@ -52,6 +54,12 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     let still = format!("{steep}\nwave_height_ratio = 0\nend_time_s");
     assert_eq!(count(&format!("{still} = 90"), "boundary = \"normalized\""), 0);
     assert_eq!(count(&format!("{still} = 110"), "boundary = \"normalized\""), 1);
+    let beach = "tank_length_m = 4\nbed = [[0, 0], [2, 0], [4, 0.4]]";
+    let spaced =
+        |spacing: f64| format!("boundary = \"normalized\"\nparticle_spacing_m = {spacing}");
+    assert_eq!([0.01, 0.004].map(|spacing| count(beach, &spaced(spacing))), [1, 0]);
+    let trench = "bed = [[0, 0], [1.5, 0], [1.8, 0.1], [1.9, 0.1], [1.9, 0], [1.91, 0], [1.91, 0.1], [2.5, 0.1]]";
+    assert_eq!([0.02, 0.01].map(|spacing| count(trench, &spaced(spacing))), [1, 0]);
     let sinks = "volume_feedback = 0";
     assert_eq!([8, 20].map(|s| count(&format!("end_time_s = {s}"), sinks)), [0, 1]);
     assert_eq!(count("end_time_s = 20", ""), 0);
