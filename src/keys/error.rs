@@ -52,15 +52,18 @@ impl ConfigError {
         ConfigError::new(key, "", format!("unknown key{}", hint(leaf(key), known)))
     }
 
-    /// The same of a small table: where no known key is near, it tells all.
-    pub fn unknown_of_few(key: &str, known: &[impl AsRef<str>]) -> Self {
+    /// The same of a table in a file. Where no known key is near, it tells all, or where they are listed.
+    pub fn unknown_in_table(key: &str, known: &[impl AsRef<str>]) -> Self {
         let error = ConfigError::unknown(key, known);
-        if known.len() > FEW || !hint(leaf(key), known).is_empty() {
+        if !hint(leaf(key), known).is_empty() {
             return error;
         }
         let known: Vec<_> = known.iter().map(AsRef::as_ref).collect();
-        let allowed = format!("{}; must be one of {}", error.allowed, known.join(", "));
-        ConfigError { allowed, ..error }
+        let taken = match known.len() {
+            0..=FEW => format!("; must be one of {}", known.join(", ")),
+            _ => " (`seawall explain` lists all)".to_owned(),
+        };
+        ConfigError { allowed: error.allowed + &taken, ..error }
     }
 
     /// A key that stands in the wrong place, and the path at which it is known.
@@ -81,7 +84,7 @@ fn leaf(key: &str) -> &str {
     key.rsplit('.').next().unwrap_or(key)
 }
 
-/// So many keys are told where none is near.
+/// Up to so many keys are told where none is near.
 const FEW: usize = 8;
 
 /// From this likeness on (1 is the same word) a word is taken for another one mistyped.

@@ -194,7 +194,7 @@ pub fn read_alone<S: Section>(table: &Table) -> Result<S, ConfigError> {
     let known = S::keys();
     if let Some(name) = table.keys().find(|name| known.iter().all(|key| key.name != name.as_str()))
     {
-        return Err(ConfigError::unknown_of_few(&format!("{}.{name}", S::NAME), &known));
+        return Err(ConfigError::unknown_in_table(&format!("{}.{name}", S::NAME), &known));
     }
     let section = S::read(table, None)?;
     check_conditions(table, &section)?;

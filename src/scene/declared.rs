@@ -99,7 +99,7 @@ fn unknown(path: &str, key: &str, kind: Kind, known: &[&Key]) -> ConfigError {
     let others = Kind::ALL.iter().filter(|other| has(&other.keys(), key));
     let names: Vec<_> = others.map(|other| format!("{:?}", other.name())).collect();
     if names.is_empty() {
-        return ConfigError::unknown(path, known);
+        return ConfigError::unknown_in_table(path, known);
     }
     let has = if names.len() > 1 { "have" } else { "has" };
     let (own, others) = (kind.name(), names.join(", "));

@@ -144,7 +144,7 @@ fn read_range(path: &str, range: &Table) -> Result<Vec<f64>, ConfigError> {
         let own = format!("{path}.{key}");
         return Err(match meant(key) {
             Some(meant) => ConfigError::misplaced(&own, meant),
-            None => ConfigError::unknown_of_few(&own, &RANGE_KEYS),
+            None => ConfigError::unknown_in_table(&own, &RANGE_KEYS),
         });
     }
     let bad = |key: &str, allowed: &str| {

@@ -142,7 +142,7 @@ fn unknown_at_the_top(key: &str, file: &Table) -> ConfigError {
     match table(file, "scene").and_then(|scene| place_of(key, &scene)) {
         Ok(place) => ConfigError::misplaced(key, &format!("{}.{key}", place.name())),
         Err(_) => {
-            unknown::meant(key, file).unwrap_or_else(|| ConfigError::unknown_of_few(key, &KEYS))
+            unknown::meant(key, file).unwrap_or_else(|| ConfigError::unknown_in_table(key, &KEYS))
         }
     }
 }

@@ -79,8 +79,8 @@ mod tests {
         let three = told(
             "name = \"a\"\n[scene]\ncolour = 1\n[numerics]\nkernle = \"gaussian\"\n[grid]\nx = [1]",
         );
-        let all = "scene.colour: unknown key; besides, numerics.kernle: unknown key; did you mean \
-                   kernel?; besides, grid.x: unknown key";
+        let all = "scene.colour: unknown key (`seawall explain` lists all); besides, numerics.kernle: unknown key; \
+                   did you mean kernel?; besides, grid.x: unknown key (`seawall explain` lists all)";
         assert_eq!(three, all);
         let many = told("[scene]\na = 1\nb = 1\nc = 1\nd = 1\ne = 1");
         assert!(many.ends_with("; and 2 more"), "{many}");

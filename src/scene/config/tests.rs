@@ -81,7 +81,7 @@ fn every_bad_value_is_told_with_its_key() {
     let message = "scene.static_friction = 1: belongs to wall = \"caisson\"";
     told(case("static_friction = 1", ""), "scene.", message);
     let bad = [
-        ("colour = 1", "numerics.colour: unknown key"),
+        ("colour = 1", "numerics.colour: unknown key (`seawall explain` lists all)"),
         ("wave_height_ratio = 0.3", ": unknown key; did you mean scene.wave_height_ratio?"),
         ("preset = \"fast\"", " = \"fast\": must be one of default, huang2019, isph"),
         ("particle_spacing_m = -0.01", " = -0.01: must be a finite number above 0"),
