@@ -74,6 +74,26 @@ fn what_is_no_matrix_is_refused() {
     }
 }
 
+/// All three were "no case that this program can run", which was true of one.
+#[test]
+fn why_nothing_runs_is_told() {
+    let own = MATRIX.replace("kernel = \"no-such-kernel\" }", "}\ncases = [\"still\"]");
+    for (text, more, reason) in [
+        (MATRIX, ["--quick", "--case", "impossible"], "marked as quick; leave --quick out"),
+        (
+            own.as_str(),
+            ["--case=impossible", "--method", "unknown"],
+            "no such method is for such a case",
+        ),
+        (MATRIX, ["--case=still", "--method", "unknown"], "can run: numerics.kernel = \"no-such"),
+    ] {
+        let desk = Desk::new(text);
+        let told = ended(2, &[&["stress", &desk.file, "--out", &desk.dir][..], &more].concat()).err;
+        assert!(told.contains(reason), "{told}");
+        assert!(!desk.out.exists());
+    }
+}
+
 #[test]
 fn a_wanted_error_is_chosen_for_verified_and_told() {
     let text = TINY.replace("[0.4, 0.5]", "[0.4]").replace("[10, 1e4]", "[10]");

@@ -69,7 +69,7 @@ pub(super) fn run(
     let matrix = whole.only(&args.cases, &args.methods).map_err(told)?;
     let (study, pairs) = matrix.study(args.quick, &text);
     if study.cases.is_empty() {
-        return Err(BadInput(format!("{name}: no case that this program can run")).into());
+        return Err(BadInput(format!("{name}: {}", nothing_runs(&pairs, args.quick))).into());
     }
     let job = Job {
         out: args.out.clone().unwrap_or_else(|| default_out(&study)),
@@ -92,4 +92,15 @@ pub(super) fn run(
         out: done.directory.path().to_owned(),
         interrupted: (done.ending == Ending::Interrupted).then(|| done.exit_code()),
     })
+}
+
+/// Why no case is left.
+fn nothing_runs(pairs: &[Trial], quick: bool) -> String {
+    match pairs.iter().find_map(|pair| pair.run.as_ref().err()) {
+        Some(reason) => format!("no case that this program can run: {reason}"),
+        None if quick => {
+            "no such case and method are both marked as quick; leave --quick out".into()
+        }
+        None => "no such method is for such a case".into(),
+    }
 }
