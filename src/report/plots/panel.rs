@@ -25,8 +25,14 @@ pub fn panel(frame: &Frame) -> Group {
     if chart.heading.is_empty() {
         return panel;
     }
-    let above = (frame.left + frame.wide / 2.0, frame.top - 11.0);
+    let middle = heading_at(frame.left, frame.wide, width(&chart.heading, NORMAL));
+    let above = (middle, frame.top - 11.0);
     panel.add(text(above, &chart.heading, NORMAL, Align::Centre).set("class", "heading"))
+}
+
+/// The middle of a heading of some width: that of the axes, or further left where it would run out of the panel.
+fn heading_at(left: f64, wide: f64, words: f64) -> f64 {
+    (left + wide / 2.0).min(left + wide - words / 2.0).max(words / 2.0)
 }
 
 fn grid(frame: &Frame) -> Group {
@@ -80,4 +86,20 @@ fn axis_y(frame: &Frame) -> Group {
     }
     let middle = (3.0 + NORMAL / 2.0, frame.top + frame.high / 2.0);
     axis.add(text(middle, &chart.titles[1], NORMAL, Align::Upwards).set("class", "title"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The crest's discharge lost the last letters of its name over the edge of the figure.
+    #[test]
+    fn a_long_heading_stays_in_its_panel() {
+        let (left, wide) = (52.0, 143.0);
+        let words = width("overtopping_discharge_m2_per_s", NORMAL);
+        assert!(words > wide && words < left + wide);
+        let middle = heading_at(left, wide, words);
+        assert!(middle - words / 2.0 >= 0.0 && middle + words / 2.0 <= left + wide);
+        assert_eq!(heading_at(left, wide, 100.0), left + wide / 2.0);
+    }
 }
