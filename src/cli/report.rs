@@ -13,7 +13,7 @@ use super::output::{Output, json_path, json_paths};
 use super::{CASES_FAILED, SUCCESS, stored};
 use crate::keys::named;
 use crate::math::words::counted;
-use crate::report::{Froude, Omitted, ReportError};
+use crate::report::{Froude, Omitted, ReportError, Written};
 use crate::results::{
     Closing, Derived, Lock, MADE_BY_SWEEPS, Manifest, SweepError, Verified, in_words, renew_tables,
     verify, write_sound_histories,
@@ -46,10 +46,10 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     let omitted = Omitted::from(damaged);
     Derived::begin(&args.dir, MADE_BY_SWEEPS).map_err(refused)?;
     let written = crate::report::write_with(&args.dir, args.froude_scale, &formats, &omitted);
-    let (report, figures) = written.map_err(unwritten)?;
+    let Written { page: report, printed: figures, made } = written.map_err(unwritten)?;
     let spare = |path: &Path, error: &SweepError| omitted.add(path, error);
     write_sound_histories(&args.dir, &|path| omitted.has(path), &spare)?;
-    Derived::end(&args.dir)?;
+    Derived::end(&args.dir, &made)?;
     let (left_out, found) = omitted.told();
     for found in found {
         output.note(found);

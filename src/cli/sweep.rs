@@ -231,8 +231,8 @@ fn lead(
     let left = done.directory.left();
     done.directory.forget_records();
     drop(job);
-    crate::report::write(done.directory.path())?;
-    Derived::end(done.directory.path())?;
+    let written = crate::report::write(done.directory.path())?;
+    Derived::end(done.directory.path(), &written.made)?;
     left.demand(done.directory.path())?;
     if let Some(closing) = closing {
         closing.write(done.directory.path())?;

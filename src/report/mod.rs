@@ -53,20 +53,19 @@ use tables::Lines;
 pub const PAGE: &str = "report.html";
 
 /// Writes `figures/*.svg`, `tables/*.csv` and `report.html` into an output directory that holds
-/// at least a `summary.csv`, and returns the page's path.
-pub fn write(out_dir: &Path) -> Result<PathBuf, ReportError> {
-    Ok(write_with(out_dir, None, &[], &Omitted::default())?.0)
+/// at least a `summary.csv`.
+pub fn write(out_dir: &Path) -> Result<Written, ReportError> {
+    write_with(out_dir, None, &[], &Omitted::default())
 }
 
 /// Likewise. Where a Froude scale is given there are tables in the units of a prototype. Figures for print have the
-/// widths of a journal's column (84 mm) and page (174 mm). What is named in `omitted` is left out. Returns the paths of
-/// the page and of figures for print.
+/// widths of a journal's column (84 mm) and page (174 mm). What is named in `omitted` is left out.
 pub fn write_with(
     out_dir: &Path,
     scale: Option<Froude>,
     formats: &[Print],
     omitted: &Omitted,
-) -> Result<(PathBuf, Vec<PathBuf>), ReportError> {
+) -> Result<Written, ReportError> {
     let data = Loaded::read(out_dir)?.without(omitted);
     let part = selection::of(&data);
     let shown = part.as_ref().unwrap_or(&data);
@@ -116,7 +115,21 @@ pub fn write_with(
         paths.sort();
         printed.extend(paths);
     }
-    Ok((path, printed))
+    let figures = drawn.iter().map(|figure| format!("figures/{}.svg", figure.name));
+    let theirs = papers.iter().map(|papers| &papers.tidy);
+    let tables = tables.iter().chain(theirs).map(|table| format!("tables/{}.csv", table.name));
+    Ok(Written { page: path, printed, made: figures.chain(tables).collect() })
+}
+
+/// What a report has written.
+#[derive(Debug)]
+pub struct Written {
+    /// The path of the page.
+    pub page: PathBuf,
+    /// The paths of figures for print.
+    pub printed: Vec<PathBuf>,
+    /// The other figures and the tables, by their paths in the directory.
+    pub made: Vec<String>,
 }
 
 /// A format of figures for print.
@@ -172,7 +185,7 @@ mod tests {
     fn the_same_files_give_the_same_bytes() {
         let directory = fixture::sweep();
         let read = |name: &str| fs::read(directory.path().join(name)).unwrap();
-        let page = write(directory.path()).unwrap();
+        let page = write(directory.path()).unwrap().page;
         assert_eq!(page, directory.path().join("report.html"));
         let names = ["report.html", "figures/response-force.svg", "tables/summary.csv"];
         let first = names.map(read);
@@ -187,7 +200,7 @@ mod tests {
         let text = fs::read_to_string(&path).unwrap();
         let lines: Vec<_> = text.lines().collect();
         fs::write(&path, format!("{}\n{}\n", lines[0], lines[lines.len() - 1])).unwrap();
-        let page = fs::read_to_string(write(directory.path()).unwrap()).unwrap();
+        let page = fs::read_to_string(write(directory.path()).unwrap().page).unwrap();
         assert!(page.contains("None came to its end"));
     }
 }

@@ -4,16 +4,17 @@
 //! with the journal. Here stands the rest: page, figures, tables, films, files for ParaView. Whoever makes them again first takes their
 //! seals away, so that a process which dies meanwhile leaves no false ones.
 
-use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
+use std::mem;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
 use super::error::SweepError;
 use super::seal::Seal;
-use super::sealed;
+use super::{disk, sealed};
 
 const FILE_NAME: &str = "derived.json";
 const FILES: [&str; 3] = ["histories.csv.gz", "max_error.csv", "report.html"];
@@ -27,6 +28,9 @@ pub const MADE_BY_SWEEPS: &[&str] = &["films/", "vtk/", "max_error.csv"];
 #[derive(Debug, Default, Serialize, Deserialize)]
 pub struct Derived {
     files: BTreeMap<String, Seal>,
+    /// The figures and tables of the last report. Nobody else's are removed.
+    #[serde(default, skip_serializing_if = "BTreeSet::is_empty")]
+    reported: BTreeSet<String>,
 }
 
 impl Derived {
@@ -52,15 +56,19 @@ impl Derived {
         derived.write(directory)
     }
 
-    /// Everything is made. What has a seal keeps it.
+    /// Everything is made, these figures and tables among it. What has a seal keeps it. Figures and tables of the
+    /// report before which this one does not have are removed.
     ///
     /// # Errors
-    /// A file that cannot be read or written.
-    pub fn end(directory: &Path) -> Result<(), SweepError> {
+    /// A file that cannot be read, written or removed.
+    pub fn end(directory: &Path, reported: &[String]) -> Result<(), SweepError> {
         let mut derived = Derived::read(directory);
+        let before = mem::replace(&mut derived.reported, reported.iter().cloned().collect());
         for name in names(directory) {
-            if let Entry::Vacant(place) = derived.files.entry(name) {
-                let path = directory.join(place.key());
+            let path = directory.join(&name);
+            if before.contains(&name) && !derived.reported.contains(&name) {
+                disk::remove_file(&path).map_err(SweepError::io(&path))?;
+            } else if let Entry::Vacant(place) = derived.files.entry(name) {
                 place.insert(Seal::of_file(&path).map_err(SweepError::io(&path))?);
             }
         }
@@ -162,24 +170,24 @@ mod tests {
         assert!(!directory.join(FILE_NAME).exists());
         Derived::renew(directory, std::slice::from_ref(&film)).unwrap();
         Derived::begin(directory, MADE_BY_RUNS).unwrap();
-        Derived::end(directory).unwrap();
+        Derived::end(directory, &[]).unwrap();
         assert!(damage(directory).is_empty());
         names.iter().for_each(|name| write(name, "new"));
         let told = ["figures/a.svg", "films/a.html", "report.html", "tables/a.csv", "vtk/a/b.vtu"];
         assert_eq!(damage(directory), told.map(|name| format!("{name} is damaged")));
         // To make all again mends all but what nobody has filmed.
         Derived::begin(directory, MADE_BY_RUNS).unwrap();
-        Derived::end(directory).unwrap();
+        Derived::end(directory, &[]).unwrap();
         assert_eq!(damage(directory), ["films/a.html is damaged", "vtk/a/b.vtu is damaged"]);
         // The choices of a sweep are not a report's to make.
         write("max_error.csv", "old");
-        Derived::end(directory).unwrap();
+        Derived::end(directory, &[]).unwrap();
         write("max_error.csv", "new");
         Derived::begin(directory, MADE_BY_SWEEPS).unwrap();
-        Derived::end(directory).unwrap();
+        Derived::end(directory, &[]).unwrap();
         assert_eq!(damage(directory)[1], "max_error.csv is damaged");
         Derived::begin(directory, MADE_BY_RUNS).unwrap();
-        Derived::end(directory).unwrap();
+        Derived::end(directory, &[]).unwrap();
         assert_eq!(damage(directory).len(), 2);
         fs::remove_file(directory.join("vtk/a/b.vtu")).unwrap();
         Derived::renew_folder(directory, "vtk").unwrap();
@@ -194,7 +202,31 @@ mod tests {
         write(FILE_NAME, "{}");
         assert_eq!(damage(directory), ["derived.json is damaged"]);
         Derived::begin(directory, MADE_BY_RUNS).unwrap();
-        Derived::end(directory).unwrap();
+        Derived::end(directory, &[]).unwrap();
         assert!(damage(directory).is_empty());
+    }
+
+    /// A study that goes on may have no use for a figure that it had, which stayed and was sealed as if it were new.
+    #[test]
+    fn what_a_report_has_no_more_is_removed_and_nothing_else() {
+        let root = tempfile::tempdir().unwrap();
+        let directory = root.path();
+        let names = ["figures/a.svg", "figures/b.svg", "figures/own.svg", "tables/a.csv"];
+        for folder in ["figures", "tables"] {
+            fs::create_dir(directory.join(folder)).unwrap();
+        }
+        names.iter().for_each(|name| fs::write(directory.join(name), "text").unwrap());
+        let report = |made: &[&str]| {
+            Derived::begin(directory, MADE_BY_SWEEPS).unwrap();
+            let made: Vec<_> = made.iter().map(|&name| name.to_owned()).collect();
+            Derived::end(directory, &made).unwrap();
+            assert!(damage(directory).is_empty());
+            names.map(|name| directory.join(name).exists())
+        };
+        assert_eq!(report(&[names[0], names[1], names[3]]), [true; 4]);
+        // A process that dies on the way does not forget.
+        Derived::begin(directory, MADE_BY_SWEEPS).unwrap();
+        assert_eq!(report(&[names[1]]), [false, true, true, false]);
+        assert_eq!(report(&[names[1]]), [false, true, true, false]);
     }
 }

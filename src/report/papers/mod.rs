@@ -221,7 +221,7 @@ mod tests {
     fn the_page_has_a_section_and_the_folder_its_files() {
         let directory = study(2.5, 50.0, 0.4);
         let page =
-            std::fs::read_to_string(crate::report::write(directory.path()).unwrap()).unwrap();
+            std::fs::read_to_string(crate::report::write(directory.path()).unwrap().page).unwrap();
         assert!(
             page.contains("<h2>The papers</h2>") && page.contains("Movable walls with s = 0.4")
         );
