@@ -43,7 +43,6 @@ pub(super) fn crested(shape: CrestShape, layout: &TankLayout, wall: BodySites) -
                     distance: depth,
                     face,
                     volume: spacing_x * spacing_y * share,
-                    twin: Site::ALONE,
                 });
             }
         }
@@ -81,7 +80,6 @@ pub(super) fn flat(
                     distance: depth,
                     face: Site::ALWAYS_WET,
                     volume: breadth * spacing_y * share,
-                    twin: Site::ALONE,
                 });
             }
         }
