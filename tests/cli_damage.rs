@@ -134,21 +134,3 @@ fn a_study_of_failed_cases_has_none_to_run_again() {
     let told = ended(0, &["verify", out.to_str().unwrap(), "--rerun", "2"]).out;
     assert!(told.ends_with("none ran again: no case of this study has ended well\n"), "{told}");
 }
-
-/// As `derived.json.partial: Permission denied (os error 13)` it was told, of a file that nobody knows, and a film
-/// only once its case had run.
-#[test]
-fn a_study_that_cannot_be_written_is_told_plainly() {
-    let desk = Desk::new(TINY);
-    sweep(0, &desk.file, &desk.out, &["--film", "none"]);
-    // In the way of the next one, also for who may write everywhere.
-    fs::create_dir(desk.out.join("derived.json.partial")).unwrap();
-    let case = &crate::common::column(&desk.out, "case_id")[0];
-    for command in [&["report", &desk.dir][..], &["film", &desk.dir, case]] {
-        let told = ended(2, command).err;
-        let told = told.split_once("derived.json").unwrap().1;
-        let reason = "is a directory; files in a study's directory must be readable and writable";
-        assert_eq!(told, format!(": {reason}\n"));
-    }
-    assert!(!desk.out.join("films").exists(), "nothing runs");
-}

@@ -15,8 +15,8 @@ use crate::keys::named;
 use crate::math::words::counted;
 use crate::report::{Froude, Omitted, ReportError, Written};
 use crate::results::{
-    Closing, Derived, Lock, MADE_BY_SWEEPS, Manifest, SweepError, Verified, in_words, renew_tables,
-    verify, write_sound_histories,
+    Closing, Derived, Lock, MADE_BY_SWEEPS, Manifest, SweepError, Verified, renew_tables, verify,
+    write_sound_histories,
 };
 
 /// Write tables, figures and report.html from the files of a study. Nothing is simulated.
@@ -46,7 +46,7 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     let omitted = Omitted::from(damaged);
     Derived::begin(&args.dir, MADE_BY_SWEEPS).map_err(refused)?;
     let written = crate::report::write_with(&args.dir, args.froude_scale, &formats, &omitted);
-    let Written { page: report, printed: figures, made } = written.map_err(unwritten)?;
+    let Written { page: report, printed: figures, made } = written.map_err(unusable)?;
     let spare = |path: &Path, error: &SweepError| omitted.add(path, error);
     write_sound_histories(&args.dir, &|path| omitted.has(path), &spare)?;
     Derived::end(&args.dir, &made)?;
@@ -120,27 +120,21 @@ fn renew(args: &ReportArgs, output: &Output) -> anyhow::Result<Vec<PathBuf>> {
 /// The same of what is kept beside the page.
 pub(super) fn refused(error: SweepError) -> anyhow::Error {
     match &error {
-        SweepError::Io { path, error: source } => unusable(path, source).unwrap_or(error.into()),
-        _ => error.into(),
-    }
-}
-
-/// The same of the page, figures and tables.
-fn unwritten(error: ReportError) -> anyhow::Error {
-    match &error {
-        ReportError::Write { path, source } => unusable(path, source).unwrap_or(error.into()),
+        SweepError::Io { error: source, .. } if !is_the_disks(source.kind()) => {
+            BadInput(error.to_string()).into()
+        }
         _ => error.into(),
     }
 }
 
 /// A directory that cannot be written is bad input, as for every command with an output directory.
-fn unusable(path: &Path, error: &std::io::Error) -> Option<anyhow::Error> {
-    let reason = in_words(error.kind());
-    let told = format!(
-        "{}: {reason}; files in a study's directory must be readable and writable",
-        named(path)
-    );
-    (!is_the_disks(error.kind())).then(|| BadInput(told).into())
+fn unusable(error: ReportError) -> anyhow::Error {
+    match &error {
+        ReportError::Write { source, .. } if !is_the_disks(source.kind()) => {
+            BadInput(error.to_string()).into()
+        }
+        _ => error.into(),
+    }
 }
 
 /// Whether the machine failed rather than the place being wrong.
