@@ -11,9 +11,9 @@ const OFF: f64 = 0.25;
 /// Nearer by less than this is as near, metres.
 const AS_NEAR: f64 = 1e-9;
 
-/// The stretches of a bed. A place behind it belongs to the nearest one. Where a step is lower than the support radius
-/// or a ridge narrower than two of them, lattices and wedges of stretches that are no neighbours would fill the same
-/// place twice: still water of ten rows began to turn over a step of a spacing or less, at 50 to 80 mm/s after 10 s.
+/// The stretches of a bed. A place behind it belongs to the nearest one. Without that, stretches that are no neighbours
+/// fill the same place twice. It happens behind steps lower than the support radius, and ridges narrower than two of
+/// them. Still water of ten rows then moved at 50 to 80 mm/s after 10 s, over a step of a spacing or less.
 pub(super) struct Territory<'a> {
     stretches: &'a [Stretch],
     reach: f64,

@@ -16,8 +16,8 @@ const SINKS_AFTER: f64 = 70.0;
 /// Rise along a stretch of 1:2, and a little more.
 const STEEP: f64 = 0.46;
 
-/// Rise along a stretch of 1:5, and a little less. Water that is not held there turns in long runs: still water of
-/// sixteen rows over slopes of 1:2 to 1:4 for a minute, until energy came from nowhere or it had sunk by 1 to 5 %.
+/// Rise along a stretch of 1:5, and a little less. Water that is not held there turns in long runs. Still water of
+/// sixteen rows did so over slopes of 1:2 to 1:4. Within a minute energy came from nowhere, or it sank by 1 to 5 %.
 const STIRS: f64 = 0.19;
 
 /// So many √(h/g) are long under water. The first such run, of sixteen rows over slopes of 1:2, ended after 43.
