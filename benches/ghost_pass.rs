@@ -103,6 +103,7 @@ fn ghost_pass(interpolator: InterpolatorChoice, spacing: f64) -> f64 {
         bed_before_paddle: 0.0,
         crest: None,
         wall_angle_deg: 90.0,
+        still_level: f64::INFINITY,
         dry_bed: false,
     };
     let (columns, rows) = ((2.5 / spacing).round() as u32, (0.2 / spacing).round() as u32);

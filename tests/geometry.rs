@@ -22,6 +22,7 @@ fn ghosts(angle_deg: f64) -> Ghosts {
         bed_beyond_wall: if angle_deg == 90.0 { 4.0 * RADIUS } else { 0.0 },
         bed_before_paddle: 0.0,
         wall_angle_deg: angle_deg,
+        still_level: DEPTH,
         dry_bed: false,
         crest: None,
     };

@@ -27,6 +27,8 @@ pub(super) fn bed_sites(layout: &TankLayout, profile: &Profile) -> BodySites {
         level: profile.level_up_to(),
         sites: Vec::new(),
         faces: Vec::new(),
+        first_faces: Vec::new(),
+        edges: Vec::new(),
     };
     for (number, stretch) in stretches.iter().enumerate() {
         let before = number.checked_sub(1).map(|before| &stretches[before]);
@@ -36,6 +38,7 @@ pub(super) fn bed_sites(layout: &TankLayout, profile: &Profile) -> BodySites {
             bed.fill_bend(number, [stretch, after]);
         }
     }
+    bed.back_edges(&stretches);
     // Its profile stands for the bed's own plane.
     let plane = Plane::nowhere([0.0, -1.0]);
     BodySites { sites: bed.sites, faces: bed.faces, plane }
@@ -54,6 +57,10 @@ struct Bed<'a> {
     level: f64,
     sites: Vec<Site>,
     faces: Vec<[f64; 2]>,
+    /// The first of each stretch.
+    first_faces: Vec<usize>,
+    /// Numbers of ghosts below the edges of dry tops, each with that of the stretch whose face it is behind, too.
+    edges: Vec<(usize, usize)>,
 }
 
 impl Bed<'_> {
@@ -68,6 +75,11 @@ impl Bed<'_> {
         let width = stretch.length / columns;
         let layers = (support_radius / spacing_y).ceil() as i64;
         let dries = stretch.from[0] + stretch.length > self.level + 1e-9;
+        self.first_faces.push(self.faces.len());
+        let edges = [
+            before.filter(|before| self.is_edge([before, stretch], stretch.from)),
+            after.filter(|after| self.is_edge([stretch, after], after.from)),
+        ];
         for column in 0..columns as i64 {
             let along = at(column, width);
             let asks = dries && stretch.along[1].abs() > STEEP;
@@ -91,16 +103,53 @@ impl Bed<'_> {
                 };
                 let share = self.territory.share([number, number], share.clamp(0.0, 1.0), cell);
                 if share > 0.0 {
-                    self.sites.push(Site {
+                    let site = Site {
                         ghost,
                         mirror: stretch.place(along, -depth),
                         reflection: Reflection::Plane { normal: stretch.normal() },
                         distance: depth,
                         face,
                         volume: width * spacing_y * share,
-                    });
+                        twin: Site::ALONE,
+                    };
+                    let behind =
+                        |edge: Option<&Stretch>| edge.map_or(f64::INFINITY, |it| it.behind(ghost));
+                    let [one, other] = edges.map(behind);
+                    if !asks && one.min(other) < support_radius {
+                        let face = if one <= other { number - 1 } else { number + 1 };
+                        self.edges.push((self.sites.len(), face));
+                    }
+                    self.sites.push(site);
                 }
             }
+        }
+    }
+
+    /// Whether a face comes out of the still water at such a bend, and what follows or precedes stands dry, less than
+    /// a support radius above it.
+    fn is_edge(&self, bend: [&Stretch; 2], [_, height]: [f64; 2]) -> bool {
+        let TankLayout { spacing_y, support_radius, still_level, .. } = *self.layout;
+        let above = height - still_level;
+        let faces = bend.map(|stretch| stretch.rise() > STEEP);
+        let near = (-0.5 * spacing_y..support_radius).contains(&above);
+        near && faces[0] != faces[1] && turn(bend[0], bend[1]) < 0.0
+    }
+
+    /// Ghosts behind the faces below dry tops, where those of the tops have no water to mirror.
+    fn back_edges(&mut self, stretches: &[Stretch]) {
+        for (twin, number) in std::mem::take(&mut self.edges) {
+            let (site, stretch) = (self.sites[twin], &stretches[number]);
+            let columns = (stretch.length / self.layout.spacing_x).round().max(1.0);
+            let [along, distance] = [stretch.passed(site.ghost), stretch.behind(site.ghost)];
+            let column = (along / stretch.length * columns).clamp(0.0, columns - 1.0) as usize;
+            self.sites.push(Site {
+                mirror: stretch.place(along, -distance),
+                reflection: Reflection::Plane { normal: stretch.normal() },
+                distance,
+                face: (self.first_faces[number] + column) as u32,
+                twin: twin as u32,
+                ..site
+            });
         }
     }
 

@@ -53,6 +53,7 @@ pub fn box_ghosts(layout: &TankLayout, height: f64, strip_width: f64) -> Ghosts 
                 distance: 0.5 * apart[0].hypot(apart[1]),
                 face: Site::ALWAYS_WET,
                 volume: spacing_x * spacing_y,
+                twin: Site::ALONE,
             });
         }
     }

@@ -49,6 +49,7 @@ impl Corner {
                     distance: radius,
                     face,
                     volume: width * middle_radius * layout.spacing_x / count,
+                    twin: Site::ALONE,
                 });
             }
         }

@@ -43,6 +43,7 @@ pub(super) fn crested(shape: CrestShape, layout: &TankLayout, wall: BodySites) -
                     distance: depth,
                     face,
                     volume: spacing_x * spacing_y * share,
+                    twin: Site::ALONE,
                 });
             }
         }
@@ -80,6 +81,7 @@ pub(super) fn flat(
                     distance: depth,
                     face: Site::ALWAYS_WET,
                     volume: breadth * spacing_y * share,
+                    twin: Site::ALONE,
                 });
             }
         }

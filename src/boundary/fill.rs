@@ -5,7 +5,7 @@ use std::mem::take;
 use super::exchange::Exchange;
 use super::faces::span;
 use super::ghost_part::GhostPart;
-use super::ghosts::{Ghosts, Reflection};
+use super::ghosts::{Ghosts, Reflection, Site};
 use super::image::{Image, Mirror, Press};
 use super::sums::Means;
 use crate::body::{BodyMotion, Place};
@@ -129,7 +129,9 @@ impl Filling<'_> {
         if exchange.scale[g / LANES][g % LANES] == 0.0 {
             return None;
         }
-        let wet = exchange.wet_share_of(ghosts, body, g) * self.share_on_crest(body, g);
+        let wet = exchange.wet_share_of(ghosts, body, g)
+            * self.share_on_crest(body, g)
+            * self.share_on_top(g);
         let mut volume = ghosts.volume[g] * wet;
         if body == 0 && rules.bed_between_walls {
             let (x, half) = (ghosts.x[g] + motion.offset, 0.5 * rules.spacing);
@@ -151,6 +153,28 @@ impl Filling<'_> {
             }
             _ => 1.0,
         }
+    }
+
+    /// How much one of two ghosts at the edge of a dry top counts: the one under the top as far as water lies on it,
+    /// the one behind the face for the rest.
+    fn share_on_top(&self, g: usize) -> f64 {
+        let Filling { exchange, ghosts, .. } = *self;
+        let under = match ghosts.twin[g] {
+            Site::ALONE => return 1.0,
+            _ if ghosts.face[g] == Site::ALWAYS_WET => g,
+            twin => twin as usize,
+        };
+        let (block, lane) = (under / LANES, under % LANES);
+        let share = match ghosts.reflection[under] {
+            Reflection::Plane { normal: [nx, ny] } if exchange.scale[block][lane] != 0.0 => {
+                let means = &exchange.means[block];
+                let [x, y] = [means.x[lane] - ghosts.x[under], means.y[lane] - ghosts.y[under]];
+                let above = -nx * x - ny * y - ghosts.distance[under];
+                (above / (LIES_ON * exchange.rules.spacing)).clamp(0.0, 1.0)
+            }
+            _ => 0.0,
+        };
+        if under == g { share } else { 1.0 - share }
     }
 
     /// Finds what makes a ghost of the means at its mirror point; returns its response.

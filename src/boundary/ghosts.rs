@@ -36,11 +36,15 @@ pub struct Site {
     pub face: u32,
     /// Volume that it stands for (an area, in two dimensions), m².
     pub volume: f64,
+    /// Number of another one at the same place, if one of them counts as far as the other does not.
+    pub twin: u32,
 }
 
 impl Site {
     /// In place of a face point: a ghost behind a wall that never runs dry.
     pub const ALWAYS_WET: u32 = u32::MAX;
+    /// In place of a twin.
+    pub const ALONE: u32 = u32::MAX;
 }
 
 /// A body before its ghosts are stored.
@@ -83,6 +87,9 @@ pub struct Ghosts {
     pub distance: Vec<f64>,
     /// Face point (a number among the targets) of each ghost.
     pub face: Vec<u32>,
+    /// The other ghost at the same place, where there are two of which one counts as far as the other does not;
+    /// else [`Site::ALONE`].
+    pub twin: Vec<u32>,
     /// Full volume (an area, in two dimensions), m²; 0 for padding.
     pub volume: Vec<f64>,
     /// x of the targets in their body's frame.
@@ -166,9 +173,16 @@ impl Ghosts {
         let (_, order) = Strips::sort(&xs, &ys, &ties, strip_width);
         let start = self.x.len();
         let body = self.bodies.len() as u8;
+        let mut places = vec![0; sites.len()];
         for &number in &order {
             let site = &sites[number as usize];
+            places[number as usize] = self.x.len() as u32;
             self.push_site(site, site.volume);
+        }
+        for (number, site) in sites.iter().enumerate().filter(|(_, site)| site.twin != Site::ALONE)
+        {
+            let [own, other] = [places[number], places[site.twin as usize]];
+            (self.twin[own as usize], self.twin[other as usize]) = (other, own);
         }
         if let Some(&last) = order.last() {
             while !self.x.len().is_multiple_of(LANES) {
@@ -196,6 +210,7 @@ impl Ghosts {
         self.distance.push(site.distance);
         self.face.push(site.face);
         self.volume.push(volume);
+        self.twin.push(Site::ALONE);
         self.target_x.push(site.mirror[0]);
         self.target_y.push(site.mirror[1]);
     }

@@ -19,6 +19,8 @@ pub struct TankLayout {
     pub bed_before_paddle: f64,
     /// Angle of the right wall from the bed, degrees: 90 is vertical, 120 leans away from the water.
     pub wall_angle_deg: f64,
+    /// Height of the still water's surface above the paddle's foot.
+    pub still_level: f64,
     /// The bed may run dry: its ghosts ask face points whether they are wet.
     pub dry_bed: bool,
     /// Where the right wall ends; none for one that no water goes over.
@@ -38,6 +40,7 @@ impl TankLayout {
             bed_beyond_wall: 0.0,
             bed_before_paddle: 0.0,
             wall_angle_deg: 90.0,
+            still_level: f64::INFINITY,
             dry_bed: false,
             crest,
         }

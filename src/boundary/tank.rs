@@ -80,6 +80,7 @@ fn level_bed(layout: &TankLayout, right: Plane, floor: Plane) -> BodySites {
                 distance: depth,
                 face: if layout.dry_bed { column as u32 } else { Site::ALWAYS_WET },
                 volume: spacing_x * spacing_y,
+                twin: Site::ALONE,
             });
         }
     }

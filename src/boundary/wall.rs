@@ -40,6 +40,7 @@ pub(super) fn wall(layout: &TankLayout, face: Plane, floor: Plane) -> BodySites 
                 distance,
                 face: row as u32,
                 volume: spacing_x * spacing_y,
+                twin: Site::ALONE,
             });
         }
         if right_angled {
@@ -92,6 +93,7 @@ fn block_column(layout: &TankLayout, face: Plane, distance: f64) -> impl Iterato
             distance: distance.hypot(depth),
             face: 0,
             volume: spacing_x * spacing_y,
+            twin: Site::ALONE,
         }
     })
 }

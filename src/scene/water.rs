@@ -194,6 +194,7 @@ impl Filling {
             bed_beyond_wall: self.bed_beyond_wall,
             bed_before_paddle: self.bed_before_paddle,
             wall_angle_deg: self.wall_angle_deg,
+            still_level: frame.depth,
             dry_bed: self.dry_bed,
             crest,
         };

@@ -79,6 +79,7 @@ impl Basin {
             bed_beyond_wall: 4.0 * DEPTH,
             bed_before_paddle: 0.0,
             wall_angle_deg: 90.0,
+            still_level: DEPTH,
             dry_bed: false,
             crest: None,
         };

@@ -35,6 +35,17 @@ impl Stretch {
         [0, 1].map(|axis| self.from[axis] + along * self.along[axis] + behind * normal[axis])
     }
 
+    /// How far along it a place is, metres.
+    pub fn passed(&self, [x, y]: [f64; 2]) -> f64 {
+        (x - self.from[0]) * self.along[0] + (y - self.from[1]) * self.along[1]
+    }
+
+    /// How far behind its face a place is, metres.
+    pub fn behind(&self, [x, y]: [f64; 2]) -> f64 {
+        let normal = self.normal();
+        (x - self.from[0]) * normal[0] + (y - self.from[1]) * normal[1]
+    }
+
     /// Its lowest and its highest place, metres above the bed at the paddle.
     pub(super) fn heights(&self) -> [f64; 2] {
         let [from, to] = [self.from[1], self.place(self.length, 0.0)[1]];

@@ -59,6 +59,7 @@ fn layout(spacing: f64) -> TankLayout {
         bed_beyond_wall: 0.0,
         bed_before_paddle: 0.0,
         wall_angle_deg: 90.0,
+        still_level: 1.0,
         dry_bed: false,
         crest: None,
     }
