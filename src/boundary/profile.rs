@@ -109,6 +109,16 @@ impl Profile {
         trenches.map(|of| of[1].length).min_by(f64::total_cmp)
     }
 
+    /// Whether a steep face bends to a flat top at a height in this range, metres.
+    pub fn has_top_at(&self, heights: std::ops::Range<f64>) -> bool {
+        let stretches: Vec<_> = self.stretches().collect();
+        stretches.windows(2).any(|of| {
+            let [before, after] = [of[0].along[1], of[1].along[1]];
+            let edge = before > after && (before > 0.7) != (after < -0.7);
+            edge && heights.contains(&of[1].from[1])
+        })
+    }
+
     /// Its lowest and highest place, metres.
     pub fn range(&self) -> [f64; 2] {
         let heights = self.0.iter().map(|point| point[1]);

@@ -161,6 +161,13 @@ impl Facts<'_> {
         trench.is_some_and(|breadth| breadth < 0.99 * self.numerics.particle_spacing_m)
     }
 
+    /// Whether a face comes out of the still water and ends less than a support radius above it.
+    pub fn ends_low(&self) -> bool {
+        let (depth, spacing) = (self.scene().frame().depth, self.numerics.particle_spacing_m);
+        let heights = depth - 0.5 * spacing..depth + self.numerics.support_radius_ratio * spacing;
+        self.weakly && self.scene().bed().is_some_and(|bed| bed.has_top_at(heights))
+    }
+
     /// Rows of still water that stand at a wall whose bed ends under water.
     pub fn rows_at_wall(&self) -> Option<f64> {
         let depth = self.scene().frame().depth - self.scene().bed()?.end()[1];

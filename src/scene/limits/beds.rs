@@ -23,6 +23,11 @@ pub(super) const BEDS: &[Limit] = &[
          after 117 to 296 s",
     ),
     (
+        |case| case.ends_low(),
+        "a steep face that comes out of the still water and ends less than a support radius above it: still water there \
+         moved with up to 0.02 J/m after 8 s and up to 0.2 J/m after 60 s, at ten and twelve rows",
+    ),
+    (
         |case| case.rows_at_wall().is_some_and(|rows| rows < 4.0),
         "a bed that leaves fewer than four rows of still water at the wall: at one to two rows forces were up to \
          15 % off, and runups up to 20 %, and error bars were too narrow; at three to four rows it was up to 4 and 13 %, \

@@ -54,6 +54,12 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     let still = format!("{steep}\nwave_height_ratio = 0\nend_time_s");
     assert_eq!(count(&format!("{still} = 90"), "boundary = \"normalized\""), 0);
     assert_eq!(count(&format!("{still} = 110"), "boundary = \"normalized\""), 1);
+    let low = |height: f64| {
+        let bed = format!("[[0, 0], [1.5, 0], [1.5, {height}], [2.5, {height}]]");
+        let still = "wave_height_ratio = 0\nend_time_s = 4\ntank_length_m = 2.5";
+        count(&format!("{still}\nbed = {bed}"), "boundary = \"normalized\"")
+    };
+    assert_eq!([0.15, 0.2, 0.22, 0.3].map(low), [0, 1, 1, 0], "a top near the still water");
     let beach = "tank_length_m = 4\nbed = [[0, 0], [2, 0], [4, 0.4]]";
     let spaced =
         |spacing: f64| format!("boundary = \"normalized\"\nparticle_spacing_m = {spacing}");
