@@ -110,7 +110,7 @@ impl Facts<'_> {
 
     /// A wall that water may go over.
     pub fn has_crest(&self) -> bool {
-        self.scene().seawall().is_some_and(|scene| scene.crest.is_some())
+        self.scene().has_crested_wall()
     }
 
     /// Regular waves for more than ten periods.

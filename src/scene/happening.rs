@@ -61,6 +61,11 @@ impl Scene {
         self.seawall().is_some_and(|scene| scene.wave_train.is_some())
     }
 
+    /// Whether water may go over its wall.
+    pub(super) fn has_crested_wall(&self) -> bool {
+        self.seawall().is_some_and(|scene| scene.crest.is_some())
+    }
+
     /// Whether still water covers a stretch of its bed that is steeper than 1:2.
     pub(super) fn has_steep_bed(&self) -> bool {
         self.bed().is_some_and(|bed| bed.is_steep_under(self.frame().depth, STEEP))

@@ -148,8 +148,8 @@ impl Numerics {
             self.extrapolated_correction = true;
             self.limited_viscosity = false;
         }
-        if scene.has_train() {
-            // Waves that go on let water creep along the walls.
+        if scene.has_train() || scene.bed().is_some() || scene.has_crested_wall() {
+            // Water creeps along walls that waves go on meeting, and along slopes; over a crest energy would be made.
             self.boundary = BoundaryChoice::Normalized;
         }
         if scene.has_train() || scene.stirs_at_shore() || (timed && scene.hits_again()) {
