@@ -132,6 +132,9 @@ fn in_words(error: &csv::Error) -> String {
         csv::ErrorKind::UnequalLengths { pos: Some(position), len, .. } => {
             format!("line {}: must have two columns, not {len}", position.line())
         }
+        csv::ErrorKind::Utf8 { pos: Some(position), .. } => {
+            format!("line {}: is not UTF-8 text", position.line())
+        }
         _ => error.to_string(),
     }
 }

@@ -96,12 +96,16 @@ fn object(error: &anyhow::Error, message: &str, code: u8) -> Value {
     let kind = if code == BAD_INPUT { "bad-input" } else { "internal" };
     let mut told = json!({ "kind": kind, "message": message, "exit_code": code });
     if let Some(BadFile { path, error }) = error.downcast_ref() {
-        let (line, key) = line_and_key(&error.key);
+        // Of the file itself, or of the one that a value names.
+        let (line, key) = line_and_rest(&error.key);
+        let (line_there, allowed) = line_and_rest(&error.allowed);
         told["file"] = json!(json_path(path));
-        told["line"] = json!(line);
         told["key"] = json!(key);
         told["value"] = json!(error.value);
-        told["allowed"] = json!(error.allowed);
+        told["allowed"] = json!(allowed);
+        if let Some(line) = line.or(line_there) {
+            told["line"] = json!(line);
+        }
     }
     if let Some(SweepError::Io { path, .. }) = error.downcast_ref() {
         told["file"] = json!(json_path(path));
@@ -109,12 +113,12 @@ fn object(error: &anyhow::Error, message: &str, code: u8) -> Value {
     json!({ "error": told })
 }
 
-/// The line that an error names in place of a key, or before it.
-fn line_and_key(place: &str) -> (Option<u64>, &str) {
-    let (line, key) = place.split_once(": ").unwrap_or((place, ""));
+/// The line that a text begins with, and what follows.
+fn line_and_rest(text: &str) -> (Option<u64>, &str) {
+    let (line, rest) = text.split_once(": ").unwrap_or((text, ""));
     match line.strip_prefix("line ").and_then(|line| line.parse().ok()) {
-        Some(line) => (Some(line), key),
-        None => (None, place),
+        Some(line) => (Some(line), rest),
+        None => (None, text),
     }
 }
 
@@ -157,9 +161,21 @@ mod tests {
 
     #[test]
     fn a_line_is_no_key() {
-        assert_eq!(line_and_key("line 4"), (Some(4), ""));
-        assert_eq!(line_and_key("line 12: still_water_depth_m"), (Some(12), "still_water_depth_m"));
-        assert_eq!(line_and_key("scene.wall"), (None, "scene.wall"));
+        assert_eq!(line_and_rest("line 4"), (Some(4), ""));
+        assert_eq!(
+            line_and_rest("line 12: still_water_depth_m"),
+            (Some(12), "still_water_depth_m")
+        );
+        assert_eq!(line_and_rest("scene.wall"), (None, "scene.wall"));
+        let field = |key: &str, allowed: &str, field: &str| {
+            let error = BadFile::of(Path::new("a"))(ConfigError::new(key, 1, allowed));
+            object(&error.into(), "", BAD_INPUT)["error"].get(field).cloned()
+        };
+        assert_eq!(field("scene.wall", "must be 2", "line"), None, "rather than null");
+        assert_eq!(field("line 3: wall", "must be 2", "line"), Some(json!(3)));
+        let of_stroke = |name| field("scene.recorded_stroke", "line 3: is no number", name);
+        assert_eq!(of_stroke("line"), Some(json!(3)));
+        assert_eq!(of_stroke("allowed"), Some(json!("is no number")));
     }
 
     #[test]

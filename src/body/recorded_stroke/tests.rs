@@ -76,14 +76,16 @@ fn a_file_gives_its_path() {
 
 #[test]
 fn a_bad_file_is_told_with_its_line() {
-    let told = |text: &str| {
+    let told = |text: &[u8]| {
         let file = std::env::temp_dir().join(format!("stroke_{}.csv", std::process::id()));
         std::fs::write(&file, text).unwrap();
         let read = Stroke::read(file.to_str().unwrap());
         std::fs::remove_file(file).unwrap();
         read.map(|stroke| stroke.0.points.len())
     };
-    assert_eq!(told("time_s,stroke_m\n0,0\n1, 0.1\n2,0.3\n"), Ok(3));
+    assert_eq!(told(b"time_s,stroke_m\n0,0\n1, 0.1\n2,0.3\n"), Ok(3));
+    let of_latin = told(b"time_s,stroke_m\n0,0\n1,\xb5\n").unwrap_err();
+    assert_eq!(of_latin, "line 3: is not UTF-8 text");
     let bad = [
         ("t,x\n0,0\n", "must be a CSV file with the columns time_s and stroke_m"),
         ("time_s,stroke_m\n0,0\n1,a\n", "line 3: \"a\" is no number"),
@@ -93,7 +95,7 @@ fn a_bad_file_is_told_with_its_line() {
         ("time_s,stroke_m\n0,0\n1,inf\n2,0\n", "has a point at 1 s, inf m: both"),
     ];
     for (text, message) in bad {
-        let told = told(text).unwrap_err();
+        let told = told(text.as_bytes()).unwrap_err();
         assert!(told.starts_with(message), "{told}");
     }
     assert!(Stroke::read("no/such/file.csv").unwrap_err().starts_with("cannot be read"));
