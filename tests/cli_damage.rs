@@ -134,3 +134,21 @@ fn a_study_of_failed_cases_has_none_to_run_again() {
     let told = ended(0, &["verify", out.to_str().unwrap(), "--rerun", "2"]).out;
     assert!(told.ends_with("none ran again: no case of this study has ended well\n"), "{told}");
 }
+
+/// As `derived.json.partial: Permission denied (os error 13)` it was told, of a file that nobody knows, and a film
+/// only once its case had run.
+#[test]
+fn a_study_that_cannot_be_written_is_told_plainly() {
+    let desk = Desk::new(TINY);
+    sweep(0, &desk.file, &desk.out, &["--film", "none"]);
+    // In the way of the next one, also for who may write everywhere.
+    fs::create_dir(desk.out.join("derived.json.partial")).unwrap();
+    let case = &crate::common::column(&desk.out, "case_id")[0];
+    for command in [&["report", &desk.dir][..], &["film", &desk.dir, case]] {
+        let told = ended(2, command).err;
+        let told = told.split_once("derived.json: cannot be written: ").unwrap().1;
+        assert!(told.starts_with("Is a directory (os error"), "{told}");
+        assert!(told.ends_with("with nothing else in the way of its files\n"), "{told}");
+    }
+    assert!(!desk.out.join("films").exists(), "nothing runs");
+}

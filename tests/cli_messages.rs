@@ -168,6 +168,7 @@ fn a_directory_that_cannot_be_written_is_bad_input() {
     fs::write(desk.out.join("figures"), "in the way").unwrap();
     let text = ended(2, &["report", &desk.dir]).err;
     assert_eq!(text.matches("os error").count(), 1, "{text}");
+    assert!(text.contains("figures: cannot be written: "), "{text}");
 }
 
 #[test]

@@ -50,6 +50,8 @@ pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
         resources: Resources { simd, threads: threads(args.threads) },
         interrupt: &Interrupt::listen()?,
     };
+    // Before anything runs: whether its seal can be written.
+    Derived::renew(&args.dir, &[]).map_err(refused)?;
     let shot = set.shoot(case).map_err(|error| match error.downcast() {
         Ok(error) => refused(error),
         Err(other) => other,

@@ -46,7 +46,7 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     let omitted = Omitted::from(damaged);
     Derived::begin(&args.dir, MADE_BY_SWEEPS).map_err(refused)?;
     let written = crate::report::write_with(&args.dir, args.froude_scale, &formats, &omitted);
-    let Written { page: report, printed: figures, made } = written.map_err(unusable)?;
+    let Written { page: report, printed: figures, made } = written.map_err(unwritten)?;
     let spare = |path: &Path, error: &SweepError| omitted.add(path, error);
     write_sound_histories(&args.dir, &|path| omitted.has(path), &spare)?;
     Derived::end(&args.dir, &made)?;
@@ -120,21 +120,27 @@ fn renew(args: &ReportArgs, output: &Output) -> anyhow::Result<Vec<PathBuf>> {
 /// The same of what is kept beside the page.
 pub(super) fn refused(error: SweepError) -> anyhow::Error {
     match &error {
-        SweepError::Io { error: source, .. } if !is_the_disks(source.kind()) => {
-            BadInput(error.to_string()).into()
-        }
+        SweepError::Io { path, error: source } => unusable(path, source).unwrap_or(error.into()),
+        _ => error.into(),
+    }
+}
+
+/// The same of the page, figures and tables.
+fn unwritten(error: ReportError) -> anyhow::Error {
+    match &error {
+        ReportError::Write { path, source } => unusable(path, source).unwrap_or(error.into()),
         _ => error.into(),
     }
 }
 
 /// A directory that cannot be written is bad input, as for every command with an output directory.
-fn unusable(error: ReportError) -> anyhow::Error {
-    match &error {
-        ReportError::Write { source, .. } if !is_the_disks(source.kind()) => {
-            BadInput(error.to_string()).into()
-        }
-        _ => error.into(),
-    }
+fn unusable(path: &Path, reason: &std::io::Error) -> Option<anyhow::Error> {
+    let told = format!(
+        "{}: cannot be written: {reason}; a study's directory must be writable, with nothing else in the way of \
+         its files",
+        named(path)
+    );
+    (!is_the_disks(reason.kind())).then(|| BadInput(told).into())
 }
 
 /// Whether the machine failed rather than the place being wrong.

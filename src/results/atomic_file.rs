@@ -38,7 +38,7 @@ fn put(path: &Path, fill: impl FnOnce(&File) -> Result<(), SweepError>) -> Resul
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(TEMPORARY);
     let temporary = path.with_file_name(name);
-    let file = disk::create(&temporary).map_err(SweepError::io(&temporary))?;
+    let file = disk::create(&temporary).map_err(SweepError::io(path))?;
     let renamed = || disk::rename(&temporary, path).map_err(SweepError::io(path));
     fill(&file).and_then(|()| renamed()).inspect_err(|_| {
         // Where this fails as well, it is removed on the next start.
