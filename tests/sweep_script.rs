@@ -263,3 +263,42 @@ fn words_that_cannot_be_used_cost_no_earlier_results() {
         assert!(earlier.join("summary.md").exists(), "{words:?}");
     }
 }
+
+/// The story: told alone to end, as `kill` and batch systems do, these scripts left what they had started at work.
+#[test]
+fn scripts_pass_on_the_signal_that_ends_them() {
+    for (script, stub) in [("nightly", "seawall"), ("test", "cargo")] {
+        let root = tempfile::tempdir().unwrap();
+        let parts =
+            ["scripts", "sweeps"].map(|part| Path::new(env!("CARGO_MANIFEST_DIR")).join(part));
+        let copied = Command::new("cp").arg("-r").args(parts).arg(root.path()).status().unwrap();
+        assert!(copied.success());
+        let (program, started) = (root.path().join(stub), root.path().join("started"));
+        let works = format!(
+            "#!/bin/bash\n[[ $* = *--version ]] && exit\nsleep 600 &\necho $! >'{0}.new'\n\
+             mv '{0}.new' '{0}'\nwait",
+            started.display()
+        );
+        fs::write(&program, works).unwrap();
+        fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).unwrap();
+        let path = format!("{}:{}", root.path().display(), std::env::var("PATH").unwrap());
+        let mut command = Command::new(root.path().join("scripts").join(script));
+        command.env("PATH", path).env("CARGO_TARGET_DIR", root.path().join("target"));
+        command.env("SEAWALL_BINARY", &program).stdout(Stdio::null()).stderr(Stdio::null());
+        let child = command.spawn().unwrap();
+        let start = Instant::now();
+        while !started.is_file() {
+            assert!(start.elapsed() < Duration::from_secs(60), "{script} does not begin");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+        let at_work = fs::read_to_string(&started).unwrap();
+        signal(child.id(), "TERM");
+        expect_code(&ended(child), 143);
+        let start = Instant::now();
+        let command = Path::new("/proc").join(at_work.trim()).join("cmdline");
+        while fs::read(&command).is_ok_and(|words| !words.is_empty()) {
+            assert!(start.elapsed() < Duration::from_secs(10), "what {script} began lives on");
+            std::thread::sleep(Duration::from_millis(5));
+        }
+    }
+}

@@ -137,6 +137,37 @@ mpi_environment() {
   command -v ssh >/dev/null || export OMPI_MCA_plm=isolated
 }
 
+# end_of JOB: waits for it, whatever signals come, and sets `ended` to its exit code.
+end_of() {
+  local again=0
+  while :; do
+    ended=0
+    wait "$1" || ended=$?
+    kill -0 "$1" 2>/dev/null || break # else a signal has cut `wait` short
+  done
+  # It may also have cut short the wait in which the job ended.
+  wait "$1" 2>/dev/null || again=$?
+  [ "$again" = 127 ] || ended=$again
+}
+
+# attended COMMAND...: runs it and gives its exit code. A signal that would end the script goes to the command and
+# all that it has started, and then ends the script as it ended the command. No $(...) around it, see scripts/sweep.
+attended() {
+  local job='' stopped=no
+  pass_on() {
+    stopped=yes
+    [ -z "$job" ] || kill -TERM -- "-$job" 2>/dev/null || kill -TERM "$job" 2>/dev/null || true
+  }
+  trap pass_on INT TERM HUP
+  setsid "$@" </dev/null &
+  job=$!
+  [ "$stopped" = no ] || pass_on # the signal came before there was a job to pass it on to
+  end_of "$job"
+  trap - INT TERM HUP
+  [ "$stopped" = no ] || exit "$ended"
+  return "$ended"
+}
+
 # stop_unless_failed CODE: after a sweep. A case that failed (1) is told in its tables; half a study is none.
 stop_unless_failed() { [ "$1" -le 1 ] || exit "$1"; }
 
