@@ -4,6 +4,7 @@
 use super::Figure;
 use super::over_time::{self, Line, Strip};
 use crate::math::lists::different;
+use crate::quantities::heading;
 use crate::report::curves::spread;
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
@@ -12,6 +13,8 @@ use crate::report::series::Series;
 const CASES: usize = 4;
 /// Curves in a panel: as many as there are colours.
 const CURVES: usize = 6;
+/// The column of a wall with a crest.
+const CREST_THICKNESS: &str = "crest_thickness_m";
 /// Letters above a panel, at most.
 const HEADING: usize = 36;
 
@@ -52,19 +55,19 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     Ok(figures)
 }
 
-/// Gauges by unit, in the order of their first column, at most [`CURVES`] together. Each panel is headed by its
+/// Gauges by the title of their axis, in the order of their first column, at most [`CURVES`] together. Each panel is headed by its
 /// gauges where they are few, and colours go on from one to the next: the legend is that of all panels.
 fn strips(case_id: &str, gauges: &[Series]) -> Vec<Strip> {
     let recorded = gauges.iter().filter(|gauge| gauge.points.len() > 1);
-    let units = different(recorded.map(|gauge| gauge.unit.as_str()));
-    let alike = |unit: &&str| {
-        let alike: Vec<_> = gauges.iter().filter(|gauge| gauge.unit == **unit).collect();
+    let scales = different(recorded.map(scale));
+    let alike = |one: &(String, f64)| {
+        let alike: Vec<_> = gauges.iter().filter(|gauge| scale(gauge) == *one).collect();
         alike.chunks(CURVES).map(<[_]>::to_vec).collect::<Vec<_>>()
     };
-    let panels: Vec<_> = units.iter().flat_map(alike).collect();
+    let panels: Vec<_> = scales.iter().flat_map(alike).collect();
     let mut before = 0;
     let strip = |of: &Vec<&Series>| {
-        let (title, scale) = scale(&of[0].unit);
+        let (title, scale) = scale(of[0]);
         let curve = |(index, gauge): (usize, &&Series)| {
             let points = gauge.points.iter().map(|(time, value)| (*time, value * scale));
             Line::new((before + index) % CURVES, &gauge.name, case_id, points.collect())
@@ -80,8 +83,12 @@ fn strips(case_id: &str, gauges: &[Series]) -> Vec<Strip> {
 }
 
 /// The title of an axis and what values are multiplied by to stand on it.
-fn scale(unit: &str) -> (String, f64) {
-    match unit {
+fn scale(gauge: &Series) -> (String, f64) {
+    // A thickness is no level: it does not count from the bed, and has a panel of its own.
+    if gauge.name == CREST_THICKNESS {
+        return (heading(&gauge.name), 1.0);
+    }
+    match gauge.unit.as_str() {
         "Pa" => ("p, kPa".to_owned(), 1e-3),
         "m" => ("level, m".to_owned(), 1.0),
         "m2" => ("volume, m²".to_owned(), 1.0),
@@ -119,7 +126,7 @@ mod tests {
         for figure in &figures {
             assert!(figure.caption.contains("Shown are 4 of 9 cases"), "{}", figure.caption);
         }
-        assert_eq!(figures[0].title, "Gauges, column_height_m = 0.6");
+        assert_eq!(figures[0].title, "Gauges, column height = 0.6 m");
     }
 
     #[test]
@@ -148,6 +155,9 @@ mod tests {
         let told = strips.iter().map(|strip| (strip.heading.as_str(), strip.title.as_str()));
         let panels = [("P1, P2", "p, kPa"), ("V", "volume, m²"), ("Q", "discharge, m²/s")];
         assert_eq!(told.collect::<Vec<_>>(), panels);
+        let crest = [gauge("G1", "m"), gauge("crest_thickness_m", "m")];
+        let told = super::strips("a", &crest).into_iter().map(|strip| strip.title);
+        assert_eq!(told.collect::<Vec<_>>(), ["level, m", "crest thickness, m"]);
         let looks: Vec<_> =
             strips.iter().flat_map(|strip| &strip.curves).map(|line| line.entry.clone()).collect();
         let own = |index: usize, name: &str| Line::new(index, name, "a", Vec::new()).entry;
