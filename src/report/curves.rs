@@ -40,6 +40,12 @@ pub fn by_mass<'r, 'a>(sorted: &'r [&'a Row]) -> impl Iterator<Item = &'r [&'a R
     sorted.chunk_by(|a, b| a.number(&M_STAR) == b.number(&M_STAR))
 }
 
+/// Whether of rows of the same mass any two differ in their stiffness: else no response curve has two points.
+pub fn has_curve(sorted: &[&Row]) -> bool {
+    let stiffness = |row: &Row| row.number(&LOG10_K_STAR);
+    by_mass(sorted).any(|rows| rows.iter().any(|row| stiffness(row) != stiffness(rows[0])))
+}
+
 /// The different values of a column among rows, rising; empty cells are left out.
 pub fn distinct<'a>(rows: impl Iterator<Item = &'a Row>, column: &Column) -> Vec<f64> {
     let numbers = rows.filter_map(|row| row.number(column));

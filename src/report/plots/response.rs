@@ -9,18 +9,18 @@ use super::{DRAWN, Figure, SERIES, file_name, of_variant, printed};
 use crate::math::words::capitalised;
 use crate::quantities::summary::{LOG10_K_STAR, M_STAR, WAVE_HEIGHT_RATIO};
 use crate::quantities::{Column, Unit};
-use crate::report::curves::{by_mass, distinct, responses, spread, stem, variants};
+use crate::report::curves::{by_mass, distinct, has_curve, responses, spread, stem, variants};
 use crate::report::load::Loaded;
 use crate::report::row::Row;
 
-/// The figures of every response and variant that has points.
+/// The figures of every response and variant with two stiffnesses or more.
 pub fn figures(data: &Loaded) -> Vec<Figure> {
     let waves = spread(&distinct(data.rows.iter(), &WAVE_HEIGHT_RATIO), SERIES);
     let mut figures = Vec::new();
     for variant in variants(&data.rows) {
         for response in DRAWN {
             let rows = responses(&data.rows, &variant, response);
-            if rows.is_empty() {
+            if !has_curve(&rows) {
                 continue;
             }
             let all: Vec<_> = by_mass(&rows).collect();

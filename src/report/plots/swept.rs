@@ -13,12 +13,12 @@ use super::{Figure, SERIES, of_variant};
 use crate::keys::read_value;
 use crate::math::scale::Scale;
 use crate::quantities::summary::{
-    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, LOG10_K_STAR,
-    OVERTOPPING_VOLUME, RUNUP_MAX, SEAWALL_MASS, WAVE_HEIGHT_RATIO,
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, OVERTOPPING_VOLUME, RUNUP_MAX,
+    SEAWALL_MASS, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, heading};
 use crate::report::column::Cells;
-use crate::report::curves::{by_mass, distinct, responses, spread, variants};
+use crate::report::curves::{distinct, has_curve, responses, spread, variants};
 use crate::report::load::Loaded;
 use crate::report::row::Row;
 use crate::report::study::Key;
@@ -50,11 +50,8 @@ const BED: &str = "bed";
 /// The first swept key of numbers, or of beds that differ in their slope, besides the wave's height, if no two cases differ in their
 /// stiffness alone: response curves would have one point each.
 pub fn key(data: &Loaded) -> Option<&Key> {
-    let has_curve = |rows: &[&Row]| {
-        rows.iter().any(|row| row.number(&LOG10_K_STAR) != rows[0].number(&LOG10_K_STAR))
-    };
     let sorted = |variant: &String| responses(&data.rows, variant, &FIRST_FORCE_MAX);
-    if variants(&data.rows).iter().any(|variant| by_mass(&sorted(variant)).any(has_curve)) {
+    if variants(&data.rows).iter().any(|variant| has_curve(&sorted(variant))) {
         return None;
     }
     data.keys.iter().find(|key| {

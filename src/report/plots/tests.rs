@@ -70,11 +70,17 @@ fn many_waves_have_few_histories_and_near_ones_names_of_their_own() {
     assert_eq!(near.collect::<Vec<_>>(), names);
 }
 
+/// The story: a study of one stiffness had three response figures of a lone point in each panel.
 #[test]
-fn one_wave_one_spring_one_mass_is_enough() {
-    let figures = drawn(&fixture::movable(&[0.5], &[500.0], &[250.0]));
-    assert_eq!(figures.len(), 4);
-    for figure in figures {
+fn one_stiffness_makes_no_curve() {
+    let names = |waves: &[f64], masses: &[f64]| -> String {
+        let figures = drawn(&fixture::movable(waves, &[500.0], masses));
+        figures.iter().map(|figure| format!("{} ", figure.name)).collect()
+    };
+    assert_eq!(names(&[0.5], &[250.0]), "history-wave-0.5 ");
+    let more = "against-mass against-wave history-wave-0.3 history-wave-0.5 ";
+    assert_eq!(names(&[0.3, 0.5], &[50.0, 250.0]), more);
+    for figure in drawn(&fixture::movable(&[0.5], &[500.0], &[250.0])) {
         assert!(!figure.svg().contains("NaN"), "{}", figure.name);
     }
 }
