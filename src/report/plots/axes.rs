@@ -38,7 +38,9 @@ impl Axis {
         let (low, high) = ends(values.filter(|value| value.is_finite()))?;
         let least = 1e-6_f64.max(0.02 * low.abs().max(high.abs()));
         let span = high - low;
-        let margin = if span < least { 0.5_f64.max(0.1 * high.abs()) } else { air * span };
+        // One value stands in the middle of an axis that ends at half of it and half as much again.
+        let lone = if high.abs() > least { 0.5 * high.abs() } else { 0.5 };
+        let margin = if span < least { lone } else { air * span };
         let (low, high) = (low - margin, high + margin);
         let ticks = linear(low, high, ticks);
         Some(Axis { low, high, spread: Spread::Even, ticks, minor: Vec::new() })
@@ -85,6 +87,13 @@ mod tests {
     fn one_value_still_makes_an_axis() {
         let axis = Axis::around([3.0].into_iter(), 5.0).unwrap();
         assert!(axis.low < 3.0 && axis.high > 3.0 && axis.ticks.len() > 3);
+        // The story: of a wave of 0.1 the axis went from -0.4 to 0.6, and of a force of 30 from 27 to 33.
+        for value in [0.1, -0.3, 3.0, 30.0] {
+            let axis = Axis::around([value].into_iter(), 5.0).unwrap();
+            assert!(axis.low * axis.high > 0.0 && axis.ticks.len() > 3, "{axis:?}");
+        }
+        let naught = Axis::around([0.0].into_iter(), 5.0).unwrap();
+        assert_eq!((naught.low, naught.high), (-0.5, 0.5));
         assert_eq!(Axis::around([f64::NAN].into_iter(), 5.0), None);
         assert!(Axis::logarithmic([500.0].into_iter()).unwrap().ticks.len() > 3);
     }
