@@ -26,7 +26,7 @@ fn beds_and_flags_pick_a_case_and_are_told_whole() {
     ended(2, &["show", &desk.dir, "bed=[[0,0],[0.9,0],[1.2,0.05]]", "corrected_gradients=true"]);
 
     let told = ended(0, &["compare", &desk.dir, &desk.dir]).out;
-    let bed = "bed = [[0, 0], [0.9, 0], [1.2, 0.02]], corrected_gradients = true";
+    let bed = "bed = [[0, 0], [0.9, 0], [1.2, 0.02]], corrected gradients = true";
     assert!(told.contains(bed), "{told}");
     assert!(told.contains("all at H/h = 0.5\n"), "no part of a bed: {told}");
 }

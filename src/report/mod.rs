@@ -30,6 +30,7 @@ mod row;
 mod scene_file;
 mod selection;
 pub mod series;
+mod spoken;
 pub mod study;
 pub mod tables;
 mod variant;

@@ -20,6 +20,11 @@ pub fn plain_to(value: f64, digits: usize) -> String {
     if written { value.to_string() } else { format!("{value:e}") }
 }
 
+/// A number's text with the sign that figures have: a minus rather than a hyphen.
+pub fn minus(text: &str) -> String {
+    text.strip_prefix('-').map_or_else(|| text.to_owned(), |size| format!("\u{2212}{size}"))
+}
+
 /// The fewest digits, four or more, that keep different values apart.
 pub fn digits_apart(values: impl Iterator<Item = f64>) -> usize {
     let mut values: Vec<_> = values.collect();

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::number;
+use super::spoken::all_spoken;
 use crate::quantities::summary::{
     CASE_ID, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STOPS, WAVE_HEIGHT_RATIO,
 };
@@ -190,7 +191,7 @@ impl Row {
     pub fn words(&self) -> String {
         let part = |column: &&'static Column| Some(label(column, self.number(column)?));
         let mut parts: Vec<_> = PLACE.iter().filter_map(part).collect();
-        parts.extend((!self.variant.is_empty()).then(|| self.variant.to_string()));
+        parts.extend((!self.variant.is_empty()).then(|| all_spoken(&self.variant)));
         // Fixed, on a spring or a caisson: numbers alone do not say which.
         let wall = Some(self.named(WALL)).filter(|wall| !wall.is_empty());
         let wall = wall.map(|wall| format!("{WALL} = {wall}"));
@@ -226,6 +227,7 @@ impl Row {
 
 /// A parameter and its value as one writes them: `k = 10 N/m`.
 pub(super) fn label(column: &Column, value: f64) -> String {
-    let text = format!("{} = {} {}", column.symbol, number::plain(value), column.unit.symbol());
+    let value = number::minus(&number::plain(value));
+    let text = format!("{} = {value} {}", column.symbol, column.unit.symbol());
     text.trim_end().to_owned()
 }

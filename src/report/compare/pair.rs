@@ -9,6 +9,7 @@ use crate::quantities::summary::{
 use crate::quantities::{Column, Unit};
 use crate::report::number::plain;
 use crate::report::row::{PLACE, label};
+use crate::report::spoken::all_spoken;
 
 /// What is compared, and what stands in for it where one of the cases has no first impact, and where waves are
 /// regular: which of them is the first to press hard may differ.
@@ -160,8 +161,9 @@ fn point(a: &Side, b: &Side) -> String {
     let mut parts: Vec<String> = parts.collect();
     let variants = [&a.row.variant, &b.row.variant];
     if variants.iter().any(|variant| !variant.is_empty()) {
-        let shown = variants.map(|variant| if variant.is_empty() { "-" } else { variant });
-        parts.push(if shown[0] == shown[1] { shown[0].to_owned() } else { shown.join(" | ") });
+        let shown = variants
+            .map(|variant| if variant.is_empty() { "-".to_owned() } else { all_spoken(variant) });
+        parts.push(if shown[0] == shown[1] { shown[0].clone() } else { shown.join(" | ") });
     }
     if parts.is_empty() { a.row.id().to_owned() } else { parts.join(", ") }
 }

@@ -8,10 +8,11 @@ use crate::quantities::summary::{
     BOUNDARY, CASE_ID, FORCE_COUPLING, LOG10_K_STAR, SCHEME, SEAWALL_MASS, SPRING_STIFFNESS,
     WAVE_HEIGHT_RATIO,
 };
-use crate::quantities::{Column, Unit, heading, history, named};
+use crate::quantities::{Column, Unit, history, named};
 use crate::report::config::Config;
 use crate::report::number;
 use crate::report::row::{PLACE, Row, label};
+use crate::report::spoken::spoken;
 use crate::report::tables::Table;
 
 /// The table `papers`.
@@ -169,11 +170,9 @@ fn place(found: &Found) -> String {
 /// writes it: `still water depth = 0.2 m`.
 pub fn others(row: &Row, told: &[&Column]) -> Vec<String> {
     let part = |part: &str| {
-        let (name, value) = part.split_once(" = ")?;
-        let heading = heading(name);
-        let (stem, unit) = heading.split_once(", ").unwrap_or((&heading, ""));
+        let (name, _) = part.split_once(" = ")?;
         let told = name == FORCE_COUPLING.name || told.iter().any(|column| column.name == name);
-        (!told).then(|| format!("{stem} = {value} {unit}").trim_end().to_owned())
+        (!told).then(|| spoken(part))
     };
     row.variant.split(", ").filter_map(part).collect()
 }

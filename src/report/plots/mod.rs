@@ -42,6 +42,7 @@ pub(super) use sheet::{Drawing, Layout};
 use super::error::ReportError;
 use super::load::Loaded;
 use super::markup::escape;
+use super::spoken::all_spoken;
 use super::variant::file_name;
 use crate::quantities::Column;
 use crate::quantities::summary::{DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX};
@@ -124,7 +125,7 @@ pub fn all(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
 
 /// The end of a title that tells a variant.
 fn of_variant(variant: &str) -> String {
-    if variant.is_empty() { String::new() } else { format!(" ({variant})") }
+    if variant.is_empty() { String::new() } else { format!(" ({})", all_spoken(variant)) }
 }
 
 #[cfg(test)]

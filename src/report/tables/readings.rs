@@ -120,7 +120,7 @@ mod tests {
     #[test]
     fn many_cases_stand_one_below_the_other() {
         let few = across(&of(3));
-        assert_eq!(few.header[1], "column_height_m = 0.6");
+        assert_eq!(few.header[1], "column height = 0.6 m");
         assert_eq!((few.header.len(), few.rows.len()), (5, 2));
         let many = across(&of(9));
         assert_eq!(many.header[1], "front_at_wall, sqrt(H/g)");

@@ -88,7 +88,7 @@ mod tests {
     fn other_scenes_say_what_they_can() {
         let text = said(&fixture::dam_breaks(3));
         assert!(text.contains("3 cases: column height = 0.6, 0.7 and 0.8 m."), "{text}");
-        assert!(text.contains("F* = 1.832 at column_height_m = 0.8."), "{text}");
+        assert!(text.contains("F* = 1.832 at column height = 0.8 m."), "{text}");
         assert!(!text.contains("impact") && !text.contains("Half"), "{text}");
     }
 

@@ -55,7 +55,7 @@ fn scenes_without_a_wave_have_one_figure() {
     let many = drawn(&fixture::dam_breaks(9));
     let told = "Shown are 6 of 9 finished cases without a wave: spread over their order.";
     assert!(many[0].caption.ends_with(told), "{}", many[0].caption);
-    assert!(many[0].svg().contains("column_height_m = 0.6"), "a legend tells them apart");
+    assert!(many[0].svg().contains("column height = 0.6 m"), "a legend tells them apart");
 }
 
 #[test]
