@@ -71,6 +71,14 @@ impl Facts<'_> {
         self.weakly && !self.numerics.corrected_gradients
     }
 
+    /// Vortices with a row of particles on the line between two of them, under a pressure that does not last.
+    pub fn may_tear(&self) -> bool {
+        let Scene::TaylorGreen(scene) = self.scene() else { return false };
+        let rows = (scene.box_side_m / self.numerics.particle_spacing_m).round();
+        let corrected = self.weakly && self.numerics.corrected_gradients;
+        corrected && rows % 2.0 == 1.0 && scene.background_pressure_ratio < 3.0
+    }
+
     /// Takes ghosts' values in this way.
     pub fn boundary(&self, choice: BoundaryChoice) -> bool {
         self.weakly && self.numerics.boundary == choice

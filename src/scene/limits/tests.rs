@@ -104,6 +104,9 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     assert_eq!(count("wave_height_ratio = 0.8", ""), 2);
     let vortices = "kind = \"taylor-green\"";
     assert_eq!(count(vortices, ""), 0);
+    assert_eq!(count(vortices, "particle_spacing_m = 0.016"), 1, "63 rows");
+    let pressed = format!("{vortices}\nbackground_pressure_ratio = 5");
+    assert_eq!(count(&pressed, "particle_spacing_m = 0.016"), 0);
     let source = "preset = \"huang2019\"";
     assert_eq!(count(vortices, source), 1);
     assert_eq!(count("kind = \"standing-wave\"", source), 1);
