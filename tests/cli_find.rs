@@ -91,6 +91,19 @@ fn a_wall_that_hits_its_stop_is_marked_in_the_tables() {
     assert_eq!(hits.count(), stopped);
 }
 
+/// Steps were told as 814.0.
+#[test]
+fn counts_are_told_whole() {
+    let desk = Desk::new(TINY);
+    desk.sweep(&["--film", "none"]);
+    let (ids, told) =
+        (column(&desk.out, "case_id"), ended(0, &["find", &desk.dir, "steps > 1"]).out);
+    let words: Vec<_> = told.split_whitespace().collect();
+    let before = words.windows(2).filter(|pair| ids.iter().any(|id| id == pair[1]));
+    let steps: Vec<_> = before.map(|pair| pair[0].to_owned()).collect();
+    assert_eq!(steps, column(&desk.out, "steps"), "{told}");
+}
+
 /// A range of stiffnesses reached far past the grid, and a condition on a key came back as a boundary.
 #[test]
 fn boundaries_keep_to_the_grid_and_say_what_the_condition_does_not() {

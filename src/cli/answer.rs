@@ -173,6 +173,10 @@ impl<'a> Answer<'a> {
 /// A case's number for people.
 fn reading(reading: Reading) -> String {
     match reading {
+        // Steps and particles.
+        Reading::Value { value, bar: None, bound: false } if value.fract() == 0.0 => {
+            value.to_string()
+        }
         Reading::Value { value, bar, bound } => with_marks(value, bar, bound),
         Reading::Missing | Reading::Failed => "-".to_owned(),
     }
