@@ -15,7 +15,8 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     let beach = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [2, 0.1]]";
     assert_eq!(count(beach, ""), 0);
     assert_eq!(count(beach, "boundary = \"improved-shepard\""), 1);
-    let crest = "tank_length_m = 2\nbehind = \"outflow\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.1";
+    let crest =
+        "tank_length_m = 2\nbehind = \"outflow\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.1";
     assert_eq!(count(crest, ""), 0);
     assert_eq!(count(crest, "boundary = \"improved-shepard\""), 1);
     let train = "paddle = \"wave-train\"\nwave_period_s = 1\nwave_height_ratio = 0.1\nend_time_s";
