@@ -8,7 +8,7 @@ use crate::quantities::summary::{
     FORCE_COUPLING, LOG10_K_STAR, M_STAR, SEAWALL_MASS, SPRING_STIFFNESS,
 };
 use crate::report::curves::distinct;
-use crate::report::number::{plain, with_digits, with_error};
+use crate::report::number::{minus, plain, with_digits, with_error};
 use crate::report::row::{Row, label};
 
 /// A case's point, if it has a number.
@@ -78,7 +78,7 @@ pub fn said<'a>(
     };
     let both = pair.and_then(|(own, ratio)| Some(((own, one(own)?), (ratio, one(ratio)?))));
     let Some(((own, typed), (ratio, known))) = both else { return label(column, value) };
-    let known = with_digits(known, ratio.digits).unwrap_or_else(|| plain(known));
+    let known = minus(&with_digits(known, ratio.digits).unwrap_or_else(|| plain(known)));
     format!("{} ({} = {known})", label(own, typed), ratio.symbol)
 }
 
@@ -153,6 +153,9 @@ mod tests {
         assert_eq!(told(&SEAWALL_MASS, 10.0), "m = 10 kg/m (m* = 0.25)");
         assert_eq!(told(&M_STAR, 1.25), "m* = 1.25", "two masses in water of other depths");
         assert_eq!(told(&SPRING_STIFFNESS, 1196.279), "k = 1196 N/m (log₁₀ k* = 0.48)");
+        let soft = row(10.0, 0.25).with(&SPRING_STIFFNESS, 100).with(&LOG10_K_STAR, -0.593);
+        let told = said([&soft].into_iter(), &SPRING_STIFFNESS, 100.0);
+        assert_eq!(told, "k = 100 N/m (log₁₀ k* = \u{2212}0.59)");
     }
 
     #[test]
