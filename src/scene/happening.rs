@@ -35,15 +35,16 @@ impl Scene {
         self.has_crest_at_upright_wall() && !self.has_train() && !steep
     }
 
-    /// Whether a run to the end time lasts until a solitary wave, thrown back by its upright wall and then by the
-    /// paddle, is at the wall again, and so long that what this stirs sinks.
+    /// Whether a run to the end time lasts until a single wave, thrown back by its wall and then by the paddle, is at
+    /// the wall again, and so long that what this stirs sinks.
     pub(super) fn hits_again(&self) -> bool {
-        self.has_solitary_wave_at_upright_wall()
-            && self.seawall().is_some_and(|scene| {
-                let Frame { length, depth, gravity, end_time, .. } = scene.frame();
-                let celerity = (gravity * depth * (1.0 + scene.wave_height_ratio)).sqrt();
-                end_time - scene.start_s() > 3.0 * length / celerity && self.lasts(SINKS_AFTER)
-            })
+        self.seawall().is_some_and(|scene| {
+            let Frame { length, depth, gravity, end_time, .. } = scene.frame();
+            let single = scene.wave_height_ratio > 0.0 && scene.wave_train.is_none();
+            let celerity = (gravity * depth * (1.0 + scene.wave_height_ratio)).sqrt();
+            let returns = end_time - scene.start_s() > 3.0 * length / celerity;
+            single && returns && self.lasts(SINKS_AFTER)
+        })
     }
 
     /// Whether its wave is so steep that what it throws up a wall falls free and closes cavities.

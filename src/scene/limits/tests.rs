@@ -73,6 +73,19 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     let sinks = "volume_feedback = 0";
     assert_eq!([8, 20].map(|s| count(&format!("end_time_s = {s}"), sinks)), [0, 1]);
     assert_eq!(count("end_time_s = 20", ""), 0);
+    let step = "bed = [[0, 0], [1.5, 0], [1.5, 0.1], [2.5, 0.1]]\nend_time_s = 20";
+    let normalized = "boundary = \"normalized\"";
+    assert_eq!(
+        ["", "\nvolume_feedback = 0"].map(|own| count(step, &format!("{normalized}{own}"))),
+        [0, 1]
+    );
+    let leans = |seconds: u32| {
+        format!("wall_angle_deg = 105\nwave_height_ratio = 0.3\nend_time_s = {seconds}")
+    };
+    assert_eq!(
+        ["", "\nvolume_feedback = 0"].map(|own| count(&leans(20), &format!("{normalized}{own}"))),
+        [0, 1]
+    );
     assert_eq!(count("kind = \"dam-break\"", ""), 1);
     assert_eq!(count("kind = \"dam-break\"", "preset = \"huang2019\""), 0);
     assert_eq!(count("kind = \"dam-break\"", "boundary = \"mls-quadratic\""), 1);
