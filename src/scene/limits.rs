@@ -77,8 +77,8 @@ const LIMITS: &[Limit] = &[
             leans && case.hits_again() && case.boundary(BoundaryChoice::ImprovedShepard)
         },
         "boundary = \"improved-shepard\" for a wave that comes back to a leaning wall: 9 to 18 % of the \
-         paddle's work came from nowhere in 40 s at ten rows, and 4 to 7 % at sixteen; with \
-         boundary = \"normalized\" the budget was open by 6 % at most",
+         paddle's work came from nowhere in 40 s at ten rows, and 4 to 7 % at sixteen; the default, \
+         boundary = \"normalized\", had the budget open by 6 % at most",
     ),
     (
         |case| case.boundary(BoundaryChoice::Sfdi) && case.rows.is_some(),

@@ -99,8 +99,8 @@ section! {
         /// Support radius of the kernel over the particle spacing. The preset `default` has 5 for
         /// waves at upright walls alone, and 4 for all else.
         support_radius_ratio: f64 = 5.0, plain().within(2.0, 8.0).label("support radius/Δx");
-        /// How ghost particles get their values. Trains, beds that are not level and crests have `normalized` by
-        /// default.
+        /// How ghost particles get their values. Trains, beds that are not level, crests, and waves that come
+        /// back to a leaning wall (see `volume_feedback`) have `normalized` by default.
         boundary: BoundaryChoice = BoundaryChoice::ImprovedShepard, weakly(plain());
         /// Exponent λ of the improved Shepard weight (Huang et al. 2019, Eq. 20).
         shepard_lambda: f64 = 2.0,

@@ -148,11 +148,14 @@ impl Numerics {
             self.extrapolated_correction = true;
             self.limited_viscosity = false;
         }
-        if scene.has_train() || scene.bed().is_some() || scene.has_crested_wall() {
+        let again = timed && scene.hits_again();
+        let leans = scene.seawall().is_some_and(|tank| tank.wall_angle_deg != 90.0);
+        let uneven = scene.bed().is_some() || scene.has_crested_wall();
+        if scene.has_train() || uneven || (again && leans) {
             // Water creeps along walls that waves go on meeting, and along slopes; over a crest energy would be made.
             self.boundary = BoundaryChoice::Normalized;
         }
-        if scene.has_train() || scene.stirs_at_shore() || (timed && scene.hits_again()) {
+        if scene.has_train() || scene.stirs_at_shore() || again {
             // Its volumes must be held where water that is stirred has the time to sink through itself.
             self.shifting = Shifting::Deep;
             self.volume_feedback = 0.002;

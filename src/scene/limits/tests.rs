@@ -82,7 +82,9 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     let leans = |seconds: u32| {
         format!("wall_angle_deg = 105\nwave_height_ratio = 0.3\nend_time_s = {seconds}")
     };
-    assert_eq!([8, 20].map(|seconds| count(&leans(seconds), "")), [0, 1]);
+    let follows = "boundary = \"improved-shepard\"";
+    assert_eq!([8, 20].map(|seconds| count(&leans(seconds), "")), [0, 0]);
+    assert_eq!([8, 20].map(|seconds| count(&leans(seconds), follows)), [0, 1]);
     assert_eq!(
         ["", "\nvolume_feedback = 0"].map(|own| count(&leans(20), &format!("{normalized}{own}"))),
         [0, 1]
