@@ -52,7 +52,7 @@ fn water_that_runs_back_over_a_step_finds_no_energy() {
 }
 
 /// Over a step and before a wall that leans the volume of stirred water was not held, as it is in a tank that has neither.
-/// The surface sank by 1.7, 2.5 and 5 mm between the second and the last ten seconds, of which nothing was told.
+/// The surface sank by 1.7, 2.5 and 5 mm between the second and the last ten seconds. Before the walls nothing told of it.
 #[test]
 fn water_stays_where_it_is_while_waves_come_back() {
     let step = "bed = [[0, 0], [0.6, 0], [0.6, 0.1], [1.2, 0.1]]";
