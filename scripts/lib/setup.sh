@@ -159,8 +159,11 @@ attended() {
     [ -z "$job" ] || kill -TERM -- "-$job" 2>/dev/null || kill -TERM "$job" 2>/dev/null || true
   }
   trap pass_on INT TERM HUP
-  setsid "$@" </dev/null &
+  # With job control it has a process group of its own, and hears SIGINT, which a background job else ignores.
+  set -m
+  "$@" </dev/null &
   job=$!
+  set +m
   [ "$stopped" = no ] || pass_on # the signal came before there was a job to pass it on to
   end_of "$job"
   trap - INT TERM HUP
