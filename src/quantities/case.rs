@@ -76,10 +76,12 @@ impl Case<'_> {
     /// What to expect of a wave of few rows of particles; `None` where there are enough.
     pub(super) fn coarse_spacing(&self) -> Option<String> {
         let scene = self.seawall().filter(|scene| scene.wave_height_ratio > 0.0)?;
-        let rows = scene.still_water_depth_m / self.config.numerics.particle_spacing_m;
+        let depth = scene.least_depth_m();
+        let rows = depth / self.config.numerics.particle_spacing_m;
+        let place = if depth < scene.still_water_depth_m { " at the wall" } else { "" };
         (rows < ROWS - 1e-9).then(|| {
             format!(
-                "{rows:.1} rows over the depth; below {ROWS}, forces are up to 3 %, displacements 9 % off, runups \
+                "{rows:.1} rows over the depth{place}; below {ROWS}, forces are up to 3 %, displacements 9 % off, runups \
                  0.25 h low; one bar in four may miss"
             )
         })
@@ -125,5 +127,21 @@ mod tests {
         assert_eq!(coarse_spacings(rows).unwrap(), "6.7 to 10.0 rows over the depth");
         assert_eq!(coarse_spacings([rows[0], rows[0]]).unwrap(), rows[0]);
         assert_eq!(coarse_spacings([]), None);
+    }
+
+    #[test]
+    fn rows_count_where_the_water_is_shallow() {
+        let told = |bed: &str| {
+            let scene = format!("still_water_depth_m = 0.2\nbed = {bed}").parse().unwrap();
+            let numerics = "particle_spacing_m = 0.02".parse().unwrap();
+            let config = &CaseConfig::from_tables(&scene, &numerics).unwrap();
+            let (id, bars) = (String::new(), Bars::default());
+            let case = Case { id, config, outcome: None, reason: "", bars, wall_time_s: 0.0 };
+            case.coarse_spacing()
+        };
+        let step = told("[[0, 0], [1.5, 0], [1.5, 0.06], [2.5, 0.06]]").unwrap();
+        assert!(step.starts_with("7.0 rows over the depth at the wall; below 10, "), "{step}");
+        assert_eq!(told("[[0, 0], [2.5, 0]]"), None);
+        assert_eq!(told("[[0, 0], [1.5, 0], [2.5, 0.3]]"), None, "a dry wall has no depth");
     }
 }

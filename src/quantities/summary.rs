@@ -192,8 +192,8 @@ quantities! { Read;
     CREST_SPEED = number("crest_speed_max_m_per_s", "crest u max", MetresPerSecond, |c| {
         c.outcome?.overtopped?.speed_max_m_per_s
     }).significant(4);
-    /// what to expect of it, where a wave has fewer than 10 rows of particles over the depth; empty
-    /// where there are more
+    /// what to expect of it, where a wave has fewer than 10 rows of particles over the depth, or over that
+    /// at the wall where it is less; empty where there are more
     COARSE_SPACING = text("coarse_spacing", "", |c| c.coarse_spacing());
 }
 

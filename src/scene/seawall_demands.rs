@@ -83,6 +83,12 @@ impl SeawallScene {
         (self.still_water_depth_m - toe).max(0.0)
     }
 
+    /// The lesser of the still water's depths at the paddle and, where it has any there, at the wall, metres.
+    pub fn least_depth_m(&self) -> f64 {
+        let (depth, at_wall) = (self.still_water_depth_m, self.depth_at_wall_m());
+        if at_wall > 0.0 { at_wall.min(depth) } else { depth }
+    }
+
     /// Checks what the bed asks of wall, paddle, water and scheme.
     pub(super) fn validate_bed(&self, numerics: &Numerics) -> Result<(), ConfigError> {
         let Some(bed) = &self.bed else { return Ok(()) };

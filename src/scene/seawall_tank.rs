@@ -101,6 +101,7 @@ impl SeawallScene {
             paddle: self.paddle(),
             absorbs: self.absorption && self.wave_height_ratio > 0.0,
             wall: self.law(static_force),
+            least_depth: self.least_depth_m(),
             mass_behind,
             other_speed: self.fall_speed(),
             static_force,

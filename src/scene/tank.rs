@@ -41,6 +41,8 @@ pub struct Tank {
     pub sound_speed: f64,
     /// Particle spacing along the bed, metres.
     pub spacing: f64,
+    /// The lesser of the still water's depths at the paddle and, where there is any, at the wall, metres.
+    pub least_depth: f64,
     /// Mass of the still water behind the wall, kg per metre of width.
     pub mass_behind: f64,
     /// The clock at the start, seconds.
@@ -79,6 +81,7 @@ impl Tank {
             other_speed: 0.0,
             sound_speed: frame.sound_speed(numerics),
             spacing,
+            least_depth: frame.depth,
             mass_behind: 0.0,
             start_time: 0.0,
             frame,

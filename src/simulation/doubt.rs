@@ -42,7 +42,7 @@ pub(super) struct Evidence<'a> {
     pub work: f64,
     /// ... and in words.
     pub counted_in: &'static str,
-    /// Δx/h.
+    /// Δx/h, with the depth at the wall where that is less.
     pub spacing: f64,
     /// Whether a paddle makes a wave.
     pub is_wave: bool,

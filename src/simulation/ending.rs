@@ -186,7 +186,7 @@ impl Run {
                 (true, true) => "the work that passed between paddle and water",
                 (false, _) => "the water's initial energy",
             },
-            spacing: tank.spacing / tank.frame.depth,
+            spacing: tank.spacing / tank.least_depth,
             is_wave: has_wave && tank.paddle.is_some(),
             // Means end half their span earlier.
             end: self.clock.time - MEAN_SPAN * tank.frame.unit_time() - self.time_step,
