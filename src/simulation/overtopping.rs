@@ -12,6 +12,8 @@ use crate::scheme::Scheme;
 
 /// The crest is looked at in columns of so many particle spacings.
 const COLUMN: f64 = 3.0;
+/// Water counts as gone over by and by, on a way of so many particle spacings around the back.
+const WAY: f64 = 5.0;
 /// A column has a speed once it holds so many particles' worth of water.
 const FEWEST: f64 = 3.0;
 
@@ -20,7 +22,7 @@ const FEWEST: f64 = 3.0;
 pub(super) struct Sight {
     /// Water behind the back so far, more than at the start, m².
     pub volume: f64,
-    /// Water beyond a section, on the mean over those within half a column of the back, m².
+    /// Water beyond the back, that near it in part: see [`passed`], m².
     pub beyond: f64,
     /// By how much that has grown since the last look, m²/s.
     pub discharge: f64,
@@ -109,7 +111,7 @@ impl Overtopping {
 pub(super) fn columns() -> [ProbeColumn; 4] {
     let told = [
         ("m2", "mass behind the back of the crest over the density"),
-        ("m2/s", "growth of the water beyond the back of the crest, over a column of sections"),
+        ("m2/s", "growth of the water beyond the back of the crest, over five spacings around it"),
         ("m", "volume of the fullest column on the crest over its width"),
         ("m/s", "momentum over mass of the fastest column on the crest"),
     ];
@@ -132,6 +134,15 @@ fn beginnings([front, back]: [f64; 2], width: f64) -> impl Iterator<Item = f64> 
     (0..=steps as usize).map(move |k| if k == 0 { front } else { front + room * k as f64 / steps })
 }
 
+/// How much of a particle counts as gone over, half a way before the back nothing, half a way behind it all.
+///
+/// Its slope is (15/8) (1 - (2 at)²)². Rows of particles that go by at any distance give it a steady sum. Those of a
+/// share that grows evenly rise and fall by up to a third.
+fn passed(at: f64) -> f64 {
+    let part = (at + 0.5).clamp(0.0, 1.0);
+    part * part * part * (part * (6.0 * part - 15.0) + 10.0)
+}
+
 /// What there is at an instant; its discharge takes two.
 fn sight(tank: &Tank, crest: &Crest) -> Sight {
     let (water, spacing, density) = (tank.water.as_ref(), tank.spacing, tank.frame.density);
@@ -141,8 +152,14 @@ fn sight(tank: &Tank, crest: &Crest) -> Sight {
     let mut behind = water.taken().mass - tank.mass_behind;
     let mut beyond = water.taken().mass;
     let mut on_top = Vec::new();
+    let way = (WAY * spacing).min(2.0 * (back - front));
     for k in (0..fluid.len()).filter(|&k| fluid.x[k] > front) {
-        beyond += fluid.mass[k] * ((fluid.x[k] - back) / width + 0.5).clamp(0.0, 1.0);
+        let mut past = fluid.x[k] - back;
+        if past > 0.0 {
+            // Water that trickles down the back has gone over, and is taken away from there.
+            past += (crest.height - fluid.y[k]).max(0.0);
+        }
+        beyond += fluid.mass[k] * passed(past / way);
         if fluid.x[k] > back {
             behind += fluid.mass[k];
         } else {
@@ -173,6 +190,21 @@ fn sight(tank: &Tank, crest: &Crest) -> Sight {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The largest discharge of a steady stream was 17 % too high, as whole columns of particles came and went.
+    #[test]
+    fn columns_of_particles_go_by_as_a_steady_stream() {
+        for apart in [0.8, 1.0, 1.13, 1.3] {
+            let beyond = |at: f64| -> f64 {
+                (-9..=9).map(|n| apart * passed((f64::from(n) * apart + at) / WAY)).sum()
+            };
+            for step in 0..10 {
+                let at = 0.1 * apart * f64::from(step);
+                let stream = (beyond(at + 0.01) - beyond(at)) / 0.01;
+                assert!((stream - 1.0).abs() < 0.02, "{stream} at {apart}");
+            }
+        }
+    }
 
     #[test]
     fn columns_cover_the_crest_and_grow_in_number_without_a_jump() {
