@@ -101,8 +101,11 @@ impl Case<'_> {
         let scene = self.movable()?;
         let farthest = self.outcome?.displacement_max?;
         let depth = scene.still_water_depth_m;
-        let at_wall = Some(scene.depth_at_wall_m()).filter(|depth| *depth > 0.0).unwrap_or(depth);
-        let unit = wall_force(at_wall, scene.water_density_kg_per_m3, scene.gravity_m_per_s2);
+        let unit = wall_force(
+            scene.force_depth_m(),
+            scene.water_density_kg_per_m3,
+            scene.gravity_m_per_s2,
+        );
         let value = scene.spring_stiffness_n_per_m? * farthest.value * depth / unit;
         Some(Maximum { value, ..farthest })
     }

@@ -83,10 +83,15 @@ impl SeawallScene {
         (self.still_water_depth_m - toe).max(0.0)
     }
 
-    /// The lesser of the still water's depths at the paddle and, where it has any there, at the wall, metres.
+    /// The depth whose hydrostatic force F* is over, metres: that at the wall, or the still water's where the wall stands dry.
+    pub fn force_depth_m(&self) -> f64 {
+        let at_wall = self.depth_at_wall_m();
+        if at_wall > 0.0 { at_wall } else { self.still_water_depth_m }
+    }
+
+    /// The lesser of the still water's depths at the paddle and, where there is any, at the wall, metres.
     pub fn least_depth_m(&self) -> f64 {
-        let (depth, at_wall) = (self.still_water_depth_m, self.depth_at_wall_m());
-        if at_wall > 0.0 { at_wall.min(depth) } else { depth }
+        self.force_depth_m().min(self.still_water_depth_m)
     }
 
     /// Checks what the bed asks of wall, paddle, water and scheme.

@@ -92,11 +92,8 @@ impl SeawallScene {
             },
             ..still
         };
-        // A wall that stands dry has no hydrostatic force of its own to be measured by.
-        let at_wall = self.depth_at_wall_m();
-        let depth = if at_wall > 0.0 { at_wall } else { frame.depth };
         let mass_behind = filling.mass_behind();
-        let static_force = wall_force(depth, frame.density, frame.gravity);
+        let static_force = wall_force(self.force_depth_m(), frame.density, frame.gravity);
         Tank {
             paddle: self.paddle(),
             absorbs: self.absorption && self.wave_height_ratio > 0.0,
@@ -106,7 +103,8 @@ impl SeawallScene {
             other_speed: self.fall_speed(),
             static_force,
             start_time: self.start_s(),
-            from_rest: at_wall > 0.0,
+            // A wall that stands dry has no hydrostatic force of its own to be measured by.
+            from_rest: self.depth_at_wall_m() > 0.0,
             threshold_ratio: self.onset_ratio(static_force),
             impact_ratio: self.threshold_ratio,
             wave_height_ratio: self.wave_height_ratio,

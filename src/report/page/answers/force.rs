@@ -80,9 +80,8 @@ fn later(data: &Loaded, first: f64) -> Option<String> {
 /// water's.
 fn scale(data: &Loaded, file: Option<&SceneFile>, index: usize) -> Option<f64> {
     let scene = file?.config(data, index)?.scene;
-    let (frame, seawall) = (scene.frame(), scene.seawall());
-    let at_wall = seawall.map(|scene| scene.depth_at_wall_m()).filter(|depth| *depth > 0.0);
-    let depth = at_wall.unwrap_or(frame.depth);
+    let frame = scene.frame();
+    let depth = scene.seawall().map_or(frame.depth, |scene| scene.force_depth_m());
     Some(0.5 * frame.density * frame.acceleration() * depth * depth)
 }
 
