@@ -6,12 +6,8 @@ use super::corner::Corner;
 use super::ghosts::{BodySites, Reflection, Site};
 use super::layout::{TankLayout, at};
 use super::plane::Plane;
-use super::profile::{Profile, Stretch};
+use super::profile::{Profile, STEEP, Stretch, ends_low, turn};
 use super::territory::Territory;
-
-/// Rise along a stretch from which on it is a wall, whose ghosts ask how wet they are. On anything flatter
-/// the thinnest sheet of water is borne by whole ghosts, and a dry ghost has no water in reach.
-const STEEP: f64 = 0.7;
 
 /// Sites of a profile, and a face point for every column of the stretches that may run dry.
 ///
@@ -44,12 +40,6 @@ pub(super) fn bed_sites(layout: &TankLayout, profile: &Profile) -> BodySites {
     BodySites { sites: bed.sites, faces: bed.faces, plane }
 }
 
-/// Angle by which the bed bends upwards from one stretch to the next, radians.
-fn turn(before: &Stretch, after: &Stretch) -> f64 {
-    let ([ax, ay], [bx, by]) = (before.along, after.along);
-    libm::atan2(ax * by - ay * bx, ax * bx + ay * by)
-}
-
 struct Bed<'a> {
     layout: &'a TankLayout,
     territory: Territory<'a>,
@@ -64,21 +54,27 @@ struct Bed<'a> {
 }
 
 impl Bed<'_> {
+    /// How many columns of ghosts lie behind a stretch.
+    fn columns(&self, stretch: &Stretch) -> f64 {
+        (stretch.length / self.layout.spacing_x).round().max(1.0)
+    }
+
     /// The lattice behind one stretch.
     fn lay(
         &mut self,
         (number, stretch): (usize, &Stretch),
         [before, after]: [Option<&Stretch>; 2],
     ) {
-        let TankLayout { spacing_x, spacing_y, support_radius, .. } = *self.layout;
-        let columns = (stretch.length / spacing_x).round().max(1.0);
+        let TankLayout { spacing_y, support_radius, still_level, .. } = *self.layout;
+        let columns = self.columns(stretch);
         let width = stretch.length / columns;
         let layers = (support_radius / spacing_y).ceil() as i64;
         let dries = stretch.from[0] + stretch.length > self.level + 1e-9;
         self.first_faces.push(self.faces.len());
+        let low = |bend| ends_low(bend, still_level, [spacing_y, support_radius]);
         let edges = [
-            before.filter(|before| self.is_edge([before, stretch], stretch.from)),
-            after.filter(|after| self.is_edge([stretch, after], after.from)),
+            before.filter(|before| low([before, stretch])),
+            after.filter(|after| low([stretch, after])),
         ];
         for column in 0..columns as i64 {
             let along = at(column, width);
@@ -125,21 +121,11 @@ impl Bed<'_> {
         }
     }
 
-    /// Whether a face comes out of the still water at such a bend, and what follows or precedes stands dry, less than
-    /// a support radius above it.
-    fn is_edge(&self, bend: [&Stretch; 2], [_, height]: [f64; 2]) -> bool {
-        let TankLayout { spacing_y, support_radius, still_level, .. } = *self.layout;
-        let above = height - still_level;
-        let faces = bend.map(|stretch| stretch.rise() > STEEP);
-        let near = (-0.5 * spacing_y..support_radius).contains(&above);
-        near && faces[0] != faces[1] && turn(bend[0], bend[1]) < 0.0
-    }
-
     /// Ghosts behind the faces below dry tops, where those of the tops have no water to mirror.
     fn back_edges(&mut self, stretches: &[Stretch]) {
         for (twin, number) in std::mem::take(&mut self.edges) {
             let (site, stretch) = (self.sites[twin], &stretches[number]);
-            let columns = (stretch.length / self.layout.spacing_x).round().max(1.0);
+            let columns = self.columns(stretch);
             let [along, distance] = [stretch.passed(site.ghost), stretch.behind(site.ghost)];
             let column = (along / stretch.length * columns).clamp(0.0, columns - 1.0) as usize;
             self.sites.push(Site {

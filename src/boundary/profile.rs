@@ -5,7 +5,7 @@ mod stretch;
 use serde::{Deserialize, Deserializer, Serialize, de};
 
 use super::plane::Plane;
-pub use stretch::Stretch;
+pub use stretch::{STEEP, Stretch, ends_low, turn};
 
 /// Stretches shorter than this, metres, are no stretches.
 const SHORTEST: f64 = 1e-9;
@@ -105,18 +105,14 @@ impl Profile {
     pub fn narrowest_trench(&self) -> Option<f64> {
         let stretches: Vec<_> = self.stretches().collect();
         let trenches =
-            stretches.windows(3).filter(|of| of[0].along[1] < -0.7 && of[2].along[1] > 0.7);
+            stretches.windows(3).filter(|of| of[0].along[1] < -STEEP && of[2].along[1] > STEEP);
         trenches.map(|of| of[1].length).min_by(f64::total_cmp)
     }
 
-    /// Whether a steep face bends to a flat top at a height in this range, metres.
-    pub fn has_top_at(&self, heights: std::ops::Range<f64>) -> bool {
+    /// Whether any of its faces ends low: see [`ends_low`].
+    pub fn ends_low(&self, still_level: f64, reach: [f64; 2]) -> bool {
         let stretches: Vec<_> = self.stretches().collect();
-        stretches.windows(2).any(|of| {
-            let [before, after] = [of[0].along[1], of[1].along[1]];
-            let edge = before > after && (before > 0.7) != (after < -0.7);
-            edge && heights.contains(&of[1].from[1])
-        })
+        stretches.windows(2).any(|of| ends_low([&of[0], &of[1]], still_level, reach))
     }
 
     /// Its lowest and highest place, metres.

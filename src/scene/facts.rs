@@ -172,8 +172,8 @@ impl Facts<'_> {
     /// Whether a face comes out of the still water and ends less than a support radius above it.
     pub fn ends_low(&self) -> bool {
         let (depth, spacing) = (self.scene().frame().depth, self.numerics.particle_spacing_m);
-        let heights = depth - 0.5 * spacing..depth + self.numerics.support_radius_ratio * spacing;
-        self.weakly && self.scene().bed().is_some_and(|bed| bed.has_top_at(heights))
+        let reach = [spacing, self.numerics.support_radius_ratio * spacing];
+        self.weakly && self.scene().bed().is_some_and(|bed| bed.ends_low(depth, reach))
     }
 
     /// Rows of still water that stand at a wall whose bed ends under water.

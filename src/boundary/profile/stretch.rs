@@ -2,6 +2,10 @@
 
 use crate::boundary::plane::Plane;
 
+/// Rise along a stretch from which on it is a wall, whose ghosts ask how wet they are. On anything flatter
+/// the thinnest sheet of water is borne by whole ghosts, and a dry ghost has no water in reach.
+pub const STEEP: f64 = 0.7;
+
 /// A straight stretch of a bed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
@@ -63,4 +67,22 @@ impl Stretch {
         let way = (x * self.along[0] + y * self.along[1]).clamp(0.0, self.length);
         self.place(way, 0.0)
     }
+}
+
+/// Angle by which the bed bends upwards from one stretch to the next, radians.
+pub fn turn(before: &Stretch, after: &Stretch) -> f64 {
+    let ([ax, ay], [bx, by]) = (before.along, after.along);
+    libm::atan2(ax * by - ay * bx, ax * bx + ay * by)
+}
+
+/// Whether a steep face comes out of the still water at the bend from one stretch to the next, and the other of
+/// them stands dry, less than a support radius above it; all in metres.
+pub fn ends_low(
+    [before, after]: [&Stretch; 2],
+    still_level: f64,
+    [spacing, support_radius]: [f64; 2],
+) -> bool {
+    let near = (-0.5 * spacing..support_radius).contains(&(after.from[1] - still_level));
+    let steep = [before, after].map(|stretch| stretch.rise() > STEEP);
+    near && steep[0] != steep[1] && turn(before, after) < 0.0
 }
