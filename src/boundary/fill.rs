@@ -155,8 +155,8 @@ impl Filling<'_> {
         }
     }
 
-    /// How much one of two ghosts at the edge of a dry top counts: the one under the top as far as water lies on it,
-    /// the one behind the face for the rest.
+    /// How much one of two ghosts at the edge of a dry top counts. The one under the top counts as far as water lies
+    /// on it. The one behind the face counts for the rest.
     fn share_on_top(&self, g: usize) -> f64 {
         let Filling { exchange, ghosts, .. } = *self;
         let under = match ghosts.twin[g] {

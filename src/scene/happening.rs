@@ -35,8 +35,8 @@ impl Scene {
         self.has_crest_at_upright_wall() && !self.has_train() && !steep
     }
 
-    /// Whether a run to the end time lasts until a single wave, thrown back by its wall and then by the paddle, is at
-    /// the wall again, and so long that what this stirs sinks.
+    /// Whether a run to the end time lasts until a single wave is at the wall again, and so long that what this stirs
+    /// sinks. The wall throws the wave back, and then the paddle does.
     pub(super) fn hits_again(&self) -> bool {
         self.seawall().is_some_and(|scene| {
             let Frame { length, depth, gravity, end_time, .. } = scene.frame();
