@@ -109,7 +109,7 @@ impl Profile {
         trenches.map(|of| of[1].length).min_by(f64::total_cmp)
     }
 
-    /// Whether any of its faces ends low: see [`ends_low`].
+    /// Whether one of its faces comes out of the still water and ends low above it; all in metres.
     pub fn ends_low(&self, still_level: f64, reach: [f64; 2]) -> bool {
         let stretches: Vec<_> = self.stretches().collect();
         stretches.windows(2).any(|of| ends_low([&of[0], &of[1]], still_level, reach))
