@@ -84,6 +84,8 @@ fn waves_in_two_panels_of_one_legend_do_not_look_alike() {
     let svg = fs::read_to_string(out.join("figure-5.svg")).unwrap();
     // The low wave and the high one were both of the first look of their panel.
     assert!(svg.contains("hue-0") && svg.contains("hue-3") && !svg.contains("hue-1"), "{svg}");
+    let text = fs::read_to_string(out.join("figure-5.md")).unwrap();
+    assert!(text.contains("Computed by isph with particles 0.03 m apart."), "{text}");
 }
 
 #[test]

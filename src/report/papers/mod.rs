@@ -23,7 +23,7 @@ use crate::quantities::summary::FORCE_COUPLING;
 
 pub(super) use computed::{at, column, on_their_clock, step_time};
 pub use nearest::nearest;
-pub use sentences::{answer, sentences};
+pub use sentences::{answer, method, sentences};
 pub use table::{beside, others, tidy};
 
 /// A printed number and what a case has in its place.

@@ -9,7 +9,7 @@ use crate::papers::{Read, cause, paper};
 use crate::quantities::summary::{PARTICLE_SPACING, SCHEME};
 use crate::report::curves::distinct;
 use crate::report::number;
-use crate::report::row::{PLACE, label};
+use crate::report::row::{PLACE, Row, label};
 
 /// A paragraph of what was compared, one of each kind of number, and one of each reason.
 pub fn sentences(found: &[Found]) -> Vec<String> {
@@ -78,15 +78,15 @@ fn opening(found: &[Found]) -> String {
          No curve was read off: these are the numbers that the papers print.",
         numbers.len(),
         names.join("; "),
-        method(found)
+        method(found.iter().map(|one| one.row))
     )
 }
 
-/// The schemes and spacings of the cases.
-fn method(found: &[Found]) -> String {
-    let schemes: BTreeSet<_> = found.iter().map(|one| one.row.text(&SCHEME)).collect();
+/// The schemes and spacings of cases.
+pub fn method<'a>(rows: impl Iterator<Item = &'a Row> + Clone) -> String {
+    let schemes: BTreeSet<_> = rows.clone().map(|row| row.text(&SCHEME)).collect();
     let schemes: Vec<_> = schemes.into_iter().collect();
-    let spacings = distinct(found.iter().map(|one| one.row), &PARTICLE_SPACING);
+    let spacings = distinct(rows, &PARTICLE_SPACING);
     let spacings: Vec<_> = spacings.into_iter().map(number::plain).collect();
     format!("{} with particles {} m apart", schemes.join(" and "), spacings.join(", "))
 }

@@ -32,7 +32,7 @@ pub struct Reproduced {
     pub tidy: Table,
     /// The same for the eye.
     pub beside: Table,
-    /// What agrees, what does not, and why; empty where the paper prints no number of it.
+    /// What agrees, what does not, and why; without a printed number of these cases how they were computed.
     pub sentences: Vec<String>,
 }
 
@@ -127,7 +127,12 @@ pub fn reproduce(recipe: &Recipe, directories: &[PathBuf]) -> Result<Reproduced,
         },
         tidy: papers::tidy(&found),
         beside: papers::beside(&found),
-        sentences: if found.is_empty() { Vec::new() } else { papers::sentences(&found) },
+        sentences: if found.is_empty() {
+            let method = papers::method(material.cases().into_iter().map(|(_, row)| row));
+            vec![format!("No number of it is printed for these cases. Computed by {method}.")]
+        } else {
+            papers::sentences(&found)
+        },
     })
 }
 
