@@ -105,7 +105,8 @@ impl<'a> Group<'a> {
             return format!("Compared with {held}, the force is halved by {}.", walls.join("; "));
         }
         let least = |row: &Row| Some(-force(row));
-        let lower = |row: &&Row| !row.is_fixed() && force(row) < whole;
+        // Not one that would be told as 100 % of it.
+        let lower = |row: &&Row| !row.is_fixed() && force(row) < 0.995 * whole;
         let lowest = most(self.rows.iter().copied().filter(lower), least);
         let told = lowest.map(|(row, _)| {
             let share = percent(force(row) / whole);
@@ -176,7 +177,12 @@ fn in_brief(groups: &[Group<'_>], after_some: bool) -> String {
             format!(" At H/h = {without} no wall halves it.")
         }
         (_, without) if some.is_empty() => format!(" At H/h = {without} no wall halves it either."),
-        (with, _) if none.is_empty() => format!(" At H/h = {with} some wall halves it, too."),
+        (with, _) if none.is_empty() => {
+            format!(
+                " At H/h = {with} some wall halves it{}.",
+                if after_some { ", too" } else { "" }
+            )
+        }
         (with, without) => {
             format!(" At H/h = {with} some wall halves it, at H/h = {without} none.")
         }

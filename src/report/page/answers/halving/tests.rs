@@ -87,8 +87,19 @@ fn a_caisson_that_halves_the_force_is_told_as_one() {
 /// The story: where no wall moved, the lowest force was "100 % of it", at the wall that it was compared with.
 #[test]
 fn walls_under_the_same_force_have_no_lowest() {
-    let told = said(&[10.0, 1e5].map(|k| wall(0.5, Some((k, 50.0)), 2.0))).unwrap();
-    assert!(told.ends_with("m = 50 kg/m (F* = 2)."), "{told}");
+    for soft in [2.0, 1.9999999] {
+        let walls = [(10.0, soft), (1e5, 2.0)].map(|(k, f)| wall(0.5, Some((k, 50.0)), f));
+        let told = said(&walls).unwrap();
+        assert!(told.ends_with("m = 50 kg/m (F* = 2)."), "{told}");
+    }
+}
+
+/// The story: "No other wall halves the force ... At H/h = 0.2 some wall halves it, too."
+#[test]
+fn a_lower_wave_that_alone_is_halved_is_not_told_as_a_further_one() {
+    let walls = [(0.5, 10.0, 3.0), (0.5, 1e5, 4.0), (0.2, 10.0, 1.0), (0.2, 1e5, 2.5)];
+    let told = said(&walls.map(|(wave, k, f)| wall(wave, Some((k, 50.0)), f))).unwrap();
+    assert!(told.ends_with(" At H/h = 0.2 some wall halves it."), "{told}");
 }
 
 #[test]
