@@ -13,8 +13,8 @@ pub(super) type Limit = (fn(&Facts<'_>) -> bool, &'static str);
 /// Beds that rise by more than this along their length are no beaches: no tongue of water lies on them.
 const NO_BEACH: f64 = 0.7;
 
-/// Walls this stiff, N/m per metre of width, stand as good as still under the highest waves.
-const STIFF: f64 = 1e4;
+/// Walls on springs of so many ρgh, 1e4 N/m in water of 0.2 m, stand as good as still under the highest waves.
+const STIFF: f64 = 5.0;
 
 /// What limits ask of a case.
 pub(super) struct Facts<'a> {
@@ -44,7 +44,11 @@ impl Facts<'_> {
             wave: seawall.map_or(0.0, |scene| scene.wave_height_ratio),
             rows: seawall.map(|scene| scene.still_water_depth_m / numerics.particle_spacing_m),
             stands: seawall.is_some_and(|scene| {
-                !scene.wall.moves() || scene.spring_stiffness_n_per_m.is_some_and(|k| k >= STIFF)
+                let pressure = scene.water_density_kg_per_m3
+                    * scene.gravity_m_per_s2
+                    * scene.still_water_depth_m;
+                let stiff = |k: f64| k >= STIFF * pressure;
+                !scene.wall.moves() || scene.spring_stiffness_n_per_m.is_some_and(stiff)
             }),
             angle: seawall.map_or(90.0, |scene| scene.wall_angle_deg),
         }

@@ -135,4 +135,11 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     let soft = "wave_height_ratio = 0.6\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n\
                 spring_stiffness_n_per_m = 10";
     assert_eq!(count(soft, ""), 0);
+    let spring = |k: &str, depth: f64| {
+        let soft = soft.replace("= 10", &format!("= {k}"));
+        let tank =
+            format!("{soft}\nstill_water_depth_m = {depth}\ntank_length_m = {}", 12.5 * depth);
+        count(&tank, &format!("particle_spacing_m = {}", depth / 20.0))
+    };
+    assert_eq!([spring("1e4", 0.2), spring("1e4", 2.0), spring("1e5", 2.0)], [1, 0, 1], "k/(ρgh)");
 }
