@@ -131,6 +131,8 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     assert_eq!(count("", source), 1, "its bars do not hold at 25 rows either");
     assert_eq!(count("wave_height_ratio = 0\nend_time_s = 1", source), 0);
     assert_eq!(count("", "slip = \"no\""), 1);
+    let diffused = ["molteni", "renormalised"].map(|by| format!("density_diffusion = \"{by}\""));
+    assert_eq!(diffused.map(|by| count("", &by)), [1, 0]);
     assert_eq!(count("", "preset = \"huang2019\"\nparticle_spacing_m = 0.0125"), 1);
     let soft = "wave_height_ratio = 0.6\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n\
                 spring_stiffness_n_per_m = 10";
