@@ -12,8 +12,8 @@ pub(super) fn told(made: &Reproduced) -> String {
     let mut text = prose(&made.figure.caption);
     if !made.beside.rows.is_empty() {
         text.push_str(&format!("\n{}", numbers(made)));
-        made.sentences.iter().for_each(|said| text.push_str(&format!("\n{}", prose(said))));
     }
+    made.sentences.iter().for_each(|said| text.push_str(&format!("\n{}", prose(said))));
     text + "\n"
 }
 
