@@ -83,8 +83,8 @@ const LIMITS: &[Limit] = &[
     ),
     (
         |case| case.boundary(BoundaryChoice::Sfdi) && case.rows.is_some(),
-        "boundary = \"sfdi\": its weights jump as another particle becomes the nearest; a wave of \
-         H/h = 0.5 at a vertical wall gained 1.4 % of the paddle's work from nowhere",
+        "boundary = \"sfdi\": its weights jump as another particle becomes the nearest; waves of H/h = 0.5 and \
+         0.6 at a vertical wall gained 0.6 and 1.2 % of the paddle's work from nowhere",
     ),
     (
         |case| case.boundary(BoundaryChoice::Dummy) && case.scene().frame().end_time > 20.0,
