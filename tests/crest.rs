@@ -144,6 +144,17 @@ fn what_goes_over_is_what_the_tank_has_lost() {
     assert!(over.speed_max_m_per_s > Some(0.5) && over.thickness_max_m > 0.04);
 }
 
+/// The envelope went on to four depths above the crest, and from there down the back of the wall.
+#[test]
+fn an_envelope_ends_at_the_crest() {
+    let wave = format!("{TANK}wave_height_ratio = 0.6\nend_after_stroke_centre_s = 1.6\n");
+    let wide = crest(0.04).replace("width_m = 0.1", "width_m = 0.2");
+    let case = computed(&(wave + &wide), "normalized");
+    let heights: Vec<f64> = case.envelope.iter().map(|row| row.height_m).collect();
+    assert!(heights.is_sorted() && heights.len() > 5, "{heights:?}");
+    assert!(heights[heights.len() - 1] < 0.24 + 0.01, "{heights:?}");
+}
+
 /// What has passed a section before the wall by its velocities is what is beyond it by its mass; beyond the crest's back
 /// it is what went over, on its way and taken away.
 #[test]

@@ -1,9 +1,21 @@
 //! Pressures along a wall's face, from what the first ghosts behind it mirror.
 
+use std::ops::Range;
+
 use super::exchange::Exchange;
 use super::ghosts::Ghosts;
-use crate::body::BodyMotion;
+use crate::body::{BodyMotion, Place};
 use crate::math::simd::LANES;
+
+impl Ghosts {
+    /// The points up a body's face. Those of the back of a wall with a crest follow, and are none of them.
+    pub fn up(&self, body: usize) -> Range<usize> {
+        let faces = self.bodies[body].faces.clone();
+        let crest = self.crest.as_ref().filter(|_| body == Place::Right.number());
+        let is_up = |x: &f64| crest.is_none_or(|crest| *x == crest.ends[0]);
+        faces.start..faces.start + self.target_x[faces].partition_point(is_up)
+    }
+}
 
 impl Exchange {
     /// The ghost next to each point of a body's face: the nearest one that asks it whether it is wet.
@@ -20,7 +32,7 @@ impl Exchange {
         fronts
     }
 
-    /// The water's pressure at every point of a body's face, Pa; 0 where it is dry. It is the mean around
+    /// The water's pressure at every point up a body's face, Pa; 0 where it is dry. It is the mean around
     /// the mirror point of the ghost next to the point, moved to the face by the weight of the water
     /// between: p = p_m - ρ (g (y - y_m) + a (x - x_m)). It costs no interpolation of its own.
     pub fn face_pressures(
@@ -48,6 +60,6 @@ impl Exchange {
             wet * (mean - density * (rules.gravity * y + motion.acceleration * x))
         };
         pressures.clear();
-        pressures.extend(ghosts.bodies[body].faces.clone().map(pressure));
+        pressures.extend(ghosts.up(body).map(pressure));
     }
 }

@@ -113,9 +113,12 @@ impl Run {
     /// The largest pressures up the wall.
     fn envelope(&self) -> Vec<EnvelopeRow> {
         let walls = self.tank.water.walls();
-        let Some(wall) = walls.bodies.get(Place::Right.number()) else { return Vec::new() };
+        let wall = Place::Right.number();
+        if walls.bodies.len() <= wall {
+            return Vec::new();
+        }
         let measures = &self.logbook.measures;
-        measures.pressed.envelope(&walls.target_y[wall.faces.clone()], &measures.first)
+        measures.pressed.envelope(&walls.target_y[walls.up(wall)], &measures.first)
     }
 
     /// The scalars of the summary, with what makes them doubtful.

@@ -118,6 +118,6 @@ impl Logbook {
 
 /// Points at which the pressure on the wall is read.
 fn points_on_wall(tank: &Tank) -> usize {
-    let wall = tank.water.walls().bodies.get(Place::Right.number());
-    wall.map_or(0, |wall| wall.faces.len())
+    let (walls, wall) = (tank.water.walls(), Place::Right.number());
+    if wall < walls.bodies.len() { walls.up(wall).len() } else { 0 }
 }

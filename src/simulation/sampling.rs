@@ -133,7 +133,7 @@ impl Run {
         let motion = BodyMotion { acceleration, ..BodyMotion::default() };
         tank.water.face_pressures(wall, &motion, pressed);
         let ghosts = tank.water.walls();
-        let (plane, faces) = (ghosts.bodies[wall].plane, ghosts.bodies[wall].faces.clone());
+        let (plane, faces) = (ghosts.bodies[wall].plane, ghosts.up(wall));
         let across = plane.normal[0].abs();
         let along = ghosts.target_y[faces].iter().map(|y| (y - plane.point[1]) / across);
         let lever = Lever::of(pressed, along);
