@@ -43,6 +43,21 @@ impl Monitor for Places {
     }
 }
 
+/// A gauge at the wall's face stood on the crest, and one at the end wall on top of that, 0.8 m high.
+#[test]
+fn gauges_at_both_faces_read_the_water_before_them() {
+    let scene = format!(
+        "{TANK}wave_height_ratio = 0\nend_time_s = 0.1\ncrest_freeboard_m = 0.06\nbehind = \"basin\"\n\
+         floor_length_m = 0.6\nbasin_level_m = 0.16\n"
+    );
+    let gauge = |x: f64| format!("name = \"x{x}\"\nkind = \"level\"\nx_m = {x}").parse().unwrap();
+    let config = case(&scene, &[1.6, 2.4].map(gauge));
+    let still = run_case(&config, None, SimdPath::widest(), &Unwatched).unwrap();
+    let probes = still.probes.unwrap();
+    let (_, levels) = probes.rows().next().unwrap();
+    assert!((levels[0] - 0.2).abs() < 0.002 && (levels[1] - 0.16).abs() < 0.002, "{levels:?}");
+}
+
 /// Both waters lie still beside one another at their own levels, and the wall feels its front alone.
 #[test]
 fn a_basin_rests_beside_the_tank() {

@@ -60,6 +60,18 @@ impl Crest {
         self.end.map_or(self.ends[1] + 2.0 * self.reach, |end| end + room)
     }
 
+    /// The height that a gauge stands on, metres. At the wall's face it is in the water before it, and at the end
+    /// wall in that on the floor.
+    pub fn ground(&self, x: f64) -> f64 {
+        let points = self.outline.points();
+        let before = |up: usize| points[up - 1][1];
+        if self.end.is_some_and(|end| x >= end) {
+            return before(points.len() - 1);
+        }
+        let face = points.iter().position(|point| *point == [self.ends[0], self.height]);
+        face.filter(|_| x == self.ends[0]).map_or_else(|| self.outline.height(x), before)
+    }
+
     /// The line from the wall's back on, where water stays behind it.
     pub fn line_behind(&self) -> Option<&[[f64; 2]]> {
         let points = self.outline.points();
@@ -69,5 +81,30 @@ impl Crest {
     /// How much of a row of the face, metres high, around a point of it lies below the top.
     pub(super) fn below(&self, [x, y]: [f64; 2], row: f64) -> f64 {
         if x > self.ends[0] { 0.0 } else { (self.height - y + 0.5 * row).clamp(0.0, row) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::boundary::layout::FloorBehind;
+
+    /// A gauge at an upright face stood on its top: at the end wall it read 0.8 m of water on a dry floor.
+    #[test]
+    fn a_gauge_at_a_face_stands_in_the_water_before_it() {
+        let floor = FloorBehind { height: -0.1, length: 0.5, spacing: [0.02, 0.02] };
+        let shape = CrestShape { height: 0.3, width: 0.2, floor: Some(floor) };
+        let layout = TankLayout::plain(1.0, 0.8, Some(shape));
+        let bed = Profile::checked(vec![[0.0, 0.0], [0.5, 0.0], [1.0, 0.1]]).unwrap();
+        let face = Plane { point: [1.0, 0.1], normal: [1.0, 0.0] };
+        let crest = Crest::of(shape, &layout, face, Some(&bed));
+        let end = crest.end.unwrap();
+        let heights =
+            [0.2, 0.75, 1.0, 1.1, 1.21, end - 1e-9, end, end + 0.1].map(|x| crest.ground(x));
+        let exact = [0.0, 0.05, 0.1, 0.3, -0.1, -0.1, -0.1, -0.1];
+        assert!(heights.iter().zip(exact).all(|(a, b)| (a - b).abs() < 1e-9), "{heights:?}");
+        let open = CrestShape { floor: None, ..shape };
+        let crest = Crest::of(open, &TankLayout::plain(1.0, 0.8, Some(open)), face, None);
+        assert_eq!([1.0, 1.1].map(|x| crest.ground(x)), [0.1, 0.3]);
     }
 }

@@ -132,6 +132,12 @@ impl Ghosts {
         self.crest.as_ref().map(|crest| &crest.outline).or(self.profile.as_ref())
     }
 
+    /// The height that a gauge stands on, metres above the paddle's foot.
+    pub fn ground(&self, x: f64) -> f64 {
+        let bed = || self.profile.as_ref().map_or(0.0, |bed| bed.height(x));
+        self.crest.as_ref().map_or_else(bed, |crest| crest.ground(x))
+    }
+
     /// Whether water stays behind a crest.
     pub fn keeps_behind(&self) -> bool {
         self.crest.as_ref().is_some_and(|crest| crest.end.is_some())

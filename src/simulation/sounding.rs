@@ -179,7 +179,7 @@ impl<'a> Sounding<'a> {
     /// Level of the water at x, metres over the bed: upwards from the bed, where its share falls
     /// to 1/2; the bed itself where that is dry.
     pub(super) fn level(&mut self, x: f64, highest: f64) -> f64 {
-        let bed = self.water.walls().outline().map_or(0.0, |bed| bed.height(x));
+        let bed = self.water.walls().ground(x);
         self.look([x, x], [bed, highest]);
         level_up_to(|y| self.at(x, y).0, [bed, highest], self.spacing)
     }
