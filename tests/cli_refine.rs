@@ -43,6 +43,13 @@ fn points_are_added_where_the_curve_bends_and_come_again_after_an_interruption()
     let refined = &told["refined"];
     let added = refined["added"].as_u64().unwrap();
     assert!(added > 0 && refined["limit_hit"] == false, "{refined}");
+    // The time of all rounds: it was that of the last.
+    let manifest: Value =
+        serde_json::from_str(&fs::read_to_string(whole.join("manifest.json")).unwrap()).unwrap();
+    let rounds = manifest["sessions"].as_array().unwrap();
+    let spent_s: f64 = rounds.iter().map(|round| round["wall_time_s"].as_f64().unwrap()).sum();
+    assert!(rounds.len() > 1);
+    assert!((told["wall_time_s"].as_f64().unwrap() - spent_s).abs() < 1e-6, "{told}");
     let rows = summary(&whole);
     assert_eq!(rows.len() as u64, 3 + added);
     let values = stiffnesses(&rows);

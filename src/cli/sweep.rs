@@ -182,9 +182,11 @@ fn lead(
             (None, None) => None,
         };
         let Some(next) = next else { break };
+        let spent_s = done.wall_time_s;
         drop(done); // its lock
         job = Job { study: next, mode: OpenMode::Resume, retry_failed: false, ..job };
         done = execute(&job, crew, interrupt, output)?;
+        done.wall_time_s = spent_s.into_iter().chain(done.wall_time_s).reduce(|sum, s| sum + s);
     }
     if done.ending == Ending::Interrupted {
         let (finished, cases) = (done.records().count(), counted(job.study.cases.len(), "case"));
