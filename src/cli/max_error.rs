@@ -154,6 +154,16 @@ pub(super) fn stored(percent: f64, study: &Study, directory: &Path) -> anyhow::R
     }
 }
 
+/// What a sweep has to do next in a study that is stored: its own cases, or once they are done the finer ones.
+pub(super) fn next(percent: f64, study: Study, directory: &Path) -> anyhow::Result<Study> {
+    let records = finished(directory, &study)?;
+    if records.iter().any(Option::is_none) {
+        return Ok(study);
+    }
+    let aim = MaxError::new(percent, &study).map_err(BadInput)?;
+    Ok(with(&study, &aim.finer(&study, &records)))
+}
+
 fn with(study: &Study, choices: &Choices) -> Study {
     study.with_choices(|index| choices.get(&index).map(|choice| choice.config.clone()))
 }

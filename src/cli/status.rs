@@ -57,10 +57,8 @@ impl Known {
     /// All of it.
     fn of_journal(directory: &Path) -> anyhow::Result<Known> {
         let (mut added, mut places) = (None, None);
-        if stored::file(directory).is_ok_and(|file| file.refine.is_some())
-            && let Ok((_, study)) = stored::file_and_study(directory)
-        {
-            // Points that were added have moved the others' places.
+        if let Ok(Some(study)) = stored::in_rounds(directory) {
+            // Points that were added have moved the others' places; finer numerics have ids of their own.
             added = Some(study.cases.len());
             let index = study.runs().map(|case| (case.id, case.index));
             places = Some(index.collect::<HashMap<_, _>>());

@@ -24,11 +24,6 @@ pub(super) fn study(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
     Ok((study, simd))
 }
 
-/// The file that a directory was made from, with what the command line set.
-pub(super) fn file(directory: &Path) -> anyhow::Result<SweepFile> {
-    Ok(manifest_and_file(directory)?.1)
-}
-
 fn manifest_and_file(directory: &Path) -> anyhow::Result<(Manifest, SweepFile)> {
     let bad = |reason: String| BadInput::of(directory, reason);
     demand_output_of_study(directory, "manifest.json")?;
@@ -62,4 +57,19 @@ pub(super) fn file_and_study(directory: &Path) -> anyhow::Result<(SweepFile, Stu
         return Err(bad(reason.to_owned()).into());
     }
     Ok((file, study))
+}
+
+/// The study as its sweep goes on with it, where that is done in rounds which add points or choose finer numerics; `None`
+/// of all others.
+pub(super) fn in_rounds(directory: &Path) -> anyhow::Result<Option<Study>> {
+    let (manifest, file) = manifest_and_file(directory)?;
+    let aim = manifest.max_error_percent.or(file.max_error_percent);
+    if file.refine.is_none() && aim.is_none() {
+        return Ok(None);
+    }
+    let (_, study) = file_and_study(directory)?;
+    Ok(Some(match aim {
+        Some(percent) => max_error::next(percent, study, directory)?,
+        None => study,
+    }))
 }
