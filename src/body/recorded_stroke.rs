@@ -1,7 +1,10 @@
 //! A paddle that plays a stroke from a file.
 
+mod file;
+
 use serde::{Deserialize, Deserializer, Serialize, de};
 
+use self::file::rows;
 use super::{BodyMotion, PaddleLaw};
 use crate::keys::{Shared, section};
 use crate::math::lists::median;
@@ -57,25 +60,7 @@ impl<'de> Deserialize<'de> for Stroke {
 impl Stroke {
     /// Reads a file with the columns `time_s` and `stroke_m`.
     fn read(path: &str) -> Result<Stroke, String> {
-        let missing = |error| {
-            format!("cannot be read: {error}; a path counts from where the program is started")
-        };
-        let mut reader = csv::Reader::from_path(path).map_err(missing)?;
-        let columns = reader.headers().map_err(|error| error.to_string())?;
-        if columns.iter().map(str::trim).ne(["time_s", "stroke_m"]) {
-            return Err("must be a CSV file with the columns time_s and stroke_m".to_owned());
-        }
-        let mut points = Vec::new();
-        for row in reader.records() {
-            let row = row.map_err(|error| in_words(&error))?;
-            let line = row.position().map_or(0, csv::Position::line);
-            let cell = |place: usize| {
-                let text = row.get(place).unwrap_or_default().trim();
-                text.parse::<f64>().map_err(|_| format!("line {line}: {text:?} is no number"))
-            };
-            points.push([cell(0)?, cell(1)?]);
-        }
-        Stroke::checked(points)
+        Stroke::checked(rows(path)?.collect::<Result<_, _>>()?)
     }
 
     fn checked(points: Vec<[f64; 2]>) -> Result<Stroke, String> {
@@ -123,19 +108,6 @@ impl Stroke {
             |[before, after]: &[[f64; 2]; 2]| (after[1] - before[1]).abs() > UNSEEN * self.reach();
         let holes = pairs.filter(|pair| wide(pair) > HOLE * usual && moves(pair));
         Some((holes.max_by(|a, b| wide(a).total_cmp(&wide(b)))?, usual))
-    }
-}
-
-/// What is wrong with a line, in words.
-fn in_words(error: &csv::Error) -> String {
-    match error.kind() {
-        csv::ErrorKind::UnequalLengths { pos: Some(position), len, .. } => {
-            format!("line {}: must have two columns, not {len}", position.line())
-        }
-        csv::ErrorKind::Utf8 { pos: Some(position), .. } => {
-            format!("line {}: is not UTF-8 text", position.line())
-        }
-        _ => error.to_string(),
     }
 }
 

@@ -86,8 +86,13 @@ fn a_bad_file_is_told_with_its_line() {
     assert_eq!(told(b"time_s,stroke_m\n0,0\n1, 0.1\n2,0.3\n"), Ok(3));
     let of_latin = told(b"time_s,stroke_m\n0,0\n1,\xb5\n").unwrap_err();
     assert_eq!(of_latin, "line 3: is not UTF-8 text");
+    assert_eq!(told(b"\xff\xfet\0i\0").unwrap_err(), "line 1: is not UTF-8 text");
     let bad = [
-        ("t,x\n0,0\n", "must be a CSV file with the columns time_s and stroke_m"),
+        (
+            "stroke_m,time_s\n0,0\n",
+            "must be a CSV file with the columns time_s and stroke_m, in this order and alone; its \
+             first line is \"stroke_m,time_s\"",
+        ),
         ("time_s,stroke_m\n0,0\n1,a\n", "line 3: \"a\" is no number"),
         ("time_s,stroke_m\n0,0\n1,2\n", "must have three points or more"),
         ("time_s,stroke_m\n-1,0\n2,0\n3,0\n", "must begin at 0 s or later, not at -1 s"),
