@@ -63,6 +63,11 @@ impl Stroke {
         Stroke::checked(rows(path)?.collect::<Result<_, _>>()?)
     }
 
+    /// The clock at the first point of a file, s; `None` where it cannot be read.
+    pub fn start_of(path: &str) -> Option<f64> {
+        rows(path).ok()?.next()?.ok().map(|[time, _]| time)
+    }
+
     fn checked(points: Vec<[f64; 2]>) -> Result<Stroke, String> {
         if points.len() < 3 {
             return Err("must have three points or more".to_owned());

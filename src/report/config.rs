@@ -6,6 +6,7 @@ use toml::{Table, Value};
 
 use super::load::Loaded;
 use super::study::StudyFile;
+use crate::body::Stroke;
 use crate::keys::{number, value_of};
 use crate::quantities::Column;
 use crate::quantities::summary::{BOUNDARY, KERNEL, PARTICLE_SPACING, SCHEME};
@@ -47,6 +48,10 @@ pub fn each_config(
     rows.map(move |row| config(file.as_ref()?, data, row))
 }
 
+/// A recorded stroke stands here as its path: a long record in every case would take gigabytes, and its
+/// file may be out of reach where the report is made.
+const STROKE: &str = "recorded_stroke";
+
 /// A gauge of a study.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 pub struct Gauge {
@@ -67,7 +72,13 @@ pub fn gauges(data: &Loaded) -> Vec<Gauge> {
 }
 
 fn config(file: &StudyFile, data: &Loaded, row: usize) -> Option<Config> {
-    let [scene, numerics] = file.of_row(&data.keys, row, &file.numerics)?;
+    let [mut scene, numerics] = file.of_row(&data.keys, row, &file.numerics)?;
+    let stroke = scene.get(STROKE).and_then(Value::as_str).map(str::to_owned);
+    if let Some(path) = &stroke {
+        let start_s = Stroke::start_of(path).unwrap_or(0.0);
+        let still = [0.0, 1.0, 2.0].map(|later| [start_s + later, 0.0]);
+        scene.insert(STROKE.to_owned(), value_of(&still)?);
+    }
     let config = CaseConfig::with_probes(&scene, &numerics, &file.probes).ok()?;
     let row = &data.rows[row];
     let table = |value: Option<Value>| value?.as_table().cloned();
@@ -77,7 +88,11 @@ fn config(file: &StudyFile, data: &Loaded, row: usize) -> Option<Config> {
         set(&mut numerics, column, Some(row.text(column)).filter(|text| !text.is_empty()));
     }
     set(&mut numerics, &PARTICLE_SPACING, row.number(&PARTICLE_SPACING));
-    Some(Config { scene: table(value_of(&config.scene))?, numerics })
+    let mut scene = table(value_of(&config.scene))?;
+    if let Some((place, path)) = scene.get_mut(STROKE).zip(stroke) {
+        *place = path.into();
+    }
+    Some(Config { scene, numerics })
 }
 
 /// Sets what the case has anyway.
@@ -124,6 +139,22 @@ mod tests {
         let configs = of(file, &[], &[("wall", walls), ("spring_stiffness_n_per_m", stiffness)]);
         let numbers = configs.iter().map(|c| c.as_ref().unwrap().number(&SPRING_STIFFNESS));
         assert_eq!(numbers.collect::<Vec<_>>(), [None, Some(10.0)]);
+    }
+
+    /// Without its file the keys of a study were unknown: `compare` then paired every tank with every other.
+    /// The clock of one that is there counts, as a long run has other defaults.
+    #[test]
+    fn a_recorded_stroke_is_its_path() {
+        let shipped = concat!(env!("CARGO_MANIFEST_DIR"), "/sweeps/usace_1995/stroke_b.csv");
+        for (path, feedback) in [("no/such/file.csv", true), (shipped, false)] {
+            let file = format!(
+                "[scene]\npaddle = \"recorded-stroke\"\nrecorded_stroke = \"{path}\"\nend_time_s = 263"
+            );
+            let configs = of(&file, &[], &[]);
+            let Config { scene, numerics } = configs[0].as_ref().unwrap();
+            assert_eq!(scene["recorded_stroke"].as_str(), Some(path));
+            assert_eq!(numerics.contains_key("volume_feedback"), feedback, "{path}");
+        }
     }
 
     #[test]
