@@ -164,6 +164,13 @@ fn water_rests_on_steep_shores() {
     }
 }
 
+/// A beach of 1:6, gentle enough for short waves to need no help. Without what holds the water's volume, or without a bed
+/// that gives back, energy came from nowhere after 180 s.
+#[test]
+fn water_rests_before_a_gentle_shore_for_five_minutes() {
+    assert!(motion_left("[[0, 0], [0.1, 0], [1.6, 0.25]]", 5 * MINUTE) < 1e-4);
+}
+
 /// Above still water a beach is dry; the wedge of water on it stays, but for its thinnest part.
 #[test]
 fn water_rests_on_a_beach() {

@@ -151,14 +151,16 @@ section! {
             plain().within(0.0, 10.0).read_where("shifting", &["interior", "deep"])
                 .label("shifting strength");
         /// How fast the error of the particles' volume is taken back, over c0/R. Trains have 0.002 by default.
-        /// So do steep shores, which are beds steeper than 1:2 that come out of the still water, and in runs of more than
-        /// 70 √(h/g) those from 1:5 on. So do waves that come back: a solitary wave is at its wall again, and the run
-        /// lasts more than 70 √(h/g) and is without `stop_when_settled`. It wants gravity and corrected gradients. With
-        /// `isph` c0 is 8 √(g h) here, and dam breaks alone have it by default, 0.006.
+        /// So do steep shores, which are beds steeper than 1:2 that come out of the still water. In runs of more than
+        /// 70 √(h/g) shores from 1:5 on have it, and in runs of more than 200 √(h/g) all. So do waves that come back:
+        /// a solitary wave is at its wall again, and the run lasts more than 70 √(h/g) and is without `stop_when_settled`.
+        /// It wants gravity and corrected gradients. With `isph` c0 is 8 √(g h) here, and dam breaks alone have it by
+        /// default, 0.006.
         volume_feedback: f64 = 0.0, plain().within(0.0, 0.02).newer();
         /// The bed gives back to the water what work its pressure does, so no energy is made or lost there. Beds that
         /// are steeper than 1:2 somewhere under still water have it by default, and in runs of more than 30 √(h/g) those
-        /// from 1:5 on. A level bed does not read it.
+        /// from 1:5 on. So have beds that come out of the water, for trains and in runs of more than 200 √(h/g). A level
+        /// bed does not read it.
         conservative_bed: bool = false, weakly(plain()).newer();
         /// Water near the surface gives up what it presses by more than 5 ρgh, as the surface lets go of
         /// sound. Solitary waves above H/h = 0.7 at upright walls over beds no steeper than 1:2 have it by

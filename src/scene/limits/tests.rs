@@ -65,6 +65,12 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     };
     assert_eq!([0.15, 0.2, 0.22, 0.3].map(low), [0, 1, 1, 0], "a top near the still water");
     let beach = "tank_length_m = 4\nbed = [[0, 0], [2, 0], [4, 0.4]]";
+    let gentle = beach.replace("0.4]", "0.3]");
+    let rests = |seconds: u32| format!("{gentle}\nwave_height_ratio = 0\nend_time_s = {seconds}");
+    for own in ["conservative_bed = false", "volume_feedback = 0"] {
+        assert_eq!([20, 40].map(|seconds| count(&rests(seconds), own)), [0, 1], "{own}");
+    }
+    assert_eq!(count(&rests(40), ""), 0);
     let spaced =
         |spacing: f64| format!("boundary = \"normalized\"\nparticle_spacing_m = {spacing}");
     assert_eq!([0.01, 0.004].map(|spacing| count(beach, &spaced(spacing))), [1, 0]);
