@@ -40,6 +40,7 @@ progress() {
 }
 
 before=$(progress)
+# Since Slurm 22.05 srun does not ask for the job's cores per task by itself: threads might share a single one.
 {LAUNCH} "$seawall" sweep "$study" --out "$out"{MORE} &
 job=$!
 while :; do

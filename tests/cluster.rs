@@ -69,6 +69,21 @@ fn a_job_script_says_what_was_asked_for() {
     }
 }
 
+/// Slurm gave a rank of several threads a single core, where it binds tasks to cores.
+#[test]
+fn ranks_of_several_threads_ask_srun_for_their_cores() {
+    let desk = Desk::new(TINY);
+    for (launcher, threads, asks) in
+        [("srun -l", "8", true), ("srun", "1", false), ("mpirun", "8", false)]
+    {
+        let resources =
+            ["--nodes", "1", "--time", "9", "--threads", threads, "--launcher", launcher];
+        let text = ended(0, &[&["slurm", &desk.file][..], &resources].concat()).out;
+        let asked = "\nSRUN_CPUS_PER_TASK=\"${SLURM_CPUS_PER_TASK-8}\" srun -l ";
+        assert_eq!(text.contains(asked), asks, "{text}");
+    }
+}
+
 /// What a launcher that does nothing but tell its environment tells of the keepalive settings.
 fn keepalive(job: &mut Command) -> std::collections::BTreeMap<String, u64> {
     let told = job.stdout(Stdio::piped()).output().unwrap().stdout;

@@ -99,6 +99,12 @@ pub(super) fn main(args: &SlurmArgs, output: &Output) -> anyhow::Result<u8> {
     }
     let study = study(&args.file, &args.settings, Expect::Grid)?;
     let out = args.out.clone().unwrap_or_else(|| default_out(&study));
+    let mut launch = args.launcher.clone();
+    // The srun inside mpirun starts a node's daemon, which needs the cores of all its ranks.
+    if args.threads > 1 && launch.starts_with("srun") {
+        launch =
+            format!("SRUN_CPUS_PER_TASK=\"${{SLURM_CPUS_PER_TASK-{}}}\" {launch}", args.threads);
+    }
     let mut more = format!(" --threads {}", args.threads);
     for setting in &args.settings {
         more += &format!(" --set {}", quoted(&setting.text));
@@ -113,7 +119,7 @@ pub(super) fn main(args: &SlurmArgs, output: &Output) -> anyhow::Result<u8> {
         ("{SEAWALL}", absolute(&std::env::current_exe()?)?),
         ("{FILE}", absolute(&args.file)?),
         ("{OUT}", absolute(&out)?),
-        ("{LAUNCH}", args.launcher.clone()),
+        ("{LAUNCH}", launch),
         ("{MORE}", more),
     ];
     let script = filled(SCRIPT, &text);
