@@ -3,10 +3,12 @@
 mod common;
 
 use std::fs;
+use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::time::{Duration, Instant};
 
+use common::job::{LONG, signal};
 use common::{
     Desk, SOFT, TINY, TINY_CASES, assert_same, ended, expect_code, journal_lines, results, run,
     seawall, sweep, with_gauge, write_file,
@@ -137,6 +139,29 @@ fn kills_in_quick_succession_make_no_case_fail() {
     }
     sweep(0, &desk.file, &out, &[]);
     assert_same(&whole, &out);
+}
+
+/// A study whose cases were done was called finished without its films and page, and a job script ended well.
+#[test]
+fn films_and_page_are_left_until_they_are_made() {
+    let desk = Desk::new(LONG);
+    let out = desk.path().join("out");
+    let one =
+        ["--set", "grid.wave_height_ratio=[0.5]", "--set", "grid.spring_stiffness_n_per_m=[10]"];
+    let status = |code| ended(code, &["status", out.to_str().unwrap(), "--exit-code"]).out;
+    for name in ["INT", "KILL"] {
+        let mut command = seawall();
+        command.arg("sweep").arg(&desk.file).arg("--out").arg(&out).args(one);
+        let mut child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
+        let mut lines = BufReader::new(child.stderr.take().unwrap()).lines().map(Result::unwrap);
+        assert!(lines.any(|line| line.starts_with("filming")));
+        signal(child.id(), name);
+        lines.for_each(drop);
+        child.wait().unwrap();
+        assert!(status(3).contains("the same command makes films and page"), "{name}");
+    }
+    sweep(0, &desk.file, &out, &one);
+    assert!(status(0).contains("finished"));
 }
 
 #[test]

@@ -49,7 +49,7 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     let Written { page: report, printed: figures, made } = written.map_err(unwritten)?;
     let spare = |path: &Path, error: &SweepError| omitted.add(path, error);
     write_sound_histories(&args.dir, &|path| omitted.has(path), &spare)?;
-    Derived::end(&args.dir, &made)?;
+    Derived::end(&args.dir, &made, false)?;
     let (left_out, found) = omitted.told();
     for found in found {
         output.note(found);

@@ -16,7 +16,7 @@ use super::{CASES_FAILED, INTERRUPTED, SUCCESS, options, stored};
 use crate::math::name::name_of;
 use crate::math::words::counted;
 use crate::results::{
-    Closing, Fared, Header, Load, Lock, Manifest, RankInfo, read_journal_header,
+    Closing, Derived, Fared, Header, Load, Lock, Manifest, RankInfo, read_journal_header,
     read_journal_in_blocks,
 };
 
@@ -136,10 +136,12 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
     let companions_left = companions - companions_done;
     let groups = group(&failed);
 
-    let state = match (left + companions_left, running) {
-        (0, false) => "finished",
-        (_, true) => "running",
-        (_, false) => "stopped; the same command goes on",
+    let owed = Derived::is_owed(&args.dir);
+    let state = match left + companions_left {
+        _ if running => "running",
+        0 if owed => "stopped after its cases; the same command makes films and page",
+        0 => "finished",
+        _ => "stopped; the same command goes on",
     };
     let mut text = format!(
         "{}: {state}\n{done} of {} done, {} failed, {left} left",
@@ -179,6 +181,7 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
         "left": left,
         "companions": companions,
         "companions_left": companions_left,
+        "films_and_page_left": owed,
         "running": running,
         "time_to_go_s": to_go,
         "simd": header.simd,
@@ -196,9 +199,8 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
     let ranks = session.map_or(&[][..], |session| &session.ranks);
     let load = Load::read(&args.dir).filter(|_| running);
     let load = load.or_else(|| session.and_then(|session| session.load.clone()));
-    if let Some(told) = load.as_ref().and_then(Load::told) {
-        text.push_str(&format!("{told}\n"));
-    }
+    let told = load.as_ref().and_then(Load::told);
+    text.extend(told.map(|told| format!("{told}\n")));
     let share = |load: &Load, rank: usize| json!({ "busy_share": load.share(rank), "rank": rank });
     value["load"] = json!(load.as_ref().map(|load| json!({
         "busy_share": load.whole_share(),
@@ -211,7 +213,7 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
         ranks: ranks.len(),
         places: ranks.iter().map(RankInfo::places).sum(),
     };
-    let (left, failed) = (left + companions_left, failed.len());
+    let (left, failed) = (left + companions_left + usize::from(owed), failed.len());
     Ok(Seen { text, value, left, failed, running, view })
 }
 

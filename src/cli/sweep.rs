@@ -24,7 +24,7 @@ use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunne
 use crate::keys::named;
 use crate::math::words::counted;
 use crate::report::PAGE as REPORT;
-use crate::results::{Derived, MADE_BY_RUNS, OpenMode, write_all_histories};
+use crate::results::{Derived, OpenMode, write_all_histories};
 
 /// Run all cases of a sweep file, on threads or under mpirun. Go on where an earlier run stopped.
 #[derive(Debug, Args)]
@@ -202,7 +202,7 @@ fn lead(
         }
         return Ok(done.exit_code());
     }
-    Derived::begin(done.directory.path(), MADE_BY_RUNS)?;
+    Derived::owe(done.directory.path())?;
     let (filming, film_time_s) =
         films::make(&args.film, &places, &job.study, &done, args.threads, interrupt, output)?;
     done.film_time_s = film_time_s;
@@ -234,7 +234,7 @@ fn lead(
     done.directory.forget_records();
     drop(job);
     let written = crate::report::write(done.directory.path())?;
-    Derived::end(done.directory.path(), &written.made)?;
+    Derived::end(done.directory.path(), &written.made, filming != INTERRUPTED)?;
     left.demand(done.directory.path())?;
     if let Some(closing) = closing {
         closing.write(done.directory.path())?;

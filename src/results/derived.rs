@@ -8,6 +8,7 @@ use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::mem;
+use std::ops::Not;
 use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
@@ -20,7 +21,7 @@ const FILE_NAME: &str = "derived.json";
 const FILES: [&str; 3] = ["histories.csv.gz", "max_error.csv", "report.html"];
 const FOLDERS: [&str; 4] = ["figures", "tables", "films", "vtk"];
 /// What only a case makes that runs: starts of paths.
-pub const MADE_BY_RUNS: &[&str] = &["films/", "vtk/"];
+const MADE_BY_RUNS: &[&str] = &["films/", "vtk/"];
 /// What a report alone does not make again.
 pub const MADE_BY_SWEEPS: &[&str] = &["films/", "vtk/", "max_error.csv"];
 
@@ -31,6 +32,9 @@ pub struct Derived {
     /// The figures and tables of the last report. Nobody else's are removed.
     #[serde(default, skip_serializing_if = "BTreeSet::is_empty")]
     reported: BTreeSet<String>,
+    /// A sweep has run its cases, and has yet to make what comes after them.
+    #[serde(default, skip_serializing_if = "Not::not")]
+    owed: bool,
 }
 
 impl Derived {
@@ -51,18 +55,36 @@ impl Derived {
         if !directory.join(FILE_NAME).exists() {
             return Ok(());
         }
-        let mut derived = Derived::read(directory);
-        derived.files.retain(|name, _| kept.iter().any(|start| name.starts_with(start)));
-        derived.write(directory)
+        Derived::begun(directory, kept).write(directory)
     }
 
-    /// Everything is made, these figures and tables among it. What has a seal keeps it. Figures and tables of the
-    /// report before which this one does not have are removed.
+    fn begun(directory: &Path, kept: &[&str]) -> Derived {
+        let mut derived = Derived::read(directory);
+        derived.files.retain(|name, _| kept.iter().any(|start| name.starts_with(start)));
+        derived
+    }
+
+    /// The same of a sweep that has run its cases. It owes all until its [`end`](Derived::end).
+    ///
+    /// # Errors
+    /// A file that cannot be written.
+    pub fn owe(directory: &Path) -> Result<(), SweepError> {
+        Derived { owed: true, ..Derived::begun(directory, MADE_BY_RUNS) }.write(directory)
+    }
+
+    /// Whether a sweep died, or was stopped, before it had made what comes after its cases.
+    pub fn is_owed(directory: &Path) -> bool {
+        Derived::read(directory).owed
+    }
+
+    /// Everything is made, these figures and tables among it; `all` where a sweep owes nothing more. What has a seal
+    /// keeps it. Figures and tables of the report before which this one does not have are removed.
     ///
     /// # Errors
     /// A file that cannot be read, written or removed.
-    pub fn end(directory: &Path, reported: &[String]) -> Result<(), SweepError> {
+    pub fn end(directory: &Path, reported: &[String], all: bool) -> Result<(), SweepError> {
         let mut derived = Derived::read(directory);
+        derived.owed &= !all;
         let before = mem::replace(&mut derived.reported, reported.iter().cloned().collect());
         for name in names(directory) {
             let path = directory.join(&name);
@@ -150,83 +172,4 @@ fn inside(directory: &Path, folder: &str) -> Vec<String> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_changed_since_it_was_made_is_told() {
-        let root = tempfile::tempdir().unwrap();
-        let (directory, film) = (root.path(), root.path().join("films/a.html"));
-        for folder in FOLDERS {
-            fs::create_dir(directory.join(folder)).unwrap();
-        }
-        fs::create_dir(directory.join("vtk/a")).unwrap();
-        let write = |name: &str, text: &str| fs::write(directory.join(name), text).unwrap();
-        let names = ["report.html", "figures/a.svg", "films/a.html", "tables/a.csv", "vtk/a/b.vtu"];
-        names.iter().for_each(|name| write(name, "old"));
-        assert!(damage(directory).is_empty(), "nothing is known of them yet");
-        Derived::begin(directory, MADE_BY_RUNS).unwrap();
-        Derived::renew(directory, &[directory.join("films/b.html")]).unwrap();
-        assert!(!directory.join(FILE_NAME).exists());
-        Derived::renew(directory, std::slice::from_ref(&film)).unwrap();
-        Derived::begin(directory, MADE_BY_RUNS).unwrap();
-        Derived::end(directory, &[]).unwrap();
-        assert!(damage(directory).is_empty());
-        names.iter().for_each(|name| write(name, "new"));
-        let told = ["figures/a.svg", "films/a.html", "report.html", "tables/a.csv", "vtk/a/b.vtu"];
-        assert_eq!(damage(directory), told.map(|name| format!("{name} is damaged")));
-        // To make all again mends all but what nobody has filmed.
-        Derived::begin(directory, MADE_BY_RUNS).unwrap();
-        Derived::end(directory, &[]).unwrap();
-        assert_eq!(damage(directory), ["films/a.html is damaged", "vtk/a/b.vtu is damaged"]);
-        // The choices of a sweep are not a report's to make.
-        write("max_error.csv", "old");
-        Derived::end(directory, &[]).unwrap();
-        write("max_error.csv", "new");
-        Derived::begin(directory, MADE_BY_SWEEPS).unwrap();
-        Derived::end(directory, &[]).unwrap();
-        assert_eq!(damage(directory)[1], "max_error.csv is damaged");
-        Derived::begin(directory, MADE_BY_RUNS).unwrap();
-        Derived::end(directory, &[]).unwrap();
-        assert_eq!(damage(directory).len(), 2);
-        fs::remove_file(directory.join("vtk/a/b.vtu")).unwrap();
-        Derived::renew_folder(directory, "vtk").unwrap();
-        assert_eq!(damage(directory), ["films/a.html is damaged"]);
-        assert!(Derived::is_damaged(directory, std::slice::from_ref(&film)));
-        Derived::renew(directory, std::slice::from_ref(&film)).unwrap();
-        assert!(damage(directory).is_empty());
-        fs::remove_file(&film).unwrap();
-        assert_eq!(damage(directory), ["films/a.html is missing"]);
-        Derived::renew(directory, &[film]).unwrap();
-        assert!(damage(directory).is_empty());
-        write(FILE_NAME, "{}");
-        assert_eq!(damage(directory), ["derived.json is damaged"]);
-        Derived::begin(directory, MADE_BY_RUNS).unwrap();
-        Derived::end(directory, &[]).unwrap();
-        assert!(damage(directory).is_empty());
-    }
-
-    /// A study that goes on may have no use for a figure that it had, which stayed and was sealed as if it were new.
-    #[test]
-    fn what_a_report_has_no_more_is_removed_and_nothing_else() {
-        let root = tempfile::tempdir().unwrap();
-        let directory = root.path();
-        let names = ["figures/a.svg", "figures/b.svg", "figures/own.svg", "tables/a.csv"];
-        for folder in ["figures", "tables"] {
-            fs::create_dir(directory.join(folder)).unwrap();
-        }
-        names.iter().for_each(|name| fs::write(directory.join(name), "text").unwrap());
-        let report = |made: &[&str]| {
-            Derived::begin(directory, MADE_BY_SWEEPS).unwrap();
-            let made: Vec<_> = made.iter().map(|&name| name.to_owned()).collect();
-            Derived::end(directory, &made).unwrap();
-            assert!(damage(directory).is_empty());
-            names.map(|name| directory.join(name).exists())
-        };
-        assert_eq!(report(&[names[0], names[1], names[3]]), [true; 4]);
-        // A process that dies on the way does not forget.
-        Derived::begin(directory, MADE_BY_SWEEPS).unwrap();
-        assert_eq!(report(&[names[1]]), [false, true, true, false]);
-        assert_eq!(report(&[names[1]]), [false, true, true, false]);
-    }
-}
+mod tests;

@@ -57,7 +57,7 @@ pub use checkpoints::has_checkpoints;
 pub(crate) use checksum::checksum_of;
 pub use clock::timestamp;
 pub use closing::Closing;
-pub use derived::{Derived, MADE_BY_RUNS, MADE_BY_SWEEPS};
+pub use derived::{Derived, MADE_BY_SWEEPS};
 pub use directory::Directory;
 pub use entries::{Content, Header};
 pub use error::{SweepError, in_words};
