@@ -340,22 +340,33 @@ fn a_journal_without_a_beginning_is_not_started_over() {
 /// A sweep that has lost files does not end well, though the cases after them make the folder again. The same command
 /// brings them back.
 #[test]
-fn histories_that_go_away_are_missed_before_the_end() {
+fn histories_that_go_away_or_are_spoilt_are_missed_before_the_end() {
     // Ten trunks on two threads: most are still to come when the first cases have ended, however fast the machine is.
     let many = TINY.replace("0.025", "0.0125").replace("[50, 250]", "[50]");
     let many = many.replace("[0.4, 0.5]", "{ from = 0.3, to = 0.75, points = 10 }");
     let desk = Desk::new(&many);
-    let (whole, out) = (desk.path().join("whole"), desk.path().join("out"));
+    let whole = desk.path().join("whole");
     sweep(0, &desk.file, &whole, &[]);
-    let child = start(&desk.file, &out, &[]);
-    wait_for(&out, 2);
-    // After 0.2 s the first case is on the disk, and nobody opens its files again.
-    std::thread::sleep(Duration::from_millis(300));
-    while fs::remove_dir_all(out.join("histories")).is_err() {}
-    let output = child.wait_with_output().unwrap();
-    expect_code(&output, 70);
-    assert!(told(&output).contains("histories/"), "{}", told(&output));
-    sweep(0, &desk.file, &out, &[]);
-    assert_same(&whole, &out);
-    ended(0, &["verify", out.to_str().unwrap()]);
+    let ways: [fn(&Path); 2] = [
+        |histories| while fs::remove_dir_all(histories).is_err() {},
+        |histories| {
+            let first = fs::read_dir(histories).unwrap().flatten().next().unwrap().path();
+            fs::write(first, "time_s,force,runup,displacement,wall_velocity_m_per_s\n1,2\n")
+                .unwrap();
+        },
+    ];
+    for (number, way) in ways.iter().enumerate() {
+        let out = desk.path().join(format!("out{number}"));
+        let child = start(&desk.file, &out, &[]);
+        wait_for(&out, 2);
+        // After 0.2 s the first case is on the disk, and nobody opens its files again.
+        std::thread::sleep(Duration::from_millis(300));
+        way(&out.join("histories"));
+        let output = child.wait_with_output().unwrap();
+        expect_code(&output, 70);
+        assert!(told(&output).contains("histories/"), "{}", told(&output));
+        sweep(0, &desk.file, &out, &[]);
+        assert_same(&whole, &out);
+        ended(0, &["verify", out.to_str().unwrap()]);
+    }
 }

@@ -233,7 +233,9 @@ fn lead(
     let left = done.directory.left();
     done.directory.forget_records();
     drop(job);
-    let written = crate::report::write(done.directory.path())?;
+    // Of files that have just been written none is bad input.
+    let written = crate::report::write(done.directory.path());
+    let written = written.map_err(|error| anyhow::anyhow!("{error}"))?;
     Derived::end(done.directory.path(), &written.made, filming != INTERRUPTED)?;
     left.demand(done.directory.path())?;
     if let Some(closing) = closing {
