@@ -23,9 +23,9 @@ const STIRS: f64 = 0.19;
 /// So many √(h/g) are long under water. The first such run, of sixteen rows over slopes of 1:2, ended after 43.
 const STIRS_AFTER: f64 = 30.0;
 
-/// So many √(h/g) are long before a shore of any slope. Still water of ten rows before shores of 1:6 to 1:20 was stirred
+/// So many √(h/g) are long before a shore no steeper than 1:2. Still water of ten rows before shores of 1:6 to 1:20 was stirred
 /// until energy came from nowhere, after 820 to 1,260. Waves of the flume of 1995 and of Synolakis are over before.
-const STIRS_AT_ANY_SHORE_AFTER: f64 = 200.0;
+const STIRS_AT_GENTLE_SHORE_AFTER: f64 = 200.0;
 
 impl Scene {
     /// Whether a crest climbs an upright wall, and strains the lattice of its water there.
@@ -85,18 +85,20 @@ impl Scene {
     pub(super) fn stirs_over_bed(&self) -> bool {
         let rise = if self.lasts(STIRS_AFTER) { STIRS } else { STEEP };
         let under = self.bed().is_some_and(|bed| bed.is_steep_under(self.frame().depth, rise));
-        under || self.stirs_at_any_shore()
+        under || self.stirs_at_gentle_shore()
     }
 
     /// Whether water before a shore is to be held so.
     pub(super) fn stirs_at_shore(&self) -> bool {
         let rise = if self.lasts(SINKS_AFTER) { STIRS } else { STEEP };
-        self.comes_out(rise) || self.stirs_at_any_shore()
+        self.comes_out(rise) || self.stirs_at_gentle_shore()
     }
 
-    /// Whether water before a shore of any slope is stirred, by waves that go on or as time goes by.
-    fn stirs_at_any_shore(&self) -> bool {
-        (self.has_train() || self.lasts(STIRS_AT_ANY_SHORE_AFTER)) && self.comes_out(0.0)
+    /// Whether water before a shore no steeper than 1:2 is stirred, by waves that go on or as time goes by. A bed that gives
+    /// back did not calm it before steeper ones.
+    fn stirs_at_gentle_shore(&self) -> bool {
+        let long = self.has_train() || self.lasts(STIRS_AT_GENTLE_SHORE_AFTER);
+        long && self.comes_out(0.0) && !self.has_steep_shore()
     }
 
     /// Whether a stretch of its bed that rises by more than this along its length comes out of the still water.

@@ -159,7 +159,7 @@ section! {
         volume_feedback: f64 = 0.0, plain().within(0.0, 0.02).newer();
         /// The bed gives back to the water what work its pressure does, so no energy is made or lost there. Beds that
         /// are steeper than 1:2 somewhere under still water have it by default, and in runs of more than 30 √(h/g) those
-        /// from 1:5 on. So have beds that come out of the water, for trains and in runs of more than 200 √(h/g). A level
+        /// from 1:5 on. So have shores no steeper than 1:2, for trains and in runs of more than 200 √(h/g). A level
         /// bed does not read it.
         conservative_bed: bool = false, weakly(plain()).newer();
         /// Water near the surface gives up what it presses by more than 5 ρgh, as the surface lets go of

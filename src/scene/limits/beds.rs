@@ -13,8 +13,8 @@ pub(super) const BEDS: &[Limit] = &[
     ),
     (
         |case| case.stirs_at_shore(),
-        "a bed steeper than 1:2 that comes out of the water, from 1:5 on in a long run, or of any slope in a very long \
-         one, without shifting = \"deep\" and volume_feedback = 0.002: still water began to turn beside it, and energy came \
+        "a bed steeper than 1:2 that comes out of the water, from 1:5 on in a long run, or a gentler one in a very \
+         long one, without shifting = \"deep\" and volume_feedback = 0.002: still water began to turn beside it, and energy came \
          from nowhere after 51 to 134 s",
     ),
     (
@@ -46,8 +46,8 @@ pub(super) const BEDS: &[Limit] = &[
     ),
     (
         |case| case.stirs(),
-        "a bed steeper than 1:2 under water, from 1:5 on in a long run, or of any slope that comes out of it in a very \
-         long one, without shifting = \"deep\" and conservative_bed = true: still water began to turn at the upper ends of \
+        "a bed steeper than 1:2 under water, from 1:5 on in a long run, or one no steeper than 1:2 that comes out of it in \
+         a very long one, without shifting = \"deep\" and conservative_bed = true: still water began to turn at the upper ends of \
          slopes and steps after 6 to 40 s, and before gentle shores energy came from nowhere after 117 to 193 s",
     ),
     (
