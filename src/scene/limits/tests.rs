@@ -71,6 +71,11 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
         assert_eq!([20, 40].map(|seconds| count(&rests(seconds), own)), [0, 1], "{own}");
     }
     assert_eq!(count(&rests(40), ""), 0);
+    let trains = |bed: &str| {
+        let counted = |own| count(&format!("{bed}\n{train} = 9"), own);
+        counted("conservative_bed = false") - counted("")
+    };
+    assert_eq!(trains(&gentle), 1, "a train on a gentle beach");
     let spaced =
         |spacing: f64| format!("boundary = \"normalized\"\nparticle_spacing_m = {spacing}");
     assert_eq!([0.01, 0.004].map(|spacing| count(beach, &spaced(spacing))), [1, 0]);
