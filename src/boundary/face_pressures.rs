@@ -8,9 +8,10 @@ use crate::body::{BodyMotion, Place};
 use crate::math::simd::LANES;
 
 impl Ghosts {
-    /// The points up a body's face. Those of the back of a wall with a crest follow, and are none of them.
+    /// The points up a body's face; none where there is no such body. Those of the back of a wall with a crest follow,
+    /// and are none of them.
     pub fn up(&self, body: usize) -> Range<usize> {
-        let faces = self.bodies[body].faces.clone();
+        let faces = self.bodies.get(body).map_or(0..0, |body| body.faces.clone());
         let crest = self.crest.as_ref().filter(|_| body == Place::Right.number());
         let is_up = |x: &f64| crest.is_none_or(|crest| *x == crest.ends[0]);
         faces.start..faces.start + self.target_x[faces].partition_point(is_up)

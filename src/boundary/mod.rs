@@ -50,7 +50,7 @@ pub use ghosts::{BodySites, GhostBody, Ghosts, Reflection, Site};
 pub use image::Image;
 pub use layout::{CrestShape, FloorBehind, TankLayout};
 pub use plane::Plane;
-pub use profile::{Profile, Stretch};
+pub use profile::{Profile, STEEP, Stretch};
 pub use rules::ExchangeRules;
 pub use sfdi::SfdiMatrix;
 pub use sums::Water;

@@ -3,15 +3,12 @@
 use super::config::CaseConfig;
 use super::kind::Scene;
 use super::numerics::{Numerics, Scheme};
-use crate::boundary::{BoundaryChoice, Profile};
+use crate::boundary::{BoundaryChoice, Profile, STEEP};
 use crate::scheme::isph::Laplacian;
 use crate::scheme::wcsph::Shifting;
 
 /// Whether a case runs into a known limit, and what is told of it.
 pub(super) type Limit = (fn(&Facts<'_>) -> bool, &'static str);
-
-/// Beds that rise by more than this along their length are no beaches: no tongue of water lies on them.
-const NO_BEACH: f64 = 0.7;
 
 /// Walls on springs of so many ρgh, 1e4 N/m in water of 0.2 m, stand as good as still under the highest waves.
 const STIFF: f64 = 5.0;
@@ -163,7 +160,8 @@ impl Facts<'_> {
         let ends = |rise| {
             self.scene().bed().is_some_and(|bed| bed.is_steep_at(self.scene().frame().depth, rise))
         };
-        let beach = self.wave > 0.0 && ends(0.0) && !ends(NO_BEACH);
+        // On steeper ones no tongue of water lies.
+        let beach = self.wave > 0.0 && ends(0.0) && !ends(STEEP);
         beach && self.rows.is_some_and(|rows| rows <= 40.0)
     }
 

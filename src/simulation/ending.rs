@@ -113,12 +113,9 @@ impl Run {
     /// The largest pressures up the wall.
     fn envelope(&self) -> Vec<EnvelopeRow> {
         let walls = self.tank.water.walls();
-        let wall = Place::Right.number();
-        if walls.bodies.len() <= wall {
-            return Vec::new();
-        }
+        let heights = &walls.target_y[walls.up(Place::Right.number())];
         let measures = &self.logbook.measures;
-        measures.pressed.envelope(&walls.target_y[walls.up(wall)], &measures.first)
+        measures.pressed.envelope(heights, &measures.first)
     }
 
     /// The scalars of the summary, with what makes them doubtful.

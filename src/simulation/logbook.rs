@@ -118,6 +118,5 @@ impl Logbook {
 
 /// Points at which the pressure on the wall is read.
 fn points_on_wall(tank: &Tank) -> usize {
-    let (walls, wall) = (tank.water.walls(), Place::Right.number());
-    if wall < walls.bodies.len() { walls.up(wall).len() } else { 0 }
+    tank.water.walls().up(Place::Right.number()).len()
 }

@@ -75,8 +75,8 @@ pub fn turn(before: &Stretch, after: &Stretch) -> f64 {
     libm::atan2(ax * by - ay * bx, ax * bx + ay * by)
 }
 
-/// Whether a steep face comes out of the still water at the bend from one stretch to the next, and the other of
-/// them stands dry, less than a support radius above it; all in metres.
+/// Whether a steep face ends low at the bend from one stretch to the next; all in metres. It comes out of the still
+/// water there. The other stretch stands dry, less than a support radius above the water.
 pub fn ends_low(
     [before, after]: [&Stretch; 2],
     still_level: f64,
