@@ -22,6 +22,18 @@ fn runup_before_a_level_end_is_that_of_the_surface() {
     }
 }
 
+/// R of a wave of H/h = 0.06 on 1:2 by the integral of linear theory for a plane beach (Synolakis 1987), ∫ Φ(k) 2/(J0 - i J1)
+/// exp(-ikt) dk at 2k cot β. Before the water came to rest first, the edge had sunk by half a spacing, and R was 0.125.
+#[test]
+fn runup_on_a_steep_beach_is_that_of_linear_theory() {
+    const EXACT: f64 = 0.1423;
+    let scene = "tank_length_m = 4.6\nstill_water_depth_m = 0.2\nwave_height_ratio = 0.06\nwave_gauge_m = 2\n\
+                 end_after_stroke_centre_s = 4.5\nbed = [[0, 0], [4, 0], [4.6, 0.3]]";
+    let runup = computed(scene, &[]).outcome.runup_max.value;
+    println!("R {runup} h for {EXACT} h");
+    assert!((-0.05..0.01).contains(&(runup / EXACT - 1.0)), "{runup}");
+}
+
 /// A bed that is written out and level is the bed that needs no writing.
 #[test]
 fn a_level_bed_is_a_flat_tank() {

@@ -114,6 +114,8 @@ fn walls_of_all_kinds() {
 fn a_bed_a_crest_and_waves_without_end() {
     let bed = "bed = [[0, 0], [0.5, 0], [1, 0.05]]\nend_after_stroke_centre_s = 1.2\n";
     goes_on("bed", &config(&format!("{TANK}{bed}"), "particle_spacing_m = 0.025"), 4);
+    let shore = "bed = [[0, 0], [0.5, 0], [1, 0.3]]\nend_after_stroke_centre_s = 1.2\n";
+    goes_on("shore", &config(&format!("{TANK}{shore}"), "particle_spacing_m = 0.025"), 4);
     let crest = "behind = \"outflow\"\ncrest_freeboard_m = 0.05\ncrest_width_m = 0.125\n\
                  end_after_stroke_centre_s = 1.4\n";
     goes_on("crest", &config(&format!("{TANK}{crest}"), "particle_spacing_m = 0.025"), 8);

@@ -72,6 +72,11 @@ impl CaseConfig {
             let allowed = "belongs to a wave on a vertical seawall";
             return Err(ConfigError::new("numerics.stop_when_settled", true, allowed));
         }
+        let relaxes = self.numerics.relaxation_time_s;
+        if relaxes > 0.0 && self.scene.seawall().is_none() {
+            let allowed = "is for kind = \"seawall\"";
+            return Err(ConfigError::new("numerics.relaxation_time_s", relaxes, allowed));
+        }
         let behind = self.scene.seawall().map_or([0.0; 2], SeawallScene::behind_m);
         Probe::validate_all(&self.probes, &frame, behind)
     }

@@ -98,7 +98,12 @@ impl Scene {
     /// back did not calm it before steeper ones.
     fn stirs_at_gentle_shore(&self) -> bool {
         let long = self.has_train() || self.lasts(STIRS_AT_GENTLE_SHORE_AFTER);
-        long && self.comes_out(0.0) && !self.has_steep_shore()
+        long && self.has_shore() && !self.has_steep_shore()
+    }
+
+    /// Whether its bed comes out of the still water.
+    pub(super) fn has_shore(&self) -> bool {
+        self.comes_out(0.0)
     }
 
     /// Whether a stretch of its bed that rises by more than this along its length comes out of the still water.

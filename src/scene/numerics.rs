@@ -162,6 +162,9 @@ section! {
         /// from 1:5 on. So have shores no steeper than 1:2, for trains and in runs of more than 200 √(h/g). A level
         /// bed does not read it.
         conservative_bed: bool = false, weakly(plain()).newer();
+        /// How long the water is let come to rest before the clock starts, slowed down over a sixth of that time. Beds that
+        /// come out of the still water have 40 √(h/g) by default. It is for seawalls.
+        relaxation_time_s: f64 = 0.0, weakly(unit("s").within(0.0, 1e4)).newer();
         /// Water near the surface gives up what it presses by more than 5 ρgh, as the surface lets go of
         /// sound. Solitary waves above H/h = 0.7 at upright walls over beds no steeper than 1:2 have it by
         /// default, and dam breaks of more than 8 √(H/g) or 4 L/√(gH). It wants gravity and corrected gradients.

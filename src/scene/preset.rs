@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
+use super::frame::Frame;
 use super::kind::Scene;
 use super::numerics::{
     GhostGravity, IncompressibleNumerics, LEAST_SOUND_SPEED_RATIO, Numerics, Scheme,
@@ -36,6 +37,9 @@ section! {
 /// Rows of particles over the depth with which the sound speed is [`RATIO`] times √(g h).
 const ROWS: f64 = 12.5;
 const RATIO: f64 = 8.0;
+
+/// So many √(h/g) still water has to come to rest before a shore.
+const RELAXES_OVER: f64 = 40.0;
 
 /// c0/√(g h) with which the error by sound, which goes as 1/c0², falls as the spacing does; to two
 /// decimals.
@@ -159,6 +163,10 @@ impl Numerics {
             // Its volumes must be held where water that is stirred has the time to sink through itself.
             self.shifting = Shifting::Deep;
             self.volume_feedback = 0.002;
+        }
+        if scene.has_shore() {
+            let Frame { depth, gravity, .. } = scene.frame();
+            self.relaxation_time_s = RELAXES_OVER * (depth / gravity).sqrt();
         }
         if scene.stirs_over_bed() {
             // Where it bends down, water that goes round would gain by it.

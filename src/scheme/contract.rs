@@ -123,6 +123,9 @@ pub trait Scheme: Debug + Send {
         true
     }
 
+    /// Slows the water down to this share of its velocity, between two full steps.
+    fn slow_down(&mut self, _share: f64) {}
+
     /// What must be kept.
     fn state(&self) -> SchemeState;
 

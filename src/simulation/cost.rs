@@ -39,7 +39,7 @@ const PARTICLES_PER_THREAD: u64 = 2000;
 pub struct Cost {
     /// Fluid particles.
     pub particles: u64,
-    /// Steps from rest to the end.
+    /// Steps from rest to the end, those in which the water comes to rest included.
     pub steps: u64,
     /// Share of the steps before the wall can move (0 where the scene does not branch).
     pub trunk_share: f64,
@@ -53,7 +53,8 @@ pub fn cost(config: &CaseConfig) -> Cost {
     let particles = scene.particles(&config.numerics) as u64;
     let end = frame.end_time;
     let start = scene.start_s();
-    let steps = ((end - start) / frame.time_step(&config.numerics)).ceil() as u64;
+    let relaxation = config.numerics.relaxation_time_s;
+    let steps = ((end - start + relaxation) / frame.time_step(&config.numerics)).ceil() as u64;
     // The front reaches the wall when the crest, made at the stroke's centre, has come about 0.6 of
     // the way; a guess that only has to rank cases.
     let onset = scene.seawall().map_or(0.0, |scene| {
@@ -64,7 +65,7 @@ pub fn cost(config: &CaseConfig) -> Cost {
     Cost {
         particles,
         steps,
-        trunk_share: (onset / end).clamp(0.0, 1.0),
+        trunk_share: ((onset + relaxation) / (end + relaxation)).clamp(0.0, 1.0),
         memory_bytes: 8_000_000 + 1_500 * particles,
     }
 }

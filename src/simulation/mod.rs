@@ -31,6 +31,7 @@ mod probes;
 mod quiet_force;
 mod quiet_travel;
 mod readings;
+mod relaxation;
 mod run;
 mod sampling;
 mod settling;
@@ -148,7 +149,7 @@ pub fn run_case(
             let mut run = Run::start(&tried, resources.simd, &team);
             run.attempt = attempt.clone();
             match start {
-                Start::Rest => {}
+                Start::Rest => run.relax(monitor)?,
                 Start::Trunk(bytes) => run.restore(state::decode(bytes, &tried)?),
                 Start::Kept(kept) => run.take_up(*kept)?,
             }
@@ -186,8 +187,9 @@ pub fn run_trunk(
     let kept = Kept::of(config, monitor);
     team.lead(|| {
         let mut run = Run::start(config, resources.simd, &team);
-        if let Some(kept) = kept {
-            run.take_up(kept)?;
+        match kept {
+            Some(kept) => run.take_up(kept)?,
+            None => run.relax(monitor)?,
         }
         let state = run.advance_to_onset(monitor)?;
         let (time_s, steps) = state.progress();

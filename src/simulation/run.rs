@@ -233,7 +233,7 @@ impl Run {
         Failure { kind, time_s: self.clock.time, detail }
     }
 
-    fn step_failure(&self, error: &StepError) -> Failure {
+    pub(super) fn step_failure(&self, error: &StepError) -> Failure {
         let kind = match error {
             StepError::SolverDiverged { .. } => FailureKind::SolverDiverged,
         };

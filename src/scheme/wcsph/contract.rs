@@ -85,6 +85,11 @@ impl Scheme for Wcsph {
         self.at_full_step()
     }
 
+    fn slow_down(&mut self, share: f64) {
+        let Fluid { vx, vy, .. } = &mut self.fluid;
+        vx.iter_mut().chain(vy).for_each(|speed| *speed *= share);
+    }
+
     fn state(&self) -> SchemeState {
         SchemeState::Wcsph(Box::new(Wcsph::state(self)))
     }

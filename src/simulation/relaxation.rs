@@ -1,0 +1,54 @@
+//! Water that comes to rest before the clock starts.
+
+use super::Monitor;
+use super::energy::WaterEnergy;
+use super::failure::{FailureKind, Stopped};
+use super::logbook::Logbook;
+use super::run::Run;
+use crate::body::{BodyMotion, Place};
+use crate::scheme::{NextStep, StepWalls};
+
+/// The water is slowed down over this share of the time that it is given.
+const SLOWED_OVER: f64 = 1.0 / 6.0;
+
+impl Run {
+    /// Lets the water come to rest where the scene asks for it, between walls that stand.
+    ///
+    /// A lattice cannot fill the wedge before a shore. What does not fit there runs down into the tank as a
+    /// wave, unless it is slowed down, u' = -u/τ, until it has spread. The clock and the books start after it.
+    pub(super) fn relax(&mut self, monitor: &dyn Monitor) -> Result<(), Stopped> {
+        let time = self.config.numerics.relaxation_time_s;
+        if time == 0.0 {
+            return Ok(());
+        }
+        let mut bodies = self.tank.motions(self.clock.time);
+        for place in [Place::Left, Place::Right] {
+            bodies[place] = BodyMotion { offset: bodies[place].offset, ..BodyMotion::default() };
+        }
+        let next = NextStep { bodies: &bodies, dt: self.time_step };
+        let walls = StepWalls { bodies: &bodies, acceleration: 0.0, next };
+        let (mut gone, mut slowed) = (0.0, 0.0);
+        while gone < time || !self.tank.water.can_be_kept() {
+            if let Some(detail) = monitor.over_limit(self.clock.steps) {
+                return Err(self.failure(FailureKind::OverLimit, detail).into());
+            }
+            let water = &mut self.tank.water;
+            let dt = self.time_step.min(water.step_limit());
+            water.prepare(&bodies, dt).map_err(|error| self.step_failure(&error))?;
+            self.tank.water.finish(dt, &walls, false);
+            self.clock.steps += 1;
+            gone += dt;
+            if self.tank.water.can_be_kept() {
+                self.tank.water.slow_down(((slowed - gone) / (SLOWED_OVER * time)).exp());
+                slowed = gone;
+                if monitor.cancelled() {
+                    return Err(Stopped::Interrupted);
+                }
+            }
+        }
+        self.tank.water.slow_down(0.0);
+        let start = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
+        self.logbook = Logbook::open(&self.config, &self.tank, start);
+        Ok(())
+    }
+}
