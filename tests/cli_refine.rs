@@ -85,7 +85,7 @@ fn a_most_of_points_is_kept_to_and_told() {
     let refine = "quantity = \"first_force_max\", to = 1e-6, most = 1";
     let desk = Desk::new(&study(refine));
     let text = ended(0, &["check", &desk.file]).out;
-    assert!(text.contains("refine              adds up to 1 points, round by round"), "{text}");
+    assert!(text.contains("refine              adds up to 1 point, round by round"), "{text}");
     assert_eq!(ended(0, &["sweep", &desk.file, "--dry-run"]).out, text);
     let told = sweep(&desk.file, &desk.out, &[]);
     assert_eq!(
@@ -93,7 +93,7 @@ fn a_most_of_points_is_kept_to_and_told() {
         (&1.into(), &true.into())
     );
     let text = desk.sweep(&[]).out;
-    assert!(text.contains("grid.refine.most = 1 points were added: no more are allowed"), "{text}");
+    assert!(text.contains("grid.refine.most = 1 is reached: no more are allowed"), "{text}");
     assert!(text.contains("1 point added where first_force_max bends"), "{text}");
 }
 

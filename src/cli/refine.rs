@@ -88,9 +88,7 @@ pub(super) fn report(refinement: &Refinement, study: &Study, done: &Done) -> (St
     text.push('\n');
     if limit_hit && open > 0 {
         let most = asked.most;
-        text.push_str(&format!(
-            "grid.refine.most = {most} points were added: no more are allowed\n"
-        ));
+        text.push_str(&format!("grid.refine.most = {most} is reached: no more are allowed\n"));
     }
     let value = json!({
         "quantity": asked.quantity,
@@ -109,7 +107,9 @@ pub(super) fn report(refinement: &Refinement, study: &Study, done: &Done) -> (St
 /// What `check` says of a study to which points will be added.
 pub(super) fn ahead(asked: &Refine) -> String {
     format!(
-        "adds up to {} points, round by round, until {} is known to {} between neighbours",
-        asked.most, asked.quantity, asked.to
+        "adds up to {}, round by round, until {} is known to {} between neighbours",
+        counted(usize::try_from(asked.most).unwrap_or(usize::MAX), "point"),
+        asked.quantity,
+        asked.to
     )
 }
