@@ -10,7 +10,7 @@ use serde_json::Value;
 #[test]
 fn every_figure_of_both_papers_is_listed() {
     let list = ended(0, &["reproduce", "--list", "--format", "json"]).json();
-    let list = list.as_array().unwrap();
+    let list = list["figures"].as_array().unwrap();
     assert_eq!(list.len(), 32, "fifteen figures and a table of each");
     for figure in list {
         let made = figure["made"] == true;

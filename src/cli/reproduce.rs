@@ -238,6 +238,6 @@ fn list(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> {
             "expected_time_s": made.then_some(seconds),
         }));
     }
-    output.result(&text, &values)?;
+    output.result(&text, &json!({ "figures": values }))?;
     Ok(SUCCESS)
 }
