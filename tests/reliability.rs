@@ -68,7 +68,7 @@ fn files_that_may_not_grow_are_told() {
     command.args(["-c", "ulimit -f 4; exec \"$0\" \"$@\"", env!("CARGO_BIN_EXE_seawall"), "sweep"]);
     let stopped = command.arg(&desk.file).arg("--out").arg(&desk.out).args(["--film", "none"]);
     let stopped = stopped.output().unwrap();
-    assert!(told(&stopped).contains("File too large"), "{}", told(&stopped));
+    assert!(told(&stopped).contains("file too large"), "{}", told(&stopped));
     assert!(stopped.status.code().is_some_and(|code| code > 1), "{:?}", stopped.status);
     sweep(0, &desk.file, &desk.out, &[]);
     let whole = desk.path().join("whole");

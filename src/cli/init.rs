@@ -12,7 +12,7 @@ use super::SUCCESS;
 use super::failure::BadInput;
 use super::output::{Output, json_path, wrapped};
 use crate::keys::{Key, named};
-use crate::results::in_words;
+use crate::math::words::in_words;
 use crate::scene::{Kind, numerics_keys, scene_keys};
 use crate::study::SweepFile;
 
@@ -51,7 +51,7 @@ pub(super) fn main(args: &InitArgs, output: &Output) -> anyhow::Result<u8> {
     let file = OpenOptions::new().write(true).create_new(true).open(&path);
     let mut file = file.map_err(|error| match error.kind() {
         ErrorKind::AlreadyExists => BadInput::of(&path, "is there already; choose another NAME"),
-        kind => BadInput::of(&path, format_args!("cannot be written: {}", in_words(kind))),
+        _ => BadInput::of(&path, format_args!("cannot be written: {}", in_words(&error))),
     })?;
     file.write_all(text.as_bytes())?;
     let told = named(&path);

@@ -9,7 +9,7 @@ use super::failure::{BadFile, BadInput};
 use super::pick::the_case;
 use crate::keys::named;
 use crate::math::simd::SimdPath;
-use crate::results::in_words;
+use crate::math::words::in_words;
 use crate::study::{Override, Study, SweepFile};
 
 /// The user's choice of instruction set.
@@ -97,7 +97,7 @@ fn unreadable(path: &Path, error: &std::io::Error) -> BadInput {
         let such = named(&path.join("NAME.toml"));
         format!("is a directory; give a sweep or scene file, such as {such}")
     } else {
-        let why = in_words(error.kind());
+        let why = in_words(error);
         format!("{why}; give a sweep or scene file (`seawall init NAME` writes one)")
     };
     BadInput::of(path, reason)

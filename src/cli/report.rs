@@ -12,7 +12,7 @@ use super::options::{FigureFormat, for_print};
 use super::output::{Output, json_path, json_paths};
 use super::{CASES_FAILED, SUCCESS, stored};
 use crate::keys::named;
-use crate::math::words::counted;
+use crate::math::words::{counted, in_words};
 use crate::report::{Froude, Omitted, ReportError, Written};
 use crate::results::{
     Closing, Derived, Lock, MADE_BY_SWEEPS, Manifest, SweepError, Verified, renew_tables, verify,
@@ -48,8 +48,8 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     let written = crate::report::write_with(&args.dir, args.froude_scale, &formats, &omitted);
     let Written { page: report, printed: figures, made } = written.map_err(unwritten)?;
     let spare = |path: &Path, error: &SweepError| omitted.add(path, error);
-    write_sound_histories(&args.dir, &|path| omitted.has(path), &spare)?;
-    Derived::end(&args.dir, &made, false)?;
+    write_sound_histories(&args.dir, &|path| omitted.has(path), &spare).map_err(refused)?;
+    Derived::end(&args.dir, &made, false).map_err(refused)?;
     let (left_out, found) = omitted.told();
     for found in found {
         output.note(found);
@@ -128,7 +128,9 @@ pub(super) fn refused(error: SweepError) -> anyhow::Error {
 /// The same of the page, figures and tables.
 fn unwritten(error: ReportError) -> anyhow::Error {
     match &error {
-        ReportError::Write { path, source } => unusable(path, source).unwrap_or(error.into()),
+        ReportError::Write { path, error: source } => {
+            unusable(path, source).unwrap_or(error.into())
+        }
         _ => error.into(),
     }
 }
@@ -136,9 +138,10 @@ fn unwritten(error: ReportError) -> anyhow::Error {
 /// A directory that cannot be written is bad input, as for every command with an output directory.
 fn unusable(path: &Path, reason: &std::io::Error) -> Option<anyhow::Error> {
     let told = format!(
-        "{}: cannot be written: {reason}; a study's directory must be writable, with nothing else in the way of \
+        "{}: cannot be written: {}; a study's directory must be writable, with nothing else in the way of \
          its files",
-        named(path)
+        named(path),
+        in_words(reason)
     );
     (!is_the_disks(reason.kind())).then(|| BadInput(told).into())
 }

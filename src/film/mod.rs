@@ -28,6 +28,7 @@ pub use scale::Colour;
 pub use vtk::VtkFilm;
 
 use crate::keys::named;
+use crate::math::words::in_words;
 use crate::scene::CaseConfig;
 use crate::simulation::{CaseResult, Film, Limits, Monitor, Stopped};
 
@@ -42,7 +43,7 @@ pub enum Filming {
 
 /// Names the file that an error concerns.
 fn at(path: &Path) -> impl FnOnce(io::Error) -> io::Error + '_ {
-    move |error| io::Error::new(error.kind(), format!("{}: {error}", named(path)))
+    move |error| io::Error::new(error.kind(), format!("{}: {}", named(path), in_words(&error)))
 }
 
 /// What watches one run.

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::keys::named;
+use crate::math::words::in_words;
 
 /// Why a report could not be written.
 #[expect(missing_docs, reason = "fields are called what they are")]
@@ -10,11 +11,11 @@ use crate::keys::named;
 #[non_exhaustive]
 pub enum ReportError {
     /// A file could not be read.
-    #[error("cannot read {}: {source}", named(path))]
-    Read { path: PathBuf, source: std::io::Error },
+    #[error("cannot read {}: {}", named(path), in_words(error))]
+    Read { path: PathBuf, error: std::io::Error },
     /// A file or folder could not be written.
-    #[error("cannot write {}: {source}", named(path))]
-    Write { path: PathBuf, source: std::io::Error },
+    #[error("cannot write {}: {}", named(path), in_words(error))]
+    Write { path: PathBuf, error: std::io::Error },
     /// A table lacks a column that the report needs.
     #[error("{}: no column {column:?}", named(path))]
     MissingColumn { path: PathBuf, column: &'static str },

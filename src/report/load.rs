@@ -168,7 +168,7 @@ fn read_manifest(path: &Path) -> Option<Value> {
 }
 
 pub(super) fn read(path: &Path) -> Result<Vec<u8>, ReportError> {
-    fs::read(path).map_err(|source| ReportError::Read { path: path.to_owned(), source })
+    fs::read(path).map_err(|error| ReportError::Read { path: path.to_owned(), error })
 }
 
 pub(super) fn read_records(path: &Path) -> Result<(StringRecord, Vec<StringRecord>), ReportError> {
@@ -185,7 +185,7 @@ pub(super) fn stream(
     path: &Path,
 ) -> Result<(StringRecord, impl Iterator<Item = Result<StringRecord, ReportError>>), ReportError> {
     let wrong = |source| ReportError::Table { path: path.to_owned(), source };
-    let unread = |source| ReportError::Read { path: path.to_owned(), source };
+    let unread = |error| ReportError::Read { path: path.to_owned(), error };
     let file = fs::File::open(path).map_err(unread)?;
     let mut reader = csv::ReaderBuilder::new().buffer_capacity(1 << 20).from_reader(file);
     let header = reader.headers().map_err(wrong)?.clone();

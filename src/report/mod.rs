@@ -170,12 +170,12 @@ pub fn print(
 }
 
 fn make(directory: &Path) -> Result<(), ReportError> {
-    let wrong = |source| ReportError::Write { path: directory.to_owned(), source };
+    let wrong = |error| ReportError::Write { path: directory.to_owned(), error };
     if directory.is_dir() { Ok(()) } else { fs::create_dir(directory).map_err(wrong) }
 }
 
 fn save(path: &Path, content: &(impl AsRef<[u8]> + ?Sized)) -> Result<(), ReportError> {
-    fs::write(path, content).map_err(|source| ReportError::Write { path: path.to_owned(), source })
+    fs::write(path, content).map_err(|error| ReportError::Write { path: path.to_owned(), error })
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! What can go wrong with a sweep as a whole; a failing case is not among it.
 
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use crate::keys::named;
+use crate::math::words::in_words;
 
 /// An error that ends a sweep.
 #[expect(missing_docs, reason = "fields are called what they are")]
@@ -14,19 +14,11 @@ pub enum SweepError {
     #[error("{0}")]
     Refused(String),
     /// The system failed to read or write a file.
-    #[error("{}: {error}", named(path))]
+    #[error("{}: {}", named(path), in_words(error))]
     Io { path: PathBuf, error: std::io::Error },
     /// The machinery between ranks failed.
     #[error("{0}")]
     Executor(String),
-}
-
-/// What the system says, for people.
-pub fn in_words(kind: ErrorKind) -> String {
-    match kind {
-        ErrorKind::NotFound => "there is no such file or directory".to_owned(),
-        other => other.to_string(),
-    }
 }
 
 impl SweepError {
@@ -41,7 +33,7 @@ impl SweepError {
         let reason = match path.ancestors().find(|part| part.is_file()) {
             Some(file) if file == path => "is a file".to_owned(),
             Some(file) => format!("{} is a file", named(file)),
-            None => format!("nothing can be written there ({})", in_words(error.kind())),
+            None => format!("nothing can be written there ({})", in_words(error)),
         };
         SweepError::Refused(format!(
             "--out {path_told}: {reason}; give a directory, a new one or that of an earlier run"

@@ -60,7 +60,7 @@ pub use closing::Closing;
 pub use derived::{Derived, MADE_BY_SWEEPS};
 pub use directory::Directory;
 pub use entries::{Content, Header};
-pub use error::{SweepError, in_words};
+pub use error::SweepError;
 pub use error_bars::{ErrorBars, narrowest_bar_percent};
 pub use filing::{Delivery, Filed, Filing, Mark};
 pub use journal::{

@@ -88,7 +88,7 @@ impl<'a> Lines<'a> {
     /// # Errors
     /// A file that cannot be read or written.
     pub fn write(self, path: &Path, most: usize) -> Result<Table, ReportError> {
-        let wrong = |source| ReportError::Write { path: path.to_owned(), source };
+        let wrong = |error| ReportError::Write { path: path.to_owned(), error };
         let file = File::create(path).map_err(wrong)?;
         let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 16).from_writer(file);
         let mut table = self.head;
