@@ -147,8 +147,50 @@ fn a_study_that_cannot_be_written_is_told_plainly() {
     for command in [&["report", &desk.dir][..], &["film", &desk.dir, case]] {
         let told = ended(2, command).err;
         let told = told.split_once("derived.json: cannot be written: ").unwrap().1;
-        assert!(told.starts_with("Is a directory (os error"), "{told}");
+        assert!(told.starts_with("a directory stands in the place of this file; "), "{told}");
         assert!(told.ends_with("with nothing else in the way of its files\n"), "{told}");
     }
     assert!(!desk.out.join("films").exists(), "nothing runs");
+}
+
+/// Without `derived.json` all was well, whatever had become of page and figures. A directory in the place of one was
+/// "missing", and what the system said of it was all that `report` and `sweep` told.
+#[test]
+fn what_page_and_figures_were_is_missed_and_a_directory_told() {
+    let desk = Desk::new(TINY);
+    sweep(0, &desk.file, &desk.out, &["--film", "auto"]);
+    fs::remove_file(desk.out.join("derived.json")).unwrap();
+    let told = ended(1, &["verify", &desk.dir]).out;
+    assert!(told.starts_with("derived.json is missing: ") && told.contains("`seawall report`"));
+    ended(0, &["report", &desk.dir]);
+    ended(0, &["verify", &desk.dir]);
+    for name in ["report.html", "histories.csv.gz", "tables/summary.csv", "derived.json"] {
+        let path = desk.out.join(name);
+        fs::remove_file(&path).unwrap();
+        fs::create_dir(&path).unwrap();
+        let told = ended(1, &["verify", &desk.dir]).out;
+        assert!(told.starts_with(&format!("{name} is a directory")), "{told}");
+        let sweep = ["sweep", &desk.file, "--out", &desk.dir, "--film", "none"];
+        for told in [ended(2, &["report", &desk.dir]).err, ended(70, &sweep).err] {
+            let words = told.lines().last().unwrap();
+            assert!(
+                words.contains(name) && words.contains("a directory stands in the place"),
+                "{words}"
+            );
+            assert!(!words.contains("os error"), "{words}");
+        }
+        fs::remove_dir(&path).unwrap();
+        ended(0, &["report", &desk.dir]);
+        ended(0, &["verify", &desk.dir]);
+    }
+    // The film of a case stays told once a sweep could not make it again.
+    let film = files(&desk.out.join("films"))
+        .into_iter()
+        .find(|path| path.to_str().unwrap().ends_with(".html"));
+    let film = film.unwrap();
+    fs::remove_file(&film).unwrap();
+    fs::create_dir(&film).unwrap();
+    sweep(0, &desk.file, &desk.out, &["--film", "auto"]);
+    let told = ended(1, &["verify", &desk.dir]).out;
+    assert!(told.ends_with(".html is a directory\n"), "{told}");
 }

@@ -41,8 +41,9 @@ fn named<'a>(study: &'a Study, word: &str) -> Result<&'a Case, BadInput> {
 pub(super) fn pages(directory: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(directory.join("films")).into_iter().flatten().flatten();
     let paths = entries.map(|entry| entry.path());
-    let mut pages: Vec<_> =
-        paths.filter(|path| path.extension().is_some_and(|ending| ending == "html")).collect();
+    let mut pages: Vec<_> = paths
+        .filter(|path| path.extension().is_some_and(|it| it == "html") && path.is_file())
+        .collect();
     pages.sort();
     pages
 }
@@ -92,7 +93,7 @@ pub(super) fn make(
         }
         shot.iter().for_each(|shot| shot.tell(case, output));
     }
-    let filmed = highlights.iter().filter(|one| set.page(&study.cases[one.index]).exists());
+    let filmed = highlights.iter().filter(|one| set.page(&study.cases[one.index]).is_file());
     if let Err(error) = highlights::tell(filmed, study, set.directory) {
         output.note(format_args!("warning: the report cannot say why cases were filmed: {error}"));
     } else if !highlights.is_empty() {

@@ -18,7 +18,7 @@ use crate::keys::named;
 use crate::math::words::counted;
 use crate::papers::{Recipe, Run, files, paper, recipes};
 use crate::report::Reproduced;
-use crate::results::OpenMode;
+use crate::results::{Derived, MADE_BY_SWEEPS, OpenMode};
 use crate::scene::ConfigError;
 use crate::study::{Study, SweepFile};
 
@@ -96,7 +96,9 @@ pub(super) fn main(args: &ReproduceArgs, output: &Output) -> anyhow::Result<u8> 
             return Ok(INTERRUPTED);
         }
         code = code.max(done.exit_code());
-        crate::report::write(&job.out)?;
+        Derived::begin(&job.out, MADE_BY_SWEEPS)?;
+        let written = crate::report::write(&job.out)?;
+        Derived::end(&job.out, &written.made, true)?;
         directories.push(job.out);
     }
     let made = crate::report::reproduce::reproduce(recipe, &directories)?;

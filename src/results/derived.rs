@@ -97,7 +97,7 @@ impl Derived {
         derived.write(directory)
     }
 
-    /// These files were made or removed.
+    /// These files were made or removed. What a directory stands in the place of keeps its seal, so that it is told.
     ///
     /// # Errors
     /// A file that cannot be read or written.
@@ -106,6 +106,9 @@ impl Derived {
         for path in paths {
             let Ok(name) = path.strip_prefix(directory) else { continue };
             let name = name.to_string_lossy().into_owned();
+            if path.is_dir() {
+                continue;
+            }
             derived.files.remove(&name);
             if path.is_file() {
                 let seal = Seal::of_file(path).map_err(SweepError::io(path))?;
@@ -134,7 +137,7 @@ impl Derived {
         let derived = Derived::read(directory);
         paths.iter().any(|path| {
             let name = path.strip_prefix(directory).unwrap_or(path).to_string_lossy();
-            derived.files.get(&*name).is_some_and(|seal| seal.fits(path) != Some(true))
+            derived.files.get(&*name).is_some_and(|seal| seal.damage(path).is_some())
         })
     }
 }
@@ -142,14 +145,20 @@ impl Derived {
 /// What is not as it was made, in words.
 pub(super) fn damage(directory: &Path) -> Vec<String> {
     let path = directory.join(FILE_NAME);
-    if fs::read(&path).is_ok_and(|text| !sealed::is_whole(&text)) {
-        return vec![format!("{FILE_NAME} is damaged")];
+    let what = match fs::read(&path) {
+        Ok(text) => (!sealed::is_whole(&text)).then_some("is damaged"),
+        Err(_) if path.is_dir() => Some("is a directory"),
+        // A run leaves nothing that it would tell of.
+        Err(_) => (!names(directory).is_empty()).then_some("is missing"),
+    };
+    if let Some(what) = what {
+        return vec![format!(
+            "{FILE_NAME} {what}: nothing tells what page, figures, tables and films were; `seawall report` makes it again"
+        )];
     }
     let files = Derived::read(directory).files.into_iter();
-    let told = files.filter_map(|(name, seal)| match seal.fits(&directory.join(&name)) {
-        Some(true) => None,
-        Some(false) => Some(format!("{name} is damaged")),
-        None => Some(format!("{name} is missing")),
+    let told = files.filter_map(|(name, seal)| {
+        seal.damage(&directory.join(&name)).map(|what| format!("{name} {what}"))
     });
     told.collect()
 }

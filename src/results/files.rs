@@ -108,11 +108,7 @@ impl Unsynced {
 pub(super) fn damage(directory: &Path, id: CaseId, seals: &Seals) -> Vec<(PathBuf, &'static str)> {
     let look = |(name, seal): (&String, &Seal)| {
         let path = path(directory, name, id);
-        match seal.fits(&path) {
-            Some(true) => None,
-            Some(false) => Some((path, "is damaged")),
-            None => Some((path, "is missing")),
-        }
+        seal.damage(&path).map(|what| (path, what))
     };
     let mut damage: Vec<_> = seals.iter().filter_map(look).collect();
     let history = history_path(directory, id);

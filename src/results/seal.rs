@@ -44,8 +44,19 @@ impl Seal {
         }
     }
 
+    /// What is wrong with a file; `None` where it is as it was written.
+    pub(super) fn damage(&self, path: &Path) -> Option<&'static str> {
+        match self.fits(path) {
+            Some(true) => None,
+            _ if path.is_dir() => Some("is a directory"),
+            Some(false) => Some("is damaged"),
+            None if path.exists() => Some("cannot be read"),
+            None => Some("is missing"),
+        }
+    }
+
     /// Whether a file is as it was written; `None` where it cannot be read.
-    pub(super) fn fits(&self, path: &Path) -> Option<bool> {
+    fn fits(&self, path: &Path) -> Option<bool> {
         let mut file = File::open(path).ok()?;
         if self.bytes() > ASKED {
             let alike = file.metadata().ok()?.len() == self.bytes();

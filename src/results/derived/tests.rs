@@ -11,7 +11,7 @@ fn what_changed_since_it_was_made_is_told() {
     let write = |name: &str, text: &str| fs::write(directory.join(name), text).unwrap();
     let names = ["report.html", "figures/a.svg", "films/a.html", "tables/a.csv", "vtk/a/b.vtu"];
     names.iter().for_each(|name| write(name, "old"));
-    assert!(damage(directory).is_empty(), "nothing is known of them yet");
+    assert!(damage(directory)[0].starts_with("derived.json is missing: nothing tells what page"));
     Derived::begin(directory, MADE_BY_RUNS).unwrap();
     Derived::renew(directory, &[directory.join("films/b.html")]).unwrap();
     assert!(!directory.join(FILE_NAME).exists());
@@ -44,10 +44,15 @@ fn what_changed_since_it_was_made_is_told() {
     assert!(damage(directory).is_empty());
     fs::remove_file(&film).unwrap();
     assert_eq!(damage(directory), ["films/a.html is missing"]);
+    // A film that was not made again as a directory was in its way was forgotten.
+    fs::create_dir(&film).unwrap();
+    Derived::renew(directory, std::slice::from_ref(&film)).unwrap();
+    assert_eq!(damage(directory), ["films/a.html is a directory"]);
+    fs::remove_dir(&film).unwrap();
     Derived::renew(directory, &[film]).unwrap();
     assert!(damage(directory).is_empty());
     write(FILE_NAME, "{}");
-    assert_eq!(damage(directory), ["derived.json is damaged"]);
+    assert!(damage(directory)[0].starts_with("derived.json is damaged: nothing tells what page"));
     Derived::begin(directory, MADE_BY_RUNS).unwrap();
     Derived::end(directory, &[], false).unwrap();
     assert!(damage(directory).is_empty());
