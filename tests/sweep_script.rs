@@ -245,6 +245,26 @@ fn a_job_that_gets_no_further_is_given_up() {
     assert_eq!(fs::read_to_string(&starts).unwrap().lines().count(), 3);
 }
 
+/// Films were no progress: a job that died after each of them was given up.
+#[test]
+fn a_job_that_makes_one_more_film_is_started_again() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let room = Room::new(TINY);
+    let starts = room.root.path().join("starts");
+    let dies = format!(
+        "[[ \"$*\" = *sweep* ]] || exec \"$true_mpirun\" \"$@\"; echo >>'{0}'\n\
+         mkdir -p '{1}/films'; touch '{1}/journal.jsonl'; [ $(wc -l <'{0}') -gt 4 ] || echo >\"{1}/films/$RANDOM$RANDOM\"\n\
+         while [ \"$1\" != --ending ]; do shift; done; echo 'out {1}' >\"$2\"; exit 9",
+        starts.display(),
+        room.out.display()
+    );
+    let output = room.script_under(&dies).arg("--keep-going").output().unwrap();
+    expect_code(&output, 70);
+    assert_eq!(fs::read_to_string(&starts).unwrap().lines().count(), 6);
+}
+
 /// The story: `scripts/validate` removed what earlier runs had left before it had looked at its words.
 #[test]
 fn words_that_cannot_be_used_cost_no_earlier_results() {
