@@ -1,4 +1,7 @@
 //! One process per output directory: an advisory lock that dies with its holder.
+//!
+//! It is on a file in the directory, and on the directory itself where its file system has such locks: whoever deletes
+//! the file lets nobody else in.
 
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::ErrorKind::NotFound;
@@ -16,6 +19,12 @@ const PAUSE: Duration = Duration::from_millis(50);
 #[derive(Debug)]
 pub struct Lock {
     _file: File,
+    _directory: Option<File>,
+}
+
+/// Whether a try has shown that somebody else holds a lock.
+fn is_taken<T>(tried: &Result<T, TryLockError>) -> bool {
+    matches!(tried, Err(TryLockError::WouldBlock))
 }
 
 impl Lock {
@@ -41,10 +50,13 @@ impl Lock {
                 }
                 open => open.map_err(|error| SweepError::unusable(directory, &error))?,
             };
-            match file.try_lock() {
+            let whole = File::open(directory).ok();
+            let tried = whole.as_ref().map_or(Ok(()), File::try_lock);
+            let tried = if is_taken(&tried) { tried } else { file.try_lock() };
+            match tried {
                 // Its holder may have moved the directory aside.
                 Ok(()) if !atomic_file::is_same(&file, &path) => {}
-                Ok(()) => return Ok(Lock { _file: file }),
+                Ok(()) => return Ok(Lock { _file: file, _directory: whole }),
                 Err(TryLockError::WouldBlock) if start.elapsed() < patience => {
                     std::thread::sleep(PAUSE);
                 }
@@ -58,8 +70,8 @@ impl Lock {
 
     /// Whether some process is at work in a directory.
     pub fn is_held(directory: &Path) -> bool {
-        let file = File::open(directory.join(FILE_NAME));
-        file.is_ok_and(|file| matches!(file.try_lock(), Err(TryLockError::WouldBlock)))
+        let both = [File::open(directory), File::open(directory.join(FILE_NAME))];
+        both.iter().flatten().any(|file| is_taken(&file.try_lock()))
     }
 }
 
@@ -73,6 +85,10 @@ mod tests {
         let lock = Lock::hold(directory.path()).unwrap();
         assert!(Lock::is_held(directory.path()));
         let wait = Duration::from_millis(60);
+        assert!(Lock::hold_within(directory.path(), wait).unwrap_err().is_refusal());
+        // Without the file a second process got in.
+        std::fs::remove_file(directory.path().join(FILE_NAME)).unwrap();
+        assert!(Lock::is_held(directory.path()));
         assert!(Lock::hold_within(directory.path(), wait).unwrap_err().is_refusal());
         drop(lock);
         assert!(!Lock::is_held(directory.path()));
