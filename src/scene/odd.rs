@@ -1,10 +1,11 @@
 //! Values that are allowed and that hardly anybody means: warnings, each with its key.
 
+mod probes;
+
 use super::config::CaseConfig;
 use super::far::{self, FARTHEST_WALL};
 use super::kind::Scene;
 use super::numerics::Numerics;
-use super::probe::Probe;
 use super::seawall::{SeawallScene, WallChoice};
 use crate::keys::ConfigError;
 
@@ -33,12 +34,10 @@ pub fn odd_values(config: &CaseConfig) -> Vec<ConfigError> {
     if let Some(scene) = config.scene.seawall() {
         let near =
             gauge(scene, &config.numerics).or_else(|| aground(scene)).or_else(|| meets(scene));
-        let buried = buried(scene, &config.probes);
         let stroke = overshoot(scene).or_else(|| hole(scene));
-        let outside = outside(scene, &config.probes);
-        let all =
-            [tank(scene), threshold(scene), steep(scene), early(scene), loose(scene), near, buried];
-        odd.extend(all.into_iter().chain([outside, stroke]).flatten());
+        let all = [tank(scene), threshold(scene), steep(scene), early(scene), loose(scene), near];
+        let probes = probes::odd(scene, &config.probes);
+        odd.extend(all.into_iter().chain(probes).chain([stroke]).flatten());
     }
     odd
 }
@@ -183,33 +182,6 @@ fn hole(scene: &SeawallScene) -> Option<ConfigError> {
         (after[1] - before[1]).abs()
     );
     Some(ConfigError::new("scene.recorded_stroke", "", told))
-}
-
-/// Heights of probes count from the paddle's foot, also where the bed is higher.
-fn buried(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
-    let bed = scene.bed.as_ref()?;
-    let (probe, height) = probes.iter().find_map(|it| Some((it, it.bed_over_it(bed)?)))?;
-    let told = format!(
-        "{} stands under the bed, which is {height:.4} m high there, and reads no pressure; heights count from the \
-         paddle's foot",
-        probe.name
-    );
-    Some(ConfigError::new("probe.y_m", probe.y_m?, told))
-}
-
-/// A wall that leans away, moves or lets water fall behind it has water farther than it stands; others have not.
-fn outside(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
-    let flies_on = scene.crest.is_some() && scene.floor.is_none();
-    if scene.wall != WallChoice::Fixed || scene.wall_angle_deg > 90.0 || flies_on {
-        return None;
-    }
-    let end = scene.tank_length_m + scene.behind_m()[0];
-    let (probe, x) = probes.iter().find_map(|it| Some((it, it.x_m.filter(|x| *x > end)?)))?;
-    let told = format!(
-        "{} stands outside the tank, which ends at {end:.4} m: no water comes there",
-        probe.name
-    );
-    Some(ConfigError::new("probe.x_m", x, told))
 }
 
 fn interval(config: &CaseConfig) -> Option<ConfigError> {

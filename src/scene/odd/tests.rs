@@ -117,3 +117,30 @@ fn a_probe_outside_the_tank_is_told() {
     }
     assert_eq!(told(basin, 3.3).len(), 1);
 }
+
+/// The story: probes inside a wall, under its crest, and gauges that the paddle passed read 0 without a word.
+#[test]
+fn a_probe_in_a_wall_or_in_the_paddles_way_is_told() {
+    let told = |scene: &str, probe: &str| {
+        let probe = format!("name = \"P\"\n{probe}").parse().unwrap();
+        let numerics = "particle_spacing_m = 0.01".parse().unwrap();
+        let config = CaseConfig::with_probes(&scene.parse().unwrap(), &numerics, &[probe]).unwrap();
+        odd_values(&config).iter().map(ToString::to_string).collect::<Vec<_>>()
+    };
+    let outflow = "behind = \"outflow\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.2";
+    let floor = "behind = \"floor\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.2\nfloor_length_m = 0.5\n\
+                 floor_height_m = 0.1";
+    let at = |x: f64, y: f64| format!("kind = \"pressure\"\nx_m = {x}\ny_m = {y}");
+    for (scene, x, y) in
+        [("", 2.4, 0.1), (outflow, 2.5, 0.1), (outflow, 2.6, 0.3), (floor, 2.8, 0.1)]
+    {
+        assert_eq!(told(scene, &at(x, y)), [""; 0], "{scene} {x} {y}");
+    }
+    let inside = "probe.y_m = 0.29: P stands inside the wall, which is 0.3000 m high from 2.5000 to 2.7000 m";
+    assert!(told(outflow, &at(2.6, 0.29))[0].starts_with(inside));
+    assert!(told(floor, &at(2.8, 0.09))[0].contains("or under the floor behind it"));
+    let level = |x: f64| format!("kind = \"level\"\nx_m = {x}");
+    assert_eq!(told("", &level(0.33)), [""; 0]);
+    let passed = "probe.x_m = 0.32: P stands where the paddle goes, up to 0.326 m into the tank";
+    assert!(told("", &level(0.32))[0].starts_with(passed));
+}
