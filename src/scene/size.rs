@@ -43,6 +43,22 @@ pub(super) fn validate(scene: &Scene, numerics: &Numerics) -> Result<(), ConfigE
     Err(ConfigError::new("numerics.particle_spacing_m", written, allowed))
 }
 
+/// How long bed, crest and the floor behind it are along their faces, metres.
+fn lengths(scene: &SeawallScene) -> [(&'static str, Option<f64>); 3] {
+    let bed = scene.bed.as_ref().map(|bed| bed.stretches().map(|one| one.length).sum::<f64>());
+    let crest = scene.crest.as_ref().map(|crest| crest.crest_width_m);
+    let floor = scene.floor.as_ref().map(|floor| floor.floor_length_m);
+    [("bed", bed), ("crest_width_m", crest), ("floor_length_m", floor)]
+}
+
+impl SeawallScene {
+    /// Ghosts below its bed, its crest and the floor behind that, which have them where there is no water, too.
+    pub fn wall_ghosts(&self, numerics: &Numerics) -> f64 {
+        let length: f64 = lengths(self).iter().filter_map(|(_, length)| *length).sum();
+        length / numerics.particle_spacing_m * numerics.support_radius_ratio
+    }
+}
+
 /// Refuses beds, crests and floors so long that their ghosts alone fill a machine.
 ///
 /// # Errors
@@ -50,10 +66,7 @@ pub(super) fn validate(scene: &Scene, numerics: &Numerics) -> Result<(), ConfigE
 pub(super) fn validate_walls(scene: &SeawallScene, numerics: &Numerics) -> Result<(), ConfigError> {
     let (spacing, rows) = (numerics.particle_spacing_m, numerics.support_radius_ratio);
     let longest = rounded_down(MOST_GHOSTS * spacing / rows);
-    let bed = scene.bed.as_ref().map(|bed| bed.stretches().map(|one| one.length).sum::<f64>());
-    let crest = scene.crest.as_ref().map(|crest| crest.crest_width_m);
-    let floor = scene.floor.as_ref().map(|floor| floor.floor_length_m);
-    for (key, length) in [("bed", bed), ("crest_width_m", crest), ("floor_length_m", floor)] {
+    for (key, length) in lengths(scene) {
         let Some(length) = length.filter(|length: &f64| *length > longest) else { continue };
         let (subject, value) = match key {
             "bed" => (format!("is {length} m long along its face; "), String::new()),
