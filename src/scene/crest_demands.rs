@@ -157,6 +157,14 @@ impl SeawallScene {
         let Some(level) = self.basin_level() else { return Ok(()) };
         let clear = CLEAR * numerics.particle_spacing_m;
         let [lowest, highest] = [floor_height_m + radius, crest - clear];
+        if below(highest, lowest) {
+            let allowed = format!(
+                "leaves no room for a basin, which needs a support radius of water, and {CLEAR} spacings or more from \
+                 there to the crest: must be {} m or less, or crest_freeboard_m larger, or particle_spacing_m smaller",
+                told(highest - radius)
+            );
+            return error("floor_height_m", floor_height_m, &allowed);
+        }
         if below(level, lowest) || below(highest, level) {
             let [lowest, highest] = [lowest, highest].map(told);
             let allowed = format!(
@@ -199,5 +207,23 @@ mod tests {
             let told = of(&wall(height), 0.04).unwrap_err();
             assert!(told.contains("must be -0.58 to 0.02 m: 4 depths"), "{told}");
         }
+    }
+
+    /// The story: basin_level_m "must be 0.223 to 0.2051 m".
+    #[test]
+    fn a_floor_without_room_for_water_is_told_as_such() {
+        let wall = |floor: f64| {
+            format!(
+                "behind = \"basin\"\ncrest_freeboard_m = 0.02\ncrest_width_m = 0.4\nfloor_length_m = 1\n\
+                 floor_height_m = {floor}\nbasin_level_m = 0.205"
+            )
+        };
+        let told = of(&wall(0.16), 0.01).unwrap_err();
+        assert!(
+            told.starts_with("scene.floor_height_m = 0.16: leaves no room for a basin"),
+            "{told}"
+        );
+        assert!(told.contains("must be 0.155 m or less, or crest_freeboard_m larger"), "{told}");
+        assert!(of(&wall(0.155), 0.01).is_ok());
     }
 }
