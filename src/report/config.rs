@@ -1,6 +1,8 @@
 //! What every case was: all values of its `[scene]` and `[numerics]`, from the manifest and from the
 //! swept keys in its row.
 
+use std::collections::BTreeMap;
+
 use serde::Deserialize;
 use toml::{Table, Value};
 
@@ -45,7 +47,8 @@ pub fn each_config(
     rows: impl Iterator<Item = usize>,
 ) -> impl Iterator<Item = Option<Config>> {
     let file = data.file();
-    rows.map(move |row| config(file.as_ref()?, data, row))
+    let mut starts = BTreeMap::new();
+    rows.map(move |row| config(file.as_ref()?, data, row, &mut starts))
 }
 
 /// A recorded stroke stands here as its path: a long record in every case would take gigabytes, and its
@@ -71,11 +74,15 @@ pub fn gauges(data: &Loaded) -> Vec<Gauge> {
     probes.filter_map(|table| table.try_into().ok()).collect()
 }
 
-fn config(file: &StudyFile, data: &Loaded, row: usize) -> Option<Config> {
+/// The clocks at the first points of strokes' files, s, by their paths: each file is opened once.
+type Starts = BTreeMap<String, f64>;
+
+fn config(file: &StudyFile, data: &Loaded, row: usize, starts: &mut Starts) -> Option<Config> {
     let [mut scene, numerics] = file.of_row(&data.keys, row, &file.numerics)?;
     let stroke = scene.get(STROKE).and_then(Value::as_str).map(str::to_owned);
     if let Some(path) = &stroke {
-        let start_s = Stroke::start_of(path).unwrap_or(0.0);
+        let read = || Stroke::start_of(path).unwrap_or(0.0);
+        let start_s = *starts.entry(path.clone()).or_insert_with(read);
         let still = [0.0, 1.0, 2.0].map(|later| [start_s + later, 0.0]);
         scene.insert(STROKE.to_owned(), value_of(&still)?);
     }
@@ -155,6 +162,24 @@ mod tests {
             assert_eq!(scene["recorded_stroke"].as_str(), Some(path));
             assert_eq!(numerics.contains_key("volume_feedback"), feedback, "{path}");
         }
+    }
+
+    /// It was opened once for each case, which takes long on a disk far away.
+    #[test]
+    fn the_file_of_a_stroke_is_opened_once() {
+        let root = tempfile::tempdir().unwrap();
+        let path = root.path().join("stroke.csv");
+        std::fs::write(&path, "time_s,stroke_m\n260,0\n261,0.1\n262,0\n").unwrap();
+        let file = "[scene]\npaddle = \"recorded-stroke\"\nend_time_s = 263";
+        let keys = vec![Key::new("recorded_stroke", [path.to_str().unwrap(); 2])];
+        let manifest = Some(json!({ "sweep_file": file }));
+        let data =
+            Loaded { rows: vec![Default::default(); 2], keys, manifest, ..Loaded::default() };
+        let mut all = each_config(&data, 0..2);
+        let first = all.next().unwrap().unwrap();
+        std::fs::remove_file(&path).unwrap();
+        assert_eq!(all.next().unwrap().unwrap(), first);
+        assert_ne!(configs(&data)[0].as_ref().unwrap(), &first, "the clock counts");
     }
 
     #[test]
