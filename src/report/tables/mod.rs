@@ -217,7 +217,11 @@ mod tests {
         let rows = vec![row("sound_speed_ratio = 4"), row("sound_speed_ratio = 8")];
         let table = failed(&Loaded { rows, ..Loaded::default() }, 9).whole().unwrap().for_page();
         assert_eq!(table.header, [VARIANT, "reason"]);
-        assert_eq!(table.rows[1], ["sound_speed_ratio = 8", "blow-up"]);
+        assert_eq!(
+            table.rows[1],
+            ["sound speed ratio = 8", "blow-up"],
+            "in words, as figures tell it"
+        );
         let plain = Loaded { rows: vec![row("")], ..Loaded::default() };
         assert_eq!(failed(&plain, 9).whole().unwrap().for_page().header, ["reason"]);
     }

@@ -6,6 +6,7 @@ use crate::quantities::summary::{DOUBTFUL, FORCE_COUPLING, STATUS};
 use crate::quantities::{Column, named};
 use crate::report::number;
 use crate::report::row::PLACE;
+use crate::report::spoken::all_spoken;
 
 /// Columns that tell nothing where all cases have the same in them.
 const ALIKE: [&Column; 2] = [&STATUS, &FORCE_COUPLING];
@@ -68,7 +69,10 @@ impl Table {
 /// A cell with the digits of its column. What [`Table::join`] has written is no number, and stays.
 fn brief(name: &str, cell: &str) -> String {
     let column = named(name);
-    if name == VARIANT || column.is_some_and(Column::is_text) {
+    if name == VARIANT {
+        return all_spoken(cell);
+    }
+    if column.is_some_and(Column::is_text) {
         return cell.to_owned();
     }
     if let (true, Ok(value)) = (PLACE.iter().any(|column| column.name == name), cell.parse()) {
