@@ -164,7 +164,9 @@ fn what_page_and_figures_were_is_missed_and_a_directory_told() {
     assert!(told.starts_with("derived.json is missing: ") && told.contains("`seawall report`"));
     ended(0, &["report", &desk.dir]);
     ended(0, &["verify", &desk.dir]);
-    for name in ["report.html", "histories.csv.gz", "tables/summary.csv", "derived.json"] {
+    let names =
+        ["report.html", "histories.csv.gz", "tables/summary.csv", "derived.json", "energy.csv"];
+    for name in names {
         let path = desk.out.join(name);
         fs::remove_file(&path).unwrap();
         fs::create_dir(&path).unwrap();

@@ -111,7 +111,7 @@ fn renew(args: &ReportArgs, output: &Output) -> anyhow::Result<Vec<PathBuf>> {
     for told in told {
         output.note(told);
     }
-    for table in renew_tables(&args.dir, &study, &records)? {
+    for table in renew_tables(&args.dir, &study, &records).map_err(refused)? {
         output.note(format_args!("{table}: made again from the journal"));
     }
     Ok(damaged)

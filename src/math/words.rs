@@ -24,12 +24,13 @@ pub fn capitalised(text: &str) -> String {
 
 /// What the system says of a file, for people.
 pub fn in_words(error: &io::Error) -> String {
-    use io::ErrorKind::{IsADirectory, NotADirectory, NotFound};
+    use io::ErrorKind::{AlreadyExists, IsADirectory, NotADirectory, NotFound};
     /// Too many open files: of this process, and of the machine.
     const FULL: [Option<i32>; 2] = [Some(24), Some(23)];
     let told = match (error.kind(), error.raw_os_error()) {
         (NotFound, _) => "there is no such file or directory",
         (IsADirectory, _) => "a directory stands in the place of this file",
+        (AlreadyExists, _) => "something else stands in its place",
         (NotADirectory, _) => "a file stands in the place of a directory",
         (_, number) if cfg!(unix) && number == FULL[0] => {
             "too many files are open; the limit of this process (ulimit -n) is too low"

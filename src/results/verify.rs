@@ -48,7 +48,9 @@ pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
     told.extend(kept.map(|path| format!("{} is damaged: what it is of starts over", named(&path))));
     for table in Table::ALL {
         if !table.fits(directory, study, &records)? {
-            told.push(format!("{} {}", table.name(), table.told()));
+            let is_file = !directory.join(table.name()).is_dir();
+            let what = if is_file { table.told() } else { "is a directory" };
+            told.push(format!("{} {what}", table.name()));
         }
     }
     told.extend(Manifest::damage(directory).map(|what| format!("manifest.json {what}")));
@@ -134,6 +136,9 @@ impl Table {
         let cases = &records[..study.cases.len()];
         if self == Table::ProbeColumns {
             return Ok(probe_columns::fits(directory, study, cases));
+        }
+        if path.is_dir() {
+            return Ok(false);
         }
         if !path.exists() {
             // Or else the sweep has not come so far.
