@@ -188,6 +188,7 @@ fn basis(basis: Basis) -> &'static str {
         Basis::Bend | Basis::Exact => "",
         Basis::TwoCases => "(two cases)",
         Basis::LowerBound => "(≥ beyond)",
+        Basis::Start => "(from 0)",
         Basis::Gap => "(gap)",
     }
 }

@@ -102,14 +102,20 @@ impl Line<'_> {
         let verdicts = [low, high].map(|at| self.verdict(at));
         let differ = verdicts[0] != verdicts[1];
         let (met, other) = if verdicts[0] == Verdict::Met { (low, high) } else { (high, low) };
-        let is_bound = |comparison: &Comparison| {
-            let rows = [low, high].map(|at| self.stops[at].row);
-            let changes = comparison.verdict(rows[0]) != comparison.verdict(rows[1]);
-            changes && rows.iter().any(|row| comparison.subject.exact(*row).is_none())
+        let rows = [low, high].map(|at| self.stops[at].row);
+        let is_crossed = |comparison: &&Comparison| {
+            comparison.verdict(rows[0]) != comparison.verdict(rows[1])
+                && comparison.subject.name != self.data.keys[self.key].name
+        };
+        let any_has = |number: Option<f64>| {
+            let mut crossed = self.condition.0.iter().filter(is_crossed);
+            crossed.any(|one| rows.iter().any(|row| one.subject.exact(*row) == number))
         };
         let basis = match high > low + 1 {
             true => Basis::Gap,
-            false if self.condition.0.iter().any(is_bound) => Basis::LowerBound,
+            false if any_has(None) => Basis::LowerBound,
+            // A wall that stays, a crest that no water passes: somewhere between the curve leaves 0.
+            false if differ && any_has(Some(0.0)) => Basis::Start,
             false => return self.interpolated(low),
         };
         differ.then(|| self.within(met, other, basis)).into_iter().collect()

@@ -47,6 +47,8 @@ pub enum Basis {
     TwoCases,
     /// The value beyond is a lower bound.
     LowerBound,
+    /// One of the two has exactly 0: what the condition speaks of begins somewhere between them.
+    Start,
     /// The cases between have no value or failed.
     Gap,
     /// The condition is on the axis itself.

@@ -155,6 +155,24 @@ fn a_lower_bound_short_of_the_limit_proves_nothing() {
     assert_eq!((beyond.at, beyond.basis, beyond.between), (None, Basis::LowerBound, [1.0, 2.0]));
 }
 
+/// The range of a chord was given, short of where the wall gave way.
+#[test]
+fn a_wall_that_gives_way_does_so_somewhere_between_two_cases() {
+    let places = [1.0, 2.0, 3.0, 4.0];
+    let row = with(&DISPLACEMENT_MAX, |x| if x > 2.9 { 0.5 * x - 1.4 } else { 0.0 });
+    let data = study(MASS, "[1, 2, 3, 4]", &places, row);
+    for (limit, basis, between) in [
+        ("displacement_max > 0", Basis::Start, [2.0, 3.0]),
+        ("displacement_max > 0.05", Basis::Start, [2.0, 3.0]),
+        ("displacement_max > 0.3", Basis::Bend, [3.0, 4.0]),
+    ] {
+        let [one] = &find(limit, &data).unwrap().boundaries[..] else { panic!("{limit}") };
+        assert!(one.met_above && one.basis == basis, "{one:?}");
+        assert!(between[0] <= one.between[0] && one.between[1] <= between[1], "{one:?}");
+        assert_eq!(one.at.is_none(), basis == Basis::Start);
+    }
+}
+
 #[test]
 fn failed_and_missing_cases_leave_a_gap() {
     let mut data = study(MASS, "[1, 2, 3, 4]", &[1.0, 2.0, 3.0, 4.0], with(&FORCE_MAX, |x| x));
