@@ -13,8 +13,8 @@ quantities! { Read;
     CASE_ID = text("case_id", "case", |c| Some(c.id.clone()));
     /// `ok`, or `failed`
     STATUS = text("status", "", |c| Some(c.outcome.map_or("failed", |_| "ok").to_owned()));
-    /// why it failed: `<kind> at t = <time> s: <detail>`, see below; an `ok` row with a reason
-    /// recovered from it with smaller time steps (`retries`)
+    /// why it failed: `<kind> at t = <time> s: <detail>`; an `ok` row with a reason recovered from it
+    /// with smaller time steps (`retries`)
     REASON = text("reason", "", |c| Some(c.reason.to_owned()));
     /// nominal wave height H/h
     WAVE_HEIGHT_RATIO = number("wave_height_ratio", "H/h", Pure, |c| {
@@ -56,11 +56,11 @@ quantities! { Read;
     FIRST_DISPLACEMENT_MAX = maximum("first_displacement_max", "first X*", Displacement, |c| {
         c.outcome?.first_displacement_max
     });
-    /// the running maximum when F* - 1 has first dropped 10 % below it
+    /// first peak of F*: the largest so far when F* - 1 first falls 10 % below it
     FIRST_FORCE_PEAK = number("first_force_peak", "first peak, F*", Force, |c| {
         c.outcome?.first_force_peak
     });
-    /// the running maximum when R* has first dropped 10 % below it
+    /// first peak of R*: the largest so far when R* first falls 10 % below it
     FIRST_RUNUP_PEAK = number("first_runup_peak", "first peak, R*", Runup, |c| {
         c.outcome?.first_runup_peak
     });
@@ -82,14 +82,14 @@ quantities! { Read;
     STROKE_CENTRE = number("stroke_centre_s", "stroke centre", Seconds, |c| {
         c.outcome?.stroke_centre_s
     });
-    /// the maximum is at the very end: a lower bound
+    /// `true` where `displacement_max` is reached at the very end of the run: a lower bound then
     DISPLACEMENT_TRUNCATED = flag("displacement_truncated", "still moving", |c| {
         c.outcome?.displacement_truncated
     });
     /// how often the wall came back onto its stop
     STOPS = count("stops", |c| c.outcome?.stops.map(u64::from));
-    /// largest gap between the momentum reaction and the pressure on the face, of the larger of
-    /// force and hydrostatic force
+    /// largest gap between the two readings of the force, by the water's momentum and by the pressure on
+    /// the face; over the force, or that of still water where it is larger
     FORCE_GAP = number("force_gap_percent", "", Percent, |c| {
         Some(c.outcome?.force_gap_percent)
     }).decimals(3);
@@ -115,7 +115,7 @@ quantities! { Read;
     PARTICLES = count("particles", |c| Some(c.outcome?.particles.into()));
     /// pairs of particles that were summed over, the shared trunk's included
     PAIR_EVALUATIONS = count("pair_evaluations", |c| Some(c.outcome?.pair_evaluations));
-    /// wall time, the shared trunk's not included
+    /// time on the clock, the shared trunk's not included
     WALL_TIME = number("wall_time_s", "", Seconds, |c| Some(c.wall_time_s));
     /// the scheme
     SCHEME = text("scheme", "", |c| Some(name_of(c.config.numerics.scheme)));
@@ -153,9 +153,9 @@ quantities! { Read;
     FORCE_MAX_ERROR = number("force_max_error", "", Force, |c| c.bars.whole_force).significant(3);
     /// error bar of `runup_max`
     RUNUP_MAX_ERROR = number("runup_max_error", "", Runup, |c| c.bars.whole_runup).significant(3);
-    /// `true` where something touches a quoted number
+    /// `true` where something casts doubt on a quoted number
     DOUBTFUL = flag("doubtful", "", |c| Some(c.outcome?.doubtful_reason.is_some()));
-    /// what that is, see [physics.md](physics.md#health)
+    /// what makes the case doubtful, see [physics.md](physics.md#health)
     DOUBTFUL_REASON = text("doubtful_reason", "", |c| c.outcome?.doubtful_reason.clone());
     /// largest moment M* (running mean) of the water about the wall's foot, of the whole run; 1 is
     /// that of still water on an upright wall, see [physics.md](physics.md#loads-on-the-wall)
@@ -174,26 +174,27 @@ quantities! { Read;
     SPRING_FORCE_MAX = maximum("spring_force_max", "spring force max", Force, |c| {
         c.spring_force_max()
     }).bound("displacement_truncated");
-    /// water that has gone past the back of the wall's crest by the end, per metre of width; this and
-    /// the next three are empty where the wall has no crest
+    /// water that has gone past the back of the wall's crest by the end, per metre of width; empty where
+    /// the wall has no crest
     OVERTOPPING_VOLUME = number("overtopping_volume_m2", "V over", SquareMetres, |c| {
         Some(c.outcome?.overtopped?.volume_m2)
     }).significant(4);
-    /// largest discharge at the back of the crest
+    /// largest discharge at the back of the crest; empty where the wall has none
     OVERTOPPING_DISCHARGE = number(
         "overtopping_discharge_max_m2_per_s", "q max", SquareMetresPerSecond,
         |c| Some(c.outcome?.overtopped?.discharge_max_m2_per_s)
     ).significant(4);
-    /// thickest water on the crest
+    /// thickest water on the crest; empty where the wall has none
     CREST_THICKNESS = number("crest_thickness_max_m", "crest d max", Metres, |c| {
         Some(c.outcome?.overtopped?.thickness_max_m)
     }).significant(4);
-    /// fastest water on the crest, away from the tank: the mean over a column; empty where it was too thin to tell
+    /// fastest water on the crest, away from the tank: the mean over a column; empty where it was too
+    /// thin to tell, and where the wall has no crest
     CREST_SPEED = number("crest_speed_max_m_per_s", "crest u max", MetresPerSecond, |c| {
         c.outcome?.overtopped?.speed_max_m_per_s
     }).significant(4);
-    /// what to expect of it, where a wave has fewer than 10 rows of particles over the depth, or over that
-    /// at the wall where it is less; empty where there are more
+    /// what to expect of the numbers where a wave has fewer than 10 rows of particles over the depth, or over
+    /// that at the wall where it is less; empty where there are more
     COARSE_SPACING = text("coarse_spacing", "", |c| c.coarse_spacing());
 }
 

@@ -51,10 +51,10 @@ section! {
     pub struct Probe in "probe" {
         /// Column of the output.
         name: String, plain();
-        /// Pressure; the level of the surface over the bed at the left wall; the same over still
-        /// water; the largest share of the kernel that water leaves
-        /// empty at a wall, from its toe to a support radius below the highest contact (0.5 at a free
-        /// surface); the volume of all water beyond an upright section; or the discharge through it.
+        /// `pressure`, Pa. `level`: the surface over the bed at the left wall, m. `elevation`: the surface over
+        /// still water, m. `void`: the largest share of the kernel that water leaves empty at a wall, from its toe
+        /// to a support radius below the highest contact (0.5 at a free surface). `volume`: of all water beyond an
+        /// upright section, m². `discharge`: through such a section, m²/s.
         kind: ProbeKind, plain();
         /// The wall that a pressure probe sits in and moves with, or that is searched for voids.
         wall: Option<Side> = None, plain();
