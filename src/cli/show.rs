@@ -16,8 +16,8 @@ use crate::quantities::summary::{
     ALL, CASE_ID, COARSE_SPACING, DOUBTFUL_REASON, MEASURED_WAVE_HEIGHT_RATIO, PARTICLES_LOST,
     REASON, STATUS, STOP_IMPULSE,
 };
-use crate::quantities::{Column, Unit, heading, named};
-use crate::report::plain;
+use crate::quantities::{Column, Unit, named};
+use crate::report::{plain, spoken};
 use crate::results::Manifest;
 
 /// Show one case of a finished study: its parameters, results, error bars, health and files.
@@ -117,12 +117,11 @@ impl Row {
             None if value.fract() == 0.0 && value.abs() < 1e15 => value.to_string(),
             None => plain(value),
         };
-        let unit = if column.unit.is_ratio() { "" } else { column.unit.symbol() };
         let time = column.time_name().and_then(|name| self.number(&name));
         let time = time.map(|time| format!(" at {time:.4} s")).unwrap_or_default();
         let bound = column.bound.is_some_and(|flag| self.cell(flag) == "true");
         let sign = if bound { "≥ " } else { "" };
-        let told = format!("{sign}{told} {unit}");
+        let told = format!("{sign}{told} {}", column.unit.told());
         Some(format!("{}{time}", told.trim_end()))
     }
 
@@ -168,7 +167,8 @@ fn told(row: &Row, keys: &[String], files: &[PathBuf]) -> String {
     text.push_str("\nparameters\n");
     let swept = keys.iter().filter(|key| named(key).is_none());
     for key in swept {
-        text.push_str(&line(&heading(key), row.cell(key)));
+        let told = spoken(&format!("{key} = {}", row.cell(key)));
+        text.extend(told.split_once(" = ").map(|(name, value)| line(name, value)));
     }
     for (title, columns) in [("", parameters), ("\nresults\n", results), ("\nhealth\n", health)] {
         text.push_str(title);

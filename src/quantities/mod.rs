@@ -106,14 +106,9 @@ impl<R: Copy> Quantity<R> {
 
     /// What stands above its column: the symbol, or else the name, and the unit.
     pub fn heading(&self) -> String {
-        match (self.symbol, self.unit.symbol()) {
+        match (self.symbol, self.unit.told()) {
             ("", _) => heading(self.name),
-            // An impulse has no star that says what it was divided by.
-            (symbol, unit)
-                if unit.is_empty() || self.unit.is_ratio() && self.unit != Unit::Impulse =>
-            {
-                symbol.to_owned()
-            }
+            (symbol, "") => symbol.to_owned(),
             (symbol, unit) => format!("{symbol}, {unit}"),
         }
     }

@@ -134,7 +134,7 @@ quantities! { Read;
     // Directories of the first version end here.
     /// the water's own force on the wall in the first step: forces count from there, see
     /// [physics.md](physics.md)
-    FORCE_AT_REST = number("force_at_rest", "", Force, |c| Some(c.outcome?.force_at_rest));
+    FORCE_AT_REST = number("force_at_rest", "F* at rest", Force, |c| Some(c.outcome?.force_at_rest));
     /// how many times a ghost that counts was filled with what a simpler interpolation gave,
     /// because the chosen one had too few or badly placed neighbours
     BOUNDARY_FALLBACKS = count("boundary_fallbacks", |c| Some(c.outcome?.boundary_fallbacks));
@@ -171,7 +171,7 @@ quantities! { Read;
     /// time in which F* - 1 rises from 10 to 90 % of its maximum of the first impact
     RISE_TIME = number("rise_time_s", "rise time", Seconds, |c| c.outcome?.rise_time_s).decimals(4);
     /// largest force of the spring, k X of the largest displacement; empty where there is no spring
-    SPRING_FORCE_MAX = maximum("spring_force_max", "spring force max", Force, |c| {
+    SPRING_FORCE_MAX = maximum("spring_force_max", "spring F* max", Force, |c| {
         c.spring_force_max()
     }).bound("displacement_truncated");
     /// water that has gone past the back of the wall's crest by the end, per metre of width; empty where

@@ -45,6 +45,7 @@ pub use omitted::Omitted;
 pub use plots::Figure;
 pub use reproduce::Reproduced;
 pub use row::Row;
+pub use spoken::spoken;
 
 use load::Loaded;
 use papers::Papers;

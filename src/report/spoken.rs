@@ -4,7 +4,7 @@ use super::number::minus;
 use crate::quantities::heading;
 
 /// A part of a variant's words as one writes it: `still water depth = 0.2 m` for `still_water_depth_m = 0.2`.
-pub(super) fn spoken(part: &str) -> String {
+pub fn spoken(part: &str) -> String {
     let Some((name, value)) = part.split_once(" = ") else { return part.to_owned() };
     let heading = heading(name);
     let (symbol, unit) = heading.split_once(", ").unwrap_or((&heading, ""));

@@ -77,8 +77,7 @@ fn outcome_table(case: &Case<'_>) -> String {
     };
     let line = |column: &Column| {
         let text = match column.value(case)? {
-            Value::Number(value) if column.unit.is_ratio() => number(column, value),
-            Value::Number(value) => format!("{} {}", short(value), column.unit.symbol()),
+            Value::Number(value) => format!("{} {}", number(column, value), column.unit.told()),
             Value::Count(count) => count.to_string(),
             Value::Flag(_) => return None, // its reason or mark stands beside a number
             Value::Text(text) => text,
