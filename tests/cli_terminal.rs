@@ -145,6 +145,11 @@ fn keys_and_columns_are_explained() {
     for name in listed {
         assert!(all.contains(&format!("\n  {name}")), "{name}");
     }
+    let swing =
+        all.split("kind = \"standing-wave\"\n").nth(1).unwrap().split("\n\n").next().unwrap();
+    assert!(swing.contains("still_water_depth_m"), "shared with another kind: {swing}");
+    let shared = explain("still_water_depth_m");
+    assert!(shared.contains("kind = \"hydrostatic\", \"standing-wave\"\n"), "{shared}");
     let object = ended(0, &["explain", "courant_number", "--format", "json"]).json();
     assert_eq!(object["entries"][0]["allowed"], "0.001 to 2.5");
 }

@@ -5,7 +5,7 @@ use serde_json::json;
 
 use super::SUCCESS;
 use super::failure::BadInput;
-use super::glossary::{Entry, entries};
+use super::glossary::{Entry, entries, joined};
 use super::output::{Output, wrapped};
 use crate::keys::hint;
 use crate::quantities::{is_meant, meant_by};
@@ -31,9 +31,11 @@ pub(super) fn main(args: &ExplainArgs, output: &Output) -> anyhow::Result<u8> {
         output.result(&list(&all), &json!({ "entries": all }))?;
         return Ok(SUCCESS);
     };
-    let mut found: Vec<_> = all.iter().filter(|entry| entry.is_called(name)).collect();
+    let picked =
+        |is_one: &dyn Fn(&&Entry) -> bool| joined(all.iter().filter(is_one).cloned().collect());
+    let mut found = picked(&|entry| entry.is_called(name));
     if found.is_empty() {
-        found = all.iter().filter(|entry| is_meant(name, &entry.symbol)).collect();
+        found = picked(&|entry| is_meant(name, &entry.symbol));
     }
     if found.is_empty() {
         let leaf = name.rsplit('.').next().unwrap_or(name);
@@ -43,7 +45,7 @@ pub(super) fn main(args: &ExplainArgs, output: &Output) -> anyhow::Result<u8> {
         let list = " (`seawall explain` lists all)";
         return Err(BadInput(format!("{name}: {told}{near}{list}")).into());
     }
-    let texts: Vec<_> = found.iter().map(|entry| explained(entry)).collect();
+    let texts: Vec<_> = found.iter().map(explained).collect();
     output.result(&texts.join("\n"), &json!({ "entries": found }))?;
     Ok(SUCCESS)
 }

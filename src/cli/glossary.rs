@@ -9,6 +9,8 @@ use crate::study::{accuracy_keys, limits_keys, refine_keys};
 
 /// Where the keys of `refine` stand.
 const REFINE: &str = "key of [grid] refine";
+/// Where those of a kind of scenes stand, before its name.
+const KIND: &str = "key of [scene], kind =";
 
 /// A key or a column.
 #[derive(Debug, Clone, Default, PartialEq, Serialize)]
@@ -54,7 +56,13 @@ impl Entry {
 
 /// All of them, group by group.
 pub(super) fn entries() -> Vec<Entry> {
-    let mut all = scenes();
+    let kinds = std::iter::once(Kind::DEFAULT)
+        .chain(Kind::ALL.iter().copied().filter(|kind| *kind != Kind::DEFAULT));
+    let of_kind = |kind: Kind| {
+        let of = format!("{KIND} {:?}", kind.name());
+        scene_keys(kind).into_iter().map(move |key| of_key(key, &of))
+    };
+    let mut all: Vec<_> = kinds.flat_map(of_kind).collect();
     let groups = [
         ("key of [numerics]", numerics_keys()),
         ("key of [[probe]]", probe_keys()),
@@ -73,22 +81,19 @@ pub(super) fn entries() -> Vec<Entry> {
     all
 }
 
-/// The keys of all kinds of scenes, those that several kinds have alike under the first of them.
-fn scenes() -> Vec<Entry> {
-    let mut all: Vec<Entry> = Vec::new();
-    let kinds = std::iter::once(Kind::DEFAULT)
-        .chain(Kind::ALL.iter().copied().filter(|kind| *kind != Kind::DEFAULT));
-    for kind in kinds {
-        let of = format!("key of [scene], kind = {:?}", kind.name());
-        for key in scene_keys(kind) {
-            let entry = of_key(key, &of);
-            let alike = |other: &Entry| Entry { of: of.clone(), ..other.clone() } == entry;
-            if !all.iter().any(alike) {
-                all.push(entry);
-            }
+/// Those that several kinds of scenes have alike, once, with the names of all these kinds.
+pub(super) fn joined(all: Vec<Entry>) -> Vec<Entry> {
+    let mut told: Vec<(Entry, String)> = Vec::new();
+    for entry in all {
+        let alike = |(other, _): &&mut (Entry, String)| {
+            entry.of.contains(KIND) && Entry { of: other.of.clone(), ..entry.clone() } == *other
+        };
+        match told.iter_mut().find(alike) {
+            Some((_, more)) => more.push_str(&entry.of.replace(KIND, ",")),
+            None => told.push((entry, String::new())),
         }
     }
-    all
+    told.into_iter().map(|(entry, more)| Entry { of: entry.of.clone() + &more, ..entry }).collect()
 }
 
 fn of_key(key: &Key, of: &str) -> Entry {
