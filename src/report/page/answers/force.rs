@@ -55,6 +55,10 @@ pub fn largest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
     if let Some(other) = other.and_then(told) {
         text.push_str(&format!(" In newtons it is {other}"));
     }
+    if let Some(depth) = depth_at_wall(data, file, row) {
+        let depth = number::significant(depth, 4);
+        text.push_str(&format!(" Over this bed h of F* is the depth at the wall, {depth} m."));
+    }
     if column(row) == &FIRST_FORCE_MAX {
         text.push_str(" It is that of the first impact.");
         text.push_str(&later(data, force).unwrap_or_default());
@@ -83,6 +87,14 @@ fn scale(data: &Loaded, file: Option<&SceneFile>, index: usize) -> Option<f64> {
     let frame = scene.frame();
     let depth = scene.seawall().map_or(frame.depth, |scene| scene.force_depth_m());
     Some(0.5 * frame.density * frame.acceleration() * depth * depth)
+}
+
+/// The depth by which the F* of a row counts, metres, where it is another than that of the still water at the paddle.
+fn depth_at_wall(data: &Loaded, file: Option<&SceneFile>, row: &Row) -> Option<f64> {
+    let index = data.rows.iter().position(|one| one.id() == row.id())?;
+    let scene = file?.config(data, index)?.scene;
+    let depth = scene.seawall()?.force_depth_m();
+    (depth != scene.frame().depth).then_some(depth)
 }
 
 /// The case whose force is the largest in newtons, and its F*, where that is another than the one of the largest F*.
@@ -148,6 +160,7 @@ mod tests {
         let file = SceneFile::of(&data);
         let told = largest(&data, file.as_ref()).unwrap();
         assert!(told.contains("that is 0.392 kN per metre of wall"), "{told}");
+        assert!(told.contains(" h of F* is the depth at the wall, 0.2 m. It is that of"), "{told}");
     }
 
     #[test]
