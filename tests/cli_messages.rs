@@ -232,3 +232,14 @@ fn paths_are_told_as_text() {
     fs::write(out.join("checkpoints"), "").unwrap();
     told_whole(sweep(), "no checkpoint could be written");
 }
+
+#[test]
+fn error_bars_that_nobody_can_make_are_told_with_the_reason() {
+    let scene = "name = \"a\"\n[scene]\nbehind = \"outflow\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.07\n\
+                 [numerics]\nparticle_spacing_m = 0.012\nerror_bars = \"pair\"\n[grid]\n\
+                 wave_height_ratio = [0.3]\n";
+    let desk = Desk::new(scene);
+    let told = ended(0, &["check", &desk.file]).out;
+    let why = "1 case will have none, as a companion with coarser particles cannot run (scene.crest_width_m";
+    assert!(told.contains(why), "{told}");
+}

@@ -1,6 +1,7 @@
 //! What a file says and hardly means: told by `check`, `run` and `sweep`, which go on.
 
 use std::collections::BTreeMap;
+use std::f64::consts::SQRT_2;
 use std::path::Path;
 
 use super::cost::time_of_all;
@@ -47,11 +48,14 @@ fn unaimed(study: &Study) -> Option<String> {
     ))
 }
 
-/// How many cases ask for error bars in vain.
+/// How many cases ask for error bars in vain, and why the first of them does.
 fn without_bars(study: &Study) -> Option<String> {
     let cases = Some(study.without_bars).filter(|&cases| cases > 0)?;
+    let mut own = study.cases.iter().zip(&study.companions_of).filter(|(_, own)| own.is_empty());
+    let why = own.find_map(|(case, _)| case.config.coarsened(SQRT_2).err());
+    let why = why.map(|error| format!(" ({error})")).unwrap_or_default();
     Some(format!(
-        "numerics.error_bars: {} will have none, as a companion with coarser particles cannot run; a smaller \
+        "numerics.error_bars: {} will have none, as a companion with coarser particles cannot run{why}; a smaller \
          numerics.particle_spacing_m helps",
         counted(cases, "case")
     ))

@@ -134,9 +134,12 @@ impl CaseConfig {
         own
     }
 
-    /// The same case with particles `ratio` times as far apart, or `None` where that is too coarse for
-    /// the scene. Time steps and 1/c0² grow in proportion. So the error by sound grows as the spacing does.
-    pub fn coarsened(&self, ratio: f64) -> Option<CaseConfig> {
+    /// The same case with particles `ratio` times as far apart. Time steps and 1/c0² grow in proportion. So the
+    /// error by sound grows as the spacing does.
+    ///
+    /// # Errors
+    /// What of the scene that is too coarse for.
+    pub fn coarsened(&self, ratio: f64) -> Result<CaseConfig, ConfigError> {
         let mut config = self.without_error_bars();
         let depth = self.scene.frame().depth;
         let numerics: &mut Numerics = &mut config.numerics;
@@ -149,7 +152,7 @@ impl CaseConfig {
             let scaled = (numerics.sound_speed_ratio / ratio.sqrt()).max(LEAST_SOUND_SPEED_RATIO);
             numerics.sound_speed_ratio = if is_default { coarse } else { scaled };
         }
-        config.validate().ok().map(|()| config)
+        config.validate().map(|()| config)
     }
 }
 

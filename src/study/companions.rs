@@ -42,7 +42,7 @@ pub(super) fn plan(cases: &[Case], bars: &[ErrorBars]) -> (Vec<Case>, Vec<Vec<us
         let mut own = Vec::new();
         let mut coarser: Vec<CaseConfig> = ratios(bars, &case.config)
             .iter()
-            .filter_map(|&ratio| case.config.coarsened(ratio))
+            .filter_map(|&ratio| case.config.coarsened(ratio).ok())
             .collect();
         if coarser.is_empty() && bars == ErrorBars::Pair {
             coarser.extend(case.config.coarsened(SQRT_2));
