@@ -3,16 +3,10 @@
 use serde::{Deserialize, Serialize};
 use toml::Table;
 
-use super::dam_break::DamBreakScene;
 use super::frame::Frame;
-use super::hydrostatic::HydrostaticScene;
 use super::numerics::{Numerics, Scheme};
-use super::oscillating_drop::OscillatingDropScene;
-use super::rotating_patch::RotatingPatchScene;
 use super::seawall::SeawallScene;
-use super::standing_wave::StandingWaveScene;
 use super::tank::Tank;
-use super::taylor_green::TaylorGreenScene;
 use crate::keys::{ConfigError, Key, Section, check_conditions, section};
 use crate::math::simd::SimdPath;
 
@@ -76,19 +70,19 @@ macro_rules! kinds {
 
 kinds! {
     /// Still water in a box.
-    "hydrostatic" => Hydrostatic(HydrostaticScene);
+    "hydrostatic" => Hydrostatic(super::hydrostatic::HydrostaticScene);
     /// A column of water that collapses.
-    "dam-break" => DamBreak(DamBreakScene);
+    "dam-break" => DamBreak(super::dam_break::DamBreakScene);
     /// A wave tank that ends in a seawall.
     "seawall" => Seawall(SeawallScene);
     /// A small standing wave in a box.
-    "standing-wave" => StandingWave(StandingWaveScene);
+    "standing-wave" => StandingWave(super::standing_wave::StandingWaveScene);
     /// Taylor-Green vortices in a closed box.
-    "taylor-green" => TaylorGreen(TaylorGreenScene);
+    "taylor-green" => TaylorGreen(super::taylor_green::TaylorGreenScene);
     /// A square in free rotation.
-    "rotating-patch" => RotatingPatch(RotatingPatchScene);
+    "rotating-patch" => RotatingPatch(super::rotating_patch::RotatingPatchScene);
     /// A drop in a central field.
-    "oscillating-drop" => OscillatingDrop(OscillatingDropScene);
+    "oscillating-drop" => OscillatingDrop(super::oscillating_drop::OscillatingDropScene);
 }
 
 impl Kind {

@@ -37,25 +37,19 @@ mod taylor_green;
 mod water;
 
 pub use config::CaseConfig;
-pub use dam_break::{DamBreakScene, InitialDensity};
 pub use declared::{
     Place, numerics_keys, place_of, probe_keys, scene_keys, takes_whole, unknown_keys,
 };
 pub use far::FARTHEST_WALL;
 pub use frame::Frame;
 pub use happening::FALLS_FREE;
-pub use hydrostatic::HydrostaticScene;
 pub use kind::{Kind, Scene};
 pub use limits::limits;
 pub use numerics::{ErrorBars, GhostGravity, IncompressibleNumerics, Numerics, Scheme, Slip};
 pub use odd::odd_values;
-pub use oscillating_drop::OscillatingDropScene;
 pub use preset::Preset;
 pub use probe::{CREST_COLUMNS, Probe, ProbeKind, Side};
-pub use rotating_patch::RotatingPatchScene;
 pub use seawall::{PaddleChoice, SeawallScene, WallChoice};
-pub use standing_wave::StandingWaveScene;
 pub use tank::Tank;
-pub use taylor_green::TaylorGreenScene;
 
 pub use crate::keys::ConfigError;
