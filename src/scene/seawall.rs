@@ -112,30 +112,28 @@ impl WallChoice {
         self != WallChoice::Fixed
     }
 
+    /// What it is called, the same with what it does, and what takes the energy that its law of motion absorbs.
+    fn told(self) -> [&'static str; 3] {
+        match self {
+            WallChoice::Fixed => ["fixed wall", "fixed wall", "threshold device"],
+            WallChoice::Movable => ["movable wall", "wall on a spring", "threshold device"],
+            WallChoice::Caisson => ["caisson", "sliding caisson", "friction and water behind"],
+        }
+    }
+
     /// What it is called.
     pub fn words(self) -> &'static str {
-        match self {
-            WallChoice::Fixed => "fixed wall",
-            WallChoice::Movable => "movable wall",
-            WallChoice::Caisson => "caisson",
-        }
+        self.told()[0]
     }
 
     /// The same with what it does, for a title.
     pub fn title(self) -> &'static str {
-        match self {
-            WallChoice::Fixed => "fixed wall",
-            WallChoice::Movable => "wall on a spring",
-            WallChoice::Caisson => "sliding caisson",
-        }
+        self.told()[1]
     }
 
     /// What takes the energy that the law of motion of such a wall absorbs.
     pub fn resistance(self) -> &'static str {
-        match self {
-            WallChoice::Fixed | WallChoice::Movable => "threshold device",
-            WallChoice::Caisson => "friction and water behind",
-        }
+        self.told()[2]
     }
 }
 
