@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::keys::{named, shown};
 use crate::results::Checkpoint;
-use crate::simulation::{Keeper, Limits, Monitor};
+use crate::simulation::{Keeper, Monitor};
 
 /// Less work than this is not worth a checkpoint where a run is told to stop.
 const LEAST: Duration = Duration::from_secs(1);
@@ -51,20 +51,8 @@ struct Kept<'a> {
 }
 
 impl Monitor for Kept<'_> {
-    fn cancelled(&self) -> bool {
-        self.inner.cancelled()
-    }
-
-    fn reached(&self, time_s: f64) {
-        self.inner.reached(time_s);
-    }
-
-    fn over_limit(&self, steps: u64) -> Option<String> {
-        self.inner.over_limit(steps)
-    }
-
-    fn limits(&self) -> Limits {
-        self.inner.limits()
+    fn inner(&self) -> Option<&dyn Monitor> {
+        Some(self.inner)
     }
 
     fn keeper(&self) -> Option<&dyn Keeper> {

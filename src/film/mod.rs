@@ -30,7 +30,7 @@ pub use vtk::VtkFilm;
 use crate::keys::named;
 use crate::math::words::in_words;
 use crate::scene::CaseConfig;
-use crate::simulation::{CaseResult, Film, Limits, Monitor, Stopped};
+use crate::simulation::{CaseResult, Film, Monitor, Stopped};
 
 /// How cases are filmed.
 #[derive(Debug, Clone)]
@@ -112,20 +112,8 @@ struct Set<'a> {
 }
 
 impl Monitor for Set<'_> {
-    fn cancelled(&self) -> bool {
-        self.inner.cancelled()
-    }
-
-    fn reached(&self, time_s: f64) {
-        self.inner.reached(time_s);
-    }
-
-    fn over_limit(&self, steps: u64) -> Option<String> {
-        self.inner.over_limit(steps)
-    }
-
-    fn limits(&self) -> Limits {
-        self.inner.limits()
+    fn inner(&self) -> Option<&dyn Monitor> {
+        Some(self.inner)
     }
 
     fn film_interval(&self) -> Option<f64> {

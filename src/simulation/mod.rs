@@ -67,6 +67,10 @@ use run::Run;
 
 /// Watches a run and may end it.
 pub trait Monitor: Sync {
+    /// Another one that answers in its place, but for films and keeping.
+    fn inner(&self) -> Option<&dyn Monitor> {
+        None
+    }
     /// How often [`Monitor::film`] is called, seconds of simulated time; never by default.
     fn film_interval(&self) -> Option<f64> {
         None
@@ -78,19 +82,23 @@ pub trait Monitor: Sync {
     /// Called at the first step at or after every such time, and at the end.
     fn film(&self, _film: &Film<'_>) {}
     /// Called now and then with the simulated time that is reached, seconds.
-    fn reached(&self, _time_s: f64) {}
+    fn reached(&self, time_s: f64) {
+        if let Some(inner) = self.inner() {
+            inner.reached(time_s);
+        }
+    }
     /// True when the run should stop at the next step.
     fn cancelled(&self) -> bool {
-        false
+        self.inner().is_some_and(|inner| inner.cancelled())
     }
     /// What is wrong with a run that has come to this step, where it takes more than it may. Asked at every
     /// step.
-    fn over_limit(&self, _steps: u64) -> Option<String> {
-        None
+    fn over_limit(&self, steps: u64) -> Option<String> {
+        self.inner()?.over_limit(steps)
     }
     /// What [`Monitor::over_limit`] holds the run against.
     fn limits(&self) -> Limits {
-        Limits::default()
+        self.inner().map_or_else(Limits::default, |inner| inner.limits())
     }
     /// Who keeps the run's state; nobody by default.
     fn keeper(&self) -> Option<&dyn Keeper> {
