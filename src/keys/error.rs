@@ -90,11 +90,6 @@ const FEW: usize = 8;
 /// From this likeness on (1 is the same word) a word is taken for another one mistyped.
 const NEAR: f64 = 0.88;
 
-/// The known word that is most like a word.
-pub fn nearest<'a>(word: &str, known: &'a [impl AsRef<str>]) -> Option<&'a str> {
-    ranked(word, known).map(|(_, known)| known)
-}
-
 /// `; did you mean X?`, or nothing where no known word is near.
 pub fn hint(word: &str, known: &[impl AsRef<str>]) -> String {
     let nearest = ranked(word, known).filter(|&(likeness, _)| likeness >= NEAR);
