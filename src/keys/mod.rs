@@ -4,14 +4,8 @@
 //! Reading and range checks, the errors that name the nearest key, the lines of `seawall check`, the
 //! tables of `docs/files.md` and the JSON Schema (`seawall check --schema`) all come from it.
 //!
-//! # Adding a key
-//! One entry in the `section!` that has it: `[numerics]` in `scene/numerics.rs`, a kind of
-//! `[scene]` in the file of that kind, `[[probe]]` in `scene/probe.rs`.
-//!
-//! ```text
-//! /// Spring stiffness k, per metre of width.
-//! spring_stiffness_n_per_m: f64 = 10.0, unit("N/m").not_negative();
-//! ```
+//! # What an entry says
+//! `CONTRIBUTING.md` has the recipe, with an example.
 //!
 //! - The doc comment is the meaning, in the docs too. The unit ends the name and stands in
 //!   `unit("N/m")`; names, flags and ratios have `plain()`.
@@ -20,9 +14,6 @@
 //! - [`Rule`] lists what may follow: the range, `only` and `read_where` for keys that mean nothing at
 //!   other values of another key, `needed` for one that must be given where it applies, `newer` for
 //!   one that is added once there are results.
-//! - What depends on two values at once is checked by the section's `validate`.
-//!
-//! Then use the value, and renew the tables: `RENEW_DOCS=1 cargo test --release --test house key_tables`.
 //!
 //! # Adding a group of keys
 //! What has keys of its own, such as a body, declares them in a `section!` in its own file, each
