@@ -48,9 +48,9 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
             figures.push(Figure {
                 drawing: over_time::strips(&strips(&lines)),
                 caption: format!(
-                    "Force (unfiltered), runup{} at the wall{common}, over the time since the \
+                    "Force (unfiltered){} at the wall{common}, over the time since the \
                      paddle's start. Spikes of one or two samples may leave the panel.{drop}{left_out}",
-                    if moves(&lines) { " and displacement" } else { "" }
+                    if moves(&lines) { ", runup and displacement" } else { " and runup" }
                 ),
                 title: format!("Histories, H/h = {wave}{}", of_variant(&variant)),
                 name,

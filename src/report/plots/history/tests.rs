@@ -66,3 +66,9 @@ fn a_quantity_that_is_naught_throughout_has_no_panel() {
     let figures = drawn(&directory);
     assert!(figures[0].svg().contains("F / (½ρgh²)") && !figures[0].svg().contains("R / h"));
 }
+
+#[test]
+fn a_fixed_wall_has_two_panels_and_a_caption_of_both() {
+    let caption = &drawn(&fixture::fixed())[0].caption;
+    assert!(caption.starts_with("Force (unfiltered) and runup at the wall"), "{caption}");
+}
