@@ -18,6 +18,7 @@ def test_a_scene_gives_its_record_and_history(program: Path) -> None:
     result = seawall.run(SCENE, program=program)
     assert result.directory is None
     assert result.case_id == result.summary["case_id"] == result.record["id"]
+    assert repr(result) == f"<seawall run: case {result.case_id}, {len(result.history)} rows of history>"
     outcome = result.record["outcome"]
     assert outcome["force_max"]["value"] == result.summary["force_max"]
     assert result.units["force"] == "½ρgh²"
@@ -30,7 +31,7 @@ def test_settings_change_the_case_and_files_stay_where_they_are_wanted(program: 
     out = tmp_path / "out"
     stiff = {"scene.spring_stiffness_n_per_m": np.float64(1e6), "numerics.kernel": "gaussian"}
     result = seawall.run(SCENE, set=stiff, out=out, threads=1, program=program)
-    assert result.directory == out
+    assert result.directory == out and repr(result).endswith(f", in {out}>")
     assert result.summary["spring_stiffness_n_per_m"] == 1e6
     assert result.summary["kernel"] == "gaussian"
     pd.testing.assert_frame_equal(seawall.load(out).history(result.case_id), result.history)

@@ -32,6 +32,10 @@ class Run:
     #: Where the files are; ``None`` where nobody asked for them.
     directory: Path | None
 
+    def __repr__(self) -> str:
+        place = f", in {self.directory}" if self.directory else ""
+        return f"<seawall run: case {self.case_id}, {len(self.history)} rows of history{place}>"
+
     @property
     def case_id(self) -> str:
         """Hash of everything that decides the answer."""
