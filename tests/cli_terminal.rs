@@ -166,6 +166,8 @@ fn a_case_of_a_study_is_shown_and_runs_alone_as_the_same_case() {
     {
         assert!(text.contains(part), "{part}: {text}");
     }
+    let impulse = text.lines().find(|line| line.starts_with("  first impulse ")).unwrap();
+    assert!(impulse.ends_with(" ½ρgh² √(h/g)"), "{impulse}");
     let object = ended(0, &["show", &desk.dir, &id[..10], "--format", "json"]).json();
     assert_eq!(object["case"]["case_id"], id.as_str());
     assert!(object["case"]["force_error"].as_f64().unwrap() > 0.0, "{object}");
@@ -173,7 +175,10 @@ fn a_case_of_a_study_is_shown_and_runs_alone_as_the_same_case() {
     assert!(open.err.contains("4 cases fit; say which one by spring_stiffness_n_per_m"));
     let scene = ended(0, &[&["show", &desk.dir, "--toml"][..], &words].concat()).out;
     let alone = Desk::new(&scene);
-    alone.run(&[]);
+    let run = alone.run(&[]).out;
+    assert!(
+        run.lines().any(|line| line.starts_with("first impulse ") && line.ends_with(" √(h/g)"))
+    );
     let again = ended(0, &["show", &alone.dir, &id, "--format", "json"]);
     assert_eq!(again.json()["case"]["force_max"], object["case"]["force_max"]);
     assert_eq!(again.json()["case"]["force_max_error"], object["case"]["force_max_error"]);
