@@ -74,7 +74,7 @@ fn number(case: &BTreeMap<String, String>, column: &str) -> f64 {
 #[test]
 fn walls_before_water_that_comes_to_rest_first() {
     let grid = "end_after_stroke_centre_s = 0.9\nseawall_mass_kg_per_m = 50\nwall = \"movable\"\n\
-                wave_height_ratio = 0.5\nbed = [[0, 0], [0.4, 0], [0.8, 0.1], [1, 0.1]]\n\
+                wave_height_ratio = 0.5\nbed = [[0, 0], [0.5, 0], [0.8, 0.1], [1, 0.1]]\n\
                 [numerics]\nparticle_spacing_m = 0.025\nrelaxation_time_s = 1\n\
                 [grid]\nspring_stiffness_n_per_m = [10, 1e5]\n";
     compare(&format!("name = \"at_rest\"\n{TANK}{grid}"));
