@@ -79,7 +79,8 @@ const HEAD: &str = "# Solitary waves on a beach of 1:19.85
 
 Made by `scripts/experiments` from `sweeps/synolakis_1987.toml`, still water 0.3 m deep. What was measured is Synolakis's
 (1987), brought to the height of the run from heights within 15 % of it; in brackets from how many. The edge of the water
-is read where the tongue is one spacing thick.
+is read where the tongue is one spacing thick, and counts from where still water ends so. The times are
+those of a machine that did other work, too.
 
 | H/h | spacing, mm | spacing, h | runup, h | measured, h | off | run, s |
 |---|---|---|---|---|---|---|
@@ -92,8 +93,10 @@ The wave that arrives is right: at 15 mm and 3 m from the paddle its crest is 0.
 0.104 and 0.298 h at the beach's foot. What is missing is the thin end of the tongue. The equations of shallow water
 without friction tell how thick a tongue is: at H/h = 0.1 water of 0.05, 0.025 and 0.0125 h thickness gets 0.10, 0.21 and
 0.30 h up, at 0.3 it gets 0.26, 0.44 and 0.61 h up. So an edge that is one spacing thick lies lower the coarser the
-spacing. Viscosity and shifting are not the cause: without the first, runup at 15 mm is lower (0.156 and 0.309 h), without
-the second it is 0.166 and 0.381 h. (Heights, tongues and these two runs were found once, by hand.)
+spacing. Viscosity and shifting are not the cause: without the first, runup at 15 mm was lower (0.156 and 0.309 h), without
+the second it was 0.166 and 0.381 h, for 0.164 and 0.374 h with both. (Heights, tongues and these runs were found once, by
+hand, before the water came to rest first. Since it does, the edge no longer sinks by three quarters of a spacing at the
+start, and each runup is higher by so much.)
 ";
 
 fn draw(computed: &[Runup], measured: &[Runup], path: &std::path::Path) -> Result<(), Failed> {
