@@ -157,11 +157,8 @@ impl Facts<'_> {
 
     /// Whether a wave runs up a beach, where so many rows read a thin tongue low.
     pub fn reads_thin_tongues(&self) -> bool {
-        let ends = |rise| {
-            self.scene().bed().is_some_and(|bed| bed.is_steep_at(self.scene().frame().depth, rise))
-        };
         // On steeper ones no tongue of water lies.
-        let beach = self.wave > 0.0 && ends(0.0) && !ends(STEEP);
+        let beach = self.wave > 0.0 && self.scene().has_shore() && !self.scene().comes_out(STEEP);
         beach && self.rows.is_some_and(|rows| rows <= 40.0)
     }
 

@@ -107,7 +107,7 @@ impl Scene {
     }
 
     /// Whether a stretch of its bed that rises by more than this along its length comes out of the still water.
-    fn comes_out(&self, rise: f64) -> bool {
+    pub(super) fn comes_out(&self, rise: f64) -> bool {
         self.bed().is_some_and(|bed| bed.is_steep_at(self.frame().depth, rise))
     }
 

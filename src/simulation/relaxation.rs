@@ -2,7 +2,7 @@
 
 use super::Monitor;
 use super::energy::WaterEnergy;
-use super::failure::{FailureKind, Stopped};
+use super::failure::Stopped;
 use super::logbook::Logbook;
 use super::run::Run;
 use crate::body::{BodyMotion, Place};
@@ -29,9 +29,7 @@ impl Run {
         let walls = StepWalls { bodies: &bodies, acceleration: 0.0, next };
         let (mut gone, mut slowed) = (0.0, 0.0);
         while gone < time || !self.tank.water.can_be_kept() {
-            if let Some(detail) = monitor.over_limit(self.clock.steps) {
-                return Err(self.failure(FailureKind::OverLimit, detail).into());
-            }
+            self.hold_to_limits(monitor)?;
             let water = &mut self.tank.water;
             let dt = self.time_step.min(water.step_limit());
             water.prepare(&bodies, dt).map_err(|error| self.step_failure(&error))?;

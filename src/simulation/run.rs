@@ -93,9 +93,7 @@ impl Run {
         self.logbook.make_room(&frame);
         loop {
             let time = self.clock.time;
-            if let Some(detail) = monitor.over_limit(self.clock.steps) {
-                return Err(self.failure(FailureKind::OverLimit, detail).into());
-            }
+            self.hold_to_limits(monitor)?;
             let last = time >= frame.end_time * (1.0 - 1e-12);
             let due = frame.history_interval * self.clock.samples as f64 * (1.0 - 1e-12);
             let sample = last || time >= due;
@@ -227,6 +225,12 @@ impl Run {
         };
         let losses = self.tank.water.finish(dt, &walls, look);
         self.logbook.ledger.book_losses(time, look, losses);
+    }
+
+    /// Ends a run that takes more than it may.
+    pub(super) fn hold_to_limits(&self, monitor: &dyn Monitor) -> Result<(), Failure> {
+        let over = monitor.over_limit(self.clock.steps);
+        over.map_or(Ok(()), |detail| Err(self.failure(FailureKind::OverLimit, detail)))
     }
 
     pub(super) fn failure(&self, kind: FailureKind, detail: String) -> Failure {
