@@ -34,6 +34,19 @@ fn runup_on_a_steep_beach_is_that_of_linear_theory() {
     assert!((-0.05..0.01).contains(&(runup / EXACT - 1.0)), "{runup}");
 }
 
+/// On gentler beaches the edge is read where the water is one spacing thick. That place rises less than the tip. By the same
+/// integral, J0(2k √(x cot β)) in the numerator for the place x where still water is so thick, it rises by 0.1487 h at ten rows on 1:5;
+/// the tip rises by 0.1995 h.
+#[test]
+fn water_one_spacing_thick_gets_as_high_as_by_linear_theory() {
+    const EXACT: f64 = 0.1487;
+    let scene = "tank_length_m = 5.5\nstill_water_depth_m = 0.2\nwave_height_ratio = 0.06\nwave_gauge_m = 2\n\
+                 end_after_stroke_centre_s = 5\nbed = [[0, 0], [4, 0], [5.5, 0.3]]";
+    let runup = computed(scene, &[]).outcome.runup_max.value;
+    println!("R {runup} h for {EXACT} h");
+    assert!((runup / EXACT - 1.0).abs() < 0.04, "{runup}");
+}
+
 /// A bed that is written out and level is the bed that needs no writing.
 #[test]
 fn a_level_bed_is_a_flat_tank() {

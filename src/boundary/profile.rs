@@ -181,6 +181,12 @@ impl Profile {
         self.stretches().any(|stretch| stretch.rise() > rise && through(&stretch))
     }
 
+    /// Whether such a stretch ends in still water of this depth, so near to its surface; both in metres.
+    pub fn is_steep_just_under(&self, depth: f64, rise: f64, near: f64) -> bool {
+        let ends = |stretch: &Stretch| (depth - near..depth).contains(&stretch.heights()[1]);
+        self.stretches().any(|stretch| stretch.rise() > rise && ends(&stretch))
+    }
+
     /// The face of the bed nearest to a place in the water, where it is so near, metres.
     pub fn face_within(&self, place: [f64; 2], near: f64) -> Option<Plane> {
         let over = |x: f64| place[1] - self.height(x) > near;

@@ -87,7 +87,8 @@ impl Facts<'_> {
 
     /// Whether a bed that comes out of the water is left to stir it.
     pub fn stirs_at_shore(&self) -> bool {
-        self.scene().stirs_at_shore() && self.lets_stir(self.numerics.volume_feedback > 0.0)
+        let spacing = self.numerics.particle_spacing_m;
+        self.scene().stirs_at_shore(spacing) && self.lets_stir(self.numerics.volume_feedback > 0.0)
     }
 
     /// Whether water is to rest before a steep shore for longer than it was seen to.
@@ -168,11 +169,12 @@ impl Facts<'_> {
         trench.is_some_and(|breadth| breadth < 0.99 * self.numerics.particle_spacing_m)
     }
 
-    /// Whether a face comes out of the still water and ends less than a support radius above it.
+    /// Whether a steep face ends just under the still water, or comes out of it and ends less than a support radius above it.
     pub fn ends_low(&self) -> bool {
         let (depth, spacing) = (self.scene().frame().depth, self.numerics.particle_spacing_m);
         let reach = [spacing, self.numerics.support_radius_ratio * spacing];
-        self.weakly && self.scene().bed().is_some_and(|bed| bed.ends_low(depth, reach))
+        let low = self.scene().bed().is_some_and(|bed| bed.ends_low(depth, reach));
+        self.weakly && (low || self.scene().ends_just_under(spacing))
     }
 
     /// Rows of still water that stand at a wall whose bed ends under water.

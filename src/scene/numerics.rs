@@ -151,7 +151,8 @@ section! {
             plain().within(0.0, 10.0).read_where("shifting", &["interior", "deep"])
                 .label("shifting strength");
         /// How fast the error of the particles' volume is taken back, over c0/R. Trains have 0.002 by default.
-        /// So do steep shores, which are beds steeper than 1:2 that come out of the still water. In runs of more than
+        /// So do steep shores, which are beds steeper than 1:2 that come out of the still water, and such beds that end less than
+        /// one and a half rows under it. In runs of more than
         /// 70 √(h/g) shores from 1:5 on have it, and in runs of more than 200 √(h/g) all. So do waves that come back:
         /// a solitary wave is at its wall again, and the run lasts more than 70 √(h/g) and is without `stop_when_settled`.
         /// It wants gravity and corrected gradients. With `isph` c0 is 8 √(g h) here, and dam breaks alone have it by

@@ -159,7 +159,7 @@ impl Numerics {
             // Water creeps along walls that waves go on meeting, and along slopes; over a crest energy would be made.
             self.boundary = BoundaryChoice::Normalized;
         }
-        if scene.has_train() || scene.stirs_at_shore() || again {
+        if scene.has_train() || scene.stirs_at_shore(particle_spacing) || again {
             // Its volumes must be held where water that is stirred has the time to sink through itself.
             self.shifting = Shifting::Deep;
             self.volume_feedback = 0.002;

@@ -63,7 +63,8 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
         let still = "wave_height_ratio = 0\nend_time_s = 4\ntank_length_m = 2.5";
         count(&format!("{still}\nbed = {bed}"), "boundary = \"normalized\"")
     };
-    assert_eq!([0.15, 0.2, 0.22, 0.3].map(low), [0, 1, 1, 0], "a top near the still water");
+    let near = [0.15, 0.19, 0.2, 0.22, 0.3].map(low);
+    assert_eq!(near, [0, 2, 1, 1, 0], "a top near the still water, and one row at the wall");
     let beach = "tank_length_m = 4\nbed = [[0, 0], [2, 0], [4, 0.4]]";
     let gentle = beach.replace("0.4]", "0.3]");
     let rests = |seconds: u32| format!("{gentle}\nwave_height_ratio = 0\nend_time_s = {seconds}");
