@@ -22,6 +22,27 @@ fn runup_before_a_level_end_is_that_of_the_surface() {
     }
 }
 
+/// On a slope the water's edge is read low at rest, by a spacing or more. That was added where water stands at a wall or
+/// lies on a level top, too.
+#[test]
+fn runup_behind_dry_ground_is_that_of_the_water_there() {
+    for (bed, wave, wall) in [
+        ("[[0, 0], [1.2, 0], [3, 0.21]]", 0.3, true),
+        ("[[0, 0], [1.2, 0], [3, 0.19]]", 0.3, true),
+        ("[[0, 0], [1.2, 0], [2.2, 0.25], [3, 0.25]]", 0.3, false),
+    ] {
+        let scene = format!(
+            "tank_length_m = 3\nwave_height_ratio = {wave}\nwave_gauge_m = 1\nend_after_stroke_centre_s = 2.5\nbed = {bed}"
+        );
+        let case = computed(&scene, &gauges(&[2.999]));
+        let highest = case.probes.unwrap().values.iter().fold(0.0, |a: f64, b| a.max(*b));
+        let told = 0.2 * case.outcome.runup_max.value;
+        let there = if wall { highest } else { 0.05 };
+        println!("{bed}: {told} m, there {there} m");
+        assert!((told - there).abs() < 0.005, "{bed}: {told} and {there}");
+    }
+}
+
 /// R of a wave of H/h = 0.06 on 1:2 by the integral of linear theory for a plane beach (Synolakis 1987), ∫ Φ(k) 2/(J0 - i J1)
 /// exp(-ikt) dk at 2k cot β. Before the water came to rest first, the edge sank by 16 mm, and R was 0.087.
 #[test]

@@ -31,7 +31,8 @@ impl Run {
         let at_wall = tank.water.level_at(Place::Right.number());
         let wall = tank.wall.state();
         let (_, radius) = tank.water.kernel();
-        let toe = tank.water.walls().profile.as_ref().map_or(0.0, |bed| bed.end()[1]);
+        let bed = tank.water.walls().profile.as_ref().map(|bed| [bed.end()[1], bed.range()[1]]);
+        let toe = bed.map_or(0.0, |[toe, _]| toe);
         // A level bed lets water be read that is a support radius deep at this moment.
         let deep = if toe == 0.0 { at_wall > radius } else { depth - toe > SHALLOW * radius };
         // Over a crest the surface goes on, and no wall holds its slope.
@@ -43,6 +44,12 @@ impl Run {
         });
         logbook.level.feel(clock.time, (acceleration, at_wall), frame.acceleration());
         let runup = logbook.level.over_rest(lens, at_wall, inside);
+        // The water's edge on a slope is read low, at rest as later. On top of it and at a wall there it is not.
+        let runup = match bed.filter(|_| logbook.level.at_rest() <= toe) {
+            Some([_, crown]) if at_wall < crown => runup.min((crown - depth).max(0.0)),
+            Some(_) => at_wall - depth,
+            None => runup,
+        };
         // Where the water is about to go over it is as high as the crest.
         let runup = top.map_or(runup, |top| runup.min(top.max(at_wall) - logbook.level.at_rest()));
         let reading = Reading {
