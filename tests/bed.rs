@@ -23,12 +23,13 @@ fn runup_before_a_level_end_is_that_of_the_surface() {
 }
 
 /// On a slope the water's edge is read low at rest, by a spacing or more. That was added where water stands at a wall or
-/// lies on a level top, too.
+/// lies on a level top, too. And before a wall that stands in water a ridge was taken for the edge whatever the wave.
 #[test]
 fn runup_behind_dry_ground_is_that_of_the_water_there() {
     for (bed, wave, wall) in [
         ("[[0, 0], [1.2, 0], [3, 0.21]]", 0.3, true),
         ("[[0, 0], [1.2, 0], [3, 0.19]]", 0.3, true),
+        ("[[0, 0], [1.2, 0], [1.6, 0.22], [1.7, 0.22], [2.1, 0.05], [3, 0.05]]", 0.5, true),
         ("[[0, 0], [1.2, 0], [2.2, 0.25], [3, 0.25]]", 0.3, false),
     ] {
         let scene = format!(

@@ -102,6 +102,8 @@ pub struct Ghosts {
     pub bodies: Vec<GhostBody>,
     /// The bed, where it is not level.
     pub profile: Option<Profile>,
+    /// Whether it comes out of the still water before a right wall that stands in it.
+    pub lagoon: bool,
     /// Where the right wall ends, where water may go over it.
     pub crest: Option<Crest>,
 }

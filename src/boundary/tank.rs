@@ -41,7 +41,9 @@ pub fn tank_ghosts(layout: &TankLayout, profile: Option<&Profile>, strip_width: 
         vec![bed_sites(layout, &bed), wall(layout, left, floor), right_wall(layout, right, last)];
     bodies.extend(back_to_end(layout, right));
     let crest = layout.crest.map(|shape| Crest::of(shape, layout, right, Some(profile)));
-    Ghosts { profile: Some(profile.clone()), crest, ..Ghosts::new(&bodies, strip_width) }
+    let [[_, toe], [_, top]] = [profile.end(), profile.range()];
+    let lagoon = toe < layout.still_level && layout.still_level <= top;
+    Ghosts { profile: Some(profile.clone()), lagoon, crest, ..Ghosts::new(&bodies, strip_width) }
 }
 
 /// The wall at the end of the tank, up to its crest where it has one.

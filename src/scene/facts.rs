@@ -160,7 +160,8 @@ impl Facts<'_> {
     pub fn reads_thin_tongues(&self) -> bool {
         // On steeper ones no tongue of water lies.
         let beach = self.wave > 0.0 && self.scene().has_shore() && !self.scene().comes_out(STEEP);
-        beach && self.rows.is_some_and(|rows| rows <= 40.0)
+        // Behind what comes out of the water runups are those at the wall.
+        beach && self.rows_at_wall().is_none() && self.rows.is_some_and(|rows| rows <= 40.0)
     }
 
     /// Whether its bed has a trench into which no particle fits.
