@@ -11,7 +11,8 @@ use crate::math::lists::counts;
 use crate::math::name::name_of;
 use crate::math::words::counted;
 use crate::quantities::summary::{
-    DISPLACEMENT_MAX, ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX, STATUS,
+    DISPLACEMENT_MAX, ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, OVERTOPPING_VOLUME,
+    RUNUP_MAX, STATUS,
 };
 use crate::quantities::{Case, Column, coarse_spacings, heading, named};
 use crate::report::{digits_apart, plain_to};
@@ -22,12 +23,25 @@ use crate::simulation::kinds_of_doubt;
 const ROWS: usize = 30;
 /// Characters that a row has at most.
 const WIDTH: usize = 80;
-/// Shown besides what was swept and how the case fared.
-const SHOWN: [&Column; 6] =
-    [&FORCE_MAX, &RUNUP_MAX, &DISPLACEMENT_MAX, &FIRST_FORCE_MAX, &FIRST_RUNUP_MAX, &ENERGY_GAP];
+/// Shown besides what was swept and how the case fared, where some case has it.
+const SHOWN: [&Column; 7] = [
+    &FORCE_MAX,
+    &RUNUP_MAX,
+    &DISPLACEMENT_MAX,
+    &OVERTOPPING_VOLUME,
+    &FIRST_FORCE_MAX,
+    &FIRST_RUNUP_MAX,
+    &ENERGY_GAP,
+];
 /// What goes first where there is no room for all.
-const GIVEN_UP: [&Column; 5] =
-    [&ENERGY_GAP, &FIRST_RUNUP_MAX, &FIRST_FORCE_MAX, &RUNUP_MAX, &DISPLACEMENT_MAX];
+const GIVEN_UP: [&Column; 6] = [
+    &ENERGY_GAP,
+    &FIRST_RUNUP_MAX,
+    &FIRST_FORCE_MAX,
+    &RUNUP_MAX,
+    &OVERTOPPING_VOLUME,
+    &DISPLACEMENT_MAX,
+];
 
 /// What `*` beside a load says.
 pub(super) const STOPPED: &str =
@@ -68,18 +82,28 @@ pub(super) fn of_cases(job: &Job, done: &Done, all: bool) -> String {
 }
 
 /// The table of the first cases, with as many columns as there is room for.
-fn table(job: &Job, done: &Done, rows: usize) -> String {
-    let mut shown = SHOWN.to_vec();
+fn table<'a>(job: &'a Job, done: &'a Done, rows: usize) -> String {
+    let told = |record: &'a CaseRecord| {
+        let case = &job.study.cases[record.index];
+        let bars = job.study.error_bars(record.index, done.directory.runs());
+        (record, record.reported(&case.config, bars))
+    };
+    let cases: Vec<_> = done.records().take(rows).map(told).collect();
+    let has = |column: &&Column| cases.iter().any(|(_, case)| column.number(case).is_some());
+    let mut shown: Vec<_> = SHOWN.into_iter().filter(has).collect();
     let mut given_up = GIVEN_UP.into_iter();
     loop {
-        let text = render(job, done, rows, &shown);
+        let text = render(job, &cases, &shown);
         let fits = text.lines().all(|line| line.chars().count() <= WIDTH);
         let Some(least) = given_up.next().filter(|_| !fits) else { return text };
         shown.retain(|column| *column != least);
     }
 }
 
-fn render(job: &Job, done: &Done, rows: usize, shown: &[&Column]) -> String {
+/// A record beside what the job makes of it.
+type Told<'a> = (&'a CaseRecord, Case<'a>);
+
+fn render(job: &Job, cases: &[Told<'_>], shown: &[&Column]) -> String {
     let swept_keys = &job.study.keys;
     let symbol = |key: &String| named(key).map_or_else(|| heading(key), Column::heading);
     let headings = shown.iter().copied().chain([&STATUS]).map(Column::heading);
@@ -87,28 +111,21 @@ fn render(job: &Job, done: &Done, rows: usize, shown: &[&Column]) -> String {
     let of_record = |record: &CaseRecord| &job.study.cases[record.index].assignments;
     let digits: Vec<_> = (0..swept_keys.len())
         .map(|key| {
-            let values = done
-                .records()
-                .take(rows)
-                .filter_map(|record| of_record(record)[key].as_deref().and_then(keys::number));
-            digits_apart(values)
+            let value = |record| of_record(record)[key].as_deref().and_then(keys::number);
+            digits_apart(cases.iter().filter_map(|(record, _)| value(record)))
         })
         .collect();
-    let any_stops = done.records().take(rows).any(hits_stop);
-    for record in done.records().take(rows) {
+    let any_stops = cases.iter().any(|(record, _)| hits_stop(record));
+    for (record, case) in cases {
         let mark = match hits_stop(record) {
             true => " *",
             false if any_stops => "  ", // numbers stand below numbers
             false => "",
         };
-        let case = &job.study.cases[record.index];
-        let config = &case.config;
-        let bars = job.study.error_bars(record.index, done.directory.runs());
-        let case = record.reported(config, bars);
         let mut cells: Vec<String> = of_record(record).iter().zip(&digits).map(swept).collect();
         cells.extend(shown.iter().map(|column| {
             let mark = if *column == &FORCE_MAX { mark } else { "" };
-            number(column, &case) + mark
+            number(column, case) + mark
         }));
         cells.push(status(record));
         table.row(cells);
