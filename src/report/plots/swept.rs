@@ -1,16 +1,15 @@
 //! Responses against whatever was swept besides the wave's height, where the spring's stiffness
 //! was not: a panel for each of force, runup and displacement, one curve per wave height.
 
-use std::collections::{HashMap, HashSet};
+mod beds;
 
-use toml::Value;
+use std::collections::{HashMap, HashSet};
 
 use super::axes::Axis;
 use super::chart::{Chart, reach};
 use super::marks::{bounds, by, coupling, marks, picked, point};
 use super::sheet::{Drawing, PANELS};
 use super::{Figure, SERIES, of_variant};
-use crate::keys::read_value;
 use crate::math::scale::Scale;
 use crate::quantities::summary::{
     DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, OVERTOPPING_VOLUME, RUNUP_MAX,
@@ -44,10 +43,10 @@ fn drawn(group: &[Case]) -> [(&'static Column, Option<&'static Column>); 4] {
 /// One case: its place on the horizontal axis and its row.
 type Case<'a> = (f64, &'a Row);
 
-/// The key whose values are beds: they have their places by their slopes.
+/// The key whose values are beds: they have their places by their slopes or heights.
 const BED: &str = "bed";
 
-/// The first swept key of numbers, or of beds that differ in their slope, besides the wave's height, if no two cases differ in their
+/// The first swept key of numbers, or of beds that differ in slope or height, besides the wave's height, if no two cases differ in their
 /// stiffness alone: response curves would have one point each.
 pub fn key(data: &Loaded) -> Option<&Key> {
     let sorted = |variant: &String| responses(&data.rows, variant, &FIRST_FORCE_MAX);
@@ -89,28 +88,21 @@ pub fn caissons(data: &Loaded, elsewhere: Option<&Key>) -> Vec<Figure> {
 
 /// Finished cases with a number in the key's column.
 fn cases<'a>(data: &'a Loaded, key: &Key) -> Vec<Case<'a>> {
+    let (measure, _) = measure(key);
     let place = |(row, cell): (&'a Row, &str)| {
-        let x = if key.name == BED { slope(cell)? } else { cell.parse().ok()? };
+        let x = measure(cell)?;
         (row.is_ok() && x.is_finite()).then_some((x, row))
     };
     data.rows.iter().zip(key.cells.iter()).filter_map(place).collect()
 }
 
-/// Mean slope of a bed from where it leaves the level to the wall; 0 of a level one.
-fn slope(cell: &str) -> Option<f64> {
-    let bed = read_value(cell);
-    let number = |point: &Value, at: usize| crate::keys::number(point.get(at)?);
-    let point = |point: &Value| Some([number(point, 0)?, number(point, 1)?]);
-    let points: Vec<_> = bed.as_array()?.iter().map(point).collect::<Option<_>>()?;
-    let first =
-        points.iter().position(|point| point[1] != 0.0).map_or(0, |at| at.saturating_sub(1));
-    let ([x0, y0], [x1, y1]) = (points[first], *points.last()?);
-    Some((y1 - y0) / (x1 - x0)).filter(|slope| slope.is_finite())
-}
-
-/// What stands below the axis.
-fn title(key: &Key) -> String {
-    if key.name == BED { "mean slope of the bed".to_owned() } else { heading(&key.name) }
+/// What places a cell of the key on the axis, and what stands below that.
+fn measure(key: &Key) -> (fn(&str) -> Option<f64>, String) {
+    if key.name != BED {
+        return (|cell| cell.parse().ok(), heading(&key.name));
+    }
+    let (place, told) = beds::measure(key);
+    (place, told.to_owned())
 }
 
 /// Whether a row has its place on the key's axis.
@@ -136,7 +128,7 @@ pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
         group.sort_by(|a, b| a.0.total_cmp(&b.0));
         let stem = format!("swept-{}", key.name.replace('_', "-"));
         let name = file_name(&stem, &words);
-        let heading = title(key);
+        let (_, heading) = measure(key);
         let along = (heading.as_str(), key.name.as_str());
         let Some(drawing) = drawing(along, &group, &WAVE_HEIGHT_RATIO, &waves) else { continue };
         let what = heading.split(", ").next().unwrap_or(&heading);

@@ -48,9 +48,9 @@ fn values_that_differ_little_or_are_long_have_figures_of_their_own() {
 
 #[test]
 fn beds_stand_by_their_slopes() {
-    assert_eq!(slope("[[0, 0], [1, 0], [3, 0.5]]"), Some(0.25));
-    assert_eq!(slope("[[0, 0], [2.5, 0]]"), Some(0.0));
-    assert_eq!(slope("[[0, 0], [2.5, 0], [2.5, 0.1]]"), None, "a step at the wall");
+    assert_eq!(beds::slope("[[0, 0], [1, 0], [3, 0.5]]"), Some(0.25));
+    assert_eq!(beds::slope("[[0, 0], [2.5, 0]]"), Some(0.0));
+    assert_eq!(beds::slope("[[0, 0], [2.5, 0], [2.5, 0.1]]"), None, "a step at the wall");
     let (_directory, mut data) = fixture::read(fixture::movable(&[0.3], &[500.0], &[50.0, 100.0]));
     let cells = ["[[0, 0], [1, 0], [2, 0.1]]", "[[0, 0], [1, 0], [2, 0.05]]"];
     data.keys = vec![Key::new(BED, cells)];
@@ -59,6 +59,20 @@ fn beds_stand_by_their_slopes() {
     assert!(figures[0].svg().contains("mean slope of the bed"));
     let told = " F* counts by the depth at the wall, or by the still water's";
     assert!(figures[0].caption.contains(told), "depths differ: {}", figures[0].caption);
+}
+
+/// Sills that end at the level of the paddle all have the mean slope 0: a study of them had no figure.
+#[test]
+fn sills_stand_by_their_heights() {
+    let (_directory, mut data) = fixture::read(fixture::movable(&[0.3], &[500.0], &[50.0, 100.0]));
+    let cells = [
+        "[[0, 0], [1, 0], [1.1, 0.05], [1.2, 0], [2, 0]]",
+        "[[0, 0], [1, 0], [1.1, 0.1], [1.2, 0], [2, 0]]",
+    ];
+    data.keys = vec![Key::new(BED, cells)];
+    let figures = figures(&data, key(&data).unwrap());
+    assert_eq!(figures.len(), 1);
+    assert!(figures[0].svg().contains("highest place of the bed, m"));
 }
 
 #[test]
