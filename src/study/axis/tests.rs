@@ -24,22 +24,16 @@ fn a_bed_is_a_value() {
     assert_eq!(axis.first(), "x=[[0, 0], [1, 0.1]]");
 }
 
+/// More bad axes are in `tests/bad_inputs`.
 #[test]
 fn every_bad_axis_is_told_with_its_key() {
     let bad = [
-        ("3", "grid.x = 3: must be a list"),
-        ("[]", "grid.x = []: must have at least one value"),
         ("[1, nan]", "grid.x = nan: must be a finite number"),
         ("[1, 2, 1.0]", "grid.x = 1.0: stands in the list twice"),
-        ("[[1]]", "grid.x = [1]: must be numbers, strings or booleans"),
-        ("{ from = 1, to = 2 }", "grid.x.points: must be a whole number"),
         (
             "{ from = 1, to = 2, points = 1000000000 }",
             "grid.x.points = 1000000000: must be a whole number from 2 to 1000000",
         ),
-        ("{ start = 1, to = 2 }", "grid.x.start: unknown key; did you mean from?"),
-        ("{ from = 0, to = 2, points = 3, spacing = \"log\" }", "grid.x.from = 0: must be"),
-        ("{ from = 1, to = 2, points = 3, spaceing = 1 }", "grid.x.spaceing: unknown key"),
         (
             "{ from = 1, to = 2, step = 0.5 }",
             "grid.x.step: unknown key; must be one of from, to, points, spacing",
