@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::checksum::checksum_of;
+use super::checksum::{checksum_of, split};
 use super::error::SweepError;
 use super::journal;
 use super::program::Program;
@@ -28,8 +28,6 @@ pub(super) const TRUNK: &str = "trunk";
 const LAYOUT: u32 = 1;
 /// What stands before the sum, and between it and the head.
 const FRAME: [&str; 2] = ["{\"sum\":\"", "\",\"checkpoint\":"];
-/// Length of a sum.
-const SUM: usize = 16;
 
 /// What stands before the state.
 #[derive(Debug, Serialize, Deserialize)]
@@ -127,9 +125,8 @@ impl Checkpoint {
 /// The head of a whole file, and where its state begins; `None` where anything is damaged.
 pub(super) fn whole(bytes: &[u8]) -> Option<(Head, usize)> {
     let end = bytes.iter().position(|&byte| byte == b'\n')?;
-    let [before, between] = FRAME.map(str::as_bytes);
-    let (sum, rest) = bytes[..end].strip_prefix(before)?.split_at_checked(SUM)?;
-    let head = rest.strip_prefix(between)?.strip_suffix(b"}")?;
+    let (sum, rest) = split(&bytes[..end], FRAME)?;
+    let head = rest.strip_suffix(b"}")?;
     if checksum_of([head, &bytes[end + 1..]]).as_bytes() != sum {
         return None;
     }

@@ -31,3 +31,12 @@ pub(super) fn checksum_of_rest(mut from: impl Read) -> Result<(u64, String)> {
         bytes += read as u64;
     }
 }
+
+/// Takes a text apart that carries a sum: the sum, which follows `before`, and what follows `between`.
+pub(super) fn split<'a>(
+    text: &'a [u8],
+    [before, between]: [&str; 2],
+) -> Option<(&'a [u8], &'a [u8])> {
+    let (sum, rest) = text.strip_prefix(before.as_bytes())?.split_at_checked(16)?;
+    Some((sum, rest.strip_prefix(between.as_bytes())?))
+}

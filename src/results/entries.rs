@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
-use super::checksum::checksum;
+use super::checksum::{checksum, split};
 use super::error::SweepError;
 use super::record::CaseRecord;
 use crate::math::simd::SimdPath;
@@ -203,13 +203,14 @@ pub(super) fn sorted(bytes: &[u8]) -> [Vec<u8>; 2] {
     [whole, damaged]
 }
 
-const PREFIX: &[u8] = b"{\"sum\":\"";
-const MIDDLE: &[u8] = b"\",\"entry\":";
+/// What stands before the sum, and between it and the entry.
+const FRAME: [&str; 2] = ["{\"sum\":\"", "\",\"entry\":"];
 
 /// What a line holds: mostly itself, or two lines whose break is damaged.
 fn pieces(line: &[u8]) -> Vec<&[u8]> {
-    let starts = line.windows(PREFIX.len()).enumerate().skip(1);
-    let starts = starts.filter(|(_, window)| *window == PREFIX).map(|(at, _)| at);
+    let start = FRAME[0].as_bytes();
+    let starts = line.windows(start.len()).enumerate().skip(1);
+    let starts = starts.filter(|(_, window)| *window == start).map(|(at, _)| at);
     let mut ends: Vec<usize> = starts.chain([line.len()]).collect();
     ends.insert(0, 0);
     ends.windows(2).map(|pair| &line[pair[0]..pair[1]]).collect()
@@ -218,8 +219,6 @@ fn pieces(line: &[u8]) -> Vec<&[u8]> {
 /// The text of a line's entry, where its sum is right. Whatever byte breaks the line, nothing is lost.
 fn whole_entry(line: &[u8]) -> Option<&[u8]> {
     let (_break, line) = line.split_last()?;
-    let rest = line.strip_suffix(b"}")?.strip_prefix(PREFIX)?;
-    let (sum, rest) = rest.split_at_checked(16)?;
-    let entry = rest.strip_prefix(MIDDLE)?;
+    let (sum, entry) = split(line.strip_suffix(b"}")?, FRAME)?;
     (checksum(entry).as_bytes() == sum).then_some(entry)
 }

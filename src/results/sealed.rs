@@ -9,13 +9,11 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use super::atomic_file;
-use super::checksum::checksum;
+use super::checksum::{checksum, split};
 use super::error::SweepError;
 
 /// What stands before the sum, and behind it.
 const FRAME: [&str; 2] = ["{\n  \"sum\": \"", "\",\n"];
-/// Length of a sum.
-const SUM: usize = 16;
 
 /// Writes an object with fields, under its sum.
 ///
@@ -41,11 +39,7 @@ fn sealed(object: &impl Serialize) -> String {
 
 /// Whether a text is as [`sealed`] made it.
 pub(super) fn is_whole(text: &[u8]) -> bool {
-    let [before, behind] = FRAME.map(str::as_bytes);
-    let rest = text.strip_prefix(before).and_then(|rest| rest.split_at_checked(SUM));
-    rest.is_some_and(|(sum, rest)| {
-        rest.strip_prefix(behind).is_some_and(|fields| checksum(fields).as_bytes() == sum)
-    })
+    split(text, FRAME).is_some_and(|(sum, fields)| checksum(fields).as_bytes() == sum)
 }
 
 #[cfg(test)]
