@@ -1,29 +1,14 @@
 //! How far the pieces of work are that this process is at.
 
 use std::collections::HashMap;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Instant;
 
+use super::interrupt::Interrupt;
 use crate::scene::CaseConfig;
 use crate::schedule::Work;
 use crate::simulation::{Limits, Monitor, cost};
-
-/// Set when running cases should stop at their next step.
-#[derive(Debug, Default)]
-pub(super) struct Cancel(AtomicBool);
-
-impl Cancel {
-    /// Asks them to stop.
-    pub(super) fn cancel(&self) {
-        self.0.store(true, Ordering::Relaxed);
-    }
-
-    /// Whether they should.
-    pub(super) fn cancelled(&self) -> bool {
-        self.0.load(Ordering::Relaxed)
-    }
-}
 
 /// The share of every piece that is being worked on.
 #[derive(Debug, Default)]
@@ -33,7 +18,7 @@ impl Gauges {
     /// A monitor of a piece of work; `branches` where it starts from a checkpoint.
     pub(super) fn watch<'a>(
         &'a self,
-        cancel: &'a Cancel,
+        cancel: &'a Interrupt,
         work: Work,
         config: &CaseConfig,
         branches: bool,
@@ -67,7 +52,7 @@ impl Gauges {
 /// Watches one piece of work.
 pub(super) struct Gauge<'a> {
     gauges: &'a Gauges,
-    cancel: &'a Cancel,
+    cancel: &'a Interrupt,
     work: Work,
     /// Simulated time at its start and at its end, about, seconds.
     span: [f64; 2],
@@ -78,7 +63,7 @@ pub(super) struct Gauge<'a> {
 
 impl Monitor for Gauge<'_> {
     fn cancelled(&self) -> bool {
-        self.cancel.cancelled()
+        self.cancel.is_raised()
     }
 
     fn over_limit(&self, steps: u64) -> Option<String> {
@@ -111,7 +96,7 @@ mod tests {
         let empty = toml::Table::new();
         let config = CaseConfig::from_tables(&empty, &empty).unwrap();
         let end = config.scene.frame().end_time;
-        let (gauges, cancel) = (Gauges::default(), Cancel::default());
+        let (gauges, cancel) = (Gauges::default(), Interrupt::default());
         let share = |work, branches, time_s: f64| {
             let gauge = gauges.watch(&cancel, work, &config, branches, Limits::default());
             gauge.reached(time_s);

@@ -11,7 +11,7 @@ use signal_hook::{flag, low_level};
 
 use crate::simulation::Monitor;
 
-/// Set once the user wants to stop.
+/// Set once work is to stop, by the user or by whoever has begun it.
 #[derive(Debug, Clone, Default)]
 pub struct Interrupt(Arc<AtomicBool>);
 

@@ -7,7 +7,8 @@ use std::time::{Duration, Instant};
 
 use rayon::Scope;
 
-use super::gauge::{Cancel, Gauges};
+use super::gauge::Gauges;
+use super::interrupt::Interrupt;
 use super::message::{Order, Posted, Report};
 use super::runner::{Runner, guarded};
 use crate::math::team::thread_processor_time;
@@ -35,7 +36,7 @@ pub(super) struct Worker<'run, 'scope> {
     runner: &'scope dyn Runner,
     /// Where cases leave their files; without it results are reported whole.
     filing: Option<&'scope Filing>,
-    cancel: &'scope Cancel,
+    cancel: &'scope Interrupt,
     gauges: &'scope Gauges,
     rank: usize,
     checkpoints: HashMap<usize, Arc<[u8]>>,
@@ -58,7 +59,7 @@ pub(super) fn with_worker<T>(
         .stack_size(8 << 20)
         .build()
         .map_err(|error| SweepError::Executor(format!("cannot start threads: {error}")))?;
-    let (cancel, gauges) = (Cancel::default(), Gauges::default());
+    let (cancel, gauges) = (Interrupt::default(), Gauges::default());
     Ok(pool.in_place_scope(|scope| {
         let (sender, receiver) = channel();
         let mut worker = Worker {
@@ -80,7 +81,7 @@ pub(super) fn with_worker<T>(
 impl Drop for Worker<'_, '_> {
     /// Whatever still runs is of no use to anybody: also where the leader fails or panics.
     fn drop(&mut self) {
-        self.cancel.cancel();
+        self.cancel.raise();
     }
 }
 
@@ -102,7 +103,7 @@ impl Worker<'_, '_> {
             Order::Drop { trunk } => {
                 self.checkpoints.remove(&trunk);
             }
-            Order::Cancel => self.cancel.cancel(),
+            Order::Cancel => self.cancel.raise(),
         }
         None
     }
@@ -214,12 +215,12 @@ impl Worker<'_, '_> {
 
 /// Runs something guarded against panics, unless it is already too late.
 fn attempt<T>(
-    cancel: &Cancel,
+    cancel: &Interrupt,
     config: Posted,
     limits: Limits,
     run: impl Fn(&CaseConfig) -> Result<T, Stopped>,
 ) -> Result<T, Stopped> {
-    if cancel.cancelled() {
+    if cancel.is_raised() {
         return Err(Stopped::Interrupted);
     }
     let failed = |kind, detail: String| Stopped::Failed(Failure { kind, time_s: 0.0, detail });
@@ -233,7 +234,7 @@ fn attempt<T>(
         return Err(failed(FailureKind::OverLimit, detail));
     }
     match guarded(|| run(&config)) {
-        Err(Stopped::Interrupted) if !cancel.cancelled() => {
+        Err(Stopped::Interrupted) if !cancel.is_raised() => {
             Err(internal("stopped though nobody asked".to_owned()))
         }
         result => result,
