@@ -34,8 +34,8 @@ impl Exchange {
     }
 
     /// The water's pressure at every point up a body's face, Pa; 0 where it is dry. It is the mean around
-    /// the mirror point of the ghost next to the point, moved to the face by the weight of the water
-    /// between: p = p_m - ρ (g (y - y_m) + a (x - x_m)). It costs no interpolation of its own.
+    /// the mirror point of the ghost next to the point, moved to the face. It costs no interpolation of its
+    /// own.
     pub fn face_pressures(
         &self,
         ghosts: &Ghosts,
@@ -43,24 +43,34 @@ impl Exchange {
         motion: &BodyMotion,
         pressures: &mut Vec<f64>,
     ) {
-        let rules = &self.rules;
         let pressure = |face: usize| {
             let wet = self.wet_share(body, face);
-            let Some(g) = self.fronts[face - ghosts.len()].filter(|_| wet > 0.0) else {
-                return 0.0;
-            };
-            let (block, lane) = (g as usize / LANES, g as usize % LANES);
-            if self.scale[block][lane] == 0.0 {
-                return 0.0;
-            }
-            let means = &self.means[block];
-            let mean = means.pressure[lane];
-            let density = rules.surface_density + mean / (rules.sound_speed * rules.sound_speed);
-            let x = ghosts.target_x[face] + motion.offset - means.x[lane];
-            let y = ghosts.target_y[face] - means.y[lane];
-            wet * (mean - density * (rules.gravity * y + motion.acceleration * x))
+            let front = self.fronts[face - ghosts.len()].filter(|_| wet > 0.0);
+            front.map_or(0.0, |g| wet * self.moved_to_face(ghosts, motion, g as usize, face))
         };
         pressures.clear();
         pressures.extend(ghosts.up(body).map(pressure));
+    }
+
+    /// The mean pressure around the point where a ghost or a point of a face asks, `from`, moved to a point of
+    /// the face by the weight of the water between, Pa: p = p_m - ρ (g (y - y_m) + a (x - x_m)). 0 where no
+    /// water is near.
+    pub(super) fn moved_to_face(
+        &self,
+        ghosts: &Ghosts,
+        motion: &BodyMotion,
+        from: usize,
+        face: usize,
+    ) -> f64 {
+        let (block, lane) = (from / LANES, from % LANES);
+        if self.scale[block][lane] == 0.0 {
+            return 0.0;
+        }
+        let (rules, means) = (&self.rules, &self.means[block]);
+        let mean = means.pressure[lane];
+        let density = rules.surface_density + mean / (rules.sound_speed * rules.sound_speed);
+        let x = ghosts.target_x[face] + motion.offset - means.x[lane];
+        let y = ghosts.target_y[face] - means.y[lane];
+        mean - density * (rules.gravity * y + motion.acceleration * x)
     }
 }

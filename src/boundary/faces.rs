@@ -177,7 +177,6 @@ impl Exchange {
     ) -> f64 {
         let faces = ghosts.bodies[body].faces.clone();
         let [across, _] = ghosts.bodies[body].plane.normal;
-        let rules = self.rules;
         // Rows stand as far apart as whole rows fill the depth: not the spacing along the bed.
         if faces.len() < 2 {
             return 0.0;
@@ -194,19 +193,8 @@ impl Exchange {
         self.motions = bodies;
         faces
             .map(|face| {
-                let (block, lane) = (face / LANES, face % LANES);
                 let wet = self.wet_share(body, face);
-                if self.scale[block][lane] == 0.0 {
-                    return 0.0;
-                }
-                let means = &self.means[block];
-                let mean = means.pressure[lane];
-                let density =
-                    rules.surface_density + mean / (rules.sound_speed * rules.sound_speed);
-                let reach_x = ghosts.target_x[face] + motion.offset - means.x[lane];
-                let reach_y = ghosts.target_y[face] - means.y[lane];
-                let pressure =
-                    mean - density * (rules.gravity * reach_y + motion.acceleration * reach_x);
+                let pressure = self.moved_to_face(ghosts, motion, face, face);
                 let height = ghosts.crest.as_ref().map_or(spacing, |crest| {
                     crest.below([ghosts.target_x[face], ghosts.target_y[face]], spacing)
                 });
