@@ -13,8 +13,8 @@ use crate::execute::{
 use crate::film::Filming;
 use crate::math::words::counted;
 use crate::results::{
-    Directory, Load, Manifest, OpenMode, Opened, Program, RankInfo, Savings, SessionInfo,
-    SweepError, has_checkpoints, timestamp,
+    Directory, Manifest, OpenMode, Opened, Program, RankInfo, Savings, SessionInfo, SweepError,
+    has_checkpoints, timestamp,
 };
 use crate::scene::CaseConfig;
 use crate::simulation::{Cost, cost};
@@ -152,11 +152,7 @@ pub(super) fn execute(
         ended = Some(coordinate(link, &mut session)?);
         Ok(())
     })?;
-    let Worked { ending, savings, load } = ended.unwrap_or(Worked {
-        ending: Ending::Interrupted,
-        savings: Savings::default(),
-        load: Load::default(),
-    });
+    let Worked { ending, savings, load } = ended.unwrap_or_default();
     if ending == Ending::Finished {
         directory.clear_checkpoints()?;
     }

@@ -7,16 +7,17 @@ use crate::schedule::Work;
 use crate::study::{CaseId, Plan, Study};
 
 /// How a session ended.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Ending {
     /// Every case is done or has failed.
     Finished,
     /// The user stopped it; cases are left.
+    #[default]
     Interrupted,
 }
 
 /// What a session has done.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Worked {
     /// How it ended.
     pub ending: Ending,
