@@ -1,6 +1,8 @@
 //! `seawall report`: tables and figures from files alone.
 
-use std::io::ErrorKind;
+use std::io::ErrorKind::{
+    AlreadyExists, IsADirectory, NotADirectory, PermissionDenied, ReadOnlyFilesystem,
+};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -143,16 +145,10 @@ fn unusable(path: &Path, reason: &std::io::Error) -> Option<anyhow::Error> {
         named(path),
         in_words(reason)
     );
-    (!is_the_disks(reason.kind())).then(|| BadInput(told).into())
-}
-
-/// Whether the machine failed rather than the place being wrong.
-fn is_the_disks(kind: ErrorKind) -> bool {
-    use ErrorKind::{
-        AlreadyExists, IsADirectory, NotADirectory, PermissionDenied, ReadOnlyFilesystem,
-    };
-    !matches!(
-        kind,
+    // Of all other kinds the machine has failed: the place is not wrong.
+    let is_the_place = matches!(
+        reason.kind(),
         AlreadyExists | IsADirectory | NotADirectory | PermissionDenied | ReadOnlyFilesystem
-    )
+    );
+    is_the_place.then(|| BadInput(told).into())
 }
