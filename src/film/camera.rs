@@ -87,10 +87,10 @@ impl Camera for PageCamera<'_> {
 /// The film's frames, and which of them is the crest: evenly over the run, and half of them within
 /// `close` seconds of the crest.
 fn pick(takes: Vec<Take>, crest_s: f64, close: f64) -> (Vec<Take>, usize) {
-    let times: Vec<f64> = takes.iter().map(|take| take.time_s).collect();
-    let (Some(&first), Some(&last)) = (times.first(), times.last()) else { return (takes, 0) };
-    let crest = nearest(&times, crest_s);
-    let mut wanted = vec![times[crest]];
+    let (Some(first), Some(last)) = (takes.first(), takes.last()) else { return (takes, 0) };
+    let (first, last) = (first.time_s, last.time_s);
+    let crest = nearest(&takes, crest_s);
+    let mut wanted = vec![takes[crest].time_s];
     let spread = |from: f64, to: f64| {
         let share = move |k: usize| k as f64 / (FRAMES / 2 - 1) as f64;
         (0..FRAMES / 2).map(move |k| from + share(k) * (to - from))
@@ -99,7 +99,7 @@ fn pick(takes: Vec<Take>, crest_s: f64, close: f64) -> (Vec<Take>, usize) {
     wanted.push(last);
     wanted.extend(spread((crest_s - close).max(first), (crest_s + close).min(last)));
     let chosen: std::collections::BTreeSet<usize> =
-        wanted.into_iter().map(|time| nearest(&times, time)).collect();
+        wanted.into_iter().map(|time| nearest(&takes, time)).collect();
     let place = chosen.iter().position(|&at| at == crest).unwrap_or(0);
     let all = takes.len() <= FRAMES;
     let keep = |at: &usize| all || chosen.contains(at);
@@ -107,10 +107,10 @@ fn pick(takes: Vec<Take>, crest_s: f64, close: f64) -> (Vec<Take>, usize) {
     (picked.collect(), if all { crest } else { place })
 }
 
-/// The place of the time that is nearest to another one.
-pub(super) fn nearest(times: &[f64], time: f64) -> usize {
-    let gap = |&at: &usize| (times[at] - time).abs();
-    (0..times.len()).min_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(0)
+/// The place of the instant that is nearest to a time.
+pub(super) fn nearest(takes: &[Take], time: f64) -> usize {
+    let gap = |&at: &usize| (takes[at].time_s - time).abs();
+    (0..takes.len()).min_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(0)
 }
 
 #[cfg(test)]

@@ -91,7 +91,7 @@ impl PageFilm {
             fs::create_dir(&self.folder).map_err(at(&self.folder))?;
         }
         let (mut stills, crest_s) = (String::new(), takes[crest].time_s);
-        let highest = nearest(takes, result.outcome.runup_max.time_s);
+        let highest = camera::nearest(takes, result.outcome.runup_max.time_s);
         let climbs = is_read(result, |row| row.runup);
         let other = |take: &&Take| take.time_s != crest_s;
         let moments = [
@@ -134,12 +134,6 @@ impl PageFilm {
         fs::write(&partial, text).map_err(at(&partial))?;
         fs::rename(&partial, &page).map_err(at(&page))
     }
-}
-
-/// The frame that is nearest to a time.
-fn nearest(takes: &[Take], time_s: f64) -> usize {
-    let times: Vec<_> = takes.iter().map(|take| take.time_s).collect();
-    camera::nearest(&times, time_s)
 }
 
 /// The first frame of the largest displacement, of walls that moved so far that it is seen.
