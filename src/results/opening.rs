@@ -103,22 +103,17 @@ pub(super) fn header(
         return Ok(header.clone());
     }
     let manifest = Manifest::read(path).filter(|manifest| manifest.sweep == study.identity);
-    let simd = manifest.as_ref().and_then(Manifest::simd_path);
-    match simd {
-        Some(simd) if content.found > 0 => {
-            Ok(Header::new(&study.name, &study.identity, study.cases.len(), simd))
-        }
-        _ if content.found == 0 && !files::any(path) => {
-            // Stopped before anything was done.
-            let simd = simd.unwrap_or(new);
-            Ok(Header::new(&study.name, &study.identity, study.cases.len(), simd))
-        }
-        _ => {
-            let reason = "journal.jsonl has lost its beginning, though results lie beside it; \
-                          restore it from a copy, or start over with --fresh";
-            Err(SweepError::refused(path, reason))
-        }
-    }
+    let told = manifest.as_ref().and_then(Manifest::simd_path);
+    let simd = if content.found > 0 {
+        told
+    } else {
+        // Stopped before anything was done.
+        (!files::any(path)).then(|| told.unwrap_or(new))
+    };
+    let lost = "journal.jsonl has lost its beginning, though results lie beside it; restore it from a \
+                copy, or start over with --fresh";
+    let simd = simd.ok_or_else(|| SweepError::refused(path, lost))?;
+    Ok(Header::new(&study.name, &study.identity, study.cases.len(), simd))
 }
 
 /// What is wrong with a journal's lines: of one that is mended now, or of one that is only looked at.
