@@ -1,5 +1,6 @@
 //! A study with points beside those of its file's grid.
 
+use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
 use super::Study;
@@ -34,12 +35,8 @@ impl Study {
             places.collect::<Vec<_>>()
         };
         let mut placed: Vec<_> = cases.into_iter().map(|case| (position(&case), case)).collect();
-        placed.sort_by(|a, b| {
-            let pairs = a.0.iter().zip(&b.0);
-            pairs
-                .map(|(a, b)| a.total_cmp(b))
-                .find(|one| one.is_ne())
-                .unwrap_or(a.1.index.cmp(&b.1.index))
+        placed.sort_by(|(a, case), (b, other)| {
+            a.partial_cmp(b).unwrap_or(Ordering::Equal).then(case.index.cmp(&other.index))
         });
         let cases = placed.into_iter().enumerate();
         let cases = cases.map(|(index, (_, case))| Case { index, ..case }).collect();
