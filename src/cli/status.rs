@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::Args;
+use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::failure::BadInput;
@@ -159,14 +160,11 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
         ));
     }
     text.push('\n');
-    for (reason, group) in &groups {
-        text.push_str(&format!(
-            "\n{reason}: {}, such as\n  {}\n",
-            counted(group.cases, "case"),
-            group.example
-        ));
+    for Failures { reason, cases, example, values } in &groups {
+        let cases = counted(*cases, "case");
+        text.push_str(&format!("\n{reason}: {cases}, such as\n  {example}\n"));
         let mut table = Table::default();
-        for (key, values) in &group.values {
+        for (key, values) in values {
             let counts = values.iter().map(|(value, count)| format!("{value} ({count})"));
             table.row([key.clone(), counts.collect::<Vec<_>>().join(", ")]);
         }
@@ -185,15 +183,7 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
         "running": running,
         "time_to_go_s": to_go,
         "simd": header.simd,
-        "failures": groups
-            .iter()
-            .map(|(reason, group)| json!({
-                "reason": reason,
-                "cases": group.cases,
-                "example": group.example,
-                "values": group.values,
-            }))
-            .collect::<Vec<_>>(),
+        "failures": groups,
     });
     let session = manifest.as_ref().and_then(|manifest| manifest.sessions.last());
     let ranks = session.map_or(&[][..], |session| &session.ranks);
@@ -218,26 +208,30 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
 }
 
 /// Failures of one kind: how many cases of each value of each swept key.
-#[derive(Default)]
+#[derive(Default, Serialize)]
 struct Failures {
+    reason: String,
     cases: usize,
     example: String,
     values: BTreeMap<String, BTreeMap<String, usize>>,
 }
 
-fn group(failed: &[&Fared]) -> BTreeMap<String, Failures> {
+fn group(failed: &[&Fared]) -> Vec<Failures> {
     let mut groups: BTreeMap<_, Failures> = BTreeMap::new();
     for record in failed {
         let kind = record.failure.map_or_else(|| "failed".to_owned(), name_of);
-        let first = || Failures { example: record.reason.clone(), ..Failures::default() };
-        let group = groups.entry(kind).or_insert_with(first);
+        let group = groups.entry(kind).or_insert_with_key(|kind| Failures {
+            reason: kind.clone(),
+            example: record.reason.clone(),
+            ..Failures::default()
+        });
         group.cases += 1;
         for (key, value) in &record.values {
             let counts = group.values.entry(key.clone()).or_default();
             *counts.entry(value.to_string()).or_default() += 1;
         }
     }
-    groups
+    groups.into_values().collect()
 }
 
 /// The mean time of a finished case, times those left, over the places of the last session.
