@@ -5,7 +5,7 @@ use std::ops::Index;
 use std::sync::Arc;
 
 /// The cells of a column, row by row.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Cells {
     different: Vec<Arc<str>>,
     at: Vec<u32>,
@@ -63,12 +63,6 @@ impl<S: AsRef<str>> FromIterator<S> for Cells {
         let mut all = Cells::default();
         cells.into_iter().for_each(|cell| all.push(cell.as_ref()));
         all
-    }
-}
-
-impl PartialEq for Cells {
-    fn eq(&self, other: &Cells) -> bool {
-        self.iter().eq(other.iter())
     }
 }
 
