@@ -2,7 +2,7 @@
 
 use super::force::most;
 use crate::math::lists::median;
-use crate::math::words::{counted, listed};
+use crate::math::words::listed;
 use crate::quantities::Column;
 use crate::quantities::summary::{
     DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, WAVE_HEIGHT_RATIO,
@@ -38,14 +38,8 @@ pub fn bars(data: &Loaded) -> Option<String> {
     let with = data.finished().filter(|row| row.error(&FIRST_FORCE_MAX).is_some()).count();
     let without = match finished - with {
         0 => String::new(),
-        cases => format!(
-            " {} no bar of F*.",
-            if cases == 1 {
-                "1 case has".to_owned()
-            } else {
-                format!("{} have", counted(cases, "case"))
-            }
-        ),
+        1 => " 1 case has no bar of F*.".to_owned(),
+        cases => format!(" {cases} cases have no bar of F*."),
     };
     Some(format!("Error bars, in the median and at worst: {}.{without}", listed(&told)))
 }
