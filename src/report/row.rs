@@ -189,8 +189,7 @@ impl Row {
 
     /// What tells this case from the sweep's others; empty where it is the only one.
     pub fn words(&self) -> String {
-        let part = |column: &&'static Column| Some(label(column, self.number(column)?));
-        let mut parts: Vec<_> = PLACE.iter().filter_map(part).collect();
+        let mut parts = self.place_in_words();
         parts.extend((!self.variant.is_empty()).then(|| all_spoken(&self.variant)));
         // Fixed, on a spring or a caisson: numbers alone do not say which.
         let wall = Some(self.named(WALL)).filter(|wall| !wall.is_empty());
@@ -202,6 +201,12 @@ impl Row {
     /// The same, or its identity where nothing tells it from others.
     pub fn title(&self) -> String {
         Some(self.words()).filter(|words| !words.is_empty()).unwrap_or_else(|| self.id().to_owned())
+    }
+
+    /// Wave, stiffness and mass in words, as far as it has them.
+    pub(super) fn place_in_words(&self) -> Vec<String> {
+        let part = |column: &&'static Column| Some(label(column, self.number(column)?));
+        PLACE.iter().filter_map(part).collect()
     }
 
     /// Wave, stiffness and mass as bits, so that they can be compared and sorted on.

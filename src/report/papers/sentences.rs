@@ -9,7 +9,7 @@ use crate::papers::{Read, cause, paper};
 use crate::quantities::summary::{PARTICLE_SPACING, SCHEME};
 use crate::report::curves::distinct;
 use crate::report::number;
-use crate::report::row::{PLACE, Row, label};
+use crate::report::row::Row;
 
 /// A paragraph of what was compared, one of each kind of number, and one of each reason.
 pub fn sentences(found: &[Found]) -> Vec<String> {
@@ -106,7 +106,7 @@ fn counted(what: &str, found: &[&Found]) -> Option<String> {
         "%" => "points of a percentage",
         unit => unit,
     };
-    let place: Vec<_> = PLACE.iter().filter_map(|c| Some(label(c, worst.row.number(c)?))).collect();
+    let place = worst.row.place_in_words();
     let at = if place.is_empty() { String::new() } else { format!(" at {}", place.join(", ")) };
     text.push_str(&format!(
         ". The differences have a median of {} {unit}; the largest is {} {unit}, of {} (Fig. {}){at}.",

@@ -11,7 +11,7 @@ use crate::quantities::summary::{
 use crate::quantities::{Column, Unit, history, named};
 use crate::report::config::Config;
 use crate::report::number;
-use crate::report::row::{PLACE, Row, label};
+use crate::report::row::{PLACE, Row};
 use crate::report::spoken::spoken;
 use crate::report::tables::Table;
 
@@ -158,8 +158,7 @@ fn symbol_of(unit: Unit) -> &'static str {
 /// The case, or the worst of many.
 fn place(found: &Found) -> String {
     let row = found.row;
-    let parts = PLACE.iter().filter_map(|column| Some(label(column, row.number(column)?)));
-    let mut parts: Vec<String> = parts.collect();
+    let mut parts = row.place_in_words();
     let told = [&BOUNDARY];
     let tells_boundary = found.printed.quantity.starts_with("step_time");
     parts.extend(others(row, if tells_boundary { &told } else { &[] }));
