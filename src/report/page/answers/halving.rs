@@ -130,13 +130,11 @@ impl<'a> Group<'a> {
         }
         let masses = |masses: &[f64]| {
             let (last, first) = masses.split_last().expect("a wall has a mass");
-            let first: Vec<_> = first.iter().map(|mass| number::plain(*mass)).collect();
-            match &first[..] {
+            let last_one = number::plain(*last);
+            match *first {
                 [] => label(&SEAWALL_MASS, *last),
-                [from, ..] if first.len() > 1 => {
-                    format!("m = {from} to {} kg/m", number::plain(*last))
-                }
-                [one, ..] => format!("m = {one} and {} kg/m", number::plain(*last)),
+                [one] => format!("m = {} and {last_one} kg/m", number::plain(one)),
+                [from, ..] => format!("m = {} to {last_one} kg/m", number::plain(from)),
             }
         };
         let springs = walls.iter().map(|(words, of)| format!("{words} with {}", masses(of)));
@@ -163,26 +161,19 @@ fn in_brief(groups: &[Group<'_>], after_some: bool) -> String {
         distinct(groups.iter().filter(is).map(|group| group.stiffest), &WAVE_HEIGHT_RATIO)
     };
     let (some, none) = (waves(true), waves(false));
+    let [no_wall, too] =
+        if after_some { ["no wall halves it", ", too"] } else { ["no wall halves it either", ""] };
     if some.len() + none.len() < groups.len() {
         let halved = groups.iter().filter(|group| group.halved().next().is_some()).count();
         let all = counted(groups.len(), "other combination") + " of wave and settings";
         return match halved {
-            0 if after_some => format!(" In {all} no wall halves it."),
-            0 => format!(" In {all} no wall halves it either."),
+            0 => format!(" In {all} {no_wall}."),
             _ => format!(" In {halved} of {all} some wall halves it."),
         };
     }
     match (range(&some, ""), range(&none, "")) {
-        (_, without) if some.is_empty() && after_some => {
-            format!(" At H/h = {without} no wall halves it.")
-        }
-        (_, without) if some.is_empty() => format!(" At H/h = {without} no wall halves it either."),
-        (with, _) if none.is_empty() => {
-            format!(
-                " At H/h = {with} some wall halves it{}.",
-                if after_some { ", too" } else { "" }
-            )
-        }
+        (_, without) if some.is_empty() => format!(" At H/h = {without} {no_wall}."),
+        (with, _) if none.is_empty() => format!(" At H/h = {with} some wall halves it{too}."),
         (with, without) => {
             format!(" At H/h = {with} some wall halves it, at H/h = {without} none.")
         }
