@@ -169,26 +169,21 @@ fn strips(lines: &[Line]) -> Vec<Strip> {
     let all = [&FORCE, &RUNUP, &DISPLACEMENT];
     let drawn = if moves(lines) { &all[..] } else { &all[..2] };
     let curve = |(index, line): (usize, &Line), name: &str| {
-        let mut curve = over_time::Line::new(
-            index,
-            &line.label,
-            &line.case,
-            line.history.points(name).to_vec(),
-        );
+        let points = line.history.points(name).to_vec();
+        let mut curve = over_time::Line::new(index, &line.label, &line.case, points);
         // More curves than that have no look of their own: the fixed wall is drawn in ink.
         if index >= CURVES {
             curve.entry.look = Look::plain();
         }
         curve
     };
-    let strip = |name: &str, title: &str| Strip {
-        heading: String::new(),
-        title: title.to_owned(),
-        name: name.to_owned(),
-        curves: lines.iter().enumerate().map(|line| curve(line, name)).collect(),
-        peaks: false,
-    };
-    drawn.iter().map(|column| strip(column.name, column.unit.axis())).collect()
+    let strip = drawn.iter().map(|column| Strip {
+        title: column.unit.axis().to_owned(),
+        name: column.name.to_owned(),
+        curves: lines.iter().enumerate().map(|line| curve(line, column.name)).collect(),
+        ..Strip::default()
+    });
+    strip.collect()
 }
 
 #[cfg(test)]
