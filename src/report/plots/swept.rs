@@ -20,7 +20,7 @@ use crate::report::column::Cells;
 use crate::report::curves::{distinct, has_curve, responses, spread, variants};
 use crate::report::load::Loaded;
 use crate::report::row::Row;
-use crate::report::study::Key;
+use crate::report::study::{Key, StudyFile};
 use crate::report::variant::{file_name, shorten};
 
 /// What is drawn, and what stands in for it where a case has no first impact. Of regular waves the latter is
@@ -123,6 +123,10 @@ pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
             None => groups.push((words.clone(), vec![case])),
         }
     }
+    // Other depths at the paddle are others at the wall, too, and not in proportion.
+    let of_file = StudyFile::of(data.manifest.as_ref());
+    let over_beds = data.keys.iter().any(|key| key.name == BED)
+        || of_file.is_some_and(|file| file.scene.contains_key(BED));
     let mut figures = Vec::new();
     for (words, mut group) in groups {
         group.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -135,8 +139,7 @@ pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
         figures.push(Figure {
             drawing,
             title: format!("Responses against {what}{}", of_variant(&words)),
-            caption: caption(&by_waves(what, &group, key.name == BED), &group)
-                + &picked_waves(&group),
+            caption: caption(&by_waves(what, &group, over_beds), &group) + &picked_waves(&group),
             name,
         });
     }

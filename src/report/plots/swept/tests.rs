@@ -75,6 +75,21 @@ fn sills_stand_by_their_heights() {
     assert!(figures[0].svg().contains("highest place of the bed, m"));
 }
 
+/// Only studies that swept the bed said by which depth F* counts: of 0.12 to 0.28 m of water over one bed it was 0, 95 and 5.
+#[test]
+fn a_sweep_over_a_bed_tells_by_which_depth_forces_count() {
+    let (_directory, mut data) = fixture::read(fixture::movable(&[0.3], &[500.0], &[50.0, 100.0]));
+    data.keys = vec![Key::new("still_water_depth_m", ["0.2", "0.3"])];
+    let told = |data: &Loaded| {
+        let figures = figures(data, key(data).unwrap());
+        figures[0].caption.contains(" F* counts by the depth at the wall, or by the still")
+    };
+    assert!(!told(&data));
+    let file = "[scene]\nbed = [[0, 0], [1, 0], [2.5, 0.1]]\n[numerics]\n[grid]\nstill_water_depth_m = [0.2, 0.3]\n";
+    data.manifest = Some(serde_json::json!({ "sweep_file": file }));
+    assert!(told(&data));
+}
+
 #[test]
 fn two_stiffnesses_make_response_curves() {
     let directory = masses(&[10.0, 500.0]);
