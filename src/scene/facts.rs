@@ -184,12 +184,9 @@ impl Facts<'_> {
         (depth > 0.0).then(|| depth / self.numerics.particle_spacing_m)
     }
 
-    /// Whether a wave may come up to a wall that stands dry, as far as twice its height.
+    /// Whether a wave may come up to a wall that stands dry.
     pub fn hits_dry_wall(&self) -> bool {
-        let Some(bed) = self.scene().bed() else { return false };
-        let depth = self.scene().frame().depth;
-        let foot = bed.end()[1] - depth;
-        self.weakly && foot >= 0.0 && foot < 2.0 * self.wave * depth
+        self.weakly && self.scene().hits_dry_wall()
     }
 
     /// An operator for the pressure that leaves divergence at such steps.

@@ -170,7 +170,8 @@ section! {
         /// sound. Solitary waves above H/h = 0.7 at upright walls over beds no steeper than 1:2 have it by
         /// default, and dam breaks of more than 8 √(H/g) or 4 L/√(gH). It wants gravity and corrected gradients.
         surface_relief: bool = false, weakly(plain()).newer();
-        /// c0 Δt / Δx. By default 0.6 where water falls behind a wall, and in dam breaks of more than
+        /// c0 Δt / Δx. By default 0.6 where water falls behind a wall, where a wave may run up to a wall that stands dry, up to
+        /// 2 H over the still water, and in dam breaks of more than
         /// 8 √(H/g) or 4 L/√(gH).
         courant_number: f64 = 1.8, weakly(plain().within(1e-3, 2.5)).label("c0 Δt/Δx");
         /// γ: pressures are taken γ Δt ahead of the densities, which damps sound.

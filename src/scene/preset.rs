@@ -125,7 +125,7 @@ impl Numerics {
     /// Takes what the preset `default` has for scenes of this kind, with particles so far apart, metres,
     /// and whether the run ends with its end time alone.
     fn suit(&mut self, scene: &Scene, particle_spacing: f64, timed: bool) {
-        if scene.plunges() {
+        if scene.plunges() || scene.hits_dry_wall() {
             // Long steps put energy into water that is hit all at once.
             self.courant_number = 0.6;
         }
