@@ -184,6 +184,12 @@ impl Facts<'_> {
         (depth > 0.0).then(|| depth / self.numerics.particle_spacing_m)
     }
 
+    /// Whether a wave is too high for the still water at its wall.
+    pub fn breaks_at_wall(&self) -> bool {
+        let rows = self.rows.zip(self.rows_at_wall());
+        rows.is_some_and(|(rows, at_wall)| self.wave * rows > 0.75 * at_wall)
+    }
+
     /// Whether a wave may come up to a wall that stands dry.
     pub fn hits_dry_wall(&self) -> bool {
         self.weakly && self.scene().hits_dry_wall()

@@ -36,6 +36,12 @@ pub(super) const BEDS: &[Limit] = &[
          and still water pressed 1.4 to 2.4 % too hard",
     ),
     (
+        |case| case.breaks_at_wall(),
+        "a wave higher than 0.75 of the still water at its wall: it breaks there; at 0.8 forces were 9 % lower at five rows \
+         over that depth than at ten, and 4 % at seven; at 1.2 they were up to 10 % apart at five to ten rows, and up to 55 % \
+         apart at four to six rows of less water",
+    ),
+    (
         |case| case.hits_dry_wall(),
         "a wave that runs up a beach to a wall whose foot is dry: its tongue is a spacing or two thick and hits it all at \
          once; on 1:10 forces under H/h = 0.4 were 25 % lower to 18 % higher at 10 to 16 rows than at 20; with courant_number = 1.8 four \

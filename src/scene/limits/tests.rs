@@ -12,7 +12,7 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     assert_eq!(count("", "boundary = \"sfdi\""), 1);
     assert_eq!(count("", "boundary = \"normalized\""), 0);
     assert_eq!(count("", "boundary = \"normalized\"\nghost_gravity = \"at-mirror\""), 1);
-    let beach = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [2, 0.1]]";
+    let beach = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [2, 0.05]]";
     assert_eq!(count(beach, ""), 0);
     assert_eq!(count(beach, "boundary = \"improved-shepard\""), 1);
     let crest =
@@ -29,7 +29,7 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     let standing = "kind = \"standing-wave\"\nend_after_periods = 20";
     assert_eq!(count(standing, ""), 1);
     assert_eq!(count(standing, "volume_feedback = 0.002\nshifting = \"deep\""), 0);
-    let ridge = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [1, 0.1], [2, 0.1]]";
+    let ridge = "tank_length_m = 2\nbed = [[0, 0], [1, 0], [1, 0.05], [2, 0.05]]";
     assert_eq!(count(ridge, "boundary = \"normalized\""), 0, "its bed gives back");
     let keeps = "boundary = \"normalized\"\nconservative_bed = false";
     assert_eq!(count(ridge, keeps), 2, "a wave goes over it, and still water turns");
@@ -80,17 +80,22 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     let spaced =
         |spacing: f64| format!("boundary = \"normalized\"\nparticle_spacing_m = {spacing}");
     assert_eq!([0.01, 0.004].map(|spacing| count(beach, &spaced(spacing))), [1, 0]);
+    let berm = |height: f64, wave: f64| {
+        format!("wave_height_ratio = {wave}\nbed = [[0, 0], [1.5, 0], [2.5, {height}]]")
+    };
+    let told = [(0.1, 0.3), (0.1, 0.4), (0.05, 0.5)].map(|(y, wave)| count(&berm(y, wave), ""));
+    assert_eq!(told, [0, 1, 0], "a wave that breaks at its wall");
     let dry = |height: f64| format!("tank_length_m = 4\nbed = [[0, 0], [2, 0], [4, {height}]]");
     let told = |height: f64| count(&dry(height), "");
     assert_eq!([0.2, 0.38, 0.42].map(told), [2, 2, 1], "a wall that stands dry, and a thin tongue");
     let lagoon = "tank_length_m = 4\nbed = [[0, 0], [2, 0], [3, 0.22], [3.5, 0.05], [4, 0.05]]";
     assert_eq!(count(lagoon, ""), 0, "its runup is read at the wall");
-    let trench = "bed = [[0, 0], [1.5, 0], [1.8, 0.1], [1.9, 0.1], [1.9, 0], [1.91, 0], [1.91, 0.1], [2.5, 0.1]]";
+    let trench = "bed = [[0, 0], [1.5, 0], [1.8, 0.1], [1.9, 0.1], [1.9, 0], [1.91, 0], [1.91, 0.1], [2.5, 0.05]]";
     assert_eq!([0.02, 0.01].map(|spacing| count(trench, &spaced(spacing))), [1, 0]);
     let sinks = "volume_feedback = 0";
     assert_eq!([8, 20].map(|s| count(&format!("end_time_s = {s}"), sinks)), [0, 1]);
     assert_eq!(count("end_time_s = 20", ""), 0);
-    let step = "bed = [[0, 0], [1.5, 0], [1.5, 0.1], [2.5, 0.1]]\nend_time_s = 20";
+    let step = "bed = [[0, 0], [1.5, 0], [1.5, 0.1], [2.5, 0.05]]\nend_time_s = 20";
     let normalized = "boundary = \"normalized\"";
     assert_eq!(
         ["", "\nvolume_feedback = 0"].map(|own| count(step, &format!("{normalized}{own}"))),
