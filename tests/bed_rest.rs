@@ -164,6 +164,13 @@ fn water_rests_on_steep_shores() {
     }
 }
 
+/// A shore of 50 degrees. While its ghosts asked how wet they were, as those of walls do, energy came from nowhere after
+/// 130 s.
+#[test]
+fn water_rests_before_a_shore_of_fifty_degrees() {
+    assert!(motion_left("[[0, 0], [1, 0], [1.6, 0.71]]", 150) < 1e-4);
+}
+
 /// A beach of 1:6, gentle enough for short waves to need no help. Without what holds the water's volume, or without a bed
 /// that gives back, energy came from nowhere after 180 s.
 #[test]

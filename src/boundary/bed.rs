@@ -6,7 +6,7 @@ use super::corner::Corner;
 use super::ghosts::{BodySites, Reflection, Site};
 use super::layout::{TankLayout, at};
 use super::plane::Plane;
-use super::profile::{Profile, STEEP, Stretch, ends_low, turn};
+use super::profile::{Profile, Stretch, WALL, ends_low, turn};
 use super::territory::Territory;
 
 /// Sites of a profile, and a face point for every column of the stretches that may run dry.
@@ -78,7 +78,7 @@ impl Bed<'_> {
         ];
         for column in 0..columns as i64 {
             let along = at(column, width);
-            let asks = dries && stretch.along[1].abs() > STEEP;
+            let asks = dries && stretch.rise() > WALL;
             let face = if asks { self.faces.len() as u32 } else { Site::ALWAYS_WET };
             if dries {
                 self.faces.push(stretch.place(along, 0.0));

@@ -5,7 +5,7 @@ mod stretch;
 use serde::{Deserialize, Deserializer, Serialize, de};
 
 use super::plane::Plane;
-pub use stretch::{STEEP, Stretch, ends_low, turn};
+pub use stretch::{STEEP, Stretch, WALL, ends_low, turn};
 
 /// Stretches shorter than this, metres, are no stretches.
 const SHORTEST: f64 = 1e-9;

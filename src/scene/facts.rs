@@ -91,12 +91,6 @@ impl Facts<'_> {
         self.scene().stirs_at_shore(spacing) && self.lets_stir(self.numerics.volume_feedback > 0.0)
     }
 
-    /// Whether water is to rest before a steep shore for longer than it was seen to.
-    pub fn rests_long_at_shore(&self) -> bool {
-        let rests = self.weakly && self.wave == 0.0 && self.scene().has_steep_shore();
-        rests && self.scene().frame().end_time > 100.0
-    }
-
     /// Whether its wave comes back to the wall before the run ends.
     pub fn hits_again(&self) -> bool {
         self.scene().hits_again() && !self.numerics.stop_when_settled

@@ -2,9 +2,13 @@
 
 use crate::boundary::plane::Plane;
 
-/// Rise along a stretch from which on it is a wall, whose ghosts ask how wet they are. On anything flatter
-/// the thinnest sheet of water is borne by whole ghosts, and a dry ghost has no water in reach.
+/// Rise along a steep stretch.
 pub const STEEP: f64 = 0.7;
+
+/// Rise along a stretch from which on it is a wall, whose ghosts ask how wet they are. On anything flatter
+/// the thinnest sheet of water is borne by whole ghosts, and a dry ghost has no water in reach. Where ghosts of slopes of
+/// 45 to 55 degrees asked, still water was stirred until energy came from nowhere.
+pub const WALL: f64 = 0.9;
 
 /// A straight stretch of a bed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -75,7 +79,7 @@ pub fn turn(before: &Stretch, after: &Stretch) -> f64 {
     libm::atan2(ax * by - ay * bx, ax * bx + ay * by)
 }
 
-/// Whether a steep face ends low at the bend from one stretch to the next; all in metres. It comes out of the still
+/// Whether a wall ends low at the bend from one stretch to the next; all in metres. It comes out of the still
 /// water there. The other stretch stands dry, less than a support radius above the water.
 pub fn ends_low(
     [before, after]: [&Stretch; 2],
@@ -83,6 +87,6 @@ pub fn ends_low(
     [spacing, support_radius]: [f64; 2],
 ) -> bool {
     let near = (-0.5 * spacing..support_radius).contains(&(after.from[1] - still_level));
-    let steep = [before, after].map(|stretch| stretch.rise() > STEEP);
+    let steep = [before, after].map(|stretch| stretch.rise() > WALL);
     near && steep[0] != steep[1] && turn(before, after) < 0.0
 }

@@ -18,12 +18,6 @@ pub(super) const BEDS: &[Limit] = &[
          from nowhere after 51 to 134 s",
     ),
     (
-        |case| case.rests_long_at_shore(),
-        "still water for more than 100 s before a bed steeper than 1:2 that comes out of it: for so long it \
-         rested at ten to twenty rows, but energy came from nowhere in two of 18 runs, on slopes of 1:1, after \
-         206 and 259 s",
-    ),
-    (
         |case| case.ends_low(),
         "a steep face that ends near the still water, from one and a half rows under it to a support radius above it: still \
          water there moved with up to 0.02 J/m after 8 s and up to 0.6 J/m after 60 s; energy came from nowhere in 5 of \

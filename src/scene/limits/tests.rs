@@ -57,7 +57,7 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     assert_eq!(count(steep, interior), 1);
     let still = format!("{steep}\nwave_height_ratio = 0\nend_time_s");
     assert_eq!(count(&format!("{still} = 90"), "boundary = \"normalized\""), 0);
-    assert_eq!(count(&format!("{still} = 110"), "boundary = \"normalized\""), 1);
+    assert_eq!(count(&format!("{still} = 300"), "boundary = \"normalized\""), 0);
     let low = |height: f64| {
         let bed = format!("[[0, 0], [1.5, 0], [1.5, {height}], [2.5, {height}]]");
         let still = "wave_height_ratio = 0\nend_time_s = 4\ntank_length_m = 2.5";
