@@ -13,9 +13,9 @@ pub(super) const BEDS: &[Limit] = &[
     ),
     (
         |case| case.stirs_at_shore(),
-        "a bed steeper than 1:2 that comes out of the water or ends less than one and a half rows under it, a shore from 1:5 on in \
-         a long run, or a gentler one in a very long one, without shifting = \"deep\" and volume_feedback = 0.002: still water began to turn beside it, and energy came \
-         from nowhere after 51 to 134 s",
+        "a bed steeper than 1:2 that comes out of the water or ends less than one and a half rows under it, a shore \
+         from 1:5 on in a long run, or a gentler one in a very long one, without shifting = \"deep\" and \
+         volume_feedback = 0.002: still water began to turn beside it, and energy came from nowhere after 51 to 134 s",
     ),
     (
         |case| case.ends_low(),
