@@ -44,12 +44,7 @@ impl Run {
         });
         logbook.level.feel(clock.time, (acceleration, at_wall), frame.acceleration());
         let runup = logbook.level.over_rest(lens, at_wall, inside);
-        // The water's edge on a slope is read low, at rest as later. On top of it and at a wall there it is not.
-        let runup = match bed.filter(|_| logbook.level.at_rest() <= toe) {
-            Some([_, crown]) if at_wall < crown => runup.min((crown - depth).max(0.0)),
-            Some(_) => at_wall - depth,
-            None => runup,
-        };
+        let runup = bed.map_or(runup, |bed| logbook.level.over_dry(runup, [at_wall, depth], bed));
         // Where the water is about to go over it is as high as the crest.
         let runup = top.map_or(runup, |top| runup.min(top.max(at_wall) - logbook.level.at_rest()));
         let reading = Reading {

@@ -137,6 +137,24 @@ impl WallLevel {
         }
         lens.at_wall([0, 1].map(|place| now[place] - at_rest[place]), self.slope)
     }
+
+    /// The runup over a bed that ends at the height of `toe` and is highest at that of `crown`, of what was read as runup
+    /// and the level at the wall over still water of this depth; metres. Where still water does not reach the wall
+    /// its edge on the slope is read low, at rest as later. On top of the bed and at a wall there it is not.
+    pub(super) fn over_dry(
+        &self,
+        runup: f64,
+        [at_wall, depth]: [f64; 2],
+        [toe, crown]: [f64; 2],
+    ) -> f64 {
+        if self.at_rest() > toe {
+            runup
+        } else if at_wall < crown {
+            runup.min((crown - depth).max(0.0))
+        } else {
+            at_wall - depth
+        }
+    }
 }
 
 #[cfg(test)]
