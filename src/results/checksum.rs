@@ -6,6 +6,9 @@ use sha2::{Digest, Sha256};
 
 use crate::math::digest::digits;
 
+/// Digits of a sum.
+const LENGTH: usize = 16;
+
 /// The start of SHA-256 over some bytes, 16 hex digits.
 pub(super) fn checksum(bytes: &[u8]) -> String {
     checksum_of([bytes])
@@ -37,6 +40,6 @@ pub(super) fn split<'a>(
     text: &'a [u8],
     [before, between]: [&str; 2],
 ) -> Option<(&'a [u8], &'a [u8])> {
-    let (sum, rest) = text.strip_prefix(before.as_bytes())?.split_at_checked(16)?;
+    let (sum, rest) = text.strip_prefix(before.as_bytes())?.split_at_checked(LENGTH)?;
     Some((sum, rest.strip_prefix(between.as_bytes())?))
 }

@@ -127,12 +127,12 @@ pub fn figures(data: &Loaded, key: &Key) -> Vec<Figure> {
     let of_file = StudyFile::of(data.manifest.as_ref());
     let over_beds = data.keys.iter().any(|key| key.name == BED)
         || of_file.is_some_and(|file| file.scene.contains_key(BED));
+    let (_, heading) = measure(key);
     let mut figures = Vec::new();
     for (words, mut group) in groups {
         group.sort_by(|a, b| a.0.total_cmp(&b.0));
         let stem = format!("swept-{}", key.name.replace('_', "-"));
         let name = file_name(&stem, &words);
-        let (_, heading) = measure(key);
         let along = (heading.as_str(), key.name.as_str());
         let Some(drawing) = drawing(along, &group, &WAVE_HEIGHT_RATIO, &waves) else { continue };
         let what = heading.split(", ").next().unwrap_or(&heading);
