@@ -52,9 +52,9 @@ impl Exchange {
         pressures.extend(ghosts.up(body).map(pressure));
     }
 
-    /// The mean pressure around the point where a ghost or a point of a face asks, `from`, moved to a point of
-    /// the face by the weight of the water between, Pa: p = p_m - ρ (g (y - y_m) + a (x - x_m)). 0 where no
-    /// water is near.
+    /// The water's pressure at a point of a face, Pa; 0 where no water is near. `from` is what has asked for the
+    /// mean around its mirror point: a ghost, or a point of a face. The weight of the water between moves that
+    /// mean to the face: p = p_m - ρ (g (y - y_m) + a (x - x_m)).
     pub(super) fn moved_to_face(
         &self,
         ghosts: &Ghosts,

@@ -85,7 +85,7 @@ impl Facts<'_> {
         self.weakly && self.numerics.boundary == choice
     }
 
-    /// Whether a bed that comes out of the water is left to stir it.
+    /// Whether a bed that comes out of the water, or ends just under it, is left to stir it.
     pub fn stirs_at_shore(&self) -> bool {
         let spacing = self.numerics.particle_spacing_m;
         self.scene().stirs_at_shore(spacing) && self.lets_stir(self.numerics.volume_feedback > 0.0)

@@ -138,9 +138,11 @@ impl WallLevel {
         lens.at_wall([0, 1].map(|place| now[place] - at_rest[place]), self.slope)
     }
 
-    /// The runup over a bed that ends at the height of `toe` and is highest at that of `crown`, of what was read as runup
-    /// and the level at the wall over still water of this depth; metres. Where still water does not reach the wall
-    /// its edge on the slope is read low, at rest as later. On top of the bed and at a wall there it is not.
+    /// The runup over a bed, from the runup as it was read and the level at the wall; all in metres. The still water
+    /// is `depth` deep. The bed ends at the height of `toe`, and is highest at that of `crown`.
+    ///
+    /// Where still water does not reach the wall its edge on the slope is read low, at rest as later. On top of
+    /// the bed and at a wall there it is not.
     pub(super) fn over_dry(
         &self,
         runup: f64,

@@ -2,7 +2,7 @@
 
 use crate::boundary::plane::Plane;
 
-/// Rise along a steep stretch.
+/// Rise along a stretch from which on no tongue of water lies on it.
 pub const STEEP: f64 = 0.7;
 
 /// Rise along a stretch from which on it is a wall, whose ghosts ask how wet they are. On anything flatter
