@@ -7,13 +7,13 @@ use super::legend::Entry;
 use super::look::Look;
 use super::marks::point;
 use super::sheet::{Drawing, PANELS};
-use super::{Figure, file_name, of_variant, printed, swept};
+use super::{Figure, SERIES, file_name, left_out, of_variant, printed, swept};
 use crate::quantities::Column;
 use crate::quantities::summary::{
     FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, MEASURED_WAVE_HEIGHT_RATIO, RUNUP_MAX,
     WAVE_HEIGHT_RATIO,
 };
-use crate::report::curves::variants;
+use crate::report::curves::{spread, variants};
 use crate::report::goda::{Setting, Settings};
 use crate::report::load::Loaded;
 use crate::report::number::significant;
@@ -39,16 +39,18 @@ const EXACT: [[f64; 3]; 7] = [
 /// The figure of every variant with fixed walls and waves.
 pub fn figures(data: &Loaded) -> Vec<Figure> {
     let (key, settings) = (swept::key(data), Settings::of(data));
-    let mut figures = Vec::new();
-    for variant in variants(&data.rows) {
+    let walls_of = |variant: String| {
         let (places, rows): (Vec<_>, Vec<_>) = walls(data, &variant).unzip();
         // A lone point makes no curve: it is worth a figure only beside the exact wave, and where
         // no other figure has it.
         let elsewhere = |row: &Row| key.is_some_and(|key| swept::holds(data, key, row));
         let lone = rows.len() == 1 && rows.iter().all(|row| !row.is_vertical() || elsewhere(row));
-        if rows.is_empty() || lone {
-            continue;
-        }
+        (!rows.is_empty() && !lone).then_some((variant, places, rows))
+    };
+    let groups: Vec<_> = variants(&data.rows).into_iter().filter_map(walls_of).collect();
+    let few = left_out(groups.len());
+    let mut figures = Vec::new();
+    for (variant, places, rows) in spread(&groups, SERIES) {
         let name = file_name("fixed-wall", &variant);
         let regular = rows.iter().any(|row| row.regular);
         let known = |row: &&Row| row.number(&MEASURED_WAVE_HEIGHT_RATIO).is_some();
@@ -64,7 +66,7 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
             title: format!("Runup and force at a fixed wall{}", of_variant(&variant)),
             caption: format!(
                 "Largest runup and force of the {of} on a fixed wall against the wave height \
-                 ({height}).{told}{bars}"
+                 ({height}).{told}{bars}{few}"
             ),
             name,
         });

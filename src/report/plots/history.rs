@@ -1,22 +1,25 @@
 //! Time histories at the wall: force, runup and displacement. With waves, one figure per wave
 //! height with a few curves spread over the stiffnesses (or over the masses, where there is one
-//! stiffness); without, one figure of a few cases.
+//! stiffness), or over what else was swept; without, one figure of a few cases.
+
+use std::collections::HashMap;
 
 use super::look::Look;
 use super::marks::said;
 use super::over_time::{self, Strip};
-use super::{Figure, file_name, of_variant};
+use super::{Figure, SERIES, file_name, left_out, of_variant};
 use crate::quantities::history::{DISPLACEMENT, FORCE, RUNUP};
 use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
-use crate::report::curves::{distinct, spread, variants};
+use crate::report::curves::{distinct, spread};
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::row::Row;
 use crate::report::series::History;
+use crate::report::spoken::all_spoken;
 
 const CURVES: usize = 6;
-/// Wave heights with a figure, of each variant.
+/// Wave heights with figures.
 const WAVES: usize = 12;
 
 /// One case's history with its words in the legend.
@@ -26,39 +29,53 @@ struct Line {
     history: History,
 }
 
-/// The figures of every wave height and variant that has histories, and of cases without a wave.
+/// The figures of wave heights, and of cases without a wave.
 pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut figures = Vec::new();
     let waves = distinct(data.finished(), &WAVE_HEIGHT_RATIO);
     let digits = number::digits_apart(waves.iter().copied());
-    let left_out = left_out(waves.len());
-    for variant in variants(&data.rows) {
-        for wave in spread(&waves, WAVES) {
-            let own = data.of_variant(&variant);
-            let rows: Vec<_> =
-                own.filter(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(wave)).collect();
-            let (chosen, common, picked) = choose(&rows);
+    let few_waves = few_waves(waves.len());
+    for wave in spread(&waves, WAVES) {
+        let rows = data.finished().filter(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(wave));
+        let groups = groups(rows.collect());
+        let few_groups = left_out(groups.len());
+        let wave = number::plain_to(wave, digits);
+        for rows in spread(&groups, SERIES) {
+            let gathers = rows.iter().any(|row| row.variant != rows[0].variant);
+            let variant = if gathers { "" } else { &rows[0].variant };
+            let (chosen, common, picked) = if gathers { gather(&rows) } else { choose(&rows) };
             let lines = read(data, chosen)?;
             if lines.is_empty() {
                 continue;
             }
-            let wave = number::plain_to(wave, digits);
-            let name = file_name(&format!("history-wave-{wave}"), &variant);
             let drop = dropped(lines.len(), rows.len(), "of this wave height", &picked);
             figures.push(Figure {
                 drawing: over_time::strips(&strips(&lines)),
                 caption: format!(
                     "Force (unfiltered){} at the wall{common}, over the time since the \
-                     paddle's start. Spikes of one or two samples may leave the panel.{drop}{left_out}",
+                     paddle's start. Spikes of one or two samples may leave the panel.\
+                     {drop}{few_groups}{few_waves}",
                     if moves(&lines) { ", runup and displacement" } else { " and runup" }
                 ),
-                title: format!("Histories, H/h = {wave}{}", of_variant(&variant)),
-                name,
+                title: format!("Histories, H/h = {wave}{}", of_variant(variant)),
+                name: file_name(&format!("history-wave-{wave}"), variant),
             });
         }
     }
     figures.extend(without_wave(data)?);
     Ok(figures)
+}
+
+/// Cases of one wave that share a figure: those of a variant, or all where each is a variant of its own.
+fn groups(rows: Vec<&Row>) -> Vec<Vec<&Row>> {
+    let mut places: HashMap<&str, usize> = HashMap::new();
+    let mut groups: Vec<Vec<&Row>> = Vec::new();
+    for row in &rows {
+        let place = *places.entry(&row.variant).or_insert(groups.len());
+        groups.resize_with(groups.len().max(place + 1), Vec::new);
+        groups[place].push(row);
+    }
+    if groups.len() == rows.len() { vec![rows] } else { groups }
 }
 
 /// The figure of scenes that have no paddle: a still tank, a dam break, a flow with an exact answer.
@@ -86,7 +103,7 @@ fn without_wave(data: &Loaded) -> Result<Option<Figure>, ReportError> {
 }
 
 /// The end of a caption: which waves have a figure, where not all of them do.
-fn left_out(waves: usize) -> String {
+fn few_waves(waves: usize) -> String {
     if waves <= WAVES {
         return String::new();
     }
@@ -112,6 +129,20 @@ fn read(data: &Loaded, chosen: Vec<(String, &Row)>) -> Result<Vec<Line>, ReportE
         }
     }
     Ok(lines)
+}
+
+/// At most [`CURVES`] cases that are told apart by their variants, with the same as [`choose`].
+fn gather<'a>(rows: &[&'a Row]) -> (Vec<(String, &'a Row)>, String, String) {
+    let wall = |row: &Row| row.place_in_words().split_off(1).join(", ");
+    let first = wall(rows[0]);
+    let alike = rows.iter().all(|row| wall(row) == first);
+    let label = |row: &'a Row| {
+        let words = [if alike { String::new() } else { wall(row) }, all_spoken(&row.variant)];
+        (words.into_iter().filter(|word| !word.is_empty()).collect::<Vec<_>>().join(", "), row)
+    };
+    let common = if alike && !first.is_empty() { format!(", {first}") } else { String::new() };
+    let chosen = spread(rows, CURVES).into_iter().map(label).collect();
+    (chosen, common, "spread over their order".to_owned())
 }
 
 /// At most [`CURVES`] cases and their labels, what they have in common, and how they were picked.

@@ -73,7 +73,8 @@ pub(super) enum Place {
     Alone,
 }
 
-/// Series in a panel, and panels of one figure, at most: more than that nobody tells apart.
+/// Series in a panel, panels of one figure, and figures that differ in other keys than the wave, at most: more than
+/// that nobody tells apart.
 const SERIES: usize = 6;
 
 /// The responses that are drawn: what the page's first answer is about comes first.
@@ -126,6 +127,16 @@ pub fn all(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
 /// The end of a title that tells a variant.
 fn of_variant(variant: &str) -> String {
     if variant.is_empty() { String::new() } else { format!(" ({})", all_spoken(variant)) }
+}
+
+/// The end of a caption: how many combinations of what else was swept have a figure, where not all do.
+fn left_out(combinations: usize) -> String {
+    if combinations <= SERIES {
+        return String::new();
+    }
+    format!(
+        " Of {combinations} combinations of other keys {SERIES} have such a figure, spread evenly."
+    )
 }
 
 #[cfg(test)]

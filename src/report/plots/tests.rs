@@ -70,6 +70,21 @@ fn many_waves_have_few_histories_and_near_ones_names_of_their_own() {
     assert_eq!(near.collect::<Vec<_>>(), names);
 }
 
+/// The story: of each of 36 crests there was a figure of two waves at its wall, beside the one over all crests.
+#[test]
+fn fixed_walls_that_differ_in_other_keys_have_few_figures() {
+    let (_directory, mut data) = fixture::read(fixture::fixed());
+    let rows: Vec<_> = (0..9).flat_map(|_| data.rows[..2].to_vec()).collect();
+    data.rows = rows;
+    for (place, row) in data.rows.iter_mut().enumerate() {
+        row.variant = format!("crest_freeboard_m = {}", place / 2).into();
+    }
+    let figures = fixed_wall::figures(&data);
+    assert_eq!((figures.len(), &*figures[5].name), (6, "fixed-wall-crest-freeboard-m-8"));
+    let told = "Of 9 combinations of other keys 6 have such a figure, spread evenly.";
+    assert!(figures[0].caption.ends_with(told), "{}", figures[0].caption);
+}
+
 /// The story: a study of one stiffness had three response figures of a lone point in each panel.
 #[test]
 fn one_stiffness_makes_no_curve() {

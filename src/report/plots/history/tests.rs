@@ -45,6 +45,31 @@ fn caissons_have_histories_too() {
     assert!(caption.ends_with(told), "{caption}");
 }
 
+/// The story: a sweep over 36 crests of one wave made a page of 36 figures, with a line in each.
+#[test]
+fn cases_of_a_wave_that_differ_in_other_keys_share_a_figure() {
+    let (_directory, mut data) = fixture::read(fixture::movable(&[0.3, 0.5], &[10.0], &[50.0; 21]));
+    let mut crests = 0..;
+    data.rows.iter_mut().for_each(|row| {
+        row.variant = format!("crest_freeboard_m = {}", crests.next().unwrap() % 21).into();
+    });
+    let both = figures(&data).unwrap();
+    let names: Vec<_> = both.iter().map(|figure| &*figure.name).collect();
+    assert_eq!(names, ["history-wave-0.3", "history-wave-0.5"]);
+    let svg = both[0].svg();
+    assert!(svg.contains("crest freeboard = 0 m") && svg.contains("crest freeboard = 20 m"));
+    let caption = &both[0].caption;
+    assert!(caption.contains("at the wall, k = 10 N/m, m = 50 kg/m, over"), "{caption}");
+    let told = "Shown are 6 of 21 finished cases of this wave height: spread over their order.";
+    assert!(caption.ends_with(told), "{caption}");
+    // Of two walls over each crest a figure tells one crest.
+    data.rows.iter_mut().for_each(|row| *row = row.clone().with(&WAVE_HEIGHT_RATIO, 0.3));
+    let each = figures(&data).unwrap();
+    assert_eq!((each.len(), &*each[0].name), (6, "history-wave-0.3-crest-freeboard-m-0"));
+    let told = "Of 21 combinations of other keys 6 have such a figure, spread evenly.";
+    assert!(each[0].caption.ends_with(told), "{}", each[0].caption);
+}
+
 #[test]
 fn scenes_without_a_wave_have_one_figure() {
     let figures = drawn(&fixture::dam_breaks(1));
