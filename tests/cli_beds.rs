@@ -29,4 +29,5 @@ fn beds_and_flags_pick_a_case_and_are_told_whole() {
     let bed = "bed = [[0, 0], [0.9, 0], [1.2, 0.02]], corrected gradients = true";
     assert!(told.contains(bed), "{told}");
     assert!(told.contains("all at H/h = 0.5\n"), "no part of a bed: {told}");
+    assert!(told.contains("R* of A") && !told.contains("X*"), "a fixed wall has none: {told}");
 }

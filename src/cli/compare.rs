@@ -192,14 +192,18 @@ fn cases(comparison: &Comparison, all: bool) -> String {
     };
     pairs.sort_by(|a, b| size(b).total_cmp(&size(a)));
     let (shown, more) = first(&pairs, ROWS, all);
-    let heads = COMPARED.iter().flat_map(|(column, _)| {
+    // No fixed wall has a displacement: what no pair has is no column.
+    let has = |at: &usize| pairs.iter().any(|pair| pair.differences[*at].is_some());
+    let columns: Vec<usize> = (0..COMPARED.len()).filter(has).collect();
+    let heads = columns.iter().flat_map(|&at| {
+        let (column, _) = COMPARED[at];
         let symbol = column.symbol.trim_start_matches("first ").trim_end_matches(" max");
         [format!("{symbol} of A"), format!("B - A, {}", unit(column.unit))]
     });
     let mut table = Table::new(["case".to_owned()].into_iter().chain(heads));
     for pair in shown {
-        let cells = pair.differences.iter().flat_map(|one| {
-            let Some(one) = one else { return ["-".to_owned(), "-".to_owned()] };
+        let cells = columns.iter().flat_map(|&at| {
+            let Some(one) = &pair.differences[at] else { return ["-".to_owned(), "-".to_owned()] };
             let mark = if one.is_within() == Some(false) { " !" } else { "" };
             let size = one
                 .size()
