@@ -99,7 +99,7 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
     let line = |name: &str, value: String| format!("{name:<19} {value}\n");
     text.push('\n');
     for on in &physics {
-        text.push_str(&line(&on.label, on.text()));
+        text.push_str(&line(&on.label, on.text(&study.file_text)));
     }
     text.push_str(&line("cases", study.cases.len().to_string()));
     if let Some(asked) = &study.refine {

@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use toml::{Table, Value};
 
 use crate::keys::{Key, Section, Shared};
+use crate::math::decimal::significant;
 use crate::scene::{Kind, Numerics, Scene, numerics_keys, scene_keys};
 use crate::study::{Case, Study};
 
@@ -25,16 +26,27 @@ pub(super) struct Line {
 const CHUNK: usize = 1000;
 /// Values of a key that are written out.
 const MOST: usize = 8;
+/// Digits that numbers have as people write them, at most, and as the program tells those that it derives.
+const WRITTEN: usize = 9;
+const TOLD: usize = 4;
 
 impl Line {
-    /// The values, or the first ones of many.
-    pub(super) fn text(&self) -> String {
-        let mut text = self.values[..self.values.len().min(MOST)].join(", ");
+    /// The values, or the first ones of many, for who knows what the file says.
+    pub(super) fn text(&self, file: &str) -> String {
+        let first = self.values.iter().take(MOST).map(|value| brief(value, file));
+        let mut text = first.collect::<Vec<_>>().join(", ");
         if self.values.len() > MOST {
             text += &format!(", ... ({} values)", self.values.len());
         }
         if self.unit.is_empty() { text } else { format!("{text} {}", self.unit) }
     }
+}
+
+/// A value with few digits, where it is neither short nor in the file.
+fn brief(value: &str, file: &str) -> String {
+    let derived = |number: &f64| significant(*number, WRITTEN) != *number && !file.contains(value);
+    let number = value.parse().ok().filter(derived);
+    number.map_or_else(|| value.to_owned(), |number| significant(number, TOLD).to_string())
 }
 
 /// What is on, key by key in the order of their declarations.
@@ -139,7 +151,7 @@ mod tests {
     fn value(text: &str, name: &str) -> Option<String> {
         let text = format!("name = \"a\"\n{text}");
         let lines = physics(&Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap());
-        lines.into_iter().find(|line| line.name == name).map(|line| line.text())
+        lines.into_iter().find(|line| line.name == name).map(|line| line.text(&text))
     }
 
     #[test]
@@ -156,6 +168,16 @@ mod tests {
         assert_eq!(value(on, "stop_when_settled"), some("yes"));
         assert_eq!(value(on, "precision"), some("f32"));
         assert_eq!(value(on, "probes"), some("P1"));
+    }
+
+    /// The story: the relaxation time of a beach stood there as `5.711372491708257 s`.
+    #[test]
+    fn a_derived_number_has_few_digits_and_a_written_one_all() {
+        let bed = "[scene]\nbed = [[0, 0], [2.25, 0], [4, 0.35]]\ntank_length_m = 4\n";
+        let told = |more: &str| value(&format!("{bed}{more}"), "relaxation_time_s").unwrap();
+        assert_eq!(told(""), "5.711 s");
+        let written = "[numerics]\nrelaxation_time_s = 5.711372491708257";
+        assert_eq!(told(written), "5.711372491708257 s");
     }
 
     #[test]
