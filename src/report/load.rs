@@ -48,7 +48,10 @@ impl Loaded {
         let file = StudyFile::of(manifest.as_ref());
         let angle = file.as_ref().and_then(|file| number(file.scene.get("wall_angle_deg")?));
         let paddle = file.as_ref().and_then(|file| file.scene.get("paddle")?.as_str());
+        let wall = file.as_ref().and_then(|file| file.scene.get("wall")?.as_str());
+        let wall: Option<Arc<str>> = wall.map(Arc::from);
         for row in &mut rows {
+            row.wall.clone_from(&wall);
             row.wall_angle_deg = row.wall_angle_deg.or(angle);
             row.regular |= paddle == Some(REGULAR);
         }

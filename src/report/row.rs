@@ -49,6 +49,8 @@ pub struct Row {
     pub wall_angle_deg: Option<f64>,
     /// The paddle makes regular waves.
     pub regular: bool,
+    /// What `wall` says in the study's file, where it was not swept.
+    pub wall: Option<Arc<str>>,
     /// Which of several runs with the same wave and wall this is, such as `boundary = sfdi`;
     /// empty where the sweep holds only one.
     pub variant: Arc<str>,
@@ -101,8 +103,7 @@ impl Row {
             ends.push(text.len());
         }
         let (header, text, ends) = (header.clone(), text.into(), Ends::of(&ends));
-        let (wall_angle_deg, variant) = (None, Arc::default());
-        let row = Row { header, text, ends, wall_angle_deg, regular: false, variant };
+        let row = Row { header, text, ends, ..Row::default() };
         let wall_angle_deg = row.named("wall_angle_deg").parse().ok();
         Ok(Row { wall_angle_deg, regular: row.named("paddle") == REGULAR, ..row })
     }
@@ -172,9 +173,15 @@ impl Row {
         [&SPRING_STIFFNESS, &SEAWALL_MASS].iter().all(|column| self.number(column).is_none())
     }
 
-    /// The wall slides on its bed: it has a mass and no spring, and so no stop.
-    pub fn is_caisson(&self) -> bool {
+    /// The wall has a mass and no spring, and so no stop.
+    pub fn is_springless(&self) -> bool {
         self.number(&SEAWALL_MASS).is_some() && self.number(&SPRING_STIFFNESS).is_none()
+    }
+
+    /// What kind of wall one without a spring is: a caisson, where no file says.
+    pub fn kind(&self) -> &str {
+        let swept = Some(self.named(WALL)).filter(|wall| !wall.is_empty());
+        swept.or(self.wall.as_deref()).unwrap_or("caisson")
     }
 
     /// The wall comes back onto its stop, a load that no maximum counts.
@@ -224,9 +231,9 @@ impl Row {
         let own = (column.name.to_owned(), value.to_string());
         let cells: Vec<_> = others.chain([own]).collect();
         let header = Arc::new(Header::new(cells.iter().map(|(name, _)| name.as_str())));
-        let Row { wall_angle_deg, regular, variant, .. } = self;
+        let Row { wall_angle_deg, regular, wall, variant, .. } = self;
         let row = Row::new(&header, cells.iter().map(|(_, cell)| cell.as_str())).unwrap();
-        Row { wall_angle_deg, regular, variant, ..row }
+        Row { wall_angle_deg, regular, wall, variant, ..row }
     }
 }
 

@@ -54,3 +54,18 @@ fn what_an_interrupted_sweep_has_not_come_to_is_left() {
     assert_eq!(loaded(json!({ "cases": 5 })).left(), 0);
     assert_eq!(loaded(json!({})).left(), 0);
 }
+
+/// The story: any wall with a mass and without a spring was called a caisson.
+#[test]
+fn a_wall_without_a_spring_is_what_the_file_calls_it() {
+    let directory = fixture::sweep();
+    let kind = || Loaded::read(directory.path()).unwrap().rows[0].kind().to_owned();
+    assert_eq!(kind(), "caisson", "no file says");
+    let manifest = json!({ "sweep_file": "[scene]\nwall = \"pontoon\"" });
+    fs::write(directory.path().join("manifest.json"), manifest.to_string()).unwrap();
+    assert_eq!(kind(), "pontoon");
+    let (summary, swept) = (directory.path().join("summary.csv"), "wall\n");
+    let text = fs::read_to_string(&summary).unwrap().replacen("colour\n", swept, 1);
+    fs::write(&summary, text).unwrap();
+    assert_eq!(kind(), "blue", "a swept key");
+}

@@ -147,9 +147,9 @@ fn gather<'a>(rows: &[&'a Row]) -> (Vec<(String, &'a Row)>, String, String) {
 
 /// At most [`CURVES`] cases and their labels, what they have in common, and how they were picked.
 fn choose<'a>(rows: &[&'a Row]) -> (Vec<(String, &'a Row)>, String, String) {
-    let caissons = || rows.iter().copied().filter(|row| row.is_caisson());
-    let movable = || rows.iter().copied().filter(|row| !row.is_fixed() && !row.is_caisson());
-    let room = CURVES - usize::from(caissons().next().is_some());
+    let springless = || rows.iter().copied().filter(|row| row.is_springless());
+    let movable = || rows.iter().copied().filter(|row| !row.is_fixed() && !row.is_springless());
+    let room = CURVES - usize::from(springless().next().is_some());
     let stiffnesses = distinct(movable(), &SPRING_STIFFNESS);
     let masses = distinct(movable(), &SEAWALL_MASS);
     let middle = masses.get(masses.len().saturating_sub(1) / 2);
@@ -173,16 +173,17 @@ fn choose<'a>(rows: &[&'a Row]) -> (Vec<(String, &'a Row)>, String, String) {
             picked.push_str(&format!(" at one of {} masses", masses.len()));
         }
     }
-    let weights = distinct(caissons(), &SEAWALL_MASS);
+    let kind = springless().next().map_or("", Row::kind);
+    let weights = distinct(springless(), &SEAWALL_MASS);
     let drawn = spread(&weights, CURVES - chosen.len());
     for &mass in &drawn {
-        let label = format!("caisson, {}", said(caissons(), &SEAWALL_MASS, mass));
+        let label = format!("{kind}, {}", said(springless(), &SEAWALL_MASS, mass));
         let is_it = |row: &&Row| row.number(&SEAWALL_MASS) == Some(mass);
-        chosen.extend(caissons().find(is_it).map(|row| (label, row)));
+        chosen.extend(springless().find(is_it).map(|row| (label, row)));
     }
     if !drawn.is_empty() {
         let before = if picked.is_empty() { "" } else { ", " };
-        picked.push_str(&format!("{before}{} of {} caissons", drawn.len(), weights.len()));
+        picked.push_str(&format!("{before}{} of {} {kind}s", drawn.len(), weights.len()));
     }
     let fixed = rows.iter().copied().find(|row| row.is_fixed());
     if fixed.is_some() && !picked.is_empty() {

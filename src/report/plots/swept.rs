@@ -64,7 +64,7 @@ pub fn caissons(data: &Loaded, elsewhere: Option<&Key>) -> Vec<Figure> {
     let drawn = elsewhere.map(|key| cases(data, key)).unwrap_or_default();
     let drawn: HashSet<_> = drawn.into_iter().map(|(_, row)| row.id()).collect();
     let of_variant = |variant: String| {
-        let own = data.of_variant(&variant).filter(|row| row.is_caisson());
+        let own = data.of_variant(&variant).filter(|row| row.is_springless());
         let own = own.filter(|row| !drawn.contains(row.id()));
         let mut group: Vec<Case> =
             own.filter_map(|row| Some((row.number(&WAVE_HEIGHT_RATIO)?, row))).collect();
@@ -77,10 +77,14 @@ pub fn caissons(data: &Loaded, elsewhere: Option<&Key>) -> Vec<Figure> {
         let shown = spread(&masses, SERIES);
         let title = WAVE_HEIGHT_RATIO.heading();
         let drawing = drawing((&title, WAVE_HEIGHT_RATIO.name), &group, &SEAWALL_MASS, &shown)?;
-        let of = format!("the nominal wave height {title}; one curve per mass of a caisson.");
+        let kind = group[0].1.kind();
+        let of = format!("the nominal wave height {title}; one curve per mass of a {kind}.");
         let caption = caption(&of, &group) + &picked(shown.len(), masses.len(), "masses");
         let name = file_name("caissons-against-wave", &variant);
-        let title = format!("Caissons against the nominal wave height{}", of_variant(&variant));
+        let title = format!(
+            "Responses of a {kind} against the nominal wave height{}",
+            of_variant(&variant)
+        );
         Some(Figure { drawing, title, caption, name })
     };
     variants(&data.rows).into_iter().filter_map(of_variant).collect()

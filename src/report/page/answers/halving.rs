@@ -79,7 +79,7 @@ impl<'a> Group<'a> {
 
     /// Those of them that have springs.
     fn springs(&self) -> impl Iterator<Item = &'a Row> {
-        self.halved().filter(|row| !row.is_caisson())
+        self.halved().filter(|row| !row.is_springless())
     }
 
     fn in_full(&self) -> String {
@@ -138,10 +138,11 @@ impl<'a> Group<'a> {
             }
         };
         let springs = walls.iter().map(|(words, of)| format!("{words} with {}", masses(of)));
-        let caissons = distinct(self.halved().filter(|row| row.is_caisson()), &SEAWALL_MASS);
-        let caissons =
-            (!caissons.is_empty()).then(|| format!("a caisson of {}", masses(&caissons)));
-        springs.chain(caissons).collect()
+        let springless = || self.halved().filter(|row| row.is_springless());
+        let others = springless().next().map(|row| {
+            format!("a {} of {}", row.kind(), masses(&distinct(springless(), &SEAWALL_MASS)))
+        });
+        springs.chain(others).collect()
     }
 }
 

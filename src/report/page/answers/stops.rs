@@ -7,7 +7,7 @@ use crate::report::row::Row;
 
 /// In how many cases the wall hits its stop, and where the load of that is; `None` where none does.
 pub fn hits(data: &Loaded) -> Option<String> {
-    let has_stop = |row: &&Row| row.number(&STOPS).is_some() && !row.is_caisson();
+    let has_stop = |row: &&Row| row.number(&STOPS).is_some() && !row.is_springless();
     let all = data.finished().filter(has_stop).count();
     let hit = data.finished().filter(|row| row.hits_stop());
     let often = match (hit.count(), all) {

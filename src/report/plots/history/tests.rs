@@ -43,6 +43,9 @@ fn caissons_have_histories_too() {
                 caissons, and the fixed wall.";
     let caption = figures(&data).unwrap().remove(0).caption;
     assert!(caption.ends_with(told), "{caption}");
+    data.rows.iter_mut().for_each(|row| row.wall = Some("pontoon".into()));
+    let figure = figures(&data).unwrap().remove(0);
+    assert!(figure.caption.contains("2 of 3 pontoons") && figure.svg().contains("pontoon, m = "));
 }
 
 /// The story: a sweep over 36 crests of one wave made a page of 36 figures, with a line in each.
