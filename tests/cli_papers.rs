@@ -66,6 +66,8 @@ fn a_figure_of_liang_is_made_and_made_again_without_a_run() {
     let text = in_words.out;
     let table = text.split("✗: not met").next().unwrap();
     assert!(table.lines().all(|line| line.chars().count() <= 80), "{table}");
+    let time = table.lines().find(|line| line.contains("t of first R*")).unwrap();
+    assert_eq!(time.matches(" s ").count(), 3, "printed, and computed with either factor: {time}");
 
     let other = ended(2, &[&figure[..], &["--set", "numerics.particle_spacing_m=0.02"]].concat());
     assert!(other.err.contains("single_wall"), "{}", other.err);

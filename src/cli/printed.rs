@@ -46,11 +46,18 @@ fn numbers(made: &Reproduced) -> String {
         .zip(cases)
         .map(|(row, case)| {
             let cells = [source(row), row[1].clone(), case, row[3].clone()].into_iter();
-            let pairs = row[4..].chunks(2).map(|pair| pair.join(" ").trim().to_owned());
+            let pairs = row[4..].chunks(2).map(|pair| beside(&pair[0], &pair[1]));
             cells.chain(pairs).collect()
         })
         .collect();
     fitting(&heads, &lines) + "✗: not met\n"
+}
+
+/// A value and what it differs by, whose unit stands once where it is the same.
+fn beside(value: &str, difference: &str) -> String {
+    let unit = value.rfind(' ').map_or("", |at| &value[at..]);
+    let difference = if unit.is_empty() { difference } else { &difference.replacen(unit, "", 1) };
+    format!("{value} {difference}").trim().to_owned()
 }
 
 /// A table of numbers. Where it is too wide, what a number is stands in a line of its own over its values.
@@ -83,6 +90,14 @@ fn fitting(heads: &[String], lines: &[Vec<String>]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_unit_stands_once() {
+        assert_eq!(beside("2.34 s", "+0.1 s ✗"), "2.34 s +0.1 ✗");
+        assert_eq!(beside("3.27 m", "+10.6 % ✗"), "3.27 m +10.6 % ✗");
+        assert_eq!(beside("2.30", "+1.2 %"), "2.30 +1.2 %");
+        assert_eq!(beside("", ""), "");
+    }
 
     #[test]
     fn a_table_that_is_too_wide_gives_each_number_a_line_of_its_own() {

@@ -191,12 +191,12 @@ fn unit(printed: &Printed) -> &str {
 }
 
 fn computed(found: &Found) -> String {
-    let value = number::significant(found.computed, 4);
+    let value = match found.error {
+        Some(error) => number::with_error(found.computed, error),
+        None => number::significant(found.computed, 4).to_string(),
+    };
     let bound = if found.bound { "≥ " } else { "" };
-    match found.error {
-        Some(error) => format!("{bound}{}", number::with_error(found.computed, error)),
-        None => format!("{bound}{value}"),
-    }
+    format!("{bound}{value} {}", unit(found.printed)).trim_end().to_owned()
 }
 
 fn difference(found: &Found) -> String {
