@@ -1,5 +1,6 @@
 //! A bed that is not level: a line of straight stretches under the water.
 
+mod still_water;
 mod stretch;
 
 use serde::{Deserialize, Deserializer, Serialize, de};
@@ -109,12 +110,6 @@ impl Profile {
         trenches.map(|of| of[1].length).min_by(f64::total_cmp)
     }
 
-    /// Whether one of its faces comes out of the still water and ends low above it; all in metres.
-    pub fn ends_low(&self, still_level: f64, reach: [f64; 2]) -> bool {
-        let stretches: Vec<_> = self.stretches().collect();
-        stretches.windows(2).any(|of| ends_low([&of[0], &of[1]], still_level, reach))
-    }
-
     /// Its lowest and highest place, metres.
     pub fn range(&self) -> [f64; 2] {
         let heights = self.0.iter().map(|point| point[1]);
@@ -165,26 +160,6 @@ impl Profile {
     /// The stretches, as planes with their ends.
     pub fn stretches(&self) -> impl Iterator<Item = Stretch> + '_ {
         self.0.windows(2).map(|pair| Stretch::between(pair[0], pair[1]))
-    }
-
-    /// Whether still water of this depth covers a stretch that rises or falls by more than so much along its length.
-    pub fn is_steep_under(&self, depth: f64, rise: f64) -> bool {
-        self.stretches().any(|stretch| stretch.rise() > rise && stretch.heights()[1] < depth)
-    }
-
-    /// Whether such a stretch comes out of still water of this depth.
-    pub fn is_steep_at(&self, depth: f64, rise: f64) -> bool {
-        let through = |stretch: &Stretch| {
-            let [low, high] = stretch.heights();
-            low < depth && high >= depth
-        };
-        self.stretches().any(|stretch| stretch.rise() > rise && through(&stretch))
-    }
-
-    /// Whether such a stretch ends in still water of this depth, so near to its surface; both in metres.
-    pub fn is_steep_just_under(&self, depth: f64, rise: f64, near: f64) -> bool {
-        let ends = |stretch: &Stretch| (depth - near..depth).contains(&stretch.heights()[1]);
-        self.stretches().any(|stretch| stretch.rise() > rise && ends(&stretch))
     }
 
     /// The face of the bed nearest to a place in the water, where it is so near, metres.

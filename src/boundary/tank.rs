@@ -41,8 +41,7 @@ pub fn tank_ghosts(layout: &TankLayout, profile: Option<&Profile>, strip_width: 
         vec![bed_sites(layout, &bed), wall(layout, left, floor), right_wall(layout, right, last)];
     bodies.extend(back_to_end(layout, right));
     let crest = layout.crest.map(|shape| Crest::of(shape, layout, right, Some(profile)));
-    let [[_, toe], [_, top]] = [profile.end(), profile.range()];
-    let lagoon = toe < layout.still_level && layout.still_level <= top;
+    let lagoon = profile.has_lagoon(layout.still_level);
     Ghosts { profile: Some(profile.clone()), lagoon, crest, ..Ghosts::new(&bodies, strip_width) }
 }
 

@@ -146,10 +146,9 @@ impl Scene {
 
     /// Whether a wave may come up to a wall that stands dry, as far as twice its height, and hits it all at once.
     pub(super) fn hits_dry_wall(&self) -> bool {
-        self.seawall().is_some_and(|scene| {
+        self.seawall().zip(self.bed()).is_some_and(|(scene, bed)| {
             let depth = scene.still_water_depth_m;
-            let foot = scene.uneven_bed().map_or(0.0, |bed| bed.end()[1]);
-            (depth..depth * (1.0 + 2.0 * scene.wave_height_ratio)).contains(&foot)
+            bed.ends_dry(depth, depth * (1.0 + 2.0 * scene.wave_height_ratio))
         })
     }
 

@@ -17,6 +17,17 @@ fn heights_ends_and_areas_are_those_of_the_line() {
 }
 
 #[test]
+fn a_bed_ends_under_still_water_or_dry_or_in_a_lagoon() {
+    let bed = beach();
+    assert!(bed.ends_dry(0.7, 0.71) && !bed.ends_dry(0.7, 0.7) && !bed.ends_dry(0.71, 0.9));
+    let bar = vec![[0.0, 0.0], [1.0, 0.0], [2.0, 0.7], [3.0, 0.3]];
+    let bar = Profile::checked(bar).unwrap();
+    let lagoons = [0.3, 0.31, 0.7, 0.71].map(|depth| bar.has_lagoon(depth));
+    assert_eq!(lagoons, [false, true, true, false]);
+    assert!(![0.5, 0.7, 0.8].iter().any(|&depth| bed.has_lagoon(depth)));
+}
+
+#[test]
 fn no_place_between_is_higher_than_the_highest() {
     let bed = beach();
     for (left, right, highest) in

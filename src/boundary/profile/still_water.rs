@@ -1,0 +1,43 @@
+//! How a bed lies to still water: which of its stretches that covers, and which come out of it.
+
+use super::Profile;
+use super::stretch::{Stretch, ends_low};
+
+impl Profile {
+    /// Whether still water of this depth covers a stretch that rises or falls by more than so much along its length.
+    pub fn is_steep_under(&self, depth: f64, rise: f64) -> bool {
+        self.stretches().any(|stretch| stretch.rise() > rise && stretch.heights()[1] < depth)
+    }
+
+    /// Whether such a stretch comes out of still water of this depth.
+    pub fn is_steep_at(&self, depth: f64, rise: f64) -> bool {
+        let through = |stretch: &Stretch| {
+            let [low, high] = stretch.heights();
+            low < depth && high >= depth
+        };
+        self.stretches().any(|stretch| stretch.rise() > rise && through(&stretch))
+    }
+
+    /// Whether such a stretch ends in still water of this depth, so near to its surface; both in metres.
+    pub fn is_steep_just_under(&self, depth: f64, rise: f64, near: f64) -> bool {
+        let ends = |stretch: &Stretch| (depth - near..depth).contains(&stretch.heights()[1]);
+        self.stretches().any(|stretch| stretch.rise() > rise && ends(&stretch))
+    }
+
+    /// Whether one of its faces comes out of still water of this depth and ends low above it; all in metres.
+    pub fn ends_low(&self, depth: f64, reach: [f64; 2]) -> bool {
+        let stretches: Vec<_> = self.stretches().collect();
+        stretches.windows(2).any(|of| ends_low([&of[0], &of[1]], depth, reach))
+    }
+
+    /// Whether it ends dry, above still water of this depth and below a level; both in metres.
+    pub fn ends_dry(&self, depth: f64, below: f64) -> bool {
+        (depth..below).contains(&self.end()[1])
+    }
+
+    /// Whether still water of this depth stands at its end, behind a place that comes out of it.
+    pub fn has_lagoon(&self, depth: f64) -> bool {
+        let [_, top] = self.range();
+        self.end()[1] < depth && depth <= top
+    }
+}
