@@ -28,6 +28,8 @@ pub(super) struct Run {
     pub(super) attempt: Attempt,
     pub(super) watch: Option<Box<dyn Watch>>,
     pub(super) lens: Lens,
+    /// Where the bed ends and where it is highest, metres above its beginning, where it is not level.
+    pub(super) bed: Option<[f64; 2]>,
     pub(super) films: u64,
     pub(super) time_step: f64,
     pub(super) bounds: HealthBounds,
@@ -48,6 +50,7 @@ impl Run {
         let mut tank = config.scene.build(&config.numerics, path);
         tank.water.take_on(team);
         let frame = tank.frame;
+        let profile = tank.water.walls().profile.as_ref();
         let start = WaterEnergy::of(tank.water.as_ref(), frame.gravity);
         Run {
             time_step: frame.time_step(&config.numerics),
@@ -56,6 +59,7 @@ impl Run {
             logbook: Logbook::open(config, &tank, start),
             watch: watch::of(config, &tank),
             lens: Lens::of(tank.water.kernel()),
+            bed: profile.map(|bed| [bed.end()[1], bed.range()[1]]),
             films: 0,
             near: Near::default(),
             crowding: Crowding::default(),

@@ -26,12 +26,11 @@ impl Run {
     /// Takes a step's reading, and the wave gauge's where one is due, before the wall moves: the force
     /// on it is given in N per metre of width, the acceleration by which it answers in m/s².
     pub(super) fn read(&mut self, (force, acceleration): (f64, f64)) -> Reading {
-        let Run { tank, logbook, clock, lens, .. } = self;
+        let Run { tank, logbook, clock, lens, bed, .. } = self;
         let (frame, depth) = (tank.frame, tank.frame.depth);
         let at_wall = tank.water.level_at(Place::Right.number());
         let wall = tank.wall.state();
         let (_, radius) = tank.water.kernel();
-        let bed = tank.water.walls().profile.as_ref().map(|bed| [bed.end()[1], bed.range()[1]]);
         let toe = bed.map_or(0.0, |[toe, _]| toe);
         // A level bed lets water be read that is a support radius deep at this moment.
         let deep = if toe == 0.0 { at_wall > radius } else { depth - toe > SHALLOW * radius };
