@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-use common::job::{LONG, signal};
+use common::job::{LONG, is_mpich, mpirun, mpirun_is_there, signal};
 use common::{Desk, TINY, assert_same, ended, expect_code, journal_lines, run, seawall};
 
 /// The job script of a study.
@@ -178,4 +178,27 @@ fn a_watched_sweep_tells_its_rate_until_it_ends() {
     assert!(share > 0.0 && share <= 1.0, "{share}");
     let page = fs::read_to_string(desk.out.join("report.html")).unwrap();
     assert!(page.contains("<h3>Load per rank</h3>") && page.contains(" cases per hour."));
+}
+
+/// The story: a sweep waited without end for a rank that was told to do something else, or nothing that it knows.
+#[test]
+fn a_command_that_does_not_join_a_sweep_ends_the_job() {
+    if !mpirun_is_there() || is_mpich() {
+        return;
+    }
+    let desk = Desk::new(TINY);
+    let other = "error: rank 1: of several commands under one launcher";
+    for (words, told) in [
+        (&["status", "."][..], other),
+        (&["sweep", &desk.file, "--dry-run"], other),
+        (&["swep"], "unrecognized subcommand 'swep'"),
+    ] {
+        let mut command = mpirun(1);
+        command.args(["sweep", &desk.file, "--out", &desk.dir, ":", "-n", "1"]);
+        let output = command.arg(env!("CARGO_BIN_EXE_seawall")).args(words).output().unwrap();
+        expect_code(&output, 2);
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(errors.contains(told), "{errors}");
+        assert!(!Path::new(&desk.dir).exists());
+    }
 }

@@ -46,8 +46,8 @@ mod tests {
     #[test]
     fn mpi_is_taken_only_where_a_launcher_is() {
         let alone = Launcher::default();
-        let single = Launcher { present: true, size: Some(1), rank: 0 };
-        let four = Launcher { present: true, size: Some(4), rank: 0 };
+        let single = Launcher { present: true, size: Some(1), ..alone };
+        let four = Launcher { present: true, size: Some(4), ..alone };
         let chosen = |executor, launcher, available| choose(executor, launcher, available).ok();
         assert_eq!(chosen(Executor::Auto, alone, true), Some(false));
         assert_eq!(chosen(Executor::Auto, four, true), Some(true));

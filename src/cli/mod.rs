@@ -137,6 +137,19 @@ fn simd_limit(command: &Subcommands) -> Result<(), String> {
     if computes { widest_simd().map(|_| ()) } else { Ok(()) }
 }
 
+/// Refuses what does not join the other ranks where a launcher was given several commands: one that is a sweep would
+/// wait for it without end.
+fn joins(command: &Subcommands, launcher: Launcher) -> Result<(), String> {
+    // A child of a sweep's has its work from there.
+    let joins = matches!(command, Subcommands::Apart)
+        || matches!(command, Subcommands::Sweep(args) if !args.dry_run);
+    if joins || !launcher.several {
+        return Ok(());
+    }
+    Err("of several commands under one launcher each must be a `seawall sweep` that runs"
+        .to_owned())
+}
+
 /// Runs the command line and returns the process's exit code.
 pub fn main() -> ExitCode {
     let launcher = Launcher::detect();
@@ -175,7 +188,7 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         .and_then(|matches| Cli::from_arg_matches(&matches));
     let cli = match parsed {
         Ok(cli) => cli,
-        Err(_) if launcher.rank > 0 => return SUCCESS,
+        Err(_) if launcher.rank > 0 && !launcher.several => return SUCCESS,
         Err(error) => {
             if as_json && error.use_stderr() {
                 failure::print_usage(&error.to_string());
@@ -195,7 +208,7 @@ fn main_with(arguments: impl IntoIterator<Item = OsString>, launcher: Launcher) 
         }
     };
     let output = Output::new(&cli.global, launcher);
-    if let Err(reason) = simd_limit(&cli.command) {
+    if let Err(reason) = simd_limit(&cli.command).and(joins(&cli.command, launcher)) {
         // A launcher may have given it to some ranks alone: each tells for itself.
         if launcher.rank > 0 {
             eprintln!("error: rank {}: {reason}", launcher.rank);

@@ -11,6 +11,8 @@ pub struct Launcher {
     pub size: Option<usize>,
     /// This process's rank, 0 where it did not tell.
     pub rank: usize,
+    /// Several commands stand in its command line, with colons between them. Open MPI tells this.
+    pub several: bool,
 }
 
 impl Launcher {
@@ -28,6 +30,7 @@ impl Launcher {
             present: present.iter().any(|name| variable(name).is_some()),
             size: number(&["OMPI_COMM_WORLD_SIZE", "PMI_SIZE"]),
             rank: number(&["OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK"]).unwrap_or(0),
+            several: number(&["OMPI_NUM_APP_CTX"]).is_some_and(|commands| commands > 1),
         }
     }
 
@@ -53,7 +56,9 @@ mod tests {
     fn only_a_launchers_own_variables_count() {
         assert!(!launcher(&[("SLURM_NTASKS", "8"), ("SLURM_PROCID", "3")]).present);
         let open_mpi = launcher(&[("OMPI_COMM_WORLD_SIZE", "4"), ("OMPI_COMM_WORLD_RANK", "2")]);
-        assert_eq!(open_mpi, Launcher { present: true, size: Some(4), rank: 2 });
+        assert_eq!(open_mpi, Launcher { present: true, size: Some(4), rank: 2, several: false });
+        assert!(!launcher(&[("OMPI_NUM_APP_CTX", "1")]).several);
+        assert!(launcher(&[("OMPI_NUM_APP_CTX", "2")]).several);
         assert!(open_mpi.is_parallel());
         assert!(!launcher(&[("PMI_SIZE", "1"), ("PMI_RANK", "0")]).is_parallel());
         assert!(launcher(&[("PMIX_RANK", "0")]).is_parallel());
