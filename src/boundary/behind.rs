@@ -7,7 +7,8 @@ use super::plane::Plane;
 use super::wall::wall;
 
 /// A tank of its own behind the back of the wall, at `back`. The back's lattice ends at the line that halves
-/// the corner at its top. Floor and corners bear the thinnest sheet of water, so they ask nothing.
+/// the corner at its top. Floor and corners bear the thinnest sheet of water, so they do not ask how wet
+/// they are.
 pub(super) fn behind(
     shape: CrestShape,
     back: f64,

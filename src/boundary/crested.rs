@@ -4,8 +4,8 @@ use super::crest::BACK;
 use super::ghosts::{BodySites, Reflection, Site};
 use super::layout::{CrestShape, TankLayout, at};
 
-/// An endless wall, cut off at its crest: its lattice ends at the line that halves the corner, from where on
-/// the lattices of top and back go on. Points of the face go on above it, where they tell how high
+/// An endless wall, cut off at its crest: its lattice ends at the line that halves the corner. Beyond that line
+/// lie those of top and back. Points of the face go on above the crest, where they tell how high
 /// the water stands over the edge. A back down to a floor is a body of its own.
 pub(super) fn crested(shape: CrestShape, layout: &TankLayout, wall: BodySites) -> BodySites {
     let TankLayout { spacing_x, spacing_y, support_radius, .. } = *layout;

@@ -146,8 +146,8 @@ impl Exchange {
 
     /// Height of the water's edge on a bed that is not level, metres: going up from the paddle, the first
     /// place from where on the bed is less than half wet for [`EDGE`] points. There a tongue is some one
-    /// spacing thick. None where the water reaches the wall, which has moved so far, metres: behind it a bed
-    /// that ends level goes on and is dry. None where it stands in water of its own.
+    /// spacing thick. None where the water reaches the wall, which has moved so far, metres: a bed that ends
+    /// level goes on behind it, and is dry there. None where the wall stands in water of its own.
     fn shoreline(&self, ghosts: &Ghosts, offset: f64) -> Option<f64> {
         ghosts.profile.as_ref().filter(|_| !ghosts.lagoon)?;
         // Of a wall that has come nearer no place before it is cut off as at rest.

@@ -2,11 +2,11 @@
 
 use crate::boundary::{Profile, Stretch};
 
-/// Rows over which what does not fit a column is spread, upwards from the bed, and columns over which what does not fit
-/// before a step is.
+/// What does not fit a column is spread over so many rows, upwards from the bed. What does not fit before a step is spread
+/// over so many columns.
 const SPREAD: f64 = 8.0;
 
-/// What fits but for so much of a column fits.
+/// What is off by less than this share of a column fits.
 const FITS: f64 = 1e-6;
 
 /// Columns of particles in level rows from the still surface down. What is left between the lowest whole

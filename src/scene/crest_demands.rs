@@ -17,8 +17,8 @@ fn told(bound: f64) -> f64 {
     significant(bound, 9)
 }
 
-/// Whether a length is less than a bound, by more than sums of lengths round by: the bound that a message
-/// tells must itself be allowed.
+/// Whether a length is less than a bound by more than the rounding of sums: the bound that a message tells must
+/// itself be allowed.
 fn below(length: f64, bound: f64) -> bool {
     length < bound - 1e-9 * bound.abs()
 }

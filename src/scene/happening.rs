@@ -20,11 +20,13 @@ const STEEP: f64 = 0.46;
 /// sixteen rows did so over slopes of 1:2 to 1:4. Within a minute energy came from nowhere, or it sank by 1 to 5 %.
 const STIRS: f64 = 0.19;
 
-/// So many √(h/g) are long under water. The first such run, of sixteen rows over slopes of 1:2, ended after 43.
+/// A run of more √(h/g) than that is long over slopes under water. The first that ended early, of sixteen rows over slopes of
+/// 1:2, did so after 43.
 const STIRS_AFTER: f64 = 30.0;
 
-/// So many √(h/g) are long before a shore no steeper than 1:2. Still water of ten rows before shores of 1:6 to 1:20 was stirred
-/// until energy came from nowhere, after 820 to 1,260. Waves of the flume of 1995 and of Synolakis are over before.
+/// A run of more √(h/g) than that is long before a shore no steeper than 1:2. Still water of ten rows before shores of 1:6 to
+/// 1:20 was stirred until energy came from nowhere, after 820 to 1,260. The waves of the flume of 1995 and of Synolakis are over
+/// before that.
 const STIRS_AT_GENTLE_SHORE_AFTER: f64 = 200.0;
 
 /// Rows over the end of a steep face up to which still water there is held. With 0.1 to 1.2 rows it turned in 26 of 57 runs of

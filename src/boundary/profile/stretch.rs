@@ -6,8 +6,8 @@ use crate::boundary::plane::Plane;
 pub const STEEP: f64 = 0.7;
 
 /// Rise along a stretch from which on it is a wall, whose ghosts ask how wet they are. On anything flatter
-/// the thinnest sheet of water is borne by whole ghosts, and a dry ghost has no water in reach. Where ghosts of slopes of
-/// 45 to 55 degrees asked, still water was stirred until energy came from nowhere.
+/// the thinnest sheet of water is borne by whole ghosts, and a dry ghost has no water in reach. If ghosts of slopes of
+/// 45 to 55 degrees asked, still water would be stirred until energy came from nowhere.
 pub const WALL: f64 = 0.9;
 
 /// A straight stretch of a bed.
