@@ -106,7 +106,8 @@ fn ranked<'a>(word: &str, known: &'a [impl AsRef<str>]) -> Option<(f64, &'a str)
         let part = if word.len() >= 4 && known.contains(&word) { NEAR + share } else { 0.0 };
         strsim::jaro_winkler(&word, &known).max(part)
     };
-    let all = known.iter().map(AsRef::as_ref);
+    // Of several that are equally near the first in the list stands, where the most usual ones are.
+    let all = known.iter().rev().map(AsRef::as_ref);
     all.map(|known| (likeness(known), known)).max_by(|a, b| a.0.total_cmp(&b.0))
 }
 
@@ -146,6 +147,10 @@ mod tests {
         ] {
             assert_eq!(hint(word, &known), format!("; did you mean {nearest}?"));
         }
+        assert_eq!(
+            hint("wendland", &["wendland-c2", "wendland-c4"]),
+            "; did you mean wendland-c2?"
+        );
         for far in ["colour", "start", "x", "gravity"] {
             assert_eq!(hint(far, &known), "", "{far}");
         }
