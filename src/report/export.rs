@@ -15,8 +15,6 @@ use super::Print;
 use super::error::ReportError;
 use super::plots::{FONT, Figure};
 
-/// Width in millimetres, and panels side by side, at most.
-const WIDTHS: [(f64, usize); 2] = [(84.0, 1), (174.0, 3)];
 /// What a journal's page has room for, millimetres.
 const TALLEST: f64 = 230.0;
 /// Of PNG, dots in an inch: what journals ask for line drawings.
@@ -30,7 +28,7 @@ pub fn write(
     directory: &Path,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let mut paths = Vec::new();
-    for (width, columns) in WIDTHS {
+    for (width, columns) in Print::WIDTHS {
         let (charts, most) = (figure.drawing.charts.len(), figure.drawing.layout.columns);
         let columns = columns.min(most);
         // One panel over the whole page would be all too large.

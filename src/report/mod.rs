@@ -83,7 +83,7 @@ pub fn write_with(
     let theirs = papers.iter().flat_map(|papers| &papers.figures);
     let drawn: Vec<_> = figures.iter().chain(theirs).collect();
     for figure in &drawn {
-        save(&figures_dir.join(format!("{}.svg", figure.name)), &figure.svg())?;
+        redraw(figure, &figures_dir)?;
     }
     let scaled = scale.map_or(Ok(Vec::new()), |scale| scale.tables(&data))?;
     // Of a study that is shown in part, the page has that part's rows.
@@ -117,7 +117,10 @@ pub fn write_with(
         paths.sort();
         printed.extend(paths);
     }
-    let figures = drawn.iter().map(|figure| format!("figures/{}.svg", figure.name));
+    let figures = drawn.iter().flat_map(|figure| {
+        let names = printed_names(figure, &figures_dir).into_iter();
+        names.chain([format!("{}.svg", figure.name)]).map(|name| format!("figures/{name}"))
+    });
     let theirs = papers.iter().map(|papers| &papers.tidy);
     let tables = tables.iter().chain(theirs).map(|table| format!("tables/{}.csv", table.name));
     Ok(Written { page: path, printed, made: figures.chain(tables).collect() })
@@ -130,7 +133,8 @@ pub struct Written {
     pub page: PathBuf,
     /// The paths of figures for print.
     pub printed: Vec<PathBuf>,
-    /// The other figures and the tables, by their paths in the directory.
+    /// Figures and tables, those for print of an earlier report that still hold among them, by their paths in the
+    /// directory.
     pub made: Vec<String>,
 }
 
@@ -146,6 +150,8 @@ pub enum Print {
 impl Print {
     /// Whether this build of the program can write figures for print.
     pub const BUILT: bool = cfg!(feature = "print");
+    /// Widths in millimetres, and panels side by side, at most.
+    const WIDTHS: [(f64, usize); 2] = [(84.0, 1), (174.0, 3)];
 
     /// How its files' names end.
     pub fn ending(self) -> &'static str {
@@ -168,6 +174,25 @@ pub fn print(
     return export::write(figure, format, directory);
     #[cfg(not(feature = "print"))]
     Ok(Vec::new())
+}
+
+/// Writes a figure for the screen. Files for print that show it as it was before are removed.
+fn redraw(figure: &Figure, directory: &Path) -> Result<(), ReportError> {
+    let (path, svg) = (directory.join(format!("{}.svg", figure.name)), figure.svg());
+    if fs::read(&path).ok().as_deref() != Some(svg.as_bytes()) {
+        for name in printed_names(figure, directory) {
+            let _ = fs::remove_file(directory.join(name));
+        }
+    }
+    save(&path, &svg)
+}
+
+/// The names of a figure's files for print in a directory.
+fn printed_names(figure: &Figure, directory: &Path) -> Vec<String> {
+    let starts = Print::WIDTHS.map(|(width, _)| format!("{}-{width}mm", figure.name));
+    let entries = fs::read_dir(directory).into_iter().flatten().flatten();
+    let names = entries.filter_map(|entry| entry.file_name().into_string().ok());
+    names.filter(|name| starts.iter().any(|start| name.starts_with(start))).collect()
 }
 
 fn make(directory: &Path) -> Result<(), ReportError> {
@@ -193,6 +218,22 @@ mod tests {
         let first = names.map(read);
         write(directory.path()).unwrap();
         assert_eq!(first, names.map(read));
+    }
+
+    /// The story: figures for print kept error bars that the study no longer had, and `verify` found nothing wrong.
+    #[test]
+    fn files_for_print_last_as_long_as_their_figure() {
+        let directory = fixture::sweep();
+        write(directory.path()).unwrap();
+        let at = |name: &str| directory.path().join(name);
+        let ours = "figures/response-force-84mm-1.pdf";
+        let theirs = at("figures/response-force-mine.pdf");
+        [at(ours), theirs.clone()].iter().for_each(|path| fs::write(path, "").unwrap());
+        assert!(write(directory.path()).unwrap().made.iter().any(|made| made == ours));
+        assert!(at(ours).is_file());
+        fs::write(at("figures/response-force.svg"), "what it was").unwrap();
+        assert!(write(directory.path()).unwrap().made.iter().all(|made| made != ours));
+        assert!(!at(ours).exists() && theirs.is_file());
     }
 
     #[test]
