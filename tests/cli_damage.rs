@@ -40,6 +40,25 @@ fn what_columns_of_probes_hold_is_told_and_mended() {
     assert_eq!(journal_lines(&desk.out), lines, "no case ran again");
 }
 
+/// The story: a film of a study was refused as its cases were not those of its sweep file, which nobody had touched.
+#[test]
+fn a_recorded_stroke_that_has_changed_is_named() {
+    let text = "name = \"a\"\n[scene]\npaddle = \"recorded-stroke\"\nend_time_s = 0.1\nrecorded_stroke = \"STROKE\"\n\
+                [numerics]\nparticle_spacing_m = 0.05\n[grid]\nwave_height_ratio = [0.1]\n";
+    let folder = tempfile::tempdir().unwrap();
+    let stroke = folder.path().join("stroke.csv");
+    let write = |end: f64| {
+        fs::write(&stroke, format!("time_s,stroke_m\n0,0\n0.5,0.01\n1,{end}\n")).unwrap();
+    };
+    write(0.02);
+    let desk = Desk::new(&text.replace("STROKE", stroke.to_str().unwrap()));
+    sweep(0, &desk.file, &desk.out, &[]);
+    ended(0, &["verify", &desk.dir, "--rerun", "1"]);
+    write(0.03);
+    let told = ended(2, &["verify", &desk.dir]).err;
+    assert!(told.contains("scene.recorded_stroke names a file that may have changed"), "{told}");
+}
+
 /// A report without the files that cannot be drawn, with their names, and whole again after the same command.
 #[test]
 fn a_report_leaves_out_what_is_damaged_and_names_it() {

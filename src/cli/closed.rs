@@ -21,9 +21,7 @@ impl Asked {
     /// `None` where more counts than the file itself: points that are added, numerics that are chosen, a stroke in a
     /// file of its own.
     pub(super) fn of(file: &SweepFile, overrides: &[String], films: &[String]) -> Option<Asked> {
-        const STROKE: &str = "recorded_stroke";
-        let stroke = file.scene.contains_key(STROKE) || file.grid.iter().any(|a| a.key == STROKE);
-        if stroke || file.refine.is_some() || file.max_error_percent.is_some() {
+        if file.names_stroke() || file.refine.is_some() || file.max_error_percent.is_some() {
             return None;
         }
         let Program { version, sources, .. } = Program::this();

@@ -53,8 +53,12 @@ pub(super) fn file_and_study(directory: &Path) -> anyhow::Result<(SweepFile, Stu
         None => plain,
     };
     if study.identity != manifest.sweep {
-        let reason = "its cases are not those of the sweep file in its manifest.json";
-        return Err(bad(reason.to_owned()).into());
+        let mut reason =
+            "its cases are not those of the sweep file in its manifest.json".to_owned();
+        if file.names_stroke() {
+            reason.push_str("; scene.recorded_stroke names a file that may have changed since");
+        }
+        return Err(bad(reason).into());
     }
     Ok((file, study))
 }

@@ -54,6 +54,12 @@ const KEYS: [&str; 7] = ["name", "scene", "numerics", "probe", "accuracy", "limi
 const OF_A_MATRIX: [&str; 2] = ["case", "method"];
 
 impl SweepFile {
+    /// Whether more decides its cases than its own text: the stroke of a paddle in another file.
+    pub fn names_stroke(&self) -> bool {
+        const KEY: &str = "recorded_stroke";
+        self.scene.contains_key(KEY) || self.grid.iter().any(|axis| axis.key == KEY)
+    }
+
     /// Reads a file's text and puts the command line's values into it.
     ///
     /// # Errors
