@@ -2,7 +2,7 @@
 
 use crate::body::BodyMotion;
 use crate::boundary::{Plane, Profile};
-use crate::pairs::{Double, Each, Here};
+use crate::pairs::{Double, Each, Eight, Here, Summed};
 
 /// A particle a spacing behind both walls of a corner of 30° takes some fifty pushes.
 const MOST_PUSHES: usize = 64;
@@ -22,6 +22,10 @@ pub struct HoldInside<'a> {
     pub bodies: &'a [BodyMotion],
     /// Of the particles, metres.
     pub spacing: f64,
+    /// Their masses, kg/m.
+    pub mass: &'a [f64],
+    /// Gravity, m/s².
+    pub gravity: f64,
 }
 
 /// Rows of places and of velocities.
@@ -29,7 +33,16 @@ type Rows<'r> = [[&'r mut [f64]; 2]; 2];
 
 impl Each<Rows<'_>> for HoldInside<'_> {
     #[inline(always)]
-    fn at<D: Double>(&self, here: Here, [[x, y], [vx, vy]]: &mut Rows<'_>) {
+    fn at<D: Double>(&self, here: Here, rows: &mut Rows<'_>) {
+        Summed::at::<D>(self, here, rows);
+    }
+}
+
+impl Summed<Rows<'_>> for HoldInside<'_> {
+    /// Adds up the kinetic and potential energy gained, J/m.
+    #[inline(always)]
+    fn at<D: Double>(&self, here: Here, [[x, y], [vx, vy]]: &mut Rows<'_>) -> D {
+        let mut gained: Eight = Default::default();
         let near = any_nearer(self.planes, [here.in_rows::<D>(x), here.in_rows(y)], 0.0);
         let places: [&[f64]; 2] = [here.eight_in_rows(x), here.eight_in_rows(y)];
         let bed = self.bed.filter(|bed| bed.may_be_within(places, 0.0));
@@ -37,8 +50,9 @@ impl Each<Rows<'_>> for HoldInside<'_> {
             let skin = SKIN * self.spacing;
             let places = here.eight_in_rows(x).iter_mut().zip(here.eight_in_rows(y));
             let velocities = here.eight_in_rows(vx).iter_mut().zip(here.eight_in_rows(vy));
-            let particles = here.numbers().zip(places.zip(velocities));
-            for (_, ((x, y), (vx, vy))) in particles.take_while(|(k, _)| *k < self.all) {
+            let particles = here.numbers().zip(places.zip(velocities)).zip(&mut gained);
+            let particles = particles.take_while(|((k, _), _)| *k < self.all);
+            for ((k, ((x, y), (vx, vy))), gained) in particles {
                 let [mut place, mut velocity] = [[*x, *y], [*vx, *vy]];
                 if let Some(bed) = bed {
                     hold_above(&mut place, &mut velocity, bed, skin);
@@ -46,10 +60,17 @@ impl Each<Rows<'_>> for HoldInside<'_> {
                 if near {
                     hold(&mut place, &mut velocity, (self.planes, self.bodies), skin);
                 }
+                let faster = square(velocity) - square([*vx, *vy]);
+                *gained = self.mass[k] * (0.5 * faster + self.gravity * (place[1] - *y));
                 ([*x, *y], [*vx, *vy]) = (place, velocity);
             }
         }
+        D::load(&gained)
     }
+}
+
+fn square([x, y]: [f64; 2]) -> f64 {
+    x * x + y * y
 }
 
 /// Puts a particle back that has slipped through an uneven bed, which stands.
@@ -111,8 +132,9 @@ mod tests {
         let planes = [bed, wall];
         let bodies = &[BodyMotion::default(), moving];
         let (all, spacing) = (fluid.len(), 1.0);
-        let hold = HoldInside { all, planes: &planes, bed: None, bodies, spacing };
-        let Fluid { x, y, vx, vy, .. } = &mut fluid;
+        let Fluid { x, y, vx, vy, mass, .. } = &mut fluid;
+        let gravity = 9.81;
+        let hold = HoldInside { all, planes: &planes, bed: None, bodies, spacing, mass, gravity };
         let rows = [[x, y], [vx, vy]].map(|pair| pair.map(Vec::as_mut_slice));
         each_in_turn(SimdPath::widest(), all, rows, &hold);
         (fluid, planes)

@@ -60,8 +60,10 @@ impl Isph {
         }
         shifting_work += self.pressure_loss(dt);
         let (bodies, spacing) = (walls.bodies, options.spacing);
-        let hold = HoldInside { all: n, planes: &self.planes, bed: None, bodies, spacing };
-        let Fluid { x, y, vx, vy, .. } = &mut self.fluid;
+        let gravity = options.gravity;
+        let Fluid { x, y, vx, vy, mass, .. } = &mut self.fluid;
+        let hold =
+            HoldInside { all: n, planes: &self.planes, bed: None, bodies, spacing, mass, gravity };
         let rows = [[x, y], [vx, vy]].map(|pair| pair.map(Vec::as_mut_slice));
         each_in_turn(self.path, n, rows, &hold);
         Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }

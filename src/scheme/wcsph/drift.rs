@@ -4,7 +4,7 @@ use super::passes::{TENSION_FROM, TENSION_FULL};
 use super::pressing::Pressing;
 use super::{Wcsph, Workspace};
 use crate::body::BodyMotion;
-use crate::pairs::{Double, Each, Factors, Fluid, Here};
+use crate::pairs::{Double, Eight, Factors, Fluid, Here, Summed};
 use crate::scheme::StateEquation;
 use crate::water::{HoldInside, Slack};
 
@@ -34,23 +34,24 @@ struct Next<'a> {
     correction: [&'a [f64]; 3],
 }
 
-/// Rows of places, velocities and densities; of the elastic energy that goes, pressures and what
-/// diffusion smooths; then the numbers.
-type Rows<'r> = (([&'r mut [f64]; 5], [&'r mut [f64]; 3]), &'r mut [Factors]);
+/// Rows of places, velocities and densities; of pressures and what diffusion smooths; then the numbers.
+type Rows<'r> = (([&'r mut [f64]; 5], [&'r mut [f64]; 2]), &'r mut [Factors]);
 
-impl Each<Rows<'_>> for Drift<'_> {
+impl Summed<Rows<'_>> for Drift<'_> {
+    /// Adds up the energy gained as water settles and is held inside, J/m.
     #[inline(always)]
-    fn at<D: Double>(&self, here: Here, (fields, factors): &mut Rows<'_>) {
-        let ([x, y, vx, vy, density], [lost, pressures, diffused]) = fields;
+    fn at<D: Double>(&self, here: Here, (fields, factors): &mut Rows<'_>) -> D {
+        let ([x, y, vx, vy, density], [pressures, diffused]) = fields;
         let (all, dt) = (self.all, D::splat(self.dt));
         here.put_within(all, density, here.in_rows::<D>(density) + dt * here.of(self.rate));
         here.put_within(all, x, here.in_rows::<D>(x) + dt * here.in_rows(vx));
         here.put_within(all, y, here.in_rows::<D>(y) + dt * here.in_rows(vy));
+        let mut gained = D::splat(0.0);
         if let Some(settling) = &self.settling {
-            settling.at::<D>(here, all, density, lost);
+            gained += settling.at::<D>(here, all, density);
         }
         if let Some(Next { inside, pressing, places, correction }) = &self.next {
-            inside.at::<D>(here, &mut [[x, y], [vx, vy]]);
+            gained += Summed::at::<D>(inside, here, &mut [[x, y], [vx, vy]]);
             let (density, y) = (here.eight_in_rows(density), here.eight_in_rows(y));
             let [p, smoothed] = pressing.find::<D>(here, density, y);
             here.put(pressures, p);
@@ -59,6 +60,7 @@ impl Each<Rows<'_>> for Drift<'_> {
             let numbers = Factors::of_pressure([p * xx, p * xy, p * yy], here.all(*places));
             here.put_numbers(factors, numbers);
         }
+        gained
     }
 }
 
@@ -77,18 +79,20 @@ struct Settling<'a> {
 }
 
 impl Settling<'_> {
-    /// Relaxes densities; tells the elastic energy that each particle without a complete support loses.
+    /// Relaxes densities; tells the elastic energy that each particle without a complete support gains.
     #[inline(always)]
-    fn at<D: Double>(&self, here: Here, all: usize, density: &mut [f64], lost: &mut [f64]) {
+    fn at<D: Double>(&self, here: Here, all: usize, density: &mut [f64]) -> D {
         if !here.of::<D>(self.completeness).any_less(D::splat(TENSION_FULL)) {
-            return;
+            return D::splat(0.0);
         }
-        let rows = here.eight_in_rows(density).iter_mut().zip(here.eight_in_rows(lost));
-        for (k, (density, lost)) in here.numbers().zip(rows) {
+        let mut gained: Eight = Default::default();
+        let rows = here.eight_in_rows(density).iter_mut().zip(&mut gained);
+        for (k, (density, gained)) in here.numbers().zip(rows) {
             if k < all && self.completeness[k] < TENSION_FULL {
-                *lost = self.settle(k, density);
+                *gained = self.settle(k, density);
             }
         }
+        D::load(&gained)
     }
 
     fn settle(&self, k: usize, density: &mut f64) -> f64 {
@@ -104,19 +108,17 @@ impl Settling<'_> {
         }
         // Tension that did no work as it grew takes none away.
         let acting = if rise > 0.0 { self.tension[k] } else { 1.0 };
-        let pressure = state.pressure(now) * acting;
         *density += rise;
-        self.mass[k] * pressure / (now * now) * rise
+        self.mass[k] * acting * (state.elastic_energy(*density) - state.elastic_energy(now))
     }
 }
 
 impl Wcsph {
     /// New densities and places, in a step between bodies; and, where an acoustic one is next, pressures
-    /// for it. Returns the elastic energy that goes.
+    /// for it. Returns the energy that goes.
     pub(super) fn drift(&mut self, dt: f64, bodies: &[BodyMotion], acoustic_is_next: bool) -> f64 {
         let (all, n, options) = (self.fluid.len(), self.fluid.padded_len(), &self.options);
-        let Workspace { carried, pressure, lost, completeness, scaled_x, scaled_y, .. } =
-            &mut self.work;
+        let Workspace { carried, pressure, completeness, scaled_x, scaled_y, .. } = &mut self.work;
         let Fluid { x, y, vx, vy, density, mass, .. } = &mut self.fluid;
         let (rate, tension) = (&*carried.density_rate, &*carried.tension);
         let settling = options.corrected_gradients.then(|| Settling {
@@ -134,6 +136,8 @@ impl Wcsph {
                 bed: self.ghosts.outline(),
                 bodies,
                 spacing: options.spacing,
+                mass,
+                gravity: options.gravity,
             },
             pressing: Pressing::of(options, self.bulk_time, [rate, tension]),
             places: [scaled_x, scaled_y],
@@ -141,9 +145,8 @@ impl Wcsph {
         });
         let drift = Drift { all, dt, rate, settling, next };
         let water = [x, y, vx, vy, density].map(|field| &mut field[..n]);
-        let found = [lost, pressure, &mut self.diffused].map(|field| &mut field[..n]);
-        self.pairs.each(((water, found), &mut self.numbers[..n]), &drift);
-        self.near_surface.iter().fold(0.0, |loss, &k| loss - self.work.lost[k as usize])
+        let found = [pressure, &mut self.diffused].map(|field| &mut field[..n]);
+        -self.pairs.sum_each(((water, found), &mut self.numbers[..n]), &drift)
     }
 }
 

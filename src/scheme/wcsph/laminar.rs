@@ -7,6 +7,7 @@
 //! 2 (d + 2) in d = 2 dimensions.
 
 use super::Workspace;
+use super::momentum::halfway;
 use crate::pairs::{
     Double, Eight, Fluid, Held, HeldEquation, Here, Neighbour, Other, Pair, Real, Record, Term,
     loaded,
@@ -55,6 +56,8 @@ pub(super) struct Laminar<'a> {
     pub viscosity: f64,
     /// Steps until the next full one, this one included.
     pub steps: f64,
+    /// Half of this one, seconds.
+    pub half_step: f64,
 }
 
 /// The rows: accelerations along x and y.
@@ -82,10 +85,14 @@ impl HeldEquation<Rows<'_>> for Laminar<'_> {
             sum_x += x;
             sum_y += y;
         }
-        let [u, v] = here.all::<D, 2>([&fluid.vx, &fluid.vy]);
-        held.tally.add_power(sum_x.mul_add(u, sum_y * v) * volume);
         let share = inverse_density * D::splat(self.steps);
-        here.put(along, sum_x.mul_add(share, here.in_rows::<D>(along)));
-        here.put(up, sum_y.mul_add(share, here.in_rows::<D>(up)));
+        let all = [
+            sum_x.mul_add(share, here.in_rows::<D>(along)),
+            sum_y.mul_add(share, here.in_rows::<D>(up)),
+        ];
+        here.put(along, all[0]);
+        here.put(up, all[1]);
+        let [u, v] = halfway(fluid, here, all, self.half_step);
+        held.tally.add_power(sum_x.mul_add(u, sum_y * v) * volume);
     }
 }

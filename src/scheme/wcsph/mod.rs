@@ -108,8 +108,6 @@ struct Workspace {
     next_correction_xx: Vec<f64>,
     next_correction_xy: Vec<f64>,
     next_correction_yy: Vec<f64>,
-    /// Elastic energy that goes in a step, of the particles that [`drift`] settles.
-    lost: Vec<f64>,
     /// Volume per second that the particles give to the ghosts of the bed, m²/s.
     given: Vec<f64>,
     /// Per body: force on it along x, N/m, and its added mass, kg/m.
@@ -149,7 +147,6 @@ impl Workspace {
             next_correction_xx: vec![1.0; padded],
             next_correction_xy: zeros(),
             next_correction_yy: vec![1.0; padded],
-            lost: zeros(),
             given: zeros(),
             loads: vec![[0.0; 2]; bodies],
             held_loads: vec![0.0; bodies],

@@ -81,6 +81,8 @@ pub(super) struct Momentum<'a, const CORRECTED: bool, const VISCOUS: bool, const
     pub gravity: f64,
     /// Steps until the next full one, this one included.
     pub steps: f64,
+    /// Half of this one, seconds.
+    pub half_step: f64,
 }
 
 /// Sums over some neighbours: force per volume of pressure and of viscosity, Σ V_j ∇W and its moment.
@@ -204,10 +206,12 @@ impl<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>
         // All that viscosity does until the next full step, it does now.
         let steps = D::splat(self.steps);
         let force = [drag[0].mul_add(steps, push[0]), drag[1].mul_add(steps, push[1])];
-        here.put(acceleration_x, force[0] * inverse_density);
-        here.put(acceleration_y, force[1].mul_sub(inverse_density, D::splat(self.gravity)));
+        let along = force[0] * inverse_density;
+        let up = force[1].mul_sub(inverse_density, D::splat(self.gravity));
+        here.put(acceleration_x, along);
+        here.put(acceleration_y, up);
         if VISCOUS {
-            let [u, v] = here.all::<D, 2>([&self.fluid.vx, &self.fluid.vy]);
+            let [u, v] = halfway(self.fluid, here, [along, up], self.half_step);
             around.tally.add_power(drag[0].mul_add(u, drag[1] * v) * volume);
         }
         if GRADIENTS {
@@ -219,6 +223,18 @@ impl<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>
         here.put(concentration_y, gradient[1]);
         self.support.put(here, moment, water.moment, support);
     }
+}
+
+/// Velocities halfway through a step: what a force does in it is work at these.
+#[inline(always)]
+pub(super) fn halfway<D: Double>(
+    fluid: &Fluid,
+    here: Here,
+    [along, up]: [D; 2],
+    half_step: f64,
+) -> [D; 2] {
+    let ([u, v], half_step) = (here.all::<D, 2>([&fluid.vx, &fluid.vy]), D::splat(half_step));
+    [along.mul_add(half_step, u), up.mul_add(half_step, v)]
 }
 
 /// p_i L_i Σ_j V_j ∇W: a particle's own part of the pressure term.

@@ -1,9 +1,8 @@
 //! Velocities and places: kick, drift, and what keeps particles in good order.
 
-use super::passes::TENSION_FULL;
 use super::shifting::Shift;
 use super::volume::Restore;
-use super::{DensityDiffusion, Wcsph};
+use super::{DensityDiffusion, Wcsph, WcsphOptions};
 use crate::body::{BodyMotion, Place};
 use crate::boundary::Plane;
 use crate::math::simd::dispatch;
@@ -111,23 +110,15 @@ impl Wcsph {
         -self.pairs.sum_each(&mut density[..n], &restore)
     }
 
-    /// Holds the particles in front of the walls.
-    pub(super) fn hold_inside(&mut self, bodies: &[BodyMotion]) {
-        let (n, all, spacing) = (self.fluid.padded_len(), self.fluid.len(), self.options.spacing);
-        let bed = self.ghosts.outline();
-        let hold = HoldInside { all, planes: &self.planes, bed, bodies, spacing };
-        let Fluid { x, y, vx, vy, .. } = &mut self.fluid;
+    /// Holds the particles in front of the walls; returns the energy that goes.
+    pub(super) fn hold_inside(&mut self, bodies: &[BodyMotion]) -> f64 {
+        let (n, all) = (self.fluid.padded_len(), self.fluid.len());
+        let WcsphOptions { spacing, gravity, .. } = self.options;
+        let Fluid { x, y, vx, vy, mass, .. } = &mut self.fluid;
+        let (planes, bed) = (&self.planes, self.ghosts.outline());
+        let hold = HoldInside { all, planes, bed, bodies, spacing, mass, gravity };
         let rows = [[x, y], [vx, vy]].map(|pair| pair.map(|field| &mut field[..n]));
-        self.pairs.each(rows, &hold);
-    }
-
-    /// Finds the particles that may settle as they drift: few, and the same ones until the next full
-    /// step.
-    pub(super) fn find_surface(&mut self) {
-        let completeness = &self.work.completeness[..self.fluid.len()];
-        self.near_surface.clear();
-        let near = completeness.iter().enumerate().filter(|(_, share)| **share < TENSION_FULL);
-        self.near_surface.extend(near.map(|(k, _)| k as u32));
+        -self.pairs.sum_each(rows, &hold)
     }
 
     /// Takes the correction that the last pass has found, for the full step to come. With

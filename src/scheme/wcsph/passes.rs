@@ -64,9 +64,9 @@ impl Wcsph {
         }
     }
 
-    /// Accelerations and all else that the pairs of a full step give; returns the power of artificial
-    /// viscosity.
-    pub(super) fn momentum_pass(&mut self) -> f64 {
+    /// Accelerations and all else that the pairs of a full step of `dt` seconds give; returns the power of
+    /// artificial viscosity.
+    pub(super) fn momentum_pass(&mut self, dt: f64) -> f64 {
         self.work.loads.fill([0.0; 2]);
         self.work.held_loads.fill(0.0);
         if self.options.precision == Precision::F32 {
@@ -76,20 +76,23 @@ impl Wcsph {
         let renormalised = self.options.density_diffusion == DensityDiffusion::Renormalised;
         let viscous = self.options.artificial_viscosity > 0.0;
         match (self.options.corrected_gradients, viscous, renormalised) {
-            (true, true, true) => self.momentum::<true, true, true>(),
-            (true, true, false) => self.momentum::<true, true, false>(),
-            (true, false, true) => self.momentum::<true, false, true>(),
-            (true, false, false) => self.momentum::<true, false, false>(),
-            (false, true, true) => self.momentum::<false, true, true>(),
-            (false, true, false) => self.momentum::<false, true, false>(),
-            (false, false, true) => self.momentum::<false, false, true>(),
-            (false, false, false) => self.momentum::<false, false, false>(),
+            (true, true, true) => self.momentum::<true, true, true>(dt),
+            (true, true, false) => self.momentum::<true, true, false>(dt),
+            (true, false, true) => self.momentum::<true, false, true>(dt),
+            (true, false, false) => self.momentum::<true, false, false>(dt),
+            (false, true, true) => self.momentum::<false, true, true>(dt),
+            (false, true, false) => self.momentum::<false, true, false>(dt),
+            (false, false, true) => self.momentum::<false, false, true>(dt),
+            (false, false, false) => self.momentum::<false, false, false>(dt),
         }
         self.work.add_loads(self.pairs.tallies());
         self.pairs.power()
     }
 
-    fn momentum<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>(&mut self) {
+    fn momentum<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>(
+        &mut self,
+        dt: f64,
+    ) {
         let options = &self.options;
         let mut found = self.work.found_mut().map(std::mem::take);
         let rows = found.each_mut().map(Vec::as_mut_slice);
@@ -124,13 +127,14 @@ impl Wcsph {
             density: options.density,
             gravity: options.gravity,
             steps: f64::from(options.acoustic_substeps),
+            half_step: 0.5 * dt,
         };
         self.pairs.full_pass(&neighbours, rows, &momentum);
         put_back(self.work.found_mut(), found);
     }
 
-    /// Physical viscosity; returns its power.
-    pub(super) fn laminar_pass(&mut self) -> f64 {
+    /// Physical viscosity in a step of `dt` seconds; returns its power.
+    pub(super) fn laminar_pass(&mut self, dt: f64) -> f64 {
         let options = &self.options;
         let mut found = self.work.acceleration_mut().map(std::mem::take);
         let rows = found.each_mut().map(Vec::as_mut_slice);
@@ -144,6 +148,7 @@ impl Wcsph {
                 * options.density
                 * self.scaling.inverse_radius,
             steps: f64::from(options.acoustic_substeps),
+            half_step: 0.5 * dt,
         };
         self.pairs.held_pass(rows, &laminar);
         put_back(self.work.acceleration_mut(), found);

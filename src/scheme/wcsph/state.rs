@@ -66,8 +66,6 @@ pub struct Wcsph {
     /// Room for a level to be found.
     pub(super) column: Column,
     pub(super) planes: Vec<Plane>,
-    /// The particles without a complete support, of schemes with corrections.
-    pub(super) near_surface: Vec<u32>,
     /// The bodies where the lists were made.
     pub(super) reference_bodies: Vec<BodyMotion>,
     /// What passes over held pairs read of each neighbour: numbers of its velocity, then of its pressure.
@@ -120,7 +118,6 @@ impl Wcsph {
             strain: vec![[0.0; 2]; padded],
             column: Column::default(),
             planes: Vec::new(),
-            near_surface: Vec::with_capacity(padded),
             reference_bodies: vec![BodyMotion::default(); bodies],
             numbers: vec![Factors::default(); padded + ghosts.len()],
             slants: match options.density_diffusion {

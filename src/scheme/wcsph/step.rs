@@ -10,8 +10,8 @@ use crate::scheme::{Dissipation, StepWalls};
 struct Lost {
     /// Power of density diffusion, where it was asked for, W.
     diffusion_power: f64,
-    /// Energy of what settles at the surface, J.
-    spray: f64,
+    /// Energy of what settles at the surface and of what is held inside, J.
+    on_the_way: f64,
 }
 
 /// Time from one look at the clock to the next, seconds.
@@ -46,7 +46,7 @@ impl Wcsph {
         for (held, body) in self.held_bodies.iter_mut().zip(bodies) {
             *held = BodyMotion { offset: body.offset + self.lead * body.velocity, ..*body };
         }
-        self.find_forces();
+        self.find_forces(dt);
         if at_start {
             // The first step has no correction from one before it: it takes its own. It has looked
             // ahead from rest, and does so again should a trunk end here.
@@ -55,13 +55,13 @@ impl Wcsph {
             self.work.carried.last_acceleration_y.fill(0.0);
             // Counted once, as for who goes on from a state kept here.
             self.pairs.take_force_pairs();
-            self.find_forces();
+            self.find_forces(dt);
         }
         &self.work.loads
     }
 
-    /// The pass of a full step, and all that it reads.
-    fn find_forces(&mut self) {
+    /// The pass of a full step of `dt` seconds, and all that it reads.
+    fn find_forces(&mut self, dt: f64) {
         let start = Instant::now();
         self.pack();
         let packed = Instant::now();
@@ -74,17 +74,14 @@ impl Wcsph {
         self.exchange.find_fluxes(self.pairs.path, [fluid.records, ghost_records]);
         let filled = Instant::now();
         self.timings.ghosts += (filled - packed).as_secs_f64();
-        self.last_viscous_power = self.momentum_pass();
+        self.last_viscous_power = self.momentum_pass(dt);
         let momentum = Instant::now();
         self.timings.momentum += (momentum - filled).as_secs_f64();
         if self.options.kinematic_viscosity > 0.0 {
-            self.last_viscous_power += self.laminar_pass();
+            self.last_viscous_power += self.laminar_pass(dt);
             self.timings.viscosity += momentum.elapsed().as_secs_f64();
         }
         let rest = Instant::now();
-        if self.options.corrected_gradients {
-            self.find_surface();
-        }
         self.find_diffused_shares();
         self.timings.momentum += rest.elapsed().as_secs_f64();
     }
@@ -113,7 +110,7 @@ impl Wcsph {
         self.since_full += dt;
         self.count_pairs(forces);
         self.substep = (self.substep + 1) % self.options.acoustic_substeps;
-        let mut shifting_work = lost.spray;
+        let mut shifting_work = lost.on_the_way;
         if self.substep == 0 {
             if let Some(fades_in) = self.options.shifting.fades_in() {
                 let start = Instant::now();
@@ -123,7 +120,7 @@ impl Wcsph {
                 self.timings.integration -= shifted;
             }
             shifting_work += self.restore_volume();
-            self.hold_inside(walls.bodies);
+            shifting_work += self.hold_inside(walls.bodies);
             self.since_full = 0.0;
             self.take_next_correction();
         }
@@ -145,7 +142,7 @@ impl Wcsph {
         self.timings.ghosts += laps.next();
         let diffusion_power = self.continuity_pass(dt, sample);
         self.timings.continuity += laps.next();
-        let spray = self.drift(dt, bodies, forces);
+        let on_the_way = self.drift(dt, bodies, forces);
         self.timings.integration += laps.next();
         if forces {
             self.press_ghosts();
@@ -153,7 +150,7 @@ impl Wcsph {
             self.acoustic_pass();
             self.timings.momentum += laps.next();
         }
-        Lost { diffusion_power, spray }
+        Lost { diffusion_power, on_the_way }
     }
 
     /// Takes the bodies' velocities over this step and their accelerations in the next, but not where
