@@ -7,7 +7,7 @@
 //! 2 (d + 2) in d = 2 dimensions.
 
 use super::Workspace;
-use super::momentum::halfway;
+use super::viscosity::halfway;
 use crate::pairs::{
     Double, Eight, Fluid, Held, HeldEquation, Here, Neighbour, Other, Pair, Real, Record, Term,
     loaded,

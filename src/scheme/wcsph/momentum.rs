@@ -14,7 +14,7 @@ use super::Workspace;
 use super::diffusion::DensityGradient;
 use super::response::Response;
 use super::support::{Moment, Support};
-use super::viscosity::ArtificialViscosity;
+use super::viscosity::{ArtificialViscosity, halfway};
 use crate::pairs::{
     Around, Double, Eight, Equation, Fluid, Here, If, Neighbour, Other, Pair, Real, Sums, Term,
     loaded,
@@ -223,18 +223,6 @@ impl<const CORRECTED: bool, const VISCOUS: bool, const GRADIENTS: bool>
         here.put(concentration_y, gradient[1]);
         self.support.put(here, moment, water.moment, support);
     }
-}
-
-/// Velocities halfway through a step: what a force does in it is work at these.
-#[inline(always)]
-pub(super) fn halfway<D: Double>(
-    fluid: &Fluid,
-    here: Here,
-    [along, up]: [D; 2],
-    half_step: f64,
-) -> [D; 2] {
-    let ([u, v], half_step) = (here.all::<D, 2>([&fluid.vx, &fluid.vy]), D::splat(half_step));
-    [along.mul_add(half_step, u), up.mul_add(half_step, v)]
 }
 
 /// p_i L_i Σ_j V_j ∇W: a particle's own part of the pressure term.

@@ -5,7 +5,7 @@
 //! ```
 //! Another viscosity is another type like this one.
 
-use crate::pairs::{Eight, Fluid, Here, Neighbour, Other, Pair, Real, Term};
+use crate::pairs::{Double, Eight, Fluid, Here, Neighbour, Other, Pair, Real, Term};
 
 /// Σ_j V_j π_ij ∇W. With `CORRECTED`, π_ij holds only what a linear, divergence-free velocity field
 /// leaves of it. Of a wall, `GHOSTS`, the strain is the particle's own.
@@ -66,4 +66,16 @@ impl<const CORRECTED: bool, const GHOSTS: bool> Term
         *x = drag.mul_add(gx, *x);
         *y = drag.mul_add(gy, *y);
     }
+}
+
+/// Velocities halfway through a step: what viscosity does in it is work at these.
+#[inline(always)]
+pub(super) fn halfway<D: Double>(
+    fluid: &Fluid,
+    here: Here,
+    [along, up]: [D; 2],
+    half_step: f64,
+) -> [D; 2] {
+    let ([u, v], half_step) = (here.all::<D, 2>([&fluid.vx, &fluid.vy]), D::splat(half_step));
+    [along.mul_add(half_step, u), up.mul_add(half_step, v)]
 }
