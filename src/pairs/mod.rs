@@ -46,7 +46,7 @@ pub use lists::{GHOST_MARGIN, Pairs};
 pub use near::{Blocks, Coupling, Field, Moments, Near};
 pub use pair_list::{PairList, PointSet, build_pair_list};
 pub use parts::Tally;
-pub use pass::{Each, Equation, HeldEquation, Summed, each_in_turn};
+pub use pass::{Each, Equation, HeldEquation, Summed, sum_in_turn};
 pub use precision::{Neighbour, Other, Precision};
 pub use record::{Record, Scaling, SingleRecord};
 pub use rounding::round;

@@ -91,9 +91,28 @@ impl<R, E: Each<R>> Task for OverAll<'_, E, R> {
     }
 }
 
-/// Goes through so many particles on one thread.
-pub fn each_in_turn<R>(path: SimdPath, particles: usize, rows: R, work: &impl Each<R>) {
-    dispatch(path, OverAll { work, clusters: 0..particles.div_ceil(LANES), rows });
+struct InTurn<'a, E, R> {
+    work: &'a E,
+    clusters: Range<usize>,
+    rows: R,
+}
+
+impl<R, E: Summed<R>> Task for InTurn<'_, E, R> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn run<L: Lanes>(mut self) -> f64 {
+        let mut sum = L::splat(0.0);
+        for cluster in self.clusters {
+            sum += self.work.at::<L>(Here::new(cluster, cluster), &mut self.rows);
+        }
+        sum.sum()
+    }
+}
+
+/// Goes through so many particles on one thread; returns the sum of what they add.
+pub fn sum_in_turn<R>(path: SimdPath, particles: usize, rows: R, work: &impl Summed<R>) -> f64 {
+    dispatch(path, InTurn { work, clusters: 0..particles.div_ceil(LANES), rows })
 }
 
 impl Pairs {

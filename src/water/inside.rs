@@ -2,7 +2,7 @@
 
 use crate::body::BodyMotion;
 use crate::boundary::{Plane, Profile};
-use crate::pairs::{Double, Each, Eight, Here, Summed};
+use crate::pairs::{Double, Eight, Here, Summed};
 
 /// A particle a spacing behind both walls of a corner of 30° takes some fifty pushes.
 const MOST_PUSHES: usize = 64;
@@ -30,13 +30,6 @@ pub struct HoldInside<'a> {
 
 /// Rows of places and of velocities.
 type Rows<'r> = [[&'r mut [f64]; 2]; 2];
-
-impl Each<Rows<'_>> for HoldInside<'_> {
-    #[inline(always)]
-    fn at<D: Double>(&self, here: Here, rows: &mut Rows<'_>) {
-        Summed::at::<D>(self, here, rows);
-    }
-}
 
 impl Summed<Rows<'_>> for HoldInside<'_> {
     /// Adds up the kinetic and potential energy gained, J/m.
@@ -120,11 +113,11 @@ pub fn any_nearer<D: Double>(planes: &[Plane], [x, y]: [D; 2], distance: f64) ->
 mod tests {
     use super::*;
     use crate::math::simd::SimdPath;
-    use crate::pairs::{Fluid, each_in_turn};
+    use crate::pairs::{Fluid, sum_in_turn};
 
     /// Holds still particles between a bed and a wall that leans over the water by an angle, and
-    /// moves at `speed`.
-    fn held(places: &[[f64; 2]], angle: f64, speed: f64) -> (Fluid, [Plane; 2]) {
+    /// moves at `speed`. Tells them, the faces, and the energy gained per mass.
+    fn held(places: &[[f64; 2]], angle: f64, speed: f64) -> (Fluid, [Plane; 2], f64) {
         let bed = Plane { point: [0.0; 2], normal: [0.0, -1.0] };
         let wall = Plane { point: [1.0, 0.0], normal: [angle.sin(), angle.cos()] };
         let mut fluid = Fluid::at_rest(places.iter().map(|[x, y]| [*x, *y, 1000.0, 1.0]));
@@ -136,8 +129,9 @@ mod tests {
         let gravity = 9.81;
         let hold = HoldInside { all, planes: &planes, bed: None, bodies, spacing, mass, gravity };
         let rows = [[x, y], [vx, vy]].map(|pair| pair.map(Vec::as_mut_slice));
-        each_in_turn(SimdPath::widest(), all, rows, &hold);
-        (fluid, planes)
+        let gained = sum_in_turn(SimdPath::widest(), all, rows, &hold);
+        let mass = fluid.mass[0];
+        (fluid, planes, gained / mass)
     }
 
     /// The wall of an acute corner pushes particles behind the bed, which a visit of each wall in
@@ -146,7 +140,7 @@ mod tests {
     fn a_particle_in_an_acute_corner_ends_in_front_of_both_walls() {
         for degrees in [30.0_f64, 45.0, 60.0, 90.0, 120.0] {
             let places = [[1.01, 0.005], [0.99, -0.01], [1.02, 0.002], [0.5, 0.1], [1.05, -0.03]];
-            let (fluid, planes) = held(&places, degrees.to_radians(), 0.0);
+            let (fluid, planes, _) = held(&places, degrees.to_radians(), 0.0);
             for k in 0..places.len() {
                 let beyond = planes.map(|plane| plane.beyond([fluid.x[k], fluid.y[k]]));
                 assert!(beyond.iter().all(|&b| b <= 0.0), "{degrees}: {k} at {beyond:?}");
@@ -157,8 +151,11 @@ mod tests {
 
     #[test]
     fn a_wall_takes_what_it_meets_along() {
-        let (fluid, _) = held(&[[1.01, 0.5], [0.9, 0.5]], std::f64::consts::FRAC_PI_2, -0.2);
+        let places = [[1.01, 0.5], [0.9, 0.5], [0.5, -0.1]];
+        let (fluid, _, gained) = held(&places, std::f64::consts::FRAC_PI_2, -0.2);
         assert!((fluid.x[0] - 0.999).abs() < 1e-12 && (fluid.vx[0] + 0.2).abs() < 1e-12);
         assert_eq!([fluid.x[1], fluid.vx[1]], [0.9, 0.0]);
+        // The one that the bed lifts gains by its weight.
+        assert!((gained - (0.5 * 0.2 * 0.2 + 9.81 * 0.101)).abs() < 1e-12, "{gained} J/kg");
     }
 }

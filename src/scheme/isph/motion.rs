@@ -3,7 +3,7 @@
 use super::operators::Operators;
 use super::parting::Parting;
 use super::{Isph, IsphOptions};
-use crate::pairs::{Fluid, each_in_turn};
+use crate::pairs::{Fluid, sum_in_turn};
 use crate::scheme::{Dissipation, StepWalls};
 use crate::water::{HoldInside, SHIFT_LIMIT, shifted_share};
 
@@ -65,7 +65,7 @@ impl Isph {
         let hold =
             HoldInside { all: n, planes: &self.planes, bed: None, bodies, spacing, mass, gravity };
         let rows = [[x, y], [vx, vy]].map(|pair| pair.map(Vec::as_mut_slice));
-        each_in_turn(self.path, n, rows, &hold);
+        shifting_work -= sum_in_turn(self.path, n, rows, &hold);
         Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }
     }
 

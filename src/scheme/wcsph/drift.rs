@@ -51,7 +51,7 @@ impl Summed<Rows<'_>> for Drift<'_> {
             gained += settling.at::<D>(here, all, density);
         }
         if let Some(Next { inside, pressing, places, correction }) = &self.next {
-            gained += Summed::at::<D>(inside, here, &mut [[x, y], [vx, vy]]);
+            gained += inside.at::<D>(here, &mut [[x, y], [vx, vy]]);
             let (density, y) = (here.eight_in_rows(density), here.eight_in_rows(y));
             let [p, smoothed] = pressing.find::<D>(here, density, y);
             here.put(pressures, p);
