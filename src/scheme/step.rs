@@ -40,7 +40,8 @@ pub struct Dissipation {
     pub viscous_power: f64,
     /// Power lost to density diffusion, where it was asked for.
     pub diffusion_power: f64,
-    /// Energy taken out over the step by shifting, by what keeps the volume and by the pressure of water that meets.
+    /// Energy taken out over the step by shifting, by what keeps the volume, as water settles at the surface or is held
+    /// in front of walls, and by the pressure of water that meets.
     pub shifting_work: f64,
 }
 
