@@ -35,8 +35,8 @@ quantities! { Read;
     VISCOUS = term("viscous_j_per_m", |budget| budget.viscous);
     /// lost to density diffusion
     DENSITY_DIFFUSION = term("density_diffusion_j_per_m", |budget| budget.density_diffusion);
-    /// taken out by particle shifting, by what keeps the volume, as water settles at the surface or is held in front of
-    /// walls, and by the pressure of incompressible water that meets
+    /// taken out by particle shifting, volume feedback, settling at the surface, walls that hold water back, and the
+    /// pressure of incompressible water that meets
     SHIFTING = term("shifting_j_per_m", |budget| budget.shifting);
     // Directories of the first version end here.
     /// energy of the water that went over a crest and was taken away, as it had it there; behind the gap

@@ -40,8 +40,8 @@ pub struct Dissipation {
     pub viscous_power: f64,
     /// Power lost to density diffusion, where it was asked for.
     pub diffusion_power: f64,
-    /// Energy taken out over the step by shifting, by what keeps the volume, as water settles at the surface or is held
-    /// in front of walls, and by the pressure of water that meets.
+    /// Energy taken out over the step by all else: shifting, volume feedback, settling at the surface, and walls that
+    /// hold water back. In incompressible water the pressure where water meets is among it.
     pub shifting_work: f64,
 }
 
