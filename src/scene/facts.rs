@@ -8,7 +8,6 @@ use super::numerics::{Numerics, Scheme};
 use crate::boundary::{BoundaryChoice, Profile, STEEP};
 use crate::scheme::isph::Laplacian;
 use crate::scheme::wcsph::Shifting;
-use crate::theory::wall_potential::CARRIED;
 
 /// Whether a case runs into a known limit, and what is told of it.
 pub(super) type Limit = (fn(&Facts<'_>) -> bool, &'static str);
@@ -52,18 +51,6 @@ impl Facts<'_> {
             }),
             angle: seawall.map_or(90.0, |scene| scene.wall_angle_deg),
         }
-    }
-
-    /// How fast a wall swings on its spring with the water that it carries along, over the slowest sound that goes
-    /// away from it, c0/(4h).
-    pub fn swing(&self) -> Option<f64> {
-        let scene = self.scene().seawall().filter(|scene| self.weakly && scene.wall.moves())?;
-        let depth = scene.still_water_depth_m;
-        let carried = CARRIED * scene.water_density_kg_per_m3 * depth * depth;
-        let mass = scene.seawall_mass_kg_per_m? + scene.force_coupling * carried;
-        let own = (scene.spring_stiffness_n_per_m? / mass).sqrt() / TAU;
-        let sound = self.numerics.sound_speed_ratio * (scene.gravity_m_per_s2 * depth).sqrt();
-        Some(own * 4.0 * depth / sound)
     }
 
     /// What is in the tank.

@@ -2,21 +2,29 @@
 //!
 //! Sound ([`super::sound`]) pushes a wall as any force does. To first order it moves the wall by x:
 //! ```text
-//! (m + m_a) x'' + b x' + k x = ΔF,   m_a = 0.543 ρ d²,   b = ρ d √(g d)
+//! (m + m_a) x'' + b x' + k x = ΔF,   m_a = 0.543 ρ d²,   ω² = k/(m + m_a)
 //! ```
 //! d is the depth at the wall. m_a is the water that the wall carries along
-//! ([`wall_potential`](crate::theory::wall_potential)), b x' the push of the long wave that it makes.
+//! ([`wall_potential`](crate::theory::wall_potential)). b x' is the push of the wave that it makes as it swings with ω
+//! ([`damping`](crate::theory::wavemaker::damping)): ρ d √(g d) of a slow wall, nearly nothing of a fast one.
+//!
+//! The slope of the compression, which ΔF is made of, has to be that of a time shorter than the wall's swing. A wall
+//! that swings faster than sound between bed and surface, c/(4d), follows the force, and is read as that is.
 
 use std::collections::VecDeque;
+use std::f64::consts::TAU;
 
 use serde::{Deserialize, Serialize};
 
 use super::quiet_force::Push;
 use crate::body::Restraint;
 use crate::theory::wall_potential::CARRIED;
+use crate::theory::wavemaker::damping;
 
 /// Room from the start for so many samples.
 const ROOM: usize = 256;
+/// A wall that swings so many times as fast as sound does follows the force.
+const FOLLOWS: f64 = 1.5;
 
 /// What holds a wall, over ½ρgh² of force and h of displacement.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,16 +37,28 @@ pub struct Mount {
     depth: f64,
     /// √(h/g), s.
     unit_time: f64,
+    /// 4 h/c0, s.
+    sound_period: f64,
 }
 
 impl Mount {
     /// Of a wall in still water of this depth, m, under this gravity, m/s², that presses it with
-    /// `static_force`, N/m. None where nothing drives the wall back.
-    pub fn new(held: &Restraint, depth: f64, gravity: f64, static_force: f64) -> Option<Mount> {
+    /// `static_force`, N/m, and in which sound goes with `sound_speed`, m/s. None where nothing drives the wall back.
+    pub fn new(
+        held: &Restraint,
+        depth: f64,
+        gravity: f64,
+        static_force: f64,
+        sound_speed: f64,
+    ) -> Option<Mount> {
         let scale = depth / static_force;
-        let unit_time = (depth / gravity).sqrt();
-        let mount =
-            Mount { mass: held.mass * scale, stiffness: held.stiffness * scale, depth, unit_time };
+        let mount = Mount {
+            mass: held.mass * scale,
+            stiffness: held.stiffness * scale,
+            depth,
+            unit_time: (depth / gravity).sqrt(),
+            sound_period: 4.0 * depth / sound_speed,
+        };
         (held.stiffness > 0.0).then_some(mount)
     }
 
@@ -47,10 +67,20 @@ impl Mount {
     fn advance(&self, [x, v]: [f64; 2], push: Push, dt: f64) -> [f64; 2] {
         let deep = push.depth.map_or(1.0, |depth| depth / self.depth);
         let mass = self.mass + 2.0 * CARRIED * (deep * self.unit_time).powi(2);
-        let damping = 2.0 * deep.powf(1.5) * self.unit_time;
+        let swing = self.stiffness / mass;
+        let taken = damping(swing * deep * self.unit_time * self.unit_time);
+        let damping = 2.0 * deep.powf(1.5) * self.unit_time * taken;
         let resists = mass + 0.5 * dt * (damping + 0.5 * dt * self.stiffness);
-        let rate = (push.force - damping * v - self.stiffness * (x + 0.5 * dt * v)) / resists;
+        let force = self.heard(push, deep * swing.sqrt() / TAU);
+        let rate = (force - damping * v - self.stiffness * (x + 0.5 * dt * v)) / resists;
         [x + dt * (v + 0.5 * dt * rate), v + dt * rate]
+    }
+
+    /// The force of sound that counts for a wall that swings so often, 1/s, times d/h.
+    fn heard(&self, push: Push, swings: f64) -> f64 {
+        let faster = swings * self.sound_period;
+        let follows = ((faster - 1.0) / (FOLLOWS - 1.0)).clamp(0.0, 1.0);
+        push.swift + follows * (push.force - push.swift)
     }
 }
 
@@ -103,14 +133,16 @@ mod tests {
 
     const DEPTH: f64 = 0.2;
     const GRAVITY: f64 = 9.81;
+    const SOUND_SPEED: f64 = 14.0;
 
     fn mount(mass: f64, stiffness: f64) -> Mount {
         let held = Restraint { threshold: 0.0, mass, stiffness };
-        Mount::new(&held, DEPTH, GRAVITY, 0.5 * 1000.0 * GRAVITY * DEPTH * DEPTH).unwrap()
+        let still = 0.5 * 1000.0 * GRAVITY * DEPTH * DEPTH;
+        Mount::new(&held, DEPTH, GRAVITY, still, SOUND_SPEED).unwrap()
     }
 
     fn push(force: f64) -> Push {
-        Push { force, depth: Some(0.3) }
+        Push { force, swift: force, depth: Some(0.3) }
     }
 
     /// Largest X* told of a wall that follows F* - 1 = bell + sound as its spring says.
@@ -137,19 +169,37 @@ mod tests {
         }
     }
 
+    /// In water as deep as at rest: the wave takes 1 - exp(-b T/(4 (m + m_a))) of a swing in half its period T. Fast
+    /// walls make no wave.
     #[test]
     fn it_swings_as_its_spring_mass_and_water_say() {
-        let (wall, dt) = (mount(50.0, 2000.0), 0.0005);
-        let carried = 0.543 * 1000.0 * DEPTH * DEPTH;
-        let period = std::f64::consts::TAU * ((50.0 + carried) / 2000.0_f64).sqrt();
-        let mut state = [1e-3, 0.0];
-        for _ in 0..(0.5 * period / dt).round() as u32 {
-            state = wall.advance(state, Push::default(), dt);
+        for (stiffness, least, most) in [(2000.0, 0.4, 0.8), (1e6, 0.9999, 1.0)] {
+            let wall = mount(50.0, stiffness);
+            let mass = 50.0 + CARRIED * 1000.0 * DEPTH * DEPTH;
+            let frequency = (stiffness / mass).sqrt();
+            let steps = 200;
+            let dt = std::f64::consts::PI / frequency / f64::from(steps);
+            let mut state = [1e-3, 0.0];
+            for _ in 0..steps {
+                state = wall.advance(state, Push::default(), dt);
+            }
+            let slow = 1000.0 * DEPTH * (GRAVITY * DEPTH).sqrt();
+            let taken = slow * damping(frequency * frequency * DEPTH / GRAVITY) / mass;
+            let left = (-0.5 * taken * std::f64::consts::PI / frequency).exp();
+            let told = state[0] / -1e-3;
+            assert!((told / left - 1.0).abs() < 0.01, "{stiffness}: {told} {left}");
+            assert!((least..=most).contains(&told), "{stiffness}: {told}");
         }
-        // The long wave takes 1 - exp(-b T/(4 (m + m_a))) of the height in half a period.
-        let fading = 1000.0 * DEPTH * (GRAVITY * DEPTH).sqrt() / (50.0 + carried);
-        let left = (-0.25 * fading * period).exp();
-        assert!((state[0] / -1e-3 - left).abs() < 0.15, "{state:?} {left}");
+    }
+
+    #[test]
+    fn walls_slower_than_sound_hear_it_and_faster_ones_follow_the_force() {
+        let push = Push { force: 1.0, swift: 3.0, depth: Some(DEPTH) };
+        for (stiffness, heard) in [(1e3, 3.0), (1e6, 3.0), (1e7, 1.0)] {
+            let rest = mount(50.0, stiffness).advance([0.0; 2], push, 1e-6);
+            let told = mount(50.0, stiffness).advance([0.0; 2], Push { swift: 1.0, ..push }, 1e-6);
+            assert!((rest[0] / told[0] - heard).abs() < 0.05, "{stiffness}: {rest:?} {told:?}");
+        }
     }
 
     #[test]
@@ -164,6 +214,6 @@ mod tests {
         assert_eq!(quiet.next(0.2, push(1.0), wall), None);
         assert_eq!(quiet.next(0.3, push(1.0), None), Some((0.3, 0.01)));
         let held = Restraint { threshold: 0.0, mass: 50.0, stiffness: 0.0 };
-        assert!(Mount::new(&held, DEPTH, GRAVITY, 196.0).is_none());
+        assert!(Mount::new(&held, DEPTH, GRAVITY, 196.0, SOUND_SPEED).is_none());
     }
 }

@@ -120,7 +120,8 @@ impl Run {
     pub(super) fn mount(&self) -> Option<Mount> {
         let frame = &self.tank.frame;
         let held = self.tank.wall.restraint()?;
-        Mount::new(&held, frame.depth, frame.acceleration(), self.tank.static_force)
+        let sound_speed = frame.sound_speed(&self.config.numerics);
+        Mount::new(&held, frame.depth, frame.acceleration(), self.tank.static_force, sound_speed)
     }
 
     /// Reads the pressures along the wall, and the moment about its foot: the force's, as it acts where

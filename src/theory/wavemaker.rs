@@ -68,6 +68,16 @@ pub fn travelling(deep: f64) -> f64 {
     kh
 }
 
+/// What the wave that travels takes of a piston's motion: force over speed, over ρ h √(g h), at ω² h/g = `deep`.
+///
+/// Its power is that of a wave of 2a tanh kh/(1 + q), a the piston's amplitude and q = 2kh/sinh 2kh (Biésel 1951;
+/// Dean & Dalrymple 1991, Water Wave Mechanics, ch. 6). It is one for slow pistons and falls to zero for fast ones.
+pub fn damping(deep: f64) -> f64 {
+    let kh = travelling(deep);
+    let ratio = libm::tanh(kh) / kh;
+    2.0 * ratio * ratio.sqrt() / (1.0 + 2.0 * kh / libm::sinh(2.0 * kh))
+}
+
 /// κ h of a mode that fades, from 1 on: ω² h/g = -κh tan κh.
 pub fn fading(deep: f64, number: u32) -> f64 {
     // The root lies between (n - ½)π and nπ, where κ tan κ rises from -∞ to 0.
@@ -184,6 +194,25 @@ mod tests {
         let [short, long, longer] = [1.0, 2.5, 5.0].map(ratio);
         assert!((long - 1.0).abs() < 0.02 && (longer - 1.0).abs() < 0.003);
         assert!(short > 4.0, "at kh = 1 Madsen's second stroke is far too small: {short}");
+    }
+
+    /// Power is that of the wave: ½ b (a ω)² = ½ ρ g A² c_g with the first mode's A, and 2 (g/ω²h)^1.5 in deep water.
+    #[test]
+    fn damping_is_the_power_of_the_wave() {
+        assert!((damping(1e-6) - 1.0).abs() < 1e-6);
+        for deep in [100.0, 1e6] {
+            assert!((damping(deep) * deep.powf(1.5) / 2.0 - 1.0).abs() < 1e-12, "{deep}");
+        }
+        for (depth, period) in [(0.2, 0.3), (0.2, 0.8), (1.0, 3.0)] {
+            let (Piston { frequency: w, gravity: g, .. }, k) = piston(1.0, depth, period);
+            let first = Complex::new(k, 0.0);
+            let surface = (w / g * w * mean(first, depth) / (k * square(first, depth))).re;
+            let kh = k * depth;
+            let group = 0.5 * w / k * (1.0 + 2.0 * kh / libm::sinh(2.0 * kh));
+            let power = g * group * (surface / w).powi(2) / (depth * (g * depth).sqrt());
+            let told = damping(w * w * depth / g);
+            assert!((told / power - 1.0).abs() < 1e-12, "{told} {power}");
+        }
     }
 
     /// Both series are summed to their end by what halving them leaves out.
