@@ -101,12 +101,16 @@ fn early(scene: &SeawallScene) -> Option<ConfigError> {
     let (frame, paddle) = (scene.frame(), scene.paddle()?);
     let centre = paddle.stroke_centre()?;
     let way = scene.crest_may_pass(frame.length)? - centre;
+    let seen = match scene.end_time_s {
+        // It wins over the other.
+        Some(_) => format!("end_time_s = {:.1}", centre + 2.0 * way),
+        None => format!("end_after_stroke_centre_s = {:.1}", 2.0 * way),
+    };
     let told = format!(
-        "the run ends at {:.3} s, before the crest can be at the wall, at {:.3} s; with \
-         end_after_stroke_centre_s = {:.1} the run shows what it does there",
+        "the run ends at {:.3} s, before the crest can be at the wall, at {:.3} s; with {seen} the run shows what it \
+         does there",
         frame.end_time,
         centre + way,
-        2.0 * way
     );
     (frame.end_time < centre + way).then(|| warning("tank_length_m", frame.length, told)).flatten()
 }

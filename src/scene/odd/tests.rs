@@ -68,6 +68,12 @@ fn slips_are_told_with_key_and_value() {
         let all = odd(scene);
         assert!(all.len() == 1 && all[0].starts_with(told), "{all:?}");
     }
+    let early = |scene| odd(&format!("tank_length_m = 7\n{scene}")).remove(0);
+    let told = ["with end_after_stroke_centre_s = 8.0 the", "with end_time_s = 8.8 the"];
+    let told = told.map(|seen| format!("{seen} run shows what it does there"));
+    for (scene, told) in ["", "end_time_s = 2.5"].into_iter().zip(told) {
+        assert!(early(scene).ends_with(&told), "{} {told}", early(scene));
+    }
     assert!(odd("end_time_s = 1e-308")[1].starts_with("scene.end_time_s = 1e-308: "));
 }
 
