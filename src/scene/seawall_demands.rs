@@ -50,6 +50,14 @@ impl SeawallScene {
             let allowed = format!("goes {reach:.3} m far, more than half the tank's length");
             return error("recorded_stroke", "", &allowed);
         }
+        let forth = self.paddle().map_or(0.0, |paddle| paddle.goes_forth());
+        if forth >= self.tank_length_m {
+            let allowed = format!(
+                "must be more than {forth:.3}, as far as the paddle goes in water of still_water_depth_m = {}",
+                self.still_water_depth_m
+            );
+            return error("tank_length_m", self.tank_length_m, &allowed);
+        }
         Ok(())
     }
 

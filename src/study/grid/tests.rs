@@ -89,6 +89,6 @@ fn a_range_of_a_whole_key_has_whole_numbers() {
     let told = cells("from = 1, to = 4, points = 3").unwrap_err().to_string();
     assert!(told.starts_with("grid.cells = 2.5: must be a whole number"), "{told}");
     // Where any number will do, they stay what they were.
-    let depths = "[grid]\nstill_water_depth_m = { from = 1, to = 2, points = 2 }";
+    let depths = "[scene]\ntank_length_m = 9\n[grid]\nstill_water_depth_m = { from = 1, to = 2, points = 2 }";
     assert_eq!(first_values(depths).unwrap(), [1.0, 2.0].map(Value::Float));
 }
