@@ -102,6 +102,14 @@ impl SeawallScene {
         self.force_depth_m().min(self.still_water_depth_m)
     }
 
+    /// The least still water on the way to the wall, metres, where the bed is under water all along; else the lesser of
+    /// those at its ends.
+    pub fn least_depth_on_way_m(&self) -> f64 {
+        let highest = self.bed.as_ref().map_or(0.0, |bed| bed.range()[1]);
+        let over = self.still_water_depth_m - highest;
+        if over > 0.0 { over } else { self.least_depth_m() }
+    }
+
     /// Checks what the bed asks of wall, paddle, water and scheme.
     pub(super) fn validate_bed(&self, numerics: &Numerics) -> Result<(), ConfigError> {
         let Some(bed) = &self.bed else { return Ok(()) };

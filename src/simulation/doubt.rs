@@ -48,6 +48,8 @@ pub(super) struct Evidence<'a> {
     pub gathers: bool,
     /// Δx/h, with the depth at the wall where that is less.
     pub spacing: f64,
+    /// Δx over the least still water on the way to the wall, less over a sill under water.
+    pub spacing_on_way: f64,
     /// Whether a paddle makes a wave.
     pub is_wave: bool,
     /// How much more the wall was pressed than the paddle at rest, over ρgh²/2, where both are alike.
@@ -100,12 +102,15 @@ impl Evidence<'_> {
         if gap.abs() > ENERGY_GAP_PERCENT {
             return Some(format!("energy: the budget is open by {gap:+.1} %"));
         }
-        let of_spacing = FOUND_OF_SPACING * self.spacing * self.spacing;
+        let second_order = |spacing: f64| FOUND_OF_SPACING * spacing * spacing;
+        let of_spacing = second_order(self.spacing);
+        // Over a sill there are fewer rows, and they find more. What counts at any look counts there, too.
+        let of_first = of_spacing.max(second_order(self.spacing_on_way).min(FOUND_PERCENT));
         let until = |time: f64| 100.0 * self.found.most_until(time) / self.work;
         let (first, ever) = (outcome.first_force_max.filter(|_| self.is_wave), f64::INFINITY);
         let early = first.map_or(0.0, |first| until(first.time_s));
-        let found = if early > of_spacing { early } else { until(ever) };
-        let is_open = early > of_spacing || found > FOUND_PERCENT.max(of_spacing);
+        let found = if early > of_first { early } else { until(ever) };
+        let is_open = early > of_first || found > FOUND_PERCENT.max(of_spacing);
         is_open.then(|| format!("energy: {found:.1} % of {} came from nowhere", self.counted_in))
     }
 

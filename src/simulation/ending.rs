@@ -12,6 +12,7 @@ use super::told::{NamedReading, Readings};
 use super::waves::Waves;
 use super::{Film, Monitor};
 use crate::body::{Motions, Place};
+use crate::scene::SeawallScene;
 
 impl Run {
     /// Shows the water to a monitor that films, at its times and at the end.
@@ -174,6 +175,8 @@ impl Run {
         };
         let depth_speed = tank.frame.speed_squared();
         let compressible = water.state_equation().is_some();
+        let seawall = self.config.scene.seawall();
+        let on_way = seawall.map_or(tank.least_depth, SeawallScene::least_depth_on_way_m);
         let evidence = Evidence {
             gaps: &logbook.face_gaps,
             blows: &m.blows,
@@ -188,6 +191,7 @@ impl Run {
             },
             gathers: self.config.moves_over_giving_bed(),
             spacing: tank.spacing / tank.least_depth,
+            spacing_on_way: tank.spacing / on_way,
             is_wave: has_wave && tank.paddle.is_some(),
             // Means end half their span earlier.
             end: self.clock.time - MEAN_SPAN * tank.frame.unit_time() - self.time_step,

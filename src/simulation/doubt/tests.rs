@@ -50,6 +50,7 @@ fn doubt(
         counted_in: "the paddle's work",
         gathers: false,
         spacing: 0.06,
+        spacing_on_way: 0.06,
         is_wave: true,
         lopsided: Some(1e-4),
         compression_percent: 1.6,
@@ -91,7 +92,9 @@ fn energy_counts_on_either_side() {
 #[test]
 fn energy_from_nowhere_counts_against_what_the_spacing_makes() {
     let with = |work: f64, spacing: f64| {
-        let change = |e: &mut Evidence<'_>| (e.work, e.spacing) = (work, spacing);
+        let change = |e: &mut Evidence<'_>| {
+            (e.work, e.spacing, e.spacing_on_way) = (work, spacing, spacing);
+        };
         doubt(&outcome(), [0.0, 0.0], 0.0, change)
     };
     // 0.2 of it until the largest force at 1 s, 0.8 in all.
@@ -101,10 +104,27 @@ fn energy_from_nowhere_counts_against_what_the_spacing_makes() {
     assert_eq!(with(81.0, 0.07), None);
     assert!(with(79.0, 0.07).unwrap().contains("1.0 % of the paddle's work"));
     // A dam break has no paddle.
-    let column =
-        |e: &mut Evidence<'_>| (e.spacing, e.counted_in) = (0.035, "the water's initial energy");
+    let column = |e: &mut Evidence<'_>| {
+        (e.spacing, e.spacing_on_way, e.counted_in) = (0.035, 0.035, "the water's initial energy");
+    };
     let told = doubt(&outcome(), [0.0, 0.0], 0.0, column).unwrap();
     assert_eq!(told, "energy: 0.2 % of the water's initial energy came from nowhere");
+}
+
+/// The story: waves over sills of half the depth were doubtful at fifteen and at 25 rows, though they press the wall alike.
+#[test]
+fn over_a_sill_the_rows_on_it_tell_what_energy_may_come_from_nowhere() {
+    let with = |work: f64, on_way: f64| {
+        let change = |e: &mut Evidence<'_>| {
+            (e.work, e.spacing, e.spacing_on_way) = (work, 0.035, on_way);
+        };
+        doubt(&outcome(), [0.0, 0.0], 0.0, change)
+    };
+    // 0.2 and 0.25 of it until the largest force.
+    assert_eq!(with(100.0, 0.045), None);
+    assert!(with(80.0, 0.041).unwrap().contains("energy: 0.2 % of"));
+    // More than 1 % counts there as anywhere.
+    assert!(with(19.0, 0.3).unwrap().contains("energy: 1.1 % of"));
 }
 
 #[test]
