@@ -121,7 +121,8 @@ impl Key {
             Shape::Names(names) => ConfigError::one_of(path, value, names),
             shape => {
                 let advice = value.as_str().and_then(|text| self.advice(text));
-                ConfigError::new(path, value, advice.unwrap_or_else(|| shape.allowed()))
+                let allowed = || self.rule.range.allowed(shape.what());
+                ConfigError::new(path, value, advice.unwrap_or_else(allowed))
             }
         }
     }

@@ -142,14 +142,18 @@ impl Range {
     }
 
     pub(super) fn check_as(self, key: &str, number: f64, what: &str) -> Result<(), ConfigError> {
-        let allowed = match self {
-            _ if self.allows(number) => return Ok(()),
-            Range::Any => return Ok(()),
+        let wrong = || ConfigError::new(key, number, self.allowed(what));
+        if self.allows(number) { Ok(()) } else { Err(wrong()) }
+    }
+
+    /// What it allows of a type, in words.
+    pub(super) fn allowed(self, what: &str) -> String {
+        match self {
+            Range::Any => format!("must be {what}"),
             Range::AboveZero => "must be a finite number above 0".to_owned(),
             Range::NotNegative => "must be a finite number, 0 or above".to_owned(),
             Range::Within(low, high) => format!("must be {what} from {low} to {high}"),
-        };
-        Err(ConfigError::new(key, number, allowed))
+        }
     }
 }
 

@@ -38,12 +38,6 @@ impl Shape {
             Shape::Points => "a list of points [x, y]",
         }
     }
-
-    /// What a value of another type is told.
-    pub(super) fn allowed(self) -> String {
-        let least = if self == Shape::Whole { ", 0 or above" } else { "" };
-        format!("must be {}{least}", self.what())
-    }
 }
 
 /// Notes what it is asked for and has nothing to give.
