@@ -30,17 +30,23 @@ pub(super) fn validate(scene: &Scene, numerics: &Numerics) -> Result<(), ConfigE
     if count <= MOST_PARTICLES {
         return demand_an_end(scene, numerics);
     }
-    let smallest = rounded_up((area / MOST_PARTICLES).sqrt());
+    let remedy = match rounded_up((area / MOST_PARTICLES).sqrt()) {
+        smallest if smallest.is_finite() => format!("choose {} m or more", written(smallest)),
+        _ => "make the tank smaller".to_owned(),
+    };
     let allowed = format!(
-        "would cut {} m² of water into {} particles, and {} are the most: choose {smallest} m or \
-         more",
-        crate::math::decimal::significant(area, 3),
+        "would cut {} m² of water into {} particles, and {} are the most: {remedy}",
+        written(crate::math::decimal::significant(area, 3)),
         whole(count),
         whole(MOST_PARTICLES)
     );
-    let spacing = numerics.particle_spacing_m;
-    let written = if spacing < 1e-6 { format!("{spacing:e}") } else { spacing.to_string() };
-    Err(ConfigError::new("numerics.particle_spacing_m", written, allowed))
+    let spacing = written(numerics.particle_spacing_m);
+    Err(ConfigError::new("numerics.particle_spacing_m", spacing, allowed))
+}
+
+/// A number with an exponent where it would have many zeros.
+fn written(value: f64) -> String {
+    if (1e-6..1e9).contains(&value) { value.to_string() } else { format!("{value:e}") }
 }
 
 /// How long bed, crest and the floor behind it are along their faces, metres.
@@ -149,6 +155,24 @@ mod tests {
                 let smallest = words[words.len() - 4];
                 case(&scene, smallest).unwrap();
             }
+        }
+    }
+
+    /// It was to be NaN m, or a number of 150 digits.
+    #[test]
+    fn water_that_no_spacing_fits_is_told_so() {
+        for (depth, told) in [
+            (
+                "1e308",
+                "would cut inf m² of water into uncountably many particles, and 20,000,000 are the most: make the tank smaller",
+            ),
+            (
+                "1e300",
+                "would cut 2.5e300 m² of water into 1.0e304 particles, and 20,000,000 are the most: choose 3.54e146 m or more",
+            ),
+        ] {
+            let error = case(&format!("still_water_depth_m = {depth}"), "0.016").unwrap_err();
+            assert_eq!(error.allowed, told);
         }
     }
 
