@@ -132,6 +132,15 @@ fn init_writes_a_study_that_passes_and_never_overwrites() {
 }
 
 #[test]
+#[cfg(target_os = "linux")]
+fn a_standard_output_that_is_full_is_named() {
+    let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let output = seawall().args(["explain", "force_max"]).stdout(full).output().unwrap();
+    let told = Told::of(output, 70).err;
+    assert_eq!(told, "error: standard output: no space left on device\n");
+}
+
+#[test]
 fn keys_and_columns_are_explained() {
     let explain = |name: &str| ended(0, &["explain", name]).out;
     let key = explain("spring_stiffness_n_per_m");

@@ -9,6 +9,7 @@ use super::output::json_path;
 use super::{BAD_INPUT, INTERNAL, SUCCESS};
 use crate::execute::Launcher;
 use crate::keys::{named, shown};
+use crate::math::words::in_words;
 use crate::report::ReportError;
 use crate::results::SweepError;
 use crate::scene::ConfigError;
@@ -125,7 +126,8 @@ fn line_and_rest(text: &str) -> (Option<u64>, &str) {
 /// An error and its causes, without those that it names itself.
 fn told(error: &anyhow::Error) -> String {
     let mut line = String::new();
-    for cause in error.chain().map(ToString::to_string) {
+    for cause in error.chain() {
+        let cause = cause.downcast_ref().map_or_else(|| cause.to_string(), in_words);
         if !line.ends_with(&cause) {
             let gap = if line.is_empty() { "" } else { ": " };
             line.push_str(gap);
@@ -155,7 +157,9 @@ mod tests {
         assert_eq!(code(SweepError::Executor("x".into()).into()), INTERNAL);
         let damaged = ReportError::MissingColumn { path: "a".into(), column: "b" };
         assert_eq!(code(damaged.into()), BAD_INPUT);
-        assert_eq!(code(std::io::Error::from(ErrorKind::BrokenPipe).into()), SUCCESS);
+        let left = || anyhow::Error::from(std::io::Error::from(ErrorKind::BrokenPipe));
+        assert_eq!(code(left()), SUCCESS);
+        assert_eq!(code(left().context("standard output")), SUCCESS);
         assert_eq!(code(anyhow::anyhow!("x")), INTERNAL);
     }
 
@@ -183,5 +187,10 @@ mod tests {
         let error = anyhow::anyhow!("disk full").context("cannot write a: disk full");
         assert_eq!(told(&error), "cannot write a: disk full");
         assert_eq!(told(&anyhow::anyhow!("b").context("a")), "a: b");
+        let full = anyhow::Error::from(std::io::Error::from_raw_os_error(28));
+        assert_eq!(
+            told(&full.context("standard output")),
+            "standard output: no space left on device"
+        );
     }
 }

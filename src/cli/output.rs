@@ -3,6 +3,7 @@
 use std::io::{IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
+use anyhow::Context as _;
 use clap::ValueEnum;
 use serde::Serialize;
 
@@ -41,12 +42,12 @@ impl Output {
     /// Prints a result: text for the human eye, or the value as JSON.
     pub(super) fn result(&self, text: &str, value: &impl Serialize) -> anyhow::Result<()> {
         let mut out = std::io::stdout().lock();
-        match self.format {
-            Format::Human if self.quiet => {}
-            Format::Human => out.write_all(text.as_bytes())?,
-            Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(value)?)?,
-        }
-        Ok(out.flush()?)
+        let written = match self.format {
+            Format::Human if self.quiet => Ok(()),
+            Format::Human => out.write_all(text.as_bytes()),
+            Format::Json => writeln!(out, "{}", serde_json::to_string_pretty(value)?),
+        };
+        written.and_then(|()| out.flush()).context("standard output")
     }
 
     /// Whether a program reads the results.
