@@ -129,6 +129,8 @@ fn init_writes_a_study_that_passes_and_never_overwrites() {
     assert_eq!(fs::read_to_string(root.path().join("waves.toml")).unwrap(), "mine");
     let bad = in_root(2, &["init", "../waves"]).err;
     assert!(bad.contains("'/' is none of these"), "{bad}");
+    let bad = in_root(2, &["init", "a\u{1b}"]).err;
+    assert!(bad.starts_with("error: name = "), "{bad}");
 }
 
 #[test]

@@ -45,15 +45,15 @@ const GRID: [(&str, &str); 3] = [
 
 pub(super) fn main(args: &InitArgs, output: &Output) -> anyhow::Result<u8> {
     let name = args.name.strip_suffix(".toml").unwrap_or(&args.name);
-    let text = text(name);
-    SweepFile::read(&text, &[]).map_err(|error| BadInput(error.to_string()))?;
+    let alone = format!("name = {}", toml::Value::from(name));
+    SweepFile::read(&alone, &[]).map_err(|error| BadInput(error.to_string()))?;
     let path = PathBuf::from(format!("{name}.toml"));
     let file = OpenOptions::new().write(true).create_new(true).open(&path);
     let mut file = file.map_err(|error| match error.kind() {
         ErrorKind::AlreadyExists => BadInput::of(&path, "is there already; choose another NAME"),
         _ => BadInput::of(&path, format_args!("cannot be written: {}", in_words(&error))),
     })?;
-    file.write_all(text.as_bytes())?;
+    file.write_all(text(name).as_bytes())?;
     let told = named(&path);
     let next = format!("{told}: 12 cases to start from\nnext: seawall check {told}\n");
     output.result(&next, &json!({ "file": json_path(&path) }))?;
