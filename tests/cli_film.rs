@@ -137,9 +137,13 @@ fn a_film_that_cannot_be_written_costs_no_result() {
     let root = tempfile::tempdir().unwrap();
     let plain = swept(root.path(), &["--film", "none"]);
     let before = results(&plain);
-    fs::write(plain.join("films"), "in the way").unwrap();
     let file = root.path().join("sweep.toml");
     let (file, out) = (file.to_str().unwrap(), plain.to_str().unwrap());
+    fs::create_dir_all(plain.join("films/reasons.csv")).unwrap();
+    let told = ended(0, &["sweep", file, "--out", out]).err;
+    assert!(told.contains("out/films/reasons.csv: a directory stands in the place"), "{told}");
+    fs::remove_dir_all(plain.join("films")).unwrap();
+    fs::write(plain.join("films"), "in the way").unwrap();
     let told = ended(0, &["sweep", file, "--out", out]).err;
     assert!(told.contains("not filmed: ") && told.contains("out/films: "), "{told}");
     assert_eq!(results(&plain), before);

@@ -13,7 +13,8 @@ use super::pick;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS};
 use crate::execute::Interrupt;
 use crate::film::Colour;
-use crate::math::words::counted;
+use crate::keys;
+use crate::math::words::{counted, in_words};
 use crate::results::Derived;
 use crate::simulation::Resources;
 use crate::study::{Case, Study};
@@ -94,10 +95,14 @@ pub(super) fn make(
         shot.iter().for_each(|shot| shot.tell(case, output));
     }
     let filmed = highlights.iter().filter(|one| set.page(&study.cases[one.index]).is_file());
+    let reasons = set.directory.join(highlights::REASONS);
     if let Err(error) = highlights::tell(filmed, study, set.directory) {
-        output.note(format_args!("warning: the report cannot say why cases were filmed: {error}"));
+        let (file, why) = (keys::named(&reasons), in_words(&error));
+        output.note(format_args!(
+            "warning: {file}: {why}; the report cannot say why cases were filmed"
+        ));
     } else if !highlights.is_empty() {
-        Derived::renew(set.directory, &[set.directory.join(highlights::REASONS)])?;
+        Derived::renew(set.directory, &[reasons])?;
     }
     Ok((code, if filmed_any { start.elapsed().as_secs_f64() } else { 0.0 }))
 }
