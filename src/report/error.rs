@@ -20,7 +20,7 @@ pub enum ReportError {
     #[error("{}: no column {column:?}", named(path))]
     MissingColumn { path: PathBuf, column: &'static str },
     /// A table is not well formed.
-    #[error("{}: {source}", named(path))]
+    #[error("{}: {}", named(path), table_in_words(source))]
     Table { path: PathBuf, source: csv::Error },
     /// A cell holds something that is not what its column holds.
     #[error("{}, line {line}, column {column:?}: {reason}", named(path))]
@@ -28,6 +28,13 @@ pub enum ReportError {
     /// A figure could not be drawn: a fault of the program, not of the data.
     #[error("cannot draw {figure}: {reason}")]
     Draw { figure: String, reason: String },
+}
+
+fn table_in_words(error: &csv::Error) -> String {
+    match error.kind() {
+        csv::ErrorKind::Io(error) => in_words(error),
+        _ => error.to_string(),
+    }
 }
 
 impl ReportError {
@@ -38,5 +45,19 @@ impl ReportError {
             ReportError::Table { source, .. } => !source.is_io_error(),
             _ => false,
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_that_cannot_be_opened_is_told_plainly() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().to_owned();
+        let source = csv::Reader::from_path(&path).unwrap().headers().unwrap_err();
+        let told = ReportError::Table { path, source }.to_string();
+        assert!(told.ends_with(": a directory stands in the place of this file"), "{told}");
     }
 }
