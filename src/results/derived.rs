@@ -7,6 +7,7 @@
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
+use std::io::ErrorKind::NotFound;
 use std::mem;
 use std::ops::Not;
 use std::path::{Path, PathBuf};
@@ -97,7 +98,7 @@ impl Derived {
         derived.write(directory)
     }
 
-    /// These files were made or removed. What a directory stands in the place of keeps its seal, so that it is told.
+    /// These files were made or removed. One that something else stands in the way of keeps its seal, so that it is told.
     ///
     /// # Errors
     /// A file that cannot be read or written.
@@ -106,13 +107,11 @@ impl Derived {
         for path in paths {
             let Ok(name) = path.strip_prefix(directory) else { continue };
             let name = name.to_string_lossy().into_owned();
-            if path.is_dir() {
-                continue;
-            }
-            derived.files.remove(&name);
             if path.is_file() {
                 let seal = Seal::of_file(path).map_err(SweepError::io(path))?;
                 derived.files.insert(name, seal);
+            } else if path.symlink_metadata().is_err_and(|error| error.kind() == NotFound) {
+                derived.files.remove(&name);
             }
         }
         if derived.files.is_empty() && !directory.join(FILE_NAME).exists() {

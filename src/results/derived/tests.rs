@@ -49,6 +49,12 @@ fn what_changed_since_it_was_made_is_told() {
     Derived::renew(directory, std::slice::from_ref(&film)).unwrap();
     assert_eq!(damage(directory), ["films/a.html is a directory"]);
     fs::remove_dir(&film).unwrap();
+    // So was one whose whole folder a file stood in the place of.
+    fs::remove_dir(directory.join("films")).unwrap();
+    write("films", "a file");
+    Derived::renew(directory, std::slice::from_ref(&film)).unwrap();
+    assert_eq!(damage(directory), ["films/a.html is missing"]);
+    fs::remove_file(directory.join("films")).unwrap();
     Derived::renew(directory, &[film]).unwrap();
     assert!(damage(directory).is_empty());
     write(FILE_NAME, "{}");
