@@ -169,12 +169,13 @@ fn names(directory: &Path) -> Vec<String> {
     files.chain(FOLDERS.iter().flat_map(|folder| inside(directory, folder))).collect()
 }
 
-/// All files in a folder of a directory, and in its folders.
+/// All files in a folder of a directory, and in its folders. A link that leads nowhere is none.
 fn inside(directory: &Path, folder: &str) -> Vec<String> {
     let entries = fs::read_dir(directory.join(folder)).into_iter().flatten().flatten();
     let names = entries.filter_map(|entry| {
         let name = format!("{folder}/{}", entry.file_name().into_string().ok()?);
-        Some(if entry.path().is_dir() { inside(directory, &name) } else { vec![name] })
+        let is_file = entry.path().is_file();
+        Some(if is_file { vec![name] } else { inside(directory, &name) })
     });
     names.flatten().collect()
 }

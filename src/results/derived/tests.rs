@@ -101,3 +101,15 @@ fn what_a_report_has_no_more_is_removed_and_nothing_else() {
     assert_eq!(report(&[names[1]]), [false, true, true, false]);
     assert_eq!(report(&[names[1]]), [false, true, true, false]);
 }
+
+/// The sweep and the report ended with an error, as no seal can be made of it.
+#[test]
+#[cfg(unix)]
+fn a_link_that_leads_nowhere_is_passed_over() {
+    let root = tempfile::tempdir().unwrap();
+    let directory = root.path();
+    fs::create_dir(directory.join("figures")).unwrap();
+    std::os::unix::fs::symlink("nowhere", directory.join("figures/own.svg")).unwrap();
+    Derived::end(directory, &[], true).unwrap();
+    assert!(damage(directory).is_empty());
+}
