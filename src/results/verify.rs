@@ -58,8 +58,8 @@ pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
     Ok(Verified { told, damaged, records })
 }
 
-/// Makes the tables again that are not what the journal says; their names. Where the summary has more rows than
-/// the journal knows all stay: the sweep's next run brings them together.
+/// Makes the tables again that are not what the journal says; their names. Where the journal lacks cases, and the
+/// summary has more rows than it knows, all stay: the sweep's next run brings them together.
 ///
 /// # Errors
 /// A file that cannot be read or written.
@@ -70,7 +70,8 @@ pub fn renew_tables(
 ) -> Result<Vec<&'static str>, SweepError> {
     let mut renewed = Vec::new();
     let cases = &records[..study.cases.len()];
-    if rows(directory) > cases.iter().flatten().count() {
+    let known = cases.iter().flatten().count();
+    if known < cases.len() && rows(directory) > known {
         return Ok(renewed);
     }
     for table in Table::ALL {
@@ -229,6 +230,10 @@ mod tests {
         let records = finished(&path, &study).unwrap();
         assert_eq!(renew_tables(&path, &study, &records).unwrap(), ["summary.csv", "energy.csv"]);
         assert!(renew_tables(&path, &study, &records).unwrap().is_empty());
+        // A line too many is no case that the journal lacks.
+        let line_too_many = std::fs::read_to_string(path.join("summary.csv")).unwrap() + "junk\n";
+        std::fs::write(path.join("summary.csv"), line_too_many).unwrap();
+        assert_eq!(renew_tables(&path, &study, &records).unwrap(), ["summary.csv"]);
         std::fs::write(path.join("journal.jsonl"), "").unwrap();
         assert_eq!(told()[0], "journal.jsonl has lost its beginning");
     }
