@@ -179,8 +179,9 @@ pub fn print(
 /// Writes a figure for the screen. Files for print that show it as it was before are removed.
 fn redraw(figure: &Figure, directory: &Path) -> Result<(), ReportError> {
     let (path, svg) = (directory.join(format!("{}.svg", figure.name)), figure.svg());
-    if fs::read(&path).ok().as_deref() != Some(svg.as_bytes()) {
-        for name in printed_names(figure, directory) {
+    let printed = printed_names(figure, directory);
+    if !printed.is_empty() && fs::read(&path).ok().as_deref() != Some(svg.as_bytes()) {
+        for name in printed {
             let _ = fs::remove_file(directory.join(name));
         }
     }
