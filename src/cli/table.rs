@@ -26,7 +26,10 @@ impl Table {
         for row in &self.rows {
             let mut line = String::new();
             for (cell, width) in row.iter().zip(&widths) {
-                line.push_str(&format!("{cell:>width$}  "));
+                // `{cell:>width$}` takes no width above 65535.
+                line.push_str(&" ".repeat(width - cell.chars().count()));
+                line.push_str(cell);
+                line.push_str("  ");
             }
             text.push_str(line.trim_end());
             text.push('\n');
@@ -44,5 +47,7 @@ mod tests {
         let mut table = Table::new(["a", "long"]);
         table.row(["12", "3"]);
         assert_eq!(table.render(), " a  long\n12     3\n");
+        table.row(["x".repeat(70_000)]);
+        assert!(table.render().ends_with("xx\n"));
     }
 }
