@@ -31,3 +31,15 @@ fn beds_and_flags_pick_a_case_and_are_told_whole() {
     assert!(told.contains("all at H/h = 0.5\n"), "no part of a bed: {told}");
     assert!(told.contains("R* of A") && !told.contains("X*"), "a fixed wall has none: {told}");
 }
+
+/// A cell of the table was wider than the program can write, and `check` ended in a panic.
+#[test]
+fn a_bed_of_many_points_is_listed_in_short() {
+    let slope: Vec<_> = (0..3000_u32).map(|at| f64::from(at) * 1e-4).collect();
+    let points: Vec<_> = slope.iter().map(|at| format!("[{}, {}]", 0.9 + at, 0.1 * at)).collect();
+    let long = format!("[[0, 0], {}, [1.2, 0.03]]", points.join(", "));
+    let desk = Desk::new(&BEDS.replacen("[[0, 0], [0.9, 0], [1.2, 0.02]]", &long, 1));
+    let told = ended(0, &["check", &desk.file]).out;
+    let mut rows = told.lines().take(5);
+    assert!(rows.all(|row| row.len() < 300) && told.contains(" characters)"), "{told}");
+}

@@ -14,7 +14,7 @@ use super::physics::physics;
 use super::table::Table;
 use super::warnings::warnings;
 use super::{SUCCESS, max_error, refine};
-use crate::keys::Shared;
+use crate::keys::{Shared, brief};
 use crate::math::lists::counts;
 use crate::math::words::counted;
 use crate::scene::limits;
@@ -86,7 +86,7 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
         Table::new(["case", "id"].into_iter().chain(study.keys.iter().map(String::as_str)));
     for case in study.cases.iter().take(rows) {
         let value = |value: &Option<Shared<toml::Value>>| match value {
-            Some(value) => value.to_string(),
+            Some(value) => brief(&value.to_string()),
             None => "-".to_owned(),
         };
         let place = [case.index.to_string(), case.id.to_string()];

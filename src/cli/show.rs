@@ -109,7 +109,7 @@ impl Row {
     fn value(&self, column: &Column) -> Option<String> {
         let cell = Some(self.cell(column.name)).filter(|cell| !cell.is_empty())?;
         let Some(value) = self.number(column.name).filter(|_| column.is_number()) else {
-            return Some(cell.to_owned());
+            return Some(keys::brief(cell));
         };
         let bar = column.bar.and_then(|bar| self.number(bar));
         let told = match bar {

@@ -30,15 +30,16 @@ pub fn cut(text: &str, longest: usize) -> Option<String> {
     Some(format!("{start} ... {end} ({length} characters)"))
 }
 
-/// A value behind its key.
-fn told(value: &str) -> String {
-    if value.is_empty() {
-        return String::new();
-    }
+/// A value for people: a number of many digits with its power of ten, a long text cut.
+pub fn brief(value: &str) -> String {
     let number = value.parse::<f64>().ok().filter(|number| number.is_finite());
     let short = number.filter(|_| value.len() > DIGITS).map(|number| format!("{number:e}"));
-    let short = short.or_else(|| cut(value, LONGEST));
-    format!(" = {}", short.as_deref().unwrap_or(value))
+    short.or_else(|| cut(value, LONGEST)).unwrap_or_else(|| value.to_owned())
+}
+
+/// A value behind its key.
+fn told(value: &str) -> String {
+    if value.is_empty() { String::new() } else { format!(" = {}", brief(value)) }
 }
 
 impl ConfigError {

@@ -40,7 +40,7 @@ mod shared;
 mod shown;
 mod written;
 
-pub use error::{ConfigError, cut, hint};
+pub use error::{ConfigError, brief, cut, hint};
 pub use key::{Key, number};
 pub use overrides::{Override, read_value};
 pub use rule::{Range, Rule, When, plain, unit};
