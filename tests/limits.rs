@@ -98,6 +98,16 @@ fn check_tells_how_many_cases_are_over_a_limit() {
     assert!(!told("limits.steps=100000").contains("limits:"));
 }
 
+/// All values stood in one cell of the table: of 100,000 failed cases it was wider than the program can write.
+#[test]
+fn status_lists_some_of_many_values_that_failed() {
+    let range = "{ from = 10, to = 1000, points = 30, spacing = \"log\" }";
+    let desk = Desk::new(&TINY.replace("[10, 1e4]", range));
+    expect_code(&sweep(&desk.file, &desk.out, &["--set", "limits.steps=1"]), 1);
+    let told = ended(0, &["status", &desk.dir]).out;
+    assert!(told.contains("(4), 10 others (--format json has all)\n"), "{told}");
+}
+
 /// A camera stood between a case and its limits.
 #[test]
 fn a_case_that_is_filmed_keeps_to_its_limits() {

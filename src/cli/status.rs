@@ -14,6 +14,7 @@ use super::output::{Output, duration};
 use super::table::Table;
 use super::watch::{View, Watch};
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS, options, stored};
+use crate::keys::brief;
 use crate::math::name::name_of;
 use crate::math::words::counted;
 use crate::results::{
@@ -38,6 +39,9 @@ pub(super) struct StatusArgs {
     #[arg(long, value_name = "SECONDS", num_args = 0..=1, default_missing_value = "10", value_parser = options::seconds(0.1, 1e6), allow_negative_numbers = true)]
     watch: Option<f64>,
 }
+
+/// Values of a key that are listed where cases failed.
+const MOST_VALUES: usize = 20;
 
 /// What the journal tells.
 struct Known {
@@ -161,12 +165,14 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
     }
     text.push('\n');
     for Failures { reason, cases, example, values } in &groups {
-        let cases = counted(*cases, "case");
-        text.push_str(&format!("\n{reason}: {cases}, such as\n  {example}\n"));
+        text.push_str(&format!("\n{reason}: {}, such as\n  {example}\n", counted(*cases, "case")));
         let mut table = Table::default();
         for (key, values) in values {
-            let counts = values.iter().map(|(value, count)| format!("{value} ({count})"));
-            table.row([key.clone(), counts.collect::<Vec<_>>().join(", ")]);
+            let counts = values.iter().map(|(value, count)| format!("{} ({count})", brief(value)));
+            let more = values.len().saturating_sub(MOST_VALUES);
+            let more = (more > 0).then(|| format!("{more} others (--format json has all)"));
+            let counts: Vec<_> = counts.take(MOST_VALUES).chain(more).collect();
+            table.row([key.clone(), counts.join(", ")]);
         }
         text.push_str(&table.render());
     }
