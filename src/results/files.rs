@@ -47,10 +47,10 @@ pub(super) fn write(
     let put = if durable { atomic_file::write } else { atomic_file::write_unsynced };
     let mut seals = Seals::new();
     for (name, text) in texts(result) {
-        let folder = directory.join(name);
-        let path = folder.join(format!("{id}.csv"));
+        let path = path(directory, name, id);
         // Nearly always the folder is there: it is asked for where it is missed.
         if let Err(error) = put(&path, text.as_bytes()) {
+            let folder = directory.join(name);
             if folder.is_dir() {
                 return Err(error);
             }
@@ -83,8 +83,7 @@ impl Unsynced {
 
     /// A case has left its files.
     pub(super) fn add(&mut self, directory: &Path, id: CaseId, seals: &Seals) {
-        let path = |name: &String| directory.join(name).join(format!("{id}.csv"));
-        self.paths.extend(seals.keys().map(path));
+        self.paths.extend(seals.keys().map(|name| path(directory, name, id)));
     }
 
     /// All of them; none are left.
