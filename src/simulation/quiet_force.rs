@@ -141,7 +141,7 @@ impl QuietForce {
         let within = side * (1.0 + 1e-9);
         let turns = || self.turns.iter().filter(|turn| (turn.time - middle).abs() <= within);
         let count = turns().count() as f64;
-        let reach = turns().last()?.time - turns().next()?.time;
+        let reach = turns().next_back()?.time - turns().next()?.time;
         // Some turns are missing where they reach over little more than one side.
         if count < 3.0 || reach < 1.25 * side {
             return None;
