@@ -47,8 +47,6 @@ pub struct QuietForce {
     lag: f64,
     /// To both sides of that middle, s.
     side: f64,
-    /// For walls that swing, s.
-    swift_side: f64,
     filled: bool,
     samples: VecDeque<(f64, f64)>,
     turns: VecDeque<Compression>,
@@ -59,13 +57,11 @@ impl QuietForce {
     /// water makes no sound.
     pub fn new(span: f64, turn: Option<f64>) -> QuietForce {
         let side = turn.map_or(0.5 * span, |turn| (SIDE * span).max(SIDE_TURNS * turn));
-        let turn = turn.unwrap_or(0.0);
         QuietForce {
             span,
             // A turn is told when it is over.
-            lag: side + turn,
+            lag: side + turn.unwrap_or(0.0),
             side,
-            swift_side: side.min((SWIFT_SIDE * span).max(SWIFT_TURNS * turn)),
             filled: false,
             samples: VecDeque::with_capacity(ROOM),
             turns: VecDeque::with_capacity(ROOM),
@@ -130,7 +126,9 @@ impl QuietForce {
 
     /// What sound adds to the force around `middle`; nothing where it was not listened to throughout.
     fn sound(&self, middle: f64) -> Push {
-        match [self.side, self.swift_side].map(|side| self.added(middle, side)) {
+        let turn = self.lag - self.side;
+        let swift_side = self.side.min((SWIFT_SIDE * self.span).max(SWIFT_TURNS * turn));
+        match [self.side, swift_side].map(|side| self.added(middle, side)) {
             [Some([force, depth]), Some([swift, _])] => Push { force, swift, depth: Some(depth) },
             _ => Push::default(),
         }
