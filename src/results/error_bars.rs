@@ -29,7 +29,7 @@ const FORCE_SCATTER: f64 = 0.0029;
 /// Scatter of a level, as a share of the spacing: of the lowest wave, whose tip is not sharp.
 const LEVEL_SCATTER: f64 = 0.07;
 /// Scatter of a displacement, as a share of it.
-const DISPLACEMENT_SCATTER: f64 = 0.0034;
+const DISPLACEMENT_SCATTER: f64 = 0.0030;
 
 impl ErrorBars {
     /// The bars of a case that has ended well, from those of its companions that have.
