@@ -22,14 +22,14 @@ use crate::scene::CaseConfig;
 use crate::simulation::{Maximum, Outcome};
 use crate::study::Study;
 
-// Nine in ten of 144 readings stay below these. They are of walls and waves between those of the 300 cases, at six
-// spacings (`results/accuracy/coverage_between.md`).
+// What companions do not tell. With these 95 % of the bars of 144 cases hold. They are of walls and waves between those
+// of the 300 cases, at six spacings (`results/accuracy/coverage_between.md`).
 /// Scatter of a force, as a share of it.
-const FORCE_SCATTER: f64 = 0.0029;
+const FORCE_SCATTER: f64 = 0.0028;
 /// Scatter of a level, as a share of the spacing: of the lowest wave, whose tip is not sharp.
 const LEVEL_SCATTER: f64 = 0.07;
 /// Scatter of a displacement, as a share of it.
-const DISPLACEMENT_SCATTER: f64 = 0.0030;
+const DISPLACEMENT_SCATTER: f64 = 0.0021;
 
 impl ErrorBars {
     /// The bars of a case that has ended well, from those of its companions that have.
@@ -198,7 +198,7 @@ mod tests {
         let widest = percent(bars.force, first)
             .max(percent(bars.displacement, told.displacement_max.unwrap().value));
         let narrowest = narrowest_bar_percent(&own).unwrap();
-        assert!(narrowest >= 0.3 && widest > narrowest * (1.0 - 1e-12), "{widest} {narrowest}");
+        assert!(narrowest > 0.25 && widest > narrowest * (1.0 - 1e-12), "{widest} {narrowest}");
         assert!(widest < 2.0 * narrowest, "{widest} {narrowest}");
     }
 
