@@ -88,6 +88,25 @@ fn a_level_bed_is_a_flat_tank() {
     assert!(!flat.history.is_empty() && flat.history == level.history);
 }
 
+/// A low sill far before a wall hardly matters, and it has a bed that gives back. Water that went along the bed with the
+/// wall counted as running into it. It gathered at the wall's foot, and the wall went 1.229 h.
+#[test]
+fn a_wall_goes_as_far_over_a_bed_that_gives_back() {
+    let travel = |bed: &str| {
+        let scene = format!(
+            "tank_length_m = 4\nstill_water_depth_m = 0.3\nwave_height_ratio = 0.25\nwave_gauge_m = 1\n\
+             end_after_stroke_centre_s = 3.2\nwall = \"movable\"\nspring_stiffness_n_per_m = 500\n\
+             seawall_mass_kg_per_m = 20\n{bed}"
+        );
+        let outcome = computed_with(&scene, "conservative_bed = true", &[]).outcome;
+        (outcome.displacement_max.unwrap().value, outcome.energy_gap_percent)
+    };
+    let (level, _) = travel("");
+    let (sill, gap) = travel("bed = [[0, 0], [1.5, 0], [1.6, 0.04], [1.7, 0], [4, 0]]");
+    println!("X* {sill} with the sill, {level} without, energy gap {gap} %");
+    assert!((sill / level - 1.0).abs() < 0.006 && gap.abs() < 0.4, "{sill} {level} {gap}");
+}
+
 /// Water that runs back over the edge of a step found up to 10 % of the paddle's work where the bed did not give back
 /// what it did. From 12 √(gh) on, what stilled the water there fed it, and runs ended.
 #[test]

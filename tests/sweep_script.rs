@@ -88,6 +88,21 @@ fn ended(child: Child) -> Output {
     child.wait_with_output().unwrap()
 }
 
+/// A trial run has no journal. Its code was taken for that of a job that died: 70.
+#[test]
+fn a_dry_run_ends_as_the_program_does() {
+    if !mpirun_is_there() {
+        return;
+    }
+    let room = Room::new(TINY);
+    expect_code(&room.script(&["--dry-run", "--quiet"]).output().unwrap(), 0);
+    expect_code(
+        &room.script(&["--dry-run", "--set", "numerics.kernel=\"none\""]).output().unwrap(),
+        2,
+    );
+    assert!(!room.out.exists());
+}
+
 #[test]
 fn a_launcher_that_is_told_to_end_gives_the_code_of_an_interrupted_sweep() {
     if !mpirun_is_there() {

@@ -1,14 +1,18 @@
 //! The steps of a bed that gives back what work it does: see `giving.rs`.
 
+use super::alongside::Alongside;
 use super::exchange::Exchange;
+use super::ghosts::Ghosts;
 use super::giving::Giving;
-use crate::math::simd::{Lanes, SimdPath, Task, dispatch};
-use crate::pairs::Record;
+use crate::body::BodyMotion;
+use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
+use crate::pairs::{Factors, Flow, Record};
 
 /// Gives back what ran into the ghosts of some blocks.
 struct GiveBack<'a> {
     exchange: &'a Exchange,
     giving: &'a Giving,
+    bodies: &'a [BodyMotion],
     velocities: [&'a [f64]; 2],
     given: &'a mut [f64],
 }
@@ -18,12 +22,14 @@ impl Task for GiveBack<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let GiveBack { exchange, giving, velocities: [u, v], given } = self;
+        let GiveBack { exchange, giving, bodies, velocities: [u, v], given } = self;
         let [along, up] = &giving.fluxes;
         for part in &exchange.parts {
             for &block in part.among(giving.blocks(&exchange.counting)) {
                 let (row, image) = (block as usize, &exchange.images[block as usize]);
-                let ([along], [up]) = (along.sums::<L, 1>(row, [u]), up.sums::<L, 1>(row, [v]));
+                let [beside_u, beside_v] = giving.alongside.velocity::<L>(row, bodies);
+                let along = run_in(along.of(row), u, beside_u);
+                let up = run_in(up.of(row), v, beside_v);
                 // A pressure that is held at its lowest is not the water's.
                 let (zero, pressure) = (L::splat(0.0), L::load(&image.pressure));
                 let flux = L::load(&image.lowest).select_less(pressure, along + up, zero);
@@ -37,24 +43,78 @@ impl Task for GiveBack<'_> {
     }
 }
 
+/// Σ_i f_i (u_i - U), of fluxes f and velocities u of the water around eight ghosts.
+#[inline(always)]
+fn run_in<L: Lanes>(held: (&[u32], &[[f64; LANES]]), velocity: &[f64], beside: L) -> L {
+    let of_one = |sum: L, (&i, flux): (&u32, &[f64; LANES])| {
+        L::load(flux).mul_add(L::splat(velocity[i as usize]) - beside, sum)
+    };
+    held.0.iter().zip(held.1).fold(L::splat(0.0), of_one)
+}
+
+/// The bed's ghosts as neighbours, with their velocities less those that water beside a wall has.
+struct Relative<'a> {
+    exchange: &'a Exchange,
+    giving: &'a Giving,
+    bodies: &'a [BodyMotion],
+    flow: Flow,
+    factors: &'a mut [Factors],
+}
+
+impl Task for Relative<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let Relative { exchange, giving, bodies, flow, factors } = self;
+        let ((factors, _), zero) = (factors.as_chunks_mut::<LANES>(), L::splat(0.0));
+        for &block in giving.blocks(&exchange.counting) {
+            let (row, image) = (block as usize, &exchange.images[block as usize]);
+            let [u, v] = giving.alongside.velocity::<L>(row, bodies);
+            let velocity = [L::load(&image.velocity[0]) - u, L::load(&image.velocity[1]) - v];
+            let place = [L::load(&image.place[0]), L::load(&image.place[1])];
+            L::store_records(flow.numbers(velocity, place, [zero, zero]), &mut factors[row]);
+        }
+    }
+}
+
 impl Exchange {
     /// Whether the bed gives back what it does.
     pub fn gives_back(&self) -> bool {
         self.giving.is_some()
     }
 
+    /// How its ghosts go with walls beside them, where it gives back.
+    pub fn alongside(&self) -> Option<&Alongside> {
+        Some(&self.giving.as_ref()?.alongside)
+    }
+
     /// Finds how water runs into the ghosts of the bed, for the steps until the next full one. The records are those of
     /// the water, and of the ghosts alone.
-    pub fn find_fluxes(&mut self, path: SimdPath, records: [&[Record]; 2]) {
+    pub fn find_fluxes(
+        &mut self,
+        path: SimdPath,
+        beds: (&Ghosts, &[BodyMotion]),
+        records: [&[Record]; 2],
+    ) {
         let Some(mut giving) = self.giving.take() else { return };
-        giving.find(path, &self.rules, (&self.counting, &self.images), records);
+        giving.find(path, &self.rules, beds, (&self.counting, &self.images), records);
         self.giving = Some(giving);
     }
 
     /// Finds the volume per second that each particle gives to the bed's ghosts, m²/s, from velocities along x and y.
-    pub fn give_back(&self, path: SimdPath, velocities: [&[f64]; 2], given: &mut [f64]) {
+    /// The ghosts' velocities relative to the walls beside go into `factors`, their numbers as neighbours.
+    pub fn give_back(
+        &self,
+        path: SimdPath,
+        bodies: &[BodyMotion],
+        velocities: [&[f64]; 2],
+        given: &mut [f64],
+        (flow, factors): (Flow, &mut [Factors]),
+    ) {
         let Some(giving) = &self.giving else { return };
         given.fill(0.0);
-        dispatch(path, GiveBack { exchange: self, giving, velocities, given });
+        dispatch(path, GiveBack { exchange: self, giving, bodies, velocities, given });
+        dispatch(path, Relative { exchange: self, giving, bodies, flow, factors });
     }
 }

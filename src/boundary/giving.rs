@@ -9,14 +9,16 @@
 //! the rate at which water runs into the ghost. That work is the water's own, so it gives it back: volume D_g is taken
 //! from the water around the mirror point, w_k D_g from each particle. This takes the place of the ghosts' velocities
 //! in the continuity equation. Beside a straight face both are alike. At an edge the flow is no mirror image of
-//! itself: there the velocities take energy on the way in and make as much again on the way out.
+//! itself: there the velocities take energy on the way in and make as much again on the way out. Beside a wall that
+//! moves velocities are relative to it: see `alongside.rs`.
 
 use std::marker::PhantomData;
 
+use super::alongside::Alongside;
 use super::ghosts::Ghosts;
 use super::image::Image;
 use super::rules::ExchangeRules;
-use crate::body::Place;
+use crate::body::{BodyMotion, Place};
 use crate::kernel::Kernel;
 use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
 use crate::pairs::{HeldWeights, PairList, PointSet, Record, build_pair_list};
@@ -28,6 +30,7 @@ pub(super) struct Giving {
     list: PairList,
     /// V_g V_i L_g ∇W_ig, its parts along x and up, m.
     pub fluxes: [HeldWeights; 2],
+    pub alongside: Alongside,
 }
 
 impl Giving {
@@ -50,12 +53,16 @@ impl Giving {
         &mut self,
         path: SimdPath,
         rules: &ExchangeRules,
+        (ghosts, bodies): (&Ghosts, &[BodyMotion]),
         (counting, images): (&[u32], &[Image]),
         records: [&[Record]; 2],
     ) {
         let weight_per_volume = rules.scaling.weight_per_volume;
+        let reach = rules.scaling.support_radius;
+        let blocks = &counting[..self.bed_blocks(counting)];
+        self.alongside.find(ghosts, bodies, reach, blocks);
         with_kernel!(rules.kernel, K => dispatch(path, Flux::<K> {
-            blocks: self.blocks(counting),
+            blocks,
             list: &self.list,
             fluxes: &mut self.fluxes,
             images,
@@ -65,9 +72,14 @@ impl Giving {
         }));
     }
 
-    /// The bed's blocks of those that count: they come first.
+    /// How many of the blocks that count are the bed's: they come first.
+    fn bed_blocks(&self, counting: &[u32]) -> usize {
+        counting.partition_point(|&block| (block as usize) < self.list.clusters())
+    }
+
+    /// The bed's blocks of those that count.
     pub fn blocks<'a>(&self, counting: &'a [u32]) -> &'a [u32] {
-        &counting[..counting.partition_point(|&block| (block as usize) < self.list.clusters())]
+        &counting[..self.bed_blocks(counting)]
     }
 }
 

@@ -6,6 +6,7 @@
 //! A new interpolator is one file, a line of `interpolators!`, and the arm of `Numerics::interpolator`
 //! that gives it its parameters.
 
+mod alongside;
 mod bed;
 mod behind;
 mod closed_box;
@@ -43,6 +44,7 @@ mod wall;
 mod waterline;
 mod weighing;
 
+pub use alongside::Alongside;
 pub use closed_box::{box_ghosts, no_ghosts};
 pub use crest::Crest;
 pub use exchange::Exchange;

@@ -107,7 +107,9 @@ pub(super) fn main(args: &SweepArgs, output: &Output, launcher: Launcher) -> any
         let study = study(&args.file, &args.settings, Expect::Grid)?;
         let study = max_error::chosen(args.max_error, study, output)?;
         films::check(&args.film, &study)?;
-        return check::show(&study, !args.no_branch, output);
+        let code = check::show(&study, !args.no_branch, output)?;
+        args.ending.end(code);
+        return Ok(code);
     }
     let use_mpi = choose(args.executor, launcher, mpi::AVAILABLE)?;
     let interrupt = Interrupt::listen()?;

@@ -94,13 +94,6 @@ impl CaseConfig {
         Some(CaseConfig { scene: Scene::Seawall(scene), numerics, probes: self.probes.clone() })
     }
 
-    /// Whether a wall moves over a bed that is not level and gives back. Water gathers in the corner between both.
-    pub fn moves_over_giving_bed(&self) -> bool {
-        let moves = self.scene.seawall().is_some_and(|scene| scene.wall.moves());
-        let gives = self.numerics.scheme == Scheme::Wcsph && self.numerics.conservative_bed;
-        moves && gives && self.scene.bed().is_some()
-    }
-
     /// What decides this case's answer.
     pub fn without_error_bars(&self) -> CaseConfig {
         let mut config = self.clone();

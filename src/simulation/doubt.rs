@@ -1,7 +1,7 @@
 //! Whether anything touches a quoted number, so that its history should be looked at first.
 
 use super::blows::Blows;
-use super::doubt_reasons::{END_OF_RUN, MOVING_WALL};
+use super::doubt_reasons::END_OF_RUN;
 use super::face_gaps::FaceGaps;
 use super::found::Found;
 use super::health::LASTING_GAP;
@@ -21,8 +21,6 @@ const FOUND_PERCENT: f64 = 1.0;
 const FOUND_OF_SPACING: f64 = 125.0;
 /// And water at the foot of the wall that its own weight makes denser by more than this, percent.
 const COMPRESSION_PERCENT: f64 = 6.0;
-/// So is a wall that has gone farther than this, X*, over a bed that gives back: it went 0.5 % too far at 0.23, and 3 % at 1.2.
-const MOST_TRAVEL: f64 = 0.1;
 /// A force and a runup of less than this at the end, over those of still water and over h, tell of no wave.
 const RIPPLE: f64 = 0.01;
 /// Still water presses wall and paddle alike: of sound ghosts within so many times (Δx/h)².
@@ -44,8 +42,6 @@ pub(super) struct Evidence<'a> {
     pub work: f64,
     /// ... and in words.
     pub counted_in: &'static str,
-    /// Whether a wall moves over a bed that gives back.
-    pub gathers: bool,
     /// Δx/h, with the depth at the wall where that is less.
     pub spacing: f64,
     /// Δx over the least still water on the way to the wall, less over a sill under water.
@@ -70,7 +66,6 @@ impl Evidence<'_> {
         reasons.extend(self.energy(outcome));
         reasons.extend(self.compression(outcome));
         reasons.extend(self.at_rest());
-        reasons.extend(self.moving_wall(outcome));
         reasons.extend(self.stops(outcome));
         reasons.extend(self.cut_off(outcome));
         (!reasons.is_empty()).then(|| reasons.join("; "))
@@ -130,15 +125,6 @@ impl Evidence<'_> {
                 "force at rest: still water pressed the wall {percent:+.2} % more than the paddle"
             )
         })
-    }
-
-    /// Water that gathers at the foot of a wall which moves. Elsewhere it then lacks.
-    fn moving_wall(&self, outcome: &Outcome) -> Option<String> {
-        let travel = outcome.displacement_max.filter(|x| self.gathers && x.value > MOST_TRAVEL)?;
-        Some(format!(
-            "{MOVING_WALL}: it went {:.2} h over a bed with conservative_bed, where water gathers at its foot",
-            travel.value
-        ))
     }
 
     /// Forces and runups that would have gone on rising. Displacements have a column of their own for it.

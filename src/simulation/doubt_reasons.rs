@@ -6,18 +6,14 @@ use serde::{Deserialize, Deserializer};
 /// The kind of a maximum that stands at the end of the run.
 pub(super) const END_OF_RUN: &str = "end of run";
 
-/// The kind of a wall that moved over a bed that gives back.
-pub(super) const MOVING_WALL: &str = "moving wall";
-
 /// The kinds of the reasons that a case is doubted for.
 pub fn kinds_of_doubt(told: &str) -> impl Iterator<Item = &str> {
     told.split("; ").filter_map(|reason| Some(reason.split_once(": ")?.0))
 }
 
-/// Whether the same case with finer particles may be free of these reasons: all but that the run ends too early, and
-/// that the wall moved where water gathers at its foot.
+/// Whether the same case with finer particles may be free of these reasons: all but that the run ends too early.
 pub fn finer_particles_may_clear(told: &str) -> bool {
-    kinds_of_doubt(told).all(|kind| ![END_OF_RUN, MOVING_WALL].contains(&kind))
+    kinds_of_doubt(told).all(|kind| kind != END_OF_RUN)
 }
 
 /// Reads the reasons of a journal. Earlier versions counted coarse particles among them, which touch no

@@ -189,7 +189,6 @@ impl Run {
                 (true, true) => "the work that passed between paddle and water",
                 (false, _) => "the water's initial energy",
             },
-            gathers: self.config.moves_over_giving_bed(),
             spacing: tank.spacing / tank.least_depth,
             spacing_on_way: tank.spacing / on_way,
             is_wave: has_wave && tank.paddle.is_some(),

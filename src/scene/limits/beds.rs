@@ -51,12 +51,6 @@ pub(super) const BEDS: &[Limit] = &[
          nine waves over upright steps ended their runs at twenty rows",
     ),
     (
-        |case| case.config.moves_over_giving_bed(),
-        "a wall that moves over a bed with conservative_bed: water gathers in the corner between both; at twenty rows walls \
-         that went 0.3, 1.2 and 1.5 h went 1, 3 and 2 % too far, and one of 1.2 h at ten rows 6 %, with runups 0.03 h low; \
-         conservative_bed = false moved them right, but over steep beds finds energy",
-    ),
-    (
         |case| case.stirs(),
         "a bed steeper than 1:2 under water, from 1:5 on in a long run, or one no steeper than 1:2 that comes out of it in \
          a very long one, without shifting = \"deep\" and conservative_bed = true: still water began to turn at the upper ends of \

@@ -12,6 +12,7 @@ use super::Workspace;
 use super::correction::surface_share;
 use super::diffusion::Diffusion;
 use crate::body::Place;
+use crate::boundary::Alongside;
 use crate::pairs::{Double, Factors, Flow, FlowSums, Fluid, Held, HeldEquation, Here, Own};
 
 /// The rows that the equation writes: the strain; the rates of change of density, the sums of g times
@@ -31,8 +32,10 @@ pub(super) struct Continuity<'a, D> {
     /// δ h c0 / R.
     pub diffusion: f64,
     pub bodies: usize,
-    /// The bed gives back to the water what work it does on it.
-    pub bed_gives: bool,
+    /// Where the bed gives back to the water what work it does on it: how that goes with walls that move.
+    pub bed_gives: Option<&'a Alongside>,
+    /// Its ghosts' numbers, with their velocities relative to those of the water beside a wall.
+    pub of_bed: &'a [Factors],
     pub support_radius: f64,
     /// See [`super::correction::first_row_share`].
     pub first_row: f64,
@@ -60,8 +63,8 @@ impl<F: Diffusion> HeldEquation<Rows<'_>> for Continuity<'_, F> {
         }
         let diffusion = self.formulation.faded(here, diffusion * D::splat(self.diffusion));
         let mut divergence = self.divergence(here, &sums, strain, turning);
-        if self.bed_gives {
-            divergence += self.given_by_bed(here, held);
+        if let Some(alongside) = self.bed_gives {
+            divergence += self.given_by_bed(here, held, alongside);
         }
         here.put(rate, density.mul_add(divergence, diffusion));
         if self.sample {
@@ -115,15 +118,22 @@ impl<F: Diffusion> Continuity<'_, F> {
         xx.mul_add(u_x, yy * v_y) + xy * sums.aslant(own)
     }
 
-    /// What the bed gives, less what the velocities of its ghosts have put into the divergence.
+    /// What the bed gives, less what the velocities of its ghosts have put into the divergence. Within the support
+    /// radius of a wall water goes along with it.
     #[inline(always)]
-    fn given_by_bed<D: Double>(&self, here: Here, held: &Held<'_, '_>) -> D {
+    fn given_by_bed<D: Double>(&self, here: Here, held: &Held<'_, '_>, alongside: &Alongside) -> D {
         let (work, zero) = (self.work, D::splat(0.0));
         let group = Place::Bed.number() + 1;
-        let bed = held.flow::<D>(self.flow, self.factors, group..=group);
         let place = here.all::<D, 2>([&work.scaled_x, &work.scaled_y]);
         let own = Own { place, velocity: [zero; 2], gradient: [zero; 2] };
-        let of_velocities = self.contracted(here, &bed, &own);
+        let put_in = |factors: &[Factors]| {
+            self.contracted(here, &held.flow::<D>(self.flow, factors, group..=group), &own)
+        };
+        let mut of_velocities = put_in(self.factors);
+        let (before, one) = (zero - alongside.beyond(place), D::splat(1.0));
+        if before.any_less(one) {
+            of_velocities = before.select_less(one, put_in(self.of_bed), of_velocities);
+        }
         let given = here.of::<D>(&work.given) * here.of(&self.fluid.density);
         // Padding has no mass.
         let mass = here.of::<D>(&self.fluid.mass).max(D::splat(f64::MIN_POSITIVE));

@@ -138,6 +138,11 @@ impl Wcsph {
         let water = [&*self.fluid.vx, &*self.fluid.vy];
         let numbers = (flow, &mut self.numbers[self.fluid.padded_len()..]);
         self.exchange.refresh_velocities(path, &self.ghosts, bodies, water, numbers);
-        self.exchange.give_back(path, water, &mut self.work.given);
+        if self.exchange.gives_back() {
+            let padded = self.fluid.padded_len();
+            self.bed_numbers.resize(self.numbers.len(), Factors::default());
+            let numbers = (flow, &mut self.bed_numbers[padded..]);
+            self.exchange.give_back(path, bodies, water, &mut self.work.given, numbers);
+        }
     }
 }

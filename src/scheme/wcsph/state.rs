@@ -70,6 +70,8 @@ pub struct Wcsph {
     pub(super) reference_bodies: Vec<BodyMotion>,
     /// What passes over held pairs read of each neighbour: numbers of its velocity, then of its pressure.
     pub(super) numbers: Vec<Factors>,
+    /// The same of the ghosts of a bed that gives back: see `boundary/give_back.rs`.
+    pub(super) bed_numbers: Vec<Factors>,
     /// See [`super::diffusion::Renormalised`]; empty where not needed.
     pub(super) slants: Vec<Factors>,
     /// Place of the coming step between two full ones; 0 is a full step.
@@ -120,6 +122,7 @@ impl Wcsph {
             planes: Vec::new(),
             reference_bodies: vec![BodyMotion::default(); bodies],
             numbers: vec![Factors::default(); padded + ghosts.len()],
+            bed_numbers: Vec::new(),
             slants: match options.density_diffusion {
                 DensityDiffusion::Renormalised => vec![Factors::default(); padded],
                 _ => Vec::new(),

@@ -71,7 +71,8 @@ impl Wcsph {
         let bodies = &self.held_bodies;
         self.exchange.weigh(self.pairs.path, &self.ghosts, bodies, fluid);
         self.exchange.fill(self.pairs.path, &self.ghosts, bodies, self.responds, ghost_records);
-        self.exchange.find_fluxes(self.pairs.path, [fluid.records, ghost_records]);
+        let beds = (&self.ghosts, &**bodies);
+        self.exchange.find_fluxes(self.pairs.path, beds, [fluid.records, ghost_records]);
         let filled = Instant::now();
         self.timings.ghosts += (filled - packed).as_secs_f64();
         self.last_viscous_power = self.momentum_pass(dt);

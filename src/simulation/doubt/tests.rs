@@ -1,5 +1,4 @@
 use super::super::blows::{Acoustics, Hit};
-use super::super::doubt_reasons::finer_particles_may_clear;
 use super::super::outcome::Maximum;
 use super::*;
 
@@ -48,7 +47,6 @@ fn doubt(
         found: &found,
         work: 100.0,
         counted_in: "the paddle's work",
-        gathers: false,
         spacing: 0.06,
         spacing_on_way: 0.06,
         is_wave: true,
@@ -150,19 +148,6 @@ fn soft_water_is_doubtful() {
     };
     assert_eq!((with(8.0), with(7.0)), (None, None));
     assert_eq!(with(4.0).unwrap(), "compression: its weight makes the water 9.4 % denser");
-}
-
-/// The story: a caisson went 2.4 % too far behind a small sill, and nothing told it.
-#[test]
-fn a_wall_that_goes_far_over_a_bed_that_gives_back_is_doubtful() {
-    let with = |gathers, travel| {
-        let outcome = Outcome { displacement_max: Some(at(travel, 1.5)), ..outcome() };
-        doubt(&outcome, [0.0, 0.0], 0.0, |e| e.gathers = gathers)
-    };
-    assert_eq!([with(true, 0.09), with(false, 1.5)], [None, None]);
-    let told = with(true, 1.58).unwrap();
-    assert!(told.starts_with("moving wall: it went 1.58 h over a bed with"), "{told}");
-    assert!(!finer_particles_may_clear(&told));
 }
 
 #[test]
