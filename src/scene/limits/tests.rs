@@ -65,15 +65,6 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     };
     let near = [0.15, 0.19, 0.2, 0.22, 0.3].map(low);
     assert_eq!(near, [0, 2, 1, 1, 0], "a top near the still water, and one row at the wall");
-    let moves = "bed = [[0, 0], [1.5, 0], [1.5, 0.05], [2.5, 0.05]]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50";
-    let moves = format!("{moves}\nspring_stiffness_n_per_m = 1000");
-    let fixed =
-        moves.replace("\"movable\"", "\"fixed\"").lines().take(2).collect::<Vec<_>>().join("\n");
-    assert_eq!(
-        [&moves, &fixed].map(|scene| count(scene, "")),
-        [1, 0],
-        "a wall that moves over a step"
-    );
     let beach = "tank_length_m = 4\nbed = [[0, 0], [2, 0], [4, 0.4]]";
     let gentle = beach.replace("0.4]", "0.3]");
     let rests = |seconds: u32| format!("{gentle}\nwave_height_ratio = 0\nend_time_s = {seconds}");
