@@ -49,8 +49,8 @@ impl Alongside {
         for &block in blocks {
             let share = &mut self.shares[block as usize];
             *share = Share::default();
-            for (wall, share) in walls.iter().zip(share) {
-                for lane in 0..LANES {
+            for (wall, [along_x, along_y]) in walls.iter().zip(share) {
+                for (lane, share) in along_x.iter_mut().zip(along_y).enumerate() {
                     let g = block as usize * LANES + lane;
                     let place = [ghosts.x[g] + bodies[bed].offset, ghosts.y[g]];
                     let Reflection::Plane { normal: [nx, ny] } = ghosts.reflection[g] else {
@@ -60,7 +60,7 @@ impl Alongside {
                     let across = along[0] * wall.normal[0] + along[1] * wall.normal[1];
                     if wall.beyond(place) > -2.0 * radius && across.abs() > ACROSS {
                         let speed = wall.normal[0] / across;
-                        (share[0][lane], share[1][lane]) = (speed * along[0], speed * along[1]);
+                        (*share.0, *share.1) = (speed * along[0], speed * along[1]);
                     }
                 }
             }
