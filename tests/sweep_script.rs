@@ -2,6 +2,7 @@
 #![cfg(all(feature = "mpi", target_os = "linux"))]
 
 mod common;
+mod scripts;
 
 use std::fs;
 use std::os::unix::fs::PermissionsExt;
@@ -278,25 +279,6 @@ fn a_job_that_makes_one_more_film_is_started_again() {
     let output = room.script_under(&dies).arg("--keep-going").output().unwrap();
     expect_code(&output, 70);
     assert_eq!(fs::read_to_string(&starts).unwrap().lines().count(), 6);
-}
-
-/// The story: `scripts/validate` removed what earlier runs had left before it had looked at its words.
-#[test]
-fn words_that_cannot_be_used_cost_no_earlier_results() {
-    let root = tempfile::tempdir().unwrap();
-    let parts = ["scripts", "sweeps"].map(|part| Path::new(env!("CARGO_MANIFEST_DIR")).join(part));
-    let copied = Command::new("cp").arg("-r").args(parts).arg(root.path()).status().unwrap();
-    assert!(copied.success());
-    let earlier = root.path().join("results/runs/validation");
-    fs::create_dir_all(&earlier).unwrap();
-    fs::write(earlier.join("summary.md"), "earlier").unwrap();
-    for words in [&["--nonsense"][..], &["--set", "numerics.colour=1"]] {
-        let mut command = Command::new(root.path().join("scripts/validate"));
-        command.args(words).env("SEAWALL_BINARY", env!("CARGO_BIN_EXE_seawall"));
-        let output = command.env("CARGO_TARGET_DIR", root.path().join("target")).output().unwrap();
-        expect_code(&output, 2);
-        assert!(earlier.join("summary.md").exists(), "{words:?}");
-    }
 }
 
 /// The story: told alone to end, as `kill` and batch systems do, these scripts left what they had started at work.

@@ -171,6 +171,20 @@ attended() {
   return "$ended"
 }
 
+# first_look COMMAND...: tries a sweep with --dry-run before anything is removed or written. Words that cannot be used
+# end the script here. So does --dry-run where it is among the words: that was all that was asked for.
+first_look() {
+  local word words=() dry=no
+  for word in "$@"; do
+    if [ "$word" = --dry-run ]; then dry=yes; else words+=("$word"); fi
+  done
+  if [ "$dry" = yes ]; then
+    attended "${words[@]}" --dry-run
+    exit
+  fi
+  attended "${words[@]}" --dry-run >/dev/null
+}
+
 # stop_unless_failed CODE: after a sweep. A case that failed (1) is told in its tables; half a study is none.
 stop_unless_failed() { [ "$1" -le 1 ] || exit "$1"; }
 
