@@ -198,7 +198,7 @@ launcher() {
 given_binary() {
   local given=${!1:-}
   [ -n "$given" ] || return 1
-  [ -x "$given" ] || fail "$1=$given: must be a program"
+  [ -f "$given" ] && [ -x "$given" ] || fail "$1=$given: must be a program"
   binary=$(realpath "$given")
 }
 

@@ -64,3 +64,24 @@ fn dry_runs_and_words_that_cannot_be_used_cost_no_earlier_results() {
     expect_code(&output.unwrap(), 0);
     assert!(!copy.root.path().join("results/liang2017").exists());
 }
+
+#[test]
+fn words_that_a_script_cannot_use_are_bad_input() {
+    let copy = Copy::new();
+    for words in [
+        &["ranks", "4", "5"][..],
+        &["liang2017", "--only", "nonsense"],
+        &["same_answers", "keep", "kept", "/no/where"],
+        &["same_answers", "keep", "kept", "/tmp"],
+        &["flume_film", "nonsense"],
+        &["screenshots", "one", "two"],
+    ] {
+        let output = copy.script(words[0], &words[1..]).output().unwrap();
+        expect_code(&output, 2);
+        let told = String::from_utf8(output.stderr).unwrap();
+        assert!(told.contains(&format!("; see scripts/{} --help", words[0])), "{told}");
+    }
+    // A folder is no program.
+    let mut command = copy.script("accuracy", &[]);
+    expect_code(&command.env("SEAWALL_BINARY", "/tmp").output().unwrap(), 70);
+}
