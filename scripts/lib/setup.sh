@@ -8,6 +8,7 @@
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 target=${CARGO_TARGET_DIR:-$root/target}
+[[ $target = /* ]] || target=$PWD/$target # scripts go elsewhere
 setup_log=$target/setup.log
 
 say() { printf '%s: %s\n' "${0##*/}" "$*" >&2; }

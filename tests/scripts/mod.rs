@@ -85,3 +85,15 @@ fn words_that_a_script_cannot_use_are_bad_input() {
     let mut command = copy.script("accuracy", &[]);
     expect_code(&command.env("SEAWALL_BINARY", "/tmp").output().unwrap(), 70);
 }
+
+/// The story: with a target directory that counts from the caller's, the build was looked for elsewhere than it went.
+#[test]
+fn a_target_directory_may_be_relative() {
+    let (copy, place) = (Copy::new(), tempfile::tempdir().unwrap());
+    let file = copy.root.path().join("sweeps/smoke.toml");
+    let mut command =
+        copy.script("sweep", &["--threads-only", "--dry-run", file.to_str().unwrap()]);
+    command.current_dir(place.path()).env("CARGO_TARGET_DIR", "built").env_remove("SEAWALL_BINARY");
+    expect_code(&command.output().unwrap(), 0);
+    assert!(place.path().join("built/release/seawall").exists());
+}
