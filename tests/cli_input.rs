@@ -271,6 +271,32 @@ fn a_sweep_file_may_come_through_a_pipe() {
     assert!(film.err.contains("has no summary.csv"));
 }
 
+/// The story: `check /dev/zero` filled the memory, and with a pipe that nobody writes into no command ended.
+#[test]
+#[cfg(unix)]
+fn a_file_without_an_end_is_refused() {
+    let root = tempfile::tempdir().unwrap();
+    let [pipe, long] = ["pipe", "long"].map(|name| root.path().join(name));
+    assert!(std::process::Command::new("mkfifo").arg(&pipe).status().unwrap().success());
+    fs::File::create(&long).unwrap().set_len(2 << 30).unwrap();
+    let long = (long.to_str().unwrap(), "is longer than 64 MiB, the most that is read; give a");
+    let pipe = (pipe.to_str().unwrap(), "nobody writes into this pipe; give a sweep or scene file");
+    for (file, words) in [("/dev/zero", long.1), long, pipe] {
+        let mut commands =
+            vec![vec!["check", file], vec!["slurm", file, "--nodes", "1", "--time", "9"]];
+        commands.extend(["sweep", "run", "accuracy"].map(|command| vec![command, file]));
+        for command in commands {
+            let told = ended(2, &command).err;
+            assert!(told.contains(&format!("{file}: {words}")), "{command:?}: {told}");
+        }
+    }
+    let stroke = format!("scene.recorded_stroke={}", pipe.0);
+    let paddle = ["--set", "scene.paddle=recorded-stroke", "--set", &stroke];
+    let desk = Desk::new(TINY);
+    let told = ended(2, &[&["check", &desk.file][..], &paddle].concat()).err;
+    assert!(told.contains("cannot be read: nobody writes into this pipe; a path"), "{told}");
+}
+
 /// The story: a sweep file of one case was refused, as it "has 1 cases, and `seawall run` takes one".
 #[test]
 fn a_sweep_file_of_one_case_needs_no_words() {

@@ -7,7 +7,7 @@ use clap::ValueEnum;
 
 use super::failure::{BadFile, BadInput};
 use super::pick::the_case;
-use crate::keys::named;
+use crate::keys::{bytes_of, named};
 use crate::math::simd::SimdPath;
 use crate::math::words::in_words;
 use crate::study::{Override, Study, SweepFile};
@@ -65,13 +65,13 @@ static PIPED: Mutex<Option<(PathBuf, Vec<u8>)>> = Mutex::new(None);
 /// The bytes of a file, or of a pipe, however often they are asked for.
 fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     if !path.exists() || path.is_file() || path.is_dir() {
-        return std::fs::read(path);
+        return bytes_of(path);
     }
     let mut piped = PIPED.lock().unwrap_or_else(PoisonError::into_inner);
     match &*piped {
         Some((known, bytes)) if known == path => Ok(bytes.clone()),
         _ => {
-            let bytes = std::fs::read(path)?;
+            let bytes = bytes_of(path)?;
             *piped = Some((path.to_owned(), bytes.clone()));
             Ok(bytes)
         }
@@ -105,7 +105,7 @@ fn unreadable(path: &Path, error: &std::io::Error) -> BadInput {
 
 /// What every output directory holds.
 const MANIFEST: &str = "manifest.json";
-const JOURNAL: &str = "journal.jsonl";
+pub(super) const JOURNAL: &str = "journal.jsonl";
 
 /// Refuses a directory that does not hold a file which every output directory of a study has.
 pub(super) fn demand_output_of_study(directory: &Path, holds: &str) -> Result<(), BadInput> {

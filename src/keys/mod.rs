@@ -30,6 +30,7 @@
 //! share stays with the section, `only` where one of them stands, and `needed` if it must be given.
 
 mod error;
+mod given_file;
 mod key;
 mod overrides;
 mod rule;
@@ -41,6 +42,7 @@ mod shown;
 mod written;
 
 pub use error::{ConfigError, brief, cut, hint};
+pub use given_file::bytes_of;
 pub use key::{Key, number};
 pub use overrides::{Override, read_value};
 pub use rule::{Range, Rule, When, plain, unit};

@@ -1,12 +1,18 @@
 //! The file of a recorded stroke.
 
+use std::io::Cursor;
+use std::path::Path;
+
+use crate::keys::bytes_of;
+
 /// The lines of a file with the columns `time_s` and `stroke_m`.
 pub(super) fn rows(
     path: &str,
 ) -> Result<impl Iterator<Item = Result<[f64; 2], String>> + use<>, String> {
     let missing =
         |error| format!("cannot be read: {error}; a path counts from where the program is started");
-    let mut reader = csv::Reader::from_path(path).map_err(missing)?;
+    let bytes = bytes_of(Path::new(path)).map_err(missing)?;
+    let mut reader = csv::Reader::from_reader(Cursor::new(bytes));
     let columns = reader.headers().map_err(|error| in_words(&error))?;
     if columns.iter().map(str::trim).ne(["time_s", "stroke_m"]) {
         let has = columns.iter().collect::<Vec<_>>().join(",");
