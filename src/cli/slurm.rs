@@ -25,7 +25,7 @@ pub(super) struct SlurmArgs {
     #[arg(long, value_parser = options::whole(1, 100_000_u32), allow_negative_numbers = true)]
     nodes: u32,
     /// Time limit, as sbatch takes it: minutes, HH:MM:SS or DAYS-HH:MM:SS.
-    #[arg(long, value_name = "TIME", value_parser = time)]
+    #[arg(long, value_name = "TIME", value_parser = time, allow_hyphen_values = true)]
     time: String,
     /// Ranks on each node.
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = options::whole(1, 10_000_u32), allow_negative_numbers = true)]
@@ -55,9 +55,19 @@ fn command(text: &str) -> Result<String, String> {
     Some(text.trim()).filter(|text| !text.is_empty()).map(str::to_owned).ok_or_else(refused)
 }
 
+/// The longest time limit that is taken: beyond it is a slip, and far beyond it sbatch's own counter ends.
+const LONGEST_DAYS: f64 = 1000.0;
+const DAY_S: f64 = 86_400.0;
+
 fn time(text: &str) -> Result<String, String> {
-    let refused = || "must be minutes, HH:MM:SS or DAYS-HH:MM:SS, and more than nothing".to_owned();
-    seconds(text).filter(|&seconds| seconds > 0.0).map(|_| text.to_owned()).ok_or_else(refused)
+    let refused = || {
+        format!(
+            "must be minutes, HH:MM:SS or DAYS-HH:MM:SS, of MM and SS below 60, more than nothing and at most \
+             {LONGEST_DAYS} days"
+        )
+    };
+    let fits = |seconds: &f64| *seconds > 0.0 && *seconds <= LONGEST_DAYS * DAY_S;
+    seconds(text).filter(fits).map(|_| text.to_owned()).ok_or_else(refused)
 }
 
 /// A time limit in seconds: of a time without days that has no hours, minutes come first.
@@ -73,8 +83,11 @@ fn seconds(text: &str) -> Option<f64> {
         (None, 1 | 2) => [60.0, 1.0, 0.0],
         _ => return None,
     };
+    if clock[1..].iter().any(|&value| value >= 60.0) {
+        return None;
+    }
     let clock: f64 = clock.iter().zip(units).map(|(value, unit)| value * unit).sum();
-    Some(clock + 86_400.0 * days.map_or(Some(0.0), number)?)
+    Some(clock + DAY_S * days.map_or(Some(0.0), number)?)
 }
 
 /// A text with `{NAME}` for each of these names, filled in; what is filled in is not looked at again.
@@ -145,12 +158,17 @@ mod tests {
 
     #[test]
     fn times_are_those_of_sbatch() {
-        for good in ["30", "1:30", "12:00:00", "2-0", "2-12:30", "1-00:00:00"] {
+        for good in ["30", "1:30", "36:00:00", "2-0", "2-12:30", "1-00:00:00", "1000-0"] {
             assert_eq!(time(good).as_deref(), Ok(good));
         }
         for bad in ["", "0", "00:00", "1h", "1-", "-5", "1:2:3:4", "1-2:3:4:5", "1:", "ten", "1e3"]
         {
             assert!(time(bad).is_err(), "{bad}");
+        }
+        for absurd in ["00:61:00", "0:0:60", "5:60", "1-2:60", "1000-0:0:1", "99999999999-0", "0-0"]
+        {
+            let told = time(absurd).unwrap_err();
+            assert!(told.ends_with("below 60, more than nothing and at most 1000 days"), "{told}");
         }
         let all = ["2", "1:30", "1:00:01", "1-2", "1-0:1", "0-0:0:5"].map(seconds);
         assert_eq!(all, [120.0, 90.0, 3601.0, 93_600.0, 86_460.0, 5.0].map(Some));
