@@ -170,7 +170,7 @@ fn look(args: &StatusArgs) -> anyhow::Result<Seen> {
         for (key, values) in values {
             let counts = values.iter().map(|(value, count)| format!("{} ({count})", brief(value)));
             let more = values.len().saturating_sub(MOST_VALUES);
-            let more = (more > 0).then(|| format!("{more} others (--format json has all)"));
+            let more = (more > 0).then(|| counted(more, "other") + " (--format json has all)");
             let counts: Vec<_> = counts.take(MOST_VALUES).chain(more).collect();
             table.row([key.clone(), counts.join(", ")]);
         }

@@ -11,6 +11,7 @@ use super::error::SweepError;
 use super::filling::Filling;
 use super::record::CaseRecord;
 use super::{files, journal, summary};
+use crate::math::words::counted;
 use crate::quantities::summary::{CASE_ID, WALL_TIME};
 use crate::simulation::CaseResult;
 use crate::study::{Case, Study};
@@ -119,7 +120,8 @@ fn in_lines(old: &str, new: &str, name: &str) -> Option<String> {
     let told = |(at, (old, new))| format!("line {} of the {name} is {old}, not {new}", at + 1);
     let first = pairs.filter(|(_, (old, new))| old != new).map(told).next();
     let [lines, now] = [old, new].map(|text| text.lines().count());
-    first.or_else(|| (old != new).then(|| format!("the {name} has {lines} lines, not {now}")))
+    let lines = counted(lines, "line");
+    first.or_else(|| (old != new).then(|| format!("the {name} has {lines}, not {now}")))
 }
 
 #[cfg(test)]
@@ -155,6 +157,7 @@ mod tests {
             "{}",
             told(&planted)
         );
+        assert_eq!(in_lines("a\n", "", "history").unwrap(), "the history has 1 line, not 0");
         let mut planted = result.clone();
         planted.energy.kinetic += 1.0;
         assert_eq!(told(&planted), "the journal has other energies");

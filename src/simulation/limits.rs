@@ -4,6 +4,8 @@ use std::time::Duration;
 
 use serde::{Deserialize, Serialize};
 
+use crate::math::words::counted;
+
 /// What no case may take more of; nothing is limited by default.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct Limits {
@@ -22,7 +24,8 @@ impl Limits {
     /// What is wrong with so many steps.
     pub fn on_steps(&self, steps: u64) -> Option<String> {
         let limit = self.steps.filter(|&limit| steps > limit)?;
-        Some(format!("needs more than {limit} steps (limits.steps)"))
+        let steps = counted(usize::try_from(limit).unwrap_or(usize::MAX), "step");
+        Some(format!("needs more than {steps} (limits.steps)"))
     }
 
     /// What is wrong with taking so long.
@@ -52,6 +55,8 @@ mod tests {
         let limits = Limits { steps: Some(10), wall_time_s: Some(0.5), memory_mib: Some(2.0) };
         assert_eq!(limits.on_steps(10), None);
         assert_eq!(limits.on_steps(11).unwrap(), "needs more than 10 steps (limits.steps)");
+        let one = Limits { steps: Some(1), ..none };
+        assert_eq!(one.on_steps(2).unwrap(), "needs more than 1 step (limits.steps)");
         assert_eq!(limits.on_time(Duration::from_millis(500)), None);
         let told = limits.on_time(Duration::from_millis(501)).unwrap();
         assert_eq!(told, "takes more than 0.5 s (limits.wall_time_s)");

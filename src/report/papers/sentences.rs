@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use super::Found;
 use super::table::{couplings, words};
 use crate::math::lists::{different, median, tallied};
+use crate::math::words::counted;
 use crate::papers::{Read, cause, paper};
 use crate::quantities::summary::{PARTICLE_SPACING, SCHEME};
 use crate::report::curves::distinct;
@@ -21,26 +22,26 @@ pub fn sentences(found: &[Found]) -> Vec<String> {
         }
     };
     let fixed: Vec<_> = found.iter().filter(sizes("fixed", None)).collect();
-    said.extend(counted("Fixed walls", &fixed));
+    said.extend(tally("Fixed walls", &fixed));
     for s in couplings(found) {
         let law = if s == 1.0 { ", the law as printed" } else { "" };
         let own: Vec<_> = found.iter().filter(sizes("movable", Some(s))).collect();
-        said.extend(counted(&format!("Movable walls with s = {}{law}", number::plain(s)), &own));
+        said.extend(tally(&format!("Movable walls with s = {}{law}", number::plain(s)), &own));
     }
     let is_time = |found: &&Found| found.printed.unit == "s";
     let flat = |found: &&Found| found.printed.unit == "%" || found.printed.read == Read::Words;
     let step = |found: &&Found| found.printed.quantity.starts_with("step_time");
     let front = |found: &&Found| found.printed.scene == "dam-break" && !step(found);
-    said.extend(counted(
+    said.extend(tally(
         "Times on the papers' clock",
         &found.iter().filter(is_time).collect::<Vec<_>>(),
     ));
     let many: Vec<_> = found.iter().filter(|f| !is_time(f)).filter(flat).collect();
     let (shares, words): (Vec<_>, Vec<_>) = many.into_iter().partition(|f| f.printed.unit == "%");
-    said.extend(counted("Changes over many stiffnesses", &shares));
-    said.extend(counted("What is said in words", &words));
-    said.extend(counted("The dam break", &found.iter().filter(front).collect::<Vec<_>>()));
-    said.extend(counted("Times per step", &found.iter().filter(step).collect::<Vec<_>>()));
+    said.extend(tally("Changes over many stiffnesses", &shares));
+    said.extend(tally("What is said in words", &words));
+    said.extend(tally("The dam break", &found.iter().filter(front).collect::<Vec<_>>()));
+    said.extend(tally("Times per step", &found.iter().filter(step).collect::<Vec<_>>()));
     said.extend(reasons(found));
     said
 }
@@ -55,10 +56,11 @@ pub fn answer(found: &[Found]) -> String {
         let [median, worst] = [median, worst].map(|size| number::significant(size, 2));
         format!(" Sizes differ by {median} % in the median and {worst} % at most.")
     });
+    let are = if found.len() == 1 { "is" } else { "are" };
     format!(
-        "{met} of {} comparisons with printed numbers are met, within 5 % or the error bar.{} The \
-         section below says which, and why the others are not.",
-        found.len(),
+        "{met} of {} with printed numbers {are} met, within 5 % or the error bar.{} The section below \
+         says which, and why the others are not.",
+        counted(found.len(), "comparison"),
         off.unwrap_or_default()
     )
 }
@@ -92,10 +94,12 @@ pub fn method<'a>(rows: impl Iterator<Item = &'a Row> + Clone) -> String {
 }
 
 /// How many of a kind are met, how far off they are as a rule and at worst.
-fn counted(what: &str, found: &[&Found]) -> Option<String> {
+fn tally(what: &str, found: &[&Found]) -> Option<String> {
     let first = found.first()?;
     let met = found.iter().filter(|one| one.is_met()).count();
-    let mut text = format!("{what}: {met} of {} numbers are met", found.len());
+    let numbers = counted(found.len(), "number");
+    let are = if found.len() == 1 { "is" } else { "are" };
+    let mut text = format!("{what}: {met} of {numbers} {are} met");
     let by = |one: &Found| one.percent().unwrap_or(0.0).abs();
     let in_percent = first.printed.is_size() || first.printed.quantity.starts_with("step_time");
     let size = |one: &Found| if in_percent { by(one) } else { one.difference().abs() };

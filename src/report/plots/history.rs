@@ -8,6 +8,7 @@ use super::look::Look;
 use super::marks::said;
 use super::over_time::{self, Strip};
 use super::{Figure, SERIES, file_name, left_out, of_variant};
+use crate::math::words::counted;
 use crate::quantities::history::{DISPLACEMENT, FORCE, RUNUP};
 use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
 use crate::report::curves::{distinct, spread};
@@ -183,7 +184,7 @@ fn choose<'a>(rows: &[&'a Row]) -> (Vec<(String, &'a Row)>, String, String) {
     }
     if !drawn.is_empty() {
         let before = if picked.is_empty() { "" } else { ", " };
-        picked.push_str(&format!("{before}{} of {} {kind}s", drawn.len(), weights.len()));
+        picked.push_str(&format!("{before}{} of {}", drawn.len(), counted(weights.len(), kind)));
     }
     let fixed = rows.iter().copied().find(|row| row.is_fixed());
     if fixed.is_some() && !picked.is_empty() {
