@@ -1,6 +1,9 @@
 //! From an error to one line on standard error, an object for programs, and an exit code.
 
-use std::io::{ErrorKind, Write};
+use std::io::ErrorKind::{
+    self, AlreadyExists, IsADirectory, NotADirectory, PermissionDenied, ReadOnlyFilesystem,
+};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use serde_json::{Value, json};
@@ -31,6 +34,35 @@ impl BadInput {
     }
 }
 
+/// What stands in the way of a study's file is bad input: until it is put right, no command goes on there. Of
+/// all other kinds of errors the machine has failed, and the place is not wrong.
+pub(super) fn in_the_way(error: anyhow::Error) -> anyhow::Error {
+    told_as_bad_input(error, |kind| matches!(kind, AlreadyExists | IsADirectory | NotADirectory))
+}
+
+/// The same where a directory may not be written.
+pub(super) fn not_writable(error: impl Into<anyhow::Error>) -> anyhow::Error {
+    let error = in_the_way(error.into());
+    told_as_bad_input(error, |kind| matches!(kind, PermissionDenied | ReadOnlyFilesystem))
+}
+
+fn told_as_bad_input(error: anyhow::Error, is_bad: fn(ErrorKind) -> bool) -> anyhow::Error {
+    let (path, reason) = match (error.downcast_ref(), error.downcast_ref()) {
+        (Some(SweepError::Io { path, error }), _) => (path, error),
+        (_, Some(ReportError::Write { path, error })) => (path, error),
+        _ => return error,
+    };
+    if !is_bad(reason.kind()) {
+        return error;
+    }
+    let told = format_args!(
+        "cannot be written: {}; a study's directory must be writable, with nothing else in the way of \
+         its files",
+        in_words(reason)
+    );
+    BadInput::of(path, told).into()
+}
+
 /// A value in a file that the user can put right.
 #[derive(Debug, thiserror::Error)]
 #[error("{}: {error}", named(path))]
@@ -50,7 +82,7 @@ impl BadFile {
 pub(super) fn exit_code(result: anyhow::Result<u8>, launcher: Launcher, as_json: bool) -> u8 {
     let error = match result {
         Ok(code) => return code,
-        Err(error) => error,
+        Err(error) => in_the_way(error),
     };
     if launcher.rank > 0 || is_broken_pipe(&error) {
         return SUCCESS;
@@ -157,6 +189,12 @@ mod tests {
         assert_eq!(code(SweepError::Executor("x".into()).into()), INTERNAL);
         let damaged = ReportError::MissingColumn { path: "a".into(), column: "b" };
         assert_eq!(code(damaged.into()), BAD_INPUT);
+        let io = |number| SweepError::io(Path::new("a"))(std::io::Error::from_raw_os_error(number));
+        // A directory in the way; a full disk; no right to write, after hours of a sweep and for a report.
+        assert_eq!(code(io(21).into()), BAD_INPUT);
+        assert_eq!(code(io(28).into()), INTERNAL);
+        assert_eq!(code(io(13).into()), INTERNAL);
+        assert_eq!(code(not_writable(io(13))), BAD_INPUT);
         let left = || anyhow::Error::from(std::io::Error::from(ErrorKind::BrokenPipe));
         assert_eq!(code(left()), SUCCESS);
         assert_eq!(code(left().context("standard output")), SUCCESS);

@@ -5,11 +5,10 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use serde_json::json;
 
-use super::failure::BadInput;
+use super::failure::{BadInput, not_writable};
 use super::input::demand_output_of_study;
 use super::output::{Output, json_path};
 use super::pick::the_case;
-use super::report::refused;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS, options, stored};
 use crate::execute::{Interrupt, available_cores};
 use crate::film::{Colour, Filming, PageFilm};
@@ -51,11 +50,8 @@ pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
         interrupt: &Interrupt::listen()?,
     };
     // Before anything runs: whether its seal can be written.
-    Derived::renew(&args.dir, &[]).map_err(refused)?;
-    let shot = set.shoot(case).map_err(|error| match error.downcast() {
-        Ok(error) => refused(error),
-        Err(other) => other,
-    })?;
+    Derived::renew(&args.dir, &[]).map_err(not_writable)?;
+    let shot = set.shoot(case).map_err(not_writable)?;
     shot.tell(case, output);
     if let Shot::Filmed(path) = &shot {
         let value = json!({ "case_id": case.id, "same": true, "film": json_path(path) });

@@ -1,21 +1,18 @@
 //! `seawall report`: tables and figures from files alone.
 
-use std::io::ErrorKind::{
-    AlreadyExists, IsADirectory, NotADirectory, PermissionDenied, ReadOnlyFilesystem,
-};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde_json::json;
 
-use super::failure::BadInput;
+use super::failure::not_writable;
 use super::input::demand_output_of_study;
 use super::options::{FigureFormat, for_print};
 use super::output::{Output, json_path, json_paths};
 use super::{CASES_FAILED, SUCCESS, stored};
 use crate::keys::named;
-use crate::math::words::{counted, in_words};
-use crate::report::{Froude, Omitted, ReportError, Written};
+use crate::math::words::counted;
+use crate::report::{Froude, Omitted, Written};
 use crate::results::{
     Closing, Derived, Lock, MADE_BY_SWEEPS, Manifest, SweepError, Verified, renew_tables, verify,
     write_sound_histories,
@@ -46,12 +43,12 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     let closing = Closing::read(&args.dir);
     let damaged = if closing.is_none() { renew(args, output)? } else { Vec::new() };
     let omitted = Omitted::from(damaged);
-    Derived::begin(&args.dir, MADE_BY_SWEEPS).map_err(refused)?;
+    Derived::begin(&args.dir, MADE_BY_SWEEPS).map_err(not_writable)?;
     let written = crate::report::write_with(&args.dir, args.froude_scale, &formats, &omitted);
-    let Written { page: report, printed: figures, made } = written.map_err(unwritten)?;
+    let Written { page: report, printed: figures, made } = written.map_err(not_writable)?;
     let spare = |path: &Path, error: &SweepError| omitted.add(path, error);
-    write_sound_histories(&args.dir, &|path| omitted.has(path), &spare).map_err(refused)?;
-    Derived::end(&args.dir, &made, false).map_err(refused)?;
+    write_sound_histories(&args.dir, &|path| omitted.has(path), &spare).map_err(not_writable)?;
+    Derived::end(&args.dir, &made, false).map_err(not_writable)?;
     let (left_out, found) = omitted.told();
     for found in found {
         output.note(found);
@@ -81,9 +78,9 @@ pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
         }
     }
     if !figures.is_empty() {
-        let count = figures.len();
+        let files = counted(figures.len(), "file");
         told.push_str(&format!(
-            "figures for print: {count} files in {}\n",
+            "figures for print: {files} in {}\n",
             named(&args.dir.join("figures"))
         ));
     }
@@ -113,42 +110,8 @@ fn renew(args: &ReportArgs, output: &Output) -> anyhow::Result<Vec<PathBuf>> {
     for told in told {
         output.note(told);
     }
-    for table in renew_tables(&args.dir, &study, &records).map_err(refused)? {
+    for table in renew_tables(&args.dir, &study, &records).map_err(not_writable)? {
         output.note(format_args!("{table}: made again from the journal"));
     }
     Ok(damaged)
-}
-
-/// The same of what is kept beside the page.
-pub(super) fn refused(error: SweepError) -> anyhow::Error {
-    match &error {
-        SweepError::Io { path, error: source } => unusable(path, source).unwrap_or(error.into()),
-        _ => error.into(),
-    }
-}
-
-/// The same of the page, figures and tables.
-fn unwritten(error: ReportError) -> anyhow::Error {
-    match &error {
-        ReportError::Write { path, error: source } => {
-            unusable(path, source).unwrap_or(error.into())
-        }
-        _ => error.into(),
-    }
-}
-
-/// A directory that cannot be written is bad input, as for every command with an output directory.
-fn unusable(path: &Path, reason: &std::io::Error) -> Option<anyhow::Error> {
-    let told = format!(
-        "{}: cannot be written: {}; a study's directory must be writable, with nothing else in the way of \
-         its files",
-        named(path),
-        in_words(reason)
-    );
-    // Of all other kinds the machine has failed: the place is not wrong.
-    let is_the_place = matches!(
-        reason.kind(),
-        AlreadyExists | IsADirectory | NotADirectory | PermissionDenied | ReadOnlyFilesystem
-    );
-    is_the_place.then(|| BadInput(told).into())
 }

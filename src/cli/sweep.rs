@@ -23,7 +23,7 @@ use crate::accuracy::Refinement;
 use crate::execute::{Crew, Ending, Interrupt, Keeping, Launcher, Setup, SphRunner, mpi, threads};
 use crate::keys::named;
 use crate::math::words::counted;
-use crate::report::PAGE as REPORT;
+use crate::report::{PAGE as REPORT, ReportError};
 use crate::results::{Derived, OpenMode, write_all_histories};
 
 /// Run all cases of a sweep file, on threads or under mpirun. Go on where an earlier run stopped.
@@ -236,8 +236,10 @@ fn lead(
     done.directory.forget_records();
     drop(job);
     // Of files that have just been written none is bad input.
-    let written = crate::report::write(done.directory.path());
-    let written = written.map_err(|error| anyhow::anyhow!("{error}"))?;
+    let written = crate::report::write(done.directory.path()).map_err(|error| match error {
+        ReportError::Write { .. } => error.into(),
+        _ => anyhow::anyhow!("{error}"),
+    })?;
     Derived::end(done.directory.path(), &written.made, filming != INTERRUPTED)?;
     left.demand(done.directory.path())?;
     if let Some(closing) = closing {
