@@ -221,3 +221,22 @@ fn what_page_and_figures_were_is_missed_and_a_directory_told() {
     let told = ended(1, &["verify", &desk.dir]).out;
     assert!(told.ends_with(".html is a directory\n"), "{told}");
 }
+
+/// The story: `report` asked for a sweep to make the summary again, though its journal had every case.
+#[test]
+fn a_report_makes_the_summary_again() {
+    let desk = Desk::new(TINY);
+    sweep(0, &desk.file, &desk.out, &["--film", "none"]);
+    let summary = desk.out.join("summary.csv");
+    let before = fs::read(&summary).unwrap();
+    fs::remove_file(&summary).unwrap();
+    let told = ended(0, &["report", &desk.dir]).err;
+    assert!(told.contains("summary.csv: made again from the journal"), "{told}");
+    assert_eq!(fs::read(&summary).unwrap(), before);
+    ended(0, &["verify", &desk.dir]);
+    // Without the manifest nobody can.
+    fs::remove_file(&summary).unwrap();
+    fs::remove_file(desk.out.join("manifest.json")).unwrap();
+    let told = ended(2, &["report", &desk.dir]).err;
+    assert!(told.contains("has no summary.csv; `seawall sweep` or `run` of the same"), "{told}");
+}

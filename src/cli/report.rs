@@ -6,7 +6,7 @@ use clap::Args;
 use serde_json::json;
 
 use super::failure::not_writable;
-use super::input::demand_output_of_study;
+use super::input::{JOURNAL, demand_output_of_study};
 use super::options::{FigureFormat, for_print};
 use super::output::{Output, json_path, json_paths};
 use super::{CASES_FAILED, SUCCESS, stored};
@@ -37,11 +37,16 @@ pub(super) struct ReportArgs {
     froude_scale: Option<Froude>,
 }
 
+const SUMMARY: &str = "summary.csv";
+
 pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
-    demand_output_of_study(&args.dir, "summary.csv")?;
+    // Made again from the journal, where that is there.
+    let from = if args.dir.join(JOURNAL).is_file() { JOURNAL } else { SUMMARY };
+    demand_output_of_study(&args.dir, from)?;
     let formats = for_print(&args.figures)?;
     let closing = Closing::read(&args.dir);
     let damaged = if closing.is_none() { renew(args, output)? } else { Vec::new() };
+    demand_output_of_study(&args.dir, SUMMARY)?;
     let omitted = Omitted::from(damaged);
     Derived::begin(&args.dir, MADE_BY_SWEEPS).map_err(not_writable)?;
     let written = crate::report::write_with(&args.dir, args.froude_scale, &formats, &omitted);
