@@ -2,6 +2,7 @@
 
 use std::fs::File;
 use std::io::{Error, ErrorKind, Read, Result};
+use std::os::unix::fs::FileTypeExt;
 use std::path::Path;
 use std::sync::mpsc;
 use std::thread;
@@ -30,6 +31,9 @@ pub fn bytes_of(path: &Path) -> Result<Vec<u8>> {
 
 /// The open file. Opening a named pipe lasts until somebody opens its other end: a thread waits for that.
 fn opened(path: &Path) -> Result<File> {
+    if !path.metadata()?.file_type().is_fifo() {
+        return File::open(path);
+    }
     let (sender, receiver) = mpsc::channel();
     let path = path.to_owned();
     // Nobody listens any more where patience has ended.
