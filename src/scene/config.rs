@@ -94,6 +94,20 @@ impl CaseConfig {
         Some(CaseConfig { scene: Scene::Seawall(scene), numerics, probes: self.probes.clone() })
     }
 
+    /// The same tank before any wave is made: what decides how its water comes to rest, but for the room that
+    /// the paddle needs.
+    pub fn before_wave(&self) -> CaseConfig {
+        let mut config = self.trunk().unwrap_or_else(|| self.without_error_bars());
+        if let Scene::Seawall(scene) = &mut config.scene {
+            scene.wave_height_ratio = 0.0;
+            (scene.wave_train, scene.recorded) = (None, None);
+            (scene.end_after_stroke_centre_s, scene.end_time_s) = (1.0, None);
+            (scene.paddle_ramp_fraction, scene.wave_gauge_m) = (0.0, 0.0);
+        }
+        config.probes.clear();
+        config
+    }
+
     /// What decides this case's answer.
     pub fn without_error_bars(&self) -> CaseConfig {
         let mut config = self.clone();

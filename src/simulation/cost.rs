@@ -62,12 +62,13 @@ pub fn cost(config: &CaseConfig) -> Cost {
         let centre = scene.paddle().and_then(|paddle| paddle.stroke_centre());
         centre.map_or(0.0, |centre| centre + 0.6 * frame.length / celerity)
     });
+    let rested = if relaxation > 0.0 { 250 * particles } else { 0 };
     let ghosts = scene.seawall().map_or(0.0, |scene| scene.wall_ghosts(&config.numerics));
     Cost {
         particles,
         steps,
         trunk_share: ((onset + relaxation) / (end + relaxation)).clamp(0.0, 1.0),
-        memory_bytes: 8_000_000 + 1_500 * particles + 1_000 * ghosts as u64,
+        memory_bytes: 8_000_000 + 1_500 * particles + rested + 1_000 * ghosts as u64,
     }
 }
 

@@ -32,6 +32,7 @@ mod quiet_force;
 mod quiet_travel;
 mod readings;
 mod relaxation;
+mod rested;
 mod run;
 mod sampling;
 mod settling;

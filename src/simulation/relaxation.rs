@@ -4,6 +4,7 @@ use super::Monitor;
 use super::energy::WaterEnergy;
 use super::failure::Stopped;
 use super::logbook::Logbook;
+use super::rested::{self, Key};
 use super::run::Run;
 use crate::body::{BodyMotion, Place};
 use crate::scheme::{NextStep, StepWalls};
@@ -17,10 +18,30 @@ impl Run {
     /// A lattice cannot fill the wedge before a shore. What does not fit there runs down into the tank as a
     /// wave, unless it is slowed down, u' = -u/τ, until it has spread. The clock and the books start after it.
     pub(super) fn relax(&mut self, monitor: &dyn Monitor) -> Result<(), Stopped> {
-        let time = self.config.numerics.relaxation_time_s;
-        if time == 0.0 {
+        if self.config.numerics.relaxation_time_s == 0.0 {
             return Ok(());
         }
+        let key = Key::of(self);
+        match rested::recall(&key) {
+            Some((water, steps)) if monitor.over_limit(steps).is_none() => {
+                self.tank.water.restore(water);
+                self.clock.steps = steps;
+            }
+            _ => {
+                self.come_to_rest(monitor)?;
+                // A case's memory is held to its limit, and not that of another.
+                if monitor.limits().memory_mib.is_none() {
+                    rested::keep(key, &self.tank.water.state(), self.clock.steps);
+                }
+            }
+        }
+        let start = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
+        self.logbook = Logbook::open(&self.config, &self.tank, start);
+        Ok(())
+    }
+
+    fn come_to_rest(&mut self, monitor: &dyn Monitor) -> Result<(), Stopped> {
+        let time = self.config.numerics.relaxation_time_s;
         let mut bodies = self.tank.motions(self.clock.time);
         for place in [Place::Left, Place::Right] {
             bodies[place] = BodyMotion { offset: bodies[place].offset, ..BodyMotion::default() };
@@ -45,8 +66,6 @@ impl Run {
             }
         }
         self.tank.water.slow_down(0.0);
-        let start = WaterEnergy::of(self.tank.water.as_ref(), self.tank.frame.gravity);
-        self.logbook = Logbook::open(&self.config, &self.tank, start);
         Ok(())
     }
 }

@@ -1,0 +1,132 @@
+//! Water that has come to rest, for the next case that begins with the same.
+//!
+//! How water comes to rest does not depend on the wave that follows. So of all cases that a process runs, only the first
+//! of those that begin with the same water waits for it. The others go on from its state, to the same bits.
+
+use std::sync::{Mutex, PoisonError};
+
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+
+use super::run::Run;
+use crate::boundary::Ghosts;
+use crate::scheme::SchemeState;
+
+/// States are kept up to so many bytes in all.
+const ROOM: usize = 32 << 20;
+
+/// Those that this process has, the last one first.
+static KEPT: Mutex<Vec<Rested>> = Mutex::new(Vec::new());
+
+/// Tells waters apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Key([u8; 32]);
+
+/// Water at rest.
+#[derive(Debug, Clone)]
+struct Rested {
+    key: Key,
+    /// Of the water, as bytes.
+    state: Vec<u8>,
+    steps: u64,
+}
+
+impl Key {
+    /// Of a run that is about to begin: all that decides how its water comes to rest.
+    pub fn of(run: &Run) -> Key {
+        let Ghosts { x, y, target_x, target_y, volume, .. } = run.tank.water.walls();
+        let mut hash = Sha256::new();
+        let mut take = |bytes: Vec<u8>| {
+            hash.update(bytes.len().to_le_bytes());
+            hash.update(bytes);
+        };
+        take(serde_json::to_vec(&run.config.before_wave()).expect("a configuration serialises"));
+        take(bytes(&run.tank.water.state()));
+        take(bytes(&[x, y, target_x, target_y, volume]));
+        take(bytes(&run.time_step));
+        Key(hash.finalize().into())
+    }
+}
+
+/// The water that came to rest under this key, and how many steps that took.
+pub(super) fn recall(key: &Key) -> Option<(SchemeState, u64)> {
+    let kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    let rested = kept.iter().find(|rested| rested.key == *key)?;
+    Some((postcard::from_bytes(&rested.state).ok()?, rested.steps))
+}
+
+/// Keeps water that took so many steps to come to rest, in place of what was kept first where room is short.
+pub(super) fn keep(key: Key, state: &SchemeState, steps: u64) {
+    let mut kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    kept.retain(|rested| rested.key != key);
+    kept.insert(0, Rested { key, state: bytes(state), steps });
+    let mut room = ROOM;
+    kept.retain(|rested| {
+        let fits = rested.state.len() <= room;
+        room = room.saturating_sub(rested.state.len());
+        fits
+    });
+}
+
+fn bytes(of: &impl Serialize) -> Vec<u8> {
+    postcard::to_stdvec(of).expect("a state always serialises")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::simd::SimdPath;
+    use crate::math::team::Team;
+    use crate::scene::CaseConfig;
+    use crate::simulation::{CaseResult, Unwatched, run_case};
+
+    fn shore(wave: f64, more: &str, numerics: &str) -> CaseConfig {
+        let scene = format!(
+            "wave_height_ratio = {wave}\nend_after_stroke_centre_s = 0.5\ntank_length_m = 2\n\
+             bed = [[0, 0], [1.4, 0], [2, 0.3]]\n{more}"
+        );
+        let numerics = format!("particle_spacing_m = 0.04\nboundary = \"normalized\"\n{numerics}");
+        CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap()).unwrap()
+    }
+
+    fn key(config: &CaseConfig) -> Key {
+        Key::of(&Run::start(config, SimdPath::widest(), &Team::default()))
+    }
+
+    fn result(config: &CaseConfig) -> CaseResult {
+        run_case(config, None, SimdPath::widest(), &Unwatched).unwrap()
+    }
+
+    #[test]
+    fn what_comes_before_the_wave_tells_waters_apart() {
+        let one = key(&shore(0.2, "", ""));
+        for (wave, more) in [(0.15, ""), (0.2, "wave_gauge_m = 0.5"), (0.2, "end_time_s = 3")] {
+            assert_eq!(key(&shore(wave, more, "")), one, "{wave} {more}");
+        }
+        for (more, numerics) in [
+            ("gravity_m_per_s2 = 9.8", ""),
+            ("", "relaxation_time_s = 1"),
+            ("", "artificial_viscosity = 0.05"),
+            ("", "courant_number = 0.5"),
+            ("absorption = true", ""),
+        ] {
+            assert_ne!(key(&shore(0.2, more, numerics)), one, "{more} {numerics}");
+        }
+    }
+
+    #[test]
+    fn another_wave_goes_on_from_water_at_rest_to_the_same_bits() {
+        let (first, second) = (shore(0.25, "", ""), shore(0.3, "", ""));
+        let whole = result(&second);
+        let key = key(&first);
+        result(&first);
+        let (state, steps) = recall(&key).expect("kept");
+        let outcome = |config| format!("{:?}", result(config).outcome.force_max);
+        assert_eq!(outcome(&second), format!("{:?}", whole.outcome.force_max));
+        assert_eq!(result(&second).history, whole.history);
+        // It is gone on from: whoever takes a step more to come to rest is a step behind.
+        keep(key, &state, steps + 1);
+        assert_eq!(result(&second).outcome.steps, whole.outcome.steps + 1);
+        keep(key, &state, steps);
+    }
+}
