@@ -14,7 +14,7 @@ use crate::body::{BodyMotion, Place};
 use crate::math::simd::{LANES, Lanes};
 
 /// The walls that water may go along with.
-const WALLS: [Place; 2] = [Place::Left, Place::Right];
+pub(super) const WALLS: [Place; 2] = [Place::Left, Place::Right];
 
 /// The least sine of the angle between wall and bed: nearly in line they push no water along.
 const ACROSS: f64 = 0.25;
@@ -31,18 +31,16 @@ pub struct Alongside {
 }
 
 impl Alongside {
-    /// Finds which of the bed's blocks lie beside which wall. The support radius is in metres. Ghosts count within
-    /// two of them: water within one of the wall has those in reach.
+    /// Finds which of the bed's blocks lie beside which wall. The bed's offset and the support radius are in metres.
+    /// Ghosts count within two of them: water within one of the wall has those in reach.
     pub(super) fn find(
         &mut self,
-        ghosts: &Ghosts,
-        bodies: &[BodyMotion],
+        (ghosts, walls): (&Ghosts, &[Plane; 2]),
+        offset: f64,
         radius: f64,
         blocks: &[u32],
     ) {
         let bed = Place::Bed.number();
-        let walls = WALLS
-            .map(|place| ghosts.bodies[place.number()].plane.moved(bodies[place.number()].offset));
         self.faces = walls
             .map(|Plane { point: [x, y], normal: [nx, ny] }| [nx, ny, (nx * x + ny * y) / radius]);
         self.shares.resize(ghosts.bodies[bed].ghosts.len() / LANES, Share::default());
@@ -52,7 +50,7 @@ impl Alongside {
             for (wall, [along_x, along_y]) in walls.iter().zip(share) {
                 for (lane, share) in along_x.iter_mut().zip(along_y).enumerate() {
                     let g = block as usize * LANES + lane;
-                    let place = [ghosts.x[g] + bodies[bed].offset, ghosts.y[g]];
+                    let place = [ghosts.x[g] + offset, ghosts.y[g]];
                     let Reflection::Plane { normal: [nx, ny] } = ghosts.reflection[g] else {
                         continue;
                     };

@@ -140,7 +140,7 @@ impl Exchange {
         let bounds = PointSet::EVERYWHERE;
         let set = PointSet { strips, x, y, offset: 0.0, first: 0, reach, bounds };
         if let Some(giving) = &mut self.giving {
-            giving.rebuild(path, ghosts, bodies[0].offset, &set);
+            giving.rebuild(path, rules, (ghosts, bodies[0].offset), &set);
         }
         let targets = [&*target_x, &*target_y];
         let ranges = team::cut(target_x.len() / LANES, parts.len());

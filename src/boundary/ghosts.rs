@@ -104,6 +104,8 @@ pub struct Ghosts {
     pub profile: Option<Profile>,
     /// Whether it comes out of the still water before a right wall that stands in it.
     pub lagoon: bool,
+    /// Where its shore begins, metres, where it has one: see [`Profile::shore`].
+    pub shore: Option<f64>,
     /// Where the right wall ends, where water may go over it.
     pub crest: Option<Crest>,
 }

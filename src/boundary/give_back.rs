@@ -32,7 +32,11 @@ impl Task for GiveBack<'_> {
                 let up = run_in(up.of(row), v, beside_v);
                 // A pressure that is held at its lowest is not the water's.
                 let (zero, pressure) = (L::splat(0.0), L::load(&image.pressure));
-                let flux = L::load(&image.lowest).select_less(pressure, along + up, zero);
+                let mut flux = along + up;
+                if giving.smooth.is_on() {
+                    flux = flux - giving.smooth.covered(row, &exchange.means[row]);
+                }
+                let flux = L::load(&image.lowest).select_less(pressure, flux, zero);
                 let flux = flux * L::load(&exchange.scale[row]);
                 let (entries, weights) = part.held.of(row - part.blocks.start);
                 for (&k, weight) in entries.iter().zip(weights) {

@@ -10,14 +10,16 @@
 //! from the water around the mirror point, w_k D_g from each particle. This takes the place of the ghosts' velocities
 //! in the continuity equation. Beside a straight face both are alike. At an edge the flow is no mirror image of
 //! itself: there the velocities take energy on the way in and make as much again on the way out. Beside a wall that
-//! moves velocities are relative to it: see `alongside.rs`.
+//! moves velocities are relative to it: see `alongside.rs`. At the edge of the water they are relative to the water's own:
+//! see `smooth.rs`.
 
 use std::marker::PhantomData;
 
-use super::alongside::Alongside;
+use super::alongside::{Alongside, WALLS};
 use super::ghosts::Ghosts;
 use super::image::Image;
 use super::rules::ExchangeRules;
+use super::smooth::{Around, Smooth, store};
 use crate::body::{BodyMotion, Place};
 use crate::kernel::Kernel;
 use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
@@ -30,7 +32,10 @@ pub(super) struct Giving {
     list: PairList,
     /// V_g V_i L_g ∇W_ig, its parts along x and up, m.
     pub fluxes: [HeldWeights; 2],
+    /// Sums over all water around.
+    sums: Vec<Around>,
     pub alongside: Alongside,
+    pub smooth: Smooth,
 }
 
 impl Giving {
@@ -40,11 +45,19 @@ impl Giving {
     }
 
     /// Lists the fluid around every ghost of the bed; `offset` is the bed's, and the set's reach in metres.
-    pub fn rebuild(&mut self, path: SimdPath, ghosts: &Ghosts, offset: f64, fluid: &PointSet<'_>) {
+    pub fn rebuild(
+        &mut self,
+        path: SimdPath,
+        rules: &ExchangeRules,
+        (ghosts, offset): (&Ghosts, f64),
+        fluid: &PointSet<'_>,
+    ) {
+        self.smooth.prepare(path, rules, ghosts);
         let bed = ghosts.bodies[Place::Bed.number()].ghosts.clone();
         let x: Vec<f64> = ghosts.x[bed.clone()].iter().map(|x| x + offset).collect();
         build_pair_list(path, &x, &ghosts.y[bed], &[*fluid], &mut self.list);
         self.fluxes.iter_mut().for_each(|flux| flux.make_room(&self.list));
+        self.sums.resize(self.list.clusters(), Around::default());
     }
 
     /// Finds how water runs into the bed's ghosts of some blocks that count. The records are those of the water, and of
@@ -60,16 +73,31 @@ impl Giving {
         let weight_per_volume = rules.scaling.weight_per_volume;
         let reach = rules.scaling.support_radius;
         let blocks = &counting[..self.bed_blocks(counting)];
-        self.alongside.find(ghosts, bodies, reach, blocks);
+        let walls = WALLS
+            .map(|place| ghosts.bodies[place.number()].plane.moved(bodies[place.number()].offset));
+        self.alongside.find((ghosts, &walls), bodies[0].offset, reach, blocks);
         with_kernel!(rules.kernel, K => dispatch(path, Flux::<K> {
             blocks,
             list: &self.list,
             fluxes: &mut self.fluxes,
+            sums: &mut self.sums,
             images,
             records,
             weight_per_volume,
             kernel: PhantomData,
         }));
+        if !self.smooth.is_on() {
+            return;
+        }
+        let (water, ghost_records) = (&self.sums, records[1]);
+        let weight = rules.surface_density * rules.gravity;
+        for &block in blocks {
+            let row = block as usize;
+            let volume = weights(ghost_records, row).map(|weight| weight / weight_per_volume);
+            let near = (ghosts, &walls[..], 2.0 * reach);
+            let head = images[row].pressure.map(|pressure| pressure / weight);
+            self.smooth.find(row, near, (&water[row], &volume, &head));
+        }
     }
 
     /// How many of the blocks that count are the bed's: they come first.
@@ -83,10 +111,16 @@ impl Giving {
     }
 }
 
+/// Weights of a block of ghosts.
+fn weights(ghosts: &[Record], block: usize) -> [f64; LANES] {
+    std::array::from_fn(|lane| ghosts[block * LANES + lane].0[Record::WEIGHT])
+}
+
 /// Finds V_g V_i L_g ∇W_ig at some blocks.
 struct Flux<'a, K> {
     list: &'a PairList,
     fluxes: &'a mut [HeldWeights; 2],
+    sums: &'a mut [Around],
     blocks: &'a [u32],
     images: &'a [Image],
     /// Of the water, and of the ghosts alone.
@@ -100,7 +134,7 @@ impl<K: Kernel> Task for Flux<'_, K> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Flux { list, fluxes: [along, up], blocks, images, .. } = self;
+        let Flux { list, fluxes: [along, up], sums, blocks, images, .. } = self;
         let [water, ghosts] = self.records;
         let mut end = 0;
         for &block in blocks {
@@ -108,23 +142,25 @@ impl<K: Kernel> Task for Flux<'_, K> {
             let image = &images[row];
             let [x, y] = [L::load(&image.place[0]), L::load(&image.place[1])];
             let [xx, xy, yy] = [0, 1, 2].map(|part| L::load(&image.correction[part]));
-            let weights: [f64; LANES] =
-                std::array::from_fn(|lane| ghosts[row * LANES + lane].0[Record::WEIGHT]);
-            let volume = L::load(&weights) * L::splat(1.0 / self.weight_per_volume);
+            let volume = L::load(&weights(ghosts, row)) * L::splat(1.0 / self.weight_per_volume);
             along.take(row, list.group(row, 0), [x, y], water, end);
             end = up.take(row, list.group(row, 0), [x, y], water, end);
             let (entries, along) = along.room(row);
             let (_, up) = up.room(row);
+            let [mut sum_x, mut sum_y] = [L::splat(0.0); 2];
             for ((&i, along), up) in entries.iter().zip(along).zip(up) {
                 let record = &water[i as usize].0;
                 let (dx, dy) = (L::splat(record[Record::X]) - x, L::splat(record[Record::Y]) - y);
                 let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
                 let inverse = s.rsqrt();
-                let slope = K::slope_over_q(s, [s * inverse, inverse]);
-                let slope = slope * L::splat(record[Record::WEIGHT]) * volume;
-                (slope * xx.mul_add(dx, xy * dy)).store(along);
-                (slope * xy.mul_add(dx, yy * dy)).store(up);
+                let weight = L::splat(record[Record::WEIGHT]);
+                let slope = K::slope_over_q(s, [s * inverse, inverse]) * weight;
+                let [x, y] = [slope * xx.mul_add(dx, xy * dy), slope * xy.mul_add(dx, yy * dy)];
+                (x * volume).store(along);
+                (y * volume).store(up);
+                (sum_x, sum_y) = (sum_x + x, sum_y + y);
             }
+            sums[row] = store([sum_x, sum_y]);
         }
     }
 }

@@ -37,6 +37,7 @@ mod pressure;
 mod profile;
 mod rules;
 mod sfdi;
+mod smooth;
 mod sums;
 mod tank;
 mod territory;

@@ -42,7 +42,9 @@ pub fn tank_ghosts(layout: &TankLayout, profile: Option<&Profile>, strip_width: 
     bodies.extend(back_to_end(layout, right));
     let crest = layout.crest.map(|shape| Crest::of(shape, layout, right, Some(profile)));
     let lagoon = profile.has_lagoon(layout.still_level);
-    Ghosts { profile: Some(profile.clone()), lagoon, crest, ..Ghosts::new(&bodies, strip_width) }
+    let shore = profile.shore(layout.still_level, layout.support_radius);
+    let profile = Some(profile.clone());
+    Ghosts { profile, lagoon, shore, crest, ..Ghosts::new(&bodies, strip_width) }
 }
 
 /// The wall at the end of the tank, up to its crest where it has one.

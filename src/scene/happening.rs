@@ -105,7 +105,7 @@ impl Scene {
 
     /// Whether water before a shore no steeper than 1:2 is stirred, by waves that go on or as time goes by. A bed that gives
     /// back did not calm it before steeper ones.
-    fn stirs_at_gentle_shore(&self) -> bool {
+    pub(super) fn stirs_at_gentle_shore(&self) -> bool {
         let long = self.has_train() || self.lasts(STIRS_AT_GENTLE_SHORE_AFTER);
         long && self.has_shore() && !self.has_steep_shore()
     }

@@ -128,6 +128,9 @@ impl Numerics {
         if scene.plunges() || scene.hits_dry_wall() {
             // Long steps put energy into water that is hit all at once.
             self.courant_number = 0.6;
+        } else if scene.stirs_at_gentle_shore() {
+            // They put energy into tongues as well, where the bed itself makes none.
+            self.courant_number = 0.9;
         }
         if !scene.has_crest_at_upright_wall() {
             // A wide support pays where a crest strains a lattice. Thin sheets and wedges lose by it, and

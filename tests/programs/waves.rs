@@ -19,6 +19,8 @@ mod breaking;
 mod common;
 #[path = "../crest.rs"]
 mod crest;
+#[path = "../shores.rs"]
+mod shores;
 #[path = "../threads.rs"]
 mod threads;
 #[path = "../trains.rs"]

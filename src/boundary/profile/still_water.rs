@@ -40,4 +40,13 @@ impl Profile {
         let [_, top] = self.range();
         self.end()[1] < depth && depth <= top
     }
+
+    /// Where the shore begins that comes out of still water of this depth: from there on up to the dry bed the water is
+    /// nowhere deeper than `shallow`; all in metres.
+    pub fn shore(&self, depth: f64, shallow: f64) -> Option<f64> {
+        let dry = self.points().iter().position(|point| point[1] >= depth)?;
+        let deep = self.points()[..dry].iter().rposition(|point| point[1] <= depth - shallow)?;
+        let ([x0, y0], [x1, y1]) = (self.points()[deep], self.points()[deep + 1]);
+        Some(x0 + (x1 - x0) * (depth - shallow - y0) / (y1 - y0))
+    }
 }

@@ -62,6 +62,20 @@ fn the_nearest_face_is_found_on_both_sides() {
     assert!((plane.normal[1] - slope.normal()[1]).abs() < 1e-9);
 }
 
+/// Shallow all the way to dry ground: water over a bar, and behind one, is not before a shore.
+#[test]
+fn a_shore_begins_where_water_is_shallow_up_to_dry_ground() {
+    let bed = |points: &[[f64; 2]]| Profile::checked(points.to_vec()).unwrap();
+    let beach = bed(&[[0.0, 0.0], [1.0, 0.0], [3.0, 0.4]]);
+    assert!((beach.shore(0.2, 0.05).unwrap() - 1.75).abs() < 1e-12);
+    assert_eq!(beach.shore(0.5, 0.05), None);
+    let bar = bed(&[[0.0, 0.0], [1.0, 0.18], [2.0, 0.0], [3.0, 0.4]]);
+    assert!((bar.shore(0.2, 0.1).unwrap() - 2.25).abs() < 1e-12);
+    let step = bed(&[[0.0, 0.0], [1.0, 0.0], [1.0, 0.18], [2.0, 0.18], [3.0, 0.3]]);
+    assert_eq!(step.shore(0.2, 0.05), Some(1.0));
+    assert_eq!(bed(&[[0.0, 0.0], [1.0, 0.15]]).shore(0.2, 0.1), None);
+}
+
 /// Neighbours that are all too far away are passed by with one look, and no others are.
 #[test]
 fn a_look_at_neighbours_misses_no_face_within_reach() {

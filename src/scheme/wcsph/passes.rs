@@ -7,7 +7,7 @@ use super::diffusion::with_diffusion;
 use super::laminar::Laminar;
 use super::momentum::Momentum;
 use super::support::Support;
-use super::{DensityDiffusion, Shifting, Wcsph};
+use super::{DensityDiffusion, Shifting, Wcsph, Workspace};
 use crate::pairs::{Double, Each, Flow, Here, Neighbours, Precision, Records, round};
 
 /// Water bears tension from this completeness: none at the surface ...
@@ -52,6 +52,14 @@ impl Wcsph {
             load[0] = *held;
         }
         self.work.add_loads(self.pairs.tallies());
+        self.hand_back();
+    }
+
+    /// What the water gets back of the bed's pushes along its face.
+    fn hand_back(&mut self) {
+        let Workspace { acceleration_x, acceleration_y, .. } = &mut self.work;
+        let accelerations = [&mut acceleration_x[..], acceleration_y];
+        self.exchange.hand_back(self.pairs.path, &self.fluid.mass, accelerations);
     }
 
     /// How much tension the water bears in the steps to come.
@@ -86,6 +94,7 @@ impl Wcsph {
             (false, false, false) => self.momentum::<false, false, false>(dt),
         }
         self.work.add_loads(self.pairs.tallies());
+        self.hand_back();
         self.pairs.power()
     }
 

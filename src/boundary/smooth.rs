@@ -1,0 +1,210 @@
+//! A bed that gives back, at the edge of the water.
+//!
+//! A smooth face pushes along its normal alone. Yet a ghost pushes the water along the face (t) as well, by p_g S_g with
+//!
+//! ```text
+//! S_g = t t·V_g Σ_j V_j ∇W_gj
+//! ```
+//! where water ends, as at the edge of a tongue on a beach. And as the tongue runs up it covers ghosts ahead of it. That
+//! counts as water that runs into them, S_g·u per second, and presses the tongue that gives it back. So a ghost takes
+//! velocities relative to ū, the mean of the water around its mirror point: it takes S_g·ū less. And that water gets back
+//! what the ghost pushes along the face, each particle w_k p_g S_g. Both do the same work, so no energy is made.
+//!
+//! Other ghosts of the bed count as water in S_g: where the bed bends, they stand where water is missing.
+
+use std::marker::PhantomData;
+
+use super::exchange::Exchange;
+use super::ghosts::{Ghosts, Reflection};
+use super::giving::Giving;
+use super::plane::Plane;
+use super::rules::ExchangeRules;
+use super::sums::Means;
+use crate::body::Place;
+use crate::kernel::Kernel;
+use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
+use crate::pairs::{PairList, PointSet, build_pair_list};
+use crate::with_kernel;
+
+/// Sums of V_j ∇W_gj around eight ghosts, along x and up, 1/m.
+pub(super) type Around = [[f64; LANES]; 2];
+
+/// The edge tells all where the water on the bed is no thicker than this, over the support radius R. Where it is as
+/// thick as R no ghost has the edge in reach.
+const THIN: f64 = 0.7;
+
+/// Cosine of the steepest slope whose ghosts hand back, 1:2. Water at rest on steeper shores does not need it.
+const GENTLE: f64 = 0.894;
+
+/// How the bed's ghosts push along its face.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Smooth {
+    /// Of the bed's own ghosts.
+    own: Vec<Around>,
+    /// S_g, m.
+    slants: Vec<[[f64; LANES]; 2]>,
+}
+
+impl Smooth {
+    /// Finds what the bed's own ghosts have to do with each other, once.
+    pub fn prepare(&mut self, path: SimdPath, rules: &ExchangeRules, ghosts: &Ghosts) {
+        let body = &ghosts.bodies[Place::Bed.number()];
+        let range = body.ghosts.clone();
+        if ghosts.shore.is_none() || self.own.len() == range.len() / LANES {
+            return;
+        }
+        let (x, y) = (&ghosts.x[range.clone()], &ghosts.y[range.clone()]);
+        let (reach, bounds) = (rules.scaling.support_radius, PointSet::EVERYWHERE);
+        let set = PointSet { strips: &body.strips, x, y, offset: 0.0, first: 0, reach, bounds };
+        let mut list = PairList::default();
+        build_pair_list(path, x, y, &[set], &mut list);
+        let volume = &ghosts.volume[range];
+        let inverse_radius = rules.scaling.inverse_radius;
+        let per_volume = rules.scaling.weight_per_volume;
+        self.own = with_kernel!(rules.kernel, K => dispatch(path, Own::<K> {
+            list: &list,
+            x,
+            y,
+            volume,
+            inverse_radius,
+            per_volume,
+            kernel: PhantomData,
+        }));
+        self.slants = vec![Default::default(); self.own.len()];
+    }
+
+    /// Finds S_g at a block, of the sums over the water around each ghost, the ghosts' volumes, and the water's pressure
+    /// there, as a head in metres. It is zero before the shore and on steep slopes, within two support radii, `near`, of walls (see `alongside.rs`), and where
+    /// the water is thick: there it would be noise, under a high pressure.
+    pub fn find(
+        &mut self,
+        block: usize,
+        (ghosts, walls, near): (&Ghosts, &[Plane], f64),
+        (water, volume, head): (&Around, &[f64; LANES], &[f64; LANES]),
+    ) {
+        let slants = &mut self.slants[block];
+        *slants = Default::default();
+        for lane in 0..LANES {
+            let g = block * LANES + lane;
+            let place = [ghosts.x[g], ghosts.y[g]];
+            let Reflection::Plane { normal: [nx, ny] } = ghosts.reflection[g] else { continue };
+            let on_shore = ghosts.shore.is_some_and(|from| place[0] > from) && -ny > GENTLE;
+            if !on_shore || walls.iter().any(|wall| wall.beyond(place) > -near) {
+                continue;
+            }
+            let thickness = (head[lane] - ghosts.distance[g]) / (0.5 * near);
+            let thin = ((1.0 - thickness) / (1.0 - THIN)).clamp(0.0, 1.0);
+            let [x, y] = [0, 1].map(|axis: usize| water[axis][lane] + self.own[block][axis][lane]);
+            let along = thin * volume[lane] * (nx * y - ny * x);
+            (slants[0][lane], slants[1][lane]) = (-ny * along, nx * along);
+        }
+    }
+
+    /// Whether the bed has a shore.
+    pub fn is_on(&self) -> bool {
+        !self.slants.is_empty()
+    }
+
+    /// S_g·ū at a block, m²/s: how fast water covers the ghosts.
+    #[inline(always)]
+    pub fn covered<L: Lanes>(&self, block: usize, means: &Means) -> L {
+        let [along, up] = self.slants::<L>(block);
+        along.mul_add(L::load(&means.vx), up * L::load(&means.vy))
+    }
+
+    /// S_g at a block, m.
+    #[inline(always)]
+    fn slants<L: Lanes>(&self, block: usize) -> [L; 2] {
+        let [along, up] = &self.slants[block];
+        [L::load(along), L::load(up)]
+    }
+}
+
+/// Sums around eight ghosts.
+#[inline(always)]
+pub(super) fn store<L: Lanes>(sums: [L; 2]) -> Around {
+    let mut found = Around::default();
+    for (part, sum) in found.iter_mut().zip(sums) {
+        sum.store(part);
+    }
+    found
+}
+
+/// What ghosts have of each other; those that pad blocks have no volume.
+struct Own<'a, K> {
+    list: &'a PairList,
+    x: &'a [f64],
+    y: &'a [f64],
+    volume: &'a [f64],
+    inverse_radius: f64,
+    per_volume: f64,
+    kernel: PhantomData<K>,
+}
+
+impl<K: Kernel> Task for Own<'_, K> {
+    type Output = Vec<Around>;
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) -> Vec<Around> {
+        let Own { list, x, y, volume, inverse_radius, per_volume, .. } = self;
+        let ((own_x, _), (own_y, _)) = (x.as_chunks::<LANES>(), y.as_chunks::<LANES>());
+        let scale = L::splat(inverse_radius);
+        let of_block = |(block, (at_x, at_y)): (usize, (&[f64; LANES], &[f64; LANES]))| {
+            let (at_x, at_y) = (L::load(at_x), L::load(at_y));
+            let [mut along, mut up] = [L::splat(0.0); 2];
+            for &other in list.group(block, 0) {
+                let other = other as usize;
+                let dx = (L::splat(x[other]) - at_x) * scale;
+                let dy = (L::splat(y[other]) - at_y) * scale;
+                let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
+                let inverse = s.rsqrt();
+                let weight = L::splat(volume[other] * per_volume);
+                let slope = K::slope_over_q(s, [s * inverse, inverse]) * weight;
+                along = slope.mul_add(dx, along);
+                up = slope.mul_add(dy, up);
+            }
+            store([along, up])
+        };
+        own_x.iter().zip(own_y).enumerate().map(of_block).collect()
+    }
+}
+
+/// Hands back what the ghosts of the bed push along it.
+struct HandBack<'a> {
+    exchange: &'a Exchange,
+    giving: &'a Giving,
+    mass: &'a [f64],
+    accelerations: [&'a mut [f64]; 2],
+}
+
+impl Task for HandBack<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let HandBack { exchange, giving, mass, accelerations: [along, up] } = self;
+        for part in &exchange.parts {
+            for &block in part.among(giving.blocks(&exchange.counting)) {
+                let (row, image) = (block as usize, &exchange.images[block as usize]);
+                let pressure = L::load(&image.pressure) * L::load(&exchange.scale[row]);
+                let [push_x, push_y] = giving.smooth.slants::<L>(row).map(|slant| slant * pressure);
+                let (entries, weights) = part.held.of(row - part.blocks.start);
+                for (&k, weight) in entries.iter().zip(weights) {
+                    let (k, weight) = (k as usize, L::load(weight));
+                    along[k] += (weight * push_x).sum() / mass[k];
+                    up[k] += (weight * push_y).sum() / mass[k];
+                }
+            }
+        }
+    }
+}
+
+impl Exchange {
+    /// Adds to the water's accelerations, m/s², what it gets back of the ghosts' pushes along the bed. Masses per metre
+    /// of width, kg/m.
+    pub fn hand_back(&self, path: SimdPath, mass: &[f64], accelerations: [&mut [f64]; 2]) {
+        if let Some(giving) = self.giving.as_ref().filter(|giving| giving.smooth.is_on()) {
+            dispatch(path, HandBack { exchange: self, giving, mass, accelerations });
+        }
+    }
+}
