@@ -83,12 +83,7 @@ impl Task for Relative<'_> {
 }
 
 impl Exchange {
-    /// Whether the bed gives back what it does.
-    pub fn gives_back(&self) -> bool {
-        self.giving.is_some()
-    }
-
-    /// How its ghosts go with walls beside them, where it gives back.
+    /// How the bed's ghosts go with walls beside them; `None` where it does not give back what it does.
     pub fn alongside(&self) -> Option<&Alongside> {
         Some(&self.giving.as_ref()?.alongside)
     }
