@@ -1,7 +1,7 @@
 //! Particles stay in front of the walls' faces.
 
 use crate::body::BodyMotion;
-use crate::boundary::{Plane, Profile};
+use crate::boundary::{Ghosts, Plane, Profile};
 use crate::pairs::{Double, Eight, Here, Summed};
 
 /// A particle a spacing behind both walls of a corner of 30° takes some fifty pushes.
@@ -12,20 +12,26 @@ const SKIN: f64 = 1e-3;
 
 /// Puts particles that have slipped through a wall back onto its face, with its velocity.
 pub struct HoldInside<'a> {
-    /// How many particles there are.
-    pub all: usize,
-    /// The walls' faces at the end of the step.
-    pub planes: &'a [Plane],
+    all: usize,
+    planes: &'a [Plane],
     /// The bed, where it is not level.
-    pub bed: Option<&'a Profile>,
-    /// Their motions.
-    pub bodies: &'a [BodyMotion],
-    /// Of the particles, metres.
-    pub spacing: f64,
-    /// Their masses, kg/m.
-    pub mass: &'a [f64],
-    /// Gravity, m/s².
-    pub gravity: f64,
+    bed: Option<&'a Profile>,
+    bodies: &'a [BodyMotion],
+    spacing: f64,
+    mass: &'a [f64],
+    gravity: f64,
+}
+
+impl<'a> HoldInside<'a> {
+    /// Of so many particles, with their masses, kg/m, their spacing, m, and gravity, m/s². The walls are these ghosts,
+    /// with the places of their faces at the end of the step and their motions.
+    pub fn of(
+        (all, mass): (usize, &'a [f64]),
+        [spacing, gravity]: [f64; 2],
+        (ghosts, planes, bodies): (&'a Ghosts, &'a [Plane], &'a [BodyMotion]),
+    ) -> HoldInside<'a> {
+        HoldInside { all, planes, bed: ghosts.outline(), bodies, spacing, mass, gravity }
+    }
 }
 
 /// Rows of places and of velocities.

@@ -59,11 +59,9 @@ impl Isph {
             shifting_work -= options.gravity * self.part(dt);
         }
         shifting_work += self.pressure_loss(dt);
-        let (bodies, spacing) = (walls.bodies, options.spacing);
-        let gravity = options.gravity;
         let Fluid { x, y, vx, vy, mass, .. } = &mut self.fluid;
-        let hold =
-            HoldInside { all: n, planes: &self.planes, bed: None, bodies, spacing, mass, gravity };
+        let walls = (&self.ghosts, &*self.planes, walls.bodies);
+        let hold = HoldInside::of((n, mass), [options.spacing, options.gravity], walls);
         let rows = [[x, y], [vx, vy]].map(|pair| pair.map(Vec::as_mut_slice));
         shifting_work -= sum_in_turn(self.path, n, rows, &hold);
         Dissipation { viscous_power, diffusion_power: 0.0, shifting_work }

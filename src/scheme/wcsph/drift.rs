@@ -130,15 +130,11 @@ impl Wcsph {
             mass,
         });
         let next = acoustic_is_next.then(|| Next {
-            inside: HoldInside {
-                all,
-                planes: &self.planes,
-                bed: self.ghosts.outline(),
-                bodies,
-                spacing: options.spacing,
-                mass,
-                gravity: options.gravity,
-            },
+            inside: HoldInside::of(
+                (all, mass),
+                [options.spacing, options.gravity],
+                (&self.ghosts, &self.planes, bodies),
+            ),
             pressing: Pressing::of(options, self.bulk_time, [rate, tension]),
             places: [scaled_x, scaled_y],
             correction: carried.correction(),

@@ -115,8 +115,8 @@ impl Wcsph {
         let (n, all) = (self.fluid.padded_len(), self.fluid.len());
         let WcsphOptions { spacing, gravity, .. } = self.options;
         let Fluid { x, y, vx, vy, mass, .. } = &mut self.fluid;
-        let (planes, bed) = (&self.planes, self.ghosts.outline());
-        let hold = HoldInside { all, planes, bed, bodies, spacing, mass, gravity };
+        let walls = (&self.ghosts, &*self.planes, bodies);
+        let hold = HoldInside::of((all, mass), [spacing, gravity], walls);
         let rows = [[x, y], [vx, vy]].map(|pair| pair.map(|field| &mut field[..n]));
         -self.pairs.sum_each(rows, &hold)
     }
