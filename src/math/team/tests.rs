@@ -1,26 +1,18 @@
 use super::*;
 
-struct Stretch(Range<usize>);
-
-impl Part for Stretch {
-    fn items(&self) -> Range<usize> {
-        self.0.clone()
-    }
-}
-
 #[test]
 fn every_item_is_written_once_and_by_its_own_part() {
     for threads in [1, 2, 3] {
         let team = Team::of(threads);
         let count = 10;
         for cuts in [vec![0, 10], vec![0, 1, 1, 7, 10], vec![0, 3, 4, 5, 9, 10]] {
-            let mut parts: Vec<_> = cuts.windows(2).map(|ends| Stretch(ends[0]..ends[1])).collect();
+            let mut parts: Vec<_> = cuts.windows(2).map(|ends| ends[0]..ends[1]).collect();
             let (mut single, mut double) = (vec![0; count], vec![[0; 2]; count]);
             let (rows, pairs) = (&mut single[..], double.as_flattened_mut());
             team.lead(|| {
                 team.share(&mut parts, ([rows], pairs), &|part, ([rows], pairs)| {
-                    assert_eq!((rows.len(), pairs.len()), (part.0.len(), 2 * part.0.len()));
-                    for (place, item) in part.0.clone().enumerate() {
+                    assert_eq!((rows.len(), pairs.len()), (part.len(), 2 * part.len()));
+                    for (place, item) in part.clone().enumerate() {
                         rows[place] += item;
                         pairs[2 * place] += item;
                         pairs[2 * place + 1] += 100 + item;
