@@ -7,6 +7,7 @@ use serde::Serialize;
 use sha2::{Digest, Sha256};
 
 use super::table::{AccuracyTable, Choice, differences};
+use crate::math::comma::csv;
 use crate::math::digest::digits;
 use crate::quantities::summary::{CASE_ID, PARTICLE_SPACING};
 use crate::results::{CaseRecord, ErrorBars, narrowest_bar_percent};
@@ -156,28 +157,21 @@ impl MaxError {
     }
 
     /// `max_error.csv`: which case got which numerics and whether its bars keep to the aim.
-    pub fn csv(&self, study: &Study, verified: &[Verified]) -> csv::Result<Vec<u8>> {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        writer.write_record([
-            CASE_ID.name,
-            PARTICLE_SPACING.name,
-            "numerics",
-            "error_bar_percent",
-            "max_error_percent",
-            "met",
-        ])?;
-        for of in verified {
+    pub fn csv(&self, study: &Study, verified: &[Verified]) -> String {
+        let (id, spacing) = (CASE_ID.name, PARTICLE_SPACING.name);
+        let header = [id, spacing, "numerics", "error_bar_percent", "max_error_percent", "met"];
+        let row = |of: &Verified| {
             let case = &study.cases[of.index];
-            writer.write_record([
+            [
                 case.id.to_string(),
                 of.spacing_m.to_string(),
                 differences(&case.config),
                 of.bar_percent.map(|bar| bar.to_string()).unwrap_or_default(),
                 self.percent.to_string(),
                 of.missed.is_none().to_string(),
-            ])?;
-        }
-        writer.into_inner().map_err(|error| csv::Error::from(error.into_error()))
+            ]
+        };
+        csv([header.map(str::to_owned)].into_iter().chain(verified.iter().map(row)))
     }
 }
 

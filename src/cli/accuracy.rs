@@ -9,6 +9,7 @@ use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
 use crate::accuracy::{Errors, MethodScore, Scored, cheapest_within, methods, score};
 use crate::keys::named;
+use crate::math::comma::csv;
 use crate::report::accuracy::{HEADER, write};
 
 /// Run many methods on cases with known answers. Tell the error and the processor time of each.
@@ -41,7 +42,7 @@ pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
         ran.matrix.cases.iter().map(|case| (case.name.clone(), case.about.clone())).collect();
     std::fs::write(
         ran.out.join("accuracy.csv"),
-        csv(&scored, &[(Errors::All, &scores), (Errors::Loads, &loads)])?,
+        table_of(&scored, &[(Errors::All, &scores), (Errors::Loads, &loads)]),
     )?;
     let page = write(&ran.out, &about)?;
     let mut table =
@@ -74,26 +75,25 @@ pub(super) fn main(args: &AccuracyArgs, output: &Output) -> anyhow::Result<u8> {
 }
 
 /// Every pair, then every method over all cases under the name of the group.
-fn csv(scored: &[Scored], groups: &[(Errors, &Vec<MethodScore>)]) -> anyhow::Result<Vec<u8>> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(HEADER)?;
+fn table_of(scored: &[Scored], groups: &[(Errors, &Vec<MethodScore>)]) -> String {
+    let mut rows = vec![HEADER.map(str::to_owned)];
     let number = |value: Option<f64>| value.map(|value| format!("{value:.4}")).unwrap_or_default();
     for row in scored {
         let errors: Vec<f64> = row.errors().collect();
         let mean = errors.iter().map(|e| e * e).sum::<f64>() / errors.len().max(1) as f64;
         let mean = (!errors.is_empty()).then(|| mean.sqrt());
-        writer.write_record([
-            &*row.case,
-            &row.method,
-            &number(row.force_error_percent),
-            &number(row.runup_error_percent),
-            &number(row.displacement_error_percent),
-            &number(row.flow_error_percent),
-            &number(mean),
-            &number(row.cpu_time_s),
-            "",
-            &row.reason,
-        ])?;
+        rows.push([
+            row.case.clone(),
+            row.method.clone(),
+            number(row.force_error_percent),
+            number(row.runup_error_percent),
+            number(row.displacement_error_percent),
+            number(row.flow_error_percent),
+            number(mean),
+            number(row.cpu_time_s),
+            String::new(),
+            row.reason.clone(),
+        ]);
     }
     for (group, scores) in groups {
         for score in *scores {
@@ -101,8 +101,8 @@ fn csv(scored: &[Scored], groups: &[(Errors, &Vec<MethodScore>)]) -> anyhow::Res
             let (mean, time) = (number(score.error_percent), number(Some(score.cpu_time_s)));
             let name = group.name();
             let row = [name, &score.method, "", "", "", "", &mean, &time, pareto, ""];
-            writer.write_record(row)?;
+            rows.push(row.map(str::to_owned));
         }
     }
-    Ok(writer.into_inner()?)
+    csv(rows)
 }

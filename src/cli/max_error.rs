@@ -194,7 +194,7 @@ pub(super) fn report(
     done: &Done,
 ) -> anyhow::Result<(String, serde_json::Value)> {
     let verified = aim.verify(study, done.directory.runs());
-    std::fs::write(done.directory.path().join("max_error.csv"), aim.csv(study, &verified)?)?;
+    std::fs::write(done.directory.path().join("max_error.csv"), aim.csv(study, &verified))?;
     let met = verified.iter().filter(|case| case.missed.is_none()).count();
     let (percent, cases) = (aim.percent(), counted(study.cases.len(), "case"));
     let widest = verified.iter().filter_map(|case| case.bar_percent).max_by(f64::total_cmp);

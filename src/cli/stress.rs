@@ -9,6 +9,7 @@ use super::table::Table;
 use super::{CASES_FAILED, SUCCESS};
 use crate::accuracy::{Judged, Matrix, Verdict, judge};
 use crate::keys::named;
+use crate::math::comma::csv;
 use crate::math::lists::different;
 
 /// Run many methods on hard cases, and tell which method survives which case. What counts as surviving is
@@ -37,7 +38,7 @@ pub(super) fn main(args: &StressArgs, output: &Output) -> anyhow::Result<u8> {
     }
     let judged = judge(&ran.matrix, &ran.pairs, &ran.records);
     let page = ran.out.join("stress.md");
-    std::fs::write(ran.out.join("stress.csv"), csv(&judged)?)?;
+    std::fs::write(ran.out.join("stress.csv"), table_of(&judged))?;
     std::fs::write(&page, markdown(&ran.matrix, &judged))?;
     let survived = |row: &&Judged| matches!(row.verdict, Verdict::Passed | Verdict::NotThere);
     let all_well = judged.iter().all(|row| survived(&row));
@@ -66,16 +67,15 @@ fn edge(row: &Judged) -> String {
     row.edge.map_or_else(|| "-".to_owned(), |edge| format!("{edge:.2}"))
 }
 
-fn csv(judged: &[Judged]) -> anyhow::Result<Vec<u8>> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(["case", "method", "verdict", "edge", "reason", "wall_time_s"])?;
-    for row in judged {
+fn table_of(judged: &[Judged]) -> String {
+    let header = ["case", "method", "verdict", "edge", "reason", "wall_time_s"];
+    let row = |row: &Judged| {
         let time = row.wall_time_s.map(|time| format!("{time:.1}")).unwrap_or_default();
         let edge = row.edge.map(|edge| format!("{edge:.3}")).unwrap_or_default();
-        let verdict = word(&row.verdict);
-        writer.write_record([&*row.case, &row.method, verdict, &edge, &row.reason, &time])?;
-    }
-    Ok(writer.into_inner()?)
+        let verdict = word(&row.verdict).to_owned();
+        [row.case.clone(), row.method.clone(), verdict, edge, row.reason.clone(), time]
+    };
+    csv([header.map(str::to_owned)].into_iter().chain(judged.iter().map(row)))
 }
 
 /// The matrix of what survives where, then every case with its criterion.

@@ -1,7 +1,8 @@
 //! SIMD lanes, sparse systems, threads that share the work of one case, scales and curves through points,
-//! lists, words, checksums, large pages.
+//! lists, words, comma-separated text, checksums, large pages.
 
 pub mod bend;
+pub mod comma;
 pub mod decimal;
 pub mod digest;
 #[cfg(target_os = "linux")]

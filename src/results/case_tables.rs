@@ -1,6 +1,7 @@
 //! The tables that a case leaves, as text.
 
 use super::number;
+use crate::math::comma::csv;
 use crate::quantities::{self, Quantity};
 use crate::simulation::{EnvelopeRow, HistoryRow, NamedReading, ProbeColumn, ProbeTable, WaveRow};
 
@@ -73,12 +74,7 @@ fn table<'a>(
 
 /// A table with words in it, which may hold commas.
 fn worded(header: [&str; 3], rows: impl Iterator<Item = [String; 3]>) -> String {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    for row in std::iter::once(header.map(str::to_owned)).chain(rows) {
-        writer.write_record(row).expect("rows of three cells go into memory");
-    }
-    let bytes = writer.into_inner().expect("memory takes it all");
-    String::from_utf8(bytes).expect("made of text")
+    csv(std::iter::once(header.map(str::to_owned)).chain(rows))
 }
 
 #[cfg(test)]

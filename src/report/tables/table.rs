@@ -3,6 +3,7 @@
 use std::fs::File;
 use std::path::Path;
 
+use crate::math::comma::csv;
 use crate::report::error::ReportError;
 
 /// A table, ready for a file or a page.
@@ -45,13 +46,7 @@ impl Table {
 
     /// The table as comma-separated text.
     pub fn csv(&self) -> String {
-        let mut writer = csv::Writer::from_writer(Vec::new());
-        let records = std::iter::once(&self.header).chain(&self.rows);
-        for record in records {
-            writer.write_record(record).expect("rows are as wide as their header");
-        }
-        let bytes = writer.into_inner().expect("memory does not run dry");
-        String::from_utf8(bytes).expect("cells are text")
+        csv(std::iter::once(&self.header).chain(&self.rows))
     }
 }
 
