@@ -4,14 +4,17 @@ use crate::quantities::summary::{
 };
 use crate::report::row::Row;
 
+fn pair_of(rows: [&Row; 2]) -> Pair {
+    let [a, b] = rows.map(|row| Side { row, config: None });
+    Pair::of(&a, &b)
+}
+
 fn pair(a: f64, b: f64, bar: Option<f64>) -> Pair {
     let row = |force: f64| {
         let row = Row::default().with(&WAVE_HEIGHT_RATIO, 0.3).with(&FIRST_FORCE_MAX, force);
         bar.into_iter().fold(row, |row, bar| row.with(&FORCE_ERROR, bar))
     };
-    let rows = [row(a), row(b)];
-    let [a, b] = [0, 1].map(|one| Side { row: &rows[one], config: None });
-    Pair::of(&a, &b)
+    pair_of([&row(a), &row(b)])
 }
 
 #[test]
@@ -31,10 +34,7 @@ fn differences_are_judged_by_both_bars() {
 fn a_case_without_a_bar_is_held_against_the_other_bar_alone() {
     let row = || Row::default().with(&FIRST_FORCE_MAX, 2.0);
     let rows = [row().with(&FORCE_ERROR, 0.1), row()];
-    let of = |a: usize, b: usize| {
-        let [a, b] = [a, b].map(|one| Side { row: &rows[one], config: None });
-        Pair::of(&a, &b).differences[0].unwrap()
-    };
+    let of = |a: usize, b: usize| pair_of([&rows[a], &rows[b]]).differences[0].unwrap();
     assert_eq!([of(0, 1), of(0, 0), of(1, 1)].map(|one| one.has_one_bar()), [true, false, false]);
     assert_eq!(of(0, 1).bar(), Some(0.1));
 }
@@ -47,8 +47,7 @@ fn a_lower_bound_short_of_the_other_value_tells_no_difference() {
         row.with(&DISPLACEMENT_ERROR, 0.01).with(&DISPLACEMENT_TRUNCATED, bound)
     };
     let told = |a: Row, b: Row| {
-        let [a, b] = [&a, &b].map(|row| Side { row, config: None });
-        let one = Pair::of(&a, &b).differences[2].unwrap();
+        let one = pair_of([&a, &b]).differences[2].unwrap();
         (one.size().map(f64::round), one.is_within())
     };
     assert_eq!(told(row(0.2, true), row(0.3, false)), (None, None));
@@ -61,10 +60,7 @@ fn a_lower_bound_short_of_the_other_value_tells_no_difference() {
 #[test]
 fn what_differs_stands_in_the_words_twice() {
     let row = || Row::default().with(&WAVE_HEIGHT_RATIO, 0.3);
-    let words = |a: Row, b: Row| {
-        let [a, b] = [&a, &b].map(|row| Side { row, config: None });
-        Pair::of(&a, &b).words
-    };
+    let words = |a: Row, b: Row| pair_of([&a, &b]).words;
     let heavy = || row().with(&SEAWALL_MASS, 60000);
     assert_eq!(words(heavy(), row()), "H/h = 0.3, m = 60000 | - kg/m");
     assert_eq!(words(heavy(), heavy().with(&SEAWALL_MASS, 50)), "H/h = 0.3, m = 60000 | 50 kg/m");
@@ -76,8 +72,7 @@ fn what_differs_stands_in_the_words_twice() {
 fn regular_waves_are_compared_by_their_whole_runs() {
     let mut row = Row::default().with(&FIRST_FORCE_MAX, 1.16).with(&FORCE_MAX, 1.3);
     row.regular = true;
-    let side = Side { row: &row, config: None };
-    assert_eq!(Pair::of(&side, &side).differences[0].unwrap().values, [1.3, 1.3]);
+    assert_eq!(pair_of([&row; 2]).differences[0].unwrap().values, [1.3, 1.3]);
 }
 
 #[test]

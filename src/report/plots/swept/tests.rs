@@ -12,8 +12,7 @@ fn masses(stiffnesses: &[f64]) -> tempfile::TempDir {
 
 #[test]
 fn one_figure_takes_the_place_of_one_point_panels() {
-    let directory = masses(&[500.0]);
-    let data = Loaded::read(directory.path()).unwrap();
+    let (_directory, data) = fixture::read(masses(&[500.0]));
     let key = key(&data).unwrap();
     assert_eq!(key.name, "seawall_mass_kg_per_m");
     let figures = figures(&data, key);
@@ -109,8 +108,7 @@ fn scenes_without_a_wave_have_one_curve() {
 /// The story: of regular waves some had a first impact and some had none, and one curve went through both.
 #[test]
 fn regular_waves_are_drawn_by_their_whole_runs() {
-    let directory = masses(&[500.0]);
-    let mut data = Loaded::read(directory.path()).unwrap();
+    let (_directory, mut data) = fixture::read(masses(&[500.0]));
     data.rows.iter_mut().for_each(|row| row.regular = true);
     let figures = figures(&data, key(&data).unwrap());
     assert!(figures[0].caption.contains("runup of the whole run, and"), "{}", figures[0].caption);
