@@ -139,8 +139,7 @@ mod tests {
         let scene = file["scene"].as_table_mut().unwrap();
         let stroke = concat!(env!("CARGO_MANIFEST_DIR"), "/sweeps/usace_1995/stroke_b.csv");
         scene["recorded_stroke"] = stroke.into();
-        let nothing = toml::Table::new();
-        let config = CaseConfig::from_tables(scene, &nothing).unwrap();
+        let config = CaseConfig::of(&scene.to_string(), "");
         let film = PageFilm { colour: Colour::Speed, folder: std::path::PathBuf::new() };
         let interval_s = PageCamera::new(&film, &config).interval_s;
         let frames = FRAMES as f64;
@@ -149,8 +148,7 @@ mod tests {
 
     #[test]
     fn particles_keep_their_numbers_and_a_new_attempt_starts_anew() {
-        let nothing = toml::Table::new();
-        let config = CaseConfig::from_tables(&nothing, &nothing).unwrap();
+        let config = CaseConfig::of("", "");
         let film = PageFilm { colour: Colour::Speed, folder: std::path::PathBuf::new() };
         let mut camera = PageCamera::new(&film, &config);
         let mut fluid = Fluid::at_rest((0..3).map(|k| [f64::from(k), 0.5, 1000.0, 1.0]));

@@ -149,17 +149,13 @@ mod tests {
     use crate::results::made_up;
     use crate::simulation::HistoryRow;
 
-    fn tables(text: &str) -> CaseConfig {
-        CaseConfig::from_tables(&text.parse().unwrap(), &toml::Table::new()).unwrap()
-    }
-
     #[test]
     fn a_page_needs_nothing_but_itself() {
         let root = tempfile::tempdir().unwrap();
         let film = PageFilm { colour: Colour::Pressure, folder: root.path().join("films") };
-        let config = tables(
-            "wall = \"movable\"\nspring_stiffness_n_per_m = 500\nseawall_mass_kg_per_m = 50",
-        );
+        let scene =
+            "wall = \"movable\"\nspring_stiffness_n_per_m = 500\nseawall_mass_kg_per_m = 50";
+        let config = CaseConfig::of(scene, "");
         let points: Vec<_> = (0..40)
             .map(|k| [0.1 * (k / 4) as f32, 0.05 * (k % 4) as f32, 100.0 * (3 - k % 4) as f32])
             .collect();
@@ -198,7 +194,7 @@ mod tests {
     fn water_without_a_wall_has_neither_force_nor_runup() {
         let root = tempfile::tempdir().unwrap();
         let film = PageFilm { colour: Colour::Pressure, folder: root.path().to_owned() };
-        let config = tables("kind = \"oscillating-drop\"");
+        let config = CaseConfig::of("kind = \"oscillating-drop\"", "");
         let take =
             |k: i32| Take { time_s: 0.1 * f64::from(k), walls: [0.0; 2], points: vec![[0.0; 3]] };
         let takes: Vec<_> = (0..5).map(take).collect();
@@ -217,7 +213,7 @@ mod tests {
     fn a_page_of_sixty_frames_is_small() {
         let root = tempfile::tempdir().unwrap();
         let film = PageFilm { colour: Colour::Speed, folder: root.path().to_owned() };
-        let config = tables("wall_angle_deg = 90");
+        let config = CaseConfig::of("wall_angle_deg = 90", "");
         let take = |t: usize| {
             let [metres, speed] = [0.0013, 0.02];
             let points = codec::tests::frame(t).into_iter();

@@ -174,9 +174,7 @@ mod tests {
     fn the_surface_of_a_basin_goes_on_to_its_sides() {
         let scene = "behind = \"basin\"\ncrest_freeboard_m = 0.08\ncrest_width_m = 0.1\nfloor_height_m = 0\n\
                      floor_length_m = 0.4\nbasin_level_m = 0.1\nwave_height_ratio = 0.5";
-        let numerics = "particle_spacing_m = 0.01".parse().unwrap();
-        let config =
-            crate::scene::CaseConfig::from_tables(&scene.parse().unwrap(), &numerics).unwrap();
+        let config = crate::scene::CaseConfig::of(scene, "particle_spacing_m = 0.01");
         let particle = |k: usize| {
             // Columns begin and end beside the basin's sides.
             let [x, y] = [2.6 + 0.01 * (k / 10) as f64, 0.01 * (k % 10) as f64];

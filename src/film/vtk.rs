@@ -189,8 +189,7 @@ mod tests {
         };
         // The second attempt of a run takes the place of the first.
         [0.0, 0.1, 0.2, 0.0, 0.15].into_iter().for_each(|time_s| shoot(&mut camera, time_s));
-        let result =
-            made_up(&CaseConfig::from_tables(&toml::Table::new(), &toml::Table::new()).unwrap());
+        let result = made_up(&CaseConfig::of("", ""));
         Box::new(camera).finish(&result).unwrap();
         let list = fs::read_to_string(root.path().join("case.pvd")).unwrap();
         let paddle = "timestep=\"0.15\" part=\"1\" name=\"paddle\" file=\"case/paddle_00001.vtu\"";

@@ -74,8 +74,7 @@ mod tests {
     use crate::scene::CaseConfig;
 
     fn of(scene: &str) -> Vec<&'static str> {
-        let config = CaseConfig::from_tables(&scene.parse().unwrap(), &Table::new()).unwrap();
-        let values = value_of(&config.scene).unwrap();
+        let values = value_of(&CaseConfig::of(scene, "").scene).unwrap();
         scenes(values.as_table().unwrap()).collect()
     }
 

@@ -135,9 +135,8 @@ mod tests {
     #[test]
     fn rows_count_where_the_water_is_shallow() {
         let told = |bed: &str| {
-            let scene = format!("still_water_depth_m = 0.2\nbed = {bed}").parse().unwrap();
-            let numerics = "particle_spacing_m = 0.02".parse().unwrap();
-            let config = &CaseConfig::from_tables(&scene, &numerics).unwrap();
+            let scene = format!("still_water_depth_m = 0.2\nbed = {bed}");
+            let config = &CaseConfig::of(&scene, "particle_spacing_m = 0.02");
             let (id, bars) = (String::new(), Bars::default());
             let case = Case { id, config, outcome: None, reason: "", bars, wall_time_s: 0.0 };
             case.coarse_spacing()

@@ -115,8 +115,7 @@ mod tests {
 
     fn config(spacing: f64) -> CaseConfig {
         let scene = "wall = \"movable\"\nspring_stiffness_n_per_m = 1\nseawall_mass_kg_per_m = 50";
-        let numerics = format!("particle_spacing_m = {spacing:?}");
-        CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap()).unwrap()
+        CaseConfig::of(scene, &format!("particle_spacing_m = {spacing:?}"))
     }
 
     /// Readings that converge to 2, 1 and 3 with order `order`, on an exact wave.

@@ -139,8 +139,7 @@ mod tests {
     use crate::scene::CaseConfig;
 
     fn result() -> (CaseId, CaseResult) {
-        let empty = toml::Table::new();
-        let config = CaseConfig::from_tables(&empty, &empty).unwrap();
+        let config = CaseConfig::of("", "");
         (CaseId::of(&config), made_up(&config))
     }
 

@@ -170,6 +170,15 @@ impl CaseConfig {
     }
 }
 
+#[cfg(test)]
+impl CaseConfig {
+    /// A case of these two tables, for tests.
+    pub(crate) fn of(scene: &str, numerics: &str) -> CaseConfig {
+        let [scene, numerics] = [scene, numerics].map(|text| text.parse().unwrap());
+        CaseConfig::from_tables(&scene, &numerics).unwrap()
+    }
+}
+
 /// An error about a key of the scene, with the value that the file has.
 fn with_value(error: ConfigError, scene: &Table) -> ConfigError {
     let key = error.key.strip_prefix("scene.").filter(|_| error.value.is_empty());

@@ -136,8 +136,7 @@ mod tests {
     use crate::scene::CaseConfig;
 
     fn step(numerics: &str) -> f64 {
-        let (scene, numerics) = (toml::Table::new(), numerics.parse().unwrap());
-        let config = CaseConfig::from_tables(&scene, &numerics).unwrap();
+        let config = CaseConfig::of("", numerics);
         config.scene.frame().time_step(&config.numerics)
     }
 

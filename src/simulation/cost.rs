@@ -80,9 +80,9 @@ mod tests {
     #[test]
     fn ghosts_of_wide_crests_take_memory() {
         let memory = |behind: &str| {
-            let scene = format!("crest_freeboard_m = 0.05\nbehind = {behind}").parse().unwrap();
-            let numerics = "particle_spacing_m = 0.01".parse().unwrap();
-            cost(&CaseConfig::from_tables(&scene, &numerics).unwrap()).memory_bytes / 1_000_000
+            let scene = format!("crest_freeboard_m = 0.05\nbehind = {behind}");
+            let config = CaseConfig::of(&scene, "particle_spacing_m = 0.01");
+            cost(&config).memory_bytes / 1_000_000
         };
         assert_eq!(memory("\"outflow\"\ncrest_width_m = 0.3"), 15);
         assert_eq!(memory("\"outflow\"\ncrest_width_m = 300"), 165);

@@ -113,8 +113,7 @@ mod tests {
     use crate::scene::CaseConfig;
 
     fn faces(scene: &str, numerics: &str) -> Vec<Face> {
-        let [scene, numerics] = [scene, numerics].map(|text| text.parse().unwrap());
-        let config = CaseConfig::from_tables(&scene, &numerics).unwrap();
+        let config = CaseConfig::of(scene, numerics);
         let mut run = Run::start(&config, SimdPath::Portable, &Team::of(1));
         let bodies = run.tank.motions(0.0);
         run.tank.water.prepare(&bodies, 1e-4).unwrap();

@@ -9,10 +9,9 @@ use crate::scene::CaseConfig;
 fn without_row(row: Option<i64>) -> Result<CaseResult, Stopped> {
     let scene = "wall = \"movable\"\nwave_height_ratio = 0.3\n\
         spring_stiffness_n_per_m = 10\nseawall_mass_kg_per_m = 100";
-    let numerics = "particle_spacing_m = 0.02";
-    let config = CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap());
+    let config = CaseConfig::of(scene, "particle_spacing_m = 0.02");
     MISSING_ROW.set(row);
-    let result = run_case(&config.unwrap(), None, SimdPath::widest(), &Unwatched);
+    let result = run_case(&config, None, SimdPath::widest(), &Unwatched);
     MISSING_ROW.set(None);
     result
 }

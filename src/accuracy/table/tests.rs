@@ -2,8 +2,7 @@ use super::*;
 use crate::pairs::Precision;
 
 fn config(wave: f64) -> CaseConfig {
-    let scene = format!("wave_height_ratio = {wave:?}").parse().unwrap();
-    CaseConfig::from_tables(&scene, &toml::Table::new()).unwrap()
+    CaseConfig::of(&format!("wave_height_ratio = {wave:?}"), "")
 }
 
 fn table() -> AccuracyTable {

@@ -2,10 +2,7 @@ use super::*;
 
 #[test]
 fn each_limit_is_told_and_the_default_is_clear_of_them() {
-    let count = |scene: &str, numerics: &str| {
-        let config = CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap());
-        limits(&config.unwrap()).len()
-    };
+    let count = |scene: &str, numerics: &str| limits(&CaseConfig::of(scene, numerics)).len();
     assert_eq!(count("", ""), 0);
     assert_eq!(count("", "courant_number = 2.3"), 1);
     assert_eq!(count("", "particle_spacing_m = 0.0005"), 1);

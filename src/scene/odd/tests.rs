@@ -1,8 +1,18 @@
 use super::*;
 
+fn words(config: &CaseConfig) -> Vec<String> {
+    odd_values(config).iter().map(ToString::to_string).collect()
+}
+
 fn odd(scene: &str) -> Vec<String> {
-    let config = CaseConfig::from_tables(&scene.parse().unwrap(), &"".parse().unwrap());
-    odd_values(&config.unwrap()).iter().map(ToString::to_string).collect()
+    words(&CaseConfig::of(scene, ""))
+}
+
+/// With particles that stand 10 mm apart, and a probe.
+fn odd_with(scene: &str, probe: &str) -> Vec<String> {
+    let probe = format!("name = \"P\"\n{probe}").parse().unwrap();
+    let numerics = "particle_spacing_m = 0.01".parse().unwrap();
+    words(&CaseConfig::with_probes(&scene.parse().unwrap(), &numerics, &[probe]).unwrap())
 }
 
 #[test]
@@ -80,12 +90,8 @@ fn slips_are_told_with_key_and_value() {
 /// The story: a probe that counts from the wall's foot read 0 Pa all along.
 #[test]
 fn a_probe_under_the_bed_is_told() {
-    let told = |probe: &str| {
-        let scene = "bed = [[0, 0], [1, 0], [2, 0.1], [2.5, 0.1]]".parse().unwrap();
-        let probe = format!("name = \"P\"\nkind = \"pressure\"\n{probe}").parse().unwrap();
-        let config = CaseConfig::with_probes(&scene, &"".parse().unwrap(), &[probe]).unwrap();
-        odd_values(&config).iter().map(ToString::to_string).collect::<Vec<_>>()
-    };
+    let scene = "bed = [[0, 0], [1, 0], [2, 0.1], [2.5, 0.1]]";
+    let told = |probe: &str| odd_with(scene, &format!("kind = \"pressure\"\n{probe}"));
     for sound in
         ["wall = \"left\"\ny_m = 0.01", "wall = \"right\"\ny_m = 0.1", "x_m = 1.5\ny_m = 0.06"]
     {
@@ -102,12 +108,7 @@ fn a_probe_under_the_bed_is_told() {
 /// The story: a gauge behind the end of the tank read a level of 0 m all along.
 #[test]
 fn a_probe_outside_the_tank_is_told() {
-    let told = |scene: &str, x: f64| {
-        let probe = format!("name = \"P\"\nkind = \"level\"\nx_m = {x}").parse().unwrap();
-        let numerics = "particle_spacing_m = 0.01".parse().unwrap();
-        let config = CaseConfig::with_probes(&scene.parse().unwrap(), &numerics, &[probe]).unwrap();
-        odd_values(&config).iter().map(ToString::to_string).collect::<Vec<_>>()
-    };
+    let told = |scene: &str, x: f64| odd_with(scene, &format!("kind = \"level\"\nx_m = {x}"));
     let outside = told("", 2.6);
     let text = "probe.x_m = 2.6: P stands outside the tank, which ends at 2.5000 m";
     assert!(outside.len() == 1 && outside[0].starts_with(text), "{outside:?}");
@@ -127,12 +128,6 @@ fn a_probe_outside_the_tank_is_told() {
 /// The story: probes inside a wall, under its crest, and gauges that the paddle passed read 0 without a word.
 #[test]
 fn a_probe_in_a_wall_or_in_the_paddles_way_is_told() {
-    let told = |scene: &str, probe: &str| {
-        let probe = format!("name = \"P\"\n{probe}").parse().unwrap();
-        let numerics = "particle_spacing_m = 0.01".parse().unwrap();
-        let config = CaseConfig::with_probes(&scene.parse().unwrap(), &numerics, &[probe]).unwrap();
-        odd_values(&config).iter().map(ToString::to_string).collect::<Vec<_>>()
-    };
     let outflow = "behind = \"outflow\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.2";
     let floor = "behind = \"floor\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.2\nfloor_length_m = 0.5\n\
                  floor_height_m = 0.1";
@@ -140,13 +135,13 @@ fn a_probe_in_a_wall_or_in_the_paddles_way_is_told() {
     for (scene, x, y) in
         [("", 2.4, 0.1), (outflow, 2.5, 0.1), (outflow, 2.6, 0.3), (floor, 2.8, 0.1)]
     {
-        assert_eq!(told(scene, &at(x, y)), [""; 0], "{scene} {x} {y}");
+        assert_eq!(odd_with(scene, &at(x, y)), [""; 0], "{scene} {x} {y}");
     }
     let inside = "probe.y_m = 0.29: P stands inside the wall, which is 0.3000 m high from 2.5000 to 2.7000 m";
-    assert!(told(outflow, &at(2.6, 0.29))[0].starts_with(inside));
-    assert!(told(floor, &at(2.8, 0.09))[0].contains("or under the floor behind it"));
+    assert!(odd_with(outflow, &at(2.6, 0.29))[0].starts_with(inside));
+    assert!(odd_with(floor, &at(2.8, 0.09))[0].contains("or under the floor behind it"));
     let level = |x: f64| format!("kind = \"level\"\nx_m = {x}");
-    assert_eq!(told("", &level(0.33)), [""; 0]);
+    assert_eq!(odd_with("", &level(0.33)), [""; 0]);
     let passed = "probe.x_m = 0.32: P stands where the paddle goes, up to 0.326 m into the tank";
-    assert!(told("", &level(0.32))[0].starts_with(passed));
+    assert!(odd_with("", &level(0.32))[0].starts_with(passed));
 }

@@ -4,9 +4,7 @@ use crate::scene::CaseConfig;
 
 #[test]
 fn a_void_is_the_share_that_water_leaves_empty() {
-    let scene = "kind = \"hydrostatic\"".parse().unwrap();
-    let numerics = "particle_spacing_m = 0.02".parse().unwrap();
-    let config = CaseConfig::from_tables(&scene, &numerics).unwrap();
+    let config = CaseConfig::of("kind = \"hydrostatic\"", "particle_spacing_m = 0.02");
     let mut tank = config.scene.build(&config.numerics, SimdPath::Portable);
     let mut bodies = tank.motions(0.0);
     tank.water.prepare(&bodies, 1e-4).unwrap();
@@ -34,8 +32,8 @@ fn still_water_leaves_no_void_at_the_foot_of_a_wall_on_a_bed() {
              still_water_depth_m = 0.3",
             1.6 - shelf
         );
-        let numerics = "particle_spacing_m = 0.02\nboundary = \"normalized\"".parse().unwrap();
-        let config = CaseConfig::from_tables(&scene.parse().unwrap(), &numerics).unwrap();
+        let numerics = "particle_spacing_m = 0.02\nboundary = \"normalized\"";
+        let config = CaseConfig::of(&scene, numerics);
         let mut tank = config.scene.build(&config.numerics, SimdPath::Portable);
         let bodies = tank.motions(0.0);
         tank.water.prepare(&bodies, 1e-4).unwrap();
