@@ -20,6 +20,8 @@ use std::process::ExitCode;
 use anyhow::{Context, Result};
 use clap::Parser;
 
+use seawall::math::words::counted;
+
 use faults::{FAULTS, Fault, Needs, Verdict};
 use study::Study;
 
@@ -31,7 +33,7 @@ struct Arguments {
     /// The table to write
     out: PathBuf,
     /// How often each fault is caused
-    #[arg(long, default_value_t = 50)]
+    #[arg(long, default_value_t = 50, value_parser = clap::value_parser!(u64).range(1..))]
     trials: u64,
     /// The program with MPI, for faults of ranks
     #[arg(long)]
@@ -53,20 +55,20 @@ fn main() -> ExitCode {
 }
 
 fn torture(arguments: &Arguments) -> Result<bool> {
-    let study = Study::new(&arguments.seawall, arguments.mpi.as_deref())?;
     let chosen = |fault: &&Fault| arguments.fault.as_deref().is_none_or(|name| name == fault.name);
     if let Some(name) = &arguments.fault {
         let names: Vec<_> = FAULTS.iter().map(|fault| fault.name).collect();
         anyhow::ensure!(names.contains(&&**name), "--fault {name}: there are {}", names.join(", "));
     }
+    let study = Study::new(&arguments.seawall, arguments.mpi.as_deref())?;
     let mut text = format!(
-        "# Faults\n\nWritten by `scripts/torture`. Each fault was caused {} times, at moments and places \
+        "# Faults\n\nWritten by `scripts/torture`. Each fault was caused {}, at moments and places \
          spread over the whole run. *Whole* counts the trials after which the results were those of an \
          undisturbed sweep, to the byte. *Refused* counts those in which the program said that it cannot go on, \
          and touched nothing. *Lost* counts those with any other end.\n\n\
          | fault | trials | whole | refused | lost | exit codes | what the user sees, once |\n\
          |---|---|---|---|---|---|---|\n",
-        arguments.trials
+        counted(arguments.trials as usize, "time")
     );
     let mut well = true;
     for fault in FAULTS.iter().filter(chosen) {

@@ -16,7 +16,7 @@ impl Copy {
     fn new() -> Copy {
         let root = tempfile::Builder::new().prefix("a b").tempdir().unwrap();
         let home = Path::new(env!("CARGO_MANIFEST_DIR"));
-        let parts = ["scripts", "sweeps"].map(|part| home.join(part));
+        let parts = ["scripts", "sweeps", "examples"].map(|part| home.join(part));
         let copied = Command::new("cp").arg("-r").args(parts).arg(root.path()).status().unwrap();
         assert!(copied.success());
         let program = env!("CARGO_BIN_EXE_seawall");
@@ -75,12 +75,22 @@ fn words_that_a_script_cannot_use_are_bad_input() {
         &["same_answers", "keep", "kept", "/tmp"],
         &["flume_film", "nonsense"],
         &["screenshots", "one", "two"],
+        &["torture", "nonsense"],
+        &["torture", "--trials", "0"],
+        &["torture", "--trials=many"],
+        &["torture", "--fault"],
+        &["torture", "--trials", "5", "--fault", "nonsense"],
     ] {
         let output = copy.script(words[0], &words[1..]).output().unwrap();
         expect_code(&output, 2);
         let told = String::from_utf8(output.stderr).unwrap();
         assert!(told.contains(&format!("; see scripts/{} --help", words[0])), "{told}");
     }
+    // A build, which the stub refuses, is only begun with words that can be used.
+    let strace = copy.root.path().join("strace"); // or it would be installed
+    fs::copy(copy.root.path().join("cargo"), strace).unwrap();
+    let mut torture = copy.script("torture", &["--trials", "1", "--fault=checkpoint-bit"]);
+    expect_code(&torture.output().unwrap(), 9);
     // A folder is no program.
     let mut command = copy.script("accuracy", &[]);
     expect_code(&command.env("SEAWALL_BINARY", "/tmp").output().unwrap(), 70);
