@@ -14,6 +14,7 @@ use std::process::ExitCode;
 
 use anyhow::{Context, Result, ensure};
 use common::{COMPARED, KEYS, Row, beside, number, read, summaries};
+use seawall::math::words::counted;
 
 /// The headings of [`COMPARED`].
 const HEADINGS: [&str; 4] = ["crest/h at x = 1.5 m", "first F*", "first R*", "largest X*"];
@@ -208,13 +209,14 @@ fn provenance(run: &Path, cases: &[Case]) -> Result<String> {
         .find_map(|line| line.strip_prefix("model name")?.split_once(':'))
         .map_or("unknown processor", |(_, model)| model.trim());
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let cores = counted(cores, "core");
     let mut speeds: Vec<_> = cases.iter().filter_map(Case::speed).collect();
     speeds.sort_by(f64::total_cmp);
     let first = cases.first();
     let spacing = first.map_or("", |case| case.text("particle_spacing_m"));
     let particles = first.map_or("", |case| case.text("particles"));
     Ok(format!(
-        "seawall {} ({}), {} vectors, on {model}, {cores} cores, one case per core; particle \
+        "seawall {} ({}), {} vectors, on {model}, {cores}, one case per core; particle \
          spacing {spacing} m,\n{particles} particles; median {} million particle-steps per second \
          and case.",
         word("version"),

@@ -10,6 +10,7 @@ use std::collections::BTreeMap;
 use std::process::ExitCode;
 
 use anyhow::{Context, Result, bail, ensure};
+use seawall::math::words::counted;
 
 /// How a column is compared.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -115,6 +116,12 @@ fn differences(reference: &Summary, new: &Summary) -> Vec<String> {
     found
 }
 
+/// What is told at the end.
+fn outcome(cases: usize, reference: &str, differences: usize) -> String {
+    let [cases, differences] = [counted(cases, "case"), counted(differences, "difference")];
+    format!("{cases} compared with {reference}: {differences}")
+}
+
 fn run() -> Result<bool> {
     let paths: Vec<_> = std::env::args().skip(1).collect();
     ensure!(paths.len() == 2, "two files are needed: the reference and the new summary");
@@ -123,8 +130,7 @@ fn run() -> Result<bool> {
     for line in &found {
         println!("{line}");
     }
-    let (cases, count) = (reference.rows.len(), found.len());
-    println!("{cases} cases compared with {}: {count} differences", paths[0]);
+    println!("{}", outcome(reference.rows.len(), &paths[0], found.len()));
     Ok(found.is_empty())
 }
 
@@ -155,6 +161,13 @@ mod tests {
         assert!(!agrees(rule("displacement_max"), "", "0.1"));
         assert!(!agrees(rule("displacement_max"), "0.1", ""));
         assert!(agrees(rule("displacement_max"), "", ""));
+    }
+
+    /// The story: it told of "1 differences".
+    #[test]
+    fn one_difference_is_none_of_many() {
+        assert_eq!(outcome(12, "a.csv", 1), "12 cases compared with a.csv: 1 difference");
+        assert_eq!(outcome(1, "a.csv", 0), "1 case compared with a.csv: 0 differences");
     }
 
     #[test]

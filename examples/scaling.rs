@@ -15,6 +15,7 @@ use std::time::Instant;
 use seawall::execute::{Order, Posted, Report};
 use seawall::math::simd::SimdPath;
 use seawall::math::team::thread_processor_time;
+use seawall::math::words::counted;
 use seawall::results::{CaseRecord, Delivery, Directory, Filing, OpenMode};
 use seawall::scene::CaseConfig;
 use seawall::schedule::{Command, Event, Manager, Work};
@@ -321,7 +322,9 @@ fn conclusion(rows: &[(usize, usize, Outcome)]) -> String {
         let mut efficiencies = of.map(|(_, _, o)| o.bound / o.makespan).peekable();
         efficiencies.peek().is_some() && efficiencies.all(|efficiency| efficiency > 0.95)
     });
-    let kept = kept.max().map_or("No number of ranks".to_owned(), |n| format!("Up to {n} ranks"));
+    let kept = kept
+        .max()
+        .map_or("No number of ranks".to_owned(), |n| format!("Up to {}", counted(n, "rank")));
     let mut text = format!(
         "\n{kept} the bound is more than 95 % of the makespan wherever there are a hundred cases or more \
          per rank.\n"

@@ -17,6 +17,7 @@ use common::{
     COMPARED, CREST, Compared, DISPLACEMENT, FORCE, KEYS, RUNUP, Row, beside, number, read,
     summaries, text,
 };
+use seawall::math::words::counted;
 
 /// The least errors that an order is read off, in the order of [`COMPARED`].
 const LEAST: [f64; 4] = [0.3, 0.3, 0.01, 0.3];
@@ -311,7 +312,8 @@ fn run() -> Result<bool> {
     for fault in &faults {
         eprintln!("convergence: {fault}");
     }
-    println!("{} cases, {} bounds broken", cases.len(), faults.len());
+    let [cases, bounds] = [counted(cases.len(), "case"), counted(faults.len(), "bound")];
+    println!("{cases}, {bounds} broken");
     Ok(faults.is_empty())
 }
 

@@ -36,7 +36,8 @@ class Study:
     def __repr__(self) -> str:
         cases, failed = len(self.summary), int((self.summary["status"] != "ok").sum())
         told = f", {failed} failed" if failed else ""
-        return f"<seawall study {self.name!r}: {cases} cases{told}, in {self.directory}>"
+        noun = "case" if cases == 1 else "cases"
+        return f"<seawall study {self.name!r}: {cases} {noun}{told}, in {self.directory}>"
 
     @cached_property
     def manifest(self) -> dict[str, Any]:

@@ -168,8 +168,9 @@ fn health_line(data: &Loaded) -> String {
     });
     let energy =
         largest(&ENERGY_GAP).map(|gap| format!("The energy budget is off by up to {gap:.2} %. "));
+    let lost = if lost == 1.0 { "1 particle was".into() } else { format!("{lost} particles were") };
     format!(
-        "{}{}{lost} particles were lost. In the table, the reasons for doubt stand out. The force max gap is \
+        "{}{}{lost} lost. In the table, the reasons for doubt stand out. The force max gap is \
          that where the force is largest. The force gap is the worst of the whole run: where a wall hits \
          its stop it may be many percent, and no result is read there.",
         force.unwrap_or_default(),

@@ -62,8 +62,9 @@ fn pace(data: &Loaded) -> Option<String> {
     let seconds: f64 = sessions(data).iter().filter_map(|one| number(one, "wall_time_s")).sum();
     let killed = sessions(data).iter().any(|one| number(one, "wall_time_s").is_none());
     let per_hour = data.rows.len() as f64 / seconds * 3600.0;
-    (seconds > 0.0 && !killed)
-        .then(|| format!(" That was {} cases per hour.", plain(significant(per_hour, 3))))
+    let told = plain(significant(per_hour, 3));
+    let cases = if told == "1" { "case" } else { "cases" };
+    (seconds > 0.0 && !killed).then(|| format!(" That was {told} {cases} per hour."))
 }
 
 /// How busy each rank was, over the sessions that have told it with as many ranks as the last one.
