@@ -230,6 +230,18 @@ fn a_report_makes_the_summary_again() {
     let summary = desk.out.join("summary.csv");
     let before = fs::read(&summary).unwrap();
     fs::remove_file(&summary).unwrap();
+    // Whoever needs it says so: they named a sweep, which takes longer.
+    let readers: [&[&str]; 4] = [
+        &["find", &desk.dir, "force_max < 2"],
+        &["show", &desk.dir],
+        &["film", &desk.dir],
+        &["compare", &desk.dir, &desk.dir],
+    ];
+    let remedy = format!("has no summary.csv; `seawall report {}` makes it", desk.dir);
+    for words in readers {
+        let told = ended(2, words).err;
+        assert!(told.contains(&remedy), "{told}");
+    }
     let told = ended(0, &["report", &desk.dir]).err;
     assert!(told.contains("summary.csv: made again from the journal"), "{told}");
     assert_eq!(fs::read(&summary).unwrap(), before);
@@ -239,4 +251,7 @@ fn a_report_makes_the_summary_again() {
     fs::remove_file(desk.out.join("manifest.json")).unwrap();
     let told = ended(2, &["report", &desk.dir]).err;
     assert!(told.contains("has no summary.csv; `seawall sweep` or `run` of the same"), "{told}");
+    for words in [readers[0], readers[1], readers[3]] {
+        assert!(ended(2, words).err.contains("summary.csv; `seawall sweep` or `run` of"));
+    }
 }

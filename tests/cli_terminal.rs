@@ -233,7 +233,7 @@ fn a_case_that_is_not_finished_is_told_as_such() {
     }
     fs::remove_file(&summary).unwrap();
     let words = show(&last);
-    assert!(words.contains("has no summary.csv; `seawall sweep` or `run` of the same"), "{words}");
+    assert!(words.contains("has no summary.csv; `seawall report "), "{words}");
 }
 
 #[test]

@@ -8,8 +8,8 @@ use clap::Args;
 
 use super::SUCCESS;
 use super::failure::BadInput;
-use super::input::demand_output_of_study;
 use super::output::{Output, first, short};
+use super::stored::demand_summary;
 use super::table::Table;
 use crate::keys::named;
 use crate::math::decimal::significant;
@@ -43,7 +43,7 @@ const ROWS: usize = 10;
 pub(super) fn main(args: &CompareArgs, output: &Output) -> anyhow::Result<u8> {
     let directories = [args.first.as_path(), args.second.as_path()];
     for directory in directories {
-        demand_output_of_study(directory, "summary.csv")?;
+        demand_summary(directory)?;
     }
     let comparison = compare(directories).map_err(|error| BadInput(error.to_string()))?;
     if comparison.pairs.is_empty() {

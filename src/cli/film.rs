@@ -6,7 +6,6 @@ use clap::Args;
 use serde_json::json;
 
 use super::failure::{BadInput, not_writable};
-use super::input::demand_output_of_study;
 use super::output::{Output, json_path};
 use super::pick::the_case;
 use super::{CASES_FAILED, INTERRUPTED, SUCCESS, options, stored};
@@ -39,7 +38,7 @@ pub(super) struct FilmArgs {
 
 pub(super) fn main(args: &FilmArgs, output: &Output) -> anyhow::Result<u8> {
     let (study, simd) = stored::study(&args.dir)?;
-    demand_output_of_study(&args.dir, "summary.csv")?;
+    stored::demand_summary(&args.dir)?;
     let case = the_case(&study, &args.case)?;
     let set = Set {
         study: &study,

@@ -7,8 +7,8 @@ use clap::Args;
 use super::SUCCESS;
 use super::answer::Answer;
 use super::failure::BadInput;
-use super::input::demand_output_of_study;
 use super::output::Output;
+use super::stored::demand_summary;
 use crate::math::words::counted;
 use crate::report::find::find;
 use crate::report::load::Loaded;
@@ -34,7 +34,7 @@ pub(super) struct FindArgs {
 }
 
 pub(super) fn main(args: &FindArgs, output: &Output) -> anyhow::Result<u8> {
-    demand_output_of_study(&args.dir, "summary.csv")?;
+    demand_summary(&args.dir)?;
     let bad = |reason: &str| BadInput::of(&args.dir, reason);
     let data = Loaded::read(&args.dir).map_err(|error| BadInput(error.to_string()))?;
     if data.manifest.is_none() {

@@ -106,6 +106,7 @@ fn unreadable(path: &Path, error: &std::io::Error) -> BadInput {
 /// What every output directory holds.
 const MANIFEST: &str = "manifest.json";
 pub(super) const JOURNAL: &str = "journal.jsonl";
+pub(super) const SUMMARY: &str = "summary.csv";
 
 /// Refuses a directory that does not hold a file which every output directory of a study has.
 pub(super) fn demand_output_of_study(directory: &Path, holds: &str) -> Result<(), BadInput> {

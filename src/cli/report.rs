@@ -6,7 +6,7 @@ use clap::Args;
 use serde_json::json;
 
 use super::failure::not_writable;
-use super::input::{JOURNAL, demand_output_of_study};
+use super::input::{JOURNAL, SUMMARY, demand_output_of_study};
 use super::options::{FigureFormat, for_print};
 use super::output::{Output, json_path, json_paths};
 use super::{CASES_FAILED, SUCCESS, stored};
@@ -36,8 +36,6 @@ pub(super) struct ReportArgs {
     #[arg(long, value_name = "SCALE", allow_negative_numbers = true)]
     froude_scale: Option<Froude>,
 }
-
-const SUMMARY: &str = "summary.csv";
 
 pub(super) fn main(args: &ReportArgs, output: &Output) -> anyhow::Result<u8> {
     // Made again from the journal, where that is there.

@@ -6,7 +6,6 @@ use clap::Args;
 use serde_json::{Map, Value, json};
 
 use super::failure::BadInput;
-use super::input::demand_output_of_study;
 use super::output::{Output, json_paths, with_bar};
 use super::pick::{Choice, in_every_case, the_case, the_one};
 use super::{SUCCESS, stored};
@@ -45,7 +44,7 @@ pub(super) fn main(args: &ShowArgs, output: &Output) -> anyhow::Result<u8> {
         output.result(&text, &json!({ "toml": text }))?;
         return Ok(SUCCESS);
     }
-    demand_output_of_study(&args.dir, "summary.csv")?;
+    stored::demand_summary(&args.dir)?;
     let rows = rows(&args.dir.join("summary.csv"))?;
     let (keys, cases) = Manifest::read(&args.dir)
         .map_or_else(Default::default, |manifest| (manifest.keys, manifest.cases));

@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use super::failure::BadInput;
-use super::input::demand_output_of_study;
+use super::input::{JOURNAL, SUMMARY, demand_output_of_study};
 use super::{max_error, refine};
+use crate::keys::named;
 use crate::math::simd::SimdPath;
-use crate::results::{Manifest, read_journal_header};
+use crate::results::{Lock, Manifest, read_journal_header};
 use crate::study::{Override, PHYSICS_VERSION, Study, SweepFile};
 
 /// The study, and the instruction set that it was computed with.
@@ -22,6 +23,20 @@ pub(super) fn study(directory: &Path) -> anyhow::Result<(Study, SimdPath)> {
         return Err(bad(format!("was computed with {simd}, which this machine lacks")).into());
     }
     Ok((study, simd))
+}
+
+/// Refuses a directory without `summary.csv`. Where a report would make it again from the journal, that is named: it
+/// is quicker than a sweep.
+pub(super) fn demand_summary(directory: &Path) -> Result<(), BadInput> {
+    demand_output_of_study(directory, SUMMARY).map_err(|error| {
+        let has_journal = directory.join(JOURNAL).is_file();
+        if !has_journal || Lock::is_held(directory) || study(directory).is_err() {
+            return error;
+        }
+        let told = named(directory);
+        let reason = format!("has no {SUMMARY}; `seawall report {told}` makes it from the journal");
+        BadInput::of(directory, reason)
+    })
 }
 
 fn manifest_and_file(directory: &Path) -> anyhow::Result<(Manifest, SweepFile)> {
