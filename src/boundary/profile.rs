@@ -1,11 +1,11 @@
 //! A bed that is not level: a line of straight stretches under the water.
 
+mod nearest;
 mod still_water;
 mod stretch;
 
 use serde::{Deserialize, Deserializer, Serialize, de};
 
-use super::plane::Plane;
 pub use stretch::{STEEP, Stretch, WALL, ends_low, turn};
 
 /// Stretches shorter than this, metres, are no stretches.
@@ -160,42 +160,6 @@ impl Profile {
     /// The stretches, as planes with their ends.
     pub fn stretches(&self) -> impl Iterator<Item = Stretch> + '_ {
         self.0.windows(2).map(|pair| Stretch::between(pair[0], pair[1]))
-    }
-
-    /// The face of the bed nearest to a place in the water, where it is so near, metres.
-    pub fn face_within(&self, place: [f64; 2], near: f64) -> Option<Plane> {
-        let over = |x: f64| place[1] - self.height(x) > near;
-        if over(place[0]) && over(place[0] - near) && over(place[0] + near) {
-            return None;
-        }
-        let (face, behind) = self.nearest(place);
-        (behind > -near).then_some(face)
-    }
-
-    /// The nearest place of the bed to one in or near the water: the face there, and how far behind it
-    /// the place lies, metres; negative in the water.
-    pub fn nearest(&self, place: [f64; 2]) -> (Plane, f64) {
-        let mut best = (f64::INFINITY, self.0[0]);
-        let mut see = |foot: [f64; 2]| {
-            let square = (place[0] - foot[0]).powi(2) + (place[1] - foot[1]).powi(2);
-            if square < best.0 {
-                best = (square, foot);
-            }
-        };
-        let [first, last] = [self.0[0], self.end()];
-        see([place[0].min(first[0]), first[1]]);
-        see([place[0].max(last[0]), last[1]]);
-        self.stretches().for_each(|stretch| see(stretch.foot(place)));
-        let foot = best.1;
-        let away = (place[0] - foot[0]).hypot(place[1] - foot[1]);
-        let inside = place[1] < self.height(place[0]);
-        let normal = if away > SHORTEST {
-            let sign = if inside { 1.0 } else { -1.0 };
-            [0, 1].map(|axis| sign * (place[axis] - foot[axis]) / away)
-        } else {
-            [0.0, -1.0]
-        };
-        (Plane { point: foot, normal }, if inside { away } else { -away })
     }
 }
 
