@@ -15,6 +15,7 @@ use seawall::execute::{
     Ending, Interrupt, Progress, ProgressStyle, Runner, Session, Setup, coordinate, threads,
 };
 use seawall::math::simd::SimdPath;
+use seawall::math::words::counted;
 use seawall::results::{Directory, Manifest, OpenMode, Opened, made_up};
 use seawall::scene::CaseConfig;
 use seawall::simulation::{CaseResult, Monitor, Stopped, TrunkResult};
@@ -68,7 +69,7 @@ fn sweep(out: &Path, study: &Study, count: usize) {
                 directory: &mut directory,
                 ranks: &ranks,
                 interrupt: &interrupt,
-                progress: Progress::new(ProgressStyle::Quiet, Default::default(), 1),
+                progress: Progress::new(ProgressStyle::Quiet, Default::default()),
             };
             let worked = coordinate(link, &mut session)?;
             assert_eq!(worked.ending, Ending::Finished);
@@ -113,13 +114,13 @@ fn main() {
     };
     let start = Instant::now();
     let study = Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap();
-    tell(&format!("study of {} cases", study.cases.len()), start);
+    tell(&format!("study of {}", counted(study.cases.len(), "case")), start);
     if !out.exists() {
         let start = Instant::now();
         sweep(&out, &study, count);
         tell("sweep", start);
         let rate = study.cases.len() as f64 / start.elapsed().as_secs_f64();
-        println!("{rate:.0} cases per second on {count} threads");
+        println!("{rate:.0} cases per second on {}", counted(count, "thread"));
     }
     let start = Instant::now();
     let (directory, opened) = Directory::open(&out, &study, OpenMode::Resume, None, SIMD).unwrap();

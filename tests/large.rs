@@ -76,7 +76,7 @@ fn finished(root: &Path, cases: usize) -> (PathBuf, PathBuf) {
                 directory: &mut directory,
                 ranks: &ranks,
                 interrupt: &interrupt,
-                progress: Progress::new(ProgressStyle::Quiet, Default::default(), 1),
+                progress: Progress::new(ProgressStyle::Quiet, Default::default()),
             };
             assert_eq!(coordinate(link, &mut session)?.ending, Ending::Finished);
             Ok(())

@@ -69,11 +69,7 @@ fn sweep(out: &Path, study: &Study, run: &Run) -> (Ending, Savings) {
                 directory: &mut directory,
                 ranks: &ranks,
                 interrupt: &run.interrupt,
-                progress: Progress::new(
-                    ProgressStyle::Quiet,
-                    Default::default(),
-                    plan.total_cost(),
-                ),
+                progress: Progress::new(ProgressStyle::Quiet, Default::default()),
             };
             ended = Some(coordinate(link, &mut session)?);
             Ok(())

@@ -140,7 +140,7 @@ pub(super) fn execute(
     let simd = directory.simd();
     let mut ended = None;
     crew.work(simd, &job.out, &mut |link| {
-        let progress = Progress::new(output.progress_style(), tallies, plan.total_cost());
+        let progress = Progress::new(output.progress_style(), tallies);
         let mut session = Session {
             study,
             plan: &plan,

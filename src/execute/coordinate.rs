@@ -2,13 +2,15 @@
 
 use std::time::{Duration, Instant};
 
+use super::gauge::Way;
 use super::load::Loads;
+use super::message::Reached;
+use super::reckoning::Reckoning;
 use super::session::{Ending, Session, Worked};
 use super::{Link, Order, Posted, Report};
 use crate::results::{CaseRecord, Delivery, RankInfo, Savings, SweepError, forget_load};
 use crate::schedule::{Command, Event, Manager, Work};
 use crate::simulation::{CaseResult, Failure, FailureKind, Stopped};
-use crate::study::Plan;
 
 /// How long to wait for a report before looking at signals and the journal.
 const PATIENCE: Duration = Duration::from_millis(50);
@@ -24,6 +26,7 @@ pub fn coordinate(link: &mut dyn Link, session: &mut Session<'_>) -> Result<Work
         trunk_steps: vec![0; session.plan.trunks.len()],
         savings: Savings::default(),
         loads: Loads::new(session.ranks),
+        reckoning: Reckoning::new(session.plan),
     };
     for rank in 0..capacities.len() {
         loop_.tell(Event::Ready { rank }, link, session)?;
@@ -38,9 +41,8 @@ pub fn coordinate(link: &mut dyn Link, session: &mut Session<'_>) -> Result<Work
         }
         if looked.elapsed() >= PATIENCE {
             looked = Instant::now();
-            let parts = link.under_way().into_iter();
-            let parts = parts.map(|(work, share)| share * loop_.cost_of(work, session.plan) as f64);
-            session.progress.under_way(parts.sum::<f64>() as u64);
+            loop_.reckoning.look(link.under_way());
+            session.progress.reached(loop_.reckoning.told());
         }
         session.directory.sync(false)?;
         loop_.loads.tell(session.directory.path());
@@ -58,7 +60,7 @@ pub fn coordinate(link: &mut dyn Link, session: &mut Session<'_>) -> Result<Work
     Ok(Worked { ending, savings: loop_.savings, load: loop_.loads.so_far() })
 }
 
-struct Loop {
+struct Loop<'a> {
     manager: Manager,
     commands: Vec<Command>,
     /// The trunk that each running case started from.
@@ -66,9 +68,10 @@ struct Loop {
     trunk_steps: Vec<u64>,
     savings: Savings,
     loads: Loads,
+    reckoning: Reckoning<'a>,
 }
 
-impl Loop {
+impl Loop<'_> {
     fn tell(
         &mut self,
         event: Event,
@@ -134,7 +137,9 @@ impl Loop {
             }
             Report::TrunkDone { trunk, result, wall_time_s } => {
                 self.loads.end(rank, Work::Trunk(trunk), wall_time_s);
-                if let Ok(steps) = result {
+                let mut share = None;
+                if let Ok(Reached { steps, time_s }) = result {
+                    share = Some(Way::of(&session.plan.trunks[trunk].config).share(time_s));
                     self.savings.trunks += 1;
                     self.savings.steps_computed += steps;
                     self.trunk_steps[trunk] = steps;
@@ -145,7 +150,8 @@ impl Loop {
                 {
                     session.suspect_branches(trunk);
                 }
-                session.progress.trunk(session.plan.trunks[trunk].cost);
+                self.reckoning.trunk(trunk, share);
+                session.progress.reached(self.reckoning.told());
                 Event::Done { rank, work: Work::Trunk(trunk), ok: result.is_ok() }
             }
             Report::CaseDone { case, result, wall_time_s, cpu_time_s } => {
@@ -185,7 +191,6 @@ impl Loop {
         }
         let host = &session.ranks[rank].host;
         let whole = session.study.run(planned.index);
-        let work = self.cost_of(Work::Case(case), session.plan);
         let (study, directory) = (session.study, &mut *session.directory);
         let timed = |record| CaseRecord { cpu_time_s, ..record };
         let mut record_whole = |result: Result<CaseResult, Failure>| {
@@ -203,19 +208,12 @@ impl Loop {
             }
         };
         if planned.index < session.study.cases.len() {
-            session.progress.case(work, ok);
+            session.progress.case(ok);
         } else {
-            session.progress.companion(work);
+            session.progress.companion();
         }
+        self.reckoning.case(case);
+        session.progress.reached(self.reckoning.told());
         Ok(ok)
-    }
-
-    /// Particle-steps of a piece of work, of a branch without its trunk's.
-    fn cost_of(&self, work: Work, plan: &Plan) -> u64 {
-        match work {
-            Work::Trunk(trunk) => plan.trunks[trunk].cost,
-            Work::Case(case) if self.trunk_of_case[case].is_some() => plan.cases[case].branch_cost,
-            Work::Case(case) => plan.cases[case].cost,
-        }
     }
 }

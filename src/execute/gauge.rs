@@ -8,37 +8,28 @@ use std::time::Instant;
 use super::interrupt::Interrupt;
 use crate::scene::CaseConfig;
 use crate::schedule::Work;
-use crate::simulation::{Limits, Monitor, cost};
+use crate::simulation::{Limits, Monitor};
 
-/// The share of every piece that is being worked on.
+/// How far every piece is that is being worked on, as a share of the way from rest to the end of its case.
 #[derive(Debug, Default)]
 pub(super) struct Gauges(Mutex<HashMap<Work, Arc<AtomicU64>>>);
 
 impl Gauges {
-    /// A monitor of a piece of work; `branches` where it starts from a checkpoint.
+    /// A monitor of a piece of work.
     pub(super) fn watch<'a>(
         &'a self,
         cancel: &'a Interrupt,
         work: Work,
         config: &CaseConfig,
-        branches: bool,
         limits: Limits,
     ) -> Gauge<'a> {
-        let estimate = cost(config);
-        let end = config.scene.frame().end_time;
-        let start = config.scene.start_s();
-        let onset = estimate.trunk_share * end;
-        let span = match work {
-            Work::Trunk(_) => [start, onset],
-            Work::Case(_) if branches => [onset, end],
-            Work::Case(_) => [start, end],
-        };
+        let way = Way::of(config);
         let share = Arc::new(AtomicU64::new(0));
         self.lock().insert(work, share.clone());
-        Gauge { gauges: self, cancel, work, span, share, limits, since: Instant::now() }
+        Gauge { gauges: self, cancel, work, way, share, limits, since: Instant::now() }
     }
 
-    /// What is being worked on, and the share of it that is done.
+    /// What is being worked on, and how far it is.
     pub(super) fn read(&self) -> Vec<(Work, f64)> {
         let share = |share: &Arc<AtomicU64>| f64::from_bits(share.load(Ordering::Relaxed));
         self.lock().iter().map(|(&work, at)| (work, share(at))).collect()
@@ -49,13 +40,30 @@ impl Gauges {
     }
 }
 
+/// The way of a case from rest to its end, that in which its water comes to rest included: simulated times, seconds.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Way([f64; 2]);
+
+impl Way {
+    /// That of a case, or of the cases that share a trunk.
+    pub(super) fn of(config: &CaseConfig) -> Way {
+        let rests = config.scene.start_s() - config.numerics.relaxation_time_s;
+        Way([rests, config.scene.frame().end_time])
+    }
+
+    /// The share of it that is done at a time.
+    pub(super) fn share(self, time_s: f64) -> f64 {
+        let Way([start, end]) = self;
+        ((time_s - start) / (end - start).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0)
+    }
+}
+
 /// Watches one piece of work.
 pub(super) struct Gauge<'a> {
     gauges: &'a Gauges,
     cancel: &'a Interrupt,
     work: Work,
-    /// Simulated time at its start and at its end, about, seconds.
-    span: [f64; 2],
+    way: Way,
     share: Arc<AtomicU64>,
     limits: Limits,
     since: Instant,
@@ -75,9 +83,7 @@ impl Monitor for Gauge<'_> {
     }
 
     fn reached(&self, time_s: f64) {
-        let [start, end] = self.span;
-        let share = ((time_s - start) / (end - start).max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
-        self.share.store(share.to_bits(), Ordering::Relaxed);
+        self.share.store(self.way.share(time_s).to_bits(), Ordering::Relaxed);
     }
 }
 
@@ -97,17 +103,25 @@ mod tests {
         let config = CaseConfig::from_tables(&empty, &empty).unwrap();
         let end = config.scene.frame().end_time;
         let (gauges, cancel) = (Gauges::default(), Interrupt::default());
-        let share = |work, branches, time_s: f64| {
-            let gauge = gauges.watch(&cancel, work, &config, branches, Limits::default());
+        let share = |work, time_s: f64| {
+            let gauge = gauges.watch(&cancel, work, &config, Limits::default());
             gauge.reached(time_s);
             let told = gauges.read();
             assert!(told.len() == 1 && told[0].0 == work);
             told[0].1
         };
-        assert!((share(Work::Case(3), false, 0.5 * end) - 0.5).abs() < 1e-12);
-        assert_eq!(share(Work::Case(3), true, 0.0), 0.0);
-        assert_eq!(share(Work::Case(3), true, end), 1.0);
-        assert_eq!(share(Work::Trunk(0), false, end), 1.0);
+        for work in [Work::Case(3), Work::Trunk(0)] {
+            assert!((share(work, 0.5 * end) - 0.5).abs() < 1e-12);
+            assert_eq!([0.0, end].map(|time| share(work, time)), [0.0, 1.0]);
+        }
         assert!(gauges.read().is_empty());
+    }
+
+    #[test]
+    fn the_time_in_which_water_comes_to_rest_counts() {
+        let numerics = "relaxation_time_s = 6".parse().unwrap();
+        let config =
+            CaseConfig::from_tables(&"end_time_s = 4".parse().unwrap(), &numerics).unwrap();
+        assert_eq!([-6.0, -1.0, 4.0].map(|time| Way::of(&config).share(time)), [0.0, 0.5, 1.0]);
     }
 }

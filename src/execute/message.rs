@@ -71,12 +71,21 @@ impl<'de> Deserialize<'de> for Posted {
     }
 }
 
+/// Where a trunk ended.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Reached {
+    /// Steps taken.
+    pub steps: u64,
+    /// Simulated time, seconds.
+    pub time_s: f64,
+}
+
 /// From a worker to the coordinator; numbers are places in the plan.
 #[expect(missing_docs, reason = "fields are called what they are")]
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum Report {
-    /// A trunk ended, after so many steps or why not; its checkpoint stays where it is.
-    TrunkDone { trunk: usize, result: Result<u64, Stopped>, wall_time_s: f64 },
+    /// A trunk ended, where or why not; its checkpoint stays where it is.
+    TrunkDone { trunk: usize, result: Result<Reached, Stopped>, wall_time_s: f64 },
     /// A case ended; its processor time is there where the system tells it.
     CaseDone {
         case: usize,

@@ -26,6 +26,7 @@ pub mod mpi;
 pub mod mpi;
 mod processor;
 mod progress;
+mod reckoning;
 mod runner;
 mod session;
 mod sph_runner;
@@ -97,7 +98,8 @@ pub trait Link {
     /// The next report, and the rank it comes from; `None` after the given time without one.
     fn poll(&mut self, patience: Duration) -> Result<Option<(usize, Report)>, SweepError>;
 
-    /// What all ranks are at, as far as they have said, and the share of it that is done.
+    /// What all ranks are at, as far as they have said, and how far each piece is on the way from rest to the end of
+    /// its case.
     fn under_way(&self) -> Vec<(Work, f64)> {
         Vec::new()
     }

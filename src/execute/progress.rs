@@ -22,6 +22,8 @@ pub enum ProgressStyle {
 const LINE_EVERY: Duration = Duration::from_secs(2);
 /// And only after so much more of the work.
 const LINE_SHARE: f64 = 0.05;
+/// Places of a bar.
+const LENGTH: u64 = 1_000_000;
 
 /// Shows progress on standard error.
 #[derive(Debug)]
@@ -31,10 +33,12 @@ pub struct Progress {
     start: Instant,
     last_line: Instant,
     last_share: f64,
-    total_work: u64,
-    work: u64,
-    /// Of the pieces that are being worked on.
-    under_way: u64,
+    /// Particle-steps done, at most so far.
+    done: f64,
+    /// Particle-steps left.
+    left: f64,
+    /// The share that is shown as left.
+    share_left: f64,
     cases: Tally,
     companions: Tally,
     failed: usize,
@@ -50,9 +54,9 @@ pub struct Tally {
 }
 
 impl Progress {
-    /// Progress of cases and companions of which some are done, towards so much work.
-    pub fn new(style: ProgressStyle, [cases, companions]: [Tally; 2], total_work: u64) -> Progress {
-        let bar = (style == ProgressStyle::Bar).then(|| bar(total_work));
+    /// Progress of cases and companions of which some are done.
+    pub fn new(style: ProgressStyle, [cases, companions]: [Tally; 2]) -> Progress {
+        let bar = (style == ProgressStyle::Bar).then(bar);
         let now = Instant::now();
         Progress {
             style,
@@ -60,41 +64,35 @@ impl Progress {
             start: now,
             last_line: now,
             last_share: 0.0,
-            total_work,
-            work: 0,
-            under_way: 0,
+            done: 0.0,
+            left: 0.0,
+            share_left: 1.0,
             cases,
             companions,
             failed: 0,
         }
     }
 
-    /// A shared stretch is done.
-    pub fn trunk(&mut self, work: u64) {
-        self.advance(work);
-    }
-
     /// A case is done.
-    pub fn case(&mut self, work: u64, ok: bool) {
+    pub fn case(&mut self, ok: bool) {
         self.cases.done += 1;
         self.failed += usize::from(!ok);
-        self.advance(work);
     }
 
     /// A companion is done.
-    pub fn companion(&mut self, work: u64) {
+    pub fn companion(&mut self) {
         self.companions.done += 1;
-        self.advance(work);
     }
 
-    /// So much of the work is done in pieces that are being worked on.
-    pub fn under_way(&mut self, work: u64) {
-        self.under_way = work;
-        self.show();
-    }
-
-    fn advance(&mut self, work: u64) {
-        self.work = self.work.saturating_add(work);
+    /// So many particle-steps are done now, and so many are left. How many there are is an estimate that changes on the
+    /// way. What is shown never goes back: from where it is it goes on to its end as the work does.
+    pub fn reached(&mut self, [done, left]: [f64; 2]) {
+        let more = done - self.done;
+        if more > 0.0 {
+            self.share_left *= left / (left + more);
+            self.done = done;
+        }
+        self.left = left;
         self.show();
     }
 
@@ -112,20 +110,17 @@ impl Progress {
     }
 
     fn show(&mut self) {
-        let work = self.work.saturating_add(self.under_way).min(self.total_work);
+        let share = 1.0 - self.share_left;
         if let Some(bar) = &self.bar {
             bar.set_message(self.message());
-            // It never goes back, though what is under way is an estimate.
-            bar.set_position(work.max(bar.position()));
+            bar.set_position((share * LENGTH as f64) as u64);
             return;
         }
-        let share = work as f64 / self.total_work.max(1) as f64;
         let due = self.last_line.elapsed() >= LINE_EVERY && share - self.last_share >= LINE_SHARE;
         if self.style == ProgressStyle::Lines && due {
             self.last_line = Instant::now();
             self.last_share = share;
-            let spent = self.start.elapsed().as_secs_f64();
-            let left = duration(spent * (1.0 - share).max(0.0) / share);
+            let left = duration(self.start.elapsed().as_secs_f64() * self.left / self.done);
             let line = format!("{:3.0} %  {}, {left} to go", 100.0 * share, self.message());
             // Progress that nobody reads must not end a sweep.
             let _ = writeln!(std::io::stderr(), "{line}");
@@ -133,8 +128,8 @@ impl Progress {
     }
 }
 
-fn bar(total_work: u64) -> ProgressBar {
-    let bar = ProgressBar::new(total_work.max(1));
+fn bar() -> ProgressBar {
+    let bar = ProgressBar::new(LENGTH);
     let template = "{bar:20} {percent:>3} %  {msg}  to go: {eta}";
     if let Ok(look) = BarStyle::with_template(template) {
         bar.set_style(look);
@@ -163,5 +158,25 @@ pub fn duration(seconds: f64) -> String {
         3600..172_800 => format!("{} h {:02} min", whole / 3600, whole / 60 % 60),
         172_800..63_072_000 => format!("{:.1} days", seconds / DAY as f64),
         _ => format!("{:.0} years", seconds / YEAR as f64),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The story: the bar stood at its end while more than half of the work was to come.
+    #[test]
+    fn what_is_shown_goes_on_as_the_work_does_when_there_is_more_than_was_thought() {
+        let mut progress = Progress::new(ProgressStyle::Quiet, Default::default());
+        let mut shown = |done: f64, left: f64| {
+            progress.reached([done, left]);
+            (1e9 * (1.0 - progress.share_left)).round() / 1e9
+        };
+        assert_eq!([shown(250.0, 750.0), shown(500.0, 500.0)], [0.25, 0.5]);
+        assert_eq!(shown(500.0, 1000.0), 0.5);
+        assert_eq!(shown(400.0, 1100.0), 0.5);
+        assert_eq!([shown(1000.0, 500.0), shown(1250.0, 250.0)], [0.75, 0.875]);
+        assert_eq!(shown(1500.0, 0.0), 1.0);
     }
 }

@@ -9,7 +9,7 @@ use rayon::Scope;
 
 use super::gauge::Gauges;
 use super::interrupt::Interrupt;
-use super::message::{Order, Posted, Report};
+use super::message::{Order, Posted, Reached, Report};
 use super::runner::{Runner, guarded};
 use crate::math::team::thread_processor_time;
 use crate::results::{Delivery, Filing, SweepError};
@@ -138,7 +138,7 @@ impl Worker<'_, '_> {
         Some(report)
     }
 
-    /// What is being worked on here, and the share of it that is done.
+    /// What is being worked on here, and how far each piece is on the way from rest to the end of its case.
     pub(super) fn under_way(&self) -> Vec<(Work, f64)> {
         self.gauges.read()
     }
@@ -165,11 +165,13 @@ impl Worker<'_, '_> {
             let child = runner.apart().filter(|_| apart || limits.memory_mib.is_some());
             let (runner, start) = (child.as_deref().unwrap_or(runner), Instant::now());
             let result = attempt(cancel, config, limits, |config| {
-                let gauge = gauges.watch(cancel, Work::Trunk(trunk), config, false, limits);
+                let gauge = gauges.watch(cancel, Work::Trunk(trunk), config, limits);
                 runner.trunk(config, &gauge)
             });
             let (result, checkpoint) = match result {
-                Ok(TrunkResult { steps, checkpoint, .. }) => (Ok(steps), Some(checkpoint)),
+                Ok(TrunkResult { steps, checkpoint, time_s }) => {
+                    (Ok(Reached { steps, time_s }), Some(checkpoint))
+                }
                 Err(stopped) => (Err(stopped), None),
             };
             // The receiver is gone only when nobody waits for results any more.
@@ -189,8 +191,7 @@ impl Worker<'_, '_> {
             let (start, cpu_start) = (Instant::now(), thread_processor_time());
             let result = attempt(cancel, config, limits, |config| {
                 let run = |checkpoint: Option<&[u8]>| {
-                    let branches = checkpoint.is_some();
-                    let gauge = gauges.watch(cancel, Work::Case(case), config, branches, limits);
+                    let gauge = gauges.watch(cancel, Work::Case(case), config, limits);
                     runner.case(config, checkpoint, &gauge)
                 };
                 match (run(checkpoint.as_deref()), &checkpoint) {

@@ -82,7 +82,8 @@ pub trait Monitor: Sync {
     }
     /// Called at the first step at or after every such time, and at the end.
     fn film(&self, _film: &Film<'_>) {}
-    /// Called now and then with the simulated time that is reached, seconds.
+    /// Called now and then with the simulated time that is reached, seconds. While the water comes to rest it is before
+    /// the start.
     fn reached(&self, time_s: f64) {
         if let Some(inner) = self.inner() {
             inner.reached(time_s);

@@ -60,6 +60,7 @@ impl Run {
             if self.tank.water.can_be_kept() {
                 self.tank.water.slow_down(((slowed - gone) / (SLOWED_OVER * time)).exp());
                 slowed = gone;
+                monitor.reached(self.clock.time - (time - gone).max(0.0));
                 if monitor.cancelled() {
                     return Err(Stopped::Interrupted);
                 }
