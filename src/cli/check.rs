@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 
 use clap::Args;
+use rayon::prelude::*;
 use serde_json::json;
 
-use super::cost::{binary, estimated_time};
+use super::cost::{binary, estimated_time, time_of_all};
 use super::failure::BadInput;
 use super::input::{Expect, Setting, study};
 use super::output::{Output, duration};
@@ -18,7 +19,7 @@ use crate::keys::{Shared, brief};
 use crate::math::lists::counts;
 use crate::math::words::counted;
 use crate::scene::limits;
-use crate::simulation::cost;
+use crate::simulation::{Cost, cost};
 use crate::study::{Plan, Study, schema};
 
 /// Check a sweep or scene file, and list its cases and what they cost. Nothing runs.
@@ -43,6 +44,8 @@ pub(super) struct CheckArgs {
     max_error: Option<f64>,
 }
 
+/// Cases that are looked at in one go.
+const CHUNK: usize = 4096;
 /// Cases listed without `-v`.
 const ROWS: usize = 10;
 
@@ -65,21 +68,15 @@ pub(super) fn main(args: &CheckArgs, output: &Output) -> anyhow::Result<u8> {
 }
 
 pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::Result<u8> {
-    let costs: Vec<_> = study.cases.iter().map(|case| cost(&case.config)).collect();
+    let [particles, steps, memory] = ranges(study);
     let plan = Plan::new(study, branching, cost, |_| true);
-    let range = |value: fn(&crate::simulation::Cost) -> u64| {
-        let values = costs.iter().map(value);
-        (values.clone().min().unwrap_or(0), values.max().unwrap_or(0))
-    };
-    let particles = range(|cost| cost.particles);
-    let steps = range(|cost| cost.steps);
-    let memory = range(|cost| cost.memory_bytes).1;
     let (seconds, cores) = estimated_time(study, &plan);
     let aim = study.max_error_percent.filter(|_| !study.keys.is_empty());
     let longest = aim.map(|percent| max_error::longest(percent, study)).transpose()?;
     let (computed, from_rest) = (plan.total_cost(), plan.unbranched_cost());
     let saved = 100.0 * (1.0 - computed as f64 / from_rest.max(1) as f64);
-    let (physics, odd) = (physics(study), warnings(study));
+    let time = if branching { (seconds, cores) } else { time_of_all(study) };
+    let (physics, odd) = (physics(study), warnings(study, time));
 
     let rows = if output.verbose { usize::MAX } else { ROWS };
     let mut table =
@@ -113,7 +110,7 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
     }
     text.push_str(&line("particles", between(particles)));
     text.push_str(&line("steps per case", between(steps)));
-    text.push_str(&line("memory per case", binary(memory)));
+    text.push_str(&line("memory per case", binary(memory.1)));
     text.push_str(&line("shared trunks", plan.trunks.len().to_string()));
     text.push_str(&line("saved by trunks", format!("{saved:.0} % of the steps")));
     let films = if study.keys.is_empty() { "" } else { ", without films" };
@@ -149,7 +146,7 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
         "companions": study.companions.len(),
         "particles": particles,
         "steps": steps,
-        "memory_bytes_per_case": memory,
+        "memory_bytes_per_case": memory.1,
         "trunks": plan.trunks.len(),
         "particle_steps": computed,
         "particle_steps_without_trunks": from_rest,
@@ -161,9 +158,26 @@ pub(super) fn show(study: &Study, branching: bool, output: &Output) -> anyhow::R
     Ok(SUCCESS)
 }
 
+/// The least and the most that a case has of particles, steps and bytes.
+fn ranges(study: &Study) -> [(u64, u64); 3] {
+    let costs = study.cases.par_iter().map(|case| {
+        let Cost { particles, steps, memory_bytes, .. } = cost(&case.config);
+        [particles, steps, memory_bytes].map(|count| (count, count))
+    });
+    let wider = |a: [(u64, u64); 3], b: [(u64, u64); 3]| {
+        [0, 1, 2].map(|of| (a[of].0.min(b[of].0), a[of].1.max(b[of].1)))
+    };
+    costs.reduce_with(wider).unwrap_or_default()
+}
+
 /// The known limits that the study runs into, with the number of cases.
 fn known_limits(study: &Study) -> BTreeMap<&'static str, usize> {
-    counts(study.cases.iter().flat_map(|case| limits(&case.config)))
+    let chunks = study.cases.par_chunks(CHUNK);
+    let chunks = chunks.map(|cases| counts(cases.iter().flat_map(|case| limits(&case.config))));
+    chunks.reduce(BTreeMap::new, |mut all, more| {
+        more.into_iter().for_each(|(limit, cases)| *all.entry(limit).or_default() += cases);
+        all
+    })
 }
 
 fn between((low, high): (u64, u64)) -> String {

@@ -1,13 +1,13 @@
 //! Which physics and numerics are on, for `seawall check`.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use rayon::prelude::*;
 use toml::{Table, Value};
 
 use crate::keys::{Key, Section, Shared};
 use crate::math::decimal::significant;
-use crate::scene::{Kind, Numerics, Scene, numerics_keys, scene_keys};
+use crate::scene::{CaseConfig, Kind, Numerics, Scene, numerics_keys, scene_keys};
 use crate::study::{Case, Study};
 
 /// A key that is on, and the values that occur among the cases, `none` where a case has none.
@@ -85,7 +85,8 @@ fn keys(study: &Study) -> Vec<&'static Key> {
 }
 
 fn values(scene: &Scene, numerics: &Table) -> Table {
-    let mut values = Table::try_from(scene).unwrap_or_default();
+    let own = scene.entries().into_iter().map(|(key, value)| (key.to_owned(), value));
+    let mut values: Table = own.collect();
     values.extend(numerics.iter().map(|(key, value)| (key.clone(), value.clone())));
     values
 }
@@ -97,6 +98,8 @@ struct Column {
     seen: HashSet<String>,
     /// Whether any case has one.
     is_on: bool,
+    /// Whether the last case has one.
+    last_on: bool,
 }
 
 impl Column {
@@ -111,8 +114,24 @@ impl Column {
 fn occurring(keys: &[&'static Key], cases: &[Case]) -> Vec<Column> {
     let mut columns: Vec<Column> = keys.iter().map(|_| Column::default()).collect();
     let mut shared: Option<(&Shared<Numerics>, Table)> = None;
+    let numerics_have = |name: &str| numerics_keys().iter().any(|key| key.name == name);
+    let of_scene = |key: &&'static Key| !numerics_have(key.name) && !key.rule.newer;
+    let places = keys.iter().enumerate().filter(|(_, key)| of_scene(key));
+    let places: HashMap<_, _> = places.map(|(place, key)| (key.name, place)).collect();
+    let mut before: Option<&CaseConfig> = None;
     for case in cases {
         let own = &case.config.numerics;
+        if let Some(before) = before.replace(&case.config)
+            && let Some(changes) = changes(&places, before, &case.config)
+        {
+            for (place, number) in changes {
+                let column = &mut columns[place];
+                if column.last_on {
+                    column.take(text(&number.into()));
+                }
+            }
+            continue;
+        }
         let numerics = match shared.take() {
             Some((known, table)) if known == own => table,
             _ => own.table(),
@@ -121,11 +140,32 @@ fn occurring(keys: &[&'static Key], cases: &[Case]) -> Vec<Column> {
         let case = values(&case.config.scene, numerics);
         for (key, column) in keys.iter().zip(&mut columns) {
             let value = case.get(key.name).filter(|_| key.is_on(&case));
-            column.is_on |= value.is_some();
+            column.last_on = value.is_some();
+            column.is_on |= column.last_on;
             column.take(value.map_or_else(|| "none".to_owned(), text));
         }
     }
     columns
+}
+
+/// The numbers in which a case differs from the one before it, with the places of their keys. `None` where anything else
+/// does: names decide what is on, and so does a number that is 0.
+fn changes(
+    places: &HashMap<&'static str, usize>,
+    before: &CaseConfig,
+    case: &CaseConfig,
+) -> Option<Vec<(usize, f64)>> {
+    let mut names = Vec::new();
+    if before.numerics != case.numerics || !before.scene.differing(&case.scene, &mut names) {
+        return None;
+    }
+    let number =
+        |scene: &Scene, name| scene.entry(name)?.as_float().filter(|&number| number != 0.0);
+    let change = |name: &'static str| {
+        number(&before.scene, name)?;
+        Some((*places.get(name)?, number(&case.scene, name)?))
+    };
+    names.into_iter().map(change).collect()
 }
 
 fn line(key: &'static Key, column: Column) -> Option<Line> {
@@ -144,63 +184,4 @@ fn text(value: &Value) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::study::SweepFile;
-
-    fn value(text: &str, name: &str) -> Option<String> {
-        let text = format!("name = \"a\"\n{text}");
-        let lines = physics(&Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap());
-        lines.into_iter().find(|line| line.name == name).map(|line| line.text(&text))
-    }
-
-    #[test]
-    fn what_is_on_is_told_and_only_that() {
-        let some = |text: &str| Some(text.to_owned());
-        for off in ["kinematic_viscosity_m2_per_s", "retries", "stop_when_settled", "probes"] {
-            assert_eq!(value("", off), None, "{off}");
-        }
-        let on = "[numerics]\nkinematic_viscosity_m2_per_s = 1e-6\nretries = 2\n\
-                  stop_when_settled = true\nprecision = \"f32\"\n\
-                  [[probe]]\nname = \"P1\"\nkind = \"level\"\nx_m = 1";
-        assert_eq!(value(on, "kinematic_viscosity_m2_per_s"), some("0.000001 m²/s"));
-        assert_eq!(value(on, "retries"), some("2"));
-        assert_eq!(value(on, "stop_when_settled"), some("yes"));
-        assert_eq!(value(on, "precision"), some("f32"));
-        assert_eq!(value(on, "probes"), some("P1"));
-    }
-
-    /// The story: the relaxation time of a beach stood there as `5.711372491708257 s`.
-    #[test]
-    fn a_derived_number_has_few_digits_and_a_written_one_all() {
-        let bed = "[scene]\nbed = [[0, 0], [2.25, 0], [4, 0.35]]\ntank_length_m = 4\n";
-        let told = |more: &str| value(&format!("{bed}{more}"), "relaxation_time_s").unwrap();
-        assert_eq!(told(""), "5.711 s");
-        let written = "[numerics]\nrelaxation_time_s = 5.711372491708257";
-        assert_eq!(told(written), "5.711372491708257 s");
-    }
-
-    #[test]
-    fn a_scheme_and_a_wall_show_their_own_keys() {
-        let some = |text: &str| Some(text.to_owned());
-        let isph = "[numerics]\nscheme = \"isph\"";
-        assert_eq!(value(isph, "laplacian"), some("exact"));
-        assert_eq!(value("", "laplacian"), None);
-        for other in ["boundary", "density_diffusion", "bulk_damping", "sound_speed_ratio"] {
-            assert_eq!(value(isph, other), None, "{other}");
-            assert!(value("", other).is_some(), "{other}");
-        }
-        let both = "[grid]\nscheme = [\"wcsph\", \"isph\"]";
-        assert_eq!(value(both, "scheme"), some("wcsph, isph"));
-        assert_eq!(value(both, "laplacian"), some("none, exact"));
-        assert_eq!(value("[scene]\nkind = \"rotating-patch\"", "wall"), None);
-        let movable = "[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n\
-                       spring_stiffness_n_per_m = 10";
-        assert_eq!(value(movable, "wall_angle_deg"), None);
-        assert_eq!(value(movable, "spring_stiffness_n_per_m"), some("10 N/m"));
-        assert_eq!(value("", "wall_angle_deg"), some("90 °"));
-        let many = "[grid]\nwave_height_ratio = { from = 0.1, to = 0.5, points = 9 }";
-        let told = "0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45, ... (9 values)";
-        assert_eq!(value(many, "wave_height_ratio"), some(told));
-    }
-}
+mod tests;

@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::f64::consts::SQRT_2;
 use std::path::Path;
 
+use rayon::prelude::*;
+
 use super::cost::time_of_all;
 use super::output::{Output, duration};
 use crate::execute::available_cores;
@@ -11,32 +13,47 @@ use crate::keys::named;
 use crate::math::decimal::significant;
 use crate::math::words::counted;
 use crate::scene::{SeawallScene, odd_values};
-use crate::simulation::{Cost, cost};
+use crate::simulation::{Cost, Limits, cost};
 use crate::study::{Case, Study};
 
+/// Cases that are looked at in one go.
+const CHUNK: usize = 4096;
 /// A study that takes longer than this, seconds, is told with what makes it long.
 const LONG_S: f64 = 86_400.0;
 
 /// Tells the warnings of a file as notes.
 pub(super) fn tell(file: &Path, study: &Study, output: &Output) {
-    for line in warnings(study) {
+    for line in warnings(study, time_of_all(study)) {
         output.note(format_args!("warning: {}: {line}", named(file)));
     }
 }
 
-/// The odd values of a study, a line per key, and its cost where that is high.
-pub(super) fn warnings(study: &Study) -> Vec<String> {
-    let mut odd: BTreeMap<String, (String, usize)> = BTreeMap::new();
-    for value in study.cases.iter().flat_map(|case| odd_values(&case.config)) {
+/// Odd values by their keys: the first one of each, and in how many cases it is odd.
+type Odd = BTreeMap<String, (String, usize)>;
+
+/// Those of some cases.
+fn odd(cases: &[Case]) -> Odd {
+    let mut odd = Odd::new();
+    for value in cases.iter().flat_map(|case| odd_values(&case.config)) {
         let first = || (value.to_string(), 0);
         odd.entry(value.key.clone()).or_insert_with(first).1 += 1;
+    }
+    odd
+}
+
+/// The odd values of a study, a line per key, and its cost where that is high: `time` is what [`time_of_all`] says.
+pub(super) fn warnings(study: &Study, time: (f64, usize)) -> Vec<String> {
+    let chunks: Vec<_> = study.cases.par_chunks(CHUNK).map(odd).collect();
+    let mut odd = Odd::new();
+    for (key, (first, cases)) in chunks.into_iter().flatten() {
+        odd.entry(key).or_insert((first, 0)).1 += cases;
     }
     let told = |(line, cases): (String, usize)| match cases {
         cases if cases == study.cases.len() => line,
         cases => format!("{line} (in {})", counted(cases, "case")),
     };
     let odd = odd.into_values().map(told).chain(unaimed(study)).chain(without_bars(study));
-    odd.chain(long(study)).chain(limited(study)).collect()
+    odd.chain(long(study, time)).chain(limited(study)).collect()
 }
 
 /// A single scene runs as it is, whatever error its file aims at.
@@ -64,18 +81,20 @@ fn without_bars(study: &Study) -> Option<String> {
 /// How many cases are expected to take more than `[limits]` allows.
 fn limited(study: &Study) -> Option<String> {
     let limits = study.limits;
+    if limits == Limits::default() {
+        return None;
+    }
     let over = |case: &&Case| {
         let Cost { steps, memory_bytes, .. } = cost(&case.config);
         limits.on_steps(steps).is_some() || limits.on_memory(memory_bytes, "").is_some()
     };
-    let over = study.cases.iter().filter(over).count();
+    let over = study.cases.par_iter().filter(over).count();
     let told = || format!("limits: {} will probably need more and fail", counted(over, "case"));
     (over > 0).then(told)
 }
 
 /// The keys that make a study long, and how long it is.
-fn long(study: &Study) -> Option<String> {
-    let (seconds, cores) = time_of_all(study);
+fn long(study: &Study, (seconds, cores): (f64, usize)) -> Option<String> {
     if seconds <= LONG_S {
         return None;
     }

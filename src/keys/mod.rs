@@ -30,6 +30,7 @@
 //! share stays with the section, `only` where one of them stands, and `needed` if it must be given.
 
 mod error;
+mod given;
 mod given_file;
 mod key;
 mod overrides;
@@ -42,13 +43,14 @@ mod shown;
 mod written;
 
 pub use error::{ConfigError, brief, cut, hint};
+pub use given::{check_conditions, read_alone};
 pub use given_file::bytes_of;
 pub use key::{Key, number};
 pub use overrides::{Override, read_value};
 pub use rule::{Range, Rule, When, plain, unit};
 pub use schema::schema;
 pub(crate) use section::section;
-pub use section::{Section, check_conditions, read_alone, store, value, value_of};
+pub use section::{Section, stored, value, value_of};
 pub use shape::Shape;
 pub use shared::{Recent, Shared};
 pub use shown::{named, shown};

@@ -1,14 +1,11 @@
 //! Sections of files: structs whose fields are declared keys.
 
-use std::cell::LazyCell;
-
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use toml::{Table, Value};
 
 use super::error::ConfigError;
 use super::key::Key;
-use super::rule::When;
 use super::shape::Shape;
 
 /// A table of a file. `section!` writes it from the declarations of its keys.
@@ -28,8 +25,20 @@ pub trait Section: Sized {
     /// is not.
     fn read(table: &Table, base: Option<&Self>) -> Result<Self, ConfigError>;
 
-    /// All its values, as a file would give them.
-    fn table(&self) -> Table;
+    /// All its values, as a file would give them, in the order of its keys.
+    fn entries(&self) -> Vec<(&'static str, Value)>;
+
+    /// The same as a table.
+    fn table(&self) -> Table {
+        self.entries().into_iter().map(|(name, value)| (name.to_owned(), value)).collect()
+    }
+
+    /// The value of a key, as a file would give it.
+    fn entry(&self, name: &str) -> Option<Value>;
+
+    /// Adds the names of all keys whose values differ. False where one of the two has a group of keys that the other
+    /// lacks.
+    fn differing(&self, other: &Self, names: &mut Vec<&'static str>) -> bool;
 
     /// All its keys.
     fn keys() -> Vec<&'static Key> {
@@ -55,8 +64,16 @@ impl<S: Section> Section for Box<S> {
         S::read(table, base.map(AsRef::as_ref)).map(Box::new)
     }
 
-    fn table(&self) -> Table {
-        S::table(self)
+    fn entries(&self) -> Vec<(&'static str, Value)> {
+        S::entries(self)
+    }
+
+    fn entry(&self, name: &str) -> Option<Value> {
+        S::entry(self, name)
+    }
+
+    fn differing(&self, other: &Self, names: &mut Vec<&'static str>) -> bool {
+        S::differing(self, other, names)
     }
 }
 
@@ -105,10 +122,12 @@ macro_rules! section {
                 table: &toml::Table,
                 base: Option<&Self>,
             ) -> Result<Self, $crate::keys::ConfigError> {
+                let mut keys = <Self as $crate::keys::Section>::KEYS.iter();
                 $(let $name: $type = {
                     let base = base.map(|base| Clone::clone(&base.$name));
                     let otherwise = || base$(.or_else(|| Some($default)))?;
-                    $crate::keys::value::<Self, _>(stringify!($name), table, otherwise)?
+                    let key = keys.next().expect("each field is a key");
+                    $crate::keys::value($title, key, table, otherwise)?
                 };)*
                 $($(let $group = if $holds {
                     let base = base.and_then(|base| base.$group.as_ref());
@@ -119,11 +138,34 @@ macro_rules! section {
                 Ok($section { $($name,)* $($($group,)*)? })
             }
 
-            fn table(&self) -> toml::Table {
-                let mut table = toml::Table::new();
-                $($crate::keys::store::<Self, _>(stringify!($name), &self.$name, &mut table);)*
-                $($(table.extend(self.$group.iter().flat_map($crate::keys::Section::table));)*)?
-                table
+            fn entries(&self) -> Vec<(&'static str, toml::Value)> {
+                let mut keys = Self::KEYS.iter();
+                let mut entries = Vec::with_capacity(Self::KEYS.len());
+                $(entries.extend(keys.next().and_then(|key| $crate::keys::stored(key, &self.$name)));)*
+                $($(entries.extend(self.$group.iter().flat_map($crate::keys::Section::entries));)*)?
+                entries
+            }
+
+            fn entry(&self, name: &str) -> Option<toml::Value> {
+                $(if name == stringify!($name) {
+                    return $crate::keys::value_of(&self.$name);
+                })*
+                None $($(.or_else(|| {
+                    self.$group.as_ref().and_then(|group| $crate::keys::Section::entry(group, name))
+                }))*)?
+            }
+
+            fn differing(&self, other: &Self, names: &mut Vec<&'static str>) -> bool {
+                $(if self.$name != other.$name {
+                    names.push(stringify!($name));
+                })*
+                true $($(&& match (&self.$group, &other.$group) {
+                    (Some(one), Some(other)) => {
+                        $crate::keys::Section::differing(one, other, names)
+                    }
+                    (None, None) => true,
+                    _ => false,
+                })*)?
             }
         }
 
@@ -143,19 +185,15 @@ macro_rules! section {
 }
 pub(crate) use section;
 
-fn own<S: Section>(name: &str) -> &'static Key {
-    S::KEYS.iter().find(|key| key.name == name).expect("the field of a section is its key")
-}
-
 /// The value of a section's key, from its table or otherwise.
-pub fn value<S: Section, T: DeserializeOwned>(
-    name: &str,
+pub fn value<T: DeserializeOwned>(
+    section: &str,
+    key: &Key,
     table: &Table,
     otherwise: impl FnOnce() -> Option<T>,
 ) -> Result<T, ConfigError> {
-    let key = own::<S>(name);
-    let path = || format!("{}.{name}", S::NAME);
-    let Some(value) = table.get(name) else {
+    let path = || format!("{section}.{}", key.name);
+    let Some(value) = table.get(key.name) else {
         return otherwise().ok_or_else(|| key.missing(&path()));
     };
     let read = T::deserialize(whole(key, value).unwrap_or_else(|| value.clone()))
@@ -171,57 +209,14 @@ fn whole(key: &Key, value: &Value) -> Option<Value> {
     is_whole.then_some(Value::Integer(number as i64))
 }
 
-/// Puts a value of a section into its table, where there is one.
-pub fn store<S: Section, T: Serialize>(name: &str, value: &T, table: &mut Table) {
-    let key = own::<S>(name);
-    let Some(value) = value_of(value) else { return };
-    if !(key.rule.newer && (key.default)().as_ref() == Some(&value)) {
-        table.insert(name.to_owned(), value);
-    }
+/// What a section's table has of a key.
+pub fn stored<T: Serialize>(key: &Key, value: &T) -> Option<(&'static str, Value)> {
+    let value = value_of(value)?;
+    let left_out = key.rule.newer && (key.default)().as_ref() == Some(&value);
+    (!left_out).then_some((key.name, value))
 }
 
 /// What a file would give; nothing for what is not there.
 pub fn value_of<T: Serialize>(value: &T) -> Option<Value> {
     Value::try_from(value).ok()
-}
-
-/// Reads a table that stands by itself.
-///
-/// # Errors
-/// The first unknown key, with the nearest known one; the first value that does not fit; the first
-/// key that belongs to other values of another.
-pub fn read_alone<S: Section>(table: &Table) -> Result<S, ConfigError> {
-    let known = S::keys();
-    if let Some(name) = table.keys().find(|name| known.iter().all(|key| key.name != name.as_str()))
-    {
-        return Err(ConfigError::unknown_in_table(&format!("{}.{name}", S::NAME), &known));
-    }
-    let section = S::read(table, None)?;
-    check_conditions(table, &section)?;
-    Ok(section)
-}
-
-/// Checks what keys say of one another: `given` is what a file says, `section` what holds in the end.
-///
-/// # Errors
-/// A key that belongs to other values of another key; one that is needed and not there.
-pub fn check_conditions<S: Section>(given: &Table, section: &S) -> Result<(), ConfigError> {
-    // Mostly no condition has to be looked at, and to write a table takes as long as to read it.
-    let complete = LazyCell::new(|| section.table());
-    let holds = |when: &When| match given.contains_key(when.key) {
-        true => when.holds(given),
-        false => when.holds(&complete),
-    };
-    for key in S::keys() {
-        let path = || format!("{}.{}", S::NAME, key.name);
-        let missed = key.rule.needed && !given.contains_key(key.name);
-        if missed && key.applies(&complete) && !complete.contains_key(key.name) {
-            return Err(key.missing(&path()));
-        }
-        let Some((when, value)) = key.rule.only.zip(given.get(key.name)) else { continue };
-        if !holds(&when) {
-            return Err(ConfigError::new(&path(), value, format!("belongs to {when}")));
-        }
-    }
-    Ok(())
 }

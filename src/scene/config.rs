@@ -47,7 +47,7 @@ impl CaseConfig {
         refuse_unknown(Place::Scene, kind, scene)?;
         let (scene, scene_given) = (kind.read(scene)?, scene);
         refuse_unknown(Place::Numerics, kind, numerics)?;
-        let numerics = Numerics::of_scene(&scene, numerics)?.into();
+        let numerics = Numerics::of_scene(&scene, numerics)?;
         let config = CaseConfig { numerics, scene, probes };
         config.validate().map_err(|error| with_value(error, scene_given))?;
         Ok(config)
@@ -140,7 +140,7 @@ impl CaseConfig {
             named.into_iter().filter_map(|key| Some((key.to_owned(), own.get(key)?.clone())));
         let named: Table = named.collect();
         let of_scene = Numerics::of_scene(&self.scene, &named).expect("both are the case's own");
-        let [of_scene, usual] = [of_scene, Numerics::preset(Preset::Default)].map(|n| n.table());
+        let [of_scene, usual] = [&*of_scene, &Numerics::preset(Preset::Default)].map(|n| n.table());
         own.retain(|key, value| {
             let default = if named.contains_key(key) { &usual } else { &of_scene };
             default.get(key) != Some(&*value)

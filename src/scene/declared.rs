@@ -80,6 +80,9 @@ fn unknown_of(place: Place, kind: Kind, table: &Table) -> Vec<ConfigError> {
         Place::Scene => (scene_keys(kind), numerics_keys(), Place::Numerics),
         Place::Numerics => (numerics_keys(), scene_keys(kind), Place::Scene),
     };
+    if table.keys().all(|key| has(&known, key)) {
+        return Vec::new();
+    }
     let error = |key: &String| {
         let path = format!("{}.{key}", place.name());
         match has(&others, key) {

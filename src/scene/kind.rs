@@ -1,7 +1,7 @@
 //! The kinds of scenes, and what all of them can do.
 
 use serde::{Deserialize, Serialize};
-use toml::Table;
+use toml::{Table, Value};
 
 use super::frame::Frame;
 use super::numerics::{Numerics, Scheme};
@@ -56,6 +56,14 @@ macro_rules! kinds {
             /// Its kind.
             pub(super) fn of_kind(&self) -> Kind {
                 match self { $(Scene::$kind(_) => Kind::$kind,)* }
+            }
+
+            /// Adds the names of all keys whose values differ. False where the two have not the same keys.
+            pub fn differing(&self, other: &Scene, names: &mut Vec<&'static str>) -> bool {
+                match (self, other) {
+                    $((Scene::$kind(one), Scene::$kind(other)) => one.differing(other, names),)*
+                    _ => false,
+                }
             }
         }
 
@@ -115,6 +123,18 @@ impl Scene {
     /// The clock at the start of a run, seconds.
     pub fn start_s(&self) -> f64 {
         self.seawall().map_or(0.0, SeawallScene::start_s)
+    }
+
+    /// All its values, as a file would give them, the kind first.
+    pub fn entries(&self) -> Vec<(&'static str, Value)> {
+        let mut entries = vec![("kind", self.kind().into())];
+        entries.extend(each!(self, scene => scene.entries()));
+        entries
+    }
+
+    /// The value of a key but the kind, as a file would give it.
+    pub fn entry(&self, name: &str) -> Option<Value> {
+        each!(self, scene => scene.entry(name))
     }
 
     /// The name that `scene.kind` gives it.

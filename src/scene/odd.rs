@@ -61,11 +61,13 @@ fn tank(scene: &SeawallScene) -> Option<ConfigError> {
 
 fn density(config: &CaseConfig) -> Option<ConfigError> {
     let (density, [low, high]) = (config.scene.frame().density, WATER);
-    let told = format!(
-        "this is no water; its density is from {low} to {high} kg/m³, 1000 where it is fresh"
-    );
+    let told = || {
+        format!(
+            "this is no water; its density is from {low} to {high} kg/m³, 1000 where it is fresh"
+        )
+    };
     let usual = (low..=high).contains(&density);
-    (!usual).then(|| warning("water_density_kg_per_m3", density, told)).flatten()
+    (!usual).then(|| warning("water_density_kg_per_m3", density, told())).flatten()
 }
 
 fn threshold(scene: &SeawallScene) -> Option<ConfigError> {
@@ -79,20 +81,23 @@ fn steep(scene: &SeawallScene) -> Option<ConfigError> {
     let period = scene.wave_train.as_ref()?.wave_period_s;
     let waves = scene.regular_waves()?;
     let [steep, most] = waves.steepness(scene.wave_height_ratio, scene.still_water_depth_m);
-    let told = format!(
-        "waves of wave_height_ratio = {} would be {steep:.3} of their length high, and break from \
+    let told = || {
+        format!(
+            "waves of wave_height_ratio = {} would be {steep:.3} of their length high, and break from \
          {most:.3} on",
-        scene.wave_height_ratio
-    );
-    (steep > most).then(|| warning("wave_period_s", period, told)).flatten()
+            scene.wave_height_ratio
+        )
+    };
+    (steep > most).then(|| warning("wave_period_s", period, told())).flatten()
 }
 
 fn end(config: &CaseConfig) -> Option<ConfigError> {
     let frame = config.scene.frame();
     let (end, step) = (frame.end_time, frame.time_step(&config.numerics));
-    let told = format!("the case ends before its second step of {step:.1e} s: nothing will happen");
+    let told =
+        || format!("the case ends before its second step of {step:.1e} s: nothing will happen");
     (end - config.scene.start_s() < FEWEST_STEPS * step)
-        .then(|| warning("end_time_s", end, told))
+        .then(|| warning("end_time_s", end, told()))
         .flatten()
 }
 
@@ -106,23 +111,29 @@ fn early(scene: &SeawallScene) -> Option<ConfigError> {
         Some(_) => format!("end_time_s = {:.1}", centre + 2.0 * way),
         None => format!("end_after_stroke_centre_s = {:.1}", 2.0 * way),
     };
-    let told = format!(
-        "the run ends at {:.3} s, before the crest can be at the wall, at {:.3} s; with {seen} the run shows what it \
+    let told = || {
+        format!(
+            "the run ends at {:.3} s, before the crest can be at the wall, at {:.3} s; with {seen} the run shows what it \
          does there",
-        frame.end_time,
-        centre + way,
-    );
-    (frame.end_time < centre + way).then(|| warning("tank_length_m", frame.length, told)).flatten()
+            frame.end_time,
+            centre + way,
+        )
+    };
+    (frame.end_time < centre + way)
+        .then(|| warning("tank_length_m", frame.length, told()))
+        .flatten()
 }
 
 /// The run ends early, as the wall goes farther than any that is held.
 fn loose(scene: &SeawallScene) -> Option<ConfigError> {
     let (way, stiffness) = (far::displacement(scene)?, scene.spring_stiffness_n_per_m?);
-    let told = format!(
-        "so soft a spring may let the wall go some {way:.0} h; a run fails as wall-unstable where it goes more than \
+    let told = || {
+        format!(
+            "so soft a spring may let the wall go some {way:.0} h; a run fails as wall-unstable where it goes more than \
          {FARTHEST_WALL} h"
-    );
-    (way > FARTHEST_WALL).then(|| warning("spring_stiffness_n_per_m", stiffness, told)).flatten()
+        )
+    };
+    (way > FARTHEST_WALL).then(|| warning("spring_stiffness_n_per_m", stiffness, told())).flatten()
 }
 
 /// What is nearer to the paddle than a support radius is water at its face, and where it has been there is none.
@@ -130,12 +141,14 @@ fn gauge(scene: &SeawallScene, numerics: &Numerics) -> Option<ConfigError> {
     let paddle = scene.paddle()?;
     let stroke = paddle.goes_forth();
     let least = stroke + numerics.support_radius_ratio * numerics.particle_spacing_m;
-    let told = format!(
-        "the paddle goes {stroke:.3} m into the tank, and a gauge nearer than {least:.3} m reads the water at its \
+    let told = || {
+        format!(
+            "the paddle goes {stroke:.3} m into the tank, and a gauge nearer than {least:.3} m reads the water at its \
          face, no wave"
-    );
+        )
+    };
     (scene.wave_gauge_m < least)
-        .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told))
+        .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told()))
         .flatten()
 }
 
@@ -146,23 +159,27 @@ fn meets(scene: &SeawallScene) -> Option<ConfigError> {
     let away = (scene.tank_length_m - scene.wave_gauge_m) / scene.still_water_depth_m;
     let spread = 2.0 * away * (0.75 * scene.wave_height_ratio).sqrt();
     let more = 1.0 / libm::cosh(spread).powi(2);
-    let told = format!(
-        "the gauge stands so near to the wall that what is sent back adds up to {:.0} % to the crest that it measures",
-        100.0 * more
-    );
+    let told = || {
+        format!(
+            "the gauge stands so near to the wall that what is sent back adds up to {:.0} % to the crest that it measures",
+            100.0 * more
+        )
+    };
     (scene.is_upright_over_level_bed() && more > MOST_ADDED)
-        .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told))
+        .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told()))
         .flatten()
 }
 
 /// On a dry beach a gauge counts from the bed.
 fn aground(scene: &SeawallScene) -> Option<ConfigError> {
     let height = scene.bed.as_ref()?.height(scene.wave_gauge_m);
-    let told = format!(
-        "the gauge stands on a beach that is {height:.3} m high there, and reads how thick the water on it is, no wave"
-    );
+    let told = || {
+        format!(
+            "the gauge stands on a beach that is {height:.3} m high there, and reads how thick the water on it is, no wave"
+        )
+    };
     (height >= scene.still_water_depth_m)
-        .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told))
+        .then(|| warning("wave_gauge_m", scene.wave_gauge_m, told()))
         .flatten()
 }
 
@@ -170,10 +187,12 @@ fn aground(scene: &SeawallScene) -> Option<ConfigError> {
 fn overshoot(scene: &SeawallScene) -> Option<ConfigError> {
     let stroke = &scene.recorded.as_ref()?.recorded_stroke;
     let (beyond, reach) = (stroke.overshoot(), stroke.reach());
-    let told = format!(
-        "between its points the paddle goes {beyond:.4} m farther than they do, as a spline: give more of them"
-    );
-    (beyond > OVERSHOOT * reach).then(|| ConfigError::new("scene.recorded_stroke", "", told))
+    let told = || {
+        format!(
+            "between its points the paddle goes {beyond:.4} m farther than they do, as a spline: give more of them"
+        )
+    };
+    (beyond > OVERSHOOT * reach).then(|| ConfigError::new("scene.recorded_stroke", "", told()))
 }
 
 /// A spline goes smoothly over what a record has lost.
@@ -199,14 +218,16 @@ fn interval(config: &CaseConfig) -> Option<ConfigError> {
         );
         return warning("history_interval_s", interval, told);
     }
-    let told = format!(
-        "is much shorter than a time step ({step:.1e} s): every step is sampled, which is slow, and the \
+    let told = || {
+        format!(
+            "is much shorter than a time step ({step:.1e} s): every step is sampled, which is slow, and the \
          history has some {:.0} lines",
-        run / step
-    );
+            run / step
+        )
+    };
     let samples = matches!(config.scene, Scene::Seawall(_) | Scene::Hydrostatic(_));
     (samples && interval < SHARE_OF_STEP * step)
-        .then(|| warning("history_interval_s", interval, told))
+        .then(|| warning("history_interval_s", interval, told()))
         .flatten()
 }
 

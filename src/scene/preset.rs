@@ -1,5 +1,8 @@
 //! Presets, and the numerics of a scene by its file.
 
+use std::cell::RefCell;
+use std::sync::LazyLock;
+
 use serde::{Deserialize, Serialize};
 use toml::{Table, Value};
 
@@ -10,7 +13,7 @@ use super::numerics::{
 };
 use crate::boundary::BoundaryChoice;
 use crate::kernel::KernelChoice;
-use crate::keys::{ConfigError, Section, check_conditions, number, section};
+use crate::keys::{ConfigError, Section, Shared, check_conditions, number, section};
 use crate::scheme::wcsph::{DensityDiffusion, Shifting};
 
 /// Named sets of numerics that `preset` may take.
@@ -52,10 +55,28 @@ pub(super) fn sound_speed_ratio(depth: f64, particle_spacing: f64) -> f64 {
     }
 }
 
+/// Numerics that were read.
+struct Known {
+    table: Table,
+    base: Numerics,
+    numerics: Shared<Numerics>,
+}
+
+thread_local! {
+    /// Those that came last on this thread. Cases of a study have mostly the same, and these are most of a case.
+    static LAST: RefCell<Option<Known>> = const { RefCell::new(None) };
+}
+
+/// Whether a table has a zero that equals another one and is written otherwise.
+fn has_minus_zero(table: &Table) -> bool {
+    table.values().filter_map(Value::as_float).any(|value| value == 0.0 && value.is_sign_negative())
+}
+
 impl Numerics {
     /// The values of a preset.
     pub fn preset(preset: Preset) -> Numerics {
-        let default = Numerics::defaults();
+        static DEFAULTS: LazyLock<Numerics> = LazyLock::new(Numerics::defaults);
+        let default = DEFAULTS.clone();
         match preset {
             Preset::Default => default,
             Preset::Huang2019 => Numerics {
@@ -90,7 +111,7 @@ impl Numerics {
     ///
     /// # Errors
     /// The first value that does not fit.
-    pub(super) fn of_scene(scene: &Scene, table: &Table) -> Result<Numerics, ConfigError> {
+    pub(super) fn of_scene(scene: &Scene, table: &Table) -> Result<Shared<Numerics>, ConfigError> {
         let mut preset = Base::read(table, None)?.preset;
         let own = preset == Preset::Default;
         let scheme = table.get("scheme").and_then(Value::as_str);
@@ -117,9 +138,20 @@ impl Numerics {
             Preset::Isph if matches!(scene, Scene::DamBreak(_)) => base.volume_feedback = 0.006,
             Preset::Isph | Preset::Huang2019 => {}
         }
-        let numerics = Numerics::read(table, Some(&base))?;
-        check_conditions(table, &numerics)?;
-        Ok(numerics)
+        LAST.with_borrow_mut(|last| match last {
+            Some(known)
+                if known.base == base && known.table == *table && !has_minus_zero(table) =>
+            {
+                Ok(known.numerics.clone())
+            }
+            _ => {
+                let numerics = Numerics::read(table, Some(&base))?;
+                check_conditions(table, &numerics)?;
+                let numerics = Shared::from(numerics);
+                *last = Some(Known { table: table.clone(), base, numerics: numerics.clone() });
+                Ok(numerics)
+            }
+        })
     }
 
     /// Takes what the preset `default` has for scenes of this kind, with particles so far apart, metres,

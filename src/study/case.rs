@@ -9,7 +9,7 @@ use serde_json::Value;
 use sha2::{Digest, Sha256};
 
 use crate::keys::Shared;
-use crate::scene::{CaseConfig, ErrorBars, Numerics};
+use crate::scene::{CaseConfig, ErrorBars, Numerics, Scene};
 
 /// Part of every case's identity: raised by every change that alters the answer of any case, so
 /// that old results are never taken for new ones.
@@ -28,7 +28,7 @@ impl CaseId {
         if !probes.is_empty() {
             write_entry("probes", probes, &mut rest);
         }
-        write_entry("scene", scene, &mut rest);
+        write_scene(scene, &mut rest);
         rest.push('}');
         let digest = begun(numerics).chain_update(rest).finalize();
         CaseId(u64::from_be_bytes(digest[..8].try_into().expect("a digest has 32 bytes")))
@@ -98,6 +98,18 @@ fn write_entry(key: &str, value: &impl Serialize, text: &mut String) {
     write_key(key, text);
     write_canonical(&value, text);
     text.push(',');
+}
+
+/// The entry of a scene: its table need not be made first.
+fn write_scene(scene: &Scene, text: &mut String) {
+    let mut entries = scene.entries();
+    entries.sort_unstable_by_key(|(key, _)| *key);
+    write_key("scene", text);
+    text.push('{');
+    for (key, value) in &entries {
+        write_entry(key, value, text);
+    }
+    text.push_str("},");
 }
 
 /// A key as Rust's own `{key:?}:` has it; mostly nothing in it has to be escaped, and of a million cases that counts.

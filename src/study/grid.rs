@@ -1,6 +1,7 @@
 //! From a sweep file to its cases: the cartesian product, in the order of the file.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+use std::sync::LazyLock;
 
 use rayon::prelude::*;
 use toml::{Table, Value};
@@ -137,6 +138,11 @@ fn at(
     Ok((Case { index, id: CaseId::of(&config), config, assignments }, collapsed))
 }
 
+/// The keys that decide which others mean anything to a seawall.
+static DECIDING: LazyLock<HashSet<&str>> = LazyLock::new(|| {
+    SeawallScene::keys().into_iter().flat_map(Key::conditions).map(|when| when.key).collect()
+});
+
 /// Where a grid sweeps walls or paddles, leaves out what one of them does not have.
 fn drop_meaningless(
     file: &SweepFile,
@@ -144,6 +150,9 @@ fn drop_meaningless(
     assignments: &mut [Option<Shared<Value>>],
 ) -> bool {
     let swept = |when: &When| file.grid.iter().any(|axis| axis.key == when.key);
+    if !file.grid.iter().any(|axis| DECIDING.contains(&*axis.key)) {
+        return false;
+    }
     let fits = |key: &&Key| key.conditions().all(|when| !swept(&when) || when.holds(scene));
     let foreign: Vec<_> = SeawallScene::keys().into_iter().filter(|key| !fits(key)).collect();
     let mut dropped = false;

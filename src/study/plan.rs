@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use rayon::prelude::*;
+
 use super::Study;
 use super::case::CaseId;
 use crate::keys::Recent;
@@ -41,6 +43,31 @@ pub struct Plan {
     pub cases: Vec<PlannedCase>,
 }
 
+/// Cases that are looked at in one go.
+const CHUNK: usize = 4096;
+
+/// A case without its trunk, and the trunk that it may share. `known` are trunks that came lately: to compare one with
+/// them is quicker than to find its id.
+fn planned(
+    study: &Study,
+    index: usize,
+    branching: bool,
+    cost: &impl Fn(&CaseConfig) -> Cost,
+    known: &mut Recent<(CaseConfig, CaseId)>,
+) -> (PlannedCase, Option<CaseId>) {
+    let config = &study.run(index).config;
+    let estimate = cost(config);
+    let whole = estimate.particles.saturating_mul(estimate.steps).max(1);
+    let shared = (whole as f64 * estimate.trunk_share.clamp(0.0, 1.0)) as u64;
+    let branch_cost = (whole - shared.min(whole)).max(1);
+    let case = PlannedCase { index, trunk: None, cost: whole, branch_cost };
+    let trunk = config.trunk().filter(|_| branching && shared > 0);
+    let id = |trunk: CaseConfig| {
+        known.find(|(known, _)| *known == trunk, || (trunk.clone(), CaseId::of(&trunk))).1
+    };
+    (case, trunk.map(id))
+}
+
 impl Plan {
     /// Plans the cases and companions of a study for which `wanted` holds, with costs as
     /// [`crate::simulation::cost`] estimates them. Trunks are made only where at least two of the
@@ -48,38 +75,27 @@ impl Plan {
     pub fn new(
         study: &Study,
         branching: bool,
-        cost: impl Fn(&CaseConfig) -> Cost,
+        cost: impl Fn(&CaseConfig) -> Cost + Sync,
         wanted: impl Fn(usize) -> bool,
     ) -> Plan {
-        let mut plan = Plan::default();
+        let wanted: Vec<usize> = (0..study.run_count()).filter(|&index| wanted(index)).collect();
+        let chunks = wanted.par_chunks(CHUNK).map(|indices| {
+            let mut known = Recent::default();
+            let case = |&index| planned(study, index, branching, &cost, &mut known);
+            indices.iter().map(case).collect::<Vec<_>>()
+        });
+        let mut plan = Plan { trunks: Vec::new(), cases: Vec::with_capacity(wanted.len()) };
         let mut groups: HashMap<CaseId, Vec<usize>> = HashMap::new();
         let mut order = Vec::new();
-        // To compare a trunk with those that came lately is quicker than to find its id.
-        let mut known: Recent<(CaseConfig, CaseId)> = Recent::default();
-        let mut id = |trunk: &CaseConfig| {
-            known.find(|(known, _)| known == trunk, || (trunk.clone(), CaseId::of(trunk))).1
-        };
-        for case in study.runs().filter(|case| wanted(case.index)) {
-            let estimate = cost(&case.config);
-            let whole = estimate.particles.saturating_mul(estimate.steps).max(1);
-            let shared = (whole as f64 * estimate.trunk_share.clamp(0.0, 1.0)) as u64;
-            let place = plan.cases.len();
-            plan.cases.push(PlannedCase {
-                index: case.index,
-                trunk: None,
-                cost: whole,
-                branch_cost: (whole - shared.min(whole)).max(1),
-            });
-            if !branching || shared == 0 {
-                continue;
-            }
-            if let Some(key) = case.config.trunk().as_ref().map(&mut id) {
+        for (case, trunk) in chunks.collect::<Vec<_>>().into_iter().flatten() {
+            if let Some(key) = trunk {
                 let group = groups.entry(key).or_default();
                 if group.is_empty() {
                     order.push(key);
                 }
-                group.push(place);
+                group.push(plan.cases.len());
             }
+            plan.cases.push(case);
         }
         for key in order {
             let branches = groups.remove(&key).unwrap_or_default();

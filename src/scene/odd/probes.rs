@@ -49,6 +49,7 @@ fn walled_in(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
 
 /// Where a paddle has gone there is no water.
 fn passed(scene: &SeawallScene, probes: &[Probe]) -> Option<ConfigError> {
+    probes.first()?;
     let stroke = scene.paddle()?.goes_forth();
     let (probe, x) = probes.iter().find_map(|it| Some((it, it.x_m.filter(|x| *x < stroke)?)))?;
     let told = format!(

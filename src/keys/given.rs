@@ -1,0 +1,50 @@
+//! What the keys of a given table say of one another.
+
+use std::cell::LazyCell;
+
+use toml::Table;
+
+use super::error::ConfigError;
+use super::rule::When;
+use super::section::Section;
+
+/// Reads a table that stands by itself.
+///
+/// # Errors
+/// The first unknown key, with the nearest known one; the first value that does not fit; the first
+/// key that belongs to other values of another.
+pub fn read_alone<S: Section>(table: &Table) -> Result<S, ConfigError> {
+    let known = S::keys();
+    if let Some(name) = table.keys().find(|name| known.iter().all(|key| key.name != name.as_str()))
+    {
+        return Err(ConfigError::unknown_in_table(&format!("{}.{name}", S::NAME), &known));
+    }
+    let section = S::read(table, None)?;
+    check_conditions(table, &section)?;
+    Ok(section)
+}
+
+/// Checks what keys say of one another: `given` is what a file says, `section` what holds in the end.
+///
+/// # Errors
+/// A key that belongs to other values of another key; one that is needed and not there.
+pub fn check_conditions<S: Section>(given: &Table, section: &S) -> Result<(), ConfigError> {
+    // Mostly no condition has to be looked at, and to write a table takes as long as to read it.
+    let complete = LazyCell::new(|| section.table());
+    let holds = |when: &When| match given.contains_key(when.key) {
+        true => when.holds(given),
+        false => when.holds(&complete),
+    };
+    for key in S::keys() {
+        let path = || format!("{}.{}", S::NAME, key.name);
+        let missed = key.rule.needed && !given.contains_key(key.name);
+        if missed && key.applies(&complete) && !complete.contains_key(key.name) {
+            return Err(key.missing(&path()));
+        }
+        let Some((when, value)) = key.rule.only.zip(given.get(key.name)) else { continue };
+        if !holds(&when) {
+            return Err(ConfigError::new(&path(), value, format!("belongs to {when}")));
+        }
+    }
+    Ok(())
+}
