@@ -32,6 +32,7 @@ mod journal;
 mod left;
 mod load;
 mod lock;
+mod looked;
 mod made_up;
 mod manifest;
 mod number;
