@@ -82,6 +82,36 @@ impl Task for Relative<'_> {
     }
 }
 
+/// Hands back what the ghosts of the bed push along it.
+struct HandBack<'a> {
+    exchange: &'a Exchange,
+    giving: &'a Giving,
+    mass: &'a [f64],
+    accelerations: [&'a mut [f64]; 2],
+}
+
+impl Task for HandBack<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let HandBack { exchange, giving, mass, accelerations: [along, up] } = self;
+        for part in &exchange.parts {
+            for &block in part.among(giving.blocks(&exchange.counting)) {
+                let (row, image) = (block as usize, &exchange.images[block as usize]);
+                let pressure = L::load(&image.pressure) * L::load(&exchange.scale[row]);
+                let [push_x, push_y] = giving.smooth.slants::<L>(row).map(|slant| slant * pressure);
+                let (entries, weights) = part.held.of(row - part.blocks.start);
+                for (&k, weight) in entries.iter().zip(weights) {
+                    let (k, weight) = (k as usize, L::load(weight));
+                    along[k] += (weight * push_x).sum() / mass[k];
+                    up[k] += (weight * push_y).sum() / mass[k];
+                }
+            }
+        }
+    }
+}
+
 impl Exchange {
     /// How the bed's ghosts go with walls beside them; `None` where it does not give back what it does.
     pub fn alongside(&self) -> Option<&Alongside> {
@@ -115,5 +145,13 @@ impl Exchange {
         given.fill(0.0);
         dispatch(path, GiveBack { exchange: self, giving, bodies, velocities, given });
         dispatch(path, Relative { exchange: self, giving, bodies, flow, factors });
+    }
+
+    /// Adds to the water's accelerations, m/s², what it gets back of the ghosts' pushes along the bed. Masses per metre
+    /// of width, kg/m.
+    pub fn hand_back(&self, path: SimdPath, mass: &[f64], accelerations: [&mut [f64]; 2]) {
+        if let Some(giving) = self.giving.as_ref().filter(|giving| giving.smooth.is_on()) {
+            dispatch(path, HandBack { exchange: self, giving, mass, accelerations });
+        }
     }
 }
