@@ -14,7 +14,7 @@ use seawall::execute::{
     Ending, Interrupt, Progress, ProgressStyle, Session, Setup, coordinate, threads,
 };
 use seawall::math::simd::SimdPath;
-use seawall::results::{Closing, Directory, Manifest, OpenMode, Opened};
+use seawall::results::{Closing, Directory, Manifest, OpenMode};
 use seawall::study::{Plan, Study, SweepFile};
 
 use common::{expect_code, seawall};
@@ -134,73 +134,6 @@ fn a_closed_study_is_told_again_until_it_changes() {
     let made = changed(&page);
     assert_eq!(again(&file, &out), told);
     assert_eq!(changed(&page), made);
-}
-
-/// The story: to go on with a million cases every file of those that were done was read again, which took minutes.
-#[test]
-#[cfg(unix)]
-fn files_of_a_large_study_are_read_again_where_they_have_changed() {
-    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
-    let root = tempfile::tempdir().unwrap();
-    let (file, out) = finished(root.path(), Closing::ABOVE + 1);
-    let text = fs::read_to_string(&file).unwrap();
-    let study = Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap();
-    let open = || {
-        let simd = SimdPath::Portable;
-        let (directory, opened) =
-            Directory::open(&out, &study, OpenMode::Resume, None, simd).unwrap();
-        (opened, directory.findings().to_vec())
-    };
-    let histories = fs::read_dir(out.join("histories")).unwrap();
-    let mut histories: Vec<_> = histories.map(|entry| entry.unwrap().path()).collect();
-    histories.sort();
-    let (one, other) = (&histories[17], &histories[4000]);
-    let name = |path: &PathBuf| path.file_name().unwrap().to_string_lossy().into_owned();
-    let flip = |path: &PathBuf| {
-        let mut bytes = fs::read(path).unwrap();
-        bytes[10] ^= 1;
-        fs::write(path, bytes).unwrap();
-    };
-    let (journal, note) = (out.join("journal.jsonl"), out.join("looked.json"));
-    let note_later = || {
-        std::thread::sleep(std::time::Duration::from_millis(20));
-        fs::write(&note, fs::read(&note).unwrap()).unwrap();
-    };
-    let all = Opened::Resumed(study.cases.len());
-    // As old as a note says, a file is not read; a last line that was never written to its end changes nothing.
-    flip(one);
-    note_later();
-    let whole = fs::read(&journal).unwrap();
-    fs::write(&journal, [&whole[..], &whole[whole.len() - 400..whole.len() - 100]].concat())
-        .unwrap();
-    assert_eq!(open(), (all.clone(), Vec::new()));
-    assert_eq!(fs::read(&journal).unwrap(), whole);
-    // A newer one is. Then something is damaged, and all are.
-    flip(other);
-    let (opened, told) = open();
-    assert_eq!(opened, Opened::Resumed(study.cases.len() - 1));
-    assert!(told.len() == 1 && told[0].contains(&name(other)), "{told:?}");
-    assert!(!note.exists());
-    assert_eq!(open().1.len(), 2);
-    flip(other);
-    flip(one);
-    assert_eq!(open(), (all, Vec::new()));
-    // Where a line is lost, those behind it are not where they were: all are read.
-    flip(one);
-    note_later();
-    let mut lines = whole.clone();
-    let middle = whole[..whole.len() / 2].iter().rposition(|&byte| byte == b'\n').unwrap();
-    lines[middle + 12] ^= 1; // of its sum
-    fs::write(&journal, lines).unwrap();
-    let (opened, told) = open();
-    assert_eq!(opened, Opened::Resumed(study.cases.len() - 2), "{told:?}");
-    assert!(told.iter().any(|told| told.contains(&name(one))), "{told:?}");
-    // A file that is gone is missed.
-    flip(one);
-    fs::write(&journal, &whole).unwrap();
-    assert_eq!(open().1, Vec::<String>::new());
-    fs::remove_file(other).unwrap();
-    assert_eq!(open().1.len(), 1);
 }
 
 /// A case more of a study beyond what a page shows whole takes little more than its row of the summary: a million of

@@ -1,6 +1,6 @@
 //! The checkpoints of an output directory.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -68,17 +68,14 @@ pub(super) fn remove(
     directory: &Path,
     cases: impl IntoIterator<Item = CaseId>,
 ) -> Result<(), SweepError> {
-    // The folder has few files, and there may be a million cases.
-    let there: HashMap<CaseId, PathBuf> = files(directory)
-        .into_iter()
-        .filter(|(_, _, is_case)| *is_case)
-        .map(|(path, id, _)| (id, path))
-        .collect();
-    if there.is_empty() {
+    if !directory.join(FOLDER).is_dir() {
         return Ok(());
     }
-    for path in cases.into_iter().filter_map(|id| there.get(&id)).filter(|path| path.exists()) {
-        disk::remove_file(path).map_err(SweepError::io(path))?;
+    for id in cases {
+        let path = directory.join(FOLDER).join(format!("{id}.{CASE}"));
+        if path.exists() {
+            disk::remove_file(&path).map_err(SweepError::io(&path))?;
+        }
     }
     Ok(())
 }

@@ -4,17 +4,20 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::attempts::Attempts;
+use super::closing::Closing;
 use super::entries::Header;
 use super::error::SweepError;
+use super::files;
 use super::filing::Filed;
+use super::filling::Filling;
 use super::journal::{self, Journal};
 use super::left::{self, Left, Places};
 use super::lock::Lock;
-use super::looked::{Looked, Notes};
 use super::opening::{self, Found, OpenMode, Opened, look};
 use super::record::CaseRecord;
 use super::waiting::Waiting;
-use super::{checkpoints, disk, energy, files, filling, probe_columns, summary};
+use super::{checkpoints, disk, energy, probe_columns, summary};
+use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
 use crate::simulation::CaseResult;
 use crate::study::{CaseId, Study};
@@ -36,8 +39,6 @@ pub struct Directory {
     attempts: Attempts,
     /// Cases that can go on from a checkpoint of their own.
     kept: BTreeSet<CaseId>,
-    /// Up to where the files of cases are known to be on the disk.
-    notes: Notes,
     /// What the columns of probes hold, until that is written.
     probe_columns: Option<String>,
 }
@@ -56,7 +57,11 @@ impl Directory {
         requested: Option<SimdPath>,
         widest: SimdPath,
     ) -> Result<(Directory, Opened), SweepError> {
-        opening::check_request(requested, widest)?;
+        if let Some(simd) = requested.filter(|&simd| simd > widest) {
+            let (simd, widest) = (name_of(simd), name_of(widest));
+            let reason = format!("--simd {simd}: not every rank has it; the widest is {widest}");
+            return Err(SweepError::Refused(reason));
+        }
         let before = look(path)?;
         if let (OpenMode::Resume, Found::Journal(..)) = (mode, &before)
             && let Some(header) = journal::read_header(path)?
@@ -75,15 +80,17 @@ impl Directory {
         }
         let (mut records, mut findings) = (Vec::new(), Vec::new());
         let mut left = Places::new(study.cases.len());
-        let notes;
         let (journal, simd) = if look(path)? == Found::Nothing {
             records.resize(study.run_count(), None);
             let simd = requested.unwrap_or(widest);
             let header = Header::new(&study.name, &study.identity, study.cases.len(), simd);
-            notes = Notes::of(path, 0, true)?;
             (Journal::create(path, &header)?, simd)
         } else {
-            let (content, filling) = filling::fill(path, study)?;
+            let mut filling = Filling::new(path, study);
+            if Closing::read(path).is_some() {
+                filling = filling.blind();
+            }
+            let content = journal::read_in_blocks(path, |lines| filling.take(lines))?;
             findings.extend(opening::told_damage(&content, true));
             let header = opening::header(path, &content, study, requested.unwrap_or(widest))?;
             opening::check_header(path, &header, study, requested, widest)?;
@@ -91,7 +98,6 @@ impl Directory {
             files::clean(path)?;
             let damaged;
             (records, left, damaged) = filling.end();
-            notes = Notes::of(path, content.found, damaged.is_empty())?;
             findings.extend(damaged);
             opened = Opened::Resumed(records.iter().flatten().count());
             (journal, header.simd)
@@ -102,7 +108,6 @@ impl Directory {
         findings.extend(told);
         let directory = Directory {
             kept,
-            notes,
             probe_columns: probe_columns::text(study),
             attempts: Attempts::open(path)?,
             path: path.to_owned(),
@@ -138,7 +143,6 @@ impl Directory {
     /// # Errors
     /// A file that cannot be removed.
     pub fn clear_checkpoints(&self) -> Result<(), SweepError> {
-        Looked::forget(&self.path)?;
         checkpoints::clear(&self.path)
     }
 
@@ -230,8 +234,7 @@ impl Directory {
     /// Puts everything recorded on the disk: if `now`, before it returns; otherwise what has waited long
     /// enough, beside everything else.
     pub fn sync(&mut self, now: bool) -> Result<(), SweepError> {
-        self.waiting.sync(&self.path, &mut self.journal, now)?;
-        self.notes.take(&self.path, self.waiting.done())
+        self.waiting.sync(&self.path, &mut self.journal, now)
     }
 
     /// Makes all tables from the journal's records.

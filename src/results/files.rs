@@ -6,7 +6,6 @@ use std::sync::Arc;
 
 use super::case_tables::{envelope_table, history, probe_table, reading_table, wave_table};
 use super::error::SweepError;
-use super::looked::Change;
 use super::seal::{Seal, Seals};
 use super::{atomic_file, disk};
 use crate::simulation::CaseResult;
@@ -105,19 +104,10 @@ impl Unsynced {
 }
 
 /// The files of a case that are not as they were written: their paths, and what is wrong with them.
-///
-/// With `known` they were seen to be on the disk then: only what has changed since is read.
-pub(super) fn damage(
-    directory: &Path,
-    id: CaseId,
-    seals: &Seals,
-    known: Option<Change>,
-) -> Vec<(PathBuf, &'static str)> {
+pub(super) fn damage(directory: &Path, id: CaseId, seals: &Seals) -> Vec<(PathBuf, &'static str)> {
     let look = |(name, seal): (&String, &Seal)| {
         let path = path(directory, name, id);
-        let is_known = known.is_some_and(|at| seal.stays(&path, at));
-        let what = if is_known { None } else { seal.damage(&path) };
-        what.map(|what| (path, what))
+        seal.damage(&path).map(|what| (path, what))
     };
     let mut damage: Vec<_> = seals.iter().filter_map(look).collect();
     let history = history_path(directory, id);

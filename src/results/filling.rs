@@ -5,13 +5,9 @@ use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
-use super::closing::Closing;
-use super::entries::Content;
-use super::error::SweepError;
 use super::left::Places;
-use super::looked::Looked;
 use super::record::{CaseRecord, HeldLine};
-use super::{files, journal, left};
+use super::{files, left};
 use crate::keys::named;
 use crate::study::{CaseId, Study};
 
@@ -26,10 +22,6 @@ pub(super) struct Filling<'a> {
     left: Places,
     /// Whether files are looked at.
     looks: bool,
-    /// What an earlier look has shown.
-    known: Option<Looked>,
-    /// Lines so far.
-    taken: usize,
     /// What is wrong with the files of a case.
     damage: BTreeMap<usize, Vec<Damaged>>,
 }
@@ -43,8 +35,6 @@ impl Filling<'_> {
             records: vec![None; study.run_count()],
             left: Places::new(study.cases.len()),
             looks: true,
-            known: None,
-            taken: 0,
             damage: BTreeMap::new(),
         }
     }
@@ -54,28 +44,20 @@ impl Filling<'_> {
         Filling { looks: false, ..self }
     }
 
-    /// The same, in which files that an earlier look has shown are read where they have changed since.
-    pub(super) fn knowing(self, known: Option<Looked>) -> Self {
-        Filling { known, ..self }
-    }
-
     /// Takes the next lines, and looks at the files of their cases.
     pub(super) fn take(&mut self, lines: Vec<HeldLine>) {
         let (path, cases, places, looks) = (self.path, self.cases, &self.places, self.looks);
-        let (known, before) = (self.known, self.taken);
-        self.taken += lines.len();
-        let look = |(number, line): (usize, HeldLine)| {
-            let known = known.filter(|known| before + number < known.lines).map(|known| known.at);
+        let look = |line: HeldLine| {
             let index = *places.get(&line.id())?;
             let (record, files) = line.split(index);
             let has_files = record.is_ok() && record.index < cases;
             let files = has_files.then_some(&files);
             let left = files.map_or(0, left::folders);
             let damage = files.filter(|_| looks);
-            let damage = damage.map(|files| files::damage(path, record.id, files, known));
+            let damage = damage.map(|files| files::damage(path, record.id, files));
             Some((record, left, damage))
         };
-        let looked: Vec<_> = lines.into_par_iter().enumerate().filter_map(look).collect();
+        let looked: Vec<_> = lines.into_par_iter().filter_map(look).collect();
         for (record, left, damage) in looked {
             let index = record.index;
             self.left.set(index, left);
@@ -100,25 +82,6 @@ impl Filling<'_> {
     pub(super) fn all(self) -> (Vec<Option<CaseRecord>>, Vec<Damaged>) {
         (self.records, self.damage.into_values().flatten().collect())
     }
-}
-
-/// What the journal holds, and its records in their order, with a look at the files of each case.
-pub(super) fn fill<'a>(
-    path: &'a Path,
-    study: &Study,
-) -> Result<(Content<HeldLine>, Filling<'a>), SweepError> {
-    let blind = Closing::read(path).is_some();
-    let read = |known: Option<Looked>| {
-        let filling = Filling::new(path, study).knowing(known);
-        let mut filling = if blind { filling.blind() } else { filling };
-        let content = journal::read_in_blocks(path, |lines| filling.take(lines))?;
-        Ok((content, filling))
-    };
-    let known = Looked::read(path);
-    let (content, filling) = read(known)?;
-    // With a line lost, those behind it are not where they were.
-    let is_shifted = content.damaged > 0 || known.is_some_and(|known| known.lines > content.found);
-    if known.is_some() && is_shifted && !blind { read(None) } else { Ok((content, filling)) }
 }
 
 /// A file, and what is wrong with it.

@@ -32,7 +32,6 @@ mod journal;
 mod left;
 mod load;
 mod lock;
-mod looked;
 mod made_up;
 mod manifest;
 mod number;

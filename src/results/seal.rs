@@ -1,7 +1,7 @@
 //! What a file was when it was written, so that damage shows.
 
 use std::collections::BTreeMap;
-use std::fs::{self, File};
+use std::fs::File;
 use std::io::{ErrorKind, Read};
 use std::path::Path;
 
@@ -9,7 +9,6 @@ use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use super::checksum::{checksum, checksum_of_rest};
-use super::looked::{Change, changed};
 
 /// What a file was when it was written.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -85,14 +84,6 @@ impl Seal {
             Seal::Length(_) => true,
             Seal::Whole { sum, .. } => *sum == checksum(&content),
         })
-    }
-}
-
-impl Seal {
-    /// Whether a file has the length of this seal, and was last changed before a time: clocks of disks are coarse.
-    pub(super) fn stays(&self, path: &Path, before: Change) -> bool {
-        let file = fs::metadata(path).ok().filter(|file| file.len() == self.bytes());
-        file.and_then(|file| changed(&file)).is_some_and(|at| at < before)
     }
 }
 

@@ -22,14 +22,12 @@ pub(super) struct Waiting {
     lines: Vec<CaseId>,
     /// What goes to the disk just now.
     group: Option<Group>,
-    /// Lines that are on the disk.
-    done: usize,
 }
 
 impl Waiting {
     /// Nothing of this directory yet.
     pub(super) fn new(directory: &Path) -> Result<Waiting, SweepError> {
-        Ok(Waiting { files: Unsynced::new(directory)?, lines: Vec::new(), group: None, done: 0 })
+        Ok(Waiting { files: Unsynced::new(directory)?, lines: Vec::new(), group: None })
     }
 
     /// A case has left its files.
@@ -40,11 +38,6 @@ impl Waiting {
     /// A case has a line in the journal.
     pub(super) fn add_line(&mut self, id: CaseId) {
         self.lines.push(id);
-    }
-
-    /// How many lines are on the disk, with the files of their cases.
-    pub(super) fn done(&self) -> usize {
-        self.done
     }
 
     /// Whether nothing waits.
@@ -62,9 +55,7 @@ impl Waiting {
         now: bool,
     ) -> Result<(), SweepError> {
         if let Some(group) = self.group.take_if(|group| now || group.is_ended()) {
-            let cases = group.end()?;
-            self.done += cases.len();
-            checkpoints::remove(directory, cases)?;
+            checkpoints::remove(directory, group.end()?)?;
         }
         if !journal.waits(if now { Duration::ZERO } else { LONGEST }) || self.group.is_some() {
             return Ok(());
@@ -73,7 +64,6 @@ impl Waiting {
         if now {
             self.files.take().sync(directory)?;
             journal.sync()?;
-            self.done += self.lines.len();
             return checkpoints::remove(directory, self.lines.drain(..));
         }
         let mut journal = journal.let_sync()?;
