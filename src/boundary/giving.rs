@@ -94,7 +94,7 @@ impl Giving {
         for &block in blocks {
             let row = block as usize;
             let volume = weights(ghost_records, row).map(|weight| weight / weight_per_volume);
-            let near = (ghosts, &walls[..], 2.0 * reach);
+            let near = (ghosts, &walls[..], reach);
             let head = images[row].pressure.map(|pressure| pressure / weight);
             self.smooth.find(row, near, (&water[row], &volume, &head));
         }

@@ -1,16 +1,17 @@
 //! A bed that gives back, at the edge of the water.
 //!
-//! A smooth face pushes along its normal alone. Yet a ghost pushes the water along the face (t) as well, by p_g S_g with
+//! A smooth face pushes along its normal alone. Yet a ghost pushes the water along the face (t) as well, by -p_g S_g with
 //!
 //! ```text
-//! S_g = t t·V_g Σ_j V_j ∇W_gj
+//! S_g = t t·V_g (Σ_i V_i L_g ∇W_ig + Σ_g' V_g' ∇W_g'g)
 //! ```
 //! where water ends, as at the edge of a tongue on a beach. And as the tongue runs up it covers ghosts ahead of it. That
 //! counts as water that runs into them, S_g·u per second, and presses the tongue that gives it back. So a ghost takes
 //! velocities relative to ū, the mean of the water around its mirror point: it takes S_g·ū less. And that water gets back
 //! what the ghost pushes along the face, each particle w_k p_g S_g. Both do the same work, so no energy is made.
 //!
-//! Other ghosts of the bed count as water in S_g: where the bed bends, they stand where water is missing.
+//! The second sum is over other ghosts of the bed (L_g is one on beds that are not level). Where the bed bends, they stand
+//! where water is missing.
 
 use std::marker::PhantomData;
 
@@ -27,8 +28,8 @@ use crate::with_kernel;
 /// Sums of V_j ∇W_gj around eight ghosts, along x and up, 1/m.
 pub(super) type Around = [[f64; LANES]; 2];
 
-/// The edge tells all where the water on the bed is no thicker than this, over the support radius R. Where it is as
-/// thick as R no ghost has the edge in reach.
+/// All is handed back where the water on the bed is no thicker than this, over the support radius R. Where it is as thick
+/// as R no ghost has the edge in reach, and nothing is.
 const THIN: f64 = 0.7;
 
 /// Cosine of the steepest slope whose ghosts hand back, 1:2. Water at rest on steeper shores does not need it.
@@ -71,13 +72,13 @@ impl Smooth {
         self.slants = vec![Default::default(); self.own.len()];
     }
 
-    /// Finds S_g at a block, of the sums over the water around each ghost, the ghosts' volumes, and the water's pressure
-    /// there, as a head in metres. It is zero before the shore and on steep slopes, within two support radii, `near`, of walls (see `alongside.rs`), and where
-    /// the water is thick: there it would be noise, under a high pressure.
+    /// Finds S_g at a block, of the sums over the water around each ghost, the ghosts' volumes, and their pressures as heads
+    /// in metres. It is zero before the shore and on steep slopes, within two support radii of walls (see `alongside.rs`),
+    /// and where the water is thick: there it would be noise, under a high pressure.
     pub fn find(
         &mut self,
         block: usize,
-        (ghosts, walls, near): (&Ghosts, &[Plane], f64),
+        (ghosts, walls, radius): (&Ghosts, &[Plane], f64),
         (water, volume, head): (&Around, &[f64; LANES], &[f64; LANES]),
     ) {
         let slants = &mut self.slants[block];
@@ -87,10 +88,10 @@ impl Smooth {
             let place = [ghosts.x[g], ghosts.y[g]];
             let Reflection::Plane { normal: [nx, ny] } = ghosts.reflection[g] else { continue };
             let on_shore = ghosts.shore.is_some_and(|from| place[0] > from) && -ny > GENTLE;
-            if !on_shore || walls.iter().any(|wall| wall.beyond(place) > -near) {
+            if !on_shore || walls.iter().any(|wall| wall.beyond(place) > -2.0 * radius) {
                 continue;
             }
-            let thickness = (head[lane] - ghosts.distance[g]) / (0.5 * near);
+            let thickness = (head[lane] - ghosts.distance[g]) / radius;
             let thin = ((1.0 - thickness) / (1.0 - THIN)).clamp(0.0, 1.0);
             let [x, y] = [0, 1].map(|axis: usize| water[axis][lane] + self.own[block][axis][lane]);
             let along = thin * volume[lane] * (nx * y - ny * x);

@@ -172,7 +172,8 @@ section! {
         surface_relief: bool = false, weakly(plain()).newer();
         /// c0 Δt / Δx. By default 0.6 where water falls behind a wall, where a wave may run up to a wall that stands dry, up to
         /// 2 H over the still water, and in dam breaks of more than
-        /// 8 √(H/g) or 4 L/√(gH). Before shores no steeper than 1:2 trains, and runs of more than 200 √(h/g), have 0.9.
+        /// 8 √(H/g) or 4 L/√(gH). Else trains, and runs of more than 200 √(h/g), have 0.9 before
+        /// shores no steeper than 1:2.
         courant_number: f64 = 1.8, weakly(plain().within(1e-3, 2.5)).label("c0 Δt/Δx");
         /// γ: pressures are taken γ Δt ahead of the densities, which damps sound.
         bulk_damping: f64 = 0.1, weakly(plain().within(0.0, 1.0));

@@ -148,7 +148,12 @@ impl Numerics {
                 let numerics = Numerics::read(table, Some(&base))?;
                 check_conditions(table, &numerics)?;
                 let numerics = Shared::from(numerics);
-                *last = Some(Known { table: table.clone(), base, numerics: numerics.clone() });
+                // -0 equals 0, and is another text.
+                *last = (!has_minus_zero(table)).then(|| Known {
+                    table: table.clone(),
+                    base,
+                    numerics: numerics.clone(),
+                });
                 Ok(numerics)
             }
         })
@@ -161,7 +166,7 @@ impl Numerics {
             // Long steps put energy into water that is hit all at once.
             self.courant_number = 0.6;
         } else if scene.stirs_at_gentle_shore() {
-            // They put energy into tongues as well, where the bed itself makes none.
+            // Long steps put energy into tongues, too.
             self.courant_number = 0.9;
         }
         if !scene.has_crest_at_upright_wall() {

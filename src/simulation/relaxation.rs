@@ -40,6 +40,7 @@ impl Run {
         Ok(())
     }
 
+    /// Lets it come to rest, and stops it there.
     fn come_to_rest(&mut self, monitor: &dyn Monitor) -> Result<(), Stopped> {
         let time = self.config.numerics.relaxation_time_s;
         let mut bodies = self.tank.motions(self.clock.time);
