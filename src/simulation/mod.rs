@@ -159,7 +159,7 @@ pub fn run_case(
             let mut run = Run::start(&tried, resources.simd, &team);
             run.attempt = attempt.clone();
             match start {
-                Start::Rest => run.relax(monitor)?,
+                Start::Rest => run.relax(resources.simd, monitor)?,
                 Start::Trunk(bytes) => run.restore(state::decode(bytes, &tried)?),
                 Start::Kept(kept) => run.take_up(*kept)?,
             }
@@ -199,7 +199,7 @@ pub fn run_trunk(
         let mut run = Run::start(config, resources.simd, &team);
         match kept {
             Some(kept) => run.take_up(kept)?,
-            None => run.relax(monitor)?,
+            None => run.relax(resources.simd, monitor)?,
         }
         let state = run.advance_to_onset(monitor)?;
         let (time_s, steps) = state.progress();

@@ -7,6 +7,7 @@ use super::logbook::Logbook;
 use super::rested::{self, Key};
 use super::run::Run;
 use crate::body::{BodyMotion, Place};
+use crate::math::simd::SimdPath;
 use crate::scheme::{NextStep, StepWalls};
 
 /// The water is slowed down over this share of the time that it is given.
@@ -17,11 +18,11 @@ impl Run {
     ///
     /// A lattice cannot fill the wedge before a shore. What does not fit there runs down into the tank as a
     /// wave, unless it is slowed down, u' = -u/τ, until it has spread. The clock and the books start after it.
-    pub(super) fn relax(&mut self, monitor: &dyn Monitor) -> Result<(), Stopped> {
+    pub(super) fn relax(&mut self, path: SimdPath, monitor: &dyn Monitor) -> Result<(), Stopped> {
         if self.config.numerics.relaxation_time_s == 0.0 {
             return Ok(());
         }
-        let key = Key::of(self);
+        let key = Key::of(self, path);
         match rested::recall(&key) {
             Some((water, steps)) if monitor.over_limit(steps).is_none() => {
                 self.tank.water.restore(water);

@@ -11,6 +11,7 @@ use sha2::{Digest, Sha256};
 
 use super::run::Run;
 use crate::boundary::Ghosts;
+use crate::math::simd::SimdPath;
 use crate::scheme::SchemeState;
 
 /// States are kept up to so many bytes in all.
@@ -34,7 +35,7 @@ struct Rested {
 
 impl Key {
     /// Of a run that is about to begin: all that decides how its water comes to rest.
-    pub fn of(run: &Run) -> Key {
+    pub fn of(run: &Run, path: SimdPath) -> Key {
         let Ghosts { x, y, target_x, target_y, volume, .. } = run.tank.water.walls();
         let mut hash = Sha256::new();
         let mut take = |bytes: Vec<u8>| {
@@ -44,7 +45,7 @@ impl Key {
         take(serde_json::to_vec(&run.config.before_wave()).expect("a configuration serialises"));
         take(bytes(&run.tank.water.state()));
         take(bytes(&[x, y, target_x, target_y, volume]));
-        take(bytes(&(run.time_step, format!("{:?}", run.path))));
+        take(bytes(&(run.time_step, format!("{path:?}"))));
         Key(hash.finalize().into())
     }
 }
@@ -76,7 +77,6 @@ fn bytes(of: &impl Serialize) -> Vec<u8> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::simd::SimdPath;
     use crate::math::team::Team;
     use crate::scene::CaseConfig;
     use crate::simulation::{CaseResult, Unwatched, run_case};
@@ -91,7 +91,8 @@ mod tests {
     }
 
     fn key(config: &CaseConfig) -> Key {
-        Key::of(&Run::start(config, SimdPath::widest(), &Team::default()))
+        let path = SimdPath::widest();
+        Key::of(&Run::start(config, path, &Team::default()), path)
     }
 
     fn result(config: &CaseConfig) -> CaseResult {

@@ -32,7 +32,6 @@ pub(super) struct Run {
     pub(super) bed: Option<[f64; 2]>,
     pub(super) films: u64,
     pub(super) time_step: f64,
-    pub(super) path: SimdPath,
     pub(super) bounds: HealthBounds,
     pub(super) clock: Clock,
     pub(super) logbook: Logbook,
@@ -55,7 +54,6 @@ impl Run {
         let start = WaterEnergy::of(tank.water.as_ref(), frame.gravity);
         Run {
             time_step: frame.time_step(&config.numerics),
-            path,
             bounds: HealthBounds::of(&tank, &start),
             clock: Clock { time: tank.start_time, ..Clock::default() },
             logbook: Logbook::open(config, &tank, start),
