@@ -19,7 +19,7 @@ use super::alongside::{Alongside, WALLS};
 use super::ghosts::Ghosts;
 use super::image::Image;
 use super::rules::ExchangeRules;
-use super::smooth::{Around, Smooth, store};
+use super::smooth::Smooth;
 use crate::body::{BodyMotion, Place};
 use crate::kernel::Kernel;
 use crate::math::simd::{LANES, Lanes, SimdPath, Task, dispatch};
@@ -32,8 +32,6 @@ pub(super) struct Giving {
     list: PairList,
     /// V_g V_i L_g ∇W_ig, its parts along x and up, m.
     pub fluxes: [HeldWeights; 2],
-    /// Sums over all water around.
-    sums: Vec<Around>,
     pub alongside: Alongside,
     pub smooth: Smooth,
 }
@@ -57,7 +55,6 @@ impl Giving {
         let x: Vec<f64> = ghosts.x[bed.clone()].iter().map(|x| x + offset).collect();
         build_pair_list(path, &x, &ghosts.y[bed], &[*fluid], &mut self.list);
         self.fluxes.iter_mut().for_each(|flux| flux.make_room(&self.list));
-        self.sums.resize(self.list.clusters(), Around::default());
     }
 
     /// Finds how water runs into the bed's ghosts of some blocks that count. The records are those of the water, and of
@@ -80,7 +77,6 @@ impl Giving {
             blocks,
             list: &self.list,
             fluxes: &mut self.fluxes,
-            sums: &mut self.sums,
             images,
             records,
             weight_per_volume,
@@ -89,14 +85,13 @@ impl Giving {
         if !self.smooth.is_on() {
             return;
         }
-        let (water, ghost_records) = (&self.sums, records[1]);
         let weight = rules.surface_density * rules.gravity;
         for &block in blocks {
             let row = block as usize;
-            let volume = weights(ghost_records, row).map(|weight| weight / weight_per_volume);
-            let near = (ghosts, &walls[..], reach);
+            let volume = weights(records[1], row).map(|weight| weight / weight_per_volume);
             let head = images[row].pressure.map(|pressure| pressure / weight);
-            self.smooth.find(row, near, (&water[row], &volume, &head));
+            let fluxes = self.fluxes.each_ref().map(|flux| flux.of(row).1);
+            self.smooth.find(row, (ghosts, &walls, reach), (fluxes, &volume, &head));
         }
     }
 
@@ -120,7 +115,6 @@ fn weights(ghosts: &[Record], block: usize) -> [f64; LANES] {
 struct Flux<'a, K> {
     list: &'a PairList,
     fluxes: &'a mut [HeldWeights; 2],
-    sums: &'a mut [Around],
     blocks: &'a [u32],
     images: &'a [Image],
     /// Of the water, and of the ghosts alone.
@@ -134,7 +128,7 @@ impl<K: Kernel> Task for Flux<'_, K> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let Flux { list, fluxes: [along, up], sums, blocks, images, .. } = self;
+        let Flux { list, fluxes: [along, up], blocks, images, .. } = self;
         let [water, ghosts] = self.records;
         let mut end = 0;
         for &block in blocks {
@@ -147,20 +141,16 @@ impl<K: Kernel> Task for Flux<'_, K> {
             end = up.take(row, list.group(row, 0), [x, y], water, end);
             let (entries, along) = along.room(row);
             let (_, up) = up.room(row);
-            let [mut sum_x, mut sum_y] = [L::splat(0.0); 2];
             for ((&i, along), up) in entries.iter().zip(along).zip(up) {
                 let record = &water[i as usize].0;
                 let (dx, dy) = (L::splat(record[Record::X]) - x, L::splat(record[Record::Y]) - y);
                 let s = dx.mul_add(dx, dy * dy).max(L::splat(1e-12));
                 let inverse = s.rsqrt();
-                let weight = L::splat(record[Record::WEIGHT]);
-                let slope = K::slope_over_q(s, [s * inverse, inverse]) * weight;
-                let [x, y] = [slope * xx.mul_add(dx, xy * dy), slope * xy.mul_add(dx, yy * dy)];
-                (x * volume).store(along);
-                (y * volume).store(up);
-                (sum_x, sum_y) = (sum_x + x, sum_y + y);
+                let slope = K::slope_over_q(s, [s * inverse, inverse]);
+                let slope = slope * L::splat(record[Record::WEIGHT]) * volume;
+                (slope * xx.mul_add(dx, xy * dy)).store(along);
+                (slope * xy.mul_add(dx, yy * dy)).store(up);
             }
-            sums[row] = store([sum_x, sum_y]);
         }
     }
 }

@@ -1,14 +1,15 @@
 //! A bed that gives back, at the edge of the water.
 //!
-//! A smooth face pushes along its normal alone. Yet a ghost pushes the water along the face (t) as well, by -p_g S_g with
+//! A smooth face pushes along its normal alone. Yet where water ends, as at the edge of a tongue on a beach, a ghost
+//! pushes the water along the face (t) as well. The push is -p_g S_g:
 //!
 //! ```text
 //! S_g = t t·V_g (Σ_i V_i L_g ∇W_ig + Σ_g' V_g' ∇W_g'g)
 //! ```
-//! where water ends, as at the edge of a tongue on a beach. And as the tongue runs up it covers ghosts ahead of it. That
-//! counts as water that runs into them, S_g·u per second, and presses the tongue that gives it back. So a ghost takes
-//! velocities relative to ū, the mean of the water around its mirror point: it takes S_g·ū less. And that water gets back
-//! what the ghost pushes along the face, each particle w_k p_g S_g. Both do the same work, so no energy is made.
+//! And as the tongue runs up it covers ghosts ahead of it. That counts as water that runs into them, S_g·u per second. The
+//! tongue gives it back, which presses it. So a ghost takes velocities relative to ū, the mean of the water around its
+//! mirror point: it takes S_g·ū less. And that water gets back what the ghost pushes along the face, each particle
+//! w_k p_g S_g. Both do the same work, so no energy is made.
 //!
 //! The second sum is over other ghosts of the bed (L_g is one on beds that are not level). Where the bed bends, they stand
 //! where water is missing.
@@ -26,7 +27,7 @@ use crate::pairs::{PairList, PointSet, build_pair_list};
 use crate::with_kernel;
 
 /// Sums of V_j ∇W_gj around eight ghosts, along x and up, 1/m.
-pub(super) type Around = [[f64; LANES]; 2];
+type Around = [[f64; LANES]; 2];
 
 /// All is handed back where the water on the bed is no thicker than this, over the support radius R. Where it is as thick
 /// as R no ghost has the edge in reach, and nothing is.
@@ -72,14 +73,14 @@ impl Smooth {
         self.slants = vec![Default::default(); self.own.len()];
     }
 
-    /// Finds S_g at a block, of the sums over the water around each ghost, the ghosts' volumes, and their pressures as heads
-    /// in metres. It is zero before the shore and on steep slopes, within two support radii of walls (see `alongside.rs`),
-    /// and where the water is thick: there it would be noise, under a high pressure.
+    /// Finds S_g at a block, of V_g V_i L_g ∇W_ig of the water around each ghost along x and up, the ghosts' volumes, and
+    /// their pressures as heads in metres. It is zero before the shore and on steep slopes, and within two support radii of
+    /// walls (see `alongside.rs`). So it is where the water is thick: there it would be noise, under a high pressure.
     pub fn find(
         &mut self,
         block: usize,
         (ghosts, walls, radius): (&Ghosts, &[Plane], f64),
-        (water, volume, head): (&Around, &[f64; LANES], &[f64; LANES]),
+        (fluxes, volume, head): ([&[[f64; LANES]]; 2], &[f64; LANES], &[f64; LANES]),
     ) {
         let slants = &mut self.slants[block];
         *slants = Default::default();
@@ -93,8 +94,11 @@ impl Smooth {
             }
             let thickness = (head[lane] - ghosts.distance[g]) / radius;
             let thin = ((1.0 - thickness) / (1.0 - THIN)).clamp(0.0, 1.0);
-            let [x, y] = [0, 1].map(|axis: usize| water[axis][lane] + self.own[block][axis][lane]);
-            let along = thin * volume[lane] * (nx * y - ny * x);
+            let [x, y] = [0, 1].map(|axis: usize| {
+                let water: f64 = fluxes[axis].iter().map(|flux| flux[lane]).sum();
+                volume[lane].mul_add(self.own[block][axis][lane], water)
+            });
+            let along = thin * (nx * y - ny * x);
             (slants[0][lane], slants[1][lane]) = (-ny * along, nx * along);
         }
     }
@@ -117,16 +121,6 @@ impl Smooth {
         let [along, up] = &self.slants[block];
         [L::load(along), L::load(up)]
     }
-}
-
-/// Sums around eight ghosts.
-#[inline(always)]
-pub(super) fn store<L: Lanes>(sums: [L; 2]) -> Around {
-    let mut found = Around::default();
-    for (part, sum) in found.iter_mut().zip(sums) {
-        sum.store(part);
-    }
-    found
 }
 
 /// What ghosts have of each other; those that pad blocks have no volume.
@@ -162,7 +156,10 @@ impl<K: Kernel> Task for Own<'_, K> {
                 along = slope.mul_add(dx, along);
                 up = slope.mul_add(dy, up);
             }
-            store([along, up])
+            let mut found = Around::default();
+            along.store(&mut found[0]);
+            up.store(&mut found[1]);
+            found
         };
         own_x.iter().zip(own_y).enumerate().map(of_block).collect()
     }

@@ -87,7 +87,7 @@ mod tests {
              bed = [[0, 0], [1.4, 0], [2, 0.3]]\n{more}"
         );
         let numerics = format!("particle_spacing_m = 0.04\nboundary = \"normalized\"\n{numerics}");
-        CaseConfig::from_tables(&scene.parse().unwrap(), &numerics.parse().unwrap()).unwrap()
+        CaseConfig::of(&scene, &numerics)
     }
 
     fn key(config: &CaseConfig) -> Key {
