@@ -91,7 +91,7 @@ impl Giving {
             let volume = weights(records[1], row).map(|weight| weight / weight_per_volume);
             let head = images[row].pressure.map(|pressure| pressure / weight);
             let fluxes = self.fluxes.each_ref().map(|flux| flux.of(row).1);
-            self.smooth.find(row, (ghosts, &walls, reach), (fluxes, &volume, &head));
+            self.smooth.find(row, (ghosts, &walls, reach), (fluxes, [&volume, &head]));
         }
     }
 

@@ -80,7 +80,7 @@ impl Smooth {
         &mut self,
         block: usize,
         (ghosts, walls, radius): (&Ghosts, &[Plane], f64),
-        (fluxes, volume, head): ([&[[f64; LANES]]; 2], &[f64; LANES], &[f64; LANES]),
+        (fluxes, [volume, head]): ([&[[f64; LANES]]; 2], [&[f64; LANES]; 2]),
     ) {
         let slants = &mut self.slants[block];
         *slants = Default::default();
