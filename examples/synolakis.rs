@@ -78,9 +78,8 @@ fn main() -> Result<(), Failed> {
 const HEAD: &str = "# Solitary waves on a beach of 1:19.85
 
 Made by `scripts/experiments` from `sweeps/synolakis_1987.toml`, still water 0.3 m deep. What was measured is Synolakis's
-(1987), brought to the height of the run from heights within 15 % of it; in brackets from how many. The edge of the water
-is read where the tongue is one spacing thick, and counts from where still water ends so. The times are
-those of a machine that did other work, too.
+(1987), brought to the height of the run from heights within 15 % of it; in brackets from how many. Runups are told where
+the tongue is 7.5 mm thick, 0.025 h (`runup_thickness_m`). The times are those of a machine that did other work, too.
 
 | H/h | spacing, mm | spacing, h | runup, h | measured, h | off | run, s |
 |---|---|---|---|---|---|---|
@@ -90,13 +89,10 @@ const FOOT: &str = "
 ![runup over height](synolakis_1987/runup.svg)
 
 The wave that arrives is right: at 15 mm and 3 m from the paddle its crest is 0.0997 and 0.2976 h of 0.1 and 0.3 h, and
-0.104 and 0.298 h at the beach's foot. What is missing is the thin end of the tongue. The equations of shallow water
-without friction tell how thick a tongue is: at H/h = 0.1 water of 0.05, 0.025 and 0.0125 h thickness gets 0.10, 0.21 and
-0.30 h up, at 0.3 it gets 0.26, 0.44 and 0.61 h up. So an edge that is one spacing thick lies lower the coarser the
-spacing. Viscosity and shifting are not the cause: without the first, runup at 15 mm was lower (0.156 and 0.309 h), without
-the second it was 0.166 and 0.381 h, for 0.164 and 0.374 h with both. (Heights, tongues and these runs were found once, by
-hand, before the water came to rest first. Since it does, the edge no longer sinks by three quarters of a spacing at the
-start, and each runup is higher by so much.)
+0.104 and 0.298 h at the beach's foot. What was measured is the tip of the tongue, which has friction. By the equations of
+shallow water without friction water of 0.05, 0.025 and 0.0125 h thickness gets 0.10, 0.21 and 0.30 h up at H/h = 0.1, and
+0.26, 0.44 and 0.61 h at 0.3. So a runup means something with a thickness alone. Where the tongue is one spacing thick it is
+0.107, 0.200 and 0.412 h at 15 mm for the three waves, and 0.138, 0.278 and 0.560 h at 7.5 mm.
 ";
 
 fn draw(computed: &[Runup], measured: &[Runup], path: &std::path::Path) -> Result<(), Failed> {

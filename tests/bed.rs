@@ -44,37 +44,6 @@ fn runup_behind_dry_ground_is_that_of_the_water_there() {
     }
 }
 
-/// R of a wave of H/h = 0.06 in ten rows of water, on a beach from 4 m on that ends at a length in metres and 0.3 m high.
-/// The run ends so many seconds after the paddle's stroke.
-fn runup_on_beach(length: &str, seconds: &str) -> f64 {
-    let scene = format!(
-        "tank_length_m = {length}\nstill_water_depth_m = 0.2\nwave_height_ratio = 0.06\nwave_gauge_m = 2\n\
-         end_after_stroke_centre_s = {seconds}\nbed = [[0, 0], [4, 0], [{length}, 0.3]]"
-    );
-    computed(&scene, &[]).outcome.runup_max.value
-}
-
-/// R of a wave of H/h = 0.06 on 1:2 by the integral of linear theory for a plane beach (Synolakis 1987), ∫ Φ(k) 2/(J0 - i J1)
-/// exp(-ikt) dk at 2k cot β. Before the water came to rest first, the edge sank by 16 mm, and R was 0.087.
-#[test]
-fn runup_on_a_steep_beach_is_that_of_linear_theory() {
-    const EXACT: f64 = 0.1423;
-    let runup = runup_on_beach("4.6", "4.5");
-    println!("R {runup} h for {EXACT} h");
-    assert!((-0.05..0.01).contains(&(runup / EXACT - 1.0)), "{runup}");
-}
-
-/// On gentler beaches the edge is read where the water is one spacing thick. That place rises less than the tip. By the same
-/// integral, J0(2k √(x cot β)) in the numerator for the place x where still water is so thick, it rises by 0.1487 h at ten rows on 1:5;
-/// the tip rises by 0.1995 h.
-#[test]
-fn water_one_spacing_thick_gets_as_high_as_by_linear_theory() {
-    const EXACT: f64 = 0.1487;
-    let runup = runup_on_beach("5.5", "5");
-    println!("R {runup} h for {EXACT} h");
-    assert!((runup / EXACT - 1.0).abs() < 0.04, "{runup}");
-}
-
 /// A bed that is written out and level is the bed that needs no writing.
 #[test]
 fn a_level_bed_is_a_flat_tank() {

@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use super::config::CaseConfig;
 use super::kind::Scene;
 use super::numerics::{Numerics, Scheme};
-use crate::boundary::{BoundaryChoice, Profile, STEEP};
+use super::seawall::SeawallScene;
+use crate::boundary::{BoundaryChoice, Profile};
 use crate::scheme::isph::Laplacian;
 use crate::scheme::wcsph::Shifting;
 
@@ -154,10 +155,19 @@ impl Facts<'_> {
 
     /// Whether a wave runs up a beach, where so many rows read a thin tongue low.
     pub fn reads_thin_tongues(&self) -> bool {
-        // On steeper ones no tongue of water lies.
-        let beach = self.wave > 0.0 && self.scene().has_shore() && !self.scene().comes_out(STEEP);
-        // Behind what comes out of the water runups are those at the wall.
-        beach && self.rows_at_wall().is_none() && self.rows.is_some_and(|rows| rows <= 40.0)
+        // On steeper ones no tongue of water lies. Behind what comes out of the water runups are those at the wall.
+        let beach = self.scene().seawall().is_some_and(SeawallScene::is_at_beach);
+        let coarse = self.rows.is_some_and(|rows| rows <= 40.0);
+        self.wave > 0.0 && beach && coarse && self.runup_thickness().is_none()
+    }
+
+    /// Whether runups are told where a tongue's particles lie apart.
+    pub fn thins_out(&self) -> bool {
+        self.runup_thickness().is_some_and(|thickness| thickness < self.numerics.particle_spacing_m)
+    }
+
+    fn runup_thickness(&self) -> Option<f64> {
+        self.scene().seawall()?.runup_thickness_m
     }
 
     /// Whether its bed has a trench into which no particle fits.

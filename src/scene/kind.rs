@@ -201,6 +201,7 @@ impl Scene {
             Scene::Seawall(scene) => {
                 scene.validate()?;
                 scene.validate_bed(numerics)?;
+                scene.validate_runup(numerics)?;
                 scene.validate_crest(numerics)?;
                 scene.validate_absorption(numerics)?;
             }

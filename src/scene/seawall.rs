@@ -89,6 +89,9 @@ section! {
             unit("kg/m").above_zero().only("wall", &["movable", "caisson"]).needed();
         /// Where the wave height is measured: from the paddle at rest, inside the tank.
         wave_gauge_m: f64 = 1.5, unit("m").above_zero();
+        /// Runups on a beach are told where the water on it is so thick: half a particle spacing, or more.
+        runup_thickness_m: Option<f64> = None,
+            unit("m").above_zero().otherwise("where half of the bed is wet, about a spacing").newer();
         /// Spacing of the history's samples.
         history_interval_s: f64 = 0.005, unit("s").above_zero();
     }
@@ -98,7 +101,7 @@ section! {
         /// The stroke that it plays.
         recorded: RecordedStrokeKeys where paddle == PaddleChoice::RecordedStroke;
         /// The caisson that the wall is.
-        caisson: CaissonKeys where wall == WallChoice::Caisson;
+        caisson: Box<CaissonKeys> where wall == WallChoice::Caisson;
         /// The crest that the wall ends in.
         crest: CrestKeys where behind != Behind::Nothing;
         /// The floor behind it.
@@ -179,7 +182,7 @@ impl SeawallScene {
         let friction = |keys: &CaissonKeys| 1.0 + keys.holding_friction() / static_force;
         match self.wall {
             WallChoice::Fixed | WallChoice::Movable => self.threshold_ratio,
-            WallChoice::Caisson => self.caisson.as_ref().map_or(self.threshold_ratio, friction),
+            WallChoice::Caisson => self.caisson.as_deref().map_or(self.threshold_ratio, friction),
         }
     }
 
@@ -212,7 +215,7 @@ impl SeawallScene {
             spring_stiffness_n_per_m: None,
             seawall_mass_kg_per_m: None,
             force_coupling: FORCE_COUPLING,
-            caisson: self.caisson.as_ref().map(CaissonKeys::held),
+            caisson: self.caisson.as_deref().map(CaissonKeys::held).map(Box::new),
             ..self.clone()
         }
     }

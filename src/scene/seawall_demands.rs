@@ -5,6 +5,7 @@ use super::seawall::{
     FORCE_COUPLING, PaddleChoice, SeawallScene, THRESHOLD_RATIO, WallChoice, error, validate_lean,
 };
 use crate::body::CaissonKeys;
+use crate::boundary::STEEP;
 use crate::keys::ConfigError;
 
 /// Instants of a stroke at which its reach is looked at.
@@ -81,7 +82,7 @@ impl SeawallScene {
                 return error(key, value, &allowed);
             }
         }
-        self.caisson.as_ref().map_or(Ok(()), CaissonKeys::validate)?;
+        self.caisson.as_deref().map_or(Ok(()), CaissonKeys::validate)?;
         validate_lean(angle, self.still_water_depth_m, self.tank_length_m)
     }
 
@@ -153,6 +154,32 @@ impl SeawallScene {
         }
         if self.wall.moves() && !(bed.ends_level() && toe < self.still_water_depth_m) {
             return told("must end level and under still water where the wall moves");
+        }
+        Ok(())
+    }
+
+    /// Whether still water ends on a bed of less than 45 degrees, and the wall stands dry.
+    pub(super) fn is_at_beach(&self) -> bool {
+        let depth = self.still_water_depth_m;
+        self.bed.as_ref().is_some_and(|bed| {
+            bed.end()[1] >= depth && bed.is_steep_at(depth, 0.0) && !bed.is_steep_at(depth, STEEP)
+        })
+    }
+
+    /// Checks what a thickness at which runups are told asks of bed and particles.
+    pub(super) fn validate_runup(&self, numerics: &Numerics) -> Result<(), ConfigError> {
+        let Some(thickness) = self.runup_thickness_m else { return Ok(()) };
+        let told = |allowed: &str| error("runup_thickness_m", thickness, allowed);
+        if !self.is_at_beach() {
+            return told(
+                "is for beaches: a bed of less than 45 degrees where still water ends, and a wall that stands dry",
+            );
+        }
+        let (least, most) = (0.5 * numerics.particle_spacing_m, self.still_water_depth_m);
+        if !(least..=most).contains(&thickness) {
+            return told(&format!(
+                "must be {least} to {most} m: half a particle spacing, and the still water's depth"
+            ));
         }
         Ok(())
     }

@@ -41,6 +41,7 @@ mod sounding;
 mod state;
 mod surface;
 mod told;
+mod tongue;
 mod wall_load;
 mod watch;
 mod waves;

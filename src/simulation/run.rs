@@ -11,6 +11,7 @@ use super::logbook::Logbook;
 use super::sounding::Near;
 use super::state::{Clock, RunState};
 use super::surface::Lens;
+use super::tongue::Tongue;
 use super::watch::{self, Watch};
 use crate::body::{Motions, Place, Wall, WallStep};
 use crate::math::simd::SimdPath;
@@ -30,6 +31,8 @@ pub(super) struct Run {
     pub(super) lens: Lens,
     /// Where the bed ends and where it is highest, metres above its beginning, where it is not level.
     pub(super) bed: Option<[f64; 2]>,
+    /// Water on a beach, where runups are told at a thickness that is given.
+    pub(super) tongue: Option<Tongue>,
     pub(super) films: u64,
     pub(super) time_step: f64,
     pub(super) bounds: HealthBounds,
@@ -60,6 +63,7 @@ impl Run {
             watch: watch::of(config, &tank),
             lens: Lens::of(tank.water.kernel()),
             bed: profile.map(|bed| [bed.end()[1], bed.range()[1]]),
+            tongue: profile.and_then(|bed| Tongue::of(config, bed)),
             films: 0,
             near: Near::default(),
             crowding: Crowding::default(),
@@ -105,11 +109,7 @@ impl Run {
             let bodies = self.tank.motions(time);
             let dt = self.time_step.min(self.tank.water.step_limit());
             self.tank.water.prepare(&bodies, dt).map_err(|error| self.step_failure(&error))?;
-            let load = self.wall_load();
-            if !load.force.is_finite() {
-                let failure = self.failure(FailureKind::NotANumber, "the wall's force".into());
-                return Err(failure.into());
-            }
+            let load = self.finite_load()?;
             if until_onset && self.is_onset(load.force, dt) {
                 return Ok(Some(self.state()));
             }

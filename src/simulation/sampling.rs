@@ -13,6 +13,7 @@ use super::quiet_travel::Mount;
 use super::run::Run;
 use super::sounding::Sounding;
 use super::surface::APART;
+use super::tongue::Tongue;
 use crate::body::{BodyMotion, Motions, Place};
 use crate::scene::FARTHEST_WALL;
 use crate::theory::hydrostatics::wall_force;
@@ -26,9 +27,11 @@ impl Run {
     /// Takes a step's reading, and the wave gauge's where one is due, before the wall moves: the force
     /// on it is given in N per metre of width, the acceleration by which it answers in m/s².
     pub(super) fn read(&mut self, (force, acceleration): (f64, f64)) -> Reading {
-        let Run { tank, logbook, clock, lens, bed, .. } = self;
+        let Run { tank, logbook, clock, lens, bed, tongue, .. } = self;
         let (frame, depth) = (tank.frame, tank.frame.depth);
         let at_wall = tank.water.level_at(Place::Right.number());
+        let on_beach = |tongue: &mut Tongue| tongue.level(tank.water.fluid(), at_wall);
+        let at_wall = tongue.as_mut().map_or(at_wall, on_beach);
         let wall = tank.wall.state();
         let (_, radius) = tank.water.kernel();
         let toe = bed.map_or(0.0, |[toe, _]| toe);

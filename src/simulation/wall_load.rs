@@ -1,5 +1,6 @@
 //! The water's load on the wall, and what it lacks at rest.
 
+use super::failure::{Failure, FailureKind};
 use super::run::Run;
 use crate::body::Place;
 use crate::scheme::Load;
@@ -19,6 +20,15 @@ impl Run {
             self.logbook.lopsided = self.lopsided(load.force);
         }
         Load { force: load.force + self.lacking_at_rest(), ..load }
+    }
+
+    /// The same, which must be a number.
+    pub(super) fn finite_load(&mut self) -> Result<Load, Failure> {
+        let load = self.wall_load();
+        if load.force.is_finite() {
+            return Ok(load);
+        }
+        Err(self.failure(FailureKind::NotANumber, "the wall's force".to_owned()))
     }
 
     /// How much more than the paddle still water presses the wall with this force at the start, over

@@ -5,6 +5,8 @@
 
 #[path = "../absorption.rs"]
 mod absorption;
+#[path = "../beach.rs"]
+mod beach;
 #[path = "../bed.rs"]
 mod bed;
 #[path = "../bed_rest.rs"]
