@@ -79,7 +79,13 @@ impl Stroke {
             return Err(format!("must begin at 0 s or later, not at {} s", points[0][0]));
         }
         if let Some(pair) = points.windows(2).find(|pair| pair[1][0] <= pair[0][0]) {
-            return Err(format!("goes from {} s back to {} s", pair[0][0], pair[1][0]));
+            let [before, after] = [pair[0][0], pair[1][0]];
+            let how = if after == before {
+                format!("has two points at {before} s")
+            } else {
+                format!("goes from {before} s back to {after} s")
+            };
+            return Err(format!("{how}: times must rise"));
         }
         let range = RecordedStroke::through(&points).range;
         Ok(Stroke(Shared::from(Played { points, range })))

@@ -5,6 +5,22 @@ pub fn significant(value: f64, digits: usize) -> f64 {
     format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
 }
 
+/// A positive value rounded up to a number of significant digits, as a bound from below is told.
+pub fn rounded_up(value: f64, digits: usize) -> f64 {
+    to_digits(value, digits, f64::ceil)
+}
+
+/// A positive value rounded down, as a bound from above is told.
+pub fn rounded_down(value: f64, digits: usize) -> f64 {
+    to_digits(value, digits, f64::floor)
+}
+
+fn to_digits(value: f64, digits: usize, whole: impl Fn(f64) -> f64) -> f64 {
+    let power = libm::log10(value).floor() - digits.saturating_sub(1) as f64;
+    let unit = libm::pow(10.0, power);
+    significant(whole(value / unit) * unit, digits)
+}
+
 /// A number as programs write it, or as tables print it: `5e4`, `5×10⁴`, `10⁷`.
 pub fn read(text: &str) -> Option<f64> {
     text.parse().ok().or_else(|| {
@@ -34,6 +50,14 @@ mod tests {
         for bad in ["", "×10⁴", "5×10", "10⁴x", "5x10⁴", "110⁴", "10⁻", "a×10²"] {
             assert_eq!(read(bad), None, "{bad}");
         }
+    }
+
+    #[test]
+    fn bounds_are_rounded_to_their_side() {
+        assert_eq!(rounded_up(0.376_272, 3), 0.377);
+        assert_eq!(rounded_down(0.376_972, 3), 0.376);
+        assert_eq!([rounded_up(326.272, 6), rounded_down(326.272, 6)], [326.272; 2]);
+        assert_eq!(rounded_up(9.991, 3), 10.0);
     }
 
     #[test]

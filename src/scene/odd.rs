@@ -8,12 +8,16 @@ use super::kind::Scene;
 use super::numerics::Numerics;
 use super::seawall::{SeawallScene, WallChoice};
 use crate::keys::ConfigError;
+use crate::math::decimal::rounded_up;
 
 /// A wave tank shorter than so many still water depths leaves a wave no room: a solitary wave of half
 /// the depth is ten depths long.
 const SHORTEST_TANK: f64 = 5.0;
 /// Water, kg/m³: 958 when it boils, 1000 fresh, 1025 in the sea, 1240 in the Dead Sea.
 const WATER: [f64; 2] = [900.0, 1300.0];
+
+/// Digits in which a bound is told that must itself be well.
+const DIGITS: usize = 4;
 
 /// Fewer steps show nothing.
 const FEWEST_STEPS: f64 = 2.0;
@@ -143,8 +147,8 @@ fn gauge(scene: &SeawallScene, numerics: &Numerics) -> Option<ConfigError> {
     let least = stroke + numerics.support_radius_ratio * numerics.particle_spacing_m;
     let told = || {
         format!(
-            "the paddle goes {stroke:.3} m into the tank, and a gauge nearer than {least:.3} m reads the water at its \
-         face, no wave"
+            "the paddle goes {stroke:.3} m into the tank, and a gauge nearer than {} m reads the water at its face, no wave",
+            rounded_up(least, DIGITS)
         )
     };
     (scene.wave_gauge_m < least)

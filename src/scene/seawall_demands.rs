@@ -7,9 +7,12 @@ use super::seawall::{
 use crate::body::CaissonKeys;
 use crate::boundary::STEEP;
 use crate::keys::ConfigError;
+use crate::math::decimal::{rounded_down, rounded_up};
 
 /// Instants of a stroke at which its reach is looked at.
 const INSTANTS: u32 = 200;
+/// Digits in which bounds are told.
+const DIGITS: usize = 4;
 /// A paddle that never stands is looked at so long, seconds.
 const LONGEST: f64 = 1e4;
 
@@ -43,8 +46,11 @@ impl SeawallScene {
         if let Some((keys, waves)) = self.wave_train.as_ref().zip(self.regular_waves())
             && !waves.is_fit(self.wave_height_ratio, self.still_water_depth_m)
         {
-            let allowed = "makes waves too long for their height: H L²/h³ must be below 8π²/3";
-            return error("wave_period_s", keys.wave_period_s, allowed);
+            let allowed = format!(
+                "must be {} s or less: longer waves are too long for their height, as H L²/h³ must be below 8π²/3",
+                rounded_down(self.longest_period_s(), DIGITS)
+            );
+            return error("wave_period_s", keys.wave_period_s, &allowed);
         }
         let reach = self.recorded.as_ref().map_or(0.0, |keys| keys.recorded_stroke.reach());
         if reach > 0.5 * self.tank_length_m {
@@ -54,12 +60,20 @@ impl SeawallScene {
         let forth = self.paddle().map_or(0.0, |paddle| paddle.goes_forth());
         if forth >= self.tank_length_m {
             let allowed = format!(
-                "must be more than {forth:.3}, as far as the paddle goes in water of still_water_depth_m = {}",
+                "must be more than {}, as far as the paddle goes in water of still_water_depth_m = {}",
+                rounded_up(forth, DIGITS),
                 self.still_water_depth_m
             );
             return error("tank_length_m", self.tank_length_m, &allowed);
         }
         Ok(())
+    }
+
+    /// The period at which regular waves of this height are as long as they may be: (kh)² = 3/2 H/h.
+    fn longest_period_s(&self) -> f64 {
+        let long = (1.5 * self.wave_height_ratio).sqrt();
+        let rate = self.gravity_m_per_s2 / self.still_water_depth_m * long * libm::tanh(long);
+        std::f64::consts::TAU / rate.sqrt()
     }
 
     fn validate_wall(&self) -> Result<(), ConfigError> {
@@ -143,7 +157,8 @@ impl SeawallScene {
         if bed.level_up_to() < reach {
             let up_to = bed.level_up_to();
             return told(&format!(
-                "must be level as far as the paddle goes, up to {reach:.3} m or farther, not {up_to} m"
+                "must be level as far as the paddle goes, up to {} m or farther, not {up_to} m",
+                rounded_up(reach, DIGITS)
             ));
         }
         let [lowest, _] = bed.range();
@@ -210,5 +225,42 @@ impl SeawallScene {
             return told("is not for stop_when_settled = true: the paddle never stands");
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::CaseConfig;
+
+    fn refused(scene: &str) -> Option<String> {
+        let case = CaseConfig::from_tables(&scene.parse().unwrap(), &toml::Table::new());
+        case.err().map(|error| error.to_string())
+    }
+
+    /// The story: a bed had to be level up to 0.376 m, and one that was got the same message.
+    #[test]
+    fn a_bound_that_is_told_is_allowed() {
+        let bed = |level: &str| refused(&format!("bed = [[0, 0], [{level}, 0], [2.5, 0.1]]"));
+        let told = bed("0.1").unwrap();
+        let least = told.split("up to ").nth(1).unwrap().split(' ').next().unwrap();
+        assert_eq!((least, bed(least)), ("0.3763", None), "{told}");
+        assert!(bed("0.3762").is_some());
+        let train = |period: &str| {
+            refused(&format!(
+                "paddle = \"wave-train\"\nwave_height_ratio = 0.2\nend_time_s = 5\nwave_period_s = {period}"
+            ))
+        };
+        let told = train("10").unwrap();
+        let most = told.split("must be ").nth(1).unwrap().split(' ').next().unwrap();
+        assert_eq!((most, train(most)), ("1.716", None), "{told}");
+        assert!(train("1.717").is_some());
+        let tank = |length: &str| {
+            refused(&format!(
+                "still_water_depth_m = 2\nwave_gauge_m = 0.5\ntank_length_m = {length}"
+            ))
+        };
+        let told = tank("1").unwrap();
+        let least = told.split("more than ").nth(1).unwrap().split(',').next().unwrap();
+        assert_eq!(tank(&format!("{least}1")), None, "{told}");
     }
 }

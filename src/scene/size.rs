@@ -4,6 +4,7 @@ use super::kind::Scene;
 use super::numerics::Numerics;
 use super::seawall::SeawallScene;
 use crate::keys::ConfigError;
+use crate::math::decimal::{rounded_down, rounded_up, significant};
 
 /// Particles of water that are taken at most: some 30 GB, and weeks on one core.
 pub(super) const MOST_PARTICLES: f64 = 20e6;
@@ -14,6 +15,9 @@ const MOST_GHOSTS: f64 = 2e6;
 
 /// Steps that are taken at most: thousands of years on one core.
 const MOST_STEPS: f64 = 1e13;
+
+/// Digits in which bounds are told.
+const DIGITS: usize = 3;
 
 /// Particles of a scene from its area of water, without laying any of them out.
 pub(super) fn particles(scene: &Scene, numerics: &Numerics) -> f64 {
@@ -30,13 +34,13 @@ pub(super) fn validate(scene: &Scene, numerics: &Numerics) -> Result<(), ConfigE
     if count <= MOST_PARTICLES {
         return demand_an_end(scene, numerics);
     }
-    let remedy = match rounded_up((area / MOST_PARTICLES).sqrt()) {
+    let remedy = match rounded_up((area / MOST_PARTICLES).sqrt(), DIGITS) {
         smallest if smallest.is_finite() => format!("choose {} m or more", written(smallest)),
         _ => "make the tank smaller".to_owned(),
     };
     let allowed = format!(
         "would cut {} m² of water into {} particles, and {} are the most: {remedy}",
-        written(crate::math::decimal::significant(area, 3)),
+        written(significant(area, DIGITS)),
         whole(count),
         whole(MOST_PARTICLES)
     );
@@ -71,7 +75,7 @@ impl SeawallScene {
 /// The key, and the longest that it may be with these particles.
 pub(super) fn validate_walls(scene: &SeawallScene, numerics: &Numerics) -> Result<(), ConfigError> {
     let (spacing, rows) = (numerics.particle_spacing_m, numerics.support_radius_ratio);
-    let longest = rounded_down(MOST_GHOSTS * spacing / rows);
+    let longest = rounded_down(MOST_GHOSTS * spacing / rows, DIGITS);
     for (key, length) in lengths(scene) {
         let Some(length) = length.filter(|length: &f64| *length > longest) else { continue };
         let (subject, value) = match key {
@@ -117,18 +121,6 @@ fn whole(count: f64) -> String {
     pieces.fold(String::new(), |told, (gap, digit)| {
         told + if gap { "," } else { "" } + &digit.to_string()
     })
-}
-
-/// Rounds up to three significant digits.
-fn rounded_up(value: f64) -> f64 {
-    let unit = libm::pow(10.0, libm::log10(value).floor() - 2.0);
-    crate::math::decimal::significant((value / unit).ceil() * unit, 3)
-}
-
-/// Rounds down to three.
-fn rounded_down(value: f64) -> f64 {
-    let unit = libm::pow(10.0, libm::log10(value).floor() - 2.0);
-    crate::math::decimal::significant((value / unit).floor() * unit, 3)
 }
 
 #[cfg(test)]

@@ -97,6 +97,7 @@ fn a_bad_file_is_told_with_its_line() {
         ("time_s,stroke_m\n0,0\n1,2\n", "must have three points or more"),
         ("time_s,stroke_m\n-1,0\n2,0\n3,0\n", "must begin at 0 s or later, not at -1 s"),
         ("time_s,stroke_m\n0,0\n2,0\n1,0\n", "goes from 2 s back to 1 s"),
+        ("time_s,stroke_m\n0,0\n1,0\n1,0\n", "has two points at 1 s: times must rise"),
         ("time_s,stroke_m\n0,0\n1,inf\n2,0\n", "has a point at 1 s, inf m: both"),
     ];
     for (text, message) in bad {

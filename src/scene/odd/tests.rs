@@ -61,7 +61,10 @@ fn slips_are_told_with_key_and_value() {
             "wave_height_ratio = 0.05\nend_after_stroke_centre_s = 9",
             "scene.wave_gauge_m = 1.5: the gauge stands so near to the wall that what is sent back adds up to 8 %",
         ),
-        ("wave_gauge_m = 0.37", "scene.wave_gauge_m = 0.37: the paddle goes 0.326 m into the"),
+        (
+            "wave_gauge_m = 0.37",
+            "scene.wave_gauge_m = 0.37: the paddle goes 0.326 m into the tank, and a gauge nearer than 0.3763 m reads",
+        ),
         (
             "bed = [[0, 0], [0.6, 0], [2, 0.28], [2.5, 0.28]]\nwave_gauge_m = 1.7",
             "scene.wave_gauge_m = 1.7: the gauge stands on a beach that is 0.220 m high",
