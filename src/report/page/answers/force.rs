@@ -52,9 +52,6 @@ pub fn largest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
         Some(format!("{}{newtons}{comma}{place}.", result("F*", row, column(row))?))
     };
     let mut text = format!("{is} {}", told((row, force))?);
-    if let Some(other) = other.and_then(told) {
-        text.push_str(&format!(" In newtons it is {other}"));
-    }
     if let Some(depth) = depth_at_wall(data, file, row) {
         let depth = number::significant(depth, 4);
         text.push_str(&format!(" Over this bed h of F* is the depth at the wall, {depth} m."));
@@ -66,6 +63,10 @@ pub fn largest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
     // Of a case alone its doubts tell as much.
     if row.is(&DOUBTFUL) && !alone {
         text.push_str(" The result is doubtful: look at its history first.");
+    }
+    // Last, as all before it is of the other case.
+    if let Some(other) = other.and_then(told) {
+        text.push_str(&format!(" In newtons it is {other}"));
     }
     Some(text)
 }
@@ -188,5 +189,15 @@ mod tests {
             told.contains(" In newtons it is F* = 2, that is 1.57 kN per metre of wall,"),
             "{told}"
         );
+        // Of a level bed in newtons and a slope in F* the former was told to have a depth of its own at the wall.
+        data.keys.pop();
+        let slope = "[[0, 0], [1, 0], [2, 0.1], [2.5, 0.1]]";
+        data.keys.push(Key::new("bed", ["[[0, 0], [2.5, 0]]", slope]));
+        let told = largest(&data, SceneFile::of(&data).as_ref()).unwrap();
+        let [first, newtons] = told.split(" In newtons it is ").collect::<Vec<_>>()[..] else {
+            panic!("{told}")
+        };
+        assert!(first.contains("Over this bed h of F* is the depth at the wall, 0.1 m."), "{told}");
+        assert!(newtons.starts_with("F* = 2,") && !newtons.contains("Over this bed"), "{told}");
     }
 }
