@@ -53,7 +53,7 @@ pub(super) fn warnings(study: &Study, time: (f64, usize)) -> Vec<String> {
         cases => format!("{line} (in {})", counted(cases, "case")),
     };
     let odd = odd.into_values().map(told).chain(unaimed(study)).chain(without_bars(study));
-    odd.chain(long(study, time)).chain(limited(study)).collect()
+    odd.chain(unbarred(study)).chain(long(study, time)).chain(limited(study)).collect()
 }
 
 /// A single scene runs as it is, whatever error its file aims at.
@@ -74,6 +74,19 @@ fn without_bars(study: &Study) -> Option<String> {
     Some(format!(
         "numerics.error_bars: {} will have none, as a companion with coarser particles cannot run{why}; a smaller \
          numerics.particle_spacing_m helps",
+        counted(cases, "case")
+    ))
+}
+
+/// How many cases ask for error bars and are no seawalls: their companions run, and nothing comes of them.
+fn unbarred(study: &Study) -> Option<String> {
+    let pairs = study.cases.iter().zip(&study.companions_of);
+    let in_vain =
+        pairs.filter(|(case, own)| !own.is_empty() && case.config.scene.seawall().is_none());
+    let cases = Some(in_vain.count()).filter(|&cases| cases > 0)?;
+    Some(format!(
+        "numerics.error_bars: {} will have none, as only scenes of seawalls have them; \"none\" saves the time of their \
+         companions",
         counted(cases, "case")
     ))
 }

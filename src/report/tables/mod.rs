@@ -16,9 +16,10 @@ use super::variant::file_name;
 use crate::quantities::summary::{
     CASE_ID, DISPLACEMENT_ERROR, DISPLACEMENT_MAX, DISPLACEMENT_TRUNCATED, DOUBTFUL,
     DOUBTFUL_REASON, ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_COUPLING, FORCE_ERROR,
-    FORCE_GAP, FORCE_MAX, FORCE_MAX_GAP, LOG10_K_STAR, M_STAR, MEASURED_WAVE_HEIGHT_RATIO,
-    PARTICLES, PARTICLES_LOST, REASON, RUNUP_ERROR, RUNUP_MAX, SEAWALL_MASS, SPRING_STIFFNESS,
-    STATUS, STEPS, STOP_IMPULSE, STOPS, WAVE_HEIGHT_RATIO,
+    FORCE_GAP, FORCE_MAX, FORCE_MAX_ERROR, FORCE_MAX_GAP, LOG10_K_STAR, M_STAR,
+    MEASURED_WAVE_HEIGHT_RATIO, PARTICLES, PARTICLES_LOST, REASON, RUNUP_ERROR, RUNUP_MAX,
+    RUNUP_MAX_ERROR, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STEPS, STOP_IMPULSE, STOPS,
+    WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, Quantity};
 pub use readings::across;
@@ -101,7 +102,7 @@ fn summary(data: &Loaded) -> Lines<'_> {
     ]);
     // Maxima of the whole run, where the first impact does not stand for them.
     if data.finished().any(|row| row.regular || row.number(&FIRST_FORCE_MAX).is_none()) {
-        columns.extend(fields(&[&FORCE_MAX, &RUNUP_MAX]));
+        columns.extend(fields(&[&FORCE_MAX, &RUNUP_MAX, &FORCE_MAX_ERROR, &RUNUP_MAX_ERROR]));
     }
     columns.extend(fields(&[&DOUBTFUL]));
     columns.extend(variant(data.rows.iter()));

@@ -90,7 +90,10 @@ fn has_cells(table: &Table, column: usize) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantities::summary::{CASE_ID, DISPLACEMENT_ERROR, DISPLACEMENT_MAX};
+    use crate::quantities::summary::{
+        CASE_ID, DISPLACEMENT_ERROR, DISPLACEMENT_MAX, FORCE_MAX, FORCE_MAX_ERROR, RUNUP_MAX,
+        RUNUP_MAX_ERROR,
+    };
     use crate::report::load::Loaded;
     use crate::report::row::Row;
 
@@ -152,6 +155,18 @@ mod tests {
         assert_eq!(at(&table.for_page()), ["0.01515 ± 0.00019", "2.2625 ± 0.0012"]);
         let told = number::with_error(0.015147, 0.00019);
         assert_eq!(told, at(&table.for_page())[0], "as the terminal writes it");
+    }
+
+    /// The story: a wave without a first impact had its bars in the terminal's table and none in the page's.
+    #[test]
+    fn maxima_of_the_whole_run_have_their_bars() {
+        let row = Row::default().with(&CASE_ID, "a").with(&STATUS, "ok");
+        let row = row.with(&FORCE_MAX, 1.1164).with(&FORCE_MAX_ERROR, 0.0031);
+        let row = row.with(&RUNUP_MAX, 0.088).with(&RUNUP_MAX_ERROR, 0.011);
+        let data = Loaded { rows: vec![row], ..Loaded::default() };
+        let page = super::super::summary(&data).whole().unwrap().for_page();
+        assert_eq!(page.header[1..], [FORCE_MAX.name, RUNUP_MAX.name]);
+        assert_eq!(page.rows[0][1..], ["1.116 ± 0.003", "0.088 ± 0.011"]);
     }
 
     /// Beside failed cases the page had doubtful ones as "ok".

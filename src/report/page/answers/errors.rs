@@ -5,20 +5,28 @@ use crate::math::lists::median;
 use crate::math::words::listed;
 use crate::quantities::Column;
 use crate::quantities::summary::{
-    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, WAVE_HEIGHT_RATIO,
+    DISPLACEMENT_MAX, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, RUNUP_MAX, WAVE_HEIGHT_RATIO,
 };
 use crate::report::load::Loaded;
 use crate::report::number::significant;
 use crate::report::page::words::{at, percent};
 use crate::report::row::Row;
 
-/// Symbol and column of each number that gets a bar, and whether the bar is told in percent of it:
-/// runups are told in depths, as still water has none.
-const NUMBERS: [(&str, &Column, bool); 3] = [
-    ("F*", &FIRST_FORCE_MAX, true),
-    ("R*", &FIRST_RUNUP_MAX, false),
-    ("X*", &DISPLACEMENT_MAX, true),
+/// A number that gets a bar: its symbol, its column, that of the whole run, and whether the bar is told in percent of it.
+/// Runups are told in depths, as still water has none.
+type Number = (&'static str, &'static Column, &'static Column, bool);
+
+const NUMBERS: [Number; 3] = [
+    ("F*", &FIRST_FORCE_MAX, &FORCE_MAX, true),
+    ("R*", &FIRST_RUNUP_MAX, &RUNUP_MAX, false),
+    ("X*", &DISPLACEMENT_MAX, &DISPLACEMENT_MAX, true),
 ];
+
+/// The column that is told of a case: of the first impact, or of the whole run where it has none and where waves
+/// are regular.
+fn column(row: &Row, (_, first, whole, _): &Number) -> &'static Column {
+    if row.regular || row.number(first).is_none() { whole } else { first }
+}
 
 /// The bar in the middle and the widest one, of each number; or that there are none.
 pub fn bars(data: &Loaded) -> Option<String> {
@@ -28,14 +36,19 @@ pub fn bars(data: &Loaded) -> Option<String> {
     }
     let told: Vec<_> = NUMBERS.iter().filter_map(|number| bar(data, number)).collect();
     if told.is_empty() && asked(data) {
-        let why = "a companion with coarser particles could not run, or failed";
+        let why = if of_walls(data) {
+            "a companion with coarser particles could not run, or failed"
+        } else {
+            "only scenes of seawalls have them"
+        };
         return Some(format!("Error bars were asked for, and no case has one: {why}."));
     }
     if told.is_empty() {
         let how = "error_bars = \"pair\" in [numerics] estimates how far each number may be off";
         return Some(format!("No error bars were asked for: {how}."));
     }
-    let with = data.finished().filter(|row| row.error(&FIRST_FORCE_MAX).is_some()).count();
+    let with = |row: &&Row| row.error(column(row, &NUMBERS[0])).is_some();
+    let with = data.finished().filter(with).count();
     let without = match finished - with {
         0 => String::new(),
         1 => " 1 case has no bar of F*.".to_owned(),
@@ -52,8 +65,16 @@ fn asked(data: &Loaded) -> bool {
     file.aims || file.grid.contains_key(name) || own.is_some_and(|bars| bars != "none")
 }
 
-fn bar(data: &Loaded, &(symbol, column, relative): &(&str, &Column, bool)) -> Option<String> {
+/// Whether its scene is a seawall, as far as its file tells.
+fn of_walls(data: &Loaded) -> bool {
+    let kind = data.file().and_then(|file| Some(file.scene.get("kind")?.as_str()?.to_owned()));
+    kind.is_none_or(|kind| kind == "seawall")
+}
+
+fn bar(data: &Loaded, number: &Number) -> Option<String> {
+    let &(symbol, .., relative) = number;
     let read = |row: &Row| {
+        let column = column(row, number);
         let (bar, value) = (row.error(column)?, row.number(column)?);
         // Still water moves a wall by next to nothing, of which no share says anything.
         let still = row.number(&WAVE_HEIGHT_RATIO) == Some(0.0);
@@ -83,7 +104,9 @@ fn bar(data: &Loaded, &(symbol, column, relative): &(&str, &Column, bool)) -> Op
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::quantities::summary::{DISPLACEMENT_ERROR, FORCE_ERROR, RUNUP_ERROR};
+    use crate::quantities::summary::{
+        DISPLACEMENT_ERROR, FORCE_ERROR, FORCE_MAX_ERROR, RUNUP_ERROR, RUNUP_MAX_ERROR,
+    };
     use crate::report::fixture;
 
     #[test]
@@ -98,7 +121,34 @@ mod tests {
             assert!(told(numerics).starts_with("No error bars were asked for"), "{numerics}");
         }
         let pair = told("error_bars = \"pair\"");
-        assert!(pair.starts_with("Error bars were asked for, and no case has one"), "{pair}");
+        assert!(
+            pair.starts_with("Error bars were asked for, and no case has one: a comp"),
+            "{pair}"
+        );
+        let column = told("error_bars = \"pair\"\n[scene]\nkind = \"dam-break\"");
+        assert!(
+            column.ends_with("no case has one: only scenes of seawalls have them."),
+            "{column}"
+        );
+    }
+
+    /// The story: waves that press too little for a first impact, and trains, had bars in the terminal's table. The page
+    /// said that no case had one.
+    #[test]
+    fn bars_of_the_whole_run_are_told_where_there_is_no_first_impact() {
+        let (_directory, mut data) = fixture::read(fixture::fixed());
+        data.rows.truncate(2);
+        for row in &mut data.rows {
+            let bare = row.clone().with(&FIRST_FORCE_MAX, "").with(&FIRST_RUNUP_MAX, "");
+            let whole = bare.with(&FORCE_MAX, 1.1).with(&RUNUP_MAX, 0.05);
+            *row = whole.with(&FORCE_MAX_ERROR, 0.011).with(&RUNUP_MAX_ERROR, 0.004);
+        }
+        let told = super::bars(&data).unwrap();
+        assert!(told.contains("F* ± 1 %") && told.contains("R* ± 0.004 h"), "{told}");
+        assert!(!told.contains("no bar"), "{told}");
+        data.rows[0].regular = true;
+        data.rows[0] = data.rows[0].clone().with(&FIRST_FORCE_MAX, 1.2).with(&FORCE_ERROR, 0.5);
+        assert_eq!(super::bars(&data).unwrap(), told, "of regular waves the whole run counts");
     }
 
     /// The story: of a soft wall in still water the bar of X* was "± 2700 %".
