@@ -40,6 +40,7 @@ fn the_table_has_the_columns_of_which_some_case_has_a_number() {
     let heading = table.lines().next().unwrap();
     assert!(heading.contains("R* max") && heading.contains("V over"), "{table}");
     assert!(!heading.contains("X*") && !heading.contains("first"), "{table}");
+    assert!(table.contains("\nmax: of the whole run\n"), "{table}");
 }
 
 #[test]

@@ -47,8 +47,9 @@ const GIVEN_UP: [&Column; 6] = [
 pub(super) const STOPPED: &str =
     "* the wall hits its stop afterwards; that load counts for no maximum";
 
-/// What the columns are maxima of.
-const MAXIMA: &str = "max: of the whole run; first, here or in summary.csv: of the first impact\n";
+/// What the columns are maxima of, and those of waves at walls besides.
+const MAXIMA: &str = "max: of the whole run";
+const FIRST: &str = "; first, here or in summary.csv: of the first impact";
 
 /// What is told of the cases, and where the report is.
 pub(super) fn told(job: &Job, done: &Done, report: &Path, all: bool) -> String {
@@ -68,7 +69,11 @@ pub(super) fn of_cases(job: &Job, done: &Done, all: bool) -> String {
     if total > rows {
         text.push_str(&format!("... and {} more in summary.csv (-v shows all)\n", total - rows));
     }
-    text.push_str(MAXIMA);
+    let has_first = |record: &CaseRecord| {
+        record.outcome.as_ref().is_some_and(|outcome| outcome.first_force_max.is_some())
+    };
+    let first = if done.records().any(has_first) { FIRST } else { "" };
+    text.push_str(&format!("{MAXIMA}{first}\n"));
     if text.contains('≥') {
         text.push_str("≥: the wall was still moving at the end, a lower bound\n");
     }

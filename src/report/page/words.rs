@@ -20,7 +20,7 @@ pub fn range(values: &[f64], unit: &str) -> String {
 /// Keeps a number on one line with its unit, its bar and its name.
 pub fn unbroken(text: &str) -> String {
     let mut text = text.replace(" = ", "\u{a0}=\u{a0}").replace(" ± ", "\u{a0}±\u{a0}");
-    for unit in ["%", "N/m", "kg/m", "kN", "mm"] {
+    for unit in ["%", "°", "N/m", "kg/m", "kN", "mm"] {
         text = text.replace(&format!(" {unit}"), &format!("\u{a0}{unit}"));
     }
     // The depth h is a unit where nothing but a word's end follows.
@@ -66,6 +66,7 @@ mod tests {
     #[test]
     fn no_line_ends_between_a_number_and_its_unit() {
         let told = unbroken("R* = 0.3 ± 0.0047 h, 0.099 h (k up to 500 N/m) of h");
+        assert_eq!(unbroken("wall angle 90 °, end"), "wall angle 90\u{a0}°, end");
         let words: Vec<_> = told.split(' ').collect();
         let pairs = ["R*\u{a0}=\u{a0}0.3\u{a0}±\u{a0}0.0047\u{a0}h,", "0.099\u{a0}h"];
         assert_eq!(words[..2], pairs, "{told}");

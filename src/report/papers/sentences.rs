@@ -56,7 +56,7 @@ pub fn answer(found: &[Found]) -> String {
         let [median, worst] = [median, worst].map(|size| number::significant(size, 2));
         format!(" Sizes differ by {median} % in the median and {worst} % at most.")
     });
-    let are = if found.len() == 1 { "is" } else { "are" };
+    let are = is_or_are(met, found.len());
     format!(
         "{met} of {} with printed numbers {are} met, within 5 % or the error bar.{} The section below \
          says which, and why the others are not.",
@@ -93,12 +93,17 @@ pub fn method<'a>(rows: impl Iterator<Item = &'a Row> + Clone) -> String {
     format!("{} with particles {} m apart", schemes.join(" and "), spacings.join(", "))
 }
 
+/// The verb of `1 of 3 numbers is met` and `2 of 3 numbers are met`.
+fn is_or_are(met: usize, all: usize) -> &'static str {
+    if met == 1 || all == 1 { "is" } else { "are" }
+}
+
 /// How many of a kind are met, how far off they are as a rule and at worst.
 fn tally(what: &str, found: &[&Found]) -> Option<String> {
     let first = found.first()?;
     let met = found.iter().filter(|one| one.is_met()).count();
     let numbers = counted(found.len(), "number");
-    let are = if found.len() == 1 { "is" } else { "are" };
+    let are = is_or_are(met, found.len());
     let mut text = format!("{what}: {met} of {numbers} {are} met");
     let by = |one: &Found| one.percent().unwrap_or(0.0).abs();
     let in_percent = first.printed.is_size() || first.printed.quantity.starts_with("step_time");
@@ -137,4 +142,16 @@ fn reasons(found: &[Found]) -> Vec<String> {
         format!("Why {count} {are} not met: {why}")
     };
     tallied(&names).into_iter().map(said).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_of_several_is_met() {
+        let verbs = [(0, 1), (1, 1), (1, 3)].map(|(met, all)| is_or_are(met, all));
+        assert_eq!(verbs, ["is"; 3]);
+        assert_eq!([is_or_are(0, 3), is_or_are(2, 3)], ["are"; 2]);
+    }
 }

@@ -4,6 +4,7 @@ use super::axes::Axis;
 use super::chart::{Chart, Curve, places, points};
 use super::legend::Entry;
 use super::look::Look;
+use super::marks::shown_are;
 use super::sheet::{Drawing, PANELS};
 use super::{Figure, SERIES};
 use crate::quantities::envelope::{FIRST_PRESSURE_MAX, HEIGHT, PRESSURE_MAX};
@@ -35,8 +36,8 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     };
     let shown = match data.finished().count() {
         all if all > cases.len() => format!(
-            " Shown are {} of {all} cases, {which}; all are in tables/pressure_envelope.csv.",
-            cases.len()
+            " {} of {all} cases, {which}; all are in tables/pressure_envelope.csv.",
+            shown_are(cases.len())
         ),
         _ => String::new(),
     };
@@ -45,12 +46,16 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
         true => "of the first impact and of the whole run, each when it was",
         false => "of the whole run, when it was",
     };
+    let stops = match cases.iter().any(|(row, _)| row.hits_stop()) {
+        true => "; the moments after the wall hit its stop are left out",
+        false => "",
+    };
     Ok(vec![Figure {
         name: "pressure-envelope".to_owned(),
         title: "Largest pressure up the wall".to_owned(),
         caption: format!(
-            "The largest pressure at each height of the wall, {parts} largest there. They are running means; \
-             the moments after the wall hit its stop are left out.{shown}"
+            "The largest pressure at each height of the wall, {parts} largest there. They are running \
+             means{stops}.{shown}"
         ),
         drawing: drawing(&cases),
     }])
@@ -102,11 +107,12 @@ fn drawing(cases: &[Case<'_>]) -> Drawing {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::quantities::summary::STOPS;
     use crate::report::fixture;
 
     #[test]
     fn envelopes_are_drawn_where_there_are_files_of_them() {
-        let (directory, data) = fixture::read(fixture::sweep());
+        let (directory, mut data) = fixture::read(fixture::sweep());
         assert!(figures(&data).unwrap().is_empty());
         let folder = directory.path().join("envelopes");
         std::fs::create_dir(&folder).unwrap();
@@ -121,6 +127,12 @@ mod tests {
         let svg = figure.svg();
         for word in ["p, kPa", "height, m", "first impact", "whole run"] {
             assert!(svg.contains(word), "{word}");
+        }
+        // Fixed walls were told to have a stop.
+        for (stops, told) in [(0, false), (1, true)] {
+            data.rows.iter_mut().for_each(|row| *row = row.clone().with(&STOPS, stops));
+            let caption = figures(&data).unwrap().remove(0).caption;
+            assert_eq!(caption.contains("after the wall hit its stop"), told, "{caption}");
         }
         let mut tables = crate::report::tables::all(&data).into_iter();
         let table = tables.find(|table| table.head.name == "pressure_envelope").unwrap();

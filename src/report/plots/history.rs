@@ -5,7 +5,7 @@
 use std::collections::HashMap;
 
 use super::look::Look;
-use super::marks::said;
+use super::marks::{said, shown_are};
 use super::over_time::{self, Strip};
 use super::{Figure, SERIES, file_name, left_out, of_variant};
 use crate::math::words::counted;
@@ -116,7 +116,7 @@ fn dropped(shown: usize, cases: usize, whose: &str, picked: &str) -> String {
     if shown >= cases {
         return String::new();
     }
-    format!(" Shown are {shown} of {cases} finished cases {whose}: {picked}.")
+    format!(" {} of {cases} finished cases {whose}: {picked}.", shown_are(shown))
 }
 
 /// The histories of cases that have more than one sample.

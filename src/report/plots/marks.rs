@@ -129,12 +129,17 @@ pub fn marks(rows: &[&Row], columns: &[&Column]) -> String {
     text
 }
 
+/// `Shown is 1`, `Shown are 6`.
+pub fn shown_are(shown: usize) -> String {
+    format!("Shown {} {shown}", if shown == 1 { "is" } else { "are" })
+}
+
 /// The end of a caption: what was picked of many, where not all is drawn.
 pub fn picked(shown: usize, all: usize, what: &str) -> String {
     if shown >= all {
         return String::new();
     }
-    format!(" Shown are {shown} of {all} {what}.")
+    format!(" {} of {all} {what}.", shown_are(shown))
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 //! unit and six gauges.
 
 use super::Figure;
+use super::marks::shown_are;
 use super::over_time::{self, Line, Strip};
 use crate::math::lists::different;
 use crate::quantities::heading;
@@ -24,9 +25,8 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let chosen = spread(&rows, CASES);
     let shown = if chosen.len() < rows.len() {
         format!(
-            " Shown are {} of {} cases with gauges, spread over the sweep's order; the others are \
-             in probes/.",
-            chosen.len(),
+            " {} of {} cases with gauges, spread over the sweep's order; the others are in probes/.",
+            shown_are(chosen.len()),
             rows.len()
         )
     } else {

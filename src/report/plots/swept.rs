@@ -192,10 +192,11 @@ fn caption(against: &str, group: &[Case]) -> String {
     let rows: Vec<_> = group.iter().map(|(_, row)| *row).collect();
     let has = |column| rows.iter().any(|row| row.number(column).is_some());
     let drawn = drawn(group).map(|(column, _)| column);
-    let of = if drawn.contains(&&FORCE_MAX) {
-        "whole run"
-    } else {
-        "first impact, or of the whole run where there is none"
+    let lacks = rows.iter().any(|row| row.number(&FIRST_FORCE_MAX).is_none());
+    let of = match has(&FIRST_FORCE_MAX) && !drawn.contains(&&FORCE_MAX) {
+        false => "whole run",
+        true if lacks => "first impact, or of the whole run where there is none",
+        true => "first impact",
     };
     let mut text = format!(
         "Largest force (running mean) and runup of the {of}{}{}, against {against}",

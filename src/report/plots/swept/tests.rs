@@ -103,6 +103,9 @@ fn scenes_without_a_wave_have_one_curve() {
     assert!(figures[0].svg().contains("column height, m"));
     assert!(!figures[0].svg().contains("H/h"));
     assert!(!figures[0].caption.contains("wave height"));
+    // A column that collapses has no first impact.
+    let told = "runup of the whole run, against";
+    assert!(figures[0].caption.contains(told), "{}", figures[0].caption);
 }
 
 /// The story: of regular waves some had a first impact and some had none, and one curve went through both.
