@@ -16,6 +16,11 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
         "tank_length_m = 2\nbehind = \"outflow\"\ncrest_freeboard_m = 0.1\ncrest_width_m = 0.1";
     assert_eq!(count(crest, ""), 0);
     assert_eq!(count(crest, "boundary = \"improved-shepard\""), 1);
+    let few_rows = limits(&CaseConfig::of(crest, "particle_spacing_m = 0.0125"));
+    assert!(
+        few_rows.len() == 1 && few_rows[0].contains("volumes have no error bar"),
+        "{few_rows:?}"
+    );
     let train = "paddle = \"wave-train\"\nwave_period_s = 1\nwave_height_ratio = 0.1\nend_time_s";
     assert_eq!(count(&format!("{train} = 20"), "boundary = \"improved-shepard\""), 1);
     assert_eq!(count(&format!("{train} = 9"), "boundary = \"improved-shepard\""), 0);
