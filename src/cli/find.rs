@@ -22,9 +22,9 @@ use crate::report::load::Loaded;
   seawall find results/runs/two_waves \"F* < 2 and H/h = 0.5\"
   seawall find results/runs/two_waves \"runup_max > 1\" --format json
 
-Any column of summary.csv that holds numbers will do, by its name or its symbol. Boundaries are interpolated linearly, in the logarithm
-where the axis is logarithmic. Exit code: 0 whether or not a case meets it, 2 where the condition or the
-directory cannot be used.")]
+Any column of summary.csv that holds numbers will do, by its name or its symbol. Boundaries are interpolated
+linearly, in the logarithm where the axis is logarithmic. Exit code: 0 whether or not a case meets the condition,
+2 where the condition or the directory cannot be used.")]
 pub(super) struct FindArgs {
     /// The output directory of a finished sweep.
     dir: PathBuf,

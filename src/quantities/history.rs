@@ -14,11 +14,11 @@ const fn column(name: &'static str, unit: Unit, read: Read) -> Quantity<Read> {
 quantities! { Read;
     /// the step's own time
     TIME = column("time_s", Unit::Seconds, |row| row.time_s);
-    /// F*, unfiltered
+    /// force F* on the wall, unfiltered
     FORCE = column("force", Unit::Force, |row| row.force);
-    /// R*
+    /// runup R*: the surface at the wall over that at rest
     RUNUP = column("runup", Unit::Runup, |row| row.runup);
-    /// X*; 0 for a fixed wall
+    /// displacement X* of the wall, away from the water; 0 for a fixed wall
     DISPLACEMENT = column("displacement", Unit::Displacement, |row| row.displacement);
     /// of the wall, away from the water; 0 for a fixed wall
     WALL_VELOCITY = column("wall_velocity_m_per_s", Unit::MetresPerSecond, |row| {

@@ -93,8 +93,8 @@ quantities! { Read;
     FORCE_GAP = number("force_gap_percent", "", Percent, |c| {
         Some(c.outcome?.force_gap_percent)
     }).decimals(3);
-    /// residual of the energy budget, of the most that the paddle's work has been (in still water, of the
-    /// initial potential energy; of a paddle that absorbs, of all work that passed either way where that is more)
+    /// residual of the energy budget, over the largest value of the paddle's work; in still water over the
+    /// initial potential energy; with a paddle that absorbs over all work that passed either way, where that is more
     ENERGY_GAP = number("energy_gap_percent", "", Percent, |c| {
         Some(c.outcome?.energy_gap_percent)
     }).decimals(3);
@@ -138,8 +138,8 @@ quantities! { Read;
     /// how many times a ghost that counts was filled with what a simpler interpolation gave,
     /// because the chosen one had too few or badly placed neighbours
     BOUNDARY_FALLBACKS = count("boundary_fallbacks", |c| Some(c.outcome?.boundary_fallbacks));
-    /// gap of the two force readings at `force_max`, signed: of the means over 0.14 √(h/g), less
-    /// what it is at rest
+    /// signed gap of the two force readings at `force_max`, less the gap at rest; both are means over
+    /// 0.14 √(h/g)
     FORCE_MAX_GAP = number("force_max_gap_percent", "", Percent, |c| {
         Some(c.outcome?.force_max_gap_percent)
     }).decimals(3);
@@ -193,8 +193,8 @@ quantities! { Read;
     CREST_SPEED = number("crest_speed_max_m_per_s", "crest u max", MetresPerSecond, |c| {
         c.outcome?.overtopped?.speed_max_m_per_s
     }).significant(4);
-    /// what to expect of the numbers where a wave has fewer than 10 rows of particles over the depth, or over
-    /// that at the wall where it is less; empty where there are more
+    /// what to expect of the numbers where fewer than 10 rows of particles stand over the depth, or over the
+    /// depth at the wall where that is less; empty where there are more
     COARSE_SPACING = text("coarse_spacing", "", |c| c.coarse_spacing());
 }
 
