@@ -4,6 +4,7 @@
 //! tables through [`CaseConfig::from_tables`], which fills in presets and refuses what is unknown,
 //! of the wrong type, or out of range with a [`ConfigError`] that says so.
 
+mod bed_demands;
 mod bed_lattice;
 mod config;
 mod crest;

@@ -1,18 +1,17 @@
-//! What tank, bed, paddle and wall of a seawall ask of one another.
+//! What tank, paddle and wall of a seawall ask of one another.
 
 use super::numerics::{Numerics, Scheme};
 use super::seawall::{
     FORCE_COUPLING, PaddleChoice, SeawallScene, THRESHOLD_RATIO, WallChoice, error, validate_lean,
 };
 use crate::body::CaissonKeys;
-use crate::boundary::STEEP;
 use crate::keys::ConfigError;
 use crate::math::decimal::{rounded_down, rounded_up};
 
 /// Instants of a stroke at which its reach is looked at.
 const INSTANTS: u32 = 200;
 /// Digits in which bounds are told.
-const DIGITS: usize = 4;
+pub(super) const DIGITS: usize = 4;
 /// A paddle that never stands is looked at so long, seconds.
 const LONGEST: f64 = 1e4;
 
@@ -125,82 +124,8 @@ impl SeawallScene {
         if over > 0.0 { over } else { self.least_depth_m() }
     }
 
-    /// Checks what the bed asks of wall, paddle, water and scheme.
-    pub(super) fn validate_bed(&self, numerics: &Numerics) -> Result<(), ConfigError> {
-        let Some(bed) = &self.bed else { return Ok(()) };
-        let [end, toe] = bed.end();
-        if (end - self.tank_length_m).abs() > 1e-9 * self.tank_length_m {
-            let allowed = format!("must be {end}, where the bed ends and the wall stands");
-            return error("tank_length_m", self.tank_length_m, &allowed);
-        }
-        let told = |allowed: &str| error("bed", "", allowed);
-        if let Some(x) = bed.plate() {
-            return told(&format!(
-                "goes up and down at x = {x} m: what stands or gapes there has no breadth"
-            ));
-        }
-        if bed.ends_upright() {
-            return told(&format!(
-                "must not end with a step, at {end} m: there the wall stands, from its foot at the bed's last point on"
-            ));
-        }
-        if bed.is_level() {
-            return Ok(());
-        }
-        if numerics.scheme == Scheme::Isph {
-            return told("is for scheme = \"wcsph\": isph knows level beds alone");
-        }
-        if self.wall_angle_deg != 90.0 {
-            return told("ends at an upright wall: leave wall_angle_deg out");
-        }
-        let reach = self.stroke_m() + numerics.support_radius_ratio * numerics.particle_spacing_m;
-        if bed.level_up_to() < reach {
-            let up_to = bed.level_up_to();
-            return told(&format!(
-                "must be level as far as the paddle goes, up to {} m or farther, not {up_to} m",
-                rounded_up(reach, DIGITS)
-            ));
-        }
-        let [lowest, _] = bed.range();
-        if lowest < 0.0 {
-            return told(&format!(
-                "goes down to {lowest} m: 0, the paddle's foot, must be its lowest place"
-            ));
-        }
-        if self.wall.moves() && !(bed.ends_level() && toe < self.still_water_depth_m) {
-            return told("must end level and under still water where the wall moves");
-        }
-        Ok(())
-    }
-
-    /// Whether still water ends on a bed of less than 45 degrees, and the wall stands dry.
-    pub(super) fn is_at_beach(&self) -> bool {
-        let depth = self.still_water_depth_m;
-        self.bed.as_ref().is_some_and(|bed| {
-            bed.end()[1] >= depth && bed.is_steep_at(depth, 0.0) && !bed.is_steep_at(depth, STEEP)
-        })
-    }
-
-    /// Checks what a thickness at which runups are told asks of bed and particles.
-    pub(super) fn validate_runup(&self, numerics: &Numerics) -> Result<(), ConfigError> {
-        let Some(thickness) = self.runup_thickness_m else { return Ok(()) };
-        let told = |allowed: &str| error("runup_thickness_m", thickness, allowed);
-        if !self.is_at_beach() {
-            return told(
-                "is for beaches: a bed of less than 45 degrees where still water ends, and a wall that stands dry",
-            );
-        }
-        let (least, most) = (0.5 * numerics.particle_spacing_m, self.still_water_depth_m);
-        if !(least..=most).contains(&thickness) {
-            return told(&format!(
-                "must be {least} to {most} m: half a particle spacing, and the still water's depth"
-            ));
-        }
-        Ok(())
-    }
-
     /// How far the paddle goes, metres.
-    fn stroke_m(&self) -> f64 {
+    pub(super) fn stroke_m(&self) -> f64 {
         match (&self.paddle, &self.recorded) {
             (_, Some(keys)) => keys.recorded_stroke.reach(),
             _ => self.paddle().map_or(0.0, |paddle| {
