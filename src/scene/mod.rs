@@ -31,6 +31,7 @@ mod seawall;
 mod seawall_demands;
 mod seawall_tank;
 mod size;
+mod squares;
 mod standing_wave;
 mod still_water;
 mod tank;

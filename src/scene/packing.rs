@@ -1,5 +1,6 @@
 //! Particles in front of a leaning wall or over an uneven bed, moved to where they and the ghosts fill space evenly.
 
+use super::squares::Squares;
 use crate::body::Place;
 use crate::boundary::{Ghosts, Plane, Profile};
 use crate::kernel::KernelChoice;
@@ -93,7 +94,8 @@ impl Packing<'_> {
         let distance = (apart[0] * apart[0] + apart[1] * apart[1]).sqrt();
         let at = distance / self.support_radius * ENTRIES as f64;
         if at < ENTRIES as f64 && distance > 0.0 {
-            let (k, part) = (at as usize, at.fract());
+            let k = at as usize;
+            let part = at - k as f64; // `fract` is a call
             let slope = slopes[k] + part * (slopes[k + 1] - slopes[k]);
             let weight = other[2] * slope / distance;
             sum[0] += weight * apart[0];
@@ -123,32 +125,26 @@ impl Packing<'_> {
             .filter(|&j| near(&particles[j as usize], slack + reach))
             .collect();
         let ghosts = self.ghosts;
-        let solid: Vec<u32> = (0..ghosts.len() as u32)
-            .filter(|&g| {
-                let g = g as usize;
-                volumes[g] > 0.0 && near(&[ghosts.x[g], ghosts.y[g], 0.0], slack + reach)
-            })
-            .collect();
-        let close = |here: &[f64; 3], x: f64, y: f64| {
-            let (dx, dy) = (x - here[0], y - here[1]);
-            dx * dx + dy * dy < reach * reach
+        let solid = (0..ghosts.len() as u32).filter_map(|g| {
+            let [x, y] = [&ghosts.x, &ghosts.y].map(|places| places[g as usize]);
+            let counts = volumes[g as usize] > 0.0 && near(&[x, y, 0.0], slack + reach);
+            counts.then_some((g, [x, y]))
+        });
+        let solid = Squares::new(reach, solid);
+        let place = |number: u32| {
+            let [x, y, _] = particles[number as usize];
+            [x, y]
         };
+        let water = Squares::new(reach, around.iter().map(|&j| (j, place(j))));
         around
             .iter()
-            .map(|&number| number as usize)
-            .filter(|&number| near(&particles[number], slack))
-            .filter(|&number| particles[number][1] < self.held_above)
-            .map(|number| {
-                let here = particles[number];
-                let water = around.iter().copied().filter(|&j| {
-                    let [x, y, _] = particles[j as usize];
-                    j as usize != number && close(&here, x, y)
-                });
-                let solid = solid
-                    .iter()
-                    .copied()
-                    .filter(|&g| close(&here, ghosts.x[g as usize], ghosts.y[g as usize]));
-                Mover { number, water: water.collect(), solid: solid.collect() }
+            .filter(|&&number| near(&particles[number as usize], slack))
+            .filter(|&&number| particles[number as usize][1] < self.held_above)
+            .map(|&number| {
+                let here = place(number);
+                let mut water = water.near(here);
+                water.retain(|&other| other != number);
+                Mover { number: number as usize, water, solid: solid.near(here) }
             })
             .collect()
     }
