@@ -11,6 +11,9 @@ use crate::keys::named;
 use crate::math::simd::SimdPath;
 use crate::study::CaseId;
 
+/// For checkpoints of more cases the folder is listed.
+const ASKED: usize = 100;
+
 /// Every file that stands for a checkpoint, with its id and whether it is that of a case.
 fn files(directory: &Path) -> Vec<(PathBuf, CaseId, bool)> {
     let entries = fs::read_dir(directory.join(FOLDER)).into_iter().flatten().flatten();
@@ -68,11 +71,16 @@ pub(super) fn remove(
     directory: &Path,
     cases: impl IntoIterator<Item = CaseId>,
 ) -> Result<(), SweepError> {
-    if !directory.join(FOLDER).is_dir() {
+    let folder = directory.join(FOLDER);
+    if !folder.is_dir() {
         return Ok(());
     }
-    for id in cases {
-        let path = directory.join(FOLDER).join(format!("{id}.{CASE}"));
+    let cases: Vec<CaseId> = cases.into_iter().collect();
+    // The folder has few files, and there may be a million cases.
+    let listed = || files(directory).into_iter().map(|(_, id, _)| id).collect();
+    let there: Option<BTreeSet<CaseId>> = (cases.len() > ASKED).then(listed);
+    for id in cases.into_iter().filter(|id| there.as_ref().is_none_or(|there| there.contains(id))) {
+        let path = folder.join(format!("{id}.{CASE}"));
         if path.exists() {
             disk::remove_file(&path).map_err(SweepError::io(&path))?;
         }
