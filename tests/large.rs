@@ -8,13 +8,14 @@ use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError};
+use std::time::Duration;
 
 use seawall::execute::fake::{FakeRunner, cost};
 use seawall::execute::{
     Ending, Interrupt, Progress, ProgressStyle, Session, Setup, coordinate, threads,
 };
 use seawall::math::simd::SimdPath;
-use seawall::results::{Closing, Directory, Manifest, OpenMode};
+use seawall::results::{CaseRecord, Closing, Directory, Manifest, OpenMode, made_up};
 use seawall::study::{Plan, Study, SweepFile};
 
 use common::{expect_code, seawall};
@@ -46,7 +47,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// A study of made-up cases that is finished, and its sweep file.
+/// A study of made-up cases that is finished, or goes on to its end, and its sweep file.
 fn finished(root: &Path, cases: usize) -> (PathBuf, PathBuf) {
     let text = format!(
         "name = \"large\"\n[scene]\nwall = \"movable\"\nseawall_mass_kg_per_m = 50\n\
@@ -61,13 +62,14 @@ fn finished(root: &Path, cases: usize) -> (PathBuf, PathBuf) {
         make_runner: &|_| Box::new(FakeRunner::default()),
         threads: Some(2),
         interrupt: &interrupt,
-        patience: std::time::Duration::MAX,
+        patience: Duration::MAX,
     };
     threads::with_crew(&setup, |crew| {
         let simd = SimdPath::Portable;
         let open = Directory::open(&out, &study, OpenMode::Resume, Some(simd), simd);
         let (mut directory, _) = open.unwrap();
-        let plan = Plan::new(&study, true, cost, |_| true);
+        let missing = |index: usize| directory.runs()[index].is_none();
+        let plan = Plan::new(&study, true, cost, missing);
         let ranks = crew.ranks().to_vec();
         crew.work(simd, &out, &mut |link| {
             let mut session = Session {
@@ -134,6 +136,52 @@ fn a_closed_study_is_told_again_until_it_changes() {
     let made = changed(&page);
     assert_eq!(again(&file, &out), told);
     assert_eq!(changed(&page), made);
+}
+
+/// The story: to go on with a million cases every file of those that were done was read again, which took minutes.
+#[test]
+#[cfg(unix)]
+fn a_large_study_that_was_killed_goes_on_to_the_same_bytes() {
+    let _alone = ALONE.lock().unwrap_or_else(PoisonError::into_inner);
+    let cases = Closing::ABOVE + 1;
+    let [one, other] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    let (file, whole) = finished(one.path(), cases);
+    let out = other.path().join("out");
+    let study = Study::new(&SweepFile::read(&fs::read_to_string(&file).unwrap(), &[]).unwrap());
+    let (study, simd) = (study.unwrap(), SimdPath::Portable);
+    // It dies twice, with files and lines that nobody has put on the disk.
+    for part in [0..4000, 4000..7000] {
+        let open = Directory::open(&out, &study, OpenMode::Resume, Some(simd), simd);
+        let mut directory = open.unwrap().0;
+        assert_eq!(directory.records().iter().flatten().count(), part.start);
+        assert_eq!(directory.findings(), Vec::<String>::new());
+        for case in &study.cases[part] {
+            let result = Ok(made_up(&case.config));
+            let record = CaseRecord::new(&study, case, &result, 0.0, "here");
+            directory.record(record, result.as_ref().ok()).unwrap();
+            directory.sync(false).unwrap();
+        }
+        while !out.join("looked.json").exists() {
+            std::thread::sleep(Duration::from_millis(20));
+            directory.sync(false).unwrap();
+        }
+    }
+    let (file, _) = finished(other.path(), cases);
+    again(&file, &out);
+    assert!(!out.join("looked.json").exists());
+    for folder in ["histories", "envelopes"] {
+        let files = fs::read_dir(whole.join(folder)).unwrap();
+        let names: Vec<_> = files.map(|entry| entry.unwrap().file_name()).collect();
+        assert_eq!(names.len(), cases);
+        assert_eq!(fs::read_dir(out.join(folder)).unwrap().count(), cases);
+        for name in names {
+            let [one, other] = [&whole, &out].map(|of| fs::read(of.join(folder).join(&name)));
+            assert!(one.unwrap() == other.unwrap(), "{folder}/{}", name.display());
+        }
+    }
+    let [one, other] = [&whole, &out].map(|of| fs::read(of.join("energy.csv")).unwrap());
+    assert!(one == other);
+    expect_code(&seawall().arg("verify").arg(&out).output().unwrap(), 0);
 }
 
 /// A case more of a study beyond what a page shows whole takes little more than its row of the summary: a million of

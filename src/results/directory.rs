@@ -4,20 +4,19 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::attempts::Attempts;
-use super::closing::Closing;
 use super::entries::Header;
 use super::error::SweepError;
-use super::files;
 use super::filing::Filed;
-use super::filling::Filling;
+use super::filling::{self, Filled};
 use super::journal::{self, Journal};
 use super::left::{self, Left, Places};
 use super::lock::Lock;
+use super::looked::{Looked, Notes};
 use super::opening::{self, Found, OpenMode, Opened, look};
 use super::record::CaseRecord;
+use super::stamp::CaseFiles;
 use super::waiting::Waiting;
-use super::{checkpoints, disk, energy, probe_columns, summary};
-use crate::math::name::name_of;
+use super::{checkpoints, disk, energy, files, probe_columns, summary};
 use crate::math::simd::SimdPath;
 use crate::simulation::CaseResult;
 use crate::study::{CaseId, Study};
@@ -57,11 +56,7 @@ impl Directory {
         requested: Option<SimdPath>,
         widest: SimdPath,
     ) -> Result<(Directory, Opened), SweepError> {
-        if let Some(simd) = requested.filter(|&simd| simd > widest) {
-            let (simd, widest) = (name_of(simd), name_of(widest));
-            let reason = format!("--simd {simd}: not every rank has it; the widest is {widest}");
-            return Err(SweepError::Refused(reason));
-        }
+        opening::check_request(requested, widest)?;
         let before = look(path)?;
         if let (OpenMode::Resume, Found::Journal(..)) = (mode, &before)
             && let Some(header) = journal::read_header(path)?
@@ -78,30 +73,29 @@ impl Directory {
             lock = new;
             opened = Opened::Moved(aside);
         }
-        let (mut records, mut findings) = (Vec::new(), Vec::new());
-        let mut left = Places::new(study.cases.len());
-        let (journal, simd) = if look(path)? == Found::Nothing {
-            records.resize(study.run_count(), None);
-            let simd = requested.unwrap_or(widest);
-            let header = Header::new(&study.name, &study.identity, study.cases.len(), simd);
-            (Journal::create(path, &header)?, simd)
+        let (mut findings, count) = (Vec::new(), study.cases.len());
+        let (journal, simd, lines, filled);
+        if look(path)? == Found::Nothing {
+            simd = requested.unwrap_or(widest);
+            let header = Header::new(&study.name, &study.identity, count, simd);
+            journal = Journal::create(path, &header)?;
+            (lines, filled) = (0, Filled::nothing(study));
         } else {
-            let mut filling = Filling::new(path, study);
-            if Closing::read(path).is_some() {
-                filling = filling.blind();
-            }
-            let content = journal::read_in_blocks(path, |lines| filling.take(lines))?;
+            let (content, filling) = filling::fill(path, study)?;
             findings.extend(opening::told_damage(&content, true));
             let header = opening::header(path, &content, study, requested.unwrap_or(widest))?;
             opening::check_header(path, &header, study, requested, widest)?;
-            let journal = Journal::resume(path, &content, &header)?;
+            journal = Journal::resume(path, &content, &header)?;
             files::clean(path)?;
-            let damaged;
-            (records, left, damaged) = filling.end();
-            findings.extend(damaged);
-            opened = Opened::Resumed(records.iter().flatten().count());
-            (journal, header.simd)
-        };
+            (simd, lines, filled) = (header.simd, content.found, filling.end());
+            opened = Opened::Resumed(filled.records.iter().flatten().count());
+        }
+        let Filled { records, left, told, found, owed, stamps, is_noted } = filled;
+        findings.extend(told);
+        if !is_noted {
+            Looked::forget(path)?;
+        }
+        let notes = Notes::of(&journal, lines, stamps)?;
         let finished = records.iter().flatten().map(|record| record.id);
         checkpoints::tidy(path, finished)?;
         let (kept, told) = checkpoints::look(path, simd);
@@ -113,11 +107,11 @@ impl Directory {
             path: path.to_owned(),
             _lock: lock,
             journal,
-            waiting: Waiting::new(path)?,
+            waiting: Waiting::new(path, found, notes, owed)?,
             simd,
             records,
             left,
-            cases: study.cases.len(),
+            cases: count,
             findings,
         };
         Ok((directory, opened))
@@ -138,11 +132,12 @@ impl Directory {
         &self.kept
     }
 
-    /// Forgets all checkpoints: everything has run.
+    /// Forgets all checkpoints, and what was noted of files: everything has run.
     ///
     /// # Errors
     /// A file that cannot be removed.
     pub fn clear_checkpoints(&self) -> Result<(), SweepError> {
+        Looked::forget(&self.path)?;
         checkpoints::clear(&self.path)
     }
 
@@ -199,11 +194,10 @@ impl Directory {
         mut record: CaseRecord,
         result: Option<&CaseResult>,
     ) -> Result<(), SweepError> {
-        if let Some(result) = result.filter(|_| record.is_ok() && record.index < self.cases) {
+        if let Some(result) = result.filter(|_| self.leaves_files(&record)) {
             record.files = files::write(&self.path, record.id, result, false)?;
-            self.waiting.add_files(&self.path, record.id, &record.files);
         }
-        self.take(record)
+        self.take(record, false)
     }
 
     /// Records a case whose files were written where it ran.
@@ -213,19 +207,25 @@ impl Directory {
         filed: &Filed,
     ) -> Result<(), SweepError> {
         record.files = filed.seals();
-        if !filed.on_disk {
-            self.waiting.add_files(&self.path, record.id, &record.files);
-        }
-        self.take(record)
+        self.take(record, filed.on_disk)
     }
 
-    fn take(&mut self, record: CaseRecord) -> Result<(), SweepError> {
+    /// Whether a run leaves more than its line.
+    fn leaves_files(&self, record: &CaseRecord) -> bool {
+        record.is_ok() && record.index < self.cases
+    }
+
+    /// Records a run whose files are written; they may be on the disk already.
+    fn take(&mut self, record: CaseRecord, on_disk: bool) -> Result<(), SweepError> {
         if let Some(columns) = self.probe_columns.take_if(|_| files::has_probes(&record.files)) {
             probe_columns::put(&self.path, &columns)?;
         }
         self.journal.record(&record)?;
         let index = record.index;
         self.left.set(index, left::folders(&record.files));
+        if self.leaves_files(&record) {
+            self.waiting.add_files(CaseFiles::of(record.id, &record.files), on_disk);
+        }
         self.waiting.add_line(record.id);
         self.records[index] = Some(record.held());
         Ok(())

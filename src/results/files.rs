@@ -1,8 +1,7 @@
 //! Per-case files: histories, probes, readings, envelopes and waves.
 
-use std::fs::{self, File};
+use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 use super::case_tables::{envelope_table, history, probe_table, reading_table, wave_table};
 use super::error::SweepError;
@@ -60,47 +59,6 @@ pub(super) fn write(
         seals.insert(name.to_owned(), Seal::of(text.as_bytes()));
     }
     Ok(seals)
-}
-
-/// So many files go to the disk with all else that waits to: one by one they take seven times as long.
-const MANY: usize = 32;
-
-/// Files that cases have left and that may not be on the disk yet. They go there in groups. One by one, the
-/// coordinator of many ranks would do little but wait for the disk.
-#[derive(Debug)]
-pub(super) struct Unsynced {
-    /// Open from before the first file on: failures since then are told.
-    directory: Arc<File>,
-    paths: Vec<PathBuf>,
-}
-
-impl Unsynced {
-    /// None in this directory yet.
-    pub(super) fn new(directory: &Path) -> Result<Unsynced, SweepError> {
-        let opened = File::open(directory).map_err(SweepError::io(directory))?;
-        Ok(Unsynced { directory: Arc::new(opened), paths: Vec::new() })
-    }
-
-    /// A case has left its files.
-    pub(super) fn add(&mut self, directory: &Path, id: CaseId, seals: &Seals) {
-        self.paths.extend(seals.keys().map(|name| path(directory, name, id)));
-    }
-
-    /// All of them; none are left.
-    pub(super) fn take(&mut self) -> Unsynced {
-        let paths = std::mem::take(&mut self.paths);
-        Unsynced { directory: self.directory.clone(), paths }
-    }
-
-    /// Puts them on the disk.
-    pub(super) fn sync(&self, directory: &Path) -> Result<(), SweepError> {
-        if self.paths.len() >= MANY && disk::sync_all(&self.directory) {
-            return Ok(());
-        }
-        self.paths.iter().try_for_each(|path| atomic_file::sync(path))?;
-        let folders = FOLDERS.map(|name| directory.join(name));
-        folders.iter().filter(|path| path.is_dir()).try_for_each(|path| atomic_file::sync(path))
-    }
 }
 
 /// The files of a case that are not as they were written: their paths, and what is wrong with them.

@@ -1,13 +1,18 @@
 //! The records of a study, filled from journal lines, with a look at the files of each case.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 
 use rayon::prelude::*;
 
+use super::closing::Closing;
+use super::entries::Content;
+use super::error::SweepError;
 use super::left::Places;
+use super::looked::{self, Looked};
 use super::record::{CaseRecord, HeldLine};
-use super::{files, left};
+use super::stamp::{CaseFiles, Stamps};
+use super::{files, journal};
 use crate::keys::named;
 use crate::study::{CaseId, Study};
 
@@ -22,6 +27,17 @@ pub(super) struct Filling<'a> {
     left: Places,
     /// Whether files are looked at.
     looks: bool,
+    /// Whether something is to be noted of them.
+    notes: bool,
+    /// What an earlier process has noted.
+    known: Option<Looked>,
+    /// Lines so far.
+    taken: usize,
+    /// Files that were read and are well.
+    found: Vec<CaseFiles>,
+    /// What the system tells of files that were noted earlier, and of all.
+    noted: Stamps,
+    stamps: Stamps,
     /// What is wrong with the files of a case.
     damage: BTreeMap<usize, Vec<Damaged>>,
 }
@@ -35,6 +51,12 @@ impl Filling<'_> {
             records: vec![None; study.run_count()],
             left: Places::new(study.cases.len()),
             looks: true,
+            notes: false,
+            known: None,
+            taken: 0,
+            found: Vec::new(),
+            noted: Stamps::default(),
+            stamps: Stamps::default(),
             damage: BTreeMap::new(),
         }
     }
@@ -44,44 +66,133 @@ impl Filling<'_> {
         Filling { looks: false, ..self }
     }
 
+    /// The same for a large study. What an earlier process has noted is not read again.
+    fn noting(self, known: Option<Looked>) -> Self {
+        let [noted, stamps] = [Stamps::new(self.cases), Stamps::new(self.cases)];
+        Filling { notes: true, known, noted, stamps, ..self }
+    }
+
     /// Takes the next lines, and looks at the files of their cases.
     pub(super) fn take(&mut self, lines: Vec<HeldLine>) {
-        let (path, cases, places, looks) = (self.path, self.cases, &self.places, self.looks);
-        let look = |line: HeldLine| {
+        let (path, cases, places) = (self.path, self.cases, &self.places);
+        let (looks, notes) = (self.looks, self.notes);
+        let known = self.known.map_or(0, |known| known.lines).saturating_sub(self.taken);
+        self.taken += lines.len();
+        let look = |(number, line): (usize, HeldLine)| {
             let index = *places.get(&line.id())?;
-            let (record, files) = line.split(index);
+            let (record, seals) = line.split(index);
             let has_files = record.is_ok() && record.index < cases;
-            let files = has_files.then_some(&files);
-            let left = files.map_or(0, left::folders);
-            let damage = files.filter(|_| looks);
-            let damage = damage.map(|files| files::damage(path, record.id, files));
-            Some((record, left, damage))
+            let files = has_files.then(|| CaseFiles::of(record.id, &seals));
+            // Before they are read: what changes meanwhile shows later.
+            let stamp = files.filter(|_| notes).map_or(Some(0), |files| files.stamp(path));
+            let is_noted = number < known;
+            let is_read = looks && has_files && !is_noted;
+            let damage = is_read.then(|| files::damage(path, record.id, &seals));
+            Some((record, files, stamp, is_noted, damage.unwrap_or_default()))
         };
-        let looked: Vec<_> = lines.into_par_iter().filter_map(look).collect();
-        for (record, left, damage) in looked {
+        let looked: Vec<_> = lines.into_par_iter().enumerate().filter_map(look).collect();
+        for (record, files, stamp, is_noted, damage) in looked {
             let index = record.index;
-            self.left.set(index, left);
+            self.left.set(index, files.map_or(0, |files| files.folders));
             self.damage.remove(&index);
-            self.damage.extend(damage.filter(|all| !all.is_empty()).map(|all| (index, all)));
+            if is_noted {
+                self.noted.set(index, stamp);
+            } else if damage.is_empty() {
+                self.found.extend(files.filter(|_| notes));
+            }
+            self.stamps.set(index, if damage.is_empty() { stamp } else { Some(0) });
+            self.damage.extend((!damage.is_empty()).then_some((index, damage)));
             self.records[index] = Some(record);
         }
     }
 
-    /// The records, without those whose files are damaged or missing, where the files of each are, and what is
-    /// wrong with them.
-    pub(super) fn end(mut self) -> (Vec<Option<CaseRecord>>, Places, Vec<String>) {
-        for &index in self.damage.keys() {
-            self.records[index] = None;
-        }
+    /// Whether the files that an earlier process has noted are still what they were.
+    fn bears_out(&self) -> bool {
+        let known = self.known.filter(|known| known.lines <= self.taken);
+        known.is_some_and(|known| self.noted.sum() == Some(known.files))
+    }
+
+    /// What there is, without records whose files are damaged or missing.
+    pub(super) fn end(mut self) -> Filled {
+        let damaged = self.damage.keys().filter_map(|&index| self.records[index].take());
+        let owed = damaged.map(|record| record.id).collect();
         let damage = self.damage.into_values().flatten();
         let told = |file: Damaged| format!("{}: its case runs again", told(&file));
-        (self.records, self.left, damage.map(told).collect())
+        Filled {
+            records: self.records,
+            left: self.left,
+            told: damage.map(told).collect(),
+            found: self.found,
+            owed,
+            stamps: self.stamps.sum().filter(|_| self.notes),
+            is_noted: self.known.is_some(),
+        }
     }
 
     /// All records, and what is wrong with files.
     pub(super) fn all(self) -> (Vec<Option<CaseRecord>>, Vec<Damaged>) {
         (self.records, self.damage.into_values().flatten().collect())
     }
+}
+
+/// A journal's records in the order of the runs.
+pub(super) struct Filled {
+    pub records: Vec<Option<CaseRecord>>,
+    /// Where the files of each case are.
+    pub left: Places,
+    /// What is wrong with files, in words.
+    pub told: Vec<String>,
+    /// Files of a large study that were read and are well. An earlier process may have died before they were on the disk.
+    pub found: Vec<CaseFiles>,
+    /// Cases whose files are damaged or missing.
+    pub owed: BTreeSet<CaseId>,
+    /// A sum over what the system tells of all files; `None` of a small study, and where it does not tell.
+    pub stamps: Option<u64>,
+    /// Whether what an earlier process has noted still holds.
+    pub is_noted: bool,
+}
+
+impl Filled {
+    /// That of a study of which nothing is done.
+    pub(super) fn nothing(study: &Study) -> Filled {
+        let is_large = study.cases.len() > looked::ABOVE;
+        Filled {
+            records: vec![None; study.run_count()],
+            left: Places::new(study.cases.len()),
+            told: Vec::new(),
+            found: Vec::new(),
+            owed: BTreeSet::new(),
+            stamps: is_large.then_some(0),
+            is_noted: false,
+        }
+    }
+}
+
+/// What the journal of a study holds, with a look at its cases' files. What an earlier process has noted of them counts
+/// where all of it still holds.
+pub(super) fn fill<'a>(
+    path: &'a Path,
+    study: &Study,
+) -> Result<(Content<HeldLine>, Filling<'a>), SweepError> {
+    let read = |mut filling: Filling<'a>| {
+        let content = journal::read_in_blocks(path, |lines| filling.take(lines))?;
+        Ok::<_, SweepError>((content, filling))
+    };
+    if Closing::read(path).is_some() {
+        return read(Filling::new(path, study).blind());
+    }
+    let new = || Filling::new(path, study);
+    if study.cases.len() <= looked::ABOVE {
+        return read(new());
+    }
+    if let Some(known) = Looked::read(path) {
+        let (content, filling) = read(new().noting(Some(known)))?;
+        // With a line lost, those behind it are not where they were.
+        if content.damaged == 0 && filling.bears_out() {
+            return Ok((content, filling));
+        }
+    }
+    read(new().noting(None))
 }
 
 /// A file, and what is wrong with it.

@@ -84,6 +84,17 @@ impl Journal {
         Ok(())
     }
 
+    /// Its length, with all that was appended.
+    pub(super) fn length(&self) -> u64 {
+        self.length
+    }
+
+    /// What it is to the system.
+    pub(super) fn identity(&self) -> Result<[u64; 2], SweepError> {
+        let file = self.file.metadata().map_err(SweepError::io(&self.path))?;
+        Ok(atomic_file::identity(&file))
+    }
+
     /// Whether lines have waited for the disk so long.
     pub fn waits(&self, time: Duration) -> bool {
         self.unsynced_since.is_some_and(|since| since.elapsed() >= time)

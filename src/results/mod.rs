@@ -32,6 +32,7 @@ mod journal;
 mod left;
 mod load;
 mod lock;
+mod looked;
 mod made_up;
 mod manifest;
 mod number;
@@ -43,9 +44,11 @@ mod round_trip;
 mod rows;
 mod seal;
 mod sealed;
+mod stamp;
 mod summary;
 #[cfg(test)]
 mod trial;
+mod unsynced;
 mod verify;
 mod waiting;
 

@@ -127,6 +127,17 @@ pub(super) fn told_damage(content: &Content<impl Sized>, mends: bool) -> Option<
     Some(format!("journal.jsonl: {told}; what they held runs again{when}"))
 }
 
+/// Refuses an instruction set that not every rank has.
+pub(super) fn check_request(
+    requested: Option<SimdPath>,
+    widest: SimdPath,
+) -> Result<(), SweepError> {
+    let Some(simd) = requested.filter(|&simd| simd > widest) else { return Ok(()) };
+    let (simd, widest) = (name_of(simd), name_of(widest));
+    let reason = format!("--simd {simd}: not every rank has it; the widest is {widest}");
+    Err(SweepError::Refused(reason))
+}
+
 pub(super) fn check_header(
     path: &Path,
     header: &Header,

@@ -38,7 +38,7 @@ impl Seal {
     }
 
     /// Length of the file.
-    fn bytes(&self) -> u64 {
+    pub(super) fn bytes(&self) -> u64 {
         match self {
             Seal::Whole { bytes, .. } | Seal::Length(bytes) => *bytes,
         }

@@ -1,14 +1,16 @@
 //! What is recorded and waits to be put on the disk.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::thread::JoinHandle;
 use std::time::Duration;
 
 use super::checkpoints;
 use super::error::SweepError;
-use super::files::Unsynced;
 use super::journal::Journal;
-use super::seal::Seals;
+use super::looked::Notes;
+use super::stamp::CaseFiles;
+use super::unsynced::Unsynced;
 use crate::study::CaseId;
 
 /// Lines and files are on the disk after this time at most.
@@ -22,21 +24,33 @@ pub(super) struct Waiting {
     lines: Vec<CaseId>,
     /// What goes to the disk just now.
     group: Option<Group>,
+    /// Of what has gone there.
+    notes: Notes,
+    /// Cases that have lost files. Nothing is noted before they have run again.
+    owed: BTreeSet<CaseId>,
 }
 
 impl Waiting {
-    /// Nothing of this directory yet.
-    pub(super) fn new(directory: &Path) -> Result<Waiting, SweepError> {
-        Ok(Waiting { files: Unsynced::new(directory)?, lines: Vec::new(), group: None })
+    /// What was found in this directory: the files of these cases may not be on the disk yet, and those of
+    /// `owed` are damaged or missing.
+    pub(super) fn new(
+        directory: &Path,
+        found: Vec<CaseFiles>,
+        notes: Notes,
+        owed: BTreeSet<CaseId>,
+    ) -> Result<Waiting, SweepError> {
+        let files = Unsynced::new(directory, found)?;
+        Ok(Waiting { files, lines: Vec::new(), group: None, notes, owed })
     }
 
-    /// A case has left its files.
-    pub(super) fn add_files(&mut self, directory: &Path, id: CaseId, seals: &Seals) {
-        self.files.add(directory, id, seals);
+    /// A case has left its files; they may be on the disk already.
+    pub(super) fn add_files(&mut self, files: CaseFiles, on_disk: bool) {
+        self.files.add(files, on_disk);
     }
 
     /// A case has a line in the journal.
     pub(super) fn add_line(&mut self, id: CaseId) {
+        self.owed.remove(&id);
         self.lines.push(id);
     }
 
@@ -55,23 +69,32 @@ impl Waiting {
         now: bool,
     ) -> Result<(), SweepError> {
         if let Some(group) = self.group.take_if(|group| now || group.is_ended()) {
-            checkpoints::remove(directory, group.end()?)?;
+            let (cases, notes) = group.end()?;
+            self.notes = notes;
+            checkpoints::remove(directory, cases)?;
         }
         if !journal.waits(if now { Duration::ZERO } else { LONGEST }) || self.group.is_some() {
             return Ok(());
         }
         journal.demand_in_place()?;
-        if now {
-            self.files.take().sync(directory)?;
+        let (path, files, notes) = (directory.to_owned(), self.files.take(), self.notes);
+        let (lines, bytes) = (self.lines.len(), journal.length());
+        let is_whole = self.owed.is_empty();
+        let put = move |journal: &mut Journal| {
+            let with_found = files.sync(&path)?;
             journal.sync()?;
+            // A note comes after all that it tells of.
+            let notes = if with_found { notes } else { Notes::none() };
+            let notes = notes.add(&path, &files, lines, bytes);
+            if is_whole { notes.write(&path) } else { Ok(notes) }
+        };
+        if now {
+            self.notes = put(journal)?;
             return checkpoints::remove(directory, self.lines.drain(..));
         }
         let mut journal = journal.let_sync()?;
-        let (path, files) = (directory.to_owned(), self.files.take());
-        self.group = Some(Group::start(std::mem::take(&mut self.lines), move || {
-            files.sync(&path)?;
-            journal.sync()
-        }));
+        let lines = std::mem::take(&mut self.lines);
+        self.group = Some(Group::start(lines, move || put(&mut journal)));
         Ok(())
     }
 }
@@ -80,14 +103,14 @@ impl Waiting {
 #[derive(Debug)]
 struct Group {
     cases: Vec<CaseId>,
-    thread: JoinHandle<Result<(), SweepError>>,
+    thread: JoinHandle<Result<Notes, SweepError>>,
 }
 
 impl Group {
-    /// Begins; `sync` puts everything that these cases have left on the disk.
+    /// Begins; `sync` puts everything that these cases have left on the disk, and notes it.
     fn start(
         cases: Vec<CaseId>,
-        sync: impl FnOnce() -> Result<(), SweepError> + Send + 'static,
+        sync: impl FnOnce() -> Result<Notes, SweepError> + Send + 'static,
     ) -> Group {
         Group { cases, thread: std::thread::spawn(sync) }
     }
@@ -97,11 +120,11 @@ impl Group {
         self.thread.is_finished()
     }
 
-    /// Waits for the disk; what is on it now.
-    fn end(self) -> Result<Vec<CaseId>, SweepError> {
+    /// Waits for the disk; what is on it now, and what is noted of it.
+    fn end(self) -> Result<(Vec<CaseId>, Notes), SweepError> {
         let panicked = |_| SweepError::Executor("writing to the disk ended in a panic".to_owned());
-        self.thread.join().unwrap_or_else(|panic| Err(panicked(panic)))?;
-        Ok(self.cases)
+        let notes = self.thread.join().unwrap_or_else(|panic| Err(panicked(panic)))?;
+        Ok((self.cases, notes))
     }
 }
 
@@ -112,7 +135,7 @@ mod tests {
     #[test]
     fn what_the_disk_refuses_is_told() {
         let case = "0000000000000001".parse::<CaseId>().unwrap();
-        assert_eq!(Group::start(vec![case], || Ok(())).end().unwrap(), [case]);
+        assert_eq!(Group::start(vec![case], || Ok(Notes::none())).end().unwrap().0, [case]);
         let full = || Err(SweepError::Executor("the disk is full".to_owned()));
         assert!(Group::start(vec![case], full).end().is_err());
         assert!(Group::start(vec![case], || panic!("lost it")).end().is_err());

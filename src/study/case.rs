@@ -33,6 +33,11 @@ impl CaseId {
         let digest = begun(numerics).chain_update(rest).finalize();
         CaseId(u64::from_be_bytes(digest[..8].try_into().expect("a digest has 32 bytes")))
     }
+
+    /// The number whose digits it is.
+    pub fn number(self) -> u64 {
+        self.0
+    }
 }
 
 impl fmt::Display for CaseId {

@@ -1,0 +1,150 @@
+//! The files of a case as the system knows them: by that a change shows without a look into them.
+
+use std::fs::{self, Metadata};
+use std::path::{Path, PathBuf};
+
+use super::files::{self, FOLDERS};
+use super::left::{self, Folders};
+use super::seal::{Seal, Seals};
+use crate::study::CaseId;
+
+/// The files that a case has left, in a few bytes: there may be those of a million cases.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct CaseFiles {
+    pub(super) id: CaseId,
+    pub(super) folders: Folders,
+    /// Over what they were when they were written.
+    seals: u64,
+    /// Their lengths together.
+    bytes: u64,
+}
+
+impl CaseFiles {
+    /// Those of a case that has ended well.
+    pub(super) fn of(id: CaseId, seals: &Seals) -> CaseFiles {
+        let mut sum = id.number();
+        for (folder, seal) in seals {
+            let place = FOLDERS.iter().position(|name| name == folder);
+            sum = mixed(sum, place.map_or(u64::MAX, |place| place as u64));
+            sum = mixed(sum, seal.bytes());
+            if let Seal::Whole { sum: digits, .. } = seal {
+                sum = mixed(sum, u64::from_str_radix(digits, 16).unwrap_or(u64::MAX));
+            }
+        }
+        let bytes = seals.values().map(Seal::bytes).fold(0, u64::wrapping_add);
+        CaseFiles { id, folders: left::folders(seals), seals: sum, bytes }
+    }
+
+    /// Where they are.
+    pub(super) fn paths(self, directory: &Path) -> impl Iterator<Item = PathBuf> {
+        let there = move |&(at, _): &(usize, &str)| self.folders >> at & 1 == 1;
+        let folders = FOLDERS.into_iter().enumerate().filter(there);
+        folders.map(move |(_, folder)| files::path(directory, folder, self.id))
+    }
+
+    /// A sum over what the system tells of them. It is another one where any of them was changed or replaced. `None` where
+    /// one is missing, or they are not as long as they were, or the system does not tell.
+    pub(super) fn stamp(self, directory: &Path) -> Option<u64> {
+        let (mut sum, mut bytes) = (self.seals, 0);
+        for path in self.paths(directory) {
+            let file = fs::metadata(path).ok()?;
+            bytes += file.len();
+            sum = told(&file)?.into_iter().fold(sum, mixed);
+        }
+        (bytes == self.bytes).then_some(sum)
+    }
+}
+
+/// Stamps of the cases of a study, by their places. Of a case that runs again the last one counts.
+#[derive(Debug, Default)]
+pub(super) struct Stamps(Vec<Option<u64>>);
+
+impl Stamps {
+    /// Of so many cases, none of which has left anything yet.
+    pub(super) fn new(cases: usize) -> Stamps {
+        Stamps(vec![Some(0); cases])
+    }
+
+    /// That of this run, if it is a case.
+    pub(super) fn set(&mut self, index: usize, stamp: Option<u64>) {
+        if let Some(place) = self.0.get_mut(index) {
+            *place = stamp;
+        }
+    }
+
+    /// Their sum; `None` where one is missing.
+    pub(super) fn sum(&self) -> Option<u64> {
+        self.0.iter().try_fold(0_u64, |sum, stamp| Some(sum.wrapping_add((*stamp)?)))
+    }
+}
+
+/// Length, number, and when a file or its name was last changed.
+#[cfg(unix)]
+fn told(file: &Metadata) -> Option<[u64; 4]> {
+    use std::os::unix::fs::MetadataExt;
+    Some([file.len(), file.ino(), file.ctime().cast_unsigned(), file.ctime_nsec().cast_unsigned()])
+}
+
+/// Elsewhere the system does not tell when a name was changed.
+#[cfg(not(unix))]
+fn told(_file: &Metadata) -> Option<[u64; 4]> {
+    None
+}
+
+/// A sum with one number more. Its steps are those of SplitMix64 (Steele et al. 2014).
+fn mixed(sum: u64, number: u64) -> u64 {
+    let mut mixed = (sum ^ number).wrapping_add(0x9E37_79B9_7F4A_7C15);
+    mixed = (mixed ^ (mixed >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+    mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+    mixed ^ (mixed >> 31)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[cfg(unix)]
+    fn any_change_of_a_file_shows() {
+        let root = tempfile::tempdir().unwrap();
+        let (directory, id) = (root.path(), "00000000000000ab".parse().unwrap());
+        let seals: Seals =
+            ["histories", "waves"].map(|name| (name.to_owned(), Seal::of(b"1,2\n"))).into();
+        let files = CaseFiles::of(id, &seals);
+        assert_eq!(files.stamp(directory), None);
+        for path in files.paths(directory) {
+            fs::create_dir(path.parent().unwrap()).unwrap();
+            fs::write(&path, "1,2\n").unwrap();
+        }
+        let waves = directory.join("waves/00000000000000ab.csv");
+        assert_eq!(files.paths(directory).last(), Some(waves.clone()));
+        let mut before = files.stamp(directory).unwrap();
+        assert_eq!(files.stamp(directory), Some(before));
+        let replace = || {
+            fs::write(directory.join("new"), "1,2\n").unwrap();
+            fs::rename(directory.join("new"), &waves).unwrap();
+        };
+        let changes: [&dyn Fn(); 4] = [
+            &|| fs::write(&waves, "1,3\n").unwrap(),
+            &|| fs::set_permissions(&waves, fs::metadata(&waves).unwrap().permissions()).unwrap(),
+            &|| fs::hard_link(&waves, directory.join("link")).unwrap(),
+            &replace,
+        ];
+        for (number, change) in changes.iter().enumerate() {
+            std::thread::sleep(std::time::Duration::from_millis(20));
+            change();
+            let now = files.stamp(directory).unwrap();
+            assert_ne!(now, before, "change {number}");
+            before = now;
+        }
+        for seal in [Seal::of(b"1,3\n"), Seal::Length(4)] {
+            let mut others = seals.clone();
+            others.insert("waves".to_owned(), seal);
+            assert_ne!(CaseFiles::of(id, &others).stamp(directory).unwrap(), before);
+        }
+        fs::write(&waves, "1,23\n").unwrap();
+        assert_eq!(files.stamp(directory), None);
+        fs::remove_file(&waves).unwrap();
+        assert_eq!(files.stamp(directory), None);
+    }
+}

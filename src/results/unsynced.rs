@@ -1,0 +1,72 @@
+//! Files that cases have left and that may not be on the disk yet.
+
+use std::fs::File;
+use std::path::Path;
+use std::sync::Arc;
+
+use super::error::SweepError;
+use super::files::FOLDERS;
+use super::stamp::CaseFiles;
+use super::{atomic_file, disk};
+
+/// So many files go to the disk with all else that waits to: one by one they take seven times as long.
+const MANY: usize = 32;
+/// So many cases that were found on opening go to the disk one by one.
+const MOST_FOUND: usize = if cfg!(test) { 2 } else { 10_000 };
+
+/// Files that go to the disk in groups. One by one, the coordinator of many ranks would do little but wait for the disk.
+#[derive(Debug)]
+pub(super) struct Unsynced {
+    /// Open from before the first file on: failures since then are told.
+    directory: Arc<File>,
+    cases: Vec<CaseFiles>,
+    /// So many of them were found on opening: an earlier process may have died before they were on the disk.
+    found: usize,
+    /// Cases whose files have come to the disk where they were written.
+    on_disk: Vec<CaseFiles>,
+}
+
+impl Unsynced {
+    /// What was found in this directory.
+    pub(super) fn new(directory: &Path, cases: Vec<CaseFiles>) -> Result<Unsynced, SweepError> {
+        let opened = File::open(directory).map_err(SweepError::io(directory))?;
+        let found = cases.len();
+        Ok(Unsynced { directory: Arc::new(opened), cases, found, on_disk: Vec::new() })
+    }
+
+    /// A case has left its files; they may be on the disk already.
+    pub(super) fn add(&mut self, files: CaseFiles, on_disk: bool) {
+        if on_disk { &mut self.on_disk } else { &mut self.cases }.push(files);
+    }
+
+    /// All of them; none are left.
+    pub(super) fn take(&mut self) -> Unsynced {
+        Unsynced {
+            directory: self.directory.clone(),
+            cases: std::mem::take(&mut self.cases),
+            found: std::mem::take(&mut self.found),
+            on_disk: std::mem::take(&mut self.on_disk),
+        }
+    }
+
+    /// Puts them on the disk; whether those are there as well that were found. Of very many that would take too long,
+    /// where the system cannot do it in one go.
+    pub(super) fn sync(&self, directory: &Path) -> Result<bool, SweepError> {
+        let files: u32 = self.cases.iter().map(|files| files.folders.count_ones()).sum();
+        if files as usize >= MANY && disk::sync_all(&self.directory) {
+            return Ok(true);
+        }
+        let left_out = if self.found > MOST_FOUND { self.found } else { 0 };
+        let mut paths = self.cases[left_out..].iter().flat_map(|files| files.paths(directory));
+        paths.try_for_each(|path| atomic_file::sync(&path))?;
+        let folders = FOLDERS.map(|name| directory.join(name));
+        folders.iter().filter(|path| path.is_dir()).try_for_each(|path| atomic_file::sync(path))?;
+        Ok(left_out == 0)
+    }
+
+    /// A sum over what the system tells of all that were not found on opening; see [`CaseFiles::stamp`].
+    pub(super) fn stamp(&self, directory: &Path) -> Option<u64> {
+        let mut new = self.cases[self.found..].iter().chain(&self.on_disk);
+        new.try_fold(0_u64, |sum, files| Some(sum.wrapping_add(files.stamp(directory)?)))
+    }
+}
