@@ -5,9 +5,11 @@
 //! processors, and the most memory that was held.
 //!
 //! `no-report` leaves the report out. `keep` leaves DIR/load and its sweep file DIR/load.toml behind, for
-//! `seawall sweep`, `status` and `report`; where they are there already, it starts with the reading.
+//! `seawall sweep`, `status` and `report`. Where they are there already, it goes on with what is left: of a sweep that
+//! was killed it tells after what time the first new case begins.
 
 use std::path::Path;
+use std::sync::OnceLock;
 use std::time::Instant;
 
 use seawall::execute::fake::cost;
@@ -23,6 +25,9 @@ use seawall::study::{Plan, Study, SweepFile};
 
 const SIMD: SimdPath = SimdPath::Portable;
 
+/// When the first case began.
+static FIRST: OnceLock<Instant> = OnceLock::new();
+
 /// Every case ends at once, and all alike.
 struct Same(CaseResult);
 
@@ -37,6 +42,7 @@ impl Runner for Same {
         _: Option<&[u8]>,
         _: &dyn Monitor,
     ) -> Result<CaseResult, Stopped> {
+        FIRST.get_or_init(Instant::now);
         Ok(self.0.clone())
     }
 }
@@ -60,7 +66,8 @@ fn sweep(out: &Path, study: &Study, count: usize) {
     threads::with_crew(&setup, |crew| {
         let (mut directory, _) =
             Directory::open(out, study, OpenMode::Resume, Some(SIMD), SIMD).unwrap();
-        let plan = Plan::new(study, true, cost, |_| true);
+        let missing = |index: usize| directory.runs()[index].is_none();
+        let plan = Plan::new(study, true, cost, missing);
         let ranks = crew.ranks().to_vec();
         crew.work(SIMD, out, &mut |link| {
             let mut session = Session {
@@ -103,8 +110,9 @@ fn main() {
     let count = rest.first().map_or(2, |word| word.parse().unwrap());
     let asked = |what: &str| rest.iter().any(|word| word == what);
     let room = tempfile::tempdir_in(below).unwrap();
-    let text = file(cases.parse().unwrap());
     let out = if asked("keep") { Path::new(below) } else { room.path() }.join("load");
+    let kept = std::fs::read_to_string(out.with_extension("toml"));
+    let text = kept.unwrap_or_else(|_| file(cases.parse().unwrap()));
     std::fs::write(out.with_extension("toml"), &text).unwrap();
     let mut before = 0.0;
     let mut tell = |what: &str, start: Instant| {
@@ -115,12 +123,17 @@ fn main() {
     let start = Instant::now();
     let study = Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap();
     tell(&format!("study of {}", counted(study.cases.len(), "case")), start);
-    if !out.exists() {
+    if !out.join("summary.csv").exists() {
+        let anew = !out.exists();
         let start = Instant::now();
         sweep(&out, &study, count);
         tell("sweep", start);
-        let rate = study.cases.len() as f64 / start.elapsed().as_secs_f64();
-        println!("{rate:.0} cases per second on {}", counted(count, "thread"));
+        let first = FIRST.get().map_or(0.0, |first| (*first - start).as_secs_f64());
+        println!("the first case began after {first:.2} s");
+        if anew {
+            let rate = study.cases.len() as f64 / start.elapsed().as_secs_f64();
+            println!("{rate:.0} cases per second on {}", counted(count, "thread"));
+        }
     }
     let start = Instant::now();
     let (directory, opened) = Directory::open(&out, &study, OpenMode::Resume, None, SIMD).unwrap();
