@@ -5,6 +5,7 @@ mod matching;
 mod pair;
 mod shown;
 
+use std::collections::HashSet;
 use std::path::Path;
 
 use super::config::{Config, configs};
@@ -59,8 +60,9 @@ pub fn compare(directories: [&Path; 2]) -> Result<Comparison, ReportError> {
     let matches = matching::matched(&studies, &sides);
     let pair = |&(a, b): &(usize, usize)| Pair::of(&sides[0][a], &sides[1][b]);
     let only = [0, 1].map(|one| {
-        let has = |at: usize| matches.iter().any(|&(a, b)| [a, b][one] == at);
-        let lone = sides[one].iter().enumerate().filter(|(at, _)| !has(*at));
+        // Of a hundred thousand pairs a look through all for each case would take minutes.
+        let has: HashSet<usize> = matches.iter().map(|&(a, b)| [a, b][one]).collect();
+        let lone = sides[one].iter().enumerate().filter(|(at, _)| !has.contains(at));
         lone.map(|(_, side)| side.row.title()).collect()
     });
     let name = |one: usize| studies[one].name().unwrap_or_default().to_owned();
