@@ -113,6 +113,7 @@ fn main() {
     let out = if asked("keep") { Path::new(below) } else { room.path() }.join("load");
     let kept = std::fs::read_to_string(out.with_extension("toml"));
     let text = kept.unwrap_or_else(|_| file(cases.parse().unwrap()));
+    assert_eq!(text, file(cases.parse().unwrap()), "DIR holds a sweep of other cases");
     std::fs::write(out.with_extension("toml"), &text).unwrap();
     let mut before = 0.0;
     let mut tell = |what: &str, start: Instant| {

@@ -50,7 +50,7 @@ fn runup_is_told_at_the_thickness_that_is_asked_for() {
     }
 }
 
-/// Where a wave breaks the tongue is long. It was one spacing thick 0.44 h up at ten rows, and 0.53 h at fourteen.
+/// Where a wave breaks the tongue is long. Read where it is one spacing thick, R was 0.44 h at ten rows and 0.53 h at fourteen.
 #[test]
 fn runup_at_a_thickness_does_not_hang_on_the_spacing() {
     let scene = "tank_length_m = 6\nbed = [[0, 0], [2, 0], [6, 0.4]]\nwave_gauge_m = 1\nwave_height_ratio = 0.3\n\

@@ -135,7 +135,7 @@ fn a_paddle_without_its_keys_is_told_so() {
         ),
         (
             "paddle = \"wave-train\"\nwave_period_s = 9\nend_time_s = 1",
-            "scene.wave_period_s = 9: makes waves too long",
+            "scene.wave_period_s = 9: must be 1.152 s or less: longer waves are too long",
         ),
         (
             "paddle = \"recorded-stroke\"\nrecorded_stroke = \"no.csv\"\nend_time_s = 1",

@@ -8,7 +8,7 @@ use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use seawall::execute::fake::{FakeRunner, cost};
 use seawall::execute::{
@@ -155,13 +155,16 @@ fn a_large_study_that_was_killed_goes_on_to_the_same_bytes() {
         let mut directory = open.unwrap().0;
         assert_eq!(directory.records().iter().flatten().count(), part.start);
         assert_eq!(directory.findings(), Vec::<String>::new());
+        assert_eq!(out.join("looked.json").exists(), part.start > 0, "a note that counts stays");
         for case in &study.cases[part] {
             let result = Ok(made_up(&case.config));
             let record = CaseRecord::new(&study, case, &result, 0.0, "here");
             directory.record(record, result.as_ref().ok()).unwrap();
             directory.sync(false).unwrap();
         }
+        let late = Instant::now() + Duration::from_secs(60);
         while !out.join("looked.json").exists() {
+            assert!(Instant::now() < late, "nothing is noted");
             std::thread::sleep(Duration::from_millis(20));
             directory.sync(false).unwrap();
         }

@@ -16,7 +16,7 @@ quantities! { Read;
     TIME = column("time_s", Unit::Seconds, |row| row.time_s);
     /// force F* on the wall, unfiltered
     FORCE = column("force", Unit::Force, |row| row.force);
-    /// runup R*: the surface at the wall over that at rest
+    /// runup R*: the surface at the wall, or on a beach the water's edge, over that at rest
     RUNUP = column("runup", Unit::Runup, |row| row.runup);
     /// displacement X* of the wall, away from the water; 0 for a fixed wall
     DISPLACEMENT = column("displacement", Unit::Displacement, |row| row.displacement);

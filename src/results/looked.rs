@@ -29,8 +29,8 @@ const EVERY: Duration = if cfg!(test) { Duration::ZERO } else { Duration::from_s
 pub(super) struct Looked {
     /// Version of the note's own format.
     version: u32,
-    /// What the journal is to the system: that of a copy is another one.
-    journal: [u64; 2],
+    /// The journal's inode number: that of a copy is another one. Disks of a network have another number on each machine.
+    journal: u64,
     /// So long the journal was.
     bytes: u64,
     /// So many lines of cases there were.
@@ -44,7 +44,8 @@ impl Looked {
     pub fn read(directory: &Path) -> Option<Looked> {
         let looked: Looked = sealed::read(&directory.join(FILE_NAME))?;
         let journal = fs::metadata(directory.join(journal::FILE_NAME)).ok()?;
-        let is_it = looked.journal == atomic_file::identity(&journal);
+        let [_, number] = atomic_file::identity(&journal);
+        let is_it = looked.journal == number;
         (looked.version == VERSION && is_it && looked.bytes <= journal.len()).then_some(looked)
     }
 
@@ -73,7 +74,7 @@ impl Notes {
     /// # Errors
     /// A journal of which the system tells nothing.
     pub fn of(journal: &Journal, lines: usize, stamps: Option<u64>) -> Result<Notes, SweepError> {
-        let (bytes, journal) = (journal.length(), journal.identity()?);
+        let (bytes, [_, journal]) = (journal.length(), journal.identity()?);
         let looked = |files| Looked { version: VERSION, journal, bytes, lines, files };
         Ok(Notes { next: stamps.map(looked), last: None })
     }

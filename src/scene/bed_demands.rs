@@ -3,7 +3,7 @@
 use super::numerics::{Numerics, Scheme};
 use super::seawall::{SeawallScene, error};
 use super::seawall_demands::DIGITS;
-use crate::boundary::STEEP;
+use crate::boundary::{Profile, STEEP};
 use crate::keys::ConfigError;
 use crate::math::decimal::rounded_up;
 
@@ -56,7 +56,7 @@ impl SeawallScene {
         Ok(())
     }
 
-    /// Whether still water ends on a bed of less than 45 degrees, and the wall stands dry.
+    /// Whether still water ends on a bed of less than 44 degrees, and the wall stands dry.
     pub(super) fn is_at_beach(&self) -> bool {
         let depth = self.still_water_depth_m;
         self.bed.as_ref().is_some_and(|bed| {
@@ -70,14 +70,21 @@ impl SeawallScene {
         let told = |allowed: &str| error("runup_thickness_m", thickness, allowed);
         if !self.is_at_beach() {
             return told(
-                "is for beaches: a bed of less than 45 degrees where still water ends, and a wall that stands dry",
+                "is for beaches: a bed of less than 44 degrees where still water ends, and a wall that stands dry",
             );
         }
         let (least, most) = (0.5 * numerics.particle_spacing_m, self.still_water_depth_m);
         if !(least..=most).contains(&thickness) {
             return told(&format!(
-                "must be {least} to {most} m: half a particle spacing, and the still water's depth"
+                "must be from {least} m, half a particle spacing, to {most} m, the still water's depth"
             ));
+        }
+        let rises = |bed: &Profile| bed.rises_where_thinner(most, thickness);
+        if !self.bed.as_ref().is_some_and(rises) {
+            return told(
+                "must be less than still water is deep over bars and terraces before the shore, and the bed must not fall \
+                 behind it",
+            );
         }
         Ok(())
     }

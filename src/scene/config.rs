@@ -103,6 +103,7 @@ impl CaseConfig {
             (scene.wave_train, scene.recorded) = (None, None);
             (scene.end_after_stroke_centre_s, scene.end_time_s) = (1.0, None);
             (scene.paddle_ramp_fraction, scene.wave_gauge_m) = (0.0, 0.0);
+            scene.runup_thickness_m = None;
         }
         config.probes.clear();
         config

@@ -89,9 +89,9 @@ section! {
             unit("kg/m").above_zero().only("wall", &["movable", "caisson"]).needed();
         /// Where the wave height is measured: from the paddle at rest, inside the tank.
         wave_gauge_m: f64 = 1.5, unit("m").above_zero();
-        /// Runups on a beach are told where the water on it is so thick: half a particle spacing, or more.
+        /// On a beach runups are told where the water is so thick: from half a particle spacing to the still water's depth.
         runup_thickness_m: Option<f64> = None,
-            unit("m").above_zero().otherwise("where half of the bed is wet, about a spacing").newer();
+            unit("m").above_zero().otherwise("where the bed is half wet, about one spacing").newer();
         /// Spacing of the history's samples.
         history_interval_s: f64 = 0.005, unit("s").above_zero();
     }

@@ -102,7 +102,12 @@ mod tests {
     #[test]
     fn what_comes_before_the_wave_tells_waters_apart() {
         let one = key(&shore(0.2, "", ""));
-        for (wave, more) in [(0.15, ""), (0.2, "wave_gauge_m = 0.5"), (0.2, "end_time_s = 3")] {
+        for (wave, more) in [
+            (0.15, ""),
+            (0.2, "wave_gauge_m = 0.5"),
+            (0.2, "end_time_s = 3"),
+            (0.2, "runup_thickness_m = 0.04"),
+        ] {
             assert_eq!(key(&shore(wave, more, "")), one, "{wave} {more}");
         }
         for (more, numerics) in [

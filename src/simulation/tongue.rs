@@ -46,7 +46,7 @@ impl Tongue {
         Tongue { thickness, from, apart, reach: REACH * spacing, bed: heights, thicknesses }
     }
 
-    /// Level of the water's surface at the first place up the beach from where on it is thinner than asked, metres above
+    /// Level of the water's surface at the first place up the beach from where on it is thinner than asked for a while, metres above
     /// the bed's beginning. Where it is that thick up to the wall, that which is read `at_wall`.
     pub(super) fn level(&mut self, water: &Fluid, at_wall: f64) -> f64 {
         self.spread(water);

@@ -35,6 +35,16 @@ impl Profile {
         (depth..below).contains(&self.end()[1])
     }
 
+    /// Whether it rises to a shore of still water of this depth from where that is no thicker than so much on, and does not
+    /// fall from there on; both in metres.
+    pub fn rises_where_thinner(&self, depth: f64, thickness: f64) -> bool {
+        let thick = |stretch: &Stretch| stretch.heights()[1] <= depth - thickness;
+        self.stretches().skip_while(thick).all(|stretch| {
+            let rise = stretch.along[1];
+            rise > 0.0 || rise == 0.0 && stretch.from[1] >= depth
+        })
+    }
+
     /// Whether still water of this depth stands at its end, behind a place that comes out of it.
     pub fn has_lagoon(&self, depth: f64) -> bool {
         let [_, top] = self.range();

@@ -28,6 +28,21 @@ fn a_bed_ends_under_still_water_or_dry_or_in_a_lagoon() {
 }
 
 #[test]
+fn a_shore_rises_where_still_water_is_thin() {
+    let rises = |points: &[[f64; 2]], thickness: f64| {
+        Profile::checked(points.to_vec()).unwrap().rises_where_thinner(0.5, thickness)
+    };
+    let plane = [[0.0, 0.0], [1.0, 0.0], [4.0, 0.9], [5.0, 0.9]];
+    assert!(rises(&plane, 0.1) && rises(&plane, 0.5));
+    let terrace = [[0.0, 0.0], [1.0, 0.4], [2.0, 0.4], [3.0, 0.6]];
+    assert!(rises(&terrace, 0.1) && !rises(&terrace, 0.11));
+    let bar = [[0.0, 0.0], [1.0, 0.4], [2.0, 0.3], [3.0, 0.6]];
+    assert!(rises(&bar, 0.1) && !rises(&bar, 0.11));
+    let trough = [[0.0, 0.0], [1.0, 0.6], [2.0, 0.55], [3.0, 0.7]];
+    assert!(!rises(&trough, 0.1));
+}
+
+#[test]
 fn no_place_between_is_higher_than_the_highest() {
     let bed = beach();
     for (left, right, highest) in

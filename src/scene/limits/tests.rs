@@ -90,6 +90,9 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     let dry = |height: f64| format!("tank_length_m = 4\nbed = [[0, 0], [2, 0], [4, {height}]]");
     let told = |height: f64| count(&dry(height), "");
     assert_eq!([0.2, 0.38, 0.42].map(told), [2, 2, 1], "a wall that stands dry, and a thin tongue");
+    let told =
+        |thickness: f64| count(&format!("{}\nrunup_thickness_m = {thickness}", dry(0.42)), "");
+    assert_eq!([0.01, 0.006].map(told), [0, 1], "one thickness for all spacings");
     let lagoon = "tank_length_m = 4\nbed = [[0, 0], [2, 0], [3, 0.22], [3.5, 0.05], [4, 0.05]]";
     assert_eq!(count(lagoon, ""), 0, "its runup is read at the wall");
     let trench = "bed = [[0, 0], [1.5, 0], [1.8, 0.1], [1.9, 0.1], [1.9, 0], [1.91, 0], [1.91, 0.1], [2.5, 0.05]]";
