@@ -73,10 +73,11 @@ impl SeawallScene {
                 "is for beaches: a bed of less than 44 degrees where still water ends, and a wall that stands dry",
             );
         }
-        let (least, most) = (0.5 * numerics.particle_spacing_m, self.still_water_depth_m);
+        let (least, most) = (numerics.particle_spacing_m / 3.0, self.still_water_depth_m);
         if !(least..=most).contains(&thickness) {
             return told(&format!(
-                "must be from {least} m, half a particle spacing, to {most} m, the still water's depth"
+                "must be from {} m, a third of a particle spacing, to {most} m, the still water's depth",
+                rounded_up(least, DIGITS)
             ));
         }
         let rises = |bed: &Profile| bed.rises_where_thinner(most, thickness);

@@ -89,7 +89,7 @@ section! {
             unit("kg/m").above_zero().only("wall", &["movable", "caisson"]).needed();
         /// Where the wave height is measured: from the paddle at rest, inside the tank.
         wave_gauge_m: f64 = 1.5, unit("m").above_zero();
-        /// On a beach runups are told where the water is so thick: from half a particle spacing to the still water's depth.
+        /// On a beach runups are told where the water is so thick: from a third of a particle spacing to the still water's depth.
         runup_thickness_m: Option<f64> = None,
             unit("m").above_zero().otherwise("where the bed is half wet, about one spacing").newer();
         /// Spacing of the history's samples.
