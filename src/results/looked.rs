@@ -1,9 +1,9 @@
 //! Up to where the files of a large study are known to be on the disk: `looked.json`.
 //!
-//! To read every file of a million cases takes minutes. While a large study runs, it notes now and then how much of its
-//! journal is on the disk with the files of its cases, and what the system tells of these files. Whoever goes on asks the
-//! system for the same, and reads the files of later lines alone. Where anything differs, all files are read. A bit that has
-//! flipped on the disk changes nothing that the system tells. It is found by [`super::verify`].
+//! To read every file of a million cases takes minutes. A large study makes a note every few seconds. It says how much of the
+//! journal is on the disk with the files of its cases. It also says what the system tells of these files. Whoever goes on
+//! asks the system for the same, and reads the files of later lines alone. Where anything differs, all files are read. A bit
+//! that has flipped on the disk changes nothing that the system tells. It is found by [`super::verify`].
 
 use std::fs;
 use std::path::Path;
