@@ -25,6 +25,13 @@ pub(super) fn write(mut file: &File, bytes: &[u8]) -> Result<()> {
     file.write_all(bytes)
 }
 
+/// Leaves so many bytes of a file, on the disk as well.
+pub(super) fn cut(file: &File, length: u64) -> Result<()> {
+    faults::next()?;
+    file.set_len(length)?;
+    sync(file)
+}
+
 /// Makes a file where there is none, which has no name before it is whole; whether it did. It takes less of the
 /// file system than a name that is changed.
 #[cfg(target_os = "linux")]

@@ -65,8 +65,16 @@ pub struct Content<R = CaseRecord> {
     pub found: usize,
     /// How many lines are damaged.
     pub damaged: usize,
-    /// Whether nothing is torn or damaged.
-    pub(super) intact: bool,
+    pub(super) condition: Condition,
+}
+
+/// What state a journal's text is in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Condition {
+    Intact,
+    /// All lines are intact but the last one, which does not end. It begins behind so many bytes.
+    Torn(u64),
+    Damaged,
 }
 
 /// So many bytes are read in one go, and their lines looked at side by side.
@@ -78,6 +86,22 @@ struct Line<R> {
     damaged: usize,
     /// Whether it is one entry and nothing else.
     intact: bool,
+    bytes: u64,
+}
+
+impl<R> Line<R> {
+    /// The state of a text that ends with this line, and was in that state before it.
+    fn after(&self, before: Condition, end: &mut u64) -> Condition {
+        let start = *end;
+        *end += self.bytes;
+        match before {
+            Condition::Intact if self.intact => Condition::Intact,
+            Condition::Intact if self.entries.is_empty() && self.damaged == 0 => {
+                Condition::Torn(start)
+            }
+            _ => Condition::Damaged,
+        }
+    }
 }
 
 /// Reads a journal, without holding its text. `path` is told in errors. A last line that was never written
@@ -100,9 +124,9 @@ pub(super) fn parse_in_blocks<R: DeserializeOwned + Send>(
     mut text: impl BufRead,
     mut take: impl FnMut(Vec<R>),
 ) -> Result<Content<R>, SweepError> {
-    let mut content =
-        Content { header: None, records: Vec::new(), found: 0, damaged: 0, intact: true };
-    let mut number = 0;
+    let (header, records, condition) = (None, Vec::new(), Condition::Intact);
+    let mut content = Content { header, records, found: 0, damaged: 0, condition };
+    let (mut number, mut end) = (0, 0);
     let mut block = Vec::new();
     loop {
         next_lines(&mut text, &mut block).map_err(SweepError::io(path))?;
@@ -113,7 +137,7 @@ pub(super) fn parse_in_blocks<R: DeserializeOwned + Send>(
         for line in lines {
             number += 1;
             content.damaged += line.damaged;
-            content.intact &= line.intact;
+            content.condition = line.after(content.condition, &mut end);
             for entry in line.entries {
                 content.take(number, entry).map_err(|reason| {
                     SweepError::refused(path, format_args!("line {number}: {reason}"))
@@ -123,7 +147,9 @@ pub(super) fn parse_in_blocks<R: DeserializeOwned + Send>(
         content.found += content.records.len();
         take(std::mem::take(&mut content.records));
     }
-    content.intact &= content.header.is_some();
+    if content.header.is_none() {
+        content.condition = Condition::Damaged;
+    }
     Ok(content)
 }
 
@@ -153,8 +179,9 @@ fn read<R: DeserializeOwned>(line: &[u8]) -> Line<R> {
     let ended = line.ends_with(b"\n");
     let entry = |text: &[u8]| serde_json::from_slice(text).map_err(|error| error.to_string());
     // Nearly every line: then it need not be searched for another one.
+    let bytes = line.len() as u64;
     if let Some(text) = whole_entry(line) {
-        return Line { entries: vec![entry(text)], damaged: 0, intact: ended };
+        return Line { entries: vec![entry(text)], damaged: 0, intact: ended, bytes };
     }
     let pieces = pieces(line);
     let whole: Vec<_> = pieces.iter().filter_map(|piece| whole_entry(piece)).collect();
@@ -163,6 +190,7 @@ fn read<R: DeserializeOwned>(line: &[u8]) -> Line<R> {
         damaged: if ended { lost } else { 0 },
         intact: ended && pieces.len() == 1 && lost == 0,
         entries: whole.into_iter().map(entry).collect(),
+        bytes,
     }
 }
 

@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use super::entries::{self, Content, Entry, Header};
+use super::entries::{self, Condition, Content, Entry, Header};
 use super::error::SweepError;
 use super::record::CaseRecord;
 use super::{atomic_file, disk};
@@ -46,7 +46,7 @@ impl Journal {
         Ok(journal)
     }
 
-    /// Opens a journal, which holds `content`, to go on with it. A torn tail is cut off, damaged lines are
+    /// Opens a journal, which holds `content`, to go on with it. A torn tail is cut off in place, damaged lines are
     /// set aside. Where the first line is lost, `header` takes its place.
     ///
     /// # Errors
@@ -57,7 +57,7 @@ impl Journal {
         header: &Header,
     ) -> Result<Journal, SweepError> {
         let path = directory.join(FILE_NAME);
-        if !content.intact {
+        if content.condition == Condition::Damaged {
             let text = std::fs::read(&path).map_err(SweepError::io(&path))?;
             let [whole, damaged] = entries::sorted(&text);
             keep_damaged(directory, &damaged)?;
@@ -67,6 +67,9 @@ impl Journal {
             atomic_file::write(&path, &text)?;
         }
         let file = disk::append(&path).map_err(SweepError::io(&path))?;
+        if let Condition::Torn(whole) = content.condition {
+            disk::cut(&file, whole).map_err(SweepError::io(&path))?;
+        }
         let length = file.metadata().map_err(SweepError::io(&path))?.len();
         Ok(Journal { path, file, length, unsynced_since: None })
     }

@@ -4,6 +4,7 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Read, Write};
 use std::path::{Path, PathBuf};
 
+use super::entries::Condition;
 use super::error::SweepError;
 use super::filling::{self, Filling};
 use super::manifest::Manifest;
@@ -37,7 +38,7 @@ pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
             told.push(format!("journal.jsonl is of another sweep (\"{}\")", header.name));
         }
         None if told.is_empty() => told.push("journal.jsonl has lost its beginning".to_owned()),
-        _ if told.is_empty() && !content.intact => {
+        _ if told.is_empty() && content.condition != Condition::Intact => {
             told.push("journal.jsonl: its last line does not end".to_owned());
         }
         _ => {}
