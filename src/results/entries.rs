@@ -124,10 +124,10 @@ pub(super) fn parse_in_blocks<R: DeserializeOwned + Send>(
     mut text: impl BufRead,
     mut take: impl FnMut(Vec<R>),
 ) -> Result<Content<R>, SweepError> {
-    let (header, records, condition) = (None, Vec::new(), Condition::Intact);
-    let mut content = Content { header, records, found: 0, damaged: 0, condition };
-    let (mut number, mut end) = (0, 0);
-    let mut block = Vec::new();
+    let condition = Condition::Intact;
+    let mut content =
+        Content { header: None, records: Vec::new(), found: 0, damaged: 0, condition };
+    let (mut number, mut end, mut block) = (0, 0, Vec::new());
     loop {
         next_lines(&mut text, &mut block).map_err(SweepError::io(path))?;
         if block.is_empty() {
@@ -147,9 +147,7 @@ pub(super) fn parse_in_blocks<R: DeserializeOwned + Send>(
         content.found += content.records.len();
         take(std::mem::take(&mut content.records));
     }
-    if content.header.is_none() {
-        content.condition = Condition::Damaged;
-    }
+    content.condition = content.header.as_ref().map_or(Condition::Damaged, |_| content.condition);
     Ok(content)
 }
 
