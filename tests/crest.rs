@@ -62,6 +62,20 @@ fn a_crest_that_no_water_reaches_is_an_endless_wall() {
     }
 }
 
+/// The story: as a wave passed the edge, ghosts under the top pushed it back. The force had a peak of 4 % then, and was
+/// that of an endless wall.
+#[test]
+fn water_that_passes_the_edge_is_not_pushed_back() {
+    let wave = "tank_length_m = 2\nwave_height_ratio = 0.5\nend_after_stroke_centre_s = 1.6\n";
+    let forces = [String::new(), crest(0.12)].map(|end| {
+        let case = case(&(wave.to_owned() + &end), "particle_spacing_m = 0.0141421", &[]);
+        let ran = run_case(&case, None, SimdPath::widest(), &Unwatched).unwrap();
+        ran.outcome.first_force_max.unwrap().value
+    });
+    let [endless, low] = forces;
+    assert!((0.92..0.97).contains(&(low / endless)), "{low} and {endless}");
+}
+
 /// The story: within a support radius of the top the room above it counted as missing water, and the level read up
 /// to 8 % low. A wave that stays a spacing below the top climbs as before an endless wall.
 #[test]

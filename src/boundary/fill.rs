@@ -2,6 +2,7 @@
 
 use std::mem::take;
 
+use super::crest::LIES_ON;
 use super::exchange::Exchange;
 use super::faces::span;
 use super::ghost_part::GhostPart;
@@ -12,9 +13,6 @@ use crate::body::{BodyMotion, Place};
 use crate::math::simd::{LANES, SimdPath, dispatch};
 use crate::math::team::First;
 use crate::pairs::Record;
-
-/// Water lies on a crest whose mean is so many spacings above it: half of what a single row has.
-const LIES_ON: f64 = 0.25;
 
 impl Exchange {
     /// Writes the ghosts' records: place, volume, pressure and its response to their body's
@@ -141,15 +139,15 @@ impl Filling<'_> {
         Some((volume, wet))
     }
 
-    /// How much a ghost under a crest counts. Water that climbs the face is in reach of its mirror point, too, and
-    /// would be reflected downwards: only water that lies on the crest counts.
+    /// How much a ghost under a crest counts, see [`Crest::carried`](super::Crest).
     fn share_on_crest(&self, body: usize, g: usize) -> f64 {
         let Filling { exchange, ghosts, .. } = *self;
         let level = Reflection::Plane { normal: [0.0, -1.0] };
         match &ghosts.crest {
             Some(crest) if body == Place::Right.number() && ghosts.reflection[g] == level => {
-                let above = exchange.means[g / LANES].y[g % LANES] - crest.height;
-                (above / (LIES_ON * exchange.rules.spacing)).clamp(0.0, 1.0)
+                let means = &exchange.means[g / LANES];
+                let mean = [means.x[g % LANES], means.y[g % LANES]];
+                crest.carried(ghosts.target_x[g], mean, exchange.rules.spacing)
             }
             _ => 1.0,
         }
