@@ -229,7 +229,8 @@ mod tests {
         let (results, health, parameters) = groups();
         let told = results.len() + health.len() + parameters.len();
         let beside = ["force_error", "runup_error", "displacement_error", "force_max_error"];
-        let beside = beside.len() + ["runup_max_error", "displacement_truncated"].len();
+        let more = ["runup_max_error", "overtopping_volume_error_m2", "displacement_truncated"];
+        let beside = beside.len() + more.len();
         assert_eq!(told, ALL.len() - beside - 2, "all but the id, the status, bars and flags");
         assert!(parameters.iter().any(|column| column.name == "particle_spacing_m"));
         assert!(health.iter().any(|column| column.name == "doubtful_reason"));

@@ -30,6 +30,8 @@ pub struct Bars {
     pub whole_force: Option<f64>,
     /// Of `runup_max`.
     pub whole_runup: Option<f64>,
+    /// Of `overtopping_volume_m2`.
+    pub overtopping: Option<f64>,
 }
 
 /// What one case was and has left.

@@ -178,7 +178,7 @@ quantities! { Read;
     /// the wall has no crest
     OVERTOPPING_VOLUME = number("overtopping_volume_m2", "V over", SquareMetres, |c| {
         Some(c.outcome?.overtopped?.volume_m2)
-    }).significant(4);
+    }).significant(4).bar("overtopping_volume_error_m2");
     /// largest discharge at the back of the crest; empty where the wall has none
     OVERTOPPING_DISCHARGE = number(
         "overtopping_discharge_max_m2_per_s", "q max", SquareMetresPerSecond,
@@ -196,6 +196,10 @@ quantities! { Read;
     /// what to expect of the numbers where fewer than 10 rows of particles stand over the depth, or over the
     /// depth at the wall where that is less; empty where there are more
     COARSE_SPACING = text("coarse_spacing", "", |c| c.coarse_spacing());
+    /// error bar of `overtopping_volume_m2`
+    OVERTOPPING_VOLUME_ERROR = number("overtopping_volume_error_m2", "", SquareMetres, |c| {
+        c.bars.overtopping
+    }).significant(3);
 }
 
 /// The columns of the first version, which every directory has.

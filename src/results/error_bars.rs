@@ -10,7 +10,7 @@
 //!   1/c0² besides, so both errors are told in one: that by sound falls as the spacing does, that by the
 //!   spacing no slower (`results/convergence`).
 //! - **Scatter**: readings vary by a share of their size between neighbouring spacings, levels by a
-//!   share of the spacing.
+//!   share of the spacing. That of a volume over a crest is what one spacing of length holds of the thickest water there.
 //!
 //! A bar is absolute, in the reading's own unit, and holds for more than nine cases in ten:
 //! `results/accuracy/coverage.md` has what was measured. No constant was set by the cases that are
@@ -65,6 +65,10 @@ impl ErrorBars {
             displacement: relative(&|o| value(o.displacement_max), DISPLACEMENT_SCATTER),
             whole_force: force(&|o| Some(o.force_max.value)),
             whole_runup: runup(&|o| Some(o.runup_max.value)),
+            overtopping: refined(&|o| Some(o.overtopped?.volume_m2)).and_then(|(_, resolution)| {
+                let thickness = outcome.overtopped?.thickness_max_m;
+                Some(resolution.hypot(spacing * thickness))
+            }),
         }
     }
 }
@@ -112,6 +116,7 @@ fn richardson(fine: f64, coarse: f64, ratio: f64) -> f64 {
 mod tests {
     use super::super::made_up::made_up;
     use super::*;
+    use crate::simulation::Overtopped;
 
     fn config(spacing: f64) -> CaseConfig {
         let scene = "wall = \"movable\"\nspring_stiffness_n_per_m = 1\nseawall_mass_kg_per_m = 50";
@@ -186,6 +191,22 @@ mod tests {
         assert!((bars.force.unwrap() - FORCE_SCATTER * 2.1).abs() < 1e-12);
         assert!((bars.runup.unwrap() - LEVEL_SCATTER * 0.05).abs() < 1e-12);
         assert!((bars.displacement.unwrap() - DISPLACEMENT_SCATTER * 2.8).abs() < 1e-12);
+    }
+
+    /// A volume over a crest has a bar as soon as a companion has one too, and nothing that stayed dry has any.
+    #[test]
+    fn what_goes_over_a_crest_has_a_bar() {
+        let told = |volume_m2, thickness_max_m| {
+            let over = Overtopped { volume_m2, thickness_max_m, ..Overtopped::default() };
+            Outcome { overtopped: Some(over), ..outcome(0.01, 1.0) }
+        };
+        let bar = |own: &Outcome, other: &Outcome| {
+            ErrorBars::new(&config(0.01), own, &[(&config(0.02), other)]).overtopping
+        };
+        assert_eq!(bar(&told(0.0, 0.0), &told(0.0, 0.0)), Some(0.0));
+        let far = bar(&told(0.01, 0.03), &told(0.016, 0.05)).unwrap();
+        assert!((far - 0.006_f64.hypot(0.01_f64 * 0.03)).abs() < 1e-15, "{far}");
+        assert_eq!(bar(&told(0.01, 0.03), &outcome(0.02, 1.0)), None);
     }
 
     #[test]

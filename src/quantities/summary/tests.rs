@@ -16,7 +16,8 @@ fn the_columns_are_those_of_the_contract() {
         stop_impulse_time_s,force_max_error,runup_max_error,doubtful,doubtful_reason,moment_max,\
         moment_max_time_s,first_moment_max,first_moment_max_time_s,first_impulse,rise_time_s,\
         spring_force_max,spring_force_max_time_s,overtopping_volume_m2,\
-        overtopping_discharge_max_m2_per_s,crest_thickness_max_m,crest_speed_max_m_per_s,coarse_spacing";
+        overtopping_discharge_max_m2_per_s,crest_thickness_max_m,crest_speed_max_m_per_s,coarse_spacing,\
+        overtopping_volume_error_m2";
     assert_eq!(names().collect::<Vec<_>>().join(","), contract);
 }
 

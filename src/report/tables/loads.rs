@@ -4,7 +4,8 @@ use super::{Field, Lines, fields, finished, over_goda, table, variant};
 use crate::quantities::Column;
 use crate::quantities::summary::{
     CASE_ID, CREST_SPEED, CREST_THICKNESS, FIRST_FORCE_MAX, FIRST_IMPULSE, FIRST_MOMENT_MAX,
-    FORCE_MAX, MOMENT_MAX, OVERTOPPING_DISCHARGE, OVERTOPPING_VOLUME, RISE_TIME, SPRING_FORCE_MAX,
+    FORCE_MAX, MOMENT_MAX, OVERTOPPING_DISCHARGE, OVERTOPPING_VOLUME, OVERTOPPING_VOLUME_ERROR,
+    RISE_TIME, SPRING_FORCE_MAX,
 };
 use crate::report::load::Loaded;
 use crate::report::row::{PLACE, Row};
@@ -19,8 +20,13 @@ const LOADS: [&Column; 7] = [
     &SPRING_FORCE_MAX,
 ];
 
-const OVER: [&Column; 4] =
-    [&OVERTOPPING_VOLUME, &OVERTOPPING_DISCHARGE, &CREST_THICKNESS, &CREST_SPEED];
+const OVER: [&Column; 5] = [
+    &OVERTOPPING_VOLUME,
+    &OVERTOPPING_VOLUME_ERROR,
+    &OVERTOPPING_DISCHARGE,
+    &CREST_THICKNESS,
+    &CREST_SPEED,
+];
 
 /// Force, moment, impulse, rise time and spring force of every finished case, and Goda's formula beside
 /// the force; `None` where no case has a moment.

@@ -18,7 +18,7 @@ fn each_limit_is_told_and_the_default_is_clear_of_them() {
     assert_eq!(count(crest, "boundary = \"improved-shepard\""), 1);
     let few_rows = limits(&CaseConfig::of(crest, "particle_spacing_m = 0.0125"));
     assert!(
-        few_rows.len() == 1 && few_rows[0].contains("volumes have no error bar"),
+        few_rows.len() == 1 && few_rows[0].contains("volumes of 0.1 to 0.5 h²"),
         "{few_rows:?}"
     );
     let train = "paddle = \"wave-train\"\nwave_period_s = 1\nwave_height_ratio = 0.1\nend_time_s";
