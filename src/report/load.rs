@@ -145,7 +145,8 @@ fn read_summary(
     let known = declared.last().map_or(0, |(at, _)| at + 1);
     let key = |column: usize| Key::new(&header[column], [""; 0]);
     let place = |name: &String| header.iter().position(|column| column == name);
-    let swept: Vec<_> = manifest.map(keys).unwrap_or_default().iter().filter_map(place).collect();
+    let grid = manifest.map(keys).unwrap_or_default();
+    let swept: Vec<_> = grid.iter().filter_map(place).collect();
     let mut swept_keys: Vec<_> = swept.iter().map(|&column| key(column)).collect();
     let mut further: Vec<_> = (known..header.len()).map(key).collect();
     let mut rows = Vec::new();
@@ -161,7 +162,7 @@ fn read_summary(
         swept_keys.iter_mut().zip(&swept).for_each(|(key, &at)| key.cells.push(&record[at]));
         further.iter_mut().zip(known..).for_each(|(key, at)| key.cells.push(&record[at]));
     }
-    name_variants(&mut rows, &further);
+    name_variants(&mut rows, &further, &grid);
     Ok((rows, swept_keys))
 }
 

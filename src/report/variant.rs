@@ -43,8 +43,9 @@ pub(super) fn file_name(stem: &str, words: &str) -> String {
 }
 
 /// Fills in [`Row::variant`] where several rows share wave, stiffness and mass, from the choices
-/// that differ: those the report knows, and swept keys behind the columns of every sweep.
-pub(super) fn name_variants(rows: &mut [Row], swept: &[Key]) {
+/// that differ: those the report knows, and swept keys behind the columns of every sweep. Where the grid's keys are
+/// known, others tell nothing: numerics that follow from a swept bed would stand in every label.
+pub(super) fn name_variants(rows: &mut [Row], swept: &[Key], grid: &[String]) {
     let mut places: Vec<_> = rows.iter().map(Row::place).collect();
     places.sort_unstable();
     if places.windows(2).all(|pair| pair[0] != pair[1]) {
@@ -52,8 +53,9 @@ pub(super) fn name_variants(rows: &mut [Row], swept: &[Key]) {
     }
     let cells = |column: &Column| rows.iter().map(|row| row.cell(column)).collect::<Cells>();
     let known = [&SCHEME, &BOUNDARY, &KERNEL, &PARTICLE_SPACING, &FORCE_COUPLING];
-    let mut choices: Vec<_> =
-        known.iter().map(|column| (column.name.to_owned(), cells(column))).collect();
+    let asked = |column: &&&Column| grid.is_empty() || grid.iter().any(|key| key == column.name);
+    let known = known.iter().filter(asked);
+    let mut choices: Vec<_> = known.map(|column| (column.name.to_owned(), cells(column))).collect();
     choices.extend(swept.iter().map(|key| (key.name.clone(), key.cells.clone())));
     choices.retain(|(name, values)| {
         !PROVENANCE.contains(&name.as_str()) && values.different().nth(1).is_some()
@@ -106,7 +108,7 @@ mod tests {
     #[test]
     fn one_run_per_place_needs_no_variant() {
         let mut rows = vec![row("sfdi", 0.2), row("normalized", 0.3)];
-        name_variants(&mut rows, &[]);
+        name_variants(&mut rows, &[], &[]);
         assert!(rows.iter().all(|row| row.variant.is_empty()));
     }
 
@@ -114,9 +116,24 @@ mod tests {
     fn runs_at_one_place_are_told_apart_by_what_differs() {
         let mut rows = vec![row("sfdi", 0.2), row("normalized", 0.2)];
         let swept = [Key::new("slip", ["free", "no"]), Key::new("host", ["a", "b"])];
-        name_variants(&mut rows, &swept);
+        name_variants(&mut rows, &swept, &[]);
         assert_eq!(&*rows[0].variant, "boundary = sfdi, slip = free");
         assert_eq!(&*rows[1].variant, "boundary = normalized, slip = no");
+    }
+
+    /// The story: a level bed among others has another interpolator by default, which stood in every label.
+    #[test]
+    fn what_follows_from_a_swept_key_is_left_out() {
+        let variants = |grid: &[&str]| {
+            let mut rows = vec![row("sfdi", 0.2), row("normalized", 0.2)];
+            let grid: Vec<_> = grid.iter().map(|&key| key.to_owned()).collect();
+            name_variants(&mut rows, &[Key::new("bed", ["a", "b"])], &grid);
+            rows.iter().map(|row| row.variant.to_string()).collect::<Vec<_>>()
+        };
+        assert_eq!(variants(&["bed"]), ["bed = a", "bed = b"]);
+        let both = ["boundary = sfdi, bed = a", "boundary = normalized, bed = b"];
+        assert_eq!(variants(&["bed", "boundary"]), both);
+        assert_eq!(variants(&[]), both, "no manifest tells the grid");
     }
 
     #[test]
@@ -127,7 +144,7 @@ mod tests {
             cells: cells.into_iter().collect(),
         };
         let swept = [key("behind", ["outflow", "floor"]), key("floor_length_m", ["", "0.7"])];
-        name_variants(&mut rows, &swept);
+        name_variants(&mut rows, &swept, &[]);
         assert_eq!(&*rows[0].variant, "behind = outflow");
         assert_eq!(&*rows[1].variant, "behind = floor, floor_length_m = 0.7");
     }
