@@ -14,7 +14,7 @@ use crate::quantities::summary::{
     DISPLACEMENT_MAX, ENERGY_GAP, FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, OVERTOPPING_VOLUME,
     RUNUP_MAX, STATUS,
 };
-use crate::quantities::{Case, Column, coarse_spacings, heading, named};
+use crate::quantities::{Bars, Case, Column, coarse_spacings, heading, named};
 use crate::report::{digits_apart, plain_to};
 use crate::results::CaseRecord;
 use crate::simulation::kinds_of_doubt;
@@ -70,7 +70,8 @@ pub(super) fn of_cases(job: &Job, done: &Done, all: bool) -> String {
         text.push_str(&format!("... and {} more in summary.csv (-v shows all)\n", total - rows));
     }
     let has_first = |record: &CaseRecord| {
-        record.outcome.as_ref().is_some_and(|outcome| outcome.first_force_max.is_some())
+        let told = record.reported(&job.study.cases[record.index].config, Bars::default());
+        FIRST_FORCE_MAX.is_told(&told)
     };
     let first = if done.records().any(has_first) { FIRST } else { "" };
     text.push_str(&format!("{MAXIMA}{first}\n"));
@@ -94,7 +95,7 @@ fn table<'a>(job: &'a Job, done: &'a Done, rows: usize) -> String {
         (record, record.reported(&case.config, bars))
     };
     let cases: Vec<_> = done.records().take(rows).map(told).collect();
-    let has = |column: &&Column| cases.iter().any(|(_, case)| column.number(case).is_some());
+    let has = |column: &&Column| cases.iter().any(|(_, case)| column.is_told(case));
     let mut shown: Vec<_> = SHOWN.into_iter().filter(has).collect();
     let mut given_up = GIVEN_UP.into_iter();
     loop {
@@ -155,7 +156,9 @@ fn swept((value, digits): (&Option<Shared<toml::Value>>, &usize)) -> String {
 
 /// A number with its error bar, and a sign before it where it is a lower bound.
 fn number(column: &Column, case: &Case<'_>) -> String {
-    let Some(value) = column.number(case) else { return "-".to_owned() };
+    let Some(value) = column.number(case).filter(|_| column.is_told(case)) else {
+        return "-".to_owned();
+    };
     let bar = column.bar.and_then(named).and_then(|bar| bar.number(case));
     with_marks(value, bar, column.is_bound(case))
 }

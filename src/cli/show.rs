@@ -161,6 +161,8 @@ fn files(directory: &Path, id: &str) -> Vec<PathBuf> {
 }
 
 fn told(row: &Row, keys: &[String], files: &[PathBuf]) -> String {
+    // What trains leave: of regular waves none is the first impact.
+    let regular = files.iter().any(|file| file.parent().is_some_and(|of| of.ends_with("waves")));
     let mut text = format!("case {}: {}\n", row.cell(CASE_ID.name), row.cell(STATUS.name));
     let (results, health, parameters) = groups();
     text.push_str("\nparameters\n");
@@ -172,7 +174,8 @@ fn told(row: &Row, keys: &[String], files: &[PathBuf]) -> String {
     for (title, columns) in [("", parameters), ("\nresults\n", results), ("\nhealth\n", health)] {
         text.push_str(title);
         for column in columns {
-            if let Some(value) = row.value(column) {
+            let idle = regular && column.is_of_first_impact();
+            if let Some(value) = row.value(column).filter(|_| !idle) {
                 text.push_str(&line(&column.heading_without_unit(), &value));
             }
         }

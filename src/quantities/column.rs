@@ -63,6 +63,17 @@ impl Column {
         self.has_time().then(|| format!("{}_time_s", self.name))
     }
 
+    /// Whether it tells of the first impact, of which regular waves have none that counts.
+    pub fn is_of_first_impact(&self) -> bool {
+        of_first_impact(self.name)
+    }
+
+    /// Whether it has a number in a case that means something there.
+    pub fn is_told(&self, case: &Case<'_>) -> bool {
+        let regular = case.seawall().is_some_and(|scene| scene.wave_train.is_some());
+        self.value(case).is_some() && !(regular && self.is_of_first_impact())
+    }
+
     /// Whether it holds words.
     pub fn is_text(&self) -> bool {
         matches!(self.read, Read::Text(_))
@@ -72,6 +83,14 @@ impl Column {
     pub fn is_number(&self) -> bool {
         !matches!(self.read, Read::Text(_) | Read::Flag(_))
     }
+}
+
+/// Columns of the first impact that are not called so: the bars of two, and the time in which the force rises.
+const FIRST: [&str; 3] = ["rise_time_s", "force_error", "runup_error"];
+
+/// Whether a column of this name tells of the first impact.
+pub fn of_first_impact(name: &str) -> bool {
+    name.starts_with("first_") || FIRST.contains(&name)
 }
 
 pub(super) const fn text(

@@ -21,7 +21,7 @@ mod unit;
 pub mod wave;
 
 pub use case::{Bars, Case, Value, coarse_spacings};
-pub use column::Read;
+pub use column::{Read, of_first_impact};
 pub use symbol::{is_meant, meant_by, name_of_symbol};
 pub use unit::Unit;
 

@@ -1,20 +1,26 @@
 //! One row of `summary.csv`, as far as the report needs it.
 
+mod ends;
+
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use self::ends::Ends;
 use super::number;
 use super::spoken::all_spoken;
 use crate::quantities::summary::{
     CASE_ID, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STOPS, WAVE_HEIGHT_RATIO,
 };
-use crate::quantities::{Column, named};
+use crate::quantities::{Column, named, of_first_impact};
 
 /// What tells a case from the others, as a rule.
 pub(super) const PLACE: [&Column; 3] = [&WAVE_HEIGHT_RATIO, &SPRING_STIFFNESS, &SEAWALL_MASS];
 
 /// What `paddle` is where waves are regular.
 pub(super) const REGULAR: &str = "wave-train";
+
+/// The key that tells kinds of paddles apart, where it was swept.
+const PADDLE: &str = "paddle";
 
 /// The key that tells kinds of walls apart, where it was swept.
 const WALL: &str = "wall";
@@ -56,33 +62,6 @@ pub struct Row {
     pub variant: Arc<str>,
 }
 
-/// Where each cell of a row ends: of a large study these are half as long as the text.
-#[derive(Debug, Clone, PartialEq)]
-enum Ends {
-    Short(Box<[u16]>),
-    Long(Box<[usize]>),
-}
-
-impl Default for Ends {
-    fn default() -> Ends {
-        Ends::of(&[])
-    }
-}
-
-impl Ends {
-    fn of(ends: &[usize]) -> Ends {
-        let short: Result<_, _> = ends.iter().map(|&end| u16::try_from(end)).collect();
-        short.map_or_else(|_| Ends::Long(ends.into()), Ends::Short)
-    }
-
-    fn get(&self, place: usize) -> Option<usize> {
-        match self {
-            Ends::Short(ends) => ends.get(place).map(|&end| usize::from(end)),
-            Ends::Long(ends) => ends.get(place).copied(),
-        }
-    }
-}
-
 impl Row {
     /// A row of a table with this header.
     ///
@@ -105,10 +84,19 @@ impl Row {
         let (header, text, ends) = (header.clone(), text.into(), Ends::of(&ends));
         let row = Row { header, text, ends, ..Row::default() };
         let wall_angle_deg = row.named("wall_angle_deg").parse().ok();
-        Ok(Row { wall_angle_deg, regular: row.named("paddle") == REGULAR, ..row })
+        let regular = row.named(PADDLE) == REGULAR;
+        Ok(Row { wall_angle_deg, regular, ..row })
+    }
+
+    /// Whether a column of this name means nothing for this case: the first impact of regular waves.
+    fn is_idle(&self, name: &str) -> bool {
+        self.regular && of_first_impact(name)
     }
 
     fn named(&self, name: &str) -> &str {
+        if self.is_idle(name) {
+            return "";
+        }
         let Some(&place) = self.header.places.get(name) else { return "" };
         let Some(end) = self.ends.get(place) else { return "" };
         let start = place.checked_sub(1).and_then(|before| self.ends.get(before)).unwrap_or(0);

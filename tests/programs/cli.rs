@@ -33,6 +33,8 @@ mod cli_refine;
 mod cli_scenes;
 #[path = "../cli_terminal.rs"]
 mod cli_terminal;
+#[path = "../cli_told_files.rs"]
+mod cli_told_files;
 #[path = "../common/mod.rs"]
 mod common;
 #[path = "../limits.rs"]

@@ -92,7 +92,8 @@ fn outcome_table(case: &Case<'_>) -> String {
     let results = ALL.iter().skip_while(|column| **column != &MEASURED_WAVE_HEIGHT_RATIO);
     // An error bar stands beside its number.
     let is_bar = |column: &Column| ALL.iter().any(|other| other.bar == Some(column.name));
-    let results = results.filter(|column| !FIRST.contains(column) && !is_bar(column));
+    let results =
+        results.filter(|column| !FIRST.contains(column) && !is_bar(column) && column.is_told(case));
     FIRST.iter().chain(results).filter_map(|column| line(column)).collect()
 }
 
