@@ -19,6 +19,8 @@ pub struct Series {
     /// Unit of its values: `Pa`, `m`, or whatever `probes/columns.csv` says; empty where it does
     /// not say.
     pub unit: String,
+    /// How a gauge measures, as `probes/columns.csv` says; empty otherwise.
+    pub method: String,
     /// Time in seconds and value, pair by pair; empty cells are left out.
     pub points: Vec<(f64, f64)>,
 }
@@ -67,9 +69,9 @@ impl Loaded {
     pub fn gauges(&self, case_id: &str) -> Result<History, ReportError> {
         let mut gauges = self.series("probes", case_id, &[history::TIME.name])?;
         if !gauges.0.is_empty() {
-            let units = self.units()?;
+            let mut columns = self.columns()?;
             for gauge in &mut gauges.0 {
-                gauge.unit = units.get(&gauge.name).cloned().unwrap_or_default();
+                [gauge.unit, gauge.method] = columns.remove(&gauge.name).unwrap_or_default();
             }
         }
         Ok(gauges)
@@ -111,16 +113,19 @@ impl Loaded {
         })
     }
 
-    /// The units of the gauges' columns by their names.
-    fn units(&self) -> Result<BTreeMap<String, String>, ReportError> {
+    /// Units and methods of the gauges' columns by their names.
+    fn columns(&self) -> Result<BTreeMap<String, [String; 2]>, ReportError> {
         let path = self.directory.join("probes/columns.csv");
         self.omitted.read(&path, |path| {
             let (header, records) = read_loosely(path)?;
             demand(path, &header, ["name", "unit"].into_iter())?;
-            let at = |name: &str| header.iter().position(|column| column == name).unwrap_or(0);
-            let cell = |record: &StringRecord, name| record.get(at(name)).unwrap_or("").to_owned();
-            let unit = |record| (cell(record, "name"), cell(record, "unit"));
-            Ok(records.iter().map(unit).collect())
+            let at = |name: &str| header.iter().position(|column| column == name);
+            let cell = |record: &StringRecord, name| {
+                at(name).and_then(|at| record.get(at)).unwrap_or_default().to_owned()
+            };
+            let told =
+                |record| (cell(record, "name"), ["unit", "method"].map(|of| cell(record, of)));
+            Ok(records.iter().map(told).collect())
         })
     }
 }
@@ -134,6 +139,7 @@ fn series(path: &Path, needed: &[&'static str]) -> Result<History, ReportError> 
     let series = |(column, name): (usize, &str)| Series {
         name: name.to_owned(),
         unit: String::new(),
+        method: String::new(),
         points: rows
             .iter()
             .filter_map(|row| row[time].zip(row[column]))

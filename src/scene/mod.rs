@@ -50,7 +50,7 @@ pub use limits::limits;
 pub use numerics::{ErrorBars, GhostGravity, IncompressibleNumerics, Numerics, Scheme, Slip};
 pub use odd::odd_values;
 pub use preset::Preset;
-pub use probe::{CREST_COLUMNS, Probe, ProbeKind, Side};
+pub use probe::{CREST_COLUMNS, OVER_STILL_WATER, Probe, ProbeKind, Side};
 pub use seawall::{PaddleChoice, SeawallScene, WallChoice};
 pub use tank::Tank;
 

@@ -67,6 +67,9 @@ section! {
     }
 }
 
+/// How the method of an elevation begins.
+pub const OVER_STILL_WATER: &str = "surface over still water";
+
 impl Probe {
     /// Unit of its readings.
     pub fn unit(&self) -> &'static str {
@@ -85,10 +88,11 @@ impl Probe {
         let place = match (self.kind, self.wall, self.x_m) {
             (ProbeKind::Level | ProbeKind::Elevation, _, x) => {
                 let x = x.unwrap_or(0.0);
-                let over = if self.kind == ProbeKind::Level { "the bed" } else { "still water" };
-                return format!(
-                    "surface over {over} where kernel coverage falls to 1/2; x = {x} m"
-                );
+                let over = match self.kind {
+                    ProbeKind::Level => "surface over the bed",
+                    _ => OVER_STILL_WATER,
+                };
+                return format!("{over} where kernel coverage falls to 1/2; x = {x} m");
             }
             (ProbeKind::Volume, _, x) => {
                 return format!("mass beyond x = {} m over the density", x.unwrap_or(0.0));

@@ -10,6 +10,7 @@ use crate::report::curves::spread;
 use crate::report::error::ReportError;
 use crate::report::load::Loaded;
 use crate::report::series::Series;
+use crate::scene::OVER_STILL_WATER;
 
 const CASES: usize = 4;
 /// Curves in a panel: as many as there are colours.
@@ -88,6 +89,9 @@ fn scale(gauge: &Series) -> (String, f64) {
     if gauge.name == CREST_THICKNESS {
         return (heading(&gauge.name), 1.0);
     }
+    if gauge.method.starts_with(OVER_STILL_WATER) {
+        return ("surface over still water, m".to_owned(), 1.0);
+    }
     match gauge.unit.as_str() {
         "Pa" => ("p, kPa".to_owned(), 1e-3),
         "m" => ("level, m".to_owned(), 1.0),
@@ -134,6 +138,7 @@ mod tests {
         let gauge = |index: u32| Series {
             name: format!("P{index}"),
             unit: "Pa".to_owned(),
+            method: String::new(),
             points: vec![(0.0, 2e3), (1.0, 1e3)],
         };
         let gauges: Vec<_> = (0..9).map(gauge).collect();
@@ -148,6 +153,7 @@ mod tests {
         let gauge = |name: &str, unit: &str| Series {
             name: name.to_owned(),
             unit: unit.to_owned(),
+            method: String::new(),
             points: vec![(0.0, 1.0), (1.0, 2.0)],
         };
         let gauges = [gauge("P1", "Pa"), gauge("V", "m2"), gauge("P2", "Pa"), gauge("Q", "m2/s")];
@@ -158,6 +164,11 @@ mod tests {
         let crest = [gauge("G1", "m"), gauge("crest_thickness_m", "m")];
         let told = super::strips("a", &crest).into_iter().map(|strip| strip.title);
         assert_eq!(told.collect::<Vec<_>>(), ["level, m", "crest thickness, m"]);
+        // The story: an elevation had the axis of a level, though it does not count from the bed.
+        let [level, mut elevation] = [gauge("G1", "m"), gauge("G2", "m")];
+        elevation.method = "surface over still water where kernel coverage falls to 1/2".to_owned();
+        let told = super::strips("a", &[level, elevation]).into_iter().map(|strip| strip.title);
+        assert_eq!(told.collect::<Vec<_>>(), ["level, m", "surface over still water, m"]);
         let looks: Vec<_> =
             strips.iter().flat_map(|strip| &strip.curves).map(|line| line.entry.clone()).collect();
         let own = |index: usize, name: &str| Line::new(index, name, "a", Vec::new()).entry;
