@@ -14,6 +14,9 @@ pub(super) fn title(config: &CaseConfig) -> String {
     let kind = config.scene.kind();
     match config.scene.seawall() {
         Some(scene) => {
+            if scene.recorded.is_some() {
+                return format!("Waves of a recorded stroke at a {}", wall(config));
+            }
             let wave = if scene.wave_train.is_some() { "Waves" } else { "Wave" };
             let height = significant(scene.wave_height_ratio, DIGITS);
             format!("{wave} of H/h = {height} at a {}", wall(config))
@@ -77,6 +80,14 @@ pub(super) fn is_read(result: &CaseResult, of: fn(&HistoryRow) -> f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The story: a recorded stroke was titled by the default of a wave height that nobody had asked for.
+    #[test]
+    fn a_recorded_stroke_has_no_height() {
+        let scene = "paddle = \"recorded-stroke\"\nend_time_s = 3\nrecorded_stroke = \"sweeps/scenes/recorded_stroke.csv\"";
+        let told = title(&CaseConfig::of(scene, ""));
+        assert_eq!(told, "Waves of a recorded stroke at a fixed wall");
+    }
 
     #[test]
     fn parameters_of_a_range_are_rounded() {
