@@ -3,11 +3,11 @@
 use std::str::FromStr;
 
 use super::failure::BadInput;
-use crate::keys::{Section, hint, number};
+use crate::keys::{Section, When, hint, number};
 use crate::math::lists::different;
 use crate::math::words::counted;
 use crate::quantities::{meant_by, name_of_symbol};
-use crate::scene::ConfigError;
+use crate::scene::{ConfigError, SeawallScene};
 use crate::study::{Assignments, Case, Override, Study};
 
 /// A case that may be picked: its id, and the values of the swept keys, none where one means nothing.
@@ -93,6 +93,9 @@ fn keep_with_value(
                 Err(BadInput(told()))
             };
         }
+        if let Some(told) = elsewhere(name_of_symbol(key).unwrap_or(key), keys, fixed) {
+            return Err(BadInput(format!("{word}: {told}")));
+        }
         let told = ConfigError::unknown(&path, keys).to_string();
         let swept = || format!("; this study sweeps {}", keys.join(", "));
         let help = match keys {
@@ -111,6 +114,30 @@ fn keep_with_value(
         return Err(BadInput(format!("{word}: no such case; there is {values}")));
     }
     Ok(())
+}
+
+/// Why no case of the study has a key of walls and paddles: that of a spring has no meaning at a wall that stands
+/// still. `None` where another reason keeps it out.
+fn elsewhere(
+    key: &str,
+    swept: &[String],
+    fixed: &dyn Fn(&str) -> Option<toml::Value>,
+) -> Option<String> {
+    // Other scenes have none of these keys.
+    fixed("wall")?;
+    let all = SeawallScene::keys();
+    let key = all.iter().find(|known| known.name == key)?;
+    let told = |when: When| {
+        // A case may leave out what is at its default.
+        let default = || (all.iter().find(|known| known.name == when.key)?.default)();
+        let is_swept = swept.iter().any(|key| key == when.key);
+        let has = fixed(when.key).or_else(default).filter(|_| !is_swept)?;
+        let differs = !when.values.contains(&has.as_str()?);
+        differs.then(|| {
+            format!("{} belongs to {when}; {} is {has} in every case here", key.name, when.key)
+        })
+    };
+    key.conditions().find_map(told)
 }
 
 /// The values of a swept key among some cases, in words.
@@ -171,6 +198,24 @@ pub(super) mod tests {
         let picked = ["H/h=0.3", "H/h=0.30001", "H/h=0.3001"].map(|word| pick(word).unwrap());
         assert_eq!(picked, [0, 1, 2]);
         assert!(pick("H/h=0.30005").is_err(), "near all three");
+    }
+
+    /// The story: at a fixed wall `k=3` was told as mistyped, with the spring's key for the right one.
+    #[test]
+    fn keys_of_another_wall_are_told_with_the_wall_that_has_them() {
+        let told = |scene: &str, word: &str| {
+            let text =
+                format!("name = \"a\"\n[scene]\n{scene}\n[grid]\nwave_height_ratio = [0.2, 0.3]");
+            let study = Study::new(&SweepFile::read(&text, &[]).unwrap()).unwrap();
+            the_case(&study, &[word.to_owned()]).unwrap_err().to_string()
+        };
+        let spring = "spring_stiffness_n_per_m belongs to wall = \"movable\"; wall is \"fixed\" in every case here";
+        assert_eq!(told("", "k=3"), format!("k=3: {spring}"));
+        let long = "spring_stiffness_n_per_m=3";
+        assert_eq!(told("wall = \"fixed\"", long), format!("{long}: {spring}"));
+        let stroke = told("", "wave_period_s=1");
+        assert!(stroke.contains("belongs to paddle = \"wave-train\"; paddle is"), "{stroke}");
+        assert!(told("", "colour=3").starts_with("colour: unknown key"));
     }
 
     #[test]
