@@ -33,6 +33,15 @@ fn bad_input_is_told_in_plain_words_and_nothing_is_written() {
             "nope.toml: there is no such file or directory; give a sweep",
         ),
         (
+            &["accuracy", "nope.toml"],
+            "nope.toml: there is no such file or directory; give a file of cases and methods, or none: one is built in",
+        ),
+        (&["stress", "empty"], "empty: is a directory; give a file of cases and methods, such as"),
+        (
+            &["accuracy", "tiny.toml"],
+            "tiny.toml: is a sweep or scene file; give a file of cases and methods, or none",
+        ),
+        (
             &["check", "empty"],
             "empty: is a directory; give a sweep or scene file, such as empty/NAME",
         ),
@@ -287,6 +296,11 @@ fn a_file_without_an_end_is_refused() {
         commands.extend(["sweep", "run", "accuracy"].map(|command| vec![command, file]));
         for command in commands {
             let told = ended(2, &command).err;
+            // Each asks for what it takes.
+            let words = match command[0] {
+                "accuracy" => words.replace("sweep or scene file", "file of cases and methods"),
+                _ => words.to_owned(),
+            };
             assert!(told.contains(&format!("{file}: {words}")), "{command:?}: {told}");
         }
     }

@@ -78,9 +78,23 @@ fn bytes(path: &Path) -> std::io::Result<Vec<u8>> {
     }
 }
 
-/// The text of a sweep or scene file.
-pub(super) fn read(path: &Path) -> Result<String, BadInput> {
-    let bytes = bytes(path).map_err(|error| unreadable(path, &error))?;
+/// What a command takes a file for, and where one comes from.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Wanted {
+    file: &'static str,
+    help: &'static str,
+}
+
+/// A sweep or scene file.
+pub(super) const STUDY: Wanted =
+    Wanted { file: "a sweep or scene file", help: " (`seawall init NAME` writes one)" };
+/// What `accuracy` and `stress` take.
+pub(super) const MATRIX: Wanted =
+    Wanted { file: "a file of cases and methods", help: ", or none: one is built in" };
+
+/// The text of a file.
+pub(super) fn read(path: &Path, wanted: Wanted) -> Result<String, BadInput> {
+    let bytes = bytes(path).map_err(|error| unreadable(path, &error, wanted))?;
     String::from_utf8(bytes).map_err(|error| {
         let before = &error.as_bytes()[..error.utf8_error().valid_up_to()];
         let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
@@ -89,16 +103,16 @@ pub(super) fn read(path: &Path) -> Result<String, BadInput> {
 }
 
 /// Why a file cannot be read, and what would be one.
-fn unreadable(path: &Path, error: &std::io::Error) -> BadInput {
+fn unreadable(path: &Path, error: &std::io::Error, wanted: Wanted) -> BadInput {
+    let Wanted { file, help } = wanted;
     let reason = if path.join(MANIFEST).is_file() {
         let told = named(path);
         format!("is the output directory of a study; `seawall status {told}` tells how it fares")
     } else if path.is_dir() {
         let such = named(&path.join("NAME.toml"));
-        format!("is a directory; give a sweep or scene file, such as {such}")
+        format!("is a directory; give {file}, such as {such}")
     } else {
-        let why = in_words(error);
-        format!("{why}; give a sweep or scene file (`seawall init NAME` writes one)")
+        format!("{}; give {file}{help}", in_words(error))
     };
     BadInput::of(path, reason)
 }
@@ -127,7 +141,7 @@ pub(super) fn demand_output_of_study(directory: &Path, holds: &str) -> Result<()
 
 /// A sweep or scene file with the command line's values.
 pub(super) fn sweep_file(path: &Path, settings: &[Setting]) -> anyhow::Result<SweepFile> {
-    let text = read(path)?;
+    let text = read(path, STUDY)?;
     let overrides: Vec<_> = settings.iter().map(|setting| setting.set.clone()).collect();
     Ok(SweepFile::read(&text, &overrides).map_err(BadFile::of(path))?)
 }

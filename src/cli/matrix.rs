@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::execute::on_threads;
 use super::failure::BadInput;
-use super::input::{SimdChoice, default_out, read};
+use super::input::{MATRIX, SimdChoice, default_out, read};
 use super::job::Job;
 use super::options;
 use super::options::EVERY_S;
@@ -60,11 +60,16 @@ pub(super) fn run(
 ) -> anyhow::Result<Ran> {
     let text = match &args.file {
         None => built_in.to_owned(),
-        Some(path) => read(path)?,
+        Some(path) => read(path, MATRIX)?,
     };
     let built_in = || "the built-in matrix".to_owned();
     let name = args.file.as_ref().map_or_else(built_in, |path| named(path));
     let told = |error| BadInput(format!("{name}: {error}"));
+    if is_of_study(&text) {
+        let told =
+            "is a sweep or scene file; give a file of cases and methods, or none: one is built in";
+        return Err(BadInput(format!("{name}: {told}")).into());
+    }
     let whole = Matrix::read(&text).map_err(told)?;
     let matrix = whole.only(&args.cases, &args.methods).map_err(told)?;
     let (study, pairs) = matrix.study(args.quick, &text);
@@ -92,6 +97,12 @@ pub(super) fn run(
         out: done.directory.path().to_owned(),
         interrupted: (done.ending == Ending::Interrupted).then(|| done.exit_code()),
     })
+}
+
+/// Whether a file has what sweep and scene files alone have.
+fn is_of_study(text: &str) -> bool {
+    let file: toml::Table = text.parse().unwrap_or_default();
+    ["scene", "numerics", "grid", "probe"].iter().any(|section| file.contains_key(*section))
 }
 
 /// Why no case is left.
