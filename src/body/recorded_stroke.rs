@@ -51,7 +51,7 @@ impl<'de> Deserialize<'de> for Stroke {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Stroke, D::Error> {
         let stroke = match Given::deserialize(deserializer)? {
             Given::Path(path) => Stroke::read(&path),
-            Given::Points(points) => Stroke::checked(points),
+            Given::Points(points) => Stroke::checked(points, &[]),
         };
         stroke.map_err(de::Error::custom)
     }
@@ -60,32 +60,40 @@ impl<'de> Deserialize<'de> for Stroke {
 impl Stroke {
     /// Reads a file with the columns `time_s` and `stroke_m`.
     fn read(path: &str) -> Result<Stroke, String> {
-        Stroke::checked(rows(path)?.collect::<Result<_, _>>()?)
+        let rows: Vec<_> = rows(path)?.collect::<Result<_, _>>()?;
+        let (points, lines): (_, Vec<_>) = rows.into_iter().unzip();
+        Stroke::checked(points, &lines)
     }
 
     /// The clock at the first point of a file, s; `None` where it cannot be read.
     pub fn start_of(path: &str) -> Option<f64> {
-        rows(path).ok()?.next()?.ok().map(|[time, _]| time)
+        rows(path).ok()?.next()?.ok().map(|([time, _], _)| time)
     }
 
-    fn checked(points: Vec<[f64; 2]>) -> Result<Stroke, String> {
+    /// `lines`: where each point stands in its file; none where they are of no file.
+    fn checked(points: Vec<[f64; 2]>, lines: &[u64]) -> Result<Stroke, String> {
         if points.len() < 3 {
             return Err("must have three points or more".to_owned());
         }
-        if let Some([time, place]) = points.iter().find(|p| !p.iter().all(|v| v.is_finite())) {
-            return Err(format!("has a point at {time} s, {place} m: both must be finite"));
+        let wrong = |at: usize, why: String| {
+            let line = lines.get(at).map(|line| format!("line {line}: ")).unwrap_or_default();
+            Err(line + &why)
+        };
+        if let Some(at) = points.iter().position(|p| !p.iter().all(|v| v.is_finite())) {
+            let [time, place] = points[at];
+            return wrong(at, format!("has a point at {time} s, {place} m: both must be finite"));
         }
         if points[0][0] < 0.0 {
-            return Err(format!("must begin at 0 s or later, not at {} s", points[0][0]));
+            return wrong(0, format!("must begin at 0 s or later, not at {} s", points[0][0]));
         }
-        if let Some(pair) = points.windows(2).find(|pair| pair[1][0] <= pair[0][0]) {
-            let [before, after] = [pair[0][0], pair[1][0]];
+        if let Some(at) = points.windows(2).position(|pair| pair[1][0] <= pair[0][0]) {
+            let [before, after] = [points[at][0], points[at + 1][0]];
             let how = if after == before {
                 format!("has two points at {before} s")
             } else {
                 format!("goes from {before} s back to {after} s")
             };
-            return Err(format!("{how}: times must rise"));
+            return wrong(at + 1, format!("{how}: times must rise"));
         }
         let range = RecordedStroke::through(&points).range;
         Ok(Stroke(Shared::from(Played { points, range })))

@@ -5,10 +5,13 @@ use std::path::Path;
 
 use crate::keys::bytes_of;
 
+/// A point, and the number of its line.
+pub(super) type Row = ([f64; 2], u64);
+
 /// The lines of a file with the columns `time_s` and `stroke_m`.
 pub(super) fn rows(
     path: &str,
-) -> Result<impl Iterator<Item = Result<[f64; 2], String>> + use<>, String> {
+) -> Result<impl Iterator<Item = Result<Row, String>> + use<>, String> {
     let missing =
         |error| format!("cannot be read: {error}; a path counts from where the program is started");
     let bytes = bytes_of(Path::new(path)).map_err(missing)?;
@@ -26,7 +29,7 @@ pub(super) fn rows(
             let text = row.get(place).unwrap_or_default().trim();
             text.parse::<f64>().map_err(|_| format!("line {line}: {text:?} is no number"))
         };
-        Ok([cell(0)?, cell(1)?])
+        Ok(([cell(0)?, cell(1)?], line))
     }))
 }
 

@@ -12,7 +12,7 @@ fn it_goes_through_its_points_smoothly_and_stays_at_the_last() {
     let times = times.iter().map(|s| std::f64::consts::PI * s * (0.7 + 0.3 * s));
     let points: Vec<_> = times.map(|time| [time, 5.0 + smooth(time)]).collect();
     let end = points[20][0];
-    let paddle = RecordedStroke::new(&Stroke::checked(points.clone()).unwrap());
+    let paddle = RecordedStroke::new(&Stroke::checked(points.clone(), &[]).unwrap());
     for &[time, place] in &points {
         assert!((paddle.motion(time).offset - (place - 5.0)).abs() < 1e-15);
         let [before, after] = [-1e-9, 1e-9].map(|off| paddle.motion(time + off));
@@ -36,7 +36,7 @@ fn it_goes_through_its_points_smoothly_and_stays_at_the_last() {
 #[test]
 fn what_the_spline_does_between_its_points_counts() {
     let points = vec![[0.0, 0.0], [1.0, 0.0], [1.1, 0.15], [3.0, 0.15]];
-    let stroke = Stroke::checked(points.clone()).unwrap();
+    let stroke = Stroke::checked(points.clone(), &[]).unwrap();
     let paddle = RecordedStroke::new(&stroke);
     let [mut back, mut forth] = [0.0_f64; 2];
     for k in 0..30_000 {
@@ -49,7 +49,7 @@ fn what_the_spline_does_between_its_points_counts() {
     assert!(
         (stroke.overshoot() - paddle.goes_back().max(paddle.goes_forth() - 0.15)).abs() < 1e-12
     );
-    let even = Stroke::checked(vec![[0.0, 0.0], [1.0, 0.1], [2.0, 0.2]]).unwrap();
+    let even = Stroke::checked(vec![[0.0, 0.0], [1.0, 0.1], [2.0, 0.2]], &[]).unwrap();
     assert!(even.overshoot() < 1e-12 && (even.reach() - 0.2).abs() < 1e-12);
 }
 
@@ -58,7 +58,7 @@ fn what_the_spline_does_between_its_points_counts() {
 fn a_hole_that_the_stroke_moves_across_is_found() {
     let points = |without: std::ops::Range<usize>| {
         let kept = (0..=60).filter(|k| !without.contains(k)).map(|k| 0.05 * k as f64);
-        Stroke::checked(kept.map(|time| [time, smooth(time)]).collect()).unwrap()
+        Stroke::checked(kept.map(|time| [time, smooth(time)]).collect(), &[]).unwrap()
     };
     assert_eq!(points(0..0).hole(), None);
     assert_eq!(points(20..23).hole(), None, "four times as far is no hole");
@@ -66,7 +66,7 @@ fn a_hole_that_the_stroke_moves_across_is_found() {
     assert!((before[0] - 0.95).abs() < 1e-12 && (after[0] - 1.5).abs() < 1e-12, "{before:?}");
     assert!((usual - 0.05).abs() < 1e-12);
     let resting = [[0.0, 0.0], [0.1, 0.1], [0.2, 0.2], [0.3, 0.2], [9.0, 0.2], [9.1, 0.2]];
-    assert_eq!(Stroke::checked(resting.to_vec()).unwrap().hole(), None, "it stands there");
+    assert_eq!(Stroke::checked(resting.to_vec(), &[]).unwrap().hole(), None, "it stands there");
 }
 
 #[test]
@@ -95,10 +95,10 @@ fn a_bad_file_is_told_with_its_line() {
         ),
         ("time_s,stroke_m\n0,0\n1,a\n", "line 3: \"a\" is no number"),
         ("time_s,stroke_m\n0,0\n1,2\n", "must have three points or more"),
-        ("time_s,stroke_m\n-1,0\n2,0\n3,0\n", "must begin at 0 s or later, not at -1 s"),
-        ("time_s,stroke_m\n0,0\n2,0\n1,0\n", "goes from 2 s back to 1 s"),
-        ("time_s,stroke_m\n0,0\n1,0\n1,0\n", "has two points at 1 s: times must rise"),
-        ("time_s,stroke_m\n0,0\n1,inf\n2,0\n", "has a point at 1 s, inf m: both"),
+        ("time_s,stroke_m\n-1,0\n2,0\n3,0\n", "line 2: must begin at 0 s or later, not at -1 s"),
+        ("time_s,stroke_m\n0,0\n2,0\n1,0\n", "line 4: goes from 2 s back to 1 s"),
+        ("time_s,stroke_m\n0,0\n1,0\n1,0\n", "line 4: has two points at 1 s: times must rise"),
+        ("time_s,stroke_m\n0,0\n1,inf\n2,0\n", "line 3: has a point at 1 s, inf m: both"),
     ];
     for (text, message) in bad {
         let told = told(text.as_bytes()).unwrap_err();
