@@ -9,7 +9,7 @@ use self::ends::Ends;
 use super::number;
 use super::spoken::all_spoken;
 use crate::quantities::summary::{
-    CASE_ID, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STOPS, WAVE_HEIGHT_RATIO,
+    CASE_ID, FORCE_AT_REST, SEAWALL_MASS, SPRING_STIFFNESS, STATUS, STOPS, WAVE_HEIGHT_RATIO,
 };
 use crate::quantities::{Column, named, of_first_impact};
 
@@ -181,6 +181,12 @@ impl Row {
     /// The wall comes back onto its stop, a load that no maximum counts.
     pub fn hits_stop(&self) -> bool {
         self.number(&STOPS).is_some_and(|stops| stops > 0.0)
+    }
+
+    /// The wall of a wave tank, and no water stands at it.
+    pub fn stands_dry(&self) -> bool {
+        let has_paddle = self.unasked || self.number(&WAVE_HEIGHT_RATIO).is_some();
+        has_paddle && self.number(&FORCE_AT_REST) == Some(0.0)
     }
 
     /// The wall stands upright.

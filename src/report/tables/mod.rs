@@ -153,8 +153,7 @@ fn fixed(data: &Loaded) -> Vec<Lines<'_>> {
     let of_variant = |variant: String| {
         let wave = [&WAVE_HEIGHT_RATIO, &MEASURED_WAVE_HEIGHT_RATIO];
         let rows: Vec<_> = fixed_walls(data, &variant).collect();
-        let [runup, force] =
-            sides(rows.iter().any(|(_, row)| row.regular)).map(|(column, _)| column);
+        let [runup, force] = sides(data, &variant);
         let columns = [&wave[..], &[runup, force, &CASE_ID]].concat();
         let columns = fields(&columns).into_iter().chain([over_goda(data)]).collect();
         let name = file_name("fixed-wall", &variant);
