@@ -92,10 +92,11 @@ impl Journal {
         self.length
     }
 
-    /// What it is to the system.
-    pub(super) fn identity(&self) -> Result<[u64; 2], SweepError> {
+    /// The number by which the system knows it on its device.
+    pub(super) fn number(&self) -> Result<u64, SweepError> {
         let file = self.file.metadata().map_err(SweepError::io(&self.path))?;
-        Ok(atomic_file::identity(&file))
+        let [_, number] = atomic_file::identity(&file);
+        Ok(number)
     }
 
     /// Whether lines have waited for the disk so long.

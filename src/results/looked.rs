@@ -74,7 +74,7 @@ impl Notes {
     /// # Errors
     /// A journal of which the system tells nothing.
     pub fn of(journal: &Journal, lines: usize, stamps: Option<u64>) -> Result<Notes, SweepError> {
-        let (bytes, [_, journal]) = (journal.length(), journal.identity()?);
+        let (bytes, journal) = (journal.length(), journal.number()?);
         let looked = |files| Looked { version: VERSION, journal, bytes, lines, files };
         Ok(Notes { next: stamps.map(looked), last: None })
     }
