@@ -39,6 +39,9 @@ pub fn most<'a>(
 /// The largest force as F* and in kN/m, and the case that has it.
 pub fn largest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
     let (row, force) = most(data.finished(), |row| row.number(column(row)))?;
+    if force == 0.0 && data.finished().all(Row::stands_dry) {
+        return Some("No water presses on the wall, which stands dry.".to_owned());
+    }
     let alone = data.rows.len() == 1;
     let other = other_in_newtons(data, file, row, force);
     let is = match &other {

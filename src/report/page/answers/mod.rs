@@ -7,6 +7,7 @@ mod errors;
 mod force;
 mod halving;
 mod run;
+mod runup;
 mod scene;
 mod stops;
 
@@ -31,6 +32,7 @@ pub fn all(data: &Loaded, file: Option<&SceneFile>) -> Vec<Answer> {
         ("The scene", scene::shared(data)),
         ("Failed", run::failed(data)),
         ("Largest force", force::largest(data, file)),
+        ("Highest runup", runup::highest(data, file)),
         ("Half the force", halving::half(data)),
         ("Stops", stops::hits(data)),
         ("Bounds", doubts::bounds(data)),

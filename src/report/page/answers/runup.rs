@@ -1,0 +1,85 @@
+//! How high the water runs up a beach, where the wall behind it stands dry.
+
+use super::force::most;
+use crate::quantities::summary::{DOUBTFUL, RUNUP_MAX};
+use crate::report::load::Loaded;
+use crate::report::number;
+use crate::report::page::words::{at, result};
+use crate::report::scene_file::SceneFile;
+
+/// The highest runup of such cases over h and in metres, and where the water was taken to end; `None` where water
+/// stands at every wall.
+pub fn highest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
+    let dry = data.finished().filter(|row| row.stands_dry());
+    let (row, runup) = most(dry, |row| row.number(&RUNUP_MAX))?;
+    let scene = || {
+        let index = data.rows.iter().position(|one| one.id() == row.id())?;
+        Some(file?.config(data, index)?.scene)
+    };
+    let scene = scene();
+    let seawall = scene.as_ref().and_then(|scene| scene.seawall());
+    let metres = scene.as_ref().map(|scene| runup * scene.frame().depth);
+    let metres = metres.map(|height| number::significant(height, 3));
+    let over = metres.map(|height| format!(", that is {height} m over still water"));
+    let (over, place) = (over.unwrap_or_default(), at(row));
+    let comma = if over.is_empty() || place.is_empty() { "" } else { "," };
+    let is = if data.rows.len() == 1 { "runup is" } else { "runup of all is" };
+    let mut text =
+        format!("The highest {is} {}{over}{comma}{place}.", result("R*", row, &RUNUP_MAX)?);
+    text.push_str(&match seawall.map(|scene| scene.runup_thickness_m) {
+        Some(Some(thickness)) => format!(" It is told where the water is {thickness} m thick."),
+        Some(None) => " It is told where the water is one particle spacing thick, so it rises as the spacing falls; \
+                        runup_thickness_m tells it at one thickness for all spacings."
+            .to_owned(),
+        None => String::new(),
+    });
+    if row.is(&DOUBTFUL) && data.rows.len() > 1 {
+        text.push_str(" The result is doubtful: look at its history first.");
+    }
+    Some(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::quantities::summary::{FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_AT_REST, FORCE_MAX};
+    use crate::report::fixture;
+    use crate::report::page::answers::force;
+    use serde_json::json;
+
+    /// The story: of a beach the page told that its largest force was 0, and no runup.
+    #[test]
+    fn a_beach_is_told_by_its_runup() {
+        let (_directory, mut data) = fixture::read(fixture::fixed());
+        assert_eq!(highest(&data, None), None, "water stands at the wall");
+        for row in &mut data.rows {
+            let dry = row.clone().with(&FIRST_FORCE_MAX, "").with(&FIRST_RUNUP_MAX, "");
+            *row = dry.with(&FORCE_MAX, 0.0).with(&FORCE_AT_REST, 0.0).with(&RUNUP_MAX, 0.5);
+        }
+        let id = data.rows[2].id().to_owned();
+        data.rows[2] = data.rows[2].clone().with(&RUNUP_MAX, 0.75);
+        let wave = at(&data.rows[2]);
+        assert_eq!(
+            highest(&data, None).unwrap(),
+            format!("The highest runup of all is R* = 0.75{wave}.")
+        );
+        let told = |more: &str| {
+            let mut data = data.clone();
+            data.rows.retain(|row| row.id() == id);
+            let scene = format!("bed = [[0, 0], [1, 0], [3, 0.4]]\ntank_length_m = 3\n{more}");
+            let text =
+                format!("name = \"a\"\n[scene]\nwave_height_ratio = 0.3\nend_time_s = 3\n{scene}");
+            data.manifest = Some(json!({ "sweep_file": text, "keys": [] }));
+            data.keys.clear();
+            let file = SceneFile::of(&data);
+            highest(&data, file.as_ref()).unwrap()
+        };
+        let coarse = told("");
+        assert!(coarse.contains(", that is 0.15 m over still water"), "{coarse}");
+        assert!(coarse.contains("one particle spacing thick, so it rises"), "{coarse}");
+        let fixed = told("runup_thickness_m = 0.02");
+        assert!(fixed.ends_with("It is told where the water is 0.02 m thick."), "{fixed}");
+        let pressed = force::largest(&data, None).unwrap();
+        assert_eq!(pressed, "No water presses on the wall, which stands dry.");
+    }
+}
