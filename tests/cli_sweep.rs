@@ -255,6 +255,12 @@ fn another_sweeps_directory_is_refused() {
     sweep(0, &desk.file, &desk.out, &[]);
     let other = sweep(2, &desk.file, &desk.out, &["--set", "scene.force_coupling=0.4"]);
     assert!(other.err.contains("holds another sweep"));
+    // The story: who had edited the file was not told what was another.
+    std::fs::write(&desk.file, TINY.replace("[0.4, 0.5]", "[0.4, 0.5, 0.6]")).unwrap();
+    let edited = sweep(2, &desk.file, &desk.out, &[]);
+    let key = "grid.wave_height_ratio is [0.4, 0.5] there and [0.4, 0.5, 0.6] here";
+    let told = format!("holds another sweep (\"tiny\", 8 cases): {key}; ");
+    assert!(edited.err.contains(&told), "{}", edited.err);
 }
 
 #[test]

@@ -37,6 +37,7 @@ mod made_up;
 mod manifest;
 mod number;
 mod opening;
+mod other_sweep;
 mod probe_columns;
 mod program;
 mod record;

@@ -8,6 +8,7 @@ use super::entries::{Content, Header};
 use super::error::SweepError;
 use super::lock::{self, Lock};
 use super::manifest::Manifest;
+use super::other_sweep::difference;
 use super::{atomic_file, disk, files, journal};
 use crate::math::name::name_of;
 use crate::math::simd::SimdPath;
@@ -147,8 +148,9 @@ pub(super) fn check_header(
 ) -> Result<(), SweepError> {
     if header.sweep != study.identity {
         let cases = counted(header.cases, "case");
+        let why = difference(path, study).map(|why| format!(": {why}")).unwrap_or_default();
         let reason = format!(
-            "holds another sweep (\"{}\", {cases}); choose another --out, or --fresh to move it \
+            "holds another sweep (\"{}\", {cases}){why}; choose another --out, or --fresh to move it \
              aside",
             header.name
         );

@@ -1,0 +1,75 @@
+//! What tells the study of a directory from another one, for who has edited a file and wants to go on.
+
+use std::path::Path;
+
+use toml::{Table, Value};
+
+use super::manifest::Manifest;
+use crate::keys::brief;
+use crate::study::{PHYSICS_VERSION, Study};
+
+/// The first difference in words: the physics version, or a key of the two files; `None` where neither tells it.
+pub(super) fn difference(directory: &Path, study: &Study) -> Option<String> {
+    let there = Manifest::read(directory)?;
+    if there.physics_version != PHYSICS_VERSION {
+        let version = there.physics_version;
+        return Some(format!(
+            "it is of physics version {version}, this program of {PHYSICS_VERSION}"
+        ));
+    }
+    let files = [&there.sweep_file, &study.file_text].map(|text| text.parse::<Table>());
+    let told = match &files {
+        [Ok(there), Ok(here)] => first("", there, here),
+        _ => None,
+    };
+    let set = || format!("it was made with --set {}", there.overrides.join(" --set "));
+    told.or_else(|| (!there.overrides.is_empty()).then(set))
+}
+
+/// The first key at which two tables differ. The name of a study is no part of its identity.
+fn first(section: &str, there: &Table, here: &Table) -> Option<String> {
+    let keys = there.keys().chain(here.keys().filter(|key| !there.contains_key(*key)));
+    keys.filter(|key| !(section.is_empty() && *key == "name")).find_map(|key| {
+        let path = if section.is_empty() { key.clone() } else { format!("{section}.{key}") };
+        let empty = Table::new();
+        let table = |value: Option<&Value>| {
+            value.map_or(Some(empty.clone()), |value| value.as_table().cloned())
+        };
+        let both = [there.get(key), here.get(key)];
+        if both[0] == both[1] {
+            return None;
+        }
+        if let [Some(there), Some(here)] = both.map(table) {
+            return first(&path, &there, &here);
+        }
+        let told = |value: Option<&Value>| {
+            value.map_or("not given".to_owned(), |value| brief(&value.to_string()))
+        };
+        Some(format!("{path} is {} there and {} here", told(both[0]), told(both[1])))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told(there: &str, here: &str) -> Option<String> {
+        let [there, here] = [there, here].map(|text| text.parse().unwrap());
+        first("", &there, &here)
+    }
+
+    #[test]
+    fn the_first_key_that_differs_is_told() {
+        let file =
+            "name = \"a\"\n[scene]\nwall = \"fixed\"\n[grid]\nwave_height_ratio = [0.3, 0.4]";
+        assert_eq!(told(file, &file.replace("\"a\"", "\"b\"")), None);
+        let more = file.replace("0.4]", "0.4, 0.5]");
+        let wanted = "grid.wave_height_ratio is [0.3, 0.4] there and [0.3, 0.4, 0.5] here";
+        assert_eq!(told(file, &more).unwrap(), wanted);
+        let longer = file.replace("[grid]", "end_time_s = 3\n[grid]");
+        assert_eq!(told(file, &longer).unwrap(), "scene.end_time_s is not given there and 3 here");
+        let finer = format!("{file}\n[numerics]\nparticle_spacing_m = 0.01");
+        let wanted = "numerics.particle_spacing_m is 0.01 there and not given here";
+        assert_eq!(told(&finer, file).unwrap(), wanted);
+    }
+}
