@@ -1,6 +1,8 @@
-//! Columns that mean nothing for a case.
+//! What a study leaves, beside what docs/files.md tells of it; and columns that mean nothing for a case.
 
+use std::collections::BTreeSet;
 use std::fs;
+use std::path::Path;
 
 use crate::common::{Desk, ended};
 
@@ -8,6 +10,67 @@ use crate::common::{Desk, ended};
 const TRAIN: &str = "name = \"few\"\n[scene]\ntank_length_m = 1.2\nwave_gauge_m = 0.6\npaddle = \"wave-train\"\n\
                      wave_period_s = 1\nend_time_s = 3.5\n[numerics]\nparticle_spacing_m = 0.025\n\
                      error_bars = \"pair\"\n[grid]\nwave_height_ratio = [0.25, 0.3]\n";
+
+/// Files of a directory by their paths in it, with words in the place of ids: those of companions, too.
+fn told_as(root: &Path, folder: &Path, all: &mut BTreeSet<String>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            told_as(root, &path, all);
+            continue;
+        }
+        let path = path.strip_prefix(root).unwrap().to_str().unwrap();
+        let start = path.rfind(['/', '-']).map_or(0, |at| at + 1);
+        let id =
+            path.get(start..start + 16).or(path.rsplit('/').next().and_then(|name| name.get(..16)));
+        let is_id = |id: &&str| id.chars().all(|c| c.is_ascii_hexdigit());
+        all.insert(id.filter(is_id).map_or(path.to_owned(), |id| path.replace(id, "<case_id>")));
+    }
+}
+
+/// The story: files and columns came to the program, and the list of them stayed as it was.
+#[test]
+fn every_file_that_a_study_leaves_is_told() {
+    let desk = Desk::new(
+        "name = \"all\"\n[scene]\ntank_length_m = 1.2\nwave_gauge_m = 0.6\nend_after_stroke_centre_s = 0.8\n\
+         wall = \"fixed\"\nbehind = \"outflow\"\ncrest_width_m = 0.2\n[numerics]\nparticle_spacing_m = 0.03\n\
+         [[probe]]\nname = \"G1\"\nkind = \"level\"\nx_m = 0.5\n\
+         [grid]\nwave_height_ratio = [0.4, 0.5]\ncrest_freeboard_m = [0.05, 0.1]\n",
+    );
+    desk.sweep(&["--film", "auto"]);
+    ended(0, &["report", &desk.dir, "--froude-scale", "20"]);
+    let mut left = BTreeSet::new();
+    told_as(&desk.out, &desk.out, &mut left);
+    let train = Desk::new(TRAIN);
+    train.sweep(&["--film", "none"]);
+    told_as(&train.out, &train.out, &mut left);
+    assert!(left.len() > 20, "{left:?}");
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/files.md");
+    let docs = fs::read_to_string(docs).unwrap();
+    let is_told = |path: &str| {
+        let name = path.rsplit('/').next().unwrap();
+        // Figures and tables are told by their stems, of which one may be `swept-<key>`.
+        let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+        let parts = ["swept-", "history-wave-", "probes-", "fixed-wall"];
+        let family = parts.iter().find(|part| stem.starts_with(**part));
+        docs.contains(&format!("`{path}`"))
+            || docs.contains(&format!("`{name}`"))
+            || docs.contains(&format!("`{stem}`"))
+            || family.is_some_and(|part| docs.contains(&format!("`{part}")))
+    };
+    let untold: Vec<_> = left.iter().filter(|path| !is_told(path)).collect();
+    assert!(untold.is_empty(), "docs/files.md does not tell of {untold:?}");
+    let heads = left.iter().filter(|path| path.starts_with("tables/"));
+    for path in heads {
+        let path = [&desk.out, &train.out].map(|out| out.join(path));
+        let Some(table) = path.iter().find_map(|path| fs::read_to_string(path).ok()) else {
+            continue;
+        };
+        let columns = table.lines().next().unwrap().split(',');
+        let untold: Vec<_> = columns.filter(|column| !docs.contains(*column)).collect();
+        assert!(untold.is_empty(), "docs/files.md does not tell of {untold:?} in {path:?}");
+    }
+}
 
 /// The story: a train, of which every wave comes onto what the ones before have left, had a first impact in every
 /// table.
