@@ -13,9 +13,10 @@ use super::tables::Table;
 use crate::keys::number;
 use crate::quantities::Column;
 use crate::quantities::summary::{
-    CASE_ID, CREST_SPEED, CREST_THICKNESS, DISPLACEMENT_MAX, DISPLACEMENT_TRUNCATED,
-    FIRST_FORCE_MAX, FIRST_IMPULSE, FIRST_MOMENT_MAX, FIRST_RUNUP_MAX, FORCE_MAX, MOMENT_MAX,
-    OVERTOPPING_DISCHARGE, OVERTOPPING_VOLUME, RISE_TIME, RUNUP_MAX, SPRING_FORCE_MAX,
+    CASE_ID, CREST_SPEED, CREST_THICKNESS, DISPLACEMENT_ERROR, DISPLACEMENT_MAX,
+    DISPLACEMENT_TRUNCATED, DOUBTFUL, FIRST_FORCE_MAX, FIRST_IMPULSE, FIRST_MOMENT_MAX,
+    FIRST_RUNUP_MAX, FORCE_ERROR, FORCE_MAX, FORCE_MAX_ERROR, MOMENT_MAX, OVERTOPPING_DISCHARGE,
+    OVERTOPPING_VOLUME, RISE_TIME, RUNUP_ERROR, RUNUP_MAX, RUNUP_MAX_ERROR, SPRING_FORCE_MAX,
 };
 use crate::theory::hydrostatics::wall_force;
 
@@ -115,6 +116,15 @@ const SCALED: [Scaled; 14] = [
     same(&CREST_SPEED, "crest_speed_max_m_per_s", 0.5),
 ];
 
+/// The error bars of those that have one.
+const ERRORS: [Scaled; 5] = [
+    force(&FORCE_ERROR, "force_error_kn_per_m"),
+    length(&RUNUP_ERROR, "runup_error_m"),
+    length(&DISPLACEMENT_ERROR, "displacement_error_m"),
+    force(&FORCE_MAX_ERROR, "force_max_error_kn_per_m"),
+    length(&RUNUP_MAX_ERROR, "runup_max_error_m"),
+];
+
 impl Froude {
     /// The names of its tables.
     pub const TABLES: [&str; 2] = ["prototype", "prototype_envelope"];
@@ -132,23 +142,20 @@ impl Froude {
     /// directory does not tell how its tanks were.
     pub fn tables(self, data: &Loaded) -> Result<Vec<Table>, ReportError> {
         let (mut maxima, mut envelope) = (Vec::new(), Vec::new());
-        for (row, config) in data
-            .rows
-            .iter()
-            .zip(each_config(data, 0..data.rows.len()))
-            .filter(|(row, _)| row.is_ok())
-        {
-            let Some(water) = config.as_ref().and_then(Water::of) else {
-                continue;
-            };
+        let all = data.rows.iter().zip(each_config(data, 0..data.rows.len()));
+        for (row, config) in all.filter(|(row, _)| row.is_ok()) {
+            let Some(water) = config.as_ref().and_then(Water::of) else { continue };
             let head = || [row.id().to_owned(), row.words(), self.words()].into_iter();
             let pressed = data.envelope(row.id())?;
             let most = pressed.iter().map(|at| at.pressure_max_pa).max_by(f64::total_cmp);
             let depth = self.grown(water.depth, 1.0);
             let numbers = [Some(depth), most.map(|most| KILO * self.grown(most, 1.0))].into_iter();
             let numbers = numbers.chain(SCALED.iter().map(|one| self.number(one, row, &water)));
-            let bound = row.text(&DISPLACEMENT_TRUNCATED).to_owned();
-            maxima.push(head().chain(numbers.map(cell)).chain([bound]).collect());
+            let [bound, doubt] =
+                [&DISPLACEMENT_TRUNCATED, &DOUBTFUL].map(|flag| row.text(flag).to_owned());
+            let errors = ERRORS.iter().map(|one| cell(self.number(one, row, &water)));
+            let flags = [bound].into_iter().chain(errors).chain([doubt]);
+            maxima.push(head().chain(numbers.map(cell)).chain(flags).collect());
             envelope.extend(pressed.iter().map(|at| {
                 let pressures = [Some(at.pressure_max_pa), at.first_pressure_max_pa];
                 let kilo = pressures.map(|one| one.map(|one| KILO * self.grown(one, 1.0)));
@@ -160,8 +167,9 @@ impl Froude {
         let first = [CASE_ID.name, "case", "froude_scale"];
         let sizes = ["still_water_depth_m", "pressure_max_kpa"];
         let columns = sizes.into_iter().chain(SCALED.iter().map(|one| one.name));
-        let bound = [DISPLACEMENT_TRUNCATED.name];
-        let columns: Vec<_> = first.into_iter().chain(columns).chain(bound).collect();
+        let errors = ERRORS.iter().map(|one| one.name).chain([DOUBTFUL.name]);
+        let flags = [DISPLACEMENT_TRUNCATED.name].into_iter().chain(errors);
+        let columns: Vec<_> = first.into_iter().chain(columns).chain(flags).collect();
         let heights = ["height_m", "pressure_max_kpa", "first_pressure_max_kpa"];
         let heights = [&first[..], &heights].concat();
         let tables = [
@@ -209,6 +217,8 @@ mod tests {
             .chain(over)
             .fold(Row::default(), |row, (column, value)| row.with(column, value));
         let row = row.with(&crate::quantities::summary::STATUS, "ok");
+        // The story: numbers of the prototype stood there without error bars, and nothing told of doubts.
+        let row = row.with(&FORCE_MAX_ERROR, 0.1).with(&DOUBTFUL, true);
         let manifest = Some(json!({ "sweep_file": file, "overrides": [] }));
         let data = Loaded { rows: vec![row], manifest, ..Loaded::default() };
         let tables = Froude(20.0).tables(&data).unwrap();
@@ -223,6 +233,7 @@ mod tests {
             ("still_water_depth_m", 4.0),
             ("force_max_kn_per_m", 78.48),
             ("moment_max_kn_m_per_m", 104.64),
+            ("force_max_error_kn_per_m", 7.848),
             ("runup_max_m", 2.0),
             ("rise_time_s", 0.1 * 20.0_f64.sqrt()),
             ("overtopping_volume_m2", 0.8),
@@ -230,6 +241,7 @@ mod tests {
         ] {
             assert!((value(name) / exact - 1.0).abs() < 1e-5, "{name}: {}", value(name));
         }
+        assert_eq!(table.header.iter().zip(&table.rows[0]).next_back().unwrap().1, "true");
         assert!(Froude(20.0).tables(&Loaded::default()).unwrap().is_empty());
     }
 }
