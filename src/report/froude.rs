@@ -16,7 +16,8 @@ use crate::quantities::summary::{
     CASE_ID, CREST_SPEED, CREST_THICKNESS, DISPLACEMENT_ERROR, DISPLACEMENT_MAX,
     DISPLACEMENT_TRUNCATED, DOUBTFUL, FIRST_FORCE_MAX, FIRST_IMPULSE, FIRST_MOMENT_MAX,
     FIRST_RUNUP_MAX, FORCE_ERROR, FORCE_MAX, FORCE_MAX_ERROR, MOMENT_MAX, OVERTOPPING_DISCHARGE,
-    OVERTOPPING_VOLUME, RISE_TIME, RUNUP_ERROR, RUNUP_MAX, RUNUP_MAX_ERROR, SPRING_FORCE_MAX,
+    OVERTOPPING_VOLUME, OVERTOPPING_VOLUME_ERROR, RISE_TIME, RUNUP_ERROR, RUNUP_MAX,
+    RUNUP_MAX_ERROR, SPRING_FORCE_MAX,
 };
 use crate::theory::hydrostatics::wall_force;
 
@@ -117,12 +118,13 @@ const SCALED: [Scaled; 14] = [
 ];
 
 /// The error bars of those that have one.
-const ERRORS: [Scaled; 5] = [
+const ERRORS: [Scaled; 6] = [
     force(&FORCE_ERROR, "force_error_kn_per_m"),
     length(&RUNUP_ERROR, "runup_error_m"),
     length(&DISPLACEMENT_ERROR, "displacement_error_m"),
     force(&FORCE_MAX_ERROR, "force_max_error_kn_per_m"),
     length(&RUNUP_MAX_ERROR, "runup_max_error_m"),
+    same(&OVERTOPPING_VOLUME_ERROR, "overtopping_volume_error_m2", 2.0),
 ];
 
 impl Froude {
@@ -216,9 +218,9 @@ mod tests {
             .into_iter()
             .chain(over)
             .fold(Row::default(), |row, (column, value)| row.with(column, value));
-        let row = row.with(&crate::quantities::summary::STATUS, "ok");
+        let row = row.with(&crate::quantities::summary::STATUS, "ok").with(&DOUBTFUL, true);
         // The story: numbers of the prototype stood there without error bars, and nothing told of doubts.
-        let row = row.with(&FORCE_MAX_ERROR, 0.1).with(&DOUBTFUL, true);
+        let row = row.with(&FORCE_MAX_ERROR, 0.1).with(&OVERTOPPING_VOLUME_ERROR, 0.001);
         let manifest = Some(json!({ "sweep_file": file, "overrides": [] }));
         let data = Loaded { rows: vec![row], manifest, ..Loaded::default() };
         let tables = Froude(20.0).tables(&data).unwrap();
@@ -237,6 +239,7 @@ mod tests {
             ("runup_max_m", 2.0),
             ("rise_time_s", 0.1 * 20.0_f64.sqrt()),
             ("overtopping_volume_m2", 0.8),
+            ("overtopping_volume_error_m2", 0.4),
             ("overtopping_discharge_max_m2_per_s", 0.01 * 20.0_f64.powf(1.5)),
         ] {
             assert!((value(name) / exact - 1.0).abs() < 1e-5, "{name}: {}", value(name));
