@@ -24,7 +24,6 @@ mod outflow;
 mod pack;
 mod passes;
 mod pressing;
-mod readings;
 mod response;
 mod shifting;
 mod state;

@@ -6,7 +6,6 @@ use super::{Carried, DensityDiffusion, WcsphOptions, Workspace};
 use crate::body::BodyMotion;
 use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane};
 use crate::math::simd::SimdPath;
-use crate::math::team::Team;
 use crate::pairs::{Column, Factors, Fluid, Pairs, Record, Scaling, SingleRecord};
 use crate::scheme::Taken;
 use crate::water::Shortfall;
@@ -169,20 +168,9 @@ impl Wcsph {
         }
     }
 
-    /// Takes on a team for what follows; lists must not have been made yet.
-    pub fn take_on(&mut self, team: &Team) {
-        self.pairs.take_on(team);
-        self.exchange.take_on(team);
-    }
-
-    /// Whether the coming step is a full one: only then is there a state to keep.
-    pub fn at_full_step(&self) -> bool {
-        self.substep == 0
-    }
-
     /// What must be kept, ahead of a full step.
     pub fn state(&self) -> WcsphState {
-        assert!(self.at_full_step(), "an acoustic step holds more than is kept");
+        assert!(self.substep == 0, "an acoustic step holds more than is kept");
         let ([x, y], offsets) = self.pairs.reference();
         WcsphState {
             fluid: self.fluid.clone(),
@@ -214,15 +202,5 @@ impl Wcsph {
         if self.pairs.are_listed() {
             self.list_neighbours();
         }
-    }
-
-    /// Pair interactions evaluated so far.
-    pub fn pair_evaluations(&self) -> u64 {
-        self.pair_evaluations
-    }
-
-    /// How many times a ghost was filled with what a simpler interpolation gave.
-    pub fn boundary_fallbacks(&self) -> u64 {
-        self.boundary_fallbacks
     }
 }

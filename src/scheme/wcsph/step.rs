@@ -28,14 +28,14 @@ impl Wcsph {
     /// First half: forces at the current places. `bodies` are the motions at this instant; the
     /// acceleration of the responding body is not used. The forces of an acoustic step are known
     /// already, with the motions and the length that [`Wcsph::finish`] was told before.
-    pub fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) -> &[[f64; 2]] {
+    pub fn prepare(&mut self, bodies: &[BodyMotion], dt: f64) {
         if self.substep > 0 {
             debug_assert_eq!(self.bulk_time, self.options.bulk_damping * dt, "another step");
             debug_assert!(
                 bodies.iter().zip(&self.held_bodies).all(|(a, b)| a.acceleration == b.acceleration),
                 "other motions than were told"
             );
-            return &self.work.loads;
+            return;
         }
         self.bulk_time = self.options.bulk_damping * dt;
         self.lead = 0.5 * dt * f64::from(self.options.acoustic_substeps - 1);
@@ -57,7 +57,6 @@ impl Wcsph {
             self.pairs.take_force_pairs();
             self.find_forces(dt);
         }
-        &self.work.loads
     }
 
     /// The pass of a full step of `dt` seconds, and all that it reads.
