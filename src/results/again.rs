@@ -18,9 +18,6 @@ use crate::study::{Case, Study};
 
 /// The finished cases and companions of a study that a directory holds, in the order of
 /// [`Study::runs`], from its journal alone, as far as tables and figures need them.
-///
-/// # Errors
-/// A journal that cannot be read.
 pub fn finished(directory: &Path, study: &Study) -> Result<Vec<Option<CaseRecord>>, SweepError> {
     let mut filling = Filling::new(directory, study).blind();
     journal::read_in_blocks(directory, |lines| filling.take(lines))?;
@@ -28,9 +25,6 @@ pub fn finished(directory: &Path, study: &Study) -> Result<Vec<Option<CaseRecord
 }
 
 /// The same with all that the journal has of them. Of a large study this is gigabytes.
-///
-/// # Errors
-/// A journal that cannot be read.
 pub fn finished_whole(
     directory: &Path,
     study: &Study,
@@ -49,9 +43,6 @@ pub fn finished_whole(
 /// The first difference between a case's new result and its row in `summary.csv`, its energies and its files in
 /// a directory, in words; `None` where all but the wall time is the same to the bit. `records` are those of the
 /// study, see [`finished`].
-///
-/// # Errors
-/// A file that cannot be read.
 pub fn first_difference(
     directory: &Path,
     (study, records): (&Study, &[Option<CaseRecord>]),

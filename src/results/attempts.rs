@@ -25,9 +25,6 @@ pub struct Attempts {
 
 impl Attempts {
     /// Reads what an earlier process had begun and not ended.
-    ///
-    /// # Errors
-    /// A file that cannot be read.
     pub(super) fn open(directory: &Path) -> Result<Attempts, SweepError> {
         let path = directory.join(FILE_NAME);
         let bytes = if path.exists() { fs::read(&path) } else { Ok(Vec::new()) };
@@ -52,9 +49,6 @@ impl Attempts {
     }
 
     /// Something has ended, and others are about to start: one call of the system for all of them.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
     pub fn turn(&mut self, ended: Option<CaseId>, begun: &[CaseId]) -> Result<(), SweepError> {
         let mut lines = String::new();
         let mut add = |sign: char, id: CaseId| {
@@ -72,9 +66,6 @@ impl Attempts {
     }
 
     /// Everything has ended in good order.
-    ///
-    /// # Errors
-    /// A file that cannot be removed.
     pub fn close(&mut self) -> Result<(), SweepError> {
         self.running.clear();
         self.file = None;

@@ -79,9 +79,6 @@ impl Checkpoint {
 
     /// Replaces it by this state, which is on the disk afterwards. A rank that does not see the sweep's
     /// directory keeps nothing.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
     pub fn write(&self, state: &[u8]) -> Result<(), SweepError> {
         if !self.directory.join(journal::FILE_NAME).is_file() {
             return Ok(());

@@ -49,9 +49,6 @@ impl Derived {
     }
 
     /// All is about to be made again but what is kept, with its seals.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
     pub fn begin(directory: &Path, kept: &[&str]) -> Result<(), SweepError> {
         if !directory.join(FILE_NAME).exists() {
             return Ok(());
@@ -66,9 +63,6 @@ impl Derived {
     }
 
     /// The same of a sweep that has run its cases. It owes all until its [`end`](Derived::end).
-    ///
-    /// # Errors
-    /// A file that cannot be written.
     pub fn owe(directory: &Path) -> Result<(), SweepError> {
         Derived { owed: true, ..Derived::begun(directory, MADE_BY_RUNS) }.write(directory)
     }
@@ -80,9 +74,6 @@ impl Derived {
 
     /// Everything is made, these figures and tables among it; `all` where a sweep owes nothing more. What has a seal
     /// keeps it. Figures and tables of the report before which this one does not have are removed.
-    ///
-    /// # Errors
-    /// A file that cannot be read, written or removed.
     pub fn end(directory: &Path, reported: &[String], all: bool) -> Result<(), SweepError> {
         let mut derived = Derived::read(directory);
         derived.owed &= !all;
@@ -99,9 +90,6 @@ impl Derived {
     }
 
     /// These files were made or removed. One that something else stands in the way of keeps its seal, so that it is told.
-    ///
-    /// # Errors
-    /// A file that cannot be read or written.
     pub fn renew(directory: &Path, paths: &[PathBuf]) -> Result<(), SweepError> {
         let mut derived = Derived::read(directory);
         for path in paths {
@@ -121,9 +109,6 @@ impl Derived {
     }
 
     /// The same of all files in a folder of the directory.
-    ///
-    /// # Errors
-    /// A file that cannot be read or written.
     pub fn renew_folder(directory: &Path, folder: &str) -> Result<(), SweepError> {
         let known = Derived::read(directory).files.into_keys();
         let known = known.filter(|name| Path::new(name).starts_with(folder));

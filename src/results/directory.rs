@@ -133,9 +133,6 @@ impl Directory {
     }
 
     /// Forgets all checkpoints, and what was noted of files: everything has run.
-    ///
-    /// # Errors
-    /// A file that cannot be removed.
     pub fn clear_checkpoints(&self) -> Result<(), SweepError> {
         Looked::forget(&self.path)?;
         checkpoints::clear(&self.path)

@@ -72,9 +72,6 @@ impl Load {
     }
 
     /// Tells those who look at the directory while a session runs.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
     pub fn write(&self, directory: &Path) -> Result<(), SweepError> {
         let text = serde_json::to_vec(self).expect("a load has a JSON form");
         atomic_file::write_unsynced(&directory.join(FILE_NAME), &text)
@@ -82,9 +79,6 @@ impl Load {
 }
 
 /// Removes what an ended session has told.
-///
-/// # Errors
-/// A file that cannot be removed.
 pub fn forget_load(directory: &Path) -> Result<(), SweepError> {
     let path = directory.join(FILE_NAME);
     if path.exists() { disk::remove_file(&path).map_err(SweepError::io(&path)) } else { Ok(()) }

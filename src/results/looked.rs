@@ -50,9 +50,6 @@ impl Looked {
     }
 
     /// Removes it: all is done, or something is damaged.
-    ///
-    /// # Errors
-    /// A file that cannot be removed.
     pub fn forget(directory: &Path) -> Result<(), SweepError> {
         let path = directory.join(FILE_NAME);
         if path.exists() { disk::remove_file(&path).map_err(SweepError::io(&path)) } else { Ok(()) }
@@ -94,9 +91,6 @@ impl Notes {
     }
 
     /// Writes the next one, if it is time to.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
     pub fn write(self, directory: &Path) -> Result<Notes, SweepError> {
         let is_due = self.last.is_none_or(|last| last.elapsed() >= EVERY);
         let Some(next) = self.next.filter(|_| is_due) else { return Ok(self) };

@@ -137,9 +137,6 @@ impl Manifest {
 
     /// Writes it where nothing is left to do, and only if something else is asked for than before. This program has
     /// then computed nothing: the earlier one stays named.
-    ///
-    /// # Errors
-    /// A file that cannot be written.
     pub fn asked_again(mut self, directory: &Path) -> Result<(), SweepError> {
         let earlier = Manifest::read(directory);
         if let Some(earlier) = &earlier {

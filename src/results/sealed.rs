@@ -16,9 +16,6 @@ use super::error::SweepError;
 const FRAME: [&str; 2] = ["{\n  \"sum\": \"", "\",\n"];
 
 /// Writes an object with fields, under its sum.
-///
-/// # Errors
-/// A file that cannot be written.
 pub(super) fn write(path: &Path, object: &impl Serialize) -> Result<(), SweepError> {
     atomic_file::write(path, sealed(object).as_bytes())
 }

@@ -25,9 +25,6 @@ pub struct Verified {
 }
 
 /// Looks at everything in a directory.
-///
-/// # Errors
-/// A journal that cannot be read.
 pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
     let mut filling = Filling::new(directory, study);
     let content = journal::read_in_blocks(directory, |lines| filling.take(lines))?;
@@ -61,9 +58,6 @@ pub fn verify(directory: &Path, study: &Study) -> Result<Verified, SweepError> {
 
 /// Makes the tables again that are not what the journal says; their names. Where the journal lacks cases, and the
 /// summary has more rows than it knows, all stay: the sweep's next run brings them together.
-///
-/// # Errors
-/// A file that cannot be read or written.
 pub fn renew_tables(
     directory: &Path,
     study: &Study,

@@ -49,9 +49,6 @@ struct Side<'a> {
 }
 
 /// Compares two output directories by their files alone.
-///
-/// # Errors
-/// Files that cannot be read.
 pub fn compare(directories: [&Path; 2]) -> Result<Comparison, ReportError> {
     let [a, b] = directories.map(Loaded::read);
     let studies = [a?, b?];

@@ -19,9 +19,6 @@ use crate::report::study::Key;
 const ROOM: usize = 1_400_000;
 
 /// The data as JSON that may stand inside a script's tags.
-///
-/// # Errors
-/// A history that cannot be read.
 pub fn data(loaded: &Loaded, file: Option<&SceneFile>) -> Result<String, ReportError> {
     let ids: Vec<_> = loaded.rows.iter().map(|row| row.id()).collect();
     let keys = keys(loaded);

@@ -51,9 +51,6 @@ pub struct Papers {
 }
 
 /// The whole page: sentences of all cases, tables and figures of those that are shown.
-///
-/// # Errors
-/// A history that cannot be read.
 pub fn page(
     [data, shown]: [&Loaded; 2],
     figures: &[Figure],

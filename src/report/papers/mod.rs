@@ -91,9 +91,6 @@ impl<'a> Cases<'a> {
 }
 
 /// Every printed number that the study has a case for, in the papers' order.
-///
-/// # Errors
-/// A history or a table of readings that cannot be read.
 pub fn confront<'a>(cases: &'a Cases<'a>) -> Result<Vec<Found<'a>>, ReportError> {
     let mut all = Vec::new();
     for (row, config) in cases.finished() {

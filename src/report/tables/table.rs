@@ -79,9 +79,6 @@ impl<'a> Lines<'a> {
     }
 
     /// Writes the table as comma-separated text, and keeps its first rows.
-    ///
-    /// # Errors
-    /// A file that cannot be read or written.
     pub fn write(self, path: &Path, most: usize) -> Result<Table, ReportError> {
         let wrong = |error| ReportError::Write { path: path.to_owned(), error };
         let file = File::create(path).map_err(wrong)?;
@@ -99,9 +96,6 @@ impl<'a> Lines<'a> {
     }
 
     /// The table with all its rows.
-    ///
-    /// # Errors
-    /// A file that cannot be read.
     pub fn whole(self) -> Result<Table, ReportError> {
         Ok(Table { rows: self.rows.collect::<Result<_, _>>()?, ..self.head })
     }
