@@ -56,6 +56,11 @@ pub(super) fn clean(folder: &Path) -> Result<(), SweepError> {
     Ok(())
 }
 
+/// Removes a file, where there is one.
+pub(super) fn remove(path: &Path) -> Result<(), SweepError> {
+    if path.exists() { disk::remove_file(path).map_err(SweepError::io(path)) } else { Ok(()) }
+}
+
 /// Makes a file's content, or the renames inside a directory, durable.
 pub(super) fn sync(path: &Path) -> Result<(), SweepError> {
     let file = File::open(path).map_err(SweepError::io(path))?;

@@ -8,8 +8,8 @@ use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
 
-use super::disk;
 use super::error::SweepError;
+use super::{atomic_file, disk};
 use crate::study::CaseId;
 
 const FILE_NAME: &str = "running";
@@ -69,10 +69,7 @@ impl Attempts {
     pub fn close(&mut self) -> Result<(), SweepError> {
         self.running.clear();
         self.file = None;
-        if self.path.exists() {
-            disk::remove_file(&self.path).map_err(SweepError::io(&self.path))?;
-        }
-        Ok(())
+        atomic_file::remove(&self.path)
     }
 
     fn append(&mut self, lines: &str) -> Result<(), SweepError> {

@@ -80,10 +80,7 @@ pub(super) fn remove(
     let listed = || files(directory).into_iter().map(|(_, id, _)| id).collect();
     let there: Option<BTreeSet<CaseId>> = (cases.len() > ASKED).then(listed);
     for id in cases.into_iter().filter(|id| there.as_ref().is_none_or(|there| there.contains(id))) {
-        let path = folder.join(format!("{id}.{CASE}"));
-        if path.exists() {
-            disk::remove_file(&path).map_err(SweepError::io(&path))?;
-        }
+        atomic_file::remove(&folder.join(format!("{id}.{CASE}")))?;
     }
     Ok(())
 }

@@ -6,8 +6,8 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use super::atomic_file;
 use super::error::SweepError;
-use super::{atomic_file, disk};
 
 const FILE_NAME: &str = "load.json";
 
@@ -80,8 +80,7 @@ impl Load {
 
 /// Removes what an ended session has told.
 pub fn forget_load(directory: &Path) -> Result<(), SweepError> {
-    let path = directory.join(FILE_NAME);
-    if path.exists() { disk::remove_file(&path).map_err(SweepError::io(&path)) } else { Ok(()) }
+    atomic_file::remove(&directory.join(FILE_NAME))
 }
 
 fn share(ranks: &[RankLoad], elapsed_s: f64) -> f64 {

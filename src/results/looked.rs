@@ -15,7 +15,7 @@ use super::closing::Closing;
 use super::error::SweepError;
 use super::journal::{self, Journal};
 use super::unsynced::Unsynced;
-use super::{atomic_file, disk, sealed};
+use super::{atomic_file, sealed};
 
 const FILE_NAME: &str = "looked.json";
 const VERSION: u32 = 1;
@@ -51,8 +51,7 @@ impl Looked {
 
     /// Removes it: all is done, or something is damaged.
     pub fn forget(directory: &Path) -> Result<(), SweepError> {
-        let path = directory.join(FILE_NAME);
-        if path.exists() { disk::remove_file(&path).map_err(SweepError::io(&path)) } else { Ok(()) }
+        atomic_file::remove(&directory.join(FILE_NAME))
     }
 }
 
