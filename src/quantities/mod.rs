@@ -99,6 +99,12 @@ impl<R: Copy> Quantity<R> {
         self
     }
 
+    /// It with a value as one writes them: `k = 10 N/m`.
+    pub fn told(&self, sign: &str, value: &str) -> String {
+        let text = format!("{} {sign} {value} {}", self.symbol, self.unit.symbol());
+        text.trim_end().to_owned()
+    }
+
     /// Its name in words, without the unit.
     pub fn words(&self) -> String {
         unit::split(self.name).0.replace('_', " ")

@@ -134,6 +134,12 @@ impl Row {
         self.text(flag) == "true"
     }
 
+    /// Of the columns of a first impact and of the whole run the one that is told: the latter where there was no
+    /// first impact, and where waves are regular, as each wave comes onto what the ones before have left.
+    pub fn impact(&self, first: &'static Column, whole: &'static Column) -> &'static Column {
+        if self.regular || self.number(first).is_none() { whole } else { first }
+    }
+
     /// The error bar of a number.
     pub fn error(&self, column: &Column) -> Option<f64> {
         self.number(named(column.bar?)?)
@@ -239,7 +245,5 @@ impl Row {
 
 /// A parameter and its value as one writes them: `k = 10 N/m`.
 pub(super) fn label(column: &Column, value: f64) -> String {
-    let value = number::minus(&number::plain(value));
-    let text = format!("{} = {value} {}", column.symbol, column.unit.symbol());
-    text.trim_end().to_owned()
+    column.told("=", &number::minus(&number::plain(value)))
 }

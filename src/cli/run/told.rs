@@ -24,11 +24,7 @@ pub(super) fn inputs(config: &CaseConfig) -> String {
 }
 
 fn seawall(scene: &SeawallScene) -> String {
-    let value = |column: &Column, value: f64| {
-        format!("{} = {} {}", column.symbol, plain(value), column.unit.symbol())
-            .trim_end()
-            .to_owned()
-    };
+    let value = |column: &Column, value: f64| column.told("=", &plain(value));
     let mut parts = Vec::new();
     match (scene.paddle, scene.wave_height_ratio) {
         (_, 0.0) => parts.push("still water".to_owned()),

@@ -167,8 +167,7 @@ fn point(a: &Side, b: &Side) -> String {
             return Some(label(column, first));
         }
         let [a, b] = values.map(|value| value.map_or_else(|| "-".to_owned(), plain));
-        let text = format!("{} = {a} | {b} {}", column.symbol, column.unit.symbol());
-        Some(text.trim_end().to_owned())
+        Some(column.told("=", &format!("{a} | {b}")))
     };
     let parts = PLACE.iter().filter_map(part);
     let mut parts: Vec<String> = parts.collect();

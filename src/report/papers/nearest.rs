@@ -90,9 +90,7 @@ fn place(number: &Printed) -> String {
             Span { low, high } if low.is_infinite() => ("≤", high),
             Span { low, .. } => ("=", low),
         };
-        let told =
-            format!("{} {sign} {} {}", column.symbol, number::plain(value), column.unit.symbol());
-        Some(told.trim_end().to_owned())
+        Some(column.told(sign, &number::plain(value)))
     };
     spans(number).into_iter().filter_map(part).collect::<Vec<_>>().join(", ")
 }

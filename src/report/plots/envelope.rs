@@ -64,8 +64,7 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
 /// Of every wave the case of the largest force; of a single wave some cases, from the largest force to the
 /// least.
 fn chosen(data: &Loaded) -> Vec<&Row> {
-    let first = |row: &Row| row.number(&FIRST_FORCE_MAX).filter(|_| !row.regular);
-    let force = |row: &Row| first(row).or_else(|| row.number(&FORCE_MAX));
+    let force = |row: &Row| row.number(row.impact(&FIRST_FORCE_MAX, &FORCE_MAX));
     let mut rows: Vec<_> = data.finished().collect();
     rows.sort_by(|a, b| force(b).unwrap_or(0.0).total_cmp(&force(a).unwrap_or(0.0)));
     let waves = distinct(rows.iter().copied(), &WAVE_HEIGHT_RATIO);

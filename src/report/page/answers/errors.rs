@@ -22,12 +22,6 @@ const NUMBERS: [Number; 3] = [
     ("X*", &DISPLACEMENT_MAX, &DISPLACEMENT_MAX, true),
 ];
 
-/// The column that is told of a case: of the first impact, or of the whole run where it has none and where waves
-/// are regular.
-fn column(row: &Row, (_, first, whole, _): &Number) -> &'static Column {
-    if row.regular || row.number(first).is_none() { whole } else { first }
-}
-
 /// The bar in the middle and the widest one, of each number; or that there are none.
 pub fn bars(data: &Loaded) -> Option<String> {
     let finished = data.finished().count();
@@ -47,7 +41,8 @@ pub fn bars(data: &Loaded) -> Option<String> {
         let how = "error_bars = \"pair\" in [numerics] estimates how far each number may be off";
         return Some(format!("No error bars were asked for: {how}."));
     }
-    let with = |row: &&Row| row.error(column(row, &NUMBERS[0])).is_some();
+    let (_, first, whole, _) = NUMBERS[0];
+    let with = |row: &&Row| row.error(row.impact(first, whole)).is_some();
     let with = data.finished().filter(with).count();
     let without = match finished - with {
         0 => String::new(),
@@ -72,9 +67,9 @@ fn of_walls(data: &Loaded) -> bool {
 }
 
 fn bar(data: &Loaded, number: &Number) -> Option<String> {
-    let &(symbol, .., relative) = number;
+    let &(symbol, first, whole, relative) = number;
     let read = |row: &Row| {
-        let column = column(row, number);
+        let column = row.impact(first, whole);
         let (bar, value) = (row.error(column)?, row.number(column)?);
         // Still water moves a wall by next to nothing, of which no share says anything.
         let still = row.number(&WAVE_HEIGHT_RATIO) == Some(0.0);

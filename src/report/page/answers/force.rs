@@ -7,6 +7,7 @@ use crate::report::number;
 use crate::report::page::words::{at, result};
 use crate::report::row::Row;
 use crate::report::scene_file::SceneFile;
+use crate::scene::Scene;
 
 /// A later force is told where it is larger than that of the first impact by more than this share.
 const NOTABLE: f64 = 0.02;
@@ -20,11 +21,9 @@ const SCALING: [&str; 6] = [
     "tank_length_m",
 ];
 
-/// The largest force of a case: that of the first impact, or of the whole run where it has none, and where
-/// waves are regular.
+/// The largest force of a case.
 pub fn column(row: &Row) -> &'static Column {
-    let has_first = !row.regular && row.number(&FIRST_FORCE_MAX).is_some();
-    if has_first { &FIRST_FORCE_MAX } else { &FORCE_MAX }
+    row.impact(&FIRST_FORCE_MAX, &FORCE_MAX)
 }
 
 /// The row that has the most of something.
@@ -84,19 +83,22 @@ fn later(data: &Loaded, first: f64) -> Option<String> {
     Some(format!(" A later one reaches F* = {}{}.", number::with_error(force, bar), at(row)))
 }
 
-/// ½ρgd² of the scene of a row by its number, N/m, d being the depth at the wall, or where that stands dry the still
-/// water's.
-fn scale(data: &Loaded, file: Option<&SceneFile>, index: usize) -> Option<f64> {
-    let scene = file?.config(data, index)?.scene;
+/// The scene of a row.
+fn scene(data: &Loaded, file: Option<&SceneFile>, row: &Row) -> Option<Scene> {
+    let index = data.rows.iter().position(|one| one.id() == row.id())?;
+    Some(file?.config(data, index)?.scene)
+}
+
+/// ½ρgd² of a scene, N/m, d being the depth at the wall, or where that stands dry the still water's.
+fn scale(scene: &Scene) -> f64 {
     let frame = scene.frame();
     let depth = scene.seawall().map_or(frame.depth, |scene| scene.force_depth_m());
-    Some(0.5 * frame.density * frame.acceleration() * depth * depth)
+    0.5 * frame.density * frame.acceleration() * depth * depth
 }
 
 /// The depth by which the F* of a row counts, metres, where it is another than that of the still water at the paddle.
 fn depth_at_wall(data: &Loaded, file: Option<&SceneFile>, row: &Row) -> Option<f64> {
-    let index = data.rows.iter().position(|one| one.id() == row.id())?;
-    let scene = file?.config(data, index)?.scene;
+    let scene = scene(data, file, row)?;
     let depth = scene.seawall()?.force_depth_m();
     (depth != scene.frame().depth).then_some(depth)
 }
@@ -113,7 +115,7 @@ fn other_in_newtons<'a>(
     }
     let of = |(index, row): (usize, &'a Row)| {
         let force = row.number(column(row)).filter(|force| row.is_ok() && force.is_finite())?;
-        Some((row, force, force * scale(data, file, index)?))
+        Some((row, force, force * scale(&file?.config(data, index)?.scene)))
     };
     let all: Vec<_> = data.rows.iter().enumerate().filter_map(of).collect();
     let own = all.iter().find(|it| it.0.id() == row.id())?.2;
@@ -123,12 +125,11 @@ fn other_in_newtons<'a>(
 
 /// `, that is 0.77 kN per metre of wall`.
 fn newtons(data: &Loaded, file: Option<&SceneFile>, row: &Row, force: f64) -> String {
-    let scale = || scale(data, file, data.rows.iter().position(|r| r.id() == row.id())?);
-    let told = |scale: f64| {
-        let force = number::significant(force * scale / 1000.0, 3);
+    let told = |scene| {
+        let force = number::significant(force * scale(&scene) / 1000.0, 3);
         format!(", that is {force} kN per metre of wall")
     };
-    scale().map(told).unwrap_or_default()
+    scene(data, file, row).map(told).unwrap_or_default()
 }
 
 #[cfg(test)]
