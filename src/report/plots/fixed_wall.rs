@@ -7,7 +7,7 @@ use super::legend::Entry;
 use super::look::Look;
 use super::marks::point;
 use super::sheet::{Drawing, PANELS};
-use super::{Figure, SERIES, file_name, left_out, of_variant, printed, swept};
+use super::{COMBINATIONS, Figure, SERIES, file_name, left_out, of_variant, printed, swept};
 use crate::quantities::Column;
 use crate::quantities::summary::{
     FIRST_FORCE_MAX, FIRST_RUNUP_MAX, FORCE_MAX, MEASURED_WAVE_HEIGHT_RATIO, RUNUP_MAX,
@@ -48,7 +48,7 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
         (!rows.is_empty() && !lone).then_some((variant, places, rows))
     };
     let groups: Vec<_> = variants(&data.rows).into_iter().filter_map(walls_of).collect();
-    let few = left_out(groups.len());
+    let few = left_out(groups.len(), SERIES, COMBINATIONS);
     let mut figures = Vec::new();
     for (variant, places, rows) in spread(&groups, SERIES) {
         let name = file_name("fixed-wall", &variant);

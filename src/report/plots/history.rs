@@ -7,7 +7,7 @@ use std::collections::HashMap;
 use super::look::Look;
 use super::marks::{said, shown_are};
 use super::over_time::{self, Strip};
-use super::{Figure, SERIES, file_name, left_out, of_variant};
+use super::{COMBINATIONS, Figure, SERIES, file_name, left_out, of_variant};
 use crate::math::words::counted;
 use crate::quantities::history::{DISPLACEMENT, FORCE, RUNUP};
 use crate::quantities::summary::{SEAWALL_MASS, SPRING_STIFFNESS, WAVE_HEIGHT_RATIO};
@@ -35,11 +35,11 @@ pub fn figures(data: &Loaded) -> Result<Vec<Figure>, ReportError> {
     let mut figures = Vec::new();
     let waves = distinct(data.finished(), &WAVE_HEIGHT_RATIO);
     let digits = number::digits_apart(waves.iter().copied());
-    let few_waves = few_waves(waves.len());
+    let few_waves = left_out(waves.len(), WAVES, "wave heights");
     for wave in spread(&waves, WAVES) {
         let rows = data.finished().filter(|row| row.number(&WAVE_HEIGHT_RATIO) == Some(wave));
         let groups = groups(rows.collect());
-        let few_groups = left_out(groups.len());
+        let few_groups = left_out(groups.len(), SERIES, COMBINATIONS);
         let wave = number::plain_to(wave, digits);
         for rows in spread(&groups, SERIES) {
             let gathers = rows.iter().any(|row| row.variant != rows[0].variant);
@@ -101,14 +101,6 @@ fn without_wave(data: &Loaded) -> Result<Option<Figure>, ReportError> {
              two samples may leave the panel.{drop}"
         ),
     }))
-}
-
-/// The end of a caption: which waves have a figure, where not all of them do.
-fn few_waves(waves: usize) -> String {
-    if waves <= WAVES {
-        return String::new();
-    }
-    format!(" Of {waves} wave heights {WAVES} have such a figure, spread evenly.")
 }
 
 /// The end of a caption: what was picked, where it is not all there is.

@@ -77,6 +77,8 @@ pub(super) enum Place {
 /// that nobody tells apart.
 const SERIES: usize = 6;
 
+/// What a figure may be one of.
+const COMBINATIONS: &str = "combinations of other keys";
 /// The responses that are drawn: what the page's first answer is about comes first.
 const DRAWN: [&Column; 3] = [&FIRST_FORCE_MAX, &FIRST_RUNUP_MAX, &DISPLACEMENT_MAX];
 
@@ -129,14 +131,12 @@ fn of_variant(variant: &str) -> String {
     if variant.is_empty() { String::new() } else { format!(" ({})", all_spoken(variant)) }
 }
 
-/// The end of a caption: how many combinations of what else was swept have a figure, where not all do.
-fn left_out(combinations: usize) -> String {
-    if combinations <= SERIES {
+/// The end of a caption: how many of these have a figure, where not all do.
+fn left_out(all: usize, most: usize, what: &str) -> String {
+    if all <= most {
         return String::new();
     }
-    format!(
-        " Of {combinations} combinations of other keys {SERIES} have such a figure, spread evenly."
-    )
+    format!(" Of {all} {what} {most} have such a figure, spread evenly.")
 }
 
 #[cfg(test)]
