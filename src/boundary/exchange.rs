@@ -8,7 +8,6 @@ use super::ghost_part::GhostPart;
 use super::ghosts::Ghosts;
 use super::giving::Giving;
 use super::image::{Image, Mirror};
-use super::pack::GhostVelocities;
 use super::rules::{ExchangeRules, targets};
 use super::sums::{Cover, KernelWeights, Means, Near, Water, Weigh};
 use super::waterline::Waterline;
@@ -222,8 +221,8 @@ impl Exchange {
         let places: Places<2> = |means| [&mut means.vx, &mut means.vy];
         self.renew(path, (water, places), factors, &|renewed| {
             let Renewed { blocks, first, images, means, factors } = renewed;
-            dispatch(path, Mirror { blocks, first, images, means, ghosts, bodies });
-            dispatch(path, GhostVelocities { flow, blocks, first, images, factors });
+            let factors = Some((flow, factors));
+            dispatch(path, Mirror { blocks, first, images, means, ghosts, bodies, factors });
         });
     }
 

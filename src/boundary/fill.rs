@@ -92,9 +92,11 @@ impl Filling<'_> {
         }
         let (blocks, first) = (part.among(&exchange.counting), part.blocks.start);
         let (means, gravity) = (&exchange.means[first..], exchange.rules.gravity);
-        let density = exchange.densities();
-        dispatch(path, Press { blocks, first, images, means, ghosts, bodies, gravity, density });
-        dispatch(path, Mirror { blocks, first, images, means, ghosts, bodies });
+        let (density, factors) = (exchange.densities(), None);
+        let press =
+            Press { blocks, first, images, means, ghosts, bodies, gravity, density, factors };
+        dispatch(path, press);
+        dispatch(path, Mirror { blocks, first, images, means, ghosts, bodies, factors: None });
         for &block in blocks {
             let row = block as usize - first;
             let (image, scale) = (&mut images[row], &exchange.scale[block as usize]);

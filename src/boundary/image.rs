@@ -4,6 +4,7 @@ use super::ghosts::Ghosts;
 use super::sums::Means;
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, Lanes, Task};
+use crate::pairs::{Factors, Flow};
 
 /// What makes eight ghosts of the water's means, from one filling to the next, and what was made
 /// last. Both laws are linear, with factors that depend on places alone.
@@ -28,7 +29,7 @@ pub struct Image {
     pub(super) lowest: [f64; LANES],
 }
 
-/// New pressures of the ghosts in some blocks.
+/// New pressures of the ghosts in some blocks, and the numbers of them that they have as neighbours of the water.
 pub(super) struct Press<'a> {
     pub blocks: &'a [u32],
     /// The block that images and means begin with.
@@ -40,6 +41,8 @@ pub(super) struct Press<'a> {
     pub gravity: f64,
     /// Density at zero pressure, kg/m³, and 1/c0², s²/m².
     pub density: [f64; 2],
+    /// Numbers are wanted for passes over held pairs alone.
+    pub factors: Option<&'a mut [Factors]>,
 }
 
 impl Task for Press<'_> {
@@ -49,6 +52,7 @@ impl Task for Press<'_> {
     fn run<L: Lanes>(self) {
         let (gravity, zero) = (L::splat(self.gravity), L::splat(0.0));
         let (surface, per_pressure) = (L::splat(self.density[0]), L::splat(self.density[1]));
+        let mut factors = self.factors.map(|factors| factors.as_chunks_mut::<LANES>().0);
         for &block in self.blocks {
             let (block, row) = (block as usize, block as usize - self.first);
             let image = &mut self.images[row];
@@ -58,12 +62,18 @@ impl Task for Press<'_> {
             let (x, y) = (L::load(&image.lever[0]), L::load(&image.lever[1]));
             let head = L::splat(body.acceleration).mul_add(x, gravity * y);
             let pressure = mean + (zero - density) * head;
-            pressure.max(L::load(&image.lowest)).store(&mut image.pressure);
+            let pressure = pressure.max(L::load(&image.lowest));
+            pressure.store(&mut image.pressure);
+            if let Some(factors) = &mut factors {
+                let pressed = image.correction.each_ref().map(|part| pressure * L::load(part));
+                let place = image.place.each_ref().map(L::load);
+                L::store_records(Factors::of_pressure(pressed, place), &mut factors[row]);
+            }
         }
     }
 }
 
-/// New velocities of the ghosts in some blocks.
+/// New velocities of the ghosts in some blocks, and their numbers.
 pub(super) struct Mirror<'a> {
     pub blocks: &'a [u32],
     /// The block that images and means begin with.
@@ -72,6 +82,7 @@ pub(super) struct Mirror<'a> {
     pub means: &'a [Means],
     pub ghosts: &'a Ghosts,
     pub bodies: &'a [BodyMotion],
+    pub factors: Option<(Flow, &'a mut [Factors])>,
 }
 
 impl Task for Mirror<'_> {
@@ -79,6 +90,9 @@ impl Task for Mirror<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
+        let factors = self.factors;
+        let mut factors = factors.map(|(flow, all)| (flow, all.as_chunks_mut::<LANES>().0));
+        let zero = L::splat(0.0);
         for &block in self.blocks {
             let (block, row) = (block as usize, block as usize - self.first);
             let (image, means) = (&mut self.images[row], &self.means[row]);
@@ -86,9 +100,15 @@ impl Task for Mirror<'_> {
             let [xx, xy, yy] = &image.mirror;
             let (xx, xy, yy) = (L::load(xx), L::load(xy), L::load(yy));
             let (u, v) = (L::load(&means.vx) - wall, L::load(&means.vy));
+            let velocity = [xx.mul_add(u, xy * v) + wall, xy.mul_add(u, yy * v)];
             let [vx, vy] = &mut image.velocity;
-            (xx.mul_add(u, xy * v) + wall).store(vx);
-            xy.mul_add(u, yy * v).store(vy);
+            velocity[0].store(vx);
+            velocity[1].store(vy);
+            if let Some((flow, factors)) = &mut factors {
+                let place = image.place.each_ref().map(L::load);
+                let numbers = flow.numbers(velocity, place, [zero, zero]);
+                L::store_records(numbers, &mut factors[row]);
+            }
         }
     }
 }

@@ -31,7 +31,6 @@ mod mls_linear;
 mod mls_quadratic;
 mod normalized;
 mod open;
-mod pack;
 mod plane;
 mod pressure;
 mod profile;

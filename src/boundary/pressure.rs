@@ -4,7 +4,6 @@ use super::exchange::Exchange;
 use super::gathering::{Places, Renewed};
 use super::ghosts::{Ghosts, Site};
 use super::image::Press;
-use super::pack::GhostPressures;
 use super::rules::ExchangeRules;
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, SimdPath, dispatch};
@@ -43,9 +42,11 @@ impl Exchange {
         let places: Places<1> = |means| [&mut means.pressure];
         self.renew(path, ([pressure], places), factors, &|renewed| {
             let Renewed { blocks, first, images, means, factors } = renewed;
-            let press = Press { blocks, first, images, means, ghosts, bodies, gravity, density };
-            dispatch(path, press);
-            dispatch(path, GhostPressures { blocks, first, images, factors });
+            let factors = Some(factors);
+            dispatch(
+                path,
+                Press { blocks, first, images, means, ghosts, bodies, gravity, density, factors },
+            );
         });
     }
 
