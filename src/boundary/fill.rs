@@ -91,11 +91,9 @@ impl Filling<'_> {
             }
         }
         let (blocks, first) = (part.among(&exchange.counting), part.blocks.start);
-        let (means, gravity) = (&exchange.means[first..], exchange.rules.gravity);
-        let (density, factors) = (exchange.densities(), None);
-        let press =
-            Press { blocks, first, images, means, ghosts, bodies, gravity, density, factors };
-        dispatch(path, press);
+        let (means, rules) = (&exchange.means[first..], exchange.rules);
+        let factors = None;
+        dispatch(path, Press { blocks, first, images, means, ghosts, bodies, rules, factors });
         dispatch(path, Mirror { blocks, first, images, means, ghosts, bodies, factors: None });
         for &block in blocks {
             let row = block as usize - first;

@@ -1,6 +1,7 @@
 //! Ghosts as images of the water around their mirror points.
 
 use super::ghosts::Ghosts;
+use super::rules::ExchangeRules;
 use super::sums::Means;
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, Lanes, Task};
@@ -38,9 +39,7 @@ pub(super) struct Press<'a> {
     pub means: &'a [Means],
     pub ghosts: &'a Ghosts,
     pub bodies: &'a [BodyMotion],
-    pub gravity: f64,
-    /// Density at zero pressure, kg/m³, and 1/c0², s²/m².
-    pub density: [f64; 2],
+    pub rules: ExchangeRules,
     /// Numbers are wanted for passes over held pairs alone.
     pub factors: Option<&'a mut [Factors]>,
 }
@@ -50,8 +49,11 @@ impl Task for Press<'_> {
 
     #[inline(always)]
     fn run<L: Lanes>(self) {
-        let (gravity, zero) = (L::splat(self.gravity), L::splat(0.0));
-        let (surface, per_pressure) = (L::splat(self.density[0]), L::splat(self.density[1]));
+        let ExchangeRules { gravity, surface_density, sound_speed, .. } = self.rules;
+        let (gravity, zero) = (L::splat(gravity), L::splat(0.0));
+        // Density at zero pressure, kg/m³, and 1/c0², s²/m².
+        let surface = L::splat(surface_density);
+        let per_pressure = L::splat(1.0 / (sound_speed * sound_speed));
         let mut factors = self.factors.map(|factors| factors.as_chunks_mut::<LANES>().0);
         for &block in self.blocks {
             let (block, row) = (block as usize, block as usize - self.first);

@@ -4,7 +4,6 @@ use super::exchange::Exchange;
 use super::gathering::{Places, Renewed};
 use super::ghosts::{Ghosts, Site};
 use super::image::Press;
-use super::rules::ExchangeRules;
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, SimdPath, dispatch};
 use crate::pairs::Factors;
@@ -38,22 +37,13 @@ impl Exchange {
         pressure: &[f64],
         factors: &mut [Factors],
     ) {
-        let (gravity, density) = (self.rules.gravity, self.densities());
+        let rules = self.rules;
         let places: Places<1> = |means| [&mut means.pressure];
         self.renew(path, ([pressure], places), factors, &|renewed| {
             let Renewed { blocks, first, images, means, factors } = renewed;
             let factors = Some(factors);
-            dispatch(
-                path,
-                Press { blocks, first, images, means, ghosts, bodies, gravity, density, factors },
-            );
+            dispatch(path, Press { blocks, first, images, means, ghosts, bodies, rules, factors });
         });
-    }
-
-    /// Density at zero pressure, kg/m³, and 1/c0², s²/m².
-    pub(super) fn densities(&self) -> [f64; 2] {
-        let ExchangeRules { surface_density, sound_speed, .. } = self.rules;
-        [surface_density, 1.0 / (sound_speed * sound_speed)]
     }
 
     /// How much of a ghost counts.
