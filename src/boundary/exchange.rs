@@ -3,19 +3,18 @@
 use std::marker::PhantomData;
 use std::ops::Range;
 
-use super::gathering::{Gather, Places, Renewed};
 use super::ghost_part::GhostPart;
-use super::ghosts::Ghosts;
+use super::ghosts::{Ghosts, Site};
 use super::giving::Giving;
-use super::image::{Image, Mirror};
+use super::image::Image;
 use super::rules::{ExchangeRules, targets};
 use super::sums::{Cover, KernelWeights, Means, Near, Water, Weigh};
 use super::waterline::Waterline;
 use super::with_interpolator;
 use crate::body::BodyMotion;
 use crate::math::simd::{LANES, SimdPath, dispatch};
-use crate::math::team::{self, First, Team};
-use crate::pairs::{Factors, Flow, PointSet, Strips, build_pair_list};
+use crate::math::team::{self, Team};
+use crate::pairs::{PointSet, Strips, build_pair_list};
 use crate::with_kernel;
 
 /// The ghosts' side of a step: neighbour lists of their targets, weights, means.
@@ -206,42 +205,29 @@ impl Exchange {
         });
     }
 
-    /// Interpolates the velocities anew, with the weights at hand, for the continuity equation, and puts
-    /// them into the numbers that ghosts have as neighbours. There walls are smooth whatever the slip (De
-    /// Leffe et al. 2011): a tangential velocity turned round at the wall would be compression that no
-    /// force does work on. `water` holds the fluid's velocities along x and y.
-    pub fn refresh_velocities(
-        &mut self,
-        path: SimdPath,
-        ghosts: &Ghosts,
-        bodies: &[BodyMotion],
-        water: [&[f64]; 2],
-        (flow, factors): (Flow, &mut [Factors]),
-    ) {
-        let places: Places<2> = |means| [&mut means.vx, &mut means.vy];
-        self.renew(path, (water, places), factors, &|renewed| {
-            let Renewed { blocks, first, images, means, factors } = renewed;
-            let factors = Some((flow, factors));
-            dispatch(path, Mirror { blocks, first, images, means, ghosts, bodies, factors });
-        });
+    /// From where the water's mean pressure holds to a ghost, metres.
+    pub(super) fn lever(&self, ghosts: &Ghosts, g: usize, motion: &BodyMotion) -> [f64; 2] {
+        let (means, lane) = (&self.means[g / LANES], g % LANES);
+        let anchor = if self.rules.gravity_in_sum {
+            [means.x[lane], means.y[lane]]
+        } else {
+            [ghosts.target_x[g] + motion.offset, ghosts.target_y[g]]
+        };
+        [ghosts.x[g] + motion.offset - anchor[0], ghosts.y[g] - anchor[1]]
     }
 
-    /// Means of some fields of the water at the ghosts that count, with the weights at hand, and where they
-    /// belong; then all that comes of them.
-    pub(super) fn renew<const N: usize>(
-        &mut self,
-        path: SimdPath,
-        (fields, places): ([&[f64]; N], Places<N>),
-        factors: &mut [Factors],
-        make: &(impl Fn(Renewed<'_>) + Sync),
-    ) {
-        let Exchange { team, parts, counting, scale, means, images, .. } = self;
-        let (scale, counting) = (&scale[..], &counting[..]);
-        let rows = (&mut means[..], (First(images, 1), First(factors, LANES)));
-        team.share(parts, rows, &|part, (means, (First(images, _), First(factors, _)))| {
-            let (blocks, first) = (part.among(counting), part.blocks.start);
-            dispatch(path, Gather { part, blocks, scale, means, fields, places });
-            make(Renewed { blocks, first, images, means, factors });
-        });
+    /// Density of the water around a ghost's mirror point, kg/m³.
+    pub(super) fn density(&self, g: usize) -> f64 {
+        let rules = &self.rules;
+        let mean = self.means[g / LANES].pressure[g % LANES];
+        rules.surface_density + mean / (rules.sound_speed * rules.sound_speed)
+    }
+
+    /// How much of a ghost counts.
+    pub(super) fn wet_share_of(&self, ghosts: &Ghosts, body: usize, g: usize) -> f64 {
+        match ghosts.face[g] {
+            Site::ALWAYS_WET => 1.0,
+            face => self.wet_share(body, face as usize),
+        }
     }
 }

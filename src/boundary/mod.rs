@@ -32,7 +32,6 @@ mod mls_quadratic;
 mod normalized;
 mod open;
 mod plane;
-mod pressure;
 mod profile;
 mod rules;
 mod sfdi;
