@@ -7,4 +7,4 @@ pub mod wcsph;
 
 pub use crate::water::{StateEquation, StateEquationChoice};
 pub use contract::{Scheme, SchemeState};
-pub use step::{Dissipation, Load, NextStep, SolverSummary, StepError, StepWalls, Taken};
+pub use step::{Dissipation, Load, NextStep, Phases, SolverSummary, StepError, StepWalls, Taken};

@@ -1,5 +1,7 @@
 //! What goes into a step of a scheme and what comes out of it.
 
+use std::time::Instant;
+
 use serde::{Deserialize, Serialize};
 
 use crate::body::BodyMotion;
@@ -67,6 +69,30 @@ pub struct SolverSummary {
     pub worst_divergence: f64,
     /// Largest |mean, over the interior, of Σ V W over its value on the lattice, less one|.
     pub worst_volume_drift: f64,
+}
+
+/// Phases of a step with the seconds spent in each.
+#[derive(Debug, Clone)]
+pub struct Phases<const N: usize>([(&'static str, f64); N]);
+
+impl<const N: usize> Phases<N> {
+    /// Nothing is spent yet.
+    pub fn new(names: [&'static str; N]) -> Phases<N> {
+        Phases(names.map(|name| (name, 0.0)))
+    }
+
+    /// Books the time since the clock was last looked at.
+    pub fn lap(&mut self, phase: &str, clock: &mut Instant) {
+        let before = std::mem::replace(clock, Instant::now());
+        if let Some((_, seconds)) = self.0.iter_mut().find(|(name, _)| *name == phase) {
+            *seconds += (*clock - before).as_secs_f64();
+        }
+    }
+
+    /// All of them.
+    pub fn told(&self) -> Vec<(&'static str, f64)> {
+        self.0.to_vec()
+    }
 }
 
 /// Why a scheme cannot take the step.

@@ -54,15 +54,15 @@ impl Scheme for Isph {
         let mut clock = Instant::now();
         self.pending = self.tally;
         self.list(bodies, dt);
-        self.lap("neighbours", &mut clock);
+        self.phases.lap("neighbours", &mut clock);
         self.find_operators();
         self.pending.pair_evaluations += self.near.pairs() as u64;
-        self.lap("operators", &mut clock);
+        self.phases.lap("operators", &mut clock);
         self.assemble();
-        self.lap("assembly", &mut clock);
+        self.phases.lap("assembly", &mut clock);
         self.responded = false;
         self.solve_pressure(dt)?;
-        self.lap("solver", &mut clock);
+        self.phases.lap("solver", &mut clock);
         self.accelerate(Source::Pressure);
         self.settled.clone_from(&self.accelerations);
         if self.tally.steps.is_multiple_of(STEPS_PER_CHECK) {
@@ -76,7 +76,7 @@ impl Scheme for Isph {
             *load = Load { force: force + drag, added_mass: 0.0 };
         }
         self.settle(0.0);
-        self.lap("integration", &mut clock);
+        self.phases.lap("integration", &mut clock);
         Ok(())
     }
 
@@ -84,7 +84,7 @@ impl Scheme for Isph {
         let mut clock = Instant::now();
         self.solve_response(dt)?;
         self.responded = true;
-        self.lap("solver", &mut clock);
+        self.phases.lap("solver", &mut clock);
         self.accelerate(Source::Response);
         reaction(&self.near, &self.points, &mut self.forces);
         for (load, force) in self.loads.iter_mut().zip(&self.forces) {
@@ -114,7 +114,7 @@ impl Scheme for Isph {
         std::mem::swap(&mut self.carried.aim, &mut self.exact.aim);
         std::mem::swap(&mut self.carried.pressure, &mut self.carried.older_pressure);
         std::mem::swap(&mut self.carried.pressure, &mut self.dynamic);
-        self.lap("integration", &mut clock);
+        self.phases.lap("integration", &mut clock);
         losses
     }
 
@@ -152,7 +152,7 @@ impl Scheme for Isph {
     }
 
     fn phases(&self) -> Vec<(&'static str, f64)> {
-        self.phases.to_vec()
+        self.phases.told()
     }
 
     fn solver(&self) -> Option<SolverSummary> {
@@ -167,14 +167,6 @@ impl Scheme for Isph {
 }
 
 impl Isph {
-    /// Books the time since the clock was last looked at.
-    fn lap(&mut self, phase: &str, clock: &mut Instant) {
-        let before = std::mem::replace(clock, Instant::now());
-        if let Some((_, seconds)) = self.phases.iter_mut().find(|(name, _)| *name == phase) {
-            *seconds += (*clock - before).as_secs_f64();
-        }
-    }
-
     /// Notes how far the water is from divergence-free and from its own volume.
     fn check(&mut self, dt: f64) {
         let (mut count, mut squares, mut drift) = (0.0_f64, 0.0, 0.0);

@@ -12,7 +12,7 @@ use crate::boundary::{Ghosts, Plane};
 use crate::math::simd::SimdPath;
 use crate::math::team::{Growing, Team};
 use crate::pairs::{Fluid, Near};
-use crate::scheme::Load;
+use crate::scheme::{Load, Phases};
 use crate::water::Shortfall;
 
 /// What the solver has done so far.
@@ -48,6 +48,8 @@ pub struct IsphState {
     pub(super) carried: Carried,
     pub(super) tally: Tally,
 }
+
+const PHASES: [&str; 5] = ["neighbours", "operators", "assembly", "solver", "integration"];
 
 /// ISPH particles with their walls.
 #[derive(Debug)]
@@ -104,8 +106,7 @@ pub struct Isph {
     pub(super) responded: bool,
     /// The responding wall's acceleration, m/s²; 0 until it is known.
     pub(super) answer: f64,
-    /// Phases of a step with the seconds spent in each.
-    pub(super) phases: [(&'static str, f64); 5],
+    pub(super) phases: Phases<5>,
 }
 
 impl Isph {
@@ -160,8 +161,7 @@ impl Isph {
             loads: vec![Load::default(); bodies],
             responded: false,
             answer: 0.0,
-            phases: ["neighbours", "operators", "assembly", "solver", "integration"]
-                .map(|phase| (phase, 0.0)),
+            phases: Phases::new(PHASES),
             options,
             path,
             ghosts,

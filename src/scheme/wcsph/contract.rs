@@ -146,16 +146,7 @@ impl Scheme for Wcsph {
     }
 
     fn phases(&self) -> Vec<(&'static str, f64)> {
-        let t = &self.timings;
-        vec![
-            ("neighbours", t.neighbours),
-            ("ghosts", t.ghosts),
-            ("momentum", t.momentum),
-            ("viscosity", t.viscosity),
-            ("continuity", t.continuity),
-            ("shifting", t.shifting),
-            ("integration", t.integration),
-        ]
+        self.phases.told()
     }
 }
 

@@ -34,7 +34,7 @@ mod volume;
 
 pub use crate::pairs::Precision;
 pub use options::{DensityDiffusion, Shifting, WcsphOptions};
-pub use state::{Timings, Wcsph, WcsphState};
+pub use state::{Wcsph, WcsphState};
 
 use serde::{Deserialize, Serialize};
 

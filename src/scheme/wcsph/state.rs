@@ -7,27 +7,12 @@ use crate::body::BodyMotion;
 use crate::boundary::{Exchange, ExchangeRules, Ghosts, InterpolatorChoice, Plane};
 use crate::math::simd::SimdPath;
 use crate::pairs::{Column, Factors, Fluid, Pairs, Record, Scaling, SingleRecord};
-use crate::scheme::Taken;
+use crate::scheme::{Phases, Taken};
 use crate::water::Shortfall;
 
-/// Seconds spent in each phase, and pairs evaluated.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Timings {
-    /// Sorting and listing.
-    pub neighbours: f64,
-    /// Interpolation to the ghosts.
-    pub ghosts: f64,
-    /// Momentum pass.
-    pub momentum: f64,
-    /// Physical viscosity.
-    pub viscosity: f64,
-    /// Continuity pass.
-    pub continuity: f64,
-    /// Particle shifting.
-    pub shifting: f64,
-    /// Kicks, drifts, packing.
-    pub integration: f64,
-}
+/// Momentum and continuity stand for their passes, integration for kicks, drifts and packing.
+const PHASES: [&str; 7] =
+    ["neighbours", "ghosts", "momentum", "viscosity", "continuity", "shifting", "integration"];
 
 /// What must be kept to go on later, bit for bit.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -92,7 +77,7 @@ pub struct Wcsph {
     pub(super) shortfall: Option<Shortfall>,
     pub(super) last_viscous_power: f64,
     /// Where the time went; never part of the state.
-    pub timings: Timings,
+    pub(super) phases: Phases<7>,
 }
 
 impl Wcsph {
@@ -138,7 +123,7 @@ impl Wcsph {
             shortfall: (options.volume_feedback > 0.0)
                 .then(|| Shortfall::of(options.kernel, options.support_radius / options.spacing)),
             last_viscous_power: 0.0,
-            timings: Timings::default(),
+            phases: Phases::new(PHASES),
             options,
             responds,
             fluid,

@@ -14,16 +14,6 @@ struct Lost {
     on_the_way: f64,
 }
 
-/// Time from one look at the clock to the next, seconds.
-struct Laps(Instant);
-
-impl Laps {
-    fn next(&mut self) -> f64 {
-        let before = std::mem::replace(&mut self.0, Instant::now());
-        (self.0 - before).as_secs_f64()
-    }
-}
-
 impl Wcsph {
     /// First half: forces at the current places. `bodies` are the motions at this instant; the
     /// acceleration of the responding body is not used. The forces of an acoustic step are known
@@ -39,10 +29,10 @@ impl Wcsph {
         }
         self.bulk_time = self.options.bulk_damping * dt;
         self.lead = 0.5 * dt * f64::from(self.options.acoustic_substeps - 1);
-        let start = Instant::now();
+        let mut clock = Instant::now();
         let at_start = !self.pairs.are_listed();
         self.refresh_lists(bodies);
-        self.timings.neighbours += start.elapsed().as_secs_f64();
+        self.phases.lap("neighbours", &mut clock);
         for (held, body) in self.held_bodies.iter_mut().zip(bodies) {
             *held = BodyMotion { offset: body.offset + self.lead * body.velocity, ..*body };
         }
@@ -61,10 +51,9 @@ impl Wcsph {
 
     /// The pass of a full step of `dt` seconds, and all that it reads.
     fn find_forces(&mut self, dt: f64) {
-        let start = Instant::now();
+        let mut clock = Instant::now();
         self.pack();
-        let packed = Instant::now();
-        self.timings.integration += (packed - start).as_secs_f64();
+        self.phases.lap("integration", &mut clock);
         let (fluid_records, ghost_records) = self.records.split_at_mut(self.fluid.padded_len());
         let fluid = self.work.water(fluid_records, self.options.corrected_gradients);
         let bodies = &self.held_bodies;
@@ -72,18 +61,14 @@ impl Wcsph {
         self.exchange.fill(self.pairs.path, &self.ghosts, bodies, self.responds, ghost_records);
         let beds = (&self.ghosts, &**bodies);
         self.exchange.find_fluxes(self.pairs.path, beds, [fluid.records, ghost_records]);
-        let filled = Instant::now();
-        self.timings.ghosts += (filled - packed).as_secs_f64();
+        self.phases.lap("ghosts", &mut clock);
         self.last_viscous_power = self.momentum_pass(dt);
-        let momentum = Instant::now();
-        self.timings.momentum += (momentum - filled).as_secs_f64();
+        self.find_diffused_shares();
+        self.phases.lap("momentum", &mut clock);
         if self.options.kinematic_viscosity > 0.0 {
             self.last_viscous_power += self.laminar_pass(dt);
-            self.timings.viscosity += momentum.elapsed().as_secs_f64();
+            self.phases.lap("viscosity", &mut clock);
         }
-        let rest = Instant::now();
-        self.find_diffused_shares();
-        self.timings.momentum += rest.elapsed().as_secs_f64();
     }
 
     /// Second half: velocities with the forces of [`Wcsph::prepare`], densities with the new
@@ -96,35 +81,31 @@ impl Wcsph {
     /// δρ = δr·∇ρ, with the gradient that density diffusion uses (hydrostatic or renormalised, zero for
     /// the others).
     pub fn finish(&mut self, dt: f64, walls: &StepWalls<'_>, sample: bool) -> Dissipation {
-        let start = Instant::now();
+        let mut clock = Instant::now();
         // Of this step: further on come the next one's.
         let forces = self.pairs.take_force_pairs();
         self.bulk_time = self.options.bulk_damping * walls.next.dt;
         self.hold_offsets(walls);
         self.move_planes(dt, walls.bodies);
         self.complete_accelerations(walls.acceleration);
-        self.timings.integration += start.elapsed().as_secs_f64();
         let acoustic_is_next = self.substep + 1 < self.options.acoustic_substeps;
-        let lost = self.go_through(dt, walls.bodies, sample, acoustic_is_next);
-        let through = Instant::now();
+        let lost = self.go_through(dt, walls.bodies, sample, acoustic_is_next, &mut clock);
         self.since_full += dt;
         self.count_pairs(forces);
         self.substep = (self.substep + 1) % self.options.acoustic_substeps;
         let mut shifting_work = lost.on_the_way;
         if self.substep == 0 {
             if let Some(fades_in) = self.options.shifting.fades_in() {
-                let start = Instant::now();
+                self.phases.lap("integration", &mut clock);
                 shifting_work += self.shift(fades_in);
-                let shifted = start.elapsed().as_secs_f64();
-                self.timings.shifting += shifted;
-                self.timings.integration -= shifted;
+                self.phases.lap("shifting", &mut clock);
             }
             shifting_work += self.restore_volume();
             shifting_work += self.hold_inside(walls.bodies);
             self.since_full = 0.0;
             self.take_next_correction();
         }
-        self.timings.integration += through.elapsed().as_secs_f64();
+        self.phases.lap("integration", &mut clock);
         Dissipation {
             viscous_power: -self.last_viscous_power,
             diffusion_power: -lost.diffusion_power,
@@ -134,21 +115,27 @@ impl Wcsph {
 
     /// Takes the water through a step of `dt` seconds with the accelerations at hand: velocities,
     /// rates of change of density, places; and with `forces` on to the accelerations of the next.
-    fn go_through(&mut self, dt: f64, bodies: &[BodyMotion], sample: bool, forces: bool) -> Lost {
-        let mut laps = Laps(Instant::now());
+    fn go_through(
+        &mut self,
+        dt: f64,
+        bodies: &[BodyMotion],
+        sample: bool,
+        forces: bool,
+        clock: &mut Instant,
+    ) -> Lost {
         self.kick(dt);
-        self.timings.integration += laps.next();
+        self.phases.lap("integration", clock);
         self.mirror_ghosts();
-        self.timings.ghosts += laps.next();
+        self.phases.lap("ghosts", clock);
         let diffusion_power = self.continuity_pass(dt, sample);
-        self.timings.continuity += laps.next();
+        self.phases.lap("continuity", clock);
         let on_the_way = self.drift(dt, bodies, forces);
-        self.timings.integration += laps.next();
+        self.phases.lap("integration", clock);
         if forces {
             self.press_ghosts();
-            self.timings.ghosts += laps.next();
+            self.phases.lap("ghosts", clock);
             self.acoustic_pass();
-            self.timings.momentum += laps.next();
+            self.phases.lap("momentum", clock);
         }
         Lost { diffusion_power, on_the_way }
     }
