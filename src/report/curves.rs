@@ -26,8 +26,7 @@ pub fn responses<'a>(rows: &'a [Row], variant: &str, response: &Column) -> Vec<&
         finite(row, response)?;
         let [mass, wave, stiffness] =
             [&M_STAR, &WAVE_HEIGHT_RATIO, &LOG10_K_STAR].map(|column| finite(row, column));
-        // A recorded stroke is a wave, too, if of no height that anybody asked for.
-        Some([mass?, wave.or(row.unasked.then_some(0.0))?, stiffness?])
+        Some([mass?, wave?, stiffness?])
     };
     let all = rows.iter().filter(|row| row.is_ok() && *row.variant == *variant);
     // Each number is read once: a text is not compared quickly.
@@ -72,17 +71,6 @@ pub fn variants(rows: &[Row]) -> Vec<String> {
 mod tests {
     use super::*;
     use crate::quantities::summary::STATUS;
-
-    #[test]
-    fn walls_under_a_recorded_stroke_have_their_curve() {
-        let of = |unasked: bool| {
-            let mut rows = [1.0, 2.0].map(|k| row(0.5, k, 1.0, Some(3.0)));
-            rows.iter_mut().for_each(|row| row.unasked = unasked);
-            let sorted = responses(&rows, "", &DISPLACEMENT_MAX);
-            (sorted.len(), has_curve(&sorted), distinct(rows.iter(), &WAVE_HEIGHT_RATIO).len())
-        };
-        assert_eq!((of(true), of(false)), ((2, true, 0), (2, true, 1)));
-    }
 
     fn row(wave: f64, log10_k_star: f64, m_star: f64, value: Option<f64>) -> Row {
         let row = Row::default()

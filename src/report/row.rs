@@ -19,9 +19,6 @@ pub(super) const PLACE: [&Column; 3] = [&WAVE_HEIGHT_RATIO, &SPRING_STIFFNESS, &
 /// What `paddle` is where waves are regular.
 pub(super) const REGULAR: &str = "wave-train";
 
-/// What `paddle` is where it plays a stroke of a file.
-pub(super) const RECORDED: &str = "recorded-stroke";
-
 /// The key that tells kinds of paddles apart, where it was swept.
 const PADDLE: &str = "paddle";
 
@@ -58,8 +55,6 @@ pub struct Row {
     pub wall_angle_deg: Option<f64>,
     /// The paddle makes regular waves.
     pub regular: bool,
-    /// Nobody has asked for a wave height: the paddle plays a record.
-    pub unasked: bool,
     /// What `wall` says in the study's file, where it was not swept.
     pub wall: Option<Arc<str>>,
     /// Which of several runs with the same wave and wall this is, such as `boundary = sfdi`;
@@ -90,13 +85,12 @@ impl Row {
         let row = Row { header, text, ends, ..Row::default() };
         let wall_angle_deg = row.named("wall_angle_deg").parse().ok();
         let regular = row.named(PADDLE) == REGULAR;
-        Ok(Row { wall_angle_deg, regular, unasked: row.named(PADDLE) == RECORDED, ..row })
+        Ok(Row { wall_angle_deg, regular, ..row })
     }
 
-    /// Whether a column of this name means nothing for this case: the first impact of regular waves, and a height
-    /// that nobody asked for.
+    /// Whether a column of this name means nothing for this case: the first impact of regular waves.
     fn is_idle(&self, name: &str) -> bool {
-        (self.regular && of_first_impact(name)) || (self.unasked && name == WAVE_HEIGHT_RATIO.name)
+        self.regular && of_first_impact(name)
     }
 
     fn named(&self, name: &str) -> &str {
@@ -191,8 +185,7 @@ impl Row {
 
     /// The wall of a wave tank, and no water stands at it.
     pub fn stands_dry(&self) -> bool {
-        let has_paddle = self.unasked || self.number(&WAVE_HEIGHT_RATIO).is_some();
-        has_paddle && self.number(&FORCE_AT_REST) == Some(0.0)
+        self.number(&WAVE_HEIGHT_RATIO).is_some() && self.number(&FORCE_AT_REST) == Some(0.0)
     }
 
     /// The wall stands upright.
@@ -237,9 +230,9 @@ impl Row {
         let own = (column.name.to_owned(), value.to_string());
         let cells: Vec<_> = others.chain([own]).collect();
         let header = Arc::new(Header::new(cells.iter().map(|(name, _)| name.as_str())));
-        let Row { wall_angle_deg, regular, unasked, wall, variant, .. } = self;
+        let Row { wall_angle_deg, regular, wall, variant, .. } = self;
         let row = Row::new(&header, cells.iter().map(|(_, cell)| cell.as_str())).unwrap();
-        Row { wall_angle_deg, regular, unasked, wall, variant, ..row }
+        Row { wall_angle_deg, regular, wall, variant, ..row }
     }
 }
 

@@ -34,8 +34,7 @@ pub fn figures(data: &Loaded) -> Vec<Figure> {
                 drawing: drawing(data, response, &shown, &waves),
                 caption: format!(
                     "{what} against the spring stiffness k* = k/(ρgh²), one panel per wall mass \
-                     m* = m/(ρh²){}.{}{}{law}{of_masses}{of_waves}",
-                    if count > 0 { ", one curve per nominal wave height" } else { "" },
+                     m* = m/(ρh²), one curve per nominal wave height.{}{}{law}{of_masses}{of_waves}",
                     springless(data.of_variant(&variant)),
                     marks(&rows, &[response])
                 ),
