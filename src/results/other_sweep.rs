@@ -18,25 +18,35 @@ pub(super) fn difference(directory: &Path, study: &Study) -> Option<String> {
         ));
     }
     let files = [&there.sweep_file, &study.file_text].map(|text| text.parse::<Table>());
-    let told = match &files {
-        [Ok(there), Ok(here)] => first("", there, here),
+    match &files {
+        // What was set on the command line stands in no file.
+        [Ok(before), Ok(here)] if there.overrides.is_empty() => first("", before, here),
         _ => None,
-    };
-    let set = || format!("it was made with --set {}", there.overrides.join(" --set "));
-    told.or_else(|| (!there.overrides.is_empty()).then(set))
+    }
 }
 
-/// The first key at which two tables differ. The name of a study is no part of its identity.
+/// No part of a study's identity.
+const FREE: [&str; 4] = ["name", "limits", "accuracy", "numerics.error_bars"];
+
+/// Whether two values are the same: 1 is 1.0.
+fn same([one, other]: [Option<&Value>; 2]) -> bool {
+    let number = |value: Option<&Value>| crate::keys::number(value?);
+    one == other || number(one).is_some_and(|value| number(other) == Some(value))
+}
+
+/// The first key at which two tables differ.
 fn first(section: &str, there: &Table, here: &Table) -> Option<String> {
     let keys = there.keys().chain(here.keys().filter(|key| !there.contains_key(*key)));
-    keys.filter(|key| !(section.is_empty() && *key == "name")).find_map(|key| {
-        let path = if section.is_empty() { key.clone() } else { format!("{section}.{key}") };
+    let paths = keys.map(|key| {
+        (key, if section.is_empty() { key.clone() } else { format!("{section}.{key}") })
+    });
+    paths.filter(|(_, path)| !FREE.contains(&path.as_str())).find_map(|(key, path)| {
         let empty = Table::new();
         let table = |value: Option<&Value>| {
             value.map_or(Some(empty.clone()), |value| value.as_table().cloned())
         };
         let both = [there.get(key), here.get(key)];
-        if both[0] == both[1] {
+        if same(both) {
             return None;
         }
         if let [Some(there), Some(here)] = both.map(table) {
@@ -45,7 +55,11 @@ fn first(section: &str, there: &Table, here: &Table) -> Option<String> {
         let told = |value: Option<&Value>| {
             value.map_or("not given".to_owned(), |value| brief(&value.to_string()))
         };
-        Some(format!("{path} is {} there and {} here", told(both[0]), told(both[1])))
+        let [there, here] = both.map(told);
+        // Long values are cut.
+        let differs = there == here;
+        let is = || format!("{path} is {there} there and {here} here");
+        Some(if differs { format!("{path} differs") } else { is() })
     })
 }
 
@@ -63,6 +77,13 @@ mod tests {
         let file =
             "name = \"a\"\n[scene]\nwall = \"fixed\"\n[grid]\nwave_height_ratio = [0.3, 0.4]";
         assert_eq!(told(file, &file.replace("\"a\"", "\"b\"")), None);
+        let free = file
+            .replace("[grid]", "[numerics]\nerror_bars = \"pair\"\n[limits]\nsteps = 9\n[grid]");
+        assert_eq!(told(file, &free), None);
+        assert_eq!(told("[scene]\nend_time_s = 3", "[scene]\nend_time_s = 3.0"), None);
+        let [long, other] = [0, 1]
+            .map(|middle| format!("bed = [{}{middle}{}]", "1, ".repeat(60), ", 1".repeat(60)));
+        assert_eq!(told(&long, &other).unwrap(), "bed differs");
         let more = file.replace("0.4]", "0.4, 0.5]");
         let wanted = "grid.wave_height_ratio is [0.3, 0.4] there and [0.3, 0.4, 0.5] here";
         assert_eq!(told(file, &more).unwrap(), wanted);
