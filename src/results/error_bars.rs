@@ -193,7 +193,7 @@ mod tests {
         assert!((bars.displacement.unwrap() - DISPLACEMENT_SCATTER * 2.8).abs() < 1e-12);
     }
 
-    /// A volume over a crest has a bar as soon as a companion has one too, and nothing that stayed dry has any.
+    /// A volume over a crest has a bar where a companion has one, too. What stayed dry at both spacings has a bar of 0.
     #[test]
     fn what_goes_over_a_crest_has_a_bar() {
         let told = |volume_m2, thickness_max_m| {

@@ -84,7 +84,7 @@ fn later(data: &Loaded, first: f64) -> Option<String> {
 }
 
 /// The scene of a row.
-fn scene(data: &Loaded, file: Option<&SceneFile>, row: &Row) -> Option<Scene> {
+pub fn scene(data: &Loaded, file: Option<&SceneFile>, row: &Row) -> Option<Scene> {
     let index = data.rows.iter().position(|one| one.id() == row.id())?;
     Some(file?.config(data, index)?.scene)
 }

@@ -1,10 +1,11 @@
 //! How high the water runs up a beach, where the wall behind it stands dry.
 
-use super::force::most;
+use super::force::{most, scene};
 use crate::quantities::summary::{DOUBTFUL, RUNUP_MAX};
 use crate::report::load::Loaded;
 use crate::report::number;
 use crate::report::page::words::{at, result};
+use crate::report::row::Row;
 use crate::report::scene_file::SceneFile;
 
 /// The highest runup of such cases over h and in metres, and where the water was taken to end; `None` where water
@@ -12,18 +13,18 @@ use crate::report::scene_file::SceneFile;
 pub fn highest(data: &Loaded, file: Option<&SceneFile>) -> Option<String> {
     let dry = data.finished().filter(|row| row.stands_dry());
     let (row, runup) = most(dry, |row| row.number(&RUNUP_MAX))?;
-    let scene = || {
-        let index = data.rows.iter().position(|one| one.id() == row.id())?;
-        Some(file?.config(data, index)?.scene)
-    };
-    let scene = scene();
+    let scene = scene(data, file, row);
     let seawall = scene.as_ref().and_then(|scene| scene.seawall());
     let metres = scene.as_ref().map(|scene| runup * scene.frame().depth);
     let metres = metres.map(|height| number::significant(height, 3));
     let over = metres.map(|height| format!(", that is {height} m over still water"));
     let (over, place) = (over.unwrap_or_default(), at(row));
     let comma = if over.is_empty() || place.is_empty() { "" } else { "," };
-    let is = if data.rows.len() == 1 { "runup is" } else { "runup of all is" };
+    let is = match () {
+        () if data.rows.len() == 1 => "runup is",
+        () if data.finished().all(Row::stands_dry) => "runup of all is",
+        () => "runup before a wall that stands dry is",
+    };
     let mut text =
         format!("The highest {is} {}{over}{comma}{place}.", result("R*", row, &RUNUP_MAX)?);
     text.push_str(&match seawall.map(|scene| scene.runup_thickness_m) {
