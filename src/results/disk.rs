@@ -25,11 +25,12 @@ pub(super) fn write(mut file: &File, bytes: &[u8]) -> Result<()> {
     file.write_all(bytes)
 }
 
-/// Leaves so many bytes of a file, on the disk as well.
-pub(super) fn cut(file: &File, length: u64) -> Result<()> {
+/// Leaves so many bytes of a file, on the disk as well. Not every system lets files be cut that are open for appending.
+pub(super) fn cut(path: &Path, length: u64) -> Result<()> {
     faults::next()?;
+    let file = OpenOptions::new().write(true).open(path)?;
     file.set_len(length)?;
-    sync(file)
+    sync(&file)
 }
 
 /// Makes a file where there is none, which has no name before it is whole; whether it did. It takes less of the

@@ -68,7 +68,7 @@ impl Journal {
         }
         let file = disk::append(&path).map_err(SweepError::io(&path))?;
         if let Condition::Torn(whole) = content.condition {
-            disk::cut(&file, whole).map_err(SweepError::io(&path))?;
+            disk::cut(&path, whole).map_err(SweepError::io(&path))?;
         }
         let length = file.metadata().map_err(SweepError::io(&path))?.len();
         Ok(Journal { path, file, length, unsynced_since: None })
